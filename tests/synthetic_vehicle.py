@@ -8,7 +8,7 @@ from scipy.integrate import trapezoid
 from clpt_control.cli.replay_report import Ahead, summary_with_next
 from clpt_control.estimation.fix_model import inertial_frequency
 from clpt_control.geodesy import place_from
-from clpt_control.gliders.dive_files import write_dive_table
+from clpt_control.gliders.dive_table import write_dive_table
 from clpt_control.gliders.dives import Dive, make_dive
 from clpt_control.replay.replay import replay_dives
 from clpt_control.scenario.tidal_periods import period

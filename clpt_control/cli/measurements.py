@@ -160,8 +160,8 @@ def estimate(
     """
     import numpy as np
 
+    from ..estimation.fix_to_fix import METHODS
     from ..estimation.segments import run_scenario
-    from ..estimation.theta_from_fixes import METHODS
 
     if method not in METHODS:
         raise ScenarioError(f"--method {method}: must be one of {', '.join(METHODS)}")

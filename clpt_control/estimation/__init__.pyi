@@ -1,5 +1,6 @@
 from .estimators import make_estimator
-from .fix_model import FixModel, Priors
+from .fix_model import FixModel
+from .priors import Priors
 from .theta_from_fixes import FlowEstimate, dive_basis, flow_estimate, known_flow_scenario
 
 __all__ = [

@@ -72,7 +72,8 @@ import numpy as np
 from ..arguments import public
 from ..errors import ScenarioError
 from .dive import Dive, mid_time, miss
-from .fix_model import DAY, FAR, FixModel, Sea
+from .fix_model import FAR, FixModel
+from .priors import DAY, Sea
 
 HIDDEN = 4  # states before the parameters: the slow current and its slope
 

@@ -1,4 +1,5 @@
-from .dive_files import read_dives, sample_dives, write_dive_table
+from .dive_files import read_dives, sample_dives
+from .dive_table import write_dive_table
 from .dives import Dive, make_dive
 from .usable_dives import usable
 

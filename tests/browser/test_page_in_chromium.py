@@ -12,7 +12,7 @@ import pytest
 from processes import CLPT, GUARD
 from synthetic_vehicle import fixes_of
 
-from clpt_control.gliders.dive_files import write_dive_table
+from clpt_control.gliders.dive_table import write_dive_table
 
 NAMES = ("chromium", "chromium-browser", "google-chrome")
 CHROMIUM = next(filter(None, map(shutil.which, NAMES)), "")

@@ -13,10 +13,9 @@ from hypothesis import given, seed, settings
 from hypothesis import strategies as st
 
 import clpt_control as clpt
+from clpt_control.estimation import fix_to_fix
 from clpt_control.estimation import segments as between_fixes
-from clpt_control.estimation import theta_from_fixes
-from clpt_control.estimation.segments import Segments, run_segments
-from clpt_control.estimation.theta_from_fixes import (
+from clpt_control.estimation.fix_to_fix import (
     METHODS,
     batch_least_squares,
     generalised,
@@ -25,6 +24,7 @@ from clpt_control.estimation.theta_from_fixes import (
     tomography,
     whitened,
 )
+from clpt_control.estimation.segments import Segments, run_segments
 
 estimate = clpt.estimation.flow_estimate
 PAPER = clpt.paper_scenario()
@@ -421,7 +421,7 @@ def test_dives_that_tell_too_little_are_refused():
 
 
 def test_a_tomography_that_does_not_settle_says_so(monkeypatch):
-    monkeypatch.setattr(theta_from_fixes, "MOST", 10)
+    monkeypatch.setattr(fix_to_fix, "MOST", 10)
     segments = turning(np.random.default_rng(5), 2, w=3.0)  # it turns twice between two fixes
     with pytest.raises(clpt.DataError, match=r"does not settle in 10 iterations|not finite"):
         tomography(segments, LINEAR, np.zeros((2, 3)), np.full(3, 10.0), np.full(2, 1e-3), 0)

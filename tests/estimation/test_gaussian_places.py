@@ -9,7 +9,8 @@ from synthetic_vehicle import vehicle
 
 from clpt_control.estimation.dive import Dive
 from clpt_control.estimation.estimators import ESTIMATORS
-from clpt_control.estimation.fix_model import SPACING, FixModel, Places, near, places_columns
+from clpt_control.estimation.fix_model import FixModel
+from clpt_control.estimation.gaussian_places import SPACING, Places, near, places_columns
 from clpt_control.geodesy import place_from
 from clpt_control.replay.facts import replay_dataset
 from clpt_control.replay.outcome import clpe_rms

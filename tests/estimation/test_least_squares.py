@@ -13,8 +13,9 @@ from clpt_control.equations import evaluate
 from clpt_control.errors import DataError
 from clpt_control.estimation.dive import mid_time, miss
 from clpt_control.estimation.estimators import KalmanBank, mixed, with_hidden
-from clpt_control.estimation.fix_model import DAY, FixModel, Priors, Sea
+from clpt_control.estimation.fix_model import FixModel
 from clpt_control.estimation.least_squares import explained_share, least_squares
+from clpt_control.estimation.priors import DAY, Priors, Sea
 from clpt_control.replay.replay import replay_dives
 
 M2 = 2 * np.pi / 12.4206

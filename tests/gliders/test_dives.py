@@ -11,13 +11,8 @@ from glider_dialects import dives_in, og1_of
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from clpt_control.gliders.dive_files import (
-    OPTIONAL,
-    read_dive_file,
-    read_dives,
-    sample_dives,
-    write_dive_table,
-)
+from clpt_control.gliders.dive_files import read_dive_file, read_dives, sample_dives
+from clpt_control.gliders.dive_table import OPTIONAL, write_dive_table
 from clpt_control.gliders.dives import make_dive
 
 TABLE = [field.name for field in fields(make_dive(1, (0, 0, 0), (1, 0, 0), (0, 0)))]

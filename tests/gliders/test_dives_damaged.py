@@ -9,12 +9,8 @@ import pytest
 from glider_dialects import dives_in
 
 from clpt_control.errors import DataError
-from clpt_control.gliders.dive_files import (
-    read_dive_file,
-    read_dives,
-    sample_dives,
-    write_dive_table,
-)
+from clpt_control.gliders.dive_files import read_dive_file, read_dives, sample_dives
+from clpt_control.gliders.dive_table import write_dive_table
 from clpt_control.gliders.usable_dives import usable
 
 

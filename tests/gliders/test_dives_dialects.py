@@ -27,7 +27,8 @@ from glider_dialects import (
     og1_rows,
 )
 
-from clpt_control.gliders.dive_files import read_dives, write_dive_table
+from clpt_control.gliders.dive_files import read_dives
+from clpt_control.gliders.dive_table import write_dive_table
 from clpt_control.gliders.samples import variation, with_variation
 from clpt_control.gliders.usable_dives import usable
 

@@ -11,13 +11,8 @@ from glider_dialects import basestation, dives_in, og1, og1_rows
 
 from clpt_control.errors import DataError
 from clpt_control.files import reading
-from clpt_control.gliders.dive_files import (
-    dive_paths,
-    read_dive_file,
-    read_dives,
-    sample_dives,
-    write_dive_table,
-)
+from clpt_control.gliders.dive_files import dive_paths, read_dive_file, read_dives, sample_dives
+from clpt_control.gliders.dive_table import write_dive_table
 from clpt_control.gliders.usable_dives import usable
 
 HEAD = "dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dr_east_m,dr_north_m\n"

@@ -17,7 +17,7 @@ from processes import CLPT, GUARD, await_line, kill_while_it_writes, started
 from synthetic_vehicle import fixes_of, one_file_each, told, vehicle
 
 from clpt_control.geodesy import place_from
-from clpt_control.gliders.dive_files import write_dive_table
+from clpt_control.gliders.dive_table import write_dive_table
 from clpt_control.gliders.dives import make_dive
 from clpt_control.replay import fleet
 from clpt_control.replay.fleet import events, standing, unread

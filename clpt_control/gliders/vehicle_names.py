@@ -1,0 +1,50 @@
+"""The name of a vehicle, as its files or their names have it."""
+
+import re
+from typing import Any
+
+LONGEST = 40  # letters; a longer one is no name
+FILES = (
+    re.compile(r"(.+?)-\d{4}-\d+-\d+-\d+"),  # of a Slocum: rosie_713-2019-166-0-156
+    re.compile(r"(sea\d+)\.\d+\.", re.IGNORECASE),  # of a SeaExplorer: sea035.10.gli.sub.12.gz
+)
+DATED = re.compile(r"(.+?)_\d{8}")  # SG015_20040929T140907_delayed
+
+
+def name_in(data: Any) -> str | None:
+    """Return the vehicle's name in an open xarray.Dataset: its identifier, or its serial number.
+
+    >>> import xarray
+    >>> name_in(xarray.Dataset(attrs={"id": "SG015_20040929T140907_delayed"}))
+    'SG015'
+    >>> name_in(xarray.Dataset(attrs={"id": "x", "platform_id": " SG171 "}))
+    'SG171'
+    """
+    serial = data.get("platform_serial_number")
+    values = [data.attrs.get("platform_id"), None]
+    if serial is not None and serial.ndim == 0 and serial.dtype.kind in "SUO":
+        value = serial.values.item()
+        values[1] = value.decode("utf-8", "replace") if isinstance(value, bytes) else value
+    dated = DATED.match(str(data.attrs.get("id", "")))
+    return name_of(*values, dated and dated[1])
+
+
+def name_of_file(file: str) -> str | None:
+    """Return the vehicle's name in that of a file of a Slocum or a SeaExplorer.
+
+    >>> name_of_file("rosie_713-2019-166-0-156.sbd"), name_of_file("sea035.10.gli.sub.12.gz")
+    ('rosie_713', 'sea035')
+    >>> name_of_file("dives.csv") is None
+    True
+    """
+    matches = (pattern.match(file) for pattern in FILES)
+    return name_of(*(found[1] for found in matches if found))
+
+
+def name_of(*values: Any) -> str | None:
+    """Return the first value that is a name, None where none is."""
+    for value in values:
+        name = value.strip() if isinstance(value, str) else ""
+        if 0 < len(name) <= LONGEST and name.isprintable():
+            return name
+    return None
