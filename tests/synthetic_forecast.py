@@ -9,7 +9,7 @@ from made_fields import as_it_is, gridded_current
 from pyproj import Geod
 
 from clpt_control.gliders.dives import make_dive
-from clpt_control.replay.flow_models import FlowModel, carried, why_uncovered
+from clpt_control.replay.carried_dives import FlowModel, carried, why_uncovered
 
 START = datetime(2020, 6, 1, tzinfo=UTC).timestamp()
 LAT, LON = np.linspace(40.5, 41.5, 21), np.linspace(-70.0, -68.5, 31)

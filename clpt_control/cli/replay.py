@@ -269,7 +269,7 @@ def look_at(
     from ..gliders.dive_files import FROM_GLIDER
     from ..replay.fleet import Alerts, fleet_page, ordered, standing, unread
     from ..replay.follow import following
-    from ..replay.wording import utc
+    from ..replay.places import utc
 
     if not top.is_dir():
         raise DataError(f"{top}: no such folder; give one with a folder for each vehicle")

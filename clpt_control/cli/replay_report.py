@@ -144,7 +144,7 @@ def fitted(
 
 def results(summary: dict[str, Any]) -> list[Result]:
     """Return a summary as tables and sentences: dives, misses, what was learned, what comes."""
-    from ..replay import wording
+    from ..replay import cells, wording
 
     each, sentences = summary["each_dive"], list(wording.remarks(summary))
     if summary["next_dive"]:
@@ -155,16 +155,16 @@ def results(summary: dict[str, Any]) -> list[Result]:
         sentences += [f"to paste, {summary['paste']['file']}:", summary["paste"]["text"].rstrip()]
     if not each:
         return [Result(sentences=["no dives yet", *sentences])]
-    dives = [wording.cells(row) for row in each]
+    dives = [cells.cells(row) for row in each]
     if summary["next_dive"]:
-        dives.append(wording.cells_ahead(summary["next_dive"]))
+        dives.append(cells.cells_ahead(summary["next_dive"]))
     means = {name: summary[key] for key, name in ROWS.items()}
     if "flow_model" in summary and 0 < summary["flow_model"]["covered"] < summary["used"]:
         means["covered, after the first dive"] = summary["flow_model"]["clpe_rms"]
-    models = [wording.MODELS[key] for key in each[0]["clpe"]]
-    rows = [[name, *map(wording.metres, rms.values())] for name, rms in means.items()]
+    models = [cells.MODELS[key] for key in each[0]["clpe"]]
+    rows = [[name, *map(cells.metres, rms.values())] for name, rms in means.items()]
     return [
-        fitted("Miss (CLPE, m) one dive ahead; currents in m/s", dives, wording.RANKS),
+        fitted("Miss (CLPE, m) one dive ahead; currents in m/s", dives, cells.RANKS),
         Result("Miss, rms (m)", ["over", *models], rows, sentences),
     ]
 
@@ -284,7 +284,8 @@ def learn(
     take: Take, dives: tuple[Any, Any], files: int, out: Path, ahead: Ahead, kinds: Sequence[str]
 ) -> tuple[dict[str, Any], str]:
     """Replay dives and write the results; return them with a line on the new files."""
-    from ..replay.wording import aim_sentence, place, when
+    from ..replay.places import place
+    from ..replay.wording import aim_sentence, when
 
     replay, skipped = take(*dives)
     found, goal = summary_with_next(replay, skipped, ahead)

@@ -1,6 +1,7 @@
 from .aim import aims
+from .carried_dives import carried
 from .facts import replay_dataset
-from .flow_models import carried, read_flow_model
+from .flow_models import read_flow_model
 from .outcome import clpe_rms, summary
 from .plots import current_plot, dive_clpe_plot, map_plot, replay_plot, save_replay_figures
 from .replay import Replay, next_dive, replay_dives

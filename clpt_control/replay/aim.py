@@ -33,9 +33,10 @@ from ..geodesy import displacement, distance, is_place, near
 from ..gliders.dives import Dive, Fix
 from ..gliders.samples import variation as igrf
 from ..gliders.usable_dives import FASTEST
-from . import wording
+from .places import Place, direction, in_minutes, placed, utc, vector
 from .replay import Replay
 from .surfacing import ELLIPSE, LONGEST, NextDive, ellipse
+from .wording import AGAINST, REACHED, UNDER_WAY, aim_sentence
 
 SHORTEST = 1.0  # s, of a dive that is aimed
 YEAR = 365 * 86400.0  # s
@@ -55,7 +56,7 @@ class Aim:
     and `speed` through the water are what is expected, m/s.
     """
 
-    target: wording.Place
+    target: Place
     ahead: NextDive
     distance: float
     bearing: float | None
@@ -69,7 +70,7 @@ class Aim:
     variation: float | None = None
 
     def __repr__(self) -> str:
-        return f"<Aim: {wording.aim_sentence(self.as_dict())}>"
+        return f"<Aim: {aim_sentence(self.as_dict())}>"
 
     @property
     def crab(self) -> float | None:
@@ -105,10 +106,10 @@ class Aim:
         """Return all by name, for JSON; `expected_miss` is rms, from where the dive should end."""
         plan = self.ahead.plan
         return {
-            **wording.placed("", *self.target),
-            "place": wording.in_minutes(*self.target),
-            **wording.placed("from_", plan.lat_gps2, plan.lon_gps2),
-            "start": wording.utc(plan.t_gps2),
+            **placed("", *self.target),
+            "place": in_minutes(*self.target),
+            **placed("from_", plan.lat_gps2, plan.lon_gps2),
+            "start": utc(plan.t_gps2),
             "distance": self.distance,
             "bearing": self.bearing,
             "heading": self.heading,
@@ -117,18 +118,18 @@ class Aim:
             "crab": self.crab,
             "speed": self.full / plan.duration,
             "speed_expected": self.speed,
-            **wording.vector("current_", *self.current),
+            **vector("current_", *self.current),
             "duration": plan.duration,
             "through_water": self.through_water,
             "through_water_full": self.full,
             "made_good": self.made_good,
-            "course_made_good": wording.direction(*self.way),
+            "course_made_good": direction(*self.way),
             "left": self.left,
             "state": self.state,
             "dives": self.dives,
             "hours": None if self.dives is None else self.dives * plan.duration / 3600,
-            "end": wording.utc(plan.t_gpse),
-            **wording.placed("end_", self.ahead.latitude, self.ahead.longitude),
+            "end": utc(plan.t_gpse),
+            **placed("end_", self.ahead.latitude, self.ahead.longitude),
             "expected_miss": sqrt(float(np.trace(self.ahead.covariance))),
             **dict(zip(ELLIPSE, ellipse(self.ahead.covariance), strict=True)),
         }
@@ -143,11 +144,11 @@ def triangle(g: np.ndarray, c: np.ndarray, s: float) -> tuple[np.ndarray, str, f
     """
     rest = g - c
     if hypot(*rest) <= s:
-        return rest, wording.REACHED, 1.0
+        return rest, REACHED, 1.0
     tau = _dives(g, c, s)
     if tau is None:
-        return s * rest / hypot(*rest), wording.AGAINST, None
-    return g / tau - c, wording.UNDER_WAY, tau
+        return s * rest / hypot(*rest), AGAINST, None
+    return g / tau - c, UNDER_WAY, tau
 
 
 def _dives(g: np.ndarray, c: np.ndarray, s: float) -> float | None:
@@ -160,7 +161,7 @@ def _dives(g: np.ndarray, c: np.ndarray, s: float) -> float | None:
     return k / (b + root) if b > 0 else (b - root) / a  # without a difference of like numbers
 
 
-def checked_target(lat: float, lon: float) -> wording.Place:
+def checked_target(lat: float, lon: float) -> Place:
     """Return a waypoint, or refuse what is no place."""
     if is_place(lat, lon):
         return lat, lon
@@ -173,7 +174,7 @@ def checked_target(lat: float, lon: float) -> wording.Place:
 @public
 def aims(
     replay: Replay,
-    targets: Sequence[wording.Place],
+    targets: Sequence[Place],
     speed: float | None = None,
     duration: float | None = None,
     variation: float | None = None,
@@ -270,9 +271,7 @@ def check_speed(V: float, T: float) -> None:
         )
 
 
-def aim(
-    replay: Replay, start: Fix, target: wording.Place, V: float, T: float, shorten: bool = True
-) -> Aim:
+def aim(replay: Replay, start: Fix, target: Place, V: float, T: float, shorten: bool = True) -> Aim:
     """Aim a dive of T s at V m/s from a start at a waypoint; a shorter one, if that must be."""
     g = np.array(displacement(*start[1:], *target))
     response = replay.steps[-1].response  # I + M
@@ -286,7 +285,7 @@ def aim(
         if hypot(*(c - before)) < CLOSE:
             break
         d = np.linalg.solve(response, w)
-    if state == wording.UNDER_WAY and tau is not None and tau < 1.0 and shorten:
+    if state == UNDER_WAY and tau is not None and tau < 1.0 and shorten:
         middle = float(g @ c) / (float(c @ c) - s * s)  # of two roots, both below 1
         return aim(replay, start, target, V, T * middle, shorten=False)
     plan = ahead.plan  # as it was forecast, whether or not c came to rest
@@ -294,8 +293,8 @@ def aim(
         target,
         ahead,
         hypot(*g),
-        wording.direction(*map(float, g)),
-        wording.direction(plan.dr_east, plan.dr_north),
+        direction(*map(float, g)),
+        direction(plan.dr_east, plan.dr_north),
         hypot(plan.dr_east, plan.dr_north),
         full,
         state,

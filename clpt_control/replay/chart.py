@@ -28,7 +28,9 @@ import numpy as np
 
 from ..errors import needed
 from ..geodesy import displacement, near, place_from
-from .wording import Place, compass, degrees_minutes, east_of, half_axes, velocity, within
+from .cells import half_axes
+from .places import Place, compass, degrees_minutes, east_of, velocity
+from .wording import within
 
 DIVE, NEXT, AIMED = ("start_", "forecast_"), ("from_", ""), ("from_", "end_")  # start, centre
 CORNERS = 48

@@ -31,7 +31,8 @@ from ..gliders.slocum import HOLDS
 from ..html import safe
 from .aim import ARRIVED
 from .chart import Layer, drawn_dives, layers_ahead, line_pieces, place_in, ring_pieces
-from .wording import REACHED, compass, east_of, minutes
+from .places import compass, east_of, minutes
+from .wording import REACHED
 
 DIGITS = 6  # decimals of a degree: 0.1 m
 KML = "http://www.opengis.net/kml/2.2"

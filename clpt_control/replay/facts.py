@@ -20,9 +20,9 @@ from ..arguments import public
 from ..errors import DataError
 from ..figures import literal
 from .outcome import flat_rows, known
+from .places import utc
 from .replay import FLOW_MODEL, MODELS, Replay
 from .surfacing import ELLIPSE, NextDive, ellipse
-from .wording import utc
 
 EPOCH = "seconds since 1970-01-01 00:00:00 UTC"
 SECOND, START = np.timedelta64(1, "s"), np.datetime64("1970-01-01")

@@ -37,10 +37,12 @@ from ..files.reading import read_text
 from ..html import document, paragraphs
 from ..progress import tell
 from ..units import seconds_since_1970
+from .cells import half_axes, speed_mark
 from .doubts import SETTLED, Anomaly
+from .places import clock, date, in_minutes
 from .replay_page import cell_table
 from .surfacing import RECENT
-from .wording import clock, date, half_axes, in_minutes, speed_mark, within
+from .wording import within
 
 OVERDUE, OUT, SPEED, UNREAD = "overdue", "OUT", "SPEED", "cannot be read"
 ORDER = (OVERDUE, OUT, SPEED, UNREAD)

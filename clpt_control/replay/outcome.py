@@ -28,10 +28,11 @@ from ..estimation.dive import dac_difference
 from ..estimation.fix_model import OTHERS
 from ..geodesy import place_from
 from ..gliders.dives import Skipped
-from .flow_models import NOTE, why_uncovered
+from .carried_dives import NOTE, why_uncovered
+from .habits import Way
+from .places import direction, placed, utc, vector, velocity
 from .replay import FLOW_MODEL, Replay, Step
-from .surfacing import ELLIPSE, NextDive, Way, ellipse
-from .wording import direction, placed, utc, vector, velocity
+from .surfacing import ELLIPSE, NextDive, ellipse
 
 SPEED = ("speed_factor", "speed_factor_error", "compass", "compass_error")
 FAR = 3.0  # standard errors

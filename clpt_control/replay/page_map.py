@@ -15,7 +15,7 @@ import numpy as np
 from ..geodesy import displacement
 from ..html import safe
 from . import chart
-from .wording import Place, compass
+from .places import Place, compass
 
 WIDTH = 1000.0
 LINES = 5  # of the grid, about

@@ -22,9 +22,9 @@ from ..files import write_together
 from .chart import LAST, Chart, bar_of, drawn_dives, grid_label, layers_ahead, with_room
 from .facts import Source, learns_speed, plot_data
 from .outcome import rms_of
+from .places import Place, clock
 from .replay import Replay
 from .surfacing import NextDive
-from .wording import Place, clock
 
 FEW = 20  # dives, whose marks are large
 SIZE = 6.5  # inches of the longer side

@@ -10,7 +10,7 @@ from typing import Any
 
 from ..figures import figure_of, inline_svg
 from ..html import document, listing, paragraphs, safe
-from . import wording
+from . import cells, places, wording
 from .page_map import replay_map
 from .plots import current_plot, dive_clpe_plot
 
@@ -61,7 +61,7 @@ def _card(title: str, value: str, below: str, style: str = "") -> str:
 def _cards(found: dict[str, Any]) -> list[str]:
     """Return the headline: when, where, aim, current, speed, how good, marks."""
     ahead, last = found["next_dive"], found["each_dive"][-1]
-    time = wording.clock(ahead["time"])
+    time = places.clock(ahead["time"])
     if ahead["now_is"] == "clock":
         since = f'<span data-time="{safe(ahead["time"])}">{ahead["hours_from_now"]:+.1f} h</span>'
         since += f"; written {safe(ahead['now'][11:16])} UTC"
@@ -73,14 +73,14 @@ def _cards(found: dict[str, Any]) -> list[str]:
         _card(
             "Where",
             ahead["place"],
-            f"{safe(wording.in_degrees(ahead['latitude'], ahead['longitude']))}; 90 % within "
-            f"{wording.half_axes(ahead)} m; {safe(wording.record_sentence(found['headlines']))}",
+            f"{safe(places.in_degrees(ahead['latitude'], ahead['longitude']))}; 90 % within "
+            f"{cells.half_axes(ahead)} m; {safe(wording.record_sentence(found['headlines']))}",
             "first",
         ),
         *(_aim(leg) for leg in found["aim"][:1]),
     ]
     error = max(last["current_east_error"], last["current_north_error"])
-    current = wording.velocity(last["current_east"], last["current_north"])
+    current = places.velocity(last["current_east"], last["current_north"])
     cards.append(_card(f"Current, dive {last['dive']}", current, f"+- {error:.2f} m/s"))
     if last["speed_factor"] is not None:
         value = f"{last['speed_factor']:.2f} +- {last['speed_factor_error']:.2f}"
@@ -92,16 +92,16 @@ def _cards(found: dict[str, Any]) -> list[str]:
     for anomaly in found["anomalies"][-1:]:
         change = f"changed by {anomaly['change']:+.2f} since dive {anomaly['since']}"
         cards.append(
-            _card(f"Mark of dive {anomaly['dive']}", wording.speed_mark(anomaly), change, "alarm")
+            _card(f"Mark of dive {anomaly['dive']}", cells.speed_mark(anomaly), change, "alarm")
         )
     return cards
 
 
 def _aim(leg: dict[str, Any]) -> str:
     heading, magnetic = leg["heading"], leg["heading_magnetic"]
-    value = "stay" if heading is None else f"heading {wording.compass(heading)}"
+    value = "stay" if heading is None else f"heading {places.compass(heading)}"
     if magnetic is not None:
-        value += f" (mag {wording.compass(magnetic)})"
+        value += f" (mag {places.compass(magnetic)})"
     below = f"to {safe(leg['place'])}; {leg['made_good']:.0f} m made good, {safe(leg['state'])}"
     return _card("Aim", value, below, "first")
 
@@ -144,9 +144,9 @@ def _keys(found: dict[str, Any]) -> str:
 def _table(found: dict[str, Any]) -> list[str]:
     """Return the table, the last dive first."""
     title = "Dives, the last one first: miss (CLPE, m) one dive ahead, currents in m/s"
-    rows = [wording.cells(row) for row in found["each_dive"][::-1]]
+    rows = [cells.cells(row) for row in found["each_dive"][::-1]]
     return cell_table(
-        title, rows, wording.RANKS, [f' data-dive="{safe(row["dive"])}"' for row in rows]
+        title, rows, cells.RANKS, [f' data-dive="{safe(row["dive"])}"' for row in rows]
     )
 
 

@@ -30,8 +30,9 @@ from ..geodesy import distance, is_place, near, place_from
 from ..gliders.dives import Fix, make_dive
 from ..progress.interrupt import check
 from .aim import ARRIVED, aim, usual
+from .places import Place, in_minutes, utc
 from .replay import Replay
-from .wording import REACHED, Place, in_minutes, utc
+from .wording import REACHED
 
 DRAWS, DIVES, SEED = 100, 100, 1
 MOST_PLACES = 20_000  # of all areas

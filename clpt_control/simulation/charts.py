@@ -13,7 +13,6 @@ from ..figures import BLUE, GREY, RED, axes_for, legend_below
 from ..scenario.experiment import Scenario
 from ..scenario.file import scenario_of_run
 from ..scenario.recorded_run import check_run, waypoints_of
-from .flows import flow_velocity
 
 if TYPE_CHECKING:
     import xarray
@@ -73,6 +72,8 @@ def track_plot(
     ax = axes_for(ax, 5.6, 5.2)
     if label:
         return _track_among(ax, scenario, points, run, label, color)
+    from .flows import flow_velocity
+
     unit = scenario.units.length
     grid = square_chart(ax, scenario, np.concatenate([points, path]), 13)
     flow = flow_velocity(scenario, grid, 0.0)

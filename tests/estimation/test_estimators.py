@@ -13,7 +13,8 @@ from clpt_control.estimation.dive import make_dive, mid_time
 from clpt_control.estimation.estimators import ESTIMATORS, KalmanBank
 from clpt_control.estimation.fix_model import FixModel, inertial_frequency
 from clpt_control.estimation.priors import Priors
-from clpt_control.replay.flow_models import Uncovered, carried_by, read_flow_model
+from clpt_control.replay.carried_dives import Uncovered, carried_by
+from clpt_control.replay.flow_models import read_flow_model
 from clpt_control.replay.outcome import clpe_rms, summary
 from clpt_control.replay.replay import replay_dives
 from clpt_control.scenario.tidal_periods import period

@@ -26,8 +26,9 @@ from clpt_control.errors import DataError
 from clpt_control.files import write_file
 from clpt_control.gliders.dive_files import sample_dives
 from clpt_control.gliders.usable_dives import usable
+from clpt_control.replay.carried_dives import carried, why_uncovered
 from clpt_control.replay.facts import replay_dataset
-from clpt_control.replay.flow_models import carried, read_flow_model, why_uncovered
+from clpt_control.replay.flow_models import read_flow_model
 from clpt_control.replay.outcome import summary
 from clpt_control.replay.replay import replay_dives
 

@@ -15,9 +15,10 @@ from clpt_control.gliders import make_dive, read_dives, sample_dives, usable, wr
 from clpt_control.gliders.dives import planned_course
 from clpt_control.pages.writing import checked_replay
 from clpt_control.replay.exchange import next_geojson, track_kml
+from clpt_control.replay.habits import PLANNED, REPEATED, Habits, drift
 from clpt_control.replay.replay import replay_dives
 from clpt_control.replay.replay_page import replay_page
-from clpt_control.replay.surfacing import PLANNED, REPEATED, Habits, drift, ellipse
+from clpt_control.replay.surfacing import ellipse
 
 DIVES = usable(sample_dives())[0]
 

@@ -82,7 +82,7 @@ def test_following_goes_on_where_it_cannot_aim(command, follow, tmp_path):
 
 def test_wider_is_more(sg542):
     from clpt_control.cli.replay_report import fitting
-    from clpt_control.replay.wording import RANKS, cells
+    from clpt_control.replay.cells import RANKS, cells
 
     rows = [cells(row) for row in sg542["each_dive"]]
     counts = [len(fitting(rows, width, RANKS)) for width in range(40, 260)]

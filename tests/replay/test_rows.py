@@ -14,7 +14,7 @@ from synthetic_vehicle import vehicle
 from clpt_control.geodesy import displacement
 from clpt_control.gliders.dive_files import sample_dives
 from clpt_control.gliders.dives import make_dive
-from clpt_control.replay import surfacing, wording
+from clpt_control.replay import habits, places, surfacing, wording
 from clpt_control.replay.facts import replay_dataset
 from clpt_control.replay.outcome import summary
 from clpt_control.replay.replay import next_dive, replay_dives
@@ -23,7 +23,7 @@ from clpt_control.replay.replay import next_dive, replay_dives
 @settings(derandomize=True, max_examples=200)
 @given(st.floats(-90, 90), st.floats(-360, 360))
 def test_minutes_are_the_degrees(lat, lon):
-    words = wording.in_minutes(lat, lon).split()
+    words = places.in_minutes(lat, lon).split()
     found = []
     for whole, minutes, name in (words[:3], words[3:]):
         assert 0 <= float(minutes) < 60
@@ -45,36 +45,36 @@ def test_minutes_are_the_degrees(lat, lon):
     ],
 )
 def test_minutes_at_the_edges(lat, lon, says):
-    assert wording.in_minutes(lat, lon) == says
+    assert places.in_minutes(lat, lon) == says
 
 
 def test_times_carry():
-    assert wording.utc(1451606399.7) == "2016-01-01T00:00:00Z"
-    assert wording.clock(wording.utc(1451606399.7)) == "2016-01-01 00:00 UTC"
+    assert places.utc(1451606399.7) == "2016-01-01T00:00:00Z"
+    assert places.clock(places.utc(1451606399.7)) == "2016-01-01 00:00 UTC"
     assert wording.from_now(-0.02) == "in 0.0 h"
 
 
 @pytest.mark.parametrize("angle", range(0, 360, 15))
 def test_directions(angle):
     east, north = math.sin(math.radians(angle)), math.cos(math.radians(angle))
-    assert wording.direction(east, north) % 360 == pytest.approx(angle, abs=1e-9)
-    assert wording.velocity(east, north) == f"1.00 m/s to {angle:03d}"
+    assert places.direction(east, north) % 360 == pytest.approx(angle, abs=1e-9)
+    assert places.velocity(east, north) == f"1.00 m/s to {angle:03d}"
 
 
 def test_drift_is_from_where_it_came_up():
     first = make_dive(7, (0.0, 0.0, 179.9), (9000.0, 0.0, 179.99), (0.0, 0.0))
     next_one = make_dive(8, (9600.0, 0.0, -179.99), (19000.0, 0.0, -179.9), (0.0, 0.0))
-    way = surfacing.drift(next_one, first)
+    way = habits.drift(next_one, first)
     degree = math.radians(1) * 6378137.0  # along the equator
     assert way.east == pytest.approx(0.02 * degree, rel=1e-9)  # over the date line
     said = way.as_dict()
     assert said["direction"] == pytest.approx(90.0)
     assert said["speed"] == pytest.approx(0.02 * degree / 600)
-    assert surfacing.drift(replace(next_one, number=9), first) is None  # a dive is missing
+    assert habits.drift(replace(next_one, number=9), first) is None  # a dive is missing
     gps1 = replace(next_one, number=9, t_gps1=9300.0, lat_gps1=0.0, lon_gps1=-180.0)
-    assert surfacing.drift(gps1, first).east == pytest.approx(0.01 * degree, rel=1e-9)
-    assert surfacing.drift(replace(gps1, t_gps1=math.nan), first) is None
-    still = surfacing.Way(0.0, 0.0, 20.0).as_dict()
+    assert habits.drift(gps1, first).east == pytest.approx(0.01 * degree, rel=1e-9)
+    assert habits.drift(replace(gps1, t_gps1=math.nan), first) is None
+    still = habits.Way(0.0, 0.0, 20.0).as_dict()
     assert still["direction"] is still["speed"] is None
 
 
@@ -120,7 +120,7 @@ def test_hours_from_the_clock_or_the_last_end(monkeypatch):
         monkeypatch.setattr(surfacing.time, "time", lambda clock=clock: clock)
         said = found.as_dict()
         assert said["now_is"] == which
-        assert said["now"] == wording.utc(end + late)
+        assert said["now"] == places.utc(end + late)
         surface = said["surface_time"]
         assert 0 < surface < 1800
         hours = (surface + said["duration"] - late) / 3600
