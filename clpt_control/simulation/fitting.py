@@ -267,8 +267,13 @@ class _Fitting:
         return self.last[1]
 
     def residuals(self, values: np.ndarray, noise: np.ndarray) -> np.ndarray:
-        """Return what is left, in units of the noise."""
-        residuals = self.run(values).outputs[:, self.places, 0] - self.measured
+        """Return what is left, in units of the noise; infinite where a try cannot run."""
+        try:
+            residuals = self.run(values).outputs[:, self.places, 0] - self.measured
+        except SimulationError:
+            if self.last is None:  # where the fit begins
+                raise
+            return np.full(self.there.sum(), np.inf)
         return (residuals / noise)[self.there]
 
     def jacobian(self, values: np.ndarray, noise: np.ndarray) -> np.ndarray:

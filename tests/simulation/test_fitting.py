@@ -206,3 +206,16 @@ def test_mistakes_are_told():
             fit(**usual | given)
     with pytest.raises(clpt.ClptError, match="timepts: is required"):
         clpt.fit_parameters(mass(), measured(0), BEGIN)
+
+
+def test_a_try_that_escapes_is_taken_back():
+    """From a = 4, b = 0 the first step is to a = 0.6, b = 4, which is infinite at t = 0.3."""
+    growth = control.nlsys(lambda t, x, u, p: [-p["a"] * x[0] + p["b"] * x[0] ** 2], None,
+                           name="growth", states=["x"], inputs=0, outputs=["x"],
+                           params={"a": 1.0, "b": 1.0})  # fmt: skip
+    times, (a, b) = np.linspace(0, 5, 21), (1.0, 0.9)
+    data = {"x": a / (b + (a - b) * np.exp(a * times))}
+    found = clpt.fit_parameters(growth, data, {"a": 4.0, "b": 0.0}, times, initial_state=[1.0])
+    assert found.values == pytest.approx({"a": a, "b": b}, abs=1e-8)
+    with pytest.raises(clpt.SimulationError, match=r"at a = 0.3, b = 0.5: .*begin closer"):
+        clpt.fit_parameters(growth, data, {"a": 0.3, "b": 0.5}, times, initial_state=[1.0])
