@@ -206,7 +206,8 @@ class Sensitive:
     ) -> None:
         """Compare the derivative by one of what is varied with differences of two sizes.
 
-        Where a sample falls on a jump of an output, they grow as their size shrinks.
+        Where a sample falls on a jump of an output, they grow as their size shrinks; where they
+        grow at the next sample too, or at the last, the runs part.
         """
         solver = {} if self.wiring.dt else EXACT
         along, way = found.every[..., 1 + j] * size, size * (np.arange(len(values)) == j)
@@ -218,7 +219,10 @@ class Sensitive:
             rounding = 10 * EXACT["rtol"] / h * np.abs(more).max(axis=0)
             off = np.abs((more[:n] - less[:n]) / (2.0 * h) - along[:n])
             far = off > CLOSE * np.abs(along).max(axis=0) + rounding
-            wrong = wrong[:n] & far & (off < 10.0 * before[:n])
+            grown = off >= 10.0 * before[:n]
+            alone = grown & ~np.vstack([grown[1:], np.ones_like(grown[:1])])
+            alone[1:] &= ~grown[:-1]
+            wrong = wrong[:n] & far & ~alone
             before = off
             if not wrong.any():
                 return

@@ -255,6 +255,14 @@ def test_no_jump_hides(to, w, times):
         clpt.sensitivity(faster(w), times, to=to)
 
 
+def test_where_the_run_itself_parts_is_refused():
+    """x' = 1 above a and -1 below: from x = a on, no difference of runs has a limit."""
+    parting = autonomous(lambda t, x, u, p: [np.where(x[0] > p["a"], 1.0, -1.0)], a=0.0)
+    for times in (np.linspace(0.0, 3.5, 36), [0.0, 2.0]):
+        with pytest.raises(clpt.SimulationError, match="do not confirm its derivative by a"):
+            clpt.sensitivity(parting, times, to="a", initial_state=[0.0])
+
+
 def test_before_and_behind_a_jump_all_is_known():
     before = clpt.sensitivity(stepping(), np.linspace(0.0, 0.5, 6), to="edge")
     assert not before.x.values.any()
