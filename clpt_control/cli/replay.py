@@ -138,15 +138,15 @@ def replay(
     if units is not None and flow_model is None:
         raise ScenarioError(f"--units {units}: is for --flow-model FILE; give one, or leave it out")
     forecast = None if flow_model is None else clpt.replay.read_flow_model(flow_model, units)
-    way = None if route is None else read_route(route)
+    way, areas = (None, None) if route is None else read_route(route)
     ahead = replay_report.Ahead(
         () if plan is None else (3600 * plan[0], plan[1:]),
-        [replay_report.waypoint(text) for text in aim or ()] if way is None else way.targets,
+        [replay_report.waypoint(text) for text in aim or ()] if way is None else way,
         speed,
         None if hours is None else 3600 * hours,
         variation,
         follow is not None,
-        None if way is None else way.areas,
+        areas,
     )
     ahead.check()
     growing = clpt.replay.Replay(estimator, model, forecast)

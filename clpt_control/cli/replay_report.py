@@ -209,7 +209,7 @@ def write(
 def summary_with_next(result: Any, skipped: list, ahead: Ahead) -> tuple[dict[str, Any], Any]:
     """Return what `--json` prints, and the next dive: the summary, where it ends, aim and paste."""
     from ..replay.exchange import paste
-    from ..replay.route import DRAWS, Route, arrivals
+    from ..replay.route import DRAWS, arrivals
 
     found = clpt.replay.summary(result, skipped) | {"next_dive": None, "aim": [], "paste": None}
     if not result.steps:
@@ -220,8 +220,8 @@ def summary_with_next(result: Any, skipped: list, ahead: Ahead) -> tuple[dict[st
     found |= {"next_dive": goal.as_dict(), "aim": [leg.as_dict() for leg in legs]}
     if ahead.areas is not None and legs:
         with progress_bar("drawing the way", DRAWS) as report:
-            way = Route(ahead.targets, ahead.areas)
-            found["route"] = arrivals(result, way, ahead.speed, ahead.duration, report)
+            way = ahead.targets, ahead.areas, ahead.speed, ahead.duration
+            found["route"] = arrivals(result, *way, report)
     return found | {"paste": paste(found)}, goal
 
 

@@ -222,7 +222,7 @@ def fit_scenario(
 
 def _check(rows: int, columns: int, constituents: tuple[str, ...]) -> None:
     for what, count in (("rows", rows), ("columns", columns)):
-        if not (isinstance(count, int) and 1 <= count <= MOST):
+        if not 1 <= count <= MOST:
             raise DataError(
                 f"{what} = {count!s:.20}: must be a whole number, at least 1 and at most {MOST}"
             )

@@ -14,7 +14,8 @@ comments, other columns are left alone, and the displacement between the fixes i
 never read.
 """
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from contextlib import suppress
 from math import isfinite, nan
 from pathlib import Path
 from typing import Any
@@ -94,7 +95,8 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
     found: dict[str, Any] = {}
     for column in (*REQUIRED[1:], *OPTIONAL):
         text = row.get(column, "")
-        value = _time(text) if column in TIMES else _number(text)
+        readers = (float, seconds_since_1970) if column in TIMES else (float,)
+        value = _number(text, *readers)
         if value is None and text:
             if column in (START[0], END[0]):
                 return Skipped(number, f"{where}: {column} is {text[:30]!r}; {AS_TIME}")
@@ -126,22 +128,12 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
     )
 
 
-def _number(text: str) -> float | None:
-    try:
-        return float(text)
-    except ValueError:
-        return None
-
-
-def _time(text: str) -> float | None:
-    """Return s since 1970 UTC of a number of them or a date of ISO 8601, or None."""
-    number = _number(text)
-    if number is None and text:
-        try:
-            return seconds_since_1970(text)
-        except ValueError:
-            return None
-    return number
+def _number(text: str, *readers: Callable[[str], float]) -> float | None:
+    """Return the number that the first reader finds which can read a text, or None."""
+    for read in readers:
+        with suppress(ValueError):
+            return read(text)
+    return None
 
 
 @public

@@ -47,26 +47,21 @@ def through_water(
 ) -> ThroughWater:
     """Return the displacement through the water of one dive from its rows, by time."""
     found, steps = _summed(rows, start, end), rows.attrs["steps"]
-    if found is not None:
-        if steps.upper().endswith("_GSM"):
-            note = f"dead reckoning of the glide-slope model ({steps})"
-            return found._replace(notes=(*found.notes, note))
-        return found
+    if found is not None and steps.upper().endswith("_GSM"):
+        note = f"dead reckoning of the glide-slope model ({steps})"
+        return found._replace(notes=(*found.notes, note))
     sure = rows.attrs["north"] == "true" or rows.magvar.notna().any()
     own = all(map(isfinite, current))
-    if sure or not own:
+    if found is None and (sure or not own):
         found = _along_heading(rows, start, end)
     if found is None and own:
         total = without_current(start, end, current)
         note = "dead reckoning computed from the file's depth-averaged current"
         return ThroughWater(total, notes=[note])
-    if found is None:
-        lacking = (
-            "no EAST_DISPLACEMENT, NORTH_DISPLACEMENT, no speed and heading, no depth-averaged "
-            "current"
-        )
-        return ThroughWater(notes=[lacking])
-    return found
+    lacking = (
+        "no EAST_DISPLACEMENT, NORTH_DISPLACEMENT, no speed and heading, no depth-averaged current"
+    )
+    return found or ThroughWater(notes=[lacking])
 
 
 def _along_heading(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater | None:

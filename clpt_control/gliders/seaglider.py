@@ -83,13 +83,12 @@ def _checked(data: xarray.Dataset, k: int, columns: list[np.ndarray], notes: lis
         flag = _of_fix(data, "log_gps_qc", k)
     if name != "GPS1" and isfinite(flag) and flag not in GOOD:
         notes.append(f"the file flags {name} {flag:g}")
-    if not hdop > POOR:
-        return time, lat, lon
-    if hdop < FAILED:
+    if hdop >= FAILED:
+        notes.append(f"{name} has a hdop of {hdop:g}: the receiver found no fix")
+        return nan, nan, nan
+    if hdop > POOR:
         notes.append(f"{name} has a hdop of {hdop:g}: up to some {10 * hdop:.0f} m off")
-        return time, lat, lon
-    notes.append(f"{name} has a hdop of {hdop:g}: the receiver found no fix")
-    return nan, nan, nan
+    return time, lat, lon
 
 
 def _of_fix(data: xarray.Dataset, name: str, k: int) -> float:

@@ -6,9 +6,10 @@ carries its figures, or they are those of its samples: nothing is run again.  `c
 """
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
 
 import pydantic
+import xarray
 
 from ..html import Result
 from ..scenario.experiment import Scenario
@@ -17,9 +18,6 @@ from ..scenario.team import Team
 from ..simulation.summary import SUMMARY, clpe_of_samples, errors, team_summary
 from ..theory.excitation.excitation_report import excitation_report
 from ..theory.excitation.pooled import team_excitation_report
-
-if TYPE_CHECKING:
-    import xarray
 
 LEAST_SHARE = 0.01  # percent, that is said
 MOST_VEHICLES = 8  # in the table; the summary has all
@@ -65,7 +63,7 @@ def number(value: float) -> str:
     return f"{float(text):.0f}" if "e+" in text and abs(value) < 1e6 else text
 
 
-def numbers_of(run: "xarray.Dataset", system: Scenario | Team) -> dict[str, Any]:
+def numbers_of(run: xarray.Dataset, system: Scenario | Team) -> dict[str, Any]:
     """Return a run's figures by the names of `run_and_report`; `of_samples` if they are less."""
     if isinstance(system, Team):
         return {"of_samples": False, **team_summary(system, run, run)}

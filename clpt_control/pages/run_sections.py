@@ -1,8 +1,9 @@
 """Sections of a run's page that are drawn: loop, track, CLPE, learning, excitation."""
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+import xarray
 
 from ..diagrams.drawing.figure import block_figure
 from ..errors import ClptError
@@ -22,16 +23,13 @@ from ..theory.excitation.excitation_report import excitation_plot
 from .page import Drawn, Section, drawn
 from .results import Numbers, excitation_of, excitation_result, is_team, number, run_result
 
-if TYPE_CHECKING:
-    import xarray
-
 PLACES = 9  # arrows on a side
 MOST_SAMPLES = 6000  # in a figure
 MOST_DRAWN = 3  # vehicles in a drawing of the loop
 ONE_SAMPLE = Result(sentences=["The run has one sample: nothing can be drawn over time"])
 
 
-def team_section(run: "xarray.Dataset", numbers: Numbers) -> Section:
+def team_section(run: xarray.Dataset, numbers: Numbers) -> Section:
     """Return a team's figure and what each vehicle achieved."""
     figures = []
     result = run_result(numbers, "What the vehicles achieved", len(numbers["vehicles"]))
@@ -65,7 +63,7 @@ def loop_section(system: Scenario | Team, own: str | None) -> list[Section]:
     return [Section("loop", "The loop", result, [Drawn("loop", figure, caption, wide=True)])]
 
 
-def excitation_section(run: "xarray.Dataset", why: str = "") -> Section:
+def excitation_section(run: xarray.Dataset, why: str = "") -> Section:
     """Return the excitation over one round of a run, or `why` it cannot be measured."""
     team = is_team(run)
     heading, figures = f"What the track{'s' if team else ''} can teach", []
@@ -87,7 +85,7 @@ def excitation_section(run: "xarray.Dataset", why: str = "") -> Section:
     return Section("excitation", heading, result, figures)
 
 
-def figure_sections(run: "xarray.Dataset", scenario: Scenario, numbers: Numbers) -> list[Section]:
+def figure_sections(run: xarray.Dataset, scenario: Scenario, numbers: Numbers) -> list[Section]:
     """Return what is drawn along the run."""
     heading, learning = "Prediction error", _learned(run, scenario)
     if run.sizes["time"] < 2:
@@ -137,7 +135,7 @@ def figure_sections(run: "xarray.Dataset", scenario: Scenario, numbers: Numbers)
     ]
 
 
-def _learned(run: "xarray.Dataset", scenario: Scenario) -> Section:
+def _learned(run: xarray.Dataset, scenario: Scenario) -> Section:
     """Return what was learned, without its figures."""
     unit, last, row = scenario.units, run.isel(time=-1), scenario.learning.row
     estimate = last.flow_parameters_estimate.values
@@ -169,7 +167,7 @@ def _row(name: str, learned: float, true: float) -> list[str]:
     return [name, f"{learned:.4g}", *known]
 
 
-def flows_plot(run: "xarray.Dataset", scenario: Scenario) -> Any:
+def flows_plot(run: xarray.Dataset, scenario: Scenario) -> Any:
     """Draw the true flow and the learned one at the end of a run, at the same places."""
     _, ax = new_figure(4.8, 4.8)
     time, path = float(run.time[-1]), run.position.values
@@ -190,7 +188,7 @@ def flows_plot(run: "xarray.Dataset", scenario: Scenario) -> Any:
     return ax
 
 
-def lyapunov_plot(run: "xarray.Dataset", units: Units) -> Any:
+def lyapunov_plot(run: xarray.Dataset, units: Units) -> Any:
     """Draw the Lyapunov candidate V along a run, logarithmic."""
     _, ax = new_figure(4.8, 2.6)
     V = run.lyapunov.values
@@ -201,7 +199,7 @@ def lyapunov_plot(run: "xarray.Dataset", units: Units) -> Any:
     return ax
 
 
-def samples_to_draw(run: "xarray.Dataset") -> "tuple[xarray.Dataset, str]":
+def samples_to_draw(run: xarray.Dataset) -> tuple[xarray.Dataset, str]:
     """Return as many samples of a run as a figure shows, and a sentence if they are not all."""
     count = run.sizes["time"]
     step = -(-count // MOST_SAMPLES)

@@ -21,7 +21,8 @@ from ..errors import DataError
 from ..figures import literal
 from .outcome import flat_rows, known
 from .places import utc
-from .replay import FLOW_MODEL, MODELS, Replay
+from .replay import Replay
+from .step import FLOW_MODEL, MODELS
 from .surfacing import ELLIPSE, NextDive, ellipse
 
 EPOCH = "seconds since 1970-01-01 00:00:00 UTC"

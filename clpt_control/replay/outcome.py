@@ -31,7 +31,8 @@ from ..gliders.dives import Skipped
 from .carried_dives import NOTE, why_uncovered
 from .habits import Way
 from .places import direction, placed, utc, vector, velocity
-from .replay import FLOW_MODEL, Replay, Step
+from .replay import Replay
+from .step import FLOW_MODEL, Step
 from .surfacing import ELLIPSE, NextDive, ellipse
 
 SPEED = ("speed_factor", "speed_factor_error", "compass", "compass_error")

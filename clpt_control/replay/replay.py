@@ -38,11 +38,9 @@ from ..progress.interrupt import check
 from .carried_dives import FlowModel, carried
 from .doubts import SpeedFactorWatch, doubt_one_fix
 from .habits import CHI_SQUARED, GIVEN, Guess, Habits, drift
-from .step import Step, check_next, estimates
+from .step import FLOW_MODEL, MODELS, Step, check_next, estimates
 from .surfacing import NORMAL, NextDive, check_plan, unflown
 
-MODELS = ("no_flow", "previous_dive", "adaptive")
-FLOW_MODEL = "flow_model"  # a forecast or a fit that was given
 LISTED = 10  # dives of a notebook's table
 
 

@@ -17,7 +17,7 @@ areas to stay out of, with their property `name`; or a text with a latitude and 
 
 import json
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import exp, inf, isfinite
 from pathlib import Path as File
 from typing import Any
@@ -39,24 +39,17 @@ MOST_PLACES = 20_000  # of all areas
 LARGEST = 10**7  # bytes of a file
 SHARES = {"not_before": 0.1, "time": 0.5, "by": 0.9}
 Shape = tuple[str | None, list[Place]]  # places of an area, by its name, or of waypoints
+Area = tuple[str, list[Place]]  # a name and a ring
 
 
-@dataclass(frozen=True)
-class Route:
-    """Waypoints in their order, and areas to stay out of: a name and a ring of places each."""
-
-    targets: list[Place]
-    areas: list[tuple[str, list[Place]]]
-
-
-def read_route(path: File) -> Route:
-    """Return the route in a file."""
+def read_route(path: File) -> tuple[list[Place], list[Area]]:
+    """Return the waypoints in a file in their order, and the areas to stay out of."""
     text = read_text(path, "is no text; must be GeoJSON or lines of places", LARGEST)
     with naming(path):
         return _route(text)
 
 
-def _route(text: str) -> Route:
+def _route(text: str) -> tuple[list[Place], list[Area]]:
     try:
         found = list(_shapes(json.loads(text)) if text.lstrip().startswith("{") else _lines(text))
     except Exception as error:  # what is neither can raise anything
@@ -73,7 +66,7 @@ def _route(text: str) -> Route:
     areas = [(name, places) for name, places in found if name is not None]
     if (count := sum(len(ring) for _, ring in areas)) > MOST_PLACES:
         raise DataError(f"its areas have {count} places; at most {MOST_PLACES}: simplify them")
-    return Route(targets, areas)
+    return targets, areas
 
 
 def _lines(text: str) -> Iterator[Shape]:
@@ -111,36 +104,37 @@ def _places(pairs: list[Any]) -> list[Place]:
 
 def arrivals(
     replay: Replay,
-    route: Route,
-    speed: float | None = None,
-    duration: float | None = None,
+    targets: list[Place],
+    areas: list[Area],
+    speed: float | None,
+    duration: float | None,
     report: Callable[[float], None] = lambda done: None,
 ) -> dict[str, Any]:
     """Return when a replay's vehicle is at each waypoint, and how often areas are entered."""
     V, T = usual(replay, speed, duration)
     rng = np.random.default_rng(SEED)
-    times = np.full((DRAWS, len(route.targets)), inf)
-    entered = np.zeros((DRAWS, len(route.areas)), bool)
-    rings = [np.array([*ring, ring[0]]) for _, ring in route.areas]
+    times = np.full((DRAWS, len(targets)), inf)
+    entered = np.zeros((DRAWS, len(areas)), bool)
+    rings = [np.array([*ring, ring[0]]) for _, ring in areas]
     for draw in range(DRAWS):
         check()
-        came, ways = _draw(replay, route.targets, V, T, rng)
+        came, ways = _draw(replay, targets, V, T, rng)
         times[draw, : len(came)] = came
         entered[draw] = [any(_meets(*way, ring) for way in ways) for ring in rings]
         report(draw + 1)
     waypoints = []
-    for place, each in zip(route.targets, times.T, strict=True):
+    for place, each in zip(targets, times.T, strict=True):
         quantiles = np.quantile(each, list(SHARES.values()), method="inverted_cdf").tolist()
         dates = [utc(time) if isfinite(time) else None for time in quantiles]
         waypoints.append(
             {"latitude": place[0], "longitude": place[1], "place": in_minutes(*place)}
             | {"made": float(np.isfinite(each).mean()), **dict(zip(SHARES, dates, strict=True))}
         )
-    areas = [
+    shares = [
         {"name": name, "entered": share, "ring": ring}
-        for (name, ring), share in zip(route.areas, entered.mean(0).tolist(), strict=True)
+        for (name, ring), share in zip(areas, entered.mean(0).tolist(), strict=True)
     ]
-    return {"draws": DRAWS, "dives": DIVES, "waypoints": waypoints, "areas": areas}
+    return {"draws": DRAWS, "dives": DIVES, "waypoints": waypoints, "areas": shares}
 
 
 def _draw(

@@ -20,6 +20,8 @@ from .doubts import Anomaly
 from .habits import Way
 from .surfacing import NextDive
 
+MODELS = ("no_flow", "previous_dive", "adaptive")
+FLOW_MODEL = "flow_model"  # a forecast or a fit that was given
 LEARNED = 0.87  # share of a prior's standard error; a parameter with more is not learned
 
 

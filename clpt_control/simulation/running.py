@@ -51,6 +51,7 @@ class SystemRun:
     """A system as it was read: integrate it, compute its signals, return a Dataset."""
 
     start: np.ndarray  # its own, for a call that gives none
+    frame: Any  # the Dataset of its runs
     scenario: Any = None  # of one vehicle
 
     def __init__(
@@ -83,11 +84,6 @@ class SystemRun:
     def dataset(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
         """Return a solution and its signals with names, units and attributes."""
         return self.frame.filled(solution, signals)
-
-    @property
-    def frame(self) -> Frame:
-        """The Dataset of its runs."""
-        raise NotImplementedError
 
 
 class ScenarioRun(SystemRun):

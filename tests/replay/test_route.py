@@ -43,7 +43,7 @@ def test_a_known_current_carries_it_there_when_the_triangle_says(known):
     target = place_from(40.0, 8.0, far, 0.0)
     across = box(40.0, 8.0 + (target[1] - 8.0) / 2, 0.05)
     areas = [("across", across), ("beside", box(40.3, 8.2))]
-    found = route.arrivals(known, route.Route([target], areas), V, 14400.0)
+    found = route.arrivals(known, [target], areas, V, 14400.0)
     (one,) = found["waypoints"]
     east = STEADY[0] + math.sqrt(V**2 - STEADY[1] ** 2)
     dives = far / east / 14400
@@ -64,7 +64,7 @@ def test_who_knows_less_arrives_less_surely(known):
     target = place_from(40.0, 8.0, 10_000.0, 0.0)
     width = []
     for replay in (known, replay_dives(vehicle(1, 1, flow="steady"))):
-        (one,) = route.arrivals(replay, route.Route([target], []), V, 14400.0)["waypoints"]
+        (one,) = route.arrivals(replay, [target], [], V, 14400.0)["waypoints"]
         width.append(seconds(one["by"] or one["time"]) - seconds(one["not_before"]))
     assert width[1] > 2 * width[0]
 
@@ -73,7 +73,7 @@ def test_a_waypoint_against_the_current_is_not_made(known, monkeypatch):
     monkeypatch.setattr(route, "DIVES", 5)
     monkeypatch.setattr(route, "DRAWS", 3)
     target = place_from(40.0, 8.0, -30_000.0, 15_000.0)
-    found = route.arrivals(known, route.Route([target], []), 0.05, 14400.0)
+    found = route.arrivals(known, [target], [], 0.05, 14400.0)
     (one,) = found["waypoints"]
     assert (one["made"], one["time"], one["not_before"]) == (0, None, None)
     assert route_sentences(found)[0].endswith("not there; made within 5 dives in 0 % of 3 draws")
@@ -81,7 +81,7 @@ def test_a_waypoint_against_the_current_is_not_made(known, monkeypatch):
 
 def test_the_same_draws_say_the_same(known):
     target = place_from(40.0, 8.0, 5_000.0, 3_000.0)
-    asked = known, route.Route([target], [("here", box(40.0, 8.0))])
+    asked = known, [target], [("here", box(40.0, 8.0))], None, None
     first = route.arrivals(*asked)
     assert first == route.arrivals(*asked)
     assert first["areas"][0]["entered"] == 1  # it begins within
@@ -104,7 +104,7 @@ MANY = {
 def test_routes_are_read(tmp_path):
     path = tmp_path / "route"
     path.write_text("# two\n-42.8 8.4\n\n-42.7, 8.3  # the second\n")
-    assert route.read_route(path) == route.Route([(-42.8, 8.4), (-42.7, 8.3)], [])
+    assert route.read_route(path) == ([(-42.8, 8.4), (-42.7, 8.3)], [])
     shapes = [
         {"type": "Point", "coordinates": [8.4, -42.8, 0.0]},
         {"type": "Polygon", "coordinates": [SQUARE, SQUARE]},
@@ -119,14 +119,14 @@ def test_routes_are_read(tmp_path):
         for shape, name in zip(shapes, names, strict=True)
     ]
     path.write_text(json.dumps({"type": "FeatureCollection", "features": features}))
-    read = route.read_route(path)
-    assert read.targets == [(-42.8, 8.4), (-42.7, 8.3), (-42.6, 8.2)]
-    assert [name for name, _ in read.areas] == ["ground", "area", "area"]
-    assert read.areas[0][1] == [(lat, lon) for lon, lat in SQUARE]
+    targets, areas = route.read_route(path)
+    assert targets == [(-42.8, 8.4), (-42.7, 8.3), (-42.6, 8.2)]
+    assert [name for name, _ in areas] == ["ground", "area", "area"]
+    assert areas[0][1] == [(lat, lon) for lon, lat in SQUARE]
     parts = [[[8.4, -42.8], [8.3, -42.7]], [[8.2, -42.6], [8.1, -42.5]]]  # as QGIS saves lines
     path.write_text(json.dumps({"type": "MultiLineString", "coordinates": parts}))
     places = [(-42.8, 8.4), (-42.7, 8.3), (-42.6, 8.2), (-42.5, 8.1)]
-    assert route.read_route(path).targets == places
+    assert route.read_route(path)[0] == places
 
 
 @pytest.mark.parametrize(
