@@ -1,9 +1,10 @@
-from .constituents import check_separable
 from .current_record import read_record
 from .fit import fit_scenario, save_fit
 from .grid_file import read_currents, sample_currents
-from .tidal_constants import tidal_basis, tides_plot
+from .telling_apart import check_separable
+from .tidal_constants import tidal_basis
 from .tidal_fit import fit_tides, predict
+from .tidal_picture import tides_plot
 
 __all__ = [
     "check_separable",

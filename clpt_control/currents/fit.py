@@ -36,9 +36,10 @@ from ..scenario import tidal_periods
 from ..scenario.experiment import Scenario
 from ..scenario.file import load_scenario, scenario_to_text
 from ..units import seconds_since_1970
-from .constituents import check_nyquist, check_separable, nodal_report
+from .constituents import nodal_report
 from .grid_file import Currents, read_currents, with_all_steps
 from .plane import GriddedField, LocalPlane, field_dataset, fill_gaps, regular_grid
+from .telling_apart import check_nyquist, check_separable
 
 SINE = -np.pi / 2
 SPEED = "km h-1"

@@ -24,6 +24,7 @@ from ..arguments import public
 from ..errors import DataError, ScenarioError, needed
 from ..estimation.least_squares import explained_share
 from . import constituents as tidal
+from . import telling_apart
 
 LEAST_CHANGE = 1e-9  # m/s in a record; less is no measured tide, and its squares vanish
 CI = 1.96  # UTide's half widths, in standard errors
@@ -141,9 +142,9 @@ def fit_tides(
     names = _names(constituents, hours, where)
     cycles = np.array([utide.cycles_per_hour[name] for name in tidal.utide_names(names)])
     speeds = {"steady": 0.0} | dict(zip(names, 360.0 * cycles, strict=True))
-    tidal.check_separable(tuple(speeds), hours[-1], where, speeds)
-    tidal.check_sampling(hours, cycles, names, where)
-    tidal.check_nyquist(hours, cycles, names, where)
+    telling_apart.check_separable(tuple(speeds), hours[-1], where, speeds)
+    telling_apart.check_sampling(hours, cycles, names, where)
+    telling_apart.check_nyquist(hours, cycles, names, where)
     options = {
         "lat": tidal.checked_latitude(latitude),
         "constit": tidal.utide_names(names),
@@ -159,7 +160,9 @@ def fit_tides(
     model = _predicted(both, times)
     residual = flow - model
     tides = tuple(
-        _constituent(name, k, (both, east, north), tidal.noise_ratio(residual, hours, cycles, k))
+        _constituent(
+            name, k, (both, east, north), telling_apart.noise_ratio(residual, hours, cycles, k)
+        )
         for k, name in enumerate(names)
     )
     return TidalFit(
@@ -244,7 +247,7 @@ def _measured(time: Any, u: Any, v: Any, where: str) -> tuple[np.ndarray, np.nda
 def _names(constituents: Sequence[str] | str, hours: np.ndarray, where: str) -> tuple[str, ...]:
     if constituents in ("auto", ["auto"], ("auto",)):
         const = needed("utide").ut_constants.const  # df: cycles per hour to the next greater tide
-        fastest = tidal.nyquist(hours)
+        fastest = telling_apart.nyquist(hours)
         names = tuple(
             str(name)
             for name, df, cycles in zip(const.name, const.df, const.freq, strict=True)

@@ -28,7 +28,7 @@ from ..native import layout
 from ..native.python_diagram import checked_steps
 from ..native.schedule import Inputs, checked_times, read_inputs
 from ..native.sweep import Sweep
-from ..simulation.dataset import Axes, Series, port_variables
+from ..simulation.frame import Axes, Series, port_variables
 from ..simulation.integrate import as_diagram, sizes_of_run
 from ..simulation.running import labels_of, signal_units
 from ..simulation.starts import stacked_state

@@ -26,7 +26,7 @@ from ..simulation.dataset import VARIABLES
 from ..simulation.flows import SpeedTimer
 from ..simulation.integrate import sample_times
 from ..simulation.loops import units_of_ports
-from ..simulation.summary import SAMPLES_PER_CYCLE, nearest
+from ..simulation.pieces import SAMPLES_PER_CYCLE, nearest
 from .members import Ensemble, Members, States, Values
 
 FEWEST = 20  # samples a cycle

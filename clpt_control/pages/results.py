@@ -15,7 +15,8 @@ from ..html import Result
 from ..scenario.experiment import Scenario
 from ..scenario.file import TEAM
 from ..scenario.team import Team
-from ..simulation.summary import SUMMARY, clpe_of_samples, errors, team_summary
+from ..simulation.pieces import clpe_of_samples
+from ..simulation.summary import SUMMARY, errors, team_summary
 from ..theory.excitation.excitation_report import excitation_report
 from ..theory.excitation.pooled import team_excitation_report
 

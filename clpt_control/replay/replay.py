@@ -26,7 +26,7 @@ from typing import Any
 import numpy as np
 
 from ..arguments import public
-from ..currents.constituents import check_separable
+from ..currents.telling_apart import check_separable
 from ..estimation.dive import miss
 from ..estimation.estimators import KalmanBank, make_estimator
 from ..estimation.fix_model import OTHERS, FixModel

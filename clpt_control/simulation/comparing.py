@@ -9,7 +9,7 @@ from ..arguments import public
 from ..errors import ClptError, DataError
 from ..figures import COLOURS, axes_for, line_style, literal
 from .charts import coloured, track_plot
-from .dataset import INDEX
+from .frame import INDEX
 from .plots import among, clpe_plot, learning_plot, run_plot
 
 if TYPE_CHECKING:

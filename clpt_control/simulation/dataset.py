@@ -5,10 +5,8 @@ the versions and the solver's statistics, so that a run repeats from its file.
 """
 
 import json
-import platform
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
-from functools import cache, lru_cache
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
 from importlib.metadata import version
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -25,13 +23,11 @@ from ..equations.ports import ports_of
 from ..native.ending import Solution
 from ..scenario.experiment import Scenario
 from ..scenario.file import CHANGED, OWN_LAW, own_parts, scenario_to_text
+from .frame import STATE, STATES, Frame, Labels, Series, columns, port_variables
 
 if TYPE_CHECKING:
     import xarray
 
-INDEX = "index"  # ends the name of a port's dimension
-STATE = {"long_name": "state of the diagram"}
-STATES = {"long_name": "states of the diagram, each in its own unit"}
 VARIABLES = {  # name -> (port, long name, unit of length or none, powers of 1/time)
     "position": ("x", "true position", 1, 0),
     "predicted_position": ("z", "predicted position", 1, 0),
@@ -52,149 +48,6 @@ MEASURED = {  # where the vehicle reads its position with noise
     "measured_position": ("x", "measured position, which the vehicle reads", 1, 0),
     "clpe": ("e", "controlled Lagrangian prediction error, of the measured position", 1, 0),
 }
-
-
-# --- what all Datasets of one system share --------------------------------------------------------
-
-
-Labels = tuple[str, ...]
-Axes = dict[str, tuple[Any, Mapping[str, str]]]  # dimension -> values, attributes
-
-
-class Series(NamedTuple):
-    """A variable of a Dataset: a function `of` all signals, of shape (nt, nsignals)."""
-
-    dims: tuple[str, ...]
-    of: Callable[[np.ndarray], np.ndarray]
-    attributes: dict[str, str]
-
-
-@dataclass(eq=False)
-class Frame:
-    """A Dataset without numbers, to be filled again and again.
-
-    `axes` has values and attributes of each dimension but time, whose attributes are `since`.
-    `states` are labels; without them the Dataset has no states.  `folder` has a scenario's files; a
-    `doubt` ends the message of each run.
-    """
-
-    variables: Mapping[str, Series]
-    axes: Mapping[str, tuple[Any, Any]]
-    attributes: dict[str, Any]
-    since: Mapping[str, str] | None = None
-    states: Sequence[str] | None = None
-    folder: str | None = None
-    doubt: str = ""
-
-    def __post_init__(self) -> None:
-        self.axes = {name: _index(name, *one) for name, one in self.axes.items()}
-        if self.states is not None:
-            self.axes["state"] = _index("state", np.array(self.states, dtype=object), STATE)
-        self._last: tuple[np.ndarray, Any] | None = None  # times, and their index
-
-    def filled(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
-        """Return a Dataset of a run's signals and states; each has attributes of its own."""
-        from xarray import Dataset, Variable
-
-        variables: dict[str, Any] = {
-            name: Variable(one.dims, one.of(signals), one.attributes, fastpath=True)
-            for name, one in self.variables.items()
-        }
-        if self.states is not None:
-            variables["states"] = Variable(("time", "state"), solution.x, STATES, fastpath=True)
-        axes = {"time": self._times(solution.t), **self.axes}
-        variables |= {
-            name: type(one)(one.dims, one._data, one.attrs, fastpath=True)  # a copy, but quicker
-            for name, (_, one) in axes.items()
-        }
-        attributes = {**self.attributes, **how_it_ran(solution)}
-        if self.doubt:
-            attributes["message"] += f"; {self.doubt}"
-        indexes = {name: index for name, (index, _) in axes.items()}
-        # the same as Dataset(...), which would search and align the indexes
-        dims = {name: variable.size for name, (_, variable) in axes.items()}
-        run = Dataset._construct_direct(variables, set(axes), dims, attributes, indexes, {})
-        if self.folder is not None:
-            run.encoding["folder"] = self.folder
-        return run
-
-    def _times(self, times: np.ndarray) -> tuple[Any, Any]:
-        """Return the index of times; a run at the times of the last one shares its index."""
-        last = self._last  # threads may share it
-        if last is None or not np.array_equal(last[0], times):
-            own = times.copy()
-            own.flags.writeable = False  # several Datasets share them
-            last = self._last = own, _index("time", own, self.since)
-        return last[1]
-
-
-def _index(name: str, values: Any, attributes: Any) -> tuple[Any, Any]:
-    """Return an index of values and its variable, faster than xarray makes them."""
-    from pandas import Index
-    from xarray import Variable
-    from xarray.indexes import PandasIndex
-
-    index = PandasIndex(Index(values), name)
-    variable = Variable((name,), values, attributes)
-    return index, index.create_variables({name: variable})[name]
-
-
-def port_variables(
-    ports: dict[str, list[int]], dims: Mapping[int, str], taken: Any, units: Mapping[str, str]
-) -> tuple[dict[str, Series], Axes]:
-    """Return the variables of ports, each with the columns of its signals, and their axes.
-
-    `dims` names dimensions by size; others are named after their port, and count from 0.  A name
-    that is taken gets a _.
-    """
-    variables: dict[str, Series] = {}
-    axes: Axes = {}
-    for port, places in ports.items():
-        size = len(places)
-        more: tuple[str, ...] = ()
-        if size > 1:
-            dim = dims.get(size, f"{port}_{INDEX}")
-            more = (dim if dim not in ports else f"{dim}_",)
-        if size > 1 and size not in dims:
-            axes[more[0]] = np.arange(size), {"long_name": f"signal of {port}, counted from 0"}
-        unit = {"units": units[port]} if units.get(port) else {}
-        name = port
-        while name in taken or (name != port and name in ports):
-            name += "_"
-        variables[name] = Series(("time", *more), columns(places, *more), unit)
-    return variables, axes
-
-
-def columns(places: Sequence[int], *shape: Any) -> Callable[[np.ndarray], np.ndarray]:
-    """Return a function that takes columns of the signals, in a shape; without one, one column."""
-    if not shape:
-        return lambda signals: signals[:, places[0]]
-    at = np.array(places)
-    if len(shape) == 1:
-        return lambda signals: signals[:, at]
-    return lambda signals: signals[:, at].reshape(len(signals), *shape)
-
-
-def how_it_ran(solution: Solution) -> dict[str, Any]:
-    """Return attributes: versions, status and the solver's statistics."""
-    return {
-        "software": _software(),
-        "status": solution.status,
-        "message": solution.message,
-        "engine": solution.engine,
-        "method": solution.method,
-        **{f"solver_{name}": value for name, value in solution.statistics.items()},
-    }
-
-
-@cache
-def _software() -> str:
-    packages = ("clpt-control", "control", "numpy", "scipy", "llvmlite")
-    here = f"Python {platform.python_version()}"
-    return ", ".join([here, *(f"{name} {version(name)}" for name in packages)])
-
-
-# --- the run of a scenario, and of any diagram ----------------------------------------------------
 
 
 class Signals(NamedTuple):

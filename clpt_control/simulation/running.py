@@ -27,7 +27,6 @@ from ..scenario.experiment import Scenario
 from ..scenario.file import EQUATIONS, OWN_PARTS, REFERENCE, TEAM
 from ..scenario.team import Team, team_to_text
 from .dataset import (
-    Frame,
     Signals,
     beyond_scenario_of,
     diagram_frame,
@@ -36,6 +35,7 @@ from .dataset import (
     with_states,
 )
 from .flows import faster_flow, speeds_of
+from .frame import Frame
 from .loops import LoopOf, paper_blocks, team_blocks
 from .run_file import CONDITIONS, RunRecord
 from .starts import into_keys, stacked_state, state_labels, state_of

@@ -5,10 +5,10 @@ import pytest
 import xarray
 from made_fields import gridded_current
 
-from clpt_control.currents.constituents import nyquist
 from clpt_control.currents.current_record import read_record
 from clpt_control.currents.fit import fit_scenario
 from clpt_control.currents.grid_file import read_currents
+from clpt_control.currents.telling_apart import nyquist
 from clpt_control.currents.tidal_fit import fit_tides
 from clpt_control.errors import DataError
 

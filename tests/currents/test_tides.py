@@ -17,13 +17,9 @@ from tidal_records import (
     write_table,
 )
 
-from clpt_control.currents.constituents import (
-    OTHER_NAMES,
-    check_separable,
-    inseparable,
-    nodal_corrections,
-)
+from clpt_control.currents.constituents import OTHER_NAMES, nodal_corrections
 from clpt_control.currents.fit import fit_scenario
+from clpt_control.currents.telling_apart import check_separable, inseparable
 from clpt_control.currents.tidal_constants import tidal_basis
 from clpt_control.currents.tidal_fit import fit_tides, predict
 from clpt_control.errors import DataError, ScenarioError

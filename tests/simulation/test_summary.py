@@ -5,6 +5,7 @@ import pytest
 from made_fields import uniform_field
 
 import clpt_control as clpt
+from clpt_control.simulation import pieces as in_pieces
 from clpt_control.simulation import summary
 
 PAPER = clpt.paper_scenario()
@@ -34,7 +35,7 @@ def rms(scenario):
 def test_mean_squares_are_over_every_sample(case, pieces, monkeypatch):
     scenario = PAPER.with_values(CASES[case])
     if pieces == "many":
-        monkeypatch.setattr(summary, "PIECE", 2000)
+        monkeypatch.setattr(in_pieces, "PIECE", 2000)
     found = summary.run_and_report(scenario)
     each, whole = rms(scenario)
     assert found.summary["clpe_rms_per_cycle"] == pytest.approx(each, rel=1e-6)
@@ -58,7 +59,7 @@ def test_a_run_that_stops_is_kept_to_where_it_stops(end, pieces, monkeypatch, tm
     flow = {"field": str(tmp_path / "field.nc"), "outside": "stop"}
     scenario = PAPER.with_values({"flow": flow, "run.duration": 1000.0})
     if pieces == "many":
-        monkeypatch.setattr(summary, "PIECE", 2000)
+        monkeypatch.setattr(in_pieces, "PIECE", 2000)
     found = summary.run_and_report(scenario)
     own = clpt.simulate(scenario, np.append(np.arange(int(end) + 1.0), 1000.0))
     assert found.summary["status"] == "stopped"

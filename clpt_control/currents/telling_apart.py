@@ -1,0 +1,209 @@
+"""Which tides a record can tell apart, and how far its noise lets it.
+
+A record must be long enough, by the Rayleigh criterion
+
+    |w_a - w_b| T >= 360 degrees
+
+w in degrees per hour, T in hours from the first measurement to the last: over
+T the two must drift apart by one turn or more (M. G. G. Foreman, "Manual for
+tidal heights analysis and prediction", Pacific Marine Science Report 77-10,
+1977).  Below that, least squares still gives numbers, but the two amplitudes
+trade against each other.  "steady" is the speed 0: a tide beside a mean needs
+one full period.
+
+A record can be long enough and still be blind: a tide sampled once
+a period looks like a mean.  The functions 1, cos w t, sin w t at the record's
+own times say so by their condition number, which bounds how much worse than
+even sampling the times make the errors.
+"""
+
+import math
+from collections.abc import Mapping, Sequence
+from itertools import combinations
+
+import numpy as np
+
+from ..arguments import check_holds, public
+from ..errors import DataError
+from ..scenario import tidal_periods
+
+FULL_TURN = 360.0 * (1 - 1e-9)  # times in files are rounded
+UNEVEN = 0.1  # of a step, by which a clock may be off
+WORST = 30.0  # largest condition number
+NEAR = np.array([*range(-10, 0), *range(1, 11)])  # neighbours of a tide, in 1 / record length
+
+
+def inseparable(
+    names: Sequence[str], hours: float, speeds: Mapping[str, float] | None = None
+) -> list[tuple[str, str, float]]:
+    """Return the pairs that a record of some hours cannot tell apart, and the hours they need.
+
+    The longest comes first; `speeds` are degrees per hour, those of `tidal_periods` by default.
+
+    >>> inseparable(["steady", "M2", "S2"], 24.0)
+    [('M2', 'S2', 354.367...)]
+    >>> inseparable(["steady", "M2"], 24.0)
+    []
+    """
+    each = {name: tidal_periods.speed(name) if speeds is None else speeds[name] for name in names}
+    apart = [(a, b, abs(each[a] - each[b])) for a, b in combinations(names, 2)]
+    pairs = [
+        (a, b, 360.0 / difference if difference else math.inf)
+        for a, b, difference in apart
+        if not difference * hours >= FULL_TURN
+    ]
+    return sorted(pairs, key=lambda pair: -pair[2])
+
+
+@public
+def check_separable(
+    names: Sequence[str], hours: float, where: str, speeds: Mapping[str, float] | None = None
+) -> None:
+    """Refuse tides that a record is too short to tell apart.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Names of `tidal_periods.SPEEDS`, and "steady", each once.
+    hours : float
+        From the first measurement to the last, h.
+    where : str
+        The record, for the message.
+    speeds : mapping of str to float, optional
+        Degrees per hour of each name; those of `tidal_periods` by default.
+
+    Raises
+    ------
+    DataError
+        If there are such pairs; all are named, with the hours they need.
+    ScenarioError
+        If a name is unknown.
+
+    Examples
+    --------
+    >>> check_separable(["steady", "M2", "S2"], 360.0, "currents.nc")
+    >>> check_separable(["M2", "S2"], 24.0, "currents.nc")
+    Traceback (most recent call last):
+        ...
+    clpt_control.errors.DataError: currents.nc: in 24 h, M2 and S2 cannot be told apart: 354.4 h
+    are needed; leave one of them out or take a longer record
+    """
+    if speeds is not None:
+        check_holds("check_separable: speeds", speeds, names, "give degrees per hour of each name")
+    pairs = inseparable(names, hours, speeds)
+    if not pairs:
+        return
+    if len(pairs) == 1:
+        a, b, needed = pairs[0]
+        fault = f"{a} and {b} cannot be told apart: {_in_hours(needed)} are needed"
+        which = "them"
+    else:
+        listed = ", ".join(f"{a} and {b} ({_in_hours(needed)})" for a, b, needed in pairs)
+        fault = f"these pairs cannot be told apart (hours needed): {listed}"
+        which = "each pair"
+    raise DataError(
+        f"{where}: in {hours:.6g} h, {fault}; leave one of {which} out or take a longer record"
+    )
+
+
+def _in_hours(hours: float) -> str:
+    """Return hours to four digits, rounded up, so that the number suffices."""
+    if math.isinf(hours):
+        return "endless h"
+    unit = 10.0 ** max(math.floor(math.log10(hours)) - 3, -6)
+    return f"{math.ceil(hours / unit - 1e-9) * unit:.10g} h"
+
+
+def nyquist(hours: np.ndarray) -> float:
+    """Return the frequency, cycles per hour, from which on a record of even steps is blind.
+
+    A step may be left out; where steps are no multiples of one, endless: `check_sampling` judges.
+
+    >>> [round(nyquist(np.array([0.0, 1.0, 2.0, last])), 6) for last in (5.0, 2.4)]
+    [0.5, inf]
+    """
+    steps = np.diff(hours)
+    counts = steps / np.median(steps)
+    even = np.all(np.abs(counts - np.round(counts)) <= UNEVEN) and np.all(counts > 0.5)
+    return 0.5 / float(np.median(steps)) * (1 - 1e-9) if even else np.inf
+
+
+def check_nyquist(hours: np.ndarray, cycles: np.ndarray, names: Sequence[str], where: str) -> None:
+    """Refuse tides that steps are too long for: they would be seen as slower ones.
+
+    >>> check_nyquist(6.0 * np.arange(9), np.array([1 / 12]), ["S2"], "record")
+    Traceback (most recent call last):
+        ...
+    clpt_control.errors.DataError: record: a measurement each 6 h sees no tide of 12 h or faster:
+    leave out S2
+    """
+    fast = [name for name, each in zip(names, cycles, strict=True) if each >= nyquist(hours)]
+    if fast:
+        step = float(np.median(np.diff(hours)))
+        raise DataError(
+            f"{where}: a measurement each {step:.4g} h sees no tide of {2 * step:.4g} h or faster: "
+            f"leave out {', '.join(fast)}"
+        )
+
+
+def check_sampling(hours: np.ndarray, cycles: np.ndarray, names: Sequence[str], where: str) -> None:
+    """Refuse times, in hours, that are too few or at which tides look alike.
+
+    `cycles` are frequencies in cycles per hour.
+
+    >>> check_sampling(np.arange(48.0), np.array([1 / 12]), ["S2"], "record")
+    >>> check_sampling(12.0 * np.arange(48), np.array([1 / 12]), ["S2"], "record")
+    Traceback (most recent call last):
+        ...
+    clpt_control.errors.DataError: record: at the times of its 48 measurements the mean and S2 look
+    alike; take them at other intervals, fill the gaps or leave one out
+    """
+    n, count = len(cycles), 2 * len(cycles) + 1
+    if len(hours) < 2 * count:
+        raise DataError(
+            f"{where}: {len(hours)} measurements for {count} numbers to fit; at least {2 * count} "
+            "are needed: take a longer record or fewer constituents"
+        )
+    wave = np.exp(2j * np.pi * np.outer(hours - hours.mean(), cycles))
+    functions = np.hstack([np.full((len(hours), 1), 0.5**0.5), wave.real, wave.imag])
+    _, size, modes = np.linalg.svd(functions, full_matrices=False)
+    if size[0] <= WORST * size[-1]:
+        return
+    weakest = np.abs(modes[-1])
+    share = np.array([weakest[0], *np.hypot(weakest[1 : n + 1], weakest[n + 1 :])])
+    alike = [
+        name
+        for name, part in zip(["the mean", *names], share, strict=True)
+        if part > 0.3 * share.max()
+    ]
+    fault = f"{' and '.join(alike)} look alike" if len(alike) > 1 else f"{alike[0]} is not seen"
+    raise DataError(
+        f"{where}: at the times of its {len(hours)} measurements {fault}; take them at other "
+        "intervals, fill the gaps or leave one out"
+    )
+
+
+def noise_ratio(residual: np.ndarray, hours: np.ndarray, cycles: np.ndarray, k: int) -> np.ndarray:
+    """Return sqrt(power / mean power) of a residual near a tide: of both, of east, of north.
+
+    The power is that of the 20 neighbouring frequencies, those of other tides left out; a ratio
+    below 1 counts as 1.  The residual is east + i north, hours begin at 0, `cycles` are
+    frequencies of all tides in cycles per hour, of which the tide has the index k.
+
+    >>> noise = np.random.default_rng(1).normal(size=(2, 500))
+    >>> found = noise_ratio(noise[0] + 1j * noise[1], np.arange(500.0), np.array([1 / 12]), 0)
+    >>> bool(found[0] < 1.3)
+    True
+    """
+    step = 1.0 / hours[-1]
+    near = cycles[k] + step * NEAR
+    away = np.abs(near[:, None] - np.array([0.0, *cycles])).min(axis=1) >= 0.99 * step
+    near = near[(near > 0) & away]
+    if not len(near):
+        return np.ones(3)
+    wave = np.exp(-2j * np.pi * np.outer(near, hours))
+    power = [np.mean(np.abs(wave @ r) ** 2) / len(hours) for r in (residual.real, residual.imag)]
+    white = [np.mean(residual.real**2), np.mean(residual.imag**2)]
+    with np.errstate(all="ignore"):  # no residual at all: 0 / 0
+        ratio = np.array([sum(power) / sum(white), power[0] / white[0], power[1] / white[1]])
+    return np.sqrt(np.fmax(ratio, 1.0))
