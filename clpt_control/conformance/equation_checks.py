@@ -12,19 +12,18 @@ A number with a unit that stands inside the equations, two units added, or a uni
 wrongly breaks it.  m and km are two units here: nobody but a reader knows what 1000 stands for.
 """
 
-import re
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from ..equations.block import Block
-from ..errors import BlockError, ClptError
+from ..equations.declaration import powers
+from ..errors import ClptError
 from .all_readings import readings
 
 FACTOR = 1.7  # by which a unit is made smaller
 TOLERANCE = 1e-9  # of the largest value; rounding is far below
-UNIT = re.compile(r"([A-Za-z_]+)(?:\^|\*\*)?(-?\d+)?")
 
 
 class Sample(NamedTuple):
@@ -150,24 +149,6 @@ def _readings(block: Block, drawn: list[Sample]) -> Iterator[str]:
 
 
 # --- other units ------------------------------------------------------------------------------
-
-
-def powers(unit: str) -> dict[str, int]:
-    """Return the powers of a unit, in which rad and 1 are none.
-
-    >>> powers("m/s"), powers("1/s^2"), powers("m s-1"), powers("1")
-    ({'m': 1, 's': -1}, {'s': -2}, {'m': 1, 's': -1}, {})
-    """
-    found: dict[str, int] = {}
-    for k, part in enumerate(unit.replace("**", "^").split("/")):
-        for word in re.split(r"[\s.*()]+", part.strip(" ()")):
-            read = UNIT.fullmatch(word)
-            if read is None and word not in ("", "1"):
-                raise BlockError(f"units: {unit!r} is no unit; write such as 'm', 'm/s' or '1/s^2'")
-            if read is not None and read[1] not in ("rad", "radians"):
-                power = int(read[2] or 1) * (-1 if k else 1)
-                found[read[1]] = found.get(read[1], 0) + power
-    return {symbol: power for symbol, power in found.items() if power}
 
 
 def unit_check(units: Mapping[str, str]) -> Callable[[Block, list[Sample]], Iterator[str]]:

@@ -14,7 +14,7 @@ import numpy as np
 
 from ..arguments import brief, nearest, public
 from ..equations.block import Block
-from ..equations.declaration import Guard, Parameters, check_names
+from ..equations.declaration import Guard, Parameters, check_names, same_unit
 from ..equations.ports import labels, whole_labels
 from ..equations.system import System, is_linear
 from ..errors import BlockError, DiagramError
@@ -133,6 +133,11 @@ Makers = dict[str, tuple[int, list[int]]]  # port -> the block that makes it, it
 Users = dict[str, list[tuple[int, list[int]]]]  # port -> blocks that take it, their inputs
 
 
+def _unit(block: Part, port: str) -> str:
+    """Return the unit that a part says for a port, or nothing."""
+    return getattr(block, "units", {}).get(port, "")
+
+
 def match_ports(
     blocks: Sequence[Part], external: Iterable[str] = ()
 ) -> tuple[Makers, Users, dict[str, int]]:
@@ -160,6 +165,11 @@ def match_ports(
             makers[port] = (k, places)
     users: Users = {}
     sizes: dict[str, int] = {}
+    said = {  # who says the unit of a port first
+        port: (unit, names[k])
+        for port, (k, _) in makers.items()
+        if (unit := _unit(blocks[k], port))
+    }
     for k, block in enumerate(blocks):
         for port, places in input_ports(block).items():
             if port not in makers and port not in external:
@@ -190,6 +200,13 @@ def match_ports(
                     f"'{port}' has {wanted} signal{'s' if wanted != 1 else ''}, but {block.name} "
                     f"takes {size}{cure}"
                 )
+            if unit := _unit(block, port):
+                other, whose = said.setdefault(port, (unit, block.name))
+                if not same_unit(unit, other):
+                    raise DiagramError(
+                        f"'{port}' is in '{other}' at {whose} and in '{unit}' at {block.name}; "
+                        "give it one unit, or put a block between that converts it"
+                    )
             users.setdefault(port, []).append((k, places))
     for port in external:
         if port in makers:

@@ -8,7 +8,9 @@ float or an array of floats: symbols to SymPy, and it may differ per run.
 """
 
 import math
+import re
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, fields, is_dataclass
 from types import SimpleNamespace
 from typing import Any, NamedTuple
@@ -19,6 +21,7 @@ from ..arguments import brief, public
 from ..errors import BlockError
 from ..html import facts, fragment, shortened
 
+UNIT = re.compile(r"([A-Za-z_]+)(?:\^|\*\*)?(-?\d+)?")  # and its power
 MOST_JUMPS = 2 * 10**7  # times of jumps that are listed
 Equations = Callable[[float, Any, Any, Any], Any]
 
@@ -94,6 +97,35 @@ def check_units(name: str, units: Mapping[str, str], *ports: Mapping[str, Any]) 
             raise BlockError(
                 f"{name}: units = {{{port!r}: {brief(unit)}}}: must be a text, such as 'm/s'"
             )
+
+
+def powers(unit: str) -> dict[str, int]:
+    """Return the powers of a unit, in which rad and 1 are none.
+
+    >>> powers("m/s"), powers("1/s^2"), powers("m s-1"), powers("1")
+    ({'m': 1, 's': -1}, {'s': -2}, {'m': 1, 's': -1}, {})
+    """
+    found: dict[str, int] = {}
+    for k, part in enumerate(unit.replace("**", "^").split("/")):
+        for word in re.split(r"[\s.*()]+", part.strip(" ()")):
+            read = UNIT.fullmatch(word)
+            if read is None and word not in ("", "1"):
+                raise BlockError(f"units: {unit!r} is no unit; write such as 'm', 'm/s' or '1/s^2'")
+            if read is not None and read[1] not in ("rad", "radians"):
+                power = int(read[2] or 1) * (-1 if k else 1)
+                found[read[1]] = found.get(read[1], 0) + power
+    return {symbol: power for symbol, power in found.items() if power}
+
+
+def same_unit(a: str, b: str) -> bool:
+    """Return whether two texts are one unit; one that is no product of powers is as it is written.
+
+    >>> same_unit("m/s", "m s-1"), same_unit("m", "km"), same_unit("%", "%")
+    (True, False, True)
+    """
+    with suppress(BlockError):
+        return a == b or powers(a) == powers(b)
+    return False
 
 
 def multiples(period: float, t0: float, t1: float) -> np.ndarray:

@@ -142,6 +142,35 @@ def test_what_does_not_fit_is_said_with_a_cure():
             clpt.connect([tank, clpt.parts.pid(1, 0.1, y="h", **own)], external)
 
 
+def handing_on(name, port, to, unit):
+    return Block(
+        name,
+        output=lambda t, x, u, p: [u[0]],
+        inputs={port: 1},
+        outputs={to: 1},
+        units={"e": unit} if unit else None,
+    )
+
+
+def test_a_port_has_one_unit():
+    maker, outside = handing_on("sonar", "r", "e", "km"), handing_on("log", "e", "v", "m s-1")
+    for ends, external, fits in (
+        ((maker, handing_on("law", "e", "y", "m")), "r", False),
+        ((maker, handing_on("law", "e", "y", "km")), "r", True),
+        ((maker, handing_on("law", "e", "y", None)), "r", True),
+        ((outside, handing_on("law", "e", "y", "m/s")), "e", True),
+        ((outside, handing_on("law", "e", "y", "knots")), "e", False),
+    ):
+        with (
+            nullcontext()
+            if fits
+            else pytest.raises(
+                DiagramError, match=r"'e' is in '.*' at (sonar|log) and in '.*' at law"
+            )
+        ):
+            clpt.connect(ends, external)
+
+
 @pytest.mark.parametrize(
     ("part", "said"),
     [
