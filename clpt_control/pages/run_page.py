@@ -1,8 +1,11 @@
 """The page of a run: of one vehicle or a team, of the paper's with its claims; of any diagram."""
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+import xarray
 
 from ..diagrams.drawing.figure import MOST, block_figure
+from ..diagrams.interconnection import Diagram
 from ..diagrams.on_symbols import readable_equations
 from ..errors import ClptError
 from ..html import Result, folded, listing, safe
@@ -18,11 +21,6 @@ from . import results, run_sections
 from .page import Card, Drawn, Page, Section, again_section, drawn
 from .results import Numbers, number
 
-if TYPE_CHECKING:
-    import xarray
-
-    from ..diagrams.interconnection import Diagram
-
 KINDS = ("Run of a scenario", "Run of a diagram")
 IN_PYTHON = {OWN_LAW: "law", CHANGED: "parameters", OWN_PARTS: "parts"}
 ALL = "<p>All that was asked, as a file for <code>clpt run</code>:</p>"
@@ -33,7 +31,7 @@ MOST_SAID = 4  # signals in a sentence
 SHORT = 12, 200  # lines of equations, and letters of each
 
 
-def run_page(run: "xarray.Dataset", system: Scenario | Team, title: str | None = None) -> Page:
+def run_page(run: xarray.Dataset, system: Scenario | Team, title: str | None = None) -> Page:
     """Return the page of a run that carries this scenario, or this team."""
     numbers = results.numbers_of(run, system)
     own, changed, parts = (run.attrs.get(name) for name in (OWN_LAW, CHANGED, OWN_PARTS))
@@ -80,7 +78,7 @@ def run_page(run: "xarray.Dataset", system: Scenario | Team, title: str | None =
     )
 
 
-def _ended(run: "xarray.Dataset") -> list[str]:
+def _ended(run: xarray.Dataset) -> list[str]:
     """Return how a run ended, where it did not just come to its end."""
     message = run.attrs.get("message", "no reason is recorded")
     if run.attrs.get("status", "finished") != "finished":
@@ -88,7 +86,7 @@ def _ended(run: "xarray.Dataset") -> list[str]:
     return [f"{message}."] if "; " in str(message) else []
 
 
-def _warnings(run: "xarray.Dataset", scenario: Scenario, numbers: Numbers) -> list[str]:
+def _warnings(run: xarray.Dataset, scenario: Scenario, numbers: Numbers) -> list[str]:
     """Return what a reader must know before the figures."""
     changed, parts = run.attrs.get(CHANGED), run.attrs.get(OWN_PARTS)
     sentences = []
@@ -141,7 +139,7 @@ def _cards(numbers: Numbers, scenario: Scenario) -> list[Card]:
     return cards
 
 
-def _again(run: "xarray.Dataset", scenario: Scenario | None, paper: bool = False) -> Section:
+def _again(run: xarray.Dataset, scenario: Scenario | None, paper: bool = False) -> Section:
     """Return how a run is made again: from its file's equations, from its scenario, or not."""
     missing, commands = [what for name, what in IN_PYTHON.items() if name in run.attrs], list[str]()
     if (missing or scenario is None) and equations_text(run)[0]:
@@ -170,7 +168,7 @@ def _again(run: "xarray.Dataset", scenario: Scenario | None, paper: bool = False
 # --- of any diagram ------------------------------------------------------------------------------
 
 
-def diagram_page(run: "xarray.Dataset", title: str | None = None) -> Page:
+def diagram_page(run: xarray.Dataset, title: str | None = None) -> Page:
     """Return the page of a diagram's run: its loop, its equations if short, each port over time."""
     text, why = equations_text(run)
     diagram = diagram_of_text(text) if text else None
@@ -205,14 +203,14 @@ def diagram_page(run: "xarray.Dataset", title: str | None = None) -> Page:
     )
 
 
-def span_of(run: "xarray.Dataset") -> str:
+def span_of(run: xarray.Dataset) -> str:
     """Return from when to when a run is."""
     unit = run.time.attrs.get("units")
     first, last = (f"{float(t):.6g}" for t in run.time.values[[0, -1]])
     return f"t = {first} to {last}{f' {unit}' if unit else ''}"
 
 
-def extent_of(run: "xarray.Dataset") -> dict[str, dict[str, float]]:
+def extent_of(run: xarray.Dataset) -> dict[str, dict[str, float]]:
     """Return of each signal, by name and unit, where it began and ended and how far it went."""
     return {
         named(name, one.attrs.get("units")): {
@@ -226,7 +224,7 @@ def extent_of(run: "xarray.Dataset") -> dict[str, dict[str, float]]:
     }
 
 
-def response_result(run: "xarray.Dataset") -> Result:
+def response_result(run: xarray.Dataset) -> Result:
     """Return where the signals of a diagram's run began and ended, and how far they went."""
     rows = [[name, *(f"{v:.6g}" for v in own.values())] for name, own in extent_of(run).items()]
     sentences = [f"{more} more signals"] if (more := len(rows) - MOST_SIGNALS) > 0 else []
@@ -235,7 +233,7 @@ def response_result(run: "xarray.Dataset") -> Result:
     return Result(title, columns, rows[:MOST_SIGNALS], sentences)
 
 
-def _loop(diagram: "Diagram") -> list[Section]:
+def _loop(diagram: Diagram) -> list[Section]:
     """Return the diagram as it was recorded, drawn, and its equations where they are short."""
     sections = []
     if len(diagram.syslist) <= MOST:
@@ -262,7 +260,7 @@ def _equations(diagram: Any) -> list[str]:
     return found if len(found) <= lines and max(map(len, found), default=0) <= letters else []
 
 
-def _over_time(run: "xarray.Dataset") -> Section:
+def _over_time(run: xarray.Dataset) -> Section:
     """Return each port over time."""
     heading = "Signals over time"
     if run.sizes["time"] < 2:
