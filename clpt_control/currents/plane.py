@@ -34,16 +34,17 @@ CF units; `read_field` converts it to the scenario's units of length and time.
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray
 
 from ..errors import DataError, naming, needed
 from ..files.reading import open_netcdf
 from ..geodesy import near
 from ..units import METRES, SECONDS, length_in_metres, speed_in_metres_per_second, time_in_seconds
-from .cf import numbers_of
+
+if TYPE_CHECKING:
+    import xarray
 
 WIDEST = 1000.0  # km from the origin; beyond, lengths across are off by more than 0.4 %
 ROUNDING = 1e-14  # of what flows in: the solver's residual
@@ -186,6 +187,8 @@ def regular_grid(
 
 def read_field(path: Path, units) -> GriddedField:
     """Return the field of a file, such as `clpt fit` writes, in the units of a scenario."""
+    from .cf import numbers_of
+
     with open_netcdf(path) as data, naming(path):
         for name in ("time", "y", "x", "u", "v"):
             if name not in data.variables:
@@ -222,8 +225,10 @@ def _regular(axis: np.ndarray, name: str) -> np.ndarray:
     return axis
 
 
-def field_dataset(field: GriddedField, units, attributes: dict) -> xarray.Dataset:
+def field_dataset(field: GriddedField, units, attributes: dict) -> "xarray.Dataset":
     """Return a field in a scenario's units as CF data; attributes are title and source."""
+    import xarray
+
     speed = f"{units.length} {units.time}-1"
     dims, start = ("time", "y", "x"), {"long_name": "time since start", "units": units.time}
     axes: dict[str, tuple] = {"time": ("time", field.time, start)}
