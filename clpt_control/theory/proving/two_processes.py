@@ -4,6 +4,7 @@ This process takes statements from the front, the other from behind, so that not
 the first ones run.
 """
 
+import gc
 import os
 from collections import deque
 from collections.abc import Callable, Iterator
@@ -20,11 +21,15 @@ if TYPE_CHECKING:  # the other process starts before all this is imported
 
 @contextmanager
 def second_process() -> Iterator[Pool | None]:
-    """Yield a pool of one process, where there is a core for it."""
+    """Yield a pool of one process, where there is a core for it; no garbage is looked for."""
     # 1,000 by default; SymPy reads it when it is imported
     os.environ.setdefault("SYMPY_CACHE_SIZE", "100000")
-    with processes(1) if (os.cpu_count() or 1) > 1 else nullcontext() as pool:
-        yield pool
+    gc.disable()  # a search takes a tenth of a second, and finds little: expressions stay
+    try:
+        with processes(1) if (os.cpu_count() or 1) > 1 else nullcontext() as pool:
+            yield pool
+    finally:
+        gc.enable()
 
 
 def begin(pool: Pool | None) -> None:
@@ -35,6 +40,7 @@ def begin(pool: Pool | None) -> None:
 
 def make_ready() -> None:
     """Import what proves."""
+    gc.disable()
     from . import all_proofs  # noqa: F401
 
 
