@@ -28,7 +28,8 @@ from .unchanged import names_in, texts_in
 from .views import fresh
 
 LIBRARIES = ("numpy", "scipy", "matplotlib")  # run as they are
-READERS = tuple(f"{__package__}.{name}" for name in ("arrays", "record", "views"))  # that read
+# modules that read
+READERS = tuple(f"{__package__}.{name}" for name in ("arrays", "elementwise", "record", "views"))
 _NONE = object()
 OF_WARNINGS = "__warningregistry__"  # which Python puts into the module that it warns of
 
