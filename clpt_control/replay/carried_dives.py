@@ -28,8 +28,7 @@ from scipy.integrate import solve_ivp
 
 from ..arguments import public
 from ..errors import ClptError
-from ..estimation.dive import reckoned
-from ..gliders.dives import Dive
+from ..estimation.dive import Dive, reckoned
 
 Flow = Callable[[float, float, float], tuple[float, float]]
 NOTE = "flow model: "

@@ -27,11 +27,10 @@ import numpy as np
 
 from ..arguments import public
 from ..currents.telling_apart import check_separable
-from ..estimation.dive import miss
+from ..estimation.dive import Dive, Fix, miss
 from ..estimation.estimators import KalmanBank, make_estimator
 from ..estimation.fix_model import OTHERS, FixModel
 from ..geodesy import place_from
-from ..gliders.dives import Dive, Fix
 from ..gliders.usable_dives import follows
 from ..html import facts, fragment, paragraphs
 from ..progress.interrupt import check

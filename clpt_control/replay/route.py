@@ -2,7 +2,7 @@
 
 The coming dives are drawn, `DRAWS` times.  Each dive is aimed at the next waypoint (`aim`), by what
 is known when it begins; its way through the water, its duration and the drift before it are drawn
-from their spread (`surfacing`), its miss from the forecast's mean and covariance.  What was
+from their spread (`habits`), its miss from the forecast's mean and covariance.  What was
 drawn is learned before the next dive is aimed: drawn one after the other, each given those before
 it, the misses are drawn from their joint distribution, with what lasts from dive to dive in them.
 A waypoint is made by the dive that is to end there, or ends within `ARRIVED` of it.
