@@ -16,8 +16,9 @@ from ..scenario.tables import Units
 from ..scenario.team import Team
 from ..simulation.charts import TITLE, square_chart, track_plot
 from ..simulation.flows import flow_velocity
-from ..simulation.loops import closed_loop, team_loop
+from ..simulation.loops import closed_loop
 from ..simulation.plots import DIRECTIONS, clpe_plot, learning_plot
+from ..simulation.team_loops import team_loop
 from ..simulation.team_plots import team_plot
 from ..theory.excitation.excitation_report import excitation_plot
 from .page import Drawn, Section, drawn

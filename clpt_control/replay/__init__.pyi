@@ -3,8 +3,9 @@ from .carried_dives import carried
 from .facts import replay_dataset
 from .flow_models import read_flow_model
 from .outcome import clpe_rms, summary
-from .plots import current_plot, dive_clpe_plot, map_plot, replay_plot, save_replay_figures
+from .plots import current_plot, dive_clpe_plot, replay_plot, save_replay_figures
 from .replay import Replay, next_dive, replay_dives
+from .track_map import map_plot
 
 __all__ = [
     "Replay",

@@ -6,12 +6,13 @@ from .fitting import Fit, fit_parameters
 from .flows import explained_variance, flow_velocity
 from .fmu import export_fmu
 from .integrate import sample_times, simulate
-from .loops import closed_loop, error_loop, paper_blocks, team_loop
+from .loops import closed_loop, error_loop, paper_blocks
 from .plots import clpe_plot, learning_plot, run_plot
 from .run_file import load_diagram, load_run, save_run
 from .starts import initial_state, state_at
 from .summary import claims, run_and_report
 from .tangents import sensitivity
+from .team_loops import team_loop
 from .team_plots import team_plot
 
 __all__ = [

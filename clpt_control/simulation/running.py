@@ -37,9 +37,10 @@ from .dataset import (
 )
 from .flows import faster_flow, speeds_of
 from .frame import Frame
-from .loops import LoopOf, paper_blocks, team_blocks
+from .loops import LoopOf, paper_blocks
 from .run_file import CONDITIONS, RunRecord
 from .starts import into_keys, stacked_state, state_labels, state_of
+from .team_loops import team_blocks
 
 MOST = 16  # cached runs
 _CACHE: dict[Any, Any] = {}

@@ -24,7 +24,7 @@ from ...blocks.laws.table import LAWS
 from ...diagrams.interconnection import Diagram, connect
 from ...equations.ports import named, split, within
 from ...scenario.team import TEAM_LAW, Team
-from ...simulation.loops import team_blocks
+from ...simulation.team_loops import team_blocks
 from .fixes import fix_steps
 from .invariants import invariant_steps
 from .limited_speed import LIMITED_SPEED
