@@ -27,7 +27,6 @@ from ..errors import DiagramError, ScenarioError
 from ..native import layout
 from ..native.python_diagram import checked_steps
 from ..native.schedule import Inputs, checked_times, read_inputs
-from ..native.sweep import Sweep
 from ..simulation.frame import Axes, Series, port_variables
 from ..simulation.integrate import as_diagram, sizes_of_run
 from ..simulation.running import labels_of, signal_units
@@ -55,12 +54,12 @@ class VariedDiagram(Varied):
         **solver: Any,
     ):
         diagram, known = as_diagram(diagram)
-        self.times, self.name = checked_times("timepts", timepts), diagram.name
+        self.state_times, self.name = checked_times("timepts", timepts), diagram.name
         self.title, self.trajectories = f"Ensemble of {diagram.name}", trajectories
         x0 = known.get("initial_state") if initial_state is None else initial_state
         inputs = known.get("inputs") if inputs is None else inputs
         read_anew(diagram)
-        sizes = sizes_of_run(diagram, inputs, x0, self.times)
+        sizes = sizes_of_run(diagram, inputs, x0, self.state_times)
         self.params = dict(params or {})
         self.wiring = wiring_of(diagram, self.params, sizes)
         self.outputs, taken, states = labels_of(diagram, self.wiring)
@@ -75,10 +74,9 @@ class VariedDiagram(Varied):
             self.wiring = wiring_of(diagram, self.params, sizes)
         self.given = changed_parameters(self.wiring.blocks, self.params)
         solver = {name: known.get(name) if one is None else one for name, one in solver.items()}
-        rtol, atol, _, _, method = checked_steps(self.wiring.dt, self.times, **solver)
+        rtol, atol, _, _, method = checked_steps(self.wiring.dt, self.state_times, **solver)
         self.options = {"rtol": rtol, "atol": atol, "method": method}
-        self.state_times = Sweep(self.wiring, self.given).at_jumps(self.times)
-        self.inputs: Inputs = read_inputs(inputs, self.times, self.wiring.ninputs)
+        self.inputs: Inputs = read_inputs(inputs, self.state_times, self.wiring.ninputs)
         self.start = stacked_state("initial_state", 0.0 if x0 is None else x0, len(states))
         self.names = places_of(self.wiring, self.given, states, taken)
         self.places: dict[str, Place] = {}
@@ -126,7 +124,7 @@ class VariedDiagram(Varied):
     def _value(self, place: Place) -> np.ndarray:
         if not place.inputs:
             return value_at(place, self.given, self.start)
-        u = self.inputs.at(float(self.times[0]))[list(place.inputs)]
+        u = self.inputs.at(float(self.state_times[0]))[list(place.inputs)]
         return u if len(u) > 1 else u[0]
 
     # --- what may vary --------------------------------------------------------------------
@@ -208,7 +206,7 @@ class VariedDiagram(Varied):
             raise DiagramError("out: inputs by a function cannot be told from others; give samples")
         parts += [(node.name, node.wires) for node in self.wiring.nodes]
         parts += [self.wiring.outputs, self.wiring.dt, self.outputs, self.options]
-        arrays = [self.start, self.times, *self.inputs.samples]
+        arrays = [self.start, self.state_times, *self.inputs.samples]
         arrays += [number for given in self.given for number in given]
         parts += [np.asarray(one, dtype=float).tolist() for one in arrays]
         return f"{self.name} {hashlib.sha256(repr(parts).encode()).hexdigest()[:16]}"

@@ -133,7 +133,7 @@ def plain_block(block: Block, name: str, p: Any, begin: float, end: float) -> di
     if isinstance(jumps, Each):
         listed = {"period": jumps.period, "part": jumps.part}
     elif jumps is not None:
-        until = max(2 * abs(end), abs(end) + 1.0)  # to which a block asks at once
+        until = 3 * abs(end) + 1.0  # beyond what a block asks at once
         times = np.concatenate(
             [block.breakpoints(min(begin, 0.0), 0.0, p), block.breakpoints(0.0, until, p)]
         )

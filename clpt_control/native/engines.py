@@ -23,6 +23,7 @@ from .machine import ENGINE
 from .native_diagram import NativeDiagram
 from .python_diagram import PythonDiagram
 from .schedule import JUMPS, Inputs, Schedule
+from .sweep import rounding
 
 ENGINES = ("native", "python")
 
@@ -146,7 +147,7 @@ def _agrees(
     python = []
     for t, state in zip(times.tolist(), x, strict=True):
         u = None if inputs is None else inputs.at(t)
-        sweep.enter(t)
+        sweep.enter(t + rounding(t))
         rates = sweep.derivative(t, state, u)
         own = [sweep.signals.copy(), rates][: len(machine)]
         python.append([*own, sweep.jump(t, state, u, sweep.jumping)] if sweep.jumping else own)

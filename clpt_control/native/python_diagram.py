@@ -37,7 +37,7 @@ from .schedule import (
     make_schedule,
     read_inputs,
 )
-from .sweep import Sweep
+from .sweep import Sweep, rounding
 
 FELT = 200.0  # tolerances of an input: a run stops where it bends off its line by more
 FELT_BY_ORDER_5 = 2000.0  # the same for DOPRI5, whose steps are shorter
@@ -103,7 +103,7 @@ class PythonDiagram:
 
         functions: list[tuple[Any, str, int]] = [  # in the solver's order, and what they write
             (lambda t, x, P: sweep.rates(t, x, u(t)), "D", n),
-            (lambda t, x, P: sweep.enter(t), "D", 0),
+            (lambda t, x, P: sweep.enter(t + rounding(t)), "D", 0),
             (lambda t, x, P: sweep.margin(t, x, u(t))[0], "D", 1),
             (lambda t, x, P: sweep.evaluate(t, x, u(t)), "W", self.nsignals),
             (jump, "D", n),
@@ -187,7 +187,6 @@ class PythonDiagram:
         }
         times, start = checked_times("times", times), checked_state("x0", x0, (self.nstates,))
         rtol, atol, *limits, method = checked_steps(self.wiring.dt, times, **options)
-        times = self.sweep.at_jumps(times)
         t0, t1 = float(times[0]), float(times[-1])
         inputs = self._inputs(inputs, times)
         if not self.nstates:

@@ -17,7 +17,7 @@ import numpy as np
 
 from ..arguments import numbers
 from ..errors import SimulationError
-from .sweep import moved_to
+from .sweep import moved_back, moved_to, rounding
 
 STRAIGHT = 1e-14  # of the largest value: a smaller distance from a straight line is rounding
 SHARP = 10.0  # a bend is sharp if it is so many times as large as most
@@ -216,7 +216,7 @@ def make_schedule(
     sweep, compiled, kinks = diagram.sweep, diagram.ramp >= 0, np.zeros(0)
     if inputs is not None and inputs.samples is not None:
         kinks = inputs.kinks if compiled else inputs.sharp_bends(felt)
-    jumps = sweep.breakpoints(t0, t1)
+    jumps = moved_back(sweep.breakpoints(t0, t1 + rounding(t1)), np.asarray(times))
     jumping = _merged(jumps, moved_to(jumps, diagram.breaks(t0, t1)))
     edges = _merged(jumping, moved_to(jumps, kinks))
     starts = np.concatenate([[t0], edges[(edges > t0) & (edges < t1)], [t1]])
@@ -227,7 +227,8 @@ def make_schedule(
         block, p = sweep.nodes[k].system, sweep.parameters[k]
         if p.interval >= 0:
             return np.full(len(starts), p.interval)
-        return np.searchsorted(block.breakpoints(0.0, t1, p), starts, side="right")
+        late = starts + rounding(starts)
+        return np.searchsorted(block.breakpoints(0.0, late[-1], p), late, side="right")
 
     columns, begins = [intervals_of(k) for k in diagram.intervals], False
     for k in diagram.jumps:

@@ -78,16 +78,7 @@ class Sweep:
         if not jumps:
             return np.zeros(0)
         times = np.sort(np.concatenate(jumps))
-        return times[np.diff(times, append=np.inf) > _rounding(times)]
-
-    def at_jumps(self, times: np.ndarray) -> np.ndarray:
-        """Return increasing times, of which those before a jump by rounding alone are moved to it.
-
-        A sample at a jump is then taken after the jump.
-        """
-        first, last = float(times[0]), float(times[-1] + _rounding(times[-1]))
-        moved = moved_to(self.breakpoints(first, last), times)
-        return moved if np.all(np.diff(moved) > 0) else times
+        return times[np.diff(times, append=np.inf) > rounding(times)]
 
     def enter(self, t: float) -> None:
         """Set every block's `interval` to the one that holds t."""
@@ -213,9 +204,15 @@ class Sweep:
 def moved_to(jumps: np.ndarray, times: np.ndarray) -> np.ndarray:
     """Return times, of which those before a jump by rounding alone are moved to it."""
     following = np.append(jumps, np.inf)[np.searchsorted(jumps, times)]
-    return np.where(following - times <= _rounding(times), following, times)
+    return np.where(following - times <= rounding(times), following, times)
 
 
-def _rounding(times: np.ndarray) -> np.ndarray:
+def moved_back(jumps: np.ndarray, times: np.ndarray) -> np.ndarray:
+    """Return jumps, of which those after a sample by rounding alone are moved to it."""
+    before = times[np.searchsorted(times, jumps, side="right") - 1]
+    return np.where(jumps - before <= rounding(jumps), before, jumps)
+
+
+def rounding(times: Any) -> Any:
     """Return the largest difference between equal times that rounding can make."""
     return 1e-12 * np.maximum(1.0, np.abs(times))

@@ -8,6 +8,7 @@ import pytest
 from swept import TIMES, lag, pulled, springs, system, unread
 
 import clpt_control as clpt
+from clpt_control.equations.declaration import Each
 from clpt_control.errors import ClptError
 
 TIGHT = {"rtol": 1e-10, "atol": 1e-12}
@@ -167,6 +168,25 @@ def test_what_cannot_be_compiled_runs_in_python_and_says_so():
     with pytest.warns(UserWarning, match="odd runs in Python, not as machine code: "):
         data = clpt.run_ensemble(odd, {"a": rates}, **given)
     np.testing.assert_allclose(data.y_final, np.exp(-5 * rates), rtol=0, atol=1e-9)
+
+
+@pytest.mark.parametrize("engine", ["native", "python"])
+def test_samples_at_jumps_that_vary_are_taken_after_them(engine, monkeypatch):
+    """0.2 k and the multiples of 0.1 among the samples are one time, and not one float."""
+    monkeypatch.setenv("CLPT_CONTROL_ENGINE", engine)
+    count = clpt.Block(
+        "count",
+        update=lambda t, x, u, p: {"n": 0.0 * x.n},
+        jump=lambda t, x, u, p: {"n": p.interval + 0.0 * x.n},
+        states={"n": 1},
+        parameters={"period": 0.5, "interval": -1.0},
+        breakpoints=Each("period"),
+    )
+    times, periods = np.linspace(0, 2.3, 24), [0.5, 0.3, 0.2, 0.1, 0.05, 1.1]
+    data = clpt.run_ensemble(count, {"count.period": periods}, timepts=times, trajectories=True)
+    expected = np.floor(times / np.array(periods)[:, None] + 1e-9)
+    np.testing.assert_allclose(data.n, expected, atol=1e-12)
+    np.testing.assert_allclose(data.n_final, expected[:, -1], atol=1e-12)
 
 
 def test_an_array_varies_beside_what_reads_any_parameter():
