@@ -20,7 +20,7 @@ from ..equations.declaration import Parameters
 from ..equations.elements import InputsOf
 from ..equations.ports import places as inputs_of
 from ..equations.sampled import Sampled
-from ..equations.system import System, linear
+from ..equations.system import System, is_linear, linear
 from ..errors import DiagramError
 
 TRIED = 3  # points at which a function that cannot be read is tried
@@ -410,7 +410,7 @@ def _by_signals(nodes: list[Node], order: list[int], waits: dict[int, set[int]])
         if ready is None:
             raise DiagramError(
                 f"algebraic loop: {_circle(waits, nodes)} feed each other at once; "
-                "break the circle with a block that has states"
+                f"break the circle with a block that has states{_by_entries(waits, nodes)}"
             )
         order.append(ready)
         known |= computable[ready]
@@ -418,6 +418,15 @@ def _by_signals(nodes: list[Node], order: list[int], waits: dict[int, set[int]])
         if not needed[ready]:
             del needed[ready], waits[ready]
     return tuple(order)
+
+
+def _by_entries(waits: Iterable[int], nodes: list[Node]) -> str:
+    """Return what else helps where the circle may be one of entries of a D that are 0."""
+    linear_ones = [nodes[k] for k in waits if is_linear(nodes[k].system)]
+    name = next((one.name for one in linear_ones if not np.all(one.system.parameters.D)), None)
+    if name is None:
+        return ""
+    return f", or give {name} as control.nlsys: D is a parameter, of which an entry 0 feeds too"
 
 
 def _circle(waits: dict[int, set[int]], nodes: list[Node]) -> str:

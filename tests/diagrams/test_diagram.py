@@ -189,6 +189,31 @@ def test_algebraic_loop_names_its_blocks():
     assert "block that has states" in str(caught.value)
 
 
+def test_a_circle_through_an_entry_of_d_that_is_0_has_a_cure():
+    """A mass on a spring whose place is fed back, and whose acceleration is measured."""
+    labels = {"inputs": "F", "outputs": ["place", "pull"], "name": "mass"}
+    A, B, C = (np.array(m) for m in ([[0, 1], [-1, -0.5]], [[0], [1]], [[1, 0], [-1, -0.5]]))
+    K = control.ss([], [], [], -2.0, inputs="place", outputs="back", name="K")
+    total = control.summing_junction(["back", "r"], "F", name="total")
+    mass = control.ss(A, B, C, [[0], [1]], **labels)
+    with pytest.raises(
+        DiagramError, match=r"algebraic loop: .*, or give mass as control\.nlsys: D"
+    ):
+        wiring.wiring_of(connect([mass, K, total], "r"))
+    mass = control.nlsys(
+        lambda t, x, u, p: A @ x + B @ u,
+        lambda t, x, u, p: [x[0], -x[0] - 0.5 * x[1] + u[0]],
+        states=2,
+        **labels,
+    )
+    loop, times = connect([mass, K, total], "r"), np.linspace(0, 5, 11)
+    run = clpt.simulate(loop, times, 1.0, rtol=1e-11, atol=1e-12)
+    whole = control.ss(A - 2 * B @ C[:1], B, C - [[0, 0], [2, 0]], [[0], [1]])
+    expected = control.forced_response(whole, times, np.ones(11)).y
+    np.testing.assert_allclose(run.place, expected[0], atol=1e-9)
+    np.testing.assert_allclose(run.pull, expected[1], atol=1e-9)
+
+
 def test_a_block_that_feeds_itself_is_named():
     with pytest.raises(DiagramError, match="algebraic loop: mine"):
         wiring.wiring_of(connect([follower("mine", "a", "a")]))
