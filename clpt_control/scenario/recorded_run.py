@@ -48,7 +48,7 @@ def is_response(run: "xarray.Dataset") -> bool:
 
 def check_response(run: "xarray.Dataset") -> None:
     """Refuse a dataset that is no whole run of a diagram: finite numbers along times."""
-    check_texts(run)
+    check_attributes(run)
     times = run.variables.get("time")
     if times is None or times.dims != ("time",) or not times.size:
         raise DataError("the run has no sample along time; clpt.simulate makes runs")
@@ -66,13 +66,13 @@ def check_response(run: "xarray.Dataset") -> None:
         raise DataError("the run has no signal; clpt.simulate makes runs")
 
 
-def check_texts(run: "xarray.Dataset") -> None:
-    """Refuse attributes that are no text."""
-    for name in TEXTS:
-        if not isinstance(run.attrs.get(name, ""), str):
-            raise DataError(
-                f"the run's attribute {name} is {run.attrs[name]!s:.40}; must be a text"
-            )
+def check_attributes(run: "xarray.Dataset") -> None:
+    """Refuse texts and the solver's counts that are none."""
+    for name, value in run.attrs.items():
+        count = str(name).startswith("solver_")
+        if (count or name in TEXTS) and not isinstance(value, int | np.integer if count else str):
+            kind = "a whole number" if count else "a text"
+            raise DataError(f"the run's attribute {name} is {value!r:.40}; must be {kind}")
 
 
 def check_run(run: "xarray.Dataset", system: Scenario | Team, *names: str) -> None:
@@ -88,7 +88,7 @@ def check_run(run: "xarray.Dataset", system: Scenario | Team, *names: str) -> No
         sizes["vehicle"] = len(team.members)
         if "vehicle" not in run or list(run.vehicle.values) != list(team.members):
             raise DataError(f"the run's vehicles are not {', '.join(team.members)}, its team's")
-    check_texts(run)
+    check_attributes(run)
     for name, dims in DIMS.items():
         if team and name not in SHARED:
             dims = ("vehicle", *dims)

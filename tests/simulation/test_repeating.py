@@ -389,6 +389,7 @@ def test_damaged_numbers_of_a_run_are_one_sentence(tmp_path):
         "no signal": whole[["states"]],
         "another": whole.assign(n=1.0),
         "title": whole.assign_attrs(title=3.5),
+        "count": whole.assign_attrs(solver_steps="\t"),
         "equations": whole.assign_attrs(equations="{" * 5000),
         "number": whole.assign_attrs(equations=3.5),
         "units": whole.assign(h=whole.h.assign_attrs(units=3.5)),
