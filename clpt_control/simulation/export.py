@@ -274,7 +274,10 @@ class CFile:
             f"{own}_step(t, dt, x, u, p): {step}.",
         ]
         if self.layout.jumps:
-            lines.append(f"{own}_begin(t, x, u, p): call it once before the first step.")
+            lines.append(
+                f"{own}_begin(t, x, u, p): call it before the first step, and where u is new:"
+            )
+            lines.append("what samples at that time takes u; a step ends with its own u.")
         if self.layout.intervals:
             lines.append("dt must divide the periods at which blocks sample or jump.")
         if any(FIXED in label for label in self.parameters()[0]):

@@ -157,6 +157,29 @@ def test_the_numbers_are_those_of_the_blocks(name, tmp_path):
 
 
 @needs_cc
+@pytest.mark.parametrize("h", [0.025, 0.1])
+def test_what_samples_takes_new_inputs_by_begin(h, tmp_path):
+    """Samples of t^2 each 0.1, held, and a lag of 0.5 behind them."""
+    hold, lag = clpt.parts.hold(0.1, y="held"), clpt.parts.lag(0.5, u="held", y="y")
+    made = InC(clpt.connect([hold, lag], "u"), tmp_path)
+    assert "where u is new" in made.text
+    x, found = made.x0.copy(), []
+    for k in range(round(1.0 / h) + 1):
+        t = k * h
+        u = np.array([t**2])
+        made.call("begin", [t], x, u, made.p)
+        found.append(made.outputs(t, x, u))
+        made.call("step", [t, h], x, u, made.p)
+    samples = (0.1 * np.arange(11)) ** 2
+    y = [0.0]
+    for held in samples[:-1]:
+        y.append(held + (y[-1] - held) * np.exp(-0.2))
+    at_samples = np.array(found)[:: round(0.1 / h)]
+    np.testing.assert_allclose(at_samples[:, 0], samples, atol=1e-12)
+    np.testing.assert_allclose(at_samples[:, 1], y, atol=1e-5)
+
+
+@needs_cc
 def test_parameters_may_be_changed(tmp_path):
     made = InC(pendulum(), tmp_path, params={"l": 2.0})
     assert made.p == pytest.approx([9.81, 2.0, 0.3])
