@@ -130,7 +130,9 @@ def same_unit(a: str, b: str) -> bool:
 
 def multiples(period: float, t0: float, t1: float) -> np.ndarray:
     """Return the multiples k * period, k >= 1, in (t0, t1]: sorted, each rounded once."""
-    count = abs(t1 - t0) / period if period > 0 else math.inf
+    if not period > 0:
+        raise BlockError(f"a period of {period:g}: must be above 0")
+    count = abs(t1 - t0) / period
     if not count <= MOST_JUMPS:
         raise BlockError(
             f"a period of {period:g} has {count:.3g} multiples from {t0:g} to {t1:g}; at most "
