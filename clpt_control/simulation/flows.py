@@ -21,10 +21,9 @@ mean a right flow (K and Gamma adapt too, and can stand in for it):
 The disturbance Delta is part of none of them.
 """
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray
 from numpy.typing import ArrayLike
 
 from ..arguments import numbers, public
@@ -36,6 +35,9 @@ from ..estimation.least_squares import explained_share
 from ..scenario.experiment import Scenario
 from ..scenario.tables import Units
 from .loops import paper_blocks
+
+if TYPE_CHECKING:
+    import xarray
 
 
 @public
@@ -81,7 +83,7 @@ def flow_velocity(
 
 @public
 def explained_variance(
-    scenario: Scenario, run: xarray.Dataset, window: tuple[float, float] | None = None
+    scenario: Scenario, run: "xarray.Dataset", window: tuple[float, float] | None = None
 ) -> dict[str, Any]:
     """Return the shares of variance that the learned flow explains.
 
@@ -202,14 +204,14 @@ def faster_flow(figures: dict[str, Any], units: Units) -> str:
     )
 
 
-def speeds_of(run: xarray.Dataset, max_speed: float) -> dict[str, Any]:
+def speeds_of(run: "xarray.Dataset", max_speed: float) -> dict[str, Any]:
     """Return the figures of a run at its own samples."""
     timer = SpeedTimer(max_speed)
     timer.add(run.time.values, run.commanded_velocity.values, run.true_flow.values)
     return timer.figures()
 
 
-def note_speeds(run: xarray.Dataset, figures: dict[str, Any], units: Units) -> None:
+def note_speeds(run: "xarray.Dataset", figures: dict[str, Any], units: Units) -> None:
     """Put the share at the limit and, where there is one, the sentence into a run's attributes."""
     run.attrs["share_at_speed_limit"] = figures["share_at_limit"]
     sentence = faster_flow(figures, units)

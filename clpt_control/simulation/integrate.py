@@ -4,11 +4,10 @@ A run is an `xarray.Dataset`; that of a scenario has CF attributes, from which i
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import control
 import numpy as np
-import xarray
 
 from ..arguments import public
 from ..diagrams.plain_data import diagram_key
@@ -24,6 +23,9 @@ from .loops import closed_loop
 from .running import DiagramRun, ScenarioRun, TeamRun, ready
 from .starts import initial_state as start_of
 from .starts import with_solver
+
+if TYPE_CHECKING:
+    import xarray
 
 Times = Sequence[float] | np.ndarray
 
@@ -44,7 +46,7 @@ def simulate(
     method: str | None = None,
     max_step: float = np.inf,
     first_step: float | None = None,
-) -> xarray.Dataset:
+) -> "xarray.Dataset":
     """Run a scenario, a team, or any diagram of blocks.
 
     Parameters

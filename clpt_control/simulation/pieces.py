@@ -7,16 +7,19 @@ used for mean squares alone.
 
 from collections.abc import Callable
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-import xarray
 
 from ..blocks.localization import TRUE
 from ..native.ending import Solution
 from ..scenario.experiment import Scenario
 from .flows import SpeedTimer
 from .running import ScenarioRun
+
+if TYPE_CHECKING:
+    import xarray
+
 
 SAMPLES_PER_CYCLE = 2000
 PIECE = 100 * SAMPLES_PER_CYCLE  # samples; a piece ends where a cycle does, at a breakpoint
@@ -48,7 +51,7 @@ class Grid(NamedTuple):
 
 def run_in_pieces(
     scenario: Scenario, required: np.ndarray, grid: Grid, progress: Callable[[float], None] | None
-) -> tuple[xarray.Dataset, dict[str, Any], SpeedTimer | None]:
+) -> "tuple[xarray.Dataset, dict[str, Any], SpeedTimer | None]":
     """Run a scenario; return it at times that are required or drawn, its CLPE and speeds."""
     run, pieces = ScenarioRun(scenario), list(pairwise([*range(0, grid.last, PIECE), grid.last]))
     group = 1 if len(pieces) == 1 else GROUP
@@ -134,7 +137,7 @@ def clpe_rms(
     }
 
 
-def clpe_of_samples(scenario: Scenario, run: xarray.Dataset) -> dict[str, Any]:
+def clpe_of_samples(scenario: Scenario, run: "xarray.Dataset") -> dict[str, Any]:
     """Return roots of mean squares over the samples of a vehicle's run."""
     squares = ((run.position - run.predicted_position).values ** 2).sum(-1)
     return clpe_rms(scenario, run.time.values, squares, np.ones(len(squares)))

@@ -8,12 +8,11 @@ import os
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from warnings import catch_warnings, simplefilter
 
 import control
 import numpy as np
-import xarray
 
 from ..blocks.localization import TRUE
 from ..diagrams.interconnection import wiring_of_blocks, with_stop
@@ -41,6 +40,9 @@ from .loops import LoopOf, paper_blocks
 from .run_file import CONDITIONS, RunRecord
 from .starts import into_keys, stacked_state, state_labels, state_of
 from .team_loops import team_blocks
+
+if TYPE_CHECKING:
+    import xarray
 
 MOST = 16  # cached runs
 _CACHE: dict[Any, Any] = {}
@@ -75,12 +77,12 @@ class SystemRun:
         blocks = zip(self.wiring.nodes, self.runner.sweep.parameters, strict=True)
         return next((p.max_speed for node, p in blocks if node.name == "speed_limit"), None)
 
-    def run(self, times: np.ndarray, **options: Any) -> xarray.Dataset:
+    def run(self, times: np.ndarray, **options: Any) -> "xarray.Dataset":
         """Run from the start; return a Dataset."""
         solution = self.runner.run(self.start, times, **options)
         return self.dataset(solution, self.runner.signals(solution))
 
-    def dataset(self, solution: Solution, signals: np.ndarray) -> xarray.Dataset:
+    def dataset(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
         """Return a solution and its signals with names, units and attributes."""
         return self.frame.filled(solution, signals)
 
@@ -136,8 +138,10 @@ class TeamRun(SystemRun):
                         one.column.setdefault(f"{port}[{k}]", one.column[f"{other}[{k}]"])
         return vehicles
 
-    def dataset(self, solution: Solution, signals: np.ndarray) -> xarray.Dataset:
+    def dataset(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
         """Return a solution with a dimension `vehicle`."""
+        import xarray
+
         team, vehicles = self.team, self._vehicles()
         runs = [
             run_frame(scenario, vehicles[name]).filled(solution, signals)

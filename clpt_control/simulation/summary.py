@@ -12,10 +12,9 @@ measured, and a verdict.
 
 import json
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-import xarray
 
 from ..arguments import check_holds, public
 from ..errors import DataError
@@ -26,6 +25,9 @@ from .flows import explained_variance, note_speeds, speeds_of
 from .integrate import sample_times, simulate
 from .pieces import SAMPLES_PER_CYCLE, Grid, clpe_of_samples, nearest, run_in_pieces, union
 
+if TYPE_CHECKING:
+    import xarray
+
 SUMMARY = "summary"  # attribute of a run: its summary as JSON
 TIMES = (10, 20, 100, 200, 500, 1000, 2000)
 
@@ -33,8 +35,8 @@ TIMES = (10, 20, 100, 200, 500, 1000, 2000)
 class RunReport(NamedTuple):
     """A run with what it achieved: `run` at its own samples, `fine` evenly for pictures."""
 
-    run: xarray.Dataset
-    fine: xarray.Dataset
+    run: "xarray.Dataset"
+    fine: "xarray.Dataset"
     summary: dict[str, Any]
 
 
@@ -98,7 +100,7 @@ def run_and_report(
     return RunReport(run, even, summary)
 
 
-def _at_own_samples(dense: xarray.Dataset, own: np.ndarray) -> xarray.Dataset:
+def _at_own_samples(dense: "xarray.Dataset", own: np.ndarray) -> "xarray.Dataset":
     """Return a run at times of its own; one that stopped is there to where it stopped."""
     reached = dense.time.values
     at = nearest(reached, own)
@@ -109,7 +111,7 @@ def _at_own_samples(dense: xarray.Dataset, own: np.ndarray) -> xarray.Dataset:
     return run
 
 
-def _summary(run: xarray.Dataset, units: Units, figures: dict[str, Any]) -> dict[str, Any]:
+def _summary(run: "xarray.Dataset", units: Units, figures: dict[str, Any]) -> dict[str, Any]:
     """Return a run's figures with what it is and how it ended, ready for JSON."""
     return {
         "title": run.attrs["title"],
@@ -126,7 +128,7 @@ def _summary(run: xarray.Dataset, units: Units, figures: dict[str, Any]) -> dict
     }
 
 
-def at_times(run: xarray.Dataset) -> dict[str, xarray.Dataset]:
+def at_times(run: "xarray.Dataset") -> "dict[str, xarray.Dataset]":
     """Return a run at the times of its errors, by time, the end the last."""
     last = float(run.time[-1])
     times = [*(float(t) for t in TIMES if t < last), last]
@@ -134,7 +136,7 @@ def at_times(run: xarray.Dataset) -> dict[str, xarray.Dataset]:
 
 
 def errors(
-    scenario: Scenario, run: xarray.Dataset, at: dict[str, xarray.Dataset]
+    scenario: Scenario, run: "xarray.Dataset", at: "dict[str, xarray.Dataset]"
 ) -> dict[str, Any]:
     """Return how far a vehicle is from the truth; `at` are samples of its run by time."""
     figures: dict[str, Any] = {}
@@ -155,7 +157,7 @@ def errors(
     return figures
 
 
-def team_summary(team: Team, run: xarray.Dataset, dense: xarray.Dataset) -> dict[str, Any]:
+def team_summary(team: Team, run: "xarray.Dataset", dense: "xarray.Dataset") -> dict[str, Any]:
     """Return the figures of a team's run, by vehicle; errors are those of its `dense` samples."""
     at = at_times(dense)
     figures: dict[str, Any] = {}

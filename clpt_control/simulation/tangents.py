@@ -10,11 +10,10 @@ sides, and what the differences do not confirm is refused.
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import control
 import numpy as np
-import xarray
 
 from ..arguments import nearest, public
 from ..diagrams.varied import (
@@ -42,6 +41,9 @@ from .dataset import diagram_frame
 from .integrate import request_of, sizes_of_run
 from .running import compiled, signal_units
 from .starts import stacked_state
+
+if TYPE_CHECKING:
+    import xarray
 
 START = "x0"  # all states of the start
 STEPS = (1e-3, 1e-5)  # of the differences, of what is varied
@@ -246,7 +248,7 @@ def sensitivity(
     atol: float | None = None,
     method: str | None = None,
     progress: Callable[[float], None] | None = None,
-) -> xarray.Dataset:
+) -> "xarray.Dataset":
     """Differentiate a run by parameters and by its start.
 
     Parameters
@@ -296,8 +298,10 @@ def sensitivity(
 
 def dataset_of(
     ready: Sensitive, found: RunWithDerivatives, of: str | Sequence[str] | None
-) -> xarray.Dataset:
+) -> "xarray.Dataset":
     """Return the derivatives of ports, signals and states as a Dataset."""
+    import xarray
+
     frame = diagram_frame(ready.name, *map(tuple, (ready.labels, ready.units, ready.states)))
     each = [
         frame.filled(replace(found.solution, x=found.states[..., j]), found.outputs[..., j])

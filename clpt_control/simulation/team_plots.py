@@ -2,10 +2,9 @@
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray
 
 from ..arguments import public
 from ..errors import DataError
@@ -17,12 +16,15 @@ from .comparing import response_plot
 from .flows import flow_velocity
 from .plots import clpe_plot, learning_plot
 
+if TYPE_CHECKING:
+    import xarray
+
 MARKS = "os^vD*"
 LEAST = 1e-16  # shown of what falls to zero
 
 
 @public
-def team_plot(run: xarray.Dataset, *, ax: Any = None) -> Any:
+def team_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     """Draw a team's tracks, CLPE and errors.
 
     Parameters
@@ -86,7 +88,7 @@ def _positive(values: np.ndarray) -> np.ndarray:
     return np.where(values > LEAST, values, np.nan)
 
 
-def _tracks(ax: Any, run: xarray.Dataset, team: Team, lines: dict[str, dict[str, Any]]) -> None:
+def _tracks(ax: Any, run: "xarray.Dataset", team: Team, lines: dict[str, dict[str, Any]]) -> None:
     """Draw tracks and waypoints over the flow at the start."""
     unit, first = team.first.units, team.first
     points = np.concatenate([one.waypoints for one in team.members.values()])
@@ -110,7 +112,7 @@ def _tracks(ax: Any, run: xarray.Dataset, team: Team, lines: dict[str, dict[str,
 
 
 def run_figures(
-    run: xarray.Dataset, folder: Path, kinds: Sequence[str] = ("png",)
+    run: "xarray.Dataset", folder: Path, kinds: Sequence[str] = ("png",)
 ) -> dict[Path, Any]:
     """Return the figures of a run by file: figure1.png to figure4.png, or team.png, response.png.
 
