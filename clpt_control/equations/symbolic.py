@@ -231,6 +231,7 @@ def depends_on(expression: sympy.Expr, index: str) -> bool:
     return any(f"[{index}]" in str(symbol) for symbol in expression.free_symbols)
 
 
+@lru_cache(maxsize=10_000)  # many loops hold the same sums
 def summed(body: sympy.Expr, index: str, size: str) -> sympy.Expr:
     """Return sum_k body(k) as a polynomial in atoms."""
     total = sympy.Integer(0)

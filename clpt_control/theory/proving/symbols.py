@@ -11,6 +11,7 @@ that has no value somewhere is checked (`DEMANDS`): may it get there?
 """
 
 from collections.abc import Callable, Iterable, Sequence
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -168,6 +169,7 @@ DEMANDS: dict[str, tuple[str, Callable[..., bool | None]]] = {
 }
 
 
+@lru_cache(maxsize=10_000)
 def undefined(name: str, arguments: tuple) -> str | None:
     """Return what may have no value, such as "divides by z, which may be zero", or None.
 

@@ -29,6 +29,7 @@ def second_process() -> Iterator[Pool | None]:
         with processes(1) if (os.cpu_count() or 1) > 1 else nullcontext() as pool:
             yield pool
     finally:
+        gc.freeze()  # else it is looked for among all of them now
         gc.enable()
 
 
