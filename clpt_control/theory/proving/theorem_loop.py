@@ -46,6 +46,7 @@ AT_FIXES = {  # of a law that learns at fixes: the interval, and gains that it d
     "learning.feedback": None,
     "learning.feedforward": None,
 }
+paper = cache(paper_scenario)  # which is read from a file
 Hedging = Literal["no limit", "hedged", "not hedged"]
 
 
@@ -60,7 +61,7 @@ def theorem_scenario(
     signs = np.array([[1.0], [-1.0]]) * np.arange(1, N + 1)
     known = law == "known-flow"
     push = {"kind": "constant", "amplitude": [0.1, 0.1]}
-    return paper_scenario().with_values(
+    return paper().with_values(
         {
             "basis.centers": [[float(k), float(-k)] for k in range(N)],
             "basis.widths": [1.0 + k for k in range(N)],
