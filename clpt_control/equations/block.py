@@ -11,18 +11,15 @@ tables that SymPy reads as an undefined function (`opaque`).
 """
 
 from collections.abc import Callable, Mapping
-from functools import cached_property
 from threading import local
 from types import MappingProxyType
 from typing import Any
 
-import control
 import numpy as np
 
 from ..arguments import brief, public
 from ..errors import BlockError
 from .answers import located
-from .arrays import Unread
 from .declaration import (
     Equations,
     Guard,
@@ -34,10 +31,8 @@ from .declaration import (
     checked_parameters,
 )
 from .ports import Declared, flattened, labels, places, ports_of, shapes_of, sized, sizes_of, vector
-from .reading import RAISED, read, record_of_states
-from .record import Record, Shape
-
-READ = ("_read_records", "feedthrough")  # attributes that hold what was read
+from .read_block import READ, ReadBlock
+from .reading import RAISED
 
 
 class Call(local):
@@ -49,7 +44,7 @@ class Call(local):
 
 
 @public
-class Block(control.NonlinearIOSystem):
+class Block(ReadBlock):
     """Equations with ports, which python-control can run.
 
     Parameters
@@ -169,7 +164,7 @@ class Block(control.NonlinearIOSystem):
         self.name, self.units = name, dict(units or {})
         self.declared, self.parameter_shapes = declared, shapes_of(shapes)
         self.raised: dict[str, str] = {}  # what a role's last call raised, where it gave NaN
-        self._inner: dict[str, dict[str, str]] = {}  # a port's name -> what its equations call it
+        self._inner = {}
         self._sizes = dict(sizes or {})
         self.parameters = parameters
         if breakpoints is not None and "interval" not in self.parameters._fields:
@@ -264,11 +259,6 @@ class Block(control.NonlinearIOSystem):
             self.units.get(label.partition("[")[0], "") for label in getattr(self, f"{kind}_labels")
         ]
 
-    def _inner_shapes(self, kind: str, shapes: Mapping[str, Any]) -> dict[str, Any]:
-        """Return ports by the names that the equations use."""
-        names = self._inner.get(kind, {})
-        return {names.get(port, port): shape for port, shape in shapes.items()}
-
     def _name_ports(self, names: Mapping[str, Mapping[str, str]]) -> None:
         """Rename ports, ``{"inputs": {old: new}}``; the equations keep their names."""
         for kind, new_names in names.items():
@@ -286,124 +276,9 @@ class Block(control.NonlinearIOSystem):
             rename(["".join((new_names.get(port, port), *rest)) for port, *rest in parts])
         self.set_states(labels(self.state_ports) or 0)
 
-    @property
-    def states_are_outputs(self) -> bool:
-        """Whether the outputs are the states."""
-        return self.output_function is None
-
-    @cached_property
-    def feedthrough(self) -> bool:
-        """Whether inputs reach the outputs at once, as the record says."""
-        try:
-            return bool(self.array_record("output").leaves("u"))
-        except Unread:
-            return bool(self.input_ports)
-
-    # --- the record -------------------------------------------------------------------
-
-    @property
-    def _roles(self) -> dict[str, tuple[Callable, dict[str, Shape]]]:
-        """Return each role's function and the shapes of what it returns."""
-        states = self._inner_shapes("states", self.state_shapes)
-        roles: dict[str, tuple[Any, dict[str, Shape]]] = {
-            "update": (self.update_function, states),
-            "output": (self.output_function, self._inner_shapes("outputs", self.output_shapes)),
-            "guard": (None if self.guard is None else self.guard.distance, {"distance": ()}),
-            "jump": (self.jump_function, states),
-        }
-        return {role: (f, shapes) for role, (f, shapes) in roles.items() if f is not None}
-
-    def array_record(self, role: str) -> Record:
-        """Return the record of "update", "output", "guard" or "jump".
-
-        Raises `Unread` where the function cannot be read; sizes that have names are open.
-        """
-        if role not in (*self._roles, "output"):
-            raise BlockError(
-                f"{self.name}: role = {role!r}: must be among {', '.join(self._roles)}"
-            )
-        if role not in self._records:
-            self._records[role] = self._read_now(role)
-        record = self._records[role]
-        if isinstance(record, Unread):
-            raise record
-        return record
-
-    def _read_now(self, role: str) -> Record | Unread:
-        if role == "output" and self.states_are_outputs:
-            return record_of_states(self.declared["outputs"])
-        return self._read(role)
-
-    def _read(self, role: str) -> Record | Unread:
-        """Read a function with open sizes; where that fails, with the sizes of this block."""
-        function, bound_out = self._roles[role]
-        name, values, why = f"{self.name}.{role}", self._parameters._asdict(), ""
-        shapes = {f: np.shape(v) for f, v in values.items() if not isinstance(v, int)}
-        ports = {
-            "states": self.state_shapes,
-            "inputs": self.input_shapes,
-            "outputs": self.output_shapes,
-        }
-        for stay_open in (True, False) if self.sizes else (False,):
-            declared = self.declared if stay_open else ports
-            x, u, y = (self._inner_shapes(kind, declared[kind]) for kind in ports)
-            out = {"guard": bound_out, "output": y}.get(role, x)
-            p = {**shapes, **self.parameter_shapes} if stay_open else shapes
-            try:
-                result = read(function, name, x, u, values, p, out, known=self.of_package)
-            except (Unread, BlockError) as error:
-                if not stay_open and isinstance(error, BlockError):
-                    raise
-                why = str(error)
-                continue
-            self.read_with[role] = result.pinned, why
-            return self._outside(result.record)
-        return Unread(f"{name}: {why}")
-
-    @cached_property
-    def of_package(self) -> bool:
-        """Whether the functions are the package's own."""
-        modules = (getattr(f, "__module__", None) or "" for f, _ in self._plan.values())
-        return all(name.startswith(f"{__package__.partition('.')[0]}.") for name in modules)
-
-    def read_anew(self) -> None:
-        """Read the functions again: what they use may have changed."""
-        if self.of_package:
-            return
-        for role, old in list(self._records.items()):
-            new = self._read_now(role)
-            if new != old and str(new) != str(old):
-                self._forget()
-                return
-
-    def _forget(self) -> None:
-        """Forget what was read."""
-        # by role: parameters whose values were read, and why no size is open
-        self.read_with: dict[str, tuple[frozenset[str], str]] = {}
-        for known in READ:
-            self.__dict__.pop(known, None)
-
-    def _outside(self, record: Record) -> Record:
-        """Return a record whose leaves have the names of the ports."""
-        names = {
-            (group, inner): (group, outer)
-            for group, kind in (("x", "states"), ("u", "inputs"))
-            for outer, inner in self._inner.get(kind, {}).items()
-        }
-        return record.renamed(names) if names else record
-
-    @property
-    def records(self) -> dict[str, Record]:
-        """Return the record of each of its functions, by role."""
-        return {role: self.array_record(role) for role in {**self._roles, "output": None}}
-
     def __getstate__(self) -> dict[str, Any]:
         left_out = (*READ, "_call_of_thread")
         return {name: value for name, value in self.__dict__.items() if name not in left_out}
-
-    @property
-    def _records(self) -> dict[str, Record | Unread]:
-        return self.__dict__.setdefault("_read_records", {})
 
     # --- parameters -------------------------------------------------------------------
 
