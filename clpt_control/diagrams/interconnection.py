@@ -1,8 +1,8 @@
 """Wire blocks by the names of their ports, with `control.interconnect`.
 
 python-control adds two outputs of one name, warns of an input that nothing
-feeds, and passes over a mistyped parameter; here all three are errors that
-name the block and the port.
+feeds, gives systems whose params have one name the value of the last, and passes over a mistyped
+parameter; here all four are errors that name the block and the port.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -250,7 +250,7 @@ def connect(
     Raises
     ------
     DiagramError
-        If two blocks make the same port, a port is fed by nothing, sizes
+        If two blocks make the same port, a port is fed by nothing, sizes or values of one param
         differ, an external port is made or not used, a system has no name, or
         the diagram is larger than python-control can hold.
 
