@@ -24,7 +24,7 @@ from numba.extending import intrinsic
 
 ROOT = Path(__file__).parents[1]
 NATIVE = ROOT / "clpt_control" / "native"
-PAGES = ("layout", "looks", "kinks", "implicit", "pieces", "solver")
+PAGES = ("numbering", "looks", "kinks", "implicit", "pieces", "solver")
 SOURCES = (*(NATIVE / f"{name}.py" for name in PAGES), Path(__file__))
 TEXT = NATIVE / "solver.ll"
 OPTIONS: dict[str, Any] = {

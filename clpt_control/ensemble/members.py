@@ -23,7 +23,7 @@ import numpy as np
 from ..diagrams.varied import Place, read_as_number
 from ..diagrams.wiring import Wiring
 from ..errors import DiagramError, SimulationError
-from ..native import layout
+from ..native import numbering
 from ..native.batch import Batch, Callee
 from ..native.ending import STUCK, sampled_start
 from ..native.engines import make_runner, run_compared, warn_python
@@ -217,7 +217,7 @@ class Ensemble:
         count, nt = len(members.x0), len(times)
         if not self.native.nstates:
             nothing, counts = np.zeros((count, nt, 0)), np.zeros((count, 4), dtype=np.int64)
-            return States(nothing, np.full(count, layout.FINISHED), np.full(count, nt), counts)
+            return States(nothing, np.full(count, numbering.FINISHED), np.full(count, nt), counts)
 
         def run(
             some: Any, runner: PythonDiagram, inputs: Any, lanes: int
@@ -232,7 +232,7 @@ class Ensemble:
         if not self.compiled:
             results = [run(slice(m, m + 1), *own, 1) for m, own in enumerate(members.runners)]
             return States(*map(np.concatenate, zip(*results, strict=True)))
-        result = run(slice(None), self.native, None, 1 if by == layout.RODAS5P else self.lanes)
+        result = run(slice(None), self.native, None, 1 if by == numbering.RODAS5P else self.lanes)
         stuck = np.flatnonzero(np.isin(result[1], STUCK))
         if self.native.code.program.decided and len(stuck):
             again = run(stuck, self.native.unlocked(), None, 1)
@@ -244,7 +244,7 @@ class Ensemble:
         """Return all signals of one member, at the times of its states that it reached."""
         reached = int(run.reached[m])
         points = times[:reached], run.states[m, :reached], members.schedule(m), members.P[m]
-        return self._callee(members, m).evaluate(layout.SIGNALS, *points, self.native.nsignals)
+        return self._callee(members, m).evaluate(numbering.SIGNALS, *points, self.native.nsignals)
 
     @property
     def batch(self) -> int:

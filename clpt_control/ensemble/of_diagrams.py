@@ -24,7 +24,7 @@ from ..equations.arrays import Unread
 from ..equations.ports import ports_of
 from ..equations.system import System
 from ..errors import DiagramError, ScenarioError
-from ..native import layout
+from ..native import numbering
 from ..native.python_diagram import checked_steps
 from ..native.schedule import Inputs, checked_times, read_inputs
 from ..simulation.frame import Axes, Series, port_variables
@@ -282,8 +282,8 @@ class VariedDiagram(Varied):
             for row, sources in zip(rows[:, :reached], self.wiring.outputs, strict=True):
                 for k, gain in sources.items():  # one after the other, however many there are
                     row += gain * (signals[k] if k >= 0 else u[~k])
-        not_finite = (run.status == layout.FINISHED) & ~np.isfinite(y).all(axis=(1, 2))
-        run = replace(run, status=np.where(not_finite, layout.NOT_FINITE, run.status))
+        not_finite = (run.status == numbering.FINISHED) & ~np.isfinite(y).all(axis=(1, 2))
+        run = replace(run, status=np.where(not_finite, numbering.NOT_FINITE, run.status))
         # each row is summed by itself, so that no bit depends on the others
         rms = np.sqrt(np.sum(self._weights * y**2, axis=-1))
         figures = dict(zip(SUMMARIES, (y[..., -1], rms, np.abs(y).max(axis=-1)), strict=True))

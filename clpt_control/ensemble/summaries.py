@@ -18,7 +18,7 @@ import numpy as np
 
 from ..equations.ports import ports_of
 from ..errors import ScenarioError
-from ..native import layout
+from ..native import numbering
 from ..native.ending import ENDS
 from ..scenario.experiment import Scenario
 from ..scenario.quantities import QUANTITIES
@@ -34,7 +34,7 @@ MOST_TIMES = 10**8  # samples of a run
 MOST_SAMPLES = 20_000  # a member, unless they are given; at least 200 a cycle
 MARKS = 41  # times of errors, unless they are given
 TRAJECTORIES = ("position", "predicted_position", "alpha", "feedback_gain", "feedforward_gain")
-STATUS = tuple(ENDS)[: layout.STIFF]  # a member goes on by itself where it is stiff
+STATUS = tuple(ENDS)[: numbering.STIFF]  # a member goes on by itself where it is stiff
 
 SPEEDS = {  # name -> (long name, whether it is a time)
     "share_at_speed_limit": ("share of time at the speed limit", False),

@@ -17,7 +17,7 @@ import numpy as np
 
 from ..errors import SimulationError
 from ..progress.interrupt import check
-from . import layout
+from . import numbering
 from .jacobian import Jacobian
 from .machine import LANES, compiled_solver
 from .schedule import Schedule
@@ -26,7 +26,8 @@ PAUSE = 0.05  # seconds of a call
 BEGIN = 60_000  # numbers, times tries, of the first call of machine code
 GRAIN = 0.01  # of atol: a smaller difference passes no decision
 LATER = 64  # looks for stiffness that do not count, after a run was found not to be stiff
-LARGE = {layout.DOP853: 3.0, layout.DOPRI5: 1.6}  # of step times eigenvalue: half of what is stable
+# of step times eigenvalue: half of what is stable
+LARGE = {numbering.DOP853: 3.0, numbering.DOPRI5: 1.6}
 ROUNDS = 60  # of the power method
 ANY = 2**62
 MEMBER_STEPS = 5_000_000  # tries of a run among many
@@ -107,7 +108,7 @@ class Batch:
         group = np.zeros(m, dtype=np.int64) if group is None else group
         self.runs = tuple(map(np.ascontiguousarray, (starts, parameters, group)))
         self.pieces, self.schedule = schedules, _stacked(schedules)
-        if callee.method == layout.RK4:
+        if callee.method == numbering.RK4:
             self.schedule[-1][:] = False  # every piece begins anew
         self.out = np.full((m, len(times), n), np.nan)
         self.out[:, 0] = starts
@@ -116,16 +117,16 @@ class Batch:
         self.counts = np.zeros((m, 4), dtype=np.int64)
         self.results = self.out, self.status, self.reached, self.counts
         size = max(callee.size, parameters.shape[1], 1)
-        rooms = (layout.NUMBERS, layout.ROWS * n, size, max(callee.room, 1))
+        rooms = (numbering.NUMBERS, numbering.ROWS * n, size, max(callee.room, 1))
         numbers, self.Z, P, W, D = aligned(
-            *(lanes * room for room in (*rooms, max(n, layout.DECIDED * max(callee.decided, 1))))
+            *(lanes * room for room in (*rooms, max(n, numbering.DECIDED * max(callee.decided, 1))))
         )
         self.numbers, places = numbers.reshape(-1, lanes), P.reshape(-1, lanes)
         # a lane without a run holds the state and parameters with which the first begins
         self.Z.reshape(-1, lanes)[:n] = starts[:1].T
         places[: parameters.shape[1]] = parameters[:1].T
         places[self.schedule[1]] = self.schedule[3][:1].T
-        self.numbers[layout.LONGEST], self.numbers[layout.FIRST_STEP] = longest, opening
+        self.numbers[numbering.LONGEST], self.numbers[numbering.FIRST_STEP] = longest, opening
         whole = np.full((5, lanes), -1, dtype=np.int64)
         self.lane = self.numbers, whole, np.array([0, m, 0], dtype=np.int64)
         self.arrays, self.linear = (self.Z, P, callee.tables, W, D), callee.linear.for_solver
@@ -133,7 +134,7 @@ class Batch:
     @property
     def now(self) -> float:
         """Time reached by the first lane."""
-        return float(self.numbers[layout.TIME, 0])
+        return float(self.numbers[numbering.TIME, 0])
 
     def adaptive(
         self,
@@ -149,17 +150,17 @@ class Batch:
         calls, each of about `PAUSE`.  `implicit` returns what an implicit method calls, if stiff
         runs are to go on with it, one after the other; `rests` are then these rests, by run.
         """
-        self.numbers[layout.STIFF_STEPS] = -np.inf if implicit is None else 0.0
+        self.numbers[numbering.STIFF_STEPS] = -np.inf if implicit is None else 0.0
         first = 0 if self.callee.engine == "python" else BEGIN // self.callee.nstates
         active, budget = 1, max(64, first)
-        most = ANY if self.callee.method in (layout.RK4, layout.MAP) else most
+        most = ANY if self.callee.method in (numbering.RK4, numbering.MAP) else most
         if self.callee.decided:
             self.runs[1][:, self.callee.decided_at - 1] = GRAIN * atol
         while active:
             check()
             begin = time.perf_counter()
             active = self.advance(rtol, atol, budget, most)
-            doubtful = np.flatnonzero(self.numbers[layout.STIFF_STEPS] >= layout.MANY)
+            doubtful = np.flatnonzero(self.numbers[numbering.STIFF_STEPS] >= numbering.MANY)
             for k in doubtful:
                 self._end_if_stiff(int(k), rtol, atol, implicit)
             budget = max(budget // 4, 1) if len(doubtful) else budget  # it was not used up
@@ -183,11 +184,11 @@ class Batch:
     def _end_if_stiff(self, k: int, rtol: float, atol: float, implicit: Any) -> None:
         """End the run of a lane if it is stiff; its rest begins where it is."""
         (numbers, whole, _), n = self.lane, self.callee.nstates
-        numbers[layout.STIFF_STEPS, k] = -LATER
+        numbers[numbering.STIFF_STEPS, k] = -LATER
         m, _, done, *_ = whole[:, k].tolist()
         if m < 0:
             return
-        t, h, longest = numbers[[layout.TIME, layout.STEP, layout.LONGEST], k].tolist()
+        t, h, longest = numbers[[numbering.TIME, numbering.STEP, numbering.LONGEST], k].tolist()
         callee, state = implicit(), self.Z.reshape(-1, self.callee.lanes)[:n, k].copy()
         P, pieces = self.runs[1][m, : callee.size], self.pieces[self.runs[2][m]].after(t)
         times = np.append(t, self.times[done:])
@@ -195,8 +196,8 @@ class Batch:
         rest.advance(rtol, atol, 1)
         if h * radius(rest.linear[0].reshape(n, n)) > LARGE[self.callee.method]:
             self.rests[m] = rest
-            self.status[m], self.reached[m] = layout.STIFF, done
-            whole[layout.MEMBER, k] = -1
+            self.status[m], self.reached[m] = numbering.STIFF, done
+            whole[numbering.MEMBER, k] = -1
 
 
 def radius(matrix: np.ndarray) -> float:
@@ -243,7 +244,7 @@ def pace(
         if tries - last[0] < most // 500:
             return
         ahead = (now - last[1]) / (tries - last[0])
-        if batch.status[0] == layout.RUNNING and ahead * most < span:
+        if batch.status[0] == numbering.RUNNING and ahead * most < span:
             needed = span / ahead if ahead > 0 else np.inf
             raise SimulationError(
                 f"too many steps: {tries:,} by t = {now:.9g}, at which pace the run would take "

@@ -11,13 +11,13 @@ import numpy as np
 from scipy.optimize import brentq
 
 from ..errors import SimulationError
-from . import layout
+from . import numbering
 from .batch import Batch, Callee
 from .schedule import Inputs, Schedule
 from .sweep import Sweep
 
 # ends that a locked decision may cause
-STUCK = (layout.NOT_FINITE, layout.TOO_SMALL, layout.TOO_MANY)
+STUCK = (numbering.NOT_FINITE, numbering.TOO_SMALL, numbering.TOO_MANY)
 ENDS = {  # by the solver's numbers: its name, what it means that a run ended so, and what to try
     "not_run": "under way",
     "finished": "finished: the end of the span was reached",
@@ -32,8 +32,8 @@ ENDS = {  # by the solver's numbers: its name, what it means that a run ended so
 }
 SENTENCES = tuple(ENDS.values())
 NAMES = {  # of the solver's methods
-    **{layout.DOP853: "DOP853", layout.DOPRI5: "DOPRI5"},
-    **{layout.RODAS5P: "Rodas5P", layout.RK4: "RK4", layout.MAP: "none"},
+    **{numbering.DOP853: "DOP853", numbering.DOPRI5: "DOPRI5"},
+    **{numbering.RODAS5P: "Rodas5P", numbering.RK4: "RK4", numbering.MAP: "none"},
 }
 ADVICE = "check the parameters of that block"  # where a signal is not finite
 
@@ -51,7 +51,7 @@ class Solution:
     t: np.ndarray
     x: np.ndarray
     status: str = "finished"
-    message: str = SENTENCES[layout.FINISHED]
+    message: str = SENTENCES[numbering.FINISHED]
     statistics: dict[str, int] = field(default_factory=dict)
     engine: str = "python"
     method: str = "none"
@@ -71,9 +71,9 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
     counts = map(int, batch.counts[0])
     solution.statistics = dict(zip(("steps", "evaluations", "restarts"), counts, strict=False))
     solution.engine = batch.callee.engine
-    if status == layout.FINISHED:
+    if status == numbering.FINISHED:
         return solution
-    if status == layout.LEFT:
+    if status == numbering.LEFT:
         t, x, policy, sentence = _crossing(sweep, last, inputs)
         if policy == "raise":
             raise SimulationError(sentence)
@@ -81,10 +81,10 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
         solution.t, solution.x = _until(last, solution, t, x, int(batch.reached[0]))
         return solution
     reason = SENTENCES[status]
-    if status == layout.CHATTERS:
+    if status == numbering.CHATTERS:
         reason = f"{_switch(sweep, last)} {reason}"
     reason = _trouble(sweep, last, inputs) or reason
-    what = "run" if batch.callee.method == layout.MAP else "integration"
+    what = "run" if batch.callee.method == numbering.MAP else "integration"
     raise SimulationError(f"the {what} stopped at t = {last.now:.9g}: {reason}")
 
 
@@ -113,7 +113,7 @@ def without_states(sweep: Sweep, times: np.ndarray, inputs: Inputs | None, engin
 
 def _switch(sweep: Sweep, batch: Batch) -> str:
     """Name the decision of a run that chatters: block, function and operation."""
-    deciding, which = batch.callee.code[0].program.deciding, batch.lane[1][layout.WHICH, 0]
+    deciding, which = batch.callee.code[0].program.deciding, batch.lane[1][numbering.WHICH, 0]
     k, role, kind = [of for first, of in deciding if first <= which][-1]
     word = {"lt": "<", "le": "<=", "gt": ">", "ge": ">="}.get(kind, kind)
     return f"`{word}` in {sweep.nodes[k].name}.{role}"
@@ -122,10 +122,10 @@ def _switch(sweep: Sweep, batch: Batch) -> str:
 def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:
     """Return what is not finite at the state reached, or a small step ahead, and why."""
     n, t, advice, ahead = sweep.nstates, batch.now, ADVICE, [0.0]
-    x, rate = (batch.Z[r * n : (r + 1) * n] for r in (layout.STATE, layout.RATE))
-    if batch.callee.method != layout.MAP:
+    x, rate = (batch.Z[r * n : (r + 1) * n] for r in (numbering.STATE, numbering.RATE))
+    if batch.callee.method != numbering.MAP:
         advice = f"{ADVICE}, or loosen rtol and atol"
-        ahead += [*((batch.numbers[layout.END, 0] - t) * np.geomspace(1e-12, 1.0, 13))]
+        ahead += [*((batch.numbers[numbering.END, 0] - t) * np.geomspace(1e-12, 1.0, 13))]
     sweep.enter(t)
     for k in sweep.jumping:
         sweep.nodes[k].system.raised.pop("jump", None)
@@ -144,21 +144,21 @@ def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:
 def _state(batch: Batch, share: float) -> np.ndarray:
     """Return the state at a share of the step that was not taken."""
     n = batch.callee.nstates
-    return layout.interpolate(batch.Z, n, 1, 0, np.arange(n), share)
+    return numbering.interpolate(batch.Z, n, 1, 0, np.arange(n), share)
 
 
 def _crossing(
     sweep: Sweep, batch: Batch, inputs: Inputs | None
 ) -> tuple[float, np.ndarray, str, str]:
     """Return time, state, policy and sentence where that step crosses a guard's edge."""
-    t, h = batch.now, float(batch.numbers[layout.TAKEN, 0])
+    t, h = batch.now, float(batch.numbers[numbering.TAKEN, 0])
     sweep.enter(t)
 
     def guard(share: float) -> tuple[float, str, str]:
         u = None if inputs is None else inputs.at(t + share * h)
         return sweep.margin(t + share * h, _state(batch, share), u)
 
-    share, beyond = (float(batch.numbers[row, 0]) for row in (layout.LOW, layout.HIGH))
+    share, beyond = (float(batch.numbers[row, 0]) for row in (numbering.LOW, numbering.HIGH))
     if guard(0.0)[0] <= 0.0:
         share = 0.0
     elif guard(share)[0] > 0.0 > guard(beyond)[0]:  # else the edge itself was looked at
@@ -170,7 +170,7 @@ def _until(
     batch: Batch, solution: Solution, t: float, x: np.ndarray, done: int
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the samples up to the end of a run that a guard stopped, and that end."""
-    start, h = batch.now, float(batch.numbers[layout.TAKEN, 0])
+    start, h = batch.now, float(batch.numbers[numbering.TAKEN, 0])
     times = solution.t[solution.t < t]
     known = solution.x[: min(done, len(times))]
     within = [_state(batch, (time - start) / h) for time in times[done:]]
@@ -181,4 +181,4 @@ def sampled_start(callee: Callee, start: Any, t: float, pieces: Schedule, P: Any
     """Return the state with which a run begins; blocks that sample then have sampled inputs."""
     if not pieces.begins:
         return start
-    return callee.evaluate(layout.JUMP, [t], start, pieces, P, len(start))[0]
+    return callee.evaluate(numbering.JUMP, [t], start, pieces, P, len(start))[0]

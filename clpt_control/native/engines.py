@@ -17,7 +17,7 @@ from ..equations.arrays import Unread
 from ..equations.at_many import leaf_values
 from ..errors import SimulationError, Uncompiled
 from ..progress import warn
-from . import layout
+from . import numbering
 from .ending import SENTENCES, Solution
 from .machine import ENGINE
 from .native_diagram import NativeDiagram
@@ -79,7 +79,8 @@ def run_compared(runner: NativeDiagram, start: Any, times: Any, **options: Any) 
     except SimulationError as error:
         at_start = Solution(np.asarray(times[:1]), np.reshape(start, (1, -1)))
         why = difference(runner, at_start, options["inputs"])
-        if not why and SENTENCES[layout.NOT_FINITE] in str(error):  # Python's blocks find nothing
+        not_finite = SENTENCES[numbering.NOT_FINITE] in str(error)
+        if not why and not_finite:  # Python's blocks find nothing
             why = "what was read gives a number that is not finite, where Python gives one"
         if not why:
             raise
@@ -136,14 +137,14 @@ def _agrees(
     def evaluated(role: int, count: int, own: Schedule = pieces) -> np.ndarray:
         return runner.callee(1, inputs).evaluate(role, times, x, own, P, count)
 
-    machine = [evaluated(layout.SIGNALS, runner.nsignals) if signals is None else signals]
+    machine = [evaluated(numbering.SIGNALS, runner.nsignals) if signals is None else signals]
     if runner.nstates:
-        machine.append(evaluated(layout.DERIVATIVE, runner.nstates))
+        machine.append(evaluated(numbering.DERIVATIVE, runner.nstates))
     if sweep.jumping:
         every_jump = pieces.values.copy()
         every_jump[:, np.isin(pieces.places, list(runner.jumps.values()))] = JUMPS
         every = pieces._replace(values=every_jump)
-        machine.append(evaluated(layout.JUMP, runner.nstates, every))
+        machine.append(evaluated(numbering.JUMP, runner.nstates, every))
     python = []
     for t, state in zip(times.tolist(), x, strict=True):
         u = None if inputs is None else inputs.at(t)

@@ -1,11 +1,11 @@
 """What the implicit method solves at each stage: (I/(h g) - df/dx) U = a rate and its addend.
 
 df/dx is computed anew for each step, by `slope` or by differences.  Arguments are those of
-`layout`; Rodas5P takes one run at a time, in lane 0.
+`numbering`; Rodas5P takes one run at a time, in lane 0.
 """
 
-from . import layout as row
-from .layout import call
+from . import numbering as row
+from .numbering import call
 
 CHANGE = 6e-6  # for differences of rates, of the size of a state: the third root of a rounding
 

@@ -32,7 +32,7 @@ FULL = 0.3  # share of elements from which on a matrix counts as full
 
 
 class Jacobian(NamedTuple):
-    """The solver's argument `linear`, which `layout` explains, without its room."""
+    """The solver's argument `linear`, which `numbering` explains, without its room."""
 
     band: tuple[int, int, int] = 0, 0, 0
     places: np.ndarray = NONE

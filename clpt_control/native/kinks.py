@@ -1,14 +1,14 @@
 """Where a step crosses a kink, and whether states feel it.
 
 A step that crosses a kink which states feel is tried again up to it, and integration begins anew
-behind it.  Arguments are those of `layout`.
+behind it.  Arguments are those of `numbering`.
 """
 
 import math
 
-from . import layout as row
-from .layout import BEFORE, BEHIND, GLANCES, call, fail, state_within, try_again
+from . import numbering as row
 from .looks import SHARES, SHORTEST, first_passed, may_hide
+from .numbering import BEFORE, BEHIND, GLANCES, call, fail, state_within, try_again
 
 CROSSED = 1.0  # a step ends behind a kink
 RESOLVED = 1e-12  # how close to a kink a step ends, as a share of it or of the time

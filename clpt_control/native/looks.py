@@ -2,13 +2,13 @@
 
 A decision (`decisions`) is looked at in `GLANCES` places within a step, at states of the step's
 interpolant.  A guard is looked at as a decision is, whose distance is the margin.  Arguments are
-those of `layout`.
+those of `numbering`.
 """
 
 import math
 
-from . import layout as row
-from .layout import GLANCES, call, fail, state_within, try_again
+from . import numbering as row
+from .numbering import GLANCES, call, fail, state_within, try_again
 
 # shares of the step at which these looks lie: quarters, and places between them at which
 # nothing periodic looks as it does at the quarters, up to 240 periods a step

@@ -23,7 +23,7 @@ from scipy.integrate._ivp import dop853_coefficients as table
 
 from ..equations.arrays import Tape, operand
 from ..equations.elementwise import elementwise
-from . import layout as row
+from . import numbering as row
 from . import rosenbrock as rodas
 from .batch import Callee
 from .components import Components
@@ -75,7 +75,7 @@ def _sum(s: StepTape, weights: Any, first: int = row.RATE, total: Any = None) ->
 
 
 def _terms(s: StepTape, *terms: Any) -> Rows:
-    """Return the terms of an interpolant, as `layout.interpolate` sums them."""
+    """Return the terms of an interpolant, as `numbering.interpolate` sums them."""
     every = [*terms, *[0.0 * s.z(row.STATE)] * (7 - len(terms))]
     return dict(enumerate(every, row.TERMS))
 

@@ -14,7 +14,7 @@ from ..diagrams.wiring import Wiring
 from ..equations.arrays import Unread
 from ..equations.record import Record
 from ..errors import DiagramError, Uncompiled
-from . import layout
+from . import numbering
 from .batch import Callee
 from .diagram_record import NAMED, SHORT, DiagramRecord, Layout, lay_out
 from .jacobian import Jacobian, jacobian, reach_of, slopes_of
@@ -193,9 +193,9 @@ class NativeDiagram(PythonDiagram):
 
     def _code(self, method: int) -> Code:
         """Return the code for a method; in steps of one length decisions are not locked."""
-        if method == layout.RK4 and self.code.program.decided:
+        if method == numbering.RK4 and self.code.program.decided:
             return code_of(self.wiring, self.layout, "free")
-        if method == layout.RODAS5P:
+        if method == numbering.RODAS5P:
             return code_of(self.wiring, self.layout, self._form, True)
         return self.code
 
@@ -217,7 +217,7 @@ class NativeDiagram(PythonDiagram):
         return any(own == array and first in places for own, (first, _) in read)
 
     def callee(
-        self, lanes: int = 1, inputs: Inputs | None = None, method: int = layout.DOP853
+        self, lanes: int = 1, inputs: Inputs | None = None, method: int = numbering.DOP853
     ) -> Callee:
         """Return what the solver calls, for one of its methods."""
         if (lanes, method) not in self._callees:
@@ -229,7 +229,7 @@ class NativeDiagram(PythonDiagram):
         program = code.program
         used = dict(zip(("margin", "jump"), watched, strict=True))
         used |= {"decide": program.decided, "slope": "slope" in program.functions}
-        used["staged"] = method == layout.DOP853 and program.staged
+        used["staged"] = method == numbering.DOP853 and program.staged
         own = [code.address(name, lanes) if used.get(name, True) else 0 for name in FUNCTIONS]
         shape = lanes, self.nstates, method, *watched, self.decided_at, program.decided
         sizes = program.parameters, program.room, self.layout.T

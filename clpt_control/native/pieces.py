@@ -1,12 +1,12 @@
 """Which run a lane works on, and what happens where its pieces of time begin and end.
 
-Arguments are those of `layout`.
+Arguments are those of `numbering`.
 """
 
 import math
 
-from . import layout as row
-from .layout import call, fail
+from . import numbering as row
+from .numbering import call, fail
 
 
 def look_ahead(k, times, lane):

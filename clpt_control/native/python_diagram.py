@@ -21,7 +21,7 @@ from ..arguments import numbers
 from ..diagrams.interconnection import changed_parameters
 from ..diagrams.wiring import Wiring, read_anew, wiring_of
 from ..errors import SimulationError
-from . import layout
+from . import numbering
 from .batch import ANY, Batch, Callee, pace
 from .ending import NAMES, STUCK, Solution, ended, sampled_start, without_states
 from .jacobian import Jacobian, jacobian
@@ -89,7 +89,7 @@ class PythonDiagram:
     schedule = make_schedule
 
     def callee(
-        self, lanes: int = 1, inputs: Inputs | None = None, method: int = layout.DOP853
+        self, lanes: int = 1, inputs: Inputs | None = None, method: int = numbering.DOP853
     ) -> Callee:
         """Return what the solver calls, for one of its methods."""
         n, sweep, raised = self.nstates, self.sweep, list[BaseException]()
@@ -112,20 +112,20 @@ class PythonDiagram:
         own = [callback(one, n, places, array, count, raised) for one, array, count in functions]
         addresses = [*(cast(one, c_void_p).value for one in own), 0, 0, 0]
         full = np.ones((n, n + 1), dtype=bool)
-        linear = jacobian(full, False) if method == layout.RODAS5P else Jacobian()
+        linear = jacobian(full, False) if method == numbering.RODAS5P else Jacobian()
         sizes = places, self.nsignals, np.zeros(1)
         shape = 1, n, method, *self.watched(method), 0, 0
         return with_formulas(Callee("python", addresses, *shape, *sizes, linear, (own,), raised))
 
     def watched(self, method: int) -> tuple[int, int]:
         """Return 1 if guards are watched, and 1 if states jump; neither in discrete time."""
-        if method == layout.MAP:
+        if method == numbering.MAP:
             return 0, 0
         return int(self.sweep.guarded), int(bool(self.jumps))
 
     def implicit(self, inputs: Inputs | None = None) -> Callee:
         """Return what the solver calls for its implicit method."""
-        return self.callee(1, inputs, layout.RODAS5P)
+        return self.callee(1, inputs, numbering.RODAS5P)
 
     # --- runs -----------------------------------------------------------------------------
 
@@ -192,14 +192,14 @@ class PythonDiagram:
         if not self.nstates:
             return without_states(self.sweep, times, inputs, self.engine)
         by, auto = self.method_number(method, step), method == "auto" and step is None
-        if auto and by == layout.DOP853 and rtol >= self.loose:
-            by = layout.DOPRI5
-        felt = rtol * (FELT_BY_ORDER_5 if by == layout.DOPRI5 else FELT)
+        if auto and by == numbering.DOP853 and rtol >= self.loose:
+            by = numbering.DOPRI5
+        felt = rtol * (FELT_BY_ORDER_5 if by == numbering.DOPRI5 else FELT)
         pieces = self.schedule(times, inputs, felt)
         callee, P = self.callee(1, inputs, by), self.parameters()
         start = sampled_start(callee, start, t0, pieces, P)
         batch = Batch(callee, start[None], P[None], times, [pieces], None, *limits)
-        most = self.most if by > layout.RK4 else ANY
+        most = self.most if by > numbering.RK4 else ANY
         implicit = partial(self.implicit, inputs) if auto else None
         slow = None
         try:
@@ -219,8 +219,8 @@ class PythonDiagram:
     def method_number(self, method: str = "auto", step: float | None = None) -> int:
         """Return the solver's number of a method."""
         if self.wiring.dt:
-            return layout.MAP
-        return METHODS[method] if step is None else layout.RK4
+            return numbering.MAP
+        return METHODS[method] if step is None else numbering.RK4
 
     def unlocked(self) -> Self:
         """Return the diagram with decisions that change within a step.
@@ -300,13 +300,13 @@ class PythonDiagram:
             pieces, signals = self.schedule(solution.t, inputs), None
         if signals is None:
             evaluate, at = self.callee(1, inputs).evaluate, (solution.t, solution.x, pieces)
-            signals = evaluate(layout.SIGNALS, *at, self.parameters(), self.nsignals)
+            signals = evaluate(numbering.SIGNALS, *at, self.parameters(), self.nsignals)
             solution.ran = self, inputs, pieces, signals
         return pieces, signals
 
 
-ADAPTIVE = {name.lower(): k for k, name in NAMES.items() if k > layout.RK4}
-METHODS = {"auto": layout.DOP853, **ADAPTIVE}
+ADAPTIVE = {name.lower(): k for k, name in NAMES.items() if k > numbering.RK4}
+METHODS = {"auto": numbering.DOP853, **ADAPTIVE}
 OPTIONS = {  # what is allowed, and why an option does not go with a fixed step
     "step": ("positive", ""),
     **dict.fromkeys(("rtol", "atol"), ("a number, 0 or more", "has no tolerance")),

@@ -1,4 +1,4 @@
-; sha256 1a18b38a30e2df3b499cdf9da45587164141eb567be0a63cc836c25694ff2e02
+; sha256 77d05030b53385694552f9f62138ab4bf870d00e4a20131d7dbec8f175c5fac8
 
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.17 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1.18 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("
@@ -686,7 +686,7 @@ B738.preheader:                                   ; preds = %B710
   %98 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
   %.idx8774 = mul i64 %arg.batch.4.0.5.1, 24
   %99 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8774
-  %.175.i.i47869382.not = icmp slt i64 %arg.batch.1.1.5.0, 1
+  %.175.i.i47879382.not = icmp slt i64 %arg.batch.1.1.5.0, 1
   %.idx8777 = shl i64 %arg.batch.4.1.5.1, 4
   %100 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8777
   %.idx.i9036 = mul i64 %arg.batch.4.0.5.1, 24
@@ -920,26 +920,26 @@ B632.i:                                           ; preds = %B586.i
   %127 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09223
   %.84.i63.i = load i64, ptr %127, align 8, !noalias !18
   %.89.i66.i = icmp sgt i64 %.84.i63.i, -1
-  br i1 %.89.i66.i, label %B46.i71.i, label %_ZN5pages6layout4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx.exit123.i
+  br i1 %.89.i66.i, label %B46.i71.i, label %_ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx.exit123.i
 
 B46.i71.i:                                        ; preds = %B632.i
   %.120.i91.i = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i63.i
   %.121.i92.i = load i64, ptr %.120.i91.i, align 8, !noalias !18
   %.122.i93.i = icmp eq i64 %.121.i92.i, 0
-  br i1 %.122.i93.i, label %B80.i98.i, label %_ZN5pages6layout4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx.exit123.i
+  br i1 %.122.i93.i, label %B80.i98.i, label %_ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx.exit123.i
 
 B80.i98.i:                                        ; preds = %B46.i71.i
   store i64 4, ptr %.120.i91.i, align 8, !noalias !18
-  br label %_ZN5pages6layout4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx.exit123.i
+  br label %_ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx.exit123.i
 
-_ZN5pages6layout4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx.exit123.i: ; preds = %B46.i71.i, %B632.i, %B80.i98.i
+_ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx.exit123.i: ; preds = %B46.i71.i, %B632.i, %B80.i98.i
   %.1041.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.161.i.09223
   %.1042.i = load double, ptr %.1041.i, align 8, !noalias !11
   %.1092.i = getelementptr double, ptr %24, i64 %.161.i.09223
   store double %.1042.i, ptr %.1092.i, align 8, !noalias !11
   br label %B758.i
 
-B758.i:                                           ; preds = %_ZN5pages6layout4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx.exit123.i, %B586.i, %B582.i
+B758.i:                                           ; preds = %_ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx.exit123.i, %B586.i, %B582.i
   %.107.i182.i = getelementptr i64, ptr %25, i64 %.161.i.09223
   %.108.i183.i = load i64, ptr %.107.i182.i, align 8, !noalias !21
   %.161.i.i = getelementptr double, ptr %26, i64 %.161.i.09223
@@ -5066,12 +5066,12 @@ B430.i:                                           ; preds = %B310.if.i, %B194.i
 
 B540.i:                                           ; preds = %B430.i
   %333 = getelementptr i64, ptr %89, i64 %.141.i3256.09377
-  %.818.i4079 = load i64, ptr %333, align 8, !noalias !247
-  %.819.i4080 = add nsw i64 %.818.i4079, 1
+  %.818.i4080 = load i64, ptr %333, align 8, !noalias !247
+  %.819.i4081 = add nsw i64 %.818.i4080, 1
   br label %B588.i
 
 B588.i:                                           ; preds = %B430.i, %B540.i
-  %"$phi588.1.2.i.2" = phi i64 [ %.819.i4080, %B540.i ], [ 0, %B430.i ]
+  %"$phi588.1.2.i.2" = phi i64 [ %.819.i4081, %B540.i ], [ 0, %B430.i ]
   %334 = getelementptr i64, ptr %90, i64 %.141.i3256.09377
   store i64 %"$phi588.1.2.i.2", ptr %334, align 8, !noalias !247
   %.931.i3762 = load double, ptr %.396.i3490, align 8, !noalias !247
@@ -5105,10 +5105,10 @@ B870.i:                                           ; preds = %B80.i.i4010, %B814.
   br i1 %.200.i3339, label %B80.if.i, label %B4040
 
 B80.if.i:                                         ; preds = %B3984, %B870.i
-  %.141.i3256.09377 = phi i64 [ %.213.i4148, %B870.i ], [ 0, %B3984 ]
-  %.144.i3257.09376 = phi i64 [ %.209.i4145, %B870.i ], [ %storemerge, %B3984 ]
-  %.209.i4145 = add nsw i64 %.144.i3257.09376, -1
-  %.213.i4148 = add nsw i64 %.141.i3256.09377, 1
+  %.141.i3256.09377 = phi i64 [ %.213.i4149, %B870.i ], [ 0, %B3984 ]
+  %.144.i3257.09376 = phi i64 [ %.209.i4146, %B870.i ], [ %storemerge, %B3984 ]
+  %.209.i4146 = add nsw i64 %.144.i3257.09376, -1
+  %.213.i4149 = add nsw i64 %.141.i3256.09377, 1
   %.290.i3394 = getelementptr double, ptr %85, i64 %.141.i3256.09377
   %.291.i3395 = load double, ptr %.290.i3394, align 8, !noalias !247
   %.292.i3396 = fcmp oeq double %.291.i3395, 1.000000e+00
@@ -5118,13 +5118,13 @@ B310.if.i:                                        ; preds = %B310.if.i.preheader
   %fastest.2.i.29373 = phi double [ %.11.i.i, %B310.if.i ], [ 0.000000e+00, %B310.if.i.preheader ]
   %.480.i3271.09372 = phi i64 [ %.549.i, %B310.if.i ], [ 0, %B310.if.i.preheader ]
   %.549.i = add nsw i64 %.480.i3271.09372, 1
-  %.576.i4088 = add nsw i64 %.480.i3271.09372, %arg.shape.1
-  %.578.i4089 = mul nsw i64 %.576.i4088, %arg.shape.0
-  %gep9528 = getelementptr double, ptr %invariant.gep9527, i64 %.578.i4089
-  %.610.i4117 = load double, ptr %gep9528, align 8, !noalias !247
-  %.611.i4118 = tail call double @llvm.fabs.f64(double %.610.i4117)
-  %.10.i.i = fcmp ogt double %.611.i4118, %fastest.2.i.29373
-  %.11.i.i = select i1 %.10.i.i, double %.611.i4118, double %fastest.2.i.29373
+  %.576.i4089 = add nsw i64 %.480.i3271.09372, %arg.shape.1
+  %.578.i4090 = mul nsw i64 %.576.i4089, %arg.shape.0
+  %gep9528 = getelementptr double, ptr %invariant.gep9527, i64 %.578.i4090
+  %.610.i4118 = load double, ptr %gep9528, align 8, !noalias !247
+  %.611.i4119 = tail call double @llvm.fabs.f64(double %.610.i4118)
+  %.10.i.i = fcmp ogt double %.611.i4119, %fastest.2.i.29373
+  %.11.i.i = select i1 %.10.i.i, double %.611.i4119, double %fastest.2.i.29373
   %exitcond9425.not = icmp eq i64 %arg.shape.1, %.549.i
   br i1 %exitcond9425.not, label %B430.i, label %B310.if.i
 
@@ -5398,50 +5398,50 @@ B4394:                                            ; preds = %B4346
   br i1 %.5812, label %B4478, label %B4518
 
 B4478:                                            ; preds = %B4394
-  %.188.i4349 = load i64, ptr %.5486, align 8, !noalias !276
-  %.240.i4392 = getelementptr i64, ptr %98, i64 %.5329.09386
-  %.241.i4393 = load i64, ptr %.240.i4392, align 8, !noalias !276
-  %.242.i4394 = add nsw i64 %.241.i4393, 1
-  store i64 %.242.i4394, ptr %.240.i4392, align 8, !noalias !276
-  %.357.i4492 = icmp slt i64 %.241.i4393, -1
-  %.358.i4493 = select i1 %.357.i4492, i64 %arg.batch.1.2.5.0, i64 0
-  %351 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.242.i4394
-  %.372.i4507 = getelementptr double, ptr %351, i64 %.358.i4493
-  %.373.i4508 = load double, ptr %.372.i4507, align 8, !noalias !276
-  %.374.i4509 = fcmp oeq double %.373.i4508, 0x7FF0000000000000
-  br i1 %.374.i4509, label %B212.i, label %B290.i
+  %.188.i4350 = load i64, ptr %.5486, align 8, !noalias !276
+  %.240.i4393 = getelementptr i64, ptr %98, i64 %.5329.09386
+  %.241.i4394 = load i64, ptr %.240.i4393, align 8, !noalias !276
+  %.242.i4395 = add nsw i64 %.241.i4394, 1
+  store i64 %.242.i4395, ptr %.240.i4393, align 8, !noalias !276
+  %.357.i4493 = icmp slt i64 %.241.i4394, -1
+  %.358.i4494 = select i1 %.357.i4493, i64 %arg.batch.1.2.5.0, i64 0
+  %351 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.242.i4395
+  %.372.i4508 = getelementptr double, ptr %351, i64 %.358.i4494
+  %.373.i4509 = load double, ptr %.372.i4508, align 8, !noalias !276
+  %.374.i4510 = fcmp oeq double %.373.i4509, 0x7FF0000000000000
+  br i1 %.374.i4510, label %B212.i, label %B290.i
 
 B212.i:                                           ; preds = %B4478
-  %.408.i5011 = icmp slt i64 %.188.i4349, 0
-  %.409.i5012 = select i1 %.408.i5011, i64 %arg.batch.3.1.5.0, i64 0
-  %352 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.188.i4349
-  %.423.i5026 = getelementptr i64, ptr %352, i64 %.409.i5012
-  %.424.i5027 = load i64, ptr %.423.i5026, align 8, !noalias !276
-  %.425.i5028 = icmp eq i64 %.424.i5027, 0
-  br i1 %.425.i5028, label %B256.i, label %B4518
+  %.408.i5013 = icmp slt i64 %.188.i4350, 0
+  %.409.i5014 = select i1 %.408.i5013, i64 %arg.batch.3.1.5.0, i64 0
+  %352 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.188.i4350
+  %.423.i5028 = getelementptr i64, ptr %352, i64 %.409.i5014
+  %.424.i5029 = load i64, ptr %.423.i5028, align 8, !noalias !276
+  %.425.i5030 = icmp eq i64 %.424.i5029, 0
+  br i1 %.425.i5030, label %B256.i, label %B4518
 
 B256.i:                                           ; preds = %B212.i
-  store i64 1, ptr %.423.i5026, align 8, !noalias !276
+  store i64 1, ptr %.423.i5028, align 8, !noalias !276
   br label %B4518
 
 B290.i:                                           ; preds = %B4478
-  store double %.373.i4508, ptr %.5810, align 8, !noalias !276
-  %.572.i4596 = select i1 %.357.i4492, i64 %arg.batch.1.4.5.0, i64 0
-  %353 = getelementptr i64, ptr %arg.batch.1.4.4, i64 %.242.i4394
-  %.586.i4610 = getelementptr i64, ptr %353, i64 %.572.i4596
-  %.587.i4611 = load i64, ptr %.586.i4610, align 8, !noalias !276
-  %.590.i4613 = icmp eq i64 %.587.i4611, 0
-  br i1 %.590.i4613, label %B360.i, label %B428.i
+  store double %.373.i4509, ptr %.5810, align 8, !noalias !276
+  %.572.i4597 = select i1 %.357.i4493, i64 %arg.batch.1.4.5.0, i64 0
+  %353 = getelementptr i64, ptr %arg.batch.1.4.4, i64 %.242.i4395
+  %.586.i4611 = getelementptr i64, ptr %353, i64 %.572.i4597
+  %.587.i4612 = load i64, ptr %.586.i4611, align 8, !noalias !276
+  %.590.i4614 = icmp eq i64 %.587.i4612, 0
+  br i1 %.590.i4614, label %B360.i, label %B428.i
 
 B360.i:                                           ; preds = %B290.i
-  %.641.i4966 = getelementptr double, ptr %99, i64 %.5329.09386
-  store double 1.000000e+00, ptr %.641.i4966, align 8, !noalias !276
+  %.641.i4968 = getelementptr double, ptr %99, i64 %.5329.09386
+  store double 1.000000e+00, ptr %.641.i4968, align 8, !noalias !276
   br label %B482.i.sink.split
 
 B428.i:                                           ; preds = %B290.i
-  %.709.i4639 = load i64, ptr %.1173, align 8, !noalias !276
-  %.710.i4640 = icmp eq i64 %.709.i4639, 0
-  br i1 %.710.i4640, label %B482.i.sink.split, label %B482.i
+  %.709.i4640 = load i64, ptr %.1173, align 8, !noalias !276
+  %.710.i4641 = icmp eq i64 %.709.i4640, 0
+  br i1 %.710.i4641, label %B482.i.sink.split, label %B482.i
 
 B482.i.sink.split:                                ; preds = %B428.i, %B360.i
   %.sink = phi i64 [ 1, %B360.i ], [ 2, %B428.i ]
@@ -5449,30 +5449,30 @@ B482.i.sink.split:                                ; preds = %B428.i, %B360.i
   br label %B482.i
 
 B482.i:                                           ; preds = %B482.i.sink.split, %B428.i
-  br i1 %.175.i.i47869382.not, label %B4518, label %B76.if.i.i.lr.ph
+  br i1 %.175.i.i47879382.not, label %B4518, label %B76.if.i.i.lr.ph
 
 B76.if.i.i.lr.ph:                                 ; preds = %B482.i
-  %.237.i.i4833 = select i1 %.357.i4492, i64 %arg.batch.1.3.5.0, i64 0
-  %.238.i.i4834 = add i64 %.237.i.i4833, %.242.i4394
-  %.258.i.i4847 = mul i64 %.238.i.i4834, %arg.batch.1.3.5.1
-  %354 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i4847
+  %.237.i.i4835 = select i1 %.357.i4493, i64 %arg.batch.1.3.5.0, i64 0
+  %.238.i.i4836 = add i64 %.237.i.i4835, %.242.i4395
+  %.258.i.i4849 = mul i64 %.238.i.i4836, %arg.batch.1.3.5.1
+  %354 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i4849
   br label %B76.if.i.i
 
 B76.if.i.i:                                       ; preds = %B76.if.i.i.lr.ph, %B76.if.i.i
-  %.117.i.i4164.09384 = phi i64 [ 0, %B76.if.i.i.lr.ph ], [ %.188.i.i4891, %B76.if.i.i ]
-  %.188.i.i4891 = add nsw i64 %.117.i.i4164.09384, 1
-  %355 = getelementptr double, ptr %354, i64 %.117.i.i4164.09384
-  %.263.i.i4850 = load double, ptr %355, align 8, !noalias !280
-  %356 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.i4164.09384
-  %.293.i.i4867 = load i64, ptr %356, align 8, !noalias !280
-  %.295.i.i4869 = mul nsw i64 %.293.i.i4867, %arg.shape.0
-  %.297.i.i4871 = add nsw i64 %.295.i.i4869, %.5329.09386
-  %.311.i.i4877 = icmp slt i64 %.297.i.i4871, 0
-  %.312.i.i4878 = select i1 %.311.i.i4877, i64 %arg.batch.5.1.5.0, i64 0
-  %357 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i4871
-  %.326.i.i4885 = getelementptr double, ptr %357, i64 %.312.i.i4878
-  store double %.263.i.i4850, ptr %.326.i.i4885, align 8, !noalias !280
-  %exitcond9426.not = icmp eq i64 %arg.batch.1.1.5.0, %.188.i.i4891
+  %.117.i.i4165.09384 = phi i64 [ 0, %B76.if.i.i.lr.ph ], [ %.188.i.i4893, %B76.if.i.i ]
+  %.188.i.i4893 = add nsw i64 %.117.i.i4165.09384, 1
+  %355 = getelementptr double, ptr %354, i64 %.117.i.i4165.09384
+  %.263.i.i4852 = load double, ptr %355, align 8, !noalias !280
+  %356 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.i4165.09384
+  %.293.i.i4869 = load i64, ptr %356, align 8, !noalias !280
+  %.295.i.i4871 = mul nsw i64 %.293.i.i4869, %arg.shape.0
+  %.297.i.i4873 = add nsw i64 %.295.i.i4871, %.5329.09386
+  %.311.i.i4879 = icmp slt i64 %.297.i.i4873, 0
+  %.312.i.i4880 = select i1 %.311.i.i4879, i64 %arg.batch.5.1.5.0, i64 0
+  %357 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i4873
+  %.326.i.i4887 = getelementptr double, ptr %357, i64 %.312.i.i4880
+  store double %.263.i.i4852, ptr %.326.i.i4887, align 8, !noalias !280
+  %exitcond9426.not = icmp eq i64 %arg.batch.1.1.5.0, %.188.i.i4893
   br i1 %exitcond9426.not, label %B4518, label %B76.if.i.i
 
 B4518:                                            ; preds = %B76.if.i.i, %B482.i, %B256.i, %B212.i, %B4394, %B4346
@@ -5715,25 +5715,25 @@ B4996:                                            ; preds = %B4948
   %"$phi5196.1.2.5" = select i1 %.6692, double 1.000000e+00, double %.6703
   %.6762 = getelementptr double, ptr %113, i64 %.5329.09386
   store double %"$phi5196.1.2.5", ptr %.6762, align 8
-  %.107.i5160 = getelementptr i64, ptr %114, i64 %.5329.09386
-  %.108.i5161 = load i64, ptr %.107.i5160, align 8, !noalias !291
-  %.161.i5207 = getelementptr double, ptr %115, i64 %.5329.09386
-  %.162.i5208 = load double, ptr %.161.i5207, align 8, !noalias !291
-  %.212.i5253 = getelementptr double, ptr %116, i64 %.5329.09386
-  store double %.162.i5208, ptr %.212.i5253, align 8, !noalias !291
-  %.225.i5261 = icmp slt i64 %.108.i5161, %arg.batch.2.5.0
-  br i1 %.225.i5261, label %B164.i, label %B5293
+  %.107.i5162 = getelementptr i64, ptr %114, i64 %.5329.09386
+  %.108.i5163 = load i64, ptr %.107.i5162, align 8, !noalias !291
+  %.161.i5209 = getelementptr double, ptr %115, i64 %.5329.09386
+  %.162.i5210 = load double, ptr %.161.i5209, align 8, !noalias !291
+  %.212.i5255 = getelementptr double, ptr %116, i64 %.5329.09386
+  store double %.162.i5210, ptr %.212.i5255, align 8, !noalias !291
+  %.225.i5263 = icmp slt i64 %.108.i5163, %arg.batch.2.5.0
+  br i1 %.225.i5263, label %B164.i, label %B5293
 
 B164.i:                                           ; preds = %B4996
-  %.241.i5276 = icmp slt i64 %.108.i5161, 0
-  %.242.i5277 = select i1 %.241.i5276, i64 %arg.batch.2.5.0, i64 0
-  %369 = getelementptr double, ptr %arg.batch.2.4, i64 %.108.i5161
-  %.256.i5291 = getelementptr double, ptr %369, i64 %.242.i5277
-  %.257.i5292 = load double, ptr %.256.i5291, align 8, !noalias !291
-  %.312.i5340 = load double, ptr %.161.i5207, align 8, !noalias !291
-  %.10.i.i5347 = fcmp olt double %.312.i5340, %.257.i5292
-  %.11.i.i5348 = select i1 %.10.i.i5347, double %.312.i5340, double %.257.i5292
-  store double %.11.i.i5348, ptr %.212.i5253, align 8, !noalias !291
+  %.241.i5278 = icmp slt i64 %.108.i5163, 0
+  %.242.i5279 = select i1 %.241.i5278, i64 %arg.batch.2.5.0, i64 0
+  %369 = getelementptr double, ptr %arg.batch.2.4, i64 %.108.i5163
+  %.256.i5293 = getelementptr double, ptr %369, i64 %.242.i5279
+  %.257.i5294 = load double, ptr %.256.i5293, align 8, !noalias !291
+  %.312.i5342 = load double, ptr %.161.i5209, align 8, !noalias !291
+  %.10.i.i5349 = fcmp olt double %.312.i5342, %.257.i5294
+  %.11.i.i5350 = select i1 %.10.i.i5349, double %.312.i5342, double %.257.i5294
+  store double %.11.i.i5350, ptr %.212.i5255, align 8, !noalias !291
   br label %B5293
 
 B5266:                                            ; preds = %B5293, %B4090
@@ -6757,11 +6757,11 @@ B760.if:                                          ; preds = %B760.if.lr.ph, %B76
 !13 = distinct !{!13, !"_ZN5pages6pieces11begin_pieceB2v5B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedEx"}
 !14 = distinct !{!14, !13, !"_ZN5pages6pieces11begin_pieceB2v5B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedEx: %excinfo"}
 !15 = !{!16, !12, !14}
-!16 = distinct !{!16, !17, !"_ZN5pages6layout4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx: %retptr"}
-!17 = distinct !{!17, !"_ZN5pages6layout4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx"}
+!16 = distinct !{!16, !17, !"_ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx: %retptr"}
+!17 = distinct !{!17, !"_ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx"}
 !18 = !{!19, !12, !14}
-!19 = distinct !{!19, !20, !"_ZN5pages6layout4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx: %retptr"}
-!20 = distinct !{!20, !"_ZN5pages6layout4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx"}
+!19 = distinct !{!19, !20, !"_ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx: %retptr"}
+!20 = distinct !{!20, !"_ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx"}
 !21 = !{!22, !24, !12, !14}
 !22 = distinct !{!22, !23, !"_ZN5pages6pieces10look_aheadB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
 !23 = distinct !{!23, !"_ZN5pages6pieces10look_aheadB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
@@ -6792,16 +6792,16 @@ B760.if:                                          ; preds = %B760.if.lr.ph, %B76
 !48 = distinct !{!48, !"_ZN5pages6solver11count_stepsB3v20B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
 !49 = distinct !{!49, !48, !"_ZN5pages6solver11count_stepsB3v20B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %excinfo"}
 !50 = !{!51}
-!51 = distinct !{!51, !52, !"_ZN5pages6layout4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx: %retptr"}
-!52 = distinct !{!52, !"_ZN5pages6layout4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx"}
+!51 = distinct !{!51, !52, !"_ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx: %retptr"}
+!52 = distinct !{!52, !"_ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx"}
 !53 = !{!"branch_weights", i32 99, i32 1}
 !54 = !{!55, !57}
 !55 = distinct !{!55, !56, !"_ZN5pages6solver17check_interpolantB3v31B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
 !56 = distinct !{!56, !"_ZN5pages6solver17check_interpolantB3v31B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
 !57 = distinct !{!57, !56, !"_ZN5pages6solver17check_interpolantB3v31B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %excinfo"}
 !58 = !{!59, !55, !57}
-!59 = distinct !{!59, !60, !"_ZN5pages6layout9try_againB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
-!60 = distinct !{!60, !"_ZN5pages6layout9try_againB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
+!59 = distinct !{!59, !60, !"_ZN5pages9numbering9try_againB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
+!60 = distinct !{!60, !"_ZN5pages9numbering9try_againB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
 !61 = !{!62, !64}
 !62 = distinct !{!62, !63, !"_ZN5pages5kinks12locate_kinksB3v32B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %retptr"}
 !63 = distinct !{!63, !"_ZN5pages5kinks12locate_kinksB3v32B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE"}
@@ -6848,24 +6848,24 @@ B760.if:                                          ; preds = %B760.if.lr.ph, %B76
 !104 = distinct !{!104, !"_ZN5pages5kinks5triedB3v39B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi2E1C7mutable7alignedEdx"}
 !105 = distinct !{!105, !104, !"_ZN5pages5kinks5triedB3v39B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi2E1C7mutable7alignedEdx: %excinfo"}
 !106 = !{!107, !109, !95, !97, !62, !64}
-!107 = distinct !{!107, !108, !"_ZN5pages6layout12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %retptr"}
-!108 = distinct !{!108, !"_ZN5pages6layout12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd"}
-!109 = distinct !{!109, !108, !"_ZN5pages6layout12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %excinfo"}
+!107 = distinct !{!107, !108, !"_ZN5pages9numbering12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %retptr"}
+!108 = distinct !{!108, !"_ZN5pages9numbering12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd"}
+!109 = distinct !{!109, !108, !"_ZN5pages9numbering12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %excinfo"}
 !110 = !{!111, !113, !107, !109, !95, !97, !62, !64}
-!111 = distinct !{!111, !112, !"_ZN5pages6layout11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
-!112 = distinct !{!112, !"_ZN5pages6layout11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
-!113 = distinct !{!113, !112, !"_ZN5pages6layout11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
+!111 = distinct !{!111, !112, !"_ZN5pages9numbering11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
+!112 = distinct !{!112, !"_ZN5pages9numbering11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
+!113 = distinct !{!113, !112, !"_ZN5pages9numbering11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
 !114 = !{!115, !117, !95, !97, !62, !64}
 !115 = distinct !{!115, !116, !"_ZN5pages5kinks7to_turnB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx23Literal_5bint_5d_289_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !116 = distinct !{!116, !"_ZN5pages5kinks7to_turnB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx23Literal_5bint_5d_289_295ArrayIdLi1E1C7mutable7alignedE"}
 !117 = distinct !{!117, !116, !"_ZN5pages5kinks7to_turnB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx23Literal_5bint_5d_289_295ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
 !118 = !{!119, !121, !122, !124, !62, !64}
-!119 = distinct !{!119, !120, !"_ZN5pages6layout11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
-!120 = distinct !{!120, !"_ZN5pages6layout11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
-!121 = distinct !{!121, !120, !"_ZN5pages6layout11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
-!122 = distinct !{!122, !123, !"_ZN5pages6layout12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %retptr"}
-!123 = distinct !{!123, !"_ZN5pages6layout12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd"}
-!124 = distinct !{!124, !123, !"_ZN5pages6layout12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %excinfo"}
+!119 = distinct !{!119, !120, !"_ZN5pages9numbering11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
+!120 = distinct !{!120, !"_ZN5pages9numbering11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
+!121 = distinct !{!121, !120, !"_ZN5pages9numbering11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
+!122 = distinct !{!122, !123, !"_ZN5pages9numbering12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %retptr"}
+!123 = distinct !{!123, !"_ZN5pages9numbering12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd"}
+!124 = distinct !{!124, !123, !"_ZN5pages9numbering12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %excinfo"}
 !125 = !{!122, !124, !62, !64}
 !126 = !{!127, !129, !62, !64}
 !127 = distinct !{!127, !128, !"_ZN5pages5kinks14measure_effectB3v42B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE23Literal_5bint_5d_289_298UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %retptr"}
@@ -6908,20 +6908,20 @@ B760.if:                                          ; preds = %B760.if.lr.ph, %B76
 !164 = distinct !{!164, !"_ZN5pages5kinks5triedB3v39B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi2E1C7mutable7alignedEdx"}
 !165 = distinct !{!165, !164, !"_ZN5pages5kinks5triedB3v39B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIdLi2E1C7mutable7alignedEdx: %excinfo"}
 !166 = !{!167, !169, !155, !157, !62, !64}
-!167 = distinct !{!167, !168, !"_ZN5pages6layout12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %retptr"}
-!168 = distinct !{!168, !"_ZN5pages6layout12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd"}
-!169 = distinct !{!169, !168, !"_ZN5pages6layout12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %excinfo"}
+!167 = distinct !{!167, !168, !"_ZN5pages9numbering12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %retptr"}
+!168 = distinct !{!168, !"_ZN5pages9numbering12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd"}
+!169 = distinct !{!169, !168, !"_ZN5pages9numbering12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %excinfo"}
 !170 = !{!171, !173, !167, !169, !155, !157, !62, !64}
-!171 = distinct !{!171, !172, !"_ZN5pages6layout11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
-!172 = distinct !{!172, !"_ZN5pages6layout11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
-!173 = distinct !{!173, !172, !"_ZN5pages6layout11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
+!171 = distinct !{!171, !172, !"_ZN5pages9numbering11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
+!172 = distinct !{!172, !"_ZN5pages9numbering11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
+!173 = distinct !{!173, !172, !"_ZN5pages9numbering11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
 !174 = !{!175, !177, !155, !157, !62, !64}
 !175 = distinct !{!175, !176, !"_ZN5pages5kinks7to_turnB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx23Literal_5bint_5d_289_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !176 = distinct !{!176, !"_ZN5pages5kinks7to_turnB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx23Literal_5bint_5d_289_295ArrayIdLi1E1C7mutable7alignedE"}
 !177 = distinct !{!177, !176, !"_ZN5pages5kinks7to_turnB3v41B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx23Literal_5bint_5d_289_295ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
 !178 = !{!179, !62, !64}
-!179 = distinct !{!179, !180, !"_ZN5pages6layout9try_againB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
-!180 = distinct !{!180, !"_ZN5pages6layout9try_againB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
+!179 = distinct !{!179, !180, !"_ZN5pages9numbering9try_againB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
+!180 = distinct !{!180, !"_ZN5pages9numbering9try_againB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
 !181 = !{!182, !184, !62, !64}
 !182 = distinct !{!182, !183, !"_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !183 = distinct !{!183, !"_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE"}
@@ -6931,20 +6931,20 @@ B760.if:                                          ; preds = %B760.if.lr.ph, %B76
 !187 = distinct !{!187, !"_ZN5pages5looks13error_betweenB3v28B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE"}
 !188 = distinct !{!188, !187, !"_ZN5pages5looks13error_betweenB3v28B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
 !189 = !{!190, !62, !64}
-!190 = distinct !{!190, !191, !"_ZN5pages6layout9try_againB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
-!191 = distinct !{!191, !"_ZN5pages6layout9try_againB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
+!190 = distinct !{!190, !191, !"_ZN5pages9numbering9try_againB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
+!191 = distinct !{!191, !"_ZN5pages9numbering9try_againB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
 !192 = !{!193, !195, !62, !64}
 !193 = distinct !{!193, !194, !"_ZN5pages5looks12first_passedB3v48B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !194 = distinct !{!194, !"_ZN5pages5looks12first_passedB3v48B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE"}
 !195 = distinct !{!195, !194, !"_ZN5pages5looks12first_passedB3v48B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
 !196 = !{!197, !199, !62, !64}
-!197 = distinct !{!197, !198, !"_ZN5pages6layout12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %retptr"}
-!198 = distinct !{!198, !"_ZN5pages6layout12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd"}
-!199 = distinct !{!199, !198, !"_ZN5pages6layout12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %excinfo"}
+!197 = distinct !{!197, !198, !"_ZN5pages9numbering12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %retptr"}
+!198 = distinct !{!198, !"_ZN5pages9numbering12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd"}
+!199 = distinct !{!199, !198, !"_ZN5pages9numbering12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %excinfo"}
 !200 = !{!201, !203, !197, !199, !62, !64}
-!201 = distinct !{!201, !202, !"_ZN5pages6layout11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
-!202 = distinct !{!202, !"_ZN5pages6layout11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
-!203 = distinct !{!203, !202, !"_ZN5pages6layout11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
+!201 = distinct !{!201, !202, !"_ZN5pages9numbering11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
+!202 = distinct !{!202, !"_ZN5pages9numbering11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
+!203 = distinct !{!203, !202, !"_ZN5pages9numbering11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
 !204 = !{!205, !207}
 !205 = distinct !{!205, !206, !"_ZN5pages5looks12watch_guardsB3v49B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE: %retptr"}
 !206 = distinct !{!206, !"_ZN5pages5looks12watch_guardsB3v49B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE"}
@@ -6966,35 +6966,35 @@ B760.if:                                          ; preds = %B760.if.lr.ph, %B76
 !222 = distinct !{!222, !"_ZN5pages5looks13error_betweenB3v28B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE"}
 !223 = distinct !{!223, !222, !"_ZN5pages5looks13error_betweenB3v28B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
 !224 = !{!225, !209, !211, !205, !207}
-!225 = distinct !{!225, !226, !"_ZN5pages6layout9try_againB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
-!226 = distinct !{!226, !"_ZN5pages6layout9try_againB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
+!225 = distinct !{!225, !226, !"_ZN5pages9numbering9try_againB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
+!226 = distinct !{!226, !"_ZN5pages9numbering9try_againB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
 !227 = !{!228, !230, !209, !211, !205, !207}
-!228 = distinct !{!228, !229, !"_ZN5pages6layout12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %retptr"}
-!229 = distinct !{!229, !"_ZN5pages6layout12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd"}
-!230 = distinct !{!230, !229, !"_ZN5pages6layout12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %excinfo"}
+!228 = distinct !{!228, !229, !"_ZN5pages9numbering12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %retptr"}
+!229 = distinct !{!229, !"_ZN5pages9numbering12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd"}
+!230 = distinct !{!230, !229, !"_ZN5pages9numbering12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %excinfo"}
 !231 = !{!232, !234, !228, !230, !209, !211, !205, !207}
-!232 = distinct !{!232, !233, !"_ZN5pages6layout11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
-!233 = distinct !{!233, !"_ZN5pages6layout11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
-!234 = distinct !{!234, !233, !"_ZN5pages6layout11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
+!232 = distinct !{!232, !233, !"_ZN5pages9numbering11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
+!233 = distinct !{!233, !"_ZN5pages9numbering11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
+!234 = distinct !{!234, !233, !"_ZN5pages9numbering11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
 !235 = !{!"branch_weights", i32 101, i32 99}
 !236 = !{!"branch_weights", i32 301, i32 99}
 !237 = !{!238, !205, !207}
-!238 = distinct !{!238, !239, !"_ZN5pages6layout4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx: %retptr"}
-!239 = distinct !{!239, !"_ZN5pages6layout4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx"}
+!238 = distinct !{!238, !239, !"_ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx: %retptr"}
+!239 = distinct !{!239, !"_ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx"}
 !240 = !{!241}
 !241 = distinct !{!241, !242, !"_ZN5pages6solver6sampleB3v53B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
 !242 = distinct !{!242, !"_ZN5pages6solver6sampleB3v53B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedEx"}
 !243 = !{!244, !246, !241}
-!244 = distinct !{!244, !245, !"_ZN5pages6layout11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
-!245 = distinct !{!245, !"_ZN5pages6layout11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
-!246 = distinct !{!246, !245, !"_ZN5pages6layout11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
+!244 = distinct !{!244, !245, !"_ZN5pages9numbering11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
+!245 = distinct !{!245, !"_ZN5pages9numbering11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
+!246 = distinct !{!246, !245, !"_ZN5pages9numbering11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
 !247 = !{!248, !250}
 !248 = distinct !{!248, !249, !"_ZN5pages5kinks11decide_anewB3v54B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !249 = distinct !{!249, !"_ZN5pages5kinks11decide_anewB3v54B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE"}
 !250 = distinct !{!250, !249, !"_ZN5pages5kinks11decide_anewB3v54B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
 !251 = !{!252, !248, !250}
-!252 = distinct !{!252, !253, !"_ZN5pages6layout4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx: %retptr"}
-!253 = distinct !{!253, !"_ZN5pages6layout4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx"}
+!252 = distinct !{!252, !253, !"_ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx: %retptr"}
+!253 = distinct !{!253, !"_ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx"}
 !254 = !{!255, !257}
 !255 = distinct !{!255, !256, !"_ZN5pages6pieces6at_endB3v56B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
 !256 = distinct !{!256, !"_ZN5pages6pieces6at_endB3v56B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
@@ -7009,14 +7009,14 @@ B760.if:                                          ; preds = %B760.if.lr.ph, %B76
 !265 = distinct !{!265, !266, !"_ZN5pages6pieces6at_endB3v56B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE: %retptr"}
 !266 = distinct !{!266, !"_ZN5pages6pieces6at_endB3v56B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE"}
 !267 = !{!268, !257}
-!268 = distinct !{!268, !269, !"_ZN5pages6layout4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx: %retptr"}
-!269 = distinct !{!269, !"_ZN5pages6layout4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx"}
+!268 = distinct !{!268, !269, !"_ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx: %retptr"}
+!269 = distinct !{!269, !"_ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx"}
 !270 = !{!271, !257}
-!271 = distinct !{!271, !272, !"_ZN5pages6layout4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx: %retptr"}
-!272 = distinct !{!272, !"_ZN5pages6layout4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx"}
+!271 = distinct !{!271, !272, !"_ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx: %retptr"}
+!272 = distinct !{!272, !"_ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx"}
 !273 = !{!274}
-!274 = distinct !{!274, !275, !"_ZN5pages6layout4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx: %retptr"}
-!275 = distinct !{!275, !"_ZN5pages6layout4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx"}
+!274 = distinct !{!274, !275, !"_ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx: %retptr"}
+!275 = distinct !{!275, !"_ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx"}
 !276 = !{!277, !279}
 !277 = distinct !{!277, !278, !"_ZN5pages6pieces11enter_pieceB3v57B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !278 = distinct !{!278, !"_ZN5pages6pieces11enter_pieceB3v57B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIxLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE"}
@@ -7053,16 +7053,16 @@ B760.if:                                          ; preds = %B760.if.lr.ph, %B76
 !309 = distinct !{!309, !"_ZN5pages5looks13error_betweenB3v28B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE"}
 !310 = distinct !{!310, !309, !"_ZN5pages5looks13error_betweenB3v28B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
 !311 = !{!312}
-!312 = distinct !{!312, !313, !"_ZN5pages6layout9try_againB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
-!313 = distinct !{!313, !"_ZN5pages6layout9try_againB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
+!312 = distinct !{!312, !313, !"_ZN5pages9numbering9try_againB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
+!313 = distinct !{!313, !"_ZN5pages9numbering9try_againB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
 !314 = !{!315, !317}
-!315 = distinct !{!315, !316, !"_ZN5pages6layout12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %retptr"}
-!316 = distinct !{!316, !"_ZN5pages6layout12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd"}
-!317 = distinct !{!317, !316, !"_ZN5pages6layout12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %excinfo"}
+!315 = distinct !{!315, !316, !"_ZN5pages9numbering12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %retptr"}
+!316 = distinct !{!316, !"_ZN5pages9numbering12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd"}
+!317 = distinct !{!317, !316, !"_ZN5pages9numbering12state_withinB3v24B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %excinfo"}
 !318 = !{!319, !321, !315, !317}
-!319 = distinct !{!319, !320, !"_ZN5pages6layout11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
-!320 = distinct !{!320, !"_ZN5pages6layout11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
-!321 = distinct !{!321, !320, !"_ZN5pages6layout11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
+!319 = distinct !{!319, !320, !"_ZN5pages9numbering11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %retptr"}
+!320 = distinct !{!320, !"_ZN5pages9numbering11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd"}
+!321 = distinct !{!321, !320, !"_ZN5pages9numbering11interpolateB3v25B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedExxxxd: %excinfo"}
 
 define i64 @advance(ptr %numbers) {
   %result = alloca i64

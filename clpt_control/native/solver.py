@@ -6,16 +6,16 @@ of time; a lane whose run has ended takes the next.  Nothing is summed across la
 the same numbers beside any others.
 
 All numbers are computed through `call`, by the diagram's functions and the formulas of `method`.
-Arguments are those of `layout`.  Decisions are watched by `looks`, and kinks are found by `kinks`.
+Arguments are those of `numbering`.  Decisions are watched by `looks`; `kinks` finds kinks.
 """
 
 import math
 
-from . import layout as row
+from . import numbering as row
 from .implicit import linearise, solve_stage
 from .kinks import decide_anew, locate_kinks
-from .layout import call, fail, interpolate, try_again
 from .looks import decide, mark_passed, watch_guards
+from .numbering import call, fail, interpolate, try_again
 from .pieces import begin_piece, enter_piece, jump, look_ahead, take_run
 
 # steps between checks for stiffness; steps ahead for it to matter

@@ -65,7 +65,7 @@ FOLLOW = ("replay", "--follow", "in", "--out", "out", "--patience", "0", "--json
                 ("llvmlite", RUN),
                 ("llvmlite.binding", RUN),
                 ("netCDF4", RUN),
-                ("clpt_control.native.layout", RUN),
+                ("clpt_control.native.numbering", RUN),
                 ("utide", TIDES),
                 ("utide.harmonics", TIDES),
                 ("matplotlib.figure", TIDES),

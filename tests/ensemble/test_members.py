@@ -8,7 +8,7 @@ from clpt_control.ensemble.members import Ensemble
 from clpt_control.ensemble.of_scenarios import VariedScenario
 from clpt_control.ensemble.spread import ensemble_summary
 from clpt_control.ensemble.summaries import STATUS
-from clpt_control.native import layout
+from clpt_control.native import numbering
 from clpt_control.native.batch import Batch
 from clpt_control.simulation.summary import run_and_report
 
@@ -92,7 +92,7 @@ def test_a_stiff_member_does_not_hold_up_the_rest(lanes):
         members.group,
     )
     runs.adaptive(1e-8, 1e-10, most=40)
-    assert list(runs.status) == [layout.FINISHED, layout.TOO_MANY, layout.FINISHED]
+    assert list(runs.status) == [numbering.FINISHED, numbering.TOO_MANY, numbering.FINISHED]
     assert runs.counts[1, [0, 3]].sum() == 40
     assert np.isnan(runs.out[1, -1]).all()
 
@@ -144,9 +144,10 @@ def test_the_command_says_it(clpt, printed, tmp_path):
 
 
 def test_every_way_in_which_a_member_ends_has_a_name():
-    ends = [layout.RUNNING, layout.FINISHED, layout.TOO_SMALL, layout.NOT_FINITE]
-    assert [*ends, layout.LEFT, layout.TOO_MANY, layout.CHATTERS] == list(range(len(STATUS)))
+    ends = [numbering.RUNNING, numbering.FINISHED, numbering.TOO_SMALL, numbering.NOT_FINITE]
+    ends += [numbering.LEFT, numbering.TOO_MANY, numbering.CHATTERS]
+    assert ends == list(range(len(STATUS)))
     data = clpt.run_ensemble(PAPER.with_values({"run.duration": 20}), "learning.gain=1:2", 2)
     assert len(data.status.flag_values) == len(data.status.flag_meanings.split()) == len(STATUS)
-    data.status[1] = layout.CHATTERS
+    data.status[1] = numbering.CHATTERS
     assert ensemble_summary(data)["ended"] == {"finished": 1, "chatters": 1}

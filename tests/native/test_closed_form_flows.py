@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from clpt_control.equations import Block
-from clpt_control.native import layout
+from clpt_control.native import numbering
 from clpt_control.native.batch import Batch
 from clpt_control.native.machine import LANES
 from clpt_control.native.native_diagram import NativeDiagram
@@ -89,12 +89,12 @@ def states(engine, block, x0, step):
         runner = NativeDiagram(block, form="looped" if engine == "looped" else "unrolled")
     count = LANES + 3 if engine == "lanes" else 1
     P, starts = np.tile(runner.parameters(), (count, 1)), np.tile(x0, (count, 1))
-    method = layout.DOP853 if step is None else layout.RK4
+    method = numbering.DOP853 if step is None else numbering.RK4
     callee = runner.callee(LANES if engine == "lanes" else 1, None, method)
     pieces = [runner.schedule(TIMES)]
     runs = Batch(callee, starts, P, TIMES, pieces, None, np.inf if step is None else step)
     runs.adaptive(1e-11, 1e-12)
-    assert set(runs.status) == {layout.FINISHED}
+    assert set(runs.status) == {numbering.FINISHED}
     np.testing.assert_array_equal(runs.out, runs.out[:1].repeat(count, 0))
     return runs.out[0]
 

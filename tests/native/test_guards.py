@@ -12,7 +12,7 @@ from clpt_control.diagrams.interconnection import connect
 from clpt_control.equations import Block
 from clpt_control.equations.declaration import Guard
 from clpt_control.errors import ClptError, SimulationError
-from clpt_control.native import layout
+from clpt_control.native import numbering
 from clpt_control.native.batch import Batch
 from clpt_control.native.machine import LANES
 from clpt_control.native.native_diagram import NativeDiagram
@@ -223,11 +223,11 @@ def test_beside_others_a_run_keeps_what_it_reached(lanes, step):
     starts = np.linspace(0.0, 1.0, 5)[:, None]  # they end at 1.5, 1.25, ..., 0.5
     P = np.tile(native.parameters(), (5, 1))
     times = np.array([0.0, 0.4, 1.1])
-    callee = native.callee(lanes, None, layout.DOP853 if step is None else layout.RK4)
+    callee = native.callee(lanes, None, numbering.DOP853 if step is None else numbering.RK4)
     pieces, longest = [native.schedule((0.0, 1.1))], np.inf if step is None else step
     runs = Batch(callee, starts, P, times, pieces, None, longest)
     runs.adaptive(1e-8, 1e-10)
-    bad = (layout.NOT_FINITE, layout.TOO_SMALL)
+    bad = (numbering.NOT_FINITE, numbering.TOO_SMALL)
     assert [status in bad for status in runs.status] == [False, False, True, True, True]
     assert list(runs.reached) == [3, 3, 2, 2, 2]
     assert np.isnan(runs.out[2:, 2]).all()

@@ -14,8 +14,8 @@ import clpt_control as clpt
 from clpt_control.conformance import readings
 from clpt_control.equations import Block, Guard
 from clpt_control.errors import BlockError, SimulationError
-from clpt_control.native.layout import JUMP
 from clpt_control.native.native_diagram import NativeDiagram
+from clpt_control.native.numbering import JUMP
 from clpt_control.native.python_diagram import PythonDiagram
 
 

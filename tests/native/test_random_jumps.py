@@ -10,7 +10,7 @@ from scipy.linalg import expm
 
 import clpt_control as clpt
 from clpt_control.equations import Block
-from clpt_control.native import layout
+from clpt_control.native import numbering
 from clpt_control.native.batch import Batch
 from clpt_control.native.machine import LANES
 from clpt_control.native.native_diagram import NativeDiagram
@@ -133,7 +133,7 @@ def test_every_engine_follows_matrix_exponentials(seed):
     for lanes in (1, LANES):
         batch = Batch(runner.callee(lanes), starts, P, times, schedules, group)
         batch.adaptive(1e-11, 1e-12)
-        assert set(batch.status) == {layout.FINISHED}
+        assert set(batch.status) == {numbering.FINISHED}
         for k, states in enumerate(wanted):
             close(batch.out[k], states, 1e-8, (seed, lanes, k))
         own = slice(3, 4), runner.callee(lanes)

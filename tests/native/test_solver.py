@@ -10,7 +10,7 @@ from scipy.integrate import solve_ivp
 
 import clpt_control as clpt
 from clpt_control.equations import Block, Guard
-from clpt_control.native import layout, rosenbrock
+from clpt_control.native import numbering, rosenbrock
 from clpt_control.native.batch import Batch
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
@@ -236,7 +236,7 @@ def test_the_interpolant_shows_order_four():
         batch.advance(1e6, 0.0, 1)
         assert batch.now == h
         batch.Z[:2] = start
-        found = [[layout.interpolate(batch.Z, 2, 1, 0, i, s) for i in range(2)] for s in shares]
+        found = [[numbering.interpolate(batch.Z, 2, 1, 0, i, s) for i in range(2)] for s in shares]
         errors.append(np.abs(found - exact).max())
     assert np.all(np.log2(np.divide(errors[:-1], errors[1:])) > 4.6)
 

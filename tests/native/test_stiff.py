@@ -13,7 +13,7 @@ from clpt_control.ensemble.members import Ensemble
 from clpt_control.ensemble.of_scenarios import VariedScenario
 from clpt_control.equations import Block, Guard
 from clpt_control.errors import SimulationError
-from clpt_control.native import batch, layout
+from clpt_control.native import batch, numbering
 from clpt_control.native.batch import Batch, radius
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
@@ -142,7 +142,7 @@ def slopes_of(runner, t, x):
     batch.advance(1e-3, 1e-3, 1)
     places = batch.callee.linear.places
     slopes = batch.linear[0][: n * n].reshape(n, n).T[np.ix_(places, places)]
-    return slopes, batch.Z[layout.TIME_SLOPE * n : (layout.TIME_SLOPE + 1) * n].copy()
+    return slopes, batch.Z[numbering.TIME_SLOPE * n : (numbering.TIME_SLOPE + 1) * n].copy()
 
 
 @pytest.mark.parametrize("seed", range(6))
@@ -344,7 +344,7 @@ def test_stiff_members_are_run_one_by_one_and_change_no_other(lanes):
     gains = np.array([0.01, 1e6, 0.02, 3e5])
     members = ensemble.members({"learning.gain": gains})
     found = ensemble.run(members, np.array([0.0, 10.0, 20.0]))
-    assert list(found.status) == [layout.FINISHED] * 4
+    assert list(found.status) == [numbering.FINISHED] * 4
     own = ensemble.members({"learning.gain": gains[[0, 2]]})
     alone = ensemble.run(own, np.array([0.0, 10.0, 20.0]))
     np.testing.assert_array_equal(found.states[[0, 2]], alone.states)
