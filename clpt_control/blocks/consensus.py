@@ -79,8 +79,5 @@ def consensus_block(vehicle: str, neighbours: Sequence[str], N: int, coupling: f
 def total_candidate(vehicles: Sequence[str]) -> Block:
     """Make V of the team."""
     return Block(
-        "lyapunov",
-        output=total,
-        inputs={named(one, "V"): 1 for one in vehicles},
-        outputs={"V": 1},
+        "lyapunov", output=total, inputs={named(one, "V"): 1 for one in vehicles}, outputs={"V": 1}
     )

@@ -97,14 +97,7 @@ def _jumps(block: Block, drawn: list[Sample]) -> Iterator[str]:
 
 
 Check = Callable[[Block, list[Sample]], Iterator[str]]
-CHECKS: tuple[Check, ...] = (
-    _repeats,
-    _zero,
-    _readings,
-    _pickles,
-    _linearizes,
-    _jumps,
-)
+CHECKS: tuple[Check, ...] = (_repeats, _zero, _readings, _pickles, _linearizes, _jumps)
 
 
 class ConformanceReport(NamedTuple):

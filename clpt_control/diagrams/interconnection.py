@@ -222,9 +222,7 @@ def match_ports(
 
 @public
 def connect(
-    blocks: Sequence[Any],
-    external: str | Iterable[str] = (),
-    name: str = "diagram",
+    blocks: Sequence[Any], external: str | Iterable[str] = (), name: str = "diagram"
 ) -> Diagram:
     """Wire blocks by the names of their ports, and check the fit.
 

@@ -11,11 +11,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from io import IOBase
 from operator import is_
-from types import (
-    CellType,
-    FunctionType,
-    MethodType,
-)
+from types import CellType, FunctionType, MethodType
 from typing import Any
 
 import numpy as np

@@ -32,11 +32,7 @@ def limited(t, x, u, p):
 
 @public
 def saturation(
-    low: ArrayLike,
-    high: ArrayLike,
-    signals: int = 1,
-    name: str = "saturation",
-    **ports: str,
+    low: ArrayLike, high: ArrayLike, signals: int = 1, name: str = "saturation", **ports: str
 ) -> Block:
     """Limit a signal: y = min(max(u, low), high).
 

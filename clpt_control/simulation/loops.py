@@ -316,10 +316,7 @@ def error_loop(scenario: Scenario) -> Diagram:
             f'the scenario has law = "{scenario.learning.law}"'
         )
     return connect(
-        [
-            clpe.error_system(N, KD),
-            clpe.parameter_system(N, gains.parameters),
-        ],
+        [clpe.error_system(N, KD), clpe.parameter_system(N, gains.parameters)],
         external=("phi_x", "z", "zc"),
         name="error_loop",
     )

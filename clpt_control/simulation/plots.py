@@ -18,12 +18,7 @@ if TYPE_CHECKING:
 
 DIRECTIONS = "east", "north"  # of x1 and x2
 MANY = 100  # samples an interval, for its mean square
-OVERVIEW = [
-    ["track", "clpe"],
-    ["track", "size"],
-    ["east", "north"],
-    ["gains 1", "gains 2"],
-]
+OVERVIEW = [["track", "clpe"], ["track", "size"], ["east", "north"], ["gains 1", "gains 2"]]
 
 
 @public

@@ -26,14 +26,7 @@ from ..native.schedule import read_inputs
 from ..scenario.experiment import Scenario
 from ..scenario.file import EQUATIONS, OWN_PARTS, REFERENCE, TEAM
 from ..scenario.team import Team, team_to_text
-from .dataset import (
-    Signals,
-    beyond_scenario_of,
-    diagram_frame,
-    run_frame,
-    signals_in,
-    with_states,
-)
+from .dataset import Signals, beyond_scenario_of, diagram_frame, run_frame, signals_in, with_states
 from .flows import faster_flow, speeds_of
 from .frame import Frame
 from .loops import LoopOf, paper_blocks

@@ -4,9 +4,7 @@ from ..arguments import public
 from ..blocks.consensus import consensus_block, pulled_law
 from ..blocks.laws.table import LAWS
 from ..diagrams.interconnection import Diagram, connect
-from ..diagrams.parts import (
-    changes_of,
-)
+from ..diagrams.parts import changes_of
 from ..equations.block import Block
 from ..equations.ports import within
 from ..scenario.team import TEAM_LAW, Team

@@ -8,12 +8,7 @@ from responses import response
 import clpt_control as clpt
 from analysis.against_adcp import compared, read_adcp
 from analysis.mean_square import mean_square_bound, mean_square_sides
-from analysis.worst_disturbance import (
-    influences,
-    peak_gains,
-    regressor_matrices,
-    worst_disturbance,
-)
+from analysis.worst_disturbance import influences, peak_gains, regressor_matrices, worst_disturbance
 from clpt_control.gliders import read_dives, usable
 from clpt_control.theory.counterexamples import (
     Piece,

@@ -9,15 +9,7 @@ from scipy import stats
 from source_checks import CHECKS
 
 import clpt_control as clpt
-from clpt_control.blocks import (
-    disturbance,
-    field,
-    flow,
-    learner,
-    localization,
-    lyapunov,
-    reference,
-)
+from clpt_control.blocks import disturbance, field, flow, learner, localization, lyapunov, reference
 from clpt_control.blocks.laws.paper import KNOWN_FLOW
 from clpt_control.currents.plane import GriddedField
 from clpt_control.equations import evaluate

@@ -11,12 +11,7 @@ from clpt_control.blocks.disturbance import disturbance
 from clpt_control.diagrams import interconnection
 from clpt_control.equations.declaration import multiples
 from clpt_control.errors import BlockError
-from clpt_control.scenario.file import (
-    load_scenario,
-    paper_scenario,
-    paper_text,
-    save_scenario,
-)
+from clpt_control.scenario.file import load_scenario, paper_scenario, paper_text, save_scenario
 
 FIELD = {"parameters": None, "field": "field.nc"}
 

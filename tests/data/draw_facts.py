@@ -51,10 +51,7 @@ longitude_gps_end latitude longitude depth wcur_x wcur_y time_uv latitude_uv lon
 def thinned(source, target, names, kept, summed=()):
     """Copy variables, of each dimension in `kept` the given rows; steps are summed up."""
     target.parent.mkdir(parents=True, exist_ok=True)
-    with (
-        netCDF4.Dataset(source) as old,
-        netCDF4.Dataset(target, "w", format=old.data_model) as new,
-    ):
+    with netCDF4.Dataset(source) as old, netCDF4.Dataset(target, "w", format=old.data_model) as new:
         new.setncatts(kept_of(old, WHOSE.split()))
         own = [name for name in names if name in old.variables]
         used = {dim for name in own for dim in old[name].dimensions}

@@ -111,14 +111,7 @@ def leaks_unread(t, x, u, params):
 
 @pytest.mark.parametrize("update", [leaks, leaks_unread])
 def test_a_system_by_functions_runs_or_says_why_in_python(update):
-    part = control.nlsys(
-        update,
-        inputs="u",
-        outputs="y",
-        states=1,
-        name="leak",
-        params={"k": 2.0},
-    )
+    part = control.nlsys(update, inputs="u", outputs="y", states=1, name="leak", params={"k": 2.0})
     loop = clpt.connect([part, control.ss([], [], [], -1.0, inputs="y", outputs="u", name="back")])
     said = (
         pytest.warns(UserWarning, match=r"runs in Python, .*leaks_unread, line \d+")

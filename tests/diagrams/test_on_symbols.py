@@ -95,10 +95,7 @@ def test_a_state_behind_an_output_of_its_name_has_its_block_before_it():
 
 def test_a_parameter_called_as_a_state_of_its_block_is_told_from_it():
     plant = clpt.Block(
-        "plant",
-        update=lambda t, x, u, p: {"k": p.k - x.k},
-        states={"k": 1},
-        parameters={"k": 0.0},
+        "plant", update=lambda t, x, u, p: {"k": p.k - x.k}, states={"k": 1}, parameters={"k": 0.0}
     )
     assert repr(clpt.equations(plant)) == "plant.k' = -plant.k + plant.parameter.k"
 
@@ -181,9 +178,7 @@ def test_what_cannot_be_read_is_said():
     import random
 
     block = clpt.Block(
-        "dice",
-        update=lambda t, x, u, p: {"y": x.y * random.random()},
-        states={"y": 1},
+        "dice", update=lambda t, x, u, p: {"y": x.y * random.random()}, states={"y": 1}
     )
     with pytest.raises(clpt.DiagramError, match="dice"):
         clpt.equations(block)

@@ -75,8 +75,7 @@ def test_every_law_makes_ensembles_and_its_settings_vary(quick, name):
 
 
 @pytest.mark.parametrize(
-    ("law", "key"),
-    [("learned-flow", "learning.gain"), ("sigma", "learning.sigma.leak")],
+    ("law", "key"), [("learned-flow", "learning.gain"), ("sigma", "learning.sigma.leak")]
 )
 def test_what_a_law_given_in_python_does_not_read_cannot_vary(quick, law, key):
     scenario = quick.with_values({"learning.law": law, key: 0.5})

@@ -74,10 +74,7 @@ def parts_are_written(t, x, u, p):
     np.rollaxis(B, 1)[0, 1] = 8.0
     np.atleast_3d(C)[0, 1, 0] = x[0]
     np.einsum("ii->i", d)[0] = 4.0
-    rows, windows = (
-        np.broadcast_to(e, (2, 3)),
-        np.lib.stride_tricks.sliding_window_view(e, 2),
-    )
+    rows, windows = (np.broadcast_to(e, (2, 3)), np.lib.stride_tricks.sliding_window_view(e, 2))
     e[1] = 7.0
     return [*A.ravel(), *B.ravel(), *C, *d.ravel(), *rows.ravel(), *windows.ravel()]
 

@@ -195,8 +195,7 @@ def writes_to_what_is_flipped(t, x, u, p):
 
 
 @pytest.mark.parametrize(
-    "function",
-    [puts, fills_a_diagonal, sorts, writes_what_is_asked, writes_to_what_is_flipped],
+    "function", [puts, fills_a_diagonal, sorts, writes_what_is_asked, writes_to_what_is_flipped]
 )
 def test_what_is_written_in_place_is_seen(function):
     agrees(function, 4)

@@ -60,10 +60,7 @@ def test_the_adcp_of_the_vehicle_says_how_far_it_swam(facts):
     for dive in read_dives(facts / "glider" / "sg171")[0]:
         east, north = (float(rows[dive.number][name]) for name in ("u_east", "v_north"))
         reckoned += [dive.dr_east, dive.dr_north]
-        swum += [
-            dive.gps_east - east * dive.duration,
-            dive.gps_north - north * dive.duration,
-        ]
+        swum += [dive.gps_east - east * dive.duration, dive.gps_north - north * dive.duration]
     assert np.dot(swum, reckoned) / np.dot(reckoned, reckoned) == pytest.approx(1.56, abs=0.03)
 
 

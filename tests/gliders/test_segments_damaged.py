@@ -268,11 +268,7 @@ OF_SPRAY = {
         "",
         [32, 33, 34, 35],
     ),
-    "no middles": (
-        put("time_uv", at(slice(None), np.nan)),
-        "no fix before the dive",
-        [],
-    ),
+    "no middles": (put("time_uv", at(slice(None), np.nan)), "no fix before the dive", []),
     "no current": (
         put("wcur_x", at(slice(-17, None), np.nan)),
         "no EAST_DISPLACEMENT, .* no depth-averaged current",

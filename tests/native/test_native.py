@@ -45,11 +45,7 @@ def scenario_of(N, law, disturbed):
 
 @pytest.mark.parametrize(
     ("N", "law", "disturbed"),
-    [
-        (1, "learned-flow", True),
-        (3, "known-flow", False),
-        (30, "learned-flow", True),
-    ],
+    [(1, "learned-flow", True), (3, "known-flow", False), (30, "learned-flow", True)],
 )
 def test_the_closed_loop_is_read_alike(N, law, disturbed):
     diagram = clpt.closed_loop(scenario_of(N, law, disturbed))

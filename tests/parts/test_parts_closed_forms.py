@@ -439,10 +439,7 @@ def test_a_source_has_nothing_to_linearize_along():
         (lambda: parts.relay(1, 2, lag=0.1), "off = 2: must be below on = 1"),
         (lambda: parts.delay(1.0, dt=0.3), "delay = 1.0: must be a multiple of dt = 0.3"),
         (lambda: parts.lag(0.0), "lag = 0.0: must be positive"),
-        (
-            lambda: parts.saturation([0, 1], 3, signals=3),
-            "must be one number, or 3",
-        ),
+        (lambda: parts.saturation([0, 1], 3, signals=3), "must be one number, or 3"),
         (lambda: parts.saturation(-1, 1, v="x"), "has no port 'v'; it has u, y"),
         (lambda: parts.pid(1, 0.1, hgih=1), "has no port 'hgih'; .* did you mean high"),
         (lambda: parts.lookup_table([0, 0], [1, 2]), "two or more increasing numbers"),

@@ -62,9 +62,7 @@ def test_dimensions_are_named_after_ports_and_count_from_0():
 
 def test_a_port_of_the_name_of_a_dimension():
     one = clpt.Block(
-        "a",
-        output=lambda t, x, u, p: {"h": [t, t], "h_index": t},
-        outputs={"h": 2, "h_index": 1},
+        "a", output=lambda t, x, u, p: {"h": [t, t], "h_index": t}, outputs={"h": 2, "h_index": 1}
     )
     run = clpt.simulate(clpt.connect([one]), [0.0, 1.0])
     assert run.h.dims == ("time", "h_index_")

@@ -66,10 +66,7 @@ def test_what_is_not_sampled_says_so():
         clpt.ensemble.run_ensemble(sampled, vary="learning.sample=0.5:2.0", members=2)
     with pytest.raises(ScenarioError, match="runs at fixes alone"):
         SLOW.with_values(
-            {
-                "learning": {"law": "fix-regression", "sample": 1.0},
-                "localization.interval": 5.0,
-            }
+            {"learning": {"law": "fix-regression", "sample": 1.0}, "localization.interval": 5.0}
         )
     end = SLOW.run.duration
     SLOW.with_values({"learning.sample": end})

@@ -52,10 +52,7 @@ RIGHT = {  # name -> system, V, what else is given
         ),
         lambda s: s.q**2 + (s.M * s.m - s.c**2) * s.v**2,
     ),
-    "a power that a parameter gives": (
-        system(lambda x, n: [-(x**n)], params={"n": 3.0}),
-        half,
-    ),
+    "a power that a parameter gives": (system(lambda x, n: [-(x**n)], params={"n": 3.0}), half),
     "a spinning body": (system(spinning), lambda s: (s.x**2 + 2 * s.y**2 + 3 * s.z**2) / 2),
     "a cross term": (system(lambda x, y: [y, -x - y]), lambda s: 1.5 * s.x**2 + s.x * s.y + s.y**2),
     "a rest elsewhere": (system(lambda x: [3.0 - x]), lambda s: (s.x - 3) ** 2, {"at": {"x": 3.0}}),
@@ -77,10 +74,7 @@ RIGHT = {  # name -> system, V, what else is given
         turned,
         {"at": {"th": 2 * np.pi}},
     ),
-    "V with a power that fades": (
-        system(lambda x: [-x]),
-        x**4 * sympy.exp(-t) + x**2,
-    ),
+    "V with a power that fades": (system(lambda x: [-x]), x**4 * sympy.exp(-t) + x**2),
     "a gradient's flow": (
         system(lambda x, y: [-(x**3 + x - y), -(y - x + y**3)]),
         lambda s: s.x**4 / 4 + (s.x - s.y) ** 2 / 2 + s.y**4 / 4,
@@ -230,10 +224,7 @@ WRONG = {
     "no value at a point": (system(lambda x: [-x / np.abs(x - 2)]), half),
     "no value at the rest": (system(lambda x: [-1 / x]), half),
     "V without a value": (system(lambda x: [-(x**3)]), lambda s: s.x**2 + 1 / (s.x - 1) ** 2),
-    "a sine too large beside squares": (
-        system(lambda x, y: [-x + 2.1 * np.sin(y), -y]),
-        halves,
-    ),
+    "a sine too large beside squares": (system(lambda x, y: [-x + 2.1 * np.sin(y), -y]), halves),
     "a jump to more than its tanh": (
         clpt.Block(
             "memory",

@@ -152,10 +152,7 @@ def sourced(source, rates=lambda x, u: {"x": -x.x, "y": -x.y + u.w}):
         "source", output=lambda t, x, u, p: {"w": source(t)}, outputs={"w": 1}, opaque=True
     )
     plant = clpt.Block(
-        "plant",
-        update=lambda t, x, u, p: rates(x, u),
-        states={"x": 1, "y": 1},
-        inputs={"w": 1},
+        "plant", update=lambda t, x, u, p: rates(x, u), states={"x": 1, "y": 1}, inputs={"w": 1}
     )
     return clpt.connect([made, plant])
 

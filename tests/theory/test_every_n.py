@@ -231,11 +231,7 @@ def test_a_nonlinear_use_of_a_sum_is_an_atom():
 def test_a_signal_that_is_not_fed_function_by_function_is_refused():
     rows = {"own": lambda t, x, u, p: {"s": [u.phi_x @ u.phi_x]}}
     block = Block(
-        "own",
-        update=rows["own"],
-        inputs={"phi_x": "N", "e": 2},
-        states={"s": 1},
-        sizes={"N": 2},
+        "own", update=rows["own"], inputs={"phi_x": "N", "e": 2}, states={"s": 1}, sizes={"N": 2}
     )
     turned = Block(
         "turned",

@@ -62,11 +62,7 @@ def of_memory(t, x, u, p):
 
 def jumping(jump, update=with_memory):
     return law(
-        update,
-        GAIN | {"interval": -1.0},
-        states={**LEARNED, "m": 1},
-        breakpoints=ticks,
-        jump=jump,
+        update, GAIN | {"interval": -1.0}, states={**LEARNED, "m": 1}, breakpoints=ticks, jump=jump
     )
 
 

@@ -106,8 +106,7 @@ def burst(law, faint, quiet, cycles=2, theta=0.5):
 
 
 @pytest.mark.parametrize(
-    ("faint", "quiet"),
-    [(0.2, 250.0), pytest.param(0.05, 4000.0, marks=pytest.mark.slow)],
+    ("faint", "quiet"), [(0.2, 250.0), pytest.param(0.05, 4000.0, marks=pytest.mark.slow)]
 )
 def test_no_burst_after_a_drift_and_the_bound_does_not_know_the_regressor(faint, quiet):
     """Largest |e|: the paper's 0.52/faint; with a robust law Delta/k, as without learning."""

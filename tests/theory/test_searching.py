@@ -23,11 +23,7 @@ SYSTEMS = {  # rates in states, a rest, and a state to start from
         None,
         [3.0, -2.0, 5.0],
     ),
-    "two neurons": (
-        lambda a, b: [-a + 0.5 * np.tanh(b), -b - 0.5 * np.tanh(a)],
-        None,
-        [3.0, -2.0],
-    ),
+    "two neurons": (lambda a, b: [-a + 0.5 * np.tanh(b), -b - 0.5 * np.tanh(a)], None, [3.0, -2.0]),
     "a gain that adapts": (lambda x, k: [x - k * x, x**2], {"k": 2.0}, [1.0, 0.0]),
     "a pendulum that hangs at pi": (
         lambda q, w: [w, 9.8 * np.sin(q) - 0.1 * w],

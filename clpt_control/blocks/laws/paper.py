@@ -151,10 +151,7 @@ KALMAN_FLOW = Law(
     output=known_flow_output,
     outputs={"alpha": (2, "N")},
     error_growth=error_growth,
-    promises=(
-        *promised("true exact", "mean square"),
-        *promised("spanned exact", "estimate"),
-    ),
+    promises=(*promised("true exact", "mean square"), *promised("spanned exact", "estimate")),
     semidefinite=("P",),
     V_rate="(d P^-1 d^T)' <= -|d phi_f|^2/r^2, d = theta_hat - theta",
 ).with_parts(FILTERED_FLOW)

@@ -196,10 +196,7 @@ def forgetting(x, p):
 def covariance_rates(x, p, P_phi):
     """Return P' and rho', of P phi_f."""
     forgotten = forgetting(x, p)
-    return {
-        "P": forgotten * x.P - np.outer(P_phi, P_phi) / p.noise**2,
-        "rho": -forgotten * x.rho,
-    }
+    return {"P": forgotten * x.P - np.outer(P_phi, P_phi) / p.noise**2, "rho": -forgotten * x.rho}
 
 
 def level_by_P(u, p, weighted, w):
@@ -307,10 +304,7 @@ NORMALISED_GRADIENT = Law(
     promise="CLPE goes to zero, and alpha to -theta as fast as the track of now shows it",
     rates=normalised_gradient,
     promises=promised("true spanned exact", "falls", "settles"),
-    parameters={
-        **GAINS,
-        "regression_gain": Setting("gamma_n, 1/time; 4 k (k mean KD)", scaled(4)),
-    },
+    parameters={**GAINS, "regression_gain": Setting("gamma_n, 1/time; 4 k (k mean KD)", scaled(4))},
     losses=regression_losses,
     V_rate="-e^T KD e - gamma_n |eta phi_f|^2/(gamma (1 + |phi_f|^2))",
 ).with_parts(FILTERED_FLOW, COMMANDED_GAINS)

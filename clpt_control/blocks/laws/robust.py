@@ -131,8 +131,7 @@ def level_of_e_modification(p: Any, truth: Truth, delta: float) -> float:
 
 
 LEAK = Setting(
-    "its gain times leak is what is forgotten per time, of alpha all within a cycle",
-    cycle_leak,
+    "its gain times leak is what is forgotten per time, of alpha all within a cycle", cycle_leak
 )
 SIGMA = Law(
     "sigma",
