@@ -71,3 +71,20 @@ def test_a_command_that_ends_with_its_processes_at_work_says_nothing_of_semaphor
         [sys.executable, "ended.py"], cwd=tmp_path, capture_output=True, text=True
     )
     assert (done.returncode, done.stdout, done.stderr) == (130, "1\n", "")
+
+
+UNGUARDED = """
+from clpt_control.progress.processes import processes
+
+print("once", flush=True)
+with processes(1) as pool:
+    print(pool.submit(abs, -1).result())
+"""
+
+
+def test_a_script_needs_no_guard_for_its_processes(tmp_path):
+    (tmp_path / "unguarded.py").write_text(UNGUARDED)
+    done = subprocess.run(
+        [sys.executable, "unguarded.py"], cwd=tmp_path, capture_output=True, text=True
+    )
+    assert (done.returncode, done.stdout, done.stderr) == (0, "once\n1\n", "")

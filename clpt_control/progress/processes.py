@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from concurrent.futures import Future, ProcessPoolExecutor
 from contextlib import contextmanager
 from multiprocessing import active_children, get_context, parent_process, resource_tracker
+from types import ModuleType
 from typing import Any
 
 QUIET = "ignore:resource_tracker"  # no warning that multiprocessing tidies after an interrupt
@@ -21,7 +22,15 @@ class Pool(ProcessPoolExecutor):
     """Processes that ignore Ctrl-C: their parent takes it, and ends them."""
 
     def submit(self, *work: Any, **named: Any) -> Future:
-        """Submit a piece of work; a process that is started for it inherits what is blocked."""
+        """Submit a function of the package; a process that is started inherits what is blocked."""
+        main = sys.modules["__main__"]
+        sys.modules["__main__"] = ModuleType("__main__")  # else it would run the user's script
+        try:
+            return self._submit(*work, **named)
+        finally:
+            sys.modules["__main__"] = main
+
+    def _submit(self, *work: Any, **named: Any) -> Future:
         if not hasattr(signal, "pthread_sigmask"):
             return super().submit(*work, **named)
         resource_tracker.ensure_running()  # else it would unblock the signal
