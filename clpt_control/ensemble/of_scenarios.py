@@ -24,6 +24,8 @@ from .drawn_values import unknown_name
 from .members import Member, Values, Varied
 from .summaries import arrays_of, marks_of, sample_times_of, samples_per_cycle, summarise
 
+OWN_PARTS = "with timepts the loop runs as any diagram, whose parts' own parameters may vary"
+
 
 class VariedScenario(Varied):
     """A scenario's loop that is run many times; `changes` are the user's own parts."""
@@ -62,8 +64,10 @@ class VariedScenario(Varied):
         if key in self.of_law and self.changes.law is not None:
             return (
                 f"vary: {key} cannot vary: it is of the scenario's law, in whose place "
-                f"{self.changes.law.name} is given in Python"
+                f"{self.changes.law.name} is given in Python; {OWN_PARTS}"
             )
+        if key.split(".")[0] in self.changes.names:
+            return f"vary: {key} is no key of the scenario; {OWN_PARTS}"
         if other := key_hint(key):
             return f"vary: {other}"
         values = {name: value for name, value, _ in self.scenario.every_key()}

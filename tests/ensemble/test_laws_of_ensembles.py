@@ -84,6 +84,16 @@ def test_what_a_law_given_in_python_does_not_read_cannot_vary(quick, law, key):
         run_ensemble(loop, f"{key}=0.2:2.0", 3)
 
 
+def test_a_part_of_ones_own_varies_where_the_loop_is_a_diagram(quick):
+    loop = clpt.closed_loop(quick, law=law_blocks.papers_law(name="adaptation"))
+    with pytest.raises(ScenarioError, match=r"^vary: adaptation.gain is no key .* with timepts"):
+        run_ensemble(loop, {"adaptation.gain": [0.5, 2.0]})
+    times = np.arange(3.0)
+    data = run_ensemble(loop, {"adaptation.gain": [0.5, 2.0]}, timepts=times)
+    alone = clpt.simulate(loop, times, params={"adaptation.gain": 2.0})
+    np.testing.assert_allclose(data.e_final[1], alone.clpe[-1], atol=1e-12)
+
+
 def test_a_block_takes_the_laws_place(quick, tmp_path):
     law, given = law_blocks.remembering_law(), {"members": 12, "samples": 20, "chunk": 4}
     given["vary"] = "flow.parameters~normal:0.1"
