@@ -5,7 +5,7 @@ from datetime import UTC, datetime
 
 from .errors import DataError
 
-METRES = {"m": 1.0, "km": 1000.0, "cm": 0.01}
+METRES = {"m": 1.0, "km": 1000.0, "cm": 0.01, "mm": 0.001}
 SECONDS = {"s": 1.0, "min": 60.0, "h": 3600.0, "d": 86400.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
 KNOT = 1852.0 / 3600.0  # m/s
 SPEED = re.compile(  # m/s, m per s, m s-1, m.s-1, m s^-1, m s**-1
@@ -19,6 +19,8 @@ WORDS = {  # also in the plural
     "kilometre": "km",
     "centimeter": "cm",
     "centimetre": "cm",
+    "millimeter": "mm",
+    "millimetre": "mm",
     "sec": "s",
     "second": "s",
     "minute": "min",

@@ -115,6 +115,7 @@ def test_no_name_is_a_file_too(room):
         *((text, 0.01) for text in ("cm/s", "cm s-1", "cm/sec", " cm / second ")),
         *((text, 1 / 3.6) for text in ("km/h", "km h-1", "km/hr", "kilometers per hour")),
         *((text, 1852 / 3600) for text in ("knot", "Knots", "kt", "kts", "kn")),
+        *((text, 1e-3) for text in ("mm/s", "millimeters per second", "mm s-1")),
         ("m/day", 1 / 86400),
     ],
 )

@@ -4,7 +4,8 @@ Files of different makers give the same sample as seconds since 1970 or as
 nanoseconds since the first of them, a depth as m or cm, a speed as cm/s or
 m s-1; a variable without units is taken as s, m or m/s.  A step is the
 displacement since the sample before, so a track is their running sum, from rest at
-the fix before the dive to rest at the fix after it.
+the fix before the dive to rest at the fix after it.  A step that is not finite, or longer than
+5 m/s and 100 m allow, is none: a few of them are filled from their neighbours.
 
 Magnetic variation is how far a compass points from true north, by IGRF,
 
@@ -29,9 +30,13 @@ from ..currents.cf import decoded, number
 from ..errors import DataError, needed
 from ..estimation.dive import Dive, ThroughWater, Track
 from ..units import length_in_metres, speed_in_metres_per_second
+from .usable_dives import FASTEST
 
 SURFACE = 20.0  # m: a vehicle last seen above needs no samples until its fix
 LARGEST_HOLE = 0.1  # share of a dive that may be without samples under water
+LONGEST_GAP = 900.0  # s between samples that is mentioned
+LONGEST_STEP = 100.0  # m, beyond what is possible at 5 m/s
+REPAIRABLE = 0.05  # largest share of samples that is filled from their neighbours
 DEEPEST = 12000.0  # m: no sea is deeper
 NOT_A_TIME = -(2.0**63)  # smallest integer of 64 bits: how a missing time is stored
 
@@ -133,17 +138,17 @@ def track_of(since: np.ndarray, east: np.ndarray, north: np.ndarray, duration: f
     return since, east, north
 
 
-def hole_under_water(since: np.ndarray, depth: np.ndarray, duration: float) -> str:
-    """Return which part of a dive lacks samples, empty where none is over a tenth of it.
+def hole_under_water(since: np.ndarray, depth: np.ndarray, duration: float) -> tuple[str, bool]:
+    """Return which part of a dive lacks samples, empty where it is short; if it is over a tenth.
 
     At the surface, before its first sample and after its last, a vehicle has no
     displacement through the water to sum.  A depth that is not known counts as deep.
 
     >>> since = np.array([50.0, 400.0, 800.0])
     >>> hole_under_water(since, np.array([1.0, 90.0, 3.0]), 4000.0)
-    ''
+    ('', False)
     >>> hole_under_water(since, np.array([1.0, 40.0, 90.0]), 4000.0)
-    'no samples for 3200 s of 4000 s, from 90 m depth on'
+    ('no samples for 3200 s of 4000 s, from 90 m depth on', True)
     """
     times = np.concatenate([[0.0], since, [duration]])
     depths = np.concatenate([[0.0], depth, [0.0]])
@@ -151,10 +156,13 @@ def hole_under_water(since: np.ndarray, depth: np.ndarray, duration: float) -> s
     surface = np.maximum(depths[:-1], depths[1:]) <= SURFACE  # False where not known
     holes[surface] = 0.0
     longest = int(np.argmax(holes))
-    if not holes[longest] > LARGEST_HOLE * duration:
-        return ""
+    large = bool(holes[longest] > LARGEST_HOLE * duration)
+    if not (large or holes[longest] > LONGEST_GAP):
+        return "", False
     hole = f"no samples for {holes[longest]:.0f} s of {duration:.0f} s"
-    return f"{hole}, from {depths[longest]:.0f} m depth on" if depths[longest] > SURFACE else hole
+    if depths[longest] > SURFACE:
+        hole += f", from {depths[longest]:.0f} m depth on"
+    return hole, large
 
 
 def summed(
@@ -164,9 +172,21 @@ def summed(
 
     Unless samples are missing.
     """
-    hole = hole_under_water(since, depth, duration)
-    if hole:
-        return ThroughWater(notes=(*notes, hole))
+    notes, length = list(notes), np.hypot(*steps)
+    most = FASTEST * np.diff(since, prepend=0.0) + LONGEST_STEP
+    bad = ~np.isfinite(length) | (length > most)
+    if bad.any():
+        note = (
+            f"{bad.sum()} of {bad.size} samples of the displacement are not finite or above 5 m/s"
+        )
+        if bad.mean() > REPAIRABLE:
+            return ThroughWater(notes=[*notes, note])
+        steps = np.array([fill(since, one, bad) for one in steps])
+        notes.append(f"{note}, filled from their neighbours' speed")
+    hole, large = hole_under_water(since, depth, duration)
+    notes += [hole] if hole else []
+    if large:
+        return ThroughWater(notes=notes)
     east, north = steps
     total = float(np.sum(east)), float(np.sum(north))
     return ThroughWater(total, track_of(since, east, north, duration), notes)

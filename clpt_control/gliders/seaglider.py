@@ -38,9 +38,6 @@ NAMES = ("GPS1", "GPS2", "GPSE")
 GOOD = (0.0, 1.0, 2.0)  # flags of a fix: no change, good, probably good
 POOR = 10.0  # hdop that is mentioned; a good one is about 1
 FAILED = 99.0  # hdop of a receiver that timed out
-LONGEST_STEP = 1e5  # m in one sample: beyond, a fill value
-REPAIRABLE = 0.05  # largest share of samples that is filled from their neighbours
-LONGEST_GAP = 900.0  # s between samples that is mentioned
 DEPTHS = ("depth", "ctd_depth", "eng_depth")
 
 
@@ -207,17 +204,8 @@ def _dead_reckoning(
     if east.shape != north.shape or east.ndim != 1 or not east.size:
         wrong = f"{names[0]} and {names[1]} differ in length or are empty"
         return ThroughWater(notes=[*notes, wrong])
-    bad = ~((np.abs(east) < LONGEST_STEP) & (np.abs(north) < LONGEST_STEP))
-    if bad.any():
-        note = f"{bad.sum()} of {bad.size} samples of the displacement are not finite"
-        if time is None or bad.mean() > REPAIRABLE:
-            return ThroughWater(notes=[*notes, note])
-        east, north = (samples.fill(time, steps, bad) for steps in (east, north))
-        notes.append(f"{note}, filled from their neighbours' speed")
     if time is None:
         return ThroughWater((float(np.sum(east)), float(np.sum(north))), notes=notes)
-    if time.size > 1 and np.max(np.diff(time)) > LONGEST_GAP:
-        notes.append(f"a gap of {np.max(np.diff(time)):.0f} s in the samples")
     depth = _depths(data, names[0])
     return samples.summed(time - start, np.array([east, north]), depth, end - start, notes)
 

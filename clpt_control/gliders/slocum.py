@@ -200,10 +200,10 @@ def _dive(of: pandas.DataFrame, segment: Segment, fixes: tuple[Fix | None, Fix, 
     wet = time[depth > LEAST_DEPTH]
     duration = end[0] - start[0]
     path, why = dead_reckoning(of, start, wet, east_of_north)
-    hole = hole_under_water(time - start[0], depth, duration)
-    if why or hole:
+    hole, large = hole_under_water(time - start[0], depth, duration)
+    notes += [why or hole] if why or hole else []
+    if large:
         path = None
-        notes.append(why or hole)
     before, now = own_currents(of, wet[0], end[0], east_of_north)
     total = np.full(2, nan)
     if path is not None:

@@ -16,6 +16,7 @@ and up to four folders up, and in the folder that the environment variable `CLPT
 import os
 import re
 from functools import lru_cache
+from io import BytesIO
 from math import nan
 from pathlib import Path
 from struct import unpack_from
@@ -130,10 +131,12 @@ def _header(raw: bytes, path: Path) -> tuple[dict[str, str], int]:
     damaged = f"{path}: the header of the Slocum file is damaged or cut short"
     tags: dict[str, str] = {}
     at = 0
-    for line in raw.split(b"\n", 100)[:-1]:
-        name, _, value = line.decode("ascii", "replace").partition(":")
+    for line in BytesIO(raw):
+        name, colon, value = line.decode("ascii", "replace").partition(":")
+        if not colon:
+            break
         tags[name.strip()] = value.strip()
-        at += len(line) + 1
+        at += len(line)
         if tags.get("num_ascii_tags") == str(len(tags)):
             break
     if "dbd_label" not in tags or not raw[:at].isascii():

@@ -5,7 +5,9 @@ import pytest
 from glider_dialects import (
     DURATION,
     EPOCH,
+    FIRST,
     GPS_EAST,
+    LAST,
     SWUM,
     T0,
     M,
@@ -223,6 +225,30 @@ def test_og1_without_a_whole_displacement_through_the_water(tmp_path):
     first, *others = dives_in(og1(tmp_path / "hole.nc", columns=columns))
     assert [one.number for one in usable([first, *others])[0]] == [2, 3]
     assert "no samples for" in first.notes[0]
+
+
+@pytest.mark.parametrize("fill", [9999.0, -999.0, 9.97e36])
+@pytest.mark.parametrize("name", STEPS)
+def test_og1_steps_that_no_vehicle_makes(name, fill, tmp_path):
+    columns = og1_rows()
+    columns[name][[50, 51, 300]] = fill
+    first, second, _ = dives_in(og1(tmp_path / "og1.nc", columns=columns))
+    note = "samples of the displacement are not finite or above 5 m/s, filled from their neighbours"
+    assert [dive.notes != () for dive in (first, second)] == [True, False]
+    assert first.notes[0].startswith(f"3 of 400 {note}")
+    assert (first.dr_east, first.dr_north) == pytest.approx(tuple(SWUM))
+    columns[name][60:90] = fill
+    first = dives_in(og1(tmp_path / "more.nc", columns=columns))[0]
+    assert not usable([first])[0]
+    assert first.notes[0].startswith("33 of 400 ")
+
+
+def test_og1_samples_that_lack_are_said(tmp_path):
+    columns = og1_rows(count=40)
+    for step in STEPS:
+        columns[step][10:14] = np.nan
+    said = dives_in(og1(tmp_path / "a.nc", columns=columns))[0].notes[0]
+    assert f"no samples for {5 * (DURATION - FIRST - LAST) / 39:.0f} s of 9000 s" in said
 
 
 @pytest.mark.parametrize(
