@@ -1,4 +1,4 @@
-"""docs/laws.md has a section for each law, as its page and its row have it."""
+"""docs/each_law.md has a section for each law, as its page and its row have it."""
 
 import re
 import runpy
@@ -11,7 +11,7 @@ from clpt_control.theory.promises import promises_in_words
 
 ROOT = Path(__file__).parents[1]
 TOOL = ROOT / "tools" / "print_laws.py"
-PAGE = ROOT / "docs" / "laws.md"
+PAGE = ROOT / "docs" / "each_law.md"
 
 pytestmark = pytest.mark.skipif(not TOOL.exists(), reason="installed without tools")
 
@@ -19,9 +19,9 @@ pytestmark = pytest.mark.skipif(not TOOL.exists(), reason="installed without too
 def test_the_sections_are_those_of_the_laws():
     tool = runpy.run_path(str(TOOL))
     text = PAGE.read_text("utf-8")
-    assert tool["page_with_sections"](text) == text, "run python tools/print_laws.py"
+    assert tool["whole_page"]() == text, "run python tools/print_laws.py"
     for law in LAWS.values():
-        assert re.search(rf"^### .*`{law.name}`", text, re.M)
+        assert re.search(rf"^## .*`{law.name}`", text, re.M)
 
 
 def test_equations_become_formulas():

@@ -1,4 +1,4 @@
-"""Print the sections of the laws into docs/laws.md, from their pages and rows.
+"""Print docs/each_law.md, a section for each law, from their pages and rows.
 
     python tools/print_laws.py
 
@@ -14,8 +14,11 @@ from clpt_control.blocks.laws import regressions
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.theory.promises import promises_in_words
 
-PAGE = Path(__file__).parents[1] / "docs" / "laws.md"
-BEGIN, END = "## Each law\n", "<!-- the end of what tools/print_laws.py prints -->\n"
+PAGE = Path(__file__).parents[1] / "docs" / "each_law.md"
+USUAL = (
+    "K and Gamma adapt, or are held at the vehicle's own; the functions span the flow; positions "
+    "are exact (at fixes z(0) too)"
+)
 GREEK = ("alpha", "gamma", "theta", "phi", "eta", "kappa", "sigma", "lambda", "rho")
 NAMES = {
     **{name: f"\\{name}" for name in (*GREEK, "Gamma", "Phi", "Delta")},
@@ -111,28 +114,24 @@ def plain(line: str) -> str:
     )
 
 
-def sections() -> str:
-    """Return the sections of all laws, laws of one page together, and of what they share."""
+def whole_page() -> str:
+    """Return the page: all laws, those of one page together, and what they share."""
     found = [
-        "`clpt laws NAME` prints the same in plain text. What is asked along runs, `clpt refute` "
-        "asks.\n"
+        "# Each law\n\nWhich to take when: [laws](laws.md). `clpt laws NAME` prints a section in "
+        "plain text. What is asked along runs, `clpt refute` asks; *as usual* says: where "
+        f"{USUAL}.\n"
     ]
     for page, laws in groupby(LAWS.values(), key=lambda law: law.page):
         rows = list(laws)
-        found.append(f"### {', '.join(f'`{law.name}`' for law in rows)}\n\n{markdown(page)}\n")
+        found.append(f"## {', '.join(f'`{law.name}`' for law in rows)}\n\n{markdown(page)}\n")
         for law in rows:
-            said = [f"- {plain(words)}" for words in promises_in_words(law).values()]
+            words = promises_in_words(law).values()
+            said = [f"- {plain(one).replace(f'where: {USUAL}', 'as usual')}" for one in words]
             found.append(f"`{law.name}` promises: {plain(law.promise)}. Asked along runs:\n")
             found.append("\n".join(said) + "\n")
-    found.append(f"### Shared: `regressions`\n\n{markdown(str(regressions.__doc__))}\n")
+    found.append(f"## Shared: `regressions`\n\n{markdown(str(regressions.__doc__))}\n")
     return "\n".join(found)
 
 
-def page_with_sections(text: str) -> str:
-    """Return docs/laws.md with the sections as the laws now have them."""
-    before, _, rest = text.partition(BEGIN)
-    return f"{before}{BEGIN}\n{sections()}\n{END}{rest.partition(END)[2]}"
-
-
 if __name__ == "__main__":
-    PAGE.write_text(page_with_sections(PAGE.read_text("utf-8")), "utf-8")
+    PAGE.write_text(whole_page(), "utf-8")
