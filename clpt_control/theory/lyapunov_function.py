@@ -227,7 +227,8 @@ def _at_jumps(case: SystemWithV, search: FailureSearch, near: bool) -> tuple[Ste
         if near:  # it may jump to where V says nothing
             return exact(claim, False, "not shown"), None
         if not case.never_positive(rise):
-            found = None if rise.has(TIME) else search.where(rise, 1)  # it jumps at some times
+            at_times = rise.has(TIME, *case.intervals)  # at few of which it jumps
+            found = None if at_times else search.where(rise, 1)
             outcome = claim if found is None else f"V rises by {found[1]:.3g} at a jump"
             return exact(outcome, False, "" if found else "not shown"), found
     return exact(claim, True), None

@@ -68,6 +68,8 @@ RIGHT = {  # name -> system, V, what else is given
         system(lambda x: [-x * (1 + lookup([1.0, 2.0], np.clip(x, 0, 1)))]),
         half,
     ),
+    "a pull of whole steps": (system(lambda x: [-np.floor(x)]), half),
+    "a diode": (system(lambda x: [1 - np.exp(x)]), half),
     "a pull with a dent": (system(lambda x: [-x + x * np.exp(-((x - 2) ** 2))]), half),
     "a pendulum a turn further": (
         system(lambda th, w: [w, -np.sin(th) - w]),
@@ -161,6 +163,16 @@ WRONG = {
             "memory",
             update=lambda t, x, u, p: {"m": -x.m},
             jump=lambda t, x, u, p: {"m": (1 + np.sin(np.pi * t) ** 2) * x.m},
+            states={"m": 1},
+            **TICKS,
+        ),
+        lambda s: s.m**2,
+    ),
+    "a jump that would rise before the first breakpoint": (
+        clpt.Block(
+            "memory",
+            update=lambda t, x, u, p: {"m": -x.m},
+            jump=lambda t, x, u, p: {"m": np.where(p.interval < 0.5, 2.0, 0.5) * x.m},
             states={"m": 1},
             **TICKS,
         ),

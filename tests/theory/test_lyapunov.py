@@ -24,6 +24,7 @@ from lyapunov_systems import (
 import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.theory import lyapunov as judge
+from clpt_control.theory.proving.signs import factored
 from clpt_control.theory.proving.theorem_loop import theorem_loop
 from clpt_control.theory.squares import squares
 
@@ -71,6 +72,7 @@ BESIDE = {  # V' <= 0 is right, and more is to be said
     "a source that drives": "proved but for y",
     "a jump of what V misses": "proved but for n",
     "a jump that rises at no breakpoint": "proved between jumps",
+    "a jump that would rise before the first breakpoint": "proved between jumps",
 }
 
 
@@ -186,6 +188,19 @@ SUMS = {
     "x*atan(x) - log(1 + x**2)/2": True,
     "x**2*y**2 - x*y": False,
 }
+
+
+@pytest.mark.parametrize("chance", [1, 12, 16])
+def test_what_has_no_factors_is_told_whatever_places_sympy_draws(chance):
+    """With SymPy's own few places it took minutes or more after these."""
+    a, b, c, x, y = sympy.symbols("a b c x y", real=True)
+    of_x = (x**2 - 1) * (180 * x**2 - 200 * x * a - 189 * x * sympy.tanh(x))
+    of_y = y * (b * y * (55 * y * sympy.cos(y) + 110 * sympy.sin(y) + 220))
+    of_y += y * c * (50 * y * sympy.cos(y) + 100 * sympy.sin(y) + 200)
+    whole = sympy.expand(of_x - of_y * sympy.exp(x**2))
+    sympy.core.cache.clear_cache()
+    sympy.core.random.seed(chance)
+    assert sympy.expand(factored(whole) - whole) == 0
 
 
 @pytest.mark.parametrize("text", SUMS)

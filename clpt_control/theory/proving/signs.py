@@ -16,6 +16,7 @@ from typing import Any
 
 import sympy
 from sympy.core.function import AppliedUndef
+from sympy.polys.polyconfig import using
 from sympy.polys.rings import PolyElement, PolyRing
 
 from ...errors import DiagramError
@@ -35,11 +36,23 @@ def vanishes(expression: Any) -> bool:
     return p == 0 and q != 0
 
 
+MOST_PLACES = 20  # of three, one in five polynomials of nine words had bad ones alone
+
+
 @lru_cache(maxsize=1000)
 def as_factors(expression: sympy.Expr) -> sympy.Expr:
     """Return an expression as one fraction of factors."""
     p, q = _fraction(expression)
-    return sympy.factor(p.as_expr()) / sympy.factor(q.as_expr())
+    return _product(p.as_expr()) / _product(q.as_expr())
+
+
+def _product(expression: sympy.Expr) -> sympy.Expr:
+    """Return an expression factored.
+
+    SymPy lifts factors from random places; from a bad one of a few it does not come back.
+    """
+    with using(EEZ_NUMBER_OF_CONFIGS=MOST_PLACES):
+        return sympy.factor(expression)
 
 
 def left_over(residual: Any) -> str:
@@ -153,8 +166,7 @@ def factored(expression: sympy.Expr, most: int = MOST_FACTORED) -> sympy.Expr:
         for e in expression.atoms(sympy.exp)
         if any(max(abs(n.p), n.q) > LARGEST for n in e.args[0].atoms(sympy.Rational))
     }
-    product = sympy.factor(expression.xreplace(whole))
-    return product.xreplace({dummy: e for e, dummy in whole.items()})
+    return _product(expression.xreplace(whole)).xreplace({dummy: e for e, dummy in whole.items()})
 
 
 def terms_of(expression: sympy.Expr) -> int:
@@ -288,7 +300,7 @@ def _in_sectors(group: sympy.Expr, words: set, apart: set, facts: Facts) -> bool
         return False
     return any(
         _at_the_ends(plain, q, [sector_of(word, slope) for word in outer], apart, facts)
-        for slope in (False, True)[: 1 + group.has(sympy.sin)]
+        for slope in (False, True)[: 1 + group.has(sympy.sin, sympy.exp)]
     )
 
 
@@ -303,7 +315,7 @@ def _at_the_ends(plain: sympy.Expr, q: tuple, found: list, apart: set, facts: Fa
         for one, b in bends.items()
     ):
         return False
-    q_times = plain.xreplace({one: sector.factor * one for one, sector in sectors.items()})
+    q_times = plain.xreplace({one: at.factor * one + at.more for one, at in sectors.items()})
     if terms_of(q_times) > MOST_TERMS:
         return False
     ends = [sympy.expand(q_times)]

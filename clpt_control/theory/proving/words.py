@@ -3,8 +3,8 @@
 A word is a function in an expression that is no polynomial: tanh(s), clip(s, -a, a), ...
 
 - **Sector.**  An odd rising h has s h(s) >= 0: h(s) = q s, q in a range, so tanh(s) = q s with
-  0 <= q <= 1.  sin(s) is q in -1 ... 1, and q s too; |s| is q >= 0.  An expression convex in q is
-  never positive where it is not at the ends of q's range.
+  0 <= q <= 1.  sin(s) is q in -1 ... 1, and q s too; |s| is q >= 0; exp(s) is q, and 1 + q s.
+  An expression convex in q is never positive where it is not at the ends of q's range.
 - **Pieces.**  clip(s, a, b) is s where s - a >= 0 and b - s >= 0, a where a - s >= 0, b where
   s - b >= 0; a comparison is 1 or 0.  What holds in each piece holds.
 - **Slopes.**  Where pieces meet with one slope, V' is that of each piece (`meets_smoothly`).  A V
@@ -99,23 +99,26 @@ def is_input(word: Any) -> bool:
 
 
 class Sector(NamedTuple):
-    """A word is q times `factor`, q between `low` and `high`."""
+    """A word is q times `factor`, q between `low` and `high`, and more."""
 
     factor: sympy.Expr
     low: Any
     high: Any  # oo where there is no end
     rises: bool = False  # whether q > 0 but at s = 0, and s h(s) never falls with |s|
+    more: Any = 0
 
 
 def sector_of(word: Any, slope: bool = False) -> Sector | None:
-    """Return the sector that a word lies in, if that is known; by its slope that of a sine."""
+    """Return the sector that a word lies in, if that is known; of a sine or exp by its slope."""
     name, s = word.func.__name__, word.args[0]
     if slope and isinstance(word, sympy.sin):
         return Sector(s, -1, 1)
+    if slope and isinstance(word, sympy.exp):
+        return Sector(s, 0, sympy.oo, more=1)
     if word.func in ODD:
         return Sector(s, *ODD[word.func], True)
-    if name == "sign":
-        return Sector(s, 0, sympy.oo, True)
+    if name in ("sign", "floor", "trunc", "ceil"):
+        return Sector(s, 0, sympy.oo, name == "sign")
     if name == "clip" and word.args[1].is_nonpositive and word.args[2].is_nonnegative:
         return Sector(s, 0, 1, bool(word.args[1].is_negative and word.args[2].is_positive))
     if name in ("maximum", "minimum") and 0 in word.args:
