@@ -248,8 +248,8 @@ def connect(
     Raises
     ------
     DiagramError
-        If two blocks make the same port, a port is fed by nothing, sizes or values of one param
-        differ, an external port is made or not used, a system has no name, or
+        If two blocks make the same port, a port is fed by nothing, sizes, units or values of one
+        param differ, an external port is made or not used, a system has no name, or
         the diagram is larger than python-control can hold.
 
     Examples

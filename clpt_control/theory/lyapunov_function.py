@@ -309,8 +309,8 @@ def lyapunov(
     Returns
     -------
     Lyapunov
-        `status`: ``"proved"``, ``"refuted"`` at a `point`, or ``"open"``; `rate`, V' in your own
-        signals, exact.
+        `status`: ``"proved"``, or with where it is, ``"proved in a region"``; ``"refuted"`` at a
+        `point`, or ``"open"``; `rate`, V' in your own signals, exact.
 
     Raises
     ------
