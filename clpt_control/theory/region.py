@@ -28,10 +28,10 @@ from .enclosures import Interval, enclosed, plus, times
 from .proving.proof import short
 from .proving.signs import tidied, vanishes
 from .proving.words import (
-    SMOOTH,
     along,
     decided,
     is_continuous,
+    is_smooth,
     meets_smoothly,
     pieces_of,
     words_of,
@@ -63,7 +63,7 @@ class Region:
         if moving or case.eq.jumps:
             why = "it jumps" if case.eq.jumps else f"it moves with {', '.join(map(str, moving))}"
             raise DiagramError(f"within: {case.system.name} has no region that lasts, for {why}")
-        if not _is_smooth(V):
+        if not is_smooth(V):
             raise DiagramError(f"within: V = {short(V, 60)} bends; give one that is smooth")
         self.least = V.xreplace(self.rest)
         both = ((e, tidied(e)) for e in (V - self.least, rate))
@@ -97,7 +97,7 @@ class Region:
             low, high = (rest + share * (end - rest) for end in (self.low, self.high))
             boxes, share = self.boxes(low[None], high[None]), share / 2
             rate, *motion = (_in_one_piece(e, boxes) for e in (self.rate, *self.motion))
-            if not (_is_smooth(rate) or (is_continuous(rate) and meets_smoothly(rate))):
+            if not (is_smooth(rate) or (is_continuous(rate) and meets_smoothly(rate))):
                 continue
             slopes = self.slopes_of(rate)
             if not all(vanishes(decided(e.xreplace(self.rest))) for e in (rate, *motion, *slopes)):
@@ -166,11 +166,6 @@ def _halved(low: np.ndarray, high: np.ndarray, whole: np.ndarray) -> Ends:
     lows, highs = np.vstack([low, low]), np.vstack([high, high])
     highs[rows, side] = lows[rows + len(low), side] = (0.5 * low + 0.5 * high)[rows, side]
     return lows, highs
-
-
-def _is_smooth(e: sympy.Expr) -> bool:
-    """Return whether an expression has no words with pieces or jumps."""
-    return all(isinstance(word, SMOOTH) for word in words_of(e))
 
 
 def _in_one_piece(e: sympy.Expr, boxes: dict[Any, Interval]) -> sympy.Expr:

@@ -24,7 +24,7 @@ from .proving.proof import Step, exact, short
 from .proving.signs import MOST_FACTORED, factored, tidied, vanishes
 from .proving.symbolic_loop import NO_VALUE
 from .proving.symbols import undefined
-from .proving.words import NUMBERS_OF, SMOOTH, along, is_continuous, meets_smoothly
+from .proving.words import NUMBERS_OF, along, is_continuous, is_smooth, meets_smoothly
 from .squares import never_positive, squares
 
 MOST_TURNS = 360  # pi/360 is a share of pi
@@ -50,7 +50,7 @@ class SystemWithV:
         if "t" in {**self.eq.states, **self.eq.inputs, **self.eq.fields}:
             raise DiagramError(f"{system.name}: has a t, as time is called; rename it")
         ports = {**self.eq.signals, **self.eq.inputs}
-        for name in NUMBERS_OF.keys() & ports.keys():
+        for name in {*NUMBERS_OF, "Abs"} & ports.keys():
             if any(str(one.func) == name for one in ports[name].flat):
                 raise DiagramError(
                     f"{system.name}: has a signal {name}, as a function is called; rename it"
@@ -246,8 +246,7 @@ def reduced(rate: sympy.Expr) -> sympy.Expr:
 def _is_smooth(V: sympy.Expr, at: dict) -> bool:
     """Return whether an expression is known to have all derivatives at a place."""
     powers = [p for p in V.atoms(sympy.Pow) if not (p.exp.is_Integer and p.exp.is_positive)]
-    known = all(isinstance(f, SMOOTH) for f in V.atoms(sympy.Function))
-    return known and all(p.base.subs(at).is_nonzero for p in powers)
+    return is_smooth(V) and all(p.base.subs(at).is_nonzero for p in powers)
 
 
 def missing(V: sympy.Expr) -> list[str]:

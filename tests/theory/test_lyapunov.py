@@ -261,7 +261,7 @@ def test_mistakes_are_one_sentence():
         late = control.nlsys(lambda t, x, u, p: -x * p.get("t", 1.0), **known)
         with pytest.raises(clpt.DiagramError, match="as time is called"):
             lyapunov(late, 0 * x)
-    for name in ("sign", "inside", "clip"):
+    for name in ("sign", "inside", "clip", "Abs"):
         pulled = control.nlsys(
             lambda t, x, u, p: [x[0] * (u[0] - 1e6)], inputs=[name], states=["x"]
         )

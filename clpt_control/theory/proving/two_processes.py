@@ -45,11 +45,6 @@ def make_ready() -> None:
     from . import all_proofs  # noqa: F401
 
 
-def answer(statement: "Statement") -> "Outcome":
-    """Return an outcome from the other process."""
-    return statement.prove()
-
-
 def prove_all(
     statements: "list[Statement]",
     report: Callable[[float], None] = lambda done: None,
@@ -64,7 +59,7 @@ def prove_all(
         with suppress(IndexError):
             one = left.pop()
             try:
-                future = pool.submit(answer, one)
+                future = pool.submit(one.prove)
             except RuntimeError:  # the pool is broken
                 left.append(one)
             else:

@@ -162,15 +162,13 @@ def verdict_of(case: Case) -> Verdict:
     elif falls and zones:
         bound = case.comes_to_zones(fall)
     if definite.holds and total.holds and (falls or bound is not None):
-        running = case.running()
-        steps.append(running)
-        if running.holds and bound is None:
-            every = case.every()
-            return _complete(case, "proved", [*steps, every], for_every_N=every.holds)
+        steps.append(running := case.running())
         if running.holds and bound is not None:
             steps.append(exact(bound.sentence, True))
-            more = {"reached": bound.sentence, "level": bound.level}
-            return _complete(case, "bounded", steps, **more)
+            return _complete(case, "bounded", steps, reached=bound.sentence, level=bound.level)
+        if running.holds:
+            every = case.every()
+            return _complete(case, "proved", [*steps, every], for_every_N=every.holds)
     if definite.holds and case.refutes:
         found = refuting_point(case)
         claim = "the running blocks give V' > 0, ten and a hundred times as far off as well"

@@ -263,6 +263,11 @@ def meets_smoothly(V: sympy.Expr) -> bool:
     return True
 
 
+def is_smooth(expression: sympy.Expr) -> bool:
+    """Return whether an expression has no words with pieces or jumps."""
+    return all(isinstance(word, SMOOTH) for word in words_of(expression))
+
+
 def is_continuous(expression: sympy.Expr) -> bool:
     """Return whether an expression is known to jump nowhere where it has a value."""
     words = words_of(expression)
