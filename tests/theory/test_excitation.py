@@ -9,6 +9,7 @@ from pictures import inked
 
 import clpt_control as clpt_package
 from clpt_control.blocks.reference import circle
+from clpt_control.equations import evaluate
 from clpt_control.errors import ScenarioError
 from clpt_control.pages.results import excitation_result
 from clpt_control.theory.excitation.certificates import certificate
@@ -19,6 +20,7 @@ from clpt_control.theory.excitation.gramian import (
     sliding_excitation,
     started_true,
 )
+from clpt_control.theory.excitation.pooled import team_gramian
 from clpt_control.theory.excitation.regressor import quadrature
 from clpt_control.theory.proving.lemmas import circle_step
 
@@ -84,6 +86,23 @@ def test_a_gramian_equals_a_plain_sum_over_a_fine_grid(true_paper):
     for i, axis in enumerate(("x1", "x2")):
         w = np.column_stack([phi, run.predicted_position[:, i], run.reference[:, i]])
         np.testing.assert_allclose(found.gramians[axis], 0.01 * w.T @ w, rtol=2e-4, atol=2e-4)
+
+
+def test_a_learner_that_swings_within_a_dwell_has_the_gramian_of_a_fine_sum(paper):
+    """Gauss's rule on panels of 0.1 s; with the learner's gain e and z turn 15 times in a dwell."""
+    scenario = paper.with_values({"learning.gain": 20.0})
+    node, weight = np.polynomial.legendre.leggauss(6)
+    times = (np.arange(400)[:, None] + (1 + node) / 2).ravel() / 10
+    run = clpt_package.simulate(scenario, np.append(0.0, times), rtol=1e-10, atol=1e-12)
+    phi = evaluate(scenario.basis_block(), times, run.position.values[1:])
+    team = clpt_package.Team(members={"a": scenario, "b": scenario}, coupling=0.5)
+    alone, of_team = gramian(scenario, 40.0, 0.0), team_gramian(team, 40.0, 0.0).vehicles["a"]
+    for i, axis in enumerate(("x1", "x2")):
+        z, zc = run.predicted_position.values[1:, i], run.reference.values[1:, i]
+        w = np.column_stack([phi, z, zc])
+        wanted = w.T @ (w * np.tile(weight / 20, 400)[:, None])
+        for found in (alone, of_team):  # of two that are alike
+            np.testing.assert_allclose(found.gramians[axis], wanted, rtol=1e-6)
 
 
 def test_no_node_lies_on_a_switch_and_weights_sum_to_the_window(paper):

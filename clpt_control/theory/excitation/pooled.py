@@ -37,6 +37,7 @@ from .regressor import (
     finished_run,
     joint_regressor,
     quadrature,
+    resolved,
 )
 
 if TYPE_CHECKING:
@@ -160,20 +161,23 @@ def _regressors(
     window, start = checked_window(next(iter(runs.values())), window, start, cycle)
     if source is not team:
         return {name: joint_regressor(run, window, start) for name, run in runs.items()}
-    nodes = {name: quadrature(one, start, start + window) for name, one in team.members.items()}
-    times = np.unique(np.concatenate([one.times.ravel() for one in nodes.values()]))
-    run = finished_run(team, times)
-    trajectory = "simulated from the team's initial values"
-    return {
-        name: at_nodes(
-            team,
-            scenario,
-            run.sel(vehicle=name).isel(time=np.searchsorted(times, nodes[name].times.ravel())),
-            nodes[name],
-            trajectory,
-        )
-        for name, scenario in team.members.items()
-    }
+
+    def read(edges: np.ndarray | None) -> list[Regressor]:
+        nodes = [quadrature(one, start, start + window, edges) for one in team.members.values()]
+        times = np.unique(np.concatenate([one.times.ravel() for one in nodes]))
+        run = finished_run(team, times)
+        return [
+            at_nodes(
+                team,
+                scenario,
+                run.sel(vehicle=name).isel(time=np.searchsorted(times, own.times.ravel())),
+                own,
+                "simulated from the team's initial values",
+            )
+            for (name, scenario), own in zip(team.members.items(), nodes, strict=True)
+        ]
+
+    return dict(zip(team.members, resolved(read), strict=True))
 
 
 def vehicle_run(run: "xarray.Dataset", team: Team, name: str) -> "xarray.Dataset":

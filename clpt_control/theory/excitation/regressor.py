@@ -125,6 +125,7 @@ def positions_between(
 NODES = 16  # Gauss-Legendre nodes of a piece: exact to degree 31
 MOST_PIECES = 1e6  # of a window
 SHORTEST = 1e-9  # window, of a run: times that rounding tells apart
+ROUGH, ROUNDS = 1e-6, 5  # of the largest w: its last coefficients; how often pieces are cut
 TRANSIENT = 10.0  # longest piece in time constants 1/KD
 
 
@@ -217,25 +218,56 @@ def joint_regressor(
     """
     scenario = scenario_of(source)
     window, start = checked_window(source, window, start)
-    cuts, times, weights = nodes = quadrature(scenario, start, start + window, edges)
-    if isinstance(source, Scenario):
-        run = finished_run(scenario, times.ravel())
-        return at_nodes(
-            source, scenario, run, nodes, "simulated from the scenario's initial values"
-        )
+
+    def read(edges: np.ndarray | None) -> list[Regressor]:
+        nodes = quadrature(scenario, start, start + window, edges)
+        if not isinstance(source, Scenario):
+            return [_of_recorded(source, scenario, nodes)]
+        run = finished_run(scenario, nodes.times.ravel())
+        trajectory = "simulated from the scenario's initial values"
+        return [at_nodes(source, scenario, run, nodes, trajectory)]
+
+    (found,) = resolved(read, edges)
+    return found
+
+
+def resolved(
+    read: Callable[[np.ndarray | None], list[Regressor]], edges: np.ndarray | None = None
+) -> list[Regressor]:
+    """Return what is read at pieces, which are cut in four where w turns too often in them.
+
+    There its last Legendre coefficients are not small: the learner swings within a dwell.
+    """
+    node, weight = np.polynomial.legendre.leggauss(NODES)
+    last = (np.polynomial.legendre.legvander(node, NODES - 1) * weight[:, None])[:, -2:] * NODES
+    for _ in range(ROUNDS):
+        found = read(edges)
+        ends = []
+        for one in found:
+            tails = np.abs(np.swapaxes(one.w, -1, -2) @ last).max(axis=-1)
+            rough = np.any(tails > ROUGH * np.abs(one.w).max(axis=(1, 2))[:, None], axis=(0, 2))
+            ends.append(np.linspace(one.cuts[:-1][rough], one.cuts[1:][rough], 5)[1:-1].ravel())
+        if not any(map(len, ends)):
+            break
+        edges = np.concatenate([*ends, *(one.cuts for one in found)])
+    return found
+
+
+def _of_recorded(run: "xarray.Dataset", scenario: Scenario, nodes: Nodes) -> Regressor:
+    """Return w along a recorded run, read between its samples."""
     x, z = (
-        positions_between(source, name, scenario, times)
+        positions_between(run, name, scenario, nodes.times)
         for name in ("position", "predicted_position")
     )
     desired = reference(scenario.waypoints, scenario.reference.dwell)
-    waypoints = np.array([desired.output(t, [], []) for t in times.mean(1)])
+    waypoints = np.array([desired.output(t, [], []) for t in nodes.times.mean(1)])
     zc = np.broadcast_to(waypoints[:, None], z.shape)
-    step = np.median(np.diff(source.time.values))
+    step = np.median(np.diff(run.time.values))
     trajectory = f"recorded run, sampled each {step:g} {scenario.units.time}"
     kinds = {OWN_LAW: "the law", OWN_PARTS: "parts given in Python,", CHANGED: "parameters"}
-    python_parts = " and ".join(f"{kinds[a]} {source.attrs[a]}" for a in kinds if a in source.attrs)
-    w = w_along(scenario, times, x, z, zc)
-    return Regressor(source, scenario, trajectory, cuts, weights, w, python_parts)
+    python_parts = " and ".join(f"{kinds[a]} {run.attrs[a]}" for a in kinds if a in run.attrs)
+    w = w_along(scenario, nodes.times, x, z, zc)
+    return Regressor(run, scenario, trajectory, nodes.cuts, nodes.weights, w, python_parts)
 
 
 def finished_run(source: "Scenario | Team", times: np.ndarray) -> "xarray.Dataset":
