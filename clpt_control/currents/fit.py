@@ -86,7 +86,7 @@ def fit_scenario(
     width_km : float, optional
         Width of every gaussian kernel, km; 0.6 of the distance between places.
     constituents : sequence of str, optional
-        Names of `tidal_periods.SPEEDS`, and "steady".
+        Names such as ``"M2"``, and "steady".
     radius_km : float, optional
         Radius of the circle of 12 waypoints around the origin, km; 0.32 of the
         distance to the nearest edge of the field.

@@ -64,7 +64,7 @@ def check_separable(
     Parameters
     ----------
     names : sequence of str
-        Names of `tidal_periods.SPEEDS`, and "steady", each once.
+        Names such as ``"M2"``, and "steady", each once.
     hours : float
         From the first measurement to the last, h.
     where : str

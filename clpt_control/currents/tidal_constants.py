@@ -153,8 +153,7 @@ def tidal_basis(fit: TidalFit, epoch: Any, unit: str = "m s-1") -> TidalBasis:
     Raises
     ------
     DataError
-        If the epoch or the unit cannot be read, or a constituent is not one
-        of `tides.SPEEDS`.
+        If the epoch or the unit cannot be read, or a scenario knows no such constituent.
 
     Examples
     --------

@@ -109,7 +109,7 @@ def fit_tides(
     latitude : float
         Degrees north.
     constituents : sequence of str
-        Names of `tides.SPEEDS`, or UTide's own; the mean is always fitted.
+        Names such as ``"M2"``, or UTide's own; the mean is always fitted.
         ``"auto"``: all that UTide thinks the record can separate, below its
         Nyquist frequency.
     where : str, optional
