@@ -12,6 +12,8 @@ import pytest
 from test_layout import trees
 
 import clpt_control
+from clpt_control.blocks.laws.table import LAWS
+from clpt_control.scenario.tidal_periods import SPEEDS
 
 EQUATION = ["t", "x", "u", "p"]
 REFERENCE = Path(__file__).parent.parent / "docs" / "reference"
@@ -167,6 +169,13 @@ def test_the_reference_begins_with_what_clpt_reaches():
 
 def is_error(value):
     return inspect.isclass(value) and issubclass(value, clpt_control.ClptError)
+
+
+def test_every_key_of_a_scenario_and_every_tide_stands_on_its_page():
+    words = set(re.findall(r"[\w-]+", (REFERENCE.parent / "scenario.md").read_text("utf-8")))
+    of_laws = {f"learning.{law.table}" for law in LAWS.values()}
+    keys = {key for key, _, _ in clpt_control.paper_scenario().every_key()} - of_laws
+    assert {key.split(".")[-1] for key in keys} | {*SPEEDS} <= words
 
 
 def test_equations_are_found_by_their_numbers():
