@@ -285,6 +285,7 @@ def _between(part: Part, taken: tuple[str, int], made: tuple[str, int], argument
     elif own != (taken[1], made[1]):
         raise DiagramError(
             f"{argument}: {part.name} takes {own[0]} and makes {own[1]} signals, must take "
-            f"{taken[0]}[{taken[1]}] and make {made[1]}; control.append joins parts of one signal"
+            f"{taken[0]}[{taken[1]}] and make {made[1]}; control.append joins linear parts, "
+            f"those of clpt.parts take signals={taken[1]}"
         )
     return with_ports(part, {to: taken[0]}, {out: made[0]})

@@ -129,6 +129,7 @@ def test_law_is_replace_adaptation():
         ({"insert": {"v_x": LAG, "zc": LAG}}, "two blocks are called 'lag'"),
         ({"insert": {"v_x": control.ss(-np.eye(3), np.eye(3), np.eye(3), 0, name="w")}},
          r"w takes 3 and makes 3 signals, must take v_x\[2\] and make 2; control\.append"),
+        ({"insert": {"v_x": clpt.parts.saturation(-1, 1)}}, "those of clpt.parts take signals=2"),
         ({"insert": {"v_x": control.summing_junction(["a", "b"], "c", name="sum")}},
          r"sum takes a\[1\], b\[1\]; call the one that is meant 'v_x'"),
         ({"insert": {"v_x": control.tf(1, [1, 1])}}, "a TransferFunction without a name"),
