@@ -39,7 +39,6 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from ..arguments import check_holds, public
-from ..equations.at_many import evaluate
 from ..errors import ScenarioError
 from ..scenario.experiment import Scenario
 from ..scenario.file import paper_scenario
@@ -343,7 +342,6 @@ class Unlearned(NamedTuple):
 
     kappa: float  # smallest eigenvalue of int zc zc^T over a cycle, length^2 time
     function: int  # number of the basis function, from 1
-    largest: float  # its largest size along the track
     moved: float  # how far the estimate went from its start at most, length per time
     error: float  # smallest error of the estimate at the end, length per time
 
@@ -359,12 +357,10 @@ def unlearned_counterexample(end: float = 400.0, function: int = 2) -> Unlearned
     )
     run = simulate(scenario)
     zc, k = scenario.waypoints, function - 1
-    phi = evaluate(scenario.basis_block(), run.time.values, run.position.values)
     estimates = run.flow_parameters_estimate.values[:, :, k]
     return Unlearned(
         float(np.linalg.eigvalsh(scenario.reference.dwell * zc.T @ zc)[0]),
         function,
-        float(np.abs(phi[:, k]).max()),
         float(np.abs(estimates - estimates[0]).max()),
         float(np.abs(estimates[-1] - np.array(scenario.flow.parameters)[:, k]).min()),
     )

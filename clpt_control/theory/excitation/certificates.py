@@ -201,26 +201,23 @@ def certificate(
     refuse_unproved(scenario)
     gain = gains.parameters
     turn = np.sqrt(gain * np.max(np.sum(along.w**2, -1)))
+    first, last = along.cuts[[0, -1]].tolist()
+    span = last - first
     if np.max(np.diff(along.cuts)) * turn > TURN:
-        start, end = along.cuts[[0, -1]]
-        if (span := end - start) * turn / TURN > MOST:
+        if span * turn / TURN > MOST:
             raise ScenarioError(
                 f"window {span:g}: e and eta turn {span * turn:.3g} rad in it, too many to follow; "
                 f"a window up to {MOST * TURN / turn:.3g} {scenario.units.time} can be certified"
             )
-        counts = np.ceil(np.diff(along.cuts) * turn / TURN).astype(int) + 1
-        pieces = zip(along.cuts[:-1], along.cuts[1:], counts, strict=True)
-        edges = np.concatenate([np.linspace(*piece) for piece in pieces])
-        along = joint_regressor(along.source, span, start, edges)
+        along = joint_regressor(along.source, span, first, np.arange(first, last, TURN / turn))
     adapted = slice(scenario.basis.N if scenario.learning.row.given_estimate else 0, None)
     w, KD = along.w[..., adapted], np.array(scenario.vehicle.feedback)
     found = window_drops(w, along.weights, KD, gain)
-    first, last = along.cuts[[0, -1]].tolist()
     transition = dict(zip(("x1", "x2"), found.pop("transition"), strict=True))
     each = (dict(zip(transition, one.tolist(), strict=True)) for one in found.values())
     contractions, drops, rhos = each
     disturbed = scenario.flow.disturbance is not None or scenario.flow.field is not None
-    known = first, last - first, along.trajectory, transition
+    known = first, span, along.trajectory, transition
     return Certificate(*known, contractions, drops, rhos, disturbed)
 
 
