@@ -16,8 +16,10 @@ import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
-from ...blocks.laws.law import LEARNED, Law, Truth
+from ...blocks.laws.law import LEARNED, Law
 from ...equations.symbolic import extent
+from ...simulation.loops import paper_blocks
+from ...simulation.starts import state_columns, state_of
 from ..promises import truth_of
 from ..squares import holds_all, squares
 from .array_loop import TIME
@@ -27,6 +29,7 @@ from .symbolic_loop import SymbolicLoop, equated, flat, symbolic_loop
 from .theorem_loop import Hedging, law_and_V, law_loop, rate_of_V, theorem_scenario, tied, truth_in
 
 SIZES = (1, 2, 3)  # numbers of functions
+START = (0.4, -0.7)  # of vehicle and learner
 
 
 class InvariantLoop:
@@ -75,18 +78,16 @@ class InvariantLoop:
 
     def off_at_the_start(self) -> str:
         """Name the states whose relation does not hold where a run begins, whatever alpha is."""
-        scenario, random = theorem_scenario(self.N, self.law.name), np.random.default_rng(0)
-        alpha, theta = random.normal(size=(2, 2, self.N))
-        known = scenario.known_to_law._replace(alpha=alpha)
-        truth = Truth(theta, np.array(scenario.vehicle.feedback), np.array(known.GammaD))
-        starts = {"alpha": alpha, **self.law.starts(known)}
-        place = np.array(known.position, dtype=float)
-        states = {"x": place, "z": place}
-        for name in self.law.states:
-            start, shape = starts.get(name, 0.0), self.states[name].shape
-            states[name] = np.zeros(shape) + np.reshape(start, shape if np.ndim(start) else ())
+        alpha, theta = np.random.default_rng(0).normal(size=(2, 2, self.N)).tolist()
+        drawn = {"flow.parameters": theta, "vehicle.position": START, "learning.position": START}
+        drawn |= {} if self.law.alpha_is_constant else {"learning.parameters": alpha}
+        scenario = theorem_scenario(self.N, self.law.name).with_values(drawn)
+        blocks = paper_blocks(scenario)
+        start, columns = state_of(scenario, blocks), state_columns(blocks)
+        states = {port: start[columns[port]].reshape(s.shape) for port, s in self.states.items()}
         assert self.law.invariants is not None
-        values = self.law.invariants(states, self.law.parameters_of(known), truth)
+        p = self.law.parameters_of(scenario.known_to_law)
+        values = self.law.invariants(states, p, truth_of(scenario))
         off = (name for name, value in values.items() if not np.allclose(value, states[name]))
         return ", ".join(f"{name} at the start" for name in off)
 
