@@ -160,11 +160,8 @@ def estimate(
     """
     import numpy as np
 
-    from ..estimation.fix_to_fix import METHODS
     from ..estimation.segments import run_scenario
 
-    if method not in METHODS:
-        raise ScenarioError(f"--method {method}: must be one of {', '.join(METHODS)}")
     if run.suffix != ".nc":
         raise DataError(f"{run}: is no run; `clpt run {run} --out run.nc` makes one of a scenario")
     check_out(out, "a scenario")

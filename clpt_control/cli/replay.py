@@ -103,7 +103,6 @@ def replay(
     Example:
         clpt replay p542*.nc --aim 41.05 -69.40 --out replay
     """
-    from ..estimation.estimators import ESTIMATORS
     from ..figures import checked_formats
     from ..gliders.samples import with_variation
     from ..gliders.usable_dives import LEAST_DURATION
@@ -125,8 +124,6 @@ def replay(
     command = [] if alert is None else checked_command(alert)
     kinds = checked_formats(formats or ([] if fleet else ["png"]))
     replay_report.check_pace(every, patience)
-    if estimator not in ESTIMATORS:
-        raise ScenarioError(f"--estimator {estimator}: must be one of {', '.join(ESTIMATORS)}")
     least = LEAST_DURATION if least_duration is None else least_duration
     if not least >= 0:
         raise ScenarioError(f"--least-duration {least:g} s: must be 0 s or more")

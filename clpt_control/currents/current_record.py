@@ -149,12 +149,10 @@ def _from_netcdf(data: xarray.Dataset, at: tuple[float, float] | None, units: st
 
 def _nearest(axis: np.ndarray, wanted: float, what: str) -> int:
     """Return the cell nearest to a place that lies in the grid."""
-    if not np.isfinite(wanted):
-        raise DataError(f"{what} {wanted}: must be finite degrees")
     apart = near(axis - wanted, 0.0) if what == "longitude" else axis - wanted
     k = int(np.argmin(np.abs(apart)))
     cell = np.abs(np.diff(np.sort(axis))).max() if len(axis) > 1 else 1.0
-    if abs(apart[k]) > cell:
+    if not abs(apart[k]) <= cell:  # also where not finite
         raise DataError(
             f"{what} {wanted:g} lies outside the grid, which covers {axis.min():.6g} to "
             f"{axis.max():.6g}"

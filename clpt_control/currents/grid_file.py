@@ -350,16 +350,11 @@ def _inside(axis: np.ndarray, span: tuple, where: str, whole: bool) -> np.ndarra
 def _levels(data: xarray.Dataset, name: str, axes: set) -> tuple[Any | None, np.ndarray]:
     """Return the dimension of depth, if any, and its levels, m."""
     others = [dim for dim in data[name].dims if dim not in axes]
-    dims = [dim for dim in others if data[name].sizes[dim] != 1]
-    if not dims:
+    dims = [dim for dim in others if data[name].sizes[dim] != 1 and cf.is_depth(data, dim)]
+    if not dims:  # what else there is, `velocity_values` refuses
         single = [d for d in others if str(d).lower() in cf.DEPTH_NAMES and d in data.variables]
         alone = np.abs(data[single[0]].values.astype(float)) if single else np.zeros(1)
         return None, np.nan_to_num(alone)
-    if len(dims) > 1 or not cf.is_depth(data, dims[0]):
-        raise DataError(
-            f"{name} has the dimensions ({', '.join(map(str, data[name].dims))}); allowed "
-            "are time, latitude, longitude and a depth"
-        )
     where = str(dims[0])
     depth = np.abs(cf.numbers_of(data[dims[0]]))
     unit = str(data[dims[0]].attrs.get("units", "")).strip()

@@ -112,9 +112,6 @@ def _summed(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater | None
     rows = rows[~again]
     since = (rows.time - start[0]).to_numpy()
     steps = rows[["east", "north"]].to_numpy().T
-    if np.any(np.diff(since) <= 0) or since[0] < 0:
-        total = float(np.sum(steps[0])), float(np.sum(steps[1]))
-        return ThroughWater(total, notes=[*notes, "no track: the times are not in order"])
     return summed(since, steps, rows.depth.to_numpy(), duration, notes)
 
 

@@ -138,8 +138,6 @@ def odds(p: float) -> str:
 
 def strengths(replay: Replay) -> dict[str, float]:
     """Return how strong each optional part of the flow is now: m/s, the factor of a model."""
-    if not replay.steps:
-        return {}
     known = replay.known()
     found: dict[str, float] = {}
     for part in replay.model.flow[1:]:

@@ -162,7 +162,7 @@ def test_the_table_is_printed(clpt, run):
 def test_mistakes_are_one_sentence(clpt, refused, run):
     clpt_control.save_scenario(PAPER, "paper.toml")
     for arguments, said in (
-        ((run, "--method", "guess"), "--method guess: must be one of least-squares"),
+        ((run, "--method", "guess"), "method 'guess': must be one of least-squares"),
         ((run, "--every", 0), "every = 0: must be positive"),
         ((run, "--until", 900), "--until 900: must lie within the run"),
         ((run, "--prior", -1), "prior: must be a positive number"),

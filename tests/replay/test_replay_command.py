@@ -188,7 +188,7 @@ def test_wordings(command, tmp_path):
         (("--flow", "steady,"), "gaussians, model, M2"),
         (("--flow", "steady,m2"), "unknown constituent 'm2' (did you mean M2?)"),
         (("--flow", "Steady"), "did you mean steady?"),
-        (("--estimator", "best"), "--estimator best: must be one of kalman, gradient"),
+        (("--estimator", "best"), "estimator 'best': must be one of kalman, gradient"),
         (("--flow-model", tmp_path / "nope.toml"), "the .toml file that `clpt fit` writes"),
     ):
         assert says in str(command("--sample", *words).exception)
