@@ -7,7 +7,7 @@ import sys
 from collections.abc import Callable, Mapping
 from math import prod
 from types import FrameType
-from typing import Any
+from typing import Any, NoReturn
 
 import numpy as np
 
@@ -26,6 +26,10 @@ class Borrowed(Exception):
     def __init__(self, space: dict[str, Any]):
         super().__init__(space.get("__name__", ""))
         self.space = space
+
+
+class Holding(Exception):
+    """What objects and lists hold must have stand-ins: they ask for a number."""
 
 
 class Outside(Exception):
@@ -64,9 +68,12 @@ class Params(dict):
 class AnsweringTape(Tape):
     """A tape that answers questions as this way through the function takes them."""
 
-    def __init__(self, parameters: Mapping[str, Any], spaces: list[dict[str, Any]]) -> None:
+    def __init__(
+        self, parameters: Mapping[str, Any], spaces: list[dict[str, Any]], holding: bool
+    ) -> None:
         super().__init__()
         self.parameters, self.spaces = parameters, spaces
+        self.holding = holding  # whether what objects and lists hold has stand-ins
         self.pinned: set[str] = set()  # parameters whose value Python asked for
         self.way: list[bool] = []
         self.answers: dict[int, bool] = {}
@@ -80,7 +87,7 @@ class AnsweringTape(Tape):
         if ref not in self.answers:
             k = len(self.answers)
             if k >= MOST_QUESTIONS:
-                raise Unread(
+                self.refuse(
                     f"asks more than {MOST_QUESTIONS} questions that depend on signals; write "
                     "np.where, and no `while` on a signal"
                 )
@@ -95,19 +102,26 @@ class AnsweringTape(Tape):
         space, where_ = frame.f_globals, f"{frame.f_code.co_name}, line {frame.f_lineno}"
         library = (space.get("__name__") or "").partition(".")[0]
         if library in LIBRARIES:
-            raise Unread(
+            self.refuse(
                 f"{library} ({where_}) asks for the value of a signal; write what it computes in "
                 "NumPy"
             )
         if space.get("__builtins__") is BUILTINS or any(space is one for one in self.spaces):
             if word:
-                raise Unread(
+                self.refuse(
                     f"NumPy's {word} asks for the value of a signal; write what it computes"
                 )
-            raise Unread(
+            self.refuse(
                 "needs the value of a signal; write NumPy, and fill arrays where they are made"
             )
         self.stopped = Borrowed(space)
+        raise self.stopped
+
+    def refuse(self, sentence: str) -> NoReturn:
+        """Refuse to answer; before, try what stand-ins in objects and lists make of it."""
+        if self.holding:
+            raise Unread(sentence)
+        self.stopped = Holding(sentence)
         raise self.stopped
 
     def known(self, ref: Ref) -> np.ndarray:
@@ -139,7 +153,7 @@ class AnsweringTape(Tape):
         count = self.rows.get(ref, MOST_PLACES)
         for k in (*range(count + 1), *range(-1, -count - 1, -1)):
             if k == MOST_PLACES:
-                raise Unread(
+                self.refuse(
                     "counts with a signal; let a number of the run choose by np.where or lookup"
                 )
             self.last_asked = ref, k

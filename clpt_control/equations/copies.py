@@ -3,7 +3,8 @@
 A function runs as it is written; only what its names stand for is replaced, in a copy of it and
 of the functions that it calls by name.  A helper that is reached through an object runs with its
 own names; where it asks for the number of a signal, `Borrowed` puts stand-ins into its module for
-the length of a reading, under a lock, and then puts the module's own names back.
+the length of a reading, under a lock, and then puts the module's own names back.  Where an object
+or a list of numbers asks (``self.table[int(t)]``), `Holding` does so with what these hold.
 """
 
 import functools
@@ -17,6 +18,7 @@ from typing import Any
 import numpy as np
 
 from .arrays import Array, Tape, Unread
+from .elementwise import Numbers, Row, is_row
 from .kept import LOCK, Snapshot, same
 from .lookup_tables import is_table
 from .stand_ins import BUILTINS, SHADOWS, stand_in, vectorized
@@ -33,8 +35,8 @@ OF_WARNINGS = "__warningregistry__"  # which Python puts into the module that it
 class Copies:
     """The copies of one reading; `check` refuses a function that changed a name outside it."""
 
-    def __init__(self, tape: Tape, snapshot: Snapshot) -> None:
-        self.tape, self.snapshot = tape, snapshot
+    def __init__(self, tape: Tape, snapshot: Snapshot, holding: bool) -> None:
+        self.tape, self.snapshot, self.holding = tape, snapshot, holding
         self._known: dict[int, tuple[Any, Any]] = {}  # a value, alive, and what stands for it
         self._spaces: dict[int, tuple[dict, dict]] = {}  # names of a module: copied, as they began
         self._cells: list[tuple[CellType, Any, str]] = []
@@ -56,6 +58,8 @@ class Copies:
             return self._function(value)
         if type(value) is np.ndarray and value.dtype == float and value.size:
             return self._numbers(value)
+        if self.holding and type(value) is np.ndarray and value.dtype == int:
+            return value.view(Numbers)
         if is_table(value):
             return stand_in(value)
         if isinstance(value, Iterator) and not isinstance(value, IOBase):
@@ -74,6 +78,8 @@ class Copies:
             return self.of(getattr(value, "py_func", None) or value.__wrapped__)
         if isinstance(value, np.vectorize):
             return vectorized(np.vectorize(self.of(value.pyfunc)))
+        if self.holding and is_row(value):
+            return self._watched(Row(value))
         if type(value) in (list, tuple) and len(value) < 100:
             own_items = [self.of(one) for one in value]
             if all(map(is_, own_items, value)):
@@ -84,6 +90,14 @@ class Copies:
             items = {key: self.of(one) for key, one in value.items()}
             return value if all(map(is_, items.values(), value.values())) else self._watched(items)
         return stand_in(value)
+
+    def held(self, attributes: dict[str, Any]) -> dict[str, Any]:
+        """Return what stands for what an object holds: tables, numbers and what they lie in."""
+        return {
+            name: self.of(value)
+            for name, value in attributes.items()
+            if type(value) in (np.ndarray, list, tuple, dict) or is_table(value)
+        }
 
     def _watched(self, container: Any) -> Any:
         """Return a list or dict that `check` compares with what it holds now."""
@@ -142,32 +156,47 @@ class Copies:
                     raise Unread(f"changes the global {name!r}; make it a state, or a parameter")
         for now, before in self._containers:
             if not same(now, before):
-                kind = type(now).__name__
+                kind = "dict" if isinstance(now, dict) else "list"
                 raise Unread(f"changes a {kind} that it does not make; make it a state")
         for cell, first, name in self._cells:
             if cell.cell_contents is not first:
                 raise Unread(f"changes {name!r} of the function around it; make it a state")
 
 
+def of_module(space: dict[str, Any]) -> dict[str, Any]:
+    """Return what stands for the names of a module."""
+    found = {
+        name: SHADOWS[name] if name not in space else stand_in(space[name])
+        for name in {**SHADOWS, **space}
+    }
+    return {
+        name: new
+        for name, new in found.items()
+        if new is not space.get(name, _NONE) and not name.startswith("__")
+    }
+
+
 @contextmanager
-def borrowed(spaces: list[dict[str, Any]]) -> Iterator[None]:
-    """Put stand-ins into modules for as long as a function is read."""
-    if not spaces:
+def borrowed(spaces: list[dict[str, Any]], copies: Copies) -> Iterator[None]:
+    """Put stand-ins into modules and objects for as long as a function is read."""
+    objects = [*copies.snapshot.attributes.values()] if copies.holding else []
+    if not spaces and not objects:
         yield
         return
     with LOCK:
-        undo: list[tuple[dict, str, Any]] = []
+        undo: list[tuple[dict, str, Any, Any]] = []
         try:
-            for space in spaces:
-                for name in {**SHADOWS, **space}:
-                    value = space.get(name, _NONE)
-                    new = SHADOWS[name] if value is _NONE else stand_in(value)
-                    if new is not value and not name.startswith("__"):
-                        undo.append((space, name, value))
-                        space[name] = new
+            for space in [*spaces, *objects]:
+                in_module = any(space is one for one in spaces)
+                stand_ins = of_module(space) if in_module else copies.held(space)
+                for name, new in stand_ins.items():
+                    undo.append((space, name, space.get(name, _NONE), new))
+                    space[name] = new
             yield
         finally:
-            for space, name, value in reversed(undo):
+            for space, name, value, new in reversed(undo):
+                if space.get(name) is not new:  # the function changed it
+                    continue
                 if value is _NONE:
                     del space[name]
                 else:

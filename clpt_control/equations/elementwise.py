@@ -79,6 +79,39 @@ def put(array: Array, index: Any, value: Any) -> None:
     store[index] = new if isinstance(store[index], np.ndarray) else new.item()
 
 
+class Row(list):
+    """A list of numbers, in which a whole number of a run is a place."""
+
+    def __getitem__(self, place: Any) -> Any:
+        return at(self, place) if moves(place) else super().__getitem__(place)
+
+
+class Numbers(np.ndarray):
+    """An array of numbers, in which a whole number of a run is a place; `dot` takes signals."""
+
+    def __getitem__(self, place: Any) -> Any:
+        return at(self, place) if moves(place) else super().__getitem__(place)
+
+    def dot(self, other: Any, *out: Any) -> Any:
+        """Return np.dot(self, other)."""
+        return np.dot(self, other, *out)
+
+
+def is_row(value: Any) -> bool:
+    """Return whether a value is a list of numbers."""
+    kinds = {float, int, np.float64, np.int64}
+    return type(value) is list and len(value) > 1 and kinds.issuperset(map(type, value))
+
+
+def at(numbers: list | np.ndarray, place: Array) -> Any:
+    """Return what stands at a place that is a signal."""
+    found = lifted(place._tape, np.array(numbers, dtype=float))[place]
+    if isinstance(found, Array):
+        found._whole = all(map(counts, numbers))
+    place._tape.has_floats = True
+    return found
+
+
 def lifted(tape: Tape, value: Any) -> Any:
     """Return a number as it is, and what NumPy makes arrays of as an array of the record."""
     if isinstance(value, Array):
@@ -87,7 +120,7 @@ def lifted(tape: Tape, value: Any) -> Any:
         return value
     if isinstance(value, bool | int | float | np.bool_ | np.integer | np.floating):
         return float(value)
-    if isinstance(value, np.ndarray) and type(value) not in (np.ndarray, np.memmap):
+    if isinstance(value, np.ndarray) and type(value) not in (np.ndarray, np.memmap, Numbers):
         raise Unread(f"calculating with a {type(value).__name__}; write np.asarray of it")
     try:
         if isinstance(value, np.ndarray) and value.dtype != object:

@@ -66,6 +66,7 @@ class Snapshot:
         # by what tells it apart, each state: of every object that differs what it keeps
         self.left: dict[Any, dict[int, Any]] = {}
         self.asking: dict[int, dict[str, Any]] = {}  # modules of functions that ask for a type
+        self.attributes: dict[int, dict[str, Any]] = {}  # of users' objects
         self._chance = {id(one): (one, _chance_of(one)) for one in chance}
 
     def add(self, value: Any, deep: int = DEEP) -> None:
@@ -81,6 +82,9 @@ class Snapshot:
         if kept is None:
             return
         self._watched[id(value)] = value, kept
+        own = getattr(value, "__dict__", None)
+        if type(own) is dict and not _is_library(type(value).__module__.partition(".")[0]):
+            self.attributes[id(own)] = own
         if not deep or not isinstance(kept, list | dict):
             return
         for one in [*(kept.values() if isinstance(kept, dict) else kept)][:MOST]:

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..errors import BlockError
-from .answers import AnsweringTape, Borrowed, Outside, Ports, located
+from .answers import AnsweringTape, Borrowed, Holding, Outside, Ports, located
 from .arrays import Array, Tape, Unread, objects, operand, reading_on
 from .copies import Copies, borrowed
 from .declaration import Parameters
@@ -70,6 +70,7 @@ def read(*arguments: Any, **more: Any) -> Read:
     """
     request = Request(*arguments, **more)
     spaces: list[dict[str, Any]] = []
+    holding = False
     reads: list[Read] = []
     snapshot = Snapshot(() if request.known else OF_ALL)
     try:
@@ -77,9 +78,12 @@ def read(*arguments: Any, **more: Any) -> Read:
             states = [{}, *snapshot.left.values()]
             state = states[min(len(reads), len(states) - 1)]
             try:
-                reads.append(_Ways(request, spaces, snapshot, state).read())
-            except Borrowed as borrower:
-                spaces.append(borrower.space)
+                reads.append(_Ways(request, spaces, snapshot, state, holding).read())
+            except (Borrowed, Holding) as missing:
+                if isinstance(missing, Borrowed):
+                    spaces.append(missing.space)
+                else:
+                    holding = True
                 reads.clear()
                 snapshot.restore()
                 snapshot.left.clear()
@@ -103,12 +107,17 @@ class _Ways:
     """All ways through a function, one after the other."""
 
     def __init__(
-        self, request: Request, spaces: list[dict[str, Any]], snapshot: Snapshot, state: dict
+        self,
+        request: Request,
+        spaces: list[dict[str, Any]],
+        snapshot: Snapshot,
+        state: dict,
+        holding: bool,
     ) -> None:
         self.request, self.spaces = request, spaces
         self.snapshot, self.state = snapshot, state  # in which a way left all
-        self.tape = AnsweringTape(request.parameters, spaces)
-        self.copies = Copies(self.tape, snapshot)
+        self.tape = AnsweringTape(request.parameters, spaces, holding)
+        self.copies = Copies(self.tape, snapshot, holding)
         self.ways: list[tuple[dict[int, bool], list[Any]]] = []
 
     def read(self) -> Read:
@@ -159,12 +168,12 @@ class _Ways:
         """Return what one way gives, for each port; NaN where it raises."""
         tape, request, outputs, raised = self.tape, self.request, [], list[Exception]()
         try:
-            with borrowed(self.spaces), reading_on(tape):
+            with borrowed(self.spaces, self.copies), reading_on(tape):
                 returned = run()
                 if returned is None and tape.answers:
                     raise ValueError("returns nothing")
                 outputs = _by_port(tape, request.role, returned, request.out)
-        except (Borrowed, BlockError):
+        except (Borrowed, Holding, BlockError):
             raise
         except RecursionError:
             raise Unread(f"{request.name} calls itself without end") from None

@@ -8,12 +8,15 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from recorded import as_it_runs, recorded, static
+from scipy.interpolate import CubicSpline, interp1d
 
 from clpt_control.equations import Block
 from clpt_control.equations.arrays import Unread
 from clpt_control.equations.reading import read
 
 TABLE = [1.0, 2.0]
+SLOPES = [0.01 * k * (k - 90) for k in range(100)]
+WHOLE = np.array([[0, 1, 3], [-2, -3, 1], [1, 1, 1]])
 NAMES = {"a": 1.5}
 RATE = 0.5
 POINTS = ([0.3, -0.7, 2.0], [-1.2, 0.4, -0.1], [1.0, 1.0, 1.0], [2.5, 0.5, 0.2], [0.0, 0.0, 0.0])
@@ -177,6 +180,46 @@ class Motor:
         return self.torque(u[1])
 
 
+class Hull:
+    """An object with tables and rows, in which a whole number of the run is a place."""
+
+    def __init__(self):
+        self.drag = interp1d([-3.0, 0.0, 3.0], [2.0, 0.5, 1.0])
+        self.curves = {"lift": CubicSpline([-3.0, 0.0, 3.0], [1.0, 0.0, 2.0])}
+        self.slopes = [0.01 * k * (k - 90) for k in range(100)]
+        self.gears = np.array([4, 2, 1])
+        self.inertia = np.array([[2.0, 0.5, 0.0], [0.5, 3.0, 0.0], [0.0, 0.0, 1.0]])
+        self.turned = np.array([[0, 1, 0], [-1, 0, 0], [0, 0, 2]])
+        self.rudder = SimpleNamespace(angles=[0.1, -0.2, 0.3])
+
+    def tables(self, t, x, u, p):
+        return self.drag(u[0]) * u[1] + self.curves["lift"](u[2])
+
+    def rows(self, t, x, u, p):
+        k = int(20.0 * abs(u[0]))
+        return [self.slopes[k], self.slopes[-1 - k] / 2, self.gears[k % 3], len(self.slopes)]
+
+    def within(self, t, x, u, p):
+        return u * self.rudder.angles[int(abs(u[1]))]
+
+    def matrices(self, t, x, u, p):
+        moved = self.inertia[0].copy()
+        moved[1] = u[0]
+        return self.inertia.dot(u) - self.turned.T.dot(u) + moved
+
+    def odometer(self, t, x, u, p):
+        self.gone = getattr(self, "gone", 0.0) + self.drag(u[0])
+        return self.gone
+
+    def worn(self, t, x, u, p):
+        self.slopes.append(self.slopes[int(20.0 * abs(u[0]))])
+        return self.slopes[100]
+
+    def replaced(self, t, x, u, p):
+        self.inertia = 2.0 * self.inertia
+        return self.inertia.dot(u)
+
+
 @functools.lru_cache
 def kept(k):
     return 2.0 * k
@@ -216,6 +259,9 @@ FUNCTIONS |= {
     "a closure": closure(2.5),
     "a partial": functools.partial(lambda k, t, x, u, p: k * u[0], 3.0),
     "a method": Motor(2.0).output,
+    "a row": lambda t, x, u, p: SLOPES[int(20.0 * abs(u[0]))] + SLOPES[int(t)] * u[1],
+    "whole numbers": lambda t, x, u, p: WHOLE.dot(u) + WHOLE[1] // 2,
+    **{name: getattr(Hull(), name) for name in ("tables", "rows", "within", "matrices")},
     "an object": Motor(0.5),
     "a lambda": lambda t, x, u, p: u @ u,
 }
@@ -291,6 +337,17 @@ def read_alone(function, size):
 
 
 COUNT = 0
+
+
+@pytest.mark.parametrize("name", ["odometer", "worn", "replaced"])
+def test_what_an_object_with_tables_keeps_is_a_state(name):
+    hull = Hull()
+    before = {name: id(value) for name, value in vars(hull).items()}
+    with pytest.raises(Unread, match=r"make (what it keeps|it) a state"):
+        read_alone(getattr(hull, name), 3 if name == "replaced" else 1)
+    assert {name: id(value) for name, value in vars(hull).items()} == before
+    assert len(hull.slopes) == 100
+    assert type(hull.drag) is interp1d
 
 
 def counting(t, x, u, p):
