@@ -163,6 +163,18 @@ def test_the_folder_of_lists_can_be_named(facts, tmp_path, monkeypatch):
     assert len(read_dives(tmp_path)[0]) == 1
 
 
+def test_a_file_that_holds_its_own_list_needs_none_beside_it(tmp_path):
+    wanted = read_dives(made(tmp_path, rows(("m_lat", "m_lon"))))
+    shutil.rmtree(tmp_path / "cac")
+    (path,) = tmp_path.iterdir()
+    raw = segment(rows(("m_lat", "m_lon")), SENSORS, "00070000", path.stem, factored=0)
+    path.write_bytes(raw)
+    assert read_dives(tmp_path) == wanted
+    path.write_bytes(raw[: raw.index(b"m_depth")])
+    with pytest.raises(DataError, match="list of sensors in the Slocum file is cut short"):
+        read_dives(tmp_path)
+
+
 HEADER = "Timestamp;NavState;Heading;Declination;Pitch;Depth;Lat;Lon;\n"
 
 
