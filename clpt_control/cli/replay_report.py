@@ -146,11 +146,7 @@ def results(summary: dict[str, Any]) -> list[Result]:
     """Return a summary as tables and sentences: dives, misses, what was learned, what comes."""
     from ..replay import cells, wording
 
-    each, sentences = summary["each_dive"], list(wording.remarks(summary))
-    if summary["next_dive"]:
-        sentences.append(wording.next_surfacing(summary["next_dive"]))
-    sentences += [wording.aim_sentence(leg) for leg in summary["aim"]]
-    sentences += wording.route_sentences(summary["route"]) if "route" in summary else []
+    each, sentences = summary["each_dive"], [*wording.remarks(summary), *wording.coming(summary)]
     if summary.get("paste"):
         sentences += [f"to paste, {summary['paste']['file']}:", summary["paste"]["text"].rstrip()]
     if not each:

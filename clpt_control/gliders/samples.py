@@ -173,7 +173,7 @@ def summed(
     Unless samples are missing.
     """
     notes, length = list(notes), np.hypot(*steps)
-    most = FASTEST * np.diff(since, prepend=0.0) + LONGEST_STEP
+    most = FASTEST * np.abs(np.diff(since, prepend=0.0)) + LONGEST_STEP
     bad = ~np.isfinite(length) | (length > most)
     if bad.any():
         note = (

@@ -31,13 +31,11 @@ def replay_page(found: dict[str, Any], again: bool = False, title: str | None = 
     if again:
         head = f'<noscript><meta http-equiv="refresh" content="{AGAIN}"></noscript>\n'
         mark = f' data-again="{AGAIN}"'
-    lines = [wording.next_surfacing(found["next_dive"]), *map(wording.aim_sentence, found["aim"])]
-    lines += wording.route_sentences(found["route"]) if "route" in found else []
     body = "\n".join(
         [
             f"<h1>{safe(title or f'{vehicle}: where it comes up next')}</h1>",
             f'<div class="cards"{mark}>{"".join(_cards(found))}</div>',
-            paragraphs(lines),
+            paragraphs(wording.coming(found)),
             f'<div class="body"><div><div class="map">{replay_map(found)}',
             f'<div class="buttons"></div></div>{_keys(found)}',
             '<p id="said" class="soft"></p></div>',

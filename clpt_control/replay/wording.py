@@ -100,6 +100,13 @@ def aim_sentence(leg: dict[str, Any]) -> str:
     return f"{text}; expected miss {leg['expected_miss']:.0f} m, 90 % within {half_axes(leg)} m"
 
 
+def coming(found: dict[str, Any]) -> list[str]:
+    """Return what comes of what `--json` prints: the next surfacing, aims, the route."""
+    lines = [next_surfacing(found["next_dive"])] if found["next_dive"] else []
+    lines += map(aim_sentence, found["aim"])
+    return lines + (route_sentences(found["route"]) if "route" in found else [])
+
+
 def route_sentences(route: dict[str, Any]) -> list[str]:
     """Return a sentence for each waypoint of a route, and for each area."""
     lines = []
