@@ -96,7 +96,9 @@ def warn_python(name: str, why: str) -> None:
 # --- whether the record does what the functions do --------------------------------------------
 
 CLOSE = 1e-7  # relative: rounding of terms that cancel, not another way through a function
-BESIDE = 1e-6, -1e-6  # relative: on a kink, and at rest, rounding decides: compared is beside it
+# relative: on a kink, and at rest, rounding decides: compared is beside it, and then farther, where
+# rates are far above the rounding of what cancels at rest
+BESIDE = 1e-6, -1e-6, 1e-3, -1e-3
 
 
 def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs | None) -> str:
@@ -107,9 +109,8 @@ def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs | None)
     at, (pieces, signals) = sorted({0, n // 3, 2 * n // 3, n - 1}), runner.along(solution, inputs)
     same = _agrees(runner, pieces, solution.t[at], solution.x[at], inputs, signals[at])
     for k in np.array(at)[~same]:
-        t, x = solution.t[k : k + 1], solution.x[k]
-        ways = (1.0 + np.abs(x)) * np.linspace(0.7, 1.0, len(x))  # all alike might stay at rest
-        for moved in (x + apart * ways for apart in BESIDE):
+        t = solution.t[k : k + 1]
+        for moved in beside(solution.x[k]):
             if _agrees(runner, pieces, t, moved[None], inputs)[0]:
                 break
         else:
@@ -117,6 +118,12 @@ def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs | None)
             misread = misread_function(runner, float(t[0]), moved)
             return misread or f"at t = {t[0]:.6g} its rates are not those of its functions"
     return ""
+
+
+def beside(x: np.ndarray) -> list[np.ndarray]:
+    """Return states beside these."""
+    ways = (1.0 + np.abs(x)) * np.linspace(0.7, 1.0, len(x))  # all alike might stay at rest
+    return [x + apart * ways for apart in BESIDE]
 
 
 def _agrees(

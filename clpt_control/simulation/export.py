@@ -22,7 +22,7 @@ from ..equations.ports import ports_of
 from ..errors import DiagramError, Uncompiled
 from ..files import write_file
 from ..native.diagram_record import LARGE, lay_out
-from ..native.engines import misread_function
+from ..native.engines import beside, misread_function
 from ..scenario.experiment import Scenario
 from .c_text import CProgram, CRecord, c_number
 from .integrate import as_diagram
@@ -115,9 +115,13 @@ class CFile:
         self.run, self.wiring, self.start = run, run.wiring, start
         sweep = run.runner.sweep
         sweep.enter(0.0)
-        sweep.derivative(0.0, start)
-        if found := misread_function(run.runner, 0.0, start):
+        for x in (start, *beside(start)):
+            sweep.derivative(0.0, x)
+            if not (found := misread_function(run.runner, 0.0, x)):
+                break
+        else:
             raise Uncompiled(found)
+        sweep.derivative(0.0, start)
         self.given = sweep.parameters
         apart = {  # of equal ones too; long arrays are tables
             (k, field): k

@@ -2,6 +2,7 @@
 
 import re
 
+import control
 import numpy as np
 import pytest
 from responses import response
@@ -215,3 +216,21 @@ def test_machine_code_that_is_asked_for_takes_no_function_as_inputs():
     left = response(loop, [0.0, 1.0], lambda t: [t, 0.0])
     given = response(loop, [0.0, 1.0], [[0.0, 1.0], [0.0, 0.0]], engine="native")
     np.testing.assert_allclose(left.states, given.states, rtol=1e-9, atol=1e-9)
+
+
+MIXER = np.array([[1.0] * 6, [1.0, -1.0, 2.0, -2.0, 3.0, -3.0]])
+
+
+def hovers(t, x, u, p):
+    """Rise and roll by six rotors; at rest the sum of their forces is the weight, to rounding."""
+    force, moment = np.dot(MIXER, 16.35 + 0.1 * x[1] * np.arange(6.0))
+    return [x[1], force / 10.0 - 9.81, moment / 3.0 - 0.2 * x[2]]
+
+
+def test_a_start_where_rates_are_but_rounding_is_read(recwarn):
+    craft = control.nlsys(hovers, None, inputs=0, outputs=3, states=3, name="craft")
+    run = clpt.simulate(craft, [0.0, 1.0, 2.0], 0.0, 0.0)
+    assert run.attrs["engine"] == "native"
+    assert np.abs(run.y.values).max() < 1e-12
+    assert "craft_rates" in clpt.export_c(craft)
+    assert not [one for one in recwarn if "Python" in str(one.message)]
