@@ -20,7 +20,7 @@ from ..equations.declaration import Parameters
 from ..equations.elements import InputsOf
 from ..equations.ports import places as inputs_of
 from ..equations.sampled import Sampled
-from ..equations.system import System, is_linear, linear
+from ..equations.system import System, is_linear, linear, with_constants
 from ..errors import DiagramError
 
 TRIED = 3  # points at which a function that cannot be read is tried
@@ -364,11 +364,15 @@ def ordered_wiring(
         outputs = slice(y, y := y + (system.noutputs or 0))
         wires = joined_wires(fed[inputs])
         nodes.append(Node(system, name, states, inputs, outputs, wires))
-    return Wiring(tuple(nodes), _order(nodes), ninputs, tuple(shown), dt)
+    order = _order(nodes)
+    return Wiring(tuple(nodes), order, ninputs, tuple(shown), dt)
 
 
 def _order(nodes: list[Node]) -> tuple[int, ...]:
-    """Return the order in which blocks are computed; a block that is computed in parts is twice."""
+    """Return the order in which blocks are computed; a block that is computed in parts is twice.
+
+    The linear blocks of a circle are replaced in `nodes`.
+    """
     owner = [k for k, node in enumerate(nodes) for _ in range(node.system.noutputs or 0)]
     waits = {
         k: {owner[w.source + j] for w in node.wires if not w.external for j in range(w.size)}
@@ -408,9 +412,11 @@ def _by_signals(nodes: list[Node], order: list[int], waits: dict[int, set[int]])
         if ready is None:
             ready = next((k for k in needed if computable[k]), None)
         if ready is None:
+            if _by_entries(nodes, waits):
+                return _order(nodes)
             raise DiagramError(
                 f"algebraic loop: {_circle(waits, nodes)} feed each other at once; "
-                f"break the circle with a block that has states{_by_entries(waits, nodes)}"
+                "break the circle with a block that has states"
             )
         order.append(ready)
         known |= computable[ready]
@@ -420,13 +426,12 @@ def _by_signals(nodes: list[Node], order: list[int], waits: dict[int, set[int]])
     return tuple(order)
 
 
-def _by_entries(waits: Iterable[int], nodes: list[Node]) -> str:
-    """Return what else helps where the circle may be one of entries of a D that are 0."""
-    linear_ones = [nodes[k] for k in waits if is_linear(nodes[k].system)]
-    name = next((one.name for one in linear_ones if not np.all(one.system.parameters.D)), None)
-    if name is None:
-        return ""
-    return f", or give {name} as control.nlsys: D is a parameter, of which an entry 0 feeds too"
+def _by_entries(nodes: list[Node], waits: Iterable[int]) -> bool:
+    """Give each linear block of a circle constants: where D has an entry 0 nothing feeds at once."""
+    within = [k for k in waits if is_linear(nodes[k].system)]
+    for k in within:
+        nodes[k] = replace(nodes[k], system=with_constants(nodes[k].system))
+    return bool(within)
 
 
 def _circle(waits: dict[int, set[int]], nodes: list[Node]) -> str:

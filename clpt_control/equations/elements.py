@@ -140,12 +140,22 @@ def _moved(m: Any, index: Index) -> Any:
     return place
 
 
+ZERO = frozenset(["0"])
+
+
 class InputsOf(Elements):
-    """The inputs that each element depends on: port and place in it."""
+    """The inputs that each element depends on: port and place in it.
+
+    What is multiplied by a constant 0 depends on nothing.
+    """
+
+    def outputs(self, record: Record) -> list[Any]:
+        """Return what the elements of a record's outputs depend on."""
+        return [found - ZERO for found in super().outputs(record)]
 
     def number(self, value: float) -> Any:
         """Depend on nothing."""
-        return frozenset()
+        return ZERO if value == 0.0 else frozenset()
 
     def leaf(self, at: tuple[str, str], shape: Shape, index: Index) -> Any:
         """Depend on the input itself."""
@@ -154,4 +164,6 @@ class InputsOf(Elements):
 
     def apply(self, ref: int, kind: str, arguments: tuple) -> Any:
         """Depend on all that the arguments depend on."""
-        return frozenset().union(*arguments)
+        if kind == "mul" and ZERO in arguments:
+            return ZERO
+        return frozenset().union(*arguments) - ZERO

@@ -346,11 +346,25 @@ def _matrices(system: control.StateSpace | control.TransferFunction) -> tuple[np
     )
 
 
+def with_constants(block: Block) -> Block:
+    """Return a linear block whose matrices are constants, not parameters."""
+    labels = {
+        kind: getattr(block, f"{kind[:-1]}_labels") for kind in ("inputs", "outputs", "states")
+    }
+    system = control.ss(*_matrices_of(block), block.dt, **labels)
+    constant = System(control.nlsys(system, name=block.name, **labels))
+    return Sampled(constant, block.period) if isinstance(block, Sampled) else constant
+
+
 def on_each_axis(block: Block, count: int) -> Block:
     """Return a linear block of one signal for so many signals, each with states of its own."""
-    p = block.parameters
-    matrices = [getattr(p, "A", np.zeros((0, 0))), getattr(p, "B", np.zeros((0, 1)))]
-    matrices += [getattr(p, "C", np.zeros((1, 0))), getattr(p, "D", np.zeros((1, 1)))]
-    A, B, C, D = (np.kron(np.eye(count), matrix) for matrix in matrices)
+    A, B, C, D = (np.kron(np.eye(count), matrix) for matrix in _matrices_of(block))
     linear_block = linear(control.ss(A, B, C, D, name=block.name))
     return Sampled(linear_block, block.period) if isinstance(block, Sampled) else linear_block
+
+
+def _matrices_of(block: Block) -> list[np.ndarray]:
+    """Return A, B, C, D of a linear block."""
+    none = np.zeros((0, 0)), np.zeros((0, block.ninputs)), np.zeros((block.noutputs, 0))
+    zero = np.zeros((block.noutputs, block.ninputs))
+    return [getattr(block.parameters, *one) for one in zip("ABCD", (*none, zero), strict=True)]

@@ -103,6 +103,7 @@ class Sweep:
     ) -> None:
         self._external[:] = 0.0 if u is None else u
         self._states[:] = x
+        self.signals.fill(0.0)  # a block that is run twice reads what is not known yet
         for k, out in blocks:
             inputs = self._gather(k)
             if k in sampling:
