@@ -348,12 +348,11 @@ def _matrices(system: control.StateSpace | control.TransferFunction) -> tuple[np
 
 def with_constants(block: Block) -> Block:
     """Return a linear block whose matrices are constants, not parameters."""
-    labels = {
-        kind: getattr(block, f"{kind[:-1]}_labels") for kind in ("inputs", "outputs", "states")
-    }
+    if isinstance(block, Sampled):
+        return Sampled(with_constants(block.inner), block.period)
+    labels = {f"{kind}s": getattr(block, f"{kind}_labels") for kind in ("input", "output", "state")}
     system = control.ss(*_matrices_of(block), block.dt, **labels)
-    constant = System(control.nlsys(system, name=block.name, **labels))
-    return Sampled(constant, block.period) if isinstance(block, Sampled) else constant
+    return System(control.nlsys(system, name=block.name, dt=block.dt, **labels))
 
 
 def on_each_axis(block: Block, count: int) -> Block:
