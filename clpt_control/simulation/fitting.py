@@ -230,6 +230,7 @@ class _Fitting:
             raise ArgumentError(f"data: {self.there.sum()} numbers for {len(self.names)} unknowns")
         self.begin, self.low, self.high = self._bounds(begin)
         self.noise = noise
+        self.moving = False  # whether a jump moves with what is fitted
         self.runs = 0
         self.last: tuple[np.ndarray, RunWithDerivatives] | None = None
 
@@ -258,6 +259,7 @@ class _Fitting:
             self.runs += 1
             try:
                 result = self.ready.run(values)
+                result = self.ready.confirmed(values, result) if self.moving else result
             except SimulationError as error:
                 said = ", ".join(f"{n} = {v:.6g}" for n, v in zip(self.names, values, strict=True))
                 raise SimulationError(f"at {said}: {error}; begin closer, or give bounds") from None
@@ -289,11 +291,15 @@ class _Fitting:
         noise = self._given_noise() if self.noise is not None else np.where(size > 0, size, 1.0)
         values, least = self.begin, 1e-9 * noise
         for _ in range(ROUNDS):
-            result = least_squares(
-                self.residuals, values, self.jacobian, (self.low, self.high), x_scale="jac",
-                ftol=CLOSE, xtol=CLOSE, gtol=CLOSE, args=(noise,),
-            )  # fmt: skip
-            values = result.x
+            while True:
+                result = least_squares(
+                    self.residuals, values, self.jacobian, (self.low, self.high), x_scale="jac",
+                    ftol=CLOSE, xtol=CLOSE, gtol=CLOSE, args=(noise,),
+                )  # fmt: skip
+                values = result.x
+                if self.moving or not self.ready.confirmed(values, self.run(values)).moved:
+                    break
+                self.moving, self.last = True, None
             if self.noise is not None:
                 break
             residuals = np.zeros(self.there.shape)
@@ -302,7 +308,6 @@ class _Fitting:
             before, noise = noise, np.maximum(np.sqrt((residuals**2).sum(axis=0) / freedom), least)
             if len(noise) == 1 or np.all(np.abs(noise / before - 1.0) < SETTLED):
                 break
-        self.ready.check(values, self.run(values))
         return self._found(values, noise, result.active_mask == 0)
 
     def _given_noise(self) -> np.ndarray:

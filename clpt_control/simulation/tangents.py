@@ -3,13 +3,17 @@
     S' = A S + B,  A = df/dx, B = df/dp along the run;   dy/dp = C S + D
 
 S is integrated with the run itself (`diagrams.varied`), by the same engine, from the exact
-derivative of what was read.  Where functions may jump, the same run is taken a little to both
-sides, and what the differences do not confirm is refused.
+derivative of what was read.
+
+Where the run crosses a jump of a function that moves with p, dy/dp has a term for the moment of
+crossing, which S lacks.  Where functions may jump, the same run is taken a little to both sides:
+differences confirm S, or take its place where they agree among themselves, or refuse.
 """
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import control
@@ -47,6 +51,7 @@ if TYPE_CHECKING:
 
 START = "x0"  # all states of the start
 STEPS = (1e-3, 1e-5)  # of the differences, of what is varied
+MIDDLE = 1e-4  # of those that take the place of S: at 1e-10 each error is about 1e-6
 CLOSE = 1e-3  # how far off they may be
 EXACT = {"rtol": 1e-10, "atol": 1e-13}  # of their runs
 
@@ -57,6 +62,8 @@ class RunWithDerivatives(NamedTuple):
     solution: Solution
     outputs: np.ndarray
     states: np.ndarray
+    moved: Mapping[str, np.ndarray] = MappingProxyType({})  # ways by which a jump moves: the times
+    # of samples that lie on it, and have a derivative on either side
 
     @property
     def every(self) -> np.ndarray:
@@ -194,30 +201,39 @@ class Sensitive:
         done = replace(solution, t=solution.t[self.skipped :], x=states[..., 0])
         return RunWithDerivatives(done, outputs, states)
 
-    def check(self, values: np.ndarray, found: RunWithDerivatives) -> None:
-        """Refuse what differences do not confirm, where a function may jump."""
-        if not self.doubtful:
-            return
-        for j, value in enumerate(values):
-            self._check_along(j, abs(value) or 1.0, values, found)
+    def confirmed(self, values: np.ndarray, found: RunWithDerivatives) -> RunWithDerivatives:
+        """Return a run whose derivatives differences confirm, or are, where a function may jump."""
+        every, moved = found.every.copy(), dict[str, np.ndarray]()
+        for j, (name, value) in enumerate(zip(self.places, values, strict=True)):
+            own = self._differences(j, name, abs(value) or 1.0, values, found)
+            if own is not None:
+                every[..., 1 + j], moved[name] = own
+        outputs, states = np.split(every, [len(self.labels)], axis=1)
+        return found._replace(outputs=outputs, states=states, moved=moved)
 
-    def _check_along(
-        self, j: int, size: float, values: np.ndarray, found: RunWithDerivatives
-    ) -> None:
-        """Compare the derivative by one of what is varied with differences of two sizes.
+    def _differences(
+        self, j: int, name: str, size: float, values: np.ndarray, found: RunWithDerivatives
+    ) -> tuple[np.ndarray, np.ndarray] | None:
+        """Return None where differences confirm a derivative, else them, and samples on a jump.
 
         Where a sample falls on a jump of an output, they grow as their size shrinks; where they
         grow at the next sample too, or at the last, the runs part.
         """
+        if not self.doubtful:
+            return None
         solver = {} if self.wiring.dt else EXACT
         along, way = found.every[..., 1 + j] * size, size * (np.arange(len(values)) == j)
+
+        def beside(step: float) -> np.ndarray:
+            return self.run(values + step * way, **solver).every[..., 0]
+
         wrong, before = np.ones(along.shape, dtype=bool), np.full(along.shape, np.inf)
         for h in STEPS:
-            sides = (self.run(values + step * way, **solver) for step in (h, -h))
-            more, less = (side.every[..., 0] for side in sides)
+            more, less = beside(h), beside(-h)
             n = min(len(more), len(less), len(along))
             rounding = 10 * EXACT["rtol"] / h * np.abs(more).max(axis=0)
-            off = np.abs((more[:n] - less[:n]) / (2.0 * h) - along[:n])
+            central = (more[:n] - less[:n]) / (2.0 * h)
+            off = np.abs(central - along[:n])
             far = off > CLOSE * np.abs(along).max(axis=0) + rounding
             grown = off >= 10.0 * before[:n]
             alone = grown & ~np.vstack([grown[1:], np.ones_like(grown[:1])])
@@ -225,10 +241,19 @@ class Sensitive:
             wrong = wrong[:n] & far & ~alone
             before = off
             if not wrong.any():
-                return
+                return None
+        at, ahead, behind = (beside(step) for step in (0.0, MIDDLE, -MIDDLE))
+        if n == len(along) == len(at) == len(ahead) == len(behind):
+            middle = (ahead - behind) / (2.0 * MIDDLE)
+            limit = CLOSE * np.abs(middle).max(axis=0) + rounding
+            others = central, (more - at) / h, (at - less) / h
+            apart = np.any([np.abs(one - middle) > limit for one in others], axis=(0, 2))
+            if not apart[-1] and not np.any(apart[1:] & apart[:-1]):
+                middle[apart] = along[apart]
+                return middle / size, found.solution.t[apart]
         worst = [*self.labels, *self.states][int(np.argmax(wrong.any(axis=0)))]
         raise SimulationError(
-            f"{worst}: differences of runs do not confirm its derivative by {[*self.places][j]}, "
+            f"{worst}: differences of runs do not confirm its derivative by {name}, "
             "for a function jumps where the run crosses something that moves with it (look in "
             f"{', '.join(self.doubtful)}); make the jump steep but smooth, such as np.tanh"
         )
@@ -276,8 +301,8 @@ def sensitivity(
     ------
     SimulationError
         If a name is unknown, a derivative is not known, or the run cannot go on. Where a function
-        jumps as a state crosses something, the derivative has a term that is not computed:
-        differences of two to four more runs by each parameter then decide whether it counts.
+        may jump, two to seven more runs by each parameter confirm the derivative, or take its
+        place, or tell that there is none.
 
     Examples
     --------
@@ -291,8 +316,13 @@ def sensitivity(
     """
     solver = {"rtol": rtol, "atol": atol, "method": method, "progress": progress}
     ready = Sensitive(system, timepts, to, inputs, initial_state, params, **solver)
-    found = ready.run(ready.values)
-    ready.check(ready.values, found)
+    found = ready.confirmed(ready.values, ready.run(ready.values))
+    for name, at in found.moved.items():
+        if len(at):
+            raise SimulationError(
+                f"{name}: moves a jump that lies on the sample at t = {at[0]:g}, where the "
+                "derivative is another on either side; take other times"
+            )
     return dataset_of(ready, found, of)
 
 

@@ -216,19 +216,25 @@ def pulse():
     return autonomous(lambda t, x, u, p: [1.0 if t < p["until"] else 0.0], until=1.0)
 
 
+BESIDE = np.array([0.0, 0.51, 1.51, 3.51])  # no sample lies on a jump
+
+
 @pytest.mark.parametrize(
-    ("system", "to", "start", "said"),
+    ("system", "to", "start", "slope"),
     [
-        (stepping(), "edge", 0.0, "do not confirm its derivative.*lag"),
-        (slower(), "k", 1.0, r"^y\[0\]: differences of runs do not confirm"),
-        (pulse(), "until", 0.0, "do not confirm"),
-        (clpt.connect([teeth()]), "teeth.period", 0.0, "do not confirm"),
+        (stepping(), "edge", 0.0, [0, 0, -2, -2]),  # x = edge + 3 (t - edge)
+        (slower(), "k", 1.0, [0, -0.005, -0.005, -0.005]),  # x = k - 1.005 (t + k - 1)
+        (pulse(), "until", 0.0, [0, 0, 1, 1]),  # x = until
+        (clpt.connect([teeth()]), "teeth.period", 0.0, [0, 0, -0.5, -2.125]),  # t - (3 - 7/8) P
     ],
     ids=["a jump that is crossed", "one of half a percent", "a time", "a period"],
 )
-def test_what_moves_a_jump_is_refused(system, to, start, said):
-    with pytest.raises(clpt.SimulationError, match=said):
-        clpt.sensitivity(system, np.linspace(0.0, 3.5, 36), to=to, initial_state=[start])
+def test_what_moves_a_jump(system, to, start, slope):
+    given = {"to": to, "initial_state": [start]}
+    found = clpt.sensitivity(system, BESIDE, **given).states[:, 0, 0]
+    np.testing.assert_allclose(found, slope, atol=1e-5)
+    with pytest.raises(clpt.SimulationError, match=f"{to}: moves a jump that lies on the sample"):
+        clpt.sensitivity(system, [0.0, 0.5, 1.0, 3.51], **given)
 
 
 def faster(w=0.0):
@@ -251,8 +257,10 @@ def faster(w=0.0):
     ids=["two that cancel", "beside a large one", "at the last sample alone"],
 )
 def test_no_jump_hides(to, w, times):
-    with pytest.raises(clpt.SimulationError, match="do not confirm its derivative by a"):
-        clpt.sensitivity(faster(w), times, to=to)
+    found = clpt.sensitivity(faster(w), times, to=to).states.sel(state="x")
+    slopes = {"a": -2.0, "x0.x": 3.0, "w": 0.0}
+    for name in to:
+        assert found[-1].sel(parameter=name) == pytest.approx(slopes[name], abs=1e-5)
 
 
 def test_where_the_run_itself_parts_is_refused():
