@@ -427,7 +427,7 @@ def _by_signals(nodes: list[Node], order: list[int], waits: dict[int, set[int]])
 
 
 def _by_entries(nodes: list[Node], waits: Iterable[int]) -> bool:
-    """Give each linear block of a circle constants; an entry 0 of D then feeds nothing at once."""
+    """Make matrices of linear blocks in a circle constants, of which zeros feed nothing at once."""
     within = [k for k in waits if is_linear(nodes[k].system)]
     for k in within:
         nodes[k] = replace(nodes[k], system=with_constants(nodes[k].system))
