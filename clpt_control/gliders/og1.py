@@ -86,8 +86,9 @@ def _variation_of(rows: pandas.DataFrame, start: Fix, end: Fix) -> tuple[float |
     north = rows.attrs["north"]
     if north == "true":
         return None, north
-    found = float(rows.magvar.median())
-    if isfinite(found):
+    measured = rows.magvar.dropna()
+    if len(measured):
+        found = float(measured.median())
         which = north or "of a north that the file does not name"
         return found, f"{which}, turned by the file's variation of {found:g} degrees"
     if not north:
