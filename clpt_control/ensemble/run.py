@@ -45,7 +45,7 @@ CHUNK_BYTES = 64_000_000  # trajectories of a chunk
 PATIENCE = 30  # seconds to wait for a scheduler and its first worker
 RETRIES = 3  # times a chunk is given to a worker again
 STORED = "what is done is kept"
-Report = Callable[[int], None]  # of how many more members are done
+Report = Callable[[int, int], None]  # of how many more members are done, and are stored
 
 
 @public
@@ -197,21 +197,21 @@ def run_ensemble(
         "trajectories": trajectories,
     }
     store = begun_or_made(path, varied.title, ensemble.code, arguments, arrays)
-    missing, done = store.missing(), 0
+    missing, done, stored = store.missing(), 0, 0
 
-    def report(more: int) -> None:
-        nonlocal done
-        done += more
-        if done and out is not None:
+    def report(more: int, written: int) -> None:
+        nonlocal done, stored
+        done, stored = done + more, stored + written
+        if stored and out is not None:
             interrupt.resume_hint = (
-                f"{out} holds {done} of {members} members; the same command goes on from there"
+                f"{out} holds {stored} of {members} members; the same command goes on from there"
             )
         if progress is not None:
             progress(done)
 
     count = threads or available_threads()
     try:
-        report(members - store.count(missing))
+        report(*[members - store.count(missing)] * 2)
         if dask is None:
             _run_here(ensemble, store, missing, count, report)
         elif missing:
@@ -273,10 +273,11 @@ def _run_here(
                 interrupt.check()
             interrupt.check()
             parts.append(future.result())
-            if sum(len(part["status"]) for part in parts) == store.count([index]):
+            done, written = sum(len(part["status"]) for part in parts), 0
+            if done == store.count([index]):
                 store.write(index, concatenated(parts))
-                parts = []
-            report(len(future.result()["status"]))
+                parts, written = [], done
+            report(len(future.result()["status"]), written)
     finally:
         pool.shutdown(wait=True, cancel_futures=True)
 
@@ -322,7 +323,7 @@ def _run_elsewhere(
                 index = indices[future]  # ask the store: the worker may be lost by now
                 if not store.is_whole(index):
                     raise SimulationError(f"dask: chunk {index} did not reach {store.path}")
-                report(store.count([index]))
+                report(*[store.count([index])] * 2)
     except futures.BrokenExecutor:
         raise SimulationError(
             "dask: a worker was lost with its chunk (out of memory? then give a smaller --chunk); "

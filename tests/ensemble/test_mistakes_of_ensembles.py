@@ -287,6 +287,9 @@ def test_what_ends_an_ensemble_says_what_is_kept(clpt, quick, tmp_path, monkeypa
     said = "clpt: e.zarr: cannot be written: No space left on device"
     fails = 0
     assert clpt(*words) == (2, "", f"{said}\n")
+    in_batches = [{"4": "24", "2": "24"}.get(str(word), word) for word in words]
+    ended = clpt(*in_batches)  # members are done, and none is stored
+    assert (ended.status, ended.err.splitlines()[-1]) == (2, said)
     assert not out.exists()
     fails = 1
     kept = f"{out} holds 2 of 4 members; the same command goes on from there"
