@@ -2,13 +2,9 @@
 
     y' = -a y + b u            eq.rates["y"], eq["a"], eq.derivative(eq["y"] ** 2)
 
-A state or input is called as python-control labels it, "y", or "x[0]" where there are several; a
-parameter has its own name.  If two have one name, the block comes first: "plant.y"; of a state and
-another output of one block, before the state; "plant.parameter.y" is a parameter called as a state
-or an output of its block.  `Names` holds these rules; a theory may have others.
+`symbol_names` says what states, inputs and parameters are called.
 """
 
-import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
@@ -20,7 +16,6 @@ from typing import Any
 import control
 import numpy as np
 import sympy
-from sympy.core.function import AppliedUndef
 
 from ..arguments import public
 from ..equations.arrays import Tape, Unread, operand
@@ -28,12 +23,12 @@ from ..equations.declaration import Parameters
 from ..equations.ports import ports_of
 from ..equations.record import Shape
 from ..equations.symbolic import LONG, Symbols, extent, rational
-from ..equations.system import System, is_linear
+from ..equations.system import is_linear
 from ..errors import DiagramError
 from .merged_record import merged_record
+from .symbol_names import TIME, Names, Numbers, element_name, fields_of, groups, typeset
 from .wiring import Node, Wiring, read_unsampled, wiring_of
 
-TIME = sympy.Symbol("t", real=True)
 # takes block.role, an operation and its arguments on symbols; returns a remark on it, or None
 Watch = Callable[[str, str, tuple], str | None]
 MOST_EQUATIONS = 40  # in one picture
@@ -163,113 +158,6 @@ class Equations:
             for line in self._lines(typeset, r"\dot{{{}}}", "{}^{{+}}")
         ]
         return "$\\displaystyle\\begin{aligned}" + r" \\ ".join(lines) + "\\end{aligned}$"
-
-
-def typeset(expression: Any) -> str:
-    """Return an expression as LaTeX, ``plant.x[0]`` as an x with its place and its block."""
-    expression = sympy.sympify(expression)
-    inputs = {
-        f: sympy.Symbol(str(f.func)) for f in expression.atoms(AppliedUndef) if f.args == (TIME,)
-    }
-    expression = expression.xreplace(inputs)
-    latex = {}
-    for symbol in expression.free_symbols:
-        (parts,) = re.findall(r"^(?:(.*)\.)?([^.\[]*)(?:\[(.*)\])?$", str(symbol))
-        space, name, place = parts
-        base = sympy.latex(sympy.Symbol(name))
-        base = rf"\mathrm{{{name}}}" if base == name and name[1:] else base
-        base = f"{{{base}}}" if "_" in base and place else base
-        base += f"_{{{place}}}" if place else ""
-        space = space.replace("_", r"\_")
-        latex[symbol] = base + (rf"^{{\mathrm{{{space}}}}}" if space else "")
-    return sympy.latex(expression, symbol_names=latex)
-
-
-def element_name(port: str, shape: Shape, index: tuple) -> str:
-    """Return the name of one element of a port: y, x[0], P[0,1]."""
-    return port if prod(shape) == 1 else f"{port}[{','.join(map(str, index))}]"
-
-
-Group = tuple[str, list[int], Shape]  # a name, its places among a block's signals, its shape
-
-
-def groups(system: Any, kind: str) -> list[Group]:
-    """Return the ports that a block's labels of states or outputs form."""
-    shapes = getattr(system, f"{kind}_shapes")
-    found = []
-    for port, places in ports_of(getattr(system, f"{kind}_labels")).items():
-        own = shapes.get(port, (len(places),))
-        found.append((port, places, own if prod(own) == len(places) else (len(places),)))
-    return found
-
-
-def fields_of(system: Any) -> list[str]:
-    """Return a block's parameters; of python-control's params only those that functions read."""
-    if not isinstance(system, System):
-        return list(system.parameters._fields)
-    records = [system.array_record(role) for role in {*system._roles, "output"}]
-    return sorted({name for record in records for name in record.leaves("p")})
-
-
-class Names:
-    """The names of ports and parameters of a diagram."""
-
-    def __init__(self, wiring: Wiring, inputs: Iterable[str]):
-        found, shared = [*inputs], dict[str, list[Any]]()
-        self.behind = set[tuple[str, str]]()  # states that an output of their block is called as
-        self.ports = set[tuple[str, str]]()  # states and outputs, of which parameters are told
-        for node in wiring.nodes:
-            made = [group for group, *_ in groups(node.system, "output")]
-            own = [group for group, *_ in groups(node.system, "state")]
-            found += [*made, *(group for group in own if group not in made)]
-            self.ports |= {(node.name, group) for group in made + own}
-            if not (node.system.states_are_outputs and made == own):
-                self.behind |= {(node.name, group) for group in own if group in made}
-            for name in fields_of(node.system):
-                shared.setdefault(name, []).append(node.system)
-        for name, systems in shared.items():  # python-control hands one value down to all
-            values = [getattr(system.parameters, name) for system in systems]
-            one = all(isinstance(system, System) for system in systems)
-            one = one and all(np.array_equal(value, values[0]) for value in values)
-            found += [name] * (1 if one else len(systems))
-        self.count = Counter(found)
-
-    def port(self, node: Node, group: str, kind: str) -> str:
-        """Return the name of a port of a block, of kind state or output, or of a parameter."""
-        alone = self.count[group] == 1
-        if kind == "state" and (node.name, group) in self.behind:
-            return f"{node.name}.{group}" if alone else f"{node.name}.state.{group}"
-        if kind == "parameter" and (node.name, group) in self.ports:
-            return f"{node.name}.parameter.{group}"
-        return group if alone else f"{node.name}.{group}"
-
-    def block(self, node: Node) -> str:
-        """Return the name of a block."""
-        return node.name
-
-    def element(self, port: str, shape: Shape, declared: Shape, index: tuple) -> str:
-        """Return the name of an element of a port."""
-        return element_name(port, shape, index)
-
-    def parameter(self, node: Node, own: str, value: np.ndarray, index: tuple) -> sympy.Expr:
-        """Return the symbol of a parameter's element, which has the sign of its value."""
-        number = float(value[index])
-        if is_linear(node.system) or not np.isfinite(number):
-            return rational(number)
-        sign = "positive" if number > 0 else "negative" if number < 0 else "real"
-        sign = "real" if own == "interval" else sign  # its own value, -1, says that it is counted
-        name = element_name(self.port(node, own, "parameter"), value.shape, index)
-        return sympy.Symbol(name, **{sign: True})
-
-
-class Numbers(Names):
-    """The same, with parameters as their numbers."""
-
-    def parameter(self, node: Node, own: str, value: np.ndarray, index: tuple) -> sympy.Expr:
-        """Return the number of a parameter's element, but of which interval it is."""
-        if own == "interval":
-            return super().parameter(node, own, value, index)
-        return rational(float(value[index]))
 
 
 class _Read:

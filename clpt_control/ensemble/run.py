@@ -211,7 +211,8 @@ def run_ensemble(
 
     count = threads or available_threads()
     try:
-        report(*[members - store.count(missing)] * 2)
+        there = members - store.count(missing)
+        report(there, there)
         if dask is None:
             _run_here(ensemble, store, missing, count, report)
         elif missing:
@@ -323,7 +324,8 @@ def _run_elsewhere(
                 index = indices[future]  # ask the store: the worker may be lost by now
                 if not store.is_whole(index):
                     raise SimulationError(f"dask: chunk {index} did not reach {store.path}")
-                report(*[store.count([index])] * 2)
+                count = store.count([index])
+                report(count, count)
     except futures.BrokenExecutor:
         raise SimulationError(
             "dask: a worker was lost with its chunk (out of memory? then give a smaller --chunk); "

@@ -4,25 +4,14 @@ What is not here is tried on arrays of objects, element by element, by NumPy's o
 """
 
 from collections.abc import Callable
-from functools import reduce
 from typing import Any
 
 import numpy as np
 
-from . import lookup_tables, views
-from .arrays import HOOKS, Array, Tape, Unread, active, objects
-from .elementwise import (
-    boxed,
-    counts,
-    elementwise,
-    filled,
-    is_truth,
-    lifted,
-    refuse_in_a_try,
-    stacked,
-    where,
-)
-from .ufuncs import accumulated, check_doubles, matmul, reduced, rounded
+from . import linear_algebra, lookup_tables, views
+from .arrays import HOOKS, Array, Tape, active, objects
+from .elementwise import boxed, counts, filled, is_truth, lifted, stacked, where
+from .ufuncs import accumulated, check_doubles, reduced, rounded
 from .views import depends, into, of_numbers, on_objects, refuse, tape_of
 
 IMPLEMENTED: dict[Any, Callable] = {}  # NumPy's: what writes them down
@@ -30,7 +19,6 @@ BOXED = {  # whose results are arrays, also without axes
     *(np.where, np.select, np.piecewise, np.copy),
     *(np.zeros_like, np.ones_like, np.empty_like, np.full_like),
 }
-MOST_ROWS = 24  # of linear equations
 
 
 def apply_function(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
@@ -58,47 +46,7 @@ def implements(*functions: Any, arrays: int = 1) -> Callable:
     return register
 
 
-# --- products, sums and norms ---------------------------------------------------------------
-
-
-@implements(np.dot, np.vdot, arrays=2)
-def dot(a: Any, b: Any) -> Any:
-    """Return np.dot(a, b)."""
-    return matmul(a, b) if np.ndim(a) and np.ndim(b) else elementwise("mul", a, b)
-
-
-@implements(np.outer, arrays=2)
-def outer(a: Any, b: Any) -> Any:
-    """Return a b^T."""
-    a, b = (v if np.ndim(v) == 1 else np.reshape(v, -1) for v in (a, b))
-    return elementwise("mul", a[:, None], b[None, :])
-
-
-@implements(np.cross, arrays=2)
-def cross(
-    a: Any, b: Any, axisa: int = -1, axisb: int = -1, axisc: int = -1, axis: Any = None
-) -> Any:
-    """Return the vector product, in one order of operations for all versions of NumPy."""
-    at, of, to = (axisa, axisb, axisc) if axis is None else (axis, axis, axis)
-    a, b = np.moveaxis(a, at, 0), np.moveaxis(b, of, 0)
-    if len(a) != 3 or len(b) != 3:
-        raise Unread("np.cross of vectors that are not of three numbers")
-    parts = [a[i - 2] * b[i - 1] - a[i - 1] * b[i - 2] for i in range(3)]
-    return np.moveaxis(np.stack(parts), 0, to)
-
-
-@implements(np.linalg.norm)
-def norm(a: Any, ord: Any = None, axis: Any = None, keepdims: Any = False) -> Any:
-    """Return a norm of a vector, or of rows or columns."""
-    vector = a.ndim == 1 or isinstance(axis, int)
-    if ord in (None, "fro") or (ord == 2 and vector):
-        return np.sqrt(np.sum(elementwise("mul", a, a), axis, keepdims=keepdims))
-    if not vector or not isinstance(ord, int | float):
-        return refuse(f"a norm of order {ord}")
-    if ord in (np.inf, -np.inf):
-        return (np.max if ord > 0 else np.min)(np.fabs(a), axis, keepdims=keepdims)
-    size = np.sum(np.fabs(a) ** ord if ord != 1 else np.fabs(a), axis, keepdims=keepdims)
-    return size ** (1.0 / ord) if ord != 1 else size
+# --- sums and slopes --------------------------------------------------------------
 
 
 @implements(np.mean)
@@ -154,77 +102,6 @@ def _slope(f: Any, axis: int, step: Any) -> Any:
         inner, first, last = (f[2:] - f[:-2]) / (2.0 * h), h, h
     ends = (f[1:2] - f[:1]) / first, (f[-1:] - f[-2:-1]) / last
     return np.moveaxis(np.concatenate([ends[0], inner, ends[1]]), 0, axis)
-
-
-@implements(np.diag)
-def diag(a: Array, k: int = 0) -> Any:
-    """Return the diagonal of a matrix, or the matrix of a diagonal."""
-    return np.diagonal(a, k) if a.ndim == 2 else on_objects(a._tape, np.diag, (a, k), {})
-
-
-# --- linear equations: elimination, with pivots by `where` -----------------------------------
-
-
-def _rows(matrix: Any) -> list[Any]:
-    if len(matrix) > MOST_ROWS:
-        raise Unread(f"linear equations of more than {MOST_ROWS} rows with signals in their matrix")
-    return [matrix[k] for k in range(len(matrix))]
-
-
-def _eliminated(rows: list[Any], pivot: Callable = lambda a: a) -> Any:
-    """Make rows triangular, in place; return whether they changed places an odd number of times."""
-    sign: Any = 1.0
-    n = len(rows)
-    refuse_in_a_try(*rows)  # where they have no solution
-    for k in range(n):
-        for i in range(k + 1, n):
-            larger = np.greater(np.fabs(rows[i][k]), np.fabs(rows[k][k]))
-            rows[k], rows[i] = where(larger, rows[i], rows[k]), where(larger, rows[k], rows[i])
-            sign = where(larger, -sign, sign)
-        for i in range(k + 1, n):
-            rows[i] = rows[i] - rows[k] * (rows[i][k] / pivot(rows[k][k]))
-    return sign
-
-
-@implements(np.linalg.solve, arrays=2)
-def solve(A: Any, b: Any) -> Any:
-    """Return the x of A x = b, as np.linalg.solve does."""
-    n = A.shape[0]
-    if A.ndim != 2 or A.shape != (n, n) or b.shape[0] != n:
-        raise ValueError("solve: A must be square, b as long")
-    right = b[:, None] if b.ndim == 1 else b
-    rows = [np.concatenate([row, right[k]]) for k, row in enumerate(_rows(A))]
-    _eliminated(rows)
-    solved: list[Any] = [None] * n
-    for k in range(n - 1, -1, -1):
-        rest = rows[k][n:]
-        for i in range(k + 1, n):
-            rest = rest - solved[i] * rows[k][i]
-        solved[k] = rest / rows[k][k]
-    x = np.stack(solved)
-    return x[:, 0] if b.ndim == 1 else x
-
-
-@implements(np.linalg.det)
-def determinant(A: Any) -> Any:
-    """Return the determinant: the product of the pivots."""
-    rows = _rows(A)
-    sign = _eliminated(rows, lambda a: where(a == 0.0, 1.0, a))  # below it all are 0
-    return reduce(lambda v, w: v * w, (rows[k][k] for k in range(len(rows)))) * sign
-
-
-@implements(np.linalg.cholesky)
-def cholesky(A: Any, upper: bool = False) -> Any:
-    """Return the triangle L of A = L L^T, or L^T; of A its lower triangle counts, or its upper."""
-    A, n = (A.T if upper else A), len(_rows(A))
-    refuse_in_a_try(A)  # where it has none
-    L: list[list[Any]] = [[0.0] * n for _ in range(n)]
-    for i in range(n):
-        for j in range(i + 1):
-            rest = reduce(lambda v, k: v - L[i][k] * L[j][k], range(j), A[i, j])
-            L[i][j] = np.sqrt(rest) if i == j else rest / L[j][j]
-    triangle = lifted(A._tape, np.array(L, dtype=object))
-    return triangle.T if upper else triangle
 
 
 # --- limits and choices -----------------------------------------------------------------------
@@ -345,6 +222,14 @@ def alike(a: Array, value: float, dtype: Any = None, **named: Any) -> Any:
     return filled(a._tape, value, a.shape)
 
 
+implements(np.dot, np.vdot, arrays=2)(linear_algebra.dot)
+implements(np.outer, arrays=2)(linear_algebra.outer)
+implements(np.cross, arrays=2)(linear_algebra.cross)
+implements(np.linalg.norm)(linear_algebra.norm)
+implements(np.diag)(linear_algebra.diag)
+implements(np.linalg.solve, arrays=2)(linear_algebra.solve)
+implements(np.linalg.det)(linear_algebra.determinant)
+implements(np.linalg.cholesky)(linear_algebra.cholesky)
 implements(np.sum)(along(reduced, np.add))
 implements(np.prod)(along(reduced, np.multiply))
 implements(np.max, np.amax)(along(reduced, np.maximum))
@@ -354,7 +239,7 @@ implements(np.all)(along(reduced, np.logical_and))
 implements(np.ptp)(lambda a, *more, **named: np.max(a, *more, **named) - np.min(a, *more, **named))
 implements(np.std)(lambda a, *more, **named: np.sqrt(np.var(a, *more, **named)))
 implements(np.trace)(lambda a, *more, **named: np.sum(np.diagonal(a, *more, **named)))
-implements(np.linalg.inv)(lambda A: solve(A, np.eye(A.shape[0])))
+implements(np.linalg.inv)(lambda A: linear_algebra.solve(A, np.eye(A.shape[0])))
 implements(np.cumsum)(along(accumulated, np.add))
 implements(np.cumprod)(along(accumulated, np.multiply))
 implements(np.allclose, arrays=2)(lambda *given, **more: np.all(close(*given, **more)))

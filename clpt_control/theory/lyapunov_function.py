@@ -18,7 +18,7 @@ import control
 import sympy
 
 from ..arguments import Count, Seed, public
-from ..diagrams.on_symbols import TIME
+from ..diagrams.symbol_names import TIME
 from ..errors import DiagramError
 from ..html import fragment
 from .proving.point_search import SURE, PointSearch

@@ -22,7 +22,7 @@ import numpy as np
 import sympy
 
 from ..arguments import check_holds, numbers
-from ..diagrams.on_symbols import TIME
+from ..diagrams.symbol_names import TIME
 from ..errors import DiagramError
 from .enclosures import Interval, enclosed, plus, times
 from .proving.proof import short

@@ -21,7 +21,7 @@ import scipy.optimize
 import scipy.sparse
 import sympy
 
-from ..diagrams.on_symbols import TIME
+from ..diagrams.symbol_names import TIME
 from ..errors import DiagramError
 from .proving.proof import short
 from .proving.signs import vanishes

@@ -12,7 +12,8 @@ from typing import Any, NamedTuple
 import sympy
 from sympy.core.function import AppliedUndef
 
-from ..diagrams.on_symbols import TIME, Equations
+from ..diagrams.on_symbols import Equations
+from ..diagrams.symbol_names import TIME
 from .proving.proof import Step, exact
 from .proving.signs import MOST_TERMS, factored, nonpositive, rising_in, terms_of, tidied, vanishes
 from .proving.symbolic_loop import positive_somewhere

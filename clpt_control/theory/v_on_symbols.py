@@ -15,7 +15,8 @@ import numpy as np
 import sympy
 
 from ..arguments import check_holds, numbers
-from ..diagrams.on_symbols import TIME, Equations, Numbers, element_name, readable_equations
+from ..diagrams.on_symbols import Equations, readable_equations
+from ..diagrams.symbol_names import TIME, Numbers, element_name
 from ..equations.block import Block
 from ..equations.symbolic import expressions, rational
 from ..errors import DiagramError

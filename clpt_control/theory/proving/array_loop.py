@@ -15,7 +15,7 @@ import numpy as np
 import sympy
 
 from ...diagrams.merged_record import merged_record
-from ...diagrams.on_symbols import TIME
+from ...diagrams.symbol_names import TIME
 from ...diagrams.wiring import Node, Wiring, wiring_of
 from ...equations.arrays import Tape, operand
 from ...equations.block import Block

@@ -12,7 +12,8 @@ import control
 import numpy as np
 import sympy
 
-from ...diagrams.on_symbols import TIME, Equations
+from ...diagrams.on_symbols import Equations
+from ...diagrams.symbol_names import TIME
 from ...errors import DiagramError
 from ...progress.interrupt import check
 from .running_rate import Running, rate_of, slopes_of

@@ -17,7 +17,7 @@ import numpy as np
 import sympy
 
 from ...diagrams.interconnection import changed_parameters
-from ...diagrams.on_symbols import TIME
+from ...diagrams.symbol_names import TIME
 from ...diagrams.wiring import wiring_of
 from ...equations.at_many import on_arrays
 from ...errors import DiagramError

@@ -13,7 +13,8 @@ import control
 import numpy as np
 import sympy
 
-from ...diagrams.on_symbols import TIME, Equations, Names, on_symbols
+from ...diagrams.on_symbols import Equations, on_symbols
+from ...diagrams.symbol_names import TIME, Names
 from ...diagrams.wiring import Node, Wiring, wiring_of
 from ...equations.ports import split
 from ...equations.record import Shape

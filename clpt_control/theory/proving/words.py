@@ -26,7 +26,7 @@ import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
-from ...diagrams.on_symbols import TIME
+from ...diagrams.symbol_names import TIME
 from ...equations.symbolic import ON_NUMBERS, SUM
 from .proof import short
 

@@ -1,0 +1,178 @@
+"""What changes after a block was made counts at its next reading; what parameters are asked."""
+
+import math
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from recorded import as_it_runs, recorded, static
+from scipy.interpolate import interp1d
+from test_ordinary_python import POINTS, Hull, Motor, closure
+
+from clpt_control.equations import Block
+from clpt_control.equations.arrays import Unread
+from clpt_control.equations.reading import read
+
+# --- what changes after the block was made --------------------------------------------------------
+
+SETTING = SimpleNamespace(gain=1.0)
+LEVEL = 1.0
+
+
+def helper(a, k=1.0):
+    return k * a
+
+
+def changing(t, x, u, p):
+    return SETTING.gain * LEVEL * helper(u[0])
+
+
+def test_a_change_counts_at_the_next_reading(monkeypatch):
+    """Of a global, an object, a default and a helper: a block made again reads them anew."""
+    changes = [
+        ("LEVEL", 2.0),
+        ("SETTING", SimpleNamespace(gain=3.0)),
+        ("helper", lambda a: 5.0 * a),
+    ]
+    seen = [recorded(static(changing), "output", 0.0, [], POINTS[0])[0]]
+    for name, value in changes:
+        monkeypatch.setitem(globals(), name, value)
+        found = as_it_runs(static(changing), "output", 0.0, [], POINTS[0])[0]
+        assert found not in seen
+        seen.append(found)
+    monkeypatch.undo()
+    monkeypatch.setattr(helper, "__defaults__", (7.0,))
+    assert as_it_runs(static(changing), "output", 0.0, [], POINTS[0]) == 7.0 * POINTS[0][0]
+
+
+def read_alone(function, size):
+    """Read a function that no block has called before."""
+    return read(function, "output", {"x": (0,)}, {"u": (3,)}, {}, {}, {"y": (size,)}, dict)
+
+
+COUNT = 0
+
+
+@pytest.mark.parametrize("name", ["odometer", "worn", "replaced"])
+def test_what_an_object_with_tables_keeps_is_a_state(name):
+    hull = Hull()
+    before = {name: id(value) for name, value in vars(hull).items()}
+    with pytest.raises(Unread, match=r"make (what it keeps|it) a state"):
+        read_alone(getattr(hull, name), 3 if name == "replaced" else 1)
+    assert {name: id(value) for name, value in vars(hull).items()} == before
+    assert len(hull.slopes) == 100
+    assert type(hull.drag) is interp1d
+
+
+def counting(t, x, u, p):
+    global COUNT
+    COUNT += 1
+    return u * COUNT
+
+
+def test_a_reading_leaves_all_as_it_was():
+    motor, log = Motor(2.0), []
+
+    def logging(t, x, u, p):
+        log.append(t)
+        motor.last = u[0]
+        return motor.last
+
+    block = static(logging)
+    log.clear()
+    recorded(block, "output", 0.0, [], POINTS[0])
+    assert log == []
+    with pytest.raises(Unread, match="changes the global 'COUNT'"):
+        read_alone(counting, 3)
+    assert COUNT == 0
+
+
+def raising(t, x, u, p):
+    if u[0] < 0:
+        raise ValueError("an empty tank")
+    return u[0]
+
+
+def test_a_way_that_raises_is_nan():
+    block = static(raising)
+    assert recorded(block, "output", 0.0, [], POINTS[0]) == [POINTS[0][0]]
+    assert math.isnan(recorded(block, "output", 0.0, [], POINTS[1])[0])
+
+
+def test_two_functions_of_one_text_keep_their_own_numbers():
+    blocks = {k: static(closure(k)) for k in (2.0, 3.0, -0.0)}
+    for k, block in blocks.items():
+        assert recorded(block, "output", 0.0, [], [7.0, 0.0, 0.0])[0] == k * 7.0
+
+
+# --- parameters --------------------------------------------------------------------------------
+
+
+def counts(t, x, u, p):
+    y = 0.0
+    for k in range(int(p.count)):
+        y += p["v"][k] * u[k] * p.get("gain", 10.0) * p.get("none", 2.0)
+    return y if p.gain > 1.0 else -y
+
+
+def test_a_parameter_is_fixed_only_where_python_needs_its_value():
+    p = {"count": 2.0, "v": np.array([1.0, 2.0, 3.0]), "gain": 0.5}
+    block = static(counts, parameters=p)
+    as_it_runs(block, "output", 0.0, [], POINTS[0])
+    leaves = block.array_record("output").leaves("p")
+    assert "v" in leaves
+    assert "count" not in leaves
+    for change in ({"count": 3.0}, {"gain": 2.0}):
+        block.parameters = block.parameters._replace(**change)
+        as_it_runs(block, "output", 0.0, [], POINTS[0])
+
+
+def by_size(t, x, u, p):
+    phi = np.exp(-np.sum((p.centers - u.x) ** 2, axis=1))
+    return {"phi": phi, "flow": p.theta @ phi}
+
+
+@pytest.mark.parametrize("N", [1, 2, 3, 7])
+def test_sizes_with_names_hold_for_every_N(N):
+    numbers = np.random.default_rng(N)
+    block = Block(
+        "mine",
+        output=by_size,
+        inputs={"x": 2},
+        outputs={"phi": "N", "flow": 2},
+        parameters={"centers": numbers.normal(size=(N, 2)), "theta": numbers.normal(size=(2, N))},
+        shapes={"centers": ("N", 2), "theta": (2, "N")},
+    )
+    record = block.array_record("output")
+    assert record.shapes == (("N",), (2,))
+    assert record == static_of(3).array_record("output")
+    assert block.sizes == {"N": N}
+    as_it_runs(block, "output", 0.0, [], [0.3, -0.4], 1e-13)
+
+
+def static_of(N):
+    return Block(
+        "mine",
+        output=by_size,
+        inputs={"x": 2},
+        outputs={"phi": "N", "flow": 2},
+        parameters={"centers": np.zeros((N, 2)), "theta": np.zeros((2, N))},
+        shapes={"centers": ("N", 2), "theta": (2, "N")},
+    )
+
+
+def test_the_interval_of_a_run_is_asked_both_ways():
+    def ticks(p, t0, t1):
+        return np.arange(np.floor(t0) + 1, np.floor(t1) + 1)
+
+    block = static(
+        lambda t, x, u, p: -u if p.interval > 1.5 else u,
+        1,
+        parameters={"interval": -1.0},
+        breakpoints=ticks,
+    )
+    record = block.array_record("output")
+    for interval, wanted in ((0.0, 3.0), (1.0, 3.0), (2.0, -3.0)):
+        given = {("p", "interval"): interval, ("u", "u"): np.array([3.0])}
+        (found,) = record.values(lambda group, name, given=given: given[group, name], {})
+        assert found == [wanted]
