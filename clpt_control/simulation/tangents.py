@@ -246,8 +246,9 @@ class Sensitive:
         if n == len(along) == len(at) == len(ahead) == len(behind):
             middle = (ahead - behind) / (2.0 * MIDDLE)
             limit = CLOSE * np.abs(middle).max(axis=0) + rounding
-            others = central, (more - at) / h, (at - less) / h
-            apart = np.any([np.abs(one - middle) > limit for one in others], axis=(0, 2))
+            bend, wider = abs(more - 2 * at + less) / h, abs(ahead - 2 * at + behind) / MIDDLE
+            kink = (bend > limit) & (bend > 0.5 * wider)  # what is smooth bends a tenth as much
+            apart = np.any((np.abs(central - middle) > limit) | kink, axis=1)
             if not apart[-1] and not np.any(apart[1:] & apart[:-1]):
                 middle[apart] = along[apart]
                 return middle / size, found.solution.t[apart]

@@ -237,6 +237,17 @@ def test_what_moves_a_jump(system, to, start, slope):
         clpt.sensitivity(system, [0.0, 0.5, 1.0, 3.51], **given)
 
 
+def test_a_steep_signal_is_not_taken_for_a_jump():
+    """y = exp(150 (x - 2.5)) beside the jump, x = edge + 3 (t - edge): a thousandth bends it."""
+    steep = control.nlsys(
+        lambda t, x, u, p: [1.0 if x[0] < p["edge"] else 3.0],
+        lambda t, x, u, p: np.exp(150.0 * (x - 2.5)),
+        **{"inputs": 0, "outputs": ["y"], "states": ["x"], "params": {"edge": 1.0}},
+    )
+    found = clpt.sensitivity(steep, [0.0, 0.51, 1.51], "y", "edge").y
+    assert found[-1] == pytest.approx(-300.0 * np.exp(150.0 * 0.03), rel=1e-3)
+
+
 def faster(w=0.0):
     """x' = 1 below a, 3 above: x = 3 (t + x0) - 2 a behind, beside w, whose effect is larger."""
     return control.nlsys(
