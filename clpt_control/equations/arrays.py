@@ -115,7 +115,8 @@ class Array(NDArrayOperatorsMixin):
     """A value of a tape, of a known shape, used as NumPy's arrays are."""
 
     __slots__ = (
-        *("_boxed", "_fixed", "_node", "_parent", "_select", "_shape", "_store", "_tape", "_whole"),
+        *("_boxed", "_fixed", "_node", "_of_python", "_parent", "_select", "_shape", "_store"),
+        *("_tape", "_whole"),
     )
     __array_priority__ = 1000
 
@@ -124,6 +125,7 @@ class Array(NDArrayOperatorsMixin):
         self._fixed = False  # whether nothing may be written into it
         self._boxed = False  # whether, without axes, it is NumPy's array and no number
         self._whole = False  # whether what is written into it is cut to a whole number
+        self._of_python = False  # whether it is surely one of Python's numbers, not of NumPy's
         self._parent: Array | None = parent
         self._select = select  # takes this part of the parent's elements
         self._store: np.ndarray | None = None  # its elements, once one was written

@@ -191,8 +191,13 @@ def elementwise(name: str, *arguments: Any) -> Any:
                 "things; write float(...), or np.logical_or"
             )
         name = OF_TRUTHS[name]
+    of_python = all(map(is_of_python, arguments))
     if name in RAISING and (tape.has_floats or not moves(arguments[-1])):
-        refuse_in_a_try(arguments[-1])
+        if of_python and name != "pow" and in_a_try() and moves(arguments[-1]):
+            if arguments[-1] == 0:
+                raise ZeroDivisionError("division by zero")
+        else:
+            refuse_in_a_try(arguments[-1])
     for k, one in enumerate(arguments):
         convert = as_condition if name in LOGICAL or (name == "where" and not k) else as_number
         one = one if type(one) is float else convert(lifted(tape, one))
@@ -202,7 +207,13 @@ def elementwise(name: str, *arguments: Any) -> Any:
     shape = shapes.pop() if len(shapes) == 1 else broadcast(*shapes)
     new = tape.add(name, refs, shape)
     new._whole = name in OF_WHOLE and all(map(counts, arguments[name == "where" :]))
+    new._of_python = of_python
     return new
+
+
+def is_of_python(value: Any) -> bool:
+    """Return whether a number is surely Python's; an element of an array may be a float here."""
+    return value._of_python if isinstance(value, Array) else type(value) is int
 
 
 def counts(value: Any) -> bool:

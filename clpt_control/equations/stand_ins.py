@@ -148,7 +148,17 @@ def as_float(value: Array) -> Any:
     if value.shape:
         raise TypeError("only 0-dimensional arrays can be converted to Python scalars")
     value._tape.has_floats = True
-    return elementwise("where", value, 1.0, 0.0) if value._is_condition else value[()]
+    number = elementwise("where", value, 1.0, 0.0) if value._is_condition else value[()]
+    return of_python(number)
+
+
+def of_python(number: Any) -> Any:
+    """Return a number as one of Python's."""
+    if not isinstance(number, Array):
+        return number
+    new = Array(number._tape, number._ref, ())
+    new._of_python, new._whole = True, number._whole
+    return new
 
 
 TYPES = {  # of numbers: what stands for them
@@ -223,7 +233,7 @@ def of_math(name: str, tape: Tape, *arguments: Any, **more: Any) -> Any:
         refuse_in_a_try(*numbers)
     if name in DOMAINS and in_a_try() and DOMAINS[name](*numbers):
         raise ValueError("math domain error")
-    return MATH[name](*numbers, **more)
+    return of_python(MATH[name](*numbers, **more))
 
 
 OF_MATH = [StandIn(getattr(math, name), functools.partial(of_math, name)) for name in MATH]
@@ -250,6 +260,12 @@ def ordered(values: list) -> list[Any]:
     return in_order(values) if len(values) <= MOST_SORTED else sorted(values)
 
 
+def printed(*values: Any, **more: Any) -> None:
+    """Print, but nothing of a way that is only read: its numbers have no values."""
+    if active() is None:
+        print(*values, **more)
+
+
 SHADOWS: dict[str, Any] = {  # built-in names that have stand-ins
     "float": TYPES[float],
     "int": TYPES[int],
@@ -261,6 +277,7 @@ SHADOWS: dict[str, Any] = {  # built-in names that have stand-ins
     "isinstance": is_a,
     "hasattr": has,
     "type": type_of,
+    "print": printed,
 }
 
 

@@ -167,6 +167,22 @@ def catches_a_division(t, x, u, p):
         return [99.0]
 
 
+def is_caught_where_python_divides(t, x, u, p):
+    s, whole = math.sin(x[0]), math.floor(x[1])
+    try:
+        return [s * math.cos(u[0]) / s, 1 / math.fabs(s), 7 % whole, 7 // whole]
+    except ZeroDivisionError:
+        print("no attitude here")
+        return [99.0, x[1], x[2], 1.0]
+
+
+def catches_where_numpy_divides(t, x, u, p):
+    try:
+        return [np.array([1.0, 2.0])[0] / math.sin(x[0])]
+    except ZeroDivisionError:
+        return [99.0]
+
+
 def catches_an_overflow(t, x, u, p):
     try:
         return [math.exp(1000.0 * x[0])]
@@ -388,6 +404,11 @@ REFUSED = ONE_LINE_REFUSED | {name: f for name, f in FUNCTIONS.items() if name n
 @pytest.mark.parametrize("name", READ)
 def test_numbers_of_every_kind_are_as_python_has_them(name):
     reads_as_python_runs(READ[name], PARAMS)
+
+
+def test_nothing_is_printed_while_a_function_is_read(capsys):
+    block_of(is_caught_where_python_divides, PARAMS).array_record("output")
+    assert capsys.readouterr().out == ""
 
 
 @pytest.mark.filterwarnings("ignore:the matrix subclass")
