@@ -120,7 +120,7 @@ def tides_result(report: dict[str, Any]) -> Result:
                 words = "any"  # an angle as good as unknown
             else:
                 words = f"{error:.{digits}f}"
-            row.append(f"{each[key]:.{digits}f} ({words})")
+            row.append(f"{each[key]:z.{digits}f} ({words})")
         rows.append(row)
     title = (
         f"Tides of {report['source']}: amplitudes and axes in m/s, Greenwich phases and "
@@ -130,7 +130,7 @@ def tides_result(report: dict[str, Any]) -> Result:
     sentences = [
         f"{report['samples']} measurements over {report['hours']:.6g} h from "
         f"{report['start'][:16]} UTC, latitude {report['latitude']:g}",
-        f"mean current: {east:+.4f} east, {north:+.4f} north (m/s)",
+        f"mean current: {east:+z.4f} east, {north:+z.4f} north (m/s)",
         f"explained: {report['explained_variance']:.1%} of the variance; residual rms "
         f"{report['residual_rms']:.4f} m/s",
     ]
@@ -175,7 +175,8 @@ def estimate(
     if out is not None:
         known = clpt.estimation.known_flow_scenario(scenario, found.theta)
         clpt.save_scenario(known, out)
-    sd, speed = found.standard_deviation, f"{scenario.units.length}/{scenario.units.time}"
+    sd, length = found.standard_deviation, scenario.units.length
+    speed = f"{length}/{scenario.units.time}"
     condition = found.condition_number
     report = {
         "method": method,
@@ -190,13 +191,19 @@ def estimate(
         error = np.abs(found.theta - np.array(scenario.flow.parameters))
         report["largest_error"] = float(error.max())
     rows = [
-        [str(k + 1), *(f"{found.theta[i, k]:.4f}" for i in range(2)), f"{sd[k]:.1e}"]
+        [str(k + 1), *(f"{found.theta[i, k]:#.4g}" for i in range(2)), f"{sd[k]:.1e}"]
         for k in range(len(sd))
     ]
-    columns = ["function", f"theta_1 ({speed})", f"theta_2 ({speed})", "standard deviation"]
-    keys = ("condition_number", "rms_of_misses_left", "largest_error")
-    present = [key for key in keys if report.get(key) is not None]
-    sentences = [f"{key.replace('_', ' ')}: {cell_text(report[key])}" for key in present]
+    columns = [
+        "function",
+        *(f"{n} ({speed})" for n in ("theta_1", "theta_2", "standard deviation")),
+    ]
+    units = {"condition_number": "", "rms_of_misses_left": length, "largest_error": speed}
+    sentences = [
+        f"{key.replace('_', ' ')}: {cell_text(report[key])} {unit}".rstrip()
+        for key, unit in units.items()
+        if report.get(key) is not None
+    ]
     if out is not None:
         sentences.append(f"{out}: written, with law = known-flow and this estimate")
     title = f"{run}: {method}, {report['fixes']} fixes"

@@ -271,7 +271,8 @@ def print_table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]
     from rich.table import Table
     from rich.text import Text
 
-    table = Table(title=Text(escaped(title)), title_justify="left")
+    head = any(columns)  # else a column of names beside one of values
+    table = Table(title=Text(escaped(title)), title_justify="left", show_header=head)
     columns, rows = list(map(escaped, columns)), [list(map(escaped, row)) for row in rows]
     least = 1
     for k, column in enumerate(columns):

@@ -182,7 +182,7 @@ def _cell(key: str, value: Any) -> str:
     if value is None:
         return "not within the run"
     if key == "waypoints":
-        return "\n".join(f"{x1:8.3f} {x2:8.3f}" for x1, x2 in value)
+        return "\n".join(f"{x1:z8.3f} {x2:z8.3f}" for x1, x2 in value)
     if key == "positions":
         return "; ".join(cell_text(pair) for pair in value)
     return cell_text(list(value.values()) if isinstance(value, dict) else value)
@@ -215,8 +215,8 @@ def _sentences(report: dict[str, Any]) -> list[str]:
                 "--for law asks what this law makes of it"
             )
         sentences.append(
-            f"the learning time ends where every flow parameter stays within "
-            f"{after['level']:.3g} of the truth"
+            f"the learning time ends where every flow parameter stays within {after['level']:.3g} "
+            f"{report['units']['length']}/{report['units']['time']} of the truth"
         )
     return sentences
 

@@ -211,7 +211,7 @@ def found_of_flow(numbers: Numbers, scenario: Scenario) -> str:
         parts.append(
             f"the current hardly changes {where}, so there is no variance to explain"
             if share is None
-            else f"the learned flow explains {100 * share:.0f} % of the current's variance {where}"
+            else f"the learned flow explains {100 * share:z.0f} % of the current's variance {where}"
             f"{worse and ', '}{worse}"
         )
     if errors := numbers.get("max_gain_error"):
@@ -261,7 +261,7 @@ def _achieved(numbers: Numbers, length: str, time: str) -> list[list[str]]:
         end, error = list(by_time.items())[-1]
         rows.append([f"largest {what} error ({unit})", f"{error:.3g} at t = {end} {time}"])
     for place, share, worse in shares_of(numbers):
-        said = "none: the current hardly changes" if share is None else f"{share:.3f}"
+        said = "none: the current hardly changes" if share is None else f"{share:z.3f}"
         said += f"; negative: {worse}" if worse else ""
         rows.append([f"share of the flow's variance learned, {place}", said])
     return rows
@@ -299,7 +299,7 @@ def excitation_result(report: dict[str, Any]) -> Result:
         if axis in report["ceilings"]:
             rows.append([f"{axis}: ceiling of the smallest", f"{report['ceilings'][axis]:.4g}"])
         parts = sorted(report["least_excited"][axis].items(), key=lambda part: -abs(part[1]))[:8]
-        listed = ", ".join(f"{name} {share:+.2f}" for name, share in parts)
+        listed = ", ".join(f"{name} {share:+z.2f}" for name, share in parts)
         rows.append([f"{axis}: least excited direction", listed])
     if report["contraction"] is None:
         rows.append(["contraction of V", report["not_certified"]])

@@ -164,7 +164,7 @@ def _learned(run: xarray.Dataset, scenario: Scenario) -> Section:
 
 
 def _row(name: str, learned: float, true: float) -> list[str]:
-    known = [f"{true:.4g}", f"{learned - true:+.2g}"] if np.isfinite(true) else ["not known", "-"]
+    known = [f"{true:.4g}", f"{learned - true:+z.2g}"] if np.isfinite(true) else ["not known", "-"]
     return [name, f"{learned:.4g}", *known]
 
 

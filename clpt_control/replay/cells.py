@@ -37,7 +37,7 @@ def cells(row: dict[str, Any]) -> dict[str, str]:
     """Return the cells of a row of `--json` by the titles of their columns, in their order."""
     clpe, drift = row["clpe"], row["drift"]
     current = [
-        f"{row[f'current_{axis}']:+.3f}({1000 * row[f'current_{axis}_error']:.0f})"
+        f"{row[f'current_{axis}']:+z.3f}({1000 * row[f'current_{axis}_error']:.0f})"
         for axis in ("east", "north")
     ]
     speed = {}
@@ -52,7 +52,7 @@ def cells(row: dict[str, Any]) -> dict[str, str]:
         **speed,
         "over ground": _toward(row["over_ground"]),
         "drift (m) to": "-" if drift is None else f"{drift['distance']:.0f}, {_toward(drift)}",
-        "E N of DR (m)": f"{row['forecast_east']:+.0f} {row['forecast_north']:+.0f}",
+        "E N of DR (m)": f"{row['forecast_east']:+z.0f} {row['forecast_north']:+z.0f}",
         "90 % ellipse (m, deg)": _ellipse(row),
         "90 %": "in" if row["inside_90"] else "OUT",
         "mark": speed_mark(row["anomaly"]),

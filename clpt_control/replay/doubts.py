@@ -133,7 +133,7 @@ class Anomaly(NamedTuple):
 
     def __str__(self) -> str:
         return (
-            f"dive {self.dive}: speed factor {self.expected:.2f} changed by {self.change:+.2f} +- "
+            f"dive {self.dive}: speed factor {self.expected:.2f} changed by {self.change:+z.2f} +- "
             f"{self.standard_error:.2f} since dive {self.since}; evidence "
             f"{self.likelihood_ratio:.0f} (a change of the current instead: {self.of_current:.0f}; "
             f"{SURE:g} is needed)"

@@ -165,7 +165,7 @@ def learned_report(replay: Replay) -> dict[str, Any]:
     }
     words = [f"{velocity(*map(float, step.current))} over the last dive"]
     for part, p in chances.items():
-        size = f" {round(sizes[part], 2) + 0.0:.2f}" if part in sizes else ""
+        size = f" {sizes[part]:z.2f}" if part in sizes else ""
         unit = " m/s" if size and part != "model" else ""
         words.append(f"{part}{size}{unit}" + ("" if p is None else f" (odds {odds(p)})"))
     if replay.model.learn_speed:
@@ -188,7 +188,7 @@ def compass_words(step: Step) -> str:
     """Return the error of the compass, and what it means where it is far from 0."""
     off, error = step.compass, step.compass_error
     means = f": it goes to the {'right' if off > 0 else 'left'} of its heading"
-    return f"compass {off:+.1f} +- {error:.1f} degrees{means if abs(off) > FAR * error else ''}"
+    return f"compass {off:+z.1f} +- {error:.1f} degrees{means if abs(off) > FAR * error else ''}"
 
 
 @public

@@ -103,7 +103,7 @@ class Replay:
             clpe = [step.clpe[name] for name in self.models]
             misses = ["" if size is None else f"{size:.0f}" for size in clpe]
             factor = [f"{step.speed:.2f}"] if self.model.learn_speed else []
-            rows.append((step.dive.number, *misses, f"{east:.2f}, {north:.2f}", *factor))
+            rows.append((step.dive.number, *misses, f"{east:z.2f}, {north:z.2f}", *factor))
         head = ["dive", *(f"CLPE (m), {name.replace('_', ' ')}" for name in self.models)]
         head += ["current east, north (m/s)"]
         head += ["factor on speed"] if self.model.learn_speed else []

@@ -61,7 +61,7 @@ def _cards(found: dict[str, Any]) -> list[str]:
     ahead, last = found["next_dive"], found["each_dive"][-1]
     time = places.clock(ahead["time"])
     if ahead["now_is"] == "clock":
-        since = f'<span data-time="{safe(ahead["time"])}">{ahead["hours_from_now"]:+.1f} h</span>'
+        since = f'<span data-time="{safe(ahead["time"])}">{ahead["hours_from_now"]:+z.1f} h</span>'
         since += f"; written {safe(ahead['now'][11:16])} UTC"
     else:
         since = f"{ahead['hours_from_now']:.1f} h after the {safe(ahead['now_is'])}"
@@ -88,7 +88,7 @@ def _cards(found: dict[str, Any]) -> list[str]:
     inside = "" if last["inside_90"] else "; outside the 90 % ellipse"
     cards.append(_card(f"Miss, dive {last['dive']}", miss, before + inside))
     for anomaly in found["anomalies"][-1:]:
-        change = f"changed by {anomaly['change']:+.2f} since dive {anomaly['since']}"
+        change = f"changed by {anomaly['change']:+z.2f} since dive {anomaly['since']}"
         cards.append(
             _card(f"Mark of dive {anomaly['dive']}", cells.speed_mark(anomaly), change, "alarm")
         )

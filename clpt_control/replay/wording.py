@@ -30,8 +30,8 @@ def next_surfacing(ahead: dict[str, Any]) -> str:
     uncovered = ahead["flow_model_covers"] is False
     return (
         f"next surfacing {when(ahead)}, "
-        f"after {ahead['duration'] / 3600:.2f} h and {ahead['dr_east']:+.0f} m "
-        f"east, {ahead['dr_north']:+.0f} m north through the water ({BASES[ahead['basis']]}): "
+        f"after {ahead['duration'] / 3600:.2f} h and {ahead['dr_east']:+z.0f} m "
+        f"east, {ahead['dr_north']:+z.0f} m north through the water ({BASES[ahead['basis']]}): "
         f"{place(ahead['latitude'], ahead['longitude'])}, 90 % within "
         f"{half_axes(ahead)} m"
         + (f"; the flow model does not cover it: {ahead['why_uncovered']}" if uncovered else "")
@@ -87,7 +87,7 @@ def aim_sentence(leg: dict[str, Any]) -> str:
         if leg["heading_magnetic"] is not None:
             text += f" (magnetic {compass(leg['heading_magnetic'])})"
         if leg["crab"] is not None:
-            text += f", crab {leg['crab']:+.0f}"
+            text += f", crab {leg['crab']:+z.0f}"
     full = f"{leg['through_water_full']:.0f} m"
     if leg["state"] == REACHED:
         end = clock(leg["end"])

@@ -371,5 +371,5 @@ def _sentence(names: Sequence[str], direction: np.ndarray) -> str:
     if len(parts) == 1:
         return f"the data do not tell {parts[0][0]}"
     largest = max(abs(v) for _, v in parts)
-    moves = ", ".join(f"{name} by {v / largest:+.2g} %" for name, v in parts)
+    moves = ", ".join(f"{name} by {v / largest:+z.2g} %" for name, v in parts)
     return f"the data do not tell {' and '.join(n for n, _ in parts)} apart: {moves} is not felt"

@@ -320,15 +320,17 @@ def test_spline_goes_through_the_grid():
                 np.testing.assert_allclose(at, values[:, m, j, i], atol=1e-12)
 
 
-def test_spline_of_a_smooth_flow_is_near_it():
-    def u(t, y, x):
-        return np.cos(math.pi * x / 6) * np.cos(math.pi * y / 4)  # flat in the middle of each edge
+def test_spline_gives_cubics_back_up_to_the_edges():
+    """Of a current that turns at its first step and at its coast, nothing is flattened."""
 
-    fine = [np.linspace(0, 1, 4), np.linspace(-4, 4, 65), np.linspace(-6, 6, 65)]
-    mesh = np.meshgrid(*fine, indexing="ij")
-    block = field.gridded_flow(GriddedField(*fine, u(*mesh), 0 * mesh[0]))
-    for x, y in ((0.1, 0.2), (-1.7, 0.9), (2.3, -1.6)):
-        assert block.output(0.5, [], [x, y])[0] == pytest.approx(u(0, y, x), abs=1e-6)
+    def u(t, y, x):
+        return (1 - t + 0.02 * t**3) * (2 + y - y**3) * (x**2 - 0.3 * x**3)
+
+    block = gridded(u, lambda t, y, x: t * y * x)
+    edges = (0.0, -2.0, -3.0), (10.0, 2.0, 3.0)
+    for t, y, x in (*edges, (0.3, -1.9, -2.8), (9.6, 1.8, 2.7), (4.7, 0.3, -1.1)):
+        at = block.output(t, [], [x, y])
+        np.testing.assert_allclose(at, [u(t, y, x), t * y * x], atol=1e-10)
 
 
 def test_guard_is_positive_inside_alone():

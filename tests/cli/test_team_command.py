@@ -157,6 +157,8 @@ def test_the_table_is_printed(clpt, run):
     assert outcome.status == 0
     assert "13 fixes" in " ".join(outcome.out.split())
     assert "condition number: " in outcome.out
+    assert "standard deviation (m/s)" in outcome.out
+    assert re.search(r"rms of misses left: \S+ m\nlargest error: \S+ m/s\n", outcome.out)
 
 
 def test_mistakes_are_one_sentence(clpt, refused, run):

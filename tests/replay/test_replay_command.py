@@ -173,6 +173,11 @@ def test_a_plan_of_the_next_dive(command):
     assert ahead["flow_model_covers"] is ahead["why_uncovered"] is None
 
 
+def test_nothing_is_minus_nothing(command):
+    said = command("--sample", "--next", "4.5", "-0.3", "3000").stdout
+    assert "h and +0 m east, +3000 m north through the water" in said
+
+
 def test_whether_the_flow_model_covers_the_plan_is_said(command, forecast):
     words = ("--sample", "--flow-model", forecast, "--least-duration", "15000")
     ahead = json.loads(command(*words, "--json").stdout)["next_dive"]

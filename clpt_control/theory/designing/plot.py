@@ -133,11 +133,8 @@ def _error(ax: "Axes", design: Design) -> None:
         assert one.error is not None
         error = np.maximum(one.error, LOWEST)
         ax.semilogy(one.run.time, error, style, color=colour, linewidth=1.6, label=name)
-    level = design.report["after"]["level"]
-    ax.axhline(level, color=GREY, linewidth=1.0, linestyle=":", label=f"level {level:.3g}")
-    ax.set(
-        xlabel=f"time ({units['time']})",
-        ylabel=f"largest flow-parameter error ({units['length']}/{units['time']})",
-    )
-    ax.set_title(f"what `{design.report['law']}` learns", loc="left", fontsize=10)
+    speed, level = f"{units['length']}/{units['time']}", design.report["after"]["level"]
+    ax.axhline(level, color=GREY, linewidth=1.0, linestyle=":", label=f"level {level:.3g} {speed}")
+    ax.set(xlabel=f"time ({units['time']})", ylabel=f"largest flow-parameter error ({speed})")
+    ax.set_title(f"what {design.report['law']} learns", loc="left", fontsize=10)
     ax.legend(fontsize=8, frameon=False)

@@ -187,7 +187,7 @@ def excitation_rows(every: dict[str, Excitation]) -> list[tuple[str, ...]]:
     for name, one in every.items():
         for axis, values in one.eigenvalues.items():
             least = sorted(one.least_excited[axis].items(), key=lambda part: -abs(part[1]))[:4]
-            direction = ", ".join(f"{part} {share:+.2f}" for part, share in least)
+            direction = ", ".join(f"{part} {share:+z.2f}" for part, share in least)
             learnable = f"{one.dimension[axis]} of {len(values)}"
             sizes = f"{values[0]:.4g}", f"{values[-1]:.4g}"
             rows.append((f"{name} {axis}".strip(), *sizes, learnable, direction))
