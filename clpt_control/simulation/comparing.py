@@ -10,7 +10,7 @@ from ..errors import ClptError, DataError
 from ..figures import COLOURS, axes_for, line_style, literal
 from .charts import coloured, track_plot
 from .frame import INDEX
-from .plots import among, clpe_plot, learning_plot, run_plot
+from .plots import among, clpe_plot, learning_plot, run_plot, say_lines
 
 if TYPE_CHECKING:
     import xarray
@@ -72,9 +72,7 @@ def response_plot(
             one.plot(run.time.values, column, label=said, linewidth=1.1, **line)
         one.set_ylabel(literal(named(port, run[port].attrs.get("units"))))
         if (len(signals) > 1 or label is not None) and len(signals) <= 6:
-            beside: dict[str, Any] = {"loc": "upper left", "bbox_to_anchor": (1.0, 1.05)}
-            place = {"loc": "upper right", "ncols": 6} if label is None else beside
-            one.legend(frameon=False, fontsize=8, **place)
+            say_lines(one, label, fontsize=8, loc="upper right", ncols=6)
     one.set_xlabel(literal(named("time", run.time.attrs.get("units"))))
     return axes
 

@@ -68,11 +68,11 @@ def clpe_plot(
         top.plot(time[early], e[early, i], label=among(label, f"$e_{i + 1}$"), lw=1.1, **line)
     last = max(time[early], default=2 * cycle)
     top.set(ylabel=f"CLPE ({units.length})", xlim=(0, _wider(top, last, label)))
-    top.legend(**_legend(label), fontsize=8)
+    say_lines(top, label, fontsize=8)
     top.set_title("CLPE", **TITLE)
     size, lowest = np.hypot(*e.T), bottom.get_ylim()[0] if bottom.lines else np.inf
     positive = np.maximum(size, 1e-12)
-    name = "|e|" if label is None else label if not count else None
+    name = "|e|" if label is None else None if count else label
     alpha = 0.5 if label is None else 0.25  # behind the steps of the waypoints
     shade: dict[str, Any] = {"color": color or BLUE, "alpha": alpha if count else 1}
     bottom.semilogy(time, positive, label=name, linewidth=0.5, **shade)
@@ -82,14 +82,14 @@ def clpe_plot(
         rms = np.sqrt(np.bincount(number, size**2) / np.where(counts > 0, counts, np.nan))
         few = len(size) < MANY * len(counts)  # the pictures of a long run have fewer samples
         name = f"rms of each {dwell:g} {units.time}, a waypoint{', of the samples shown' * few}"
-        shade = {"color": color or "black", "linewidth": 1.2, "label": among(label, name)}
+        shade = {"color": color or "black", "linewidth": 1.2, "label": label or name}
         bottom.step(dwell * np.arange(len(counts)), np.maximum(rms, 1e-12), where="post", **shade)
     bottom.set(xlabel=f"time ({units.time})", ylabel=f"|CLPE| ({units.length})")
     bottom.set_xlim(0, _wider(bottom, time[-1], label))
     if size.max() > 0:
         least = max(1e-12, np.nanmin(np.where(size > 0, size, np.nan)) / 2)
         bottom.set_ylim(bottom=least if label is None else min(least, lowest))
-    bottom.legend(**_legend(label), fontsize=8)
+    say_lines(bottom, label, name, fontsize=8)
     if count and not (top.child_axes or bottom.child_axes):
         for one in axes:
             above = one.secondary_xaxis("top", functions=(lambda t: t / cycle, lambda n: n * cycle))
@@ -104,9 +104,14 @@ def among(label: str | None, signal: str) -> str:
     return signal if label is None else f"{label}: {signal}"
 
 
-def _legend(label: str | None) -> dict[str, Any]:
-    """Return how a legend stands: among the lines of several runs on white."""
-    return {"frameon": label is not None, "framealpha": 0.85, "edgecolor": "none"}
+def say_lines(ax: Any, label: str | None, what: str | None = None, **place: Any) -> None:
+    """Put a legend into axes; of several runs beside them, where it hides no line, under `what`."""
+    if label is not None:
+        columns = 1 + (len(ax.get_legend_handles_labels()[0]) - 1) // 6
+        place = {"fontsize": 8, "ncols": columns, "loc": "upper left", "bbox_to_anchor": (1, 1.05)}
+        if what != label:
+            place |= {"title": (what or "").replace(", ", ",\n"), "title_fontsize": 7}
+    ax.legend(frameon=False, **place)
 
 
 def _wider(ax: Any, last: float, label: str | None) -> float:
@@ -199,8 +204,8 @@ def learning_plot(
             one.minorticks_off()
             bottom.set_xlabel(f"time ({units.time}), logarithmic after one cycle")
     if N <= 6 or label is not None:
-        top.legend(**_legend(label), fontsize=9, ncols=3)
-    bottom.legend(**_legend(label), fontsize=9, ncols=2)
+        say_lines(top, label, fontsize=9, ncols=3)
+    say_lines(bottom, label, fontsize=9, ncols=2)
     return axes
 
 

@@ -1,5 +1,7 @@
 """Formulas as MathML, which browsers draw by themselves: no script, no font, no network."""
 
+import re
+
 from docutils import nodes
 from docutils.utils.math import MathError, latex2mathml
 
@@ -28,6 +30,8 @@ def mathml(node, as_block):
     if as_block and r"\\" in source and r"\begin" not in source:
         source = rf"\begin{{aligned}}{source}\end{{aligned}}"
     try:
-        return latex2mathml.tex2mathml(source, as_block=as_block)
+        found = latex2mathml.tex2mathml(source, as_block=as_block)
     except MathError as problem:
         raise ValueError(f"{node.source}:{node.line}: {problem}: {source}") from None
+    # a bar or a prime is no operator between two things: browsers would put space about it
+    return re.sub(r"<mo([^>]*)>([|‖'])</mo>", r'<mo\1 lspace="0" rspace="0">\2</mo>', found)

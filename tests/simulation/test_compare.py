@@ -226,6 +226,17 @@ def test_runs_of_scenarios_are_told_apart(plot, count):
         assert axes.get_xlim()[1] > reach
 
 
+@pytest.mark.parametrize("plot", ["clpe", "learning", "run"])
+def test_no_legend_of_several_runs_lies_over_a_line(plot):
+    run = clpt.simulate(clpt.paper_scenario().with_values({"run.duration": 60}))
+    axes = np.ravel(clpt.compare(dict.fromkeys("abcd", run), plot))
+    axes[0].figure.canvas.draw()
+    legends = [one.get_legend().get_window_extent() for one in axes]
+    frames = [one.get_window_extent() for one in axes]
+    for k, legend in enumerate(legends):
+        assert not any(legend.overlaps(other) for other in frames + legends[:k])
+
+
 def test_a_plot_of_a_run_takes_label_and_color():
     run = clpt.simulate(SCENARIO)
     ax = run.clpt.plot.track(label="mine", color="black")
