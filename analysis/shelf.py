@@ -190,6 +190,10 @@ def main(out="shelf"):
         for x, y, style in lines:
             ax.plot(x, y, style, lw=1.2, ms=3)
         ax.set_title(panel.__name__, fontsize=9)
+        ax.set_xlabel("u" if panel in PANELS[:3] else "time (s)", fontsize=7)
+        if panel is planar_vehicle:
+            ax.set(xlabel="x (m)", aspect="equal", adjustable="datalim")
+            ax.set_ylabel("y (m)", fontsize=7)
         ax.tick_params(labelsize=7)
         told = "" if off is None else f"{off:.1e}"
         rows.append(f"| `{panel.__name__}` | {panel.__doc__} | {told} |")

@@ -51,7 +51,9 @@ relative, of eight end positions to those of C.
 
 
 def _number(value, pattern: str) -> str:
-    return "" if value is None else format(value, pattern)
+    """Return a number as 12,150 in place of 1.215e+04."""
+    text = "" if value is None else format(value, pattern)
+    return f"{float(text):,.0f}" if "e+" in text else text
 
 
 def _table(header: list[str], rows: list[list[str]]) -> str:
@@ -66,8 +68,8 @@ def _paper(rows: list[dict]) -> str:
     cells = [
         [
             row["title"] + (f" [{notes.index(row['note']) + 1}]" if row["note"] else ""),
-            f"{1e3 * row['median']:.3g}",
-            f"{1e3 * row['minimum']:.3g}",
+            _number(1e3 * row["median"], ".3g"),
+            _number(1e3 * row["minimum"], ".3g"),
             _number(row.get("ratio"), ".3g"),
             f"{row['error']:.1e}",
         ]
@@ -80,8 +82,8 @@ def _paper(rows: list[dict]) -> str:
 
 def _basis(results: dict) -> str:
     def cell(row: dict) -> str:
-        beside = f" ({row['ratio']:.3g})" if row.get("ratio") else ""
-        return f"{1e3 * row['median']:.3g}{beside}, {row['error']:.0e}"
+        beside = f" ({_number(row['ratio'], '.3g')})" if row.get("ratio") else ""
+        return f"{_number(1e3 * row['median'], '.3g')}{beside}, {row['error']:.0e}"
 
     sizes = results["basis"]
     found = {(row["title"], N): cell(row) for N, rows in sizes.items() for row in rows}
@@ -111,7 +113,10 @@ def _cells(row: dict, patterns: dict[str, str]) -> list[str]:
 
 def _growth(rows: list[dict]) -> str:
     sizes = sorted({row["members"] for row in rows})
-    found = {(r["title"], r["members"]): f"{r['rate']:.4g}, {r['peak_mb']:.0f} MB" for r in rows}
+    found = {
+        (r["title"], r["members"]): f"{_number(r['rate'], '.4g')}, {r['peak_mb']:.0f} MB"
+        for r in rows
+    }
     cells = [
         [title, *(found.get((title, n), "") for n in sizes)]
         for title in dict.fromkeys(row["title"] for row in rows)
@@ -149,15 +154,17 @@ def figure(results: dict, path: Path) -> None:
     FigureCanvasAgg(drawing)
     bars, basis, members = drawing.subplots(1, 3)
     rows = sorted(results.get("paper", []), key=lambda row: -row["median"])
-    shades = [OURS if row["title"].startswith("clpt") else "0.7" for row in rows]
-    bars.barh([row["title"] for row in rows], [1e3 * row["median"] for row in rows], color=shades)
-    bars.set(xscale="log", xlabel="ms", title="The paper's run")
+    shades = [OURS if row["title"].startswith("clpt") else "0.5" for row in rows]
+    times = [1e3 * row["median"] for row in rows]  # as points: a bar has no length on this axis
+    bars.scatter(times, [row["title"] for row in rows], color=shades, zorder=3)
+    bars.set(xscale="log", xlabel="time of a run (ms)", title="The paper's run")
+    bars.grid(alpha=0.3)
     bars.tick_params(axis="y", labelsize=7)
     lines: dict[str, list] = {}
     for N, found in results.get("basis", {}).items():
         for row in found:
             lines.setdefault(row["title"], []).append((int(N), 1e3 * row["median"]))
-    _lines(basis, lines, "basis functions N", "ms", "One run")
+    _lines(basis, lines, "basis functions N", "time of a run (ms)", "One run")
     lines = {}
     for row in results.get("growth", []):
         lines.setdefault(row["title"], []).append((row["members"], row["rate"]))
