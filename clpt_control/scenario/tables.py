@@ -87,8 +87,10 @@ def sentence(problem: Any, table: type[Table]) -> str:
         return f'{key}.kind = {problem["ctx"]["tag"]!r}: must be "circle" or "waypoints"'
     if kind == "value_error" and len(where) <= 1:
         return message
-    if kind in ("too_long", "too_short", "tuple_type", "missing_argument"):
+    if kind in ("too_long", "too_short", "missing_argument"):
         message = message.replace("Tuple should", "must").replace(" after validation", "")
+    if kind == "tuple_type":
+        message = "must be a list, in brackets"
     if kind in ("model_type", "model_attributes_type"):
         message = "must be a table of keys"
     value = shortened(" ".join(repr(problem["input"]).split()), 60)

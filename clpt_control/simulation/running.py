@@ -18,12 +18,13 @@ from ..blocks.localization import TRUE
 from ..diagrams.interconnection import wiring_of_blocks, with_stop
 from ..diagrams.wiring import Params, Part, Sizes, Wiring, read_anew, units_of, wiring_of
 from ..equations.ports import ports_of, split, whole_labels
+from ..errors import SimulationError
 from ..native.ending import Solution
 from ..native.engines import make_runner, run_checked
 from ..native.machine import ENGINE
 from ..native.native_diagram import NativeDiagram
 from ..native.schedule import read_inputs
-from ..scenario.experiment import Scenario
+from ..scenario.experiment import MOST_BYTES, Scenario
 from ..scenario.file import EQUATIONS, OWN_PARTS, REFERENCE, TEAM
 from ..scenario.team import Team, team_to_text
 from .dataset import Signals, beyond_scenario_of, diagram_frame, run_frame, signals_in, with_states
@@ -38,6 +39,7 @@ if TYPE_CHECKING:
     import xarray
 
 MOST = 16  # cached runs
+COPIES = 4  # of each number of a run, at most: measured
 _CACHE: dict[Any, Any] = {}
 
 
@@ -70,8 +72,20 @@ class SystemRun:
         blocks = zip(self.wiring.nodes, self.runner.sweep.parameters, strict=True)
         return next((p.max_speed for node, p in blocks if node.name == "speed_limit"), None)
 
+    def check_memory(self, samples: int) -> None:
+        """Refuse more samples than memory should hold."""
+        numbers = self.runner.nstates + len(self.labels)
+        size = 8 * COPIES * numbers * samples
+        if size > MOST_BYTES:
+            raise SimulationError(
+                f"timepts: {samples} samples of {numbers} states and signals would take "
+                f"{size / 1e9:.3g} GB of memory; at most {MOST_BYTES / 1e9:g} are allowed: give "
+                "fewer times"
+            )
+
     def run(self, times: np.ndarray, **options: Any) -> "xarray.Dataset":
         """Run from the start; return a Dataset."""
+        self.check_memory(len(times))
         solution = self.runner.run(self.start, times, **options)
         return self.dataset(solution, self.runner.signals(solution))
 
@@ -193,6 +207,7 @@ class DiagramRun(SystemRun):
 
     def run(self, times: np.ndarray, inputs: Any = None, x0: Any = None, **options: Any) -> Any:
         """Run from a state at the first time to the last; the Dataset carries what repeats it."""
+        self.check_memory(len(times))
         u = read_inputs(inputs, times, self.wiring.ninputs)
         state = stacked_state("initial_state", 0.0 if x0 is None else x0, self.runner.nstates)
         options["inputs"] = u

@@ -73,6 +73,10 @@ SEVERAL = {  # name -> (changes, words that the line must hold)
         {"learning.law": "known-flow", "learning.parameters": None},
         ["learning.theta_estimate", "required"],
     ),
+    "one number for two": (
+        {"vehicle.position": 3.0},
+        ["vehicle.position = 3.0: must be a list, in brackets"],
+    ),
     "known flow with alpha": ({"learning.law": "known-flow"}, ["learning."]),
     "theta and field": ({"flow.field": "field.nc"}, ["flow.parameters", "one of the two"]),
     "missing field": ({f"flow.{k}": v for k, v in FIELD.items()}, ["flow.field", "no such file"]),

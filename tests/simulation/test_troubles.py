@@ -120,3 +120,12 @@ def test_out_and_back_within_a_step_is_found(farthest):
     leaves = 10 / math.pi * math.asin(2 / farthest)
     assert run.time[-1] == pytest.approx(leaves, abs=1e-6)
     assert run.states[0, -1] == pytest.approx(2.0, abs=1e-8)
+
+
+@pytest.mark.parametrize("of", [lambda s: s, clpt.closed_loop], ids=["scenario", "diagram"])
+def test_more_samples_than_memory_holds_are_refused_before_work(of):
+    many = 1e-4 * np.arange(8_000_000)
+    with pytest.raises(
+        SimulationError, match=r"timepts: 8000000 samples of \d+ states and signals"
+    ):
+        clpt.simulate(of(PAPER), many)
