@@ -29,6 +29,14 @@ def started(words, **options):
             process.kill()
 
 
+def ran(*words, status=0, **options):
+    """Run a process to its end, which has this status, and give what it says."""
+    own = {"capture_output": True, "text": True, "timeout": GUARD, **options}
+    done = subprocess.run(list(map(str, words)), **own)
+    assert done.returncode == status, done.stderr[-3000:]
+    return done
+
+
 def await_line(process, stream, part):
     """Read lines until one has a part; the process must not end before."""
     while part not in (line := stream.readline()):

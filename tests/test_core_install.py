@@ -2,14 +2,13 @@
 
 import os
 import re
-import subprocess
 import sys
 import tomllib
 from pathlib import Path
 
 import pytest
 from packaging.requirements import Requirement
-from processes import GUARD
+from processes import ran
 
 HOUSE = Path(__file__).parent.parent
 PROJECT = tomllib.loads((HOUSE / "pyproject.toml").read_text())["project"]
@@ -87,11 +86,7 @@ def core(tmp_path_factory):
     (folder / "mine.py").write_text(BLOCKED + "import xarray\n" + lines + CORE + TOLD)
     places = [str(Path(__file__).parent), os.environ.get("PYTHONPATH", "")]
     env = os.environ | {"PYTHONPATH": os.pathsep.join(places)}
-    done = subprocess.run(
-        [sys.executable, "mine.py"],
-        cwd=folder, env=env, capture_output=True, text=True, timeout=GUARD,
-    )  # fmt: skip
-    assert done.returncode == 0, done.stderr
+    done = ran(sys.executable, "mine.py", cwd=folder, env=env)
     assert (folder / "page.html").stat().st_size > 10_000
     return done.stderr
 

@@ -2,12 +2,12 @@
 
 import io
 import os
-import subprocess
 import sys
 from itertools import count
 from types import SimpleNamespace
 
 import pytest
+from processes import ran
 
 from clpt_control import progress
 
@@ -67,10 +67,8 @@ if __name__ == "__main__":
 @pytest.mark.skipif(os.name != "posix", reason="semaphores are tidied by another process there")
 def test_a_command_that_ends_with_its_processes_at_work_says_nothing_of_semaphores(tmp_path):
     (tmp_path / "ended.py").write_text(ENDED)
-    done = subprocess.run(
-        [sys.executable, "ended.py"], cwd=tmp_path, capture_output=True, text=True
-    )
-    assert (done.returncode, done.stdout, done.stderr) == (130, "1\n", "")
+    done = ran(sys.executable, "ended.py", status=130, cwd=tmp_path)
+    assert (done.stdout, done.stderr) == ("1\n", "")
 
 
 UNGUARDED = """
@@ -84,7 +82,5 @@ with processes(1) as pool:
 
 def test_a_script_needs_no_guard_for_its_processes(tmp_path):
     (tmp_path / "unguarded.py").write_text(UNGUARDED)
-    done = subprocess.run(
-        [sys.executable, "unguarded.py"], cwd=tmp_path, capture_output=True, text=True
-    )
-    assert (done.returncode, done.stdout, done.stderr) == (0, "once\n1\n", "")
+    done = ran(sys.executable, "unguarded.py", cwd=tmp_path)
+    assert (done.stdout, done.stderr) == ("once\n1\n", "")

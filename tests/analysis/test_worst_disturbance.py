@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from pictures import inked
+from processes import ran
 from responses import response
 
 import clpt_control as clpt
@@ -155,17 +156,11 @@ def test_the_mean_square_bound_is_tight():
 
 @pytest.mark.slow
 def test_the_study_of_bounds(tmp_path):
-    import subprocess
     import sys
     from pathlib import Path
 
-    done = subprocess.run(
-        [sys.executable, "-m", "analysis.disturbance_bounds", "--out", tmp_path],
-        cwd=Path(__file__).parents[2],
-        capture_output=True,
-        text=True,
-        check=True,
-    )
+    words = "-m", "analysis.disturbance_bounds", "--out", tmp_path
+    done = ran(sys.executable, *words, cwd=Path(__file__).parents[2])
     assert "Eq. (33) is violated in 14 of 17 runs" in done.stdout
     assert "the mean-square bound in 0, the corrected bound in 0." in done.stdout
     assert "The worst disturbance on axis 1 makes |e| = 5.23 Dmax" in done.stdout

@@ -9,7 +9,7 @@ import shutil
 import subprocess
 
 import pytest
-from processes import CLPT, GUARD
+from processes import CLPT, ran
 from synthetic_vehicle import fixes_of
 
 from clpt_control.gliders.dive_table import write_dive_table
@@ -70,13 +70,8 @@ def page(tmp_path_factory):
 
 def shown(path, profile, *words):
     """What Chromium makes of a file: its tree, and what its console says."""
-    done = subprocess.run(
-        [CHROMIUM, *QUIET, f"--user-data-dir={profile}", *words, "--dump-dom", path.as_uri()],
-        capture_output=True,
-        text=True,
-        timeout=GUARD,
-        check=True,
-    )
+    words = f"--user-data-dir={profile}", *words, "--dump-dom", path.as_uri()
+    done = ran(CHROMIUM, *QUIET, *words)
     return done.stdout, re.findall(r"CONSOLE.*", done.stderr)
 
 

@@ -6,14 +6,13 @@ or no Chromium is installed.  A page of ours opens them one after the other in a
 
 import json
 import re
-import subprocess
 import threading
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 import pytest
-from processes import GUARD
+from processes import ran
 from test_page_in_chromium import CHROMIUM, IN_CHROMIUM, QUIET
 
 SITE = Path(__file__).parents[2] / "build" / "docs"
@@ -104,17 +103,9 @@ def test_every_page_fits_its_screen(served, tmp_path, width, theme):
     pages = json.dumps([*names(), SEARCH])
     text = VISIT.replace("PAGES", pages).replace("SEARCH", SEARCH)
     visits["/visit.html"] = text.replace("WIDTH", str(width)).replace("THEME", theme)
-    done = subprocess.run(
-        [
-            *(CHROMIUM, *QUIET, f"--user-data-dir={tmp_path / 'profile'}"),
-            *("--window-size=1400,900", "--virtual-time-budget=600000"),
-            *("--dump-dom", f"{address}/visit.html"),
-        ],
-        capture_output=True,
-        text=True,
-        timeout=GUARD,
-        check=True,
-    )
+    size = "--window-size=1400,900", "--virtual-time-budget=600000"
+    profile = f"--user-data-dir={tmp_path / 'profile'}"
+    done = ran(CHROMIUM, *QUIET, profile, *size, "--dump-dom", f"{address}/visit.html")
     found = json.loads(re.search(r"<body>(.*?)</body>", done.stdout, re.S)[1])
     assert list(found) == json.loads(pages)
     assert {name: one["wide"] for name, one in found.items() if one["wide"] > one["inner"]} == {}

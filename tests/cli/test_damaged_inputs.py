@@ -5,11 +5,11 @@ The cases are made in `damaged_inputs`, which says what an answer is.
 
 import json
 import os
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from processes import ran
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="cases are forked")
 CASES = Path(__file__).parents[1] / "damaged_inputs.py"
@@ -17,13 +17,7 @@ CASES = Path(__file__).parents[1] / "damaged_inputs.py"
 
 def wrong_answers(*words):
     """Return how many cases were answered, and those that were answered wrongly."""
-    ended = subprocess.run(
-        [sys.executable, CASES, *map(str, words)],
-        capture_output=True,
-        text=True,
-        env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
-    )
-    assert ended.returncode == 0, ended.stderr
+    ended = ran(sys.executable, CASES, *words, env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
     answers = [json.loads(line) for line in ended.stdout.splitlines()]
     keys = ("case", "wrong", "words", "how", "err")
     return len(answers), [{key: one[key] for key in keys} for one in answers if one["wrong"]]

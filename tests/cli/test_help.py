@@ -3,11 +3,11 @@
 import os
 import re
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from processes import ran
 
 import clpt_control
 from clpt_control.cli import application
@@ -95,8 +95,7 @@ def test_what_lacks_names_the_help(refused, words, lacks):
 
 def test_the_module_is_the_command(clpt):
     words = [sys.executable, "-m", "clpt_control", "run", "--help"]
-    ran = subprocess.run(words, capture_output=True, text=True, check=True)
-    assert ran.stdout == clpt("run", "--help").out
+    assert ran(*words).stdout == clpt("run", "--help").out
 
 
 # --- completion ----------------------------------------------------------------------------------
@@ -114,15 +113,9 @@ def completed(tmp_path, *words):
     )
     env = {**os.environ, "PATH": f"{tmp_path}{os.pathsep}{os.environ['PATH']}"}
     env["PYTHONPATH"] = str(Path(clpt_control.__file__).parents[1])
-    ran = subprocess.run(
-        ["bash", "--norc", "-c", script, "bash", "clpt", *words],
-        capture_output=True,
-        text=True,
-        check=True,
-        env=env,
-    )
-    assert ran.stderr == ""
-    return ran.stdout.split()
+    done = ran("bash", "--norc", "-c", script, "bash", "clpt", *words, env=env)
+    assert done.stderr == ""
+    return done.stdout.split()
 
 
 @pytest.mark.skipif(not shutil.which("bash"), reason="no bash")
@@ -185,7 +178,7 @@ def test_nothing_heavy_is_imported_for(name):
     heavy |= {"pydantic"} if name != "completion" else set()  # Typer brings it
     code = f"import os, sys\ntry: {code}\nexcept SystemExit: pass\n"
     code += f"print(sorted({heavy} & set(sys.modules)), file=sys.stderr)"
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    done = ran(sys.executable, "-c", code)
     assert (said in done.stdout, done.stderr.strip()) == (True, "[]")
 
 

@@ -5,10 +5,9 @@ with one thread: the optimizer of SciPy that it climbs with rounds by the number
 """
 
 import os
-import subprocess
 
 import pytest
-from processes import CLPT, without_progress
+from processes import CLPT, ran, without_progress
 from written import write_each
 
 VARY = ("--members", "24", "--chunk", "8", "--vary", "learning.gain=1:2", "--out", "out")
@@ -61,10 +60,8 @@ def test_the_same_command_gives_the_same_bytes(given, tmp_path, words):
         env = {**os.environ, **dict.fromkeys(THREADS, threads), "PYTHONHASHSEED": seed}
         env["CLPT_CONTROL_CACHE"] = str(tmp_path / "cache")  # cold, then warm
         more = ("--threads", threads) if words[0] == "ensemble" else ()
-        done = subprocess.run(
-            [*CLPT, *words, *more], cwd=work, env=env, capture_output=True, text=True
-        )
-        assert (done.returncode, without_progress(done.stderr)) == (0, "")
+        done = ran(*CLPT, *words, *more, cwd=work, env=env)
+        assert without_progress(done.stderr) == ""
         found.append((done.stdout, held(work)))
         work.rename(tmp_path / f"work{seed}")
     (said, files), (again, others) = found

@@ -1,12 +1,12 @@
 """Studies and examples: each leaves its table and figure, with figures that can be wrong."""
 
-import subprocess
 import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 from pictures import inked
+from processes import ran
 
 import clpt_control as clpt
 from analysis import laws
@@ -16,9 +16,7 @@ DATA = ROOT / "clpt_control/data"
 
 
 def run(*arguments):
-    return subprocess.run(
-        [sys.executable, *map(str, arguments)], cwd=ROOT, capture_output=True, text=True, check=True
-    )
+    return ran(sys.executable, *arguments, cwd=ROOT)
 
 
 @pytest.fixture

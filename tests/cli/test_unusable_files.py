@@ -1,13 +1,13 @@
 """Runs, currents and sizes that no command can use: one line, nothing half-written."""
 
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 from made_fields import uniform_field
+from processes import ran
 from written import RUN, write
 
 import clpt_control
@@ -64,8 +64,8 @@ def test_warnings_of_libraries_are_no_words_of_a_command():
         "cli.application = lambda: warn\n"
         "cli.main()"
     )
-    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
-    assert (ended.returncode, ended.stdout, ended.stderr) == (0, "", "")
+    ended = ran(sys.executable, "-c", code)
+    assert (ended.stdout, ended.stderr) == ("", "")
 
 
 def test_places_that_cannot_be_written(refused_for):

@@ -1,13 +1,13 @@
 """The C program of the benchmarks agrees with the reference; the harness leaves its table."""
 
 import json
-import subprocess
 import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 from pictures import inked
+from processes import ran
 
 ROOT = Path(__file__).parents[2]
 sys.path.insert(0, str(ROOT))  # benchmarks/ is no installed package
@@ -62,23 +62,8 @@ def test_traced_equations_are_the_diagram():
 
 @pytest.mark.slow
 def test_the_quick_run_leaves_its_tables(tmp_path):
-    subprocess.run(
-        [
-            sys.executable,
-            "-m",
-            "benchmarks.bench",
-            "--quick",
-            "--engines",
-            "c",
-            "--sections",
-            "paper,particles",
-            "--out",
-            str(tmp_path),
-        ],
-        cwd=ROOT,
-        check=True,
-        capture_output=True,
-    )
+    words = ["--quick", "--engines", "c", "--sections", "paper,particles", "--out"]
+    ran(sys.executable, "-m", "benchmarks.bench", *words, tmp_path, cwd=ROOT)
     results = json.loads((tmp_path / "performance.json").read_text())
     assert results["paper"][0]["error"] < 1e-7
     text = (tmp_path / "performance.md").read_text()

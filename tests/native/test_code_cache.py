@@ -15,6 +15,7 @@ import llvmlite.binding as llvm
 import numpy as np
 import pytest
 from llvmlite import ir
+from processes import ran
 
 from clpt_control import Block
 from clpt_control.files import CACHE, cache_folder, trusted
@@ -196,8 +197,8 @@ def test_two_processes_fill_it_at_once(folder):
             other.kill()
     files = set(folder.iterdir())
     assert len(files) >= 3  # the solver, the formulas, the diagram
-    again = subprocess.run([sys.executable, "-c", RUN], capture_output=True, text=True)
-    assert (again.returncode, again.stdout, again.stderr) == (0, "finished\n", "")
+    again = ran(sys.executable, "-c", RUN)
+    assert (again.stdout, again.stderr) == ("finished\n", "")
     assert set(folder.iterdir()) == files
 
 
@@ -227,8 +228,7 @@ for _, *states in found:
 
 
 def test_threads_that_compile_at_once():
-    done = subprocess.run([sys.executable, "-c", ASKED_AT_ONCE], capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
+    ran(sys.executable, "-c", ASKED_AT_ONCE)
 
 
 def test_each_thread_runs_a_shared_block_with_its_own_params():

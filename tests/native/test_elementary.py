@@ -3,7 +3,6 @@
 import ctypes
 import math
 import os
-import subprocess
 import sys
 from functools import cache
 
@@ -14,6 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from llvmlite import ir
 from package_blocks import BLOCKS
+from processes import ran
 
 from clpt_control.equations.record import OPERATIONS
 from clpt_control.native.elementary import FUNCTIONS
@@ -313,14 +313,7 @@ sys.stdout.write(repr(native.run_many(starts, [0.0, 45.0])[:, -1].tolist()))
 def test_another_processor_gives_the_same_numbers():
     found = []
     for processor in ({}, {"CLPT_CONTROL_PROCESSOR": "generic"}):
-        done = subprocess.run(
-            [sys.executable, "-c", OTHER_PROCESSOR],
-            env={**os.environ, **processor},
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        assert done.returncode == 0, done.stderr
+        done = ran(sys.executable, "-c", OTHER_PROCESSOR, env={**os.environ, **processor})
         found.append(np.array(eval(done.stdout)))
     np.testing.assert_allclose(found[1], found[0], rtol=1e-9, atol=1e-10)
     np.testing.assert_allclose(found[0], np.tile(found[0][0], (9, 1)), rtol=1e-12, atol=1e-13)
