@@ -10,6 +10,7 @@ from lyapunov_systems import (
     energy,
     half,
     halves,
+    jumping,
     memory,
     mrac,
     observer,
@@ -83,16 +84,7 @@ RIGHT = {  # name -> system, V, what else is given
     ),
     "a gain of its own in each interval": (counting(lambda k: -2 - np.sin(k)), half),
     "a sine beside squares": (system(lambda x, y: [-x + 0.5 * np.sin(y), -y]), halves),
-    "a jump to its tanh": (
-        clpt.Block(
-            "memory",
-            update=lambda t, x, u, p: {"m": -x.m},
-            jump=lambda t, x, u, p: {"m": np.tanh(x.m)},
-            states={"m": 1},
-            **TICKS,
-        ),
-        lambda s: s.m**2,
-    ),
+    "a jump to its tanh": (jumping(lambda t, x, p: np.tanh(x.m)), lambda s: s.m**2),
     "V of sizes": (
         system(lambda x, y: [y - 2 * x, x - 2 * y]),
         lambda s: np.abs(s.x) + np.abs(s.y),
@@ -110,7 +102,7 @@ RIGHT = {  # name -> system, V, what else is given
         (x - sympy.sin(t)) ** 2,
     ),
 }
-WRONG = {
+REFUTED = {
     "MRAC, V forgets b": (
         mrac(),
         lambda s: (
@@ -127,6 +119,55 @@ WRONG = {
     ),
     "V that is a saddle": (system(lambda x, y: [-x, y]), lambda s: s.x**2 - s.y**2),
     "V that falls without end": (system(lambda x: [1.0 + 0 * x]), lambda s: -s.x),
+    "V of the larger": (
+        system(lambda x, y: [y - 0.1 * x, -x - 0.1 * y]),
+        lambda s: np.maximum(np.abs(s.x), np.abs(s.y)),
+    ),
+    "a source that pushes": (sourced(np.cos), halves),
+    "a jump by a little": (memory(1 + 1e-9), lambda s: s.m**2 + s.n**2),
+    "a gain that turns a little": (system(lambda t, x: [-(1 + 1.01 * np.sin(t)) * x]), half),
+    "a gain of a fast wave": (system(lambda t, x: [-(1 + 1.01 * np.sin(1e6 * t)) * x]), half),
+    "a gain that turns at 900": (system(lambda t, x: [-(900 - t) * x]), half),
+    "a gain that turns at the fifth breakpoint": (counting(lambda k: k - 5), half),
+    "V of an output that is called as its state": (
+        control.nlsys(
+            lambda t, x, u, p: -x, lambda t, x, u, p: x - 1, inputs=0, states=["x"], outputs=["x"]
+        ),
+        lambda s: s.x**2,
+    ),
+    "V of a table": (
+        system(lambda x: [0.1 * x]),
+        lambda s: np.interp(np.abs(s.x), [0.0, 1.0, 2.0], [0.0, 1.0, 3.0]),
+    ),
+    "V of a floor": (system(lambda x: [0 * x + 1]), lambda s: s.x * np.floor(s.x)),
+    "wrong in a small region": (system(lambda x: [-x * ((x - 1) ** 2 - 1e-3)]), half),
+    "a small bump": (system(lambda x: [-x + 3 * np.exp(-50 * (x - 1) ** 2)]), half),
+    "V without a value": (system(lambda x: [-(x**3)]), lambda s: s.x**2 + 1 / (s.x - 1) ** 2),
+    "a sine too large beside squares": (system(lambda x, y: [-x + 2.1 * np.sin(y), -y]), halves),
+    "a jump to more than its tanh": (
+        jumping(lambda t, x, p: 1.01 * np.tanh(x.m)),
+        lambda s: s.m**2,
+    ),
+    "a state named q_0": (  # where y is small
+        system(lambda y, q_0: [-1e6 * np.tanh(y) + q_0, 0 * q_0]),
+        lambda s: s.y**2 / 2 + s.q_0**2 / 2,
+    ),
+    "a state called as its parameter": (  # k' = k, and the parameter is 0
+        clpt.Block(
+            "plant",
+            update=lambda t, x, u, p: {"k": x.k + p.k},
+            states={"k": 1},
+            parameters={"k": 0.0},
+        ),
+        lambda s: s.plant_k**2,
+    ),
+    "V of a logarithm": (system(lambda x: [-x]), lambda s: np.log(s.x) ** 2),
+    "unstable, V' claimed as it is": (system(lambda x: [x]), half, {"claim": lambda s: s.x**2}),
+    "almost stable": (system(lambda x: [1e-6 * x]), half),
+    "an input that drives": (system(lambda x, d: [x + d], "d"), half),
+    "another rest": (system(lambda x: [3.0 - x]), half, {"at": {"x": 3.0}}),
+}
+OPEN = {  # no point shows it, or none is looked for
     "V of nothing": (system(lambda x: [x]), lambda s: 0 * s.x),
     "V that jumps": (system(lambda x: [-x]), lambda s: np.where(s.x > 1, s.x, 2 * s.x) ** 2),
     "V of an angle": (
@@ -135,64 +176,14 @@ WRONG = {
     ),
     "V that fades": (system(lambda x: [x / 2]), sympy.exp(-2 * t) * x**2),
     "V that sinks with time": (system(lambda x: [0 * x]), x**2 - t),
-    "V of what runs with time": (system(lambda x: [1 + 0 * x]), (x - t) ** 2),
-    "V that is bounded": (system(lambda x: [-x]), lambda s: np.tanh(s.x**2)),
-    "V that lets go far off": (
-        system(lambda x, y: [-6 * x / (1 + x**2) ** 2 + 2 * y, -2 * (x + y) / (1 + x**2) ** 2]),
-        lambda s: s.x**2 / (1 + s.x**2) + s.y**2,
-    ),
-    "V of the larger": (
-        system(lambda x, y: [y - 0.1 * x, -x - 0.1 * y]),
-        lambda s: np.maximum(np.abs(s.x), np.abs(s.y)),
-    ),
     "V whose least is far away": (
         system(lambda x: [5e3 - x]),
         lambda s: 1e3 * np.log(np.cosh(s.x / 1e3 - 5)) - 5e3,
-    ),
-    "an angle that ends": (
-        system(lambda th, w: [w * (1 + th**2), -np.sin(th) * (1 + th**2)]),
-        turned,
-    ),
-    "an angle that drives": (system(lambda th, w, y: [w, -np.sin(th), th - y]), turned),
-    "a source that pushes": (sourced(np.cos), halves),
-    "a source that drives": (sourced(lambda t: np.array([t**2])), half),
-    "a jump of what V misses": (memory(0.5, 3.0), lambda s: s.m**2),
-    "a jump by a little": (memory(1 + 1e-9), lambda s: s.m**2 + s.n**2),
-    "a jump that rises at no breakpoint": (
-        clpt.Block(
-            "memory",
-            update=lambda t, x, u, p: {"m": -x.m},
-            jump=lambda t, x, u, p: {"m": (1 + np.sin(np.pi * t) ** 2) * x.m},
-            states={"m": 1},
-            **TICKS,
-        ),
-        lambda s: s.m**2,
-    ),
-    "a jump that would rise before the first breakpoint": (
-        clpt.Block(
-            "memory",
-            update=lambda t, x, u, p: {"m": -x.m},
-            jump=lambda t, x, u, p: {"m": np.where(p.interval < 0.5, 2.0, 0.5) * x.m},
-            states={"m": 1},
-            **TICKS,
-        ),
-        lambda s: s.m**2,
     ),
     "two gains 1e-12 apart": (system(lambda x, y: [3.0 * y, -(3.0 + 1e-12) * x]), halves),
     "a needle": (system(lambda x: [-x + 2 * x * np.exp(-1e8 * (x - 1) ** 2)]), half),
     "a force below all numbers": (system(lambda x: [x * np.exp(-1000 - x**2)]), half),
     "V that is zero on one side": (system(lambda x: [-x]), lambda s: np.abs(s.x) * s.x + s.x**2),
-    "V that misses a state": (system(lambda x, y: [-x, y]), half),
-    "V that misses two integrators": (  # whose eigenvalues are -1e-10 in floating point
-        system(lambda x, y, z: [-x, (3 * y + x) / 10 - 9 * z / 100, y - 3 * z / 10]),
-        half,
-    ),
-    "V that misses a state that ends": (system(lambda x, y: [-x, 1 + y**2]), half),
-    "V of the sum alone": (system(lambda x, y: [-x + y**3, -y - y**3]), lambda s: (s.x + s.y) ** 2),
-    "a gain that turns a little": (system(lambda t, x: [-(1 + 1.01 * np.sin(t)) * x]), half),
-    "a gain of a fast wave": (system(lambda t, x: [-(1 + 1.01 * np.sin(1e6 * t)) * x]), half),
-    "a gain that turns at 900": (system(lambda t, x: [-(900 - t) * x]), half),
-    "a gain that turns at the fifth breakpoint": (counting(lambda k: k - 5), half),
     "a spring stronger in each interval": (  # v rises with its strength
         clpt.Block(
             "spring",
@@ -204,20 +195,10 @@ WRONG = {
         ),
         "V",
     ),
-    "V of an output that is called as its state": (
-        control.nlsys(
-            lambda t, x, u, p: -x, lambda t, x, u, p: x - 1, inputs=0, states=["x"], outputs=["x"]
-        ),
-        lambda s: s.x**2,
-    ),
     "no value in the third interval": (counting(lambda k: -(k - 3) / (k - 3)), half),
     "no value for its parameters": (
         system(lambda x, n: [-(x**n) * np.abs(x)], params={"n": 0.5}),
         half,
-    ),
-    "V of a table": (
-        system(lambda x: [0.1 * x]),
-        lambda s: np.interp(np.abs(s.x), [0.0, 1.0, 2.0], [0.0, 1.0, 3.0]),
     ),
     "V of a floor of time": (
         control.nlsys(
@@ -229,28 +210,9 @@ WRONG = {
         ),
         "V",
     ),
-    "V of a floor": (system(lambda x: [0 * x + 1]), lambda s: s.x * np.floor(s.x)),
-    "wrong in a small region": (system(lambda x: [-x * ((x - 1) ** 2 - 1e-3)]), half),
     "wrong in a smaller region": (system(lambda x: [-x * ((x - 7) ** 2 - 1e-9)]), half),
-    "a small bump": (system(lambda x: [-x + 3 * np.exp(-50 * (x - 1) ** 2)]), half),
     "no value at a point": (system(lambda x: [-x / np.abs(x - 2)]), half),
     "no value at the rest": (system(lambda x: [-1 / x]), half),
-    "V without a value": (system(lambda x: [-(x**3)]), lambda s: s.x**2 + 1 / (s.x - 1) ** 2),
-    "a sine too large beside squares": (system(lambda x, y: [-x + 2.1 * np.sin(y), -y]), halves),
-    "a jump to more than its tanh": (
-        clpt.Block(
-            "memory",
-            update=lambda t, x, u, p: {"m": -x.m},
-            jump=lambda t, x, u, p: {"m": 1.01 * np.tanh(x.m)},
-            states={"m": 1},
-            **TICKS,
-        ),
-        lambda s: s.m**2,
-    ),
-    "a state named q_0": (  # where y is small
-        system(lambda y, q_0: [-1e6 * np.tanh(y) + q_0, 0 * q_0]),
-        lambda s: s.y**2 / 2 + s.q_0**2 / 2,
-    ),
     "V of sizes, a slide": (  # along x = 0, where y runs off
         system(lambda x, y: [-2 * np.sign(x), np.sign(x) ** 2]),
         lambda s: np.abs(s.x) + np.abs(s.y),
@@ -263,34 +225,73 @@ WRONG = {
         system(lambda x: [1 - x]),
         (x - 1) ** 2 + (2 + sympy.sign(x)) ** 2,
     ),
-    "V that a parameter of zero lets go": (
-        system(lambda x, y, k: [x, -y + 0.0 * k], params={"k": 0.0}),
-        lambda s: (s.y + s.k * s.x) ** 2 + s.y**2,
-    ),
-    "V that two like parameters let go": (
-        system(lambda x, y, k, m: [1 + x**2, -y + 0.0 * k * m], params={"k": 2.0, "m": 2.0}),
-        lambda s: (s.y + (s.k - s.m) * s.x) ** 2 + s.y**2,
-    ),
     "a pull of inf/inf": (system(lambda x: [-x * np.cosh(x) / np.cosh(x)]), half),
     "a pull of powers without a number": (system(lambda x: [-x * x**80 / (1 + x**80)]), half),
-    "a state called as its parameter": (  # k' = k, and the parameter is 0
-        clpt.Block(
-            "plant",
-            update=lambda t, x, u, p: {"k": x.k + p.k},
-            states={"k": 1},
-            parameters={"k": 0.0},
-        ),
-        lambda s: s.plant_k**2,
-    ),
     "a place outside of a table": (
         system(lambda x: [-x * (1 + lookup([1.0, 2.0], np.where(x > 1e6, 5, 0)) ** 2)]),
         half,
     ),
     "V of complex numbers": (system(lambda x: [-x]), sympy.LambertW(x) ** 2 + x**2),
     "V of an area cosine": (system(lambda x: [0 * x]), sympy.acosh(x) ** 2 + x**2),
-    "V of a logarithm": (system(lambda x: [-x]), lambda s: np.log(s.x) ** 2),
-    "unstable, V' claimed as it is": (system(lambda x: [x]), half, {"claim": lambda s: s.x**2}),
-    "almost stable": (system(lambda x: [1e-6 * x]), half),
-    "an input that drives": (system(lambda x, d: [x + d], "d"), half),
-    "another rest": (system(lambda x: [3.0 - x]), half, {"at": {"x": 3.0}}),
+}
+BESIDE = {  # V' <= 0 is right, and more is to be said
+    "V of what runs with time": ("proved but for x", system(lambda x: [1 + 0 * x]), (x - t) ** 2),
+    "V that is bounded": (
+        "proved near the rest",
+        system(lambda x: [-x]),
+        lambda s: np.tanh(s.x**2),
+    ),
+    "V that lets go far off": (
+        "proved near the rest",
+        system(lambda x, y: [-6 * x / (1 + x**2) ** 2 + 2 * y, -2 * (x + y) / (1 + x**2) ** 2]),
+        lambda s: s.x**2 / (1 + s.x**2) + s.y**2,
+    ),
+    "an angle that ends": (
+        "proved as long as th exist",
+        system(lambda th, w: [w * (1 + th**2), -np.sin(th) * (1 + th**2)]),
+        turned,
+    ),
+    "an angle that drives": (
+        "proved but for th, y",
+        system(lambda th, w, y: [w, -np.sin(th), th - y]),
+        turned,
+    ),
+    "a source that drives": ("proved but for y", sourced(lambda t: np.array([t**2])), half),
+    "a jump of what V misses": ("proved but for n", memory(0.5, 3.0), lambda s: s.m**2),
+    "a jump that rises at no breakpoint": (
+        "proved between jumps",
+        jumping(lambda t, x, p: (1 + np.sin(np.pi * t) ** 2) * x.m),
+        lambda s: s.m**2,
+    ),
+    "a jump that would rise before the first breakpoint": (
+        "proved between jumps",
+        jumping(lambda t, x, p: np.where(p.interval < 0.5, 2.0, 0.5) * x.m),
+        lambda s: s.m**2,
+    ),
+    "V that misses a state": ("proved but for y", system(lambda x, y: [-x, y]), half),
+    "V that misses two integrators": (
+        "proved but for y, z",  # whose eigenvalues are -1e-10 in floating point
+        system(lambda x, y, z: [-x, (3 * y + x) / 10 - 9 * z / 100, y - 3 * z / 10]),
+        half,
+    ),
+    "V that misses a state that ends": (
+        "proved as long as y exist",
+        system(lambda x, y: [-x, 1 + y**2]),
+        half,
+    ),
+    "V of the sum alone": (
+        "proved as long as x exist",
+        system(lambda x, y: [-x + y**3, -y - y**3]),
+        lambda s: (s.x + s.y) ** 2,
+    ),
+    "V that a parameter of zero lets go": (
+        "proved but for x",
+        system(lambda x, y, k: [x, -y + 0.0 * k], params={"k": 0.0}),
+        lambda s: (s.y + s.k * s.x) ** 2 + s.y**2,
+    ),
+    "V that two like parameters let go": (
+        "proved as long as x exist",
+        system(lambda x, y, k, m: [1 + x**2, -y + 0.0 * k * m], params={"k": 2.0, "m": 2.0}),
+        lambda s: (s.y + (s.k - s.m) * s.x) ** 2 + s.y**2,
+    ),
 }

@@ -124,6 +124,17 @@ def memory(factor, beside=1.0):
     )
 
 
+def jumping(jump):
+    """A memory that fades, and jumps to what is made of it."""
+    return clpt.Block(
+        "memory",
+        update=lambda t, x, u, p: {"m": -x.m},
+        jump=lambda t, x, u, p: {"m": jump(t, x, p)},
+        states={"m": 1},
+        **TICKS,
+    )
+
+
 def counting(rate):
     """A gain that depends on which interval between breakpoints it is."""
     return clpt.Block(
