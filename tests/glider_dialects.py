@@ -8,7 +8,6 @@ longitude is 6378137 m * pi/180 (WGS84), so every number is known without a read
 
 import netCDF4
 import numpy as np
-import xarray
 
 from clpt_control.gliders.dive_files import read_dive_file
 
@@ -163,28 +162,3 @@ def og1(path, drop=(), columns=None, units=None, **more):
         if name not in drop
     }
     return write(path, {"N_MEASUREMENTS": len(columns["TIME"])}, variables | more)
-
-
-def og1_of(dives, path):
-    """Write dives that were read as an OG1 mission: GPS1, GPS2, samples, GPSE of each dive."""
-    nothing, parts = np.array([np.nan]), []
-    for dive in dives:
-        since, *places = dive.track
-        inner = slice(1, -1)  # the track begins and ends at the fixes
-        fixes = [[getattr(dive, f"{n}_{k}") for n in ("t", "lat", "lon")] for k in GPS]
-        none = np.full((since.size - 2, 3), np.nan)
-        rows = [*fixes[:2], *none, fixes[2]]
-        steps = [np.concatenate([nothing, nothing, np.diff(place)]) for place in places]
-        begin = [dive.t_gps1, dive.t_gps2]
-        times = np.concatenate([begin, dive.t_gps2 + since[inner], [dive.t_gpse]])
-        words = ("number", "dac_east", "dac_north", "magvar", "depth_max", "dac_qc")
-        same = [getattr(dive, word) for word in words]
-        parts.append(np.column_stack([times, rows, *steps, np.tile(same, (times.size, 1))]))
-    names = "TIME TIME_GPS LATITUDE_GPS LONGITUDE_GPS EAST_DISPLACEMENT NORTH_DISPLACEMENT"
-    names += " DIVE_NUMBER DAVG_CURR_EAST DAVG_CURR_NORTH MAGNETIC_VARIATION DEPTH_MAX"
-    columns = zip([*names.split(), "DAVG_CURR_EAST_QC"], np.vstack(parts).T, strict=True)
-    xarray.Dataset({name: ("N_MEASUREMENTS", column) for name, column in columns}).to_netcdf(path)
-    return path
-
-
-GPS = ("gps1", "gps2", "gpse")

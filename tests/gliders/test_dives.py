@@ -1,13 +1,11 @@
 """Readers of dives: measured files, the fourteen dives of SG542, and round trips."""
 
 import csv
-from dataclasses import fields, replace
+from dataclasses import fields
 from math import hypot, nan
 
 import numpy as np
 import pytest
-import xarray
-from glider_dialects import dives_in, og1_of
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
@@ -127,24 +125,6 @@ def test_the_facts_are_those_of_the_whole_files(facts, shared):
             for axis in (1, 2):
                 at = np.interp(few.track[0], many.track[0], many.track[axis])
                 np.testing.assert_allclose(few.track[axis], at, rtol=0, atol=1e-9)
-
-
-def test_the_same_dives_as_an_og1_mission(dives, tmp_path):
-    """GPS1 there is the first fix since the dive before."""
-    back = dives_in(og1_of(dives, tmp_path / "sg542.nc"))
-    assert [one.t_gps1 for one in back[1:]] == [one.t_gpse for one in dives[:-1]]
-    forget = dict.fromkeys(("t_gps1", "lat_gps1", "lon_gps1"))
-    same_table([replace(one, **forget) for one in back], [replace(d, **forget) for d in dives])
-    for one, other in zip(back, dives, strict=True):
-        for a, b in zip(one.track, other.track, strict=True):
-            np.testing.assert_allclose(a, b, rtol=0, atol=1e-5)
-    with xarray.open_dataset(tmp_path / "sg542.nc", decode_times=False) as data:
-        data.drop_vars(["EAST_DISPLACEMENT", "DIVE_NUMBER"]).to_netcdf(tmp_path / "less.nc")
-    less = dives_in(tmp_path / "less.nc")
-    assert [dive.number for dive in less] == list(range(1, 7))
-    for one, other in zip(less, dives, strict=True):
-        assert one.dr_east == pytest.approx(other.dr_east, abs=1e-3 * one.duration)
-        assert "depth-averaged current" in one.notes[0]
 
 
 number = st.floats(-1e12, 1e12)

@@ -17,7 +17,6 @@ from clpt_control.gliders import read_dives, usable
 from clpt_control.gliders.samples import variation, with_variation
 
 WGS84 = Geod(ellps="WGS84")
-AXES = ("east", "north")
 
 
 def between(lat1, lon1, lat2, lon2):
@@ -177,25 +176,6 @@ def test_a_spray_says_where_its_dives_ended(facts):
         assert 0 < after.t_gps2 - before.t_gpse < 600
         assert np.hypot(*drift) < 100
     assert len(usable(dives)[0]) == len(deep) == 4
-
-
-def test_a_replay_of_files_is_that_of_the_table(clpt, facts, tmp_path):
-    """Miss and current of SG542's first six dives, by the columns of its table."""
-    files = ("replay", facts / "glider" / "basestation", "--json", "--out", tmp_path)
-    status, out, _ = clpt(*files)
-    found = json.loads(out)
-    with (facts / "glider" / "sg542_2016_dives.csv").open() as file:
-        rows = list(csv.DictReader(file))[:6]
-    miss, current, duration = [], [], []
-    for row in rows:
-        miss.append([float(row[f"gps_{axis}_m"]) - float(row[f"dr_{axis}_m"]) for axis in AXES])
-        current.append([float(row[f"dac_{axis}"]) for axis in AXES])
-        duration.append([float(row["t_gpse"]) - float(row["t_gps2"])])
-    rms = np.sqrt(np.mean(np.sum(np.square(miss), axis=1)))
-    off = np.hypot(*(np.divide(miss, duration) - current).T)
-    assert (status, found["used"], found["skipped"]) == (0, 6, [])
-    assert found["clpe_rms_all"]["no_flow"] == pytest.approx(rms, abs=1e-3)
-    assert found["dac_identity_median"] == pytest.approx(np.median(off), abs=1e-6)
 
 
 # D, degrees, of `igrf13syn` (British Geological Survey) at geodetic places: latitude,

@@ -204,20 +204,6 @@ def test_inputs_may_be_a_function():
     np.testing.assert_allclose(run.y, expected[0], atol=1e-12)
 
 
-def test_connect_of_one_discrete_time_is_a_diagram_of_it():
-    error = control.summing_junction(["r", "-y"], "e", name="error")
-    pi = control.tf([0.8, -0.6], [1, -1], DT, inputs="e", outputs="u", name="pi")
-    wired = clpt.connect([error, pi, first_order()], external="r")
-    assert wired.dt == DT
-    assert wired.nstates == 2
-    expected = control.input_output_response(loop(), TIMES, np.ones(STEPS)).outputs
-    run = clpt.simulate(wired, TIMES, 1.0)
-    np.testing.assert_allclose(run.y, expected[0], atol=1e-12)
-    np.testing.assert_allclose(
-        control.input_output_response(wired, TIMES, np.ones(STEPS)).outputs[2], run.y, atol=1e-12
-    )
-
-
 def test_a_long_run_is_made_of_many_calls():
     times, seen = np.arange(400_001.0), []
     system = control.ss([[1.0]], [[1.0]], [[1.0]], 0, 1, name="sum")

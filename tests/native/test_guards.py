@@ -160,25 +160,6 @@ def test_a_run_ends_where_a_condition_is_no_longer_true(stop, engine):
     assert float(run.time[-1]) == pytest.approx(np.log(2.0), abs=1e-7)
 
 
-def test_a_ball_bounces_by_runs_that_end_where_it_lands():
-    """v = sqrt(2 g h) at the first landing, 0.8 of it after each; t between landings 2 v/g."""
-    g, kept, v = 10.0, 0.8, np.sqrt(2 * 10.0 * 5.0)
-    ball = control.nlsys(
-        lambda t, x, u, p: [x[1], -g], None, inputs=0, outputs=2, states=2, name="ball"
-    )
-    x, t, landings = [5.0, 0.0], 0.0, []
-    for _ in range(6):
-        run = clpt.simulate(
-            ball, [t, t + 5.0], None, x, rtol=1e-11, atol=1e-13,
-            stop=lambda t, y, u: y[0] if y[1] < 0 else 1.0,
-        )  # fmt: skip
-        t = float(run.time[-1])
-        landings.append(t)
-        x = [0.0, -kept * float(run.states[-1, 1])]
-    wanted = np.cumsum([v / g, *(2 * v * kept**k / g for k in range(1, 6))])
-    np.testing.assert_allclose(landings, wanted, rtol=1e-9)
-
-
 def root_of(t, x, u, p):
     """y = sqrt(1.5 - s), section 2: u = s[1], y = root[1]."""
     return math.sqrt(1.5 - u[0])

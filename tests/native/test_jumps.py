@@ -84,23 +84,6 @@ def number(t, x, u, p):
     return 10.0 * p.interval
 
 
-def take(t, x, u, p):
-    return u[0] + p.interval
-
-
-@every_engine
-@every_step
-def test_a_jump_sees_the_pieces_that_begin(engine, step):
-    counter = Block(
-        "counter", output=number, outputs={"n": 1}, parameters=Clock(0.5), breakpoints=ticks
-    )
-    taker = Block("taker", update=still, states={"s": 1}, inputs={"n": 1}, parameters=Clock(1.0),
-                  breakpoints=ticks, jump=take)  # fmt: skip
-    times = np.array([0.0, 0.5, 1.0, 1.5, 2.0])
-    found = ENGINES[engine](clpt.connect([counter, taker])).run([-7.0], times, step=step)
-    assert found.x[:, 0].tolist() == [-7, -7, 21, 21, 42]
-
-
 def read(t, x, u, p):
     """s = s + r after a jump, section I: input r[1]."""
     return x[0] + u[0]
@@ -113,19 +96,6 @@ def test_a_jump_reads_an_input_of_the_diagram(engine):
     times, u = np.array([0.0, 0.8, 1.2, 2.0, 2.5]), np.array([0.0, 0.0, 4.0, 5.0, 5.0])
     run = response(clpt.connect([reader], external=["r"]), times, u, engine=engine)
     np.testing.assert_allclose(run.states[0], [0, 0, 2, 7, 7], atol=1e-12)
-
-
-@every_engine
-@pytest.mark.parametrize("cut", [0.4, 1.0, 2.0, 2.6])
-def test_a_run_goes_on_from_a_right_limit(engine, cut):
-    """It does not jump twice where it is cut, nor miss a jump."""
-    runner = ENGINES[engine](saw(parameters=Clock(factor=0.5)))
-    first = runner.run([0.3], [0.0, cut])
-    second = runner.run(first.x[-1], [cut, 3.0])
-    whole = runner.run([0.3], [0.0, cut, 3.0])
-    np.testing.assert_allclose(first.x[-1], whole.x[1], atol=1e-13)
-    np.testing.assert_allclose(second.x[-1], whole.x[-1], atol=1e-13)
-    np.testing.assert_allclose(whole.x[-1, 0], 0.875 + 0.3 / 8, atol=1e-12)
 
 
 def test_a_jump_before_time_0_is_refused_and_none_is_missed():

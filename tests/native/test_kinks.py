@@ -15,31 +15,6 @@ RTOL, ATOL = 1e-10, 1e-12
 T = np.linspace(0.0, 10.0, 101)
 
 
-def thermostat(t, x, u, p):
-    """A relay with hysteresis, as it is at a sample: on below 19, off above 21."""
-    return [1.0 if u[0] < 19.0 else 0.0 if u[0] > 21.0 else x[0]]
-
-
-def test_a_relay_with_hysteresis_is_its_closed_form():
-    """A room of 10 degrees outside, 20 more with the heating on, its relay sampled each 0.05."""
-    relay = control.nlsys(thermostat, inputs="T", outputs="on", states=1, dt=0.05, name="relay")
-    room = control.ss([[-1.0]], [[20.0]], [[1.0]], 0, inputs="on", outputs="heat", name="room")
-    outside = control.nlsys(
-        None, lambda t, x, u, p: u[0] + 10.0, inputs="heat", outputs="T", name="outside"
-    )
-    loop = clpt.connect([room, relay, outside])
-    found = clpt.simulate(loop, 0.05 * np.arange(201), rtol=RTOL, atol=ATOL)
-    heat, on, wanted = 0.0, 0.0, []
-    for _ in range(201):
-        wanted.append(heat)
-        seen = heat + 10
-        heat = 20 * on + (heat - 20 * on) * np.exp(-0.05)
-        on = 1.0 if seen < 19 else 0.0 if seen > 21 else on  # what a sample says counts at the next
-    assert found.attrs["engine"] == "native"
-    np.testing.assert_allclose(found.heat, wanted, rtol=0, atol=1e-9)
-    assert 3 < np.abs(np.diff(found.on.values)).sum() < 60
-
-
 def system(f, n):
     return control.nlsys(f, None, inputs=0, outputs=n, states=n, name="s")
 

@@ -9,7 +9,6 @@ from responses import response
 
 import clpt_control as clpt
 from clpt_control.blocks import vehicle
-from clpt_control.conformance import readings
 from clpt_control.currents.plane import GriddedField
 from clpt_control.diagrams.interconnection import connect
 from clpt_control.equations import Block
@@ -17,72 +16,6 @@ from clpt_control.errors import ClptError, DiagramError, SimulationError
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
 from clpt_control.simulation.starts import initial_state
-
-
-def scenario_of(N, law, disturbed):
-    """The paper's scenario with N functions."""
-    random = np.random.default_rng(N)
-    changes = {
-        "basis.centers": random.uniform(-5, 5, (N, 2)),
-        "basis.widths": random.uniform(2, 6, N),
-        "basis.periods": random.uniform(5, 30, N),
-        "basis.phases": random.uniform(-3, 3, N),
-        "flow.parameters": random.uniform(-1, 1, (2, N)),
-        "model.parameters": random.uniform(-1, 1, (2, N)),
-        "learning.law": law,
-    }
-    if law == "known-flow":
-        changes |= {
-            "learning.theta_estimate": random.uniform(-1, 1, (2, N)),
-            "learning.parameters": None,
-        }
-    else:
-        changes["learning.parameters"] = random.uniform(-1, 1, (2, N))
-    if disturbed:
-        square = {"kind": "square", "amplitude": [0.1, 0.05], "period": 3.7}
-        changes["flow.disturbance"] = square
-    return clpt.paper_scenario().with_values(changes)
-
-
-@pytest.mark.parametrize(
-    ("N", "law", "disturbed"),
-    [(1, "learned-flow", True), (3, "known-flow", False), (30, "learned-flow", True)],
-)
-def test_the_closed_loop_is_read_alike(N, law, disturbed):
-    diagram = clpt.closed_loop(scenario_of(N, law, disturbed))
-    random = np.random.default_rng(N)
-    asked = readings(diagram)
-    for t in (0.0, 33.3, 101.0):
-        x = random.standard_normal(diagram.nstates)
-        rate, outputs = asked["control"](t, x, [])
-        scale = max(1.0, np.abs(rate).max())
-        for name, ask in asked.items():
-            for found, wanted in zip(ask(t, x, []), (rate, outputs), strict=True):
-                np.testing.assert_allclose(found, wanted, atol=1e-12 * scale, err_msg=name)
-
-
-@pytest.mark.parametrize(
-    ("kernel", "kind"),
-    [("exponential", "sine"), ("gaussian", "square"), ("gaussian-sigma", "noise")],
-)
-def test_kernels_and_disturbances_run_natively(kernel, kind):
-    scenario = clpt.paper_scenario().with_values(
-        {
-            "basis.kernel": kernel,
-            "run.duration": 45,
-            "flow.disturbance": {"kind": kind, "amplitude": [0.1, 0.05], "period": 3.7},
-        }
-    )
-    runs = [clpt.simulate(scenario, engine=engine) for engine in ("native", "python")]
-    for name in ("position", "clpe", "alpha", "true_flow", "lyapunov"):
-        np.testing.assert_allclose(runs[0][name], runs[1][name], rtol=1e-8, atol=1e-9)
-    for name in ("solver_steps", "solver_restarts"):
-        assert runs[0].attrs[name] == runs[1].attrs[name]
-
-
-def drag(t, x, u, p):
-    """v = -x, section II: u = x[2] (length), y = v_x[2] (length per time)."""
-    return -u.x
 
 
 def field():
@@ -125,21 +58,6 @@ def test_the_fixed_step_stops_at_every_waypoint():
     np.testing.assert_allclose(fixed.x, adaptive.x, rtol=0, atol=2e-6)
     with pytest.raises(SimulationError, match="must be positive"):
         native.run(state, times, step=-1.0)
-
-
-def test_many_starts_in_lanes_equal_each_alone():
-    scenario = clpt.paper_scenario().with_values({"run.duration": 30})
-    native = NativeDiagram(clpt.closed_loop(scenario))
-    starts = initial_state(scenario) + np.random.default_rng(2).normal(0, 0.1, (11, 14))
-    times = np.array([0.0, 7.0, 20.0, 30.0])
-    fixed = native.run_many(starts, times, step=0.05)
-    adaptive = native.run_many(starts, times)
-    for k in (0, 6, 10):
-        alone = native.run(starts[k], times, step=0.05)
-        np.testing.assert_allclose(fixed[k], alone.x, rtol=0, atol=1e-12)
-        alone = native.run(starts[k], times)
-        np.testing.assert_allclose(adaptive[k], alone.x, rtol=0, atol=1e-10)
-    np.testing.assert_array_equal(native.run_many(starts[3:9], times, step=0.05), fixed[3:9])
 
 
 @pytest.mark.parametrize("made", [NativeDiagram, PythonDiagram])
@@ -190,23 +108,6 @@ def test_many_starts_are_checked_too(made):
         runner.run_many(np.zeros((3, 13)), [0.0, 1.0])
     with pytest.raises(SimulationError, match="step and rtol"):
         runner.run_many(np.zeros((3, 14)), [0.0, 1.0], step=0.1, rtol=1e-3)
-
-
-def test_inputs_are_read_as_simulate_reads_them():
-    diagram = connect(
-        [vehicle.vehicle(), Block("drag", output=drag, inputs={"x": 2}, outputs={"v_x": 2})],
-        external=["flow_x"],
-    )
-    times, flow = [0.0, 1.0, 3.0], [[0.0, 1.0, 1.0], [2.0, 2.0, 0.0]]
-    wanted = response(diagram, times, flow, initial_state=[1.0, -1.0]).states.T
-    for made in (NativeDiagram, PythonDiagram):
-        runner = made(diagram)
-        found = runner.run([1.0, -1.0], times, inputs=flow)
-        np.testing.assert_allclose(found.x, wanted, rtol=1e-12, atol=1e-12)
-        signals = runner.signals(found, flow)
-        np.testing.assert_allclose(signals[:, :2], found.x, rtol=1e-12, atol=1e-12)
-        with pytest.raises(SimulationError, match="inputs: shape"):
-            runner.signals(found, np.ones((2, 2)))
 
 
 def test_machine_code_that_is_asked_for_takes_no_function_as_inputs():

@@ -193,21 +193,6 @@ def test_many_runs_begin_with_what_is_held():
     np.testing.assert_allclose(step, found[3], atol=1e-7)
 
 
-def test_a_part_of_one_signal_stands_for_two_in_a_scenario():
-    scenario = clpt.paper_scenario().with_values({"run.duration": 2})
-    lag = control.tf([0.5], [1, -0.5], 0.1, name="slow")
-    loop = clpt.closed_loop(scenario, insert={("v_x", "vehicle"): lag})
-    own = clpt.simulate(clpt.closed_loop(scenario, insert={("v_x", "vehicle"): lag}))
-    node = loop.syslist[[part.name for part in loop.syslist].index("slow")]
-    assert (node.ninputs, node.nstates) == (2, 4)
-    assert own.attrs["engine"] == "native"
-    assert np.all(np.isfinite(own.clpe))
-    python = clpt.simulate(
-        clpt.closed_loop(scenario, insert={("v_x", "vehicle"): lag}), engine="python"
-    )
-    np.testing.assert_allclose(own.clpe, python.clpe, atol=1e-9)
-
-
 def test_what_is_refused():
     plant = control.ss(A, B, [[0.0, 1.0]], [[0.5]], inputs="v", outputs="y", name="tanks")
     direct = clpt.connect([error(), pid(), plant], external="r")
@@ -262,60 +247,12 @@ def test_params_may_be_called_as_a_block_calls_its_own():
     np.testing.assert_allclose(run.v, -3.0 * run.y, atol=1e-12)
 
 
-def test_an_ensemble_begins_with_what_is_held():
-    scenario = clpt.paper_scenario().with_values({"run.duration": 5})
-    own = {("z", "learning_controller"): control.tf([0.9], [1], 0.5, name="seen")}
-    times = np.arange(6.0)
-    many = clpt.run_ensemble(
-        clpt.closed_loop(scenario, insert=own),
-        ["learning.gain=0.4:1.0"],
-        2,
-        trajectories=True,
-        times=[5.0],
-    )
-    for m in range(2):
-        changed = scenario.with_values({"learning.gain": float(many["learning.gain"][m])})
-        one = clpt.simulate(clpt.closed_loop(changed, insert=own), times)
-        np.testing.assert_allclose(many.alpha[m], one.alpha, atol=1e-8)
-
-
 def law_of(scenario):
     return next(one for one in clpt.paper_blocks(scenario) if one.name == "adaptation")
 
 
 def held(t, x, u, p):
     return {"alpha": p.alpha, "K": p.K, "Gamma": p.Gamma}
-
-
-@every_engine
-def test_the_law_of_the_paper_sampled_is_euler(engine):
-    """Run by hand: the loop with alpha, K and Gamma as constants, from one sample to the next."""
-    scenario = clpt.paper_scenario().with_values({"run.duration": 3})
-    own = law_of(scenario)
-    run = clpt.simulate(
-        clpt.closed_loop(scenario, law=Sampled(own, 1.0)), np.arange(4.0), engine=engine
-    )
-    values = {"alpha": np.zeros((2, 3)), "K": np.zeros(2), "Gamma": np.zeros(2)}
-    constant = Block(
-        "adaptation",
-        output=held,
-        inputs={},
-        outputs={"alpha": (2, 3), "K": 2, "Gamma": 2},
-        parameters=values,
-    )
-    loop, state = clpt.closed_loop(scenario, law=constant), np.zeros(4)
-    for k in range(3):
-        given = {f"adaptation.{name}": value for name, value in values.items()}
-        piece = clpt.simulate(loop, [k, k + 1.0], initial_state=state, params=given)
-        np.testing.assert_allclose(run.alpha[k], values["alpha"], atol=1e-7)
-        np.testing.assert_allclose(run.position[k], piece.position[0], atol=1e-7)
-        fed = {"e": piece.clpe, "z": piece.predicted_position, "zc": piece.reference}
-        phi = clpt.state_at(run, float(k))[own.nstates + 4 + 2 :][:3]
-        u = np.concatenate([fed["e"][0], phi, fed["z"][0], fed["zc"][0]])
-        rate = own.dynamics(k, np.zeros(own.nstates), u)
-        for name, part in zip(values, (slice(6), slice(6, 8), slice(8, 10)), strict=True):
-            values[name] = values[name] + rate[part].reshape(values[name].shape)
-        state = clpt.state_at(piece, k + 1.0)
 
 
 def test_a_sampled_law_reads_alike_in_every_engine():

@@ -47,89 +47,11 @@ def differences(t, x, u, p):
     return total
 
 
-def summed(t, x, u, p):
-    s = 0.0
-    for i in range(40):
-        s += (i + 1) * u[i]
-    return s
-
-
-def line(t, x, u, p):
-    return u[0] + np.arange(20)
-
-
-def summing():
-    return Block("sum", output=summed, inputs={"a": 20, "b": 20}, outputs={"y": 1})
-
-
-def test_a_loop_over_ports_of_two_blocks():
-    first = Block("first", output=line, inputs={"u": 1}, outputs={"a": 20})
-    second = Block("second", output=line, inputs={"v": 1}, outputs={"b": 20})
-    diagram = connect([second, first, summing()], external=["u", "v"])
-    wanted = sum((i + 1) * (3.0 + i) for i in range(20))
-    wanted += sum((i + 21) * (7.0 + i) for i in range(20))
-    for name, ask in readings(diagram).items():
-        found = ask(0.0, [], [3.0, 7.0])[1]
-        assert found[diagram.output_labels.index("y[0]")] == pytest.approx(wanted), name
-
-
-def each(t, x, u, p):
-    s = 0.0
-    for i in range(20):
-        s += (i + 1) * u[i]
-    return s
-
-
-WIRINGS = {
-    "signs": [[(j, 1.0 if j % 2 else -1.0)] for j in range(20)],
-    "halves": [[(j, 1.0 if j < 10 else -1.0)] for j in range(20)],
-    "backwards": [[(19 - j, 1.0)] for j in range(20)],
-    "mixed": [[(7 * j % 20, 1.0)] for j in range(20)],
-    "one unfed": [[(j, 1.0)] if j != 11 else [] for j in range(20)],
-    "two on one": [[(j, 1.0)] + ([(3, 1.0)] if j == 5 else []) for j in range(20)],
-    "gains": [[(j, 0.5 * j)] for j in range(20)],
-}
-
-
-@pytest.mark.parametrize("case", WIRINGS)
-def test_a_loop_reads_the_wiring_as_it_is(case):
-    source = Block("source", output=lambda t, x, u, p: np.arange(1.0, 21.0), outputs={"a": 20})
-    reader = Block("reader", output=each, inputs={"u": 20}, outputs={"y": 1})
-    terms = WIRINGS[case]
-    diagram = control.interconnect(
-        [source, reader],
-        inplist=[],
-        inputs=0,
-        outlist=["reader.y[0]"],
-        outputs=["y"],
-        connections=[
-            [f"reader.u[{j}]", *((0, k, gain) for k, gain in feeds)]
-            for j, feeds in enumerate(terms)
-            if feeds
-        ],
-        check_unused=False,
-    )
-    fed = [sum(gain * (k + 1) for k, gain in feeds) for feeds in terms]
-    alike(diagram, outputs=[sum((j + 1) * value for j, value in enumerate(fed))])
-
-
 def one_behind(t, x, u, p):
     s = 0.0
     for i in range(1, 21):
         s += u[i - 1]
     return s
-
-
-def spread(t, x, u, p):
-    dx = -x
-    dx += u[0]
-    return dx
-
-
-def test_a_derivative_that_is_added_to():
-    block = Block("mine", update=spread, inputs={"u": 1}, states={"x": 20})
-    x = np.linspace(-1, 1, 20)
-    alike(block, x, [0.25], rate=0.25 - x, outputs=x)
 
 
 # --- indices, slices and returns ---------------------------------------------------------------

@@ -13,7 +13,7 @@ from urllib.parse import unquote
 
 import pytest
 from html_reader import Reader
-from processes import CLPT, GUARD, await_line, kill_while_it_writes, started
+from processes import CLPT, GUARD, await_line, kill_while_it_writes, ran, started
 from synthetic_vehicle import fixes_of, one_file_each, told, vehicle
 
 from clpt_control.geodesy import place_from
@@ -131,26 +131,6 @@ def test_a_row_each_what_asks_for_a_pilot_first_and_is_told_once(tree, command, 
     assert "a <b> & '#1%3f'" in page.texts  # as a text, no markup
 
 
-@pytest.mark.usefixtures("undrawn")
-def test_a_second_look_reads_no_file_again(tmp_path, command, monkeypatch):
-    from clpt_control.replay import follow
-
-    dives = recent(5, 0.1)
-    (tmp_path / "well").mkdir()
-    one_file_each(tmp_path / "well", dives[:4])
-    assert command("--fleet", tmp_path).exit_code == 0
-
-    def read(path):
-        read_again.append(path.name)
-        return real(path)
-
-    real, read_again = follow.read_dive_file, []
-    monkeypatch.setattr(follow, "read_dive_file", read)
-    one_file_each(tmp_path / "well", dives[4:])
-    (row,) = json.loads(command("--fleet", tmp_path, "--json").stdout)["vehicles"]
-    assert (read_again, row["dive"]) == (["dive5.csv"], 5)
-
-
 def test_no_vehicle_and_wrong_words(tmp_path, command):
     for words, says in (
         (("--fleet", tmp_path), "no folder below it has files of dives"),
@@ -240,10 +220,7 @@ def test_a_fleet_killed_twice_is_as_an_unbroken_one(tmp_path):
             kill_while_it_writes(process, tmp_path / "broken", part)
     found = {}
     for name, own in words.items():
-        done = subprocess.run(
-            list(map(str, own)), capture_output=True, text=True, cwd=tmp_path, check=True
-        )
-        found[name] = json.loads(done.stdout)
+        found[name] = json.loads(ran(*own, cwd=tmp_path).stdout)
         for row in found[name]["vehicles"]:
             row.pop("age_hours")
         found[name].pop("now")

@@ -23,14 +23,8 @@ from synthetic_forecast import (
 
 from clpt_control.currents.fit import fit_scenario, save_fit
 from clpt_control.errors import DataError
-from clpt_control.files import write_file
-from clpt_control.gliders.dive_files import sample_dives
-from clpt_control.gliders.usable_dives import usable
 from clpt_control.replay.carried_dives import carried, why_uncovered
-from clpt_control.replay.facts import replay_dataset
 from clpt_control.replay.flow_models import read_flow_model
-from clpt_control.replay.outcome import summary
-from clpt_control.replay.replay import replay_dives
 
 
 def test_solid_rotation():
@@ -132,34 +126,3 @@ def test_files_that_are_no_flow_model(tmp_path):
         file.fit_report = report.replace('"theta": [[', '"theta": [[0.0, ', 1)
     with pytest.raises(DataError, match=r"write both anew|has no fit_report"):
         read_flow_model(tmp_path / "fit.toml")
-
-
-def test_replay_with_and_without_a_model(tmp_path):
-    dives = usable(sample_dives())[0]
-    bare = replay_dives(dives)
-    assert set(summary(bare)["clpe_rms"]) == {"no_flow", "previous_dive", "adaptive"}
-    assert "flow_model" not in summary(bare)
-    assert bare.steps[3].clpe["flow_model"] is None
-    calm = Made(lambda t, x, y: (0.0, 0.0))
-    still = replay_dives(dives, flow_model=calm)
-    for name in ("clpe_rms", "clpe_rms_all", "clpe_rms_after_3"):
-        rms = summary(still)[name]
-        assert rms["flow_model"] == pytest.approx(rms["no_flow"])
-    half = [replace(d, model_east=None) if d.number % 2 else carried(d, calm) for d in dives]
-    replay = replay_dives(dives, flow_model=calm)
-    replay.steps.clear()
-    replay.__post_init__()
-    for dive in half:
-        replay.step(dive)
-    found = summary(replay)
-    assert found["flow_model"]["covered"] == 7
-    even = [s.clpe["no_flow"] for s in bare.steps[1:] if s.dive.number % 2 == 0]
-    assert found["clpe_rms"]["flow_model"] == pytest.approx(np.sqrt(np.mean(np.square(even))))
-    data = replay_dataset(replay)
-    assert np.isnan(data.clpe_flow_model.values).sum() == 7
-    write_file(tmp_path / "replay.nc", data)
-    with netCDF4.Dataset(tmp_path / "replay.nc") as file:
-        assert np.isnan(file["clpe_flow_model"]._FillValue)
-        assert "_FillValue" not in file["clpe_no_flow"].ncattrs()
-        assert file["clpe_flow_model"][:].mask.sum() == 7
-        assert {"flow_model_east", "flow_model_north"} <= set(file.variables)

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from processes import CLPT, await_line, started
+from processes import CLPT, await_line, ran, started
 from synthetic_vehicle import one_file_each, vehicle
 
 from clpt_control.errors import DataError
@@ -313,11 +313,8 @@ def test_one_process_follows_at_a_time(inbox, tmp_path):
     start = [*CLPT, "replay", "--follow", inbox, "--out", out]
     with started([*start, "--json"], stdout=subprocess.DEVNULL) as first:
         await_line(first, first.stderr, "dives used")
-        second = subprocess.run([*start, "--patience", "0"], capture_output=True, text=True)
-        assert second.returncode == 2
+        second = ran(*start, "--patience", "0", status=2)
         assert "another clpt follows here; end it, or give another --out" in second.stderr
         assert second.stderr.count("\n") == 1
-    third = subprocess.run(
-        [*start, "--patience", "0", "--json"], capture_output=True, text=True, check=True
-    )
+    third = ran(*start, "--patience", "0", "--json")
     assert json.loads(third.stdout)["used"] == 3

@@ -2,13 +2,12 @@
 
 import json
 import signal
-import subprocess
 import sys
 from signal import SIGTERM as TERM
 from types import SimpleNamespace
 
 import pytest
-from processes import CLPT, GUARD, await_line, started, without_progress
+from processes import CLPT, GUARD, await_line, ran, started, without_progress
 from synthetic_vehicle import one_file_each
 from typer.testing import CliRunner
 
@@ -85,12 +84,7 @@ def test_a_full_disk_leaves_the_results_as_they_were(tmp_path, sizes, name):
     for other in RESULTS:
         (tmp_path / other).write_text("old")
     words = ("replay", "--sample", "--json", "--out", tmp_path)
-    done = subprocess.run(
-        [sys.executable, "-c", LIMITED, str(sizes[name] // 2), *words],
-        capture_output=True,
-        text=True,
-    )
-    assert done.returncode == 2
+    done = ran(sys.executable, "-c", LIMITED, sizes[name] // 2, *words, status=2)
     said = without_progress(done.stderr)
     assert "cannot be written" in said
     assert said.count("\n") == 1
@@ -157,17 +151,3 @@ def test_patience_is_time(clpt, tmp_path, monkeypatch):
         words = ("--every", every, "--patience", "25")
         assert clpt("replay", "--follow", tmp_path, *words).status == 0
         assert waits == expected
-
-
-@pytest.mark.usefixtures("undrawn")
-def test_files_that_are_skipped_for_one_reason_are_one_line(follow, tmp_path):
-    folder, out = tmp_path / "in", tmp_path / "out"
-    folder.mkdir()
-    one_file_each(folder, sample_dives()[:2])
-    for name in ("one.csv", "three.csv", "two.csv"):
-        (folder / name).write_text("")
-    done = follow(folder, "--out", out)
-    skipped = [line for line in done.stdout.splitlines() if line.startswith("skipped")]
-    assert len(skipped) == 1
-    assert "one.csv: is empty" in skipped[0]
-    assert "(one of 3 files)" in skipped[0]

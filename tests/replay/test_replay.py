@@ -8,8 +8,7 @@ import pytest
 from synthetic_vehicle import vehicle
 
 from clpt_control.errors import ArgumentError, DataError, ScenarioError
-from clpt_control.estimation.estimators import ESTIMATORS, make_estimator
-from clpt_control.estimation.fix_model import FixModel
+from clpt_control.estimation.estimators import ESTIMATORS
 from clpt_control.gliders.dive_files import sample_dives
 from clpt_control.gliders.usable_dives import usable
 from clpt_control.replay.facts import replay_dataset
@@ -60,17 +59,6 @@ def test_later_dives_change_nothing_earlier(estimator):
         for other in (changed, permuted):
             assert np.array_equal(whole.steps[k].forecast, other.steps[k].forecast)
             assert np.array_equal(whole.steps[k].covariance, other.steps[k].covariance)
-
-
-@pytest.mark.parametrize("estimator", ESTIMATORS)
-def test_a_forecast_does_not_read_the_dives_end(estimator):
-    *earlier, last = vehicle(4, 9)
-    learner = make_estimator(estimator, FixModel())
-    for dive in earlier:
-        learner.update(dive)
-    blind = replace(last, gps_east=math.nan, gps_north=math.nan, lat_gpse=math.nan)
-    for seen, unseen in zip(learner.predict(last), learner.predict(blind), strict=True):
-        assert np.array_equal(seen, unseen)
 
 
 def test_mistakes_are_sentences():

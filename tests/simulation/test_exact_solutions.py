@@ -34,14 +34,6 @@ def decaying(k=2.0):
     )
 
 
-def test_circle_of_a_linear_oscillator():
-    spring = Block("spring", update=lambda t, x, u, p: [x[1], -x[0]], states={"x": 2})
-    times = np.linspace(0, 20 * math.pi, 41)  # every quarter turn
-    x = response(spring, times, initial_state=[1, 0], rtol=1e-11, atol=1e-13).outputs
-    exact = np.array([np.cos(times), -np.sin(times)])
-    np.testing.assert_allclose(x, exact, atol=1e-8)
-
-
 def test_constant_input():
     times = np.linspace(0, 3, 13)
     exact = 2.5 * (1 - np.exp(-2 * times))  # rest at u/k = 5/2

@@ -5,8 +5,6 @@ import law_blocks
 import numpy as np
 import pytest
 from calm_water import CALM, KD, POINTS, GammaD, exact_positions
-from hypothesis import given, settings
-from hypothesis import strategies as st
 from xarray.testing import assert_allclose, assert_identical
 
 import clpt_control as clpt
@@ -33,30 +31,6 @@ def test_a_lag_of_one_line_is_its_closed_form(engine):
     start = [clpt.initial_state(CALM), 0]
     run = clpt.simulate(loop, times, 0, start, params=matrices, engine=engine, **TIGHT)
     np.testing.assert_allclose(run.position, exact_positions(times, 0.2), atol=1e-8)
-
-
-@settings(max_examples=6, deadline=None, derandomize=True)
-@given(
-    seed=st.integers(0, 10**6),
-    n=st.integers(0, 2),
-    where=st.sampled_from([("v_x", "vehicle"), "x", "e", ("zc", "learning_controller"), "alpha"]),
-)
-def test_a_random_system_anywhere_is_the_same_in_every_engine(seed, n, where):
-    numbers, size = np.random.default_rng(seed), 6 if where == "alpha" else 2
-    A = numbers.normal(size=(n, n)) - 2 * np.eye(n)
-    B, C = numbers.normal(size=(n, size)), numbers.normal(size=(size, n))
-    D = np.eye(size) + 0.2 * numbers.normal(size=(size, size))
-    part = (
-        control.ss(A, B, 0.2 * C, D, name="mine") if n else control.ss([], [], [], D, name="mine")
-    )
-    loop = clpt.closed_loop(PAPER, insert={where: part})
-    runs = [clpt.simulate(loop, [0, 0.5, 1], engine=engine) for engine in ENGINES]
-    assert_allclose(*runs, rtol=1e-6, atol=1e-6)
-    states = runs[1].states.values
-    step = 1e-4
-    moved = clpt.simulate(loop, [0.5, 0.5 + step], 0, states[1], **TIGHT).states.values[1]
-    rate = loop.dynamics(0.5 + step / 2, (moved + states[1]) / 2, [])  # python-control's own pass
-    np.testing.assert_allclose((moved - states[1]) / step, rate, rtol=1e-4, atol=1e-4)
 
 
 def test_what_passes_everything_on_changes_nothing():

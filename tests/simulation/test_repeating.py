@@ -4,7 +4,6 @@ import copy
 import json
 import pickle
 import random
-import subprocess
 import sys
 import warnings
 
@@ -13,6 +12,7 @@ import numpy as np
 import pytest
 import xarray
 from damages import json_changed
+from processes import ran
 from random_diagrams import random_diagram
 from test_compare import gauge, lemniscate, loop
 
@@ -224,12 +224,7 @@ def test_no_code_is_kept_and_none_is_run(tmp_path):
         "import clpt_control as clpt, sys; run = clpt.simulate(clpt.load_diagram(sys.argv[1])); "
         "print(run.h.values.tobytes().hex())"
     )
-    found = subprocess.run(
-        [sys.executable, "-c", code, tmp_path / "run.nc"],
-        capture_output=True,
-        text=True,
-        check=True,
-    )
+    found = ran(sys.executable, "-c", code, tmp_path / "run.nc")
     assert found.stdout.strip() == run.h.values.tobytes().hex()
 
 
@@ -400,22 +395,6 @@ def test_damaged_numbers_of_a_run_are_one_sentence(tmp_path):
             clpt.load_run(tmp_path / "damaged.nc")
         assert "\n" not in str(caught.value), how
         assert str(tmp_path) in str(caught.value), how
-
-
-@pytest.mark.parametrize(
-    "values",
-    [
-        {"learning.law": "projection"},
-        {"learning.sample": 0.05},
-        {"vehicle.max_speed": 1.0},
-        {"flow.disturbance": {"kind": "square", "amplitude": [0.1, 0.0], "period": 3.0}},
-    ],
-)
-def test_loops_of_the_paper_are_repeated(values):
-    """Blocks of the package: sampled, with periods, jumps and a disturbance by a function."""
-    run = clpt.simulate(clpt.closed_loop(SCENARIO.with_values(values)), TIMES)
-    again = clpt.simulate(diagram_of_text(equations_text(run)[0]))
-    assert again.states.values.tobytes() == run.states.values.tobytes()
 
 
 def test_names_of_a_file_are_neither_markup_nor_formulas(tmp_path):

@@ -9,7 +9,7 @@ from scipy.integrate import simpson
 
 import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS
-from clpt_control.errors import DataError, DiagramError, ScenarioError, SimulationError
+from clpt_control.errors import DiagramError, ScenarioError, SimulationError
 from clpt_control.scenario.file import OWN_PARTS
 from clpt_control.theory.proving.theorem_loop import AT_FIXES
 
@@ -77,20 +77,6 @@ def test_equal_gains_each_are_one_gain():
     three = clpt.simulate(PAPER.with_values({"learning.gain": None, "learning.gains": each}))
     np.testing.assert_allclose(three.alpha, one.alpha, rtol=0, atol=1e-9)
     np.testing.assert_allclose(three.lyapunov, one.lyapunov, rtol=0, atol=1e-9)
-
-
-def test_a_block_takes_the_laws_place(tmp_path):
-    run = clpt.simulate(clpt.closed_loop(PAPER, law=law_blocks.papers_law()))
-    own = clpt.simulate(PAPER)
-    assert "lyapunov" not in run  # of a block none is known
-    for name in set(own.data_vars) - {"lyapunov"}:
-        np.testing.assert_allclose(run[name], own[name], rtol=0, atol=1e-9, err_msg=name)
-    clpt.save_run(run, tmp_path / "run.nc")
-    np.testing.assert_array_equal(clpt.load_run(tmp_path / "run.nc").alpha, run.alpha)
-    with pytest.raises(
-        DataError, match=r"law given in Python, mine, .*alone does not repeat it; clpt.load_d"
-    ):
-        clpt.load_scenario(tmp_path / "run.nc")
 
 
 def test_what_a_block_remembers_starts_at_zero_and_is_wired():

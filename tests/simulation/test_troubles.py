@@ -17,21 +17,6 @@ from clpt_control.errors import ScenarioError, SimulationError
 from clpt_control.simulation.starts import initial_state
 
 
-def test_infinite_parameter_is_named():
-    loop = clpt.closed_loop(PAPER)
-    with pytest.raises(SimulationError) as caught:
-        clpt.simulate(
-            loop,
-            [5.0, 6.0],
-            initial_state=initial_state(loop),
-            params={"true_flow.theta": np.full((2, 3), np.inf)},
-        )
-    sentence = str(caught.value)
-    assert "t = 5" in sentence
-    assert "flow_x[0]" in sentence
-    assert "true_flow" in sentence
-
-
 def test_infinite_state_is_named():
     x0 = initial_state(PAPER)
     x0[1] = np.nan

@@ -76,18 +76,6 @@ def test_equal_functions_are_learnable_only_together(true_paper):
     assert found.dimension == {"x1": 4, "x2": 4}
 
 
-def test_a_gramian_equals_a_plain_sum_over_a_fine_grid(true_paper):
-    times = np.arange(200.0, 260.0, 0.01) + 0.005
-    run = clpt_package.simulate(true_paper, times)
-    from clpt_control.equations import evaluate
-
-    phi = evaluate(true_paper.basis_block(), times, run.position.values)
-    found = gramian(true_paper, 60.0, 200.0)
-    for i, axis in enumerate(("x1", "x2")):
-        w = np.column_stack([phi, run.predicted_position[:, i], run.reference[:, i]])
-        np.testing.assert_allclose(found.gramians[axis], 0.01 * w.T @ w, rtol=2e-4, atol=2e-4)
-
-
 def test_a_learner_that_swings_within_a_dwell_has_the_gramian_of_a_fine_sum(paper):
     """Gauss's rule on panels of 0.1 s; with the learner's gain e and z turn 15 times in a dwell."""
     scenario = paper.with_values({"learning.gain": 20.0})

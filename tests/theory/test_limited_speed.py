@@ -7,7 +7,6 @@ from responses import response
 import clpt_control as clpt
 from clpt_control.blocks import learner, vehicle
 from clpt_control.blocks.laws.law import Truth
-from clpt_control.blocks.laws.table import LAWS
 from clpt_control.diagrams.interconnection import connect
 from clpt_control.errors import ScenarioError
 from clpt_control.simulation.loops import paper_blocks
@@ -17,7 +16,6 @@ from clpt_control.theory.proving.proof import proof_or_failure
 from clpt_control.theory.proving.running_rate import Running
 
 PAPER = clpt.paper_scenario()
-ESTIMATE = {"learning.theta_estimate": [[0.9, 0.5, 0.7], [1.0, 0.3, 0.9]]}
 
 
 @pytest.fixture(autouse=True)
@@ -107,26 +105,3 @@ def test_a_law_that_reads_the_velocity_reads_the_flown_one():
     assert run.attrs["share_at_speed_limit"] > 0.2
     error = run.flow_parameters_estimate[-1].values - np.array(PAPER.flow.parameters)
     assert np.abs(error).max() < 5e-3
-
-
-OFTEN = ("learned-flow", "composite-memory", "kalman-flow")
-EACH = [
-    pytest.param(name, marks=() if name in OFTEN else pytest.mark.slow)
-    for name, law in LAWS.items()
-    if not law.at_fixes
-]
-
-
-@pytest.mark.parametrize("name", EACH)
-def test_every_law_runs_with_a_limit_and_its_clpe_is_hedged(name):
-    values = {"learning.law": name, "vehicle.max_speed": 1.5, "run.duration": 200}
-    if LAWS[name].alpha_is_constant:
-        values["learning.parameters"] = None
-    if LAWS[name].given_estimate:
-        values |= ESTIMATE
-    scenario = PAPER.with_values(values)
-    told, untold = (
-        clpt.simulate(scenario.with_values({"learning.hedging": hedging})).clpe.values[100:]
-        for hedging in (True, False)
-    )
-    assert np.sqrt(np.mean(told**2)) < np.sqrt(np.mean(untold**2))

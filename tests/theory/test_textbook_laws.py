@@ -10,7 +10,6 @@ from own_laws import GAIN, law
 from textbook_laws import LAWS, of_e
 from wrong_laws import WRONG
 
-import clpt_control as clpt
 from clpt_control.blocks.lyapunov import lyapunov_candidate, one_gain
 from clpt_control.errors import ClptError, DiagramError
 from clpt_control.theory.proving.own_law import prove
@@ -32,18 +31,6 @@ LONG = (
 def test_a_law_of_a_textbook_is_shown(name):
     make, more, status = LAWS[name]
     assert prove(make(), points=POINTS, **more).status == status
-
-
-def test_V_of_the_paper_with_the_papers_numbers_is_proved():
-    scenario = clpt.paper_scenario()
-    car, N = scenario.vehicle, scenario.basis.N
-    truth = (scenario.flow.parameters, car.feedback, car.feedforward)
-    own = own_laws.driven(lambda t, x, u, p: u.e, {"gain": 0.8}, n=N)()
-    V = lyapunov_candidate("learned-flow", one_gain(0.8, *truth))
-    assert prove(own, V, points=POINTS).status == "proved"
-    V = lambda truth: lyapunov_candidate("learned-flow", one_gain(0.8, *truth))  # noqa: E731
-    found = prove(own, V, points=POINTS)
-    assert (found.status, found.for_every_N) == ("proved", True)
 
 
 def test_a_V_of_other_numbers_is_not_the_truths():
