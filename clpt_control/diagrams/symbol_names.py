@@ -42,7 +42,7 @@ def typeset(expression: Any) -> str:
         base += f"_{{{place}}}" if place else ""
         space = space.replace("_", r"\_")
         latex[symbol] = base + (rf"^{{\mathrm{{{space}}}}}" if space else "")
-    return sympy.latex(expression, symbol_names=latex)
+    return sympy.latex(expression, symbol_names=latex, mul_symbol=r"\,")
 
 
 def element_name(port: str, shape: Shape, index: tuple) -> str:

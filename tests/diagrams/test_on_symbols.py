@@ -58,7 +58,16 @@ def test_a_function_of_python_control():
     assert eq.derivative("y") == eq.rates["y"][0]
     assert eq["a"].is_positive
     assert str(clpt.equations(plant, numbers=True)) == "y' = -2*y + u(t)"
-    assert eq._repr_latex_() == (r"$\displaystyle\begin{aligned}\dot{y} &= - a y + u\end{aligned}$")
+    assert eq._repr_latex_() == (
+        r"$\displaystyle\begin{aligned}\dot{y} &= - a\,y + u\end{aligned}$"
+    )
+
+
+def test_names_of_letters_that_are_multiplied_stand_apart():
+    model = control.nlsys(
+        lambda t, x, u, p: -p["am"] * x, inputs=0, states="ym", params={"am": 4.0}
+    )
+    assert r"- \mathrm{am}\,\mathrm{ym}" in clpt.equations(model)._repr_latex_()
 
 
 def test_one_name_of_two_has_its_block_before_it():
