@@ -86,20 +86,6 @@ def test_duplicates_overlaps_order_and_gaps_are_said():
     assert "overlaps dive 13" in skipped[0].why
 
 
-def test_a_later_dive_never_changes_an_earlier_choice():
-    rng = np.random.default_rng(1)
-    starts = rng.uniform(0, 3e5, 40)
-    pool = [
-        replace(BASE, number=k, t_gps2=t, t_gpse=t + d)
-        for k, (t, d) in enumerate(zip(starts, rng.uniform(5e3, 3e4, 40), strict=True))
-    ]
-    pool.sort(key=lambda dive: dive.t_gpse)
-    whole = [dive.number for dive in usable(pool)[0]]
-    for count in range(len(pool) + 1):
-        part = [dive.number for dive in usable(pool[:count])[0]]
-        assert part == whole[: len(part)]
-
-
 def test_the_years_are_those_of_tides():
     end = np.datetime64(f"{YEARS[1]}-01-01", "s").astype(float)
     last = replace(BASE, t_gps2=end - 9001, t_gpse=end - 1)
@@ -195,9 +181,20 @@ def test_one_wrong_fix_costs_few_dives(monkeypatch):
     assert numbers(again) == ([10], [11, 11])
 
 
-def test_no_choice_of_places_looks_ahead():
+def overlapping():
+    rng = np.random.default_rng(1)
+    times = zip(rng.uniform(0, 3e5, 40), rng.uniform(5e3, 3e4, 40), strict=True)
+    pool = [replace(BASE, number=k, t_gps2=t, t_gpse=t + d) for k, (t, d) in enumerate(times)]
+    return sorted(pool, key=lambda dive: dive.t_gpse)
+
+
+def apart():
     rng = random.Random(2)
-    pool = [at(10 + k, rng.choice([40.0, 40.0, 41.0, -40.0])) for k in range(60)]
+    return [at(10 + k, rng.choice([40.0, 40.0, 41.0, -40.0])) for k in range(60)]
+
+
+@pytest.mark.parametrize("pool", [overlapping(), apart()], ids=["in time", "in place"])
+def test_no_choice_looks_ahead(pool):
     whole = numbers(pool)[0]
     assert 0 < len(whole) < len(pool)
     for count in range(len(pool) + 1):

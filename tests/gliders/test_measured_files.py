@@ -63,26 +63,6 @@ def test_the_adcp_of_the_vehicle_says_how_far_it_swam(facts):
     assert np.dot(swum, reckoned) / np.dot(reckoned, reckoned) == pytest.approx(1.56, abs=0.03)
 
 
-def test_every_row_of_a_seaexplorer_is_read(facts):
-    path = facts / "glider" / "sea035m10_dives.csv"
-    with path.open() as file:
-        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
-    long = [row for row in rows if float(row["t_gpse"]) - float(row["t_gps2"]) > 1000]
-    dives, unread = read_dives(path)
-    used, unused = usable(dives)
-    assert unread == []
-    assert len(dives) == len(rows)
-    assert [dive.number for dive in used] == [int(row["dive"]) for row in long]
-    assert [one.why for one in unused] == [
-        "lasts 620 s; must last longer than 1000 s (--least-duration)"
-    ]
-    for dive, row in zip(used, long, strict=True):
-        fixes = [float(row[name]) for name in ("lat_gps2", "lon_gps2", "lat_gpse", "lon_gpse")]
-        assert (dive.gps_east, dive.gps_north) == pytest.approx(between(*fixes), abs=1e-6)
-    everyone, none = usable(dives, 0.0)
-    assert (len(everyone), none) == (len(rows), [])
-
-
 OG1 = "sg015_20040929T140907_delayed.nc"
 
 

@@ -15,7 +15,6 @@ from clpt_control.equations import Block
 from clpt_control.errors import ClptError, DiagramError, SimulationError
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
-from clpt_control.simulation.starts import initial_state
 
 
 def field():
@@ -47,17 +46,6 @@ def test_code_is_made_once_for_diagrams_that_differ_in_numbers():
 
     assert code(learning_gain=2.0) is code(learning_gain=0.5)
     assert code(basis_kernel="gaussian") is not code()
-
-
-def test_the_fixed_step_stops_at_every_waypoint():
-    scenario = clpt.paper_scenario().with_values({"run.duration": 100})
-    native = NativeDiagram(clpt.closed_loop(scenario))
-    state, times = initial_state(scenario), np.array([0.0, 20.0, 33.3, 100.0])
-    fixed = native.run(state, times, step=0.02)
-    adaptive = native.run(state, times, rtol=1e-12, atol=1e-13)
-    np.testing.assert_allclose(fixed.x, adaptive.x, rtol=0, atol=2e-6)
-    with pytest.raises(SimulationError, match="must be positive"):
-        native.run(state, times, step=-1.0)
 
 
 @pytest.mark.parametrize("made", [NativeDiagram, PythonDiagram])

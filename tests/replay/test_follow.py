@@ -18,30 +18,8 @@ from clpt_control.errors import DataError
 from clpt_control.gliders.dive_files import read_dives, sample_dives
 from clpt_control.gliders.usable_dives import usable
 from clpt_control.replay import follow
-from clpt_control.replay.facts import replay_dataset
 from clpt_control.replay.follow import Follower, following
-from clpt_control.replay.replay import Replay, replay_dives
-
-
-def test_following_a_folder_equals_reading_it(tmp_path):
-    dives = sample_dives()
-    for k, dive in enumerate(dives):
-        one_file_each(tmp_path, [dive])
-        (tmp_path / "half.nc").write_bytes(b"CDF\x01" + bytes(k))
-        follower = Follower(tmp_path, tmp_path / "state")  # begins anew, each time
-        assert set(follower.look()) == {f"dive{dive.number}.csv", "half.nc"}
-        assert follower.look() == []
-        used = usable(follower.dives()[0])[0]
-        assert [d.number for d in used] == [d.number for d in dives[: k + 1]]
-    (tmp_path / "dive304.csv").unlink()
-    again = Follower(tmp_path, tmp_path / "state")
-    assert again.look() == []
-    known, skipped = again.dives()
-    assert len(skipped) == 1
-    assert "half.nc" in skipped[0].why
-    assert replay_dataset(replay_dives(usable(known)[0])).identical(
-        replay_dataset(replay_dives(usable(dives)[0]))
-    )
+from clpt_control.replay.replay import Replay
 
 
 def test_tracks_come_back_to_the_bit(tmp_path, monkeypatch):

@@ -84,6 +84,8 @@ def test_a_far_waypoint_leaves_the_chart_as_it_is():
         place = Geod(ellps="WGS84").fwd(last.lon_gpse, last.lat_gpse, bearing, away)
         aimed = found | {"aim": told(dives, (place[1], place[0]))["aim"]}
         page = Reader(replay_page(aimed))
+        assert ("path", "aim") in [(tag, names.get("class")) for tag, names in page.tags]
+        assert page.texts[page.texts.index("Aim") + 1].startswith("heading ")
         box = next(names["viewbox"] for tag, names in page.tags if tag == "svg")
         sizes[bearing] = box, next(names["data-metres"] for tag, names in page.tags if tag == "svg")
         arrows = [text for text in page.texts if re.fullmatch(r"waypoint 1, \d+ km to \d{3}", text)]

@@ -54,6 +54,7 @@ def test_a_known_current_carries_it_there_when_the_triangle_says(known):
     assert one["made"] == 1
     assert [area["entered"] for area in found["areas"]] == [1, 0]
     assert "cannot be made before" in route_sentences(found)[0]
+    assert " draws" not in route_sentences(found)[0]  # it is made in all
     assert route_sentences(found)[1:] == [
         "across: entered in 100 % of the draws",
         "beside: entered in 0 % of the draws",

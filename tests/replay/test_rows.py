@@ -11,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from synthetic_vehicle import vehicle
 
+from clpt_control.estimation.fix_model import FixModel
 from clpt_control.geodesy import displacement
 from clpt_control.gliders.dive_files import sample_dives
 from clpt_control.gliders.dives import make_dive
@@ -106,6 +107,12 @@ def test_rows_without_what_is_not_known():
     assert rows[0]["drift"] is None
     assert rows[1]["drift"]["speed"] == 0.0  # made at one place
     assert json.dumps(rows, allow_nan=False)
+
+
+@pytest.mark.parametrize("learns", [False, True])
+def test_a_speed_that_is_not_learned_is_no_number_of_a_dive(learns):
+    replay = replay_dives(vehicle(1, 3), model=FixModel(("steady",), learn_speed=learns))
+    assert ("speed_factor" in replay_dataset(replay)) == learns
 
 
 def test_hours_from_the_clock_or_the_last_end(monkeypatch):

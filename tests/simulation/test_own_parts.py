@@ -163,28 +163,6 @@ def test_the_law_of_a_loop_is_proved():
         prove(clpt.closed_loop(PAPER, insert={("v_x", "vehicle"): LAG}))
 
 
-def test_runs_with_parts_of_ones_own_are_no_scenario(tmp_path):
-    steered = clpt.closed_loop(PAPER, external="zc")
-    state = clpt.initial_state(PAPER)
-    for run, said in (
-        (
-            clpt.simulate(clpt.closed_loop(PAPER, insert={("v_x", "vehicle"): LAG})),
-            "v_x to vehicle: lag",
-        ),
-        (
-            clpt.simulate(steered, [0, 1], [3, 0], state),
-            "reference: from outside, closed_loop: run",
-        ),
-    ):
-        clpt.save_run(run, tmp_path / "run.nc")
-        loaded = clpt.load_run(tmp_path / "run.nc")
-        np.testing.assert_array_equal(clpt.state_at(loaded, 1), clpt.state_at(run, 1))
-        with pytest.raises(
-            DataError, match=f"parts given in Python, {said}.*, so its scenario alone"
-        ):
-            clpt.load_scenario(tmp_path / "run.nc")
-
-
 def test_no_certificate_for_parts_that_it_is_not_of():
     run = clpt.simulate(
         clpt.closed_loop(PAPER, insert={("v_x", "vehicle"): LAG}), np.linspace(0, 30, 601)

@@ -47,6 +47,17 @@ def test_a_law_keeps_its_promises_on_the_papers_scenario(name):
     assert all(promises_in_words(LAWS[name]).values())
 
 
+def test_what_is_not_known_of_the_flow_may_cost_what_v_does_not_hold():
+    """From a true start V(0) is 0: all that is allowed is of theta_hat - theta."""
+    scenario = with_law("known-flow")
+    car = scenario.vehicle
+    true = {"position": car.position, "feedback": car.feedback, "feedforward": car.feedforward}
+    found = checked_promises(
+        scenario.with_values({f"learning.{key}": value for key, value in true.items()})
+    )
+    assert 0.0 < found["mean square"] < 1.0
+
+
 def test_each_promise_has_a_predicate_and_conditions():
     promises = [promise for law in LAWS.values() for promise in law.promises]
     assert all(law.promises for law in LAWS.values())
