@@ -160,7 +160,7 @@ def _entries(matrix: np.ndarray) -> dict[int, list[tuple[int, float]]]:
 def units_of(wiring: Wiring) -> tuple[list[str], list[str]]:
     """Return the units of all block outputs, and of the diagram's inputs; "" where there is none.
 
-    An input of the diagram has the unit of a block input that takes it.
+    A signal to which nothing gives a unit has that of a block input that takes it.
     """
 
     def units(node: Node, kind: str) -> list[str]:
@@ -173,9 +173,10 @@ def units_of(wiring: Wiring) -> tuple[list[str], list[str]]:
     given = [""] * wiring.ninputs
     for node in wiring.nodes:
         taken = units(node, "input")
-        for wire in (one for one in node.wires if one.external and one.gain == 1.0):
+        for wire in (one for one in node.wires if one.gain == 1.0):
+            row = given if wire.external else made
             for k in range(wire.size):
-                given[wire.source + k] = given[wire.source + k] or taken[wire.to + k]
+                row[wire.source + k] = row[wire.source + k] or taken[wire.to + k]
     return made, given
 
 

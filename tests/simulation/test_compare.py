@@ -124,6 +124,13 @@ def test_units_of_ports_are_those_of_the_run():
     assert "mean (" not in clpt.draw(loop()).svg
 
 
+def test_a_signal_whose_maker_says_no_unit_has_that_of_who_takes_it():
+    valve = clpt.parts.saturation(0, 1, u="v", y="q")
+    run = clpt.simulate(clpt.connect([valve, tank()], external="v"), TIMES, 1.0)
+    assert run.q.attrs["units"] == "m3/s"
+    assert "units" not in run.v.attrs
+
+
 def test_a_loop_beside_another_part_keeps_the_units_of_its_signals():
     scenario = clpt.paper_scenario().with_values({"units.length": "km", "units.time": "h"})
     lag = control.tf(1, [0.5, 1], name="lag", inputs="r", outputs="q")
