@@ -5,8 +5,6 @@ import pytest
 
 import clpt_control as clpt
 from clpt_control.blocks import localization
-from clpt_control.ensemble.members import Ensemble
-from clpt_control.ensemble.of_scenarios import VariedScenario
 from clpt_control.equations import evaluate
 
 NOISE = {"noise": 0.05, "noise_period": 0.5, "seed": 3}
@@ -72,22 +70,6 @@ def test_both_engines_and_the_report_agree():
     fine = clpt.simulation.run_and_report(NOISY.with_values({"run.duration": 200})).summary
     many = clpt.run_ensemble(NOISY.with_values({"run.duration": 200}), "learning.gain=[0.8]", 1)
     assert fine["clpe_rms_per_cycle"][0] == pytest.approx(float(many.clpe_rms[0, 0]), rel=1e-6)
-
-
-@pytest.mark.parametrize("lanes", [False, True])
-def test_noise_varies_in_ensembles(lanes):
-    values = {
-        "localization.noise": np.linspace(0.0, 0.1, 9),
-        "localization.noise_period": np.tile([0.5, 0.7, 1.1], 3),
-    }
-    ensemble = Ensemble(VariedScenario(NOISY), values)
-    ensemble.lanes = ensemble.lanes if lanes else 1
-    times = np.array([0.0, 7.3, 20.0])
-    found = ensemble.run(ensemble.members(values), times)
-    for m in (0, 4, 8):
-        own = NOISY.with_values({key: value[m] for key, value in values.items()})
-        position = clpt.simulate(own, times).position
-        np.testing.assert_allclose(found.states[m, :, :2], position, rtol=0, atol=1e-10)
 
 
 def test_a_measured_track_feeds_the_learner_alone():

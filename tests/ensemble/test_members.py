@@ -11,6 +11,7 @@ from clpt_control.ensemble.summaries import STATUS
 from clpt_control.native import numbering
 from clpt_control.native.batch import Batch
 from clpt_control.simulation.summary import run_and_report
+from clpt_control.theory.proving.theorem_loop import AT_FIXES
 
 
 def members_of(count):
@@ -24,8 +25,8 @@ def members_of(count):
     }
 
 
-def ensemble_of(values, lanes, duration=60):
-    scenario = clpt.paper_scenario().with_values({"run.duration": duration})
+def ensemble_of(values, lanes, duration=60, **changes):
+    scenario = clpt.paper_scenario().with_values({"run.duration": duration, **changes})
     ensemble = Ensemble(VariedScenario(scenario), values)
     ensemble.lanes = ensemble.lanes if lanes else 1
     return ensemble
@@ -34,18 +35,41 @@ def ensemble_of(values, lanes, duration=60):
 TIMES = np.array([0.0, 3.3, 3.4, 17.0, 42.0, 60.0])
 
 
+VARIED = {  # what is not as in the paper's scenario, and what differs from member to member
+    "waypoints": ({}, members_of(5)),
+    "noise": (
+        {"localization": {"noise": 0.05, "noise_period": 0.5, "seed": 3}},
+        {
+            "localization.noise": np.linspace(0.0, 0.1, 9),
+            "localization.noise_period": np.tile([0.5, 0.7, 1.1], 3),
+        },
+    ),
+    "fixes": (
+        {"learning.law": "fix-regression", **AT_FIXES, "localization.noise": 0.01},
+        {
+            "localization.interval": np.tile([5.0, 7.0, 20.0], 3),
+            "localization.latency": np.repeat([0.0, 1.0, 4.5], 3),
+            "localization.noise": np.linspace(0.0, 0.05, 9),
+            "localization.dropouts": np.linspace(0.0, 0.5, 9),
+        },
+    ),
+}
+
+
 @pytest.mark.parametrize("lanes", [False, True])
-def test_members_equal_single_runs(lanes):
-    values = members_of(5)
-    ensemble = ensemble_of(values, lanes)
-    assert sorted(ensemble.one_by_one) == ["basis.periods", "reference.dwell"]
+@pytest.mark.parametrize("case", VARIED)
+def test_members_equal_single_runs(case, lanes):
+    changes, values = VARIED[case]
+    ensemble = ensemble_of(values, lanes, **changes)
+    if case == "waypoints":
+        assert sorted(ensemble.one_by_one) == ["basis.periods", "reference.dwell"]
     found = ensemble.run(ensemble.members(values), TIMES)
     assert (found.status == 1).all()
     tolerance = 1e-10  # code of its own: the compiler may join a product and a sum elsewhere
-    for m in range(5):
+    for m in range(len(found.status)):
         own = ensemble.varied.scenario.with_values({key: value[m] for key, value in values.items()})
         run = clpt.simulate(own, TIMES)
-        alpha = found.states[m, :, 4:10].reshape(-1, 2, 3)
+        alpha = found.states[m][:, ensemble.varied.columns["alpha"]].reshape(-1, 2, 3)
         np.testing.assert_allclose(found.states[m, :, :2], run.position, rtol=0, atol=tolerance)
         np.testing.assert_allclose(alpha, run.alpha, rtol=0, atol=tolerance)
         assert found.counts[m, 0] == run.attrs["solver_steps"]

@@ -125,6 +125,7 @@ def test_a_row_each_what_asks_for_a_pilot_first_and_is_told_once(tree, command, 
     assert "p1.nc" in rows["hurt"]["said"][0]
     out = tree / "replay"
     page = Reader((out / "fleet.html").read_text("utf-8"))
+    assert next(filter(str.strip, page.texts)).startswith("Fleet, ")  # its title
     links = [names["href"] for tag, names in page.tags if tag == "a"]
     assert len(links) == 6
     assert all((out / unquote(link)).is_file() for link in links)

@@ -8,8 +8,6 @@ from scipy.integrate import simpson
 import clpt_control as clpt
 from clpt_control.blocks import localization
 from clpt_control.blocks.disturbance import hash_fraction
-from clpt_control.ensemble.members import Ensemble
-from clpt_control.ensemble.of_scenarios import VariedScenario
 from clpt_control.equations import evaluate
 from clpt_control.theory.proving.theorem_loop import AT_FIXES
 
@@ -159,26 +157,6 @@ def test_the_papers_flow_is_learned_at_fixes(values, bounds):
     run = clpt.simulate(PAPER.with_values({**values, "run.duration": 1000.0}))
     for time, bound in bounds.items():
         assert largest_error(run, time) < bound
-
-
-@pytest.mark.parametrize("lanes", [False, True])
-def test_members_of_an_ensemble_are_runs(lanes):
-    base = PAPER.with_values({"run.duration": 40.0, "localization.noise": 0.01})
-    values = {
-        "localization.interval": np.tile([5.0, 7.0, 20.0], 3),
-        "localization.latency": np.repeat([0.0, 1.0, 4.5], 3),
-        "localization.noise": np.linspace(0.0, 0.05, 9),
-        "localization.dropouts": np.linspace(0.0, 0.5, 9),
-    }
-    ensemble = Ensemble(VariedScenario(base), values)
-    ensemble.lanes = ensemble.lanes if lanes else 1
-    times = np.array([0.0, 5.0, 13.7, 40.0])
-    found = ensemble.run(ensemble.members(values), times)
-    for m in range(9):
-        own = base.with_values({key: value[m] for key, value in values.items()})
-        run = clpt.simulate(own, times)
-        alpha = found.states[m][:, ensemble.varied.columns["alpha"]].reshape(-1, 2, 3)
-        np.testing.assert_allclose(alpha, run.alpha, rtol=0, atol=1e-9)
 
 
 REFUSED = {

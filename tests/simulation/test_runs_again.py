@@ -240,14 +240,14 @@ def law():
 
 
 @pytest.mark.parametrize("engine", ["native", "python"])
-def test_a_global_that_changes_counts_at_the_next_run(law, monkeypatch, engine):
-    def run():
-        return clpt.simulate(clpt.closed_loop(SHORT, law=law), engine=engine)
-
+@pytest.mark.parametrize("sample", [None, 0.5])
+def test_a_global_that_changes_counts_at_the_next_run(law, monkeypatch, engine, sample):
+    loop = clpt.closed_loop(SHORT, law=clpt.equations.Sampled(law, sample) if sample else law)
     for gain in (0.8, 1.6):
         monkeypatch.setitem(globals(), "GAIN", gain)
-        expected = clpt.simulate(SHORT.with_values({"learning.gain": gain}))
-        np.testing.assert_allclose(run().alpha, expected.alpha, rtol=1e-6, atol=1e-8)
+        scenario = SHORT.with_values({"learning.gain": gain, "learning.sample": sample})
+        expected, found = clpt.simulate(scenario), clpt.simulate(loop, engine=engine)
+        np.testing.assert_allclose(found.alpha, expected.alpha, rtol=1e-6, atol=1e-8)
 
 
 def test_a_global_that_changes_counts_in_an_ensemble_and_a_proof(law, monkeypatch):
