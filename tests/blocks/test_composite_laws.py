@@ -188,19 +188,6 @@ def test_a_track_without_length_needs_the_scales():
     assert clpt.simulate(changed(LAWS[0], reference=still, **more)).sizes["time"] == 2
 
 
-@pytest.mark.parametrize("law", LAWS)
-def test_members_start_their_filters_where_they_start(law):
-    scenario = changed(law, run__duration=200.0)
-    starts = [[0.0, 0.0], [2.0, -1.0], [-1.0, 3.0]]
-    vary = f"vehicle.position={starts}"
-    found = clpt.ensemble.run_ensemble(scenario, vary, 6, trajectories=True)
-    for k, start in enumerate(found["vehicle.position"].values):
-        one = clpt.simulate(scenario.with_values({"vehicle.position": start.tolist()}))
-        there = found.alpha.isel(member=k, time=-1)
-        np.testing.assert_allclose(there, one.alpha.isel(time=-1), atol=1e-9)
-    assert len(np.unique(found["vehicle.position"], axis=0)) > 1
-
-
 def test_a_measured_current_is_learned_in_one_lap(tmp_path):
     """MARACOOS: 27 functions, no prior knowledge of theta, defaults, as a fit writes it."""
     box, tides = (40.9, 41.55, -69.9, -69.0), ("steady", "M2")

@@ -73,17 +73,3 @@ def test_the_memory_is_that_of_all_windows_each_normalised_by_itself():
         M += np.outer(Phi, Phi) / (T**2 + Phi @ Phi)  # taken in while the next window runs
         S = M @ np.linalg.inv(np.eye(3) + M)
         np.testing.assert_allclose(run["S"][b + 100].reshape(3, 3), S, atol=1e-9)
-
-
-def test_members_have_windows_of_their_own():
-    scenario = of_paper(40.0, **{"learning.concurrent": {"window": 1.0}})
-    lengths = [0.5, 1.0, 3.0]
-    vary = f"learning.concurrent.window={lengths}"
-    found = clpt.ensemble.run_ensemble(scenario, vary, 6, trajectories=True)
-    drawn = found["learning.concurrent.window"].values
-    assert len(set(drawn)) > 1
-    for k, length in enumerate(drawn):
-        own = {"learning.concurrent.window": float(length)}
-        one = clpt.simulate(scenario.with_values(own))
-        there = found.alpha.isel(member=k, time=-1)
-        np.testing.assert_allclose(there, one.alpha.isel(time=-1), atol=1e-9)

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from law_blocks import HELD
 
 import clpt_control as clpt
 from clpt_control.ensemble.members import Ensemble
@@ -35,6 +36,7 @@ def ensemble_of(values, lanes, duration=60, **changes):
 TIMES = np.array([0.0, 3.3, 3.4, 17.0, 42.0, 60.0])
 
 
+COMPOSITE = "composite-least-squares", "composite-memory", "least-squares", "normalised-gradient"
 VARIED = {  # what is not as in the paper's scenario, and what differs from member to member
     "waypoints": ({}, members_of(5)),
     "noise": (
@@ -53,6 +55,14 @@ VARIED = {  # what is not as in the paper's scenario, and what differs from memb
             "localization.dropouts": np.linspace(0.0, 0.5, 9),
         },
     ),
+    "windows": (
+        {"learning.law": "concurrent", "learning.concurrent": {"window": 1.0}},
+        {"learning.concurrent.window": np.array([0.5, 1.0, 3.0])},
+    ),
+    **{  # whose filters begin where the vehicle does
+        law: ({"learning.law": law, **HELD}, {"vehicle.position": np.diag([2.0, -1.0])})
+        for law in COMPOSITE
+    },
 }
 
 
