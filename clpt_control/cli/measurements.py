@@ -50,10 +50,13 @@ def fit(
         units=units,
     )
     scenario = clpt.currents.save_fit(fitted, out)
+    length, speed = fitted.report["width_units"], fitted.report["speed_units"]
+    units = dict.fromkeys(("track_radius", "width"), f" {length}")
+    units |= dict.fromkeys(("rms_speed", "residual_rms", "residual_max"), f" {speed}")
     lines = [
-        [key.replace("_", " "), cell_text(value)]
+        [key.replace("_", " "), cell_text(value) + units.get(key, "")]
         for key, value in fitted.report.items()
-        if key not in ("theta", "nodal")
+        if key not in ("theta", "nodal", "width_units", "speed_units")
     ]
     for name, tide in (fitted.report["nodal"] or {}).items():
         f, u, V = (cell_text(tide[key]) for key in "fuV")

@@ -3,6 +3,7 @@
 import errno
 import json
 import os
+import re
 import shlex
 import subprocess
 import sys
@@ -74,7 +75,11 @@ def test_init_writes_a_scenario_and_never_over_one(clpt, refused):
 def test_init_writes_a_measured_current(clpt, refused):
     assert clpt("init", "--example", "currents").status == 0
     few = ("--rows", "2", "--columns", "2")
-    assert clpt("fit", "currents.nc", *few, "--out", "mine.toml").status == 0
+    fitted = clpt("fit", "currents.nc", *few, "--out", "mine.toml")
+    assert fitted.status == 0
+    assert re.search(
+        r"track radius\W+[\d.]+ km .*rms speed\W+[\d.]+ km h-1 ", fitted.out, re.DOTALL
+    )
     said = refused("init", "--example", "current")
     assert "--example current: must be one of paper, team, currents" in said
 
