@@ -51,10 +51,10 @@ def fit(
     )
     scenario = clpt.currents.save_fit(fitted, out)
     length, speed = fitted.report["width_units"], fitted.report["speed_units"]
-    units = dict.fromkeys(("track_radius", "width"), f" {length}")
-    units |= dict.fromkeys(("rms_speed", "residual_rms", "residual_max"), f" {speed}")
+    beside = dict.fromkeys(("track_radius", "width"), f" {length}")
+    beside |= dict.fromkeys(("rms_speed", "residual_rms", "residual_max"), f" {speed}")
     lines = [
-        [key.replace("_", " "), cell_text(value) + units.get(key, "")]
+        [key.replace("_", " "), cell_text(value) + beside.get(key, "")]
         for key, value in fitted.report.items()
         if key not in ("theta", "nodal", "width_units", "speed_units")
     ]
