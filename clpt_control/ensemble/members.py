@@ -28,8 +28,10 @@ from ..native.batch import Batch, Callee
 from ..native.ending import STUCK, sampled_start
 from ..native.engines import make_runner, run_compared, warn_python
 from ..native.machine import LANES, processor
+from ..native.native_diagram import NativeDiagram
 from ..native.python_diagram import PythonDiagram
 from ..native.schedule import Inputs, Schedule
+from ..native.sliding import go_on
 
 BATCH_BYTES = 64_000_000  # states in flight, a thread
 MOST_MEMBERS = 512  # a batch
@@ -238,6 +240,18 @@ class Ensemble:
             again = run(stuck, self.native.unlocked(), None, 1)
             for array, rows in zip(result, again, strict=True):
                 array[stuck] = rows
+
+        def alone(of: NativeDiagram, P: Any, start: Any, at: Any, pieces: Schedule) -> Batch:
+            batch = Batch(of.callee(1, None, by), start[None], P[None], at, [pieces])
+            implicit = of.implicit if method == "auto" else None
+            batch.adaptive(rtol, atol, implicit=implicit)
+            return batch
+
+        for m in np.flatnonzero(result[1] == numbering.CHATTERS).tolist():
+            one = members.P[m], members.x0[m], times, members.schedule(m)
+            go_on(self.native, batch := alone(self.native, *one), alone)
+            for array, rows in zip(result, batch.results, strict=True):
+                array[m] = rows[0]
         return States(*result)
 
     def signals(self, members: Members, run: States, m: int, times: np.ndarray) -> np.ndarray:

@@ -112,7 +112,8 @@ class Batch:
             self.schedule[-1][:] = False  # every piece begins anew
         self.out = np.full((m, len(times), n), np.nan)
         self.out[:, 0] = starts
-        self.rests: dict[int, Batch] = {}  # of stiff runs
+        self.rests: dict[int, Batch] = {}  # of stiff runs, and of one that slides
+        self.slides: list[float] = []  # when it began to
         self.status, self.reached = (np.zeros(m, dtype=np.int64) for _ in range(2))
         self.counts = np.zeros((m, 4), dtype=np.int64)
         self.results = self.out, self.status, self.reached, self.counts

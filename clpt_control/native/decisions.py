@@ -16,9 +16,11 @@ The gridded current, which is smooth, stays as it is.  Discontinuity locking: Ce
 Kofman, Continuous System Simulation, 2006, chapter 9.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from math import prod
 from typing import Any, NamedTuple
+
+import numpy as np
 
 from ..equations.record import reached
 
@@ -60,10 +62,14 @@ class Decisions:
         self.least: list[Port] = []
         self.of: list[tuple] = []  # first place of each, and where it is made
         self.count = 0  # how many numbers are decided
+        self._true: list[Port] = []  # distances, also of numbers that are held
 
-    def lock(self, rates: list[Port]) -> list[Port]:
-        """Write the rates again with locked decisions; return them."""
-        record, locked = self.record, dict[int, Ref]()
+    def lock(self, rates: list[Port], held: Sequence[int] = ()) -> list[Port]:
+        """Write the rates again with locked decisions; return them.
+
+        Numbers that are `held` stay for good; they are counted from the first of these rates on.
+        """
+        record, locked, first = self.record, dict[int, Ref](), self.count
         moving: set[Ref] = set()  # entries that change along a run
 
         def current(ref: Ref) -> Ref:
@@ -76,12 +82,17 @@ class Decisions:
                 moving.add(k)
             arguments = tuple(map(current, exact))
             if k in record.decided_by and moving.intersection(places):
-                locked[k] = self._lock(k, arguments)
+                locked[k] = self._lock(k, arguments, [first + place for place in held])
             elif not locked.keys().isdisjoint(places):
                 locked[k] = record.add(kind, arguments, shape, at, record.owners[k])
         return [p._replace(ref=current(p.ref)) for p in rates]
 
-    def _lock(self, k: int, arguments: tuple[Ref, ...]) -> Ref:
+    def distance_of(self, place: int) -> Ref:
+        """Return the distance of one number from its turn."""
+        port = next(p for p in self._true if p.first <= place < p.first + prod(p.shape))
+        return self.record.part(port.ref, place - port.first, ())
+
+    def _lock(self, k: int, arguments: tuple[Ref, ...], held: Sequence[int]) -> Ref:
         """Note what an operation decides; return its locked value, of locked arguments."""
         (kind, exact, shape, _), owner = self.record.entries[k], self.record.owners[k]
         (long, of), answers = self.record.decided_by[k], list[Ref]()
@@ -95,6 +106,11 @@ class Decisions:
                 now = add("where", now, 1.0, -1.0)
             H = self.record.load("P", self.grain + 1 + self.count, shape)
             distance, least = self._distance(name, _operands(name, arguments), H, add)
+            self._true.append(Port(self.count, shape, long, distance))
+            stays = np.isin(np.arange(self.count, self.count + prod(shape)), held).astype(float)
+            if stays.any():
+                mask = self.record.add("constant", (), shape, stays.tobytes()) if shape else 1.0
+                now, distance = add("where", mask, H, now), add("where", mask, 1.0, distance)
             self.now.append(Port(self.count, shape, long, now))
             self.distances.append(Port(self.count, shape, long, distance))
             self.least.append(Port(self.count, shape, long, least))

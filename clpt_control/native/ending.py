@@ -66,7 +66,9 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
     rest, status = batch.rests.get(0), int(batch.status[0])
     last = rest or batch
     solution = Solution(batch.times, batch.out[0], method=NAMES[batch.callee.method])
-    if rest is not None:
+    if batch.slides:
+        solution.method += f", sliding on a switch from t = {batch.slides[0]:.9g}"
+    elif rest is not None:
         solution.method += f", from t = {rest.times[0]:.9g} {NAMES[rest.callee.method]}"
     counts = map(int, batch.counts[0])
     solution.statistics = dict(zip(("steps", "evaluations", "restarts"), counts, strict=False))
@@ -112,8 +114,13 @@ def without_states(sweep: Sweep, times: np.ndarray, inputs: Inputs | None, engin
 
 
 def _switch(sweep: Sweep, batch: Batch) -> str:
-    """Name the decision of a run that chatters: block, function and operation."""
+    """Name the decision of a run that chatters: block, function and operation.
+
+    Where guards are watched it is not known.
+    """
     deciding, which = batch.callee.code[0].program.deciding, batch.lane[1][numbering.WHICH, 0]
+    if which < 0:
+        return "a decision"
     k, role, kind = [of for first, of in deciding if first <= which][-1]
     word = {"lt": "<", "le": "<=", "gt": ">", "ge": ">="}.get(kind, kind)
     return f"`{word}` in {sweep.nodes[k].name}.{role}"
@@ -141,7 +148,7 @@ def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:
     return None
 
 
-def _state(batch: Batch, share: float) -> np.ndarray:
+def state_within(batch: Batch, share: float) -> np.ndarray:
     """Return the state at a share of the step that was not taken."""
     n = batch.callee.nstates
     return numbering.interpolate(batch.Z, n, 1, 0, np.arange(n), share)
@@ -156,14 +163,14 @@ def _crossing(
 
     def guard(share: float) -> tuple[float, str, str]:
         u = None if inputs is None else inputs.at(t + share * h)
-        return sweep.margin(t + share * h, _state(batch, share), u)
+        return sweep.margin(t + share * h, state_within(batch, share), u)
 
     share, beyond = (float(batch.numbers[row, 0]) for row in (numbering.LOW, numbering.HIGH))
     if guard(0.0)[0] <= 0.0:
         share = 0.0
     elif guard(share)[0] > 0.0 > guard(beyond)[0]:  # else the edge itself was looked at
         share = brentq(lambda at: guard(at)[0], share, beyond, xtol=1e-15, rtol=1e-14)
-    return (t + share * h, _state(batch, share), *guard(share)[1:])
+    return (t + share * h, state_within(batch, share), *guard(share)[1:])
 
 
 def _until(
@@ -173,7 +180,7 @@ def _until(
     start, h = batch.now, float(batch.numbers[numbering.TAKEN, 0])
     times = solution.t[solution.t < t]
     known = solution.x[: min(done, len(times))]
-    within = [_state(batch, (time - start) / h) for time in times[done:]]
+    within = [state_within(batch, (time - start) / h) for time in times[done:]]
     return np.append(times, t), np.array([*known, *within, x])
 
 

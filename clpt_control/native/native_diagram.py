@@ -24,6 +24,7 @@ from .nests import print_program
 from .plan import Program, program_of
 from .python_diagram import PythonDiagram
 from .schedule import Inputs
+from .sliding import Held, slide
 from .switches import times_of_change
 
 ABREAST = 256  # states of runs in lanes; more do not fit the first cache
@@ -76,11 +77,16 @@ class Code:
 
 
 def code_of(
-    wiring: Wiring, layout: Layout, form: str | None = None, implicit: bool = False
+    wiring: Wiring,
+    layout: Layout,
+    form: str | None = None,
+    implicit: bool = False,
+    held: Held | None = None,
 ) -> Code:
     """Return the code of a diagram, the same for diagrams of one structure.
 
-    With `implicit` rates have slopes, for an implicit method.  `form` says whether all axes are
+    With `implicit` rates have slopes, for an implicit method; with `held` they are those on
+    switches.  `form` says whether all axes are
     ``"unrolled"`` or ``"looped"``, or decisions ``"free"``.  An `Uncompiled` error says what cannot
     be compiled.
     """
@@ -96,13 +102,15 @@ def code_of(
     wires = tuple((node.states.start, node.outputs.start, node.wires) for node in wiring.nodes)
     order = wiring.order, *((block.feedthrough, block.first_held) for block in blocks)
     key = records, shapes, wires, order, bool(wiring.dt), layout.pattern, wiring.ninputs
-    return _code(Structure(key, wiring, layout), form, implicit)
+    return _code(Structure(key, wiring, layout), form, implicit, held)
 
 
 @once(64)
-def _code(structure: Structure, form: str | None, implicit: bool) -> Code:
-    wiring, layout = structure.wiring, structure.layout
-    record = DiagramRecord(wiring, layout, *FORMS[form])
+def _code(structure: Structure, form: str | None, implicit: bool, held: Held | None) -> Code:
+    wiring, layout, (long, named, locking) = structure.wiring, structure.layout, FORMS[form]
+    record = DiagramRecord(wiring, layout, long, named, locking and held is None)
+    if held is not None:
+        slide(record, held)
     room = wiring.nodes[-1].outputs.stop, layout.inputs(wiring.ninputs)
     if not implicit:
         return Code(program_of(record, *room), record.timed)
@@ -156,6 +164,7 @@ class NativeDiagram(PythonDiagram):
 
     engine, loose = "native", np.inf
     most = 500_000_000
+    held: Held | None = None  # decisions that stay, where it slides on switches
 
     def __init__(
         self,
@@ -191,12 +200,24 @@ class NativeDiagram(PythonDiagram):
         other.code = code_of(self.wiring, self.layout, "free")
         return other
 
+    def sliding(self, held: Held) -> Self:
+        """Return the diagram on switches, whose decisions are held."""
+        other = copy(self)
+        other.held, other._callees = held, {}
+        other.code = code_of(self.wiring, self.layout, self._form, False, held)
+        return other
+
+    def watched(self, method: int) -> tuple[int, int]:
+        """Return 1 if guards are watched, as where it slides, and 1 if states jump."""
+        guarded, jumping = super().watched(method)
+        return max(guarded, int(self.held is not None)), jumping
+
     def _code(self, method: int) -> Code:
         """Return the code for a method; in steps of one length decisions are not locked."""
         if method == numbering.RK4 and self.code.program.decided:
             return code_of(self.wiring, self.layout, "free")
         if method == numbering.RODAS5P:
-            return code_of(self.wiring, self.layout, self._form, True)
+            return code_of(self.wiring, self.layout, self._form, True, self.held)
         return self.code
 
     def breaks(self, t0: float, t1: float) -> Any:

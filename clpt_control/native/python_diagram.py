@@ -37,6 +37,7 @@ from .schedule import (
     make_schedule,
     read_inputs,
 )
+from .sliding import go_on
 from .sweep import Sweep, rounding
 
 FELT = 200.0  # tolerances of an input: a run stops where it bends off its line by more
@@ -198,12 +199,23 @@ class PythonDiagram:
         pieces = self.schedule(times, inputs, felt)
         callee, P = self.callee(1, inputs, by), self.parameters()
         start = sampled_start(callee, start, t0, pieces, P)
-        batch = Batch(callee, start[None], P[None], times, [pieces], None, *limits)
         most = self.most if by > numbering.RK4 else ANY
-        implicit = partial(self.implicit, inputs) if auto else None
-        slow = None
+
+        def begun(of: Any, P: Any, start: Any, times: np.ndarray, pieces: Schedule) -> Batch:
+            callee, rows = of.callee(1, inputs, by), (start[None], P[None], times, [pieces], None)
+            return Batch(callee, *rows, *limits)
+
+        def run(batch: Batch, of: Any) -> Batch:
+            implicit = partial(of.implicit, inputs) if auto else None
+            watch = pace(most, batch.times[0], t1, progress)
+            batch.adaptive(rtol, atol, watch, most, implicit)
+            return batch
+
+        batch, slow = begun(self, P, start, times, pieces), None
         try:
-            batch.adaptive(rtol, atol, pace(most, t0, t1, progress), most, implicit)
+            run(batch, self)
+            if batch.status[0] == numbering.CHATTERS:
+                go_on(self, batch, lambda of, *part: run(begun(of, *part), of))
         except SimulationError as error:
             slow = error
         if callee.decided and (slow or batch.status[0] in STUCK):

@@ -1,0 +1,241 @@
+"""Sliding: how a run goes on where it crosses a switch to and fro without end.
+
+On both sides of a switch g = 0 the rates lead back to it.  In the limit a run stays there, with
+the mean of the rates of both sides that does so (Filippov):
+
+    x' = f_0 + sum_m w_m (f_m - f_0),    g_i' = 0 for each switch i,    0 < w_m < 1
+
+f_0 are the rates with all switches as they are on one side, f_m those with switch m as it is on
+the other; so w = g'_0/(g'_0 - g'_1) for one switch, with g'_m along f_m.  What several switches do
+must add up.  A run slides until a w leaves 0 ... 1, or to the next time at which rates jump.
+
+Source: Filippov, A. F. (1988), Differential Equations with Discontinuous Righthand Sides, Kluwer,
+section 4; Piiroinen, P. T., Kuznetsov, Y. A. (2008), An event-driven method to simulate Filippov
+systems with accurate computing of sliding motions, ACM Trans. Math. Softw. 34(3).
+"""
+
+from collections.abc import Callable
+from contextlib import suppress
+from math import prod
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy.optimize import brentq
+
+from ..equations.arrays import Unread, operand
+from ..equations.derivative import Direction
+from ..equations.elementwise import spread
+from ..equations.record import reached
+from ..errors import Uncompiled
+from . import numbering
+from .batch import Batch
+from .decisions import Port
+from .ending import state_within
+from .schedule import Schedule
+
+MOST = 4  # switches at once
+AHEAD = np.geomspace(1e-13, 1e-4, 28)  # of a run: how far it looks for the other side
+TOGETHER = 1e-3  # of that: switches that turn so close to one another are one
+MOST_IN_VAIN, GOING = 50, 1e-9  # parts one after the other that go on by less than a share of a run
+ADDS_UP = 1e-6  # relative: what several switches do is the sum of what each does
+
+
+class Held(NamedTuple):
+    """Numbers of decisions that stay as they are: all of them, and one for each switch."""
+
+    places: tuple[int, ...]
+    switches: tuple[int, ...]
+
+
+def slide(record: Any, held: Held) -> None:
+    """Make the rates of a `DiagramRecord` those on switches; each w and 1 - w is a margin."""
+    value, several = Direction(record.tape, {}).value, len(held.switches) > 1
+    copies = [
+        record.decisions.lock(record.rates, held.places)
+        for _ in range(1 + len(held.switches) + several)
+    ]
+    distances = [record.decisions.distance_of(place) for place in held.switches]
+
+    def slope(distance: int, rates: list[Port]) -> Any:
+        """Return g' along the rates of a copy."""
+        along: dict[int, Any] = {}
+        for k in reached(record.entries, [distance]):
+            kind, _, shape, at = record.entries[k]
+            if kind == "load" and at[0] == "t":
+                along[k] = 1.0
+            for port in rates if kind == "load" and at[0] == "X" else ():
+                if port.first <= at[1] and at[1] + prod(shape) <= port.first + prod(port.shape):
+                    along[k] = value(record.part(port.ref, at[1] - port.first, shape))
+        return Direction(record.tape, along).of(value(distance))
+
+    def total(numbers: Any, port: Port) -> Any:
+        """Return the sum of magnitudes."""
+        ref = operand(np.fabs(numbers))
+        for axis in reversed(range(len(port.shape))):
+            at = axis, port.shape[axis], port.long[axis]
+            ref = record.add("sum", (ref,), port.shape[:axis], at)
+        return value(ref)
+
+    sides = copies[: 1 + len(held.switches)]
+    slopes = [[slope(g, rates) for rates in sides] for g in distances]
+    A = [[one - first for one in others] for first, *others in slopes]
+    w = _solved(A, [-first for first, *_ in slopes])
+    record.rates, size, apart = [], 0.0, 0.0
+    for ports in zip(*copies, strict=True):
+        port, alike = ports[0], {one.ref for one in ports} == {ports[0].ref}
+        first, *others = (spread(record.tape, value(one.ref), port.shape) for one in ports)
+        changes = [] if alike else [one - first for one in others]
+        moved = sum((share * one for share, one in zip(w, changes, strict=False)), first)
+        record.rates.append(port._replace(ref=operand(moved)))
+        if several and not alike:  # the last copy has all switches on the other side
+            size = size + sum(total(one, port) for one in changes[:-1])
+            apart = apart + total(changes[-1] - sum(changes[:-1]), port)
+    margins = [one for share in w for one in (share, 1.0 - share)]
+    record.margins += map(operand, [*margins, *([ADDS_UP - apart / size] if several else [])])
+
+
+def _solved(A: list[list[Any]], b: list[Any]) -> list[Any]:
+    """Return the solution of A w = b, of values of a record."""
+    for c in range(len(b)):
+        if type(A[c][c]) is float and A[c][c] == 0.0:
+            raise Unread("a switch that its rates do not move")
+        for r in (r for r in range(len(b)) if r != c):
+            factor = A[r][c] / A[c][c]
+            A[r] = [one - factor * other for one, other in zip(A[r], A[c], strict=True)]
+            b[r] = b[r] - factor * b[c]
+    return [b[c] / A[c][c] for c in range(len(b))]
+
+
+class Sliding(NamedTuple):
+    """A run on switches: a `NativeDiagram`, the switches, decisions on their sides, P."""
+
+    runner: Any
+    held: Held
+    sides: np.ndarray  # (k + 1, d): one side of all, and the other side of each
+    P: np.ndarray
+
+
+Begin = Callable[[Any, np.ndarray, np.ndarray, np.ndarray, Schedule], Batch]
+
+
+def go_on(diagram: Any, batch: Batch, begin: Begin) -> None:
+    """Go on with a batch of one run of a `NativeDiagram` that ended on a switch.
+
+    ``begin(diagram, P, state, times, pieces)`` runs a part.
+    """
+    times, part, now, in_vain = batch.times, batch, None, 0
+    while True:
+        last = part.rests.get(0, part)
+        t, x = last.now, last.Z[: batch.callee.nstates].copy()
+        if last.status[0] == numbering.CHATTERS and in_vain < MOST_IN_VAIN:
+            if (found := _switch_ahead(diagram, last, now)) is None:
+                break
+            now, t, x = found
+            batch.slides.append(t)
+        elif now is not None and last.status[0] == numbering.LEFT:
+            if (left := _left(diagram, last, batch.runs[1][0])) is None:
+                break
+            now, (t, x) = None, left
+        elif now is not None and last.status[0] == numbering.FINISHED and last.now < times[-1]:
+            now, x = None, last.out[0, -1].copy()
+        else:
+            break
+        for k in np.flatnonzero((times > last.now) & (times <= t)):
+            share = (times[k] - last.now) / last.numbers[numbering.TAKEN, 0]
+            batch.out[0, k] = state_within(last, share) if now is None else x
+        in_vain = in_vain + 1 if t - part.times[0] < GOING * (times[-1] - times[0]) else 0
+        ahead, pieces = times[times > t], batch.pieces[0].after(t)
+        if now is not None:
+            pieces = _until_a_jump(pieces)
+            ahead = np.union1d(ahead[ahead < pieces.edges[-2]], pieces.edges[-2:-1])
+        P = batch.runs[1][0] if now is None else now.P
+        part = begin(diagram if now is None else now.runner, P, x, np.append(t, ahead), pieces)
+        _, wanted, own = np.intersect1d(times, ahead[: part.reached[0] - 1], return_indices=True)
+        batch.out[0, wanted] = part.out[0, 1 + own]
+        batch.counts += part.counts
+    if batch.slides:
+        batch.rests[0], batch.status[0] = last, last.status[0]
+        batch.reached[0] = np.searchsorted(times, last.now, "right")
+
+
+def _until_a_jump(pieces: Schedule) -> Schedule:
+    """Return pieces of time up to the first at whose beginning rates jump.
+
+    Where inputs bend the rates on a switch jump too: each piece begins anew.
+    """
+    jumps = np.flatnonzero(pieces.smooth[1:-1] == 0)
+    k = int(jumps[0]) if len(jumps) else len(pieces.edges) - 2
+    edges = np.append(pieces.edges[: k + 1], np.inf)
+    return Schedule(edges, pieces.places, pieces.values[: k + 2], 0 * pieces.smooth[: k + 2])
+
+
+def _left(diagram: Any, batch: Batch, P: np.ndarray) -> tuple[float, np.ndarray] | None:
+    """Return when and where a w leaves 0 ... 1 in the step not taken; None if a guard is left."""
+    t, h = batch.now, float(batch.numbers[numbering.TAKEN, 0])
+    low, high = (float(batch.numbers[row, 0]) for row in (numbering.LOW, numbering.HIGH))
+
+    def margin(share: float) -> float:
+        x, own = state_within(batch, share)[None], (batch.pieces[0], batch.arrays[1])
+        return float(batch.callee.evaluate(numbering.MARGIN, [t + share * h], x, *own, 1)[0, 0])
+
+    if margin(0.0) <= 0.0:
+        share = 0.0
+    else:
+        share = brentq(margin, low, high, xtol=1e-15) if margin(low) > 0.0 > margin(high) else high
+    x, at = state_within(batch, share), t + share * h
+    guard = numbering.MARGIN, [at], x[None], batch.pieces[0], P, 1
+    if diagram.sweep.guarded and diagram.callee().evaluate(*guard)[0, 0] < 0.0:
+        return None
+    return at, x
+
+
+def _switch_ahead(
+    diagram: Any, batch: Batch, now: Sliding | None
+) -> tuple[Sliding, float, np.ndarray] | None:
+    """Return a run on the switch that a run crosses to and fro, with when and where it begins."""
+    t, n, d = batch.now, diagram.nstates, diagram.code.program.decided
+    pieces, place, runner = batch.pieces[0], diagram.decided_at, now.runner if now else diagram
+    own = batch.runs[1][0][: len(diagram.layout.P)]
+    x, known = batch.Z[:n].copy(), list(now.held.places) if now else []
+
+    def asked(role: int, of: Any, times: Any, states: Any, P: np.ndarray, count: int) -> Any:
+        return of.callee().evaluate(role, np.array(times), np.array(states), pieces, P, count)
+
+    def parameters(of: Any, sides: np.ndarray) -> np.ndarray:
+        P, all_turned = of.parameters(), sides[0] + np.sum(sides[1:] - sides[0], axis=0)
+        sides = np.vstack([sides, all_turned]) if len(sides) > 2 else sides
+        P[: len(own)], P[place : place + sides.size] = own, sides.ravel()
+        P[place - 1] = batch.arrays[1][place - 1]
+        return P
+
+    here = asked(numbering.DECIDE, diagram, [t], [x], parameters(diagram, np.zeros((1, d))), d)[0]
+    sides = now.sides.copy() if now else here[None].copy()
+    free = np.setdiff1d(np.arange(d), known)
+    sides[:, free] = here[free]
+    f = asked(numbering.DERIVATIVE, runner, [t], [x], parameters(runner, sides), n)[0]
+    left = pieces.edges[np.searchsorted(pieces.edges, t, "right")] - t
+    for h in np.minimum(AHEAD * (batch.times[-1] - batch.times[0]), 0.5 * left):
+        P = parameters(diagram, sides[:1])
+        both = asked(numbering.DECIDE, diagram, [t, t + h], [x, x + h * f], P, 2 * d)
+        near, far = both[:, d:]
+        passed = np.flatnonzero((far < 0.0) & (near >= 0.0) & ~np.isin(np.arange(d), known))
+        if len(passed):
+            break
+    else:
+        return None
+    shares = near[passed] / (near[passed] - far[passed])
+    turned = passed[shares <= shares.min() + TOGETHER]
+    t, x = t + shares.min() * h, x + shares.min() * h * f
+    other = sides[0].copy()
+    other[turned] = both[1, turned]
+    sides = np.vstack([sides, other])
+    switches = (*(now.held.switches if now else ()), int(turned[0]))
+    held = Held(tuple(sorted({*known, *turned.tolist()})), switches)
+    if len(switches) > MOST:
+        return None
+    with suppress(Unread, Uncompiled):
+        runner = diagram.sliding(held)
+        P = parameters(runner, sides)
+        if asked(numbering.MARGIN, runner, [t], [x], P, 1)[0, 0] > 0.0:
+            return Sliding(runner, held, sides, P), t, x
+    return None
