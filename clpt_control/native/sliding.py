@@ -33,7 +33,7 @@ from .decisions import Port
 from .ending import state_within
 from .schedule import Schedule
 
-MOST = 4  # switches at once
+MOST = 8  # switches at once
 AHEAD = np.geomspace(1e-13, 1e-4, 28)  # of a run: how far it looks for the other side
 TOGETHER = 1e-3  # of that: switches that turn so close to one another are one
 MOST_IN_VAIN, GOING = 50, 1e-9  # parts one after the other that go on by less than a share of a run
@@ -208,34 +208,41 @@ def _switch_ahead(
         P[place - 1] = batch.arrays[1][place - 1]
         return P
 
+    def forced(side: np.ndarray) -> np.ndarray:
+        """Return the rates on a side."""
+        P, callee = parameters(diagram, side[None]), diagram.callee()._replace(decided=0)
+        return callee.evaluate(numbering.DERIVATIVE, np.array([t]), x[None], pieces, P, n)[0]
+
     here = asked(numbering.DECIDE, diagram, [t], [x], parameters(diagram, np.zeros((1, d))), d)[0]
-    sides = now.sides.copy() if now else here[None].copy()
+    sides, switches = (now.sides.copy(), now.held.switches) if now else (here[None].copy(), ())
     free = np.setdiff1d(np.arange(d), known)
     sides[:, free] = here[free]
     f = asked(numbering.DERIVATIVE, runner, [t], [x], parameters(runner, sides), n)[0]
-    left = pieces.edges[np.searchsorted(pieces.edges, t, "right")] - t
-    for h in np.minimum(AHEAD * (batch.times[-1] - batch.times[0]), 0.5 * left):
-        P = parameters(diagram, sides[:1])
-        both = asked(numbering.DECIDE, diagram, [t, t + h], [x, x + h * f], P, 2 * d)
-        near, far = both[:, d:]
-        passed = np.flatnonzero((far < 0.0) & (near >= 0.0) & ~np.isin(np.arange(d), known))
-        if len(passed):
-            break
-    else:
-        return None
-    shares = near[passed] / (near[passed] - far[passed])
-    turned = passed[shares <= shares.min() + TOGETHER]
-    t, x = t + shares.min() * h, x + shares.min() * h * f
-    other = sides[0].copy()
-    other[turned] = both[1, turned]
-    sides = np.vstack([sides, other])
-    switches = (*(now.held.switches if now else ()), int(turned[0]))
-    held = Held(tuple(sorted({*known, *turned.tolist()})), switches)
-    if len(switches) > MOST:
-        return None
-    with suppress(Unread, Uncompiled):
-        runner = diagram.sliding(held)
-        P = parameters(runner, sides)
-        if asked(numbering.MARGIN, runner, [t], [x], P, 1)[0, 0] > 0.0:
-            return Sliding(runner, held, sides, P), t, x
+    side, until = sides[0].copy(), pieces.edges[np.searchsorted(pieces.edges, t, "right")]
+    aheads = np.minimum(AHEAD * (batch.times[-1] - batch.times[0]), 0.5 * (until - t))
+    while len(switches) < MOST:
+        for h in aheads:
+            P = parameters(diagram, side[None])
+            both = asked(numbering.DECIDE, diagram, [t, t + h], [x, x + h * f], P, 2 * d)
+            near, far = both[:, d:]
+            passed = np.setdiff1d(np.flatnonzero((far < 0.0) & (far < near)), known)
+            if len(passed):
+                break
+        else:
+            return None
+        shares = np.maximum(near[passed] / (near[passed] - far[passed]), 0.0)
+        turned = passed[shares <= shares.min() + TOGETHER]
+        t, x = t + shares.min() * h, x + shares.min() * h * f
+        side[turned] = both[1, turned]
+        other = sides[0].copy()
+        other[turned] = side[turned]
+        sides, switches = np.vstack([sides, other]), (*switches, int(turned[0]))
+        known += turned.tolist()
+        held = Held(tuple(sorted(known)), switches)
+        with suppress(Unread, Uncompiled):
+            runner = diagram.sliding(held)
+            P = parameters(runner, sides)
+            if asked(numbering.MARGIN, runner, [t], [x], P, 1)[0, 0] > 0.0:
+                return Sliding(runner, held, sides, P), t, x
+        f = forced(side)
     return None

@@ -204,8 +204,9 @@ def clipped(t, x, u, p):
 def test_a_discontinuity_is_not_taken_for_stiffness():
     """An implicit method could do nothing about it."""
     runner = NativeDiagram(Block("relay", update=relay, states={"s": 1}))
-    with pytest.raises(SimulationError, match="switches to and fro"):
-        runner.run([0.01], [0.0, 1.0], rtol=1e-6, atol=1e-6)
+    found = runner.run([0.01], [0.0, 1.0], rtol=1e-6, atol=1e-6)
+    assert found.method.startswith("DOP853, sliding on a switch")
+    assert abs(found.x[-1, 0]) < 1e-6
 
 
 def test_the_largest_eigenvalue_decides():
