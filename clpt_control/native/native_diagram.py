@@ -208,7 +208,7 @@ class NativeDiagram(PythonDiagram):
         return other
 
     def watched(self, method: int) -> tuple[int, int]:
-        """Return 1 if guards are watched, as where it slides, and 1 if states jump."""
+        """Return 1 if guards or sides are watched, 1 if states jump."""
         guarded, jumping = super().watched(method)
         return max(guarded, int(self.held is not None)), jumping
 
