@@ -128,7 +128,7 @@ def rounded(a: Array, decimals: Any = None) -> Any:
 
 def signbit(a: Any) -> Any:
     """Return whether a sign is a minus, of -0 too."""
-    return (a < 0) | (elementwise("div", 1.0, a) < 0)
+    return (a < 0) | (elementwise("div", 1.0, a) == -np.inf)
 
 
 def copysign(a: Any, b: Any) -> Any:
@@ -175,7 +175,7 @@ COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special
     "isnan": lambda a: elementwise("ne", a, a),
     "isfinite": lambda a: elementwise("lt", elementwise("fabs", a), np.inf),
     "isinf": lambda a: elementwise("eq", elementwise("fabs", a), np.inf),
-    "heaviside": lambda a, b: where(a == 0, b, where(a > 0, 1.0, where(a < 0, 0.0, a))),
+    "heaviside": lambda a, b: where(a > 0, 1.0, where(a < 0, 0.0, where(a == 0, b, a))),
     "logical_xor": lambda a, b: (a != 0) != (b != 0),
     "divmod": lambda a, b: (np.floor_divide(a, b), np.remainder(a, b)),
     "modf": lambda a: (a - np.trunc(a), np.trunc(a)),

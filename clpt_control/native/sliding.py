@@ -231,9 +231,13 @@ def _switch_ahead(
         else:
             return None
         shares = np.maximum(near[passed] / (near[passed] - far[passed]), 0.0)
-        turned = passed[shares <= shares.min() + TOGETHER]
-        t, x = t + shares.min() * h, x + shares.min() * h * f
-        side[turned] = both[1, turned]
+        first, later = shares.min(), shares > shares.min() + TOGETHER
+        behind = 0.5 * (first + shares[later].min()) * h if later.any() else h
+        there = asked(numbering.DECIDE, diagram, [t + behind], [x + behind * f], P, d)[0]
+        follow = np.setdiff1d(np.flatnonzero(there != side), [*known, *passed])
+        turned = np.append(passed[~later], follow)  # these decide by what others decided
+        t, x = t + first * h, x + first * h * f
+        side[turned] = there[turned]
         other = sides[0].copy()
         other[turned] = side[turned]
         sides, switches = np.vstack([sides, other]), (*switches, int(turned[0]))

@@ -40,6 +40,11 @@ QUESTIONS = {  # the same switch at x = 1, asked in other ways: rates 1 below, -
     "int": lambda x: 1.0 - 3.0 * int(x),
     "div": lambda x: 1.0 - 3.0 * (x // 1.0),
     "row": lambda x: [1.0, -2.0, -2.0][int(x)],
+    "row of a truth": lambda x: [1.0, -2.0][int(x > 1.0)],
+    "floor within": lambda x: 1.0 - 3.0 * np.clip(np.floor(x), 0.0, 1.0),
+    "heaviside": lambda x: 1.0 - 3.0 * np.heaviside(x - 1.0, 0.5),
+    "copysign": lambda x: -0.5 - 1.5 * np.copysign(1.0, x - 1.0),
+    "signbit": lambda x: -2.0 + 3.0 * np.signbit(x - 1.0),
 }
 
 
