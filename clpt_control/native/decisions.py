@@ -70,7 +70,7 @@ class Decisions:
         Numbers that are `held` stay for good; they are counted from the first of these rates on.
         """
         record, locked, first = self.record, dict[int, Ref](), self.count
-        moving: set[Ref] = set()  # entries that change along a run
+        moving: set[Ref] = set()  # entries that change within a step, with locked decisions
 
         def current(ref: Ref) -> Ref:
             return locked.get(ref, ref) if type(ref) is int else ref
@@ -78,13 +78,15 @@ class Decisions:
         for k in sorted(reached(record.entries, [port.ref for port in rates])):
             kind, exact, shape, at = record.entries[k]
             places = [a for a in exact if type(a) is int]
-            if moving.intersection(places) or (kind == "load" and at[0] in "Xt"):
-                moving.add(k)
+            moves = bool(moving.intersection(places)) or (kind == "load" and at[0] in "Xt")
             arguments = tuple(map(current, exact))
-            if k in record.decided_by and moving.intersection(places):
+            if k in record.decided_by and moves:
                 locked[k] = self._lock(k, arguments, [first + place for place in held])
+                moves = kind not in (*COMPARED, *WHOLE, "sign")
             elif not locked.keys().isdisjoint(places):
                 locked[k] = record.add(kind, arguments, shape, at, record.owners[k])
+            if moves:
+                moving.add(k)
         return [p._replace(ref=current(p.ref)) for p in rates]
 
     def distance_of(self, place: int) -> Ref:

@@ -138,6 +138,8 @@ def go_on(diagram: Any, batch: Batch, begin: Begin) -> None:
             now, (t, x) = None, left
         elif now is not None and last.status[0] == numbering.FINISHED and last.now < times[-1]:
             now, x = None, last.out[0, -1].copy()
+        elif now is not None and last.status[0] == numbering.NOT_FINITE:
+            now = None  # another decision has made both sides alike
         else:
             break
         for k in np.flatnonzero((times > last.now) & (times <= t)):
@@ -231,13 +233,9 @@ def _switch_ahead(
         else:
             return None
         shares = np.maximum(near[passed] / (near[passed] - far[passed]), 0.0)
-        first, later = shares.min(), shares > shares.min() + TOGETHER
-        behind = 0.5 * (first + shares[later].min()) * h if later.any() else h
-        there = asked(numbering.DECIDE, diagram, [t + behind], [x + behind * f], P, d)[0]
-        follow = np.setdiff1d(np.flatnonzero(there != side), [*known, *passed])
-        turned = np.append(passed[~later], follow)  # these decide by what others decided
-        t, x = t + first * h, x + first * h * f
-        side[turned] = there[turned]
+        turned = passed[shares <= shares.min() + TOGETHER]
+        t, x = t + shares.min() * h, x + shares.min() * h * f
+        side[turned] = both[1, turned]
         other = sides[0].copy()
         other[turned] = side[turned]
         sides, switches = np.vstack([sides, other]), (*switches, int(turned[0]))

@@ -107,6 +107,18 @@ def test_several_switches_are_slid_on_at_once():
     np.testing.assert_allclose(x[T >= 1.0], 0.0, atol=1e-8)
 
 
+def test_a_question_about_other_questions_follows_them():
+    """What is asked of two switches slides on one of them, until the other has turned, t = 2."""
+
+    def voted(t, x, u, p):
+        votes = np.sign(x[0]) + 2.0 * (x[1] < 0.0)
+        return [-1.0 if votes > 0.0 else 1.0, -0.5]
+
+    x = rest_of(voted, [0.5, 1.0])[:, 0]
+    right = np.where(T < 2.0, np.maximum(0.5 - T, 0.0), 2.0 - T)
+    np.testing.assert_allclose(x, right, atol=1e-8)
+
+
 def test_a_run_that_winds_into_a_corner_stays_there():
     """Rates turn about x = y = 0 and lead inward; there the means of both signs are 0."""
 
