@@ -191,10 +191,10 @@ def decide_anew(shape, tolerances, times, status, lane, Z):
     numbers, whole, queue = lane
     for k in range(lanes):
         if numbers[row.KINK, k] == CROSSED and numbers[row.GOOD, k] > 0.5:
-            passed, fastest = numbers[row.TIME, k] - numbers[row.LAST, k], 0.0
-            for i in range(n):
-                fastest = max(fastest, abs(Z[(row.RATE * n + i) * lanes + k]))
-            felt = fastest * passed > tolerances[1]  # else no state moves by its tolerance
+            passed, felt = numbers[row.TIME, k] - numbers[row.LAST, k], False
+            for i in range(n):  # whether a state moves by its tolerance
+                moved = abs(Z[(row.RATE * n + i) * lanes + k]) * passed
+                felt = felt or moved > tolerances[1] + tolerances[0] * abs(Z[i * lanes + k])
             near = passed < (NEAR if felt else UNFELT) * (times[-1] - times[0])
             whole[row.BURST, k] = whole[row.BURST, k] + 1 if near else 0
             numbers[row.LAST, k] = numbers[row.TIME, k]

@@ -1,4 +1,4 @@
-; sha256 77d05030b53385694552f9f62138ab4bf870d00e4a20131d7dbec8f175c5fac8
+; sha256 2b62fdf33b6db158be2e02a4c324bc8c7dc5ed8aca970c30d92ab01ef12aeac3
 
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.17 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1.18 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("
@@ -97,8 +97,8 @@ B550.if.lr.ph:                                    ; preds = %entry
 
 B602:                                             ; preds = %B550.if
   %.236.i = load i64, ptr %arg.batch.4.2.4, align 8, !noalias !0
-  %.289.i8838 = getelementptr double, ptr %0, i64 %.795.09213
-  store double 0.000000e+00, ptr %.289.i8838, align 8, !noalias !0
+  %.289.i8870 = getelementptr double, ptr %0, i64 %.795.09246
+  store double 0.000000e+00, ptr %.289.i8870, align 8, !noalias !0
   %.320.i = load i64, ptr %.319.i, align 8, !noalias !0
   %.322.i = icmp eq i64 %.236.i, %.320.i
   br i1 %.322.i, label %B646, label %B142.i
@@ -110,20 +110,20 @@ B142.i:                                           ; preds = %B602
   %.434.i = icmp slt i64 %.236.i, 0
   %.435.i = select i1 %.434.i, i64 %arg.batch.0.2.5.0, i64 0
   %8 = getelementptr i64, ptr %arg.batch.0.2.4, i64 %.236.i
-  %.449.i8839 = getelementptr i64, ptr %8, i64 %.435.i
-  %.450.i8840 = load i64, ptr %.449.i8839, align 8, !noalias !0
-  %.465.i = icmp slt i64 %.450.i8840, 0
+  %.449.i8871 = getelementptr i64, ptr %8, i64 %.435.i
+  %.450.i8872 = load i64, ptr %.449.i8871, align 8, !noalias !0
+  %.465.i = icmp slt i64 %.450.i8872, 0
   %.466.i = select i1 %.465.i, i64 %arg.batch.1.0.5.0, i64 0
-  %9 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.450.i8840
-  %.480.i8841 = getelementptr i64, ptr %9, i64 %.466.i
-  %.481.i = load i64, ptr %.480.i8841, align 8, !noalias !0
-  %.532.i8842 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.795.09213
-  store i64 %.236.i, ptr %.532.i8842, align 8, !noalias !0
-  %.583.i = getelementptr i64, ptr %1, i64 %.795.09213
+  %9 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.450.i8872
+  %.480.i8873 = getelementptr i64, ptr %9, i64 %.466.i
+  %.481.i = load i64, ptr %.480.i8873, align 8, !noalias !0
+  %.532.i8874 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.795.09246
+  store i64 %.236.i, ptr %.532.i8874, align 8, !noalias !0
+  %.583.i = getelementptr i64, ptr %1, i64 %.795.09246
   store i64 %.481.i, ptr %.583.i, align 8, !noalias !0
-  %.638.i = getelementptr i64, ptr %2, i64 %.795.09213
+  %.638.i = getelementptr i64, ptr %2, i64 %.795.09246
   store i64 1, ptr %.638.i, align 8, !noalias !0
-  %.689.i = getelementptr i64, ptr %3, i64 %.795.09213
+  %.689.i = getelementptr i64, ptr %3, i64 %.795.09246
   store i64 0, ptr %.689.i, align 8, !noalias !0
   br i1 %.7851131.not.i, label %B462.i, label %B418.if.lr.ph.i
 
@@ -132,7 +132,7 @@ B418.if.lr.ph.i:                                  ; preds = %B142.i
   %.848.i = add i64 %.847.i, %.236.i
   %.868.i = mul i64 %.848.i, %arg.batch.0.1.5.1
   %10 = getelementptr double, ptr %arg.batch.0.1.4, i64 %.868.i
-  %invariant.gep9521 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.795.09213
+  %invariant.gep9554 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.795.09246
   br label %B418.if.i
 
 B462.i:                                           ; preds = %B418.if.i, %B142.i
@@ -145,24 +145,24 @@ B76.if.i.lr.ph.i:                                 ; preds = %B462.i
   %.238.i.i = add i64 %.237.i.i, %.966.i
   %.258.i.i = mul i64 %.238.i.i, %arg.batch.1.3.5.1
   %11 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i
-  br label %B76.if.i.i8843
+  br label %B76.if.i.i8875
 
-B76.if.i.i8843:                                   ; preds = %B76.if.i.i8843, %B76.if.i.lr.ph.i
-  %.117.i.01135.i = phi i64 [ 0, %B76.if.i.lr.ph.i ], [ %.188.i.i, %B76.if.i.i8843 ]
+B76.if.i.i8875:                                   ; preds = %B76.if.i.i8875, %B76.if.i.lr.ph.i
+  %.117.i.01135.i = phi i64 [ 0, %B76.if.i.lr.ph.i ], [ %.188.i.i, %B76.if.i.i8875 ]
   %.188.i.i = add nsw i64 %.117.i.01135.i, 1
   %12 = getelementptr double, ptr %11, i64 %.117.i.01135.i
   %.263.i.i = load double, ptr %12, align 8, !noalias !3
   %13 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.01135.i
   %.293.i.i = load i64, ptr %13, align 8, !noalias !3
   %.295.i.i = mul nsw i64 %.293.i.i, %arg.shape.0
-  %.297.i.i = add nsw i64 %.295.i.i, %.795.09213
+  %.297.i.i = add nsw i64 %.295.i.i, %.795.09246
   %.311.i.i = icmp slt i64 %.297.i.i, 0
-  %.312.i.i8844 = select i1 %.311.i.i, i64 %arg.batch.5.1.5.0, i64 0
+  %.312.i.i8876 = select i1 %.311.i.i, i64 %arg.batch.5.1.5.0, i64 0
   %14 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i
-  %.326.i.i = getelementptr double, ptr %14, i64 %.312.i.i8844
+  %.326.i.i = getelementptr double, ptr %14, i64 %.312.i.i8876
   store double %.263.i.i, ptr %.326.i.i, align 8, !noalias !3
   %exitcond1142.not.i = icmp eq i64 %.188.i.i, %arg.batch.1.1.5.0
-  br i1 %exitcond1142.not.i, label %B462.endif.i, label %B76.if.i.i8843
+  br i1 %exitcond1142.not.i, label %B462.endif.i, label %B76.if.i.i8875
 
 B1038.i:                                          ; preds = %B660.if.i
   store double 0.000000e+00, ptr %.1825.i, align 8, !noalias !0
@@ -174,12 +174,12 @@ B418.if.i:                                        ; preds = %B418.if.i, %B418.if
   %15 = getelementptr double, ptr %10, i64 %.727.01132.i
   %.873.i = load double, ptr %15, align 8, !noalias !0
   %.875.i = mul nsw i64 %.727.01132.i, %arg.shape.0
-  %gep9522 = getelementptr double, ptr %invariant.gep9521, i64 %.875.i
-  store double %.873.i, ptr %gep9522, align 8, !noalias !0
+  %gep9555 = getelementptr double, ptr %invariant.gep9554, i64 %.875.i
+  store double %.873.i, ptr %gep9555, align 8, !noalias !0
   %exitcond.not.i = icmp eq i64 %.798.i, %arg.batch.0.1.5.1
   br i1 %exitcond.not.i, label %B462.i, label %B418.if.i
 
-B462.endif.i:                                     ; preds = %B76.if.i.i8843, %B462.i
+B462.endif.i:                                     ; preds = %B76.if.i.i8875, %B462.i
   br i1 %.10931137.not.i, label %B660.if.i, label %B566.if.lr.ph.i
 
 B566.if.lr.ph.i:                                  ; preds = %B462.endif.i
@@ -187,7 +187,7 @@ B566.if.lr.ph.i:                                  ; preds = %B462.endif.i
   %.1156.i = add i64 %.1155.i, %.236.i
   %.1176.i = mul i64 %.1156.i, %arg.batch.0.0.5.1
   %16 = getelementptr double, ptr %arg.batch.0.0.4, i64 %.1176.i
-  %invariant.gep9523 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.795.09213
+  %invariant.gep9556 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.795.09246
   br label %B566.if.i
 
 B566.if.i:                                        ; preds = %B566.if.i, %B566.if.lr.ph.i
@@ -195,14 +195,14 @@ B566.if.i:                                        ; preds = %B566.if.i, %B566.if
   %.1106.i = add nsw i64 %.1037.01138.i, 1
   %17 = getelementptr double, ptr %16, i64 %.1037.01138.i
   %.1181.i = load double, ptr %17, align 8, !noalias !0
-  %.1183.i = mul nsw i64 %.1037.01138.i, %arg.shape.0
-  %gep9524 = getelementptr double, ptr %invariant.gep9523, i64 %.1183.i
-  store double %.1181.i, ptr %gep9524, align 8, !noalias !0
+  %.1183.i8877 = mul nsw i64 %.1037.01138.i, %arg.shape.0
+  %gep9557 = getelementptr double, ptr %invariant.gep9556, i64 %.1183.i8877
+  store double %.1181.i, ptr %gep9557, align 8, !noalias !0
   %exitcond1143.not.i = icmp eq i64 %.1106.i, %arg.shape.1
   br i1 %exitcond1143.not.i, label %B660.if.i, label %B566.if.i
 
 B660.if.i:                                        ; preds = %B566.if.i, %B462.endif.i
-  %invariant.gep.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.795.09213
+  %invariant.gep.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.795.09246
   store double 0.000000e+00, ptr %invariant.gep.i, align 8, !noalias !0
   %gep.1.i = getelementptr double, ptr %invariant.gep.i, i64 %arg.batch.4.0.5.1
   store double 0.000000e+00, ptr %gep.1.i, align 8, !noalias !0
@@ -272,24 +272,24 @@ B660.if.i:                                        ; preds = %B566.if.i, %B462.en
   %.1518.i = getelementptr double, ptr %18, i64 %.1504.i
   %.1519.i = load double, ptr %.1518.i, align 8, !noalias !0
   store double %.1431.i, ptr %invariant.gep.i, align 8, !noalias !0
-  %.1620.i = getelementptr double, ptr %4, i64 %.795.09213
+  %.1620.i = getelementptr double, ptr %4, i64 %.795.09246
   store double %.1519.i, ptr %.1620.i, align 8, !noalias !0
-  store double 1.000000e+00, ptr %.289.i8838, align 8, !noalias !0
-  %.1723.i = getelementptr double, ptr %5, i64 %.795.09213
+  store double 1.000000e+00, ptr %.289.i8870, align 8, !noalias !0
+  %.1723.i = getelementptr double, ptr %5, i64 %.795.09246
   store double 0xFFF0000000000000, ptr %.1723.i, align 8, !noalias !0
-  %.1774.i = getelementptr double, ptr %6, i64 %.795.09213
+  %.1774.i = getelementptr double, ptr %6, i64 %.795.09246
   store double 0x7FF0000000000000, ptr %.1774.i, align 8, !noalias !0
-  %.1825.i = getelementptr double, ptr %7, i64 %.795.09213
+  %.1825.i = getelementptr double, ptr %7, i64 %.795.09246
   %.1826.i = load double, ptr %.1825.i, align 8, !noalias !0
   %.1828.i = fcmp ueq double %.1826.i, 0xFFF0000000000000
   br i1 %.1828.i, label %B646, label %B1038.i
 
 B646:                                             ; preds = %B1038.i, %B602, %B660.if.i, %B550.if
-  %.1078 = load i64, ptr %374, align 8
+  %.1078 = load i64, ptr %375, align 8
   %.1079 = icmp sgt i64 %.1078, -1
-  %.8817 = zext i1 %.1079 to i64
-  %.1096 = add nsw i64 %active.4.09215, %.8817
-  %.853 = icmp sgt i64 %.798.09214, 1
+  %.8849 = zext i1 %.1079 to i64
+  %.1096 = add nsw i64 %active.4.09248, %.8849
+  %.853 = icmp sgt i64 %.798.09247, 1
   br i1 %.853, label %B550.if, label %B710
 
 B710:                                             ; preds = %B646, %entry
@@ -301,16 +301,16 @@ B710:                                             ; preds = %B646, %entry
 
 B738.preheader:                                   ; preds = %B710
   %.1173 = getelementptr i8, ptr %arg.batch.4.2.4, i64 16
-  %factor.op.mul9392 = mul i64 %arg.shape.1, 14
-  %factor.op.mul9393 = mul i64 %arg.shape.1, 15
-  %factor.op.mul9394 = mul i64 %arg.shape.6, %arg.shape.0
+  %factor.op.mul9425 = mul i64 %arg.shape.1, 14
+  %factor.op.mul9426 = mul i64 %arg.shape.1, 15
+  %factor.op.mul9427 = mul i64 %arg.shape.6, %arg.shape.0
   %factor.op.mul = mul i64 %arg.shape.6, 27
   %.1269 = getelementptr i8, ptr %arg.code.4, i64 8
   %.1321 = icmp sgt i64 %arg.shape.6, 0
   %.162.i = getelementptr i8, ptr %arg.code.4, i64 40
-  %.idx8816 = mul i64 %arg.batch.4.0.5.1, 24
-  %19 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8816
-  %.533.i9216 = icmp slt i64 %arg.shape.6, 1
+  %.idx8848 = mul i64 %arg.batch.4.0.5.1, 24
+  %19 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8848
+  %.533.i9249 = icmp slt i64 %arg.shape.6, 1
   %.687.i = getelementptr i8, ptr %arg.code.4, i64 8
   %.1382.not = icmp eq i64 %arg.shape.3, 0
   %.1412 = getelementptr i8, ptr %arg.code.4, i64 16
@@ -323,30 +323,30 @@ B738.preheader:                                   ; preds = %B710
   %.1713.idx = mul i64 %.463, 24
   %.1713 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.1713.idx
   %.1744 = getelementptr i8, ptr %arg.code.4, i64 96
-  %.idx8808 = mul i64 %arg.batch.4.0.5.1, 24
-  %20 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8808
-  %.idx8809 = shl i64 %arg.batch.4.0.5.1, 5
-  %21 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8809
-  %.idx8810 = mul i64 %arg.batch.4.0.5.1, 264
-  %22 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8810
-  %.8818 = select i1 %.612, i64 0, i64 2
-  %.754.i349 = icmp ne i64 %arg.shape.2, 1
-  %"$phi466.4.2.i.2" = zext i1 %.754.i349 to i64
-  %.idx8811 = mul i64 %arg.batch.4.0.5.1, 96
-  %23 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8811
-  %.idx8812 = shl i64 %arg.batch.4.0.5.1, 4
-  %24 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8812
-  %.idx8813 = shl i64 %arg.batch.4.1.5.1, 4
-  %25 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8813
-  %.idx8814 = shl i64 %arg.batch.4.0.5.1, 4
-  %26 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8814
-  %.idx8815 = mul i64 %arg.batch.4.0.5.1, 184
-  %27 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8815
+  %.idx8840 = mul i64 %arg.batch.4.0.5.1, 24
+  %20 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8840
+  %.idx8841 = shl i64 %arg.batch.4.0.5.1, 5
+  %21 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8841
+  %.idx8842 = mul i64 %arg.batch.4.0.5.1, 264
+  %22 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8842
+  %.8850 = select i1 %.612, i64 0, i64 2
+  %.754.i348 = icmp ne i64 %arg.shape.2, 1
+  %"$phi466.4.2.i.2" = zext i1 %.754.i348 to i64
+  %.idx8843 = mul i64 %arg.batch.4.0.5.1, 96
+  %23 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8843
+  %.idx8844 = shl i64 %arg.batch.4.0.5.1, 4
+  %24 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8844
+  %.idx8845 = shl i64 %arg.batch.4.1.5.1, 4
+  %25 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8845
+  %.idx8846 = shl i64 %arg.batch.4.0.5.1, 4
+  %26 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8846
+  %.idx8847 = mul i64 %arg.batch.4.0.5.1, 184
+  %27 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8847
   %.1882 = getelementptr i8, ptr %arg.code.4, i64 64
   %.1978 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.463
   %.1979 = inttoptr i64 %.685 to ptr
   %.266.idx.i = shl i64 %arg.batch.4.0.5.1, 5
-  %.266.i8845 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.266.idx.i
+  %.266.i8878 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.266.idx.i
   %.317.i2117.not.i = icmp slt i64 %arg.shape.1, 1
   %.idx2159.i = mul i64 %arg.shape.1, 136
   %.idx2160.i = mul i64 %arg.shape.1, 88
@@ -370,8 +370,8 @@ B738.preheader:                                   ; preds = %B710
   %.586.i.i.i = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.586.i.i.idx.i
   %.597.i.i.i = mul nsw i64 %arg.shape.1, 18
   %.615.i.i.i = select i1 %.510.i.i.i, i64 %arg.batch.5.0.5.0, i64 0
-  %.idx.i8855 = mul i64 %arg.shape.1, 152
-  %30 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i8855
+  %.idx.i8888 = mul i64 %arg.shape.1, 152
+  %30 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i8888
   %.629.i.i.i = getelementptr double, ptr %30, i64 %.615.i.i.i
   %.944.i.i.i = mul nsw i64 %arg.shape.1, 17
   %.1748.i.i = mul nsw i64 %arg.shape.1, 11
@@ -386,51 +386,51 @@ B738.preheader:                                   ; preds = %B710
   %.1276.i.i.1.i = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.1276.i.i.1.idx.i
   %.idx2164.i = mul i64 %arg.shape.1, 96
   %.402.i = icmp sgt i64 %arg.shape.1, 0
-  %.520.i8848 = add i64 %arg.linear.3.0, 1
+  %.520.i8881 = add i64 %arg.linear.3.0, 1
   %.434.sroa.0.02106.i = add i64 %arg.shape.1, 1
   %.831.idx.i = mul i64 %arg.batch.4.0.5.1, 176
   %.831.i = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.831.idx.i
   %31 = add i64 %arg.linear.3.1, %arg.linear.3.0
   %.199.i.i = add i64 %arg.linear.3.1, 1
   %.2097 = add i64 %arg.shape.2, -1
-  %storemerge8762 = tail call i64 @llvm.smax.i64(i64 %.2097, i64 0)
-  %.21409229.not = icmp slt i64 %.2097, 1
+  %storemerge8794 = tail call i64 @llvm.smax.i64(i64 %.2097, i64 0)
+  %.21409262.not = icmp slt i64 %.2097, 1
   %.2284 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.655
   %.2310 = inttoptr i64 %"$phi514.0.2.0" to ptr
   %.218614.not.i = icmp sgt i64 %arg.shape.1, 0
-  %or.cond9196.not = select i1 %.610, i1 %.218614.not.i, i1 false
+  %or.cond9229.not = select i1 %.610, i1 %.218614.not.i, i1 false
   %.326.i = mul nsw i64 %arg.shape.1, 17
-  %.idx.i8858 = mul i64 %arg.shape.1, 80
-  %invariant.gep9225 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i8858
+  %.idx.i8891 = mul i64 %arg.shape.1, 80
+  %invariant.gep9258 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i8891
   %.395.i = mul nsw i64 %arg.shape.1, 17
   %.339.i.i = add i64 %arg.linear.3.0, 1
-  %invariant.gep9227 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.395.i
+  %invariant.gep9260 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.395.i
   %32 = add i64 %arg.linear.3.1, %arg.linear.3.0
   %.2404 = getelementptr i8, ptr %arg.code.4, i64 72
   %.2481 = icmp sgt i64 %arg.shape.3, 0
   %.2486 = icmp sgt i64 %arg.shape.6, 0
-  %.idx8806 = mul i64 %arg.batch.4.0.5.1, 40
-  %33 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8806
-  %.idx8807 = mul i64 %arg.batch.4.0.5.1, 200
-  %34 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8807
-  %.idx8803 = mul i64 %arg.batch.4.0.5.1, 208
-  %35 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8803
-  %.idx8804 = mul i64 %arg.batch.4.0.5.1, 216
-  %36 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8804
-  %.idx8805 = mul i64 %arg.batch.4.0.5.1, 192
-  %37 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8805
-  %.idx8797 = shl i64 %arg.batch.4.1.5.1, 4
-  %38 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8797
-  %.idx8798 = mul i64 %arg.batch.4.0.5.1, 224
-  %39 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8798
-  %.idx8799 = mul i64 %arg.batch.4.0.5.1, 80
-  %40 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8799
-  %.idx8800 = mul i64 %arg.batch.4.0.5.1, 40
-  %41 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8800
-  %.idx8801 = mul i64 %arg.batch.4.0.5.1, 248
-  %42 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8801
-  %.idx8802 = mul i64 %arg.batch.4.0.5.1, 56
-  %43 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8802
+  %.idx8838 = mul i64 %arg.batch.4.0.5.1, 40
+  %33 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8838
+  %.idx8839 = mul i64 %arg.batch.4.0.5.1, 200
+  %34 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8839
+  %.idx8835 = mul i64 %arg.batch.4.0.5.1, 208
+  %35 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8835
+  %.idx8836 = mul i64 %arg.batch.4.0.5.1, 216
+  %36 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8836
+  %.idx8837 = mul i64 %arg.batch.4.0.5.1, 192
+  %37 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8837
+  %.idx8829 = shl i64 %arg.batch.4.1.5.1, 4
+  %38 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8829
+  %.idx8830 = mul i64 %arg.batch.4.0.5.1, 224
+  %39 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8830
+  %.idx8831 = mul i64 %arg.batch.4.0.5.1, 80
+  %40 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8831
+  %.idx8832 = mul i64 %arg.batch.4.0.5.1, 40
+  %41 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8832
+  %.idx8833 = mul i64 %arg.batch.4.0.5.1, 248
+  %42 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8833
+  %.idx8834 = mul i64 %arg.batch.4.0.5.1, 56
+  %43 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8834
   %44 = or i1 %.612, %.625
   %.3799 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.655
   %.3824.idx = mul i64 %.463, 104
@@ -443,21 +443,21 @@ B738.preheader:                                   ; preds = %B710
   %.4355 = inttoptr i64 %.685 to ptr
   %.4392 = getelementptr i8, ptr %arg.code.4, i64 224
   %.4469 = getelementptr i8, ptr %arg.code.4, i64 112
-  %.idx8790 = shl i64 %arg.batch.4.1.5.1, 4
-  %45 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8790
-  %.idx8791 = mul i64 %arg.batch.4.0.5.1, 40
-  %46 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8791
-  %.idx8792 = mul i64 %arg.batch.4.0.5.1, 56
-  %47 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8792
-  %.idx8793 = mul i64 %arg.batch.4.0.5.1, 232
-  %48 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8793
-  %.idx8794 = mul i64 %arg.batch.4.0.5.1, 48
-  %49 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8794
-  %.idx8795 = shl i64 %arg.batch.4.0.5.1, 5
-  %50 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8795
+  %.idx8822 = shl i64 %arg.batch.4.1.5.1, 4
+  %45 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8822
+  %.idx8823 = mul i64 %arg.batch.4.0.5.1, 40
+  %46 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8823
+  %.idx8824 = mul i64 %arg.batch.4.0.5.1, 56
+  %47 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8824
+  %.idx8825 = mul i64 %arg.batch.4.0.5.1, 232
+  %48 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8825
+  %.idx8826 = mul i64 %arg.batch.4.0.5.1, 48
+  %49 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8826
+  %.idx8827 = shl i64 %arg.batch.4.0.5.1, 5
+  %50 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8827
   %51 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
-  %.idx8796 = mul i64 %arg.batch.4.0.5.1, 240
-  %52 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8796
+  %.idx8828 = mul i64 %arg.batch.4.0.5.1, 240
+  %52 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8828
   %53 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
   %.230.i = getelementptr i8, ptr %53, i64 -8
   %storemerge.i = tail call i64 @llvm.smax.i64(i64 %arg.shape.0, i64 0)
@@ -479,15 +479,15 @@ B738.preheader:                                   ; preds = %B710
   %.194.i.i739.i = mul i64 %arg.shape.6, %arg.shape.0
   %.idx7988.i = mul i64 %arg.batch.4.0.5.1, 160
   %60 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx7988.i
-  %factor.op.mul8197.i.reass = mul i64 %factor.op.mul9392, %arg.shape.0
+  %factor.op.mul8197.i.reass = mul i64 %factor.op.mul9425, %arg.shape.0
   %.872.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %factor.op.mul8197.i.reass
   %.878.i.i = mul nsw i64 %arg.shape.5, %arg.shape.0
   %.114.i40.i8181.not.i = icmp slt i64 %.194.i.i739.i, 1
   %.937.i.i = getelementptr i8, ptr %arg.code.4, i64 8
-  %factor.op.mul8198.i.reass = mul i64 %factor.op.mul9393, %arg.shape.0
+  %factor.op.mul8198.i.reass = mul i64 %factor.op.mul9426, %arg.shape.0
   %.1196.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %factor.op.mul8198.i.reass
   %.1886.i.i = getelementptr i8, ptr %arg.tolerances.4, i64 8
-  %factor.op.mul.reass = mul i64 %factor.op.mul9394, 3
+  %factor.op.mul.reass = mul i64 %factor.op.mul9427, 3
   %.155.i.i392.i = mul nsw i64 %arg.shape.1, 24
   %.155.i.i392.1.i = mul nsw i64 %arg.shape.1, 23
   %.155.i.i392.2.i = mul nsw i64 %arg.shape.1, 22
@@ -557,35 +557,35 @@ B738.preheader:                                   ; preds = %B710
   %67 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
   %.4767.not = icmp eq i64 %arg.shape.3, 0
   %.idx630.i = shl i64 %arg.shape.0, 4
-  %invariant.gep9334 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx630.i
+  %invariant.gep9367 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx630.i
   %.idx631.i = mul i64 %arg.shape.0, 40
-  %invariant.gep9336 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx631.i
+  %invariant.gep9369 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx631.i
   %.idx632.i = shl i64 %arg.shape.0, 6
-  %invariant.gep9338 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx632.i
+  %invariant.gep9371 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx632.i
   %.idx633.i = mul i64 %arg.shape.0, 88
-  %invariant.gep9340 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx633.i
+  %invariant.gep9373 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx633.i
   %.idx634.i = mul i64 %arg.shape.0, 112
-  %invariant.gep9342 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx634.i
+  %invariant.gep9375 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx634.i
   %.idx635.i = mul i64 %arg.shape.0, 136
-  %invariant.gep9344 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx635.i
+  %invariant.gep9377 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx635.i
   %.idx636.i = mul i64 %arg.shape.0, 160
-  %invariant.gep9346 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx636.i
+  %invariant.gep9379 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx636.i
   %.idx637.i = mul i64 %arg.shape.0, 184
-  %invariant.gep9348 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx637.i
+  %invariant.gep9381 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx637.i
   %.idx638.i = mul i64 %arg.shape.0, 208
-  %invariant.gep9350 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx638.i
+  %invariant.gep9383 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx638.i
   %68 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
   %.226.i.i = getelementptr i8, ptr %68, i64 -8
   %.296.i.i = icmp sgt i64 %arg.shape.2, 4
   %..i.i = select i1 %.296.i.i, i64 0, i64 8
-  %.354.i.i8912 = sub nsw i64 9, %..i.i
+  %.354.i.i8945 = sub nsw i64 9, %..i.i
   %.5201293.not.i.i = icmp slt i64 %arg.shape.0, 1
   %.idx1278.i.i = mul i64 %arg.batch.4.0.5.1, 48
   %69 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1278.i.i
   %.287.i1290.not.i.i = icmp slt i64 %arg.shape.1, 1
-  %.358.i.i.i8913 = shl nsw i64 %arg.shape.1, 4
+  %.358.i.i.i8946 = shl nsw i64 %arg.shape.1, 4
   %.707.i.i = getelementptr i8, ptr %arg.code.4, i64 16
-  %.155.i.i.i.i8914 = mul nsw i64 %arg.shape.1, 24
+  %.155.i.i.i.i8947 = mul nsw i64 %arg.shape.1, 24
   %.155.i.i.1.i.i = mul nsw i64 %arg.shape.1, 23
   %.155.i.i.2.i.i = mul nsw i64 %arg.shape.1, 22
   %.155.i.i.3.i.i = mul nsw i64 %arg.shape.1, 21
@@ -615,13 +615,13 @@ B738.preheader:                                   ; preds = %B710
   %.idx1275.i.i = shl i64 %arg.batch.4.0.5.1, 5
   %75 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1275.i.i
   %76 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
-  %.idx.i8918 = shl i64 %arg.batch.4.1.5.1, 5
-  %77 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx.i8918
+  %.idx.i8951 = shl i64 %arg.batch.4.1.5.1, 5
+  %77 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx.i8951
   %.idx600.i = mul i64 %arg.batch.4.0.5.1, 40
   %78 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx600.i
   %factor.op.mul652.i = mul i64 %arg.batch.3.0.5.2, %arg.batch.3.0.5.1
-  %.idx.i8998 = shl i64 %arg.batch.4.1.5.1, 4
-  %79 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx.i8998
+  %.idx.i9031 = shl i64 %arg.batch.4.1.5.1, 4
+  %79 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx.i9031
   %.idx640.i = mul i64 %arg.batch.4.0.5.1, 40
   %80 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx640.i
   %.idx641.i = mul i64 %arg.batch.4.0.5.1, 48
@@ -644,24 +644,24 @@ B738.preheader:                                   ; preds = %B710
   %.5031.idx = mul i64 %arg.batch.4.0.5.1, 40
   %.5031 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.5031.idx
   %.5063 = getelementptr i8, ptr %arg.code.4, i64 104
-  %.idx8783 = mul i64 %arg.batch.4.0.5.1, 104
-  %85 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8783
-  %.idx8784 = mul i64 %arg.batch.4.0.5.1, 40
-  %86 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8784
-  %.idx8785 = shl i64 %arg.batch.4.0.5.1, 7
-  %87 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8785
-  %.536.i35769370.not = icmp slt i64 %arg.shape.1, 1
-  %.681.i3613 = getelementptr i8, ptr %arg.tolerances.4, i64 8
+  %.idx8815 = mul i64 %arg.batch.4.0.5.1, 104
+  %85 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8815
+  %.idx8816 = mul i64 %arg.batch.4.0.5.1, 40
+  %86 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8816
+  %.idx8817 = shl i64 %arg.batch.4.0.5.1, 7
+  %87 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8817
+  %.536.i35739403.not = icmp slt i64 %arg.shape.1, 1
+  %.657.i4071 = getelementptr i8, ptr %arg.tolerances.4, i64 8
   %88 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
-  %.726.i3643 = getelementptr i8, ptr %88, i64 -8
-  %.idx8787 = mul i64 %arg.batch.4.1.5.1, 24
-  %89 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8787
-  %.idx8788 = mul i64 %arg.batch.4.1.5.1, 24
-  %90 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8788
-  %.idx8789 = mul i64 %arg.batch.4.0.5.1, 24
-  %91 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8789
+  %.795.i3613 = getelementptr i8, ptr %88, i64 -8
+  %.idx8819 = mul i64 %arg.batch.4.1.5.1, 24
+  %89 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8819
+  %.idx8820 = mul i64 %arg.batch.4.1.5.1, 24
+  %90 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8820
+  %.idx8821 = mul i64 %arg.batch.4.0.5.1, 24
+  %91 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8821
   %.5179.not = icmp ne i64 %arg.shape.4, 0
-  %storemerge.i9007 = tail call i64 @llvm.smax.i64(i64 %arg.shape.0, i64 0)
+  %storemerge.i9040 = tail call i64 @llvm.smax.i64(i64 %arg.shape.0, i64 0)
   %.idx1632.i = mul i64 %arg.batch.4.0.5.1, 40
   %92 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1632.i
   %.idx1633.i = shl i64 %arg.batch.4.0.5.1, 4
@@ -669,83 +669,83 @@ B738.preheader:                                   ; preds = %B710
   %94 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
   %.175.i1635.not.i = icmp slt i64 %arg.batch.1.1.5.0, 1
   %.632.i = getelementptr i8, ptr %arg.code.4, i64 8
-  %.775.i9011 = getelementptr i8, ptr %arg.code.4, i64 32
+  %.775.i9044 = getelementptr i8, ptr %arg.code.4, i64 32
   %.846.i = mul nsw i64 %arg.shape.1, 17
-  %.848.i9012 = mul nsw i64 %.846.i, %arg.shape.0
-  %.891.i9013 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.848.i9012
+  %.848.i9045 = mul nsw i64 %.846.i, %arg.shape.0
+  %.891.i9046 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.848.i9045
   %.896.not.i = icmp eq i64 %arg.shape.3, 0
   %.926.i = getelementptr i8, ptr %arg.code.4, i64 16
   %.idx1630.i = shl i64 %arg.batch.4.1.5.1, 4
   %95 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1630.i
   %.15291642.not.i = icmp slt i64 %arg.shape.1, 1
   %.1724.i = mul i64 %arg.batch.3.0.5.2, %arg.batch.3.0.5.1
-  %.idx8772 = mul i64 %arg.batch.4.0.5.1, 40
-  %96 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8772
-  %.idx8773 = shl i64 %arg.batch.4.0.5.1, 4
-  %97 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8773
+  %.idx8804 = mul i64 %arg.batch.4.0.5.1, 40
+  %96 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8804
+  %.idx8805 = shl i64 %arg.batch.4.0.5.1, 4
+  %97 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8805
   %98 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
-  %.idx8774 = mul i64 %arg.batch.4.0.5.1, 24
-  %99 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8774
-  %.175.i.i47879382.not = icmp slt i64 %arg.batch.1.1.5.0, 1
-  %.idx8777 = shl i64 %arg.batch.4.1.5.1, 4
-  %100 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8777
-  %.idx.i9036 = mul i64 %arg.batch.4.0.5.1, 24
-  %101 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i9036
-  %.319.i9038 = getelementptr i8, ptr %arg.batch.4.2.4, i64 8
+  %.idx8806 = mul i64 %arg.batch.4.0.5.1, 24
+  %99 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8806
+  %.175.i.i47999415.not = icmp slt i64 %arg.batch.1.1.5.0, 1
+  %.idx8809 = shl i64 %arg.batch.4.1.5.1, 4
+  %100 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8809
+  %.idx.i9069 = mul i64 %arg.batch.4.0.5.1, 24
+  %101 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i9069
+  %.319.i9071 = getelementptr i8, ptr %arg.batch.4.2.4, i64 8
   %102 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
-  %.idx1124.i9058 = mul i64 %arg.batch.4.1.5.1, 24
-  %103 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1124.i9058
-  %.7851131.not.i9060 = icmp slt i64 %arg.batch.0.1.5.1, 1
-  %.175.i1134.not.i9076 = icmp slt i64 %arg.batch.1.1.5.0, 1
-  %.10931137.not.i9095 = icmp slt i64 %arg.shape.1, 1
-  %gep.2.idx.i9113 = shl i64 %arg.batch.4.0.5.1, 4
-  %gep.4.idx.i9117 = shl i64 %arg.batch.4.0.5.1, 5
-  %gep.6.idx.i9121 = mul i64 %arg.batch.4.0.5.1, 48
-  %gep.7.idx.i9123 = mul i64 %arg.batch.4.0.5.1, 56
-  %gep.9.idx.i9127 = mul i64 %arg.batch.4.0.5.1, 72
-  %gep.10.idx.i9129 = mul i64 %arg.batch.4.0.5.1, 80
-  %gep.11.idx.i9131 = mul i64 %arg.batch.4.0.5.1, 88
-  %gep.12.idx.i9133 = mul i64 %arg.batch.4.0.5.1, 96
-  %gep.13.idx.i9135 = mul i64 %arg.batch.4.0.5.1, 104
-  %gep.14.idx.i9137 = mul i64 %arg.batch.4.0.5.1, 112
-  %gep.15.idx.i9139 = mul i64 %arg.batch.4.0.5.1, 120
-  %gep.16.idx.i9141 = shl i64 %arg.batch.4.0.5.1, 7
-  %gep.17.idx.i9143 = mul i64 %arg.batch.4.0.5.1, 136
-  %gep.18.idx.i9145 = mul i64 %arg.batch.4.0.5.1, 144
-  %gep.19.idx.i9147 = mul i64 %arg.batch.4.0.5.1, 152
-  %gep.20.idx.i9149 = mul i64 %arg.batch.4.0.5.1, 160
-  %gep.21.idx.i9151 = mul i64 %arg.batch.4.0.5.1, 168
-  %gep.22.idx.i9153 = mul i64 %arg.batch.4.0.5.1, 176
-  %gep.23.idx.i9155 = mul i64 %arg.batch.4.0.5.1, 184
-  %gep.24.idx.i9157 = mul i64 %arg.batch.4.0.5.1, 192
-  %gep.25.idx.i9159 = mul i64 %arg.batch.4.0.5.1, 200
-  %gep.26.idx.i9161 = mul i64 %arg.batch.4.0.5.1, 208
-  %gep.27.idx.i9163 = mul i64 %arg.batch.4.0.5.1, 216
-  %gep.28.idx.i9165 = mul i64 %arg.batch.4.0.5.1, 224
-  %gep.29.idx.i9167 = mul i64 %arg.batch.4.0.5.1, 232
-  %gep.30.idx.i9169 = mul i64 %arg.batch.4.0.5.1, 240
-  %104 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.2.idx.i9113
-  %105 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.16.idx.i9141
-  %106 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.30.idx.i9169
-  %.idx1130.i9184 = mul i64 %arg.batch.4.0.5.1, 248
-  %107 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1130.i9184
-  %.idx8776 = mul i64 %arg.batch.4.0.5.1, 248
-  %108 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8776
+  %.idx1124.i9091 = mul i64 %arg.batch.4.1.5.1, 24
+  %103 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1124.i9091
+  %.7851131.not.i9093 = icmp slt i64 %arg.batch.0.1.5.1, 1
+  %.175.i1134.not.i9109 = icmp slt i64 %arg.batch.1.1.5.0, 1
+  %.10931137.not.i9128 = icmp slt i64 %arg.shape.1, 1
+  %gep.2.idx.i9146 = shl i64 %arg.batch.4.0.5.1, 4
+  %gep.4.idx.i9150 = shl i64 %arg.batch.4.0.5.1, 5
+  %gep.6.idx.i9154 = mul i64 %arg.batch.4.0.5.1, 48
+  %gep.7.idx.i9156 = mul i64 %arg.batch.4.0.5.1, 56
+  %gep.9.idx.i9160 = mul i64 %arg.batch.4.0.5.1, 72
+  %gep.10.idx.i9162 = mul i64 %arg.batch.4.0.5.1, 80
+  %gep.11.idx.i9164 = mul i64 %arg.batch.4.0.5.1, 88
+  %gep.12.idx.i9166 = mul i64 %arg.batch.4.0.5.1, 96
+  %gep.13.idx.i9168 = mul i64 %arg.batch.4.0.5.1, 104
+  %gep.14.idx.i9170 = mul i64 %arg.batch.4.0.5.1, 112
+  %gep.15.idx.i9172 = mul i64 %arg.batch.4.0.5.1, 120
+  %gep.16.idx.i9174 = shl i64 %arg.batch.4.0.5.1, 7
+  %gep.17.idx.i9176 = mul i64 %arg.batch.4.0.5.1, 136
+  %gep.18.idx.i9178 = mul i64 %arg.batch.4.0.5.1, 144
+  %gep.19.idx.i9180 = mul i64 %arg.batch.4.0.5.1, 152
+  %gep.20.idx.i9182 = mul i64 %arg.batch.4.0.5.1, 160
+  %gep.21.idx.i9184 = mul i64 %arg.batch.4.0.5.1, 168
+  %gep.22.idx.i9186 = mul i64 %arg.batch.4.0.5.1, 176
+  %gep.23.idx.i9188 = mul i64 %arg.batch.4.0.5.1, 184
+  %gep.24.idx.i9190 = mul i64 %arg.batch.4.0.5.1, 192
+  %gep.25.idx.i9192 = mul i64 %arg.batch.4.0.5.1, 200
+  %gep.26.idx.i9194 = mul i64 %arg.batch.4.0.5.1, 208
+  %gep.27.idx.i9196 = mul i64 %arg.batch.4.0.5.1, 216
+  %gep.28.idx.i9198 = mul i64 %arg.batch.4.0.5.1, 224
+  %gep.29.idx.i9200 = mul i64 %arg.batch.4.0.5.1, 232
+  %gep.30.idx.i9202 = mul i64 %arg.batch.4.0.5.1, 240
+  %104 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.2.idx.i9146
+  %105 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.16.idx.i9174
+  %106 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.30.idx.i9202
+  %.idx1130.i9217 = mul i64 %arg.batch.4.0.5.1, 248
+  %107 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1130.i9217
+  %.idx8808 = mul i64 %arg.batch.4.0.5.1, 248
+  %108 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8808
   %.6211 = tail call i64 @llvm.smin.i64(i64 %arg.batch.2.5.0, i64 0)
   %109 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
   %110 = getelementptr i8, ptr %109, i64 -8
   %.6225 = getelementptr double, ptr %110, i64 %.6211
   %111 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
-  %.idx8778 = mul i64 %arg.batch.4.0.5.1, 248
-  %112 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8778
-  %.idx8779 = mul i64 %arg.batch.4.0.5.1, 192
-  %113 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8779
-  %.idx8780 = shl i64 %arg.batch.4.1.5.1, 4
-  %114 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8780
-  %.idx8781 = shl i64 %arg.batch.4.0.5.1, 4
-  %115 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8781
-  %.idx8782 = mul i64 %arg.batch.4.0.5.1, 184
-  %116 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8782
+  %.idx8810 = mul i64 %arg.batch.4.0.5.1, 248
+  %112 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8810
+  %.idx8811 = mul i64 %arg.batch.4.0.5.1, 192
+  %113 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8811
+  %.idx8812 = shl i64 %arg.batch.4.1.5.1, 4
+  %114 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8812
+  %.idx8813 = shl i64 %arg.batch.4.0.5.1, 4
+  %115 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8813
+  %.idx8814 = mul i64 %arg.batch.4.0.5.1, 184
+  %116 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8814
   %117 = shl i64 %arg.shape.0, 3
   %118 = getelementptr i8, ptr %arg.code.4, i64 232
   %.4354.idx = mul i64 %.463, 112
@@ -789,7 +789,7 @@ B922:                                             ; preds = %B910
   br i1 %.809, label %B356.i, label %B214.if.i
 
 B354.i:                                           ; preds = %B296.if.i, %B214.if.i
-  %.359.i = icmp sgt i64 %.304.i.09221, 1
+  %.359.i = icmp sgt i64 %.304.i.09254, 1
   br i1 %.359.i, label %B214.if.i, label %B356.i
 
 B356.i:                                           ; preds = %B354.i, %B922
@@ -799,29 +799,29 @@ B356.i:                                           ; preds = %B354.i, %B922
   br label %B958
 
 B214.if.i:                                        ; preds = %B922, %B354.i
-  %.304.i.09221 = phi i64 [ %.368.i, %B354.i ], [ %storemerge, %B922 ]
-  %.301.i.09220 = phi i64 [ %.372.i, %B354.i ], [ 0, %B922 ]
-  %.368.i = add nsw i64 %.304.i.09221, -1
-  %.372.i = add nsw i64 %.301.i.09220, 1
-  %121 = getelementptr double, ptr %19, i64 %.301.i.09220
+  %.304.i.09254 = phi i64 [ %.368.i, %B354.i ], [ %storemerge, %B922 ]
+  %.301.i.09253 = phi i64 [ %.372.i, %B354.i ], [ 0, %B922 ]
+  %.368.i = add nsw i64 %.304.i.09254, -1
+  %.372.i = add nsw i64 %.301.i.09253, 1
+  %121 = getelementptr double, ptr %19, i64 %.301.i.09253
   %.450.i = load double, ptr %121, align 8, !noalias !7
   %.451.i = fcmp ule double %.450.i, 5.000000e-01
-  %brmerge9398 = select i1 %.451.i, i1 true, i1 %.533.i9216
-  br i1 %brmerge9398, label %B354.i, label %B296.if.i.preheader
+  %brmerge9431 = select i1 %.451.i, i1 true, i1 %.533.i9249
+  br i1 %brmerge9431, label %B354.i, label %B296.if.i.preheader
 
 B296.if.i.preheader:                              ; preds = %B214.if.i
-  %invariant.gep9525 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.301.i.09220
+  %invariant.gep9558 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.301.i.09253
   br label %B296.if.i
 
 B296.if.i:                                        ; preds = %B296.if.i.preheader, %B296.if.i
-  %.477.i.09217 = phi i64 [ %.546.i, %B296.if.i ], [ 0, %B296.if.i.preheader ]
-  %.546.i = add nsw i64 %.477.i.09217, 1
-  %.572.i = mul nsw i64 %.477.i.09217, %arg.shape.0
-  %gep9526 = getelementptr double, ptr %invariant.gep9525, i64 %.572.i
-  %.604.i = load double, ptr %gep9526, align 8, !noalias !7
-  %.606.i = add nsw i64 %.477.i.09217, %arg.shape.5
+  %.477.i.09250 = phi i64 [ %.546.i, %B296.if.i ], [ 0, %B296.if.i.preheader ]
+  %.546.i = add nsw i64 %.477.i.09250, 1
+  %.572.i = mul nsw i64 %.477.i.09250, %arg.shape.0
+  %gep9559 = getelementptr double, ptr %invariant.gep9558, i64 %.572.i
+  %.604.i = load double, ptr %gep9559, align 8, !noalias !7
+  %.606.i = add nsw i64 %.477.i.09250, %arg.shape.5
   %.608.i = mul nsw i64 %.606.i, %arg.shape.0
-  %.610.i = add nsw i64 %.608.i, %.301.i.09220
+  %.610.i = add nsw i64 %.608.i, %.301.i.09253
   %.624.i = icmp slt i64 %.610.i, 0
   %.625.i = select i1 %.624.i, i64 %arg.batch.5.1.5.0, i64 0
   %122 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.610.i
@@ -861,11 +861,11 @@ B1434:                                            ; preds = %B1044, %B1040
 
 B118.i:                                           ; preds = %B64.if.i
   store double 0.000000e+00, ptr %.310.i130, align 8, !noalias !11
-  %.418.i = getelementptr double, ptr %21, i64 %.161.i.09223
+  %.418.i = getelementptr double, ptr %21, i64 %.161.i.09256
   store double 0.000000e+00, ptr %.418.i, align 8, !noalias !11
-  %.469.i = getelementptr double, ptr %22, i64 %.161.i.09223
+  %.469.i = getelementptr double, ptr %22, i64 %.161.i.09256
   store double 0.000000e+00, ptr %.469.i, align 8, !noalias !11
-  %.520.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09223
+  %.520.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09256
   %.521.i = load i64, ptr %.520.i, align 8, !noalias !11
   %.544.i244 = icmp slt i64 %.521.i, 0
   %.545.i245 = select i1 %.544.i244, i64 %arg.batch.3.3.5.0, i64 0
@@ -874,25 +874,25 @@ B118.i:                                           ; preds = %B64.if.i
   %123 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.566.i
   %.570.i = getelementptr i8, ptr %123, i64 8
   %.571.i257 = load i64, ptr %.570.i, align 8, !noalias !11
-  %.594.i265 = add nsw i64 %.571.i257, %.8818
-  store i64 %.594.i265, ptr %.570.i, align 8, !noalias !11
-  %.702.i323 = load i64, ptr %.520.i, align 8, !noalias !11
-  %.725.i335 = icmp slt i64 %.702.i323, 0
-  %.726.i336 = select i1 %.725.i335, i64 %arg.batch.3.3.5.0, i64 0
-  %.727.i = add i64 %.726.i336, %.702.i323
+  %.594.i264 = add nsw i64 %.571.i257, %.8850
+  store i64 %.594.i264, ptr %.570.i, align 8, !noalias !11
+  %.702.i322 = load i64, ptr %.520.i, align 8, !noalias !11
+  %.725.i334 = icmp slt i64 %.702.i322, 0
+  %.726.i335 = select i1 %.725.i334, i64 %arg.batch.3.3.5.0, i64 0
+  %.727.i = add i64 %.726.i335, %.702.i322
   %.747.i = mul i64 %.727.i, %arg.batch.3.3.5.1
   %124 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.747.i
   %.751.i = getelementptr i8, ptr %124, i64 16
   %.752.i = load i64, ptr %.751.i, align 8, !noalias !11
   %.775.i = add nsw i64 %.752.i, %"$phi466.4.2.i.2"
   store i64 %.775.i, ptr %.751.i, align 8, !noalias !11
-  %.882.i = getelementptr double, ptr %23, i64 %.161.i.09223
+  %.882.i = getelementptr double, ptr %23, i64 %.161.i.09256
   %.883.i = load double, ptr %.882.i, align 8, !noalias !11
   %.884.i = fcmp une double %.883.i, 0.000000e+00
   br i1 %.884.i, label %B526.i, label %B582.i
 
 B526.i:                                           ; preds = %B118.i
-  %125 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09223
+  %125 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09256
   %.84.i.i = load i64, ptr %125, align 8, !noalias !15
   %.89.i.i = icmp sgt i64 %.84.i.i, -1
   br i1 %.89.i.i, label %B46.i.i, label %B582.i
@@ -911,13 +911,13 @@ B582.i:                                           ; preds = %B80.i.i, %B526.i, %
   br i1 %.1382.not, label %B758.i, label %B586.i
 
 B586.i:                                           ; preds = %B582.i
-  %126 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i.09223
+  %126 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i.09256
   %.954.i = load double, ptr %126, align 8, !noalias !11
   %.956.i = fcmp olt double %.954.i, -1.000000e-09
   br i1 %.956.i, label %B632.i, label %B758.i
 
 B632.i:                                           ; preds = %B586.i
-  %127 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09223
+  %127 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09256
   %.84.i63.i = load i64, ptr %127, align 8, !noalias !18
   %.89.i66.i = icmp sgt i64 %.84.i63.i, -1
   br i1 %.89.i66.i, label %B46.i71.i, label %_ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx.exit123.i
@@ -933,18 +933,18 @@ B80.i98.i:                                        ; preds = %B46.i71.i
   br label %_ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx.exit123.i
 
 _ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx.exit123.i: ; preds = %B46.i71.i, %B632.i, %B80.i98.i
-  %.1041.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.161.i.09223
+  %.1041.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.161.i.09256
   %.1042.i = load double, ptr %.1041.i, align 8, !noalias !11
-  %.1092.i = getelementptr double, ptr %24, i64 %.161.i.09223
+  %.1092.i = getelementptr double, ptr %24, i64 %.161.i.09256
   store double %.1042.i, ptr %.1092.i, align 8, !noalias !11
   br label %B758.i
 
 B758.i:                                           ; preds = %_ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx.exit123.i, %B586.i, %B582.i
-  %.107.i182.i = getelementptr i64, ptr %25, i64 %.161.i.09223
+  %.107.i182.i = getelementptr i64, ptr %25, i64 %.161.i.09256
   %.108.i183.i = load i64, ptr %.107.i182.i, align 8, !noalias !21
-  %.161.i.i = getelementptr double, ptr %26, i64 %.161.i.09223
+  %.161.i.i = getelementptr double, ptr %26, i64 %.161.i.09256
   %.162.i.i = load double, ptr %.161.i.i, align 8, !noalias !21
-  %.212.i.i = getelementptr double, ptr %27, i64 %.161.i.09223
+  %.212.i.i = getelementptr double, ptr %27, i64 %.161.i.09256
   store double %.162.i.i, ptr %.212.i.i, align 8, !noalias !21
   %.225.i.i = icmp slt i64 %.108.i183.i, %arg.batch.2.5.0
   br i1 %.225.i.i, label %B164.i.i, label %B792.i
@@ -962,15 +962,15 @@ B164.i.i:                                         ; preds = %B758.i
   br label %B792.i
 
 B792.i:                                           ; preds = %B164.i.i, %B758.i, %B64.if.i
-  %.220.i = icmp sgt i64 %.164.i70.09224, 1
+  %.220.i = icmp sgt i64 %.164.i70.09257, 1
   br i1 %.220.i, label %B64.if.i, label %B1476
 
 B64.if.i:                                         ; preds = %B1434, %B792.i
-  %.164.i70.09224 = phi i64 [ %.229.i370, %B792.i ], [ %storemerge, %B1434 ]
-  %.161.i.09223 = phi i64 [ %.233.i373, %B792.i ], [ 0, %B1434 ]
-  %.229.i370 = add nsw i64 %.164.i70.09224, -1
-  %.233.i373 = add nsw i64 %.161.i.09223, 1
-  %.310.i130 = getelementptr double, ptr %20, i64 %.161.i.09223
+  %.164.i70.09257 = phi i64 [ %.229.i372, %B792.i ], [ %storemerge, %B1434 ]
+  %.161.i.09256 = phi i64 [ %.233.i375, %B792.i ], [ 0, %B1434 ]
+  %.229.i372 = add nsw i64 %.164.i70.09257, -1
+  %.233.i375 = add nsw i64 %.161.i.09256, 1
+  %.310.i130 = getelementptr double, ptr %20, i64 %.161.i.09256
   %.311.i = load double, ptr %.310.i130, align 8, !noalias !11
   %.312.i131 = fcmp ogt double %.311.i, 5.000000e-01
   br i1 %.312.i131, label %B118.i, label %B792.i
@@ -989,9 +989,9 @@ B1630:                                            ; preds = %B1558, %B1476
   br i1 %.610, label %B1634, label %B1674
 
 B1634:                                            ; preds = %B1630
-  %.267.i8846 = load double, ptr %.266.i8845, align 8, !noalias !25
-  %.268.i8847 = fcmp olt double %.267.i8846, 5.000000e-01
-  br i1 %.268.i8847, label %B86.i, label %B126.i
+  %.267.i8879 = load double, ptr %.266.i8878, align 8, !noalias !25
+  %.268.i8880 = fcmp olt double %.267.i8879, 5.000000e-01
+  br i1 %.268.i8880, label %B86.i, label %B126.i
 
 B86.i:                                            ; preds = %B1634
   br i1 %.317.i2117.not.i, label %B186.i.i, label %B84.if.i.i
@@ -1241,8 +1241,8 @@ B84.if.i.i:                                       ; preds = %B86.i, %B84.if.i.i
   store double %.384.i.i, ptr %156, align 8, !noalias !28
   %157 = getelementptr i8, ptr %155, i64 %.idx2160.i
   store double 0.000000e+00, ptr %157, align 8, !noalias !28
-  %exitcond.not.i8854 = icmp eq i64 %arg.shape.1, %.330.i.i
-  br i1 %exitcond.not.i8854, label %B186.i.i, label %B84.if.i.i
+  %exitcond.not.i8887 = icmp eq i64 %arg.shape.1, %.330.i.i
+  br i1 %exitcond.not.i8887, label %B186.i.i, label %B84.if.i.i
 
 B306.if.i.i:                                      ; preds = %B270.i.i, %B306.if.i.i
   %.629.i.02122.i = phi i64 [ %.691.i.i, %B306.if.i.i ], [ %storemerge2107.i, %B270.i.i ]
@@ -1323,7 +1323,7 @@ B348.i.i:                                         ; preds = %B234.if.i.i, %B36.i
   %p.2.1.lcssa.i.i = phi i64 [ %.59.0509.i.i, %B36.if.i.i ], [ %p.3.2.i.i, %B234.if.i.i ]
   %164 = getelementptr i64, ptr %arg.linear.2.4, i64 %.59.0509.i.i
   store i64 %p.2.1.lcssa.i.i, ptr %164, align 8, !noalias !36
-  %.547.i2114.i = add nsw i64 %p.2.1.lcssa.i.i, %.161.i.i8852
+  %.547.i2114.i = add nsw i64 %p.2.1.lcssa.i.i, %.161.i.i8885
   %.561.i.i = icmp slt i64 %.547.i2114.i, 0
   %.562.i.i = select i1 %.561.i.i, i64 %arg.linear.1.5.0, i64 0
   %165 = getelementptr double, ptr %arg.linear.1.4, i64 %.547.i2114.i
@@ -1346,15 +1346,15 @@ B790.i.i:                                         ; preds = %B716.if.i.i, %B566.
 B36.if.i.i:                                       ; preds = %B326.i, %B34.loopexit.i.i
   %.59.0509.i.i = phi i64 [ %.131.i.i, %B34.loopexit.i.i ], [ 0, %B326.i ]
   %.131.i.i = add nsw i64 %.59.0509.i.i, 1
-  %.161.i.i8852 = mul nsw i64 %.59.0509.i.i, %arg.shape.1
+  %.161.i.i8885 = mul nsw i64 %.59.0509.i.i, %arg.shape.1
   %.164.i.i = add nsw i64 %.59.0509.i.i, %arg.linear.3.0
   %.165.i.i = add nsw i64 %.164.i.i, 1
-  %.11.i.i.i8853 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.165.i.i, i64 %arg.shape.1)
+  %.11.i.i.i8886 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.165.i.i, i64 %arg.shape.1)
   %.200.i.i = add i64 %.199.i.i, %.164.i.i
   %.11.i492.i.i = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.200.i.i, i64 %arg.shape.1)
-  %166 = getelementptr double, ptr %arg.linear.1.4, i64 %.161.i.i8852
+  %166 = getelementptr double, ptr %arg.linear.1.4, i64 %.161.i.i8885
   %167 = getelementptr double, ptr %166, i64 %.59.0509.i.i
-  %.319.i.i = sub i64 %.11.i.i.i8853, %.131.i.i
+  %.319.i.i = sub i64 %.11.i.i.i8886, %.131.i.i
   %storemerge488.i.i = tail call i64 @llvm.smax.i64(i64 %.319.i.i, i64 0)
   %.362493.not.i.i = icmp slt i64 %.319.i.i, 1
   br i1 %.362493.not.i.i, label %B348.i.i, label %B234.if.preheader.i.i
@@ -1371,7 +1371,7 @@ B234.if.i.i:                                      ; preds = %B234.if.i.i, %B234.
   %.306.0494.i.i = phi i64 [ %.375.i.i, %B234.if.i.i ], [ %.131.i.i, %B234.if.preheader.i.i ]
   %.371.i.i = add nsw i64 %.309.0495.i.i, -1
   %.375.i.i = add i64 %.306.0494.i.i, 1
-  %.415.i.i = add nsw i64 %.306.0494.i.i, %.161.i.i8852
+  %.415.i.i = add nsw i64 %.306.0494.i.i, %.161.i.i8885
   %.429.i.i = icmp slt i64 %.415.i.i, 0
   %.430.i.i = select i1 %.429.i.i, i64 %arg.linear.1.5.0, i64 0
   %168 = getelementptr double, ptr %arg.linear.1.4, i64 %.415.i.i
@@ -1389,7 +1389,7 @@ B466.if.i.i:                                      ; preds = %B348.i.i, %B466.if.
   %.703.0499.i.i = phi i64 [ %.772.i.i, %B466.if.i.i ], [ %.131.i.i, %B348.i.i ]
   %.768.i.i = add nsw i64 %.706.0500.i.i, -1
   %.772.i.i = add i64 %.703.0499.i.i, 1
-  %.798.i.i = add nsw i64 %.703.0499.i.i, %.161.i.i8852
+  %.798.i.i = add nsw i64 %.703.0499.i.i, %.161.i.i8885
   %.812.i.i = icmp slt i64 %.798.i.i, 0
   %.813.i.i = select i1 %.812.i.i, i64 %arg.linear.1.5.0, i64 0
   %169 = getelementptr double, ptr %arg.linear.1.4, i64 %.798.i.i
@@ -1436,7 +1436,7 @@ B716.if.i.i:                                      ; preds = %B566.if.i.i, %B716.
   %173 = getelementptr double, ptr %arg.linear.1.4, i64 %.1296.i.i
   %.1325.i.i = getelementptr double, ptr %173, i64 %.1311.i.i
   %.1326.i.i = load double, ptr %.1325.i.i, align 8, !noalias !36
-  %.1328.i.i = add nsw i64 %.1199.0502.i.i, %.161.i.i8852
+  %.1328.i.i = add nsw i64 %.1199.0502.i.i, %.161.i.i8885
   %.1342.i.i = icmp slt i64 %.1328.i.i, 0
   %.1343.i.i = select i1 %.1342.i.i, i64 %arg.linear.1.5.0, i64 0
   %174 = getelementptr double, ptr %arg.linear.1.4, i64 %.1328.i.i
@@ -1452,10 +1452,10 @@ B156.if.i:                                        ; preds = %B126.i, %B326.i
   %.388.02152.i = phi i64 [ %.457.i, %B326.i ], [ 0, %B126.i ]
   %.457.i = add nsw i64 %.388.02152.i, 1
   %.489.i = sub i64 %.388.02152.i, %31
-  %.11.i.i8849 = tail call i64 @llvm.smax.i64(i64 %.489.i, i64 0)
-  %.521.i8850 = add i64 %.520.i8848, %.388.02152.i
-  %.11.i2116.i = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.521.i8850, i64 %arg.shape.1)
-  %.587.i = sub i64 %.11.i2116.i, %.11.i.i8849
+  %.11.i.i8882 = tail call i64 @llvm.smax.i64(i64 %.489.i, i64 0)
+  %.521.i8883 = add i64 %.520.i8881, %.388.02152.i
+  %.11.i2116.i = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.521.i8883, i64 %arg.shape.1)
+  %.587.i = sub i64 %.11.i2116.i, %.11.i.i8882
   %.6302148.not.i = icmp slt i64 %.587.i, 1
   br i1 %.6302148.not.i, label %B326.i, label %B272.if.lr.ph.i
 
@@ -1464,9 +1464,9 @@ B272.if.lr.ph.i:                                  ; preds = %B156.if.i
   br label %B272.if.i
 
 B272.if.i:                                        ; preds = %B272.if.i, %B272.if.lr.ph.i
-  %.577.02150.i = phi i64 [ %.587.i, %B272.if.lr.ph.i ], [ %.639.i8851, %B272.if.i ]
-  %.574.02149.i = phi i64 [ %.11.i.i8849, %B272.if.lr.ph.i ], [ %.643.i, %B272.if.i ]
-  %.639.i8851 = add nsw i64 %.577.02150.i, -1
+  %.577.02150.i = phi i64 [ %.587.i, %B272.if.lr.ph.i ], [ %.639.i8884, %B272.if.i ]
+  %.574.02149.i = phi i64 [ %.11.i.i8882, %B272.if.lr.ph.i ], [ %.643.i, %B272.if.i ]
+  %.639.i8884 = add nsw i64 %.577.02150.i, -1
   %.643.i = add i64 %.574.02149.i, 1
   %.671.i = add nsw i64 %.574.02149.i, %.670.i
   %.685.i = icmp slt i64 %.671.i, 0
@@ -1483,7 +1483,7 @@ B272.if.i:                                        ; preds = %B272.if.i, %B272.if
   br i1 %.630.i, label %B272.if.i, label %B326.i
 
 B1674:                                            ; preds = %B34.loopexit.i.i, %B126.i, %B1630
-  br i1 %.21409229.not, label %B1894, label %B1706.if
+  br i1 %.21409262.not, label %B1894, label %B1706.if
 
 B68.if.lr.ph.i:                                   ; preds = %B1706.if
   %.259.i = mul nsw i64 %.2153, %arg.shape.1
@@ -1498,7 +1498,7 @@ B314.i.loopexit.i:                                ; preds = %B474.if.i.i, %B314.
   br i1 %.683.i.i, label %B314.if.i.i, label %B326.if.lr.ph.i
 
 B326.if.lr.ph.i:                                  ; preds = %B314.i.loopexit.i
-  %.624.i8867 = mul nsw i64 %.2153, %arg.shape.1
+  %.624.i8900 = mul nsw i64 %.2153, %arg.shape.1
   br label %B326.if.i
 
 B34.if.i.i:                                       ; preds = %B68.if.i, %B34.i.loopexit.i
@@ -1512,13 +1512,13 @@ B34.if.i.i:                                       ; preds = %B68.if.i, %B34.i.lo
   %178 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.204.i.i
   %.233.i.i = getelementptr double, ptr %178, i64 %.219.i.i
   %.234.i.i = load double, ptr %.233.i.i, align 8, !noalias !39
-  %gep9228 = getelementptr double, ptr %invariant.gep9227, i64 %.73.i.0621.i
-  %.270.i.i = load double, ptr %gep9228, align 8, !noalias !39
+  %gep9261 = getelementptr double, ptr %invariant.gep9260, i64 %.73.i.0621.i
+  %.270.i.i = load double, ptr %gep9261, align 8, !noalias !39
   store double %.270.i.i, ptr %.233.i.i, align 8, !noalias !39
-  store double %.234.i.i, ptr %gep9228, align 8, !noalias !39
+  store double %.234.i.i, ptr %gep9261, align 8, !noalias !39
   %.340.i.i = add i64 %.339.i.i, %.73.i.0621.i
-  %.11.i.i.i8862 = tail call i64 @llvm.smin.i64(i64 %.340.i.i, i64 %arg.shape.1)
-  %.406.i.i = sub i64 %.11.i.i.i8862, %.144.i.i
+  %.11.i.i.i8895 = tail call i64 @llvm.smin.i64(i64 %.340.i.i, i64 %arg.shape.1)
+  %.406.i.i = sub i64 %.11.i.i.i8895, %.144.i.i
   %.449.i617.not.i = icmp slt i64 %.406.i.i, 1
   br i1 %.449.i617.not.i, label %B34.i.loopexit.i, label %B198.if.i.lr.ph.i
 
@@ -1556,17 +1556,17 @@ B314.if.i.i:                                      ; preds = %B34.i.loopexit.i, %
   %.740.i.i = icmp slt i64 %.726.i.i, 0
   %.741.i.i = select i1 %.740.i.i, i64 %arg.batch.5.0.5.0, i64 0
   %181 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.726.i.i
-  %.755.i.i8863 = getelementptr double, ptr %181, i64 %.741.i.i
-  %.756.i.i = load double, ptr %.755.i.i8863, align 8, !noalias !39
-  %.759.i.i8864 = mul nsw i64 %.627.i.0629.i, %arg.shape.1
-  %.761.i.i = add nsw i64 %.759.i.i8864, %.627.i.0629.i
+  %.755.i.i8896 = getelementptr double, ptr %181, i64 %.741.i.i
+  %.756.i.i = load double, ptr %.755.i.i8896, align 8, !noalias !39
+  %.759.i.i8897 = mul nsw i64 %.627.i.0629.i, %arg.shape.1
+  %.761.i.i = add nsw i64 %.759.i.i8897, %.627.i.0629.i
   %.775.i.i = icmp slt i64 %.761.i.i, 0
   %.776.i.i = select i1 %.775.i.i, i64 %arg.linear.1.5.0, i64 0
   %182 = getelementptr double, ptr %arg.linear.1.4, i64 %.761.i.i
   %.790.i.i = getelementptr double, ptr %182, i64 %.776.i.i
   %.791.i.i = load double, ptr %.790.i.i, align 8, !noalias !39
   %.795.i.i = fdiv double %.756.i.i, %.791.i.i
-  store double %.795.i.i, ptr %.755.i.i8863, align 8, !noalias !39
+  store double %.795.i.i, ptr %.755.i.i8896, align 8, !noalias !39
   %.866.i.i = sub i64 %.627.i.0629.i, %32
   %.11.i4.i.i = tail call i64 @llvm.smax.i64(i64 %.866.i.i, i64 0)
   %.932.i.i = sub i64 %.627.i.0629.i, %.11.i4.i.i
@@ -1583,174 +1583,174 @@ B474.if.i.i:                                      ; preds = %B314.if.i.i, %B474.
   %.1029.i.i = select i1 %.1028.i.i, i64 %arg.batch.5.0.5.0, i64 0
   %183 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1014.i.i
   %.1043.i.i = getelementptr double, ptr %183, i64 %.1029.i.i
-  %.1044.i.i8865 = load double, ptr %.1043.i.i, align 8, !noalias !39
-  %.1048.i.i = add nsw i64 %.919.i.0624.i, %.759.i.i8864
+  %.1044.i.i8898 = load double, ptr %.1043.i.i, align 8, !noalias !39
+  %.1048.i.i = add nsw i64 %.919.i.0624.i, %.759.i.i8897
   %.1062.i.i = icmp slt i64 %.1048.i.i, 0
   %.1063.i.i = select i1 %.1062.i.i, i64 %arg.linear.1.5.0, i64 0
   %184 = getelementptr double, ptr %arg.linear.1.4, i64 %.1048.i.i
   %.1077.i.i = getelementptr double, ptr %184, i64 %.1063.i.i
   %.1078.i.i = load double, ptr %.1077.i.i, align 8, !noalias !39
   %.1080.i.i = fmul double %.795.i.i, %.1078.i.i
-  %.1081.i.i = fsub double %.1044.i.i8865, %.1080.i.i
+  %.1081.i.i = fsub double %.1044.i.i8898, %.1080.i.i
   store double %.1081.i.i, ptr %.1043.i.i, align 8, !noalias !39
-  %.975.i.i8866 = icmp sgt i64 %.922.i.0625.i, 1
-  br i1 %.975.i.i8866, label %B474.if.i.i, label %B314.i.loopexit.i
+  %.975.i.i8899 = icmp sgt i64 %.922.i.0625.i, 1
+  br i1 %.975.i.i8899, label %B474.if.i.i, label %B314.i.loopexit.i
 
 B68.if.i:                                         ; preds = %B68.if.i, %B68.if.lr.ph.i
   %.160.0615.i = phi i64 [ 0, %B68.if.lr.ph.i ], [ %.231.i, %B68.if.i ]
   %.231.i = add nsw i64 %.160.0615.i, 1
   %.260.i = add nsw i64 %.160.0615.i, %.259.i
   %.274.i = icmp slt i64 %.260.i, 0
-  %.275.i8856 = select i1 %.274.i, i64 %arg.batch.5.0.5.0, i64 0
+  %.275.i8889 = select i1 %.274.i, i64 %arg.batch.5.0.5.0, i64 0
   %185 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.260.i
-  %.289.i8857 = getelementptr double, ptr %185, i64 %.275.i8856
-  %.290.i = load double, ptr %.289.i8857, align 8, !noalias !45
-  %gep9226 = getelementptr double, ptr %invariant.gep9225, i64 %.160.0615.i
-  %.323.i = load double, ptr %gep9226, align 8, !noalias !45
+  %.289.i8890 = getelementptr double, ptr %185, i64 %.275.i8889
+  %.290.i = load double, ptr %.289.i8890, align 8, !noalias !45
+  %gep9259 = getelementptr double, ptr %invariant.gep9258, i64 %.160.0615.i
+  %.323.i = load double, ptr %gep9259, align 8, !noalias !45
   %.324.i = fadd double %.290.i, %.323.i
   %186 = getelementptr i64, ptr %arg.linear.4.4, i64 %.160.0615.i
   %.356.i = load i64, ptr %186, align 8, !noalias !45
   %.357.i = add nsw i64 %.356.i, %.326.i
   %.371.i = icmp slt i64 %.357.i, 0
-  %.372.i8859 = select i1 %.371.i, i64 %arg.batch.5.0.5.0, i64 0
+  %.372.i8892 = select i1 %.371.i, i64 %arg.batch.5.0.5.0, i64 0
   %187 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.357.i
-  %.386.i8860 = getelementptr double, ptr %187, i64 %.372.i8859
-  store double %.324.i, ptr %.386.i8860, align 8, !noalias !45
-  %exitcond.not.i8861 = icmp eq i64 %arg.shape.1, %.231.i
-  br i1 %exitcond.not.i8861, label %B34.if.i.i, label %B68.if.i
+  %.386.i8893 = getelementptr double, ptr %187, i64 %.372.i8892
+  store double %.324.i, ptr %.386.i8893, align 8, !noalias !45
+  %exitcond.not.i8894 = icmp eq i64 %arg.shape.1, %.231.i
+  br i1 %exitcond.not.i8894, label %B34.if.i.i, label %B68.if.i
 
 B326.if.i:                                        ; preds = %B326.if.i, %B326.if.lr.ph.i
-  %.464.0631.i = phi i64 [ 0, %B326.if.lr.ph.i ], [ %.533.i8868, %B326.if.i ]
-  %.533.i8868 = add nsw i64 %.464.0631.i, 1
+  %.464.0631.i = phi i64 [ 0, %B326.if.lr.ph.i ], [ %.533.i8901, %B326.if.i ]
+  %.533.i8901 = add nsw i64 %.464.0631.i, 1
   %188 = getelementptr i64, ptr %arg.linear.4.4, i64 %.464.0631.i
-  %.589.i8869 = load i64, ptr %188, align 8, !noalias !45
-  %.590.i = add nsw i64 %.589.i8869, %.395.i
-  %.604.i8870 = icmp slt i64 %.590.i, 0
-  %.605.i = select i1 %.604.i8870, i64 %arg.batch.5.0.5.0, i64 0
+  %.589.i8902 = load i64, ptr %188, align 8, !noalias !45
+  %.590.i = add nsw i64 %.589.i8902, %.395.i
+  %.604.i8903 = icmp slt i64 %.590.i, 0
+  %.605.i = select i1 %.604.i8903, i64 %arg.batch.5.0.5.0, i64 0
   %189 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.590.i
   %.619.i = getelementptr double, ptr %189, i64 %.605.i
   %.620.i = load double, ptr %.619.i, align 8, !noalias !45
-  %.625.i8871 = add nsw i64 %.464.0631.i, %.624.i8867
-  %.639.i8872 = icmp slt i64 %.625.i8871, 0
-  %.640.i = select i1 %.639.i8872, i64 %arg.batch.5.0.5.0, i64 0
-  %190 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.i8871
+  %.625.i8904 = add nsw i64 %.464.0631.i, %.624.i8900
+  %.639.i8905 = icmp slt i64 %.625.i8904, 0
+  %.640.i = select i1 %.639.i8905, i64 %arg.batch.5.0.5.0, i64 0
+  %190 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.625.i8904
   %.654.i = getelementptr double, ptr %190, i64 %.640.i
   store double %.620.i, ptr %.654.i, align 8, !noalias !45
-  %exitcond634.not.i = icmp eq i64 %arg.shape.1, %.533.i8868
+  %exitcond634.not.i = icmp eq i64 %arg.shape.1, %.533.i8901
   br i1 %exitcond634.not.i, label %B1892, label %B326.if.i
 
 B1892:                                            ; preds = %B326.if.i, %B1706.if
-  %exitcond9423.not = icmp eq i64 %.2084.09230, %storemerge8762
-  br i1 %exitcond9423.not, label %B1894, label %B1706.if
+  %exitcond9456.not = icmp eq i64 %.2084.09263, %storemerge8794
+  br i1 %exitcond9456.not, label %B1894, label %B1706.if
 
 B1894:                                            ; preds = %B1892, %B1674
   %.2405 = load i64, ptr %.2404, align 8
   %.2450 = inttoptr i64 %.2405 to ptr
   tail call void %.2450(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.tolerances.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
   %brmerge = select i1 %.1175, i1 true, i1 %.610
-  %or.cond8819 = select i1 %brmerge, i1 true, i1 %.2481
-  %spec.select8837 = select i1 %or.cond8819, i1 true, i1 %.2486
+  %or.cond8851 = select i1 %brmerge, i1 true, i1 %.2481
+  %spec.select8869 = select i1 %or.cond8851, i1 true, i1 %.2486
   br i1 %.809, label %B2156, label %B2046.if
 
 B2054:                                            ; preds = %B2046.if
-  %191 = getelementptr double, ptr %33, i64 %.2526.09233
+  %191 = getelementptr double, ptr %33, i64 %.2526.09266
   %.2681 = load double, ptr %191, align 8
   %.2682 = fcmp ogt double %.2681, 5.000000e-01
   br label %B2100
 
 B2100:                                            ; preds = %B2054, %B2046.if
   %"$phi2100.1.2.2" = phi i1 [ true, %B2046.if ], [ %.2682, %B2054 ]
-  br i1 %looked.2.19236, label %B2152, label %B2106
+  br i1 %looked.2.19269, label %B2152, label %B2106
 
 B2106:                                            ; preds = %B2100
-  %192 = getelementptr double, ptr %34, i64 %.2526.09233
+  %192 = getelementptr double, ptr %34, i64 %.2526.09266
   %.2752 = load double, ptr %192, align 8
   %.2753 = fcmp ogt double %.2752, 5.000000e-01
   br label %B2152
 
 B2152:                                            ; preds = %B2106, %B2100
   %"$phi2152.1.2.2" = phi i1 [ true, %B2100 ], [ %.2753, %B2106 ]
-  %.2582 = icmp sgt i64 %.2529.09234, 1
+  %.2582 = icmp sgt i64 %.2529.09267, 1
   br i1 %.2582, label %B2046.if, label %B2156
 
 B2156:                                            ; preds = %B2152, %B1894
   %good.2.1.lcssa = phi i1 [ false, %B1894 ], [ %"$phi2100.1.2.2", %B2152 ]
-  %looked.2.1.lcssa = phi i1 [ %spec.select8837, %B1894 ], [ %"$phi2152.1.2.2", %B2152 ]
-  %looked.2.1.lcssa.not9427 = xor i1 %looked.2.1.lcssa, true
-  %brmerge9428 = or i1 %.809, %looked.2.1.lcssa.not9427
-  br i1 %brmerge9428, label %B2838, label %B82.if.i
+  %looked.2.1.lcssa = phi i1 [ %spec.select8869, %B1894 ], [ %"$phi2152.1.2.2", %B2152 ]
+  %looked.2.1.lcssa.not9460 = xor i1 %looked.2.1.lcssa, true
+  %brmerge9461 = or i1 %.809, %looked.2.1.lcssa.not9460
+  br i1 %brmerge9461, label %B2838, label %B82.if.i
 
 B2226.preheader:                                  ; preds = %B682.i
   br i1 %.809, label %B2838, label %B2228.if
 
 B140.i:                                           ; preds = %B82.if.i
-  %.311.i573 = getelementptr double, ptr %35, i64 %.105.i424.09240
-  %.312.i574 = load double, ptr %.311.i573, align 8, !noalias !46
-  %.5.i.i = fptosi double %.312.i574 to i64
-  %.386.i = getelementptr double, ptr %36, i64 %.105.i424.09240
+  %.311.i575 = getelementptr double, ptr %35, i64 %.105.i426.09273
+  %.312.i576 = load double, ptr %.311.i575, align 8, !noalias !46
+  %.5.i.i = fptosi double %.312.i576 to i64
+  %.386.i = getelementptr double, ptr %36, i64 %.105.i426.09273
   %.387.i = load double, ptr %.386.i, align 8, !noalias !46
   %.5.i1.i = fptosi double %.387.i to i64
-  %.463.i658 = mul i64 %.255.i529, %arg.batch.3.3.5.1
-  %.467.i = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.463.i658
-  %.468.i661 = load i64, ptr %.467.i, align 8, !noalias !46
-  %.470.i = add nsw i64 %.468.i661, %.5.i.i
+  %.463.i660 = mul i64 %.255.i531, %arg.batch.3.3.5.1
+  %.467.i = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.463.i660
+  %.468.i663 = load i64, ptr %.467.i, align 8, !noalias !46
+  %.470.i = add nsw i64 %.468.i663, %.5.i.i
   store i64 %.470.i, ptr %.467.i, align 8, !noalias !46
-  %.568.i740 = getelementptr i8, ptr %.467.i, i64 24
-  %.569.i741 = load i64, ptr %.568.i740, align 8, !noalias !46
-  %.571.i743 = add nsw i64 %.569.i741, %.5.i1.i
-  store i64 %.571.i743, ptr %.568.i740, align 8, !noalias !46
-  %.669.i821 = getelementptr i8, ptr %.467.i, i64 8
-  %.670.i822 = load i64, ptr %.669.i821, align 8, !noalias !46
-  %.675.i827 = add nsw i64 %.5.i1.i, %.5.i.i
-  %.676.i828 = mul nsw i64 %.675.i827, %.2097
+  %.568.i742 = getelementptr i8, ptr %.467.i, i64 24
+  %.569.i743 = load i64, ptr %.568.i742, align 8, !noalias !46
+  %.571.i745 = add nsw i64 %.569.i743, %.5.i1.i
+  store i64 %.571.i745, ptr %.568.i742, align 8, !noalias !46
+  %.669.i824 = getelementptr i8, ptr %.467.i, i64 8
+  %.670.i825 = load i64, ptr %.669.i824, align 8, !noalias !46
+  %.675.i830 = add nsw i64 %.5.i1.i, %.5.i.i
+  %.676.i831 = mul nsw i64 %.675.i830, %.2097
   %..5.i.i = select i1 %.625, i64 0, i64 %.5.i.i
-  %.677.i829 = add i64 %.676.i828, %..5.i.i
-  %.802.i920 = add i64 %.677.i829, %.670.i822
-  store i64 %.802.i920, ptr %.669.i821, align 8, !noalias !46
-  store double 0.000000e+00, ptr %.311.i573, align 8, !noalias !46
+  %.677.i832 = add i64 %.676.i831, %..5.i.i
+  %.802.i920 = add i64 %.677.i832, %.670.i825
+  store i64 %.802.i920, ptr %.669.i824, align 8, !noalias !46
+  store double 0.000000e+00, ptr %.311.i575, align 8, !noalias !46
   store double 0.000000e+00, ptr %.386.i, align 8, !noalias !46
-  %.1017.i1028 = getelementptr double, ptr %37, i64 %.105.i424.09240
+  %.1017.i1028 = getelementptr double, ptr %37, i64 %.105.i426.09273
   %.1018.i1029 = load double, ptr %.1017.i1028, align 8, !noalias !46
-  %.1026.i1034 = sitofp i64 %.675.i827 to double
+  %.1026.i1034 = sitofp i64 %.675.i830 to double
   %.1027.i1035 = fsub double %.1018.i1029, %.1026.i1034
   store double %.1027.i1035, ptr %.1017.i1028, align 8, !noalias !46
   br label %B682.i
 
 B682.i:                                           ; preds = %B140.i, %B82.if.i
-  %.164.i480 = icmp sgt i64 %.108.i.09241, 1
-  br i1 %.164.i480, label %B82.if.i, label %B2226.preheader
+  %.164.i482 = icmp sgt i64 %.108.i.09274, 1
+  br i1 %.164.i482, label %B82.if.i, label %B2226.preheader
 
 B82.if.i:                                         ; preds = %B2156, %B682.i
-  %.108.i.09241 = phi i64 [ %.173.i1070, %B682.i ], [ %storemerge, %B2156 ]
-  %.105.i424.09240 = phi i64 [ %.177.i1073, %B682.i ], [ 0, %B2156 ]
-  %.173.i1070 = add nsw i64 %.108.i.09241, -1
-  %.177.i1073 = add nsw i64 %.105.i424.09240, 1
-  %193 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i424.09240
-  %.255.i529 = load i64, ptr %193, align 8, !noalias !46
-  %.260.i532 = icmp sgt i64 %.255.i529, -1
-  br i1 %.260.i532, label %B140.i, label %B682.i
+  %.108.i.09274 = phi i64 [ %.173.i1070, %B682.i ], [ %storemerge, %B2156 ]
+  %.105.i426.09273 = phi i64 [ %.177.i1073, %B682.i ], [ 0, %B2156 ]
+  %.173.i1070 = add nsw i64 %.108.i.09274, -1
+  %.177.i1073 = add nsw i64 %.105.i426.09273, 1
+  %193 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i426.09273
+  %.255.i531 = load i64, ptr %193, align 8, !noalias !46
+  %.260.i534 = icmp sgt i64 %.255.i531, -1
+  br i1 %.260.i534, label %B140.i, label %B682.i
 
 B2358:                                            ; preds = %B2228.if
-  %.3192 = getelementptr double, ptr %40, i64 %.2873.09243
+  %.3192 = getelementptr double, ptr %40, i64 %.2873.09276
   %.3193 = load double, ptr %.3192, align 8
   %.3194 = fcmp ogt double %.3193, 5.000000e-01
   br i1 %.3194, label %B2406, label %B2516
 
 B2406:                                            ; preds = %B2358
   %.5.i = fptosi double %.3193 to i64
-  %194 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2873.09243
+  %194 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2873.09276
   %.84.i2151 = load i64, ptr %194, align 8, !noalias !50
   %.89.i2154 = icmp sgt i64 %.84.i2151, -1
   br i1 %.89.i2154, label %B46.i2159, label %B2516
 
 B2516:                                            ; preds = %B2358, %B46.i2159, %B2406, %B80.i2192
-  %.3372 = getelementptr double, ptr %41, i64 %.2873.09243
+  %.3372 = getelementptr double, ptr %41, i64 %.2873.09276
   %.3373 = load double, ptr %.3372, align 8
   %.3374 = fcmp ogt double %.3373, 5.000000e-01
   br i1 %.3374, label %B2564, label %B2834
 
 B2564:                                            ; preds = %B2516
-  %spec.select = select i1 %within.3.29245, i1 true, i1 %.2481
+  %spec.select = select i1 %within.3.29278, i1 true, i1 %.2481
   %.3446 = mul i64 %.3031, %arg.batch.3.3.5.1
   %.3450 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.3446
   %.3451 = load i64, ptr %.3450, align 8
@@ -1759,7 +1759,7 @@ B2564:                                            ; preds = %B2516
   br i1 %.3492, label %B2692, label %B2644
 
 B2644:                                            ; preds = %B2564
-  %.3549 = getelementptr double, ptr %42, i64 %.2873.09243
+  %.3549 = getelementptr double, ptr %42, i64 %.2873.09276
   %.3550 = load double, ptr %.3549, align 8
   %.3552 = fcmp ogt double %.3550, 0.000000e+00
   br i1 %.3552, label %B2692, label %B2732
@@ -1769,7 +1769,7 @@ B2692:                                            ; preds = %B2564, %B2644
   br label %B2732
 
 B2732:                                            ; preds = %B2692, %B2644
-  %checked.5.5 = phi i1 [ true, %B2692 ], [ %checked.3.29246, %B2644 ]
+  %checked.5.5 = phi i1 [ true, %B2692 ], [ %checked.3.29279, %B2644 ]
   %.3631 = icmp slt i64 %.3082, %arg.batch.2.5.0
   br i1 %.3631, label %B2770, label %B2834
 
@@ -1779,7 +1779,7 @@ B2770:                                            ; preds = %B2732
   %195 = getelementptr double, ptr %arg.batch.2.4, i64 %.3082
   %.3670 = getelementptr double, ptr %195, i64 %.3656
   %.3671 = load double, ptr %.3670, align 8
-  %.3725 = getelementptr double, ptr %43, i64 %.2873.09243
+  %.3725 = getelementptr double, ptr %43, i64 %.2873.09276
   %.3726 = load double, ptr %.3725, align 8
   %.3727 = fcmp olt double %.3671, %.3726
   br i1 %.3727, label %B2830, label %B2834
@@ -1788,17 +1788,17 @@ B2830:                                            ; preds = %B2770
   br label %B2834
 
 B2834:                                            ; preds = %B2228.if, %B2830, %B2770, %B2732, %B2516
-  %within.4.3 = phi i1 [ true, %B2830 ], [ %spec.select, %B2770 ], [ %spec.select, %B2732 ], [ %within.3.29245, %B2516 ], [ %within.3.29245, %B2228.if ]
-  %checked.4.3 = phi i1 [ %checked.5.5, %B2830 ], [ %checked.5.5, %B2770 ], [ %checked.5.5, %B2732 ], [ %checked.3.29246, %B2516 ], [ %checked.3.29246, %B2228.if ]
-  %.2936 = icmp sgt i64 %.2876.09244, 1
+  %within.4.3 = phi i1 [ true, %B2830 ], [ %spec.select, %B2770 ], [ %spec.select, %B2732 ], [ %within.3.29278, %B2516 ], [ %within.3.29278, %B2228.if ]
+  %checked.4.3 = phi i1 [ %checked.5.5, %B2830 ], [ %checked.5.5, %B2770 ], [ %checked.5.5, %B2732 ], [ %checked.3.29279, %B2516 ], [ %checked.3.29279, %B2228.if ]
+  %.2936 = icmp sgt i64 %.2876.09277, 1
   br i1 %.2936, label %B2228.if, label %B2838
 
 B2838:                                            ; preds = %B2834, %B2156, %B2226.preheader
   %within.5.1 = phi i1 [ false, %B2156 ], [ false, %B2226.preheader ], [ %within.4.3, %B2834 ]
   %checked.2.1 = phi i1 [ false, %B2156 ], [ false, %B2226.preheader ], [ %checked.4.3, %B2834 ]
   %good.2.1.not = xor i1 %good.2.1.lcssa, true
-  %brmerge8821 = select i1 %good.2.1.not, i1 true, i1 %44
-  br i1 %brmerge8821, label %B2948, label %B2850
+  %brmerge8853 = select i1 %good.2.1.not, i1 true, i1 %44
+  br i1 %brmerge8853, label %B2948, label %B2850
 
 B2850:                                            ; preds = %B2838
   tail call void %.3825(ptr %.571, ptr %.3799, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.3824)
@@ -1820,8 +1820,8 @@ B2960:                                            ; preds = %B2952, %B2952
   br label %B3038
 
 B3038:                                            ; preds = %B2952, %B2960, %B2948
-  %brmerge8824.not = and i1 %.2486, %good.2.1.lcssa
-  br i1 %brmerge8824.not, label %B3058, label %B3200
+  %brmerge8856.not = and i1 %.2486, %good.2.1.lcssa
+  br i1 %brmerge8856.not, label %B3058, label %B3200
 
 B3058:                                            ; preds = %B3038
   %.3959 = load i64, ptr %.3958, align 8
@@ -1836,19 +1836,19 @@ B3058:                                            ; preds = %B3038
 
 B3200:                                            ; preds = %B3058, %B3038
   %beyond.3.1 = phi i1 [ false, %B3038 ], [ %.4081, %B3058 ]
-  %brmerge8825 = select i1 %within.5.1, i1 true, i1 %beyond.3.1
-  br i1 %brmerge8825, label %B3210, label %B3786
+  %brmerge8857 = select i1 %within.5.1, i1 true, i1 %beyond.3.1
+  br i1 %brmerge8857, label %B3210, label %B3786
 
 B3210:                                            ; preds = %B3200
   br i1 %.614, label %B3258.if, label %B3628.critedge
 
 B160.i:                                           ; preds = %B64.if.i3146
-  %.397.i2550 = getelementptr double, ptr %46, i64 %.138.i2326.09253
+  %.397.i2550 = getelementptr double, ptr %46, i64 %.138.i2326.09286
   %.398.i2551 = load double, ptr %.397.i2550, align 8, !noalias !54
   %.399.i = fcmp uge double %.398.i2551, 5.000000e-01
   %.412.i2558.not = icmp slt i64 %.338.i2501, %arg.batch.2.5.0
-  %or.cond8826 = select i1 %.399.i, i1 %.412.i2558.not, i1 false
-  br i1 %or.cond8826, label %B248.i, label %B533.i
+  %or.cond8858 = select i1 %.399.i, i1 %.412.i2558.not, i1 false
+  br i1 %or.cond8858, label %B248.i, label %B533.i
 
 B248.i:                                           ; preds = %B160.i
   %.435.i2569 = icmp slt i64 %.338.i2501, 0
@@ -1856,24 +1856,24 @@ B248.i:                                           ; preds = %B160.i
   %196 = getelementptr double, ptr %arg.batch.2.4, i64 %.338.i2501
   %.450.i2584 = getelementptr double, ptr %196, i64 %.436.i2570
   %.451.i2585 = load double, ptr %.450.i2584, align 8, !noalias !54
-  %.501.i2629 = getelementptr double, ptr %47, i64 %.138.i2326.09253
+  %.501.i2629 = getelementptr double, ptr %47, i64 %.138.i2326.09286
   %.502.i2630 = load double, ptr %.501.i2629, align 8, !noalias !54
   %.503.i2631 = fcmp olt double %.451.i2585, %.502.i2630
   br i1 %.503.i2631, label %B308.i, label %B533.i
 
 B308.i:                                           ; preds = %B248.i
-  %.554.i2672 = getelementptr double, ptr %48, i64 %.138.i2326.09253
+  %.554.i2672 = getelementptr double, ptr %48, i64 %.138.i2326.09286
   %.555.i2673 = load double, ptr %.554.i2672, align 8, !noalias !54
   %.556.i2674 = fcmp ogt double %.555.i2673, 1.000000e+00
   br i1 %.556.i2674, label %B356.i2675, label %B533.i
 
 B356.i2675:                                       ; preds = %B308.i
-  %.608.i2720 = getelementptr double, ptr %49, i64 %.138.i2326.09253
+  %.608.i2720 = getelementptr double, ptr %49, i64 %.138.i2326.09286
   %.609.i2721 = load double, ptr %.608.i2720, align 8, !noalias !54
   store double 0.000000e+00, ptr %.397.i2550, align 8, !noalias !58
-  %.161.i.i2881 = getelementptr double, ptr %50, i64 %.138.i2326.09253
+  %.161.i.i2881 = getelementptr double, ptr %50, i64 %.138.i2326.09286
   store double 0.000000e+00, ptr %.161.i.i2881, align 8, !noalias !58
-  %.214.i.i2908 = getelementptr double, ptr %51, i64 %.138.i2326.09253
+  %.214.i.i2908 = getelementptr double, ptr %51, i64 %.138.i2326.09286
   store double %.609.i2721, ptr %.214.i.i2908, align 8, !noalias !58
   %.268.i.i = load i64, ptr %.286.i2456, align 8, !noalias !58
   %.294.i.i2942 = icmp slt i64 %.268.i.i, 0
@@ -1895,7 +1895,7 @@ B356.i2675:                                       ; preds = %B308.i
   %.480.i.i = add nsw i64 %.479.i.i, 1
   store i64 %.480.i.i, ptr %.478.i.i, align 8, !noalias !58
   %.681.i3008 = load double, ptr %.450.i2584, align 8, !noalias !54
-  %.735.i3052 = getelementptr double, ptr %52, i64 %.138.i2326.09253
+  %.735.i3052 = getelementptr double, ptr %52, i64 %.138.i2326.09286
   store double %.681.i3008, ptr %.735.i3052, align 8, !noalias !54
   %.784.i3095 = mul i64 %.287.i2457, %arg.batch.3.3.5.1
   %198 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.784.i3095
@@ -1906,17 +1906,17 @@ B356.i2675:                                       ; preds = %B308.i
   br label %B533.i
 
 B533.i:                                           ; preds = %B248.i, %B308.i, %B356.i2675, %B64.if.i3146, %B160.i
-  %.196.i2395 = icmp sgt i64 %.141.i2327.09252, 1
+  %.196.i2395 = icmp sgt i64 %.141.i2327.09285, 1
   br i1 %.196.i2395, label %B64.if.i3146, label %B3628
 
 B64.if.i3146:                                     ; preds = %B3258.if, %B533.i
-  %.138.i2326.09253 = phi i64 [ %.209.i3153, %B533.i ], [ 0, %B3258.if ]
-  %.141.i2327.09252 = phi i64 [ %.205.i3150, %B533.i ], [ %storemerge, %B3258.if ]
-  %.205.i3150 = add nsw i64 %.141.i2327.09252, -1
-  %.209.i3153 = add nsw i64 %.138.i2326.09253, 1
-  %.286.i2456 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.138.i2326.09253
+  %.138.i2326.09286 = phi i64 [ %.209.i3153, %B533.i ], [ 0, %B3258.if ]
+  %.141.i2327.09285 = phi i64 [ %.205.i3150, %B533.i ], [ %storemerge, %B3258.if ]
+  %.205.i3150 = add nsw i64 %.141.i2327.09285, -1
+  %.209.i3153 = add nsw i64 %.138.i2326.09286, 1
+  %.286.i2456 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.138.i2326.09286
   %.287.i2457 = load i64, ptr %.286.i2456, align 8, !noalias !54
-  %.337.i2500 = getelementptr i64, ptr %45, i64 %.138.i2326.09253
+  %.337.i2500 = getelementptr i64, ptr %45, i64 %.138.i2326.09286
   %.338.i2501 = load i64, ptr %.337.i2500, align 8, !noalias !54
   %.346.i2505 = icmp slt i64 %.287.i2457, 0
   br i1 %.346.i2505, label %B533.i, label %B160.i
@@ -1937,9 +1937,9 @@ B3632:                                            ; preds = %B3628
   br i1 %.4647.not, label %B3632.endif.endif, label %B3632.endif.if, !prof !53
 
 B3700:                                            ; preds = %B3632.endif.endif
-  %.231.i8873 = load double, ptr %.230.i, align 8, !noalias !61
-  %.260.i8874 = load double, ptr %arg.batch.2.4, align 8, !noalias !61
-  %.261.i = fsub double %.231.i8873, %.260.i8874
+  %.231.i8906 = load double, ptr %.230.i, align 8, !noalias !61
+  %.260.i8907 = load double, ptr %arg.batch.2.4, align 8, !noalias !61
+  %.261.i = fsub double %.231.i8906, %.260.i8907
   %.262.i = fmul double %.261.i, 1.000000e-13
   br i1 %.809, label %B296.preheader.i.preheader, label %B178.if.i.preheader
 
@@ -1953,21 +1953,21 @@ B296.preheader.i.preheader:                       ; preds = %B178.if.i.preheader
 B296.preheader.i:                                 ; preds = %B296.preheader.i.preheader, %B364.endif.i
   %.545.sroa.0.08201.i = phi i64 [ %.502.18200.i, %B364.endif.i ], [ 8, %B296.preheader.i.preheader ]
   %.502.18200.i = phi i64 [ %.502.1.i, %B364.endif.i ], [ 7, %B296.preheader.i.preheader ]
-  br i1 %.809, label %B364.endif.i, label %B296.if.i8877.preheader
+  br i1 %.809, label %B364.endif.i, label %B296.if.i8910.preheader
 
-B296.if.i8877.preheader:                          ; preds = %B296.preheader.i
-  %switch.tableidx9467 = add i64 %.545.sroa.0.08201.i, 9
-  %199 = icmp ult i64 %switch.tableidx9467, 17
-  %switch.gep9469 = getelementptr inbounds double, ptr @switch.table.advance_of_many.8, i64 %switch.tableidx9467
-  br label %B296.if.i8877
+B296.if.i8910.preheader:                          ; preds = %B296.preheader.i
+  %switch.tableidx9500 = add i64 %.545.sroa.0.08201.i, 9
+  %199 = icmp ult i64 %switch.tableidx9500, 17
+  %switch.gep9502 = getelementptr inbounds double, ptr @switch.table.advance_of_many.8, i64 %switch.tableidx9500
+  br label %B296.if.i8910
 
 B296.loopexit.i:                                  ; preds = %B122.if.i467.i, %switch.end.i
-  %exitcond8384.not.i = icmp eq i64 %arg.shape.0, %.689.i8878
-  br i1 %exitcond8384.not.i, label %B88.if.i.lr.ph.i, label %B296.if.i8877
+  %exitcond8384.not.i = icmp eq i64 %arg.shape.0, %.689.i8911
+  br i1 %exitcond8384.not.i, label %B88.if.i.lr.ph.i, label %B296.if.i8910
 
 B88.if.i.lr.ph.i:                                 ; preds = %B296.loopexit.i
-  %.151.i.i.i8879 = mul nsw i64 %.545.sroa.0.08201.i, 3
-  %.153.i.i7087987.i = add nsw i64 %.151.i.i.i8879, 1
+  %.151.i.i.i8912 = mul nsw i64 %.545.sroa.0.08201.i, 3
+  %.153.i.i7087987.i = add nsw i64 %.151.i.i.i8912, 1
   %.155.i.i710.i = mul i64 %.153.i.i7087987.i, %arg.shape.6
   br label %B88.if.i.i
 
@@ -1981,9 +1981,9 @@ B202.i.i:                                         ; preds = %B140.i.i
   %.469.i.i = getelementptr double, ptr %58, i64 %.203.i538.08178.i
   %.470.i.i = load double, ptr %.469.i.i, align 8, !noalias !65
   %.520.i.i = getelementptr double, ptr %59, i64 %.203.i538.08178.i
-  %.521.i.i8908 = load double, ptr %.520.i.i, align 8, !noalias !65
-  %.522.i.i8909 = fcmp olt double %.470.i.i, %.521.i.i8908
-  br i1 %.522.i.i8909, label %B34.i.i.i, label %B334.i.i
+  %.521.i.i8941 = load double, ptr %.520.i.i, align 8, !noalias !65
+  %.522.i.i8942 = fcmp olt double %.470.i.i, %.521.i.i8941
+  br i1 %.522.i.i8942, label %B34.i.i.i, label %B334.i.i
 
 B34.i.i.i:                                        ; preds = %B202.i.i, %B34.if.i.i.i
   %.51.i.i492.0.i = phi i64 [ %.122.i.i.i, %B34.if.i.i.i ], [ 0, %B202.i.i ]
@@ -2028,8 +2028,8 @@ B390.i.i:                                         ; preds = %B334.i.i
 
 B398.i.i:                                         ; preds = %B390.i.i
   %.699.i.not.i = icmp eq i64 %.545.sroa.0.08201.i, 8
-  %..i8903 = select i1 %.699.i.not.i, i64 17, i64 16
-  %.714.i.i = mul i64 %..i8903, %.463
+  %..i8936 = select i1 %.699.i.not.i, i64 17, i64 16
+  %.714.i.i = mul i64 %..i8936, %.463
   %.722.i.i = mul i64 %factor.op.mul.reass, %.545.sroa.0.08201.i
   %.757.i.i = load i64, ptr %arg.code.4, align 8, !noalias !65
   %.847.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.714.i.i
@@ -2074,8 +2074,8 @@ B466.endif.i.i:                                   ; preds = %B34.if.i111.i.i
   %.938.i.i = load i64, ptr %.937.i.i, align 8, !noalias !65
   %.1050.i.i = inttoptr i64 %.938.i.i to ptr
   tail call void %.1050.i.i(ptr %.571, ptr %.847.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !65
-  %.1081.i.i8904 = load i64, ptr %arg.code.4, align 8, !noalias !65
-  %.1197.i.i = inttoptr i64 %.1081.i.i8904 to ptr
+  %.1081.i.i8937 = load i64, ptr %arg.code.4, align 8, !noalias !65
+  %.1197.i.i = inttoptr i64 %.1081.i.i8937 to ptr
   tail call void %.1197.i.i(ptr %.571, ptr %.847.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1196.i.i), !noalias !65
   br label %B34.if.i316.i.i
 
@@ -2103,14 +2103,14 @@ B466.endif.endif.i.i.critedge:                    ; preds = %B398.i.i
   %.938.i.i.c = load i64, ptr %.937.i.i, align 8, !noalias !65
   %.1050.i.i.c = inttoptr i64 %.938.i.i.c to ptr
   tail call void %.1050.i.i.c(ptr %.571, ptr %.847.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !65
-  %.1081.i.i8904.c = load i64, ptr %arg.code.4, align 8, !noalias !65
-  %.1197.i.i.c = inttoptr i64 %.1081.i.i8904.c to ptr
+  %.1081.i.i8937.c = load i64, ptr %arg.code.4, align 8, !noalias !65
+  %.1197.i.i.c = inttoptr i64 %.1081.i.i8937.c to ptr
   tail call void %.1197.i.i.c(ptr %.571, ptr %.847.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1196.i.i), !noalias !65
   br label %B466.endif.endif.i.i
 
 B466.endif.endif.i.i:                             ; preds = %B34.if.i316.i.i, %B466.endif.endif.i.i.critedge
-  %.1264.i.i8905 = load i64, ptr %.937.i.i, align 8, !noalias !65
-  %.1378.i.i = inttoptr i64 %.1264.i.i8905 to ptr
+  %.1264.i.i8938 = load i64, ptr %.937.i.i, align 8, !noalias !65
+  %.1378.i.i = inttoptr i64 %.1264.i.i8938 to ptr
   tail call void %.1378.i.i(ptr %.571, ptr %.847.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !65
   br label %B1136.if.i.i
 
@@ -2161,9 +2161,9 @@ B1222.if.i.i:                                     ; preds = %B1222.if.i.i, %B122
   %.1931.i.i = fcmp oeq double %.1930.i.i, 0.000000e+00
   %.1924.i..i = select i1 %.1931.i.i, double %.1924.i.i, double 0x7FF0000000000000
   %.1998.i.i = load double, ptr %gep.i, align 8, !noalias !65
-  %.10.i.i.i8906 = fcmp ogt double %.1924.i..i, %.1998.i.i
-  %.11.i.i.i8907 = select i1 %.10.i.i.i8906, double %.1924.i..i, double %.1998.i.i
-  store double %.11.i.i.i8907, ptr %gep.i, align 8, !noalias !65
+  %.10.i.i.i8939 = fcmp ogt double %.1924.i..i, %.1998.i.i
+  %.11.i.i.i8940 = select i1 %.10.i.i.i8939, double %.1924.i..i, double %.1998.i.i
+  store double %.11.i.i.i8940, ptr %gep.i, align 8, !noalias !65
   %exitcond8389.not.i = icmp eq i64 %arg.shape.1, %.1671.i.i
   br i1 %exitcond8389.not.i, label %B1134.i.loopexit.i, label %B1222.if.i.i
 
@@ -2203,19 +2203,19 @@ B210.i.i:                                         ; preds = %B142.i.i
 
 B306.i.i:                                         ; preds = %B240.if.i.i
   %.476.i.i = add nsw i64 %.372.i835.08203.i, %.474.i1514.i
-  %.478.i.i8900 = mul nsw i64 %.476.i.i, %arg.shape.0
-  %.480.i.i8901 = add nsw i64 %.478.i.i8900, %.180.i826.sroa.0.08223.i
-  %.504.i1551.i = icmp slt i64 %.480.i.i8901, 0
+  %.478.i.i8933 = mul nsw i64 %.476.i.i, %arg.shape.0
+  %.480.i.i8934 = add nsw i64 %.478.i.i8933, %.180.i826.sroa.0.08223.i
+  %.504.i1551.i = icmp slt i64 %.480.i.i8934, 0
   %.505.i1552.i = select i1 %.504.i1551.i, i64 %arg.batch.5.4.5.0, i64 0
-  %215 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.480.i.i8901
+  %215 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.480.i.i8934
   %.519.i1561.i = getelementptr double, ptr %215, i64 %.505.i1552.i
   %.520.i1562.i = load double, ptr %.519.i1561.i, align 8, !noalias !81
-  %.525.i.i = add nsw i64 %.480.i.i8901, %.194.i.i739.i
+  %.525.i.i = add nsw i64 %.480.i.i8934, %.194.i.i739.i
   %.541.i.i = icmp slt i64 %.525.i.i, 0
   %.542.i.i = select i1 %.541.i.i, i64 %arg.batch.5.4.5.0, i64 0
   %216 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.525.i.i
-  %.556.i.i8902 = getelementptr double, ptr %216, i64 %.542.i.i
-  %.557.i1582.i = load double, ptr %.556.i.i8902, align 8, !noalias !81
+  %.556.i.i8935 = getelementptr double, ptr %216, i64 %.542.i.i
+  %.557.i1582.i = load double, ptr %.556.i.i8935, align 8, !noalias !81
   %.558.i1583.i = fneg double %.557.i1582.i
   %.559.i1584.i = fcmp olt double %.520.i1562.i, %.558.i1583.i
   %217 = select i1 %.559.i1584.i, double -1.000000e+00, double 1.000000e+00
@@ -2247,7 +2247,7 @@ B480.i.i:                                         ; preds = %B438.i.i, %B416.i.i
   br i1 %.428.i10648202.not.i, label %B562.i.i.preheader, label %B58.if.i.i.i
 
 B58.if.i.i.i:                                     ; preds = %B480.i.i, %B58.if.i.i.i
-  %least.2.i.i.08208.i = phi double [ %.11.i.i.i.i8898, %B58.if.i.i.i ], [ 0x7FF0000000000000, %B480.i.i ]
+  %least.2.i.i.08208.i = phi double [ %.11.i.i.i.i8931, %B58.if.i.i.i ], [ 0x7FF0000000000000, %B480.i.i ]
   %.54.i.i807.08206.i = phi i64 [ %.125.i.i1473.i, %B58.if.i.i.i ], [ 0, %B480.i.i ]
   %.125.i.i1473.i = add nsw i64 %.54.i.i807.08206.i, 1
   %.156.i.i1391.i = add nsw i64 %.54.i.i807.08206.i, %.474.i1514.i
@@ -2274,13 +2274,13 @@ B58.if.i.i.i:                                     ; preds = %B480.i.i, %B58.if.i
   %.262.i.i1461.i = getelementptr double, ptr %221, i64 %.248.i.i1451.i
   %.263.i.i1462.i = load double, ptr %.262.i.i1461.i, align 8, !noalias !85
   %.264.i.i1463.i = fadd double %.229.i.i1440.i, %.263.i.i1462.i
-  %.10.i.i.i.i8897 = fcmp olt double %.264.i.i1463.i, %least.2.i.i.08208.i
-  %.11.i.i.i.i8898 = select i1 %.10.i.i.i.i8897, double %.264.i.i1463.i, double %least.2.i.i.08208.i
+  %.10.i.i.i.i8930 = fcmp olt double %.264.i.i1463.i, %least.2.i.i.08208.i
+  %.11.i.i.i.i8931 = select i1 %.10.i.i.i.i8930, double %.264.i.i1463.i, double %least.2.i.i.08208.i
   %exitcond8392.not.i = icmp eq i64 %arg.shape.6, %.125.i.i1473.i
   br i1 %exitcond8392.not.i, label %B562.i.i.preheader, label %B58.if.i.i.i
 
 B562.i.i.preheader:                               ; preds = %B58.if.i.i.i, %B480.i.i
-  %here.4.i.2.i.ph = phi double [ 0x7FF0000000000000, %B480.i.i ], [ %.11.i.i.i.i8898, %B58.if.i.i.i ]
+  %here.4.i.2.i.ph = phi double [ 0x7FF0000000000000, %B480.i.i ], [ %.11.i.i.i.i8931, %B58.if.i.i.i ]
   br label %B562.i.i
 
 B562.i.i:                                         ; preds = %B562.i.i.preheader, %B676.i.i
@@ -2348,15 +2348,15 @@ B676.i.i:                                         ; preds = %switch.8.1.i.i, %sw
   br i1 %or.cond.i, label %B720.i.i, label %B562.i.i
 
 B720.i.i:                                         ; preds = %B676.i.i
-  br i1 %.1022.i1337.i, label %switch.lookup9443, label %B768.i.i
+  br i1 %.1022.i1337.i, label %switch.lookup9476, label %B768.i.i
 
-switch.lookup9443:                                ; preds = %B720.i.i
-  %switch.gep9444 = getelementptr inbounds double, ptr @switch.table.advance_of_many.3, i64 %look.2.i.2.i
-  %switch.load9445 = load double, ptr %switch.gep9444, align 8
+switch.lookup9476:                                ; preds = %B720.i.i
+  %switch.gep9477 = getelementptr inbounds double, ptr @switch.table.advance_of_many.3, i64 %look.2.i.2.i
+  %switch.load9478 = load double, ptr %switch.gep9477, align 8
   br label %B768.i.i
 
-B768.i.i:                                         ; preds = %switch.lookup9443, %B720.i.i
-  %"$phi768.2.2.i.2.i" = phi double [ %low.3.i.3.i, %B720.i.i ], [ %switch.load9445, %switch.lookup9443 ]
+B768.i.i:                                         ; preds = %switch.lookup9476, %B720.i.i
+  %"$phi768.2.2.i.2.i" = phi double [ %low.3.i.3.i, %B720.i.i ], [ %switch.load9478, %switch.lookup9476 ]
   %.1156.i1225.i = getelementptr double, ptr %58, i64 %.312.i1016.i
   store double %low.3.i.3.i, ptr %.1156.i1225.i, align 8, !noalias !81
   %.1210.i.i = getelementptr double, ptr %59, i64 %.312.i1016.i
@@ -2405,8 +2405,8 @@ B58.if.i186.i.lr.ph.i:                            ; preds = %B58.i66.i.preheader
 
 B596.endif.i.i:                                   ; preds = %B58.if.i186.i.i, %B58.i66.i.preheader.i
   %least.2.i16.i.0.lcssa.i = phi double [ 0x7FF0000000000000, %B58.i66.i.preheader.i ], [ %.11.i.i182.i.i, %B58.if.i186.i.i ]
-  %.915.i.i8899 = fcmp ult double %least.2.i16.i.0.lcssa.i, 0.000000e+00
-  br i1 %.915.i.i8899, label %B676.i.i, label %B646.i.i
+  %.915.i.i8932 = fcmp ult double %least.2.i16.i.0.lcssa.i, 0.000000e+00
+  br i1 %.915.i.i8932, label %B676.i.i, label %B646.i.i
 
 switch.1.1.i.i:                                   ; preds = %B646.i.i
   br label %B676.i.i
@@ -2489,8 +2489,8 @@ B282.i.i:                                         ; preds = %B250.i.i, %B282.i.i
   %r.2.0.i.i = phi double [ %r.3.1.i.i, %B282.i.i ], [ 1.000000e+00, %B250.i.i ]
   %a.1.2.0.i.i = phi double [ %.147.i8004.i, %B282.i.i ], [ 2.000000e+00, %B250.i.i ]
   %exp.4.0.i.i = phi i64 [ %.142.i.i, %B282.i.i ], [ %.209.i1732.sroa.0.08255.i, %B250.i.i ]
-  %.122.i.i8881 = and i64 %exp.4.0.i.i, 1
-  %.123.not.i.i = icmp eq i64 %.122.i.i8881, 0
+  %.122.i.i8914 = and i64 %exp.4.0.i.i, 1
+  %.123.not.i.i = icmp eq i64 %.122.i.i8914, 0
   %.127.i.i = fmul double %r.2.0.i.i, %a.1.2.0.i.i
   %r.3.1.i.i = select i1 %.123.not.i.i, double %r.2.0.i.i, double %.127.i.i
   %.142.i.i = lshr i64 %exp.4.0.i.i, 1
@@ -2638,70 +2638,70 @@ B250.endif.i.i:                                   ; preds = %B0.endif.i.i2628.i,
 
 B122.if.i.i.lr.ph.i:                              ; preds = %B250.endif.i.i
   %.247.i.i.i.i = fsub double 1.000000e+00, %.511.i1747.0.i
-  %invariant.gep9272 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08233.i
-  %invariant.gep9274 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08233.i
-  %invariant.gep9276 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08233.i
-  %invariant.gep9278 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08233.i
-  %invariant.gep9280 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08233.i
-  %invariant.gep9282 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08233.i
-  %invariant.gep9284 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08233.i
-  %invariant.gep9286 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08233.i
-  %invariant.gep9288 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08233.i
+  %invariant.gep9305 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08233.i
+  %invariant.gep9307 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08233.i
+  %invariant.gep9309 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08233.i
+  %invariant.gep9311 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08233.i
+  %invariant.gep9313 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08233.i
+  %invariant.gep9315 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08233.i
+  %invariant.gep9317 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08233.i
+  %invariant.gep9319 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08233.i
+  %invariant.gep9321 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08233.i
   br label %B122.if.i.i.i
 
 B122.if.i.i.i:                                    ; preds = %B122.if.i.i.i, %B122.if.i.i.lr.ph.i
   %.229.i313.i.08230.i = phi i64 [ 0, %B122.if.i.i.lr.ph.i ], [ %.300.i.i.i, %B122.if.i.i.i ]
   %.157.i.i.i.i = add nsw i64 %.229.i313.i.08230.i, %.155.i.i.i.i
   %.159.i.i.i.i = mul nsw i64 %.157.i.i.i.i, %arg.shape.0
-  %gep9273 = getelementptr double, ptr %invariant.gep9272, i64 %.159.i.i.i.i
-  %.191.i.i.i.i = load double, ptr %gep9273, align 8, !noalias !110
+  %gep9306 = getelementptr double, ptr %invariant.gep9305, i64 %.159.i.i.i.i
+  %.191.i.i.i.i = load double, ptr %gep9306, align 8, !noalias !110
   %.193.i.i.i.i = fadd double %.191.i.i.i.i, 0.000000e+00
   %.253.i.i.i.i = fmul double %.511.i1747.0.i, %.193.i.i.i.i
   %.157.i.i.i.1.i = add nsw i64 %.229.i313.i.08230.i, %.155.i.i.i.1.i
   %.159.i.i.i.1.i = mul nsw i64 %.157.i.i.i.1.i, %arg.shape.0
-  %gep9275 = getelementptr double, ptr %invariant.gep9274, i64 %.159.i.i.i.1.i
-  %.191.i.i.i.1.i = load double, ptr %gep9275, align 8, !noalias !110
+  %gep9308 = getelementptr double, ptr %invariant.gep9307, i64 %.159.i.i.i.1.i
+  %.191.i.i.i.1.i = load double, ptr %gep9308, align 8, !noalias !110
   %.193.i.i.i.1.i = fadd double %.191.i.i.i.1.i, %.253.i.i.i.i
   %.253.i.i.i.1.i = fmul double %.247.i.i.i.i, %.193.i.i.i.1.i
   %.157.i.i.i.2.i = add nsw i64 %.229.i313.i.08230.i, %.155.i.i.i.2.i
   %.159.i.i.i.2.i = mul nsw i64 %.157.i.i.i.2.i, %arg.shape.0
-  %gep9277 = getelementptr double, ptr %invariant.gep9276, i64 %.159.i.i.i.2.i
-  %.191.i.i.i.2.i = load double, ptr %gep9277, align 8, !noalias !110
+  %gep9310 = getelementptr double, ptr %invariant.gep9309, i64 %.159.i.i.i.2.i
+  %.191.i.i.i.2.i = load double, ptr %gep9310, align 8, !noalias !110
   %.193.i.i.i.2.i = fadd double %.191.i.i.i.2.i, %.253.i.i.i.1.i
   %.253.i.i.i.2.i = fmul double %.511.i1747.0.i, %.193.i.i.i.2.i
   %.157.i.i.i.3.i = add nsw i64 %.229.i313.i.08230.i, %.155.i.i.i.3.i
   %.159.i.i.i.3.i = mul nsw i64 %.157.i.i.i.3.i, %arg.shape.0
-  %gep9279 = getelementptr double, ptr %invariant.gep9278, i64 %.159.i.i.i.3.i
-  %.191.i.i.i.3.i = load double, ptr %gep9279, align 8, !noalias !110
+  %gep9312 = getelementptr double, ptr %invariant.gep9311, i64 %.159.i.i.i.3.i
+  %.191.i.i.i.3.i = load double, ptr %gep9312, align 8, !noalias !110
   %.193.i.i.i.3.i = fadd double %.191.i.i.i.3.i, %.253.i.i.i.2.i
   %.253.i.i.i.3.i = fmul double %.247.i.i.i.i, %.193.i.i.i.3.i
   %.157.i.i.i.4.i = add nsw i64 %.229.i313.i.08230.i, %.155.i.i.i.4.i
   %.159.i.i.i.4.i = mul nsw i64 %.157.i.i.i.4.i, %arg.shape.0
-  %gep9281 = getelementptr double, ptr %invariant.gep9280, i64 %.159.i.i.i.4.i
-  %.191.i.i.i.4.i = load double, ptr %gep9281, align 8, !noalias !110
+  %gep9314 = getelementptr double, ptr %invariant.gep9313, i64 %.159.i.i.i.4.i
+  %.191.i.i.i.4.i = load double, ptr %gep9314, align 8, !noalias !110
   %.193.i.i.i.4.i = fadd double %.191.i.i.i.4.i, %.253.i.i.i.3.i
   %.253.i.i.i.4.i = fmul double %.511.i1747.0.i, %.193.i.i.i.4.i
   %.157.i.i.i.5.i = add nsw i64 %.229.i313.i.08230.i, %.155.i.i.i.5.i
   %.159.i.i.i.5.i = mul nsw i64 %.157.i.i.i.5.i, %arg.shape.0
-  %gep9283 = getelementptr double, ptr %invariant.gep9282, i64 %.159.i.i.i.5.i
-  %.191.i.i.i.5.i = load double, ptr %gep9283, align 8, !noalias !110
+  %gep9316 = getelementptr double, ptr %invariant.gep9315, i64 %.159.i.i.i.5.i
+  %.191.i.i.i.5.i = load double, ptr %gep9316, align 8, !noalias !110
   %.193.i.i.i.5.i = fadd double %.191.i.i.i.5.i, %.253.i.i.i.4.i
   %.253.i.i.i.5.i = fmul double %.247.i.i.i.i, %.193.i.i.i.5.i
   %.157.i.i.i.6.i = add nsw i64 %.229.i313.i.08230.i, %.155.i.i.i.6.i
   %.159.i.i.i.6.i = mul nsw i64 %.157.i.i.i.6.i, %arg.shape.0
-  %gep9285 = getelementptr double, ptr %invariant.gep9284, i64 %.159.i.i.i.6.i
-  %.191.i.i.i.6.i = load double, ptr %gep9285, align 8, !noalias !110
+  %gep9318 = getelementptr double, ptr %invariant.gep9317, i64 %.159.i.i.i.6.i
+  %.191.i.i.i.6.i = load double, ptr %gep9318, align 8, !noalias !110
   %.193.i.i.i.6.i = fadd double %.191.i.i.i.6.i, %.253.i.i.i.5.i
   %.253.i.i.i.6.i = fmul double %.511.i1747.0.i, %.193.i.i.i.6.i
   %.300.i.i.i = add nsw i64 %.229.i313.i.08230.i, 1
   %.271.i.i.i.i = mul nsw i64 %.229.i313.i.08230.i, %arg.shape.0
-  %gep9287 = getelementptr double, ptr %invariant.gep9286, i64 %.271.i.i.i.i
-  %.309.i.i.i.i = load double, ptr %gep9287, align 8, !noalias !110
+  %gep9320 = getelementptr double, ptr %invariant.gep9319, i64 %.271.i.i.i.i
+  %.309.i.i.i.i = load double, ptr %gep9320, align 8, !noalias !110
   %.313.i.i.i.i = fadd double %.309.i.i.i.i, %.253.i.i.i.6.i
   %.359.i.i.i = add nsw i64 %.229.i313.i.08230.i, %.358.i355.i
   %.361.i.i.i = mul nsw i64 %.359.i.i.i, %arg.shape.0
-  %gep9289 = getelementptr double, ptr %invariant.gep9288, i64 %.361.i.i.i
-  store double %.313.i.i.i.i, ptr %gep9289, align 8, !noalias !106
+  %gep9322 = getelementptr double, ptr %invariant.gep9321, i64 %.361.i.i.i
+  store double %.313.i.i.i.i, ptr %gep9322, align 8, !noalias !106
   %exitcond8395.not.i = icmp eq i64 %arg.shape.1, %.300.i.i.i
   br i1 %exitcond8395.not.i, label %B154.i.loopexit.i, label %B122.if.i.i.i
 
@@ -2713,16 +2713,16 @@ B540.if.i.i:                                      ; preds = %B879.i.i, %B336.i.i
   %.986.i2114.i = getelementptr double, ptr %58, i64 %.789.i1762.08245.i
   %.987.i2115.i = load double, ptr %.986.i2114.i, align 8, !noalias !94
   %.988.i2116.i = fsub double %.936.i2079.i, %.987.i2115.i
-  %.990.i.i8896 = fcmp ogt double %.988.i2116.i, 1.000000e-05
-  br i1 %.990.i.i8896, label %B634.i.i, label %B879.i.i
+  %.990.i.i8929 = fcmp ogt double %.988.i2116.i, 1.000000e-05
+  br i1 %.990.i.i8929, label %B634.i.i, label %B879.i.i
 
 B634.endif.i.i:                                   ; preds = %B0.endif.i188.i.i, %B494.i255.i.i
   %.997.i1769.0.i = phi double [ %.364.i247.i.i, %B0.endif.i188.i.i ], [ %.424.i271.i.i, %B494.i255.i.i ]
   br i1 %.428.i10648202.not.i, label %B634.endif.endif.i.i, label %B58.if.i.i2349.i.preheader
 
 B58.if.i.i2349.i.preheader:                       ; preds = %B634.endif.i.i
-  %invariant.gep9290 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.789.i1762.08245.i
-  %invariant.gep9292 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.789.i1762.08245.i
+  %invariant.gep9323 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.789.i1762.08245.i
+  %invariant.gep9325 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.789.i1762.08245.i
   br label %B58.if.i.i2349.i
 
 B58.if.i.i2349.i:                                 ; preds = %B58.if.i.i2349.i.preheader, %B58.if.i.i2349.i
@@ -2733,12 +2733,12 @@ B58.if.i.i2349.i:                                 ; preds = %B58.if.i.i2349.i.pr
   %.158.i574.i.i = mul nsw i64 %.156.i572.i.i, %arg.shape.0
   %.164.i578.i.i = add nsw i64 %.54.i.i1622.08240.i, %.578.i.i
   %.166.i580.i.i = mul nsw i64 %.164.i578.i.i, %arg.shape.0
-  %gep9291 = getelementptr double, ptr %invariant.gep9290, i64 %.166.i580.i.i
-  %.198.i608.i.i = load double, ptr %gep9291, align 8, !noalias !114
-  %gep9293 = getelementptr double, ptr %invariant.gep9292, i64 %.158.i574.i.i
-  %.228.i630.i.i = load double, ptr %gep9293, align 8, !noalias !114
+  %gep9324 = getelementptr double, ptr %invariant.gep9323, i64 %.166.i580.i.i
+  %.198.i608.i.i = load double, ptr %gep9324, align 8, !noalias !114
+  %gep9326 = getelementptr double, ptr %invariant.gep9325, i64 %.158.i574.i.i
+  %.228.i630.i.i = load double, ptr %gep9326, align 8, !noalias !114
   %.229.i631.i.i = fmul double %.198.i608.i.i, %.228.i630.i.i
-  %230 = getelementptr double, ptr %gep9293, i64 %.194.i.i739.i
+  %230 = getelementptr double, ptr %gep9326, i64 %.194.i.i739.i
   %.263.i656.i.i = load double, ptr %230, align 8, !noalias !114
   %.264.i657.i.i = fadd double %.229.i631.i.i, %.263.i656.i.i
   %.10.i.i664.i.i = fcmp olt double %.264.i657.i.i, %least.2.i.i1621.08242.i
@@ -2759,55 +2759,55 @@ B122.if.i.i:                                      ; preds = %B122.if.i.lr.ph.i, 
   %.229.i.08260.i = phi i64 [ 0, %B122.if.i.lr.ph.i ], [ %.300.i.i, %B122.if.i.i ]
   %.157.i.i.i = add nsw i64 %.229.i.08260.i, %.155.i.i.i
   %.159.i.i.i = mul nsw i64 %.157.i.i.i, %arg.shape.0
-  %gep9295 = getelementptr double, ptr %invariant.gep9294, i64 %.159.i.i.i
-  %.191.i.i.i = load double, ptr %gep9295, align 8, !noalias !118
+  %gep9328 = getelementptr double, ptr %invariant.gep9327, i64 %.159.i.i.i
+  %.191.i.i.i = load double, ptr %gep9328, align 8, !noalias !118
   %.193.i.i.i = fadd double %.191.i.i.i, 0.000000e+00
   %.253.i.i.i = fmul double %.1301.i, %.193.i.i.i
   %.157.i.i.1.i = add nsw i64 %.229.i.08260.i, %.155.i.i.1.i
   %.159.i.i.1.i = mul nsw i64 %.157.i.i.1.i, %arg.shape.0
-  %gep9297 = getelementptr double, ptr %invariant.gep9296, i64 %.159.i.i.1.i
-  %.191.i.i.1.i = load double, ptr %gep9297, align 8, !noalias !118
+  %gep9330 = getelementptr double, ptr %invariant.gep9329, i64 %.159.i.i.1.i
+  %.191.i.i.1.i = load double, ptr %gep9330, align 8, !noalias !118
   %.193.i.i.1.i = fadd double %.191.i.i.1.i, %.253.i.i.i
   %.253.i.i.1.i = fmul double %.247.i.i.i, %.193.i.i.1.i
   %.157.i.i.2.i = add nsw i64 %.229.i.08260.i, %.155.i.i.2.i
   %.159.i.i.2.i = mul nsw i64 %.157.i.i.2.i, %arg.shape.0
-  %gep9299 = getelementptr double, ptr %invariant.gep9298, i64 %.159.i.i.2.i
-  %.191.i.i.2.i = load double, ptr %gep9299, align 8, !noalias !118
+  %gep9332 = getelementptr double, ptr %invariant.gep9331, i64 %.159.i.i.2.i
+  %.191.i.i.2.i = load double, ptr %gep9332, align 8, !noalias !118
   %.193.i.i.2.i = fadd double %.191.i.i.2.i, %.253.i.i.1.i
   %.253.i.i.2.i = fmul double %.1301.i, %.193.i.i.2.i
   %.157.i.i.3.i = add nsw i64 %.229.i.08260.i, %.155.i.i.3.i
   %.159.i.i.3.i = mul nsw i64 %.157.i.i.3.i, %arg.shape.0
-  %gep9301 = getelementptr double, ptr %invariant.gep9300, i64 %.159.i.i.3.i
-  %.191.i.i.3.i = load double, ptr %gep9301, align 8, !noalias !118
+  %gep9334 = getelementptr double, ptr %invariant.gep9333, i64 %.159.i.i.3.i
+  %.191.i.i.3.i = load double, ptr %gep9334, align 8, !noalias !118
   %.193.i.i.3.i = fadd double %.191.i.i.3.i, %.253.i.i.2.i
   %.253.i.i.3.i = fmul double %.247.i.i.i, %.193.i.i.3.i
   %.157.i.i.4.i = add nsw i64 %.229.i.08260.i, %.155.i.i.4.i
   %.159.i.i.4.i = mul nsw i64 %.157.i.i.4.i, %arg.shape.0
-  %gep9303 = getelementptr double, ptr %invariant.gep9302, i64 %.159.i.i.4.i
-  %.191.i.i.4.i = load double, ptr %gep9303, align 8, !noalias !118
+  %gep9336 = getelementptr double, ptr %invariant.gep9335, i64 %.159.i.i.4.i
+  %.191.i.i.4.i = load double, ptr %gep9336, align 8, !noalias !118
   %.193.i.i.4.i = fadd double %.191.i.i.4.i, %.253.i.i.3.i
   %.253.i.i.4.i = fmul double %.1301.i, %.193.i.i.4.i
   %.157.i.i.5.i = add nsw i64 %.229.i.08260.i, %.155.i.i.5.i
   %.159.i.i.5.i = mul nsw i64 %.157.i.i.5.i, %arg.shape.0
-  %gep9305 = getelementptr double, ptr %invariant.gep9304, i64 %.159.i.i.5.i
-  %.191.i.i.5.i = load double, ptr %gep9305, align 8, !noalias !118
+  %gep9338 = getelementptr double, ptr %invariant.gep9337, i64 %.159.i.i.5.i
+  %.191.i.i.5.i = load double, ptr %gep9338, align 8, !noalias !118
   %.193.i.i.5.i = fadd double %.191.i.i.5.i, %.253.i.i.4.i
   %.253.i.i.5.i = fmul double %.247.i.i.i, %.193.i.i.5.i
   %.157.i.i.6.i = add nsw i64 %.229.i.08260.i, %.155.i.i.6.i
   %.159.i.i.6.i = mul nsw i64 %.157.i.i.6.i, %arg.shape.0
-  %gep9307 = getelementptr double, ptr %invariant.gep9306, i64 %.159.i.i.6.i
-  %.191.i.i.6.i = load double, ptr %gep9307, align 8, !noalias !118
+  %gep9340 = getelementptr double, ptr %invariant.gep9339, i64 %.159.i.i.6.i
+  %.191.i.i.6.i = load double, ptr %gep9340, align 8, !noalias !118
   %.193.i.i.6.i = fadd double %.191.i.i.6.i, %.253.i.i.5.i
   %.253.i.i.6.i = fmul double %.1301.i, %.193.i.i.6.i
   %.300.i.i = add nsw i64 %.229.i.08260.i, 1
   %.271.i.i.i = mul nsw i64 %.229.i.08260.i, %arg.shape.0
-  %gep9309 = getelementptr double, ptr %invariant.gep9308, i64 %.271.i.i.i
-  %.309.i.i.i = load double, ptr %gep9309, align 8, !noalias !118
+  %gep9342 = getelementptr double, ptr %invariant.gep9341, i64 %.271.i.i.i
+  %.309.i.i.i = load double, ptr %gep9342, align 8, !noalias !118
   %.313.i.i.i = fadd double %.309.i.i.i, %.253.i.i.6.i
   %.359.i.i = add nsw i64 %.229.i.08260.i, %.358.i355.i
   %.361.i.i = mul nsw i64 %.359.i.i, %arg.shape.0
-  %gep9311 = getelementptr double, ptr %invariant.gep9310, i64 %.361.i.i
-  store double %.313.i.i.i, ptr %gep9311, align 8, !noalias !125
+  %gep9344 = getelementptr double, ptr %invariant.gep9343, i64 %.361.i.i
+  store double %.313.i.i.i, ptr %gep9344, align 8, !noalias !125
   %exitcond8400.not.i = icmp eq i64 %arg.shape.1, %.300.i.i
   br i1 %exitcond8400.not.i, label %B596.loopexit.i, label %B122.if.i.i
 
@@ -3078,7 +3078,7 @@ B562.i7696.i:                                     ; preds = %B562.i7696.i.prehea
   %low.2.i7260.2.i = phi double [ %low.3.i7264.3.i, %B676.i7713.i ], [ 0.000000e+00, %B562.i7696.i.preheader ]
   %look.2.i7259.2.i = phi i64 [ %.977.i7724.i, %B676.i7713.i ], [ 1, %B562.i7696.i.preheader ]
   %249 = icmp ult i64 %look.2.i7259.2.i, 9
-  br i1 %249, label %switch.lookup9446, label %_ZN5pages5kinks7bracketB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE27Literal_5bbool_5d_28True_2923Literal_5bint_5d_280_298UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br i1 %249, label %switch.lookup9479, label %_ZN5pages5kinks7bracketB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE27Literal_5bbool_5d_28True_2923Literal_5bint_5d_280_298UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
 B58.if.i183.i.i:                                  ; preds = %B58.if.i183.i.lr.ph.i, %B58.if.i183.i.i
   %least.2.i16.i7162.08311.i = phi double [ 0x7FF0000000000000, %B58.if.i183.i.lr.ph.i ], [ %.11.i.i179.i.i, %B58.if.i183.i.i ]
@@ -3126,10 +3126,10 @@ B646.i8096.i:                                     ; preds = %B596.endif.i8090.i
     i64 4, label %switch.4.1.i8110.i
   ]
 
-B676.i7713.i:                                     ; preds = %switch.8.1.i8100.i, %switch.7.1.i8107.i, %switch.6.1.i8108.i, %switch.5.1.i8109.i, %switch.4.1.i8110.i, %switch.3.1.i8111.i, %switch.2.1.i8112.i, %switch.1.1.i8113.i, %B596.endif.i8090.i, %switch.lookup9446, %B646.i8096.i
-  %here.3.i7266.3.i = phi double [ %here.4.i7262.2.i, %switch.lookup9446 ], [ %here.4.i7262.2.i, %B596.endif.i8090.i ], [ %least.2.i16.i7162.0.lcssa.i, %B646.i8096.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.8.1.i8100.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.7.1.i8107.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.6.1.i8108.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.5.1.i8109.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.4.1.i8110.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.3.1.i8111.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.2.1.i8112.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.1.1.i8113.i ]
-  %ahead.2.i7265.3.i = phi double [ %ahead.3.i7261.2.i, %switch.lookup9446 ], [ %least.2.i16.i7162.0.lcssa.i, %B596.endif.i8090.i ], [ %least.2.i16.i7162.0.lcssa.i, %B646.i8096.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.8.1.i8100.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.7.1.i8107.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.6.1.i8108.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.5.1.i8109.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.4.1.i8110.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.3.1.i8111.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.2.1.i8112.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.1.1.i8113.i ]
-  %low.3.i7264.3.i = phi double [ %low.2.i7260.2.i, %switch.lookup9446 ], [ %low.2.i7260.2.i, %B596.endif.i8090.i ], [ 0.000000e+00, %B646.i8096.i ], [ 1.000000e+00, %switch.8.1.i8100.i ], [ 8.889000e-01, %switch.7.1.i8107.i ], [ 7.500000e-01, %switch.6.1.i8108.i ], [ 0x3FE50A3D70A3D70A, %switch.5.1.i8109.i ], [ 5.000000e-01, %switch.4.1.i8110.i ], [ 3.333000e-01, %switch.3.1.i8111.i ], [ 2.500000e-01, %switch.2.1.i8112.i ], [ 0x3FB48E8A71DE69AD, %switch.1.1.i8113.i ]
+B676.i7713.i:                                     ; preds = %switch.8.1.i8100.i, %switch.7.1.i8107.i, %switch.6.1.i8108.i, %switch.5.1.i8109.i, %switch.4.1.i8110.i, %switch.3.1.i8111.i, %switch.2.1.i8112.i, %switch.1.1.i8113.i, %B596.endif.i8090.i, %switch.lookup9479, %B646.i8096.i
+  %here.3.i7266.3.i = phi double [ %here.4.i7262.2.i, %switch.lookup9479 ], [ %here.4.i7262.2.i, %B596.endif.i8090.i ], [ %least.2.i16.i7162.0.lcssa.i, %B646.i8096.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.8.1.i8100.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.7.1.i8107.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.6.1.i8108.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.5.1.i8109.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.4.1.i8110.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.3.1.i8111.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.2.1.i8112.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.1.1.i8113.i ]
+  %ahead.2.i7265.3.i = phi double [ %ahead.3.i7261.2.i, %switch.lookup9479 ], [ %least.2.i16.i7162.0.lcssa.i, %B596.endif.i8090.i ], [ %least.2.i16.i7162.0.lcssa.i, %B646.i8096.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.8.1.i8100.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.7.1.i8107.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.6.1.i8108.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.5.1.i8109.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.4.1.i8110.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.3.1.i8111.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.2.1.i8112.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.1.1.i8113.i ]
+  %low.3.i7264.3.i = phi double [ %low.2.i7260.2.i, %switch.lookup9479 ], [ %low.2.i7260.2.i, %B596.endif.i8090.i ], [ 0.000000e+00, %B646.i8096.i ], [ 1.000000e+00, %switch.8.1.i8100.i ], [ 8.889000e-01, %switch.7.1.i8107.i ], [ 7.500000e-01, %switch.6.1.i8108.i ], [ 0x3FE50A3D70A3D70A, %switch.5.1.i8109.i ], [ 5.000000e-01, %switch.4.1.i8110.i ], [ 3.333000e-01, %switch.3.1.i8111.i ], [ 2.500000e-01, %switch.2.1.i8112.i ], [ 0x3FB48E8A71DE69AD, %switch.1.1.i8113.i ]
   %.987.i7730.i = icmp eq i64 %look.2.i7259.2.i, 8
   %.977.i7724.i = add nsw i64 %look.2.i7259.2.i, 1
   %.1020.i.i = fcmp ult double %ahead.2.i7265.3.i, 0.000000e+00
@@ -3137,15 +3137,15 @@ B676.i7713.i:                                     ; preds = %switch.8.1.i8100.i,
   br i1 %or.cond7998.i, label %B720.i7731.i, label %B562.i7696.i
 
 B720.i7731.i:                                     ; preds = %B676.i7713.i
-  br i1 %.1020.i.i, label %switch.lookup9449, label %B768.i7754.i
+  br i1 %.1020.i.i, label %switch.lookup9482, label %B768.i7754.i
 
-switch.lookup9449:                                ; preds = %B720.i7731.i
-  %switch.gep9450 = getelementptr inbounds double, ptr @switch.table.advance_of_many.3, i64 %look.2.i7259.2.i
-  %switch.load9451 = load double, ptr %switch.gep9450, align 8
+switch.lookup9482:                                ; preds = %B720.i7731.i
+  %switch.gep9483 = getelementptr inbounds double, ptr @switch.table.advance_of_many.3, i64 %look.2.i7259.2.i
+  %switch.load9484 = load double, ptr %switch.gep9483, align 8
   br label %B768.i7754.i
 
-B768.i7754.i:                                     ; preds = %switch.lookup9449, %B720.i7731.i
-  %"$phi768.2.2.i7272.2.i" = phi double [ %low.3.i7264.3.i, %B720.i7731.i ], [ %switch.load9451, %switch.lookup9449 ]
+B768.i7754.i:                                     ; preds = %switch.lookup9482, %B720.i7731.i
+  %"$phi768.2.2.i7272.2.i" = phi double [ %low.3.i7264.3.i, %B720.i7731.i ], [ %switch.load9484, %switch.lookup9482 ]
   %.1154.i7800.i = getelementptr double, ptr %58, i64 %.312.i7484.i
   store double %low.3.i7264.3.i, ptr %.1154.i7800.i, align 8, !noalias !142
   %.1208.i7847.i = getelementptr double, ptr %59, i64 %.312.i7484.i
@@ -3186,13 +3186,13 @@ B240.if.i8322.i:                                  ; preds = %B210.i7510.i, %B240
   %exitcond8408.not.i = icmp eq i64 %arg.shape.6, %.441.i8330.i
   br i1 %exitcond8408.not.i, label %B58.if.i.i8246.i, label %B240.if.i8322.i
 
-switch.lookup9446:                                ; preds = %B562.i7696.i
-  %switch.gep9447 = getelementptr inbounds double, ptr @switch.table.advance_of_many.3, i64 %look.2.i7259.2.i
-  %switch.load9448 = load double, ptr %switch.gep9447, align 8
-  %.862.i.i = fcmp ogt double %switch.load9448, %low.2.i7260.2.i
+switch.lookup9479:                                ; preds = %B562.i7696.i
+  %switch.gep9480 = getelementptr inbounds double, ptr @switch.table.advance_of_many.3, i64 %look.2.i7259.2.i
+  %switch.load9481 = load double, ptr %switch.gep9480, align 8
+  %.862.i.i = fcmp ogt double %switch.load9481, %low.2.i7260.2.i
   br i1 %.862.i.i, label %B58.i66.i8058.preheader.i, label %B676.i7713.i
 
-B58.i66.i8058.preheader.i:                        ; preds = %switch.lookup9446
+B58.i66.i8058.preheader.i:                        ; preds = %switch.lookup9479
   br i1 %.428.i10648202.not.i, label %B596.endif.i8090.i, label %B58.if.i183.i.lr.ph.i
 
 B58.if.i183.i.lr.ph.i:                            ; preds = %B58.i66.i8058.preheader.i
@@ -3434,70 +3434,70 @@ B250.endif.i4600.i:                               ; preds = %B0.endif.i.i4503.i,
 
 B122.if.i.i5062.lr.ph.i:                          ; preds = %B250.endif.i4600.i
   %.247.i.i.i5032.i = fsub double 1.000000e+00, %.511.i3038.0.i
-  %invariant.gep9312 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08331.i
-  %invariant.gep9314 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08331.i
-  %invariant.gep9316 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08331.i
-  %invariant.gep9318 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08331.i
-  %invariant.gep9320 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08331.i
-  %invariant.gep9322 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08331.i
-  %invariant.gep9324 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08331.i
-  %invariant.gep9326 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08331.i
-  %invariant.gep9328 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08331.i
+  %invariant.gep9345 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08331.i
+  %invariant.gep9347 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08331.i
+  %invariant.gep9349 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08331.i
+  %invariant.gep9351 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08331.i
+  %invariant.gep9353 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08331.i
+  %invariant.gep9355 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08331.i
+  %invariant.gep9357 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08331.i
+  %invariant.gep9359 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08331.i
+  %invariant.gep9361 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08331.i
   br label %B122.if.i.i5062.i
 
 B122.if.i.i5062.i:                                ; preds = %B122.if.i.i5062.i, %B122.if.i.i5062.lr.ph.i
   %.229.i313.i2869.08328.i = phi i64 [ 0, %B122.if.i.i5062.lr.ph.i ], [ %.300.i.i5068.i, %B122.if.i.i5062.i ]
   %.157.i.i.i4989.i = add nsw i64 %.229.i313.i2869.08328.i, %.155.i.i.i4987.i
   %.159.i.i.i4991.i = mul nsw i64 %.157.i.i.i4989.i, %arg.shape.0
-  %gep9313 = getelementptr double, ptr %invariant.gep9312, i64 %.159.i.i.i4991.i
-  %.191.i.i.i5013.i = load double, ptr %gep9313, align 8, !noalias !170
+  %gep9346 = getelementptr double, ptr %invariant.gep9345, i64 %.159.i.i.i4991.i
+  %.191.i.i.i5013.i = load double, ptr %gep9346, align 8, !noalias !170
   %.193.i.i.i5015.i = fadd double %.191.i.i.i5013.i, 0.000000e+00
   %.253.i.i.i5037.i = fmul double %.511.i3038.0.i, %.193.i.i.i5015.i
   %.157.i.i.i4989.1.i = add nsw i64 %.229.i313.i2869.08328.i, %.155.i.i.i4987.1.i
   %.159.i.i.i4991.1.i = mul nsw i64 %.157.i.i.i4989.1.i, %arg.shape.0
-  %gep9315 = getelementptr double, ptr %invariant.gep9314, i64 %.159.i.i.i4991.1.i
-  %.191.i.i.i5013.1.i = load double, ptr %gep9315, align 8, !noalias !170
+  %gep9348 = getelementptr double, ptr %invariant.gep9347, i64 %.159.i.i.i4991.1.i
+  %.191.i.i.i5013.1.i = load double, ptr %gep9348, align 8, !noalias !170
   %.193.i.i.i5015.1.i = fadd double %.191.i.i.i5013.1.i, %.253.i.i.i5037.i
   %.253.i.i.i5037.1.i = fmul double %.247.i.i.i5032.i, %.193.i.i.i5015.1.i
   %.157.i.i.i4989.2.i = add nsw i64 %.229.i313.i2869.08328.i, %.155.i.i.i4987.2.i
   %.159.i.i.i4991.2.i = mul nsw i64 %.157.i.i.i4989.2.i, %arg.shape.0
-  %gep9317 = getelementptr double, ptr %invariant.gep9316, i64 %.159.i.i.i4991.2.i
-  %.191.i.i.i5013.2.i = load double, ptr %gep9317, align 8, !noalias !170
+  %gep9350 = getelementptr double, ptr %invariant.gep9349, i64 %.159.i.i.i4991.2.i
+  %.191.i.i.i5013.2.i = load double, ptr %gep9350, align 8, !noalias !170
   %.193.i.i.i5015.2.i = fadd double %.191.i.i.i5013.2.i, %.253.i.i.i5037.1.i
   %.253.i.i.i5037.2.i = fmul double %.511.i3038.0.i, %.193.i.i.i5015.2.i
   %.157.i.i.i4989.3.i = add nsw i64 %.229.i313.i2869.08328.i, %.155.i.i.i4987.3.i
   %.159.i.i.i4991.3.i = mul nsw i64 %.157.i.i.i4989.3.i, %arg.shape.0
-  %gep9319 = getelementptr double, ptr %invariant.gep9318, i64 %.159.i.i.i4991.3.i
-  %.191.i.i.i5013.3.i = load double, ptr %gep9319, align 8, !noalias !170
+  %gep9352 = getelementptr double, ptr %invariant.gep9351, i64 %.159.i.i.i4991.3.i
+  %.191.i.i.i5013.3.i = load double, ptr %gep9352, align 8, !noalias !170
   %.193.i.i.i5015.3.i = fadd double %.191.i.i.i5013.3.i, %.253.i.i.i5037.2.i
   %.253.i.i.i5037.3.i = fmul double %.247.i.i.i5032.i, %.193.i.i.i5015.3.i
   %.157.i.i.i4989.4.i = add nsw i64 %.229.i313.i2869.08328.i, %.155.i.i.i4987.4.i
   %.159.i.i.i4991.4.i = mul nsw i64 %.157.i.i.i4989.4.i, %arg.shape.0
-  %gep9321 = getelementptr double, ptr %invariant.gep9320, i64 %.159.i.i.i4991.4.i
-  %.191.i.i.i5013.4.i = load double, ptr %gep9321, align 8, !noalias !170
+  %gep9354 = getelementptr double, ptr %invariant.gep9353, i64 %.159.i.i.i4991.4.i
+  %.191.i.i.i5013.4.i = load double, ptr %gep9354, align 8, !noalias !170
   %.193.i.i.i5015.4.i = fadd double %.191.i.i.i5013.4.i, %.253.i.i.i5037.3.i
   %.253.i.i.i5037.4.i = fmul double %.511.i3038.0.i, %.193.i.i.i5015.4.i
   %.157.i.i.i4989.5.i = add nsw i64 %.229.i313.i2869.08328.i, %.155.i.i.i4987.5.i
   %.159.i.i.i4991.5.i = mul nsw i64 %.157.i.i.i4989.5.i, %arg.shape.0
-  %gep9323 = getelementptr double, ptr %invariant.gep9322, i64 %.159.i.i.i4991.5.i
-  %.191.i.i.i5013.5.i = load double, ptr %gep9323, align 8, !noalias !170
+  %gep9356 = getelementptr double, ptr %invariant.gep9355, i64 %.159.i.i.i4991.5.i
+  %.191.i.i.i5013.5.i = load double, ptr %gep9356, align 8, !noalias !170
   %.193.i.i.i5015.5.i = fadd double %.191.i.i.i5013.5.i, %.253.i.i.i5037.4.i
   %.253.i.i.i5037.5.i = fmul double %.247.i.i.i5032.i, %.193.i.i.i5015.5.i
   %.157.i.i.i4989.6.i = add nsw i64 %.229.i313.i2869.08328.i, %.155.i.i.i4987.6.i
   %.159.i.i.i4991.6.i = mul nsw i64 %.157.i.i.i4989.6.i, %arg.shape.0
-  %gep9325 = getelementptr double, ptr %invariant.gep9324, i64 %.159.i.i.i4991.6.i
-  %.191.i.i.i5013.6.i = load double, ptr %gep9325, align 8, !noalias !170
+  %gep9358 = getelementptr double, ptr %invariant.gep9357, i64 %.159.i.i.i4991.6.i
+  %.191.i.i.i5013.6.i = load double, ptr %gep9358, align 8, !noalias !170
   %.193.i.i.i5015.6.i = fadd double %.191.i.i.i5013.6.i, %.253.i.i.i5037.5.i
   %.253.i.i.i5037.6.i = fmul double %.511.i3038.0.i, %.193.i.i.i5015.6.i
   %.300.i.i5068.i = add nsw i64 %.229.i313.i2869.08328.i, 1
   %.271.i.i.i4910.i = mul nsw i64 %.229.i313.i2869.08328.i, %arg.shape.0
-  %gep9327 = getelementptr double, ptr %invariant.gep9326, i64 %.271.i.i.i4910.i
-  %.309.i.i.i4935.i = load double, ptr %gep9327, align 8, !noalias !170
+  %gep9360 = getelementptr double, ptr %invariant.gep9359, i64 %.271.i.i.i4910.i
+  %.309.i.i.i4935.i = load double, ptr %gep9360, align 8, !noalias !170
   %.313.i.i.i4938.i = fadd double %.309.i.i.i4935.i, %.253.i.i.i5037.6.i
   %.359.i.i4951.i = add nsw i64 %.229.i313.i2869.08328.i, %.358.i355.i
   %.361.i.i4953.i = mul nsw i64 %.359.i.i4951.i, %arg.shape.0
-  %gep9329 = getelementptr double, ptr %invariant.gep9328, i64 %.361.i.i4953.i
-  store double %.313.i.i.i4938.i, ptr %gep9329, align 8, !noalias !166
+  %gep9362 = getelementptr double, ptr %invariant.gep9361, i64 %.361.i.i4953.i
+  store double %.313.i.i.i4938.i, ptr %gep9362, align 8, !noalias !166
   %exitcond8412.not.i = icmp eq i64 %arg.shape.1, %.300.i.i5068.i
   br i1 %exitcond8412.not.i, label %B154.i3199.loopexit.i, label %B122.if.i.i5062.i
 
@@ -3517,8 +3517,8 @@ B634.endif.i3767.i:                               ; preds = %B0.endif.i188.i3670
   br i1 %.428.i10648202.not.i, label %B634.endif.endif.i3858.i, label %B58.if.i.i4151.i.preheader
 
 B58.if.i.i4151.i.preheader:                       ; preds = %B634.endif.i3767.i
-  %invariant.gep9330 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.789.i3054.08343.i
-  %invariant.gep9332 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.789.i3054.08343.i
+  %invariant.gep9363 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.789.i3054.08343.i
+  %invariant.gep9365 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.789.i3054.08343.i
   br label %B58.if.i.i4151.i
 
 B58.if.i.i4151.i:                                 ; preds = %B58.if.i.i4151.i.preheader, %B58.if.i.i4151.i
@@ -3529,12 +3529,12 @@ B58.if.i.i4151.i:                                 ; preds = %B58.if.i.i4151.i.pr
   %.158.i574.i4065.i = mul nsw i64 %.156.i572.i4063.i, %arg.shape.0
   %.164.i578.i4070.i = add nsw i64 %.54.i.i2817.08338.i, %.578.i.i
   %.166.i580.i4072.i = mul nsw i64 %.164.i578.i4070.i, %arg.shape.0
-  %gep9331 = getelementptr double, ptr %invariant.gep9330, i64 %.166.i580.i4072.i
-  %.198.i608.i4094.i = load double, ptr %gep9331, align 8, !noalias !174
-  %gep9333 = getelementptr double, ptr %invariant.gep9332, i64 %.158.i574.i4065.i
-  %.228.i630.i4114.i = load double, ptr %gep9333, align 8, !noalias !174
+  %gep9364 = getelementptr double, ptr %invariant.gep9363, i64 %.166.i580.i4072.i
+  %.198.i608.i4094.i = load double, ptr %gep9364, align 8, !noalias !174
+  %gep9366 = getelementptr double, ptr %invariant.gep9365, i64 %.158.i574.i4065.i
+  %.228.i630.i4114.i = load double, ptr %gep9366, align 8, !noalias !174
   %.229.i631.i4115.i = fmul double %.198.i608.i4094.i, %.228.i630.i4114.i
-  %258 = getelementptr double, ptr %gep9333, i64 %.194.i.i739.i
+  %258 = getelementptr double, ptr %gep9366, i64 %.194.i.i739.i
   %.263.i656.i4139.i = load double, ptr %258, align 8, !noalias !174
   %.264.i657.i4140.i = fadd double %.229.i631.i4115.i, %.263.i656.i4139.i
   %.10.i.i664.i4146.i = fcmp olt double %.264.i657.i4140.i, %least.2.i.i2813.08340.i
@@ -3576,11 +3576,11 @@ B1548.i:                                          ; preds = %B1440.i
   %.2088.i = tail call double @llvm.fabs.f64(double %.2087.i)
   %.2089.i = fmul double %.2088.i, 2.000000e-12
   %.2319.i = fmul double %.2035.i, 0x3D719799812DEA11
-  %.10.i.i8894 = fcmp ogt double %.2089.i, %.2319.i
-  %.11.i.i8895 = select i1 %.10.i.i8894, double %.2089.i, double %.2319.i
+  %.10.i.i8927 = fcmp ogt double %.2089.i, %.2319.i
+  %.11.i.i8928 = select i1 %.10.i.i8927, double %.2089.i, double %.2319.i
   %.2315.i = fsub double 1.000000e+00, %.2150.i
   %.2317.i = fmul double %.2035.i, %.2315.i
-  %.2351.i = fcmp ugt double %.2317.i, %.11.i.i8895
+  %.2351.i = fcmp ugt double %.2317.i, %.11.i.i8928
   br i1 %.2351.i, label %B1552.i, label %B1662.i
 
 B1552.i:                                          ; preds = %B1548.i
@@ -3628,8 +3628,8 @@ B1714.i:                                          ; preds = %B1710.i
 
 B50.i.i:                                          ; preds = %B1714.i, %B860.i.i
   %.58.0.i.i = phi i64 [ %.130.i.i, %B860.i.i ], [ 0, %B1714.i ]
-  %exitcond.not.i.i8883 = icmp eq i64 %.58.0.i.i, %storemerge7986.i
-  br i1 %exitcond.not.i.i8883, label %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B52.if.i.i
+  %exitcond.not.i.i8916 = icmp eq i64 %.58.0.i.i, %storemerge7986.i
+  br i1 %exitcond.not.i.i8916, label %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B52.if.i.i
 
 B216.i.i:                                         ; preds = %B52.if.i.i, %B935.i.i
   %.300.sroa.0.0341.i.i = phi i64 [ 1, %B52.if.i.i ], [ %.300.sroa.0.0.i.i, %B935.i.i ]
@@ -3640,16 +3640,16 @@ B216.i.i:                                         ; preds = %B52.if.i.i, %B935.i
   %.354.i.i = mul nsw i64 %.352.i8099.i, %.30.i.i
   %.356.i.i = add nsw i64 %.354.i.i, %.160.i.i
   %.370.i.i = icmp slt i64 %.356.i.i, 0
-  %.371.i.i8884 = select i1 %.370.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %.371.i.i8917 = select i1 %.370.i.i, i64 %arg.batch.5.4.5.0, i64 0
   %260 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.356.i.i
-  %.385.i.i = getelementptr double, ptr %260, i64 %.371.i.i8884
+  %.385.i.i = getelementptr double, ptr %260, i64 %.371.i.i8917
   %.386.i.i = load double, ptr %.385.i.i, align 8, !noalias !181
   %.389.i.i = mul nsw i64 %.300.sroa.0.0341.i.i, %.30.i.i
   %.391.i.i = add nsw i64 %.389.i.i, %.160.i.i
   %.405.i.i = icmp slt i64 %.391.i.i, 0
-  %.406.i.i8885 = select i1 %.405.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %.406.i.i8918 = select i1 %.405.i.i, i64 %arg.batch.5.4.5.0, i64 0
   %261 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.391.i.i
-  %.420.i.i = getelementptr double, ptr %261, i64 %.406.i.i8885
+  %.420.i.i = getelementptr double, ptr %261, i64 %.406.i.i8918
   %.421.i.i = load double, ptr %.420.i.i, align 8, !noalias !181
   %.423.i.i = add nsw i64 %.300.sroa.0.0341.i.i, 1
   %.425.i.i = mul nsw i64 %.423.i.i, %.30.i.i
@@ -3694,27 +3694,27 @@ B436.i.i:                                         ; preds = %B424.i.i
   %.586.i8104.i = tail call double @llvm.fabs.f64(double %.585.i.i)
   %.587.i.i = fadd double %.582.i.i, %.586.i8104.i
   %.588.i.i = fmul double %.587.i.i, 3.000000e+00
-  %.589.i.i8889 = fadd double %.578.i8098.i, %.588.i.i
-  %.591.i.i = fcmp olt double %b.2.2.i.i, %.589.i.i8889
+  %.589.i.i8922 = fadd double %.578.i8098.i, %.588.i.i
+  %.591.i.i = fcmp olt double %b.2.2.i.i, %.589.i.i8922
   br i1 %.591.i.i, label %B546.i.i, label %B935.i.i
 
 B546.i.i:                                         ; preds = %B436.i.i
   %switch.tableidx = add i64 %.300.sroa.0.0341.i.i, 9
   %263 = icmp ult i64 %switch.tableidx, 18
-  br i1 %263, label %switch.lookup9452, label %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br i1 %263, label %switch.lookup9485, label %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE.exit.i
 
-B752.i.i:                                         ; preds = %switch.lookup9464
-  %.800.i.i = fneg double %.741.i.i8890
-  %.804.i.i = fmul double %.790.i.i8891, 5.000000e-01
+B752.i.i:                                         ; preds = %switch.lookup9497
+  %.800.i.i = fneg double %.741.i.i8923
+  %.804.i.i = fmul double %.790.i.i8924, 5.000000e-01
   %.809.i.i = fdiv double %.804.i.i, %.773.i.i
   %.810.i.i = fcmp ogt double %.809.i.i, %.800.i.i
   %.820.i.i = fcmp olt double %.809.i.i, %.667.i.i
   %or.cond309.i.i = and i1 %.810.i.i, %.820.i.i
-  br i1 %or.cond309.i.i, label %B792.i.i8893, label %B935.i.i
+  br i1 %or.cond309.i.i, label %B792.i.i8926, label %B935.i.i
 
-B792.i.i8893:                                     ; preds = %B752.i.i
-  %.847.i8111.i = fmul double %.790.i.i8891, 2.500000e-01
-  %.849.i.i = fmul double %.790.i.i8891, %.847.i8111.i
+B792.i.i8926:                                     ; preds = %B752.i.i
+  %.847.i8111.i = fmul double %.790.i.i8924, 2.500000e-01
+  %.849.i.i = fmul double %.790.i.i8924, %.847.i8111.i
   %.856.i.i = fdiv double %.849.i.i, %.773.i.i
   %.860.i.i = fsub double %b.2.2.i.i, %.856.i.i
   %.10.i310.i.i = fcmp olt double %.860.i.i, %nearest.6.3.i.i
@@ -3733,13 +3733,13 @@ B860.i.i:                                         ; preds = %B935.i.i
   %or.cond308.i.i = select i1 %.963.i.i, i1 true, i1 %.970.i.i
   br i1 %or.cond308.i.i, label %B50.i.i, label %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE.exit.i
 
-B935.i.i:                                         ; preds = %switch.lookup9464, %B792.i.i8893, %B752.i.i, %B436.i.i, %B424.i.i
-  %nearest.4.2.i.i = phi double [ %nearest.6.3.i.i, %B752.i.i ], [ %.11.i311.i.i, %B792.i.i8893 ], [ %nearest.6.3.i.i, %B424.i.i ], [ %nearest.6.3.i.i, %switch.lookup9464 ], [ %nearest.6.3.i.i, %B436.i.i ]
+B935.i.i:                                         ; preds = %switch.lookup9497, %B792.i.i8926, %B752.i.i, %B436.i.i, %B424.i.i
+  %nearest.4.2.i.i = phi double [ %nearest.6.3.i.i, %B752.i.i ], [ %.11.i311.i.i, %B792.i.i8926 ], [ %nearest.6.3.i.i, %B424.i.i ], [ %nearest.6.3.i.i, %switch.lookup9497 ], [ %nearest.6.3.i.i, %B436.i.i ]
   %.310.i.i = icmp ne i64 %.256.1340.i.i, 0
   %.323.i.i = zext i1 %.310.i.i to i64
   %.253.1.i.i = add i64 %.253.1339.i.i, %.323.i.i
-  %.319.i.i8886 = sext i1 %.310.i.i to i64
-  %.256.1.i.i = add nsw i64 %.256.1340.i.i, %.319.i.i8886
+  %.319.i.i8919 = sext i1 %.310.i.i to i64
+  %.256.1.i.i = add nsw i64 %.256.1340.i.i, %.319.i.i8919
   %.300.sroa.0.0.i.i = select i1 %.310.i.i, i64 %.253.1339.i.i, i64 0
   br i1 %.310.i.i, label %B216.i.i, label %B860.i.i
 
@@ -3856,48 +3856,48 @@ B52.if.i.i:                                       ; preds = %B50.i.i
   %.578.i8098.i = fmul double %.11.i.i.3.i.i, 1.000000e+01
   br label %B216.i.i
 
-switch.lookup9452:                                ; preds = %B546.i.i
-  %switch.tableidx9455 = add i64 %.300.sroa.0.0341.i.i, 8
-  %282 = icmp ult i64 %switch.tableidx9455, 18
-  br i1 %282, label %switch.lookup9456, label %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE.exit.i
+switch.lookup9485:                                ; preds = %B546.i.i
+  %switch.tableidx9488 = add i64 %.300.sroa.0.0341.i.i, 8
+  %282 = icmp ult i64 %switch.tableidx9488, 18
+  br i1 %282, label %switch.lookup9489, label %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE.exit.i
 
-switch.lookup9456:                                ; preds = %switch.lookup9452
-  %switch.gep9453 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx
-  %switch.load9454 = load double, ptr %switch.gep9453, align 8
-  %switch.gep9457 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9455
-  %switch.load9458 = load double, ptr %switch.gep9457, align 8
-  %.667.i.i = fsub double %switch.load9454, %switch.load9458
-  %switch.tableidx9459 = add i64 %.300.sroa.0.0341.i.i, 10
-  %283 = icmp ult i64 %switch.tableidx9459, 18
-  br i1 %283, label %switch.lookup9460, label %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE.exit.i
+switch.lookup9489:                                ; preds = %switch.lookup9485
+  %switch.gep9486 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx
+  %switch.load9487 = load double, ptr %switch.gep9486, align 8
+  %switch.gep9490 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9488
+  %switch.load9491 = load double, ptr %switch.gep9490, align 8
+  %.667.i.i = fsub double %switch.load9487, %switch.load9491
+  %switch.tableidx9492 = add i64 %.300.sroa.0.0341.i.i, 10
+  %283 = icmp ult i64 %switch.tableidx9492, 18
+  br i1 %283, label %switch.lookup9493, label %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE.exit.i
 
-switch.lookup9460:                                ; preds = %switch.lookup9456
-  %switch.tableidx9463 = add i64 %.300.sroa.0.0341.i.i, 9
-  %284 = icmp ult i64 %switch.tableidx9463, 18
-  br i1 %284, label %switch.lookup9464, label %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE.exit.i
+switch.lookup9493:                                ; preds = %switch.lookup9489
+  %switch.tableidx9496 = add i64 %.300.sroa.0.0341.i.i, 9
+  %284 = icmp ult i64 %switch.tableidx9496, 18
+  br i1 %284, label %switch.lookup9497, label %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE.exit.i
 
-switch.lookup9464:                                ; preds = %switch.lookup9460
-  %switch.gep9461 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9459
-  %switch.load9462 = load double, ptr %switch.gep9461, align 8
-  %switch.gep9465 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9463
-  %switch.load9466 = load double, ptr %switch.gep9465, align 8
-  %.741.i.i8890 = fsub double %switch.load9462, %switch.load9466
-  %.757.i8110.i = fdiv double %.585.i.i, %.741.i.i8890
+switch.lookup9497:                                ; preds = %switch.lookup9493
+  %switch.gep9494 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9492
+  %switch.load9495 = load double, ptr %switch.gep9494, align 8
+  %switch.gep9498 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9496
+  %switch.load9499 = load double, ptr %switch.gep9498, align 8
+  %.741.i.i8923 = fsub double %switch.load9495, %switch.load9499
+  %.757.i8110.i = fdiv double %.585.i.i, %.741.i.i8923
   %.760.i.i = fsub double %b.2.2.i.i, %a.2.2.i.i
   %.765.i.i = fdiv double %.760.i.i, %.667.i.i
   %.766.i.i = fsub double %.757.i8110.i, %.765.i.i
-  %.769.i.i = fadd double %.667.i.i, %.741.i.i8890
+  %.769.i.i = fadd double %.667.i.i, %.741.i.i8923
   %.773.i.i = fdiv double %.766.i.i, %.769.i.i
   %.789.i.i = fmul double %.667.i.i, %.773.i.i
-  %.790.i.i8891 = fadd double %.765.i.i, %.789.i.i
-  %.795.i.i8892 = fcmp ogt double %.773.i.i, 0.000000e+00
-  br i1 %.795.i.i8892, label %B752.i.i, label %B935.i.i
+  %.790.i.i8924 = fadd double %.765.i.i, %.789.i.i
+  %.795.i.i8925 = fcmp ogt double %.773.i.i, 0.000000e+00
+  br i1 %.795.i.i8925, label %B752.i.i, label %B935.i.i
 
-_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B860.i.i, %B50.i.i, %B546.i.i, %switch.lookup9452, %switch.lookup9456, %switch.lookup9460
-  %.2584.not.i = phi i1 [ true, %B546.i.i ], [ true, %switch.lookup9460 ], [ true, %switch.lookup9456 ], [ true, %switch.lookup9452 ], [ %exitcond.not.i.i8883, %B50.i.i ], [ %exitcond.not.i.i8883, %B860.i.i ]
-  %excinfo.12.4.i = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.70, %B546.i.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.70, %switch.lookup9460 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.70, %switch.lookup9456 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.70, %switch.lookup9452 ], [ %excinfo.12.08359.i, %B50.i.i ], [ %excinfo.12.08359.i, %B860.i.i ]
-  %.2573.not.i = phi i1 [ false, %B546.i.i ], [ false, %switch.lookup9460 ], [ false, %switch.lookup9456 ], [ false, %switch.lookup9452 ], [ true, %B50.i.i ], [ true, %B860.i.i ]
-  %common.ret.op.i8103.i = phi i32 [ 1, %B546.i.i ], [ 1, %switch.lookup9460 ], [ 1, %switch.lookup9456 ], [ 1, %switch.lookup9452 ], [ 0, %B50.i.i ], [ 0, %B860.i.i ]
+_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B860.i.i, %B50.i.i, %B546.i.i, %switch.lookup9485, %switch.lookup9489, %switch.lookup9493
+  %.2584.not.i = phi i1 [ true, %B546.i.i ], [ true, %switch.lookup9493 ], [ true, %switch.lookup9489 ], [ true, %switch.lookup9485 ], [ %exitcond.not.i.i8916, %B50.i.i ], [ %exitcond.not.i.i8916, %B860.i.i ]
+  %excinfo.12.4.i = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.70, %B546.i.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.70, %switch.lookup9493 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.70, %switch.lookup9489 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.70, %switch.lookup9485 ], [ %excinfo.12.08359.i, %B50.i.i ], [ %excinfo.12.08359.i, %B860.i.i ]
+  %.2573.not.i = phi i1 [ false, %B546.i.i ], [ false, %switch.lookup9493 ], [ false, %switch.lookup9489 ], [ false, %switch.lookup9485 ], [ true, %B50.i.i ], [ true, %B860.i.i ]
+  %common.ret.op.i8103.i = phi i32 [ 1, %B546.i.i ], [ 1, %switch.lookup9493 ], [ 1, %switch.lookup9489 ], [ 1, %switch.lookup9485 ], [ 0, %B50.i.i ], [ 0, %B860.i.i ]
   br i1 %.2573.not.i, label %B1718.endif.endif.i, label %_ZN5pages5kinks12locate_kinksB3v32B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, !prof !53
 
 B1766.i:                                          ; preds = %B1718.endif.endif.i, %B1714.i
@@ -3905,15 +3905,15 @@ B1766.i:                                          ; preds = %B1718.endif.endif.i
   %.2603.i = fmul double %.2035.i, 5.000000e-01
   %.108.i8460.i = getelementptr double, ptr %65, i64 %.1729.08355.i
   store double 0.000000e+00, ptr %.108.i8460.i, align 8, !noalias !189
-  %.161.i.i8887 = getelementptr double, ptr %66, i64 %.1729.08355.i
-  store double 0.000000e+00, ptr %.161.i.i8887, align 8, !noalias !189
+  %.161.i.i8920 = getelementptr double, ptr %66, i64 %.1729.08355.i
+  store double 0.000000e+00, ptr %.161.i.i8920, align 8, !noalias !189
   %.214.i8546.i = getelementptr double, ptr %67, i64 %.1729.08355.i
   store double %.2603.i, ptr %.214.i8546.i, align 8, !noalias !189
   %.267.i8591.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.1729.08355.i
   %.268.i8592.i = load i64, ptr %.267.i8591.i, align 8, !noalias !189
   %.294.i8613.i = icmp slt i64 %.268.i8592.i, 0
-  %.295.i.i8888 = select i1 %.294.i8613.i, i64 %arg.batch.3.3.5.0, i64 0
-  %.296.i8614.i = add i64 %.295.i.i8888, %.268.i8592.i
+  %.295.i.i8921 = select i1 %.294.i8613.i, i64 %arg.batch.3.3.5.0, i64 0
+  %.296.i8614.i = add i64 %.295.i.i8921, %.268.i8592.i
   %.316.i8634.i = mul i64 %.296.i8614.i, %arg.batch.3.3.5.1
   %.320.i8638.i = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.316.i8634.i
   %.321.i8639.i = load i64, ptr %.320.i8638.i, align 8, !noalias !189
@@ -3935,16 +3935,16 @@ B1812.i:                                          ; preds = %B1718.endif.endif.i
   %excinfo.12.2.i = phi ptr [ %excinfo.12.4.i, %B1718.endif.endif.i ], [ %excinfo.12.08359.i, %B1710.i ]
   br label %B34.i.i
 
-B34.i.i:                                          ; preds = %B34.if.i.i8882, %B1812.i
-  %.51.i9321.0.i = phi i64 [ 0, %B1812.i ], [ %.122.i9466.i, %B34.if.i.i8882 ]
+B34.i.i:                                          ; preds = %B34.if.i.i8915, %B1812.i
+  %.51.i9321.0.i = phi i64 [ 0, %B1812.i ], [ %.122.i9466.i, %B34.if.i.i8915 ]
   %exitcond8416.not.i = icmp eq i64 %.51.i9321.0.i, %storemerge7986.i
-  br i1 %exitcond8416.not.i, label %B1917.i, label %B34.if.i.i8882
+  br i1 %exitcond8416.not.i, label %B1917.i, label %B34.if.i.i8915
 
-B128.i.i:                                         ; preds = %B34.if.i.i8882
+B128.i.i:                                         ; preds = %B34.if.i.i8915
   %286 = icmp sgt i64 %.51.i9321.0.i, -1
   br i1 %286, label %B1868.i, label %B1917.i
 
-B34.if.i.i8882:                                   ; preds = %B34.i.i
+B34.if.i.i8915:                                   ; preds = %B34.i.i
   %.122.i9466.i = add i64 %.51.i9321.0.i, 1
   %.157.i9389.i = add nsw i64 %.51.i9321.0.i, %.155.i9387.i
   %.159.i9391.i = mul nsw i64 %.157.i9389.i, %arg.shape.0
@@ -3974,17 +3974,17 @@ B1917.i:                                          ; preds = %B34.i.i, %B1028.if.
   %exitcond8417.not.i = icmp eq i64 %arg.shape.0, %.1799.i
   br i1 %exitcond8417.not.i, label %_ZN5pages5kinks12locate_kinksB3v32B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B1028.if.i
 
-B296.if.i8877:                                    ; preds = %B296.if.i8877.preheader, %B296.loopexit.i
-  %.620.08175.i = phi i64 [ %.689.i8878, %B296.loopexit.i ], [ 0, %B296.if.i8877.preheader ]
-  %.689.i8878 = add nsw i64 %.620.08175.i, 1
-  br i1 %199, label %switch.lookup9468, label %switch.end.i
+B296.if.i8910:                                    ; preds = %B296.if.i8910.preheader, %B296.loopexit.i
+  %.620.08175.i = phi i64 [ %.689.i8911, %B296.loopexit.i ], [ 0, %B296.if.i8910.preheader ]
+  %.689.i8911 = add nsw i64 %.620.08175.i, 1
+  br i1 %199, label %switch.lookup9501, label %switch.end.i
 
-switch.lookup9468:                                ; preds = %B296.if.i8877
-  %switch.load9470 = load double, ptr %switch.gep9469, align 8
+switch.lookup9501:                                ; preds = %B296.if.i8910
+  %switch.load9503 = load double, ptr %switch.gep9502, align 8
   br label %switch.end.i
 
-switch.end.i:                                     ; preds = %B296.if.i8877, %switch.lookup9468
-  %.731.i = phi double [ %switch.load9470, %switch.lookup9468 ], [ 1.000000e+00, %B296.if.i8877 ]
+switch.end.i:                                     ; preds = %B296.if.i8910, %switch.lookup9501
+  %.731.i = phi double [ %switch.load9503, %switch.lookup9501 ], [ 1.000000e+00, %B296.if.i8910 ]
   %.92.i107.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.620.08175.i
   %.93.i108.i = load double, ptr %.92.i107.i, align 8, !noalias !196
   %.146.i144.i = getelementptr double, ptr %55, i64 %.620.08175.i
@@ -3997,70 +3997,70 @@ switch.end.i:                                     ; preds = %B296.if.i8877, %swi
 
 B122.if.i467.lr.ph.i:                             ; preds = %switch.end.i
   %.247.i.i437.i = fsub double 1.000000e+00, %.731.i
-  %invariant.gep9254 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08175.i
-  %invariant.gep9256 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08175.i
-  %invariant.gep9258 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08175.i
-  %invariant.gep9260 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08175.i
-  %invariant.gep9262 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08175.i
-  %invariant.gep9264 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08175.i
-  %invariant.gep9266 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08175.i
-  %invariant.gep9268 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08175.i
-  %invariant.gep9270 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08175.i
+  %invariant.gep9287 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08175.i
+  %invariant.gep9289 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08175.i
+  %invariant.gep9291 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08175.i
+  %invariant.gep9293 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08175.i
+  %invariant.gep9295 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08175.i
+  %invariant.gep9297 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08175.i
+  %invariant.gep9299 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08175.i
+  %invariant.gep9301 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08175.i
+  %invariant.gep9303 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08175.i
   br label %B122.if.i467.i
 
 B122.if.i467.i:                                   ; preds = %B122.if.i467.i, %B122.if.i467.lr.ph.i
   %.229.i60.08172.i = phi i64 [ 0, %B122.if.i467.lr.ph.i ], [ %.300.i473.i, %B122.if.i467.i ]
   %.157.i.i394.i = add nsw i64 %.229.i60.08172.i, %.155.i.i392.i
   %.159.i.i396.i = mul nsw i64 %.157.i.i394.i, %arg.shape.0
-  %gep9255 = getelementptr double, ptr %invariant.gep9254, i64 %.159.i.i396.i
-  %.191.i.i418.i = load double, ptr %gep9255, align 8, !noalias !200
+  %gep9288 = getelementptr double, ptr %invariant.gep9287, i64 %.159.i.i396.i
+  %.191.i.i418.i = load double, ptr %gep9288, align 8, !noalias !200
   %.193.i.i420.i = fadd double %.191.i.i418.i, 0.000000e+00
   %.253.i.i442.i = fmul double %.731.i, %.193.i.i420.i
   %.157.i.i394.1.i = add nsw i64 %.229.i60.08172.i, %.155.i.i392.1.i
   %.159.i.i396.1.i = mul nsw i64 %.157.i.i394.1.i, %arg.shape.0
-  %gep9257 = getelementptr double, ptr %invariant.gep9256, i64 %.159.i.i396.1.i
-  %.191.i.i418.1.i = load double, ptr %gep9257, align 8, !noalias !200
+  %gep9290 = getelementptr double, ptr %invariant.gep9289, i64 %.159.i.i396.1.i
+  %.191.i.i418.1.i = load double, ptr %gep9290, align 8, !noalias !200
   %.193.i.i420.1.i = fadd double %.191.i.i418.1.i, %.253.i.i442.i
   %.253.i.i442.1.i = fmul double %.247.i.i437.i, %.193.i.i420.1.i
   %.157.i.i394.2.i = add nsw i64 %.229.i60.08172.i, %.155.i.i392.2.i
   %.159.i.i396.2.i = mul nsw i64 %.157.i.i394.2.i, %arg.shape.0
-  %gep9259 = getelementptr double, ptr %invariant.gep9258, i64 %.159.i.i396.2.i
-  %.191.i.i418.2.i = load double, ptr %gep9259, align 8, !noalias !200
+  %gep9292 = getelementptr double, ptr %invariant.gep9291, i64 %.159.i.i396.2.i
+  %.191.i.i418.2.i = load double, ptr %gep9292, align 8, !noalias !200
   %.193.i.i420.2.i = fadd double %.191.i.i418.2.i, %.253.i.i442.1.i
   %.253.i.i442.2.i = fmul double %.731.i, %.193.i.i420.2.i
   %.157.i.i394.3.i = add nsw i64 %.229.i60.08172.i, %.155.i.i392.3.i
   %.159.i.i396.3.i = mul nsw i64 %.157.i.i394.3.i, %arg.shape.0
-  %gep9261 = getelementptr double, ptr %invariant.gep9260, i64 %.159.i.i396.3.i
-  %.191.i.i418.3.i = load double, ptr %gep9261, align 8, !noalias !200
+  %gep9294 = getelementptr double, ptr %invariant.gep9293, i64 %.159.i.i396.3.i
+  %.191.i.i418.3.i = load double, ptr %gep9294, align 8, !noalias !200
   %.193.i.i420.3.i = fadd double %.191.i.i418.3.i, %.253.i.i442.2.i
   %.253.i.i442.3.i = fmul double %.247.i.i437.i, %.193.i.i420.3.i
   %.157.i.i394.4.i = add nsw i64 %.229.i60.08172.i, %.155.i.i392.4.i
   %.159.i.i396.4.i = mul nsw i64 %.157.i.i394.4.i, %arg.shape.0
-  %gep9263 = getelementptr double, ptr %invariant.gep9262, i64 %.159.i.i396.4.i
-  %.191.i.i418.4.i = load double, ptr %gep9263, align 8, !noalias !200
+  %gep9296 = getelementptr double, ptr %invariant.gep9295, i64 %.159.i.i396.4.i
+  %.191.i.i418.4.i = load double, ptr %gep9296, align 8, !noalias !200
   %.193.i.i420.4.i = fadd double %.191.i.i418.4.i, %.253.i.i442.3.i
   %.253.i.i442.4.i = fmul double %.731.i, %.193.i.i420.4.i
   %.157.i.i394.5.i = add nsw i64 %.229.i60.08172.i, %.155.i.i392.5.i
   %.159.i.i396.5.i = mul nsw i64 %.157.i.i394.5.i, %arg.shape.0
-  %gep9265 = getelementptr double, ptr %invariant.gep9264, i64 %.159.i.i396.5.i
-  %.191.i.i418.5.i = load double, ptr %gep9265, align 8, !noalias !200
+  %gep9298 = getelementptr double, ptr %invariant.gep9297, i64 %.159.i.i396.5.i
+  %.191.i.i418.5.i = load double, ptr %gep9298, align 8, !noalias !200
   %.193.i.i420.5.i = fadd double %.191.i.i418.5.i, %.253.i.i442.4.i
   %.253.i.i442.5.i = fmul double %.247.i.i437.i, %.193.i.i420.5.i
   %.157.i.i394.6.i = add nsw i64 %.229.i60.08172.i, %.155.i.i392.6.i
   %.159.i.i396.6.i = mul nsw i64 %.157.i.i394.6.i, %arg.shape.0
-  %gep9267 = getelementptr double, ptr %invariant.gep9266, i64 %.159.i.i396.6.i
-  %.191.i.i418.6.i = load double, ptr %gep9267, align 8, !noalias !200
+  %gep9300 = getelementptr double, ptr %invariant.gep9299, i64 %.159.i.i396.6.i
+  %.191.i.i418.6.i = load double, ptr %gep9300, align 8, !noalias !200
   %.193.i.i420.6.i = fadd double %.191.i.i418.6.i, %.253.i.i442.5.i
   %.253.i.i442.6.i = fmul double %.731.i, %.193.i.i420.6.i
   %.300.i473.i = add nsw i64 %.229.i60.08172.i, 1
   %.271.i.i315.i = mul nsw i64 %.229.i60.08172.i, %arg.shape.0
-  %gep9269 = getelementptr double, ptr %invariant.gep9268, i64 %.271.i.i315.i
-  %.309.i.i340.i = load double, ptr %gep9269, align 8, !noalias !200
+  %gep9302 = getelementptr double, ptr %invariant.gep9301, i64 %.271.i.i315.i
+  %.309.i.i340.i = load double, ptr %gep9302, align 8, !noalias !200
   %.313.i.i343.i = fadd double %.309.i.i340.i, %.253.i.i442.6.i
   %.359.i356.i = add nsw i64 %.229.i60.08172.i, %.358.i355.i
   %.361.i358.i = mul nsw i64 %.359.i356.i, %arg.shape.0
-  %gep9271 = getelementptr double, ptr %invariant.gep9270, i64 %.361.i358.i
-  store double %.313.i.i343.i, ptr %gep9271, align 8, !noalias !196
+  %gep9304 = getelementptr double, ptr %invariant.gep9303, i64 %.361.i358.i
+  store double %.313.i.i343.i, ptr %gep9304, align 8, !noalias !196
   %exitcond8383.not.i = icmp eq i64 %arg.shape.1, %.300.i473.i
   br i1 %exitcond8383.not.i, label %B296.loopexit.i, label %B122.if.i467.i
 
@@ -4093,15 +4093,15 @@ B596.if.i:                                        ; preds = %B596.if.i.preheader
 
 B122.if.i.lr.ph.i:                                ; preds = %B596.if.i
   %.247.i.i.i = fsub double 1.000000e+00, %.1301.i
-  %invariant.gep9294 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08263.i
-  %invariant.gep9296 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08263.i
-  %invariant.gep9298 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08263.i
-  %invariant.gep9300 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08263.i
-  %invariant.gep9302 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08263.i
-  %invariant.gep9304 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08263.i
-  %invariant.gep9306 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08263.i
-  %invariant.gep9308 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08263.i
-  %invariant.gep9310 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08263.i
+  %invariant.gep9327 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08263.i
+  %invariant.gep9329 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08263.i
+  %invariant.gep9331 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08263.i
+  %invariant.gep9333 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08263.i
+  %invariant.gep9335 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08263.i
+  %invariant.gep9337 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08263.i
+  %invariant.gep9339 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08263.i
+  %invariant.gep9341 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08263.i
+  %invariant.gep9343 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08263.i
   br label %B122.if.i.i
 
 B678.endif.i.critedge:                            ; preds = %B154.i.preheader.i.preheader
@@ -4154,73 +4154,73 @@ B3746:                                            ; preds = %B3742
 B150.if.1.i:                                      ; preds = %B150.if.i, %B150.if.1.i
   %.361.0604.1.i = phi i64 [ %.430.1.i, %B150.if.1.i ], [ 0, %B150.if.i ]
   %.430.1.i = add nsw i64 %.361.0604.1.i, 1
-  %gep9337 = getelementptr double, ptr %invariant.gep9336, i64 %.361.0604.1.i
-  store double 1.000000e-09, ptr %gep9337, align 8, !noalias !204
+  %gep9370 = getelementptr double, ptr %invariant.gep9369, i64 %.361.0604.1.i
+  store double 1.000000e-09, ptr %gep9370, align 8, !noalias !204
   %exitcond.1.not.i = icmp eq i64 %arg.shape.0, %.430.1.i
   br i1 %exitcond.1.not.i, label %B150.if.2.i, label %B150.if.1.i
 
 B150.if.2.i:                                      ; preds = %B150.if.1.i, %B150.if.2.i
   %.361.0604.2.i = phi i64 [ %.430.2.i, %B150.if.2.i ], [ 0, %B150.if.1.i ]
   %.430.2.i = add nsw i64 %.361.0604.2.i, 1
-  %gep9339 = getelementptr double, ptr %invariant.gep9338, i64 %.361.0604.2.i
-  store double 1.000000e-09, ptr %gep9339, align 8, !noalias !204
+  %gep9372 = getelementptr double, ptr %invariant.gep9371, i64 %.361.0604.2.i
+  store double 1.000000e-09, ptr %gep9372, align 8, !noalias !204
   %exitcond.2.not.i = icmp eq i64 %arg.shape.0, %.430.2.i
   br i1 %exitcond.2.not.i, label %B150.if.3.i, label %B150.if.2.i
 
 B150.if.3.i:                                      ; preds = %B150.if.2.i, %B150.if.3.i
   %.361.0604.3.i = phi i64 [ %.430.3.i, %B150.if.3.i ], [ 0, %B150.if.2.i ]
   %.430.3.i = add nsw i64 %.361.0604.3.i, 1
-  %gep9341 = getelementptr double, ptr %invariant.gep9340, i64 %.361.0604.3.i
-  store double 1.000000e-09, ptr %gep9341, align 8, !noalias !204
+  %gep9374 = getelementptr double, ptr %invariant.gep9373, i64 %.361.0604.3.i
+  store double 1.000000e-09, ptr %gep9374, align 8, !noalias !204
   %exitcond.3.not.i = icmp eq i64 %arg.shape.0, %.430.3.i
   br i1 %exitcond.3.not.i, label %B150.if.4.i, label %B150.if.3.i
 
 B150.if.4.i:                                      ; preds = %B150.if.3.i, %B150.if.4.i
   %.361.0604.4.i = phi i64 [ %.430.4.i, %B150.if.4.i ], [ 0, %B150.if.3.i ]
   %.430.4.i = add nsw i64 %.361.0604.4.i, 1
-  %gep9343 = getelementptr double, ptr %invariant.gep9342, i64 %.361.0604.4.i
-  store double 1.000000e-09, ptr %gep9343, align 8, !noalias !204
+  %gep9376 = getelementptr double, ptr %invariant.gep9375, i64 %.361.0604.4.i
+  store double 1.000000e-09, ptr %gep9376, align 8, !noalias !204
   %exitcond.4.not.i = icmp eq i64 %arg.shape.0, %.430.4.i
   br i1 %exitcond.4.not.i, label %B150.if.5.i, label %B150.if.4.i
 
 B150.if.5.i:                                      ; preds = %B150.if.4.i, %B150.if.5.i
   %.361.0604.5.i = phi i64 [ %.430.5.i, %B150.if.5.i ], [ 0, %B150.if.4.i ]
   %.430.5.i = add nsw i64 %.361.0604.5.i, 1
-  %gep9345 = getelementptr double, ptr %invariant.gep9344, i64 %.361.0604.5.i
-  store double 1.000000e-09, ptr %gep9345, align 8, !noalias !204
+  %gep9378 = getelementptr double, ptr %invariant.gep9377, i64 %.361.0604.5.i
+  store double 1.000000e-09, ptr %gep9378, align 8, !noalias !204
   %exitcond.5.not.i = icmp eq i64 %arg.shape.0, %.430.5.i
   br i1 %exitcond.5.not.i, label %B150.if.6.i, label %B150.if.5.i
 
 B150.if.6.i:                                      ; preds = %B150.if.5.i, %B150.if.6.i
   %.361.0604.6.i = phi i64 [ %.430.6.i, %B150.if.6.i ], [ 0, %B150.if.5.i ]
   %.430.6.i = add nsw i64 %.361.0604.6.i, 1
-  %gep9347 = getelementptr double, ptr %invariant.gep9346, i64 %.361.0604.6.i
-  store double 1.000000e-09, ptr %gep9347, align 8, !noalias !204
+  %gep9380 = getelementptr double, ptr %invariant.gep9379, i64 %.361.0604.6.i
+  store double 1.000000e-09, ptr %gep9380, align 8, !noalias !204
   %exitcond.6.not.i = icmp eq i64 %arg.shape.0, %.430.6.i
   br i1 %exitcond.6.not.i, label %B150.if.7.i, label %B150.if.6.i
 
 B150.if.7.i:                                      ; preds = %B150.if.6.i, %B150.if.7.i
   %.361.0604.7.i = phi i64 [ %.430.7.i, %B150.if.7.i ], [ 0, %B150.if.6.i ]
   %.430.7.i = add nsw i64 %.361.0604.7.i, 1
-  %gep9349 = getelementptr double, ptr %invariant.gep9348, i64 %.361.0604.7.i
-  store double 1.000000e-09, ptr %gep9349, align 8, !noalias !204
+  %gep9382 = getelementptr double, ptr %invariant.gep9381, i64 %.361.0604.7.i
+  store double 1.000000e-09, ptr %gep9382, align 8, !noalias !204
   %exitcond.7.not.i = icmp eq i64 %arg.shape.0, %.430.7.i
   br i1 %exitcond.7.not.i, label %B150.if.8.i, label %B150.if.7.i
 
 B150.if.8.i:                                      ; preds = %B150.if.7.i, %B150.if.8.i
   %.361.0604.8.i = phi i64 [ %.430.8.i, %B150.if.8.i ], [ 0, %B150.if.7.i ]
   %.430.8.i = add nsw i64 %.361.0604.8.i, 1
-  %gep9351 = getelementptr double, ptr %invariant.gep9350, i64 %.361.0604.8.i
-  store double 1.000000e-09, ptr %gep9351, align 8, !noalias !204
+  %gep9384 = getelementptr double, ptr %invariant.gep9383, i64 %.361.0604.8.i
+  store double 1.000000e-09, ptr %gep9384, align 8, !noalias !204
   %exitcond.8.not.i = icmp eq i64 %arg.shape.0, %.430.8.i
   br i1 %exitcond.8.not.i, label %B116.loopexit.8.i, label %B150.if.8.i
 
 B116.loopexit.8.i:                                ; preds = %B150.if.8.i, %B3746
   %.227.i.i = load double, ptr %.226.i.i, align 8, !noalias !208
-  %.256.i.i8911 = load double, ptr %arg.batch.2.4, align 8, !noalias !208
+  %.256.i.i8944 = load double, ptr %arg.batch.2.4, align 8, !noalias !208
   br label %B256.if.i.i
 
-B290.loopexit.i.i:                                ; preds = %B122.if.i.i.i8976, %switch.end.i.i8972
+B290.loopexit.i.i:                                ; preds = %B122.if.i.i.i9009, %switch.end.i.i9005
   %exitcond1309.not.i.i = icmp eq i64 %arg.shape.0, %.533.i.i
   br i1 %exitcond1309.not.i.i, label %B358.i.i, label %B290.if.i.i
 
@@ -4234,8 +4234,8 @@ B358.i.i:                                         ; preds = %B290.loopexit.i.i, 
   %.783.i.i = mul i64 %.1281.i.i, %.463
   %.801.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.783.i.i
   %.826.i.i = getelementptr double, ptr %arg.batch.5.4.4, i64 %.673.i.i
-  %.827.i.i8916 = inttoptr i64 %.708.i.i to ptr
-  tail call void %.827.i.i8916(ptr %.571, ptr %.801.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.826.i.i), !noalias !208
+  %.827.i.i8949 = inttoptr i64 %.708.i.i to ptr
+  tail call void %.827.i.i8949(ptr %.571, ptr %.801.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.826.i.i), !noalias !208
   %.399.i.i = icmp sgt i64 %.344.01297.i.i, 1
   br i1 %.399.i.i, label %B256.if.i.i, label %B600.i.i
 
@@ -4243,66 +4243,66 @@ B600.i.i:                                         ; preds = %B358.i.i
   br i1 %.5201293.not.i.i, label %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, label %B634.lr.ph.i.i
 
 B634.lr.ph.i.i:                                   ; preds = %B600.i.i
-  %.257.i.i8927 = fsub double %.227.i.i, %.256.i.i8911
-  %.258.i.i8928 = fmul double %.257.i.i8927, 1.000000e-13
-  %.1816.i.i = fmul double %.258.i.i8928, 2.000000e+00
-  br label %B634.i.i8929
+  %.257.i.i8960 = fsub double %.227.i.i, %.256.i.i8944
+  %.258.i.i8961 = fmul double %.257.i.i8960, 1.000000e-13
+  %.1816.i.i = fmul double %.258.i.i8961, 2.000000e+00
+  br label %B634.i.i8962
 
-B634.i.i8929:                                     ; preds = %B1542.i.i, %B634.lr.ph.i.i
+B634.i.i8962:                                     ; preds = %B1542.i.i, %B634.lr.ph.i.i
   %.925.sroa.0.01306.i.i = phi i64 [ 0, %B634.lr.ph.i.i ], [ %.925.sroa.0.0.i.i, %B1542.i.i ]
   %.881.11305.i.i = phi i64 [ %.881.11301.i.i, %B634.lr.ph.i.i ], [ %.881.1.i.i, %B1542.i.i ]
   %.878.11304.i.i = phi i64 [ 1, %B634.lr.ph.i.i ], [ %.878.1.i.i, %B1542.i.i ]
   %some.2.01303.i.i = phi i1 [ false, %B634.lr.ph.i.i ], [ %some.3.1.i.i, %B1542.i.i ]
   %excinfo.3.01302.i.i = phi ptr [ null, %B634.lr.ph.i.i ], [ %excinfo.3.1.i.i, %B1542.i.i ]
   %.1006.i.i = icmp slt i64 %.925.sroa.0.01306.i.i, 0
-  %.1007.i.i8930 = select i1 %.1006.i.i, i64 %arg.batch.4.0.5.1, i64 0
-  %.1008.i.i8931 = add i64 %.1007.i.i8930, %.925.sroa.0.01306.i.i
-  %.1029.i.i8932 = getelementptr double, ptr %70, i64 %.1008.i.i8931
-  %.1030.i.i8933 = load double, ptr %.1029.i.i8932, align 8, !noalias !208
+  %.1007.i.i8963 = select i1 %.1006.i.i, i64 %arg.batch.4.0.5.1, i64 0
+  %.1008.i.i8964 = add i64 %.1007.i.i8963, %.925.sroa.0.01306.i.i
+  %.1029.i.i8965 = getelementptr double, ptr %70, i64 %.1008.i.i8964
+  %.1030.i.i8966 = load double, ptr %.1029.i.i8965, align 8, !noalias !208
   %.1058.i.i = select i1 %.1006.i.i, i64 %arg.batch.4.1.5.1, i64 0
-  %.1059.i.i8934 = add i64 %.1058.i.i, %.925.sroa.0.01306.i.i
-  %.1080.i.i8935 = getelementptr i64, ptr %71, i64 %.1059.i.i8934
-  store i64 -1, ptr %.1080.i.i8935, align 8, !noalias !208
-  %.1131.i.i = getelementptr double, ptr %.571, i64 %.1008.i.i8931
-  store double %.1030.i.i8933, ptr %.1131.i.i, align 8, !noalias !208
-  %.1182.i.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.1059.i.i8934
+  %.1059.i.i8967 = add i64 %.1058.i.i, %.925.sroa.0.01306.i.i
+  %.1080.i.i8968 = getelementptr i64, ptr %71, i64 %.1059.i.i8967
+  store i64 -1, ptr %.1080.i.i8968, align 8, !noalias !208
+  %.1131.i.i = getelementptr double, ptr %.571, i64 %.1008.i.i8964
+  store double %.1030.i.i8966, ptr %.1131.i.i, align 8, !noalias !208
+  %.1182.i.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.1059.i.i8967
   %.1183.i.i = load i64, ptr %.1182.i.i, align 8, !noalias !208
   %.1184.i.i = icmp sgt i64 %.1183.i.i, -1
-  br i1 %.1184.i.i, label %B792.i.i8937, label %B1542.i.i
+  br i1 %.1184.i.i, label %B792.i.i8970, label %B1542.i.i
 
-B792.i.i8937:                                     ; preds = %B634.i.i8929
-  %.1238.i.i = getelementptr double, ptr %72, i64 %.1008.i.i8931
+B792.i.i8970:                                     ; preds = %B634.i.i8962
+  %.1238.i.i = getelementptr double, ptr %72, i64 %.1008.i.i8964
   %.1239.i.i = load double, ptr %.1238.i.i, align 8, !noalias !208
   %.1240.i.i = fcmp ogt double %.1239.i.i, 5.000000e-01
   br i1 %.1240.i.i, label %B842.i.i, label %B1542.i.i
 
-B842.i.i:                                         ; preds = %B792.i.i8937
-  %.1326.i.i8938 = load i64, ptr %.1080.i.i8935, align 8, !noalias !208
-  %.1327.i.i = icmp slt i64 %.1326.i.i8938, 0
+B842.i.i:                                         ; preds = %B792.i.i8970
+  %.1326.i.i8971 = load i64, ptr %.1080.i.i8968, align 8, !noalias !208
+  %.1327.i.i = icmp slt i64 %.1326.i.i8971, 0
   br i1 %.1327.i.i, label %B940.i.i, label %B1088.i.i
 
 B940.i.i:                                         ; preds = %B842.i.i, %B940.i.i
   %last.2.3.i.i = phi i64 [ %.1333.i.i, %B940.i.i ], [ %.1282.i.i, %B842.i.i ]
   %.1333.i.i = add nsw i64 %last.2.3.i.i, 1
   %.151.i51.i.i = mul nsw i64 %.1333.i.i, 3
-  %.155.i.i.i8967 = add nsw i64 %.151.i51.i.i, 1
-  %.159.i.i.i8968 = mul nsw i64 %.155.i.i.i8967, %arg.shape.0
-  %.161.i.i.i = add nsw i64 %.159.i.i.i8968, %.925.sroa.0.01306.i.i
+  %.155.i.i.i9000 = add nsw i64 %.151.i51.i.i, 1
+  %.159.i.i.i9001 = mul nsw i64 %.155.i.i.i9000, %arg.shape.0
+  %.161.i.i.i = add nsw i64 %.159.i.i.i9001, %.925.sroa.0.01306.i.i
   %.175.i63.i.i = icmp slt i64 %.161.i.i.i, 0
   %.176.i64.i.i = select i1 %.175.i63.i.i, i64 %arg.batch.5.4.5.0, i64 0
   %290 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i.i.i
   %.190.i.i.i = getelementptr double, ptr %290, i64 %.176.i64.i.i
-  %.191.i.i.i8969 = load double, ptr %.190.i.i.i, align 8, !noalias !212
+  %.191.i.i.i9002 = load double, ptr %.190.i.i.i, align 8, !noalias !212
   %.195.i80.i.i = add nsw i64 %.161.i.i.i, %arg.shape.0
   %.209.i.i.i = icmp slt i64 %.195.i80.i.i, 0
-  %.210.i.i.i8970 = select i1 %.209.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %.210.i.i.i9003 = select i1 %.209.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
   %291 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.195.i80.i.i
-  %.224.i91.i.i = getelementptr double, ptr %291, i64 %.210.i.i.i8970
+  %.224.i91.i.i = getelementptr double, ptr %291, i64 %.210.i.i.i9003
   %.225.i92.i.i = load double, ptr %.224.i91.i.i, align 8, !noalias !212
   %.226.i93.i.i = fneg double %.225.i92.i.i
-  %.227.i94.i.i = fcmp uge double %.191.i.i.i8969, %.226.i93.i.i
+  %.227.i94.i.i = fcmp uge double %.191.i.i.i9002, %.226.i93.i.i
   %.1348.0.i.i = sext i1 %.227.i94.i.i to i64
-  store i64 %.1348.0.i.i, ptr %.1080.i.i8935, align 8, !noalias !208
+  store i64 %.1348.0.i.i, ptr %.1080.i.i8968, align 8, !noalias !208
   %exitcond1311.not.i.i = icmp ne i64 %last.2.3.i.i, 7
   %brmerge.not.i.i = and i1 %exitcond1311.not.i.i, %.227.i94.i.i
   br i1 %brmerge.not.i.i, label %B940.i.i, label %B1088.i.i
@@ -4313,27 +4313,27 @@ B1088.i.i:                                        ; preds = %B940.i.i, %B842.i.i
 
 B1096.i.i:                                        ; preds = %B1088.i.i
   %292 = getelementptr double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %last.3.2.i.i
-  %switch.gep9473 = getelementptr i8, ptr %292, i64 64
-  %switch.load9474 = load double, ptr %switch.gep9473, align 8
+  %switch.gep9506 = getelementptr i8, ptr %292, i64 64
+  %switch.load9507 = load double, ptr %switch.gep9506, align 8
   br label %B1126.i.i
 
 B1126.i.i:                                        ; preds = %B1096.i.i, %B1088.i.i
-  %"$phi1126.1.2.2.i.i" = phi double [ 0.000000e+00, %B1088.i.i ], [ %switch.load9474, %B1096.i.i ]
-  %.1595.i.i = getelementptr double, ptr %73, i64 %.1008.i.i8931
+  %"$phi1126.1.2.2.i.i" = phi double [ 0.000000e+00, %B1088.i.i ], [ %switch.load9507, %B1096.i.i ]
+  %.1595.i.i = getelementptr double, ptr %73, i64 %.1008.i.i8964
   store double %"$phi1126.1.2.2.i.i", ptr %.1595.i.i, align 8, !noalias !208
   %293 = getelementptr double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %last.3.2.i.i
-  %switch.gep9477 = getelementptr i8, ptr %293, i64 72
-  %switch.load9478 = load double, ptr %switch.gep9477, align 8
-  %.1683.i.i = getelementptr double, ptr %74, i64 %.1008.i.i8931
-  store double %switch.load9478, ptr %.1683.i.i, align 8, !noalias !208
-  %.1735.i.i = load i64, ptr %.1080.i.i8935, align 8, !noalias !208
+  %switch.gep9510 = getelementptr i8, ptr %293, i64 72
+  %switch.load9511 = load double, ptr %switch.gep9510, align 8
+  %.1683.i.i = getelementptr double, ptr %74, i64 %.1008.i.i8964
+  store double %switch.load9511, ptr %.1683.i.i, align 8, !noalias !208
+  %.1735.i.i = load i64, ptr %.1080.i.i8968, align 8, !noalias !208
   %.1736.i.i = icmp sgt i64 %.1735.i.i, -1
   %.1746.i.i = sext i1 %.1736.i.i to i64
   %"$phi1274.1.2.2.i.i" = add nsw i64 %last.3.2.i.i, %.1746.i.i
   br i1 %.296.i.i, label %B1282.i.i, label %B1490.i.i
 
 B1282.i.i:                                        ; preds = %B1126.i.i
-  %.1813.i.i = getelementptr double, ptr %69, i64 %.1008.i.i8931
+  %.1813.i.i = getelementptr double, ptr %69, i64 %.1008.i.i8964
   %.1814.i.i = load double, ptr %.1813.i.i, align 8, !noalias !208
   %.1817.i.i = fcmp ogt double %.1814.i.i, %.1816.i.i
   br i1 %.1817.i.i, label %B1340.i.i, label %B1490.i.i
@@ -4410,18 +4410,18 @@ B216.i.i.i:                                       ; preds = %B216.lr.ph.i.i.i, %
   %.352.i.i.i = add nsw i64 %.300.sroa.0.0347.i.i.i, -1
   %.354.i.i.i = mul nsw i64 %.352.i.i.i, %.30.i.i.i
   %.356.i.i.i = add nsw i64 %.354.i.i.i, %.160.i.i.i
-  %.370.i.i.i8942 = icmp slt i64 %.356.i.i.i, 0
-  %.371.i.i.i8943 = select i1 %.370.i.i.i8942, i64 %arg.batch.5.4.5.0, i64 0
+  %.370.i.i.i8975 = icmp slt i64 %.356.i.i.i, 0
+  %.371.i.i.i8976 = select i1 %.370.i.i.i8975, i64 %arg.batch.5.4.5.0, i64 0
   %305 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.356.i.i.i
-  %.385.i.i.i = getelementptr double, ptr %305, i64 %.371.i.i.i8943
+  %.385.i.i.i = getelementptr double, ptr %305, i64 %.371.i.i.i8976
   %.386.i.i.i = load double, ptr %.385.i.i.i, align 8, !noalias !216
   %.389.i.i.i = mul nsw i64 %.300.sroa.0.0347.i.i.i, %.30.i.i.i
   %.391.i.i.i = add nsw i64 %.389.i.i.i, %.160.i.i.i
   %.405.i.i.i = icmp slt i64 %.391.i.i.i, 0
   %.406.i.i.i = select i1 %.405.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
   %306 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.391.i.i.i
-  %.420.i.i.i8944 = getelementptr double, ptr %306, i64 %.406.i.i.i
-  %.421.i.i.i = load double, ptr %.420.i.i.i8944, align 8, !noalias !216
+  %.420.i.i.i8977 = getelementptr double, ptr %306, i64 %.406.i.i.i
+  %.421.i.i.i = load double, ptr %.420.i.i.i8977, align 8, !noalias !216
   %.423.i.i.i = add nsw i64 %.300.sroa.0.0347.i.i.i, 1
   %.425.i.i.i = mul nsw i64 %.423.i.i.i, %.30.i.i.i
   %.427.i.i.i = add nsw i64 %.425.i.i.i, %.160.i.i.i
@@ -4432,10 +4432,10 @@ B216.i.i.i:                                       ; preds = %B216.lr.ph.i.i.i, %
   %.457.i.i.i = load double, ptr %.456.i.i.i, align 8, !noalias !216
   %.480.i1283.i.i = fcmp olt double %.421.i.i.i, 0.000000e+00
   %.483.i.i.i = fneg double %.386.i.i.i
-  %.487.i.i.i8945 = fneg double %.421.i.i.i
-  %.491.i.i.i8946 = fneg double %.457.i.i.i
-  %c.2.2.i.i.i = select i1 %.480.i1283.i.i, double %.491.i.i.i8946, double %.457.i.i.i
-  %b.2.2.i.i.i = select i1 %.480.i1283.i.i, double %.487.i.i.i8945, double %.421.i.i.i
+  %.487.i.i.i8978 = fneg double %.421.i.i.i
+  %.491.i.i.i8979 = fneg double %.457.i.i.i
+  %c.2.2.i.i.i = select i1 %.480.i1283.i.i, double %.491.i.i.i8979, double %.457.i.i.i
+  %b.2.2.i.i.i = select i1 %.480.i1283.i.i, double %.487.i.i.i8978, double %.421.i.i.i
   %a.2.2.i.i.i = select i1 %.480.i1283.i.i, double %.483.i.i.i, double %.386.i.i.i
   %.508.i.i.i = icmp eq i64 %.300.sroa.0.0347.i.i.i, 1
   %.515.i.i.i = fcmp ogt double %a.2.2.i.i.i, 0.000000e+00
@@ -4449,12 +4449,12 @@ B368.i.i.i:                                       ; preds = %B216.i.i.i
   br i1 %or.cond306.i.i.i, label %B392.i.i.i, label %B424.i.i.i
 
 B392.i.i.i:                                       ; preds = %B368.i.i.i
-  %.10.i.i.i.i8950 = fcmp olt double %b.2.2.i.i.i, %nearest.3.1344.i.i.i
-  %.11.i.i.i.i8951 = select i1 %.10.i.i.i.i8950, double %b.2.2.i.i.i, double %nearest.3.1344.i.i.i
+  %.10.i.i.i.i8983 = fcmp olt double %b.2.2.i.i.i, %nearest.3.1344.i.i.i
+  %.11.i.i.i.i8984 = select i1 %.10.i.i.i.i8983, double %b.2.2.i.i.i, double %nearest.3.1344.i.i.i
   br label %B424.i.i.i
 
 B424.i.i.i:                                       ; preds = %B392.i.i.i, %B368.i.i.i, %B216.i.i.i
-  %nearest.6.3.i.i.i = phi double [ %.11.i.i.i.i8951, %B392.i.i.i ], [ %nearest.3.1344.i.i.i, %B368.i.i.i ], [ %nearest.3.1344.i.i.i, %B216.i.i.i ]
+  %nearest.6.3.i.i.i = phi double [ %.11.i.i.i.i8984, %B392.i.i.i ], [ %nearest.3.1344.i.i.i, %B368.i.i.i ], [ %nearest.3.1344.i.i.i, %B216.i.i.i ]
   %.572.i.i.i = icmp slt i64 %.300.sroa.0.0347.i.i.i, %"$phi1274.1.2.2.i.i"
   br i1 %.572.i.i.i, label %B436.i.i.i, label %B935.i.i.i
 
@@ -4462,19 +4462,19 @@ B436.i.i.i:                                       ; preds = %B424.i.i.i
   %.581.i.i.i = fsub double %a.2.2.i.i.i, %b.2.2.i.i.i
   %.582.i.i.i = tail call double @llvm.fabs.f64(double %.581.i.i.i)
   %.585.i.i.i = fsub double %c.2.2.i.i.i, %b.2.2.i.i.i
-  %.586.i.i.i8947 = tail call double @llvm.fabs.f64(double %.585.i.i.i)
-  %.587.i.i.i8948 = fadd double %.582.i.i.i, %.586.i.i.i8947
-  %.588.i.i.i8949 = fmul double %.587.i.i.i8948, 3.000000e+00
-  %.589.i.i.i = fadd double %.578.i.i.i, %.588.i.i.i8949
+  %.586.i.i.i8980 = tail call double @llvm.fabs.f64(double %.585.i.i.i)
+  %.587.i.i.i8981 = fadd double %.582.i.i.i, %.586.i.i.i8980
+  %.588.i.i.i8982 = fmul double %.587.i.i.i8981, 3.000000e+00
+  %.589.i.i.i = fadd double %.578.i.i.i, %.588.i.i.i8982
   %.591.i.i.i = fcmp olt double %b.2.2.i.i.i, %.589.i.i.i
   br i1 %.591.i.i.i, label %B546.i.i.i, label %B935.i.i.i
 
 B546.i.i.i:                                       ; preds = %B436.i.i.i
-  %switch.tableidx9479 = add i64 %.300.sroa.0.0347.i.i.i, 9
-  %308 = icmp ult i64 %switch.tableidx9479, 18
-  br i1 %308, label %switch.lookup9480, label %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  %switch.tableidx9512 = add i64 %.300.sroa.0.0347.i.i.i, 9
+  %308 = icmp ult i64 %switch.tableidx9512, 18
+  br i1 %308, label %switch.lookup9513, label %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
-B752.i.i.i:                                       ; preds = %switch.lookup9492
+B752.i.i.i:                                       ; preds = %switch.lookup9525
   %.800.i.i.i = fneg double %.741.i.i.i
   %.804.i.i.i = fmul double %.790.i.i.i, 5.000000e-01
   %.809.i.i.i = fdiv double %.804.i.i.i, %.773.i.i.i
@@ -4501,8 +4501,8 @@ B860.i.i.i:                                       ; preds = %B935.i.i.i, %B52.if
   %or.cond307.i.i.i = select i1 %.963.i.i.i, i1 true, i1 %.970.i.i.i
   br i1 %or.cond307.i.i.i, label %B50.i.i.i, label %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
-B935.i.i.i:                                       ; preds = %switch.lookup9492, %B792.i.i.i, %B752.i.i.i, %B436.i.i.i, %B424.i.i.i
-  %nearest.4.2.i.i.i = phi double [ %nearest.6.3.i.i.i, %B752.i.i.i ], [ %.11.i310.i.i.i, %B792.i.i.i ], [ %nearest.6.3.i.i.i, %B424.i.i.i ], [ %nearest.6.3.i.i.i, %switch.lookup9492 ], [ %nearest.6.3.i.i.i, %B436.i.i.i ]
+B935.i.i.i:                                       ; preds = %switch.lookup9525, %B792.i.i.i, %B752.i.i.i, %B436.i.i.i, %B424.i.i.i
+  %nearest.4.2.i.i.i = phi double [ %nearest.6.3.i.i.i, %B752.i.i.i ], [ %.11.i310.i.i.i, %B792.i.i.i ], [ %nearest.6.3.i.i.i, %B424.i.i.i ], [ %nearest.6.3.i.i.i, %switch.lookup9525 ], [ %nearest.6.3.i.i.i, %B436.i.i.i ]
   %.310.i.i.i = icmp sgt i64 %.256.1346.i.i.i, 0
   %.323.i.i.i = zext i1 %.310.i.i.i to i64
   %.253.1.i.i.i = add i64 %.253.1345.i.i.i, %.323.i.i.i
@@ -4579,32 +4579,32 @@ B216.lr.ph.i.i.i:                                 ; preds = %B52.if.i.i.i
   %.578.i.i.i = fmul double %.11.i.i.3.i.i.i, 1.000000e+01
   br label %B216.i.i.i
 
-switch.lookup9480:                                ; preds = %B546.i.i.i
-  %switch.tableidx9483 = add i64 %.300.sroa.0.0347.i.i.i, 8
-  %317 = icmp ult i64 %switch.tableidx9483, 18
-  br i1 %317, label %switch.lookup9484, label %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+switch.lookup9513:                                ; preds = %B546.i.i.i
+  %switch.tableidx9516 = add i64 %.300.sroa.0.0347.i.i.i, 8
+  %317 = icmp ult i64 %switch.tableidx9516, 18
+  br i1 %317, label %switch.lookup9517, label %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
-switch.lookup9484:                                ; preds = %switch.lookup9480
-  %switch.gep9481 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9479
-  %switch.load9482 = load double, ptr %switch.gep9481, align 8
-  %switch.gep9485 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9483
-  %switch.load9486 = load double, ptr %switch.gep9485, align 8
-  %.667.i.i.i = fsub double %switch.load9482, %switch.load9486
-  %switch.tableidx9487 = add i64 %.300.sroa.0.0347.i.i.i, 10
-  %318 = icmp ult i64 %switch.tableidx9487, 18
-  br i1 %318, label %switch.lookup9488, label %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+switch.lookup9517:                                ; preds = %switch.lookup9513
+  %switch.gep9514 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9512
+  %switch.load9515 = load double, ptr %switch.gep9514, align 8
+  %switch.gep9518 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9516
+  %switch.load9519 = load double, ptr %switch.gep9518, align 8
+  %.667.i.i.i = fsub double %switch.load9515, %switch.load9519
+  %switch.tableidx9520 = add i64 %.300.sroa.0.0347.i.i.i, 10
+  %318 = icmp ult i64 %switch.tableidx9520, 18
+  br i1 %318, label %switch.lookup9521, label %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
-switch.lookup9488:                                ; preds = %switch.lookup9484
-  %switch.tableidx9491 = add i64 %.300.sroa.0.0347.i.i.i, 9
-  %319 = icmp ult i64 %switch.tableidx9491, 18
-  br i1 %319, label %switch.lookup9492, label %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+switch.lookup9521:                                ; preds = %switch.lookup9517
+  %switch.tableidx9524 = add i64 %.300.sroa.0.0347.i.i.i, 9
+  %319 = icmp ult i64 %switch.tableidx9524, 18
+  br i1 %319, label %switch.lookup9525, label %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
-switch.lookup9492:                                ; preds = %switch.lookup9488
-  %switch.gep9489 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9487
-  %switch.load9490 = load double, ptr %switch.gep9489, align 8
-  %switch.gep9493 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9491
-  %switch.load9494 = load double, ptr %switch.gep9493, align 8
-  %.741.i.i.i = fsub double %switch.load9490, %switch.load9494
+switch.lookup9525:                                ; preds = %switch.lookup9521
+  %switch.gep9522 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9520
+  %switch.load9523 = load double, ptr %switch.gep9522, align 8
+  %switch.gep9526 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9524
+  %switch.load9527 = load double, ptr %switch.gep9526, align 8
+  %.741.i.i.i = fsub double %switch.load9523, %switch.load9527
   %.757.i.i.i = fdiv double %.585.i.i.i, %.741.i.i.i
   %.760.i.i.i = fsub double %b.2.2.i.i.i, %a.2.2.i.i.i
   %.765.i.i.i = fdiv double %.760.i.i.i, %.667.i.i.i
@@ -4616,18 +4616,18 @@ switch.lookup9492:                                ; preds = %switch.lookup9488
   %.795.i.i.i = fcmp ogt double %.773.i.i.i, 0.000000e+00
   br i1 %.795.i.i.i, label %B752.i.i.i, label %B935.i.i.i
 
-_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B860.i.i.i, %B50.i.i.i, %B546.i.i.i, %switch.lookup9480, %switch.lookup9484, %switch.lookup9488
-  %.1850.not.i.i = phi i1 [ true, %B546.i.i.i ], [ true, %switch.lookup9488 ], [ true, %switch.lookup9484 ], [ true, %switch.lookup9480 ], [ %exitcond.not.i.i.i, %B50.i.i.i ], [ %exitcond.not.i.i.i, %B860.i.i.i ]
-  %excinfo.3.3.i.i = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.106, %B546.i.i.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.106, %switch.lookup9488 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.106, %switch.lookup9484 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.106, %switch.lookup9480 ], [ %excinfo.3.01302.i.i, %B50.i.i.i ], [ %excinfo.3.01302.i.i, %B860.i.i.i ]
-  %.1839.not.i.i = phi i1 [ false, %B546.i.i.i ], [ false, %switch.lookup9488 ], [ false, %switch.lookup9484 ], [ false, %switch.lookup9480 ], [ true, %B50.i.i.i ], [ true, %B860.i.i.i ]
+_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B860.i.i.i, %B50.i.i.i, %B546.i.i.i, %switch.lookup9513, %switch.lookup9517, %switch.lookup9521
+  %.1850.not.i.i = phi i1 [ true, %B546.i.i.i ], [ true, %switch.lookup9521 ], [ true, %switch.lookup9517 ], [ true, %switch.lookup9513 ], [ %exitcond.not.i.i.i, %B50.i.i.i ], [ %exitcond.not.i.i.i, %B860.i.i.i ]
+  %excinfo.3.3.i.i = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.106, %B546.i.i.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.106, %switch.lookup9521 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.106, %switch.lookup9517 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.106, %switch.lookup9513 ], [ %excinfo.3.01302.i.i, %B50.i.i.i ], [ %excinfo.3.01302.i.i, %B860.i.i.i ]
+  %.1839.not.i.i = phi i1 [ false, %B546.i.i.i ], [ false, %switch.lookup9521 ], [ false, %switch.lookup9517 ], [ false, %switch.lookup9513 ], [ true, %B50.i.i.i ], [ true, %B860.i.i.i ]
   br i1 %.1839.not.i.i, label %B1340.endif.endif.i.i, label %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, !prof !53
 
 B1378.i.i:                                        ; preds = %B1340.endif.endif.i.i
   %.1921.i.i = fmul double %.1814.i.i, 5.000000e-01
   store double 0.000000e+00, ptr %.1238.i.i, align 8, !noalias !224
-  %.161.i230.i.i = getelementptr double, ptr %75, i64 %.1008.i.i8931
+  %.161.i230.i.i = getelementptr double, ptr %75, i64 %.1008.i.i8964
   store double 0.000000e+00, ptr %.161.i230.i.i, align 8, !noalias !224
-  %.214.i273.i.i = getelementptr double, ptr %76, i64 %.1008.i.i8931
+  %.214.i273.i.i = getelementptr double, ptr %76, i64 %.1008.i.i8964
   store double %.1921.i.i, ptr %.214.i273.i.i, align 8, !noalias !224
   %.268.i313.i.i = load i64, ptr %.1182.i.i, align 8, !noalias !224
   %.294.i.i.i = icmp slt i64 %.268.i313.i.i, 0
@@ -4641,14 +4641,14 @@ B1378.i.i:                                        ; preds = %B1340.endif.endif.i
   %.426.i.i.i = load i64, ptr %.1182.i.i, align 8, !noalias !224
   %.452.i.i.i = icmp slt i64 %.426.i.i.i, 0
   %.453.i.i.i = select i1 %.452.i.i.i, i64 %arg.batch.3.3.5.0, i64 0
-  %.454.i.i.i8941 = add i64 %.453.i.i.i, %.426.i.i.i
-  %.474.i.i.i = mul i64 %.454.i.i.i8941, %arg.batch.3.3.5.1
+  %.454.i.i.i8974 = add i64 %.453.i.i.i, %.426.i.i.i
+  %.474.i.i.i = mul i64 %.454.i.i.i8974, %arg.batch.3.3.5.1
   %320 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i.i.i
   %.478.i.i.i = getelementptr i8, ptr %320, i64 24
   %.479.i.i.i = load i64, ptr %.478.i.i.i, align 8, !noalias !224
   %.480.i.i.i = add nsw i64 %.479.i.i.i, 1
   store i64 %.480.i.i.i, ptr %.478.i.i.i, align 8, !noalias !224
-  store i64 -1, ptr %.1080.i.i8935, align 8, !noalias !208
+  store i64 -1, ptr %.1080.i.i8968, align 8, !noalias !208
   br label %B1490.i.i
 
 B1490.i.i:                                        ; preds = %B1340.endif.endif.i.i, %B1126.i.i, %B1378.i.i, %B1282.i.i
@@ -4656,118 +4656,118 @@ B1490.i.i:                                        ; preds = %B1340.endif.endif.i
   br i1 %some.2.01303.i.i, label %B1542.i.i, label %B1494.i.i
 
 B1494.i.i:                                        ; preds = %B1490.i.i
-  %.2077.i.i = load i64, ptr %.1080.i.i8935, align 8, !noalias !208
+  %.2077.i.i = load i64, ptr %.1080.i.i8968, align 8, !noalias !208
   %.2078.i.i = icmp sgt i64 %.2077.i.i, -1
   br label %B1542.i.i
 
-B1542.i.i:                                        ; preds = %B1494.i.i, %B1490.i.i, %B792.i.i8937, %B634.i.i8929
-  %excinfo.3.1.i.i = phi ptr [ %excinfo.3.2.i.i, %B1490.i.i ], [ %excinfo.3.2.i.i, %B1494.i.i ], [ %excinfo.3.01302.i.i, %B792.i.i8937 ], [ %excinfo.3.01302.i.i, %B634.i.i8929 ]
-  %some.3.1.i.i = phi i1 [ true, %B1490.i.i ], [ %.2078.i.i, %B1494.i.i ], [ %some.2.01303.i.i, %B792.i.i8937 ], [ %some.2.01303.i.i, %B634.i.i8929 ]
-  %.935.i.i8936 = icmp sgt i64 %.881.11305.i.i, 0
-  %.948.i.i = zext i1 %.935.i.i8936 to i64
+B1542.i.i:                                        ; preds = %B1494.i.i, %B1490.i.i, %B792.i.i8970, %B634.i.i8962
+  %excinfo.3.1.i.i = phi ptr [ %excinfo.3.2.i.i, %B1490.i.i ], [ %excinfo.3.2.i.i, %B1494.i.i ], [ %excinfo.3.01302.i.i, %B792.i.i8970 ], [ %excinfo.3.01302.i.i, %B634.i.i8962 ]
+  %some.3.1.i.i = phi i1 [ true, %B1490.i.i ], [ %.2078.i.i, %B1494.i.i ], [ %some.2.01303.i.i, %B792.i.i8970 ], [ %some.2.01303.i.i, %B634.i.i8962 ]
+  %.935.i.i8969 = icmp sgt i64 %.881.11305.i.i, 0
+  %.948.i.i = zext i1 %.935.i.i8969 to i64
   %.878.1.i.i = add i64 %.878.11304.i.i, %.948.i.i
-  %.944.i.i = sext i1 %.935.i.i8936 to i64
+  %.944.i.i = sext i1 %.935.i.i8969 to i64
   %.881.1.i.i = add nsw i64 %.881.11305.i.i, %.944.i.i
-  %.925.sroa.0.0.i.i = select i1 %.935.i.i8936, i64 %.878.11304.i.i, i64 0
-  br i1 %.935.i.i8936, label %B634.i.i8929, label %B1546.loopexit.i.i
+  %.925.sroa.0.0.i.i = select i1 %.935.i.i8969, i64 %.878.11304.i.i, i64 0
+  br i1 %.935.i.i8969, label %B634.i.i8962, label %B1546.loopexit.i.i
 
 B1546.loopexit.i.i:                               ; preds = %B1542.i.i
   %321 = xor i1 %some.3.1.i.i, true
   br label %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i
 
 B256.if.i.i:                                      ; preds = %B358.i.i, %B116.loopexit.8.i
-  %.344.01297.i.i = phi i64 [ %.354.i.i8912, %B116.loopexit.8.i ], [ %.408.i.i8915, %B358.i.i ]
+  %.344.01297.i.i = phi i64 [ %.354.i.i8945, %B116.loopexit.8.i ], [ %.408.i.i8948, %B358.i.i ]
   %.341.01296.i.i = phi i64 [ %..i.i, %B116.loopexit.8.i ], [ %.412.i.i, %B358.i.i ]
-  %.408.i.i8915 = add nsw i64 %.344.01297.i.i, -1
+  %.408.i.i8948 = add nsw i64 %.344.01297.i.i, -1
   %.412.i.i = add nsw i64 %.341.01296.i.i, 1
   br i1 %.5201293.not.i.i, label %B358.i.i, label %B290.if.i.i.preheader
 
 B290.if.i.i.preheader:                            ; preds = %B256.if.i.i
   %322 = icmp ult i64 %.341.01296.i.i, 8
-  %switch.gep9496 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.21, i64 %.341.01296.i.i
+  %switch.gep9529 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.21, i64 %.341.01296.i.i
   br label %B290.if.i.i
 
 B290.if.i.i:                                      ; preds = %B290.if.i.i.preheader, %B290.loopexit.i.i
   %.464.01294.i.i = phi i64 [ %.533.i.i, %B290.loopexit.i.i ], [ 0, %B290.if.i.i.preheader ]
   %.533.i.i = add nsw i64 %.464.01294.i.i, 1
-  br i1 %322, label %switch.lookup9495, label %switch.end.i.i8972
+  br i1 %322, label %switch.lookup9528, label %switch.end.i.i9005
 
-switch.lookup9495:                                ; preds = %B290.if.i.i
-  %switch.load9497 = load double, ptr %switch.gep9496, align 8
-  br label %switch.end.i.i8972
+switch.lookup9528:                                ; preds = %B290.if.i.i
+  %switch.load9530 = load double, ptr %switch.gep9529, align 8
+  br label %switch.end.i.i9005
 
-switch.end.i.i8972:                               ; preds = %B290.if.i.i, %switch.lookup9495
-  %.575.i.i = phi double [ %switch.load9497, %switch.lookup9495 ], [ 1.000000e+00, %B290.if.i.i ]
+switch.end.i.i9005:                               ; preds = %B290.if.i.i, %switch.lookup9528
+  %.575.i.i = phi double [ %switch.load9530, %switch.lookup9528 ], [ 1.000000e+00, %B290.if.i.i ]
   %.92.i.i.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.464.01294.i.i
   %.93.i.i.i = load double, ptr %.92.i.i.i, align 8, !noalias !227
   %.146.i.i.i = getelementptr double, ptr %69, i64 %.464.01294.i.i
   %.147.i.i.i = load double, ptr %.146.i.i.i, align 8, !noalias !227
   %.149.i.i.i = fmul double %.575.i.i, %.147.i.i.i
-  %.150.i.i.i8973 = fadd double %.93.i.i.i, %.149.i.i.i
+  %.150.i.i.i9006 = fadd double %.93.i.i.i, %.149.i.i.i
   %.203.i.i.i = getelementptr double, ptr %.571, i64 %.464.01294.i.i
-  store double %.150.i.i.i8973, ptr %.203.i.i.i, align 8, !noalias !227
+  store double %.150.i.i.i9006, ptr %.203.i.i.i, align 8, !noalias !227
   br i1 %.287.i1290.not.i.i, label %B290.loopexit.i.i, label %B122.if.i.lr.ph.i.i
 
-B122.if.i.lr.ph.i.i:                              ; preds = %switch.end.i.i8972
-  %.247.i.i.i.i8974 = fsub double 1.000000e+00, %.575.i.i
-  %invariant.gep.i8975 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.464.01294.i.i
-  br label %B122.if.i.i.i8976
+B122.if.i.lr.ph.i.i:                              ; preds = %switch.end.i.i9005
+  %.247.i.i.i.i9007 = fsub double 1.000000e+00, %.575.i.i
+  %invariant.gep.i9008 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.464.01294.i.i
+  br label %B122.if.i.i.i9009
 
-B122.if.i.i.i8976:                                ; preds = %B122.if.i.i.i8976, %B122.if.i.lr.ph.i.i
-  %.229.i.01291.i.i = phi i64 [ 0, %B122.if.i.lr.ph.i.i ], [ %.300.i.i.i8983, %B122.if.i.i.i8976 ]
-  %.157.i.i.i.i8977 = add nsw i64 %.229.i.01291.i.i, %.155.i.i.i.i8914
-  %.159.i.i.i.i8978 = mul nsw i64 %.157.i.i.i.i8977, %arg.shape.0
-  %gep.i8979 = getelementptr double, ptr %invariant.gep.i8975, i64 %.159.i.i.i.i8978
-  %.191.i.i.i.i8980 = load double, ptr %gep.i8979, align 8, !noalias !231
-  %.193.i.i.i.i8981 = fadd double %.191.i.i.i.i8980, 0.000000e+00
-  %.253.i.i.i.i8982 = fmul double %.575.i.i, %.193.i.i.i.i8981
+B122.if.i.i.i9009:                                ; preds = %B122.if.i.i.i9009, %B122.if.i.lr.ph.i.i
+  %.229.i.01291.i.i = phi i64 [ 0, %B122.if.i.lr.ph.i.i ], [ %.300.i.i.i9016, %B122.if.i.i.i9009 ]
+  %.157.i.i.i.i9010 = add nsw i64 %.229.i.01291.i.i, %.155.i.i.i.i8947
+  %.159.i.i.i.i9011 = mul nsw i64 %.157.i.i.i.i9010, %arg.shape.0
+  %gep.i9012 = getelementptr double, ptr %invariant.gep.i9008, i64 %.159.i.i.i.i9011
+  %.191.i.i.i.i9013 = load double, ptr %gep.i9012, align 8, !noalias !231
+  %.193.i.i.i.i9014 = fadd double %.191.i.i.i.i9013, 0.000000e+00
+  %.253.i.i.i.i9015 = fmul double %.575.i.i, %.193.i.i.i.i9014
   %.157.i.i.1.i.i = add nsw i64 %.229.i.01291.i.i, %.155.i.i.1.i.i
   %.159.i.i.1.i.i = mul nsw i64 %.157.i.i.1.i.i, %arg.shape.0
-  %gep609.i = getelementptr double, ptr %invariant.gep.i8975, i64 %.159.i.i.1.i.i
+  %gep609.i = getelementptr double, ptr %invariant.gep.i9008, i64 %.159.i.i.1.i.i
   %.191.i.i.1.i.i = load double, ptr %gep609.i, align 8, !noalias !231
-  %.193.i.i.1.i.i = fadd double %.191.i.i.1.i.i, %.253.i.i.i.i8982
-  %.253.i.i.1.i.i = fmul double %.247.i.i.i.i8974, %.193.i.i.1.i.i
+  %.193.i.i.1.i.i = fadd double %.191.i.i.1.i.i, %.253.i.i.i.i9015
+  %.253.i.i.1.i.i = fmul double %.247.i.i.i.i9007, %.193.i.i.1.i.i
   %.157.i.i.2.i.i = add nsw i64 %.229.i.01291.i.i, %.155.i.i.2.i.i
   %.159.i.i.2.i.i = mul nsw i64 %.157.i.i.2.i.i, %arg.shape.0
-  %gep611.i = getelementptr double, ptr %invariant.gep.i8975, i64 %.159.i.i.2.i.i
+  %gep611.i = getelementptr double, ptr %invariant.gep.i9008, i64 %.159.i.i.2.i.i
   %.191.i.i.2.i.i = load double, ptr %gep611.i, align 8, !noalias !231
   %.193.i.i.2.i.i = fadd double %.191.i.i.2.i.i, %.253.i.i.1.i.i
   %.253.i.i.2.i.i = fmul double %.575.i.i, %.193.i.i.2.i.i
   %.157.i.i.3.i.i = add nsw i64 %.229.i.01291.i.i, %.155.i.i.3.i.i
   %.159.i.i.3.i.i = mul nsw i64 %.157.i.i.3.i.i, %arg.shape.0
-  %gep613.i = getelementptr double, ptr %invariant.gep.i8975, i64 %.159.i.i.3.i.i
+  %gep613.i = getelementptr double, ptr %invariant.gep.i9008, i64 %.159.i.i.3.i.i
   %.191.i.i.3.i.i = load double, ptr %gep613.i, align 8, !noalias !231
   %.193.i.i.3.i.i = fadd double %.191.i.i.3.i.i, %.253.i.i.2.i.i
-  %.253.i.i.3.i.i = fmul double %.247.i.i.i.i8974, %.193.i.i.3.i.i
+  %.253.i.i.3.i.i = fmul double %.247.i.i.i.i9007, %.193.i.i.3.i.i
   %.157.i.i.4.i.i = add nsw i64 %.229.i.01291.i.i, %.155.i.i.4.i.i
   %.159.i.i.4.i.i = mul nsw i64 %.157.i.i.4.i.i, %arg.shape.0
-  %gep615.i = getelementptr double, ptr %invariant.gep.i8975, i64 %.159.i.i.4.i.i
+  %gep615.i = getelementptr double, ptr %invariant.gep.i9008, i64 %.159.i.i.4.i.i
   %.191.i.i.4.i.i = load double, ptr %gep615.i, align 8, !noalias !231
   %.193.i.i.4.i.i = fadd double %.191.i.i.4.i.i, %.253.i.i.3.i.i
   %.253.i.i.4.i.i = fmul double %.575.i.i, %.193.i.i.4.i.i
   %.157.i.i.5.i.i = add nsw i64 %.229.i.01291.i.i, %.155.i.i.5.i.i
   %.159.i.i.5.i.i = mul nsw i64 %.157.i.i.5.i.i, %arg.shape.0
-  %gep617.i = getelementptr double, ptr %invariant.gep.i8975, i64 %.159.i.i.5.i.i
+  %gep617.i = getelementptr double, ptr %invariant.gep.i9008, i64 %.159.i.i.5.i.i
   %.191.i.i.5.i.i = load double, ptr %gep617.i, align 8, !noalias !231
   %.193.i.i.5.i.i = fadd double %.191.i.i.5.i.i, %.253.i.i.4.i.i
-  %.253.i.i.5.i.i = fmul double %.247.i.i.i.i8974, %.193.i.i.5.i.i
+  %.253.i.i.5.i.i = fmul double %.247.i.i.i.i9007, %.193.i.i.5.i.i
   %.157.i.i.6.i.i = add nsw i64 %.229.i.01291.i.i, %.155.i.i.6.i.i
   %.159.i.i.6.i.i = mul nsw i64 %.157.i.i.6.i.i, %arg.shape.0
-  %gep619.i = getelementptr double, ptr %invariant.gep.i8975, i64 %.159.i.i.6.i.i
+  %gep619.i = getelementptr double, ptr %invariant.gep.i9008, i64 %.159.i.i.6.i.i
   %.191.i.i.6.i.i = load double, ptr %gep619.i, align 8, !noalias !231
   %.193.i.i.6.i.i = fadd double %.191.i.i.6.i.i, %.253.i.i.5.i.i
   %.253.i.i.6.i.i = fmul double %.575.i.i, %.193.i.i.6.i.i
-  %.300.i.i.i8983 = add nsw i64 %.229.i.01291.i.i, 1
-  %.271.i.i.i.i8984 = mul nsw i64 %.229.i.01291.i.i, %arg.shape.0
-  %gep621.i = getelementptr double, ptr %invariant.gep.i8975, i64 %.271.i.i.i.i8984
-  %.309.i.i.i.i8985 = load double, ptr %gep621.i, align 8, !noalias !231
-  %.313.i.i.i.i8986 = fadd double %.309.i.i.i.i8985, %.253.i.i.6.i.i
-  %.359.i.i.i8987 = add nsw i64 %.229.i.01291.i.i, %.358.i.i.i8913
-  %.361.i.i.i8988 = mul nsw i64 %.359.i.i.i8987, %arg.shape.0
-  %gep623.i = getelementptr double, ptr %invariant.gep.i8975, i64 %.361.i.i.i8988
-  store double %.313.i.i.i.i8986, ptr %gep623.i, align 8, !noalias !227
-  %exitcond.not.i.i8989 = icmp eq i64 %arg.shape.1, %.300.i.i.i8983
-  br i1 %exitcond.not.i.i8989, label %B290.loopexit.i.i, label %B122.if.i.i.i8976
+  %.300.i.i.i9016 = add nsw i64 %.229.i.01291.i.i, 1
+  %.271.i.i.i.i9017 = mul nsw i64 %.229.i.01291.i.i, %arg.shape.0
+  %gep621.i = getelementptr double, ptr %invariant.gep.i9008, i64 %.271.i.i.i.i9017
+  %.309.i.i.i.i9018 = load double, ptr %gep621.i, align 8, !noalias !231
+  %.313.i.i.i.i9019 = fadd double %.309.i.i.i.i9018, %.253.i.i.6.i.i
+  %.359.i.i.i9020 = add nsw i64 %.229.i.01291.i.i, %.358.i.i.i8946
+  %.361.i.i.i9021 = mul nsw i64 %.359.i.i.i9020, %arg.shape.0
+  %gep623.i = getelementptr double, ptr %invariant.gep.i9008, i64 %.361.i.i.i9021
+  store double %.313.i.i.i.i9019, ptr %gep623.i, align 8, !noalias !227
+  %exitcond.not.i.i9022 = icmp eq i64 %arg.shape.1, %.300.i.i.i9016
+  br i1 %exitcond.not.i.i9022, label %B290.loopexit.i.i, label %B122.if.i.i.i9009
 
 B1340.endif.endif.i.i:                            ; preds = %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
   br i1 %.1850.not.i.i, label %B1490.i.i, label %B1378.i.i
@@ -4776,68 +4776,68 @@ _ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqE
   %.512.0.i = phi i1 [ %321, %B1546.loopexit.i.i ], [ true, %B600.i.i ], [ true, %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
   %excinfo.1.0.i = phi ptr [ null, %B1546.loopexit.i.i ], [ null, %B600.i.i ], [ %excinfo.3.3.i.i, %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
   %common.ret.op.i.i.not = phi i1 [ false, %B1546.loopexit.i.i ], [ false, %B600.i.i ], [ true, %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
-  %brmerge9192 = select i1 %common.ret.op.i.i.not, i1 true, i1 %.512.0.i, !prof !93
-  %brmerge9193 = or i1 %.5201293.not.i.i, %brmerge9192
+  %brmerge9225 = select i1 %common.ret.op.i.i.not, i1 true, i1 %.512.0.i, !prof !93
+  %brmerge9226 = or i1 %.5201293.not.i.i, %brmerge9225
   %excinfo.1.0.i.mux.mux = select i1 %common.ret.op.i.i.not, ptr %excinfo.1.0.i, ptr %excinfo.13.0, !prof !235
   %.mux.mux = zext i1 %common.ret.op.i.i.not to i32
-  br i1 %brmerge9193, label %_ZN5pages5looks12watch_guardsB3v49B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B306.if.i, !prof !236
+  br i1 %brmerge9226, label %_ZN5pages5looks12watch_guardsB3v49B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B306.if.i, !prof !236
 
 B358.i:                                           ; preds = %B306.if.i
   %323 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.634.0625.i
-  %.84.i.i8920 = load i64, ptr %323, align 8, !noalias !237
-  %.89.i.i8921 = icmp sgt i64 %.84.i.i8920, -1
-  br i1 %.89.i.i8921, label %B46.i.i8922, label %B358.endif.i
+  %.84.i.i8953 = load i64, ptr %323, align 8, !noalias !237
+  %.89.i.i8954 = icmp sgt i64 %.84.i.i8953, -1
+  br i1 %.89.i.i8954, label %B46.i.i8955, label %B358.endif.i
 
-B46.i.i8922:                                      ; preds = %B358.i
-  %.120.i.i8923 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i.i8920
-  %.121.i.i8924 = load i64, ptr %.120.i.i8923, align 8, !noalias !237
-  %.122.i.i8925 = icmp eq i64 %.121.i.i8924, 0
-  br i1 %.122.i.i8925, label %B80.i.i8926, label %B358.endif.i
+B46.i.i8955:                                      ; preds = %B358.i
+  %.120.i.i8956 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i.i8953
+  %.121.i.i8957 = load i64, ptr %.120.i.i8956, align 8, !noalias !237
+  %.122.i.i8958 = icmp eq i64 %.121.i.i8957, 0
+  br i1 %.122.i.i8958, label %B80.i.i8959, label %B358.endif.i
 
-B80.i.i8926:                                      ; preds = %B46.i.i8922
-  store i64 4, ptr %.120.i.i8923, align 8, !noalias !237
+B80.i.i8959:                                      ; preds = %B46.i.i8955
+  store i64 4, ptr %.120.i.i8956, align 8, !noalias !237
   br label %B358.endif.i
 
-B448.i8919:                                       ; preds = %B358.endif.i, %B306.if.i
+B448.i8952:                                       ; preds = %B358.endif.i, %B306.if.i
   %exitcond629.not.i = icmp eq i64 %.703.i, %arg.shape.0
   br i1 %exitcond629.not.i, label %_ZN5pages5looks12watch_guardsB3v49B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B306.if.i
 
 B150.if.i:                                        ; preds = %B3746, %B150.if.i
   %.361.0604.i = phi i64 [ %.430.i, %B150.if.i ], [ 0, %B3746 ]
   %.430.i = add nsw i64 %.361.0604.i, 1
-  %gep9335 = getelementptr double, ptr %invariant.gep9334, i64 %.361.0604.i
-  store double 1.000000e-09, ptr %gep9335, align 8, !noalias !204
-  %exitcond.not.i8910 = icmp eq i64 %arg.shape.0, %.430.i
-  br i1 %exitcond.not.i8910, label %B150.if.1.i, label %B150.if.i
+  %gep9368 = getelementptr double, ptr %invariant.gep9367, i64 %.361.0604.i
+  store double 1.000000e-09, ptr %gep9368, align 8, !noalias !204
+  %exitcond.not.i8943 = icmp eq i64 %arg.shape.0, %.430.i
+  br i1 %exitcond.not.i8943, label %B150.if.1.i, label %B150.if.i
 
-B306.if.i:                                        ; preds = %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, %B448.i8919
-  %.634.0625.i = phi i64 [ %.703.i, %B448.i8919 ], [ 0, %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ]
+B306.if.i:                                        ; preds = %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, %B448.i8952
+  %.634.0625.i = phi i64 [ %.703.i, %B448.i8952 ], [ 0, %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ]
   %.703.i = add nsw i64 %.634.0625.i, 1
   %324 = getelementptr i64, ptr %77, i64 %.634.0625.i
   %.781.i = load i64, ptr %324, align 8, !noalias !204
   %.782.i = icmp sgt i64 %.781.i, -1
-  br i1 %.782.i, label %B358.i, label %B448.i8919
+  br i1 %.782.i, label %B358.i, label %B448.i8952
 
-B358.endif.i:                                     ; preds = %B80.i.i8926, %B46.i.i8922, %B358.i
+B358.endif.i:                                     ; preds = %B80.i.i8959, %B46.i.i8955, %B358.i
   %325 = getelementptr double, ptr %78, i64 %.634.0625.i
   store double 0.000000e+00, ptr %325, align 8, !noalias !204
-  br label %B448.i8919
+  br label %B448.i8952
 
-_ZN5pages5looks12watch_guardsB3v49B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit: ; preds = %B448.i8919, %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i
-  %excinfo.13.2 = phi ptr [ %excinfo.1.0.i.mux.mux, %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ], [ %excinfo.13.0, %B448.i8919 ]
-  %common.ret.op.i8917 = phi i32 [ %.mux.mux, %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ], [ 0, %B448.i8919 ]
-  %.4832.not = icmp eq i32 %common.ret.op.i8917, 0
+_ZN5pages5looks12watch_guardsB3v49B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit: ; preds = %B448.i8952, %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i
+  %excinfo.13.2 = phi ptr [ %excinfo.1.0.i.mux.mux, %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ], [ %excinfo.13.0, %B448.i8952 ]
+  %common.ret.op.i8950 = phi i32 [ %.mux.mux, %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ], [ 0, %B448.i8952 ]
+  %.4832.not = icmp eq i32 %common.ret.op.i8950, 0
   br i1 %.4832.not, label %B3786, label %B3746.if, !prof !53
 
 B3786:                                            ; preds = %B3200, %_ZN5pages5looks12watch_guardsB3v49B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, %B3742
   %excinfo.12.1 = phi ptr [ %excinfo.12.2, %B3742 ], [ %excinfo.12.2, %_ZN5pages5looks12watch_guardsB3v49B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit ], [ %excinfo.12.0, %B3200 ]
   %excinfo.13.1 = phi ptr [ %excinfo.13.0, %B3742 ], [ %excinfo.13.2, %_ZN5pages5looks12watch_guardsB3v49B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit ], [ %excinfo.13.0, %B3200 ]
-  %brmerge8828.not = and i1 %good.2.1.lcssa, %looked.2.1.lcssa
-  br i1 %brmerge8828.not, label %B3794, label %B3846
+  %brmerge8860.not = and i1 %good.2.1.lcssa, %looked.2.1.lcssa
+  br i1 %brmerge8860.not, label %B3794, label %B3846
 
 B3794:                                            ; preds = %B3786
-  %brmerge8829.not = select i1 %within.5.1, i1 %.614, i1 false
-  %"$phi3830.7.2.2" = select i1 %brmerge8829.not, i64 3, i64 0
+  %brmerge8861.not = select i1 %within.5.1, i1 %.614, i1 false
+  %"$phi3830.7.2.2" = select i1 %brmerge8861.not, i64 3, i64 0
   br i1 %.809, label %B3846, label %B96.if.i
 
 B192.i:                                           ; preds = %B96.if.i
@@ -4853,20 +4853,20 @@ B240.i:                                           ; preds = %B192.i
   br i1 %.475.not.i, label %B286.i, label %B899.i
 
 B286.i:                                           ; preds = %B240.i
-  %.533.i8999 = mul i64 %.330.i, %arg.batch.3.3.5.1
-  %326 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.533.i8999
+  %.533.i9032 = mul i64 %.330.i, %arg.batch.3.3.5.1
+  %326 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.533.i9032
   %.537.i = getelementptr i8, ptr %326, i64 8
   %.538.i = load i64, ptr %.537.i, align 8, !noalias !240
   %.540.i = add nsw i64 %.538.i, %"$phi3830.7.2.2"
   store i64 %.540.i, ptr %.537.i, align 8, !noalias !240
-  %.638.i9000 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.180.0654.i
-  %.639.i9001 = load double, ptr %.638.i9000, align 8, !noalias !240
-  %.689.i9002 = getelementptr double, ptr %81, i64 %.180.0654.i
-  %.690.i = load double, ptr %.689.i9002, align 8, !noalias !240
+  %.638.i9033 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.180.0654.i
+  %.639.i9034 = load double, ptr %.638.i9033, align 8, !noalias !240
+  %.689.i9035 = getelementptr double, ptr %81, i64 %.180.0654.i
+  %.690.i = load double, ptr %.689.i9035, align 8, !noalias !240
   %.740.i = getelementptr double, ptr %82, i64 %.180.0654.i
   %.741.i = load double, ptr %.740.i, align 8, !noalias !240
-  %.762.i9003 = icmp slt i64 %.381.i, %arg.batch.2.5.0
-  br i1 %.762.i9003, label %B500.i, label %B860.i
+  %.762.i9036 = icmp slt i64 %.381.i, %arg.batch.2.5.0
+  br i1 %.762.i9036, label %B500.i, label %B860.i
 
 B500.i:                                           ; preds = %B286.i
   %.785.i = icmp slt i64 %.381.i, 0
@@ -4881,15 +4881,15 @@ B524.preheader.i:                                 ; preds = %B500.i
   %factor.op.mul.reass.i = mul i64 %factor.op.mul652.i, %.330.i
   %.1288.i = getelementptr double, ptr %83, i64 %.180.0654.i
   %328 = getelementptr double, ptr %arg.batch.3.0.4, i64 %factor.op.mul.reass.i
-  %invariant.gep9352 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9354 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9356 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9358 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9360 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9362 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9364 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9366 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9368 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9385 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9387 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9389 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9391 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9393 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9395 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9397 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9399 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9401 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
   br label %B524.i
 
 B524.i:                                           ; preds = %B836.i, %B524.preheader.i
@@ -4907,11 +4907,11 @@ B554.if.lr.ph.i:                                  ; preds = %B524.i
   %330 = getelementptr double, ptr %328, i64 %.1218.i
   br label %B554.if.i
 
-B582.i9006:                                       ; preds = %B554.if.i
+B582.i9039:                                       ; preds = %B554.if.i
   %.970.i = add nsw i64 %.836.0650.i, %.968.i
   %.972.i = mul nsw i64 %.970.i, %arg.shape.0
-  %gep9369 = getelementptr double, ptr %invariant.gep9368, i64 %.972.i
-  %.1004.i = load double, ptr %gep9369, align 8, !noalias !240
+  %gep9402 = getelementptr double, ptr %invariant.gep9401, i64 %.972.i
+  %.1004.i = load double, ptr %gep9402, align 8, !noalias !240
   br label %B900.i
 
 B734.i:                                           ; preds = %B900.i, %B524.i
@@ -4938,12 +4938,12 @@ B899.i:                                           ; preds = %B96.if.i, %B860.i, 
   %exitcond657.not.i = icmp eq i64 %.252.i, %arg.shape.0
   br i1 %exitcond657.not.i, label %B3846, label %B96.if.i
 
-B900.i:                                           ; preds = %B38.if.i.i, %B582.i9006
-  %.313.i.i.sink = phi double [ %.313.i.i, %B38.if.i.i ], [ %.1004.i, %B582.i9006 ]
+B900.i:                                           ; preds = %B38.if.i.i, %B582.i9039
+  %.313.i.i.sink = phi double [ %.313.i.i, %B38.if.i.i ], [ %.1004.i, %B582.i9039 ]
   %332 = getelementptr double, ptr %330, i64 %.836.0650.i
   store double %.313.i.i.sink, ptr %332, align 8, !noalias !240
-  %exitcond.not.i9005 = icmp eq i64 %arg.shape.1, %.905.i
-  br i1 %exitcond.not.i9005, label %B734.i, label %B554.if.i
+  %exitcond.not.i9038 = icmp eq i64 %arg.shape.1, %.905.i
+  br i1 %exitcond.not.i9038, label %B734.i, label %B554.if.i
 
 B96.if.i:                                         ; preds = %B3794, %B899.i
   %.180.0654.i = phi i64 [ %.252.i, %B899.i ], [ 0, %B3794 ]
@@ -4960,57 +4960,57 @@ B554.if.i:                                        ; preds = %B900.i, %B554.if.lr
   %.905.i = add nsw i64 %.836.0650.i, 1
   %.963.i = load double, ptr %.962.i, align 8, !noalias !240
   %.965.i = fcmp oeq double %.963.i, %.741.i
-  br i1 %.965.i, label %B582.i9006, label %B38.if.i.i
+  br i1 %.965.i, label %B582.i9039, label %B38.if.i.i
 
 B38.if.i.i:                                       ; preds = %B554.if.i
-  %.1113.i = fsub double %.963.i, %.639.i9001
+  %.1113.i = fsub double %.963.i, %.639.i9034
   %.1118.i = fdiv double %.1113.i, %.690.i
   %.247.i.i = fsub double 1.000000e+00, %.1118.i
   %.157.i.i = add nsw i64 %.836.0650.i, %.155.i.i
   %.159.i.i = mul nsw i64 %.157.i.i, %arg.shape.0
-  %gep9353 = getelementptr double, ptr %invariant.gep9352, i64 %.159.i.i
-  %.191.i.i = load double, ptr %gep9353, align 8, !noalias !243
+  %gep9386 = getelementptr double, ptr %invariant.gep9385, i64 %.159.i.i
+  %.191.i.i = load double, ptr %gep9386, align 8, !noalias !243
   %.193.i.i = fadd double %.191.i.i, 0.000000e+00
   %.253.i.i = fmul double %.1118.i, %.193.i.i
   %.157.i.1.i = add nsw i64 %.836.0650.i, %.155.i.1.i
   %.159.i.1.i = mul nsw i64 %.157.i.1.i, %arg.shape.0
-  %gep9355 = getelementptr double, ptr %invariant.gep9354, i64 %.159.i.1.i
-  %.191.i.1.i = load double, ptr %gep9355, align 8, !noalias !243
+  %gep9388 = getelementptr double, ptr %invariant.gep9387, i64 %.159.i.1.i
+  %.191.i.1.i = load double, ptr %gep9388, align 8, !noalias !243
   %.193.i.1.i = fadd double %.191.i.1.i, %.253.i.i
   %.253.i.1.i = fmul double %.247.i.i, %.193.i.1.i
   %.157.i.2.i = add nsw i64 %.836.0650.i, %.155.i.2.i
   %.159.i.2.i = mul nsw i64 %.157.i.2.i, %arg.shape.0
-  %gep9357 = getelementptr double, ptr %invariant.gep9356, i64 %.159.i.2.i
-  %.191.i.2.i = load double, ptr %gep9357, align 8, !noalias !243
+  %gep9390 = getelementptr double, ptr %invariant.gep9389, i64 %.159.i.2.i
+  %.191.i.2.i = load double, ptr %gep9390, align 8, !noalias !243
   %.193.i.2.i = fadd double %.191.i.2.i, %.253.i.1.i
   %.253.i.2.i = fmul double %.1118.i, %.193.i.2.i
   %.157.i.3.i = add nsw i64 %.836.0650.i, %.155.i.3.i
   %.159.i.3.i = mul nsw i64 %.157.i.3.i, %arg.shape.0
-  %gep9359 = getelementptr double, ptr %invariant.gep9358, i64 %.159.i.3.i
-  %.191.i.3.i = load double, ptr %gep9359, align 8, !noalias !243
+  %gep9392 = getelementptr double, ptr %invariant.gep9391, i64 %.159.i.3.i
+  %.191.i.3.i = load double, ptr %gep9392, align 8, !noalias !243
   %.193.i.3.i = fadd double %.191.i.3.i, %.253.i.2.i
   %.253.i.3.i = fmul double %.247.i.i, %.193.i.3.i
   %.157.i.4.i = add nsw i64 %.836.0650.i, %.155.i.4.i
   %.159.i.4.i = mul nsw i64 %.157.i.4.i, %arg.shape.0
-  %gep9361 = getelementptr double, ptr %invariant.gep9360, i64 %.159.i.4.i
-  %.191.i.4.i = load double, ptr %gep9361, align 8, !noalias !243
+  %gep9394 = getelementptr double, ptr %invariant.gep9393, i64 %.159.i.4.i
+  %.191.i.4.i = load double, ptr %gep9394, align 8, !noalias !243
   %.193.i.4.i = fadd double %.191.i.4.i, %.253.i.3.i
   %.253.i.4.i = fmul double %.1118.i, %.193.i.4.i
   %.157.i.5.i = add nsw i64 %.836.0650.i, %.155.i.5.i
   %.159.i.5.i = mul nsw i64 %.157.i.5.i, %arg.shape.0
-  %gep9363 = getelementptr double, ptr %invariant.gep9362, i64 %.159.i.5.i
-  %.191.i.5.i = load double, ptr %gep9363, align 8, !noalias !243
+  %gep9396 = getelementptr double, ptr %invariant.gep9395, i64 %.159.i.5.i
+  %.191.i.5.i = load double, ptr %gep9396, align 8, !noalias !243
   %.193.i.5.i = fadd double %.191.i.5.i, %.253.i.4.i
   %.253.i.5.i = fmul double %.247.i.i, %.193.i.5.i
   %.157.i.6.i = add nsw i64 %.836.0650.i, %.155.i.6.i
   %.159.i.6.i = mul nsw i64 %.157.i.6.i, %arg.shape.0
-  %gep9365 = getelementptr double, ptr %invariant.gep9364, i64 %.159.i.6.i
-  %.191.i.6.i = load double, ptr %gep9365, align 8, !noalias !243
+  %gep9398 = getelementptr double, ptr %invariant.gep9397, i64 %.159.i.6.i
+  %.191.i.6.i = load double, ptr %gep9398, align 8, !noalias !243
   %.193.i.6.i = fadd double %.191.i.6.i, %.253.i.5.i
   %.253.i.6.i = fmul double %.1118.i, %.193.i.6.i
-  %.271.i.i9004 = mul nsw i64 %.836.0650.i, %arg.shape.0
-  %gep9367 = getelementptr double, ptr %invariant.gep9366, i64 %.271.i.i9004
-  %.309.i.i = load double, ptr %gep9367, align 8, !noalias !243
+  %.271.i.i9037 = mul nsw i64 %.836.0650.i, %arg.shape.0
+  %gep9400 = getelementptr double, ptr %invariant.gep9399, i64 %.271.i.i9037
+  %.309.i.i = load double, ptr %gep9400, align 8, !noalias !243
   %.313.i.i = fadd double %.309.i.i, %.253.i.6.i
   br label %B900.i
 
@@ -5029,186 +5029,202 @@ B3906:                                            ; preds = %B3858, %B3846
   br label %B3984
 
 B3984:                                            ; preds = %B3906, %B3858
-  %brmerge8824.not.not = xor i1 %brmerge8824.not, true
-  %brmerge9400 = or i1 %.809, %brmerge8824.not.not
-  br i1 %brmerge9400, label %B4040, label %B80.if.i
+  %brmerge8856.not.not = xor i1 %brmerge8856.not, true
+  %brmerge9433 = or i1 %.809, %brmerge8856.not.not
+  br i1 %brmerge9433, label %B4040, label %B80.if.i
 
 B144.i:                                           ; preds = %B80.if.i
-  %.343.i3444 = getelementptr double, ptr %86, i64 %.141.i3256.09377
-  %.344.i3445 = load double, ptr %.343.i3444, align 8, !noalias !247
-  %.345.i3446 = fcmp ogt double %.344.i3445, 5.000000e-01
-  br i1 %.345.i3446, label %B194.i, label %B870.i
+  %.343.i3441 = getelementptr double, ptr %86, i64 %.141.i3256.09410
+  %.344.i3442 = load double, ptr %.343.i3441, align 8, !noalias !247
+  %.345.i3443 = fcmp ogt double %.344.i3442, 5.000000e-01
+  br i1 %.345.i3443, label %B194.i, label %B920.i
 
 B194.i:                                           ; preds = %B144.i
-  %.396.i3490 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.141.i3256.09377
-  %.397.i3491 = load double, ptr %.396.i3490, align 8, !noalias !247
-  %.447.i3536 = getelementptr double, ptr %87, i64 %.141.i3256.09377
-  %.448.i3537 = load double, ptr %.447.i3536, align 8, !noalias !247
-  %.449.i3538 = fsub double %.397.i3491, %.448.i3537
-  br i1 %.536.i35769370.not, label %B430.i, label %B310.if.i.preheader
+  %.396.i3487 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.141.i3256.09410
+  %.397.i3488 = load double, ptr %.396.i3487, align 8, !noalias !247
+  %.447.i3533 = getelementptr double, ptr %87, i64 %.141.i3256.09410
+  %.448.i3534 = load double, ptr %.447.i3533, align 8, !noalias !247
+  %.449.i3535 = fsub double %.397.i3488, %.448.i3534
+  br i1 %.536.i35739403.not, label %B510.i, label %B310.if.i.preheader
 
 B310.if.i.preheader:                              ; preds = %B194.i
-  %invariant.gep9527 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.141.i3256.09377
+  %invariant.gep9560 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.141.i3256.09410
+  %invariant.gep9562 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.141.i3256.09410
   br label %B310.if.i
 
-B430.i:                                           ; preds = %B310.if.i, %B194.i
-  %fastest.2.i.2.lcssa = phi double [ 0.000000e+00, %B194.i ], [ %.11.i.i, %B310.if.i ]
-  %.650.i3588 = fmul double %.449.i3538, %fastest.2.i.2.lcssa
-  %.682.i3614 = load double, ptr %.681.i3613, align 8, !noalias !247
-  %.683.i3615 = fcmp ogt double %.650.i3588, %.682.i3614
-  %.8833 = select i1 %.683.i3615, double 0x3E7AD7F29ABCAF48, double 5.000000e-06
-  %.727.i3644 = load double, ptr %.726.i3643, align 8, !noalias !247
-  %.757.i3669 = load double, ptr %arg.batch.2.4, align 8, !noalias !247
-  %.758.i3670 = fsub double %.727.i3644, %.757.i3669
-  %.760.i3672 = fmul double %.8833, %.758.i3670
-  %.764.i3675 = fcmp olt double %.449.i3538, %.760.i3672
-  br i1 %.764.i3675, label %B540.i, label %B588.i
+B410.i:                                           ; preds = %B310.if.i
+  %.580.i4010 = add nsw i64 %.480.i3271.09405, %arg.shape.1
+  %.582.i4012 = mul nsw i64 %.580.i4010, %arg.shape.0
+  %gep9561 = getelementptr double, ptr %invariant.gep9560, i64 %.582.i4012
+  %.614.i4040 = load double, ptr %gep9561, align 8, !noalias !247
+  %.615.i = tail call double @llvm.fabs.f64(double %.614.i4040)
+  %.617.i4042 = fmul double %.449.i3535, %.615.i
+  %.658.i4072 = load double, ptr %.657.i4071, align 8, !noalias !247
+  %.688.i4097 = load double, ptr %arg.tolerances.4, align 8, !noalias !247
+  %.691.i4100 = mul nsw i64 %.480.i3271.09405, %arg.shape.0
+  %gep9563 = getelementptr double, ptr %invariant.gep9562, i64 %.691.i4100
+  %.725.i4129 = load double, ptr %gep9563, align 8, !noalias !247
+  %.726.i4130 = tail call double @llvm.fabs.f64(double %.725.i4129)
+  %.727.i4131 = fmul double %.688.i4097, %.726.i4130
+  %.728.i4132 = fadd double %.658.i4072, %.727.i4131
+  %.730.i = fcmp ogt double %.617.i4042, %.728.i4132
+  br label %B506.i
 
-B540.i:                                           ; preds = %B430.i
-  %333 = getelementptr i64, ptr %89, i64 %.141.i3256.09377
-  %.818.i4080 = load i64, ptr %333, align 8, !noalias !247
-  %.819.i4081 = add nsw i64 %.818.i4080, 1
-  br label %B588.i
+B506.i:                                           ; preds = %B410.i, %B310.if.i
+  %"$phi506.2.2.i.3" = phi i1 [ true, %B310.if.i ], [ %.730.i, %B410.i ]
+  %exitcond9458.not = icmp eq i64 %arg.shape.1, %.549.i
+  br i1 %exitcond9458.not, label %B510.i.loopexit, label %B310.if.i
 
-B588.i:                                           ; preds = %B430.i, %B540.i
-  %"$phi588.1.2.i.2" = phi i64 [ %.819.i4081, %B540.i ], [ 0, %B430.i ]
-  %334 = getelementptr i64, ptr %90, i64 %.141.i3256.09377
-  store i64 %"$phi588.1.2.i.2", ptr %334, align 8, !noalias !247
-  %.931.i3762 = load double, ptr %.396.i3490, align 8, !noalias !247
-  store double %.931.i3762, ptr %.447.i3536, align 8, !noalias !247
-  %.1032.i3841 = getelementptr double, ptr %91, i64 %.141.i3256.09377
-  store double 1.000000e+00, ptr %.1032.i3841, align 8, !noalias !247
+B510.i.loopexit:                                  ; preds = %B506.i
+  %333 = select i1 %"$phi506.2.2.i.3", double 0x3E7AD7F29ABCAF48, double 5.000000e-06
+  br label %B510.i
+
+B510.i:                                           ; preds = %B510.i.loopexit, %B194.i
+  %felt.2.i.2.lcssa = phi double [ 5.000000e-06, %B194.i ], [ %333, %B510.i.loopexit ]
+  %.796.i3614 = load double, ptr %.795.i3613, align 8, !noalias !247
+  %.826.i3639 = load double, ptr %arg.batch.2.4, align 8, !noalias !247
+  %.827.i3640 = fsub double %.796.i3614, %.826.i3639
+  %.829.i3642 = fmul double %felt.2.i.2.lcssa, %.827.i3640
+  %.833.i3645 = fcmp olt double %.449.i3535, %.829.i3642
+  br i1 %.833.i3645, label %B590.i, label %B638.i
+
+B590.i:                                           ; preds = %B510.i
+  %334 = getelementptr i64, ptr %89, i64 %.141.i3256.09410
+  %.887.i4000 = load i64, ptr %334, align 8, !noalias !247
+  %.888.i4001 = add nsw i64 %.887.i4000, 1
+  br label %B638.i
+
+B638.i:                                           ; preds = %B510.i, %B590.i
+  %"$phi638.1.2.i.2" = phi i64 [ %.888.i4001, %B590.i ], [ 0, %B510.i ]
+  %335 = getelementptr i64, ptr %90, i64 %.141.i3256.09410
+  store i64 %"$phi638.1.2.i.2", ptr %335, align 8, !noalias !247
+  %.1000.i3723 = load double, ptr %.396.i3487, align 8, !noalias !247
+  store double %.1000.i3723, ptr %.447.i3533, align 8, !noalias !247
+  %.1101.i = getelementptr double, ptr %91, i64 %.141.i3256.09410
+  store double 1.000000e+00, ptr %.1101.i, align 8, !noalias !247
   store i64 1, ptr %.1173, align 8, !noalias !247
-  %.1114.i3902 = load i64, ptr %334, align 8, !noalias !247
-  %.1115.i = icmp sgt i64 %.1114.i3902, 1000
-  br i1 %.1115.i, label %B814.i, label %B870.i
+  %.1183.i = load i64, ptr %335, align 8, !noalias !247
+  %.1184.i = icmp sgt i64 %.1183.i, 1000
+  br i1 %.1184.i, label %B864.i, label %B920.i
 
-B814.i:                                           ; preds = %B588.i
-  %335 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.141.i3256.09377
-  %.84.i.i3973 = load i64, ptr %335, align 8, !noalias !251
-  %.89.i.i3976 = icmp sgt i64 %.84.i.i3973, -1
-  br i1 %.89.i.i3976, label %B46.i.i3983, label %B870.i
+B864.i:                                           ; preds = %B638.i
+  %336 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.141.i3256.09410
+  %.84.i.i3896 = load i64, ptr %336, align 8, !noalias !251
+  %.89.i.i3899 = icmp sgt i64 %.84.i.i3896, -1
+  br i1 %.89.i.i3899, label %B46.i.i3905, label %B920.i
 
-B46.i.i3983:                                      ; preds = %B814.i
-  %.120.i.i4003 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i.i3973
-  %.121.i.i4004 = load i64, ptr %.120.i.i4003, align 8, !noalias !251
-  %.122.i.i4005 = icmp eq i64 %.121.i.i4004, 0
-  br i1 %.122.i.i4005, label %B80.i.i4010, label %B870.i
+B46.i.i3905:                                      ; preds = %B864.i
+  %.120.i.i3925 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i.i3896
+  %.121.i.i3926 = load i64, ptr %.120.i.i3925, align 8, !noalias !251
+  %.122.i.i3927 = icmp eq i64 %.121.i.i3926, 0
+  br i1 %.122.i.i3927, label %B80.i.i3932, label %B920.i
 
-B80.i.i4010:                                      ; preds = %B46.i.i3983
-  store i64 6, ptr %.120.i.i4003, align 8, !noalias !251
-  br label %B870.i
+B80.i.i3932:                                      ; preds = %B46.i.i3905
+  store i64 6, ptr %.120.i.i3925, align 8, !noalias !251
+  br label %B920.i
 
-B870.i:                                           ; preds = %B80.i.i4010, %B814.i, %B46.i.i3983, %B588.i, %B144.i, %B80.if.i
+B920.i:                                           ; preds = %B80.i.i3932, %B864.i, %B46.i.i3905, %B638.i, %B144.i, %B80.if.i
   store double 0.000000e+00, ptr %.290.i3394, align 8, !noalias !247
-  %.200.i3339 = icmp sgt i64 %.144.i3257.09376, 1
+  %.200.i3339 = icmp sgt i64 %.144.i3257.09409, 1
   br i1 %.200.i3339, label %B80.if.i, label %B4040
 
-B80.if.i:                                         ; preds = %B3984, %B870.i
-  %.141.i3256.09377 = phi i64 [ %.213.i4149, %B870.i ], [ 0, %B3984 ]
-  %.144.i3257.09376 = phi i64 [ %.209.i4146, %B870.i ], [ %storemerge, %B3984 ]
-  %.209.i4146 = add nsw i64 %.144.i3257.09376, -1
-  %.213.i4149 = add nsw i64 %.141.i3256.09377, 1
-  %.290.i3394 = getelementptr double, ptr %85, i64 %.141.i3256.09377
+B80.if.i:                                         ; preds = %B3984, %B920.i
+  %.141.i3256.09410 = phi i64 [ %.213.i4161, %B920.i ], [ 0, %B3984 ]
+  %.144.i3257.09409 = phi i64 [ %.209.i4158, %B920.i ], [ %storemerge, %B3984 ]
+  %.209.i4158 = add nsw i64 %.144.i3257.09409, -1
+  %.213.i4161 = add nsw i64 %.141.i3256.09410, 1
+  %.290.i3394 = getelementptr double, ptr %85, i64 %.141.i3256.09410
   %.291.i3395 = load double, ptr %.290.i3394, align 8, !noalias !247
   %.292.i3396 = fcmp oeq double %.291.i3395, 1.000000e+00
-  br i1 %.292.i3396, label %B144.i, label %B870.i
+  br i1 %.292.i3396, label %B144.i, label %B920.i
 
-B310.if.i:                                        ; preds = %B310.if.i.preheader, %B310.if.i
-  %fastest.2.i.29373 = phi double [ %.11.i.i, %B310.if.i ], [ 0.000000e+00, %B310.if.i.preheader ]
-  %.480.i3271.09372 = phi i64 [ %.549.i, %B310.if.i ], [ 0, %B310.if.i.preheader ]
-  %.549.i = add nsw i64 %.480.i3271.09372, 1
-  %.576.i4089 = add nsw i64 %.480.i3271.09372, %arg.shape.1
-  %.578.i4090 = mul nsw i64 %.576.i4089, %arg.shape.0
-  %gep9528 = getelementptr double, ptr %invariant.gep9527, i64 %.578.i4090
-  %.610.i4118 = load double, ptr %gep9528, align 8, !noalias !247
-  %.611.i4119 = tail call double @llvm.fabs.f64(double %.610.i4118)
-  %.10.i.i = fcmp ogt double %.611.i4119, %fastest.2.i.29373
-  %.11.i.i = select i1 %.10.i.i, double %.611.i4119, double %fastest.2.i.29373
-  %exitcond9425.not = icmp eq i64 %arg.shape.1, %.549.i
-  br i1 %exitcond9425.not, label %B430.i, label %B310.if.i
+B310.if.i:                                        ; preds = %B310.if.i.preheader, %B506.i
+  %felt.2.i.29406 = phi i1 [ %"$phi506.2.2.i.3", %B506.i ], [ false, %B310.if.i.preheader ]
+  %.480.i3271.09405 = phi i64 [ %.549.i, %B506.i ], [ 0, %B310.if.i.preheader ]
+  %.549.i = add nsw i64 %.480.i3271.09405, 1
+  br i1 %felt.2.i.29406, label %B506.i, label %B410.i
 
-B4040:                                            ; preds = %B870.i, %B3984
-  %brmerge8835.not = and i1 %.5179.not, %looked.2.1.lcssa
-  %brmerge8835.not.not = xor i1 %brmerge8835.not, true
-  %brmerge9399 = or i1 %.809, %brmerge8835.not.not
-  br i1 %brmerge9399, label %B4090, label %B114.if.i
+B4040:                                            ; preds = %B920.i, %B3984
+  %brmerge8867.not = and i1 %.5179.not, %looked.2.1.lcssa
+  %brmerge8867.not.not = xor i1 %brmerge8867.not, true
+  %brmerge9432 = or i1 %.809, %brmerge8867.not.not
+  br i1 %brmerge9432, label %B4090, label %B114.if.i
 
 B56.i.i:                                          ; preds = %B114.if.i
-  %.131.i.i9008 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.95.i.i
-  %.132.i.i = load i64, ptr %.131.i.i9008, align 8, !noalias !254
+  %.131.i.i9041 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.95.i.i
+  %.132.i.i = load i64, ptr %.131.i.i9041, align 8, !noalias !254
   %.137.i.not.i = icmp eq i64 %.132.i.i, 0
   br i1 %.137.i.not.i, label %B100.i.i, label %B238.i
 
 B100.i.i:                                         ; preds = %B56.i.i
-  %.188.i.i9019 = getelementptr double, ptr %92, i64 %.302.01639.i
-  %.189.i.i = load double, ptr %.188.i.i9019, align 8, !noalias !254
+  %.188.i.i9052 = getelementptr double, ptr %92, i64 %.302.01639.i
+  %.189.i.i = load double, ptr %.188.i.i9052, align 8, !noalias !254
   %.190.i.i = fcmp olt double %.189.i.i, 5.000000e-01
   br i1 %.190.i.i, label %B238.i, label %B152.i.i
 
 B152.i.i:                                         ; preds = %B100.i.i
   %.252.i.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.302.01639.i
-  %.253.i.i9020 = load double, ptr %.252.i.i, align 8, !noalias !254
+  %.253.i.i9053 = load double, ptr %.252.i.i, align 8, !noalias !254
   %.305.i.i = getelementptr double, ptr %93, i64 %.302.01639.i
   %.306.i.i = load double, ptr %.305.i.i, align 8, !noalias !254
-  %.309.i.i9021 = fcmp une double %.253.i.i9020, %.306.i.i
-  %brmerge.i = select i1 %.309.i.i9021, i1 true, i1 %.175.i1635.not.i
-  %not..309.i.i = xor i1 %.309.i.i9021, true
+  %.309.i.i9054 = fcmp une double %.253.i.i9053, %.306.i.i
+  %brmerge.i = select i1 %.309.i.i9054, i1 true, i1 %.175.i1635.not.i
+  %not..309.i.i = xor i1 %.309.i.i9054, true
   %some.2.01641.mux.i = select i1 %not..309.i.i, i1 true, i1 %some.2.01641.i
-  br i1 %brmerge.i, label %B238.i, label %B76.if.i.lr.ph.i9022
+  br i1 %brmerge.i, label %B238.i, label %B76.if.i.lr.ph.i9055
 
-B76.if.i.lr.ph.i9022:                             ; preds = %B152.i.i
-  %336 = getelementptr i64, ptr %94, i64 %.302.01639.i
-  %.509.i = load i64, ptr %336, align 8, !noalias !259
-  %.510.i9023 = add nsw i64 %.509.i, 1
+B76.if.i.lr.ph.i9055:                             ; preds = %B152.i.i
+  %337 = getelementptr i64, ptr %94, i64 %.302.01639.i
+  %.509.i = load i64, ptr %337, align 8, !noalias !259
+  %.510.i9056 = add nsw i64 %.509.i, 1
   %.236.i322.i = icmp slt i64 %.509.i, -1
   %.237.i323.i = select i1 %.236.i322.i, i64 %arg.batch.1.3.5.0, i64 0
-  %.238.i324.i = add i64 %.510.i9023, %.237.i323.i
-  %.258.i.i9024 = mul i64 %.238.i324.i, %arg.batch.1.3.5.1
-  %337 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i9024
-  br label %B76.if.i.i9025
+  %.238.i324.i = add i64 %.510.i9056, %.237.i323.i
+  %.258.i.i9057 = mul i64 %.238.i324.i, %arg.batch.1.3.5.1
+  %338 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i9057
+  br label %B76.if.i.i9058
 
-B76.if.i.i9025:                                   ; preds = %B76.if.i.i9025, %B76.if.i.lr.ph.i9022
-  %.117.i261.01636.i = phi i64 [ 0, %B76.if.i.lr.ph.i9022 ], [ %.188.i378.i, %B76.if.i.i9025 ]
+B76.if.i.i9058:                                   ; preds = %B76.if.i.i9058, %B76.if.i.lr.ph.i9055
+  %.117.i261.01636.i = phi i64 [ 0, %B76.if.i.lr.ph.i9055 ], [ %.188.i378.i, %B76.if.i.i9058 ]
   %.188.i378.i = add nsw i64 %.117.i261.01636.i, 1
-  %338 = getelementptr double, ptr %337, i64 %.117.i261.01636.i
-  %.263.i.i9026 = load double, ptr %338, align 8, !noalias !260
-  %339 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i261.01636.i
-  %.293.i.i9027 = load i64, ptr %339, align 8, !noalias !260
-  %.295.i362.i = mul nsw i64 %.293.i.i9027, %arg.shape.0
+  %339 = getelementptr double, ptr %338, i64 %.117.i261.01636.i
+  %.263.i.i9059 = load double, ptr %339, align 8, !noalias !260
+  %340 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i261.01636.i
+  %.293.i.i9060 = load i64, ptr %340, align 8, !noalias !260
+  %.295.i362.i = mul nsw i64 %.293.i.i9060, %arg.shape.0
   %.297.i364.i = add nsw i64 %.295.i362.i, %.302.01639.i
-  %.311.i.i9028 = icmp slt i64 %.297.i364.i, 0
-  %.312.i.i9029 = select i1 %.311.i.i9028, i64 %arg.batch.5.1.5.0, i64 0
-  %340 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i364.i
-  %.326.i.i9030 = getelementptr double, ptr %340, i64 %.312.i.i9029
-  store double %.263.i.i9026, ptr %.326.i.i9030, align 8, !noalias !260
-  %exitcond.not.i9031 = icmp eq i64 %arg.batch.1.1.5.0, %.188.i378.i
-  br i1 %exitcond.not.i9031, label %B238.i, label %B76.if.i.i9025
+  %.311.i.i9061 = icmp slt i64 %.297.i364.i, 0
+  %.312.i.i9062 = select i1 %.311.i.i9061, i64 %arg.batch.5.1.5.0, i64 0
+  %341 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i364.i
+  %.326.i.i9063 = getelementptr double, ptr %341, i64 %.312.i.i9062
+  store double %.263.i.i9059, ptr %.326.i.i9063, align 8, !noalias !260
+  %exitcond.not.i9064 = icmp eq i64 %arg.batch.1.1.5.0, %.188.i378.i
+  br i1 %exitcond.not.i9064, label %B238.i, label %B76.if.i.i9058
 
-B238.i:                                           ; preds = %B76.if.i.i9025, %B114.if.i, %B152.i.i, %B100.i.i, %B56.i.i
-  %some.3.1.i = phi i1 [ %some.2.01641.mux.i, %B152.i.i ], [ %some.2.01641.i, %B100.i.i ], [ %some.2.01641.i, %B114.if.i ], [ %some.2.01641.i, %B56.i.i ], [ true, %B76.if.i.i9025 ]
+B238.i:                                           ; preds = %B76.if.i.i9058, %B114.if.i, %B152.i.i, %B100.i.i, %B56.i.i
+  %some.3.1.i = phi i1 [ %some.2.01641.mux.i, %B152.i.i ], [ %some.2.01641.i, %B100.i.i ], [ %some.2.01641.i, %B114.if.i ], [ %some.2.01641.i, %B56.i.i ], [ true, %B76.if.i.i9058 ]
   %exitcond1650.not.i = icmp eq i64 %arg.shape.0, %.373.i
-  br i1 %exitcond1650.not.i, label %B240.i9009, label %B114.if.i
+  br i1 %exitcond1650.not.i, label %B240.i9042, label %B114.if.i
 
-B240.i9009:                                       ; preds = %B238.i
-  br i1 %some.3.1.i, label %B248.i9010, label %B4090
+B240.i9042:                                       ; preds = %B238.i
+  br i1 %some.3.1.i, label %B248.i9043, label %B4090
 
-B248.i9010:                                       ; preds = %B240.i9009
+B248.i9043:                                       ; preds = %B240.i9042
   %.633.i = load i64, ptr %.632.i, align 8, !noalias !259
   %.745.i = inttoptr i64 %.633.i to ptr
   tail call void %.745.i(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !259
-  %.776.i = load i64, ptr %.775.i9011, align 8, !noalias !259
-  %.892.i9014 = inttoptr i64 %.776.i to ptr
-  tail call void %.892.i9014(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.891.i9013), !noalias !259
+  %.776.i = load i64, ptr %.775.i9044, align 8, !noalias !259
+  %.892.i9047 = inttoptr i64 %.776.i to ptr
+  tail call void %.892.i9047(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.891.i9046), !noalias !259
   br i1 %.896.not.i, label %B690.if.i.preheader, label %B516.i
 
-B516.i:                                           ; preds = %B248.i9010
+B516.i:                                           ; preds = %B248.i9043
   %.927.i = load i64, ptr %.926.i, align 8, !noalias !259
   %.1045.i = inttoptr i64 %.927.i to ptr
-  tail call void %.1045.i(ptr %arg.batch.4.0.4, ptr %.891.i9013, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !259
+  tail call void %.1045.i(ptr %arg.batch.4.0.4, ptr %.891.i9046, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !259
   br label %B690.if.i.preheader
 
-B690.if.i.preheader:                              ; preds = %B516.i, %B248.i9010
+B690.if.i.preheader:                              ; preds = %B516.i, %B248.i9043
   br label %B690.if.i
 
 B56.i80.i:                                        ; preds = %B690.if.i
@@ -5238,8 +5254,8 @@ B730.i:                                           ; preds = %B152.i143.i
   br i1 %.1345.i, label %B826.i, label %B890.i
 
 B826.i:                                           ; preds = %B730.i
-  %341 = getelementptr double, ptr %arg.batch.2.4, i64 %.1334.i
-  %.1380.i = getelementptr i8, ptr %341, i64 -8
+  %342 = getelementptr double, ptr %arg.batch.2.4, i64 %.1334.i
+  %.1380.i = getelementptr i8, ptr %342, i64 -8
   %.1381.i = load double, ptr %.1380.i, align 8, !noalias !259
   %.1433.i = fcmp oeq double %.1381.i, %.253.i179.i
   br label %B890.i
@@ -5254,15 +5270,15 @@ B922.if.lr.ph.i:                                  ; preds = %B890.i
   %.1699.i = add i64 %.1659.i, %.1698.i
   %.1726.i = mul i64 %.1724.i, %.95.i76.i
   %.1728.i = mul i64 %.1699.i, %arg.batch.3.0.5.2
-  %342 = getelementptr double, ptr %arg.batch.3.0.4, i64 %.1726.i
-  %343 = getelementptr double, ptr %342, i64 %.1728.i
-  %invariant.gep9378 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1086.01648.i
-  %invariant.gep9380 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1086.01648.i
+  %343 = getelementptr double, ptr %arg.batch.3.0.4, i64 %.1726.i
+  %344 = getelementptr double, ptr %343, i64 %.1728.i
+  %invariant.gep9411 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1086.01648.i
+  %invariant.gep9413 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1086.01648.i
   br label %B922.if.i
 
 B1028.i:                                          ; preds = %B922.if.i
-  %344 = getelementptr double, ptr %343, i64 %.1473.01643.i
-  store double %.1607.i, ptr %344, align 8, !noalias !259
+  %345 = getelementptr double, ptr %344, i64 %.1473.01643.i
+  store double %.1607.i, ptr %345, align 8, !noalias !259
   br label %B1050.i
 
 B1050.i:                                          ; preds = %B922.if.i, %B1028.i
@@ -5270,35 +5286,35 @@ B1050.i:                                          ; preds = %B922.if.i, %B1028.i
   br i1 %exitcond1651.not.i, label %B1052.loopexit.i, label %B922.if.i
 
 B1052.loopexit.i:                                 ; preds = %B1050.i
-  %345 = fcmp une double %.1614.i, 0.000000e+00
-  br i1 %345, label %B1064.i, label %B1120.i
+  %346 = fcmp une double %.1614.i, 0.000000e+00
+  br i1 %346, label %B1064.i, label %B1120.i
 
 B1064.i:                                          ; preds = %B1052.loopexit.i
-  %.84.i441.i = load i64, ptr %348, align 8, !noalias !267
+  %.84.i441.i = load i64, ptr %349, align 8, !noalias !267
   %.89.i444.i = icmp sgt i64 %.84.i441.i, -1
-  br i1 %.89.i444.i, label %B46.i.i9017, label %B1120.i
+  br i1 %.89.i444.i, label %B46.i.i9050, label %B1120.i
 
-B46.i.i9017:                                      ; preds = %B1064.i
+B46.i.i9050:                                      ; preds = %B1064.i
   %.120.i468.i = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i441.i
   %.121.i469.i = load i64, ptr %.120.i468.i, align 8, !noalias !267
   %.122.i470.i = icmp eq i64 %.121.i469.i, 0
-  br i1 %.122.i470.i, label %B80.i.i9018, label %B1120.i
+  br i1 %.122.i470.i, label %B80.i.i9051, label %B1120.i
 
-B80.i.i9018:                                      ; preds = %B46.i.i9017
+B80.i.i9051:                                      ; preds = %B46.i.i9050
   store i64 3, ptr %.120.i468.i, align 8, !noalias !267
   br label %B1120.i
 
-B1120.i:                                          ; preds = %B80.i.i9018, %B46.i.i9017, %B1064.i, %B1052.loopexit.i, %B890.i
+B1120.i:                                          ; preds = %B80.i.i9051, %B46.i.i9050, %B1064.i, %B1052.loopexit.i, %B890.i
   br i1 %.896.not.i, label %B1238.i, label %B1136.i
 
 B1136.i:                                          ; preds = %B1120.i
-  %346 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.1086.01648.i
-  %.1831.i = load double, ptr %346, align 8, !noalias !259
+  %347 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.1086.01648.i
+  %.1831.i = load double, ptr %347, align 8, !noalias !259
   %.1833.i = fcmp olt double %.1831.i, -1.000000e-09
   br i1 %.1833.i, label %B1182.i, label %B1238.i
 
 B1182.i:                                          ; preds = %B1136.i
-  %.84.i571.i = load i64, ptr %348, align 8, !noalias !270
+  %.84.i571.i = load i64, ptr %349, align 8, !noalias !270
   %.89.i574.i = icmp sgt i64 %.84.i571.i, -1
   br i1 %.89.i574.i, label %B46.i579.i, label %B1238.i
 
@@ -5320,18 +5336,18 @@ B114.if.i:                                        ; preds = %B4040, %B238.i
   %some.2.01641.i = phi i1 [ %some.3.1.i, %B238.i ], [ false, %B4040 ]
   %.302.01639.i = phi i64 [ %.373.i, %B238.i ], [ 0, %B4040 ]
   %.373.i = add nsw i64 %.302.01639.i, 1
-  %347 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.302.01639.i
-  %.95.i.i = load i64, ptr %347, align 8, !noalias !254
+  %348 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.302.01639.i
+  %.95.i.i = load i64, ptr %348, align 8, !noalias !254
   %.100.i.i = icmp slt i64 %.95.i.i, 0
   br i1 %.100.i.i, label %B238.i, label %B56.i.i
 
 B690.if.i:                                        ; preds = %B690.if.i.preheader, %B1238.i
-  %.1089.01649.i = phi i64 [ %.1152.i, %B1238.i ], [ %storemerge.i9007, %B690.if.i.preheader ]
-  %.1086.01648.i = phi i64 [ %.1156.i9016, %B1238.i ], [ 0, %B690.if.i.preheader ]
+  %.1089.01649.i = phi i64 [ %.1152.i, %B1238.i ], [ %storemerge.i9040, %B690.if.i.preheader ]
+  %.1086.01648.i = phi i64 [ %.1156.i9049, %B1238.i ], [ 0, %B690.if.i.preheader ]
   %.1152.i = add nsw i64 %.1089.01649.i, -1
-  %.1156.i9016 = add nsw i64 %.1086.01648.i, 1
-  %348 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.1086.01648.i
-  %.95.i76.i = load i64, ptr %348, align 8, !noalias !264
+  %.1156.i9049 = add nsw i64 %.1086.01648.i, 1
+  %349 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.1086.01648.i
+  %.95.i76.i = load i64, ptr %349, align 8, !noalias !264
   %.100.i79.i = icmp slt i64 %.95.i76.i, 0
   br i1 %.100.i79.i, label %B1238.i, label %B56.i80.i
 
@@ -5341,20 +5357,20 @@ B922.if.i:                                        ; preds = %B1050.i, %B922.if.l
   %.1542.i = add nsw i64 %.1473.01643.i, 1
   %.1573.i = add nsw i64 %.1473.01643.i, %.846.i
   %.1575.i = mul nsw i64 %.1573.i, %arg.shape.0
-  %gep9379 = getelementptr double, ptr %invariant.gep9378, i64 %.1575.i
-  %.1607.i = load double, ptr %gep9379, align 8, !noalias !259
+  %gep9412 = getelementptr double, ptr %invariant.gep9411, i64 %.1575.i
+  %.1607.i = load double, ptr %gep9412, align 8, !noalias !259
   %.1612.i = fmul double %.1607.i, 0.000000e+00
   %.1614.i = fadd double %trouble.2.11645.i, %.1612.i
   %.1622.i = mul nsw i64 %.1473.01643.i, %arg.shape.0
-  %gep9381 = getelementptr double, ptr %invariant.gep9380, i64 %.1622.i
-  store double %.1607.i, ptr %gep9381, align 8, !noalias !259
+  %gep9414 = getelementptr double, ptr %invariant.gep9413, i64 %.1622.i
+  store double %.1607.i, ptr %gep9414, align 8, !noalias !259
   br i1 %"$phi890.1.2.1.i", label %B1028.i, label %B1050.i
 
-B4090:                                            ; preds = %B1238.i, %B4040, %B240.i9009
+B4090:                                            ; preds = %B1238.i, %B4040, %B240.i9042
   %looked.2.1.lcssa.not = xor i1 %looked.2.1.lcssa, true
-  %brmerge9401 = or i1 %.809, %looked.2.1.lcssa.not
+  %brmerge9434 = or i1 %.809, %looked.2.1.lcssa.not
   %active.9.1.mux = select i1 %looked.2.1.lcssa, i64 0, i64 %active.9.1
-  br i1 %brmerge9401, label %B5266, label %B4132.if
+  br i1 %brmerge9434, label %B5266, label %B4132.if
 
 B4190:                                            ; preds = %B4132.if
   %.5556 = mul i64 %.5487, %arg.batch.3.3.5.1
@@ -5362,14 +5378,14 @@ B4190:                                            ; preds = %B4132.if
   %.5561 = load i64, ptr %.5560, align 8
   %.5613 = getelementptr i8, ptr %.5560, i64 24
   %.5614 = load i64, ptr %.5613, align 8
-  %349 = add i64 %.5561, %.5614
-  %.5615 = sub i64 %arg.most, %349
+  %350 = add i64 %.5561, %.5614
+  %.5615 = sub i64 %arg.most, %350
   %.5620 = icmp slt i64 %.5615, 1
   br i1 %.5620, label %B4290, label %B4346
 
 B4290:                                            ; preds = %B4190
-  %350 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5329.09386
-  %.84.i2020 = load i64, ptr %350, align 8, !noalias !273
+  %351 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5329.09419
+  %.84.i2020 = load i64, ptr %351, align 8, !noalias !273
   %.89.i2023 = icmp sgt i64 %.84.i2020, -1
   br i1 %.89.i2023, label %B46.i, label %B4346
 
@@ -5384,64 +5400,64 @@ B80.i2052:                                        ; preds = %B46.i
   br label %B4346
 
 B4346:                                            ; preds = %B80.i2052, %B4290, %B46.i, %B4190
-  %.5706 = getelementptr double, ptr %96, i64 %.5329.09386
+  %.5706 = getelementptr double, ptr %96, i64 %.5329.09419
   %.5707 = load double, ptr %.5706, align 8
   %.5708 = fcmp ogt double %.5707, 5.000000e-01
   br i1 %.5708, label %B4394, label %B4518
 
 B4394:                                            ; preds = %B4346
-  %.5759 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5329.09386
+  %.5759 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5329.09419
   %.5760 = load double, ptr %.5759, align 8
-  %.5810 = getelementptr double, ptr %97, i64 %.5329.09386
+  %.5810 = getelementptr double, ptr %97, i64 %.5329.09419
   %.5811 = load double, ptr %.5810, align 8
   %.5812 = fcmp oeq double %.5760, %.5811
   br i1 %.5812, label %B4478, label %B4518
 
 B4478:                                            ; preds = %B4394
-  %.188.i4350 = load i64, ptr %.5486, align 8, !noalias !276
-  %.240.i4393 = getelementptr i64, ptr %98, i64 %.5329.09386
-  %.241.i4394 = load i64, ptr %.240.i4393, align 8, !noalias !276
-  %.242.i4395 = add nsw i64 %.241.i4394, 1
-  store i64 %.242.i4395, ptr %.240.i4393, align 8, !noalias !276
-  %.357.i4493 = icmp slt i64 %.241.i4394, -1
-  %.358.i4494 = select i1 %.357.i4493, i64 %arg.batch.1.2.5.0, i64 0
-  %351 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.242.i4395
-  %.372.i4508 = getelementptr double, ptr %351, i64 %.358.i4494
-  %.373.i4509 = load double, ptr %.372.i4508, align 8, !noalias !276
-  %.374.i4510 = fcmp oeq double %.373.i4509, 0x7FF0000000000000
-  br i1 %.374.i4510, label %B212.i, label %B290.i
+  %.188.i4362 = load i64, ptr %.5486, align 8, !noalias !276
+  %.240.i4405 = getelementptr i64, ptr %98, i64 %.5329.09419
+  %.241.i4406 = load i64, ptr %.240.i4405, align 8, !noalias !276
+  %.242.i4407 = add nsw i64 %.241.i4406, 1
+  store i64 %.242.i4407, ptr %.240.i4405, align 8, !noalias !276
+  %.357.i4505 = icmp slt i64 %.241.i4406, -1
+  %.358.i4506 = select i1 %.357.i4505, i64 %arg.batch.1.2.5.0, i64 0
+  %352 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.242.i4407
+  %.372.i4520 = getelementptr double, ptr %352, i64 %.358.i4506
+  %.373.i4521 = load double, ptr %.372.i4520, align 8, !noalias !276
+  %.374.i4522 = fcmp oeq double %.373.i4521, 0x7FF0000000000000
+  br i1 %.374.i4522, label %B212.i, label %B290.i
 
 B212.i:                                           ; preds = %B4478
-  %.408.i5013 = icmp slt i64 %.188.i4350, 0
-  %.409.i5014 = select i1 %.408.i5013, i64 %arg.batch.3.1.5.0, i64 0
-  %352 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.188.i4350
-  %.423.i5028 = getelementptr i64, ptr %352, i64 %.409.i5014
-  %.424.i5029 = load i64, ptr %.423.i5028, align 8, !noalias !276
-  %.425.i5030 = icmp eq i64 %.424.i5029, 0
-  br i1 %.425.i5030, label %B256.i, label %B4518
+  %.408.i5026 = icmp slt i64 %.188.i4362, 0
+  %.409.i5027 = select i1 %.408.i5026, i64 %arg.batch.3.1.5.0, i64 0
+  %353 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.188.i4362
+  %.423.i5041 = getelementptr i64, ptr %353, i64 %.409.i5027
+  %.424.i5042 = load i64, ptr %.423.i5041, align 8, !noalias !276
+  %.425.i5043 = icmp eq i64 %.424.i5042, 0
+  br i1 %.425.i5043, label %B256.i, label %B4518
 
 B256.i:                                           ; preds = %B212.i
-  store i64 1, ptr %.423.i5028, align 8, !noalias !276
+  store i64 1, ptr %.423.i5041, align 8, !noalias !276
   br label %B4518
 
 B290.i:                                           ; preds = %B4478
-  store double %.373.i4509, ptr %.5810, align 8, !noalias !276
-  %.572.i4597 = select i1 %.357.i4493, i64 %arg.batch.1.4.5.0, i64 0
-  %353 = getelementptr i64, ptr %arg.batch.1.4.4, i64 %.242.i4395
-  %.586.i4611 = getelementptr i64, ptr %353, i64 %.572.i4597
-  %.587.i4612 = load i64, ptr %.586.i4611, align 8, !noalias !276
-  %.590.i4614 = icmp eq i64 %.587.i4612, 0
-  br i1 %.590.i4614, label %B360.i, label %B428.i
+  store double %.373.i4521, ptr %.5810, align 8, !noalias !276
+  %.572.i4609 = select i1 %.357.i4505, i64 %arg.batch.1.4.5.0, i64 0
+  %354 = getelementptr i64, ptr %arg.batch.1.4.4, i64 %.242.i4407
+  %.586.i4623 = getelementptr i64, ptr %354, i64 %.572.i4609
+  %.587.i4624 = load i64, ptr %.586.i4623, align 8, !noalias !276
+  %.590.i4626 = icmp eq i64 %.587.i4624, 0
+  br i1 %.590.i4626, label %B360.i, label %B428.i
 
 B360.i:                                           ; preds = %B290.i
-  %.641.i4968 = getelementptr double, ptr %99, i64 %.5329.09386
-  store double 1.000000e+00, ptr %.641.i4968, align 8, !noalias !276
+  %.641.i4981 = getelementptr double, ptr %99, i64 %.5329.09419
+  store double 1.000000e+00, ptr %.641.i4981, align 8, !noalias !276
   br label %B482.i.sink.split
 
 B428.i:                                           ; preds = %B290.i
-  %.709.i4640 = load i64, ptr %.1173, align 8, !noalias !276
-  %.710.i4641 = icmp eq i64 %.709.i4640, 0
-  br i1 %.710.i4641, label %B482.i.sink.split, label %B482.i
+  %.709.i4652 = load i64, ptr %.1173, align 8, !noalias !276
+  %.710.i4653 = icmp eq i64 %.709.i4652, 0
+  br i1 %.710.i4653, label %B482.i.sink.split, label %B482.i
 
 B482.i.sink.split:                                ; preds = %B428.i, %B360.i
   %.sink = phi i64 [ 1, %B360.i ], [ 2, %B428.i ]
@@ -5449,31 +5465,31 @@ B482.i.sink.split:                                ; preds = %B428.i, %B360.i
   br label %B482.i
 
 B482.i:                                           ; preds = %B482.i.sink.split, %B428.i
-  br i1 %.175.i.i47879382.not, label %B4518, label %B76.if.i.i.lr.ph
+  br i1 %.175.i.i47999415.not, label %B4518, label %B76.if.i.i.lr.ph
 
 B76.if.i.i.lr.ph:                                 ; preds = %B482.i
-  %.237.i.i4835 = select i1 %.357.i4493, i64 %arg.batch.1.3.5.0, i64 0
-  %.238.i.i4836 = add i64 %.237.i.i4835, %.242.i4395
-  %.258.i.i4849 = mul i64 %.238.i.i4836, %arg.batch.1.3.5.1
-  %354 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i4849
+  %.237.i.i4847 = select i1 %.357.i4505, i64 %arg.batch.1.3.5.0, i64 0
+  %.238.i.i4848 = add i64 %.237.i.i4847, %.242.i4407
+  %.258.i.i4861 = mul i64 %.238.i.i4848, %arg.batch.1.3.5.1
+  %355 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i4861
   br label %B76.if.i.i
 
 B76.if.i.i:                                       ; preds = %B76.if.i.i.lr.ph, %B76.if.i.i
-  %.117.i.i4165.09384 = phi i64 [ 0, %B76.if.i.i.lr.ph ], [ %.188.i.i4893, %B76.if.i.i ]
-  %.188.i.i4893 = add nsw i64 %.117.i.i4165.09384, 1
-  %355 = getelementptr double, ptr %354, i64 %.117.i.i4165.09384
-  %.263.i.i4852 = load double, ptr %355, align 8, !noalias !280
-  %356 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.i4165.09384
-  %.293.i.i4869 = load i64, ptr %356, align 8, !noalias !280
-  %.295.i.i4871 = mul nsw i64 %.293.i.i4869, %arg.shape.0
-  %.297.i.i4873 = add nsw i64 %.295.i.i4871, %.5329.09386
-  %.311.i.i4879 = icmp slt i64 %.297.i.i4873, 0
-  %.312.i.i4880 = select i1 %.311.i.i4879, i64 %arg.batch.5.1.5.0, i64 0
-  %357 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i4873
-  %.326.i.i4887 = getelementptr double, ptr %357, i64 %.312.i.i4880
-  store double %.263.i.i4852, ptr %.326.i.i4887, align 8, !noalias !280
-  %exitcond9426.not = icmp eq i64 %arg.batch.1.1.5.0, %.188.i.i4893
-  br i1 %exitcond9426.not, label %B4518, label %B76.if.i.i
+  %.117.i.i4177.09417 = phi i64 [ 0, %B76.if.i.i.lr.ph ], [ %.188.i.i4905, %B76.if.i.i ]
+  %.188.i.i4905 = add nsw i64 %.117.i.i4177.09417, 1
+  %356 = getelementptr double, ptr %355, i64 %.117.i.i4177.09417
+  %.263.i.i4864 = load double, ptr %356, align 8, !noalias !280
+  %357 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.i4177.09417
+  %.293.i.i4881 = load i64, ptr %357, align 8, !noalias !280
+  %.295.i.i4883 = mul nsw i64 %.293.i.i4881, %arg.shape.0
+  %.297.i.i4885 = add nsw i64 %.295.i.i4883, %.5329.09419
+  %.311.i.i4891 = icmp slt i64 %.297.i.i4885, 0
+  %.312.i.i4892 = select i1 %.311.i.i4891, i64 %arg.batch.5.1.5.0, i64 0
+  %358 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i4885
+  %.326.i.i4899 = getelementptr double, ptr %358, i64 %.312.i.i4892
+  store double %.263.i.i4864, ptr %.326.i.i4899, align 8, !noalias !280
+  %exitcond9459.not = icmp eq i64 %arg.batch.1.1.5.0, %.188.i.i4905
+  br i1 %exitcond9459.not, label %B4518, label %B76.if.i.i
 
 B4518:                                            ; preds = %B76.if.i.i, %B482.i, %B256.i, %B212.i, %B4394, %B4346
   %.5901 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.5487
@@ -5482,209 +5498,209 @@ B4518:                                            ; preds = %B76.if.i.i, %B482.i
   br i1 %.5903.not, label %B4690, label %B4562
 
 B4562:                                            ; preds = %B4518
-  %.5960 = getelementptr i64, ptr %100, i64 %.5329.09386
+  %.5960 = getelementptr i64, ptr %100, i64 %.5329.09419
   %.5961 = load i64, ptr %.5960, align 8
   %.5991 = getelementptr i64, ptr %arg.batch.3.2.4, i64 %.5487
   store i64 %.5961, ptr %.5991, align 8
   store i64 -1, ptr %.5486, align 8
-  %.236.i9032 = load i64, ptr %arg.batch.4.2.4, align 8, !noalias !284
-  %.289.i9037 = getelementptr double, ptr %101, i64 %.5329.09386
-  store double 0.000000e+00, ptr %.289.i9037, align 8, !noalias !284
-  %.320.i9039 = load i64, ptr %.319.i9038, align 8, !noalias !284
-  %.322.i9040 = icmp eq i64 %.236.i9032, %.320.i9039
-  br i1 %.322.i9040, label %B4948, label %B142.i9041
+  %.236.i9065 = load i64, ptr %arg.batch.4.2.4, align 8, !noalias !284
+  %.289.i9070 = getelementptr double, ptr %101, i64 %.5329.09419
+  store double 0.000000e+00, ptr %.289.i9070, align 8, !noalias !284
+  %.320.i9072 = load i64, ptr %.319.i9071, align 8, !noalias !284
+  %.322.i9073 = icmp eq i64 %.236.i9065, %.320.i9072
+  br i1 %.322.i9073, label %B4948, label %B142.i9074
 
-B142.i9041:                                       ; preds = %B4562
-  %.355.i9042 = add nsw i64 %.236.i9032, 1
-  store i64 %.355.i9042, ptr %arg.batch.4.2.4, align 8, !noalias !284
+B142.i9074:                                       ; preds = %B4562
+  %.355.i9075 = add nsw i64 %.236.i9065, 1
+  store i64 %.355.i9075, ptr %arg.batch.4.2.4, align 8, !noalias !284
   store i64 1, ptr %.1173, align 8, !noalias !284
-  %.434.i9044 = icmp slt i64 %.236.i9032, 0
-  %.435.i9045 = select i1 %.434.i9044, i64 %arg.batch.0.2.5.0, i64 0
-  %358 = getelementptr i64, ptr %arg.batch.0.2.4, i64 %.236.i9032
-  %.449.i9046 = getelementptr i64, ptr %358, i64 %.435.i9045
-  %.450.i9047 = load i64, ptr %.449.i9046, align 8, !noalias !284
-  %.465.i9048 = icmp slt i64 %.450.i9047, 0
-  %.466.i9049 = select i1 %.465.i9048, i64 %arg.batch.1.0.5.0, i64 0
-  %359 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.450.i9047
-  %.480.i9050 = getelementptr i64, ptr %359, i64 %.466.i9049
-  %.481.i9051 = load i64, ptr %.480.i9050, align 8, !noalias !284
-  store i64 %.236.i9032, ptr %.5486, align 8, !noalias !284
-  %.583.i9055 = getelementptr i64, ptr %102, i64 %.5329.09386
-  store i64 %.481.i9051, ptr %.583.i9055, align 8, !noalias !284
+  %.434.i9077 = icmp slt i64 %.236.i9065, 0
+  %.435.i9078 = select i1 %.434.i9077, i64 %arg.batch.0.2.5.0, i64 0
+  %359 = getelementptr i64, ptr %arg.batch.0.2.4, i64 %.236.i9065
+  %.449.i9079 = getelementptr i64, ptr %359, i64 %.435.i9078
+  %.450.i9080 = load i64, ptr %.449.i9079, align 8, !noalias !284
+  %.465.i9081 = icmp slt i64 %.450.i9080, 0
+  %.466.i9082 = select i1 %.465.i9081, i64 %arg.batch.1.0.5.0, i64 0
+  %360 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.450.i9080
+  %.480.i9083 = getelementptr i64, ptr %360, i64 %.466.i9082
+  %.481.i9084 = load i64, ptr %.480.i9083, align 8, !noalias !284
+  store i64 %.236.i9065, ptr %.5486, align 8, !noalias !284
+  %.583.i9088 = getelementptr i64, ptr %102, i64 %.5329.09419
+  store i64 %.481.i9084, ptr %.583.i9088, align 8, !noalias !284
   store i64 1, ptr %.5960, align 8, !noalias !284
-  %.689.i9059 = getelementptr i64, ptr %103, i64 %.5329.09386
-  store i64 0, ptr %.689.i9059, align 8, !noalias !284
-  br i1 %.7851131.not.i9060, label %B462.i9075, label %B418.if.lr.ph.i9061
+  %.689.i9092 = getelementptr i64, ptr %103, i64 %.5329.09419
+  store i64 0, ptr %.689.i9092, align 8, !noalias !284
+  br i1 %.7851131.not.i9093, label %B462.i9108, label %B418.if.lr.ph.i9094
 
-B418.if.lr.ph.i9061:                              ; preds = %B142.i9041
-  %.847.i9062 = select i1 %.434.i9044, i64 %arg.batch.0.1.5.0, i64 0
-  %.848.i9063 = add i64 %.847.i9062, %.236.i9032
-  %.868.i9064 = mul i64 %.848.i9063, %arg.batch.0.1.5.1
-  %360 = getelementptr double, ptr %arg.batch.0.1.4, i64 %.868.i9064
-  %invariant.gep9529 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.5329.09386
-  br label %B418.if.i9065
+B418.if.lr.ph.i9094:                              ; preds = %B142.i9074
+  %.847.i9095 = select i1 %.434.i9077, i64 %arg.batch.0.1.5.0, i64 0
+  %.848.i9096 = add i64 %.847.i9095, %.236.i9065
+  %.868.i9097 = mul i64 %.848.i9096, %arg.batch.0.1.5.1
+  %361 = getelementptr double, ptr %arg.batch.0.1.4, i64 %.868.i9097
+  %invariant.gep9564 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.5329.09419
+  br label %B418.if.i9098
 
-B462.i9075:                                       ; preds = %B418.if.i9065, %B142.i9041
-  br i1 %.175.i1134.not.i9076, label %B462.endif.i9094, label %B76.if.i.lr.ph.i9077
+B462.i9108:                                       ; preds = %B418.if.i9098, %B142.i9074
+  br i1 %.175.i1134.not.i9109, label %B462.endif.i9127, label %B76.if.i.lr.ph.i9110
 
-B76.if.i.lr.ph.i9077:                             ; preds = %B462.i9075
-  %.966.i9078 = load i64, ptr %.583.i9055, align 8, !noalias !284
-  %.236.i.i9079 = icmp slt i64 %.966.i9078, 0
-  %.237.i.i9080 = select i1 %.236.i.i9079, i64 %arg.batch.1.3.5.0, i64 0
-  %.238.i.i9081 = add i64 %.237.i.i9080, %.966.i9078
-  %.258.i.i9082 = mul i64 %.238.i.i9081, %arg.batch.1.3.5.1
-  %361 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i9082
-  br label %B76.if.i.i9083
+B76.if.i.lr.ph.i9110:                             ; preds = %B462.i9108
+  %.966.i9111 = load i64, ptr %.583.i9088, align 8, !noalias !284
+  %.236.i.i9112 = icmp slt i64 %.966.i9111, 0
+  %.237.i.i9113 = select i1 %.236.i.i9112, i64 %arg.batch.1.3.5.0, i64 0
+  %.238.i.i9114 = add i64 %.237.i.i9113, %.966.i9111
+  %.258.i.i9115 = mul i64 %.238.i.i9114, %arg.batch.1.3.5.1
+  %362 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i9115
+  br label %B76.if.i.i9116
 
-B76.if.i.i9083:                                   ; preds = %B76.if.i.i9083, %B76.if.i.lr.ph.i9077
-  %.117.i.01135.i9084 = phi i64 [ 0, %B76.if.i.lr.ph.i9077 ], [ %.188.i.i9085, %B76.if.i.i9083 ]
-  %.188.i.i9085 = add nsw i64 %.117.i.01135.i9084, 1
-  %362 = getelementptr double, ptr %361, i64 %.117.i.01135.i9084
-  %.263.i.i9086 = load double, ptr %362, align 8, !noalias !287
-  %363 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.01135.i9084
-  %.293.i.i9087 = load i64, ptr %363, align 8, !noalias !287
-  %.295.i.i9088 = mul nsw i64 %.293.i.i9087, %arg.shape.0
-  %.297.i.i9089 = add nsw i64 %.295.i.i9088, %.5329.09386
-  %.311.i.i9090 = icmp slt i64 %.297.i.i9089, 0
-  %.312.i.i9091 = select i1 %.311.i.i9090, i64 %arg.batch.5.1.5.0, i64 0
-  %364 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i9089
-  %.326.i.i9092 = getelementptr double, ptr %364, i64 %.312.i.i9091
-  store double %.263.i.i9086, ptr %.326.i.i9092, align 8, !noalias !287
-  %exitcond1142.not.i9093 = icmp eq i64 %.188.i.i9085, %arg.batch.1.1.5.0
-  br i1 %exitcond1142.not.i9093, label %B462.endif.i9094, label %B76.if.i.i9083
+B76.if.i.i9116:                                   ; preds = %B76.if.i.i9116, %B76.if.i.lr.ph.i9110
+  %.117.i.01135.i9117 = phi i64 [ 0, %B76.if.i.lr.ph.i9110 ], [ %.188.i.i9118, %B76.if.i.i9116 ]
+  %.188.i.i9118 = add nsw i64 %.117.i.01135.i9117, 1
+  %363 = getelementptr double, ptr %362, i64 %.117.i.01135.i9117
+  %.263.i.i9119 = load double, ptr %363, align 8, !noalias !287
+  %364 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.01135.i9117
+  %.293.i.i9120 = load i64, ptr %364, align 8, !noalias !287
+  %.295.i.i9121 = mul nsw i64 %.293.i.i9120, %arg.shape.0
+  %.297.i.i9122 = add nsw i64 %.295.i.i9121, %.5329.09419
+  %.311.i.i9123 = icmp slt i64 %.297.i.i9122, 0
+  %.312.i.i9124 = select i1 %.311.i.i9123, i64 %arg.batch.5.1.5.0, i64 0
+  %365 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i9122
+  %.326.i.i9125 = getelementptr double, ptr %365, i64 %.312.i.i9124
+  store double %.263.i.i9119, ptr %.326.i.i9125, align 8, !noalias !287
+  %exitcond1142.not.i9126 = icmp eq i64 %.188.i.i9118, %arg.batch.1.1.5.0
+  br i1 %exitcond1142.not.i9126, label %B462.endif.i9127, label %B76.if.i.i9116
 
-B1038.i9188:                                      ; preds = %B660.if.i9110
-  store double 0.000000e+00, ptr %.1825.i9185, align 8, !noalias !284
+B1038.i9221:                                      ; preds = %B660.if.i9143
+  store double 0.000000e+00, ptr %.1825.i9218, align 8, !noalias !284
   br label %B4948
 
-B418.if.i9065:                                    ; preds = %B418.if.i9065, %B418.if.lr.ph.i9061
-  %.727.01132.i9066 = phi i64 [ 0, %B418.if.lr.ph.i9061 ], [ %.798.i9067, %B418.if.i9065 ]
-  %.798.i9067 = add nsw i64 %.727.01132.i9066, 1
-  %365 = getelementptr double, ptr %360, i64 %.727.01132.i9066
-  %.873.i9068 = load double, ptr %365, align 8, !noalias !284
-  %.875.i9069 = mul nsw i64 %.727.01132.i9066, %arg.shape.0
-  %gep9530 = getelementptr double, ptr %invariant.gep9529, i64 %.875.i9069
-  store double %.873.i9068, ptr %gep9530, align 8, !noalias !284
-  %exitcond.not.i9074 = icmp eq i64 %.798.i9067, %arg.batch.0.1.5.1
-  br i1 %exitcond.not.i9074, label %B462.i9075, label %B418.if.i9065
+B418.if.i9098:                                    ; preds = %B418.if.i9098, %B418.if.lr.ph.i9094
+  %.727.01132.i9099 = phi i64 [ 0, %B418.if.lr.ph.i9094 ], [ %.798.i9100, %B418.if.i9098 ]
+  %.798.i9100 = add nsw i64 %.727.01132.i9099, 1
+  %366 = getelementptr double, ptr %361, i64 %.727.01132.i9099
+  %.873.i9101 = load double, ptr %366, align 8, !noalias !284
+  %.875.i9102 = mul nsw i64 %.727.01132.i9099, %arg.shape.0
+  %gep9565 = getelementptr double, ptr %invariant.gep9564, i64 %.875.i9102
+  store double %.873.i9101, ptr %gep9565, align 8, !noalias !284
+  %exitcond.not.i9107 = icmp eq i64 %.798.i9100, %arg.batch.0.1.5.1
+  br i1 %exitcond.not.i9107, label %B462.i9108, label %B418.if.i9098
 
-B462.endif.i9094:                                 ; preds = %B76.if.i.i9083, %B462.i9075
-  br i1 %.10931137.not.i9095, label %B660.if.i9110, label %B566.if.lr.ph.i9096
+B462.endif.i9127:                                 ; preds = %B76.if.i.i9116, %B462.i9108
+  br i1 %.10931137.not.i9128, label %B660.if.i9143, label %B566.if.lr.ph.i9129
 
-B566.if.lr.ph.i9096:                              ; preds = %B462.endif.i9094
-  %.1155.i9097 = select i1 %.434.i9044, i64 %arg.batch.0.0.5.0, i64 0
-  %.1156.i9098 = add i64 %.1155.i9097, %.236.i9032
-  %.1176.i9099 = mul i64 %.1156.i9098, %arg.batch.0.0.5.1
-  %366 = getelementptr double, ptr %arg.batch.0.0.4, i64 %.1176.i9099
-  %invariant.gep9531 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.5329.09386
-  br label %B566.if.i9100
+B566.if.lr.ph.i9129:                              ; preds = %B462.endif.i9127
+  %.1155.i9130 = select i1 %.434.i9077, i64 %arg.batch.0.0.5.0, i64 0
+  %.1156.i9131 = add i64 %.1155.i9130, %.236.i9065
+  %.1176.i9132 = mul i64 %.1156.i9131, %arg.batch.0.0.5.1
+  %367 = getelementptr double, ptr %arg.batch.0.0.4, i64 %.1176.i9132
+  %invariant.gep9566 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.5329.09419
+  br label %B566.if.i9133
 
-B566.if.i9100:                                    ; preds = %B566.if.i9100, %B566.if.lr.ph.i9096
-  %.1037.01138.i9101 = phi i64 [ 0, %B566.if.lr.ph.i9096 ], [ %.1106.i9102, %B566.if.i9100 ]
-  %.1106.i9102 = add nsw i64 %.1037.01138.i9101, 1
-  %367 = getelementptr double, ptr %366, i64 %.1037.01138.i9101
-  %.1181.i9103 = load double, ptr %367, align 8, !noalias !284
-  %.1183.i9104 = mul nsw i64 %.1037.01138.i9101, %arg.shape.0
-  %gep9532 = getelementptr double, ptr %invariant.gep9531, i64 %.1183.i9104
-  store double %.1181.i9103, ptr %gep9532, align 8, !noalias !284
-  %exitcond1143.not.i9109 = icmp eq i64 %.1106.i9102, %arg.shape.1
-  br i1 %exitcond1143.not.i9109, label %B660.if.i9110, label %B566.if.i9100
+B566.if.i9133:                                    ; preds = %B566.if.i9133, %B566.if.lr.ph.i9129
+  %.1037.01138.i9134 = phi i64 [ 0, %B566.if.lr.ph.i9129 ], [ %.1106.i9135, %B566.if.i9133 ]
+  %.1106.i9135 = add nsw i64 %.1037.01138.i9134, 1
+  %368 = getelementptr double, ptr %367, i64 %.1037.01138.i9134
+  %.1181.i9136 = load double, ptr %368, align 8, !noalias !284
+  %.1183.i9137 = mul nsw i64 %.1037.01138.i9134, %arg.shape.0
+  %gep9567 = getelementptr double, ptr %invariant.gep9566, i64 %.1183.i9137
+  store double %.1181.i9136, ptr %gep9567, align 8, !noalias !284
+  %exitcond1143.not.i9142 = icmp eq i64 %.1106.i9135, %arg.shape.1
+  br i1 %exitcond1143.not.i9142, label %B660.if.i9143, label %B566.if.i9133
 
-B660.if.i9110:                                    ; preds = %B566.if.i9100, %B462.endif.i9094
-  %invariant.gep.i9111 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5329.09386
-  store double 0.000000e+00, ptr %invariant.gep.i9111, align 8, !noalias !284
-  %gep.1.i9112 = getelementptr double, ptr %invariant.gep.i9111, i64 %arg.batch.4.0.5.1
-  store double 0.000000e+00, ptr %gep.1.i9112, align 8, !noalias !284
-  %gep.2.i9114 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.2.idx.i9113
-  store double 0.000000e+00, ptr %gep.2.i9114, align 8, !noalias !284
-  %gep.3.i9116 = getelementptr i8, ptr %invariant.gep.i9111, i64 %.idx.i9036
-  store double 0.000000e+00, ptr %gep.3.i9116, align 8, !noalias !284
-  %gep.4.i9118 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.4.idx.i9117
-  store double 0.000000e+00, ptr %gep.4.i9118, align 8, !noalias !284
-  %gep.5.i9120 = getelementptr i8, ptr %invariant.gep.i9111, i64 %.idx8772
-  store double 0.000000e+00, ptr %gep.5.i9120, align 8, !noalias !284
-  %gep.6.i9122 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.6.idx.i9121
-  store double 0.000000e+00, ptr %gep.6.i9122, align 8, !noalias !284
-  %gep.7.i9124 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.7.idx.i9123
-  store double 0.000000e+00, ptr %gep.7.i9124, align 8, !noalias !284
-  %gep.8.i9126 = getelementptr i8, ptr %invariant.gep.i9111, i64 %.571.idx
-  store double 0.000000e+00, ptr %gep.8.i9126, align 8, !noalias !284
-  %gep.9.i9128 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.9.idx.i9127
-  store double 0.000000e+00, ptr %gep.9.i9128, align 8, !noalias !284
-  %gep.10.i9130 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.10.idx.i9129
-  store double 0.000000e+00, ptr %gep.10.i9130, align 8, !noalias !284
-  %gep.11.i9132 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.11.idx.i9131
-  store double 0.000000e+00, ptr %gep.11.i9132, align 8, !noalias !284
-  %gep.12.i9134 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.12.idx.i9133
-  store double 0.000000e+00, ptr %gep.12.i9134, align 8, !noalias !284
-  %gep.13.i9136 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.13.idx.i9135
-  store double 0.000000e+00, ptr %gep.13.i9136, align 8, !noalias !284
-  %gep.14.i9138 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.14.idx.i9137
-  store double 0.000000e+00, ptr %gep.14.i9138, align 8, !noalias !284
-  %gep.15.i9140 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.15.idx.i9139
-  store double 0.000000e+00, ptr %gep.15.i9140, align 8, !noalias !284
-  %gep.16.i9142 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.16.idx.i9141
-  store double 0.000000e+00, ptr %gep.16.i9142, align 8, !noalias !284
-  %gep.17.i9144 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.17.idx.i9143
-  store double 0.000000e+00, ptr %gep.17.i9144, align 8, !noalias !284
-  %gep.18.i9146 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.18.idx.i9145
-  store double 0.000000e+00, ptr %gep.18.i9146, align 8, !noalias !284
-  %gep.19.i9148 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.19.idx.i9147
-  store double 0.000000e+00, ptr %gep.19.i9148, align 8, !noalias !284
-  %gep.20.i9150 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.20.idx.i9149
-  store double 0.000000e+00, ptr %gep.20.i9150, align 8, !noalias !284
-  %gep.21.i9152 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.21.idx.i9151
-  store double 0.000000e+00, ptr %gep.21.i9152, align 8, !noalias !284
-  %gep.22.i9154 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.22.idx.i9153
-  store double 0.000000e+00, ptr %gep.22.i9154, align 8, !noalias !284
-  %gep.23.i9156 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.23.idx.i9155
-  store double 0.000000e+00, ptr %gep.23.i9156, align 8, !noalias !284
-  %gep.24.i9158 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.24.idx.i9157
-  store double 0.000000e+00, ptr %gep.24.i9158, align 8, !noalias !284
-  %gep.25.i9160 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.25.idx.i9159
-  store double 0.000000e+00, ptr %gep.25.i9160, align 8, !noalias !284
-  %gep.26.i9162 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.26.idx.i9161
-  store double 0.000000e+00, ptr %gep.26.i9162, align 8, !noalias !284
-  %gep.27.i9164 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.27.idx.i9163
-  store double 0.000000e+00, ptr %gep.27.i9164, align 8, !noalias !284
-  %gep.28.i9166 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.28.idx.i9165
-  store double 0.000000e+00, ptr %gep.28.i9166, align 8, !noalias !284
-  %gep.29.i9168 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.29.idx.i9167
-  store double 0.000000e+00, ptr %gep.29.i9168, align 8, !noalias !284
-  %gep.30.i9170 = getelementptr i8, ptr %invariant.gep.i9111, i64 %gep.30.idx.i9169
-  store double 0.000000e+00, ptr %gep.30.i9170, align 8, !noalias !284
-  %.1431.i9171 = load double, ptr %arg.batch.2.4, align 8, !noalias !284
-  %.1488.i9172 = load i64, ptr %.583.i9055, align 8, !noalias !284
-  %.1503.i9173 = icmp slt i64 %.1488.i9172, 0
-  %.1504.i9174 = select i1 %.1503.i9173, i64 %arg.batch.1.2.5.0, i64 0
-  %368 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.1488.i9172
-  %.1518.i9175 = getelementptr double, ptr %368, i64 %.1504.i9174
-  %.1519.i9176 = load double, ptr %.1518.i9175, align 8, !noalias !284
-  store double %.1431.i9171, ptr %invariant.gep.i9111, align 8, !noalias !284
-  %.1620.i9179 = getelementptr double, ptr %104, i64 %.5329.09386
-  store double %.1519.i9176, ptr %.1620.i9179, align 8, !noalias !284
-  store double 1.000000e+00, ptr %.289.i9037, align 8, !noalias !284
-  %.1723.i9181 = getelementptr double, ptr %105, i64 %.5329.09386
-  store double 0xFFF0000000000000, ptr %.1723.i9181, align 8, !noalias !284
-  %.1774.i9183 = getelementptr double, ptr %106, i64 %.5329.09386
-  store double 0x7FF0000000000000, ptr %.1774.i9183, align 8, !noalias !284
-  %.1825.i9185 = getelementptr double, ptr %107, i64 %.5329.09386
-  %.1826.i9186 = load double, ptr %.1825.i9185, align 8, !noalias !284
-  %.1828.i9187 = fcmp ueq double %.1826.i9186, 0xFFF0000000000000
-  br i1 %.1828.i9187, label %B4948, label %B1038.i9188
+B660.if.i9143:                                    ; preds = %B566.if.i9133, %B462.endif.i9127
+  %invariant.gep.i9144 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5329.09419
+  store double 0.000000e+00, ptr %invariant.gep.i9144, align 8, !noalias !284
+  %gep.1.i9145 = getelementptr double, ptr %invariant.gep.i9144, i64 %arg.batch.4.0.5.1
+  store double 0.000000e+00, ptr %gep.1.i9145, align 8, !noalias !284
+  %gep.2.i9147 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.2.idx.i9146
+  store double 0.000000e+00, ptr %gep.2.i9147, align 8, !noalias !284
+  %gep.3.i9149 = getelementptr i8, ptr %invariant.gep.i9144, i64 %.idx.i9069
+  store double 0.000000e+00, ptr %gep.3.i9149, align 8, !noalias !284
+  %gep.4.i9151 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.4.idx.i9150
+  store double 0.000000e+00, ptr %gep.4.i9151, align 8, !noalias !284
+  %gep.5.i9153 = getelementptr i8, ptr %invariant.gep.i9144, i64 %.idx8804
+  store double 0.000000e+00, ptr %gep.5.i9153, align 8, !noalias !284
+  %gep.6.i9155 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.6.idx.i9154
+  store double 0.000000e+00, ptr %gep.6.i9155, align 8, !noalias !284
+  %gep.7.i9157 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.7.idx.i9156
+  store double 0.000000e+00, ptr %gep.7.i9157, align 8, !noalias !284
+  %gep.8.i9159 = getelementptr i8, ptr %invariant.gep.i9144, i64 %.571.idx
+  store double 0.000000e+00, ptr %gep.8.i9159, align 8, !noalias !284
+  %gep.9.i9161 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.9.idx.i9160
+  store double 0.000000e+00, ptr %gep.9.i9161, align 8, !noalias !284
+  %gep.10.i9163 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.10.idx.i9162
+  store double 0.000000e+00, ptr %gep.10.i9163, align 8, !noalias !284
+  %gep.11.i9165 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.11.idx.i9164
+  store double 0.000000e+00, ptr %gep.11.i9165, align 8, !noalias !284
+  %gep.12.i9167 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.12.idx.i9166
+  store double 0.000000e+00, ptr %gep.12.i9167, align 8, !noalias !284
+  %gep.13.i9169 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.13.idx.i9168
+  store double 0.000000e+00, ptr %gep.13.i9169, align 8, !noalias !284
+  %gep.14.i9171 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.14.idx.i9170
+  store double 0.000000e+00, ptr %gep.14.i9171, align 8, !noalias !284
+  %gep.15.i9173 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.15.idx.i9172
+  store double 0.000000e+00, ptr %gep.15.i9173, align 8, !noalias !284
+  %gep.16.i9175 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.16.idx.i9174
+  store double 0.000000e+00, ptr %gep.16.i9175, align 8, !noalias !284
+  %gep.17.i9177 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.17.idx.i9176
+  store double 0.000000e+00, ptr %gep.17.i9177, align 8, !noalias !284
+  %gep.18.i9179 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.18.idx.i9178
+  store double 0.000000e+00, ptr %gep.18.i9179, align 8, !noalias !284
+  %gep.19.i9181 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.19.idx.i9180
+  store double 0.000000e+00, ptr %gep.19.i9181, align 8, !noalias !284
+  %gep.20.i9183 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.20.idx.i9182
+  store double 0.000000e+00, ptr %gep.20.i9183, align 8, !noalias !284
+  %gep.21.i9185 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.21.idx.i9184
+  store double 0.000000e+00, ptr %gep.21.i9185, align 8, !noalias !284
+  %gep.22.i9187 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.22.idx.i9186
+  store double 0.000000e+00, ptr %gep.22.i9187, align 8, !noalias !284
+  %gep.23.i9189 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.23.idx.i9188
+  store double 0.000000e+00, ptr %gep.23.i9189, align 8, !noalias !284
+  %gep.24.i9191 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.24.idx.i9190
+  store double 0.000000e+00, ptr %gep.24.i9191, align 8, !noalias !284
+  %gep.25.i9193 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.25.idx.i9192
+  store double 0.000000e+00, ptr %gep.25.i9193, align 8, !noalias !284
+  %gep.26.i9195 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.26.idx.i9194
+  store double 0.000000e+00, ptr %gep.26.i9195, align 8, !noalias !284
+  %gep.27.i9197 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.27.idx.i9196
+  store double 0.000000e+00, ptr %gep.27.i9197, align 8, !noalias !284
+  %gep.28.i9199 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.28.idx.i9198
+  store double 0.000000e+00, ptr %gep.28.i9199, align 8, !noalias !284
+  %gep.29.i9201 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.29.idx.i9200
+  store double 0.000000e+00, ptr %gep.29.i9201, align 8, !noalias !284
+  %gep.30.i9203 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.30.idx.i9202
+  store double 0.000000e+00, ptr %gep.30.i9203, align 8, !noalias !284
+  %.1431.i9204 = load double, ptr %arg.batch.2.4, align 8, !noalias !284
+  %.1488.i9205 = load i64, ptr %.583.i9088, align 8, !noalias !284
+  %.1503.i9206 = icmp slt i64 %.1488.i9205, 0
+  %.1504.i9207 = select i1 %.1503.i9206, i64 %arg.batch.1.2.5.0, i64 0
+  %369 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.1488.i9205
+  %.1518.i9208 = getelementptr double, ptr %369, i64 %.1504.i9207
+  %.1519.i9209 = load double, ptr %.1518.i9208, align 8, !noalias !284
+  store double %.1431.i9204, ptr %invariant.gep.i9144, align 8, !noalias !284
+  %.1620.i9212 = getelementptr double, ptr %104, i64 %.5329.09419
+  store double %.1519.i9209, ptr %.1620.i9212, align 8, !noalias !284
+  store double 1.000000e+00, ptr %.289.i9070, align 8, !noalias !284
+  %.1723.i9214 = getelementptr double, ptr %105, i64 %.5329.09419
+  store double 0xFFF0000000000000, ptr %.1723.i9214, align 8, !noalias !284
+  %.1774.i9216 = getelementptr double, ptr %106, i64 %.5329.09419
+  store double 0x7FF0000000000000, ptr %.1774.i9216, align 8, !noalias !284
+  %.1825.i9218 = getelementptr double, ptr %107, i64 %.5329.09419
+  %.1826.i9219 = load double, ptr %.1825.i9218, align 8, !noalias !284
+  %.1828.i9220 = fcmp ueq double %.1826.i9219, 0xFFF0000000000000
+  br i1 %.1828.i9220, label %B4948, label %B1038.i9221
 
 B4690:                                            ; preds = %B4518
-  %.6179 = getelementptr double, ptr %108, i64 %.5329.09386
+  %.6179 = getelementptr double, ptr %108, i64 %.5329.09419
   %.6180 = load double, ptr %.6179, align 8
   %.6182 = fcmp ult double %.6180, 1.500000e+01
   br i1 %.6182, label %B4948, label %B4758
 
 B4758:                                            ; preds = %B4690
   %.6226 = load double, ptr %.6225, align 8
-  %.6276 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5329.09386
+  %.6276 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5329.09419
   %.6277 = load double, ptr %.6276, align 8
   %.6278 = fsub double %.6226, %.6277
-  %.6328 = getelementptr double, ptr %111, i64 %.5329.09386
+  %.6328 = getelementptr double, ptr %111, i64 %.5329.09419
   %.6329 = load double, ptr %.6328, align 8
   %.6331 = fmul double %.6329, 5.000000e+03
   %.6332 = fcmp ogt double %.6278, %.6331
@@ -5694,46 +5710,46 @@ B4914:                                            ; preds = %B4758
   store double 0.000000e+00, ptr %.6179, align 8
   br label %B4948
 
-B4948:                                            ; preds = %B1038.i9188, %B4562, %B660.if.i9110, %B4758, %B4914, %B4690
-  %budget.7.4 = phi i64 [ %budget.5.29388, %B4690 ], [ 0, %B4758 ], [ %budget.5.29388, %B4914 ], [ %budget.5.29388, %B660.if.i9110 ], [ %budget.5.29388, %B4562 ], [ %budget.5.29388, %B1038.i9188 ]
+B4948:                                            ; preds = %B1038.i9221, %B4562, %B660.if.i9143, %B4758, %B4914, %B4690
+  %budget.7.4 = phi i64 [ %budget.5.29421, %B4690 ], [ 0, %B4758 ], [ %budget.5.29421, %B4914 ], [ %budget.5.29421, %B660.if.i9143 ], [ %budget.5.29421, %B4562 ], [ %budget.5.29421, %B1038.i9221 ]
   %.6452 = load i64, ptr %.5486, align 8
   %.6453 = icmp sgt i64 %.6452, -1
   br i1 %.6453, label %B4996, label %B5293
 
 B4996:                                            ; preds = %B4948
-  %.6458 = add nsw i64 %active.5.29389, 1
+  %.6458 = add nsw i64 %active.5.29422, 1
   %.6559 = mul i64 %.6452, %arg.batch.3.3.5.1
   %.6563 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.6559
   %.6564 = load i64, ptr %.6563, align 8
   %.6575.0 = and i64 %.6564, 127
   %.6605 = sub nsw i64 128, %.6575.0
   %.11.i = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.6605, i64 %.5615)
-  %.6689 = getelementptr double, ptr %112, i64 %.5329.09386
+  %.6689 = getelementptr double, ptr %112, i64 %.5329.09419
   %.6690 = load double, ptr %.6689, align 8
   %.6692 = fcmp ogt double %.6690, 0.000000e+00
   %.6703 = sitofp i64 %.11.i to double
   %"$phi5196.1.2.5" = select i1 %.6692, double 1.000000e+00, double %.6703
-  %.6762 = getelementptr double, ptr %113, i64 %.5329.09386
+  %.6762 = getelementptr double, ptr %113, i64 %.5329.09419
   store double %"$phi5196.1.2.5", ptr %.6762, align 8
-  %.107.i5162 = getelementptr i64, ptr %114, i64 %.5329.09386
-  %.108.i5163 = load i64, ptr %.107.i5162, align 8, !noalias !291
-  %.161.i5209 = getelementptr double, ptr %115, i64 %.5329.09386
-  %.162.i5210 = load double, ptr %.161.i5209, align 8, !noalias !291
-  %.212.i5255 = getelementptr double, ptr %116, i64 %.5329.09386
-  store double %.162.i5210, ptr %.212.i5255, align 8, !noalias !291
-  %.225.i5263 = icmp slt i64 %.108.i5163, %arg.batch.2.5.0
-  br i1 %.225.i5263, label %B164.i, label %B5293
+  %.107.i5175 = getelementptr i64, ptr %114, i64 %.5329.09419
+  %.108.i5176 = load i64, ptr %.107.i5175, align 8, !noalias !291
+  %.161.i5222 = getelementptr double, ptr %115, i64 %.5329.09419
+  %.162.i5223 = load double, ptr %.161.i5222, align 8, !noalias !291
+  %.212.i5268 = getelementptr double, ptr %116, i64 %.5329.09419
+  store double %.162.i5223, ptr %.212.i5268, align 8, !noalias !291
+  %.225.i5276 = icmp slt i64 %.108.i5176, %arg.batch.2.5.0
+  br i1 %.225.i5276, label %B164.i, label %B5293
 
 B164.i:                                           ; preds = %B4996
-  %.241.i5278 = icmp slt i64 %.108.i5163, 0
-  %.242.i5279 = select i1 %.241.i5278, i64 %arg.batch.2.5.0, i64 0
-  %369 = getelementptr double, ptr %arg.batch.2.4, i64 %.108.i5163
-  %.256.i5293 = getelementptr double, ptr %369, i64 %.242.i5279
-  %.257.i5294 = load double, ptr %.256.i5293, align 8, !noalias !291
-  %.312.i5342 = load double, ptr %.161.i5209, align 8, !noalias !291
-  %.10.i.i5349 = fcmp olt double %.312.i5342, %.257.i5294
-  %.11.i.i5350 = select i1 %.10.i.i5349, double %.312.i5342, double %.257.i5294
-  store double %.11.i.i5350, ptr %.212.i5255, align 8, !noalias !291
+  %.241.i5291 = icmp slt i64 %.108.i5176, 0
+  %.242.i5292 = select i1 %.241.i5291, i64 %arg.batch.2.5.0, i64 0
+  %370 = getelementptr double, ptr %arg.batch.2.4, i64 %.108.i5176
+  %.256.i5306 = getelementptr double, ptr %370, i64 %.242.i5292
+  %.257.i5307 = load double, ptr %.256.i5306, align 8, !noalias !291
+  %.312.i5355 = load double, ptr %.161.i5222, align 8, !noalias !291
+  %.10.i.i = fcmp olt double %.312.i5355, %.257.i5307
+  %.11.i.i = select i1 %.10.i.i, double %.312.i5355, double %.257.i5307
+  store double %.11.i.i, ptr %.212.i5268, align 8, !noalias !291
   br label %B5293
 
 B5266:                                            ; preds = %B5293, %B4090
@@ -5741,8 +5757,8 @@ B5266:                                            ; preds = %B5293, %B4090
   %active.8.2 = phi i64 [ %active.9.1.mux, %B4090 ], [ %active.6.3, %B5293 ]
   %.6840 = icmp sgt i64 %active.8.2, 0
   %.6854 = icmp sgt i64 %budget.4.2, 0
-  %or.cond8836 = select i1 %.6840, i1 %.6854, i1 false
-  br i1 %or.cond8836, label %B738, label %B5292
+  %or.cond8868 = select i1 %.6840, i1 %.6854, i1 false
+  br i1 %or.cond8868, label %B738, label %B5292
 
 B5292:                                            ; preds = %B5266, %B710
   %active.10.0 = phi i64 [ %active.4.0.lcssa, %B710 ], [ %active.8.2, %B5266 ]
@@ -5750,19 +5766,19 @@ B5292:                                            ; preds = %B5266, %B710
 
 B82.if.i1943.lr.ph:                               ; preds = %B5292
   %.idx = mul i64 %arg.batch.4.0.5.1, 208
-  %370 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx
-  %.idx8770 = mul i64 %arg.batch.4.0.5.1, 216
-  %371 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8770
+  %371 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx
+  %.idx8802 = mul i64 %arg.batch.4.0.5.1, 216
+  %372 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8802
   %.672.i1616 = add nsw i64 %arg.shape.2, -1
-  %.idx8771 = mul i64 %arg.batch.4.0.5.1, 192
-  %372 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8771
+  %.idx8803 = mul i64 %arg.batch.4.0.5.1, 192
+  %373 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8803
   br label %B82.if.i1943
 
 B140.i1292:                                       ; preds = %B82.if.i1943
-  %.311.i1336 = getelementptr double, ptr %370, i64 %.105.i1142.09396
+  %.311.i1336 = getelementptr double, ptr %371, i64 %.105.i1142.09429
   %.312.i1337 = load double, ptr %.311.i1336, align 8, !noalias !295
   %.5.i.i1338 = fptosi double %.312.i1337 to i64
-  %.386.i1383 = getelementptr double, ptr %371, i64 %.105.i1142.09396
+  %.386.i1383 = getelementptr double, ptr %372, i64 %.105.i1142.09429
   %.387.i1384 = load double, ptr %.386.i1383, align 8, !noalias !295
   %.5.i1.i1385 = fptosi double %.387.i1384 to i64
   %.463.i1432 = mul i64 %.255.i1285, %arg.batch.3.3.5.1
@@ -5784,7 +5800,7 @@ B140.i1292:                                       ; preds = %B82.if.i1943
   store i64 %.802.i1723, ptr %.669.i1613, align 8, !noalias !295
   store double 0.000000e+00, ptr %.311.i1336, align 8, !noalias !295
   store double 0.000000e+00, ptr %.386.i1383, align 8, !noalias !295
-  %.1017.i1891 = getelementptr double, ptr %372, i64 %.105.i1142.09396
+  %.1017.i1891 = getelementptr double, ptr %373, i64 %.105.i1142.09429
   %.1018.i1892 = load double, ptr %.1017.i1891, align 8, !noalias !295
   %.1026.i1898 = sitofp i64 %.675.i1619 to double
   %.1027.i1899 = fsub double %.1018.i1892, %.1026.i1898
@@ -5792,75 +5808,75 @@ B140.i1292:                                       ; preds = %B82.if.i1943
   br label %B682.i1289
 
 B682.i1289:                                       ; preds = %B140.i1292, %B82.if.i1943
-  %.164.i1223 = icmp sgt i64 %.108.i1143.09397, 1
+  %.164.i1223 = icmp sgt i64 %.108.i1143.09430, 1
   br i1 %.164.i1223, label %B82.if.i1943, label %B5292.endif
 
 B82.if.i1943:                                     ; preds = %B82.if.i1943.lr.ph, %B682.i1289
-  %.108.i1143.09397 = phi i64 [ %storemerge, %B82.if.i1943.lr.ph ], [ %.173.i1948, %B682.i1289 ]
-  %.105.i1142.09396 = phi i64 [ 0, %B82.if.i1943.lr.ph ], [ %.177.i1951, %B682.i1289 ]
-  %.173.i1948 = add nsw i64 %.108.i1143.09397, -1
-  %.177.i1951 = add nsw i64 %.105.i1142.09396, 1
-  %373 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i1142.09396
-  %.255.i1285 = load i64, ptr %373, align 8, !noalias !295
+  %.108.i1143.09430 = phi i64 [ %storemerge, %B82.if.i1943.lr.ph ], [ %.173.i1948, %B682.i1289 ]
+  %.105.i1142.09429 = phi i64 [ 0, %B82.if.i1943.lr.ph ], [ %.177.i1951, %B682.i1289 ]
+  %.173.i1948 = add nsw i64 %.108.i1143.09430, -1
+  %.177.i1951 = add nsw i64 %.105.i1142.09429, 1
+  %374 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i1142.09429
+  %.255.i1285 = load i64, ptr %374, align 8, !noalias !295
   %.260.i1288 = icmp sgt i64 %.255.i1285, -1
   br i1 %.260.i1288, label %B140.i1292, label %B682.i1289
 
 B5293:                                            ; preds = %B4996, %B164.i, %B4948, %B4132.if
-  %budget.6.3 = phi i64 [ %budget.5.29388, %B4132.if ], [ %budget.7.4, %B4948 ], [ %budget.7.4, %B164.i ], [ %budget.7.4, %B4996 ]
-  %active.6.3 = phi i64 [ %active.5.29389, %B4132.if ], [ %active.5.29389, %B4948 ], [ %.6458, %B164.i ], [ %.6458, %B4996 ]
-  %.5392 = icmp sgt i64 %.5332.09387, 1
+  %budget.6.3 = phi i64 [ %budget.5.29421, %B4132.if ], [ %budget.7.4, %B4948 ], [ %budget.7.4, %B164.i ], [ %budget.7.4, %B4996 ]
+  %active.6.3 = phi i64 [ %active.5.29422, %B4132.if ], [ %active.5.29422, %B4948 ], [ %.6458, %B164.i ], [ %.6458, %B4996 ]
+  %.5392 = icmp sgt i64 %.5332.09420, 1
   br i1 %.5392, label %B4132.if, label %B5266
 
 common.ret:                                       ; preds = %B3746.if, %B3700.if, %B3632.endif.if, %B3058.endif.if, %B5292.endif
-  %common.ret.op = phi i32 [ %.4645, %B3632.endif.if ], [ %.4068, %B3058.endif.if ], [ 0, %B5292.endif ], [ %common.ret.op.i8917, %B3746.if ], [ %common.ret.op.i, %B3700.if ]
+  %common.ret.op = phi i32 [ %.4645, %B3632.endif.if ], [ %.4068, %B3058.endif.if ], [ 0, %B5292.endif ], [ %common.ret.op.i8950, %B3746.if ], [ %common.ret.op.i, %B3700.if ]
   ret i32 %common.ret.op
 
 B550.if:                                          ; preds = %B550.if.lr.ph, %B646
-  %active.4.09215 = phi i64 [ 0, %B550.if.lr.ph ], [ %.1096, %B646 ]
-  %.798.09214 = phi i64 [ %storemerge, %B550.if.lr.ph ], [ %.862, %B646 ]
-  %.795.09213 = phi i64 [ 0, %B550.if.lr.ph ], [ %.866, %B646 ]
-  %.862 = add nsw i64 %.798.09214, -1
-  %.866 = add nsw i64 %.795.09213, 1
-  %374 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.795.09213
-  %.944 = load i64, ptr %374, align 8
+  %active.4.09248 = phi i64 [ 0, %B550.if.lr.ph ], [ %.1096, %B646 ]
+  %.798.09247 = phi i64 [ %storemerge, %B550.if.lr.ph ], [ %.862, %B646 ]
+  %.795.09246 = phi i64 [ 0, %B550.if.lr.ph ], [ %.866, %B646 ]
+  %.862 = add nsw i64 %.798.09247, -1
+  %.866 = add nsw i64 %.795.09246, 1
+  %375 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.795.09246
+  %.944 = load i64, ptr %375, align 8
   %.945 = icmp slt i64 %.944, 0
   br i1 %.945, label %B602, label %B646
 
 B1706.if:                                         ; preds = %B1674, %B1892
-  %.2084.09230 = phi i64 [ %.2153, %B1892 ], [ 1, %B1674 ]
-  %.2153 = add i64 %.2084.09230, 1
-  %375 = getelementptr i64, ptr %arg.code.4, i64 %.2084.09230
-  %376 = getelementptr i8, ptr %375, i64 128
-  %.2212 = load i64, ptr %376, align 8
+  %.2084.09263 = phi i64 [ %.2153, %B1892 ], [ 1, %B1674 ]
+  %.2153 = add i64 %.2084.09263, 1
+  %376 = getelementptr i64, ptr %arg.code.4, i64 %.2084.09263
+  %377 = getelementptr i8, ptr %376, i64 128
+  %.2212 = load i64, ptr %377, align 8
   %.2257 = inttoptr i64 %.2212 to ptr
   tail call void %.2257(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  %.2261 = add nsw i64 %.2084.09230, %.
+  %.2261 = add nsw i64 %.2084.09263, %.
   %.2263 = mul nsw i64 %.2261, %.463
   %.2309 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.2263
   tail call void %.2310(ptr %.571, ptr %.2284, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.2309)
-  br i1 %or.cond9196.not, label %B68.if.lr.ph.i, label %B1892
+  br i1 %or.cond9229.not, label %B68.if.lr.ph.i, label %B1892
 
 B2046.if:                                         ; preds = %B1894, %B2152
-  %looked.2.19236 = phi i1 [ %"$phi2152.1.2.2", %B2152 ], [ %spec.select8837, %B1894 ]
-  %good.2.19235 = phi i1 [ %"$phi2100.1.2.2", %B2152 ], [ false, %B1894 ]
-  %.2529.09234 = phi i64 [ %.2591, %B2152 ], [ %storemerge, %B1894 ]
-  %.2526.09233 = phi i64 [ %.2595, %B2152 ], [ 0, %B1894 ]
-  %.2591 = add nsw i64 %.2529.09234, -1
-  %.2595 = add nsw i64 %.2526.09233, 1
-  br i1 %good.2.19235, label %B2100, label %B2054
+  %looked.2.19269 = phi i1 [ %"$phi2152.1.2.2", %B2152 ], [ %spec.select8869, %B1894 ]
+  %good.2.19268 = phi i1 [ %"$phi2100.1.2.2", %B2152 ], [ false, %B1894 ]
+  %.2529.09267 = phi i64 [ %.2591, %B2152 ], [ %storemerge, %B1894 ]
+  %.2526.09266 = phi i64 [ %.2595, %B2152 ], [ 0, %B1894 ]
+  %.2591 = add nsw i64 %.2529.09267, -1
+  %.2595 = add nsw i64 %.2526.09266, 1
+  br i1 %good.2.19268, label %B2100, label %B2054
 
 B2228.if:                                         ; preds = %B2226.preheader, %B2834
-  %checked.3.29246 = phi i1 [ %checked.4.3, %B2834 ], [ false, %B2226.preheader ]
-  %within.3.29245 = phi i1 [ %within.4.3, %B2834 ], [ false, %B2226.preheader ]
-  %.2876.09244 = phi i64 [ %.2945, %B2834 ], [ %storemerge, %B2226.preheader ]
-  %.2873.09243 = phi i64 [ %.2949, %B2834 ], [ 0, %B2226.preheader ]
-  %.2945 = add nsw i64 %.2876.09244, -1
-  %.2949 = add nsw i64 %.2873.09243, 1
-  %.3030 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2873.09243
+  %checked.3.29279 = phi i1 [ %checked.4.3, %B2834 ], [ false, %B2226.preheader ]
+  %within.3.29278 = phi i1 [ %within.4.3, %B2834 ], [ false, %B2226.preheader ]
+  %.2876.09277 = phi i64 [ %.2945, %B2834 ], [ %storemerge, %B2226.preheader ]
+  %.2873.09276 = phi i64 [ %.2949, %B2834 ], [ 0, %B2226.preheader ]
+  %.2945 = add nsw i64 %.2876.09277, -1
+  %.2949 = add nsw i64 %.2873.09276, 1
+  %.3030 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2873.09276
   %.3031 = load i64, ptr %.3030, align 8
-  %.3081 = getelementptr i64, ptr %38, i64 %.2873.09243
+  %.3081 = getelementptr i64, ptr %38, i64 %.2873.09276
   %.3082 = load i64, ptr %.3081, align 8
-  %.3138 = getelementptr double, ptr %39, i64 %.2873.09243
+  %.3138 = getelementptr double, ptr %39, i64 %.2873.09276
   store double 0.000000e+00, ptr %.3138, align 8
   %.3141 = icmp sgt i64 %.3031, -1
   br i1 %.3141, label %B2358, label %B2834
@@ -5920,13 +5936,13 @@ B3746.if:                                         ; preds = %_ZN5pages5looks12wa
   br label %common.ret
 
 B4132.if:                                         ; preds = %B4090, %B5293
-  %active.5.29389 = phi i64 [ %active.6.3, %B5293 ], [ 0, %B4090 ]
-  %budget.5.29388 = phi i64 [ %budget.6.3, %B5293 ], [ %.1139, %B4090 ]
-  %.5332.09387 = phi i64 [ %.5401, %B5293 ], [ %storemerge, %B4090 ]
-  %.5329.09386 = phi i64 [ %.5405, %B5293 ], [ 0, %B4090 ]
-  %.5401 = add nsw i64 %.5332.09387, -1
-  %.5405 = add nsw i64 %.5329.09386, 1
-  %.5486 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5329.09386
+  %active.5.29422 = phi i64 [ %active.6.3, %B5293 ], [ 0, %B4090 ]
+  %budget.5.29421 = phi i64 [ %budget.6.3, %B5293 ], [ %.1139, %B4090 ]
+  %.5332.09420 = phi i64 [ %.5401, %B5293 ], [ %storemerge, %B4090 ]
+  %.5329.09419 = phi i64 [ %.5405, %B5293 ], [ 0, %B4090 ]
+  %.5401 = add nsw i64 %.5332.09420, -1
+  %.5405 = add nsw i64 %.5329.09419, 1
+  %.5486 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5329.09419
   %.5487 = load i64, ptr %.5486, align 8
   %.5492 = icmp slt i64 %.5487, 0
   br i1 %.5492, label %B5293, label %B4190
