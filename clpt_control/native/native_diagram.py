@@ -200,17 +200,13 @@ class NativeDiagram(PythonDiagram):
         other.code = code_of(self.wiring, self.layout, "free")
         return other
 
+    @public
     def sliding(self, held: Held) -> Self:
         """Return the diagram on switches, whose decisions are held."""
         other = copy(self)
         other.held, other._callees = held, {}
         other.code = code_of(self.wiring, self.layout, self._form, False, held)
         return other
-
-    def watched(self, method: int) -> tuple[int, int]:
-        """Return 1 if guards or sides are watched, 1 if states jump."""
-        guarded, jumping = super().watched(method)
-        return max(guarded, int(self.held is not None)), jumping
 
     def _code(self, method: int) -> Code:
         """Return the code for a method; in steps of one length decisions are not locked."""
@@ -246,8 +242,8 @@ class NativeDiagram(PythonDiagram):
         return self._callees[lanes, method]
 
     def _callee(self, lanes: int, method: int) -> Callee:
-        code, watched = self._code(method), self.watched(method)
-        program = code.program
+        code, (guarded, jumping) = self._code(method), self.watched(method)
+        program, watched = code.program, (max(guarded, int(self.held is not None)), jumping)
         used = dict(zip(("margin", "jump"), watched, strict=True))
         used |= {"decide": program.decided, "slope": "slope" in program.functions}
         used["staged"] = method == numbering.DOP853 and program.staged
