@@ -133,9 +133,7 @@ def go_on(diagram: Any, batch: Batch, begin: Begin) -> None:
             now, t, x = found
             batch.slides.append(t)
         elif now is not None and last.status[0] == numbering.LEFT:
-            if (left := _left(diagram, last, batch.runs[1][0])) is None:
-                break
-            now, (t, x) = None, left
+            now, (t, x) = None, _left(last)
         elif now is not None and last.status[0] == numbering.FINISHED and last.now < times[-1]:
             now, x = None, last.out[0, -1].copy()
         elif now is not None and last.status[0] == numbering.NOT_FINITE:
@@ -171,8 +169,8 @@ def _until_a_jump(pieces: Schedule) -> Schedule:
     return Schedule(edges, pieces.places, pieces.values[: k + 2], 0 * pieces.smooth[: k + 2])
 
 
-def _left(diagram: Any, batch: Batch, P: np.ndarray) -> tuple[float, np.ndarray] | None:
-    """Return when and where a w leaves 0 ... 1 in the step not taken; None if a guard is left."""
+def _left(batch: Batch) -> tuple[float, np.ndarray]:
+    """Return when and where a w leaves 0 ... 1, or a guard is met, in the step not taken."""
     t, h = batch.now, float(batch.numbers[numbering.TAKEN, 0])
     low, high = (float(batch.numbers[row, 0]) for row in (numbering.LOW, numbering.HIGH))
 
@@ -184,11 +182,7 @@ def _left(diagram: Any, batch: Batch, P: np.ndarray) -> tuple[float, np.ndarray]
         share = 0.0
     else:
         share = brentq(margin, low, high, xtol=1e-15) if margin(low) > 0.0 > margin(high) else high
-    x, at = state_within(batch, share), t + share * h
-    guard = numbering.MARGIN, [at], x[None], batch.pieces[0], P, 1
-    if diagram.sweep.guarded and diagram.callee().evaluate(*guard)[0, 0] < 0.0:
-        return None
-    return at, x
+    return t + share * h, state_within(batch, share)
 
 
 def _switch_ahead(

@@ -154,6 +154,24 @@ def test_inputs_that_jump_and_bend_end_what_slides():
     np.testing.assert_allclose(found, [0.0, 2.0, 0.0, 0.0, 1.5, 1.5], atol=1e-7)
 
 
+def test_states_that_jump_leave_the_switch():
+    """x' = -sign x; at t = 2 and 4 x jumps up by 0.5, and is back at 0 half a unit later."""
+    block = clpt.Block(
+        "b",
+        update=lambda t, x, u, p: {"x": -np.sign(x.x)},
+        states={"x": 1},
+        parameters={"interval": -1.0},
+        breakpoints=lambda p, t0, t1: np.array([t for t in (2.0, 4.0) if t0 < t <= t1]),
+        jump=lambda t, x, u, p: {"x": x.x + 0.5},
+    )
+    times = np.linspace(0.0, 6.0, 61)
+    found = clpt.simulate(block, times, None, [0.25]).x.values.ravel()
+    since = np.where(times < 2.0, times + 0.25, (times - 2.0) % 2.0)
+    np.testing.assert_allclose(
+        found, np.where(times < 6.0, np.maximum(0.5 - since, 0.0), 0.0), atol=1e-8
+    )
+
+
 def test_members_slide_as_runs_do():
     falling = control.nlsys(
         lambda t, x, u, p: [-p["k"] * np.sign(x[0])],
