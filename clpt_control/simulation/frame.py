@@ -96,7 +96,7 @@ def _index(name: str, values: Any, attributes: Any) -> tuple[Any, Any]:
     from xarray.indexes import PandasIndex
 
     index = PandasIndex(Index(values), name)
-    variable = Variable((name,), values, attributes)
+    variable = Variable((name,), np.asarray(values), attributes, fastpath=True)
     return index, index.create_variables({name: variable})[name]
 
 
