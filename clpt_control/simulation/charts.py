@@ -9,7 +9,7 @@ import numpy as np
 
 from ..arguments import public
 from ..errors import ClptError
-from ..figures import BLUE, GREY, RED, axes_for, legend_below
+from ..figures import BLUE, COLOURS, GREY, RED, axes_for, legend_below
 from ..scenario.experiment import Scenario
 from ..scenario.file import scenario_of_run
 from ..scenario.recorded_run import check_run, waypoints_of
@@ -110,9 +110,9 @@ def _track_among(
     predicted = run.predicted_position.values if "predicted_position" in run else path[:0]
     places = [points, path, predicted, *(line.get_xydata() for line in earlier)]
     square_chart(ax, scenario, np.concatenate(places), 2)
-    line = {"color": color, "linewidth": 1.1}
+    line = {**coloured(color), "linewidth": 1.1, "markevery": max(1, len(path) // 8)}
     line["color"] = ax.plot(*path.T, label=label, **line)[0].get_color()
-    ax.plot(*predicted.T, linestyle="--", **line | {"linewidth": 0.8})
+    ax.plot(*predicted.T, linestyle="--", **line | {"linewidth": 0.8, "marker": ""})
     rings = {"color": line["color"], "markersize": 6 + 3 * (len(ax.lines) // 3)}
     ax.plot(*points.T, "o", markerfacecolor="none", **rings)
     named = "Tracks, predicted ones dashed" if len(predicted) else "Tracks"
@@ -148,9 +148,11 @@ def arrow_grid(scenario: Scenario, low: np.ndarray, high: np.ndarray, count: int
 
 
 def coloured(color: str | None) -> dict[str, Any]:
-    """Return the colour of a run's lines, where it has one of its own."""
+    """Return the colour of a run's lines, where it has one of its own, and the mark beside it."""
     from matplotlib.colors import is_color_like
 
     if color is not None and not is_color_like(color):
         raise ClptError(f"color = {color!r:.60}: must be a colour of matplotlib, 'C1' or '#0072b2'")
-    return {} if color is None else {"color": color}
+    marks = dict(zip(COLOURS, ("", *"osD^v"), strict=True))  # tell runs apart in black and white
+    marked = {"marker": marks.get(str(color), ""), "markersize": 3.5, "markevery": 0.3}
+    return {} if color is None else {"color": color, **marked}

@@ -82,7 +82,7 @@ def clpe_plot(
         rms = np.sqrt(np.bincount(number, size**2) / np.where(counts > 0, counts, np.nan))
         few = len(size) < MANY * len(counts)  # the pictures of a long run have fewer samples
         name = f"rms of each {dwell:g} {units.time}, a waypoint{', of the samples shown' * few}"
-        shade = {"color": color or "black", "linewidth": 1.2, "label": label or name}
+        shade = {"color": "black", "linewidth": 1.2, "label": label or name, **of_run}
         bottom.step(dwell * np.arange(len(counts)), np.maximum(rms, 1e-12), where="post", **shade)
     bottom.set(xlabel=f"time ({units.time})", ylabel=f"|CLPE| ({units.length})")
     bottom.set_xlim(0, _wider(bottom, time[-1], label))

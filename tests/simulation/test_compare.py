@@ -220,6 +220,9 @@ def test_runs_of_scenarios_are_told_apart(plot, count):
     for ax in np.ravel(axes):
         colours = {line.get_color() for line in ax.lines}
         assert {COLOURS[0], COLOURS[1]} <= colours
+        named = [one for one in ax.lines if one.get_label()[0] != "_"]  # marked, in black and white
+        marks = {line.get_color(): line.get_marker() for line in named}
+        assert marks[COLOURS[0]] != marks[COLOURS[1]]
         told = [text.get_text() for text in ax.get_legend().get_texts()]
         assert {text.partition(":")[0] for text in told} == {"0.8", "2"}
     if plot == "learning":
