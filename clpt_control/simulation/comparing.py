@@ -81,7 +81,7 @@ def response_plot(
 def compare(
     runs: Mapping[str, "xarray.Dataset"], plot: str | None = None, *, ax: Any = None, **options: Any
 ) -> Any:
-    """Draw several runs in one figure, told apart by colour and marks.
+    """Draw several runs in one figure, each in colour and marks.
 
     Parameters
     ----------
