@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from ..blocks.laws.law import Truth
+from ..blocks.laws.regressions import error_by_P
 from ..blocks.localization import TRUE
 from ..diagrams.parts import LAW
 from ..diagrams.wiring import Params, Wiring
@@ -120,7 +121,7 @@ def run_frame(
         car, p = parameters["vehicle_controller"], parameters[LAW]
         truth = Truth(parameters["true_flow"].theta, car.KD, car.GammaD)
         doubt = row.doubt(p, truth)
-        V = _lyapunov(row.V(p, truth), column)
+        V = _lyapunov(row.V(p, truth, along_run=True), column)
         add("lyapunov", ("time",), V, "Lyapunov candidate V", f"{units.length}2")
     there = {port for port, *_ in wanted.values()}
     others = {k: at for k, at in ports_of(column).items() if k in more and k not in there}
@@ -212,13 +213,18 @@ def beyond_scenario_of(params: Params, attributes: Mapping[str, str] = {}) -> di
 def _lyapunov(block: Block, column: Mapping[str, int]) -> Any:
     """Return V along the run, as a function of the signals."""
     labels = [f"{port}[{k}]" for port, size in block.input_ports.items() for k in range(size)]
-    places = np.array([column[label] for label in labels])
+    places = np.array([column.get(label, 0) for label in labels])
 
     def along(signals: np.ndarray) -> np.ndarray:
         inputs = signals[:, places]
         for k in range(2 if f"{TRUE}[0]" in column else 0):  # e is not of the measured position
             off = signals[:, column[f"{TRUE}[{k}]"]] - signals[:, column[f"z[{k}]"]]
             inputs[:, labels.index(f"e[{k}]")] = off
+        if "weighted" in block.input_ports:
+            N = block.input_ports["weighted"] // 2
+            alpha, P = (signals[:, column[f"{port}[0]"] :] for port in ("alpha", "P"))
+            alpha, P = alpha[:, : 2 * N].reshape(-1, 2, N), P[:, : N * N].reshape(-1, N, N)
+            inputs[:, -2 * N :] = error_by_P(block.parameters, alpha, P).reshape(-1, 2 * N)
         return on_arrays(block, "output", 0.0, np.zeros((0, len(inputs))), inputs.T)[0]
 
     return along

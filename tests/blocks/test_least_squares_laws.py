@@ -139,3 +139,43 @@ def test_priors_of_zero_alone_are_refused():
     )
     with pytest.raises(clpt.errors.ScenarioError, match=r"least_squares\.priors: are all 0"):
         clpt.simulate(scenario)
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize(
+    "apart",
+    [
+        {"flow.disturbance": {"kind": "constant", "amplitude": [0.3, -0.2]}},
+        {"localization": {"noise": 0.3, "noise_period": 5}},
+    ],
+    ids=["disturbance", "noise"],
+)
+def test_V_weighs_the_error_by_P_also_where_the_regression_is_not_exact(law, apart):
+    """2 V = |e|^2 + r^2 |eta|^2/(w P), 1/P = 1/P(0) + int phi_f^2/r^2, of one function."""
+    table = "learning." + law.replace("-", "_")
+    weight = {} if law == "least-squares" else {f"{table}.weight": 1.0}
+    one = {"centers": [[1.0, 0.0]], "widths": [3.0], "periods": [np.inf]}
+    scenario = clpt.paper_scenario().with_values(
+        {
+            "basis": {"kernel": "gaussian", **one},
+            "flow.parameters": THETA.tolist(),
+            "model.parameters": [[0.0], [0.0]],
+            "learning": {"law": law, "feedback": [1.0, 1.0], "feedforward": [1.0, 1.0]},
+            "learning.adapt_gains": False,
+            f"{table}.noise": 0.5,
+            f"{table}.prior": 2.0,
+            f"{table}.forgetting": 0.0,
+            **weight,
+            "run.duration": 60,
+            "run.output_step": 0.02,
+            **apart,
+        }
+    )
+    run = clpt.simulate(scenario)
+    states = dict(zip(run.state.values, run.states.values.T, strict=True))
+    seen = states["adaptation_phi_f[0]"] ** 2 / 0.5**2 * 0.02
+    seen = np.concatenate([[0.0], np.cumsum((seen[1:] + seen[:-1]) / 2)])
+    eta = (run.alpha.values + run.flow_parameters.values)[:, :, 0]
+    e = (run.position - run.predicted_position).values
+    V = np.sum(e**2 + 0.5**2 * eta**2 * (1 / 2.0**2 + seen)[:, None], axis=1) / 2
+    np.testing.assert_allclose(run.lyapunov, V, rtol=1e-3)

@@ -153,6 +153,7 @@ class State(NamedTuple):
 
 PAPER = {"e": 2, "phi_x": "N", "z": 2, "zc": 2}  # the inputs of Eqs. (21)-(23)
 MOVING = {**PAPER, "x": 2, "v_x": 2}  # and of laws that read where the vehicle was carried
+BY_P = ("e", "alpha", "K", "Gamma", "weighted")  # of V by P
 LEARNED = {"alpha": State((2, "N")), "K": State(2), "Gamma": State(2)}  # the outputs of a law
 # gamma of K and Gamma, per length squared per time squared; 0 holds K or Gamma
 K_GAMMA = {"gain_K": "gains.feedback", "gain_Gamma": "gains.feedforward"}
@@ -216,6 +217,8 @@ class Law(NamedTuple):
     perturbation: Callable[..., Any] | None = None  # what V' has beside, which bounds the law
     bound: str = ""  # what is reached with a perturbation, in words
     weighted_error: Callable[..., Any] | None = None  # eta P^-1, of a law with a covariance P
+    # V of such a law of its input eta P^-1, which is what it is anywhere, not as the invariants say
+    candidate_by_P: Callable[..., Any] | None = None
     # of a law that makes an estimate: (d P^-1 d^T)', d = theta_hat - theta; its states have d P^-1
     # too, shape (2, N)
     error_growth: Callable[..., Any] = lambda states, p, truth: 0
@@ -331,15 +334,18 @@ class Law(NamedTuple):
         starts = {name: one.start for name, one in self.states.items() if one.start is not None}
         return {name: one(known, p) if callable(one) else one for name, one in starts.items()}
 
-    def V(self, p: Any, truth: Truth) -> Block:
-        """Make V of its parameters."""
+    def V(self, p: Any, truth: Truth, along_run: bool = False) -> Block:
+        """Make V of its parameters; along a run eta P^-1, `weighted`, is an input of its own."""
         values = weighted((self.V_gain(p), *gains_of(p)), *truth)._asdict()
         values |= {name: getattr(p, name) for name in self.parameters if name not in values}
         ports = {name: state.shape for name, state in {**LEARNED, **self.states}.items()}
+        ports |= {"e": 2, "weighted": (2, "N")}
+        usual = known_flow_V if self.alpha_is_constant else learned_flow_V
+        by_P = self.candidate_by_P if along_run else None
         return Block(
             "lyapunov",
-            output=self.candidate or (known_flow_V if self.alpha_is_constant else learned_flow_V),
-            inputs={port: {"e": 2, **ports}[port] for port in self.V_inputs},
+            output=by_P or self.candidate or usual,
+            inputs={port: ports[port] for port in (BY_P if by_P else self.V_inputs)},
             outputs={"V": 1},
             parameters=values,
             shapes=among(values, {**SHAPES, **MORE_SHAPES}),

@@ -204,6 +204,15 @@ def level_by_P(u, p, weighted, w):
     return {"V": level(u.e, u, p) + p.noise**2 / (2 * w) * np.sum((p.theta + u.alpha) * weighted)}
 
 
+def error_by_P(p: Any, alpha: np.ndarray, P: np.ndarray) -> np.ndarray:
+    """Return eta P^-1 along a run, shape (time, 2, N); 0 of what is held."""
+    free = np.flatnonzero(p.information)
+    eta = np.swapaxes(p.theta + alpha, 1, 2)[:, free]
+    weighted = np.zeros_like(alpha)
+    weighted[..., free] = np.swapaxes(np.linalg.solve(P[:, free][..., free], eta), 1, 2)
+    return weighted
+
+
 def priors(known: Known) -> np.ndarray:
     """Return the prior standard deviation of each parameter, shape (N,), length per time."""
     each = known.settings["priors"]
@@ -264,6 +273,7 @@ def covariance(weighted_error: Callable[..., Any], weight: str) -> Part:
         "invariants": invariants,
         "losses": losses,
         "weighted_error": weighted_error,
+        "candidate_by_P": lambda t, x, u, p: level_by_P(u, p, u.weighted, getattr(p, weight)),
         "semidefinite": ("P",),
     }
 
