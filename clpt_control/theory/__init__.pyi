@@ -3,10 +3,10 @@ from .designing.design import design_track
 from .designing.plot import design_plot
 from .excitation.certificates import certificate, ultimate_bound
 from .excitation.certify import certify
+from .excitation.error_matrices import error_matrices
 from .excitation.excitation_report import excitation_plot
 from .excitation.gramian import gramian, started_true
 from .excitation.pooled import team_gramian
-from .excitation.regressor import error_matrices
 from .lyapunov_function import Lyapunov, lyapunov
 from .proving.misprints import misprints
 from .proving.own_law import prove

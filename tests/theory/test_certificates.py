@@ -12,15 +12,15 @@ from clpt_control.theory.excitation.certificates import (
     ultimate_bound,
     window_drops,
 )
-from clpt_control.theory.excitation.gramian import started_true
-from clpt_control.theory.excitation.regressor import (
+from clpt_control.theory.excitation.error_matrices import (
     axis_states,
     collocation,
     error_matrices,
-    joint_regressor,
     propagate,
     regressors,
 )
+from clpt_control.theory.excitation.gramian import started_true
+from clpt_control.theory.excitation.regressor import joint_regressor
 
 NODES = 12
 NODE, WEIGHT = np.polynomial.legendre.leggauss(NODES)

@@ -32,7 +32,8 @@ from ...arguments import public
 from ...errors import ScenarioError
 from ...html import facts, fragment
 from ...scenario.experiment import Scenario
-from .regressor import Regressor, Source, joint_regressor, propagate
+from .error_matrices import propagate
+from .regressor import Regressor, Source, joint_regressor
 
 TURN = 10.0  # radians that e and eta may turn within a piece
 MOST = 20000  # pieces
