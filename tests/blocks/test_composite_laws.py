@@ -13,7 +13,7 @@ from responses import response
 from scipy.integrate import cumulative_simpson, quad
 
 import clpt_control as clpt
-from clpt_control.blocks.laws.regressions import COMPOSITE_LEAST_SQUARES
+from clpt_control.blocks.laws.least_squares import COMPOSITE_LEAST_SQUARES
 from clpt_control.blocks.laws.remembering import COMPOSITE_MEMORY
 from clpt_control.currents.fit import fit_scenario, save_fit
 from clpt_control.errors import ScenarioError

@@ -13,7 +13,7 @@ from responses import response
 from scipy.integrate import quad, simpson
 
 import clpt_control as clpt
-from clpt_control.blocks.laws.regressions import LEAST_SQUARES
+from clpt_control.blocks.laws.least_squares import LEAST_SQUARES
 from clpt_control.simulation.loops import paper_blocks
 from clpt_control.simulation.starts import state_columns
 

@@ -5,10 +5,10 @@ recipe.
 """
 
 from ...arguments import public
-from . import paper, regressions, remembering, robust
+from . import least_squares, paper, remembering, robust
 from .law import Law
 
-ROWS = (*paper.LAWS, *robust.LAWS, *regressions.LAWS, *remembering.LAWS)
+ROWS = (*paper.LAWS, *robust.LAWS, *least_squares.LAWS, *remembering.LAWS)
 LAWS: dict[str, Law] = {law.name: law for law in ROWS}
 
 
