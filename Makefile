@@ -10,6 +10,8 @@ SITE := .venv/.docs
 ENGINE := native jumps random_jumps elementary components solver closed_form_flows written_is_run \
 	random_diagrams conformance members models_as_they_stand random_programs
 
+unexport PYTHONDONTWRITEBYTECODE  # else each of the processes that tests start compiles the package
+
 .PHONY: paper solver test test-slow test-processes test-browser test-generic test-lowest lint format clean bench bench-quick dist try-wheel docs
 
 paper: $(READY)  ## section IV of the paper: figures and the table of claims

@@ -1,5 +1,6 @@
 """Shared fixtures: the command line in-process, the reference numbers, measured data."""
 
+import gc
 import json
 import os
 import sys
@@ -12,6 +13,7 @@ HERE = Path(__file__).parent
 for name in ("COLUMNS", "FORCE_COLOR", "TTY_COMPATIBLE", "TTY_INTERACTIVE"):
     os.environ.pop(name, None)  # what is printed is as wide and plain as in a pipe, everywhere
 os.environ.setdefault("SYMPY_CACHE_SIZE", "100000")  # as `clpt prove` has it, before its import
+gc.disable()  # a seventh of the time is taken by looking for garbage, of which imports make none
 
 
 class Outcome(NamedTuple):
@@ -126,6 +128,13 @@ def shared():
     if not folder.is_dir():
         pytest.skip("needs the whole measured files, which are too large for the repository")
     return folder
+
+
+def pytest_collection_finish():
+    """What was imported is no garbage; what tests leave is looked for now and then."""
+    gc.freeze()
+    gc.set_threshold(50_000, 20, 20)
+    gc.enable()
 
 
 def pytest_sessionstart(session):

@@ -5,7 +5,6 @@ file or none.  `files.reading` opens files.
 """
 
 import errno
-import glob
 import os
 import platform
 import re
@@ -31,7 +30,7 @@ CACHE = "CLPT_CONTROL_CACHE"  # environment variable that names another folder f
 LONGEST_NAME, LONGEST_PATH = 200, 3000  # bytes, with room for what is written beside
 NETCDF_NAME = re.compile(r"[^\x00-/:-@\[-^`{-\x7f][^\x00-\x1f/\x7f]{,200}(?<! )").fullmatch
 HERE = f"{zlib.crc32(platform.node().encode()):08x}"  # this machine
-PART = re.compile(rf"\..+\.{HERE}-(\d{{1,7}})-[0-9a-f]{{8}}\.part")  # of a process here
+PART = re.compile(rf"\.(.+)\.{HERE}-(\d{{1,7}})-[0-9a-f]{{8}}\.part")  # of a process here
 
 
 @contextmanager
@@ -45,10 +44,11 @@ def beside(path: str | Path, folder: bool = False) -> Iterator[Path]:
     place, mode = _place(path)
     part = place.parent / f".{place.name}.{HERE}-{os.getpid()}-{secrets.token_hex(4)}.part"
     try:
-        for left in place.parent.glob(f".{glob.escape(place.name)}.{HERE}-*.part"):
-            found = PART.fullmatch(left.name)
-            if found and _is_dead(int(found[1])):
-                remove(left)
+        readable = os.access(place.parent, os.R_OK)
+        for left in os.listdir(place.parent) if readable else ():  # noqa: PTH208  paths are slow
+            found = PART.fullmatch(left) if left.startswith(".") else None
+            if found and found[1] == place.name and _is_dead(int(found[2])):
+                remove(place.with_name(left))
         unfinished.add(part)
         if folder:
             part.mkdir()
@@ -280,7 +280,8 @@ def read_cached(path: Path) -> bytes | None:
 def write_cached(path: Path, data: bytes, most: int) -> None:
     """Write a file of the cache for the user alone; where that fails, go on without.
 
-    Of files FAMILY-NAME with its ending the newest `most` stay.
+    Of files FAMILY-NAME with its ending the newest `most` stay, or a few less: so that not each
+    file that is written asks for the times of all.
     """
     with suppress(DataError, OSError), _through_folder(path) as safe:
         safe.unlink(missing_ok=True)  # its mode may be another
@@ -288,10 +289,10 @@ def write_cached(path: Path, data: bytes, most: int) -> None:
             part.chmod(0o600)
             part.write_bytes(data)
     with suppress(OSError):
-        family = path.stem.rpartition("-")[0]
-        files = path.parent.glob(f"*{path.suffix}")
-        own = [file for file in files if file.stem.rpartition("-")[0] == family]
+        family, ending = path.stem.rpartition("-")[0], path.suffix
+        names = (name for name in os.listdir(path.parent) if name.endswith(ending))  # noqa: PTH208
+        own = [name for name in names if name.rpartition("-")[0] == family]
         if len(own) > most:
-            own.sort(key=lambda file: file.stat().st_mtime, reverse=True)
-        for file in own[most:]:
-            file.unlink(missing_ok=True)
+            files = sorted(map(path.with_name, own), key=lambda file: -file.stat().st_mtime)
+            for file in files[most - most // 16 :]:
+                file.unlink(missing_ok=True)
