@@ -107,8 +107,8 @@ def run_ensemble(
     chunk : int, optional
         Members written at once; memory grows with it, not with `members`.
     samples : int, optional
-        Of a scenario: samples a cycle for mean squares; 2000, as `clpt run`, up to ten
-        cycles, and at least 200 in longer runs.
+        Of a scenario: samples a cycle, or a run that is shorter, for mean squares; as many as in
+        `clpt run` without, up to 20,000 a member, and at least a tenth as many in longer runs.
     times : sequence of float, optional
         Of a scenario: when errors are kept; 41 evenly spaced times without.
     progress : callable, optional

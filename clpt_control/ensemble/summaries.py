@@ -26,12 +26,12 @@ from ..simulation.dataset import VARIABLES
 from ..simulation.flows import SpeedTimer
 from ..simulation.integrate import sample_times
 from ..simulation.loops import units_of_ports
-from ..simulation.pieces import SAMPLES_PER_CYCLE, nearest
+from ..simulation.pieces import nearest, samples_for_means
 from .members import Ensemble, Members, States, Values
 
 FEWEST = 20  # samples a cycle
 MOST_TIMES = 10**8  # samples of a run
-MOST_SAMPLES = 20_000  # a member, unless they are given; at least 200 a cycle
+MOST_SAMPLES = 20_000  # a member, unless they are given; at least a tenth of those of `clpt run`
 MARKS = 41  # times of errors, unless they are given
 TRAJECTORIES = ("position", "predicted_position", "alpha", "feedback_gain", "feedforward_gain")
 STATUS = tuple(ENDS)[: numbering.STIFF]  # a member goes on by itself where it is stiff
@@ -54,13 +54,13 @@ class SampleTimes(NamedTuple):
 
 
 def samples_per_cycle(scenario: Scenario, samples: int | None) -> int:
-    """Return the number of samples a cycle for mean squares.
+    """Return the number of samples a cycle, or a run that is shorter, for mean squares.
 
-    2000, as in `clpt run`, up to ten cycles; fewer in longer runs, but at least 200.
+    As in `clpt run` where a run has 20,000 at most; fewer in others, but at least a tenth.
     """
     if samples is None:
-        cycles = scenario.run.duration / scenario.cycle
-        return min(SAMPLES_PER_CYCLE, max(200, int(MOST_SAMPLES / max(cycles, 1))))
+        cycles, usual = scenario.run.duration / scenario.cycle, samples_for_means(scenario)
+        return min(usual, max(usual // 10, int(MOST_SAMPLES / max(cycles, 1))))
     if samples < FEWEST:
         raise ScenarioError(f"samples = {samples}: must be a whole number, at least {FEWEST}")
     if samples * max(1.0, scenario.run.duration / scenario.cycle) > MOST_TIMES:
@@ -84,7 +84,7 @@ def sample_times_of(
 ) -> SampleTimes:
     """Return all times of samples; those that differ by rounding are one."""
     end, cycle = scenario.run.duration, scenario.cycle
-    fine = sample_times(end, cycle / samples)
+    fine = sample_times(end, min(cycle, end) / samples)
     own = sample_times(end, scenario.run.output_step) if trajectories else np.zeros(0)
     every = np.sort(np.concatenate([fine, np.array(marks, dtype=float), own]))
     slack = 1e-9 * max(1.0, end)

@@ -2,7 +2,7 @@
 
 Of a run, and of what its track can teach: the Gramian of Definition 3.1, and what it means.  A run
 carries its figures, or they are those of its samples: nothing is run again.  `clpt run` and
-`clpt paper` leave mean squares over 2000 samples a cycle in the run.
+`clpt paper` leave mean squares over many samples a cycle in the run.
 """
 
 from collections.abc import Iterator

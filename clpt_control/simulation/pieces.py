@@ -1,8 +1,9 @@
 """A scenario's run in pieces, with the mean squares of its prediction error.
 
-Mean squares are over 2000 samples a cycle, each 0.1 of the paper's cycle of 200.  A run of more
-than 100 cycles goes on in pieces of 100 cycles, so that memory does not grow with samples that are
-used for mean squares alone.
+Mean squares are over 2000 samples a cycle, each 0.1 of the paper's cycle of 200, or a run that is
+shorter; over more where there are many waypoints, or the time at each is long: CLPE peaks there for
+a time of 1/KD.  A run of more than 200,000 samples goes on in pieces, so that memory does not grow
+with samples that are used for mean squares alone.
 """
 
 from collections.abc import Callable
@@ -21,8 +22,10 @@ if TYPE_CHECKING:
     import xarray
 
 
-SAMPLES_PER_CYCLE = 2000
-PIECE = 100 * SAMPLES_PER_CYCLE  # samples; a piece ends where a cycle does, at a breakpoint
+PER_CYCLE = 2000  # samples, at least
+AT_WAYPOINT = 100, 200, 500, 1000, 2000, 5000, 10_000  # samples, at least; each divides a piece
+PER_TIME = 10  # samples in a time of 1/KD, as the paper's run has
+PIECE = 100 * PER_CYCLE  # samples; a piece ends where a cycle does, or the time at a waypoint
 GROUP = 100  # samples summed together where there are several pieces
 
 
@@ -47,6 +50,15 @@ class Grid(NamedTuple):
     def every(self) -> int:
         """Return how many times there are for each one in pictures, which show a piece at most."""
         return -(-self.last // PIECE)
+
+
+def samples_for_means(scenario: Scenario) -> int:
+    """Return the number of samples a cycle, or a run that is shorter, for mean squares."""
+    end, dwell = min(scenario.cycle, scenario.run.duration), scenario.reference.dwell
+    visited = int(np.ceil(end / dwell - 1e-9))
+    wanted = PER_TIME * max(scenario.vehicle.feedback) * min(dwell, end) * (1 - 1e-9)
+    each = next((count for count in AT_WAYPOINT if count >= wanted), AT_WAYPOINT[-1])
+    return max(PER_CYCLE, each * visited)
 
 
 def run_in_pieces(

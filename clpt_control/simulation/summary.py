@@ -23,7 +23,7 @@ from ..scenario.tables import Units
 from ..scenario.team import Team
 from .flows import explained_variance, note_speeds, speeds_of
 from .integrate import sample_times, simulate
-from .pieces import SAMPLES_PER_CYCLE, Grid, clpe_of_samples, nearest, run_in_pieces, union
+from .pieces import Grid, clpe_of_samples, nearest, run_in_pieces, samples_for_means, union
 
 if TYPE_CHECKING:
     import xarray
@@ -57,9 +57,9 @@ def run_and_report(
     -------
     RunReport
         The run, which carries the summary as JSON; the same run evenly
-        sampled for pictures (2000 samples a cycle, fewer in a run of more
-        than 100 cycles); and the summary:
-        ``clpe_rms_per_cycle`` (over 2000 samples a cycle),
+        sampled for pictures (2000 samples a cycle, or a run that is shorter; more where there are
+        many waypoints or each is long; at most 200,000); and the summary:
+        ``clpe_rms_per_cycle`` (over all such samples),
         ``max_flow_parameter_error`` and ``max_gain_error`` keyed by time,
         ``status`` and ``message``; with ``vehicle.max_speed`` also ``speed``, the share of time
         at it and when the flow was faster; for a gridded field also the shares of
@@ -85,7 +85,7 @@ def run_and_report(
         dense = simulate(system, times, progress=progress)
         run = _at_own_samples(dense, own)
         return RunReport(run, run, team_summary(system, run, dense))
-    grid = Grid.to(end, system.cycle / SAMPLES_PER_CYCLE)
+    grid = Grid.to(end, min(system.cycle, end) / samples_for_means(system))
     dense, clpe, timer = run_in_pieces(system, times, grid, progress)
     if timer is not None:
         note_speeds(dense, timer.figures(), system.units)

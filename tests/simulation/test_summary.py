@@ -18,9 +18,10 @@ CASES = {
 
 
 def rms(scenario):
-    """Return the rms of |e| per cycle and over the run, of samples at all 2000 a cycle."""
-    count = int(round(scenario.run.duration / scenario.cycle * 2000, 6))
-    times = np.append(np.arange(count) * scenario.cycle / 2000, scenario.run.duration)
+    """Return the rms of |e| per cycle and over the run, of 2000 samples a cycle or shorter run."""
+    step = min(scenario.cycle, scenario.run.duration) / 2000
+    count = int(round(scenario.run.duration / step, 6))
+    times = np.append(np.arange(count) * step, scenario.run.duration)
     if times[-1] - times[-2] < 1e-9:
         times = np.delete(times, -2)
     run = clpt.simulate(scenario, times)
@@ -49,6 +50,39 @@ def test_mean_squares_are_over_every_sample(case, pieces, monkeypatch):
     assert list(found.summary["max_flow_parameter_error"])[-1] == end
     assert found.summary["max_flow_parameter_error"][end] == pytest.approx(float(last), abs=1e-7)
     assert found.run.attrs["solver_steps"] == pytest.approx(own.attrs["solver_steps"], rel=0.1)
+
+
+POINTS = np.random.default_rng(3).uniform(-3, 3, (1000, 2)).tolist()
+SELDOM = {
+    "a waypoint held for much longer than the run": (1.0, [[3.0, 0.0]], 1e6, 100.0),
+    "a thousand waypoints": (1.0, POINTS, 20.0, 20_000.0),
+    "long at each waypoint": (1.0, POINTS[:5], 500.0, 5000.0),
+    "a strong feedback": (20.0, POINTS[:10], 20.0, 200.0),
+}
+
+
+@pytest.mark.parametrize("case", SELDOM)
+def test_a_peak_of_CLPE_is_seen_however_rarely_a_waypoint_comes(case):
+    """Of a learner that is true but for z(0), in calm water: e = e(0) exp(-KD t)."""
+    k, points, dwell, end = SELDOM[case]
+    scenario = PAPER.with_values(
+        {
+            "flow.parameters": np.zeros((2, 3)).tolist(),
+            "vehicle.feedback": [k, k],
+            "vehicle.feedforward": [k, k],
+            "reference": {"kind": "waypoints", "points": points, "dwell": dwell},
+            "learning.gain": 0.0,
+            "learning.feedback": [k, k],
+            "learning.feedforward": [k, k],
+            "learning.position": [0.6, 0.8],
+            "run.duration": end,
+            "run.output_step": end / 10,
+        }
+    )
+    found = summary.run_and_report(scenario).summary
+    assert found["clpe_rms"] == pytest.approx(1 / np.sqrt(2 * k * end), rel=0.06)
+    several = clpt.run_ensemble(scenario, {"vehicle.position": [[0.0, 0.0]]})
+    assert float(several.clpe_rms_whole[0]) == pytest.approx(found["clpe_rms"], rel=0.5)
 
 
 @pytest.mark.parametrize("pieces", ["one", "many"])
