@@ -3,8 +3,11 @@
 Truth values and whole numbers are told apart from others, as NumPy does.
 """
 
+import dis
 import sys
 from collections.abc import Sequence
+from functools import lru_cache
+from types import CodeType
 from typing import Any
 
 import numpy as np
@@ -238,10 +241,19 @@ def in_a_try() -> bool:
     frame = sys._getframe(1)
     while frame is not None and frame.f_globals.get("__name__") != f"{__package__}.reading":
         names = frame.f_globals.get("__builtins__")
-        if isinstance(names, dict) and READ in names and frame.f_code.co_exceptiontable:
+        if isinstance(names, dict) and READ in names and _catches(frame.f_code):
             return True
         frame = frame.f_back  # type: ignore[assignment]
     return False
+
+
+@lru_cache(maxsize=1024)
+def _catches(code: CodeType) -> bool:
+    """Return whether code has a `try` or a `with`.
+
+    Generators and comprehensions have handlers of Python's own, which only pass on what is raised.
+    """
+    return any(line.opname == "PUSH_EXC_INFO" for line in dis.get_instructions(code))
 
 
 def as_number(value: Any) -> Any:

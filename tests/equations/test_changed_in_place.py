@@ -237,6 +237,7 @@ def test_every_reading_is_as_python_has_it(function):
             np.testing.assert_allclose(found, values(function, t, x, u), rtol=1e-13, atol=1e-12)
 
 
+@pytest.mark.filterwarnings("ignore:Bitwise inversion")  # of Python 3.12 and later
 @pytest.mark.parametrize("function", REFUSED)
 def test_what_would_be_another_number_is_refused(function):
     with pytest.raises(Unread, match=r"mine\.output: (?!returns)"):
