@@ -219,7 +219,7 @@ def test_runs_of_one_diagram_share_no_attributes_and_no_numbers():
     assert clpt.simulate(lag, times + 1.0, 1.0).time[0] == 1.0
 
 
-SHORT = clpt.paper_scenario().with_values({"run.duration": 20})
+SHORT = clpt.paper_scenario().with_values({"run.duration": 5})
 GAIN = 0.8
 
 

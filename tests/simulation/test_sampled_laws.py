@@ -30,7 +30,7 @@ def test_a_law_that_is_sampled_is_the_sampled_block(period):
 @pytest.mark.parametrize("law", ["known-flow", "kalman-flow", "composite-memory", "drem"])
 def test_every_engine_samples_a_law(law):
     """A law's own states begin where they do without samples."""
-    own = {"learning.law": law, "learning.parameters": None, "run.duration": 2}
+    own = {"learning.law": law, "learning.parameters": None, "run.duration": 1}
     own |= {"learning.theta_estimate": np.ones((2, 3)).tolist()} if law == "known-flow" else {}
     scenario = SLOW.with_values({**own, "learning.sample": 0.05, "run.rtol": 1e-9})
     native, python = (clpt.simulate(scenario, engine=engine) for engine in ("native", "python"))
