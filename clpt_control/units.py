@@ -35,6 +35,16 @@ WORDS = {  # also in the plural
 }
 
 
+def percent(share: float) -> str:
+    """Return a share in percent, in three digits; near 100 what is left has one.
+
+    >>> [percent(share) for share in (0.1234, 0.99996, 1.0, 4e-5, -0.5)]
+    ['12.3 %', '99.996 %', '100 %', '0.004 %', '-50 %']
+    """
+    left = float(f"{100 * (1 - share):.1g}")
+    return f"{100 - left:.12g} %" if 0 < left < 0.1 else f"{100 * share:z.3g} %"
+
+
 def _short(word: str) -> str:
     """Return the symbol of a unit that is written out."""
     word = word.strip().lower()

@@ -8,6 +8,7 @@ import clpt_control as clpt
 from ..errors import DataError, ScenarioError
 from ..files import make_folder, write_together
 from ..html import Result
+from ..units import percent
 from .printing import TIDES, Formats, Json, arg, cell_text, check_out, finish, flag, opt
 
 
@@ -134,7 +135,7 @@ def tides_result(report: dict[str, Any]) -> Result:
         f"{report['samples']} measurements over {report['hours']:.6g} h from "
         f"{report['start'][:16]} UTC, latitude {report['latitude']:g}",
         f"mean current: {east:+z.4f} east, {north:+z.4f} north (m/s)",
-        f"explained: {report['explained_variance']:.1%} of the variance; residual rms "
+        f"explained: {percent(report['explained_variance'])} of the variance; residual rms "
         f"{report['residual_rms']:.4f} m/s",
     ]
     columns = ["", "east", "phase", "north", "phase", "major", "minor", "incl.", "phase"]

@@ -35,7 +35,7 @@ from ..files import check_writable, write_together
 from ..scenario import tidal_periods
 from ..scenario.experiment import Scenario
 from ..scenario.file import load_scenario, scenario_to_text
-from ..units import seconds_since_1970
+from ..units import percent, seconds_since_1970
 from .constituents import nodal_report
 from .grid_file import Currents, read_currents, with_all_steps
 from .plane import GriddedField, LocalPlane, field_dataset, fill_gaps, regular_grid
@@ -350,8 +350,8 @@ def save_fit(fit: Fit, out: str | Path) -> Scenario:
 
 def _gaps(report: dict) -> str:
     return (
-        f"{report['missing_fraction']:.1%} of the values were missing and are filled, harmonically "
-        f"in space and time; {report['cells_never_measured']} of {report['cells']} cells were "
+        f"{percent(report['missing_fraction'])} of the values were missing and are filled, "
+        f"harmonically in space and time; {report['cells_never_measured']} of {report['cells']} cells were "
         "never measured"
     )
 
@@ -363,7 +363,7 @@ def _header(report: dict) -> str:
     share = report["explained_variance"]
     learned = "The current hardly changes, so they have no variance to explain"
     if share is not None:
-        learned = f"They explain {share:.1%} of the measured variance"
+        learned = f"They explain {percent(share)} of the measured variance"
     lines = [
         f"Made by clpt-control {version('clpt-control')} from {report['source']}, "
         f"box {box} (degrees).",

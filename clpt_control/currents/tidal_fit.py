@@ -23,6 +23,7 @@ from numpy.typing import ArrayLike
 from ..arguments import public
 from ..errors import DataError, ScenarioError, needed
 from ..estimation.least_squares import explained_share
+from ..units import percent
 from . import constituents as tidal
 from . import telling_apart
 
@@ -75,7 +76,7 @@ class TidalFit:
         return (
             f"<TidalFit of {self.samples} samples over {self.hours:.5g} h: {axes}"
             f"{', ...' if self.constituents[4:] else ''} m/s (major axes); explains "
-            f"{100 * self.explained_variance:.1f} % of the variance>"
+            f"{percent(self.explained_variance)} of the variance>"
         )
 
     @property

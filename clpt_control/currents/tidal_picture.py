@@ -11,6 +11,7 @@ import numpy as np
 
 from ..arguments import public
 from ..figures import BLUE, GREY, RED, axes_for
+from ..units import percent
 from .current_record import CurrentRecord
 from .tidal_fit import Constituent, TidalFit, predict
 
@@ -79,7 +80,7 @@ def tides_plot(fit: TidalFit, record: CurrentRecord, *, ax: Any = None) -> np.nd
         axes[1].tick_params(labelbottom=False)
     axes[1].legend(fontsize=8, frameon=False, ncols=2, loc="lower right", bbox_to_anchor=(1, 1))
     axes[1].set_title(
-        f"Explained: {fit.explained_variance:.1%}; residual rms {fit.residual_rms:.3g} m/s",
+        f"Explained: {percent(fit.explained_variance)}; residual rms {fit.residual_rms:.3g} m/s",
         loc="left",
         fontsize=10,
     )

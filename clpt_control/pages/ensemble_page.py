@@ -10,6 +10,7 @@ from ..ensemble.drawn_values import Vary, read_vary
 from ..ensemble.spread import ensemble_plot, ensemble_summary, unit_of
 from ..ensemble.summaries import STATUS
 from ..html import Result, folded, listing
+from ..units import percent
 from .page import Card, Page, Section, again_section, drawn
 from .results import Numbers, number
 
@@ -147,7 +148,7 @@ def ensemble_result(data: xarray.Dataset, summary: Numbers, name: str, most: int
         faster = summary["faster_flow"]
         sentences.append(
             f"in {faster['members']} members the flow was faster than the vehicle, for at most "
-            f"{100 * faster['largest_share']:.3g} % of the time and {faster['longest']:.3g} {time} "
+            f"{percent(faster['largest_share'])} of the time and {faster['longest']:.3g} {time} "
             "in a stretch"
         )
     if summary["first_failed"] is not None:
@@ -180,8 +181,8 @@ def _failed(data: xarray.Dataset, request: dict[str, Any], status: np.ndarray) -
     keys = [key for key in request["keys"] if data[key].ndim == 1]
     rows = []
     for k in failed[:MOST_FAILED]:
-        values = [number(float(data[key][k])) for key in keys]
-        end = number(float(data["end"][k]))
+        values = [f"{float(data[key][k]):.6g}" for key in keys]
+        end = f"{float(data['end'][k]):.6g}"
         rows.append([str(k), STATUS[status[k]].replace("_", " "), end, *values])
     columns = ["member", "ended by", f"at t ({data['end'].attrs['units']})", *keys]
     more = len(failed) - MOST_FAILED

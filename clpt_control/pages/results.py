@@ -19,6 +19,7 @@ from ..simulation.pieces import clpe_of_samples
 from ..simulation.summary import SUMMARY, errors, team_summary
 from ..theory.excitation.excitation_report import excitation_report
 from ..theory.excitation.pooled import team_excitation_report
+from ..units import percent
 
 LEAST_SHARE = 0.01  # percent, that is said
 MOST_VEHICLES = 8  # in the table; the summary has all
@@ -172,9 +173,15 @@ def found_of_clpe(numbers: Numbers, length: str) -> str:
             f"of the waypoints and {number(rms[-1])} {length} in the last of {len(rms)}{share}."
         )
     return (
-        f"Found: the CLPE, root mean square, was {number(numbers['clpe_rms'])} {length} over the "
-        f"run and {number(numbers['clpe_rms_last_quarter'])} {length} over its last quarter."
+        f"Found: the CLPE, root mean square, was {number(numbers['clpe_rms'])} {length} over "
+        f"{span_of_means(numbers)} and {number(numbers['clpe_rms_last_quarter'])} {length} over "
+        "its last quarter."
     )
+
+
+def span_of_means(numbers: Numbers) -> str:
+    """Return over what mean squares are that are of no round."""
+    return "what is shown" if numbers["of_samples"] else "the run"
 
 
 def shares_of(numbers: Numbers) -> list[tuple[str, float | None, str]]:
@@ -211,7 +218,7 @@ def found_of_flow(numbers: Numbers, scenario: Scenario) -> str:
         parts.append(
             f"the current hardly changes {where}, so there is no variance to explain"
             if share is None
-            else f"the learned flow explains {100 * share:z.0f} % of the current's variance {where}"
+            else f"the learned flow explains {percent(share)} of the current's variance {where}"
             f"{worse and ', '}{worse}"
         )
     if errors := numbers.get("max_gain_error"):
@@ -261,7 +268,7 @@ def _achieved(numbers: Numbers, length: str, time: str) -> list[list[str]]:
         end, error = list(by_time.items())[-1]
         rows.append([f"largest {what} error ({unit})", f"{error:.3g} at t = {end} {time}"])
     for place, share, worse in shares_of(numbers):
-        said = "none: the current hardly changes" if share is None else f"{share:z.3f}"
+        said = "none: the current hardly changes" if share is None else percent(share)
         said += f"; negative: {worse}" if worse else ""
         rows.append([f"share of the flow's variance learned, {place}", said])
     return rows

@@ -17,6 +17,7 @@ from ..simulation.comparing import named, ports_along, response_plot, signals_of
 from ..simulation.run_file import diagram_of_text, equations_text
 from ..simulation.summary import claims
 from ..theory.proving.array_loop import no_value
+from ..units import percent
 from . import results, run_sections
 from .page import Card, Drawn, Page, Section, again_section, drawn
 from .results import Numbers, number
@@ -93,7 +94,9 @@ def _warnings(run: xarray.Dataset, scenario: Scenario, numbers: Numbers) -> list
     first, last = float(run.time[0]), float(run.time[-1])
     if not _ended(run) and (first > 0 or last < scenario.run.duration * (1 - 1e-9)):
         unit = scenario.units.time
-        sentences.append(f"What is shown covers t = {first:g} to {last:g} {unit} of the run.")
+        covered = f"covers t = {first:g} to {last:g} {unit} of the run"
+        alone = f"is t = {last:g} {unit} of the run alone"
+        sentences.append(f"What is shown {alone if first == last else covered}.")
     if changed:
         sentences.append(
             "The run had parameters that its scenario does not hold, so that waypoints and the "
@@ -110,7 +113,9 @@ def _warnings(run: xarray.Dataset, scenario: Scenario, numbers: Numbers) -> list
             "squares are of the true one."
         )
     if numbers["of_samples"]:
-        sentences.append(f"Mean squares here are over the {run.sizes['time']} samples of the file.")
+        count = run.sizes["time"]
+        samples = "one sample" if count == 1 else f"{count} samples"
+        sentences.append(f"Mean squares here are over the {samples} of the file.")
     return sentences
 
 
@@ -123,7 +128,7 @@ def _cards(numbers: Numbers, scenario: Scenario) -> list[Card]:
     else:
         late = f"over the last quarter {number(numbers['clpe_rms_last_quarter'])} {unit.length}"
         whole = f"{number(numbers['clpe_rms'])} {unit.length}"
-        cards.append(Card("CLPE rms, whole run", whole, late))
+        cards.append(Card(f"CLPE rms, {results.span_of_means(numbers)}", whole, late))
     for what, per, errors in results.errors_by_time(numbers, unit.length, unit.time):
         below = f"at t = {numbers['end']:g} {unit.time}"
         after = [time for time in errors if scenario.cycle <= float(time) < numbers["end"]]
@@ -133,7 +138,7 @@ def _cards(numbers: Numbers, scenario: Scenario) -> list[Card]:
             Card(f"Largest error of a {what}", f"{number(results.at_end(errors))} {per}", below)
         )
     for place, share, worse in results.shares_of(numbers):
-        said = "none" if share is None else f"{100 * share:.0f} %"
+        said = "none" if share is None else percent(share)
         why = "; it hardly changes there" if share is None else f"{worse and '; '}{worse}"
         cards.append(Card("Current's variance explained", said, results.SHARES[place] + why))
     return cards

@@ -34,6 +34,7 @@ from ..errors import DataError
 from ..estimation.least_squares import explained_share
 from ..scenario.experiment import Scenario
 from ..scenario.tables import Units
+from ..units import percent
 from .loops import paper_blocks
 
 if TYPE_CHECKING:
@@ -200,7 +201,7 @@ def faster_flow(figures: dict[str, Any], units: Units) -> str:
     return (
         f"the flow was faster than the vehicle ({figures['max_speed']:g} {units.length}/{time}), "
         f"which cannot hold its place there: first at t = {faster['first']:g} {time}, "
-        f"{100 * faster['share']:.3g} % of the time, at most {faster['longest']:.3g} {time} long"
+        f"{percent(faster['share'])} of the time, at most {faster['longest']:.3g} {time} long"
     )
 
 

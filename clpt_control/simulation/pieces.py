@@ -128,7 +128,7 @@ def nearest(times: np.ndarray, wanted: np.ndarray) -> np.ndarray:
 def clpe_rms(
     scenario: Scenario, times: np.ndarray, squares: np.ndarray, counts: np.ndarray
 ) -> dict[str, Any]:
-    """Return roots of mean squares: of each round, of all, of the last quarter.
+    """Return roots of mean squares: of each round from t = 0 on, of all, of the last quarter.
 
     `squares` are sums of so many |e|^2, `counts`, from each time on.
     """
@@ -136,7 +136,7 @@ def clpe_rms(
     slack = 1e-9 * max(1.0, end)
     number = np.floor((times + slack) / scenario.cycle)  # of the round
     starts = np.flatnonzero(np.diff(number, prepend=-1.0))
-    rounds = pairwise(starts)  # the last one has just begun
+    rounds = pairwise(starts if first <= slack else [])  # the last one has just begun
     late = int(np.searchsorted(times, first + 0.75 * (end - first) - slack))
     spans = {"clpe_rms": slice(None), "clpe_rms_last_quarter": slice(late, None)}
 

@@ -220,7 +220,7 @@ def claims(summary: dict[str, Any]) -> list[dict[str, str]]:
             "the claims of section IV are about its scenario, which has theta, from t = 0 to 2000"
         )
     share = rms[1] / rms[0]
-    measured = f"{rms[0]:.3f}, then {rms[1]:.3f} ({100 * share:.0f} %); last cycle {rms[-1]:.4f}"
+    measured = f"{rms[0]:.3g}, then {rms[1]:.3g} ({100 * share:.4g} %); last cycle {rms[-1]:.3g}"
     rows = [
         (
             "CLPE goes to zero over about one cycle",
@@ -236,6 +236,6 @@ def claims(summary: dict[str, Any]) -> list[dict[str, str]]:
         if late <= 0.05:
             verdict = "holds" if early <= 0.05 else "holds by t = 2000, not in one cycle"
         criterion = "largest error at most 0.05 after one cycle, t = 200"
-        rows.append((claim, criterion, f"{early:.3f} at t = 200, {late:.3f} at t = 2000", verdict))
+        rows.append((claim, criterion, f"{early:.3g} at t = 200, {late:.3g} at t = 2000", verdict))
     names = ("claim", "criterion", "measured", "verdict")
     return [dict(zip(names, row, strict=True)) for row in rows]

@@ -52,7 +52,7 @@ def test_the_command_writes_constants_and_a_picture(clpt, tmp_path):
     assert report["nodal"]["M2"]["f"] == pytest.approx(f[0])
     status, out, _ = clpt(*arguments)
     assert status == 0
-    assert "explained: 100.0% of the variance" in out
+    assert "explained: 99.9" in out  # not 100 %: the record is of finite length
     assert "O1" in out
 
 

@@ -210,6 +210,20 @@ def test_figures_of_clpt_run_are_those_of_the_page(found):
     assert "samples of the file" in words(found.run.isel(time=slice(10)))
 
 
+def test_part_of_a_run_has_no_first_round():
+    """From t = 150 of rounds of 200 on: the first, which was the worst, is not among them."""
+    run = clpt.simulate(clpt.paper_scenario().with_values({"run.duration": 600}))
+    part = run.sel(time=slice(150, 500))
+    text = words(part)
+    off = (part.position - part.predicted_position).values
+    rms = np.sqrt(np.mean(np.sum(off**2, axis=1)))
+    assert "round of the waypoints" not in text
+    assert f"{rms:.3g} m over what is shown" in text
+    one = words(run.isel(time=[7]))
+    assert "What is shown is t = 7 s of the run alone." in one
+    assert "over the one sample of the file" in one
+
+
 @pytest.mark.parametrize(
     "damage",
     [

@@ -119,6 +119,16 @@ def test_a_run_of_many_cycles_is_sampled_as_finely():
     assert found.fine.sizes["time"] == 150_001
 
 
+def test_what_misses_a_claim_is_not_rounded_to_what_meets_it():
+    """0.1004 of the first cycle is more than 10 %, and 0.0504 more than 0.05."""
+    errors = {"200": 0.0504, "2000": 0.0002}
+    found = {"max_flow_parameter_error": errors, "max_gain_error": errors}
+    clpe, flow, _ = clpt.simulation.claims({"clpe_rms_per_cycle": [2e-4, 2.008e-5], **found})
+    assert clpe["verdict"] == "fails"
+    assert clpe["measured"] == "0.0002, then 2.01e-05 (10.04 %); last cycle 2.01e-05"
+    assert flow["measured"] == "0.0504 at t = 200, 0.0002 at t = 2000"
+
+
 def test_what_is_no_axis_and_no_run_of_the_paper_is_refused():
     scenario = PAPER.with_values({"run.duration": 20.0})
     found = summary.run_and_report(scenario)
