@@ -351,8 +351,8 @@ def save_fit(fit: Fit, out: str | Path) -> Scenario:
 def _gaps(report: dict) -> str:
     return (
         f"{percent(report['missing_fraction'])} of the values were missing and are filled, "
-        f"harmonically in space and time; {report['cells_never_measured']} of {report['cells']} cells were "
-        "never measured"
+        f"harmonically in space and time; {report['cells_never_measured']} of {report['cells']} "
+        "cells were never measured"
     )
 
 

@@ -207,8 +207,8 @@ def found_of_flow(numbers: Numbers, scenario: Scenario) -> str:
     parts = []
     if errors := numbers.get("max_flow_parameter_error"):
         largest = max(abs(value) for row in scenario.flow.parameters or () for value in row)
-        percent = 100 * at_end(errors) / largest if largest else 0.0
-        part = f" ({number(percent)} % of the largest)" if percent >= LEAST_SHARE else ""
+        relative = 100 * at_end(errors) / largest if largest else 0.0
+        part = f" ({number(relative)} % of the largest)" if relative >= LEAST_SHARE else ""
         parts.append(
             f"the largest error of a flow parameter is {number(at_end(errors))} "
             f"{unit.length}/{unit.time}{part}"

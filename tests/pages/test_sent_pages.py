@@ -19,6 +19,7 @@ from clpt_control.ensemble.store import Store, open_store
 from clpt_control.errors import ClptError, DataError
 from clpt_control.figures import inline_svg, new_figure
 from clpt_control.pages.page import page_html
+from clpt_control.pages.results import run_result
 from clpt_control.pages.writing import page_of
 from clpt_control.simulation.summary import run_and_report
 
@@ -208,6 +209,19 @@ def test_figures_of_clpt_run_are_those_of_the_page(found):
     assert f"{found.summary['clpe_rms']:.3g} m over the run" in text
     assert "of the file" not in text
     assert "samples of the file" in words(found.run.isel(time=slice(10)))
+
+
+def test_a_share_of_a_current_near_all_of_it_is_not_all(found):
+    """0.9996 of it is 99.96 %, in the sentence and the card of a page, and in the table of a run."""
+    shares = {"track": 0.9996, "box": -0.5, "window": [30.0, 40.0]}
+    summary = found.summary | {"explained_variance": shares}
+    run = found.run.assign_attrs(summary=json.dumps(summary))
+    text = words(run)
+    assert "99.96 % of the current's variance" in text
+    assert "99.96 %" in [card.value for card in page_of(run).cards]
+    assert "explains -50 % of the current's variance over all of the current's box, worse" in text
+    rows = run_result(summary, "").rows
+    assert ["share of the flow's variance learned, track", "99.96 %"] in rows
 
 
 def test_part_of_a_run_has_no_first_round():
