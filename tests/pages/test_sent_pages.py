@@ -212,7 +212,7 @@ def test_figures_of_clpt_run_are_those_of_the_page(found):
 
 
 def test_a_share_of_a_current_near_all_of_it_is_not_all(found):
-    """0.9996 of it is 99.96 %, in the sentence and the card of a page, and in the table of a run."""
+    """0.9996 of it is 99.96 %, in a sentence and a card of a page, and in the table of a run."""
     shares = {"track": 0.9996, "box": -0.5, "window": [30.0, 40.0]}
     summary = found.summary | {"explained_variance": shares}
     run = found.run.assign_attrs(summary=json.dumps(summary))
