@@ -194,7 +194,7 @@ def elementwise(name: str, *arguments: Any) -> Any:
                 "things; write float(...), or np.logical_or"
             )
         name = OF_TRUTHS[name]
-    of_python = all(map(is_of_python, arguments))
+    of_python = all(map(is_of_python, arguments[name == "where" :]))
     if name in RAISING and (tape.has_floats or not moves(arguments[-1])):
         if of_python and name != "pow" and in_a_try() and moves(arguments[-1]):
             if arguments[-1] == 0:
@@ -215,8 +215,19 @@ def elementwise(name: str, *arguments: Any) -> Any:
 
 
 def is_of_python(value: Any) -> bool:
-    """Return whether a number is surely Python's; an element of an array may be a float here."""
-    return value._of_python if isinstance(value, Array) else type(value) is int
+    """Return whether a number is surely Python's."""
+    return value._of_python if isinstance(value, Array) else type(value) in (int, float)
+
+
+def of_numpy(number: Any) -> Any:
+    """Return an element of an array: a number of NumPy's, whatever was written there."""
+    if not is_of_python(number):
+        return number
+    if not isinstance(number, Array):
+        return np.float64(number)
+    new = Array(number._tape, number._ref, ())
+    new._whole = number._whole
+    return new
 
 
 def counts(value: Any) -> bool:

@@ -161,7 +161,9 @@ class _Ways:
 
     def _leaf(self, name: str) -> Array:
         leaf = self.tape.add("leaf", (), self.request.shapes[name], ("p", name))
-        leaf._fixed, leaf._whole = True, isinstance(self.request.parameters[name], int | np.int64)
+        value = self.request.parameters[name]
+        leaf._fixed, leaf._whole = True, isinstance(value, int | np.int64)
+        leaf._of_python = type(value) in (int, float)
         return leaf
 
     def _way(self, run: Callable[[], Any]) -> list[Any]:

@@ -9,15 +9,26 @@ nothing is read, or where no signal is among their arguments.
 import builtins
 import functools
 import math
+import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from types import GeneratorType, ModuleType
 from typing import Any
 
 import numpy as np
 
 from .arrays import Array, Tape, Unread, active, objects, single, whole
-from .elementwise import READ, boxed, counts, elementwise, in_a_try, lifted, refuse_in_a_try, where
+from .elementwise import (
+    READ,
+    boxed,
+    counts,
+    elementwise,
+    in_a_try,
+    is_of_python,
+    lifted,
+    refuse_in_a_try,
+    where,
+)
 from .lookup_tables import function_of, is_table
 from .number_types import TYPES, has, is_a, of_python, real_of, type_of
 from .numpy_functions import apply_function, in_order
@@ -149,6 +160,29 @@ def ordered(values: list) -> list[Any]:
     return in_order(values) if len(values) <= MOST_SORTED else sorted(values)
 
 
+def compensated(values: Iterable[Any], start: Any = 0) -> Any:
+    """Return Python's sum: of its own floats, since 3.12, with what rounding took from it."""
+    values = list(values)
+    if tape_of((start, *values)) is None:
+        return sum(values, start)
+    total, lost = start, None
+    for value in values:
+        new = total + value
+        if is_of_python(total) and is_of_python(value) and not (counts(total) or counts(value)):
+            first = np.fabs(total) >= np.fabs(value)
+            rest = where(first, (total - new) + value, (value - new) + total)
+            lost = rest if lost is None else lost + rest
+        elif lost is not None and not counts(value):
+            new, lost = with_rest(total, lost) + value, None
+        total = new
+    return total if lost is None else with_rest(total, lost)
+
+
+def with_rest(total: Any, lost: Any) -> Any:
+    """Return a sum and what rounding took from it, unless that is no number."""
+    return where(np.isfinite(lost), total + lost, total)
+
+
 def printed(*values: Any, **more: Any) -> None:
     """Print, but nothing of a way that is only read: its numbers have no values."""
     if active() is None:
@@ -167,6 +201,7 @@ SHADOWS: dict[str, Any] = {  # built-in names that have stand-ins
     "hasattr": has,
     "type": type_of,
     "print": printed,
+    **({"sum": compensated} if sys.version_info >= (3, 12) else {}),
 }
 
 

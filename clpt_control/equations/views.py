@@ -24,6 +24,7 @@ from .elementwise import (
     constant,
     in_a_try,
     lifted,
+    of_numpy,
     stacked,
 )
 from .record import MOST_NUMBERS, Ref, Shape, viewed
@@ -179,7 +180,7 @@ def part(a: Any, function: Callable[[np.ndarray], Any]) -> Any:
     if (store := a._written()) is not None:
         elements = function(store)
         if not isinstance(elements, np.ndarray):
-            return elements
+            return of_numpy(elements)
         new = Array(a._tape, -1, elements.shape, a, function)
         new._store, new._boxed = elements, True
         return new
@@ -195,7 +196,7 @@ def part(a: Any, function: Callable[[np.ndarray], Any]) -> Any:
             return new
     if not getattr(new, "shape", ()):  # NumPy's number, or its array without axes
         if not (a.shape or a._boxed) or not isinstance(function(_places(a.shape)[0]), np.ndarray):
-            return new
+            return of_numpy(new)
         new = boxed(a._tape, new)
     view = Array(a._tape, new._node, new.shape, a, function)
     view._boxed = not new.shape

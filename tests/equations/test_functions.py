@@ -224,3 +224,18 @@ def test_a_static_block_at_many_times_and_inputs():
     np.testing.assert_allclose(found[:, 0], wanted, rtol=1e-15)
     table = static(looked_up, 1, parameters={"values": [4.0, 5.0]})
     np.testing.assert_array_equal(evaluate(table, 0.0, [[0.0], [1.0], [0.0]]), [[4], [5], [4]])
+
+
+def sums(t, x, u, p):
+    own, kept = [float(one) for one in u], np.zeros(3)
+    kept[:] = [own[0], 1.0, own[2]]
+    return [
+        *(sum(own), sum(own, 0.5), sum([math.fabs(u[0]), 1.0, -math.fabs(u[0])])),
+        *(sum([2.0 * own[0], 1, -2.0 * own[0]]), sum(max(one, -2e16) for one in own)),
+        *(sum(u), sum([own[0], u[1], own[2]]), sum([own[0], own[1], u[2]]), sum(kept)),
+    ]
+
+
+@pytest.mark.parametrize("u", [(1e16, 1.0, -1e16), (1e16, 3.0, -1e16), (1e305, 2.0, -1e305)])
+def test_sums_are_pythons_also_where_it_makes_up_for_rounding(u):
+    as_it_runs(static(sums, outputs=9), "output", 0.0, [], u, tolerance=0.0)

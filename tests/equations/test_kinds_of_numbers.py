@@ -160,9 +160,11 @@ def is_put_into_another(t, x, u, p):
     return y
 
 
-def catches_a_division(t, x, u, p):
+def catches_where_an_array_divides(t, x, u, p):
+    kept = np.zeros(2)
+    kept[:] = [float(x[0]), float(x[1])]
     try:
-        return [1.0 / float(x[0])]
+        return [kept[0] / kept[1]]
     except ZeroDivisionError:
         return [99.0]
 
@@ -170,7 +172,7 @@ def catches_a_division(t, x, u, p):
 def is_caught_where_python_divides(t, x, u, p):
     s, whole = math.sin(x[0]), math.floor(x[1])
     try:
-        return [s * math.cos(u[0]) / s, 1 / math.fabs(s), 7 % whole, 7 // whole]
+        return [s * math.cos(u[0]) / s, 1.0 / float(s), 7 % whole, 7 // whole]
     except ZeroDivisionError:
         print("no attitude here")
         return [99.0, x[1], x[2], 1.0]
