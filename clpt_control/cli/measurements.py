@@ -184,6 +184,7 @@ def estimate(
     condition = found.condition_number
     report = {
         "method": method,
+        "units": {"length": length, "time": scenario.units.time},
         "fixes": len(found.misses) + 1,
         "theta": found.theta.tolist(),
         "standard_deviation": sd.tolist(),

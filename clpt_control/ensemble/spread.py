@@ -71,7 +71,7 @@ def ensemble_summary(data: "xarray.Dataset") -> dict[str, Any]:
     Returns
     -------
     dict
-        ``members``, how they ended and the first that failed, and percentiles
+        ``units``, ``members``, how they ended and the first that failed, and percentiles
         of the CLPE rms per cycle and over the run, and of the errors at the
         last mark; None where no member came. With ``vehicle.max_speed`` also in how many members
         the flow was faster than the vehicle, the largest share of time and the longest stretch.
@@ -90,6 +90,7 @@ def ensemble_summary(data: "xarray.Dataset") -> dict[str, Any]:
     failed = np.flatnonzero(status != 1)
     summary: dict[str, Any] = {
         "title": data.attrs["title"],
+        "units": {"length": data["clpe_rms"].attrs["units"], "time": data["mark"].attrs["units"]},
         "members": len(status),
         "ended": {STATUS[k]: int(np.sum(status == k)) for k in np.unique(status)},
         "first_failed": int(failed[0]) if len(failed) else None,

@@ -79,11 +79,13 @@ def _found(data: xarray.Dataset, summary: dict[str, Any], done: int) -> list[str
         return ["Found: nothing yet, no member is done."]
     unit = data["clpe_rms"].attrs["units"]
     sentences = []
-    rounds = [one for one in summary["clpe_rms_per_cycle"] if one is not None]
+    every = summary["clpe_rms_per_cycle"]
+    rounds = [one for one in every if one is not None]  # members that fail reach none that follow
     if (rms := rounds[-1] if rounds else summary["clpe_rms"]) is not None:
         what = "the CLPE over the run, root mean square,"
         if rounds:
-            what = f"in round {len(rounds)} of the waypoints, the last, the CLPE, root mean square,"
+            last = "the last" if len(rounds) == len(every) else "the last that any run reached"
+            what = f"in round {len(rounds)} of the waypoints, {last}, the CLPE, root mean square,"
         sentences.append(
             f"Found: {what} is {number(rms[2])} {unit} in the median run, and nine in ten runs "
             f"lie between {number(rms[0])} and {number(rms[-1])} {unit}."

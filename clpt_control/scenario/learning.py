@@ -17,7 +17,8 @@ def _square_is_a_number(value: float) -> float:
     return value
 
 
-_Squared = AfterValidator(_square_is_a_number)  # laws square and divide by their settings
+_Squared = AfterValidator(_square_is_a_number)  # laws square and divide by settings, V by gains
+_Gain = Annotated[Positive, _Squared] | None
 KINDS: dict[str, Any] = {  # what a law's setting may be
     "number": Annotated[Number, _Squared],
     "positive": Annotated[Positive, _Squared],
@@ -32,9 +33,9 @@ KINDS: dict[str, Any] = {  # what a law's setting may be
 class LearningGains(Table):
     """A gain each for alpha, K and Gamma; the law does not adapt what is left out."""
 
-    parameters: Positive | None = None
-    feedback: Positive | None = None
-    feedforward: Positive | None = None
+    parameters: _Gain = None
+    feedback: _Gain = None
+    feedforward: _Gain = None
 
 
 def _own_table(law: Law) -> tuple[Any, None]:
@@ -68,7 +69,7 @@ class Learning(OwnTables):
     """The adaptive law, its gains, its own table and its initial values."""
 
     law: Annotated[str, AfterValidator(_law)]
-    gain: NotNegative | None = None  # 0 learns nothing
+    gain: Annotated[NotNegative, _Squared] | None = None  # 0 learns nothing
     gains: LearningGains | None = None
     adapt_gains: Annotated[bool, Strict()] = True
     hedging: Annotated[bool, Strict()] | None = None

@@ -139,4 +139,5 @@ def test_a_member_that_fails_costs_itself_alone(quick):
     summary = ensemble_summary(data)
     assert summary["ended"]["finished"] == 2
     assert summary["first_failed"] == 1
+    assert summary["units"] == {"length": "m", "time": "s"}
     assert data["gain_error"][0].values.tobytes() == data["gain_error"][2].values.tobytes()

@@ -302,6 +302,16 @@ def test_an_ensemble_that_failed_has_its_page(tmp_path):
     assert "step too small" in text
 
 
+def test_an_ensemble_says_which_round_was_reached_and_what_failed_member_by_member():
+    long = SHORT.with_values({"run.duration": 400})
+    data = clpt.run_ensemble(long, "learning.gain=[1.23456, 2]", 2, "grid")
+    data["clpe_rms"][:, 1] = np.nan
+    data["status"][0], data["end"][0] = 2, 312.345
+    text = words(data)
+    assert "in round 1 of the waypoints, the last that any run reached, the CLPE" in text
+    assert "['0', 'step too small', '312.345', '1.23456']" in text
+
+
 @pytest.mark.parametrize("done", [0, 1])
 def test_an_ensemble_under_way_says_how_far_it_is(tmp_path, monkeypatch, done):
     write, count = Store.write, []

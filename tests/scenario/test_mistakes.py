@@ -22,6 +22,7 @@ from clpt_control.theory.proving.theorem_loop import AT_FIXES
 PAPER = clpt.paper_scenario()
 WRONG = {
     "learning.gain = -1: must be": {"learning": {"gain": -1}},
+    "learning.gain = 1e-320: must be 0, if allowed, or between": {"learning": {"gain": 1e-320}},
     "basis.kernel = 'cone': must be": {"basis": {"kernel": "cone"}},
     "basis.widths": {"basis": {"widths": [1.0]}},
     "unknown key flow.disturbance.perod; did you mean period?": {
