@@ -6,7 +6,7 @@ from law_blocks import alone
 from responses import response
 
 import clpt_control as clpt
-from clpt_control.blocks.laws import paper, regressions
+from clpt_control.blocks.laws import least_squares, paper
 from clpt_control.errors import ScenarioError
 
 PAPER = clpt.paper_scenario()
@@ -108,7 +108,7 @@ def test_alpha_and_its_start_are_those_of_the_known_flow_law():
     np.testing.assert_array_equal(run.alpha[-1], 0.5 * THETA)
 
 
-LAW = regressions.NORMALISED_GRADIENT.of(
+LAW = least_squares.NORMALISED_GRADIENT.of(
     1,
     gain=0.8,
     gain_K=0.0,

@@ -111,7 +111,7 @@ def test_a_root_that_ends(engine):
     model = system(lambda t, x, u, p: [-math.sqrt(x[0])])
     said = told(lambda: clpt.simulate(model, [0.0, 5.0], 0.0, [1.0], engine=engine))
     assert "q.update: <lambda>, line" in said
-    assert "ValueError: math domain error" in said
+    assert "ValueError: " in said
 
 
 @ENGINES
