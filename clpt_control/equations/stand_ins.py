@@ -161,18 +161,21 @@ def ordered(values: list) -> list[Any]:
 
 
 def compensated(values: Iterable[Any], start: Any = 0) -> Any:
-    """Return Python's sum: of its own floats, since 3.12, with what rounding took from it."""
+    """Return Python's sum: of its own floats, since 3.12, with what rounding took from it.
+
+    Of whole numbers among them since 3.14.
+    """
     values = list(values)
     if tape_of((start, *values)) is None:
         return sum(values, start)
     total, lost = start, None
     for value in values:
-        new = total + value
-        if is_of_python(total) and is_of_python(value) and not (counts(total) or counts(value)):
+        new, own = total + value, is_of_python(total) and is_of_python(value)
+        if own and not (counts(total) or (counts(value) and sys.version_info < (3, 14))):
             first = np.fabs(total) >= np.fabs(value)
             rest = where(first, (total - new) + value, (value - new) + total)
             lost = rest if lost is None else lost + rest
-        elif lost is not None and not counts(value):
+        elif lost is not None and not own:
             new, lost = with_rest(total, lost) + value, None
         total = new
     return total if lost is None else with_rest(total, lost)
