@@ -68,7 +68,7 @@ def number(value: float) -> str:
 def numbers_of(run: xarray.Dataset, system: Scenario | Team) -> dict[str, Any]:
     """Return a run's figures by the names of `run_and_report`; `of_samples` if they are less."""
     if isinstance(system, Team):
-        return {"of_samples": False, **team_summary(system, run, run)}
+        return {"of_samples": True, **team_summary(system, run, run)}
     try:
         summary = Figures.model_validate_json(str(run.attrs.get(SUMMARY, "")), strict=True)
     except pydantic.ValidationError:  # none, or damaged

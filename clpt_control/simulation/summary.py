@@ -4,7 +4,7 @@
     parameter error        max |alpha + theta|, and max |gain - true gain|
     disagreement           of a team: max |alpha_i - alpha_j| over all pairs
 
-Mean squares are those of `pieces`, a team's over its recorded samples.
+Mean squares are those of `pieces`, a team's over at most `MOST_OF_TEAM` samples.
 Errors and disagreement are given at some times (`TIMES`) and at the end.
 The claims are the paper's sentences about figures 2 to 4, each with its criterion, what was
 measured, and a verdict.
@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 
 SUMMARY = "summary"  # attribute of a run: its summary as JSON
 TIMES = (10, 20, 100, 200, 500, 1000, 2000)
+MOST_OF_TEAM = 20_000  # samples
 
 
 class RunReport(NamedTuple):
@@ -63,7 +64,7 @@ def run_and_report(
         ``max_flow_parameter_error`` and ``max_gain_error`` keyed by time,
         ``status`` and ``message``; with ``vehicle.max_speed`` also ``speed``, the share of time
         at it and when the flow was faster; for a gridded field also the shares of
-        variance that the learned flow explains. Of a team these are by vehicle and of its own
+        variance that the learned flow explains. Of a team these are by vehicle, of at most 20,000
         samples, with ``max_disagreement`` keyed by time.
 
     Raises
@@ -82,22 +83,29 @@ def run_and_report(
     own = sample_times(end, system.run.output_step)
     times = union(own, np.array([t for t in TIMES if t <= end], dtype=float))
     if isinstance(system, Team):
-        dense = simulate(system, times, progress=progress)
-        run = _at_own_samples(dense, own)
-        return RunReport(run, run, team_summary(system, run, dense))
-    grid = Grid.to(end, min(system.cycle, end) / samples_for_means(system))
+        finest = min(_step_of_means(one) for one in system.members.values())
+        even = sample_times(end, max(finest, end / MOST_OF_TEAM))
+        dense = simulate(system, union(times, even), progress=progress)
+        fine = dense.isel(time=nearest(dense.time.values, even))
+        return RunReport(_at_own_samples(dense, own), fine, team_summary(system, fine, dense))
+    grid = Grid.to(end, _step_of_means(system))
     dense, clpe, timer = run_in_pieces(system, times, grid, progress)
     if timer is not None:
         note_speeds(dense, timer.figures(), system.units)
     run = _at_own_samples(dense, own)
     pictured = np.append(np.arange(0, grid.last, grid.every), grid.last)
-    even = dense.isel(time=nearest(dense.time.values, grid.times(pictured)))
+    fine = dense.isel(time=nearest(dense.time.values, grid.times(pictured)))
     figures = {**clpe, **errors(system, run, at_times(dense))}
     if timer is not None:
         figures["speed"] = timer.figures()
     summary = _summary(dense, system.units, figures)
     run.attrs[SUMMARY] = json.dumps(summary)
-    return RunReport(run, even, summary)
+    return RunReport(run, fine, summary)
+
+
+def _step_of_means(scenario: Scenario) -> float:
+    """Return the time from one sample to the next for mean squares."""
+    return min(scenario.cycle, scenario.run.duration) / samples_for_means(scenario)
 
 
 def _at_own_samples(dense: "xarray.Dataset", own: np.ndarray) -> "xarray.Dataset":
@@ -158,7 +166,10 @@ def errors(
 
 
 def team_summary(team: Team, run: "xarray.Dataset", dense: "xarray.Dataset") -> dict[str, Any]:
-    """Return the figures of a team's run, by vehicle; errors are those of its `dense` samples."""
+    """Return the figures of a team's run, by vehicle; errors are those of its `dense` samples.
+
+    Mean squares and speeds are those of `run`, whose samples are even.
+    """
     at = at_times(dense)
     figures: dict[str, Any] = {}
     for name, scenario in team.members.items():

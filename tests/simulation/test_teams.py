@@ -33,6 +33,17 @@ def test_without_coupling_each_is_alone():
         same(run.sel(vehicle=name), clpt.simulate(scenario))
 
 
+def test_mean_squares_of_a_team_are_not_those_of_a_few_samples():
+    """Without coupling each has the CLPE that it has alone, however few samples are recorded."""
+    seldom = {name: one.with_values({"run.output_step": 4}) for name, one in DIFFERENT.items()}
+    found = clpt.simulation.run_and_report(team(0.0, ROW, **seldom))
+    assert found.run.sizes["time"] == 4
+    for name, scenario in seldom.items():
+        alone = clpt.simulation.run_and_report(scenario).summary
+        for key in ("clpe_rms", "clpe_rms_last_quarter"):
+            assert found.summary[key][name] == pytest.approx(alone[key], rel=2e-3)
+
+
 @pytest.mark.parametrize("gains", ["one", "each", "held true"])
 def test_V_falls_by_what_is_claimed(gains):
     """V(s) - V(t) is the integral of sum e^T KD e + kappa/gamma sum over edges |apart|^2."""
