@@ -80,6 +80,7 @@ def test_a_misprint_fails_as_printed_and_passes_corrected(number):
     assert misprint.confirmed
 
 
+@pytest.mark.usefixtures("few_calls")
 def test_prove_prints_json(clpt, monkeypatch):
     """By this process alone; `test_cached_proofs` asks two."""
     monkeypatch.setattr(os, "cpu_count", lambda: 1)
