@@ -97,7 +97,7 @@ class SignalTable:
     def __repr__(self) -> str:
         times, count = self.values.shape
         columns = shortened(", ".join(self.columns), 100)
-        return f"<SignalTable of {times} times and {count} columns: {columns}>"
+        return f"<SignalTable of {times} time{'s'[: times != 1]} and {count} columns: {columns}>"
 
     def _repr_html_(self) -> str:
         rows = [[f"{one:.6g}" for one in row] for row in self.values[:SHOWN]]

@@ -319,7 +319,10 @@ def excitation_result(report: dict[str, Any]) -> Result:
             ["errors fall to a tenth within", within],
         ]
     if "accuracy" in report:
-        rows.append(["accuracy of the eigenvalues", f"{report['accuracy']:.2g} relative"])
+        change = report["accuracy"]
+        said = "not known: the samples are too far apart; a smaller run.output_step says more"
+        said = said if change is None else f"{change:.2g} relative"
+        rows.append(["accuracy of the eigenvalues", said])
     sentences = list(report["not_learnable"])
     if report["disturbed"]:
         sentences.append("V and errors fall so but for what the disturbance adds to them")

@@ -110,6 +110,18 @@ def test_a_recorded_run_gives_the_same(true_paper, step, tolerance):
         np.testing.assert_allclose(found.eigenvalues[axis], values, rtol=tolerance)
 
 
+@pytest.mark.parametrize("step", [7.0, 20.0, 500.0])
+def test_what_samples_far_apart_do_not_say_is_not_known(paper, step):
+    """An eigenvalue is 25 % off or more, and of two samples none can be left out to find it."""
+    scenario = paper.with_values({"run.duration": 400, "run.output_step": step})
+    report = excitation_report(clpt_package.simulate(scenario), 200.0, 200.0)
+    exact = excitation_report(scenario, 200.0, 200.0)["eigenvalues"]["x1"]
+    assert np.max(np.abs(np.divide(report["eigenvalues"]["x1"], exact) - 1)) > 0.25
+    assert report["accuracy"] is None
+    rows = dict(excitation_result(report).rows)
+    assert rows["accuracy of the eigenvalues"].startswith("not known: the samples are too far")
+
+
 def test_a_run_is_read_from_its_file(paper, tmp_path):
     run = clpt_package.simulate(paper.with_values({"run.output_step": 0.5}))
     clpt_package.save_run(run, tmp_path / "run.nc")

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 
 MOST_BARS = 12  # of many parameters, those with the largest components
 LETTERS = 110  # of a line below the axes
+ROUGHEST = 0.1  # change of an eigenvalue by which its error is judged
 LOWEST = 1e-30  # eigenvalues below this share of the largest are drawn there
 
 
@@ -42,7 +43,8 @@ def excitation_report(
     until sqrt(V) is a tenth; None: never), without what a disturbance adds where ``disturbed``; all
     are None where the window cannot be certified and ``not_certified`` says why.  For a recorded
     run ``accuracy`` is the largest relative change of an eigenvalue when every second sample is
-    left out, which is above the error.
+    left out, which is above the error; None where that is more than `ROUGHEST`, or no sample can be
+    left out: the error is not known.
     """
     along = joint_regressor(source, window, start)
     found = gramian(along)
@@ -58,12 +60,15 @@ def excitation_report(
     except ScenarioError as error:
         report["not_certified"] = str(error)
     if not isinstance(source, Scenario):
-        rough = gramian(thinned(source), found.window, found.start)
+        thin = thinned(source)
+        rough = gramian(thin, found.window, found.start)
         floor = {a: found.tolerance * values[-1] for a, values in found.eigenvalues.items()}
-        report["accuracy"] = max(
+        change = max(
             float(np.max(np.abs(rough.eigenvalues[a] - values) / np.maximum(values, floor[a])))
             for a, values in found.eigenvalues.items()
         )
+        known = thin.sizes["time"] < source.sizes["time"] and change <= ROUGHEST
+        report["accuracy"] = change if known else None
     return report
 
 
