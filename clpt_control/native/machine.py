@@ -12,6 +12,7 @@ size of an item, address, shape and strides.
 
 import hashlib
 import os
+import re
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from ctypes import CFUNCTYPE, addressof, c_char, c_double, c_int64, c_void_p
@@ -36,6 +37,7 @@ HASH = hashlib.sha256().digest_size
 LOCK = RLock()
 HERE = Path(__file__).parent
 TEXT = HERE / "solver.ll"
+BRANCHES = re.compile(r'\n\s+br |call [^\n@]*@"?(?!"?llvm\.)')  # or calls of its own functions
 
 
 @contextmanager
@@ -119,14 +121,18 @@ def _load(name: str, text: Callable[[], str]) -> Any:
     """Return LLVM's engine with code from the cache, or else compiled; it knows the addresses."""
     code = cached_code(name)
     if code is None:
-        machine, parsed = target_machine(), llvm.parse_assembly(text())
+        machine, parsed = target_machine(), llvm.parse_assembly(printed := text())
         parsed.triple, parsed.data_layout = machine.triple, str(machine.target_data)
         options = llvm.create_pipeline_tuning_options(speed_level=3)
         # the text has vectors already
         options.loop_vectorization = options.slp_vectorization = False
         options.loop_unrolling = options.loop_interleaving = False
         passes = llvm.create_pass_builder(machine, options)
-        passes.getModulePassManager().run(parsed, passes)
+        manager = passes.getModulePassManager()
+        if not BRANCHES.search(printed):  # the other passes find nothing there
+            manager = llvm.create_new_module_pass_manager()
+            manager.add_instruction_combine_pass()
+        manager.run(parsed, passes)
         code = bytes(machine.emit_object(parsed))
         cache_code(name, code)
     engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), target_machine())
