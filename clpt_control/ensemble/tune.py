@@ -34,7 +34,6 @@ OWN = "as it is"  # the scenario's own learning, beside the candidates
 ENOUGH = 1e-3  # less needs not be
 TENTH = 0.1  # of the first error: it ends the learning time
 MARKS = 200  # times at which errors are looked at
-SAMPLES = 200  # a cycle
 HIDDEN = 1e-3  # a track that shows less of an error hides it
 
 
@@ -211,9 +210,7 @@ def score_of(unknown: Unknown, candidate: Candidate, members: int, seed: int) ->
     """Run a candidate on flows that are drawn, the same for every candidate."""
     scenario = unknown.scenario.with_values(candidate.values)
     marks = np.linspace(0.0, scenario.run.duration, MARKS + 1)
-    data = run_ensemble(
-        scenario, unknown.varies, members, seed=seed, samples=SAMPLES, times=marks.tolist()
-    )
+    data = run_ensemble(scenario, unknown.varies, members, seed=seed, times=marks.tolist())
     failed = int(np.sum(data["status"].values != 1))
     error = data["flow_parameter_error"].values
     cycles = data["clpe_rms"].values

@@ -1,5 +1,7 @@
 """Tuning: the answer stays unseen, the fast or the robust law is taken where it is obvious."""
 
+from functools import partial
+
 import numpy as np
 import pytest
 
@@ -14,7 +16,7 @@ from clpt_control.ensemble.candidates import (
     laws_to_try,
     unknown_of,
 )
-from clpt_control.ensemble.tune import Score, _middle, ranked
+from clpt_control.ensemble.tune import Score, _middle, ranked, score_of
 from clpt_control.errors import ScenarioError
 
 ROBUST = ["learned-flow", "sigma", "e-modification"]
@@ -46,6 +48,17 @@ def test_quantiles_count_what_never_came():
     assert _middle(np.array([np.inf, 1.0, 2.0])) == 2.0
     assert _middle(np.array([np.inf, np.inf, 2.0])) == np.inf
     assert _middle(np.arange(1.0, 21.0), 0.95) == 19.0
+
+
+def test_CLPE_of_a_candidate_does_not_hang_on_its_samples(paper, monkeypatch):
+    """With a strong feedback it peaks for an eighth of a second at each waypoint."""
+    strong = paper.with_values({"vehicle.feedback": [8, 8], "vehicle.feedforward": [8, 8]})
+    unknown = unknown_of(strong, None, None, 0)
+    one = Candidate("learned-flow", 0.8, False, None, {})
+    usual = score_of(unknown, one, 2, 0).clpe_rms
+    fine = partial(clpt_control.run_ensemble, samples=20_000)
+    monkeypatch.setattr("clpt_control.ensemble.tune.run_ensemble", fine)
+    assert usual == pytest.approx(score_of(unknown, one, 2, 0).clpe_rms, rel=0.02)
 
 
 def test_the_answer_is_not_seen(short):
