@@ -61,6 +61,11 @@ def samples_for_means(scenario: Scenario) -> int:
     return max(PER_CYCLE, each * visited)
 
 
+def step_of_means(scenario: Scenario) -> float:
+    """Return the time from one sample to the next for mean squares."""
+    return min(scenario.cycle, scenario.run.duration) / samples_for_means(scenario)
+
+
 def run_in_pieces(
     scenario: Scenario, required: np.ndarray, grid: Grid, progress: Callable[[float], None] | None
 ) -> "tuple[xarray.Dataset, dict[str, Any], SpeedTimer | None]":

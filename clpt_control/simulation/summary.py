@@ -23,7 +23,7 @@ from ..scenario.tables import Units
 from ..scenario.team import Team
 from .flows import explained_variance, note_speeds, speeds_of
 from .integrate import sample_times, simulate
-from .pieces import Grid, clpe_of_samples, nearest, run_in_pieces, samples_for_means, union
+from .pieces import Grid, clpe_of_samples, nearest, run_in_pieces, step_of_means, union
 
 if TYPE_CHECKING:
     import xarray
@@ -83,12 +83,12 @@ def run_and_report(
     own = sample_times(end, system.run.output_step)
     times = union(own, np.array([t for t in TIMES if t <= end], dtype=float))
     if isinstance(system, Team):
-        finest = min(_step_of_means(one) for one in system.members.values())
+        finest = min(step_of_means(one) for one in system.members.values())
         even = sample_times(end, max(finest, end / MOST_OF_TEAM))
         dense = simulate(system, union(times, even), progress=progress)
         fine = dense.isel(time=nearest(dense.time.values, even))
         return RunReport(_at_own_samples(dense, own), fine, team_summary(system, fine, dense))
-    grid = Grid.to(end, _step_of_means(system))
+    grid = Grid.to(end, step_of_means(system))
     dense, clpe, timer = run_in_pieces(system, times, grid, progress)
     if timer is not None:
         note_speeds(dense, timer.figures(), system.units)
@@ -101,11 +101,6 @@ def run_and_report(
     summary = _summary(dense, system.units, figures)
     run.attrs[SUMMARY] = json.dumps(summary)
     return RunReport(run, fine, summary)
-
-
-def _step_of_means(scenario: Scenario) -> float:
-    """Return the time from one sample to the next for mean squares."""
-    return min(scenario.cycle, scenario.run.duration) / samples_for_means(scenario)
 
 
 def _at_own_samples(dense: "xarray.Dataset", own: np.ndarray) -> "xarray.Dataset":

@@ -16,7 +16,7 @@ from clpt_control.figures import figure_of
 from clpt_control.files import write_file
 from clpt_control.theory import design_track as design_for
 from clpt_control.theory.designing import search
-from clpt_control.theory.designing.design import linear_gains, time_below
+from clpt_control.theory.designing.design import learned, linear_gains, time_below
 from clpt_control.theory.designing.plot import design_plot
 from clpt_control.theory.designing.track_limits import (
     area_of_degrees,
@@ -369,3 +369,12 @@ def test_a_track_in_a_measured_current(facts, tmp_path):
         design_track(far)
     with pytest.raises(ScenarioError, match="must be LAT0 LAT1 LON0 LON1"):
         design_track(scenario, box=(41.4, 41.0, -69.8, -69.2))
+
+
+def test_CLPE_of_a_design_is_that_of_clpt_run():
+    """Of a strong feedback too, whose CLPE peaks for an eighth of a second at each waypoint."""
+    gains = {"vehicle.feedback": [8, 8], "vehicle.feedforward": [8, 8], "run.duration": 400}
+    scenario = clpt_package.paper_scenario().with_values(gains)
+    summary = clpt_package.simulation.run_and_report(scenario).summary
+    late = learned(scenario, None).summary["clpe_rms_last_quarter"]
+    assert late == pytest.approx(summary["clpe_rms_last_quarter"], rel=0.01)

@@ -23,7 +23,7 @@ from ...html import facts, fragment
 from ...scenario.experiment import Scenario
 from ...simulation.flows import explained_variance
 from ...simulation.integrate import sample_times, simulate
-from ...simulation.pieces import clpe_of_samples
+from ...simulation.pieces import clpe_of_samples, step_of_means
 from ..excitation.certificates import gains_of_w
 from ..excitation.gramian import gramian, started_true
 from ..excitation.regressor import checked_window
@@ -68,8 +68,8 @@ class Learned(NamedTuple):
 
 def learned(scenario: Scenario, level: float | None) -> Learned:
     """Run a scenario with its own law and summarise what it learned."""
-    largest = max(scenario.reference.dwell / LOOKS, scenario.run.duration / MOST)
-    step = min(scenario.run.output_step, largest)
+    smooth = min(scenario.reference.dwell / LOOKS, step_of_means(scenario))
+    step = min(scenario.run.output_step, max(smooth, scenario.run.duration / MOST))
     run = simulate(scenario, sample_times(scenario.run.duration, step))
     key = "clpe_rms_last_quarter"
     summary: dict[str, Any] = {key: clpe_of_samples(scenario, run)[key]}
