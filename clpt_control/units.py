@@ -2,6 +2,7 @@
 
 import re
 from datetime import UTC, datetime
+from decimal import ROUND_CEILING, Context
 
 from .errors import DataError
 
@@ -43,6 +44,16 @@ def percent(share: float) -> str:
     """
     left = float(f"{100 * (1 - share):.1g}")
     return f"{100 - left:.12g} %" if 0 < left < 0.1 else f"{100 * share:z.3g} %"
+
+
+def at_most(bound: float, digits: int = 4) -> str:
+    """Return an upper bound in a few digits, rounded up.
+
+    >>> at_most(0.316228), at_most(2.0), at_most(1234567.0, 6)
+    ('0.3163', '2', '1.23457e+06')
+    """
+    up = Context(prec=digits, rounding=ROUND_CEILING).create_decimal_from_float(bound)
+    return f"{float(up):.{digits}g}"
 
 
 def _short(word: str) -> str:

@@ -9,6 +9,7 @@ from ..errors import ClptError
 from ..files import write_together
 from ..html import Result
 from ..progress import progress_bar
+from ..units import at_most
 from .printing import (
     Json,
     ScenarioFile,
@@ -68,18 +69,20 @@ def certify(
     columns = [f"from ({time})", "V at most", f"CLPE at most ({length})"]
     columns.append(f"error of a flow parameter at most ({length}/{time})")
     numbers = zip(found.time, found.V, found.clpe, found.flow_error, strict=True)
-    rows = [[f"{one:.6g}" for one in row] for row in numbers]
+    rows = [[f"{t:.6g}", *(at_most(one, 6) for one in row)] for t, *row in numbers]
     title = f"For every start with V(0) <= {found.radius:.6g}, windows of {found.window:g} {time}"
-    most = f"{found.largest_clpe:.4g} {length}{found.known_until}"
+    most = f"{at_most(found.largest_clpe)} {length}{found.known_until}"
     sentences = [found.said, f"CLPE is never above {most}"]
     if found.disturbance > 0:
         end = "is not shown to end below a bound"
         if found.ultimate is not None:
-            end = f"ends at most at {found.ultimate:.4g} {length}"
+            end = f"ends at most at {at_most(found.ultimate)} {length}"
         weakest = "if later windows excite like the run's weakest"
         bound = f"|Delta| <= {found.disturbance:.4g} {length}/{time}"
         sentences.append(f"with {bound} it {end}, {weakest}")
-    sentences.append(f"a window of small errors leaves {1 - found.drops.min():.4g} of V at worst")
+    sentences.append(
+        f"a window of small errors leaves {at_most(1 - found.drops.min())} of V at worst"
+    )
     finish([Result(title, columns, rows, sentences)], found.report(), as_json)
 
 

@@ -42,6 +42,7 @@ from ...arguments import public
 from ...errors import ScenarioError
 from ...html import facts, fragment
 from ...scenario.experiment import Scenario
+from ...units import at_most
 from ..promises import bounded, largest_disturbance
 from .certificates import TURN, gains_of_w, refuse_unproved, worst_drop
 from .regressor import MOST_PIECES, checked_window, finished_run, quadrature, w_along
@@ -78,7 +79,7 @@ class Bounds:
 
     def _repr_html_(self) -> str:
         every = zip(self.time, self.V, self.clpe, strict=True)
-        rows = [tuple(f"{one:.4g}" for one in row) for row in every]
+        rows = [(f"{t:.4g}", at_most(V), at_most(e)) for t, V, e in every]
         return fragment("Bounds", self.said, facts(rows, ("time", "V at most", "CLPE at most")))
 
     @property
@@ -86,10 +87,10 @@ class Bounds:
         """When CLPE is small, in a sentence."""
         if self.time_to_error is None:
             return f"CLPE is not shown to come below {self.error:.4g} {self.units['length']}"
-        when = f"{self.time_to_error:.6g} {self.units['time']}"
+        when = f"{at_most(self.time_to_error, 6)} {self.units['time']}"
         beyond = ", if later windows excite like the run's weakest"
         beyond = self.known_until if self.within_run else beyond
-        return f"CLPE is at most {self.error:.4g} {self.units['length']} after {when}{beyond}"
+        return f"CLPE is at most {at_most(self.error)} {self.units['length']} after {when}{beyond}"
 
     @property
     def known_until(self) -> str:
