@@ -78,7 +78,7 @@ def certify(
         if found.ultimate is not None:
             end = f"ends at most at {at_most(found.ultimate)} {length}"
         weakest = "if later windows excite like the run's weakest"
-        bound = f"|Delta| <= {found.disturbance:.4g} {length}/{time}"
+        bound = f"|Delta| <= {at_most(found.disturbance)} {length}/{time}"
         sentences.append(f"with {bound} it {end}, {weakest}")
     sentences.append(
         f"a window of small errors leaves {at_most(1 - found.drops.min())} of V at worst"

@@ -76,7 +76,9 @@ class Segments(NamedTuple):
     def blur(self, basis: Block) -> np.ndarray:
         """Return B, (n, N, N): read with noise s, theta h has the variance s^2 theta B theta^T.
 
-        B = sum over axes i and noises of g g^T, g = int dphi/dx_i dt while one noise lasts.
+        B = sum over axes i and noises of g g^T/l, g = int dphi/dx_i dt while one noise lasts, l
+        the share of its samples that are in this segment.  One noise in several segments is one
+        error of them all; B as if each had its own bounds it, as (sum a)^2 <= sum a^2/l.
         """
         n, m = self.time.shape
         if not self.noise_period:
@@ -88,8 +90,12 @@ class Segments(NamedTuple):
         )
         slope = np.stack(ahead, axis=1) - np.stack(behind, axis=1)
         slope *= np.repeat(self.duration / m, m)[:, None, None] / (2 * step[0, 0])
-        new = np.diff(self._noises(), axis=1, prepend=-1.0) != 0
-        g = np.add.reduceat(slope, np.flatnonzero(new), axis=0)
+        noises = self._noises()
+        new = np.diff(noises, axis=1, prepend=-1.0) != 0
+        first = np.flatnonzero(new)
+        g, here = np.add.reduceat(slope, first, axis=0), np.diff(first, append=n * m)
+        which = np.unique(noises[new], return_inverse=True)[1]
+        g *= np.sqrt(np.bincount(which, here)[which] / here)[:, None, None]
         B = np.zeros((n, g.shape[-1], g.shape[-1]))
         np.add.at(B, np.nonzero(new)[0], np.einsum("gik,gil->gkl", g, g))
         return B

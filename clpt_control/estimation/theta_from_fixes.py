@@ -41,7 +41,7 @@ class FlowEstimate:
     theta : ndarray, shape (2, N)
         In the unit of speed of the run; m/s for dives.
     covariance : ndarray, shape (N, N)
-        Of each row of theta.
+        Of each row of theta; an upper bound where one noise of the position lasts over fixes.
     misses : ndarray, shape (n, 2)
         What theta leaves of the segments' misses, length.
     condition_number : float
