@@ -94,10 +94,10 @@ def run_in_pieces(
         stored = np.unique(np.concatenate([nearest(solution.t, inside), pictured, end]))
         if not final:  # the next piece begins there
             at, stored = at[:-1], stored[:-1]
-        x, z = (signals[np.ix_(at, places)] for places in x_z)
+        x, z = (signals[at[:, None], places] for places in x_z)
         size = np.sum((x - z) ** 2, axis=1)
         if timer is not None:
-            speeds = (signals[np.ix_(at, run.columns(port))] for port in ("v_c", "flow_x"))
+            speeds = (signals[at[:, None], run.columns(port)] for port in ("v_c", "flow_x"))
             timer.add(solution.t[at], *speeds)
         starts = np.arange(0, len(at), group)
         counts = np.diff(np.append(starts, len(at)))

@@ -32,7 +32,7 @@ from .flows import faster_flow, speeds_of
 from .frame import Frame
 from .loops import LoopOf, paper_blocks
 from .run_file import CONDITIONS, RunRecord
-from .starts import into_keys, stacked_state, state_labels, state_of
+from .starts import into_keys, stacked_state, state_columns, state_labels, state_of
 from .team_loops import team_blocks
 
 if TYPE_CHECKING:
@@ -210,6 +210,8 @@ class DiagramRun(SystemRun):
         self.check_memory(len(times))
         u = read_inputs(inputs, times, self.wiring.ninputs)
         state = stacked_state("initial_state", 0.0 if x0 is None else x0, self.runner.nstates)
+        if self.experiment is not None:
+            self._check_first_alpha(state)
         options["inputs"] = u
         solution, blocks = run_checked(self.runner, self.name, state, times, self.params, **options)
         signals = self._signal_map @ np.vstack([blocks.T, u.along(solution.t)])
@@ -218,6 +220,17 @@ class DiagramRun(SystemRun):
         conditions |= {"timepts": times.copy(), "initial_state": state}
         run.encoding[EQUATIONS] = RunRecord(self, solution.engine, u, conditions)
         return run
+
+    def _check_first_alpha(self, state: np.ndarray) -> None:
+        """Refuse a first alpha that is not the alpha_0 of which a law makes its readout."""
+        at = state_columns(node.system for node in self.wiring.nodes)
+        left = at.get(self.scenario.learning.row.error_left)
+        for p in self.runner.sweep.parameters if left and np.all(state[left] == 1) else ():
+            if "alpha_0" in p._fields and np.any(state[at["alpha"]] != np.ravel(p.alpha_0)):
+                raise SimulationError(
+                    "initial_state: alpha is not adaptation.alpha_0, of which the readout is made; "
+                    "give both, or learning.parameters of the scenario"
+                )
 
     @cached_property
     def is_unchanged(self) -> bool:

@@ -15,7 +15,7 @@ from scipy.integrate import cumulative_simpson
 import clpt_control as clpt
 from clpt_control.blocks.laws.remembering import DREM as LAW
 from clpt_control.blocks.laws.remembering import mixing
-from clpt_control.errors import ScenarioError
+from clpt_control.errors import ScenarioError, SimulationError
 
 STARTS = {"learning.parameters": [[0.3, -0.2, 0.1], [0.0, 0.4, -2.0]]}
 
@@ -102,6 +102,22 @@ def test_theta_is_read_in_finite_time(margin):
     assert off[right][0].max() > 0.5  # the estimate itself is not there yet
     assert right[-1]
     assert not right[0]
+
+
+def test_the_readout_of_another_start_is_refused_or_right():
+    """The readout of a loop that starts elsewhere was off by 0.375 m/s."""
+    scenario = of_paper(**{"learning.drem": {"rate": 0.02}})
+    loop, first = clpt.closed_loop(scenario), np.array(STARTS["learning.parameters"])
+    begin, t = clpt.initial_state(loop), np.linspace(0.0, 100.0, 101)
+    begin[4:10] = first.ravel()
+    with pytest.raises(SimulationError, match=r"alpha is not adaptation\.alpha_0"):
+        clpt.simulate(loop, t, initial_state=begin)
+    run = clpt.simulate(loop, t, initial_state=begin, params={"adaptation.alpha_0": first})
+    off, read = errors(run)
+    assert off[-1].max() > 0.1
+    assert read[-1].max() < 1e-11
+    late = clpt.simulate(loop, t[50:], initial_state=clpt.state_at(clpt.simulate(scenario), 50.0))
+    assert errors(late)[1][-1].max() < 1e-11  # goes on
 
 
 def test_a_faint_track_teaches_nothing_wrong():
