@@ -6,7 +6,7 @@ Truth values and whole numbers are told apart from others, as NumPy does.
 import dis
 import sys
 from collections.abc import Sequence
-from functools import lru_cache
+from functools import lru_cache, reduce
 from types import CodeType
 from typing import Any
 
@@ -194,9 +194,9 @@ def elementwise(name: str, *arguments: Any) -> Any:
                 "things; write float(...), or np.logical_or"
             )
         name = OF_TRUTHS[name]
-    of_python = all(map(is_of_python, arguments[name == "where" :]))
+    of_python = _made_of(name, arguments)
     if name in RAISING and (tape.has_floats or not moves(arguments[-1])):
-        if of_python and name != "pow" and in_a_try() and moves(arguments[-1]):
+        if of_python is True and name != "pow" and in_a_try() and moves(arguments[-1]):
             if arguments[-1] == 0:
                 raise ZeroDivisionError("division by zero")
         else:
@@ -214,17 +214,40 @@ def elementwise(name: str, *arguments: Any) -> Any:
     return new
 
 
-def is_of_python(value: Any) -> bool:
-    """Return whether a number is surely Python's."""
-    return value._of_python if isinstance(value, Array) else type(value) in (int, float)
+def _made_of(name: str, arguments: Sequence[Any]) -> Any:
+    """Return whether all are Python's numbers, or what it hangs on: a choice and its kinds."""
+    kinds = [
+        one._of_python if isinstance(one, Array) else type(one) in (int, float)
+        for one in arguments[name == "where" :]
+    ]
+    if any(kind is False for kind in kinds) and (name != "where" or not any(kinds)):
+        return False
+    return all(kind is True for kind in kinds) or (arguments[0] if name == "where" else None, kinds)
+
+
+def is_of_python(value: Any) -> Any:
+    """Return whether a number is Python's: a condition where that hangs on what was chosen."""
+    if not isinstance(value, Array):
+        return type(value) in (int, float)
+    return _decided(value._of_python)
+
+
+def _decided(of_python: Any) -> Any:
+    if isinstance(of_python, bool):
+        return of_python
+    chosen, kinds = of_python
+    truths = [_decided(kind) for kind in kinds]
+    if chosen is None:
+        return reduce(lambda a, b: where(a, b, False), truths)
+    return where(chosen, *truths)
 
 
 def of_numpy(number: Any) -> Any:
     """Return an element of an array: a number of NumPy's, whatever was written there."""
-    if not is_of_python(number):
-        return number
     if not isinstance(number, Array):
-        return np.float64(number)
+        return np.float64(number) if is_of_python(number) else number
+    if number._of_python is False:
+        return number
     new = Array(number._tape, number._ref, ())
     new._whole = number._whole
     return new

@@ -168,16 +168,18 @@ def compensated(values: Iterable[Any], start: Any = 0) -> Any:
     values = list(values)
     if tape_of((start, *values)) is None:
         return sum(values, start)
-    total, lost = start, None
+    total, lost, all_own = start, None, is_of_python(start)
     for value in values:
-        new, own = total + value, is_of_python(total) and is_of_python(value)
-        if own and not (counts(total) or (counts(value) and sys.version_info < (3, 14))):
+        new, rest, all_own = total + value, lost, where(all_own, is_of_python(value), False)
+        counted = counts(total) or (counts(value) and sys.version_info < (3, 14))
+        own = not counted and all_own
+        if own is not False:
             first = np.fabs(total) >= np.fabs(value)
             rest = where(first, (total - new) + value, (value - new) + total)
-            lost = rest if lost is None else lost + rest
-        elif lost is not None and not own:
-            new, lost = with_rest(total, lost) + value, None
-        total = new
+            rest = rest if lost is None else lost + rest
+        if own is not True and lost is not None:
+            new = where(own, new, with_rest(total, lost) + value)
+        total, lost = new, None if own is False else where(own, rest, 0.0)
     return total if lost is None else with_rest(total, lost)
 
 
