@@ -154,8 +154,8 @@ def _by_machine(diagram: Any, params: Any, form: str | None, lanes: int) -> Read
         for k in range(lanes):
             elsewhere = 1.0 + 0.1 * (lane - k)
             time[k], X[:n, k], P[: len(p), k] = t, x * elsewhere, p
-        for name in (*first, "prepare", *functions):
-            address = native.code.address(name, lanes)
+        names = (*first, "prepare", *functions)
+        for name, address in zip(names, native.code.addresses(names, lanes), strict=True):
             function = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 6)(int(address))
             function(*(array.ctypes.data for array in arrays))
             if name == "decide":

@@ -64,16 +64,16 @@ class Code:
         self._machines: dict[tuple[str, int], Machine] = {}
 
     @one_at_a_time
-    def address(self, name: str, lanes: int) -> int:
-        """Return where a function lies, compiled when first asked for."""
-        together: tuple[str, ...] = ("derivative", "prepare", "signals")
-        if name not in together:  # only some diagrams need it
-            together = (name,)
-        if (name, lanes) not in self._machines:
-            wanted = self.program, together, lanes
-            machine = Machine(together, repr(wanted), lambda: print_program(*wanted))
-            self._machines.update({(one, lanes): machine for one in together})
-        return self._machines[name, lanes].addresses[name]
+    def addresses(self, names: Sequence[str], lanes: int) -> list[int]:
+        """Return where functions lie, compiled together when first asked for."""
+        missing = tuple(
+            name for name in dict.fromkeys(names) if (name, lanes) not in self._machines
+        )
+        if missing := tuple(dict.fromkeys(new)):
+            wanted = self.program, missing, lanes
+            machine = Machine(missing, repr(wanted), lambda: print_program(*wanted))
+            self._machines.update({(name, lanes): machine for name in missing})
+        return [self._machines[name, lanes].addresses[name] for name in names]
 
 
 def code_of(
@@ -247,7 +247,9 @@ class NativeDiagram(PythonDiagram):
         used = dict(zip(("margin", "jump"), watched, strict=True))
         used |= {"decide": program.decided, "slope": "slope" in program.functions}
         used["staged"] = method == numbering.DOP853 and program.staged
-        own = [code.address(name, lanes) if used.get(name, True) else 0 for name in FUNCTIONS]
+        wanted = [name for name in FUNCTIONS if used.get(name, True)]
+        found = dict(zip(wanted, code.addresses(wanted, lanes), strict=True))
+        own = [found.get(name, 0) for name in FUNCTIONS]
         shape = lanes, self.nstates, method, *watched, self.decided_at, program.decided
         sizes = program.parameters, program.room, self.layout.T
         return with_formulas(Callee(self.engine, own, *shape, *sizes, code.linear, (code,)))
