@@ -66,9 +66,7 @@ class Code:
     @one_at_a_time
     def addresses(self, names: Sequence[str], lanes: int) -> list[int]:
         """Return where functions lie, compiled together when first asked for."""
-        missing = tuple(
-            name for name in dict.fromkeys(names) if (name, lanes) not in self._machines
-        )
+        new = (name for name in names if (name, lanes) not in self._machines)
         if missing := tuple(dict.fromkeys(new)):
             wanted = self.program, missing, lanes
             machine = Machine(missing, repr(wanted), lambda: print_program(*wanted))
