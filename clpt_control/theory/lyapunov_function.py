@@ -52,7 +52,7 @@ class FailureSearch(PointSearch):
             draws: list[Drawn] = [({}, self.known(*at), t, x.T, u.T)]
             return compared(self.blocks, self.states, V, rate, draws, points)
 
-        return checked("the running blocks give the same V'", "sampled", same, False)
+        return checked("the running blocks give the same V'", same, "sampled", False)
 
     def rises_at(self) -> Failure | None:
         """Return a point at which the running blocks have V' > 0, and V' there."""

@@ -158,13 +158,13 @@ def test_a_step_that_cannot_be_checked_fails():
     def refused():
         raise DiagramError("alpha' has no value")
 
-    step = checked("V falls", "exact", refused)
+    step = checked("V falls", refused)
     assert (step.holds, step.detail) == (False, "cannot be checked: alpha' has no value")
 
 
 def test_an_error_of_the_package_says_nothing_of_a_claim():
     with pytest.raises(ZeroDivisionError):
-        checked("one over zero", "exact", lambda: 1 / 0)
+        checked("one over zero", lambda: 1 / 0)
     with pytest.raises(ZeroDivisionError):
         proof_or_failure("open", lambda: 1 / 0)
 

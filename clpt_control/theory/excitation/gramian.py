@@ -297,12 +297,19 @@ def gramian(
     [4.333, 4.669]
     """
     along = source if isinstance(source, Regressor) else joint_regressor(source, window, start)
-    names = parameter_names(along.scenario.basis.N)
-    factors = dict(zip(names, map(whole_factor, piece_factors(along)), strict=True))
-    first, last = along.cuts[[0, -1]].tolist()
-    unit = along.scenario.units.time
     truth = {} if along.python_parts else _truth(along.scenario)
-    return Excitation(first, last - first, along.trajectory, unit, names, factors, tolerance, truth)
+    names = parameter_names(along.scenario.basis.N)
+    return excitation_of(along, names, piece_factors(along), tolerance, truth)
+
+
+def excitation_of(
+    along: Regressor, names: dict[str, list[str]], pieces: Any, tolerance: float, truth: Any = None
+) -> Excitation:
+    """Return the excitation of parameters by axis, of factors of pieces (2, ..., rows, n)."""
+    first, last = along.cuts[[0, -1]].tolist()
+    factors = dict(zip(names, map(whole_factor, pieces), strict=True))
+    where = first, last - first, along.trajectory, along.scenario.units.time
+    return Excitation(*where, names, factors, tolerance, truth or {})
 
 
 def not_learned(source: Source) -> str:

@@ -25,20 +25,12 @@ from .gramian import (
     EXCITATION_COLUMNS,
     NOT_LEARNABLE,
     Excitation,
+    excitation_of,
     excitation_rows,
     parameter_names,
     piece_factors,
-    whole_factor,
 )
-from .regressor import (
-    Regressor,
-    at_nodes,
-    checked_window,
-    finished_run,
-    joint_regressor,
-    quadrature,
-    resolved,
-)
+from .regressor import Regressor, along_runs, checked_window, joint_regressor, resolved
 
 if TYPE_CHECKING:
     import xarray
@@ -116,28 +108,20 @@ def team_gramian(
     """
     along = _regressors(source, window, start)
     one = next(iter(along.values()))
-    scenario, (first, last) = one.scenario, one.cuts[[0, -1]].tolist()
-    N, adapt = scenario.basis.N, scenario.learning.adapt_gains
+    N, adapt = one.scenario.basis.N, one.scenario.learning.adapt_gains
     adapted = slice(None if adapt else N)
-
-    def excitation(names: dict[str, list[str]], factors: Any, trajectory: str) -> Excitation:
-        by_axis, unit = dict(zip(names, factors, strict=True)), scenario.units.time
-        return Excitation(first, last - first, trajectory, unit, names, by_axis, tolerance)
-
     own_names = {axis: names[adapted] for axis, names in parameter_names(N).items()}
     pieces = {name: piece_factors(one)[..., adapted] for name, one in along.items()}
     vehicles = {
-        name: excitation(own_names, map(whole_factor, own), along[name].trajectory)
-        for name, own in pieces.items()
+        name: excitation_of(along[name], own_names, own, tolerance) for name, own in pieces.items()
     }
-    shared = {axis: names[:N] for axis, names in own_names.items()}
     names = {
-        axis: shared[axis] + [f"{own} of {name}" for name in along for own in own_names[axis][N:]]
-        for axis in shared
+        axis: own[:N] + [f"{gain} of {name}" for name in along for gain in own[N:]]
+        for axis, own in own_names.items()
     }
     wide = [_placed(own, k, len(along), N) for k, own in enumerate(pieces.values())]
-    team = [whole_factor(np.concatenate([one[axis] for one in wide])) for axis in range(2)]
-    return TeamExcitation(adapt, vehicles, excitation(names, team, one.trajectory))
+    team = [np.concatenate([one[axis] for one in wide]) for axis in range(2)]
+    return TeamExcitation(adapt, vehicles, excitation_of(one, names, team, tolerance))
 
 
 def _placed(pieces: np.ndarray, vehicle: int, vehicles: int, N: int) -> np.ndarray:
@@ -163,19 +147,7 @@ def _regressors(
         return {name: joint_regressor(run, window, start) for name, run in runs.items()}
 
     def read(edges: np.ndarray | None) -> list[Regressor]:
-        nodes = [quadrature(one, start, start + window, edges) for one in team.members.values()]
-        times = np.unique(np.concatenate([one.times.ravel() for one in nodes]))
-        run = finished_run(team, times)
-        return [
-            at_nodes(
-                team,
-                scenario,
-                run.sel(vehicle=name).isel(time=np.searchsorted(times, own.times.ravel())),
-                own,
-                "simulated from the team's initial values",
-            )
-            for (name, scenario), own in zip(team.members.items(), nodes, strict=True)
-        ]
+        return along_runs(team, team.members, start, start + window, edges)
 
     return dict(zip(team.members, resolved(read), strict=True))
 

@@ -12,7 +12,7 @@ shows what changes when every second sample is left out.
 """
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple, Union
@@ -202,14 +202,35 @@ def joint_regressor(
     window, start = checked_window(source, window, start)
 
     def read(edges: np.ndarray | None) -> list[Regressor]:
-        nodes = quadrature(scenario, start, start + window, edges)
-        if not isinstance(source, Scenario):
-            return [_of_recorded(source, scenario, nodes)]
-        run = finished_run(scenario, nodes.times.ravel())
-        trajectory = "simulated from the scenario's initial values"
-        return [at_nodes(source, scenario, run, nodes, trajectory)]
+        if isinstance(source, Scenario):
+            return along_runs(source, {"": scenario}, start, start + window, edges)
+        return [_of_recorded(source, scenario, quadrature(scenario, start, start + window, edges))]
 
     (found,) = resolved(read, edges)
+    return found
+
+
+def along_runs(
+    system: "Scenario | Team",
+    members: Mapping[str, Scenario],
+    start: float,
+    end: float,
+    edges: np.ndarray | None,
+) -> list[Regressor]:
+    """Return w of each vehicle along a run of all, sampled at the nodes of each."""
+    nodes = [quadrature(one, start, end, edges) for one in members.values()]
+    run = finished_run(system, np.unique(np.concatenate([one.times.ravel() for one in nodes])))
+    whose = "scenario" if isinstance(system, Scenario) else "team"
+    trajectory, found = f"simulated from the {whose}'s initial values", []
+    for (name, scenario), own in zip(members.items(), nodes, strict=True):
+        places = run.sel(vehicle=name) if "vehicle" in run.dims else run
+        places = places.isel(time=np.searchsorted(run.time, own.times.ravel()))
+        x, z, zc = (
+            places[kind].values.reshape(*own.times.shape, 2)
+            for kind in ("position", "predicted_position", "reference")
+        )
+        w = w_along(scenario, own.times, x, z, zc)
+        found.append(Regressor(system, scenario, trajectory, own.cuts, own.weights, w))
     return found
 
 
@@ -260,18 +281,6 @@ def finished_run(source: "Scenario | Team", times: np.ndarray) -> "xarray.Datase
             f"window up to {times[-1]:g}: the run ended before: {run.attrs['message']}"
         )
     return run
-
-
-def at_nodes(
-    source: Any, scenario: Scenario, run: "xarray.Dataset", nodes: Nodes, trajectory: str
-) -> Regressor:
-    """Return w along a vehicle's run whose samples are the nodes."""
-    parts = (
-        run[name].values.reshape(*nodes.times.shape, 2)
-        for name in ("position", "predicted_position", "reference")
-    )
-    w = w_along(scenario, nodes.times, *parts)
-    return Regressor(source, scenario, trajectory, nodes.cuts, nodes.weights, w)
 
 
 def w_along(

@@ -177,4 +177,4 @@ def fix_steps(law: Law, points: int) -> list[Step]:
     }
     steps = [exact_step(cases, claim, check) for claim, check in claims.items()]
     claim = "the running blocks let V fall alike"
-    return [*steps, checked(claim, "sampled", lambda: _running(law, 2, points), False)]
+    return [*steps, checked(claim, lambda: _running(law, 2, points), "sampled", False)]

@@ -134,7 +134,7 @@ class Case:
             return positive_definite(V, states)
 
         claim = f"V is positive definite in {named} and the parameter errors"
-        return checked(f"{claim}, at the blocks' own values", "exact", holds, False)
+        return checked(f"{claim}, at the blocks' own values", holds, every_N=False)
 
     def valued(self) -> Step:
         """Return the step that the equations have a value everywhere."""
@@ -208,7 +208,7 @@ class Case:
 
         claim = f"V does not rise where states of {' and '.join(self.loop.jumps)} jump"
         ways = {claim: {}, f"{claim}, with the parameters as they are": self.values}
-        steps = [checked(way, "exact", partial(no_rise, at), False) for way, at in ways.items()]
+        steps = [checked(way, partial(no_rise, at), every_N=False) for way, at in ways.items()]
         return next((step for step in steps if step.holds), steps[0])
 
     @property
@@ -275,7 +275,7 @@ class Case:
                 return True, ""
             return False, f"left over: {short(base)}; summand {short(term)}"
 
-        return checked("the same for every N", "exact", holds)
+        return checked("the same for every N", holds)
 
     def of_every_N(self, symbol: sympy.Expr, index: Index) -> sympy.Expr:
         """Return a parameter's element for every N: V's gains are the law's, as for this N."""

@@ -110,7 +110,6 @@ def young_step() -> Step:
     return checked(
         "-k e^2 + e d <= -k e^2/2 + d^2/(2k): what is left is (k/2)(e - d/k)^2; its integral "
         "bounds the mean square",
-        "exact",
         lambda: sympy.expand(rest - k * (e - d / k) ** 2 / 2) == 0,
     )
 
@@ -167,7 +166,6 @@ def convergence_steps() -> list[Step]:
         checked(
             "where g = -V' reaches eps, V loses int_0^(eps/B) (eps - B s) ds = eps^2/(2B) > 0: "
             "that can happen finitely often only, so V' -> 0",
-            "exact",
             squeezed,
         ),
     ]
@@ -221,9 +219,7 @@ def observability_steps() -> list[Step]:
         )
 
     return [
-        checked(
-            "Eqs. (27)-(28) with z eta_3 are the closed loop's e' and eta'", "exact", same_dynamics
-        ),
+        checked("Eqs. (27)-(28) with z eta_3 are the closed loop's e' and eta'", same_dynamics),
         zero_step("(X^T P X)' = -e^T KD e with P = diag(I, I/gamma)/2", error_diagram, decays),
         zero_step(
             "L = [0; gamma W] gives A + L C = [[-KD, W^T], [0, 0]]", error_diagram, injection
@@ -231,7 +227,6 @@ def observability_steps() -> list[Step]:
         checked(
             "the injected output is [exp(-k(s-t)) I, filtered W^T] X: the observability "
             "Gramian is int R^T R with R that row",
-            "exact",
             filtered,
         ),
         cited(
@@ -267,7 +262,6 @@ def circle_step() -> Step:
     """Prove the Gramian (n tau r^2/2) I of points on a circle."""
     return checked(
         "n >= 3 waypoints on a circle excite: int zc zc^T dt = (n tau r^2/2) I over a cycle",
-        "exact",
         lambda: (
             rotation_takes_each_point_to_the_next() and only_multiples_of_one_commute(),
             "M = sum zc zc^T is the same turned by 2 pi/n, whose sine is not 0: M = m I; tr M = "

@@ -137,7 +137,7 @@ def with_hedging() -> Proof:
         ),
         definite_step("learned-flow"),
         dissipation_step(),
-        checked("v = v_c up to |v_c| = v_max, and v_max v_c/|v_c| beyond", "exact", limits),
+        checked("v = v_c up to |v_c| = v_max, and v_max v_c/|v_c| beyond", limits),
         zero_step(
             "x' = F_R + v and v_c = b - KD x, b of phi and zc alone, for every N",
             partial(learned_loop, "hedged"),
@@ -146,7 +146,6 @@ def with_hedging() -> Proof:
         checked(
             "w = KD x: (x^T KD x/2)' = w^T (F_R + v) <= |w| |F_R| + v_max (2 |b| - |w|) at the "
             "limit, so x is bounded where |F_R| < v_max",
-            "exact",
             pulls_back,
         ),
     ]
@@ -169,7 +168,7 @@ def every_law() -> Proof:
     return theorem(
         "not in the paper",
         ("what the law's own proof assumes",),
-        [checked(claim, "exact", same_rate_of_every_law, False)],
+        [checked(claim, same_rate_of_every_law, every_N=False)],
         "Laws that read the velocity are given the one that is flown.",
     )
 
@@ -195,8 +194,8 @@ def without_hedging() -> Proof:
             young_step(),
             checked(
                 "the paper's system, started true, with v_max = 1.5: CLPE leaves zero",
-                "counterexample",
                 grows,
+                "counterexample",
             ),
         ],
         "What is not flown acts like a disturbance at every waypoint.",

@@ -37,7 +37,7 @@ class Misprint:
     @property
     def confirmed(self) -> bool:
         """Whether the check fails on the print, passes corrected."""
-        return checked("", "exact", lambda: not self.holds(True) and self.holds(False)).holds
+        return checked("", lambda: not self.holds(True) and self.holds(False)).holds
 
 
 MISPRINTS: list[Misprint] = []

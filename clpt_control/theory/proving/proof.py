@@ -136,7 +136,7 @@ def as_html(steps: Iterable[Step]) -> str:
     return facts(rows, ("claim", "", "how", "detail"))
 
 
-def checked(claim: str, how: How, check: Callable[[], Any], every_N: bool = True) -> Step:
+def checked(claim: str, check: Callable[[], Any], how: How = "exact", every_N: bool = True) -> Step:
     """Return a step from a check that returns a truth, or (truth, detail).
 
     Equations that are refused in it are a step that does not hold, and says why; any other error is
@@ -163,7 +163,7 @@ def exact_step(cases: Iterable[Any], claim: str, check: Callable[[Any], bool | s
                 return False, f"N = {case.N}: {answer}" if answer else ""
         return True, ""
 
-    return checked(claim, "exact", holds, False)
+    return checked(claim, holds, every_N=False)
 
 
 def first_failure(steps: Iterable[Step]) -> str:

@@ -240,4 +240,4 @@ def running_step(
         holds, detail = compared(running, states, V, wanted, draws, THROUGH_CONTROL)
         return holds, of + detail
 
-    return checked(f"the running blocks give the same V'{which}", "sampled", same, False)
+    return checked(f"the running blocks give the same V'{which}", same, "sampled", False)

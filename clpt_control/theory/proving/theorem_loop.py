@@ -239,7 +239,7 @@ def zero_step(
         loop = ArrayLoop(diagram())
         return vanish(loop, residuals(loop))
 
-    return checked(claim, "exact", holds)
+    return checked(claim, holds)
 
 
 def identity_steps(text: str, law: str, claim: Claim, points: int, **more: Any) -> list[Step]:
