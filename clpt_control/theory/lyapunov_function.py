@@ -290,9 +290,10 @@ def lyapunov(
         A diagram, a block or a system of python-control.
     V : str, callable or sympy.Expr, optional
         The name of an output; a function of signals, ``lambda s: s.e**2 / 2``, in NumPy, which may
-        ask for parameters too; or an expression in the symbols of `clpt.equations`.  By default V
-        is searched for, of squares, products of two states, and integrals of functions of one
-        state: `status` is then ``"open"`` where none that is found is proved.
+        ask for parameters and the time ``s.t`` too; or an expression in the symbols of
+        `clpt.equations`.  By default V is searched for, of squares, products of two states, and
+        integrals of functions of one state: `status` is then ``"open"`` where none that is found
+        is proved.
     claim : str, callable or sympy.Expr, optional
         What V' is said to be, ``lambda s: -s.am * s.e**2``; that V' <= 0 is judged in any case.
     at : mapping or array_like, optional

@@ -86,6 +86,7 @@ class SystemWithV:
                 if (name := dotted.replace(".", "_")).isidentifier()
                 and not hasattr(np.ndarray, name)
             }
+            named["t"] = np.array(TIME)
             ports = {name: symbols.shape for name, symbols in named.items()}
             block = Block(
                 "V", output=lambda t, x, u, p: {"V": source(u)}, inputs=ports, outputs={"V": 1}

@@ -45,6 +45,10 @@ RIGHT = {  # name -> system, V, what else is given
     "log cosh": (system(lambda x: [-np.tanh(x)]), lambda s: np.log(np.cosh(s.x))),
     "sliding": (system(lambda x: [-np.sign(x)]), half),
     "gain of a higher wave": (system(lambda t, x: [-(2 + np.sin(3 * t)) * x]), half),
+    "V of time": (  # Khalil, Nonlinear Systems, 3rd ed., Example 4.20
+        system(lambda t, x, y: [-x - np.exp(-2 * t) * y, x - y]),
+        lambda s: s.x**2 + (1 + np.exp(-2 * s.t)) * s.y**2,
+    ),
     "gain that grows": (system(lambda t, x: [-t * x]), half),
     "a divisor of masses": (
         system(
