@@ -128,6 +128,8 @@ class Chart:
 
     def __init__(self, places: Sequence[Place]) -> None:
         lats, lons = np.transpose(places)
+        if not (np.abs(lats) <= 90.0).all():
+            raise ValueError("a latitude is beyond the poles")
         ends = _below_the_poles(np.array([lats.min(), lats.max()]))
         self.middle = ends.sum().item() / 2
         self.first = places[0][1]

@@ -75,6 +75,14 @@ def test_a_chart_is_true_to_scale_and_angle(lat, lon):
     assert back == pytest.approx((lat + 0.1, lon + 0.1), abs=1e-9)
 
 
+@pytest.mark.parametrize("name", ["latitude", "from_latitude"])
+def test_a_place_beyond_the_poles_is_not_drawn(name):
+    found = told(fixes_of(4))
+    found["next_dive"][name] = 1e9
+    with pytest.raises(ValueError, match="a latitude is beyond the poles"):
+        replay_page(found)
+
+
 @pytest.mark.usefixtures("undrawn")
 def test_a_far_waypoint_leaves_the_chart_as_it_is():
     *_, last = dives = fixes_of(6)
