@@ -30,9 +30,11 @@ def order_of(nodes: list[Any]) -> tuple[int, ...]:
     owner = [k for k, node in enumerate(nodes) for _ in range(node.system.noutputs or 0)]
     waits = {
         k: {owner[w.source + j] for w in node.wires if not w.external for j in range(w.size)}
-        if reaches_outputs(node.system)
-        else set()
         for k, node in enumerate(nodes)
+    }
+    # an unread function is tried, which may change what it keeps: not one that waits for none
+    waits = {
+        k: own if own and reaches_outputs(nodes[k].system) else set() for k, own in waits.items()
     }
     order: list[int] = []
     done: set[int] = set()

@@ -19,7 +19,6 @@ from ..arguments import numbers
 from ..errors import SimulationError
 from .sweep import moved_back, moved_to, rounding
 
-STRAIGHT = 1e-14  # of the largest value: a smaller distance from a straight line is rounding
 SHARP = 10.0  # a bend is sharp if it is so many times as large as most
 
 
@@ -39,7 +38,7 @@ class Inputs:
         if self.function is not None:
             return self.function(t)
         begins, rows, slopes = self._straight
-        k = min(max(bisect_right(begins, t) - 1, 0), len(slopes) - 1)
+        k = max(bisect_right(begins, t) - 1, 0)
         return rows[k] + (t - begins[k]) * slopes[k]
 
     @cached_property
@@ -50,27 +49,25 @@ class Inputs:
 
     @cached_property
     def slopes(self) -> np.ndarray:
-        """The slopes between samples, shape (ninputs, nt - 1); 0 for inputs that are constant."""
+        """The slopes from each sample on, shape (ninputs, nt); 0 from the last one."""
         assert self.samples is not None
         at, u = self.samples
-        return (u[:, 1:] - u[:, :-1]) / (at[1:] - at[:-1]) if len(at) > 1 else np.zeros_like(u)
+        slopes = np.zeros_like(u)
+        slopes[:, :-1] = (u[:, 1:] - u[:, :-1]) / (at[1:] - at[:-1])
+        return slopes
 
     @property
     def kinks(self) -> np.ndarray:
-        """Times at which the inputs bend; samples on one straight line are one piece."""
+        """Times at which the inputs bend; samples on one straight line, to the bit, are a piece."""
         assert self.samples is not None
         (at, u), slopes = self.samples, self.slopes
         if len(at) < 3:
             return at
-        size = STRAIGHT * np.abs(u).max(axis=1, initial=1e-300, keepdims=True)
-        steps = at[1:] - at[:-1]
-        bend = (np.abs(slopes[:, 1:] - slopes[:, :-1]) * steps[1:] > size).any(axis=0)
-        if bend.all():
-            return at
+        bend = (slopes[:, 1:-1] != slopes[:, :-2]).any(axis=0)
         bends = np.flatnonzero(np.concatenate([[True], bend, [True]]))
         begins = np.repeat(bends[:-1], np.diff(bends))  # of each sample's piece
         line = u[:, begins] + slopes[:, begins] * (at[:-1] - at[begins])
-        return at[bends] if (np.abs(line - u[:, :-1]) <= 1e3 * size).all() else at
+        return at[bends] if np.array_equal(line, u[:, :-1]) else at
 
     def sharp_bends(self, least: float) -> np.ndarray:
         """Return the times at which the inputs bend sharply.
@@ -78,7 +75,7 @@ class Inputs:
         A bend that leaves the line before it by `least` of the largest value is sharp, too.
         """
         assert self.samples is not None
-        (at, u), slopes = self.samples, self.slopes
+        (at, u), slopes = self.samples, self.slopes[:, :-1]
         if len(at) < 3:
             return at[:0]
         spans, size = at[1:] - at[:-1], np.max(np.abs(u), axis=1, keepdims=True)
@@ -242,7 +239,7 @@ def make_schedule(
         if inputs.samples is None:
             raise SimulationError("inputs: machine code takes no function; give samples")
         (at, u), slopes = inputs.samples, inputs.slopes
-        k = np.searchsorted(at[1:-1], starts, side="right")  # the line from at[k] on
+        k = np.searchsorted(at[1:], starts, side="right")  # the line from at[k] on
         columns += [at[k], *u[:, k], *slopes[:, k]]
         places += range(diagram.ramp, diagram.ramp + 1 + 2 * len(u))
     values = np.array(columns, dtype=float).reshape(len(columns), len(starts)).T.copy()

@@ -1,5 +1,6 @@
 """At which times a run has samples, what it carries, and what it says of the speed limit."""
 
+import control
 import numpy as np
 import pytest
 from calm_water import CALM, DWELL, PAPER, POINTS, exact_positions
@@ -31,6 +32,20 @@ def test_samples_at_multiples_and_the_end(duration, step, expected):
     assert sample_times(duration, step).tolist() == expected
     run = clpt.simulate(CALM.with_values({"run.duration": duration, "run.output_step": step}))
     assert run.time.values.tolist() == expected
+
+
+@pytest.mark.parametrize("engine", ["native", "python"])
+def test_inputs_at_samples_are_those_given(engine):
+    def quantised(t, x, u, p):
+        return [u[0], np.floor(u[0]), np.ceil(u[0])]
+
+    converter = control.nlsys(None, quantised, inputs=1, outputs=3, name="converter")
+    for end, count in ((4.0, 41), (1.3, 24), (0.7, 8)):
+        given = np.linspace(-5, 5, count)  # a ramp, of which sums are not those of linspace
+        run = clpt.simulate(converter, np.linspace(0, end, count), given, engine=engine)
+        assert run.attrs["engine"] == engine
+        wanted = np.transpose([given, np.floor(given), np.ceil(given)])
+        np.testing.assert_array_equal(run.y.values, wanted)
 
 
 def test_samples_where_asked():
