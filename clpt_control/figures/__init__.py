@@ -205,7 +205,12 @@ def save_figure(figure: "Figure", target: Path | IO[bytes], kind: str, **options
     from matplotlib import rc_context
 
     with rc_context(SAME):
-        figure.savefig(target, format=kind, metadata=DATES.get(kind), **options)
+        try:
+            figure.savefig(target, format=kind, metadata=DATES.get(kind), **options)
+        except (ValueError, ArithmeticError) as error:  # of axes whose ends are no doubles
+            raise ClptError(
+                f"a figure cannot be drawn: {error}; numbers above 1e307 are too large for axes"
+            ) from None
 
 
 # --- inside a page -------------------------------------------------------------------------------
