@@ -238,7 +238,7 @@ def test_a_run_that_grows_far_is_read_again_and_has_its_page(tmp_path):
     assert "7.23e+86" in clpt.report(tmp_path / "run.nc", tmp_path / "run.html")["sentences"][1]
     still = control.ss(0, 1, 1, 0, name="still", outputs="y")
     run = clpt.simulate(still, [0, 1], 0.0, 1.7e308)  # axes end beyond the largest double
-    with pytest.raises(clpt.ClptError, match="a figure cannot be drawn: .*; numbers above 1e307"):
+    with pytest.raises(clpt.ClptError, match=r"a figure cannot be drawn: .*; numbers above 1e307"):
         clpt.report(run, tmp_path / "far.html")
     assert not (tmp_path / "far.html").exists()
 
