@@ -15,7 +15,7 @@
     for (int i = 0; i < ${count}; i++) x[i] = z[i];
 //
     double after[${count}];
-    kept_(t + dt, p, after);
+    kept_(t + 1.5 * dt, p, after);
 ${asked}    if (${some} > 0.0) {
         jump_(t + dt, x, u, p, after, z);
         for (int i = 0; i < ${states}; i++) x[i] = z[i];

@@ -32,7 +32,7 @@ from .starts import stacked_state
 Text = TypeVar("Text")
 FIXED = " fixed"
 LONGEST = 60  # letters of a name in C, of which 63 count
-ROUNDING = "1e-9"  # of a period, by which a time may be off a sample
+ROUNDING = "1e-6"  # of a period, by which a time may be off a sample; in a step, half of it
 STEPS = (resources.files("clpt_control.data") / "steps.c").read_text("utf-8").split("//\n")
 RUNGE_KUTTA, DISCRETE, JUMP = map(Template, STEPS)  # ends of a step of each kind
 
@@ -165,7 +165,7 @@ class CFile:
         yield f"\nvoid {self.name}_rates({public}, double *dx) {{\n{made}"
         yield "    rates_(t, x, u, p, kept, dx);\n}\n"
         yield f"\nvoid {self.name}_step(double t, double dt, double *x, const double *u, "
-        yield f"const double *p) {{\n{made}"
+        yield f"const double *p) {{\n{made if discrete else made.replace('(t,', '(t + 0.5 * dt,')}"
         yield (DISCRETE if discrete else RUNGE_KUTTA).substitute(n=n, count=len(self.start))
         if self.layout.jumps:
             yield self.jumping()

@@ -180,6 +180,22 @@ def test_what_samples_takes_new_inputs_by_begin(h, tmp_path):
 
 
 @needs_cc
+def test_no_sample_is_missed_by_the_rounding_of_times(tmp_path):
+    h = 0.001
+    names = {"name": "count", "states": 1, "inputs": ["u"], "outputs": ["n"]}
+    count = control.nlsys(lambda t, x, u, p: [x[0] + 1], None, dt=h, **names)
+    lag = control.tf(1, [1, 1], inputs="n", outputs="y", name="lag")
+    made = InC(clpt.connect([count, lag], external="u"), tmp_path)
+    for t, step, steps in ((0.0, h, 20_000), (90_000.0, h / 4, 8000)):  # 20 s; after 25 hours
+        x, u = np.zeros(made.counts["x"]), np.zeros(1)
+        made.call("begin", [t], x, u, made.p)
+        for _ in range(steps):
+            made.call("step", [t, step], x, u, made.p)
+            t += step
+        assert x[0] == round(steps * step / h)
+
+
+@needs_cc
 def test_parameters_may_be_changed(tmp_path):
     made = InC(pendulum(), tmp_path, params={"l": 2.0})
     assert made.p == pytest.approx([9.81, 2.0, 0.3])
