@@ -26,56 +26,38 @@ def proofs():
     return {one.name: kept.outcomes[one] for one in wanted}
 
 
-def test_statuses(proofs):
-    assert {number: proof.status for number, proof in proofs.items()} == {
-        "3.1": "corrected",
-        "3.2": "proved",
-        "3.3": "corrected",
-        "3.4": "corrected",
-    }
-    assert all(proof.for_every_N for proof in proofs.values())
-    assert all(step.holds for proof in proofs.values() for step in proof.steps)
-    assert sum(len(proof.steps) for proof in proofs.values()) <= 32
+FOUND = {  # number -> status, whether a part is cited, points at which the blocks are called
+    "3.1": ("corrected", False, [1000]),
+    "3.2": ("proved", False, [10_000]),
+    "3.3": ("corrected", True, []),
+    "3.4": ("corrected", True, [1000]),
+}
 
 
-def test_every_N_is_a_property_of_each_exact_step(proofs):
-    steps = proofs["3.2"].steps
-    assert all(step.every_N for step in steps if step.how == "exact")
+@pytest.mark.parametrize("number", FOUND)
+def test_what_is_found_of_a_theorem(proofs, number):
+    (status, cites, points), proof = FOUND[number], proofs[number]
+    hows = [step.how for step in proof.steps]
+    assert (proof.status, proof.for_every_N) == (status, True)
+    assert all(step.holds and (step.every_N or step.how != "exact") for step in proof.steps)
+    assert bool(proof.cited) == ("cited" in hows) == cites
+    assert bool(proof.corrected) == ("counterexample" in hows) == (status == "corrected")
+    called = [step.detail for step in proof.steps if step.how == "sampled"]
+    assert [text.split(" points")[0] for text in called] == [f"N = 3, {n}" for n in points]
+    assert proof.assumptions
+    assert proof.not_proved
     one = Step("for N = 2 alone", True, "exact", every_N=False)
-    assert not theorem("", (), (*steps, one), "").for_every_N
+    assert not theorem("", (), (*proof.steps, one), "").for_every_N
 
 
-def test_what_is_cited_is_said(proofs):
-    for number in ("3.3", "3.4"):
-        assert any(step.how == "cited" for step in proofs[number].steps)
-        assert proofs[number].cited
-    for number in ("3.1", "3.2"):
-        assert not any(step.how == "cited" for step in proofs[number].steps)
-
-
-def test_the_running_blocks_are_called(proofs):
-    for number, points in (("3.1", 1000), ("3.2", 10_000), ("3.4", 1000)):
-        step = next(s for s in proofs[number].steps if s.how == "sampled")
-        assert step.detail.startswith(f"N = 3, {points} points")
-
-
-def test_false_statements_meet_a_counterexample_and_carry_a_correction(proofs):
-    for number in ("3.1", "3.3", "3.4"):
-        assert proofs[number].corrected
-        assert any(step.how == "counterexample" for step in proofs[number].steps)
-    assert not proofs["3.2"].corrected
-
-
-def test_every_proof_says_what_is_assumed_and_what_is_not_shown(proofs):
-    for proof in proofs.values():
-        assert proof.assumptions
-        assert proof.not_proved
+def test_proofs_are_short(proofs):
+    assert sum(len(proof.steps) for proof in proofs.values()) <= 32
 
 
 @pytest.mark.parametrize("number", range(len(misprints())))
 def test_a_misprint_fails_as_printed_and_passes_corrected(number):
     misprint = misprints()[number]
-    assert misprint.holds(True) is False or misprint.holds(True) == False  # noqa: E712
+    assert not misprint.holds(True)
     assert misprint.holds(False)
     assert misprint.confirmed
 
@@ -87,36 +69,31 @@ def test_prove_prints_json(clpt, monkeypatch):
     outcome = clpt("prove", "--json")
     assert outcome.status == 0
     printed = json.loads(outcome.out)
-    assert set(printed["theorems"]) == {"3.1", "3.2", "3.3", "3.4"}
-    for found in printed["theorems"].values():
-        assert found["status"] in ("proved", "refuted", "corrected")
-        for step in found["steps"]:
-            assert step["how"] in ("exact", "cited", "counterexample", "sampled")
+    assert {name: one["status"] for name, one in printed["theorems"].items()} == {
+        name: status for name, (status, *_) in FOUND.items()
+    }
+    steps = [step for found in printed["theorems"].values() for step in found["steps"]]
+    assert {step["how"] for step in steps} == {"exact", "cited", "counterexample", "sampled"}
     assert {"equation", "printed", "corrected", "check"} <= set(printed["misprints"][0])
-    limited, team = printed["limited_speed"], printed["team"]
+    limited, team, laws = (printed[room] for room in ("limited_speed", "team", "laws"))
     assert {name: (one["status"], one["for_every_N"]) for name, one in limited.items()} == {
         "with hedging": ("proved", True),
         "every law with hedging": ("proved", False),
         "without hedging": ("corrected", True),
     }
-    (laws,) = limited["every law with hedging"]["steps"]
-    assert set(laws["detail"].split(", ")) == {
-        law.name for law in LAWS.values() if not law.at_fixes
-    }
+    (of_laws,) = limited["every law with hedging"]["steps"]
+    assert of_laws["detail"].split(", ") == [law.name for law in LAWS.values() if not law.at_fixes]
     assert limited["without hedging"]["corrected"].startswith("int |e|^2")
     assert (team["status"], team["for_every_N"]) == ("proved", True)
-    kinds = [step["how"] for step in team["steps"]]
-    assert kinds.count("exact") == len(GRAPHS)
-    assert "sampled" in kinds
-    assert list(printed["laws"]) == list(LAWS)
-    for found in printed["laws"].values():
+    assert [step["how"] for step in team["steps"]] == [*["exact"] * len(GRAPHS), "sampled"]
+    assert list(laws) == list(LAWS)
+    for found in laws.values():
         assert found["status"] in ("proved", "bounded")
         assert found["claim"]
         assert any(step["how"] == "sampled" and step["holds"] for step in found["steps"])
         assert found["status"] == "bounded" or all(step["holds"] for step in found["steps"])
     for name, status in (("learned-flow", "proved"), ("known-flow", "bounded")):
-        law = printed["laws"][name]
-        assert (law["status"], law["for_every_N"]) == (status, True)
+        assert (laws[name]["status"], laws[name]["for_every_N"]) == (status, True)
 
 
 def test_prove_one_theorem_and_refuse_another(clpt):
