@@ -7,7 +7,6 @@ import numpy as np
 import textbook_laws as book
 from own_laws import GAIN, LEARNED, N, V_of, changed, driven, filled, law, leak, off, two
 
-TICKS = {"breakpoints": lambda p, t0, t1: np.arange(np.floor(t0) + 1.0, np.floor(t1) + 1.0)}
 SIGNS = {"alpha": (2, N), "K": (2,), "Gamma": (2,)}
 
 
@@ -47,23 +46,11 @@ def mapped(function):
     return lambda: law(book.behind, GAIN, **more)
 
 
-def jumping(jump):
-    """Make the paper's law with a jump at every whole time."""
-
-    def at(t, x, u, p):
-        """What is learned, changed, section III."""
-        return {port: getattr(x, port) for port in LEARNED} | jump(t, x, u)
-
-    return changed(lambda t, x, u, p, r: r, GAIN | {"interval": -1.0}, jump=at, **TICKS)
-
-
-def with_state(rate, alpha=lambda x, r: r, size=1):
-    """Make the paper's law with a state of its own."""
-
-    def change(t, x, u, p, rates):
-        return alpha(x, rates) | {"s": rate(x, u)}
-
-    return changed(change, states={**LEARNED, "s": size})
+def driven_by_a_state(rate):
+    """Make the paper's law with a state of its own, which drives K."""
+    return changed(
+        lambda t, x, u, p, r: r | {"K": r["K"] + x.s, "s": rate(x, u)}, states={**LEARNED, "s": 1}
+    )
 
 
 def flip(port, index):
@@ -206,36 +193,8 @@ WRONG = {
         mapped(lambda s, u: np.tanh(s)),
         V=book.of_state(lambda s, p: p.theta * s + np.log(np.cosh(s))),
     ),
-    **family(
-        "jumps: {}",
-        jumping,
-        {
-            "all turned": lambda t, x, u: {port: -getattr(x, port) for port in LEARNED},
-            "twice": lambda t, x, u: {"alpha": 2 * x.alpha},
-            "one more": lambda t, x, u: {"K": x.K + 1},
-            "axes swapped": lambda t, x, u: {"K": x.K[::-1]},
-            "by e": lambda t, x, u: {"Gamma": x.Gamma + u.e},
-            "turned where large": lambda t, x, u: {"K": np.where(x.K > 3, -x.K, x.K)},
-            "forgotten": lambda t, x, u: {"alpha": 0.0 * x.alpha},
-        },
-    ),
-    **{
-        f"a state {name}": (with_state(f, size=size), {})
-        for name, size, f in (
-            ("s' = s^2 + e", 1, lambda x, u: x.s**2 + u.e[0]),
-            ("s' = s |s|", 1, lambda x, u: x.s * np.abs(x.s)),
-            ("s' = exp(s)", 1, lambda x, u: np.exp(np.clip(x.s, -9, 9)) * x.s**2),
-            ("s' = s_2^2, s_2' = s_1", 2, lambda x, u: np.array([x.s[1] ** 2, x.s[0]])),
-            ("s' = s_1 s_2", 2, lambda x, u: x.s[0] * x.s[1] * np.ones(2)),
-            ("s' = K s", 1, lambda x, u: x.s * x.s * np.tanh(x.K[0])),
-        )
-    },
-    "alpha is driven by a state": case(
-        with_state(lambda x, u: x.s, lambda x, r: r | {"K": r["K"] + x.s})
-    ),
-    "alpha is driven by a filter": case(
-        with_state(lambda x, u: u.e[0] - x.s, lambda x, r: r | {"K": r["K"] + x.s})
-    ),
+    "K is driven by a state": case(driven_by_a_state(lambda x, u: x.s)),
+    "K is driven by a filter": case(driven_by_a_state(lambda x, u: u.e[0] - x.s)),
     "a tiny gain of e, then a large one": case(driven(lambda t, x, u, p: (u.e * 1e-200) * 1e-200)),
     "e to the 41st, turned": case(driven(lambda t, x, u, p: -(u.e**41))),
     "wrong from N = 8 on": case(

@@ -1,5 +1,7 @@
 """Systems with a V each: right ones, and wrong ones of many kinds."""
 
+from types import FunctionType
+
 import control
 import numpy as np
 import sympy
@@ -29,7 +31,21 @@ from lyapunov_systems import (
 import clpt_control as clpt
 from clpt_control.equations import lookup
 
-RIGHT = {  # name -> system, V, what else is given
+
+def table(rows):
+    """name -> system, V, what else is given: of rates a system, else half the squares of states."""
+    return {
+        name: filled(*(row if isinstance(row, tuple) else (row,))) for name, row in rows.items()
+    }
+
+
+def filled(plant, V=None, *more):
+    plant = system(plant) if isinstance(plant, FunctionType) else plant
+    names = [label.partition("[")[0] for label in plant.state_labels]
+    return plant, V or (lambda s: sum(getattr(s, name) ** 2 for name in names) / 2), *more
+
+
+RIGHT = {
     "MRAC": (mrac(), textbook),
     "MRAC, numbers in V": (
         mrac(),
@@ -39,17 +55,17 @@ RIGHT = {  # name -> system, V, what else is given
     "backstepping, a term left to the gain": (backstepping(missing=True), stepped),
     "observer": (observer(), of_the_error),
     "pendulum": (pendulum(), energy),
-    "tanh": (system(lambda x: [-np.tanh(x)]), half),
-    "a divisor below zero": (system(lambda x: [x * (3 + np.cos(x)) / (np.sin(x) - 2)]), half),
-    "V that is linear far off": (system(lambda x: [-x]), lambda s: s.x**2 / (1 + np.abs(s.x))),
-    "log cosh": (system(lambda x: [-np.tanh(x)]), lambda s: np.log(np.cosh(s.x))),
-    "sliding": (system(lambda x: [-np.sign(x)]), half),
-    "gain of a higher wave": (system(lambda t, x: [-(2 + np.sin(3 * t)) * x]), half),
+    "tanh": lambda x: [-np.tanh(x)],
+    "a divisor below zero": lambda x: [x * (3 + np.cos(x)) / (np.sin(x) - 2)],
+    "V that is linear far off": (lambda x: [-x], lambda s: s.x**2 / (1 + np.abs(s.x))),
+    "log cosh": (lambda x: [-np.tanh(x)], lambda s: np.log(np.cosh(s.x))),
+    "sliding": lambda x: [-np.sign(x)],
+    "gain of a higher wave": lambda t, x: [-(2 + np.sin(3 * t)) * x],
     "V of time": (  # Khalil, Nonlinear Systems, 3rd ed., Example 4.20
-        system(lambda t, x, y: [-x - np.exp(-2 * t) * y, x - y]),
+        lambda t, x, y: [-x - np.exp(-2 * t) * y, x - y],
         lambda s: s.x**2 + (1 + np.exp(-2 * s.t)) * s.y**2,
     ),
-    "gain that grows": (system(lambda t, x: [-t * x]), half),
+    "gain that grows": lambda t, x: [-t * x],
     "a divisor of masses": (
         system(
             lambda q, v, m, M, c: [v, -(q + v) / (M * m - c**2)],
@@ -57,42 +73,33 @@ RIGHT = {  # name -> system, V, what else is given
         ),
         lambda s: s.q**2 + (s.M * s.m - s.c**2) * s.v**2,
     ),
-    "a power that a parameter gives": (system(lambda x, n: [-(x**n)], params={"n": 3.0}), half),
-    "a spinning body": (system(spinning), lambda s: (s.x**2 + 2 * s.y**2 + 3 * s.z**2) / 2),
-    "a cross term": (system(lambda x, y: [y, -x - y]), lambda s: 1.5 * s.x**2 + s.x * s.y + s.y**2),
-    "a rest elsewhere": (system(lambda x: [3.0 - x]), lambda s: (s.x - 3) ** 2, {"at": {"x": 3.0}}),
-    "a jump that turns": (memory(-1.0), lambda s: s.m**2 + s.n**2),
-    "two wells": (
-        system(lambda x, y: [y, x - x**3 - y]),
-        lambda s: s.y**2 / 2 + (s.x**2 - 1) ** 2 / 4,
-    ),
-    "a pull that is limited": (system(lambda x: [-np.clip(x, -1, 1)]), half),
-    "a pull of two strengths": (system(lambda x: [np.where(x > 0, -x, -2 * x)]), half),
-    "no force": (system(lambda x, y: [y, -x]), halves),
-    "a pull of a table": (
-        system(lambda x: [-x * (1 + lookup([1.0, 2.0], np.clip(x, 0, 1)))]),
-        half,
-    ),
-    "a pull of whole steps": (system(lambda x: [-np.floor(x)]), half),
-    "a diode": (system(lambda x: [1 - np.exp(x)]), half),
-    "a pull with a dent": (system(lambda x: [-x + x * np.exp(-((x - 2) ** 2))]), half),
+    "a power that a parameter gives": system(lambda x, n: [-(x**n)], params={"n": 3.0}),
+    "a spinning body": (spinning, lambda s: (s.x**2 + 2 * s.y**2 + 3 * s.z**2) / 2),
+    "a cross term": (lambda x, y: [y, -x - y], lambda s: 1.5 * s.x**2 + s.x * s.y + s.y**2),
+    "a rest elsewhere": (lambda x: [3.0 - x], lambda s: (s.x - 3) ** 2, {"at": {"x": 3.0}}),
+    "a jump that turns": memory(-1.0),
+    "two wells": (lambda x, y: [y, x - x**3 - y], lambda s: s.y**2 / 2 + (s.x**2 - 1) ** 2 / 4),
+    "a pull that is limited": lambda x: [-np.clip(x, -1, 1)],
+    "a pull of two strengths": lambda x: [np.where(x > 0, -x, -2 * x)],
+    "no force": lambda x, y: [y, -x],
+    "a pull of a table": lambda x: [-x * (1 + lookup([1.0, 2.0], np.clip(x, 0, 1)))],
+    "a pull of whole steps": lambda x: [-np.floor(x)],
+    "a diode": lambda x: [1 - np.exp(x)],
+    "a pull with a dent": lambda x: [-x + x * np.exp(-((x - 2) ** 2))],
     "a pendulum a turn further": (
-        system(lambda th, w: [w, -np.sin(th) - w]),
+        lambda th, w: [w, -np.sin(th) - w],
         turned,
         {"at": {"th": 2 * np.pi}},
     ),
-    "V with a power that fades": (system(lambda x: [-x]), x**4 * sympy.exp(-t) + x**2),
+    "V with a power that fades": (lambda x: [-x], x**4 * sympy.exp(-t) + x**2),
     "a gradient's flow": (
-        system(lambda x, y: [-(x**3 + x - y), -(y - x + y**3)]),
+        lambda x, y: [-(x**3 + x - y), -(y - x + y**3)],
         lambda s: s.x**4 / 4 + (s.x - s.y) ** 2 / 2 + s.y**4 / 4,
     ),
-    "a gain of its own in each interval": (counting(lambda k: -2 - np.sin(k)), half),
-    "a sine beside squares": (system(lambda x, y: [-x + 0.5 * np.sin(y), -y]), halves),
-    "a jump to its tanh": (jumping(lambda t, x, p: np.tanh(x.m)), lambda s: s.m**2),
-    "V of sizes": (
-        system(lambda x, y: [y - 2 * x, x - 2 * y]),
-        lambda s: np.abs(s.x) + np.abs(s.y),
-    ),
+    "a gain of its own in each interval": counting(lambda k: -2 - np.sin(k)),
+    "a sine beside squares": lambda x, y: [-x + 0.5 * np.sin(y), -y],
+    "a jump to its tanh": jumping(lambda t, x, p: np.tanh(x.m)),
+    "V of sizes": (lambda x, y: [y - 2 * x, x - 2 * y], lambda s: np.abs(s.x) + np.abs(s.y)),
     "a form that parameters hold": (
         system(lambda x, y, k: [-x, -y + 0.0 * k], params={"k": 2.0}),
         lambda s: (s.y + s.k * s.x) ** 2 + s.x**2,
@@ -101,10 +108,7 @@ RIGHT = {  # name -> system, V, what else is given
         sourced(np.cos, lambda x, u: {"x": u.w * x.y - x.x, "y": -u.w * x.x - x.y}),
         halves,
     ),
-    "V of what follows a wave": (
-        system(lambda t, x: [np.cos(t) + np.sin(t) - x]),
-        (x - sympy.sin(t)) ** 2,
-    ),
+    "V of what follows a wave": (lambda t, x: [np.cos(t) + np.sin(t) - x], (x - sympy.sin(t)) ** 2),
 }
 REFUTED = {
     "MRAC, V forgets b": (
@@ -121,18 +125,18 @@ REFUTED = {
         pendulum(),
         lambda s: s.omega**2 / 2 - s.g * (1 - np.cos(s.theta)),
     ),
-    "V that is a saddle": (system(lambda x, y: [-x, y]), lambda s: s.x**2 - s.y**2),
-    "V that falls without end": (system(lambda x: [1.0 + 0 * x]), lambda s: -s.x),
+    "V that is a saddle": (lambda x, y: [-x, y], lambda s: s.x**2 - s.y**2),
+    "V that falls without end": (lambda x: [1.0 + 0 * x], lambda s: -s.x),
     "V of the larger": (
-        system(lambda x, y: [y - 0.1 * x, -x - 0.1 * y]),
+        lambda x, y: [y - 0.1 * x, -x - 0.1 * y],
         lambda s: np.maximum(np.abs(s.x), np.abs(s.y)),
     ),
     "a source that pushes": (sourced(np.cos), halves),
-    "a jump by a little": (memory(1 + 1e-9), lambda s: s.m**2 + s.n**2),
-    "a gain that turns a little": (system(lambda t, x: [-(1 + 1.01 * np.sin(t)) * x]), half),
-    "a gain of a fast wave": (system(lambda t, x: [-(1 + 1.01 * np.sin(1e6 * t)) * x]), half),
-    "a gain that turns at 900": (system(lambda t, x: [-(900 - t) * x]), half),
-    "a gain that turns at the fifth breakpoint": (counting(lambda k: k - 5), half),
+    "a jump by a little": memory(1 + 1e-9),
+    "a gain that turns a little": lambda t, x: [-(1 + 1.01 * np.sin(t)) * x],
+    "a gain of a fast wave": lambda t, x: [-(1 + 1.01 * np.sin(1e6 * t)) * x],
+    "a gain that turns at 900": lambda t, x: [-(900 - t) * x],
+    "a gain that turns at the fifth breakpoint": counting(lambda k: k - 5),
     "V of an output that is called as its state": (
         control.nlsys(
             lambda t, x, u, p: -x, lambda t, x, u, p: x - 1, inputs=0, states=["x"], outputs=["x"]
@@ -140,22 +144,16 @@ REFUTED = {
         lambda s: s.x**2,
     ),
     "V of a table": (
-        system(lambda x: [0.1 * x]),
+        lambda x: [0.1 * x],
         lambda s: np.interp(np.abs(s.x), [0.0, 1.0, 2.0], [0.0, 1.0, 3.0]),
     ),
-    "V of a floor": (system(lambda x: [0 * x + 1]), lambda s: s.x * np.floor(s.x)),
-    "wrong in a small region": (system(lambda x: [-x * ((x - 1) ** 2 - 1e-3)]), half),
-    "a small bump": (system(lambda x: [-x + 3 * np.exp(-50 * (x - 1) ** 2)]), half),
-    "V without a value": (system(lambda x: [-(x**3)]), lambda s: s.x**2 + 1 / (s.x - 1) ** 2),
-    "a sine too large beside squares": (system(lambda x, y: [-x + 2.1 * np.sin(y), -y]), halves),
-    "a jump to more than its tanh": (
-        jumping(lambda t, x, p: 1.01 * np.tanh(x.m)),
-        lambda s: s.m**2,
-    ),
-    "a state named q_0": (  # where y is small
-        system(lambda y, q_0: [-1e6 * np.tanh(y) + q_0, 0 * q_0]),
-        lambda s: s.y**2 / 2 + s.q_0**2 / 2,
-    ),
+    "V of a floor": (lambda x: [0 * x + 1], lambda s: s.x * np.floor(s.x)),
+    "wrong in a small region": lambda x: [-x * ((x - 1) ** 2 - 1e-3)],
+    "a small bump": lambda x: [-x + 3 * np.exp(-50 * (x - 1) ** 2)],
+    "V without a value": (lambda x: [-(x**3)], lambda s: s.x**2 + 1 / (s.x - 1) ** 2),
+    "a sine too large beside squares": lambda x, y: [-x + 2.1 * np.sin(y), -y],
+    "a jump to more than its tanh": jumping(lambda t, x, p: 1.01 * np.tanh(x.m)),
+    "a state named q_0": lambda y, q_0: [-1e6 * np.tanh(y) + q_0, 0 * q_0],  # where y is small
     "a state called as its parameter": (  # k' = k, and the parameter is 0
         clpt.Block(
             "plant",
@@ -165,29 +163,29 @@ REFUTED = {
         ),
         lambda s: s.plant_k**2,
     ),
-    "V of a logarithm": (system(lambda x: [-x]), lambda s: np.log(s.x) ** 2),
-    "unstable, V' claimed as it is": (system(lambda x: [x]), half, {"claim": lambda s: s.x**2}),
-    "almost stable": (system(lambda x: [1e-6 * x]), half),
-    "an input that drives": (system(lambda x, d: [x + d], "d"), half),
-    "another rest": (system(lambda x: [3.0 - x]), half, {"at": {"x": 3.0}}),
+    "V of a logarithm": (lambda x: [-x], lambda s: np.log(s.x) ** 2),
+    "unstable, V' claimed as it is": (lambda x: [x], None, {"claim": lambda s: s.x**2}),
+    "almost stable": lambda x: [1e-6 * x],
+    "an input that drives": system(lambda x, d: [x + d], "d"),
+    "another rest": (lambda x: [3.0 - x], None, {"at": {"x": 3.0}}),
 }
 OPEN = {  # no point shows it, or none is looked for
-    "V of nothing": (system(lambda x: [x]), lambda s: 0 * s.x),
-    "V that jumps": (system(lambda x: [-x]), lambda s: np.where(s.x > 1, s.x, 2 * s.x) ** 2),
+    "V of nothing": (lambda x: [x], lambda s: 0 * s.x),
+    "V that jumps": (lambda x: [-x], lambda s: np.where(s.x > 1, s.x, 2 * s.x) ** 2),
     "V of an angle": (
-        system(lambda x, y: [y, -x]),
+        lambda x, y: [y, -x],
         lambda s: (np.arctan2(s.y, s.x) + 4) ** 2 + s.x**2 + s.y**2,
     ),
-    "V that fades": (system(lambda x: [x / 2]), sympy.exp(-2 * t) * x**2),
-    "V that sinks with time": (system(lambda x: [0 * x]), x**2 - t),
+    "V that fades": (lambda x: [x / 2], sympy.exp(-2 * t) * x**2),
+    "V that sinks with time": (lambda x: [0 * x], x**2 - t),
     "V whose least is far away": (
-        system(lambda x: [5e3 - x]),
+        lambda x: [5e3 - x],
         lambda s: 1e3 * np.log(np.cosh(s.x / 1e3 - 5)) - 5e3,
     ),
-    "two gains 1e-12 apart": (system(lambda x, y: [3.0 * y, -(3.0 + 1e-12) * x]), halves),
-    "a needle": (system(lambda x: [-x + 2 * x * np.exp(-1e8 * (x - 1) ** 2)]), half),
-    "a force below all numbers": (system(lambda x: [x * np.exp(-1000 - x**2)]), half),
-    "V that is zero on one side": (system(lambda x: [-x]), lambda s: np.abs(s.x) * s.x + s.x**2),
+    "two gains 1e-12 apart": lambda x, y: [3.0 * y, -(3.0 + 1e-12) * x],
+    "a needle": lambda x: [-x + 2 * x * np.exp(-1e8 * (x - 1) ** 2)],
+    "a force below all numbers": lambda x: [x * np.exp(-1000 - x**2)],
+    "V that is zero on one side": (lambda x: [-x], lambda s: np.abs(s.x) * s.x + s.x**2),
     "a spring stronger in each interval": (  # v rises with its strength
         clpt.Block(
             "spring",
@@ -199,11 +197,8 @@ OPEN = {  # no point shows it, or none is looked for
         ),
         "V",
     ),
-    "no value in the third interval": (counting(lambda k: -(k - 3) / (k - 3)), half),
-    "no value for its parameters": (
-        system(lambda x, n: [-(x**n) * np.abs(x)], params={"n": 0.5}),
-        half,
-    ),
+    "no value in the third interval": counting(lambda k: -(k - 3) / (k - 3)),
+    "no value for its parameters": system(lambda x, n: [-(x**n) * np.abs(x)], params={"n": 0.5}),
     "V of a floor of time": (
         control.nlsys(
             lambda t, x, u, p: 0 * x,
@@ -214,50 +209,42 @@ OPEN = {  # no point shows it, or none is looked for
         ),
         "V",
     ),
-    "wrong in a smaller region": (system(lambda x: [-x * ((x - 7) ** 2 - 1e-9)]), half),
-    "no value at a point": (system(lambda x: [-x / np.abs(x - 2)]), half),
-    "no value at the rest": (system(lambda x: [-1 / x]), half),
+    "wrong in a smaller region": lambda x: [-x * ((x - 7) ** 2 - 1e-9)],
+    "no value at a point": lambda x: [-x / np.abs(x - 2)],
+    "no value at the rest": lambda x: [-1 / x],
     "V of sizes, a slide": (  # along x = 0, where y runs off
-        system(lambda x, y: [-2 * np.sign(x), np.sign(x) ** 2]),
+        lambda x, y: [-2 * np.sign(x), np.sign(x) ** 2],
         lambda s: np.abs(s.x) + np.abs(s.y),
     ),
     "V of a size, a slide": (
-        system(lambda x, y: [-2 * np.sign(x) * (1 + y**2), np.sign(x) ** 2 * y]),
+        lambda x, y: [-2 * np.sign(x) * (1 + y**2), np.sign(x) ** 2 * y],
         lambda s: np.sqrt(s.x**2) + s.y**2 / 2,
     ),
-    "V that rises where a sign turns": (
-        system(lambda x: [1 - x]),
-        (x - 1) ** 2 + (2 + sympy.sign(x)) ** 2,
-    ),
-    "a pull of inf/inf": (system(lambda x: [-x * np.cosh(x) / np.cosh(x)]), half),
-    "a pull of powers without a number": (system(lambda x: [-x * x**80 / (1 + x**80)]), half),
-    "a place outside of a table": (
-        system(lambda x: [-x * (1 + lookup([1.0, 2.0], np.where(x > 1e6, 5, 0)) ** 2)]),
-        half,
-    ),
-    "V of complex numbers": (system(lambda x: [-x]), sympy.LambertW(x) ** 2 + x**2),
-    "V of an area cosine": (system(lambda x: [0 * x]), sympy.acosh(x) ** 2 + x**2),
+    "V that rises where a sign turns": (lambda x: [1 - x], (x - 1) ** 2 + (2 + sympy.sign(x)) ** 2),
+    "a pull of inf/inf": lambda x: [-x * np.cosh(x) / np.cosh(x)],
+    "a pull of powers without a number": lambda x: [-x * x**80 / (1 + x**80)],
+    "a place outside of a table": lambda x: [
+        -x * (1 + lookup([1.0, 2.0], np.where(x > 1e6, 5, 0)) ** 2)
+    ],
+    "V of complex numbers": (lambda x: [-x], sympy.LambertW(x) ** 2 + x**2),
+    "V of an area cosine": (lambda x: [0 * x], sympy.acosh(x) ** 2 + x**2),
 }
 BESIDE = {  # V' <= 0 is right, and more is to be said
-    "V of what runs with time": ("proved but for x", system(lambda x: [1 + 0 * x]), (x - t) ** 2),
-    "V that is bounded": (
-        "proved near the rest",
-        system(lambda x: [-x]),
-        lambda s: np.tanh(s.x**2),
-    ),
+    "V of what runs with time": ("proved but for x", lambda x: [1 + 0 * x], (x - t) ** 2),
+    "V that is bounded": ("proved near the rest", lambda x: [-x], lambda s: np.tanh(s.x**2)),
     "V that lets go far off": (
         "proved near the rest",
-        system(lambda x, y: [-6 * x / (1 + x**2) ** 2 + 2 * y, -2 * (x + y) / (1 + x**2) ** 2]),
+        lambda x, y: [-6 * x / (1 + x**2) ** 2 + 2 * y, -2 * (x + y) / (1 + x**2) ** 2],
         lambda s: s.x**2 / (1 + s.x**2) + s.y**2,
     ),
     "an angle that ends": (
         "proved as long as th exist",
-        system(lambda th, w: [w * (1 + th**2), -np.sin(th) * (1 + th**2)]),
+        lambda th, w: [w * (1 + th**2), -np.sin(th) * (1 + th**2)],
         turned,
     ),
     "an angle that drives": (
         "proved but for th, y",
-        system(lambda th, w, y: [w, -np.sin(th), th - y]),
+        lambda th, w, y: [w, -np.sin(th), th - y],
         turned,
     ),
     "a source that drives": ("proved but for y", sourced(lambda t: np.array([t**2])), half),
@@ -265,27 +252,25 @@ BESIDE = {  # V' <= 0 is right, and more is to be said
     "a jump that rises at no breakpoint": (
         "proved between jumps",
         jumping(lambda t, x, p: (1 + np.sin(np.pi * t) ** 2) * x.m),
-        lambda s: s.m**2,
     ),
     "a jump that would rise before the first breakpoint": (
         "proved between jumps",
         jumping(lambda t, x, p: np.where(p.interval < 0.5, 2.0, 0.5) * x.m),
-        lambda s: s.m**2,
     ),
-    "V that misses a state": ("proved but for y", system(lambda x, y: [-x, y]), half),
+    "V that misses a state": ("proved but for y", lambda x, y: [-x, y], half),
     "V that misses two integrators": (
         "proved but for y, z",  # whose eigenvalues are -1e-10 in floating point
-        system(lambda x, y, z: [-x, (3 * y + x) / 10 - 9 * z / 100, y - 3 * z / 10]),
+        lambda x, y, z: [-x, (3 * y + x) / 10 - 9 * z / 100, y - 3 * z / 10],
         half,
     ),
     "V that misses a state that ends": (
         "proved as long as y exist",
-        system(lambda x, y: [-x, 1 + y**2]),
+        lambda x, y: [-x, 1 + y**2],
         half,
     ),
     "V of the sum alone": (
         "proved as long as x exist",
-        system(lambda x, y: [-x + y**3, -y - y**3]),
+        lambda x, y: [-x + y**3, -y - y**3],
         lambda s: (s.x + s.y) ** 2,
     ),
     "V that a parameter of zero lets go": (
@@ -299,3 +284,5 @@ BESIDE = {  # V' <= 0 is right, and more is to be said
         lambda s: (s.y + (s.k - s.m) * s.x) ** 2 + s.y**2,
     ),
 }
+RIGHT, REFUTED, OPEN = map(table, (RIGHT, REFUTED, OPEN))
+BESIDE = {name: (status, *filled(*row)) for name, (status, *row) in BESIDE.items()}

@@ -107,36 +107,25 @@ def test_every_N_agrees_with_each_N(law, N):
     assert sympy.expand(V - one.signals["V"][0]) == 0
 
 
-def loop_of(function, claim, N=7):
-    """s' = function(e, phi) as a diagram, and s' = claim as what is left of it."""
-    block = Block(
+def own_block(function, N):
+    """s' = function(e, phi)."""
+    return Block(
         "own",
         update=lambda t, x, u, p: {"s": function(u.e, u.phi_x)},
         inputs={"e": 2, "phi_x": "N"},
         states={"s": 1},
         sizes={"N": N},
     )
-    loop = ArrayLoop(connect([block], external=["e", "phi_x"], name="own"))
+
+
+def loop_of(function, claim):
+    """s' = function(e, phi) as a diagram, and s' = claim as what is left of it."""
+    loop = ArrayLoop(connect([own_block(function, 7)], external=["e", "phi_x"], name="own"))
     return loop, [loop.rates["s"][0] - claim(loop.inputs["e"], loop.inputs["phi_x"])]
 
 
 def holds(function, claim):
     return vanish(*loop_of(function, claim))[0]
-
-
-def the_last_one(e, phi):
-    """phi_N."""
-    return phi[-1]
-
-
-def the_one_before(e, phi):
-    """sum phi_k phi_(k-1)."""
-    return np.sum(phi[1:] * phi[:-1])
-
-
-def a_count(e, phi):
-    """sum of j phi_k, j counted."""
-    return sum(j * one for j, one in enumerate(phi))
 
 
 def behind_the_loop(e, phi):
@@ -147,51 +136,21 @@ def behind_the_loop(e, phi):
     return total + phi[k]
 
 
-def one_of_N(e, phi):
-    """phi_1."""
-    return phi[0]
+NOT_ALIKE = {
+    "phi_N": lambda e, phi: phi[-1],
+    "phi_1": lambda e, phi: phi[0],
+    "sum phi_k phi_(k-1)": lambda e, phi: np.sum(phi[1:] * phi[:-1]),
+    "sum phi_k phi_(k+1), around the end": lambda e, phi: np.sum(phi * np.roll(phi, 1)),
+    "sum j phi_j, j counted": lambda e, phi: sum(j * one for j, one in enumerate(phi)),
+    "sum k phi_k": lambda e, phi: np.arange(len(phi)) @ phi,
+    "behind the loop": behind_the_loop,
+    "product of phi_k": lambda e, phi: np.prod(phi),
+    "(sum phi_k)/N": lambda e, phi: np.mean(phi),
+    "all but the fifth": lambda e, phi: np.sum(np.where(np.arange(len(phi)) == 4, -phi, phi)),
+}
 
 
-def neighbours(e, phi):
-    """sum phi_k phi_(k+1), around the end."""
-    return np.sum(phi * np.roll(phi, 1))
-
-
-def product(e, phi):
-    """product of phi_k."""
-    return np.prod(phi)
-
-
-def weighed(e, phi):
-    """sum k phi_k."""
-    return np.arange(len(phi)) @ phi
-
-
-def by_number(e, phi):
-    """(sum phi_k)/N."""
-    return np.mean(phi)
-
-
-def by_fives(e, phi):
-    """sum phi_k but for the fifth."""
-    return np.sum(np.where(np.arange(len(phi)) == 4, -phi, phi))
-
-
-NOT_ALIKE = [
-    the_last_one,
-    the_one_before,
-    a_count,
-    behind_the_loop,
-    one_of_N,
-    neighbours,
-    product,
-    weighed,
-    by_number,
-    by_fives,
-]
-
-
-@pytest.mark.parametrize("function", NOT_ALIKE, ids=lambda f: f.__name__)
+@pytest.mark.parametrize("function", NOT_ALIKE.values(), ids=NOT_ALIKE)
 def test_what_is_not_alike_for_all_functions_is_refused(function):
     with pytest.raises(Unread, match=r"own\.update is not read for every N: .+"):
         loop_of(function, lambda e, phi: np.sum(phi))
@@ -229,16 +188,9 @@ def test_a_nonlinear_use_of_a_sum_is_an_atom():
 
 
 def test_a_signal_that_is_not_fed_function_by_function_is_refused():
-    rows = {"own": lambda t, x, u, p: {"s": [u.phi_x @ u.phi_x]}}
-    block = Block(
-        "own", update=rows["own"], inputs={"phi_x": "N", "e": 2}, states={"s": 1}, sizes={"N": 2}
-    )
-    turned = Block(
-        "turned",
-        output=lambda t, x, u, p: {"phi_x": u.e[::-1]},
-        inputs={"e": 2},
-        outputs={"phi_x": 2},
-    )
+    block = own_block(lambda e, phi: phi @ phi, N=2)
+    turn = {"output": lambda t, x, u, p: {"phi_x": u.e[::-1]}, "outputs": {"phi_x": 2}}
+    turned = Block("turned", inputs={"e": 2}, **turn)
     diagram = connect([block, turned], external=["e"], name="own")
     with pytest.raises(Unread, match=r"own\.phi_x is not fed function by function"):
         ArrayLoop(diagram)

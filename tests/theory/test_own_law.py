@@ -169,29 +169,32 @@ def test_the_callers_law_is_left_as_it_is():
     np.testing.assert_array_equal(own.dynamics(0.0, x, u), before)
 
 
-OTHER_STATES = {  # s' of a state that V does not hold; whether it exists for all times, or N
-    "ends at pi/2": (lambda s, u: 1 + s**2, False),
-    "a cube": (lambda s, u: s**3 + u.e[0], False),
-    "a product of all": (lambda s, u: s * np.sum(s * u.phi_x), False),
-    "grows": (lambda s, u: s + 1, True),
-    "filters": (lambda s, u: -s + u.e[0], True),
-    "a share that stays small": (lambda s, u: u.e[1] * np.tanh(s) - s / (1 + u.z @ u.z), True),
-    "clipped": (lambda s, u: np.clip(s**2, -1, 4) + np.where(s > 1, s, 2 * s), True),
-    "linear for N = 2 alone": (lambda s, u: s ** (np.sum(u.phi_x * 0 + 1) - 1), N),
+OTHER_STATES = {  # s' of a state that V does not hold, its size; whether it exists for all times
+    "ends at pi/2": (lambda x, u: 1 + x.s**2, "N", False),
+    "a cube": (lambda x, u: x.s**3 + u.e[0], "N", False),
+    "a cube of one": (lambda x, u: x.s**3 + u.e[0], 1, False),
+    "a product of all": (lambda x, u: x.s * np.sum(x.s * u.phi_x), "N", False),
+    "s' = s^2 + e": (lambda x, u: x.s**2 + u.e[0], 1, False),
+    "s' = s |s|": (lambda x, u: x.s * np.abs(x.s), 1, False),
+    "s' = s^2 exp(s)": (lambda x, u: np.exp(np.clip(x.s, -9, 9)) * x.s**2, 1, False),
+    "s' = s_2^2, s_2' = s_1": (lambda x, u: np.array([x.s[1] ** 2, x.s[0]]), 2, False),
+    "s' = s_1 s_2": (lambda x, u: x.s[0] * x.s[1] * np.ones(2), 2, False),
+    "s' = s^2 tanh(K)": (lambda x, u: x.s * x.s * np.tanh(x.K[0]), 1, False),
+    "grows": (lambda x, u: x.s + 1, "N", True),
+    "filters": (lambda x, u: -x.s + u.e[0], "N", True),
+    "filters to one": (lambda x, u: -x.s + u.e[0], 1, True),
+    "a share": (lambda x, u: u.e[1] * np.tanh(x.s) - x.s / (1 + u.z @ u.z), "N", True),
+    "clipped": (lambda x, u: np.clip(x.s**2, -1, 4) + np.where(x.s > 1, x.s, 2 * x.s), "N", True),
+    "linear for N = 2 alone": (lambda x, u: x.s ** (np.sum(u.phi_x * 0 + 1) - 1), "N", N),
 }
 
 
-@pytest.mark.parametrize(
-    ("name", "size"), [*((name, "N") for name in OTHER_STATES), ("a cube", 1), ("filters", 1)]
-)
-def test_a_proof_says_whether_other_states_exist(name, size):
-    rate, exists = OTHER_STATES[name]
-
-    def update(t, x, u, p):
-        """The paper's law and a state of its own, section III."""
-        return own_laws.filled(u, p.gain, u.e) | {"s": rate(x.s, u)}
-
-    verdict = prove(law(update, GAIN, states={**own_laws.LEARNED, "s": size}), points=POINTS)
+@pytest.mark.parametrize("name", OTHER_STATES)
+def test_a_proof_says_whether_other_states_exist(name):
+    rate, size, exists = OTHER_STATES[name]
+    states = {**own_laws.LEARNED, "s": size}
+    own = own_laws.changed(lambda t, x, u, p, r: r | {"s": rate(x, u)}, states=states)
+    verdict = prove(own(), points=POINTS)
     asked = next(step for step in verdict.steps if step.claim.startswith("s: not in V"))
     assert asked.holds == bool(exists)
     assert verdict.status == ("proved" if exists else "proved as long as s exist")
