@@ -30,7 +30,7 @@ from .declaration import (
     check_units,
     checked_parameters,
 )
-from .ports import Declared, flattened, labels, places, ports_of, shapes_of, sized, sizes_of, vector
+from .ports import Declared, flattened, labels, shapes_of, sizes_of, vector
 from .read_block import READ, ReadBlock
 from .reading import RAISED
 
@@ -209,72 +209,6 @@ class Block(ReadBlock):
 
     def _repr_markdown_(self) -> None:
         """Return nothing: python-control's text would say the same again."""
-
-    # --- ports --------------------------------------------------------------------------
-
-    def _bind(self) -> None:
-        """Bind the sizes that have names, and lay the ports out."""
-        sizes = dict(self._sizes)
-        for field, shape in self.parameter_shapes.items():
-            if field not in self._parameters._fields:
-                raise BlockError(f"{self.name}: `shapes` names {field!r}, which is no parameter")
-            actual = np.shape(getattr(self._parameters, field))
-            fits = len(actual) == len(shape) and all(
-                sizes.setdefault(n, size) == size if isinstance(n, str) else n == size
-                for n, size in zip(shape, actual, strict=True)
-            )
-            if not fits:
-                raise BlockError(f"{self.name}.{field}: has shape {actual}; must be {shape}")
-        self.sizes = sizes
-        self.input_shapes, self.output_shapes, self.state_shapes = (
-            sized(self.name, self.declared[kind], sizes) for kind in ("inputs", "outputs", "states")
-        )
-        self._plan = {role: (f, places(where)) for role, (f, where) in self._roles.items()}
-        self._x = places(self._inner_shapes("states", self.state_shapes))
-        self._u = places(self._inner_shapes("inputs", self.input_shapes))
-
-    def _ports(self, kind: str) -> dict[str, int]:
-        """Return ports as the labels form them, each with its number of signals."""
-        ports = ports_of(getattr(self, f"{kind}_labels"))
-        return {port: len(places) for port, places in ports.items()}
-
-    @property
-    def input_ports(self) -> dict[str, int]:
-        """Return the input ports and their numbers of signals."""
-        return self._ports("input")
-
-    @property
-    def output_ports(self) -> dict[str, int]:
-        """Return the output ports and their numbers of signals."""
-        return self._ports("output")
-
-    @property
-    def state_ports(self) -> dict[str, int]:
-        """Return the state ports and their numbers of signals."""
-        return sizes_of(self.state_shapes)
-
-    def units_of(self, kind: str) -> list[str]:
-        """Return the unit of each "input" or "output", "" for none."""
-        return [
-            self.units.get(label.partition("[")[0], "") for label in getattr(self, f"{kind}_labels")
-        ]
-
-    def _name_ports(self, names: Mapping[str, Mapping[str, str]]) -> None:
-        """Rename ports, ``{"inputs": {old: new}}``; the equations keep their names."""
-        for kind, new_names in names.items():
-            old_names, ports = self._inner.get(kind, {}), self.declared[kind]
-            self._inner[kind] = {new_names.get(p, p): old_names.get(p, p) for p in ports}
-            self.declared[kind] = {new_names.get(p, p): shape for p, shape in ports.items()}
-            own_units = {new_names[p]: unit for p, unit in self.units.items() if p in new_names}
-            self.units = {**self.units, **own_units}
-        there = set().union(*self.declared.values())
-        self.units = {port: unit for port, unit in self.units.items() if port in there}
-        self.parameters = self.parameters
-        for kind, rename in (("input", self.set_inputs), ("output", self.set_outputs)):
-            new_names = names.get(f"{kind}s", {})
-            parts = [label.partition("[") for label in getattr(self, f"{kind}_labels")]
-            rename(["".join((new_names.get(port, port), *rest)) for port, *rest in parts])
-        self.set_states(labels(self.state_ports) or 0)
 
     def __getstate__(self) -> dict[str, Any]:
         left_out = (*READ, "_call_of_thread")

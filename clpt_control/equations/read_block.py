@@ -1,4 +1,4 @@
-"""A block's functions as they are read: one record of arrays for each role.
+"""A block's ports, and its functions as they are read: one record of arrays for each role.
 
 A function is read with open sizes, so that one record holds for every N; where that fails, with the
 sizes of its block.  Records are kept until a parameter, a port or what a function uses changes.
@@ -14,6 +14,7 @@ import numpy as np
 from ..errors import BlockError
 from .arrays import Unread
 from .declaration import Guard
+from .ports import labels, places, ports_of, sized, sizes_of
 from .reading import read, record_of_states
 from .record import Record, Shape
 
@@ -22,7 +23,7 @@ Shapes = dict[str, Shape]  # of ports or parameters by name
 
 
 class ReadBlock(control.NonlinearIOSystem):
-    """A block's functions and their records; its ports and parameters are those of `Block`."""
+    """A block's ports, functions and their records; `Block` declares them."""
 
     name: str
     update_function: Callable | None
@@ -35,14 +36,85 @@ class ReadBlock(control.NonlinearIOSystem):
     state_shapes: Shapes
     parameter_shapes: Shapes
     sizes: dict[str, int]
+    units: Mapping[str, str]
+    parameters: Any
+    _sizes: dict[str, int]
     _inner: dict[str, dict[str, str]]  # a port's name -> what its equations call it
     _parameters: Any
     _plan: Mapping[str, tuple]  # each role's function, and where its results lie
+
+    # --- ports --------------------------------------------------------------------------
 
     def _inner_shapes(self, kind: str, shapes: Mapping[str, Any]) -> dict[str, Any]:
         """Return ports by the names that the equations use."""
         names = self._inner.get(kind, {})
         return {names.get(port, port): shape for port, shape in shapes.items()}
+
+    def _bind(self) -> None:
+        """Bind the sizes that have names, and lay the ports out."""
+        sizes = dict(self._sizes)
+        for field, shape in self.parameter_shapes.items():
+            if field not in self._parameters._fields:
+                raise BlockError(f"{self.name}: `shapes` names {field!r}, which is no parameter")
+            actual = np.shape(getattr(self._parameters, field))
+            fits = len(actual) == len(shape) and all(
+                sizes.setdefault(n, size) == size if isinstance(n, str) else n == size
+                for n, size in zip(shape, actual, strict=True)
+            )
+            if not fits:
+                raise BlockError(f"{self.name}.{field}: has shape {actual}; must be {shape}")
+        self.sizes = sizes
+        self.input_shapes, self.output_shapes, self.state_shapes = (
+            sized(self.name, self.declared[kind], sizes) for kind in ("inputs", "outputs", "states")
+        )
+        self._plan = {role: (f, places(where)) for role, (f, where) in self._roles.items()}
+        self._x = places(self._inner_shapes("states", self.state_shapes))
+        self._u = places(self._inner_shapes("inputs", self.input_shapes))
+
+    def _ports(self, kind: str) -> dict[str, int]:
+        """Return ports as the labels form them, each with its number of signals."""
+        ports = ports_of(getattr(self, f"{kind}_labels"))
+        return {port: len(places) for port, places in ports.items()}
+
+    @property
+    def input_ports(self) -> dict[str, int]:
+        """Return the input ports and their numbers of signals."""
+        return self._ports("input")
+
+    @property
+    def output_ports(self) -> dict[str, int]:
+        """Return the output ports and their numbers of signals."""
+        return self._ports("output")
+
+    @property
+    def state_ports(self) -> dict[str, int]:
+        """Return the state ports and their numbers of signals."""
+        return sizes_of(self.state_shapes)
+
+    def units_of(self, kind: str) -> list[str]:
+        """Return the unit of each "input" or "output", "" for none."""
+        return [
+            self.units.get(label.partition("[")[0], "") for label in getattr(self, f"{kind}_labels")
+        ]
+
+    def _name_ports(self, names: Mapping[str, Mapping[str, str]]) -> None:
+        """Rename ports, ``{"inputs": {old: new}}``; the equations keep their names."""
+        for kind, new_names in names.items():
+            old_names, ports = self._inner.get(kind, {}), self.declared[kind]
+            self._inner[kind] = {new_names.get(p, p): old_names.get(p, p) for p in ports}
+            self.declared[kind] = {new_names.get(p, p): shape for p, shape in ports.items()}
+            own_units = {new_names[p]: unit for p, unit in self.units.items() if p in new_names}
+            self.units = {**self.units, **own_units}
+        there = set().union(*self.declared.values())
+        self.units = {port: unit for port, unit in self.units.items() if port in there}
+        self.parameters = self.parameters
+        for kind, rename in (("input", self.set_inputs), ("output", self.set_outputs)):
+            new_names = names.get(f"{kind}s", {})
+            parts = [label.partition("[") for label in getattr(self, f"{kind}_labels")]
+            rename(["".join((new_names.get(port, port), *rest)) for port, *rest in parts])
+        self.set_states(labels(self.state_ports) or 0)
+
+    # --- records ------------------------------------------------------------------------
 
     @property
     def states_are_outputs(self) -> bool:
