@@ -41,28 +41,22 @@ def random_regressors(seed, window, size=1.0, pieces=6, N=1):
     times = (np.arange(pieces)[:, None] + (1 + NODE) / 2) * lengths[0]
     weights = np.tile(lengths[0] * WEIGHT / 2, (pieces, 1))
     amplitude = rng.normal(size=(EACH, N + 4, 3)) * size
-    frequency = rng.uniform(0, 4, (EACH, N + 4, 3))
-    phase = rng.uniform(0, 2 * np.pi, (EACH, N + 4, 3))
-    waves = np.einsum(
-        "bcs,bcspn->bpnc",
-        amplitude,
-        np.sin(frequency[..., None, None] * times + phase[..., None, None]),
-    )
-    jumps = (
-        size
-        * rng.choice([0.0, 1.0, 3.0], (EACH, 1, 1, 1))
-        * rng.normal(size=(EACH, pieces, 1, N + 4))
-    )
-    w = waves + jumps
-    return w[..., :N], w[..., N : N + 2], w[..., N + 2 :], weights
+    frequency, phase = (rng.uniform(0, most, (EACH, N + 4, 3, 1, 1)) for most in (4, 2 * np.pi))
+    waves = np.einsum("bcs,bcspn->bpnc", amplitude, np.sin(frequency * times + phase))
+    strength = size * rng.choice([0.0, 1.0, 3.0], (EACH, 1, 1, 1))
+    jumps = strength * rng.normal(size=(EACH, pieces, 1, N + 4))
+    return *np.split(waves + jumps, [N, N + 2], axis=-1), weights
+
+
+def drops(KD, gain, window, seed, size=1.0):
+    phi, z, zc, weights = random_regressors(seed, window, size)
+    return window_drops(regressors(phi, z, zc), weights, KD, gain)
 
 
 @pytest.mark.parametrize("group", range(5))
 @pytest.mark.parametrize("size", [0.1, 1.0])
 def test_rho_never_exceeds_the_exact_drop(group, size):
-    KD, gain, window = GROUPS[group]
-    phi, z, zc, weights = random_regressors(group, window, size)
-    found = window_drops(regressors(phi, z, zc), weights, KD, gain)
+    found = drops(*GROUPS[group], seed=group, size=size)
     assert found["rho"].shape == (2, EACH)
     assert np.all(found["rho"] > 0)
     assert np.all(found["rho"] <= found["drop"])
@@ -72,16 +66,13 @@ def test_rho_never_exceeds_the_exact_drop(group, size):
 
 def test_the_guarantee_is_not_idle():
     """With little to learn the bound comes within a factor of 3."""
-    phi, z, zc, weights = random_regressors(4, 2.0, 0.3)
-    found = window_drops(regressors(phi, z, zc), weights, [1.0, 1.0], 1.0)
+    found = drops([1.0, 1.0], 1.0, 2.0, seed=4, size=0.3)
     assert np.max(found["rho"] / found["drop"]) > 1 / 3
 
 
 def test_the_worst_direction_attains_the_contraction():
-    KD, gain, window = GROUPS[0]
-    phi, z, zc, weights = random_regressors(7, window)
-    found = window_drops(regressors(phi, z, zc), weights, KD, gain)
-    scale = np.concatenate([[1.0], np.full(3, gain**-0.5)])
+    found = drops(*GROUPS[0], seed=7)
+    scale = np.concatenate([[1.0], np.full(3, GROUPS[0][1] ** -0.5)])
     scaled = found["transition"] * (scale[:, None] / scale)
     _, _, rows = np.linalg.svd(scaled)
     worst = rows[..., 0, :]

@@ -63,19 +63,20 @@ def test_a_state_beside_those_that_make_alpha_is_asked_for():
     assert prove(own, points=POINTS).status == "proved as long as own:s exist"
 
 
-def test_what_is_given_must_not_exclude_itself():
-    own = own_laws.turned()
-    for facts in ([-1.0], [1.0, 2.0, -3.0]):
-        with pytest.raises(DiagramError, match="excludes itself"):
-            prove(own, points=POINTS, given=lambda s, p, truth, facts=facts: facts)
+EXCLUDED = [  # of KD_1, K_1 and K_2
+    lambda KD, K, M: [-1.0],
+    lambda KD, K, M: [1.0, 2.0, -3.0],
+    lambda KD, K, M: [KD - 3, 2 - KD],
+    lambda KD, K, M: [K - 1, M - K, 0.5 - M],  # no two of three exclude each other
+    lambda KD, K, M: [K - 3, 4 - K**2],
+]
+
+
+@pytest.mark.parametrize("facts", EXCLUDED)
+def test_what_is_given_must_not_exclude_itself(facts):
+    given = lambda s, p, truth: facts(truth.KD[0], *s["K"])  # noqa: E731
     with pytest.raises(DiagramError, match="excludes itself"):
-        prove(own, points=POINTS, given=lambda s, p, truth: [truth.KD[0] - 3, 2 - truth.KD[0]])
-    for of_K in (  # no two of three exclude each other; a square does
-        lambda K, M: [K - 1, M - K, 0.5 - M],
-        lambda K, M: [K - 3, 4 - K**2],
-    ):
-        with pytest.raises(DiagramError, match="excludes itself"):
-            prove(own, points=POINTS, given=lambda s, p, truth, of_K=of_K: of_K(*s["K"]))
+        prove(own_laws.turned(), points=POINTS, given=given)
 
 
 def test_no_law_is_told_the_truth_by_what_it_keeps():
