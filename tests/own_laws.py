@@ -42,6 +42,12 @@ def changed(change, parameters=GAIN, more=None, n=N, **ports):
     return lambda: law(update, parameters, more, n, **ports)
 
 
+def beside(rates, sizes, parameters=GAIN, **ports):
+    """Make the paper's law with states of its own beside what is learned."""
+    states = LEARNED | sizes
+    return changed(lambda t, x, u, p, r: r | rates(x, u), parameters, states=states, **ports)
+
+
 def driven(error, parameters=GAIN, **ports):
     """Make the paper's law with another error than e."""
     return changed(

@@ -5,7 +5,7 @@ Each is a law and what else `prove` is given.  A wrong one is wrong for some flo
 
 import numpy as np
 import textbook_laws as book
-from own_laws import GAIN, LEARNED, N, V_of, changed, driven, filled, law, leak, off, two
+from own_laws import GAIN, LEARNED, MORE, N, V_of, changed, driven, filled, law, leak, off, two
 
 SIGNS = {"alpha": (2, N), "K": (2,), "Gamma": (2,)}
 
@@ -44,13 +44,6 @@ def mapped(function):
     """Make a law whose alpha is made of a state."""
     more = book.through(lambda x, u, p: function(x.s, u))
     return lambda: law(book.behind, GAIN, **more)
-
-
-def driven_by_a_state(rate):
-    """Make the paper's law with a state of its own, which drives K."""
-    return changed(
-        lambda t, x, u, p, r: r | {"K": r["K"] + x.s, "s": rate(x, u)}, states={**LEARNED, "s": 1}
-    )
 
 
 def flip(port, index):
@@ -193,8 +186,12 @@ WRONG = {
         mapped(lambda s, u: np.tanh(s)),
         V=book.of_state(lambda s, p: p.theta * s + np.log(np.cosh(s))),
     ),
-    "K is driven by a state": case(driven_by_a_state(lambda x, u: x.s)),
-    "K is driven by a filter": case(driven_by_a_state(lambda x, u: u.e[0] - x.s)),
+    **{
+        f"K is driven by a {name}": case(
+            changed(lambda t, x, u, p, r, f=f: r | {"K": r["K"] + x.s, "s": f(x, u)}, states=MORE)
+        )
+        for name, f in {"state": lambda x, u: x.s, "filter": lambda x, u: u.e[0] - x.s}.items()
+    },
     "a tiny gain of e, then a large one": case(driven(lambda t, x, u, p: (u.e * 1e-200) * 1e-200)),
     "e to the 41st, turned": case(driven(lambda t, x, u, p: -(u.e**41))),
     "wrong from N = 8 on": case(
