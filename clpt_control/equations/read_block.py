@@ -62,7 +62,8 @@ class ReadBlock(control.NonlinearIOSystem):
                 for n, size in zip(shape, actual, strict=True)
             )
             if not fits:
-                raise BlockError(f"{self.name}.{field}: has shape {actual}; must be {shape}")
+                known = tuple(sizes.get(n, n) for n in shape)
+                raise BlockError(f"{self.name}.{field}: has shape {actual}; must be {known}")
         self.sizes = sizes
         self.input_shapes, self.output_shapes, self.state_shapes = (
             sized(self.name, self.declared[kind], sizes) for kind in ("inputs", "outputs", "states")
@@ -103,6 +104,9 @@ class ReadBlock(control.NonlinearIOSystem):
             old_names, ports = self._inner.get(kind, {}), self.declared[kind]
             self._inner[kind] = {new_names.get(p, p): old_names.get(p, p) for p in ports}
             self.declared[kind] = {new_names.get(p, p): shape for p, shape in ports.items()}
+            if len(self.declared[kind]) < len(ports):
+                called = ", ".join(new_names.get(p, p) for p in ports)
+                raise BlockError(f"{self.name}: its {kind} would be {called}; each needs its own name")
             own_units = {new_names[p]: unit for p, unit in self.units.items() if p in new_names}
             self.units = {**self.units, **own_units}
         there = set().union(*self.declared.values())

@@ -17,6 +17,7 @@ import numpy as np
 
 from ..arguments import public
 from ..equations.block import Block
+from ..errors import BlockError
 from .part import part, positive, rising, sampled
 
 
@@ -95,10 +96,10 @@ def pid(
     low, high : float, optional
         Limits of u.
     filter : float, optional
-        The time Tf of the derivative's filter; kd / (10 kp) by default, and 1 without kd.
+        The time Tf of the derivative's filter; |kd / (10 kp)| by default, and 1 without kd.
     tracking : float, optional
-        The time Tt in which the integral follows a limited u; sqrt(kd / ki) by default, kp / ki
-        without kd.
+        The time Tt in which the integral follows a limited u; sqrt(|kd / ki|) by default, |kp / ki|
+        without kd, and no less than `dt`.
     weight : float, optional
         The weight b of the set point in the proportional part.
     dt : float, optional
@@ -129,10 +130,16 @@ def pid(
     [0.0, 0.772, 1.0]
     """
     if filter is None:
-        filter = kd / (10 * kp) if kp and kd else 1.0
+        filter = abs(kd / (10 * kp)) if kp and kd else 1.0
     if tracking is None:
-        tracking = np.inf if not ki else np.sqrt(kd / ki) if kd else kp / ki if kp else 1.0
+        follows = np.inf if not ki else np.sqrt(abs(kd / ki)) if kd else abs(kp / ki) or 1.0
+        tracking = max(follows, dt or 0.0)
     positive(name, filter=filter, tracking=tracking, **({} if dt is None else {"dt": dt}))
+    if tracking <= (dt or 0.0) / 2:
+        raise BlockError(
+            f"{name}: tracking = {tracking:g}: must be more than half of dt = {dt:g}, or the "
+            "integral runs away where u is limited"
+        )
     rising(name, low=low, high=high)
     gains = {"kp": kp, "ki": ki, "kd": kd, "low": low, "high": high}
     values = {**gains, "filter": filter, "tracking": tracking, "weight": weight}

@@ -244,3 +244,16 @@ def test_back_calculation_settles_where_it_should():
     v = 2.0 * 3.0 + float(found.states[-1, 0])
     assert v == pytest.approx(0.5 + 0.2 * 1.0 * 3.0, abs=1e-9)
     assert float(found.u[-1]) == 0.5
+
+
+def test_a_sampled_integral_that_is_limited_does_not_run_away():
+    """Tt is h at least: I_{k+1} = I_k + h Ki e + (high - I_k) is high + h Ki e while v is above."""
+    pid = parts.pid(0.0, 0.01, low=-1, high=1, dt=60.0)
+    found = clpt.simulate(pid, 60.0 * np.arange(12), [5.0, 0.0])
+    assert found.states[:, 0].values.tolist() == [0.0, 3.0, *[4.0] * 10]
+    assert found.u.values.tolist() == [0.0, *[1.0] * 11]
+
+
+def test_gains_of_two_signs_have_times_of_their_magnitudes():
+    made = parts.pid(1.0, -0.1, 0.5).parameters
+    assert (made.filter, made.tracking) == pytest.approx((0.05, np.sqrt(5.0)))
