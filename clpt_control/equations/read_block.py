@@ -106,7 +106,9 @@ class ReadBlock(control.NonlinearIOSystem):
             self.declared[kind] = {new_names.get(p, p): shape for p, shape in ports.items()}
             if len(self.declared[kind]) < len(ports):
                 called = ", ".join(new_names.get(p, p) for p in ports)
-                raise BlockError(f"{self.name}: its {kind} would be {called}; each needs its own name")
+                raise BlockError(
+                    f"{self.name}: its {kind} would be {called}; each needs its own name"
+                )
             own_units = {new_names[p]: unit for p, unit in self.units.items() if p in new_names}
             self.units = {**self.units, **own_units}
         there = set().union(*self.declared.values())

@@ -47,6 +47,10 @@ def test_a_source_has_nothing_to_linearize_along():
         (lambda: parts.pid(1, 1, dt=1, tracking=0.5), "tracking = 0.5: must be more than half of"),
         (lambda: parts.pid(1, r="a", y="a"), "pid: its inputs would be a, a; each needs its own"),
         (lambda: parts.point_vehicle(1, 1, x="f", v="f"), "its outputs would be f, f; each needs"),
+        (
+            lambda: parts.observer(control.ss(-np.eye(2), np.ones((2, 1)), [[1, 2]], 0), [[1, 2]]),
+            r"L: has shape \(1, 2\); must be \(2, 1\)",
+        ),
         (lambda: parts.lookup_table([0, 0], [1, 2]), "two or more increasing numbers"),
         (lambda: parts.planar_vehicle(np.ones((3, 3)), np.eye(3)), "m12 = m13 = 0"),
         (lambda: parts.kalman_filter(control.ss(-1, 1, 1, 0), [[1]], [[0]]), "positive definite"),
