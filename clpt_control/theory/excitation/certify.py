@@ -48,7 +48,7 @@ from .certificates import TURN, gains_of_w, refuse_unproved, worst_drop
 from .regressor import MOST_PIECES, checked_window, finished_run, quadrature, w_along
 
 MOST_WINDOWS = 1_000_000
-LARGEST = 1e12  # V
+LARGEST = 1e12  # V that is looked for, and error
 
 
 @dataclass(frozen=True)
@@ -177,8 +177,10 @@ def certify(
             'no certificate: flow.disturbance.kind = "noise" is normal, so |Delta| has no bound'
         )
     for name, value in (("radius", radius), ("error", error)):
-        if value is not None and not (np.isfinite(value) and value > 0):
-            raise ScenarioError(f"{name} = {value:g}: must be a positive number")
+        if value is not None and not 0 < value <= LARGEST:
+            raise ScenarioError(
+                f"{name} = {value:g}: must be a positive number, at most {LARGEST:g}"
+            )
     window, _ = checked_window(scenario, window, 0.0)
     gains, car = scenario.learning.used_gains, scenario.vehicle
     for name in ("feedback", "feedforward"):
