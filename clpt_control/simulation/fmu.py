@@ -174,7 +174,8 @@ def _variables(file: CFile) -> Iterator[tuple[str, str, dict[str, str]]]:
         yield "output", label, unit
     for label, value in zip(*file.parameters(), strict=True):
         kind = "constant" if FIXED in label else "parameter"
-        yield kind, label.replace(FIXED, ""), {"start": repr(float(value))}
+        start = repr(float(value)).replace("inf", "INF")  # as XML says it
+        yield kind, label.replace(FIXED, ""), {"start": start}
 
 
 def _description(file: CFile, token: str) -> Element:

@@ -148,6 +148,16 @@ def test_the_same_diagram_makes_the_same_description(tmp_path):
     assert texts[0] == texts[1]
 
 
+def test_no_limit_is_infinite_as_xml_says_it(tmp_path):
+    """A double of XML Schema is INF or -INF, in these letters (part 2, section 3.2.5)."""
+    free = clpt.parts.pid(1.0, 0.2)
+    clpt.export_fmu(free, tmp_path / "free.fmu")
+    with zipfile.ZipFile(tmp_path / "free.fmu") as file:
+        variables = ElementTree.fromstring(file.read("modelDescription.xml")).iter("Float64")
+    starts = {one.get("name"): one.get("start") for one in variables}
+    assert (starts["pid.low"], starts["pid.high"]) == ("-INF", "INF")
+
+
 def test_without_a_compiler_it_holds_its_source(tmp_path, monkeypatch, capsys):
     monkeypatch.setenv("CC", "no-compiler-of-this-name")
     clpt.export_fmu(control.tf(1, [1, 1], name="lag" * 100), tmp_path / "lag.fmu")
