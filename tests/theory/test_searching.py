@@ -68,20 +68,24 @@ def test_what_is_found_is_proved_and_falls_along_a_run_of_python_control(name):
     assert values.min() > -1e-12
 
 
-def test_of_a_model_reference_loop_it_is_the_textbooks():
+@pytest.mark.parametrize("filtered", [False, True])
+def test_of_a_model_reference_loop_it_is_the_textbooks(filtered):
+    """A filter of the reference, which input alone moves, is not in V."""
+
     def rates(t, x, u, p):
-        e = x.y - x.ym
-        return {
-            "y": x.y + 3 * (x.kr * u.r - x.ky * x.y),
-            "ym": -4 * x.ym + 4 * u.r,
-            "kr": -2 * u.r * e,
+        e, r = x.y - x.ym, x.f if filtered else u.r
+        found = {
+            "y": x.y + 3 * (x.kr * r - x.ky * x.y),
+            "ym": -4 * x.ym + 4 * r,
+            "kr": -2 * r * e,
             "ky": 2 * x.y * e,
         }
+        return found | ({"f": u.r - x.f} if filtered else {})
 
-    states = dict.fromkeys(("y", "ym", "kr", "ky"), 1)
+    states = dict.fromkeys(("y", "ym", "kr", "ky", *["f"] * filtered), 1)
     loop = clpt.Block("mrac", update=rates, states=states, inputs={"r": 1})
     found = lyapunov(loop, at={"kr": 4 / 3, "ky": 5 / 3})
-    y, ym, kr, ky = clpt.equations(loop).motion
+    y, ym, kr, ky, *_ = clpt.equations(loop).motion
     apart = (kr - sympy.Rational(4, 3)) ** 2 + (ky - sympy.Rational(5, 3)) ** 2
     assert found.status == "proved"
     assert sympy.expand(found.V - (y - ym) ** 2 / 2 - sympy.Rational(3, 4) * apart) == 0

@@ -33,7 +33,7 @@ from .invariant_loop import InvariantLoop
 from .invariants import invariant_steps
 from .law_case import Case
 from .proof import first_failure, worked_out
-from .signs import tidied, vacuous
+from .signs import tidied
 from .symbolic_loop import SymbolicLoop, flat, refuse_no_value, symbolic_loop
 from .symbols import paper_name
 from .theorem_loop import (
@@ -277,7 +277,7 @@ def _verdict_by_V(
     if given is not None:
         facts = given({**loop.inputs, **loop.states}, loop.parameters[law.name], truth)
         case.facts = tuple(sympy.expand(sympy.sympify(fact).xreplace(case.apart)) for fact in facts)
-        if vacuous(case.facts) or case.falls(sympy.S.One, case.values):  # or 1 <= 0 follows of it
+        if case.falls(sympy.S.One, case.values):  # 1 <= 0 follows of it
             raise DiagramError(
                 f"{law.name}: what is given excludes itself, so nothing follows of it"
             )

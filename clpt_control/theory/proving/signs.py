@@ -10,7 +10,6 @@ takes s out, any other one its leading monomial.
 """
 
 from functools import lru_cache
-from itertools import combinations_with_replacement
 from math import comb, prod
 from typing import Any
 
@@ -335,16 +334,10 @@ def _in_pieces(group: sympy.Expr, words: set, apart: set, facts: Facts) -> bool:
         if not pieces:
             continue
         return all(
-            vacuous((*facts, *here))
-            or nonpositive(decided(group.xreplace(known)), apart, (*facts, *here))
+            nonpositive(decided(group.xreplace(known)), apart, (*facts, *here))
             for here, known in pieces
         )
     return False
-
-
-def vacuous(facts: Facts) -> bool:
-    """Return whether two facts exclude each other."""
-    return any(sympy.expand(a + b).is_negative for a, b in combinations_with_replacement(facts, 2))
 
 
 def _below(group: sympy.Expr, apart: set, facts: Facts) -> bool:
