@@ -6,6 +6,7 @@ import pytest
 import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from lyapunov_systems import system
 
 import clpt_control as clpt
 from clpt_control.errors import ClptError
@@ -16,18 +17,14 @@ from clpt_control.theory.proving.words import CLIP, GT, MAXIMUM, SIGN, WHERE
 X, Y = sympy.symbols("x y", real=True)
 
 
-def diagram(rates, states, **params):
-    return control.nlsys(lambda t, x, u, p: rates(*x), states=states, inputs=0, **params)
-
-
-def reversed_oscillator(x1, x2):
+def reversed_oscillator(a, b):
     """Return the rates of Khalil's example 8.9."""
-    return [-x2, x1 + (x1**2 - 1) * x2]
+    return [-b, a + (a**2 - 1) * b]
 
 
-def held_up(angle, speed):
+def held_up(a, b):
     """Return the rates of a pendulum at the top, with a limited torque."""
-    return [speed, np.sin(angle) - np.clip(8 * angle + 4 * speed, -2, 2)]
+    return [b, np.sin(a) - np.clip(8 * a + 4 * b, -2, 2)]
 
 
 def dragged(a, b):
@@ -58,8 +55,8 @@ CASES = {  # rates, V, box, whether V' changes its sign in the box
 @pytest.mark.parametrize("name", CASES)
 def test_the_level_is_where_samples_of_the_rate_first_fail(name):
     rates, V, half = CASES[name]
-    system = diagram(rates, ["a", "b"], name="plant")
-    found = lyapunov(system, lambda s: V(s.a, s.b), within={"a": (-half, half), "b": (-half, half)})
+    box = dict.fromkeys("ab", (-half, half))
+    found = lyapunov(system(rates), lambda s: V(s.a, s.b), within=box)
     assert found.status == "proved in a region"
     a, b = np.meshgrid(*[np.linspace(-half, half, 2001)] * 2)
     h = 1e-6
@@ -72,41 +69,38 @@ def test_the_level_is_where_samples_of_the_rate_first_fail(name):
 
 
 def test_khalils_oscillator_is_found_without_a_v_and_its_region_ends_within_the_cycle():
-    system = diagram(reversed_oscillator, ["x1", "x2"], name="oscillator")
-    found = lyapunov(system, within={"x1": (-3, 3), "x2": (-3, 3)})
-    assert str(found.V) == "3*x1**2/2 - x1*x2 + x2**2"  # P of A'P + PA = -I, by hand
+    oscillator = system(reversed_oscillator)
+    found = lyapunov(oscillator, within={"a": (-3, 3), "b": (-3, 3)})
+    assert str(found.V) == "3*a**2/2 - a*b + b**2"  # P of A'P + PA = -I, by hand
     assert 2.25 < found.level < 2.31  # Khalil reads 2.25 off a contour
     around = np.linspace(0, 2 * np.pi, 9)[:-1]
     for way in np.stack([np.cos(around), np.sin(around)], axis=1):
         size = np.sqrt(0.999 * found.level / (1.5 * way[0] ** 2 - way[0] * way[1] + way[1] ** 2))
-        assert np.abs(clpt.simulate(system, [0, 40.0], 0, size * way).states[-1]).max() < 1e-4
+        assert np.abs(clpt.simulate(oscillator, [0, 40.0], 0, size * way).states[-1]).max() < 1e-4
 
 
 def test_a_level_is_exact_where_it_is_known_by_hand():
-    cubic = diagram(lambda x: [-x + x**3], ["x"], name="cubic")  # V' < 0 for 0 < x^2 < 1
+    cubic = system(lambda x: [-x + x**3])  # V' < 0 for 0 < x^2 < 1
     assert 0.999 <= lyapunov(cubic, lambda s: s.x**2, within={"x": (-3, 2)}).level <= 1.0
     near = lyapunov(cubic, lambda s: s.x**2, within={"x": (-0.5, 2)})
     assert 0.249 <= near.level <= 0.25  # V on the nearer edge
-    turn = diagram(lambda x: [np.sin(x)], ["x"], name="turn")  # V' = -sin(x)^2
+    turn = system(lambda x: [np.sin(x)])  # V' = -sin(x)^2
     found = lyapunov(turn, lambda s: 1 + np.cos(s.x), at={"x": np.pi}, within={"x": (1, 5)})
     assert 0.999 * (1 + np.cos(5)) <= found.level <= 1 + np.cos(5)
 
 
 def test_parameters_as_they_are_are_said():
-    damped = diagram(lambda x: [-x + x**3], ["x"], name="cubic", params={"k": 1.0})
-    assert "as they are" not in lyapunov(damped, lambda s: s.x**2, within={"x": (-1, 1)}).claim
-    own = control.nlsys(
-        lambda t, x, u, p: [-p["k"] * x[0]], states=["x"], inputs=0, params={"k": 2.0}, name="own"
-    )
+    box = {"x": (-1, 1)}
+    damped = control.nlsys(lambda t, x, u, p: -x + x**3, states=["x"], inputs=0, params={"k": 1.0})
+    assert "as they are" not in lyapunov(damped, lambda s: s.x**2, within=box).claim
+    own = system(lambda x, k: [-k * x], params={"k": 2.0})
     assert "with the parameters as they are: what begins there comes to rest" in (
-        lyapunov(own, lambda s: s.x**2, within={"x": (-1, 1)}).claim
+        lyapunov(own, lambda s: s.x**2, within=box).claim
     )
 
 
 def test_inputs_are_zero_and_said():
-    pushed = control.nlsys(
-        lambda t, x, u, p: [-x[0] + x[0] ** 3 + u[0]], states=["x"], inputs=["d"], name="pushed"
-    )
+    pushed = system(lambda x, d: [-x + x**3 + d], "d")
     found = lyapunov(pushed, lambda s: s.x**2, within={"x": (-2, 2)})
     assert (found.status, found.inputs) == ("proved in a region where d = 0", ("d",))
 
@@ -124,7 +118,7 @@ NOT_SHOWN = {
 @pytest.mark.parametrize("name", NOT_SHOWN)
 def test_what_is_not_shown_is_open(name):
     rates, V = NOT_SHOWN[name]
-    found = lyapunov(diagram(rates, ["x"], name="plant"), V, within={"x": (-2, 2)})
+    found = lyapunov(system(rates), V, within={"x": (-2, 2)})
     assert (found.status, found.level) == ("open", 0.0)
 
 
@@ -139,11 +133,11 @@ def test_what_is_not_shown_is_open(name):
 )
 def test_a_box_that_is_none_is_refused(within, sentence):
     with pytest.raises(ClptError, match=sentence):
-        lyapunov(diagram(lambda x: [-x], ["x"], name="plant"), lambda s: s.x**2, within=within)
+        lyapunov(system(lambda x: [-x]), lambda s: s.x**2, within=within)
 
 
 def test_what_moves_with_time_or_jumps_has_no_region():
-    driven = control.nlsys(lambda t, x, u, p: [-x[0] * (2 + np.sin(t))], states=["x"], inputs=0)
+    driven = system(lambda t, x: [-x * (2 + np.sin(t))])
     with pytest.raises(ClptError, match="no region that lasts, for it moves with t"):
         lyapunov(driven, lambda s: s.x**2, within={"x": (-1, 1)})
 
