@@ -6,10 +6,10 @@ from responses import response
 
 import clpt_control as clpt
 from clpt_control.blocks import learner, vehicle
-from clpt_control.blocks.laws.law import Truth
 from clpt_control.diagrams.interconnection import connect
 from clpt_control.errors import ScenarioError
 from clpt_control.simulation.loops import paper_blocks
+from clpt_control.theory.promises import truth_of
 from clpt_control.theory.proving import limited_speed
 from clpt_control.theory.proving.limited_speed import LIMITED_SPEED
 from clpt_control.theory.proving.proof import proof_or_failure
@@ -26,8 +26,7 @@ def few_points(monkeypatch):
 def rates_of_V(scenario):
     """V' along a run by the records of its blocks, and -e^T KD e, at its samples."""
     blocks, car = paper_blocks(scenario), scenario.vehicle
-    truth = Truth(*map(np.array, (scenario.flow.parameters, car.feedback, car.feedforward)))
-    V = scenario.learning.row.V(blocks[-1].parameters, truth)
+    V = scenario.learning.row.V(blocks[-1].parameters, truth_of(scenario))
     loop = connect([*blocks, V], name="with_V")
     times = np.arange(0.0, scenario.run.duration, scenario.run.output_step)
     states = response(loop, times, initial_state=clpt.initial_state(scenario)).states.T

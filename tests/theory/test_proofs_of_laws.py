@@ -7,10 +7,10 @@ from responses import response
 
 import clpt_control as clpt
 from clpt_control.blocks.laws import regressions
-from clpt_control.blocks.laws.law import Truth
 from clpt_control.blocks.laws.remembering import CONCURRENT as LAW
 from clpt_control.blocks.laws.remembering import next_window
 from clpt_control.blocks.laws.table import LAWS
+from clpt_control.theory.promises import truth_of
 from clpt_control.theory.proving import all_proofs, invariant_loop
 from clpt_control.theory.proving.all_proofs import proof_of_law
 from clpt_control.theory.proving.own_law import prove
@@ -36,24 +36,19 @@ def test_gains_held_true_fall_alike_and_others_push():
     assert sympy.expand(verdict.residual.subs(true)) == 0
 
 
-def test_a_wrong_law_would_not_stand_in_the_table():
-    law = LAWS["learned-flow"]
-
-    def backwards(t, x, u, p):
-        return {port: -rate for port, rate in law.rates(t, x, u, p).items()}
-
-    found = proof_of_law(law._replace(rates=backwards))
-    assert not found.holds
-    assert "V' " in found.claim
+def backwards(t, x, u, p):
+    return {port: -rate for port, rate in LAWS["learned-flow"].rates(t, x, u, p).items()}
 
 
-def test_equations_that_cannot_be_read_leave_a_law_open():
-    def unread(t, x, u, p):
-        raise ValueError("no such equation")
+def unread(t, x, u, p):
+    raise ValueError("no such equation")
 
-    found = proof_of_law(LAWS["learned-flow"]._replace(rates=unread))
+
+@pytest.mark.parametrize(("rates", "said"), [(backwards, "V' "), (unread, "no such equation")])
+def test_a_wrong_law_would_not_stand_in_the_table(rates, said):
+    found = proof_of_law(LAWS["learned-flow"]._replace(rates=rates))
     assert (found.status, found.holds) == ("open", False)
-    assert "no such equation" in found.claim
+    assert said in found.claim
 
 
 KEEPING = [law for law in LAWS.values() if law.invariants is not None]
@@ -134,8 +129,7 @@ def test_a_run_starts_and_stays_where_the_relations_hold(law):
         f"learning.{'theta_estimate' if law.alpha_is_constant else 'parameters'}": START,
     }
     scenario = clpt.paper_scenario().with_values({"learning.law": law.name, **more})
-    truth = Truth(*map(np.array, (scenario.flow.parameters, *vehicle_gains(scenario))))
-    block = law.block(scenario.known_to_law)
+    truth, block = truth_of(scenario), law.block(scenario.known_to_law)
     p, shapes = block.parameters, {**block.state_shapes, **block.output_shapes}
     loop, times = clpt.closed_loop(scenario), np.array([0.0, 5.0, 30.0])
     run = response(loop, times, None, clpt.initial_state(scenario), rtol=1e-11, atol=1e-13)
@@ -147,10 +141,6 @@ def test_a_run_starts_and_stays_where_the_relations_hold(law):
             np.testing.assert_allclose(s[port], value, atol=1e-9)
         assert all(np.linalg.eigvalsh(s[port]).min() > -1e-10 for port in law.semidefinite)
         assert all(np.prod(product) > -1e-10 for product in law.losses(s, p, truth))
-
-
-def vehicle_gains(scenario):
-    return scenario.vehicle.feedback, scenario.vehicle.feedforward
 
 
 WITH_P = [law for law in KEEPING if law.weighted_error is not None]

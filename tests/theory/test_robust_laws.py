@@ -18,7 +18,7 @@ from scipy.integrate import solve_ivp
 import clpt_control as clpt
 from clpt_control.blocks import clpe
 from clpt_control.blocks.laws import robust
-from clpt_control.blocks.laws.law import Gains, Truth
+from clpt_control.blocks.laws.law import Gains
 from clpt_control.blocks.laws.table import LAWS as TABLE
 from clpt_control.simulation.loops import paper_blocks
 from clpt_control.theory.counterexamples import burst_counterexample, with_square_wave
@@ -127,8 +127,7 @@ def test_a_run_stays_in_the_set(name):
     values = {f"basis.{key}": [getattr(PAPER.basis, key)[0]] for key in ONE_EACH}
     flow = {f"{key}.parameters": [[1.0], [0.9]] for key in ("flow", "model", "learning")}
     scenario = with_square_wave(PAPER.with_values(values | flow), 0.05, 3.5)
-    car, own = scenario.vehicle, law_of(name, 1)
-    truth = Truth(*map(np.array, (scenario.flow.parameters, car.feedback, car.feedforward)))
+    truth, own = truth_of(scenario), law_of(name, 1)
     blocks = [own if b.name == "adaptation" else b for b in paper_blocks(scenario)]
     V = TABLE[name].V(own.parameters, truth)
     loop = clpt.connect([*blocks, V])
