@@ -52,8 +52,9 @@ def check_response(run: "xarray.Dataset") -> None:
     times = run.variables.get("time")
     if times is None or times.dims != ("time",) or not times.size:
         raise DataError("the run has no sample along time; clpt.simulate makes runs")
+    names = {"state", "parameter"} & run.coords.keys()
     for name, one in run.variables.items():
-        finite = name == "state" or (one.dtype.kind in "iuf" and np.all(np.isfinite(one.values)))
+        finite = name in names or (one.dtype.kind in "iuf" and np.all(np.isfinite(one.values)))
         if not finite or (name in run.data_vars and "time" not in one.dims):
             raise DataError(
                 f"the run's {name!s:.40} holds no finite numbers along time; run it again"

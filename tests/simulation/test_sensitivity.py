@@ -368,3 +368,11 @@ def test_vehicles_that_have_met_are_not_misread():
         end = found.y[-1].values
         mean = 0.0 if to == "g" else np.tile(np.eye(2), (3, 3)) / 3.0
         np.testing.assert_allclose(end, mean + 0.0 * end, atol=1e-9)
+
+
+def test_a_page_shows_sensitivities(tmp_path):
+    found = clpt.sensitivity(decay(2.0), [0.0, 0.5, 1.0], to="k", initial_state=[3.0])
+    clpt.report(found, tmp_path / "page.html")
+    text = (tmp_path / "page.html").read_text("utf-8")
+    assert "x parameter k" in text
+    assert f"{-3 * np.exp(-2.0):.6g}" in text  # dx/dk = -t x0 exp(-k t)
