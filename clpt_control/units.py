@@ -3,6 +3,8 @@
 import re
 from datetime import UTC, datetime
 from decimal import ROUND_CEILING, Context
+from math import isfinite
+from typing import Any
 
 from .errors import DataError
 
@@ -34,6 +36,11 @@ WORDS = {  # also in the plural
     "kt": "knot",
     "kn": "knot",
 }
+
+
+def known(value: Any) -> Any:
+    """Return None for a number that is not finite, which JSON has no word for."""
+    return None if isinstance(value, float) and not isfinite(value) else value
 
 
 def percent(share: float) -> str:

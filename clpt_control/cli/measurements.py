@@ -8,7 +8,7 @@ import clpt_control as clpt
 from ..errors import DataError, ScenarioError
 from ..files import make_folder, write_together
 from ..html import Result
-from ..units import percent
+from ..units import known, percent
 from .printing import TIDES, Formats, Json, arg, cell_text, check_out, finish, flag, opt
 
 
@@ -177,18 +177,17 @@ def estimate(
         data = data.sel(time=slice(None, until * (1 + 1e-12)))
     found = clpt.estimation.flow_estimate(data, method, every=every, prior=prior, noise=noise)
     if out is not None:
-        known = clpt.estimation.known_flow_scenario(scenario, found.theta)
-        clpt.save_scenario(known, out)
+        fed = clpt.estimation.known_flow_scenario(scenario, found.theta)
+        clpt.save_scenario(fed, out)
     sd, length = found.standard_deviation, scenario.units.length
     speed = f"{length}/{scenario.units.time}"
-    condition = found.condition_number
     report = {
         "method": method,
         "units": {"length": length, "time": scenario.units.time},
         "fixes": len(found.misses) + 1,
         "theta": found.theta.tolist(),
         "standard_deviation": sd.tolist(),
-        "condition_number": condition if np.isfinite(condition) else None,
+        "condition_number": known(found.condition_number),
         "rms_of_misses_left": float(np.sqrt(np.mean(np.sum(found.misses**2, axis=1)))),
         "steps": len(found.steps),
     }

@@ -35,7 +35,7 @@ from ..files import check_writable, write_together
 from ..scenario import tidal_periods
 from ..scenario.experiment import Scenario
 from ..scenario.file import load_scenario, scenario_to_text
-from ..units import percent, seconds_since_1970
+from ..units import known, percent, seconds_since_1970
 from .constituents import nodal_report
 from .grid_file import Currents, read_currents, with_all_steps
 from .plane import GriddedField, LocalPlane, field_dataset, fill_gaps, regular_grid
@@ -210,7 +210,7 @@ def fit_scenario(
         "cells_never_measured": int(gap.all(axis=0).sum()),
         "cells_of_zeros_taken_as_land": currents.land,
         "rms_speed": float(np.sqrt(np.mean(u[measured] ** 2 + v[measured] ** 2))),
-        "explained_variance": None if np.isnan(fit.explained_variance) else fit.explained_variance,
+        "explained_variance": known(fit.explained_variance),
         "residual_rms": fit.residual_rms,
         "residual_max": fit.residual_max,
         "speed_units": SPEED,

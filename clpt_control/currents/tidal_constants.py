@@ -17,7 +17,6 @@ scenario's sine is the phase -pi/2.
 """
 
 from importlib.metadata import version
-from math import isfinite
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -26,7 +25,7 @@ import xarray
 from ..arguments import public
 from ..errors import DataError
 from ..scenario.tidal_periods import SPEEDS
-from ..units import speed_in_metres_per_second
+from ..units import known, speed_in_metres_per_second
 from .constituents import checked_times, nodal_corrections, nodal_report
 from .current_record import CurrentRecord
 from .tidal_fit import NUMBERS, TidalFit
@@ -45,8 +44,8 @@ def tides_report(fit: TidalFit) -> dict[str, Any]:
         "latitude": fit.latitude,
         "constituents": {
             each.name: {
-                **{key: _number(getattr(each, key)) for key in NUMBERS},
-                "standard_errors": {key: _number(each.errors[key]) for key in NUMBERS},
+                **{key: known(getattr(each, key)) for key in NUMBERS},
+                "standard_errors": {key: known(each.errors[key]) for key in NUMBERS},
             }
             for each in fit.constituents
         },
@@ -58,10 +57,6 @@ def tides_report(fit: TidalFit) -> dict[str, Any]:
         "nodal_time": str(fit.middle),
         "nodal": nodal_report([each.name for each in fit.constituents], fit.middle, fit.latitude),
     }
-
-
-def _number(value: float) -> float | None:
-    return value if isfinite(value) else None
 
 
 def tides_dataset(fit: TidalFit, record: CurrentRecord) -> xarray.Dataset:

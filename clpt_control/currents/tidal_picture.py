@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..arguments import public
-from ..figures import BLUE, GREY, RED, axes_for
+from ..figures import BLUE, GREY, RED, TITLE, axes_for
 from ..units import percent
 from .current_record import CurrentRecord
 from .tidal_fit import Constituent, TidalFit, predict
@@ -81,8 +81,7 @@ def tides_plot(fit: TidalFit, record: CurrentRecord, *, ax: Any = None) -> np.nd
     axes[1].legend(fontsize=8, frameon=False, ncols=2, loc="lower right", bbox_to_anchor=(1, 1))
     axes[1].set_title(
         f"Explained: {percent(fit.explained_variance)}; residual rms {fit.residual_rms:.3g} m/s",
-        loc="left",
-        fontsize=10,
+        **TITLE,
     )
     axes[2].set_xlabel(f"days since {origin} UTC")
     return axes
@@ -128,6 +127,5 @@ def _draw(
     ax.set_title(
         "Tidal ellipses, east to the right, semi-major axis in m/s\n"
         "dashed: clockwise; dot: V + u = 0" + (more if larger.max() > 1 else ""),
-        loc="left",
-        fontsize=10,
+        **TITLE,
     )

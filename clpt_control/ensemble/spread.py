@@ -6,7 +6,7 @@ import numpy as np
 
 from ..arguments import check_holds, public
 from ..errors import ArgumentError, DataError
-from ..figures import BLUE, GREY, RED, axes_for
+from ..figures import BLUE, GREY, RED, TITLE, axes_for
 from .store import ARGUMENTS
 from .summaries import STATUS
 
@@ -181,7 +181,7 @@ def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> np.ndarray:
     else:
         _nothing(top, "no run has come to the end of a cycle")
     count = f"{data.sizes['member']:,}".replace(",", " ")
-    top.set_title(f"CLPE of {count} members", loc="left", fontsize=10)
+    top.set_title(f"CLPE of {count} members", **TITLE)
     name = "flow_parameter_error" if "flow_parameter_error" in data else "gain_error"
     if name not in data:
         _nothing(bottom, "neither flow parameters nor gains have a known truth")
@@ -189,7 +189,7 @@ def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> np.ndarray:
     bands, time = percentiles(data, name), data["mark"].values
     _bands(bottom, time, bands, RED)
     what = "flow parameter" if name == "flow_parameter_error" else "gain"
-    bottom.set_title(f"Largest error of a {what}", loc="left", fontsize=10)
+    bottom.set_title(f"Largest error of a {what}", **TITLE)
     bottom.set(
         xlabel=f"time ({data['mark'].attrs['units']})",
         ylabel=f"error ({unit_of(data[name])})",

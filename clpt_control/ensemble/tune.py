@@ -25,6 +25,7 @@ from ..scenario.experiment import Scenario
 from ..theory.designing.design import time_below
 from ..theory.designing.waypoint_tracks import Tracks
 from ..theory.excitation.regressor import checked_window
+from ..units import known
 from .candidates import Candidate, Unknown, belief, candidate, grid_about, laws_to_try, unknown_of
 from .run import run_ensemble
 
@@ -250,11 +251,7 @@ def excitation_of_track(scenario: Scenario) -> dict[str, Any]:
 def as_json(one: Score) -> dict[str, Any]:
     """Return a score ready for JSON; None for what is infinite."""
     values = one.candidate._asdict() | one._asdict()
-    return {
-        key: None if isinstance(value, float) and not np.isfinite(value) else value
-        for key, value in values.items()
-        if key not in ("values", "candidate")
-    }
+    return {k: known(v) for k, v in values.items() if k not in ("values", "candidate")}
 
 
 def because(report: dict[str, Any], named: str) -> str:

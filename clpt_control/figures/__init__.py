@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 BLUE, ORANGE, GREEN, RED, GREY = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#666666"
 PURPLE = "#CC79A7"
 COLOURS = (BLUE, RED, GREEN, ORANGE, PURPLE, "#56B4E9")
+TITLE: dict[str, Any] = {"loc": "left", "fontsize": 10}
 STYLES = ("-", "--", "-.", (0, (1, 1)), (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)))
 
 FORMATS = ("png", "pdf", "svg")

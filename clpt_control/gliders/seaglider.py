@@ -30,6 +30,7 @@ import xarray
 
 from ..errors import DataError
 from ..estimation.dive import Dive, Fix, ThroughWater
+from ..units import known
 from . import samples
 from .dives import NUMBERS, Three, dive_between, is_fix, planned_course, whole_number
 
@@ -154,7 +155,7 @@ def _variation(data: xarray.Dataset) -> float | None:
     found = samples.scalar(data, "magnetic_variation")
     if found is None:
         found = _of_fix(data, "log_gps_magvar", 1)
-    return found if isfinite(found) else None
+    return known(found)
 
 
 def _next_course(data: xarray.Dataset, end: Fix) -> float | None:

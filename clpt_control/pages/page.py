@@ -12,7 +12,7 @@ from importlib.metadata import version
 from textwrap import fill
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ..figures import figure_of, inline_svg
+from ..figures import TITLE, figure_of, inline_svg
 from ..html import Result, document, folded, listing, paragraphs, safe, table
 
 if TYPE_CHECKING:
@@ -73,7 +73,7 @@ def drawn(name: str, height: float, caption: str, plot: Callable[..., Any], *dat
     figure = figure_of(plot, *data)
     figure.set_size_inches(WIDTH, height)
     for ax in figure.axes:
-        ax.set_title(fill(ax.get_title(loc="left"), LETTERS), loc="left", fontsize=10)
+        ax.set_title(fill(ax.get_title(loc="left"), LETTERS), **TITLE)
     return Drawn(name, figure, caption)
 
 

@@ -7,14 +7,14 @@ import xarray
 
 from ..diagrams.drawing.figure import block_figure
 from ..errors import ClptError
-from ..figures import BLUE, GREY, RED, figure_of, new_figure
+from ..figures import BLUE, GREY, RED, TITLE, figure_of, new_figure
 from ..html import Result
 from ..scenario.experiment import Scenario
 from ..scenario.file import OWN_LAW
 from ..scenario.recorded_run import waypoints_of
 from ..scenario.tables import Units
 from ..scenario.team import Team
-from ..simulation.charts import TITLE, square_chart, track_plot
+from ..simulation.charts import square_chart, track_plot
 from ..simulation.flows import flow_velocity
 from ..simulation.loops import closed_loop
 from ..simulation.plots import DIRECTIONS, clpe_plot, learning_plot

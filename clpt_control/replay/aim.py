@@ -33,6 +33,7 @@ from ..geodesy import displacement, distance, is_place, near
 from ..gliders.dives import Dive, Fix
 from ..gliders.samples import variation as igrf
 from ..gliders.usable_dives import FASTEST
+from ..units import known
 from .places import Place, direction, in_minutes, placed, utc, vector
 from .replay import Replay
 from .surfacing import ELLIPSE, LONGEST, NextDive, ellipse
@@ -253,11 +254,10 @@ def usual(replay: Replay, speed: float | None, duration: float | None) -> tuple[
 
 def _variation(last: Dive, start: Fix, stated: float | None) -> float | None:
     """Return the magnetic variation at the start of a leg, degrees east; None where not known."""
-    for known in (stated, last.magvar):
-        if known is not None and isfinite(known):
-            return known
-    found = igrf(*start)
-    return found if isfinite(found) else None
+    for said in (stated, last.magvar):
+        if known(said) is not None:
+            return said
+    return known(igrf(*start))
 
 
 def check_speed(V: float, T: float) -> None:

@@ -19,7 +19,8 @@ import xarray
 from ..arguments import public
 from ..errors import DataError
 from ..figures import literal
-from .outcome import flat_rows, known
+from ..units import known
+from .outcome import flat_rows
 from .places import utc
 from .replay import Replay
 from .step import FLOW_MODEL, MODELS

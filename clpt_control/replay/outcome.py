@@ -28,6 +28,7 @@ from ..estimation.dive import dac_difference
 from ..estimation.fix_model import OTHERS
 from ..geodesy import place_from
 from ..gliders.dives import Skipped
+from ..units import known
 from .carried_dives import NOTE, why_uncovered
 from .habits import Way
 from .places import direction, placed, utc, vector, velocity
@@ -70,11 +71,6 @@ def flat_rows(replay: Replay) -> list[dict[str, Any]]:
             for key in SPEED:
                 del row[key]
     return found
-
-
-def known(value: Any) -> Any:
-    """Return None for a number that is not finite, which JSON has no word for."""
-    return None if isinstance(value, float) and not isfinite(value) else value
 
 
 def _row(step: Step, models: tuple[str, ...]) -> dict[str, Any]:

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from ..arguments import public
-from ..figures import BLUE, GREEN, GREY, ORANGE, RED, axes_for, figure_of, legend_below
+from ..figures import BLUE, GREEN, GREY, ORANGE, RED, TITLE, axes_for, figure_of, legend_below
 from ..files import write_together
 from .facts import Source, learns_speed, plot_data
 from .outcome import rms_of
@@ -73,7 +73,7 @@ def dive_clpe_plot(replay: Source, *, dates: bool = False, ax: Axes | None = Non
         ax.axvline(here, color=RED, lw=1, label=None if k else "speed anomaly")
     ax.set(ylabel="miss (CLPE) at the surfacing (km)", ylim=(0, None))
     _mark(ax, x, dates)
-    ax.set_title("Prediction error, one dive ahead; rms after the first", loc="left", fontsize=10)
+    ax.set_title("Prediction error, one dive ahead; rms after the first", **TITLE)
     legend_below(ax, 3)
     return ax
 

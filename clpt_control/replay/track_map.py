@@ -13,7 +13,7 @@ from matplotlib.axes import Axes
 from matplotlib.patheffects import withStroke
 
 from ..arguments import public
-from ..figures import BLUE, GREEN, ORANGE, PURPLE, RED, axes_for, legend_below
+from ..figures import BLUE, GREEN, ORANGE, PURPLE, RED, TITLE, axes_for, legend_below
 from .chart import LAST, Chart, bar_of, drawn_dives, grid_label, layers_ahead, with_room
 from .facts import Source, plot_data
 from .places import Place, clock
@@ -107,7 +107,7 @@ def map_plot(
     last_row = found[-1]
     when = clock(last_row["end"])
     title = f"{vehicle}: dive {last_row['dive']} surfaced {when}"
-    ax.set_title(title, loc="left", fontsize=10)
+    ax.set_title(title, **TITLE)
     legend_below(ax, 3)
     return ax
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..arguments import public
 from ..errors import ClptError
-from ..figures import BLUE, COLOURS, GREY, RED, axes_for, legend_below
+from ..figures import BLUE, COLOURS, GREY, RED, TITLE, axes_for, legend_below
 from ..scenario.experiment import Scenario
 from ..scenario.file import scenario_of_run
 from ..scenario.recorded_run import check_run, waypoints_of
@@ -17,8 +17,6 @@ from ..scenario.recorded_run import check_run, waypoints_of
 if TYPE_CHECKING:
     import xarray
     from matplotlib.axes import Axes
-
-TITLE: dict[str, Any] = {"loc": "left", "fontsize": 10}
 
 
 def scenario_with(run: "xarray.Dataset", *names: str) -> Scenario:

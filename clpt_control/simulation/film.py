@@ -14,14 +14,14 @@ import numpy as np
 
 from ..arguments import public
 from ..errors import ClptError, DataError
-from ..figures import BLUE, GREEN, GREY, ORANGE, RED, SAME, legend_below, new_figure
+from ..figures import BLUE, GREEN, GREY, ORANGE, RED, SAME, TITLE, legend_below, new_figure
 from ..files import beside, check_writable
 from ..html import fragment
 from ..progress import progress_bar
 from ..progress.interrupt import check
 from ..scenario.experiment import Scenario
 from ..scenario.recorded_run import is_response, waypoints_of
-from .charts import TITLE, arrow_grid, scenario_with
+from .charts import arrow_grid, scenario_with
 from .flows import flow_velocity
 
 if TYPE_CHECKING:

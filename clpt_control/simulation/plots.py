@@ -9,9 +9,9 @@ import numpy as np
 
 from ..arguments import public
 from ..errors import ClptError
-from ..figures import BLUE, GREY, axes_for, line_style
+from ..figures import BLUE, GREY, TITLE, axes_for, line_style
 from ..scenario.recorded_run import waypoints_of
-from .charts import TITLE, coloured, scenario_with, track_plot
+from .charts import coloured, scenario_with, track_plot
 
 if TYPE_CHECKING:
     import xarray

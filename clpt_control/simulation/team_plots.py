@@ -8,10 +8,10 @@ import numpy as np
 
 from ..arguments import public
 from ..errors import DataError
-from ..figures import GREY, axes_for, figure_of, legend_below, line_style
+from ..figures import GREY, TITLE, axes_for, figure_of, legend_below, line_style
 from ..scenario.file import TEAM
 from ..scenario.team import Team, team_of_run
-from .charts import TITLE, arrow_grid, track_plot
+from .charts import arrow_grid, track_plot
 from .comparing import response_plot
 from .flows import flow_velocity
 from .plots import clpe_plot, learning_plot

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...arguments import public
-from ...figures import BLUE, GREY, ORANGE, RED, axes_for, legend_below
+from ...figures import BLUE, GREY, ORANGE, RED, TITLE, axes_for, legend_below
 from .design import Design
 
 if TYPE_CHECKING:
@@ -99,8 +99,7 @@ def _track(ax: "Axes", design: Design, k: int, size: float) -> None:
     ax.set_title(
         rf"{name}: $\kappa_1$ = {found['smallest_eigenvalue']:.3g}, "
         f"length {found['closed_length']:.4g} {unit}",
-        loc="left",
-        fontsize=10,
+        **TITLE,
     )
     ax.set(xlabel=f"$x_1$ ({unit})", ylabel=f"$x_2$ ({unit})")
 
@@ -136,5 +135,5 @@ def _error(ax: "Axes", design: Design) -> None:
     speed, level = f"{units['length']}/{units['time']}", design.report["after"]["level"]
     ax.axhline(level, color=GREY, linewidth=1.0, linestyle=":", label=f"level {level:.3g} {speed}")
     ax.set(xlabel=f"time ({units['time']})", ylabel=f"largest flow-parameter error ({speed})")
-    ax.set_title(f"what {design.report['law']} learns", loc="left", fontsize=10)
+    ax.set_title(f"what {design.report['law']} learns", **TITLE)
     ax.legend(fontsize=8, frameon=False)

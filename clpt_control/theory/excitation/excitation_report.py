@@ -15,7 +15,7 @@ import numpy as np
 
 from ...arguments import public
 from ...errors import ScenarioError
-from ...figures import BLUE, GREY, RED, axes_for
+from ...figures import BLUE, GREY, RED, TITLE, axes_for
 from ...scenario.experiment import Scenario
 from .certificates import certificate, time_to_tenth
 from .gramian import Excitation, gramian, sliding_excitation
@@ -147,7 +147,7 @@ def _eigenvalues(
         ax.semilogy(starts, values[:, k], style, **how)
     ax.axvline(at.start, color="black", linestyle=":", linewidth=1.0, label="window below")
     ax.set_xlabel(f"start of the window ({at.time_unit})")
-    ax.set_title(f"{axis}: window of {at.window:g} {at.time_unit}", loc="left", fontsize=10)
+    ax.set_title(f"{axis}: window of {at.window:g} {at.time_unit}", **TITLE)
 
 
 def _direction(ax: "Axes", at: Excitation, axis: str) -> None:
@@ -167,8 +167,7 @@ def _direction(ax: "Axes", at: Excitation, axis: str) -> None:
     ax.set_title(
         rf"{axis}: $\kappa_1$ = {at.eigenvalues[axis][0]:.3g}, "
         f"{at.start:.4g} to {at.start + at.window:.4g} {at.time_unit}{some}",
-        loc="left",
-        fontsize=10,
+        **TITLE,
     )
 
 
