@@ -11,16 +11,13 @@ import xarray
 from html_reader import Reader, fetching_nothing
 from matplotlib.figure import Figure
 from synthetic_vehicle import fixes_of
-from typer.testing import CliRunner
 
 import clpt_control as clpt
-from clpt_control.cli import application
-from clpt_control.ensemble.store import Store, open_store
 from clpt_control.errors import ClptError, DataError
 from clpt_control.figures import inline_svg, new_figure
 from clpt_control.pages.page import page_html
 from clpt_control.pages.results import run_result
-from clpt_control.pages.writing import page_of
+from clpt_control.pages.writing import page_of, report
 from clpt_control.simulation.summary import run_and_report
 
 EVIL = "</title></style><script>alert(1)</script><img src=x onerror='alert(2)'>\"&amp;"
@@ -53,11 +50,6 @@ def run():
 @pytest.fixture(scope="module")
 def page(run):
     return page_html(page_of(run))
-
-
-@pytest.fixture
-def command():
-    return lambda *words: CliRunner().invoke(application(), ["report", *map(str, words)])
 
 
 def checked(text):
@@ -270,73 +262,6 @@ def test_a_team_has_its_page(tmp_path):
     checked((tmp_path / "t.html").read_text("utf-8"))
 
 
-def test_an_ensemble_has_its_page(tmp_path):
-    clpt.run_ensemble(SHORT, "learning.gain=0.2:2.0", 6, out=tmp_path / "e.zarr", chunk=2)
-    text = page_html(page_of(open_store(tmp_path / "e.zarr", mode="r").dataset()))
-    checked(text)
-    assert "6 of 6" in text
-    assert "learning.gain varies from 0.2 to 2" in text
-
-
-@pytest.mark.parametrize("name", ["member/c/0", "flow_parameter_error/c/0/0"])
-def test_a_damaged_ensemble_is_a_sentence(tmp_path, name):
-    out, page = tmp_path / "e.zarr", tmp_path / "e.html"
-    clpt.run_ensemble(SHORT, "learning.gain=0.2:2.0", 2, out=out)
-    (out / name).write_bytes((out / name).read_bytes()[:5])
-    with pytest.raises(
-        DataError, match=r"is damaged: (a part of it cannot be read|member has lost its files)"
-    ):
-        clpt.report(out, page)
-    assert not page.exists()
-
-
-def test_an_ensemble_that_failed_has_its_page(tmp_path):
-    long = SHORT.with_values({"run.duration": 250})
-    failed = clpt.run_ensemble(
-        long, "vehicle.position=[[1e200,0],[1e201,0]]", 2, out=tmp_path / "e.zarr"
-    )
-    text = page_html(page_of(failed))
-    checked(text)
-    assert "no run came to the end of a round" in text
-    assert "2 of 2 runs did not come to their end" in text
-    assert "step too small" in text
-
-
-def test_an_ensemble_says_which_round_was_reached_and_what_failed_member_by_member():
-    long = SHORT.with_values({"run.duration": 400})
-    data = clpt.run_ensemble(long, "learning.gain=[1.23456, 2]", 2, "grid")
-    data["clpe_rms"][:, 1] = np.nan
-    data["status"][0], data["end"][0] = 2, 312.345
-    text = words(data)
-    assert "in round 1 of the waypoints, the last that any run reached, the CLPE" in text
-    assert "['0', 'step too small', '312.345', '1.23456']" in text
-
-
-@pytest.mark.parametrize("done", [0, 1])
-def test_an_ensemble_under_way_says_how_far_it_is(tmp_path, monkeypatch, done):
-    write, count = Store.write, []
-
-    def stops(self, index, arrays):
-        if len(count) == done:
-            raise KeyboardInterrupt
-        count.append(index)
-        write(self, index, arrays)
-
-    monkeypatch.setattr(Store, "write", stops)
-    # a process that is killed removes nothing
-    monkeypatch.setattr(
-        "clpt_control.ensemble.run.remove_empty", lambda store: None
-    )  # as if killed
-    vary = "learning.gain=0.2:2.0"
-    with pytest.raises(KeyboardInterrupt):
-        clpt.run_ensemble(SHORT, vary, 6, out=tmp_path / "e.zarr", chunk=2, threads=1)
-    made = clpt.report(tmp_path / "e.zarr", tmp_path / "e.html")
-    text = (tmp_path / "e.html").read_text("utf-8")
-    checked(text)
-    assert f"not complete: {2 * done} of 6 members are done" in text
-    assert len(made["sentences"]) == (3 if done else 2)
-
-
 def test_a_replay_has_the_page_of_the_watch(tmp_path):
     replay = clpt.replay.replay_dives(fixes_of(4))
     made = clpt.report(replay, tmp_path / "r.html")
@@ -345,91 +270,65 @@ def test_a_replay_has_the_page_of_the_watch(tmp_path):
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_the_command_looks_at_what_a_file_is(command, tmp_path):
-    ran = CliRunner().invoke(
-        application(), ["replay", "--sample", "--out", str(tmp_path / "replay"), "--json"]
-    )
-    (tmp_path / "found.json").write_text(ran.stdout)
+def test_the_command_looks_at_what_a_file_is(clpt, tmp_path):
+    ran = clpt("replay", "--sample", "--out", tmp_path / "replay", "--json")
+    (tmp_path / "found.json").write_text(ran.out)
     page = (tmp_path / "replay" / "replay.html").read_bytes()
     for source in (tmp_path / "replay" / "replay.nc", tmp_path / "found.json"):
-        assert command(source, "-o", tmp_path / "again.html").exit_code == 0
+        assert clpt("report", source, "-o", tmp_path / "again.html").status == 0
         assert (tmp_path / "again.html").read_bytes() == page
 
 
-def test_the_command_writes_page_and_figures(command, tmp_path):
-    clpt.run_ensemble(SHORT, "learning.gain=0.2:2.0", 3, out=tmp_path / "e.zarr")
-    words = tmp_path / "e.zarr", "-o", tmp_path / "r.html", "--figures", tmp_path / "f", "--json"
-    found = json.loads(command(*words).stdout)
-    assert found["bytes"] == (tmp_path / "r.html").stat().st_size
-    names = ["ensemble.pdf", "ensemble.svg"]
-    assert sorted(path.name for path in (tmp_path / "f").iterdir()) == names
-    assert sorted(found["figures"]) == [str(tmp_path / "f" / name) for name in names]
-
-
 @pytest.mark.usefixtures("undrawn")
-def test_figures_have_the_formats_that_are_asked_for(run, tmp_path):
-    words = ("--out", tmp_path / "p", "--format", "svg", "--format", "pdf", "--format", "svg")
+def test_figures_have_the_formats_that_are_asked_for(run, clpt, tmp_path):
     with pytest.raises(ClptError, match="format 'gif': must be one of png, pdf, svg"):
-        clpt.report(run, tmp_path / "r.html", figures=tmp_path, formats=["gif"])
-    ran = CliRunner().invoke(application(), ["replay", "--sample", *map(str, words)])
-    assert ran.exit_code == 0
+        report(run, tmp_path / "r.html", figures=tmp_path, formats=["gif"])
+    twice = ("--format", "svg", "--format", "pdf", "--format", "svg")
+    assert clpt("replay", "--sample", "--out", tmp_path / "p", *twice).status == 0
     drawn = {path.name for path in (tmp_path / "p").iterdir() if "." in path.name}
     assert {f"{n}.{k}" for n in ("map", "clpe", "current") for k in ("svg", "pdf")} <= drawn
     assert not [name for name in drawn if name.endswith(".png")]
-    clpt.save_scenario(SHORT, tmp_path / "s.toml")
+    clpt("init", tmp_path / "s.toml")
     words = ("run", tmp_path / "s.toml", "--out", tmp_path / "r.nc", "--figures", tmp_path / "f")
-    ran = CliRunner().invoke(application(), [*map(str, words), "--format", "svg"])
-    assert "finished" in ran.stdout
+    assert "finished" in clpt(*words, "--format", "svg").out
     names = sorted(path.name for path in (tmp_path / "f").iterdir())
     assert names == [f"figure{k}.svg" for k in (1, 2, 3, 4)]
 
 
-def test_a_replay_that_is_too_large_is_one_sentence(tmp_path):
-    (tmp_path / "replay.json").write_text("{" + " " * 2 * 10**7)
-    with pytest.raises(DataError, match=r"replay.json: is larger than 20 MB"):
-        clpt.report(tmp_path / "replay.json", tmp_path / "page.html")
+NO_PAGE = {  # name -> (content, words of the line)
+    "empty.nc": (b"", "is nothing that clpt"),
+    "bytes.nc": (bytes(range(256)) * 9, "is nothing that clpt"),
+    "mine.toml": (b"[run]\n", "is a scenario"),
+    "list.json": (b"[1]", "is nothing that clpt"),
+    "other.json": (b'{"clpe_rms": 1}', "is JSON, but not what"),
+    "nan.json": (b'{"each_dive": [NaN]}', "NaN is no number of JSON"),
+    "none.json": (b'{"each_dive": [], "next_dive": null}', "without a dive"),
+    "bad.json": (b'{"each_dive": [{"dive": 1}], "next_dive": {}, "aim": []}', "earlier version"),
+    "deep.json": (b'{"a":' * 100_000, "is no whole JSON"),
+    "large.json": (b"{" + b" " * 2 * 10**7, "is larger than 20 MB"),
+}
 
 
-def test_a_replay_whose_summary_is_too_deep_is_one_sentence(tmp_path):
-    deep = xarray.Dataset({"summary": ((), "[" * 10**5), "clpe_adaptive": ("dive", [1.0])})
-    deep.to_netcdf(tmp_path / "replay.nc")
-    with pytest.raises(DataError, match=r"replay.nc: is a replay's NetCDF without its summary"):
-        clpt.report(tmp_path / "replay.nc", tmp_path / "page.html")
-
-
-def test_what_cannot_be_read_is_one_sentence(run, command, tmp_path):
+def test_what_cannot_be_read_is_one_sentence(run, refused, tmp_path):
     clpt.save_run(run, tmp_path / "run.nc")
     whole = (tmp_path / "run.nc").read_bytes()
-    for name, content in {
-        "cut.nc": whole[: len(whole) // 2],
-        "empty.nc": b"",
-        "bytes.nc": bytes(range(256)) * 9,
-        "mine.toml": b"[run]\n",
-        "list.json": b"[1]",
-        "other.json": b'{"clpe_rms": 1}',
-        "nan.json": b'{"each_dive": [NaN]}',
-        "none.json": b'{"each_dive": [], "next_dive": null}',
-        "bad.json": b'{"each_dive": [{"dive": 1}], "next_dive": {}, "aim": []}',
-        "deep.json": b'{"a":' * 100_000,
-    }.items():
-        (tmp_path / name).write_bytes(content)
-        error = command(tmp_path / name, "-o", tmp_path / "r.html").exception
-        assert isinstance(error, ClptError), (name, error)
-        assert "\n" not in str(error)
     (tmp_path / "folder").mkdir()
     (tmp_path / "folder" / "run.nc").write_bytes(whole)
-    for source, said in (
-        (tmp_path / "folder", "give .*run.nc"),
-        (tmp_path / "nowhere.nc", "no such file"),
-        (tmp_path / "mine.toml", "is a scenario"),
-        (tmp_path / "none.json", "without a dive"),
-    ):
-        with pytest.raises(ClptError, match=said):
-            raise command(source, "-o", tmp_path / "r.html").exception
-    assert not (tmp_path / "r.html").exists()
+    deep = xarray.Dataset({"summary": ((), "[" * 10**5), "clpe_adaptive": ("dive", [1.0])})
+    deep.to_netcdf(tmp_path / "replay.nc")
+    for name, (content, said) in {
+        **NO_PAGE,
+        "cut.nc": (whole[: len(whole) // 2], "cannot be read as NetCDF"),
+        "folder": (None, "give "),
+        "nowhere.nc": (None, "no such file"),
+        "replay.nc": (None, "is a replay's NetCDF without its summary"),
+    }.items():
+        if content is not None:
+            (tmp_path / name).write_bytes(content)
+        assert said in refused("report", tmp_path / name, "-o", tmp_path / "r.html")
     for target in ("r.txt", "no/r.html", "folder"):
-        with pytest.raises(ClptError):
-            raise command(tmp_path / "run.nc", "-o", tmp_path / target).exception
+        refused("report", tmp_path / "run.nc", "-o", tmp_path / target)
+    assert not (tmp_path / "r.html").exists()
 
 
 @pytest.mark.filterwarnings("ignore:Glyph")
