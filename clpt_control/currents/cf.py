@@ -55,20 +55,13 @@ def find_variable(data: xarray.Dataset, table: dict[str, Any], what: str) -> str
     no current, whatever its name.
     """
     standard, names = table[what]
-    by_standard = [n for n in data.variables if data[n].attrs.get("standard_name") in standard]
-    by_name = sorted(
-        (
-            n
-            for n in data.variables
-            if str(n).lower() in names and "wind" not in str(data[n].attrs.get("standard_name"))
-        ),
-        key=lambda n: names.index(str(n).lower()),
-    )
+    said = {name: one.attrs.get("standard_name") for name, one in data.variables.items()}
+    by_standard = [name for name, one in said.items() if one in standard]
+    by_name = [n for n, one in said.items() if str(n).lower() in names and "wind" not in str(one)]
+    by_name.sort(key=lambda name: names.index(str(name).lower()))
     if found := [*(n for n in by_name if n in by_standard), *by_standard, *by_name]:
         return str(found[0])
-    if table is AXES and any(
-        data[n].attrs.get("standard_name") in PROJECTED for n in data.variables
-    ):
+    if table is AXES and any(one in PROJECTED for one in said.values()):
         raise DataError(f"has a projected grid, of x and y, and no {what}; {CURE}")
     kind = f"{what} velocity" if table is VELOCITY else what
     raise DataError(
@@ -83,14 +76,11 @@ def find_axis(data: xarray.Dataset, velocity: str, what: str) -> xarray.DataArra
     name = find_variable(data, AXES, what)
     axis = data[name]
     if what != "time" and axis.ndim == 2:
-        raise DataError(
-            f"{name} has the dimensions ({', '.join(map(str, axis.dims))}): a curvilinear "
-            f"grid; {CURE}"
-        )
+        raise DataError(f"{name} has the dimensions {_dims(axis)}: a curvilinear grid; {CURE}")
     if axis.ndim != 1 or axis.dims[0] not in data[velocity].dims:
         raise DataError(
-            f"{name} has the dimensions ({', '.join(map(str, axis.dims))}); must be one "
-            f"of those of {velocity} ({', '.join(map(str, data[velocity].dims))})"
+            f"{name} has the dimensions {_dims(axis)}; must be one of those of {velocity} "
+            f"{_dims(data[velocity])}"
             + ("" if what == "time" else ": a grid of latitudes and longitudes")
         )
     if what == "time":
@@ -107,6 +97,10 @@ def find_axis(data: xarray.Dataset, velocity: str, what: str) -> xarray.DataArra
             f"a {what} in degrees"
         )
     return axis
+
+
+def _dims(values: xarray.DataArray) -> str:
+    return f"({', '.join(map(str, values.dims))})"
 
 
 def is_depth(data: xarray.Dataset, dim: Any) -> bool:
@@ -222,8 +216,7 @@ def velocity_values(
         values = values.isel({dim: level})
     if set(values.dims) != set(index):
         raise DataError(
-            f"{name} has the dimensions ({', '.join(map(str, values.dims))}); must have "
-            f"({', '.join(map(str, index))})"
+            f"{name} has the dimensions {_dims(values)}; must have ({', '.join(map(str, index))})"
         )
     try:
         chosen = _in_blocks(values, index).transpose(*index)

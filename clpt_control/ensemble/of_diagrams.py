@@ -64,11 +64,8 @@ class VariedDiagram(Varied):
         self.wiring = wiring_of(diagram, self.params, sizes)
         self.outputs, taken, states = labels_of(diagram, self.wiring)
         labels = {name for own in (taken, states) for name in (*own, *ports_of(own))}
-        labels |= {
-            f"{node.name}.{field}"
-            for node in self.wiring.nodes
-            for field in node.system.parameters._fields
-        }
+        for node in self.wiring.nodes:
+            labels |= {f"{node.name}.{field}" for field in node.system.parameters._fields}
         if undeclared := self._undeclared(varies, labels):
             self.params |= undeclared
             self.wiring = wiring_of(diagram, self.params, sizes)
@@ -103,12 +100,8 @@ class VariedDiagram(Varied):
         systems = [node.system for node in self.wiring.nodes if isinstance(node.system, System)]
         for one in varies:
             key = one.key.partition("[")[0]
-            values = [
-                system.params.get(key) for system in systems if key not in system.number_names
-            ]
-            lists = [
-                np.asarray(v, float) for v in values if isinstance(v, list | tuple | np.ndarray)
-            ]
+            own = (s.params.get(key) for s in systems if key not in s.number_names)
+            lists = [np.asarray(v, float) for v in own if isinstance(v, list | tuple | np.ndarray)]
             if not all(np.array_equal(lists[0], other) for other in lists):
                 raise ScenarioError(
                     f"vary: {key} is a list in several systems, not the same; give arrays of "
@@ -157,12 +150,10 @@ class VariedDiagram(Varied):
     def units(self, key: str) -> dict[str, str]:
         """Return the unit of an input or a state as an attribute, where it is known."""
         place, of_inputs = self.places[key], units_of(self.wiring)[1]
-        of_states = [
-            block.units.get(port, "")
-            for block in (node.system for node in self.wiring.nodes)
-            for port, size in block.state_ports.items()
-            for _ in range(size)
-        ]
+        of_states: list[str] = []
+        for block in (node.system for node in self.wiring.nodes):
+            for port, size in block.state_ports.items():
+                of_states += [block.units.get(port, "")] * size
         units = {of_states[k] for k in place.states} | {of_inputs[k] for k in place.inputs}
         return {"units": units.pop()} if len(units) == 1 and units != {""} else {}
 

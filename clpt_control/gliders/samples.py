@@ -127,15 +127,12 @@ def fill(time: np.ndarray, steps: np.ndarray, bad: np.ndarray) -> np.ndarray:
 
 def track_of(since: np.ndarray, east: np.ndarray, north: np.ndarray, duration: float) -> Track:
     """Sum steps (m) at times since the fix before the dive (s) to a track of the whole dive."""
-    east, north = np.cumsum(east), np.cumsum(north)
+    path = np.array([since, np.cumsum(east), np.cumsum(north)])
     if since[0] > 0:
-        since, east, north = (np.concatenate([[0.0], a]) for a in (since, east, north))
+        path = np.hstack([np.zeros((3, 1)), path])
     if since[-1] < duration:
-        since, east, north = (
-            np.concatenate([a, [last]])
-            for a, last in ((since, duration), (east, east[-1]), (north, north[-1]))
-        )
-    return since, east, north
+        path = np.hstack([path, [[duration], *path[1:, -1:]]])
+    return path[0], path[1], path[2]
 
 
 def hole_under_water(since: np.ndarray, depth: np.ndarray, duration: float) -> tuple[str, bool]:
