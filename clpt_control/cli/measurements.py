@@ -94,14 +94,8 @@ def tides(
     kinds = checked_formats(formats or ["png"])
     measured = clpt.currents.read_record(record, latitude, at, units)
     names = [name.strip() for name in constituents.split(",")]
-    fit = clpt.currents.fit_tides(
-        measured.time,
-        measured.u,
-        measured.v,
-        measured.latitude,
-        "auto" if names == ["auto"] else names,
-        where=str(record),
-    )
+    current = measured.time, measured.u, measured.v, measured.latitude
+    fit = clpt.currents.fit_tides(*current, names, where=str(record))
     report = {"source": measured.source, **tides_report(fit)}
     written: list[Path] = []
     if out is not None:

@@ -310,6 +310,5 @@ def fleet_results(found: dict[str, Any]) -> list[Result]:
 
     cells = [fleet_cells(row) for row in found["vehicles"]]
     sentences = [f"{row['vehicle']}: {one}" for row in found["vehicles"] for one in row["said"]]
-    return [
-        replay_report.fitted("Fleet", cells, FLEET, [*sentences, fleet_sentence(found["vehicles"])])
-    ]
+    sentences.append(fleet_sentence(found["vehicles"]))
+    return [replay_report.fitted("Fleet", cells, FLEET, sentences)]

@@ -171,11 +171,8 @@ def check_sampling(hours: np.ndarray, cycles: np.ndarray, names: Sequence[str], 
         return
     weakest = np.abs(modes[-1])
     share = np.array([weakest[0], *np.hypot(weakest[1 : n + 1], weakest[n + 1 :])])
-    alike = [
-        name
-        for name, part in zip(["the mean", *names], share, strict=True)
-        if part > 0.3 * share.max()
-    ]
+    shares = zip(["the mean", *names], share, strict=True)
+    alike = [name for name, part in shares if part > 0.3 * share.max()]
     fault = f"{' and '.join(alike)} look alike" if len(alike) > 1 else f"{alike[0]} is not seen"
     raise DataError(
         f"{where}: at the times of its {len(hours)} measurements {fault}; take them at other "

@@ -268,10 +268,8 @@ def _names(constituents: Sequence[str] | str, hours: np.ndarray, where: str) -> 
 
 def _constituent(name: str, k: int, fits: tuple, ratio: np.ndarray) -> Constituent:
     """Return the tide of index k of the fits of both components, of the east and of the north."""
-    of = {key: (which, symbol) for key, (which, symbol, *_) in NUMBERS.items()}
-    values = {key: float(fits[which][symbol][k]) for key, (which, symbol) in of.items()}
-    errors = {
-        key: float(fits[which][f"{symbol}_ci"][k] / CI * ratio[which])
-        for key, (which, symbol) in of.items()
-    }
+    values, errors = dict[str, float](), dict[str, float]()
+    for key, (which, symbol, *_) in NUMBERS.items():
+        values[key] = float(fits[which][symbol][k])
+        errors[key] = float(fits[which][f"{symbol}_ci"][k] / CI * ratio[which])
     return Constituent(name=name, errors=errors, **values)

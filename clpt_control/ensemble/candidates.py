@@ -123,11 +123,8 @@ def unknown_of(
     for name, value in (("prior", prior), ("unmodelled", unmodelled)):
         if value is not None and not 0 < value < np.inf:
             raise ScenarioError(f"{name} = {value:g}: must be a positive speed")
-    values: dict[str, Any] = {
-        "flow.parameters": belief(scenario),
-        "flow.field": None,
-        "flow.outside": None,
-    }
+    values: dict[str, Any] = dict.fromkeys(("flow.field", "flow.outside"))
+    values["flow.parameters"] = belief(scenario)
     if unmodelled is not None:
         values["flow.disturbance"] = {
             "kind": "noise",
@@ -144,9 +141,8 @@ def unknown_of(
         varies.append(Vary("flow.disturbance.seed", "levels", seeds))
     if seen is not None and (seen.noise > 0 or seen.dropouts > 0):
         varies.append(Vary("localization.seed", "levels", seeds))
-    return Unknown(
-        drawn, size, tuple(varies), _rms(drawn), 0.0 if seen is None else float(seen.noise)
-    )
+    noise = 0.0 if seen is None else float(seen.noise)
+    return Unknown(drawn, size, tuple(varies), _rms(drawn), noise)
 
 
 def belief(scenario: Scenario) -> np.ndarray:

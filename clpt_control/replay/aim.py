@@ -289,16 +289,6 @@ def aim(replay: Replay, start: Fix, target: Place, V: float, T: float, shorten: 
         middle = float(g @ c) / (float(c @ c) - s * s)  # of two roots, both below 1
         return aim(replay, start, target, V, T * middle, shorten=False)
     plan = ahead.plan  # as it was forecast, whether or not c came to rest
-    return Aim(
-        target,
-        ahead,
-        hypot(*g),
-        direction(*map(float, g)),
-        direction(plan.dr_east, plan.dr_north),
-        hypot(plan.dr_east, plan.dr_north),
-        full,
-        state,
-        tau,
-        (float(c[0]) / T, float(c[1]) / T),
-        s / T,
-    )
+    way, current = (plan.dr_east, plan.dr_north), (float(c[0]) / T, float(c[1]) / T)
+    headed = hypot(*g), direction(*map(float, g)), direction(*way), hypot(*way)
+    return Aim(target, ahead, *headed, full, state, tau, current, s / T)

@@ -30,7 +30,7 @@ from ..geodesy import distance, is_place, near, place_from
 from ..gliders.dives import Fix, make_dive
 from ..progress.interrupt import check
 from .aim import ARRIVED, aim, usual
-from .places import Place, in_minutes, utc
+from .places import Place, in_minutes, placed, utc
 from .replay import Replay
 from .wording import REACHED
 
@@ -127,7 +127,7 @@ def arrivals(
         quantiles = np.quantile(each, list(SHARES.values()), method="inverted_cdf").tolist()
         dates = [utc(time) if isfinite(time) else None for time in quantiles]
         waypoints.append(
-            {"latitude": place[0], "longitude": place[1], "place": in_minutes(*place)}
+            {**placed("", *place), "place": in_minutes(*place)}
             | {"made": float(np.isfinite(each).mean()), **dict(zip(SHARES, dates, strict=True))}
         )
     shares = [
