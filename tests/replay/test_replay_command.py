@@ -11,6 +11,7 @@ import xarray
 from made_fields import gridded_current
 from processes import CLPT, await_line, interrupt, started
 from synthetic_vehicle import one_file_each
+from test_follow_command import RESULTS
 
 from clpt_control.gliders.dive_files import sample_dives
 
@@ -38,15 +39,7 @@ def test_the_command(command, tmp_path):
     assert set(found["clpe_rms"]) == {"no_flow", "previous_dive", "adaptive"}
     assert found["clpe_rms_after_3"]["adaptive"] < 0.88 * found["clpe_rms_after_3"]["previous_dive"]
     assert 0.7 < found["speed_factor"]["value"] < 1
-    assert {p.name for p in (tmp_path / "out").iterdir()} == {
-        "replay.nc",
-        "replay.html",
-        "next.geojson",
-        "track.kml",
-        "map.png",
-        "clpe.png",
-        "current.png",
-    }
+    assert {p.name for p in (tmp_path / "out").iterdir()} == set(RESULTS)
     table = command("--sample", "--no-learn-speed", "--flow", "steady", "--estimator", "gradient")
     assert table.exit_code == 0
     assert "after the third dive" in table.stdout
