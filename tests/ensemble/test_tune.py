@@ -75,6 +75,8 @@ def test_what_is_drawn_is_drawn_about_the_belief(paper):
     assert not np.any(unknown.scenario.flow.parameters)
     told = paper.with_values({"learning.parameters": [[-1, -2, -3], [0, 0, -4]]})
     np.testing.assert_array_equal(belief(told), [[1, 2, 3], [0, 0, 4]])
+    drawn_about = unknown_of(told, None, None, 4).scenario.flow.parameters
+    np.testing.assert_array_equal(drawn_about, [[1, 2, 3], [0, 0, 4]])
     modelled = paper.with_values({"model.parameters": [[1, 2, 3], [0, 0, 4]]})
     np.testing.assert_array_equal(belief(modelled), [[1, 2, 3], [0, 0, 4]])
     noisy = paper.with_values({"localization": {"noise": 0.02, "noise_period": 1}})

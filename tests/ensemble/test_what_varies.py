@@ -125,16 +125,18 @@ def test_one_name_for_two_shapes_has_the_shape_that_python_control_hands_down(tw
 def test_states_and_inputs_bring_their_units():
     sail = clpt.Block(
         "sail",
-        update=lambda t, x, u, p: u.v - x.s,
+        update=lambda t, x, u, p: {"s": u.v - x.s, "w": -x.w},
         inputs={"v": 1},
-        states={"s": 1},
-        units={"v": "m/s", "s": "m"},
+        states={"s": 1, "w": 2},
+        units={"v": "m/s", "s": "m", "w": "kg"},
     )
     loop = clpt.connect([sail], external="v", name="sailing")
     data = clpt.run_ensemble(loop, {"v": [1.0, 2.0], "sail_s[0]": [0.0, 1.0]}, timepts=TIMES)
     assert data.v.attrs["units"] == "m/s"
     assert data["sail_s[0]"].attrs["units"] == "m"
     assert data.s_rms.attrs["units"] == "m"
+    load = clpt.run_ensemble(loop, {"sail_w[0]": [0.0, 1.0]}, timepts=TIMES)
+    assert load["sail_w[0]"].attrs["units"] == "kg"
     axes = data.unstack().s_rms.plot.contourf().axes
     assert axes.get_xlabel() == "sail_s[0] [m]"
 
