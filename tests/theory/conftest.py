@@ -2,7 +2,18 @@
 
 import pytest
 
+import clpt_control
 from clpt_control.theory.proving import point_search, running_rate
+
+
+@pytest.fixture(scope="session")
+def paper():
+    return clpt_control.paper_scenario().with_values({"run.duration": 400})
+
+
+@pytest.fixture(scope="session")
+def true_paper(paper):
+    return clpt_control.theory.started_true(paper)
 
 
 @pytest.fixture

@@ -217,22 +217,16 @@ def _pushed(A):
     return wide
 
 
-@pytest.fixture(scope="module")
-def along():
-    scenario = clpt.paper_scenario().with_values({"run.duration": 400})
-    return joint_regressor(started_true(scenario), 200.0, 200.0)
-
-
-def test_the_paper_s_contraction(along):
-    found = certificate(along)
+def test_the_paper_s_contraction(true_paper):
+    found = certificate(joint_regressor(true_paper, 200.0, 200.0))
     assert found.contraction == pytest.approx(0.67988, abs=1e-4)
     assert found.drop == pytest.approx(1 - found.contraction, abs=1e-12)
     assert 0 < found.rho < found.drop
     assert "simulated" in found.trajectory
 
 
-def test_v_of_a_run_falls_no_less_than_certified():
-    scenario = clpt.paper_scenario().with_values({"run.duration": 400, "run.output_step": 100})
+def test_v_of_a_run_falls_no_less_than_certified(paper):
+    scenario = paper.with_values({"run.output_step": 100})
     V = clpt.simulate(scenario).lyapunov.values
     for start in (0.0, 200.0):
         found = certificate(scenario, 200.0, start)

@@ -9,7 +9,7 @@ import clpt_control as clpt
 from clpt_control.theory.excitation.certify import after_window, certify, least_error, settled
 from clpt_control.theory.excitation.error_matrices import error_matrices
 
-PAPER = clpt.paper_scenario()
+PAPER = clpt.paper_scenario().with_values({"run.duration": 400})
 
 
 def test_steps_2_and_3_are_true_of_the_running_blocks():
@@ -53,9 +53,8 @@ def test_the_least_error_is_the_root_and_the_bound_rises(D):
 
 def test_of_small_errors_the_bound_is_the_linear_contraction():
     """And that is the certificate of a learner that was started true."""
-    scenario = PAPER.with_values({"run.duration": 400})
-    found = certify(scenario, 1e-16)
-    exact = clpt.theory.certificate(clpt.theory.started_true(scenario), 200.0, 200.0)
+    found = certify(PAPER, 1e-16)
+    exact = clpt.theory.certificate(clpt.theory.started_true(PAPER), 200.0, 200.0)
     assert found.V[2] / found.V[1] == pytest.approx(exact.contraction, rel=1e-6)
     assert found.drops[1] == pytest.approx(exact.drop, rel=1e-6)
 
@@ -79,11 +78,11 @@ def start_within(scenario, R, rng):
 def test_what_a_disturbance_may_undo_is_said_of_the_run_alone():
     """A learner that begins true is pushed for good: V ends at most far above the run's."""
     push = {"flow.disturbance": {"kind": "constant", "amplitude": [0.02, 0.02]}}
-    found = certify(PAPER.with_values({"run.duration": 400, **push}), 1e-6, error=5.0)
+    found = certify(PAPER.with_values(push), 1e-6, error=5.0)
     assert found.within_run
     assert found.ultimate > 5.0
     assert found.said == "CLPE is at most 5 m after 0 s, within the run"
-    calm = certify(PAPER.with_values({"run.duration": 400}), 1e-6, error=5.0)
+    calm = certify(PAPER, 1e-6, error=5.0)
     assert calm.said == "CLPE is at most 5 m after 0 s"
 
 
@@ -126,11 +125,11 @@ def test_no_start_within_r_leaves_the_bounds(values, R, starts):
 
 
 def test_under_a_disturbance_it_ends_at_a_bound_and_says_so():
-    found = certify(PAPER.with_values({"run.duration": 400, **DISTURBED}), 0.05)
+    found = certify(PAPER.with_values(DISTURBED), 0.05)
     assert found.disturbance == pytest.approx(0.005)
     assert 0 < found.ultimate < np.inf
     wild = {"flow.disturbance": {"kind": "constant", "amplitude": [0.5, 0.0]}}
-    lost = certify(PAPER.with_values({"run.duration": 400, **wild}), 0.05)
+    lost = certify(PAPER.with_values(wild), 0.05)
     assert lost.ultimate is None
     assert lost.time_to_error is None
     assert "not shown" in lost.said
@@ -141,7 +140,7 @@ def test_the_time_is_the_first_from_which_the_bound_holds():
     j = round(found.time_to_error / 200)
     assert found.within_run
     assert found.clpe[j] <= 0.2 < found.clpe[j - 1]
-    later = certify(PAPER.with_values({"run.duration": 400}), 0.05, error=0.01)
+    later = certify(PAPER, 0.05, error=0.01)
     assert not later.within_run
     assert "if later windows" in later.said
     V = later.V[-1]
@@ -165,16 +164,16 @@ def test_the_time_is_the_first_from_which_the_bound_holds():
 )
 def test_what_is_not_certified_is_said(values, said):
     with pytest.raises(clpt.ScenarioError, match=said):
-        certify(PAPER.with_values({"run.duration": 400, **values}))
+        certify(PAPER.with_values(values))
 
 
 def test_numbers_that_are_none_are_refused():
     for radius, error in ((-1.0, None), (0.0, None), (1.0, 0.0), (np.inf, None), (1.0, 1e308)):
         with pytest.raises(clpt.ScenarioError, match="must be a positive number"):
-            certify(PAPER.with_values({"run.duration": 400}), radius, error=error)
+            certify(PAPER, radius, error=error)
 
 
 def test_the_bounds_are_ready_for_json_and_a_notebook():
-    found = certify(PAPER.with_values({"run.duration": 400}), 0.05)
+    found = certify(PAPER, 0.05)
     assert json.loads(json.dumps(found.report(), allow_nan=False))["V"] == found.V.tolist()
     assert "200" in found._repr_html_()

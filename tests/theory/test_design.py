@@ -38,11 +38,6 @@ def design_track(scenario, **limits):
 
 
 @pytest.fixture(scope="module")
-def paper():
-    return clpt_package.paper_scenario().with_values({"run.duration": 400})
-
-
-@pytest.fixture(scope="module")
 def quickly():
     """Steps uphill are few: enough for all but the best track."""
     with pytest.MonkeyPatch.context() as patch:

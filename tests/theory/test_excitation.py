@@ -27,16 +27,6 @@ from clpt_control.theory.proving.lemmas import circle_step
 KERNELS = {"exponential": (4.3331, 4.6692), "gaussian": (0.19002, 0.19353)}
 
 
-@pytest.fixture(scope="module")
-def paper():
-    return clpt_package.paper_scenario().with_values({"run.duration": 400})
-
-
-@pytest.fixture(scope="module")
-def true_paper(paper):
-    return started_true(paper)
-
-
 @pytest.mark.parametrize(("kernel", "expected"), KERNELS.items())
 def test_the_smallest_eigenvalues_of_the_paper(true_paper, kernel, expected):
     found = gramian(true_paper.with_values({"basis.kernel": kernel}), 200.0, 200.0)
@@ -275,12 +265,11 @@ def test_of_many_eigenvalues_the_command_shows_some(clpt, tmp_path, paper):
     assert outcome.out.count(", ..., ") == 2
 
 
-def test_the_eigenvalue_has_a_ceiling_that_is_how_far_the_vehicle_moves():
+def test_the_eigenvalue_has_a_ceiling_that_is_how_far_the_vehicle_moves(paper, true_paper):
     """int x'^2 dt by differences of positions, and 5.48 and 5.19 of the review."""
-    paper = clpt_package.paper_scenario().with_values({"run.duration": 400})
-    found = gramian(started_true(paper), 200.0, 200.0)
+    found = gramian(true_paper, 200.0, 200.0)
     times = np.linspace(200.0, 400.0, 200 * 500 + 1)
-    x = clpt_package.simulate(started_true(paper), times).position.values
+    x = clpt_package.simulate(true_paper, times).position.values
     moved = np.sum(np.diff(x, axis=0) ** 2, axis=0) / (times[1] - times[0])
     car, theta = paper.vehicle, np.array(paper.flow.parameters)
     size = np.sum(theta**2, axis=1) + np.square(car.feedback) + np.square(car.feedforward)
