@@ -82,6 +82,7 @@ RIGHT = {
     "a pull that is limited": lambda x: [-np.clip(x, -1, 1)],
     "a pull of two strengths": lambda x: [np.where(x > 0, -x, -2 * x)],
     "no force": lambda x, y: [y, -x],
+    "a square of squares": (lambda x, y: [y - x**3, -x], lambda s: (s.x**2 + s.y**2) ** 2),
     "a pull of a table": lambda x: [-x * (1 + lookup([1.0, 2.0], np.clip(x, 0, 1)))],
     "a pull of whole steps": lambda x: [-np.floor(x)],
     "a diode": lambda x: [1 - np.exp(x)],
