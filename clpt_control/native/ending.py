@@ -14,7 +14,7 @@ from ..errors import SimulationError
 from . import numbering
 from .batch import Batch, Callee
 from .schedule import Inputs, Schedule
-from .sweep import Sweep
+from .sweep import Sweep, rounding
 
 # ends that a locked decision may cause
 STUCK = (numbering.NOT_FINITE, numbering.TOO_SMALL, numbering.TOO_MANY)
@@ -179,10 +179,11 @@ def _until(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the samples up to the end of a run that a guard stopped, and that end."""
     start, h = batch.now, float(batch.numbers[numbering.TAKEN, 0])
-    times = solution.t[solution.t < t]
+    times = solution.t[solution.t < t - rounding(t)]
+    at_end = solution.t[abs(solution.t - t) <= rounding(t)]  # a sample that is the end
     known = solution.x[: min(done, len(times))]
     within = [state_within(batch, (time - start) / h) for time in times[done:]]
-    return np.append(times, t), np.array([*known, *within, x])
+    return np.append(times, [*at_end, t][0]), np.array([*known, *within, x])
 
 
 def sampled_start(callee: Callee, start: Any, t: float, pieces: Schedule, P: Any) -> np.ndarray:

@@ -128,6 +128,19 @@ def test_a_condition_of_ones_own_ends_a_run():
 
 
 @pytest.mark.parametrize("engine", ["native", "python"])
+def test_a_run_that_ends_at_a_sample_has_it_once(engine):
+    rising, times = control.ss(0, 1, 1, 0, name="rising"), np.linspace(0.0, 5.0, 51)
+    for level in (0.5, 1.0, 2.0, 3.0, 4.0):  # y = t
+
+        def left(t, y, u, level=level):
+            return level - y[0]
+
+        run = clpt.simulate(rising, times, 1.0, engine=engine, stop=left)
+        assert run.time.values.tolist() == times[times < level + 1e-9].tolist()
+        assert float(run.y[-1]) == pytest.approx(level, abs=1e-12)
+
+
+@pytest.mark.parametrize("engine", ["native", "python"])
 def test_a_diagram_without_states_ends_where_the_condition_falls(engine):
     gain = control.nlsys(None, lambda t, x, u, p: 2.0 * u, inputs=1, outputs=1, name="gain")
     times, stops = np.linspace(0.0, 5.0, 11), {4.4: lambda t, y, u: 8.8 - y[0], 2.5: None}
