@@ -6,6 +6,7 @@ from strait import DIFFERENT, ROW, team, vehicle
 
 import clpt_control as clpt
 from clpt_control.blocks import consensus as blocks
+from clpt_control.theory.excitation import regressor
 from clpt_control.theory.proving.all_proofs import team_steps
 
 
@@ -61,7 +62,9 @@ def test_two_that_stand_still_have_a_gramian_by_hand():
     assert found.vehicles["a"].dimension == {"x1": 1, "x2": 1}
 
 
-def test_the_pooled_gramian_is_the_sum_with_gains_of_their_own():
+@pytest.mark.parametrize("rough", [regressor.ROUGH, 1e6])  # then each has its own pieces
+def test_the_pooled_gramian_is_the_sum_with_gains_of_their_own(rough, monkeypatch):
+    monkeypatch.setattr(regressor, "ROUGH", rough)
     of = team(0.0, ROW, **DIFFERENT)  # uncoupled, each as its own scenario runs
     N, window, start = 3, 6.0, 2.0
     found = clpt.theory.team_gramian(of, window, start)
