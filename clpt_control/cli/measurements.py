@@ -192,10 +192,8 @@ def estimate(
         [str(k + 1), *(f"{found.theta[i, k]:#.4g}" for i in range(2)), f"{sd[k]:.1e}"]
         for k in range(len(sd))
     ]
-    columns = [
-        "function",
-        *(f"{n} ({speed})" for n in ("theta_1", "theta_2", "standard deviation")),
-    ]
+    names = "theta_1", "theta_2", "standard deviation"
+    columns = ["function", *(f"{name} ({speed})" for name in names)]
     units = {"condition_number": "", "rms_of_misses_left": length, "largest_error": speed}
     sentences = [
         f"{key.replace('_', ' ')}: {cell_text(report[key])} {unit}".rstrip()

@@ -272,6 +272,7 @@ def _scenario(
 ) -> Scenario:
     """Return the scenario; `save_fit` writes its field and names it."""
     phased = [(c, p) for c in constituents for p in ((0.0,) if c == "steady" else (0.0, SINE))]
+    car = {"feedback": [1.0, 1.0], "feedforward": [1.0, 1.0], "position": [float(radius), 0.0]}
     return Scenario.model_validate(
         {
             "title": f"Measured current of {currents.source} from {currents.start}",
@@ -284,19 +285,9 @@ def _scenario(
                 "phases": [phase for _, phase in phased for _ in places],
             },
             "flow": {"field": "field.nc", "outside": "raise"},
-            "vehicle": {
-                "feedback": [1.0, 1.0],
-                "feedforward": [1.0, 1.0],
-                "position": [float(radius), 0.0],
-            },
+            "vehicle": car,
             "reference": {"kind": "circle", "radius": float(radius), "count": 12, "dwell": 2.0},
-            "learning": {
-                "law": "learned-flow",
-                "gain": float(gain),
-                "position": [float(radius), 0.0],
-                "feedback": [1.0, 1.0],
-                "feedforward": [1.0, 1.0],
-            },
+            "learning": {"law": "learned-flow", "gain": float(gain), **car},
             "run": {"duration": float(currents.time[-1]), "output_step": 0.1},
         }
     )

@@ -152,9 +152,8 @@ class Estimator(ABC):
         """Return model, where states stood and stand, F, mean and covariance before its end."""
         model = self.model.reached(dive)
         F = self.transition(model, self.since(dive), dive.lat_gps2)
-        matched = [
-            np.concatenate([np.arange(HIDDEN), HIDDEN + k]) for k in model.matched(self.model)
-        ]
+        hidden = np.arange(HIDDEN)
+        matched = [np.concatenate([hidden, HIDDEN + k]) for k in model.matched(self.model)]
         old, new = matched
         known, was = self.prior_sd(model) ** 2, self.prior_sd(self.model) ** 2
         prior = known[:, :, None] * np.eye(known.shape[1])

@@ -196,14 +196,9 @@ def _failed(data: xarray.Dataset, request: dict[str, Any], status: np.ndarray) -
 
 def _again(data: xarray.Dataset, request: dict[str, Any]) -> Section:
     words = [f"--vary '{one}'" for one in request["vary"]]
-    command = " ".join(
-        [
-            f"clpt ensemble scenario.toml --members {request['members']}",
-            *words,
-            f"--design {request['design']} --seed {request['seed']} --samples {request['samples']}",
-            "--out ensemble.zarr",
-        ]
-    )
+    begin = f"clpt ensemble scenario.toml --members {request['members']}"
+    end = f"--design {request['design']} --seed {request['seed']} --samples {request['samples']}"
+    command = " ".join([begin, *words, end, "--out ensemble.zarr"])
     how = "Save the scenario above as <code>scenario.toml</code>, and type:"
     commands = [command, "clpt report ensemble.zarr -o report.html"]
     if request.get("law"):

@@ -27,6 +27,7 @@ from ..gliders.dives import Dive
 from ..units import seconds_since_1970
 from .carried_dives import Flow, FlowModel, Uncovered
 
+OUTSIDE = "outside the forecast's area"
 DEGREE = 110500.0  # m; no degree of latitude is shorter
 
 
@@ -87,7 +88,7 @@ class Forecast(FlowModel):
         """
         c, time = self.column, self.time
         if not self._inside(dive.lat_gps2, dive.lon_gps2):
-            raise Uncovered("outside the forecast's area")
+            raise Uncovered(OUTSIDE)
         if not dive.t_gps2 >= time[0]:
             raise Uncovered("begins before the forecast's first step")
         if not dive.t_gpse <= time[-1]:
@@ -113,11 +114,7 @@ class Forecast(FlowModel):
             lat, lon = map(float, plane.to_earth(east / 1000, north / 1000))
             eastward, northward = look([[t, lat, near(lon, start)]])[0]
             if not (isfinite(eastward) and isfinite(northward)):
-                raise Uncovered(
-                    "in a gap of the forecast"
-                    if self._inside(lat, lon)
-                    else "outside the forecast's area"
-                )
+                raise Uncovered("in a gap of the forecast" if self._inside(lat, lon) else OUTSIDE)
             u1, u2 = plane.rotate(lat, lon, eastward, northward)
             return float(u1), float(u2)
 
