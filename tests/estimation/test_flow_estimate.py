@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 
 import clpt_control as clpt
 from clpt_control.estimation import fix_to_fix
+from clpt_control.estimation import segments as between_fixes
 from clpt_control.estimation.fix_to_fix import (
     METHODS,
     batch_least_squares,
@@ -27,6 +28,11 @@ estimate = clpt.estimation.flow_estimate
 PAPER = clpt.paper_scenario()
 THETA = np.array(PAPER.flow.parameters)
 SAMPLES = 33  # of a track between two fixes; enough for the tolerances here
+
+
+@pytest.fixture(autouse=True)
+def few_samples(monkeypatch):
+    monkeypatch.setattr(between_fixes, "SAMPLES", SAMPLES)
 
 
 def place(t, x, u, p):
