@@ -231,4 +231,4 @@ def test_a_disturbance_has_its_end_and_a_mistake_one_sentence(clpt, short):
     assert re.search("CLPE is never above .* m, within the run", said)
     outcome = clpt("certify", short, "--radius", "-1")
     assert outcome.status == 2
-    assert outcome.err == "clpt: radius = -1: must be a positive number\n"
+    assert outcome.err == "clpt: radius = -1: must be a positive number, at most 1e+12\n"
