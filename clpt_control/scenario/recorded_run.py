@@ -86,6 +86,7 @@ def check_run(run: "xarray.Dataset", system: Scenario | Team, *names: str) -> No
     first = system.first if isinstance(system, Team) else system
     sizes = {"axis": 2, "basis": first.basis.N}
     if team is not None:
+        names += ("alpha", "flow_parameters_estimate")  # on which its vehicles agree
         sizes["vehicle"] = len(team.members)
         if "vehicle" not in run or list(run.vehicle.values) != list(team.members):
             raise DataError(f"the run's vehicles are not {', '.join(team.members)}, its team's")

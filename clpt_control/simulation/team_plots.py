@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..arguments import public
-from ..errors import DataError
 from ..figures import GREY, TITLE, axes_for, figure_of, legend_below, line_style
 from ..scenario.file import TEAM
+from ..scenario.recorded_run import check_run
 from ..scenario.team import Team, team_of_run
 from .charts import arrow_grid, track_plot
 from .comparing import response_plot
@@ -55,8 +55,7 @@ def team_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     >>> tracks, clpe, errors = team_plot(clpt.simulate(team))
     """
     team = team_of_run(run)
-    if "vehicle" not in run.dims or list(run.vehicle.values) != list(team.members):
-        raise DataError(f"the dataset has not the vehicles of its team, {', '.join(team.members)}")
+    check_run(run, team, "time", "position", "clpe")
     axes = axes_for(ax, 6.4, 8.4, nrows=3, height_ratios=[1.3, 1, 1.2])
     chart, top, bottom = axes
     lines = {name: {**line_style(k), "linewidth": 1.1} for k, name in enumerate(team.members)}

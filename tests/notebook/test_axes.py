@@ -149,6 +149,9 @@ def test_what_is_no_run_is_one_sentence(made):
     for plot in (clpt.ensemble.ensemble_plot, clpt.simulation.team_plot, clpt.replay.map_plot):
         with pytest.raises(clpt.ClptError):
             plot(made["run"])
+    for name in ("alpha", "flow_parameters_estimate", "clpe"):
+        with pytest.raises(clpt.DataError, match=f"the run has no {name} over vehicle, time"):
+            clpt.simulation.team_plot(made["team"].drop_vars(name))
 
 
 def test_texts_of_figures_are_no_latex_whatever_the_users_style(tmp_path):
