@@ -74,7 +74,7 @@ def _along_heading(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater
     step = steered.speed * steered.time.diff().fillna(0.0)
     heading = np.radians(steered.heading + (turned or 0.0))
     flown = steered.assign(east=step * np.sin(heading), north=step * np.cos(heading))
-    found = _summed(flown, start, end)
+    found = _summed(flown.dropna(subset="east"), start, end)
     if found is None or not isfinite(found.total[0]):
         return found
     note = f"dead reckoning of the flight model's speed and the heading, {north}"
@@ -103,9 +103,10 @@ def _variation_of(rows: pandas.DataFrame, start: Fix, end: Fix) -> tuple[float |
 
 def _summed(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater | None:
     """Sum the steps east and north of a dive; None where it has none."""
-    rows = rows.dropna(subset=["east", "north"])
-    if rows.empty:
+    known = rows.dropna(subset=["east", "north"])
+    if known.empty:
         return None
+    rows = known if _spanning(rows, known) else rows[rows.wet | rows.index.isin(known.index)]
     notes, duration = [], end[0] - start[0]
     again = rows.time.diff() == 0
     if rows.loc[again, ["east", "north"]].any(axis=None):
@@ -114,6 +115,14 @@ def _summed(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater | None
     since = (rows.time - start[0]).to_numpy()
     steps = rows[["east", "north"]].to_numpy().T
     return summed(since, steps, rows.depth.to_numpy(), duration, notes)
+
+
+def _spanning(rows: pandas.DataFrame, known: pandas.DataFrame) -> bool:
+    """Return whether a step after samples without one covers their time too, by its length."""
+    whole, own = known.time.diff(), rows.time.diff()[known.index]
+    length, after = np.hypot(known.east, known.north), whole > own
+    speed = (length / own)[~after & (own > 0)].median()
+    return not (length - 0.5 * speed * (whole + own))[after].median() < 0
 
 
 def dives_of(data: xarray.Dataset) -> list[Dive | Skipped]:

@@ -224,10 +224,10 @@ def test_og1_without_a_whole_displacement_through_the_water(tmp_path):
     columns["EAST_DISPLACEMENT"][100:300] = np.nan
     first, *others = dives_in(og1(tmp_path / "hole.nc", columns=columns))
     assert [one.number for one in usable([first, *others])[0]] == [2, 3]
-    assert "no samples for" in first.notes[0]
+    assert first.notes[0].startswith("200 of 400 samples of the displacement are not finite")
 
 
-@pytest.mark.parametrize("fill", [9999.0, -999.0, 9.97e36])
+@pytest.mark.parametrize("fill", [9999.0, -999.0, 9.97e36, np.nan])
 @pytest.mark.parametrize("name", STEPS)
 def test_og1_steps_that_no_vehicle_makes(name, fill, tmp_path):
     columns = og1_rows()
@@ -243,10 +243,20 @@ def test_og1_steps_that_no_vehicle_makes(name, fill, tmp_path):
     assert first.notes[0].startswith("33 of 400 ")
 
 
-def test_og1_samples_that_lack_are_said(tmp_path):
-    columns = og1_rows(count=40)
+def test_og1_rows_of_other_instruments_have_no_step(tmp_path):
+    """A step after them covers their time too: the sum is whole, and nothing is filled."""
+    columns = og1_rows()
     for step in STEPS:
-        columns[step][10:14] = np.nan
+        rows = np.arange(20, 180, 4)
+        columns[step][rows + 1] += columns[step][rows]
+        columns[step][rows] = np.nan
+    for dive in dives_in(og1(tmp_path / "og1.nc", columns=columns)):
+        assert (dive.dr_east, dive.dr_north) == pytest.approx(tuple(SWUM))
+        assert dive.notes == ()
+
+
+def test_og1_samples_that_lack_are_said(tmp_path):
+    columns = {name: np.delete(a, np.s_[10:14]) for name, a in og1_rows(count=40).items()}
     said = dives_in(og1(tmp_path / "a.nc", columns=columns))[0].notes[0]
     assert f"no samples for {5 * (DURATION - FIRST - LAST) / 39:.0f} s of 9000 s" in said
 
