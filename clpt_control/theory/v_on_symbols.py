@@ -181,11 +181,22 @@ class SystemWithV:
         return self.never_positive(self.rate) or self._falls_by_state()
 
     def _falls_by_state(self) -> bool:
-        """Return whether each rate is -dV/dx_i times what is not negative, as of a gradient."""
-        slopes = (along(self.V, {s: sympy.S.One}) for s in (TIME, *self.states))
-        pairs = zip(slopes, [sympy.S.One, *self.eq.motion.values()], strict=True)
-        moved = ((a, f) for a, f in pairs if a != 0 and f != 0)
-        return all(self.never_positive(sympy.cancel(f / a)) for a, f in moved)
+        """Return whether V' falls without the terms of rates that go down V, as friction does.
+
+        They are -dV/dx_i times what is not negative.  The others may cancel, as forces that do no
+        work do.
+        """
+
+        def goes_down(f: sympy.Expr, slope: sympy.Expr) -> bool:
+            return self.never_positive(sympy.cancel(f / slope))
+
+        others = list[sympy.Expr]()
+        for s, f in {TIME: sympy.S.One, **self.eq.motion}.items():
+            slope = tidied(along(self.V, {s: sympy.S.One}))
+            if slope != 0 and not goes_down(f, slope):
+                terms = sympy.Add.make_args(f)
+                others += [slope * g for g in terms if g == f or not goes_down(g, slope)]
+        return self.never_positive(sympy.Add(*others))
 
     # --- in the user's words -------------------------------------------------------------------
 

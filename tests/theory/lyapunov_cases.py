@@ -18,6 +18,7 @@ from lyapunov_systems import (
     observer,
     of_the_error,
     pendulum,
+    rubbed,
     sourced,
     spinning,
     stepped,
@@ -56,6 +57,11 @@ RIGHT = {
     "observer": (observer(), of_the_error),
     "pendulum": (pendulum(), energy),
     "tanh": lambda x: [-np.tanh(x)],
+    "friction of each state, and forces that do no work": (
+        lambda x, y: rubbed(x, y, 1.0),
+        lambda s: np.exp(s.x) - s.x - 1 + 1.3 * np.log(np.cosh(s.y)),
+    ),
+    "a rate of which rounding is left": lambda x: [x * (-1.65 * np.maximum(x, -0.7) - 1.65 * 0.7)],
     "a divisor below zero": lambda x: [x * (3 + np.cos(x)) / (np.sin(x) - 2)],
     "V that is linear far off": (lambda x: [-x], lambda s: s.x**2 / (1 + np.abs(s.x))),
     "log cosh": (lambda x: [-np.tanh(x)], lambda s: np.log(np.cosh(s.x))),
@@ -112,6 +118,14 @@ RIGHT = {
     "V of what follows a wave": (lambda t, x: [np.cos(t) + np.sin(t) - x], (x - sympy.sin(t)) ** 2),
 }
 REFUTED = {
+    "forces that do work": (
+        lambda x, y: rubbed(x, y, -1.0),
+        lambda s: np.exp(s.x) - s.x - 1 + 1.3 * np.log(np.cosh(s.y)),
+    ),
+    "friction that pushes where cos(y) is near -1": (
+        lambda x, y: rubbed(x, y, 1.0, 0.99),
+        lambda s: np.exp(s.x) - s.x - 1 + 1.3 * np.log(np.cosh(s.y)),
+    ),
     "MRAC, V forgets b": (
         mrac(),
         lambda s: (

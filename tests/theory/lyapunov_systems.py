@@ -187,3 +187,12 @@ def of_the_arm(s):
     c = np.cos(s.q2)
     moving = (3 + 2 * c) * s.v1**2 + 2 * (1 + c) * s.v1 * s.v2 + s.v2**2
     return moving / 2 + s.q1**2 + s.q2**2
+
+
+def rubbed(x, y, sign, least=1.0):
+    """Return rates along the slopes of exp(x) - x - 1 + 1.3 log(cosh(y)), and across them."""
+    a, b = np.exp(x) - 1, 1.3 * np.tanh(y)
+    return [
+        -(least + np.cos(y)) * a + 0.7 * np.sin(y) * b,
+        -abs(x) * b - 0.7 * sign * np.sin(y) * a,
+    ]

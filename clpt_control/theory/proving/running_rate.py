@@ -103,6 +103,7 @@ class Running:
 PER_DRAW = 100  # points for each draw of the parameters
 THROUGH_CONTROL, CALLED = 20, 2  # points of the first draw, and of others, that it calls
 CLOSE = 1e-9
+ROUNDING = 16 * 2.0**-52 / CLOSE  # of states, below which a rate may be what is left of its terms
 HUGE, TINY = 1e100, 1e-300  # beyond, numbers say nothing
 UNEVEN = 1e13  # a ratio of V's weights beyond which the greater hides the lesser
 
@@ -173,8 +174,10 @@ def compared(
             rates, level = evaluate(*here)
             terms, (of_V, *slopes) = np.split(symbols[:, :most], [len(parts)])
             rate, size = rate_of(slopes, rates)
-            with np.errstate(invalid="ignore"):  # inf - inf
+            with np.errstate(all="ignore"):  # inf - inf
                 right, size = terms.sum(axis=0), np.maximum(size, np.abs(terms).sum(axis=0))
+                states_size = 1 + np.abs(here[1]).max(axis=1, initial=0.0)
+                size = np.maximum(size, ROUNDING * np.abs(slopes[1:]).sum(axis=0) * states_size)
             level = level if running.V else of_V
             off = np.maximum(_apart(right, rate, size), _apart(of_V, level, np.abs(of_V)))
             off = np.where(np.isnan(rates).any(axis=1), np.nan, off)  # as of inf/inf
