@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..equations.arrays import Array, Tape, operand
-from ..equations.at_many import leaf_values
+from ..equations.at_many import on_arrays
 from ..equations.block import Block
 from ..equations.derivative import STEPS, Direction
 from ..equations.elementwise import elementwise, lifted, spread, stacked
@@ -86,9 +86,7 @@ class VariedBlock(Block):
         if role == "guard":
             return self.inner.values(role, size, t, inner_x, inner_u, p)
         at = self.places["outputs" if role == "output" else "states"][0]
-        leaf = leaf_values(self, t, np.asarray(x), np.asarray(u), p)
-        parts = self.array_record(role).values(leaf, self.sizes)
-        found = np.concatenate([np.zeros(0), *(part.ravel() for part in parts)])
+        found = on_arrays(self, role, t, np.asarray(x), np.asarray(u), p)
         found[at] = self.inner.values(role, len(at), t, inner_x, inner_u, p)
         return found
 

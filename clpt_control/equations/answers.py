@@ -6,6 +6,7 @@ Each way through a function is a row of answers; what depends on parameters alon
 import sys
 from collections.abc import Callable, Mapping
 from math import prod
+from traceback import walk_tb
 from types import FrameType
 from typing import Any, NoReturn
 
@@ -99,20 +100,17 @@ class AnsweringTape(Tape):
         if type(ref) is float or not self.free[ref]:
             return self.known(ref)
         frame, word = _asking_frame()
-        space, where_ = frame.f_globals, f"{frame.f_code.co_name}, line {frame.f_lineno}"
-        library = (space.get("__name__") or "").partition(".")[0]
+        space, library = frame.f_globals, _module(frame).partition(".")[0]
         if library in LIBRARIES:
             self.refuse(
-                f"{library} ({where_}) asks for the value of a signal; write what it computes in "
-                "NumPy"
+                f"{library} ({frame.f_code.co_name}, line {frame.f_lineno}) asks for the value of "
+                "a signal; write what it computes in NumPy"
             )
         if space.get("__builtins__") is BUILTINS or any(space is one for one in self.spaces):
-            if word:
-                self.refuse(
-                    f"NumPy's {word} asks for the value of a signal; write what it computes"
-                )
             self.refuse(
-                "needs the value of a signal; write NumPy, and fill arrays where they are made"
+                f"NumPy's {word} asks for the value of a signal; write what it computes"
+                if word
+                else "needs the value of a signal; write NumPy, and fill arrays where they are made"
             )
         self.stopped = Borrowed(space)
         raise self.stopped
@@ -126,8 +124,6 @@ class AnsweringTape(Tape):
 
     def known(self, ref: Ref) -> np.ndarray:
         """Return the value of what depends on parameters alone, which are then pinned."""
-        if type(ref) is float:
-            return np.asarray(ref)
         used = reached(self.operations, [ref])
         leaves = [self.operations[k].at for k in used if self.operations[k].kind == "leaf"]
         self.pinned |= {name for _, name in leaves}
@@ -172,15 +168,18 @@ def _asking_frame() -> tuple[FrameType, str]:
     """Return the frame in which a number is asked for, and NumPy's function that it called."""
     frame, word = sys._getframe(2), ""
     while frame.f_back is not None and _is_own(frame):
-        if not (frame.f_globals.get("__name__") or "").startswith(__package__):
+        if not _module(frame).startswith(__package__):
             word = frame.f_code.co_qualname
         frame = frame.f_back
     return frame, word
 
 
 def _is_own(frame: FrameType) -> bool:
-    name = frame.f_globals.get("__name__") or ""
-    return name.startswith("numpy") or name.startswith(__package__)
+    return _module(frame).startswith(("numpy", __package__))
+
+
+def _module(frame: FrameType) -> str:
+    return frame.f_globals.get("__name__") or ""
 
 
 def located(function: Any, *errors: Exception) -> str:
@@ -188,16 +187,15 @@ def located(function: Any, *errors: Exception) -> str:
 
     Of several errors the first counts that came by a line: a library may swallow one.
     """
-    found = ""
     for error in errors:
-        trace = None if found else error.__traceback__
-        while trace is not None:
-            frame, trace_line = trace.tb_frame, trace.tb_lineno
-            name = frame.f_globals.get("__name__") or ""
-            if not _is_own(frame) and name.partition(".")[0] not in LIBRARIES:
-                found = f"{frame.f_code.co_name}, line {trace_line}: "
-            trace = trace.tb_next
-    return found or f"{getattr(function, '__name__', 'it')}: "
+        lines = [
+            f"{frame.f_code.co_name}, line {line}: "
+            for frame, line in walk_tb(error.__traceback__)
+            if not _is_own(frame) and _module(frame).partition(".")[0] not in LIBRARIES
+        ]
+        if lines:
+            return lines[-1]
+    return f"{getattr(function, '__name__', 'it')}: "
 
 
 class Ports(Array):

@@ -165,10 +165,7 @@ class Copies:
 
 def of_module(space: dict[str, Any]) -> dict[str, Any]:
     """Return what stands for the names of a module."""
-    found = {
-        name: SHADOWS[name] if name not in space else stand_in(space[name])
-        for name in {**SHADOWS, **space}
-    }
+    found = SHADOWS | {name: stand_in(value) for name, value in space.items()}
     return {
         name: new
         for name, new in found.items()

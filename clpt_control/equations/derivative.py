@@ -118,9 +118,7 @@ class Direction:
         if all(slope is None for slope in slopes):
             return None
         values = [self.value(a) for a in arguments]
-        if kind in CONDITIONS:
-            return None if not self.smooth else self._refused(kind)
-        if kind in JUMPS:
+        if kind in CONDITIONS or kind in JUMPS:
             return self._refused(kind) if self.smooth else None
         if kind in SLOPES:
             return SLOPES[kind](*values, self.value(k)) * slopes[0]

@@ -112,12 +112,10 @@ class Elements:
             raise Unread("elements that differ along an axis of unknown length")
         if kind == "stack":
             return self.at(arguments[k], tuple(rest))
-        for part in arguments:
-            n = bound(self.operations[part].shape, self.sizes)[0]
-            if k < n:
-                return self.at(part, (k, *rest))
+        parts = iter(arguments)
+        while k >= (n := bound(self.operations[part := next(parts)].shape, self.sizes)[0]):
             k -= n
-        raise IndexError(index)
+        return self.at(part, (k, *rest))
 
     def _sum(self, ref: int, array: Ref, axis: int, index: Index) -> Any:
         size = bound(self.operations[array].shape, self.sizes)[axis]

@@ -16,7 +16,7 @@ import numpy as np
 from ..errors import BlockError
 from .arrays import Unread
 from .block import Block
-from .declaration import Each, Guard, Parameters
+from .declaration import Each, Guard
 from .ports import sized, sizes_of
 from .record import OPERATIONS, Operation, Record, Shape, bound
 from .sampled import Sampled
@@ -120,10 +120,9 @@ def plain_block(block: Block, name: str, p: Any, begin: float, end: float) -> di
     """Return a block with these parameters as plain data, for runs between two times."""
     labels = {kind: list(getattr(block, f"{kind}_labels")) for kind in KINDS}
     if isinstance(block, Sampled):
-        inner = Parameters(**{name: getattr(p, name) for name in block.inner.parameters._fields})
         return {
             "sampled": block.period,
-            "inner": plain_block(block.inner, name, inner, begin, end),
+            "inner": plain_block(block.inner, name, block.of_inner(p), begin, end),
             "called": block._inner,
             "labels": labels,
         }

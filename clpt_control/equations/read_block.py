@@ -39,6 +39,7 @@ class ReadBlock(control.NonlinearIOSystem):
     units: Mapping[str, str]
     parameters: Any
     _sizes: dict[str, int]
+    _sized: dict[str, Shapes]  # of states, inputs and outputs, in numbers
     _inner: dict[str, dict[str, str]]  # a port's name -> what its equations call it
     _parameters: Any
     _plan: Mapping[str, tuple]  # each role's function, and where its results lie
@@ -65,9 +66,9 @@ class ReadBlock(control.NonlinearIOSystem):
                 known = tuple(sizes.get(n, n) for n in shape)
                 raise BlockError(f"{self.name}.{field}: has shape {actual}; must be {known}")
         self.sizes = sizes
-        self.input_shapes, self.output_shapes, self.state_shapes = (
-            sized(self.name, self.declared[kind], sizes) for kind in ("inputs", "outputs", "states")
-        )
+        kinds = ("states", "inputs", "outputs")
+        self._sized = {kind: sized(self.name, self.declared[kind], sizes) for kind in kinds}
+        self.state_shapes, self.input_shapes, self.output_shapes = self._sized.values()
         self._plan = {role: (f, places(where)) for role, (f, where) in self._roles.items()}
         self._x = places(self._inner_shapes("states", self.state_shapes))
         self._u = places(self._inner_shapes("inputs", self.input_shapes))
@@ -173,14 +174,9 @@ class ReadBlock(control.NonlinearIOSystem):
         function, bound_out = self._roles[role]
         name, values, why = f"{self.name}.{role}", self._parameters._asdict(), ""
         shapes = {f: np.shape(v) for f, v in values.items() if not isinstance(v, int)}
-        ports = {
-            "states": self.state_shapes,
-            "inputs": self.input_shapes,
-            "outputs": self.output_shapes,
-        }
         for stay_open in (True, False) if self.sizes else (False,):
-            declared = self.declared if stay_open else ports
-            x, u, y = (self._inner_shapes(kind, declared[kind]) for kind in ports)
+            declared = self.declared if stay_open else self._sized
+            x, u, y = (self._inner_shapes(kind, declared[kind]) for kind in self._sized)
             out = {"guard": bound_out, "output": y}.get(role, x)
             p = {**shapes, **self.parameter_shapes} if stay_open else shapes
             try:

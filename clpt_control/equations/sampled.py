@@ -18,7 +18,7 @@ from ..arguments import public
 from ..errors import DiagramError
 from .arrays import Tape, operand
 from .block import Block
-from .declaration import Each
+from .declaration import Each, Parameters
 from .record import Shape, compact
 
 HELD = "held_"  # with the name of an input port: the state that keeps it
@@ -86,7 +86,7 @@ class Sampled(Block):
             units=inner.units,
         )
         self.first_held, self.raised = inner.nstates if inner.ninputs else None, inner.raised
-        self._first_parameters = self.parameters  # those that the inner block has itself
+
         for kind, rename in (("input", self.set_inputs), ("output", self.set_outputs)):
             rename(getattr(inner, f"{kind}_labels"))
         if states:
@@ -96,6 +96,10 @@ class Sampled(Block):
         """Whether a time is one at which inputs are sampled."""
         k = np.round(t / self.period)
         return bool(k >= 0 and abs(t - k * self.period) <= ROUNDING * max(1.0, abs(t)))
+
+    def of_inner(self, p: Any) -> Parameters:
+        """Return the parameters of the inner block among those of this one."""
+        return Parameters(**{field: getattr(p, field) for field in self.inner.parameters._fields})
 
     # --- readings ---------------------------------------------------------------------------
 
@@ -112,13 +116,7 @@ class Sampled(Block):
         """Return what the inner block does with what is held."""
         if role == "update":
             return np.zeros(size)
-        x, inner = np.asarray(x), self.inner
-        changed = {
-            field: getattr(p, field)
-            for field in inner.parameters._fields
-            if getattr(p, field) is not getattr(self._first_parameters, field)
-        }
-        parameters = inner.parameters._replace(**changed) if changed else inner.parameters
+        x, inner, parameters = np.asarray(x), self.inner, self.of_inner(p)
         states, held = x[: inner.nstates], x[inner.nstates :]
         if role == "output":
             return inner.values(role, size, p.interval * self.period, states, held, parameters)

@@ -328,17 +328,14 @@ def _refused(real: Callable, sentence: str) -> Callable:
 UNSEEDED = "draws by chance; draw before the run, or take it as an input"
 CLOCKS = ("time", "monotonic", "perf_counter", "process_time")
 _KNOWN: dict[int, Any] = {
-    id(np.random): Module(np.random),
+    **{id(real): Module(real) for real in (np, np.random, math, time)},
     id(np.random.default_rng): _refused(np.random.default_rng, UNSEEDED),
-    id(time): Module(time),
     **{
         id(clock := getattr(time, name + end)): _refused(clock, "asks a clock; t is the run's time")
         for name in CLOCKS
         for end in ("", "_ns")
     },
     id(np.errstate): errstate,
-    id(math): Module(math),
-    id(np): Module(np),
     id(np.vectorize): lambda *arguments, **more: vectorized(np.vectorize(*arguments, **more)),
     id(np.r_): Joiner(np.r_, np.concatenate),
     id(np.c_): Joiner(np.c_, np.column_stack),

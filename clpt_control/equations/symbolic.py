@@ -67,10 +67,6 @@ def extent(expression: sympy.Basic) -> tuple[int, int]:
 LONG = 5_000  # parts of an expression; what has more SymPy takes too long to print or to simplify
 
 
-def _magnitude(a: sympy.Expr) -> sympy.Expr:
-    return sympy.Abs(a, evaluate=extent(a)[0] <= LONG)
-
-
 # what SymPy leaves as it stands, by the name it has there
 UNEXPANDED = {
     **{
@@ -90,7 +86,7 @@ SYMPY: dict[str, Callable[..., Any]] = {
     "div": lambda a, b: a / b,
     "pow": lambda a, b: a**b,
     "neg": lambda a: -a,
-    "fabs": _magnitude,
+    "fabs": lambda a: sympy.Abs(a, evaluate=extent(a)[0] <= LONG),
     "hypot": lambda a, b: sympy.sqrt(a**2 + b**2),
     "log1p": lambda a: sympy.log(1 + a),
     "expm1": lambda a: sympy.exp(a) - 1,

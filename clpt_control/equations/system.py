@@ -328,7 +328,8 @@ def _matrices(system: control.StateSpace | control.TransferFunction) -> tuple[np
     """Return A, B, C, D; each entry of a matrix of transfer functions has states of its own."""
     if isinstance(system, control.StateSpace):
         return system.A, system.B, system.C, system.D
-    places = [(i, j) for i in range(system.noutputs) for j in range(system.ninputs)]
+    rows, columns = np.indices((system.noutputs, system.ninputs)).reshape(2, -1)
+    places = zip(rows, columns, strict=True)
     try:
         parts = [control.tf2ss(system.num[i][j], system.den[i][j]) for i, j in places]
     except ValueError:
@@ -336,14 +337,10 @@ def _matrices(system: control.StateSpace | control.TransferFunction) -> tuple[np
             f"{system.name}: a numerator of higher degree than its denominator differentiates, "
             "which no block can; add a fast pole, such as tf([1, 0], [0.01, 1])"
         ) from None
-    rows, columns = np.eye(system.noutputs), np.eye(system.ninputs)
-    at = list(zip(places, parts, strict=True))
-    return (
-        block_diag(*(part.A for part in parts)),
-        np.vstack([part.B * columns[j] for (_, j), part in at]),
-        np.hstack([rows[:, [i]] * part.C for (i, _), part in at]),
-        sum(part.D * np.outer(rows[i], columns[j]) for (i, j), part in at),
-    )
+    each = zip(*((part.A, part.B, part.C, part.D) for part in parts), strict=True)
+    A, B, C, D = (block_diag(*own) for own in each)
+    to, of = np.eye(system.noutputs)[:, rows], np.eye(system.ninputs)[columns]
+    return A, B @ of, to @ C, to @ D @ of
 
 
 def with_constants(block: Block) -> Block:

@@ -45,7 +45,7 @@ class Port(NamedTuple):
     ref: Ref
 
 
-def _operands(name: str, arguments: tuple[Ref, ...]) -> tuple[Ref, ...]:
+def operands(name: str, arguments: tuple[Ref, ...]) -> tuple[Ref, ...]:
     """Return the arguments that a question is about."""
     if name in COMPARED:
         return arguments[0], arguments[1] if len(arguments) > 1 else 0.0
@@ -103,11 +103,11 @@ class Decisions:
             return self.record.add(kind, refs, shape, None, owner)
 
         for name in QUESTIONS.get(kind, (kind,)):
-            now = add(name, *_operands(name, exact))
+            now = add(name, *operands(name, exact))
             if name in COMPARED:
                 now = add("where", now, 1.0, -1.0)
             H = self.record.load("P", self.grain + 1 + self.count, shape)
-            distance, least = self._distance(name, _operands(name, arguments), H, add)
+            distance, least = self._distance(name, operands(name, arguments), H, add)
             self._true.append(Port(self.count, shape, long, distance))
             stays = np.isin(np.arange(self.count, self.count + prod(shape)), held).astype(float)
             if stays.any():
@@ -133,19 +133,17 @@ class Decisions:
             return add("pick", arguments[0], answers[0])
         return add("where", answers[0], *arguments)
 
-    def _distance(
-        self, name: str, operands: tuple, H: Ref, add: Callable[..., Ref]
-    ) -> tuple[Ref, Ref]:
+    def _distance(self, name: str, of: tuple, H: Ref, add: Callable[..., Ref]) -> tuple[Ref, Ref]:
         """Return the distance of a decision from its turn, smooth in a step, and its rounding.
 
         That of a whole number is the product of those from the two places where it turns.
         """
-        a, size = operands[0], add("fabs", operands[0])
-        if name in COMPARED and operands[1] != 0.0:
-            size = add("add", size, add("fabs", operands[1]))
+        a, size = of[0], add("fabs", of[0])
+        if name in COMPARED and of[1] != 0.0:
+            size = add("add", size, add("fabs", of[1]))
         least = add("add", add("mul", size, ROUNDING), self.record.load("P", self.grain, ()))
         if name in COMPARED:
-            difference = add("sub", *operands)
+            difference = add("sub", *of)
             holds = add("neg", difference) if COMPARED[name] < 0 else difference
             return add("mul", holds, H), least
         low, high = H, add("add", H, 1.0)
@@ -157,6 +155,6 @@ class Decisions:
             low = add("where", add("gt", H, 0.0), H, low)
             high = add("where", add("lt", H, 0.0), H, high)
         if name == "floordiv":
-            low, high = add("mul", low, operands[1]), add("mul", high, operands[1])
-            least = add("mul", least, add("fabs", operands[1]))
+            low, high = add("mul", low, of[1]), add("mul", high, of[1])
+            least = add("mul", least, add("fabs", of[1]))
         return add("mul", add("sub", a, low), add("sub", high, a)), least

@@ -14,7 +14,7 @@ import numpy as np
 
 from ..diagrams.wiring import Wiring
 from ..equations.arrays import Unread
-from ..equations.at_many import leaf_values
+from ..equations.at_many import on_arrays
 from ..errors import SimulationError, Uncompiled
 from ..progress import warn
 from . import numbering
@@ -183,9 +183,7 @@ def misread_function(runner: PythonDiagram, t: float, x: np.ndarray) -> str | No
             if getattr(block, f"{role}_function") is None:
                 continue
             with suppress(Unread):
-                leaves = leaf_values(block, t, states, u, p)
-                ports = block.array_record(role).values(leaves, block.sizes)
-                values = np.concatenate([np.zeros(0), *(port.ravel() for port in ports)])
+                values = on_arrays(block, role, t, states, u, p)
                 if not _same(block.values(role, len(values), t, states, u, p), values).all():
                     return f"{node.name}.{role} was read otherwise than Python runs it"
     return None

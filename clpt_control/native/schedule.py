@@ -193,11 +193,6 @@ class Schedule(NamedTuple):
         return Schedule(self.edges[k:], self.places, self.values[k:], self.smooth[k:])
 
 
-def _merged(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """Return the times of two increasing arrays, each once."""
-    return np.unique(np.concatenate([a, b])) if len(a) and len(b) else a if len(a) else b
-
-
 def make_schedule(
     diagram: Any, times: Any, inputs: Inputs | None = None, felt: float = 0.0
 ) -> Schedule:
@@ -214,8 +209,8 @@ def make_schedule(
     if inputs is not None and inputs.samples is not None:
         kinks = inputs.kinks if compiled else inputs.sharp_bends(felt)
     jumps = moved_back(sweep.breakpoints(t0, t1 + rounding(t1)), np.asarray(times))
-    jumping = _merged(jumps, moved_to(jumps, diagram.breaks(t0, t1)))
-    edges = _merged(jumping, moved_to(jumps, kinks))
+    jumping = np.union1d(jumps, moved_to(jumps, diagram.breaks(t0, t1)))
+    edges = np.union1d(jumping, moved_to(jumps, kinks))
     starts = np.concatenate([[t0], edges[(edges > t0) & (edges < t1)], [t1]])
     if sweep.wiring.dt:
         starts = np.unique(np.asarray(times)[np.searchsorted(times, starts)])

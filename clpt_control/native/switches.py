@@ -5,7 +5,6 @@ another block compares.  Where states decide, machine code finds the crossing as
 (`decisions`); a pulse of time might begin and end within one of its steps.
 """
 
-from collections.abc import Callable
 from itertools import pairwise
 from math import prod
 from typing import Any
@@ -14,16 +13,10 @@ import numpy as np
 
 from ..equations.at_many import rows
 from ..equations.derivative import STEPS
-from ..equations.record import Operation, Record, Ref, Shape, compact, reached
+from ..equations.record import Operation, Record, Ref, compact, reached
 from ..progress import warn
+from .decisions import QUESTIONS, operands
 
-SIDES: dict[str, Callable[[tuple, Shape], Operation]] = {  # which side of a kink, or which place
-    "mod": lambda a, shape: Operation("floordiv", a, shape),
-    "minimum": lambda a, shape: Operation("lt", a, shape),
-    "maximum": lambda a, shape: Operation("lt", a, shape),
-    "fabs": lambda a, shape: Operation("lt", (*a, 0.0), shape),
-    "pick": lambda a, shape: Operation("trunc", a[1:], shape),
-}
 LOOKS = 1_024, 4_096  # times between which one change is looked for: both find the same
 PARTS, DEEP = 8, 4  # where they do not, parts of the time are looked at by themselves
 GOLDEN = (5**0.5 - 1.0) / 2.0
@@ -49,11 +42,11 @@ def timed_decisions(record: Any) -> dict[int, Record]:
         lines.append(Operation(kind, arguments, shape, at[0] if kind == "sum" else at))
     for k in sorted(reached(record.entries, [port.ref for port in record.rates])):
         kind, arguments, shape, _ = lines[k]
-        if "t" in groups[k] and "X" not in groups[k] and (kind in STEPS or kind in SIDES):
-            if kind in SIDES:
-                lines.append(SIDES[kind](arguments, shape))
-            place = len(lines) - 1 if kind in SIDES else k
-            decisions.setdefault(record.owners[k], []).append(place)
+        if "t" in groups[k] and "X" not in groups[k] and (kind in STEPS or kind in QUESTIONS):
+            for name in (asked := QUESTIONS.get(kind, ())):
+                lines.append(Operation(name, operands(name, arguments), shape))
+            places = range(len(lines) - len(asked), len(lines)) if asked else [k]
+            decisions.setdefault(record.owners[k], []).extend(places)
     return {owner: compact(lines, places) for owner, places in decisions.items()}
 
 

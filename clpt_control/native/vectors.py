@@ -187,11 +187,10 @@ PRIMITIVES: dict[str, Primitive] = {
     "round_down": _intrinsic("floor"),
     "round_to_zero": _intrinsic("trunc"),
     **{name: _library(name) for name in ("erf", "erfc")},
-    "power_of_two": _power_of_two,
-    "times_power_of_two": _times_power_of_two,
-    "negated_where_odd": _negated_where_odd,
-    "exponent": _exponent,
-    "fraction": _fraction,
+    **{
+        one.__name__.lstrip("_"): one
+        for one in (_power_of_two, _times_power_of_two, _negated_where_odd, _exponent, _fraction)
+    },
 }
 
 
