@@ -55,11 +55,6 @@ def reading_on(tape: "Tape") -> Iterator[None]:
         _ACTIVE.tape = before
 
 
-def is_free(at: tuple[str, str]) -> bool:
-    """Return whether a leaf changes along a run: all but parameters, and `interval` of these."""
-    return at[0] != "p" or at[1] == "interval"
-
-
 class Tape:
     """A record as it grows; equal operations are one."""
 
@@ -88,7 +83,8 @@ class Tape:
         kind, arguments, _, at = operation
         self.operations.append(operation)
         own = [a for a in arguments if type(a) is int]
-        self.free.append(any(self.free[a] for a in own) or (kind == "leaf" and is_free(at)))
+        changes = kind == "leaf" and (at[0] != "p" or at[1] == "interval")  # along a run
+        self.free.append(changes or any(self.free[a] for a in own))
         self.truth.append(
             kind in CONDITIONS
             or (kind in MOVED and len(own) == len(arguments) and all(self.truth[a] for a in own))

@@ -193,17 +193,14 @@ class NativeDiagram(PythonDiagram):
 
     def unlocked(self) -> Self:
         """Return the diagram with decisions that change within a step."""
-        other = copy(self)
-        other._form, other._callees = "free", {}
-        other.code = code_of(self.wiring, self.layout, "free")
-        return other
+        return self.sliding(None, "free")
 
     @public
-    def sliding(self, held: Held) -> Self:
-        """Return the diagram on switches, whose decisions are held."""
+    def sliding(self, held: Held | None, form: str | None = None) -> Self:
+        """Return the diagram on switches, whose decisions are held, or in another form."""
         other = copy(self)
-        other.held, other._callees = held, {}
-        other.code = code_of(self.wiring, self.layout, self._form, False, held)
+        other.held, other._form, other._callees = held, form or self._form, {}
+        other.code = code_of(self.wiring, self.layout, other._form, False, held)
         return other
 
     def _code(self, method: int) -> Code:

@@ -95,15 +95,6 @@ class Planner:
             return len(lengths) == 1 and arguments[2][0] != 1
         return name not in CONDITIONS and name != "table" and prod(lengths) <= LARGEST
 
-    def prepare(self, c: int) -> None:
-        """Find a place in P for a component."""
-        if c not in self.prepared:
-            lengths = self.all[c].lengths
-            place = self.prepared[c] = self.components.prepared
-            self.components.prepared += prod(lengths)
-            write = Write("P", place, row_strides(lengths), lengths, _whole(c, lengths))
-            self.preparation.append(write)
-
     def fills(self, buffer: int) -> bool:
         """Whether a function itself writes a buffer."""
         writes = self.components.buffers[buffer]
@@ -134,8 +125,12 @@ class Planner:
                     write(filling)
                 else:
                     self.preparation += filling
-            if self.is_prepared(c):
-                self.prepare(c)
+            if self.is_prepared(c) and c not in self.prepared:  # it finds a place in P
+                lengths = self.all[c].lengths
+                place = self.prepared[c] = self.components.prepared
+                self.components.prepared += prod(lengths)
+                item = Write("P", place, row_strides(lengths), lengths, _whole(c, lengths))
+                self.preparation.append(item)
             stack += [a for a, _ in self.arguments(c)]
         return live, every
 

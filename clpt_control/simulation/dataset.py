@@ -17,7 +17,7 @@ from ..blocks.laws.law import Truth
 from ..blocks.laws.regressions import error_by_P
 from ..blocks.localization import TRUE
 from ..diagrams.parts import LAW
-from ..diagrams.wiring import Params, Wiring
+from ..diagrams.wiring import Params
 from ..equations.at_many import on_arrays
 from ..equations.block import Block
 from ..equations.ports import ports_of
@@ -56,14 +56,6 @@ class Signals(NamedTuple):
 
     column: dict[str, int]
     parameters: dict[str, Any]
-
-
-def signals_in(labels: Sequence[str], wiring: Wiring, given: Sequence[Any]) -> Signals:
-    """Return signals of these labels; `given` are the parameters of the blocks."""
-    return Signals(
-        {label: k for k, label in enumerate(labels)},
-        {node.name: p for node, p in zip(wiring.nodes, given, strict=True)},
-    )
 
 
 def run_frame(

@@ -100,8 +100,7 @@ def animate(
     >>> clpt.animate(run, seconds=0.4, width=200).frames
     5
     """
-    suffix = ".gif" if path is None else Path(path).suffix.lower()
-    check_options(path, seconds, fps, width)
+    suffix = checked_suffix(path, seconds, fps, width)
     pause = round(100 / fps) / 100 if suffix == ".gif" else 1 / fps
     times = np.linspace(*_span(run, start, end), max(2, round(seconds / pause)))
     film = film_of(run, times)
@@ -119,8 +118,8 @@ def animate(
     return None
 
 
-def check_options(path: str | Path | None, seconds: float, fps: float, width: int) -> None:
-    """Refuse what cannot be filmed, before work begins."""
+def checked_suffix(path: str | Path | None, seconds: float, fps: float, width: int) -> str:
+    """Return the kind of film; refuse what cannot be filmed, before work begins."""
     suffix = ".gif" if path is None else Path(path).suffix.lower()
     if path is not None:
         check_writable(path, "a film", ENDINGS)
@@ -143,6 +142,7 @@ def check_options(path: str | Path | None, seconds: float, fps: float, width: in
             f"a GIF of {seconds * fps:.0f} frames of {width} pixels would take {size / 1e9:.1f} "
             "GB of memory: make it shorter or narrower, or an .mp4"
         )
+    return suffix
 
 
 def _span(run: "xarray.Dataset", start: float | None, end: float | None) -> tuple[float, float]:

@@ -170,18 +170,14 @@ def learning_plot(
     top, bottom = axes
     time, i, units = run.time.values, axis - 1, scenario.units
     estimate = run.flow_parameters_estimate.values[:, i]
-    N = estimate.shape[1]
-    of_run = coloured(color)
-    for k in range(N):
-        line = {**line_style(k), **of_run}
-        name = among(label, rf"$\hat\theta_{axis}^{{{k + 1}}}$") if N <= 6 else None
-        name = label if k == 0 and N > 6 else name
-        width = 1.2 if N <= 6 else 0.6
-        top.plot(time, estimate[:, k], linewidth=width, label=name, **line)
-        if scenario.flow.parameters is not None:
-            true = scenario.flow.parameters[i][k]
-            top.axhline(true, color=line["color"], linewidth=0.7, alpha=0.7)
-    truth = ", true values thin" if scenario.flow.parameters is not None else ""
+    few, theta, of_run = estimate.shape[1] <= 6, scenario.flow.parameters, coloured(color)
+    for k, column in enumerate(estimate.T):
+        line, symbol = {**line_style(k), **of_run}, rf"$\hat\theta_{axis}^{{{k + 1}}}$"
+        name = among(label, symbol) if few else label if k == 0 else None
+        top.plot(time, column, linewidth=1.2 if few else 0.6, label=name, **line)
+        if theta is not None:
+            top.axhline(theta[i][k], color=line["color"], linewidth=0.7, alpha=0.7)
+    truth = ", true values thin" if theta is not None else ""
     row, estimated = scenario.learning.row, "estimate = $-\\alpha$"
     if row.alpha_is_constant:
         estimated = "given estimate" if row.given_estimate else "estimate of the filter"
@@ -203,7 +199,7 @@ def learning_plot(
             one.set_xticks([t for t in ticks if t <= end], [f"{t:g}" for t in ticks if t <= end])
             one.minorticks_off()
             bottom.set_xlabel(f"time ({units.time}), logarithmic after one cycle")
-    if N <= 6 or label is not None:
+    if few or label is not None:
         say_lines(top, label, fontsize=9, ncols=3)
     say_lines(bottom, label, fontsize=9, ncols=2)
     return axes

@@ -27,7 +27,7 @@ from ..native.schedule import read_inputs
 from ..scenario.experiment import MOST_BYTES, Scenario
 from ..scenario.file import EQUATIONS, OWN_PARTS, REFERENCE, TEAM
 from ..scenario.team import Team, team_to_text
-from .dataset import Signals, beyond_scenario_of, diagram_frame, run_frame, signals_in, with_states
+from .dataset import Signals, beyond_scenario_of, diagram_frame, run_frame, with_states
 from .flows import faster_flow, speeds_of
 from .frame import Frame
 from .loops import LoopOf, paper_blocks
@@ -67,10 +67,19 @@ class SystemRun:
         return [k for k, label in enumerate(self.labels) if label.partition("[")[0] == port]
 
     @property
+    def parameters(self) -> dict[str, Any]:
+        """The parameters of each block, by name."""
+        names = [node.name for node in self.wiring.nodes]
+        return dict(zip(names, self.runner.sweep.parameters, strict=True))
+
+    def signals(self, labels: list[str]) -> Signals:
+        """Return its signals, called by these labels."""
+        return Signals({label: k for k, label in enumerate(labels)}, self.parameters)
+
+    @property
     def max_speed(self) -> float | None:
         """The largest speed of its one vehicle, units.length per units.time, if it has one."""
-        blocks = zip(self.wiring.nodes, self.runner.sweep.parameters, strict=True)
-        return next((p.max_speed for node, p in blocks if node.name == "speed_limit"), None)
+        return getattr(self.parameters.get("speed_limit"), "max_speed", None)
 
     def check_memory(self, samples: int) -> None:
         """Refuse more samples than memory should hold."""
@@ -112,9 +121,8 @@ class ScenarioRun(SystemRun):
     @cached_property
     def frame(self) -> Frame:
         """The Dataset of its runs."""
-        signals = signals_in(self.labels, self.wiring, self.runner.sweep.parameters)
-        states = state_labels(self.parts)
-        return run_frame(self.scenario, signals, beyond_scenario_of(self.params), states=states)
+        signals, beyond = self.signals(self.labels), beyond_scenario_of(self.params)
+        return run_frame(self.scenario, signals, beyond, states=state_labels(self.parts))
 
 
 class TeamRun(SystemRun):
@@ -133,8 +141,7 @@ class TeamRun(SystemRun):
         velocity that is commanded is flown.
         """
         vehicles: dict[str, Signals] = {name: Signals({}, {}) for name in self.team.members}
-        signals = signals_in(self.labels, self.wiring, self.runner.sweep.parameters)
-        for kind, every in enumerate(signals):
+        for kind, every in enumerate(self.signals(self.labels)):
             for name, value in every.items():
                 vehicle, own = split(name)
                 vehicles[vehicle][kind][own] = value
@@ -256,12 +263,10 @@ class DiagramRun(SystemRun):
     @cached_property
     def frame(self) -> Frame:
         """The Dataset of its runs; for a `closed_loop` it is its scenario's."""
+        units, signals = signal_units(self.wiring), self.signals(self.signal_labels)
         if self.experiment is None:
-            units = signal_units(self.wiring)
             return diagram_frame(self.name, *map(tuple, (self.signal_labels, units, self.states)))
-        signals = signals_in(self.signal_labels, self.wiring, self.runner.sweep.parameters)
         beyond = beyond_scenario_of(self.params, self.experiment.beyond_scenario)
-        units = signal_units(self.wiring)
         ports = {port: units[at[0]] for port, at in ports_of(self.signal_labels).items()}
         return run_frame(self.experiment.scenario, signals, beyond, ports, self.states)
 
