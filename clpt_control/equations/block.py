@@ -171,15 +171,8 @@ class Block(ReadBlock):
             raise BlockError(
                 f"{name}: a block with breakpoints needs a parameter `interval = -1.0`"
             )
-        super().__init__(
-            self.dynamics,
-            self.output,
-            inputs=labels(sizes_of(self.input_shapes)),
-            outputs=labels(sizes_of(self.output_shapes)),
-            states=labels(self.state_ports) or 0,
-            name=name,
-            dt=dt,
-        )
+        signals: Any = {kind: labels(sizes_of(own)) or 0 for kind, own in self._sized.items()}
+        super().__init__(self.dynamics, self.output, name=name, dt=dt, **signals)
         self._try_equations()
 
     def _try_equations(self) -> None:

@@ -107,12 +107,7 @@ class _Ways:
     """All ways through a function, one after the other."""
 
     def __init__(
-        self,
-        request: Request,
-        spaces: list[dict[str, Any]],
-        snapshot: Snapshot,
-        state: dict,
-        holding: bool,
+        self, request: Request, spaces: list[dict], snapshot: Snapshot, state: dict, holding: bool
     ) -> None:
         self.request, self.spaces = request, spaces
         self.snapshot, self.state = snapshot, state  # in which a way left all

@@ -33,6 +33,14 @@ SHORT, NAMED = 16, 2  # an axis up to SHORT is unrolled, but from NAMED on where
 SIGNED = frozenset({"atan2", "pow", "floordiv", "mod"})  # distinguish -0.0 from 0.0, as divisors do
 WIRE = -1  # the owner of the operations of wires
 LARGE = 512  # numbers: a larger array is a table that runs share
+# the lengths from which on an axis without and with a name loops, and whether decisions are locked
+# for a step; all forms but None are there to be compared
+FORMS = {
+    None: (SHORT + 1, NAMED, True),
+    "unrolled": (10**9, 10**9, True),
+    "looped": (2, 2, True),
+    "free": (SHORT + 1, NAMED, False),
+}
 Ref = Any  # the place of an entry (int), or a constant (float)
 
 
@@ -122,19 +130,14 @@ class DiagramRecord(RecordMerger):
     Kinds are those of `equations.record`, with loads in place of leaves: `at` of a load is (array,
     first place); of a sum (axis, length, whether it loops); of a part the first place among all
     elements of its argument, row by row.  Axes loop from the length `long` on, where they have a
-    name from `named` on.
+    name from `named` on.  Of one that `slides`, `sliding` locks the decisions.
     """
 
     def __init__(
-        self,
-        wiring: Wiring,
-        layout: Layout,
-        long: int = SHORT + 1,
-        named: int = NAMED,
-        locking: bool = True,
+        self, wiring: Wiring, layout: Layout, form: str | None = None, slides: bool = False
     ):
         super().__init__(wiring, {0: wiring.ninputs})
-        self.layout, self.long, self.named = layout, long, named
+        self.layout, (self.long, self.named, locking) = layout, FORMS[form]
         self.tape = Tape()
         self.entries = self.tape.operations
         self.owners: dict[int, int] = {}  # the blocks that entries come from
@@ -147,7 +150,7 @@ class DiagramRecord(RecordMerger):
         self.margins = [m for k in guarded for m in self.run(k, "guard", self.fed(k))]
         self.timed = {} if wiring.dt else timed_decisions(self)
         self.decisions = Decisions(self, layout.inputs(wiring.ninputs))
-        if locking and not wiring.dt:
+        if locking and not (wiring.dt or slides):
             self.rates = self.decisions.lock(self.rates)
         self._jumped = {k: self._leap(k) for k in range(len(wiring.nodes))}
         self._sample()

@@ -402,11 +402,8 @@ def program_of_formulas(formulas: dict[str, Formula], n: int) -> Program:
 def kernels(n: int, lanes: int, method: int, ahead: bool) -> Machine:
     """Return the formulas of a method for n states as machine code."""
     named = formulas(method, ahead)
-    return Machine(
-        named,
-        f"formulas {n} {lanes} {method} {ahead}",
-        lambda: print_program(program_of_formulas(named, n), tuple(named), lanes),
-    )
+    source, wanted = f"formulas {n} {lanes} {method} {ahead}", (tuple(named), lanes)
+    return Machine(named, source, lambda: print_program(program_of_formulas(named, n), *wanted))
 
 
 def with_formulas(callee: Callee) -> Callee:

@@ -16,7 +16,7 @@ from ..equations.record import Record
 from ..errors import DiagramError, Uncompiled
 from . import numbering
 from .batch import Callee
-from .diagram_record import NAMED, SHORT, DiagramRecord, Layout, lay_out
+from .diagram_record import FORMS, DiagramRecord, Layout, lay_out
 from .jacobian import Jacobian, jacobian, reach_of, slopes_of
 from .machine import LANES, Machine, fuses, once, one_at_a_time
 from .method import with_formulas
@@ -29,14 +29,6 @@ from .switches import times_of_change
 
 ABREAST = 256  # states of runs in lanes; more do not fit the first cache
 FUNCTIONS = ("derivative", "prepare", "margin", "signals", "jump", "decide", "slope", "staged")
-# the lengths from which on an axis without and with a name loops, and whether decisions are locked
-# for a step; all forms but None are there to be compared
-FORMS = {
-    None: (SHORT + 1, NAMED, True),
-    "unrolled": (10**9, 10**9, True),
-    "looped": (2, 2, True),
-    "free": (SHORT + 1, NAMED, False),
-}
 
 
 @dataclass(frozen=True)
@@ -105,8 +97,8 @@ def code_of(
 
 @once(64)
 def _code(structure: Structure, form: str | None, implicit: bool, held: Held | None) -> Code:
-    wiring, layout, (long, named, locking) = structure.wiring, structure.layout, FORMS[form]
-    record = DiagramRecord(wiring, layout, long, named, locking and held is None)
+    wiring, layout = structure.wiring, structure.layout
+    record = DiagramRecord(wiring, layout, form, held is not None)
     if held is not None:
         slide(record, held)
     room = wiring.nodes[-1].outputs.stop, layout.inputs(wiring.ninputs)

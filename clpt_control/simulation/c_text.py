@@ -33,7 +33,7 @@ class CRecord(DiagramRecord):
 
     def __init__(self, wiring: Any, layout: Layout):
         self.set_by_integrator = [*layout.intervals.values(), *layout.jumps.values()]  # places in P
-        super().__init__(wiring, layout, locking=False)
+        super().__init__(wiring, layout, "free")
 
     def _inputs(self) -> int:
         return self.load("U", 0, (self.wiring.ninputs,))

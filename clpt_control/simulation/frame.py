@@ -140,10 +140,7 @@ def how_it_ran(solution: Solution) -> dict[str, Any]:
     """Return attributes: versions, status and the solver's statistics."""
     return {
         "software": _software(),
-        "status": solution.status,
-        "message": solution.message,
-        "engine": solution.engine,
-        "method": solution.method,
+        **{name: getattr(solution, name) for name in ("status", "message", "engine", "method")},
         **{f"solver_{name}": value for name, value in solution.statistics.items()},
     }
 

@@ -91,12 +91,8 @@ def changed_blocks(
     localized = _localized(scenario)
     true = TRUE if any(block.name == "measurement" for block in localized) else "x"
     steered = alpha_M, car.feedback, car.feedforward, car.max_speed is not None
-    blocks = [
-        reference.reference(scenario.waypoints, scenario.reference.dwell),
-        scenario.basis_block("x"),
-        scenario.basis_block("z"),
-        *localized,
-    ]
+    blocks = [reference.reference(scenario.waypoints, scenario.reference.dwell)]
+    blocks += [scenario.basis_block("x"), scenario.basis_block("z"), *localized]
     if delta is not None:
         numbers = delta.amplitude, delta.period or 1.0, float(delta.seed or 0)
         blocks.append(disturbance.disturbance(delta.kind, *numbers))
@@ -315,8 +311,5 @@ def error_loop(scenario: Scenario) -> Diagram:
             'error_loop: Eqs. (27)-(28) are of law = "learned-flow" with one gain for all; '
             f'the scenario has law = "{scenario.learning.law}"'
         )
-    return connect(
-        [clpe.error_system(N, KD), clpe.parameter_system(N, gains.parameters)],
-        external=("phi_x", "z", "zc"),
-        name="error_loop",
-    )
+    systems = clpe.error_system(N, KD), clpe.parameter_system(N, gains.parameters)
+    return connect(systems, external=("phi_x", "z", "zc"), name="error_loop")

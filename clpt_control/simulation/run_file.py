@@ -181,14 +181,10 @@ class RunRecord:
             raise Unread("its inputs come by a function of Python; give samples at timepts")
         if self.engine != "native" or not isinstance(runner, NativeDiagram):
             raise Unread("it ran in Python, by functions that no file holds")
+        given, ends = runner.sweep.parameters, map(float, times[[0, -1]])
         plain = {
             "run": {**self.conditions, "inputs": self.inputs},
-            "diagram": plain_diagram(
-                self.run.wiring,
-                runner.sweep.parameters,
-                self.run.names,
-                *map(float, times[[0, -1]]),
-            ),
+            "diagram": plain_diagram(self.run.wiring, given, self.run.names, *ends),
         }
         text = json.dumps(plain, default=lambda value: value.tolist())
         try:
