@@ -52,10 +52,8 @@ STATES: dict[type, tuple[Callable, Callable]] = {  # of chance: its state, and t
     ),
     random.Random: (random.Random.getstate, random.Random.setstate),
 }
-OF_ALL: tuple[Any, ...] = (  # whose numbers the functions of these modules draw
-    vars(random)["random"].__self__,
-    vars(np.random)["random"].__self__,
-)
+# whose numbers the functions of these modules draw
+OF_ALL: tuple[Any, ...] = tuple(vars(one)["random"].__self__ for one in (random, np.random))
 
 
 class Snapshot:

@@ -121,11 +121,8 @@ def compact(
         moved = tuple([place[a] if type(a) is int else a for a in arguments])
         lines.append(Operation(kind, moved, shape, at))
     of_outputs = [operations[r].shape if type(r) is int else () for r in outputs]
-    return Record(
-        tuple(lines),
-        tuple([place[r] if type(r) is int else r for r in outputs]),
-        tuple(of_outputs if shapes is None else shapes),
-    )
+    refs = tuple([place[r] if type(r) is int else r for r in outputs])
+    return Record(tuple(lines), refs, tuple(of_outputs if shapes is None else shapes))
 
 
 # --- on numbers --------------------------------------------------------------------------------
@@ -181,11 +178,8 @@ def _circular(function: Callable) -> Callable:
 OPERATIONS: dict[str, Callable[..., Any]] = {
     **{name: ufunc for ufunc, name in UFUNCS.items()},
     "where": np.where,
-    "erf": np.vectorize(erf, otypes=[float]),
-    "erfc": np.vectorize(erfc, otypes=[float]),
-    "sin": _circular(np.sin),
-    "cos": _circular(np.cos),
-    "tan": _circular(np.tan),
+    **{one.__name__: np.vectorize(one, otypes=[float]) for one in (erf, erfc)},
+    **{one.__name__: _circular(one) for one in (np.sin, np.cos, np.tan)},
 }
 
 

@@ -248,8 +248,7 @@ def full(tape: Tape, shape: Any, value: Any, dtype: Any) -> Any:
 
 MAKERS: dict[Any, Callable] = {
     np.array: array,
-    np.asarray: same_array,
-    np.asanyarray: same_array,
+    **dict.fromkeys((np.asarray, np.asanyarray), same_array),
     np.full: lambda tape, shape, value, dtype=None, **more: full(tape, shape, value, dtype),
     **{
         make: lambda tape, *counts, make=make, **more: fresh(tape, make(*whole(counts), **more))

@@ -206,10 +206,8 @@ class NativeDiagram(PythonDiagram):
     def breaks(self, t0: float, t1: float) -> Any:
         """Return the times at which time alone decides."""
         arrays, nodes = {"P": self.layout.P, "T": self.layout.T}, self.wiring.nodes
-        times = [
-            times_of_change(nodes[k].name, record, arrays, t0, t1)
-            for k, record in self.code.timed.items()
-        ]
+        timed = self.code.timed.items()
+        times = [times_of_change(nodes[k].name, one, arrays, t0, t1) for k, one in timed]
         return np.unique(np.concatenate([np.zeros(0), *times]))
 
     def switches_by(self, k: int, name: str) -> bool:
