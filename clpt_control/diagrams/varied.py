@@ -25,7 +25,7 @@ from ..equations.derivative import STEPS, Direction
 from ..equations.elementwise import elementwise, lifted, spread, stacked
 from ..equations.ports import ports_of
 from ..equations.record import Record, Shape, bound, compact
-from ..equations.sampled import Sampled, inner_equations
+from ..equations.sampled import Sampled, other_equations
 from ..equations.system import System
 from .wiring import Node, Row, Wiring, joined_wires, paths_to, spaces_around
 
@@ -50,14 +50,14 @@ class VariedBlock(Block):
         self.places = {kind: _places(own, count) for kind, own in groups.items()}
         super().__init__(
             inner.name,
-            update=inner_equations if inner.update_function else None,
-            output=inner_equations if inner.output_function else None,
+            update=other_equations if inner.update_function else None,
+            output=other_equations if inner.output_function else None,
             inputs=ports["inputs"],
             outputs=ports["outputs"] if inner.output_function else None,
             states=ports["states"],
             parameters=parameters,
             breakpoints=inner.breakpoints_function,
-            jump=inner_equations if inner.jump_function else None,
+            jump=other_equations if inner.jump_function else None,
             guard=inner.guard and inner.guard._replace(sentence=self._sentence),
         )
         self.raised, self.dt, self.of_package = inner.raised, inner.dt, inner.of_package

@@ -6,7 +6,7 @@ What an element is, the reading says: an expression (`symbolic`), the inputs tha
 a number of another library.  Along an axis of unknown length the place is a name (`symbolic`).
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from math import prod
 from typing import Any
 
@@ -33,13 +33,8 @@ class Elements:
         """Return a constant."""
         return value
 
-    def leaf(self, at: tuple[str, str], shape: Shape, index: Index) -> Any:
-        """Return an element of a leaf."""
-        raise NotImplementedError
-
-    def apply(self, ref: int, kind: str, arguments: tuple) -> Any:
-        """Return what an operation makes of elements."""
-        raise NotImplementedError
+    leaf: Callable[..., Any]  # (at, shape, index): an element of a leaf
+    apply: Callable[..., Any]  # (ref, kind, arguments): what an operation makes of elements
 
     def opaque(self, at: tuple, arguments: tuple, index: Index) -> Any:
         """Return an element of what an opaque helper computes."""

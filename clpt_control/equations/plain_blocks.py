@@ -15,29 +15,16 @@ import numpy as np
 
 from ..errors import BlockError
 from .arrays import Unread
+from .at_many import on_arrays
 from .block import Block
 from .declaration import Each, Guard
 from .ports import sized, sizes_of
 from .record import OPERATIONS, Operation, Record, Shape, bound
-from .sampled import Sampled
+from .sampled import Sampled, other_equations
 
 KINDS = ("input", "output", "state")
 LARGEST = 10**7  # numbers of one value of a record
 MOST = 10**8  # of all values of a record together
-
-
-class AsRecorded:
-    """What a record does, as a block's function."""
-
-    def __init__(self, record: Record, sizes: dict[str, int]):
-        self.record, self.sizes = record, sizes
-
-    def __call__(self, t: float, x: Any, u: Any, p: Any) -> list[np.ndarray]:
-        """Return what each port is."""
-        groups = {"x": x, "u": u, "p": p}
-        return self.record.values(
-            lambda group, name: t if group == "t" else getattr(groups[group], name), self.sizes
-        )
 
 
 @dataclass(frozen=True)
@@ -71,9 +58,7 @@ class RecordedBlock(Block):
             ports = sized(name, shapes[f"{kind}s"], sizes)
             if sum(sizes_of(ports).values()) != len(plain["labels"][kind]):
                 raise BlockError(f"{name}: its {kind}s are not as many as their labels")
-        functions: dict[str, Any] = {
-            role: AsRecorded(record, sizes) for role, record in self._plain_records.items()
-        }
+        functions: dict[str, Any] = dict.fromkeys(self._plain_records, other_equations)
         if jumps is not None and "period" in jumps:
             jumps = Each(**jumps)
         elif jumps is not None:
@@ -97,6 +82,9 @@ class RecordedBlock(Block):
 
     def _read(self, role: str) -> Record | Unread:
         return self._plain_records[role]
+
+    def _evaluate(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
+        return on_arrays(self, role, t, np.asarray(x), np.asarray(u), p)
 
     def with_values(self, changes: Mapping[str, Any]) -> Any:
         """Return the parameters with some changed, but those whose values the record holds."""

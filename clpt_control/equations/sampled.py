@@ -25,8 +25,8 @@ HELD = "held_"  # with the name of an input port: the state that keeps it
 ROUNDING = 1e-12  # of a time, or of 1: times that differ by less are one
 
 
-def inner_equations(*arguments: Any) -> Any:
-    """Stand for the equations, which are those of the inner block."""
+def other_equations(*arguments: Any) -> Any:
+    """Stand for equations: those of the inner block, or a record."""
     raise NotImplementedError
 
 
@@ -74,14 +74,14 @@ class Sampled(Block):
         ports: Any = {**inner.declared, "states": states}
         super().__init__(
             inner.name,
-            update=inner_equations if states else None,
-            output=inner_equations,
+            update=other_equations if states else None,
+            output=other_equations,
             **ports,
             parameters={**inner.parameters._asdict(), "interval": -1.0},
             shapes=inner.parameter_shapes,
             sizes=inner.sizes,
             breakpoints=Each(self.period),
-            jump=inner_equations if states else None,
+            jump=other_equations if states else None,
             units=inner.units,
         )
         self.first_held, self.raised = inner.nstates if inner.ninputs else None, inner.raised

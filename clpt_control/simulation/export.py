@@ -123,24 +123,18 @@ class CFile:
             raise Uncompiled(found)
         sweep.derivative(0.0, start)
         self.given = sweep.parameters
-        apart = {  # of equal ones too; long arrays are tables
-            (k, field): k
-            for k, p in enumerate(self.given)
-            for field, value in p._asdict().items()
-            if np.size(value) <= LARGE
-        }
+        fields = ((k, *one) for k, p in enumerate(self.given) for one in p._asdict().items())
+        # of equal ones too; long arrays are tables
+        apart = {(k, field): k for k, field, value in fields if np.size(value) <= LARGE}
         self.layout = lay_out(self.wiring, self.given, apart)
         self.record = CRecord(self.wiring, self.layout)
         self.program = CProgram(self.record, run.runner.nsignals)
         self.name = _word(run.name)[:LONGEST]
         self.room = max(1, self.program.components.room)
         self.kept = max(1, len(self.record.set_by_integrator))
-        outputs = len(self.wiring.outputs)
-        self.labels = {
-            "x": _labels(run.states),
-            "u": _labels(run.signal_labels[outputs:]),
-            "y": _labels(run.signal_labels[:outputs]),
-        }
+        outputs, ports = len(self.wiring.outputs), run.signal_labels
+        u, y = _labels(ports[outputs:]), _labels(ports[:outputs])
+        self.labels = {"x": _labels(run.states), "u": u, "y": y}
 
     def parts(self) -> Iterator[str]:
         """Yield the text."""

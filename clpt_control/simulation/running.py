@@ -161,10 +161,8 @@ class TeamRun(SystemRun):
             run_frame(scenario, vehicles[name]).filled(solution, signals)
             for name, scenario in team.members.items()
         ]
-        names = xarray.DataArray(
-            list(team.members), dims="vehicle", attrs={"long_name": "vehicle of the team"}
-        )
-        whole = xarray.concat(runs, names.rename("vehicle"), data_vars=None, coords="minimal")
+        names = xarray.Variable("vehicle", [*team.members], {"long_name": "vehicle of the team"})
+        whole = xarray.concat(runs, names, data_vars=None, coords="minimal")
         if "flow_parameters" in whole:  # one flow
             whole["flow_parameters"] = runs[0].flow_parameters
         if "lyapunov" in whole:

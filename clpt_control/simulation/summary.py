@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     import xarray
 
 SUMMARY = "summary"  # attribute of a run: its summary as JSON
+OF = "solver_"  # begins the attributes that say how much the solver did
 TIMES = (10, 20, 100, 200, 500, 1000, 2000)
 MOST_OF_TEAM = 20_000  # samples
 
@@ -116,6 +117,7 @@ def _at_own_samples(dense: "xarray.Dataset", own: np.ndarray) -> "xarray.Dataset
 
 def _summary(run: "xarray.Dataset", units: Units, figures: dict[str, Any]) -> dict[str, Any]:
     """Return a run's figures with what it is and how it ended, ready for JSON."""
+    solver = {k.removeprefix(OF): int(v) for k, v in run.attrs.items() if k.startswith(OF)}
     return {
         "title": run.attrs["title"],
         "units": {"length": units.length, "time": units.time},
@@ -123,11 +125,7 @@ def _summary(run: "xarray.Dataset", units: Units, figures: dict[str, Any]) -> di
         "message": run.attrs["message"],
         "end": float(run.time[-1]),
         **figures,
-        "solver": {
-            name.removeprefix("solver_"): int(value)
-            for name, value in run.attrs.items()
-            if name.startswith("solver_")
-        },
+        "solver": solver,
     }
 
 
@@ -143,12 +141,9 @@ def errors(
 ) -> dict[str, Any]:
     """Return how far a vehicle is from the truth; `at` are samples of its run by time."""
     figures: dict[str, Any] = {}
-    if scenario.flow.parameters is not None:
-        theta = np.array(scenario.flow.parameters)
-        figures["max_flow_parameter_error"] = {
-            key: float(np.abs(one.flow_parameters_estimate - theta).max())
-            for key, one in at.items()
-        }
+    if (theta := scenario.flow.parameters) is not None:
+        wrong = {k: one.flow_parameters_estimate - theta for k, one in at.items()}
+        figures["max_flow_parameter_error"] = {k: float(abs(v).max()) for k, v in wrong.items()}
     car = scenario.vehicle
     gains = {"feedback_gain": car.feedback, "feedforward_gain": car.feedforward}
     figures["max_gain_error"] = {
