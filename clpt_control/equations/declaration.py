@@ -266,11 +266,17 @@ def block_line(block: Any) -> str:
     return f"<Block {block.name}: {flows}{states}>"
 
 
+def docs_of(block: Any) -> list[str]:
+    """Return what the functions of a block, or of the one that it samples, say of themselves."""
+    block = getattr(block, "inner", block)
+    own = (getattr(block, f"{role}_function", None) for role in ("update", "output", "jump"))
+    return [f.__doc__ for f in (getattr(f, "func", f) for f in own) if f and f.__doc__]
+
+
 def block_html(block: Any) -> str:
     """Return a block as a table."""
-    doc = next((f.__doc__ for f in (block.update_function, block.output_function) if f), None)
     rows = [
-        ("equations", " ".join((doc or "").split("\n\n")[0].split())),
+        ("equations", " ".join("".join(docs_of(block)[:1]).split("\n\n")[0].split())),
         ("inputs", ports_line(block.input_ports)),
         ("outputs", ports_line(block.output_ports)),
         ("states", ports_line(block.state_ports)),

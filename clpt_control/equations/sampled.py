@@ -26,7 +26,7 @@ ROUNDING = 1e-12  # of a time, or of 1: times that differ by less are one
 
 
 def other_equations(*arguments: Any) -> Any:
-    """Stand for equations: those of the inner block, or a record."""
+    """Do what the inner block does, or what is recorded."""
     raise NotImplementedError
 
 

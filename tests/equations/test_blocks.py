@@ -3,6 +3,7 @@
 import copy
 import pickle
 from dataclasses import dataclass
+from functools import partial
 from typing import NamedTuple
 
 import control
@@ -10,7 +11,8 @@ import numpy as np
 import pytest
 from recorded import as_it_runs, recorded, static
 
-from clpt_control.equations import Block, Guard
+from clpt_control.diagrams.drawing.figure import equation_numbers
+from clpt_control.equations import Block, Guard, Sampled
 from clpt_control.equations.ports import renamed, split, within
 from clpt_control.equations.system import linear, on_each_axis
 from clpt_control.errors import ArgumentError, BlockError
@@ -54,6 +56,20 @@ def test_params_of_python_control_are_read_so_that_no_change_is_lost():
         block.params = {"mine.gain": 2.0}
     block.parameters = Tuple(2.0, THETA)
     np.testing.assert_array_equal(block.output(0, [], [1, 0, 2]), 2 * THETA @ [1, 0, 2])
+
+
+@pytest.mark.parametrize("kind", [lambda rate: rate, partial])
+def test_a_block_says_its_own_equations(kind):
+    """Also a sampled one, and one of a partial function, whose class has a docstring too."""
+
+    def rate(t, x, u, p):
+        """x' = -x, Eq. (30)."""
+        return -x.x
+
+    block = Block("decay", update=kind(rate), states={"x": 1})
+    for one in (block, Sampled(block, 0.5)):
+        assert "x&#x27; = -x, Eq. (30)." in one._repr_html_()
+        assert equation_numbers(one) == "Eq. (30)"
 
 
 @pytest.mark.parametrize("parameters", KINDS, ids=["dict", "lists", "NamedTuple", "dataclass"])

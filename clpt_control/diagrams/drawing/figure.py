@@ -17,7 +17,7 @@ from typing import Any
 import control
 
 from ...arguments import public
-from ...equations.declaration import ports_line
+from ...equations.declaration import docs_of, ports_line
 from ...equations.ports import ports_of
 from ...errors import ClptError, DiagramError
 from ...figures import inline_svg, literal
@@ -312,8 +312,7 @@ def layout(diagram: control.NonlinearIOSystem) -> tuple[Routed, list[Any], dict[
 def equation_numbers(system: control.NonlinearIOSystem) -> str:
     """Return the equations of a block's docstrings, such as ``"Eqs. (21)–(23)"``, but V's."""
     numbers: set[int] = set()
-    for role in ("update_function", "output_function", "jump_function"):
-        text = getattr(getattr(system, role, None), "__doc__", None) or ""
+    for text in docs_of(system):
         for found in re.findall(r"(?<!V of )Eqs?\.\s*((?:\(\d+\)(?:\s*(?:,|-|–|and)\s*)?)+)", text):
             for first, last in re.findall(r"\((\d+)\)(?:\s*[-–]\s*\((\d+)\))?", found):
                 numbers |= set(range(int(first), int(last or first) + 1))
