@@ -97,7 +97,7 @@ class Sampled(Block):
         return bool(k >= 0 and abs(t - k * self.period) <= ROUNDING * max(1.0, abs(t)))
 
     def of_inner(self, p: Any) -> Parameters:
-        """Return the parameters of the inner block among those of this one."""
+        """Return the parameters of the inner block."""
         return Parameters(**{field: getattr(p, field) for field in self.inner.parameters._fields})
 
     # --- readings ---------------------------------------------------------------------------

@@ -189,7 +189,7 @@ class NativeDiagram(PythonDiagram):
 
     @public
     def sliding(self, held: Held | None, form: str | None = None) -> Self:
-        """Return the diagram on switches, whose decisions are held, or in another form."""
+        """Return the diagram with decisions held, or in another form."""
         other = copy(self)
         other.held, other._form, other._callees = held, form or self._form, {}
         other.code = code_of(self.wiring, self.layout, other._form, False, held)
