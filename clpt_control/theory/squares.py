@@ -39,7 +39,10 @@ def squares(V: sympy.Expr, fixed: set, words_are_free: bool = True) -> Squares |
     free = (f for f in V.atoms(AppliedUndef) if words_are_free or is_input(f))
     words = {f: sympy.Dummy(str(f.func), real=True) for f in free}
     back = {dummy: f for f, dummy in words.items()}
-    V = V.xreplace(words)
+    inner = [f.args[0] for f in V.atoms(sympy.Function) if f.args[0].is_Add]
+    sums = {a: sympy.Dummy("sum", real=True) for a in inner if len(a.free_symbols - fixed) > 1}
+    back |= {dummy: a for a, dummy in sums.items()}
+    V = V.xreplace(words).xreplace(sums)
     moving = sorted(V.free_symbols - fixed, key=str)
     form_of = dict[Any, Any]()  # term -> the form that it holds
     low, more = list[Any](), list[Any]()

@@ -17,8 +17,10 @@ from lyapunov_systems import (
     mrac,
     observer,
     of_the_error,
+    of_the_shaft,
     pendulum,
     rubbed,
+    shaft,
     sourced,
     spinning,
     stepped,
@@ -61,6 +63,7 @@ RIGHT = {
         lambda x, y: rubbed(x, y, 1.0),
         lambda s: np.exp(s.x) - s.x - 1 + 1.3 * np.log(np.cosh(s.y)),
     ),
+    "two pendulums on one shaft": (lambda a, b, v, w: shaft(a, b, v, w, 1), of_the_shaft),
     "a rate of which rounding is left": lambda x: [x * (-1.65 * np.maximum(x, -0.7) - 1.65 * 0.7)],
     "a divisor below zero": lambda x: [x * (3 + np.cos(x)) / (np.sin(x) - 2)],
     "V that is linear far off": (lambda x: [-x], lambda s: s.x**2 / (1 + np.abs(s.x))),
@@ -118,6 +121,14 @@ RIGHT = {
     "V of what follows a wave": (lambda t, x: [np.cos(t) + np.sin(t) - x], (x - sympy.sin(t)) ** 2),
 }
 REFUTED = {
+    "two pendulums whose shaft pushes both": (
+        lambda a, b, v, w: shaft(a, b, v, w, -1),
+        of_the_shaft,
+    ),
+    "V of a difference that falls faster": (
+        lambda a, b: [-a, -b],
+        lambda s: np.cos(s.a - s.b) - 1 + (s.a**2 + s.b**2) / 2,
+    ),
     "forces that do work": (
         lambda x, y: rubbed(x, y, -1.0),
         lambda s: np.exp(s.x) - s.x - 1 + 1.3 * np.log(np.cosh(s.y)),
@@ -246,6 +257,11 @@ OPEN = {  # no point shows it, or none is looked for
 }
 BESIDE = {  # V' <= 0 is right, and more is to be said
     "V of what runs with time": ("proved but for x", lambda x: [1 + 0 * x], (x - t) ** 2),
+    "oscillators that agree": (
+        "proved but for a",
+        lambda a, b: [np.sin(b - a), np.sin(a - b)],
+        lambda s: 1 - np.cos(s.a - s.b),
+    ),
     "V that is bounded": ("proved near the rest", lambda x: [-x], lambda s: np.tanh(s.x**2)),
     "V that lets go far off": (
         "proved near the rest",

@@ -196,3 +196,14 @@ def rubbed(x, y, sign, least=1.0):
         -(least + np.cos(y)) * a + 0.7 * np.sin(y) * b,
         -abs(x) * b - 0.7 * sign * np.sin(y) * a,
     ]
+
+
+def shaft(a, b, v, w, back):
+    """Return the rates of two pendulums on a shaft that springs back by the sine of its twist."""
+    twist = 0.5 * np.sin(a - b)
+    return [v, w, -np.sin(a) - twist - 0.2 * v, -np.sin(b) + back * twist - 0.2 * w]
+
+
+def of_the_shaft(s):
+    """Return the energy of both pendulums and of the twist."""
+    return (s.v**2 + s.w**2) / 2 + 2.5 - np.cos(s.a) - np.cos(s.b) - 0.5 * np.cos(s.a - s.b)
