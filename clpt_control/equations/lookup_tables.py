@@ -132,8 +132,16 @@ def increasing(points: Any, name: str) -> np.ndarray:
     return points
 
 
-def interpolated(x: Any, xp: Any, fp: Any, left: Any = None, right: Any = None) -> Any:
+def interpolated(
+    x: Any, xp: Any, fp: Any, left: Any = None, right: Any = None, period: Any = None
+) -> Any:
     """Return np.interp(x, xp, fp)."""
+    if period is not None:
+        period, left, right = abs(period), None, None
+        x, xp = x % period, np.asarray(xp, dtype=float) % period
+        order = np.argsort(xp)[np.arange(-1, len(xp) + 1) % len(xp)]
+        xp, fp = xp[order], np.asarray(fp, dtype=float)[order]
+        xp[0], xp[-1] = xp[0] - period, xp[-1] + period
     xp = increasing(xp, "np.interp")
     if isinstance(fp, Array) and numbers_of(fp) is None:
         units = np.eye(len(xp))
@@ -166,8 +174,6 @@ BETWEEN["zero"] = BETWEEN["previous"]
 
 def of_interp1d(f: Any) -> Callable:
     """Return scipy.interpolate.interp1d as a function of signals."""
-    if f._kind not in BETWEEN:
-        raise Unread(f"scipy's interp1d of kind {f._kind!r}")
     xs, ys = np.asarray(f.x, dtype=float), np.moveaxis(np.asarray(f.y, dtype=float), f.axis, 0)
     fills: Any = (None, None)
     if not f._extrapolate:
@@ -176,8 +182,12 @@ def of_interp1d(f: Any) -> Callable:
 
     def table(tape: Tape, x: Any) -> Any:
         x = lifted(tape, x)
-        columns = ys.reshape(len(xs), -1).T
-        values = [outside(BETWEEN[f._kind](xs, y, x), x, xs, *fills) for y in columns]
+        if f._kind == "spline":
+            splines = [type(f._spline)(f._spline.t, c, f._spline.k) for c in f._spline.c.T]
+            between = [of_spline(one)(tape, x) for one in splines]
+        else:
+            between = [BETWEEN[f._kind](xs, y, x) for y in ys.reshape(len(xs), -1).T]
+        values = [outside(one, x, xs, *fills) for one in between]
         result = np.stack(values).T if ys.ndim > 1 else values[0]
         return result.reshape((*x.shape, *ys.shape[1:])) if ys.ndim > 2 else result
 
@@ -216,6 +226,21 @@ def of_spline(f: Any) -> Callable:
     if getattr(f, "ext", 0) or np.ndim(getattr(f, "c", ())) > 1:
         raise Unread(f"scipy's {type(f).__name__} of several columns, or with ends of its own")
     return of_polynomials(PPoly.from_spline(getattr(f, "_eval_args", f)))
+
+
+def splev(tape: Tape, x: Any, tck: Any, der: int = 0, ext: int = 0) -> Any:
+    """Return scipy.interpolate.splev(x, tck)."""
+    from scipy.interpolate import BSpline
+
+    if ext or not isinstance(tck, tuple) or np.ndim(tck[1]) > 1:
+        raise Unread("scipy's splev of several columns, or with ends of its own")
+    return of_spline(BSpline(*tck))(tape, x, der)
+
+
+def of_series(f: Any) -> Callable:
+    """Return a polynomial of np.polynomial as a function of signals."""
+    offset, scale = f.mapparms()
+    return lambda tape, x: f._val(offset + scale * lifted(tape, x), f.coef)
 
 
 def of_grid(f: Any) -> Callable:
@@ -295,7 +320,10 @@ def of_nearest(f: Any) -> Callable:
 
 POLYNOMIALS = ("CubicSpline", "PchipInterpolator", "Akima1DInterpolator", "PPoly")
 SPLINES = ("BSpline", "UnivariateSpline", "InterpolatedUnivariateSpline")
+LIBRARIES = ("scipy.interpolate.", "numpy.polynomial.")
+SERIES = ("Polynomial", "Chebyshev", "Legendre", "Laguerre", "Hermite", "HermiteE")
 TABLES: dict[str, Callable[[Any], Callable]] = {
+    **dict.fromkeys(SERIES, of_series),
     "interp1d": of_interp1d,
     **dict.fromkeys(POLYNOMIALS, of_polynomials),
     **dict.fromkeys(SPLINES, of_spline),
@@ -306,14 +334,16 @@ TABLES: dict[str, Callable[[Any], Callable]] = {
 
 
 def is_table(value: Any) -> bool:
-    """Return whether a value is one of SciPy's interpolators."""
+    """Return whether a value is one of SciPy's interpolators, or a polynomial of NumPy's."""
     kind = type(value)
-    return kind.__name__ in TABLES and kind.__module__.startswith("scipy.interpolate.")
+    return kind.__name__ in TABLES and kind.__module__.startswith(LIBRARIES)
 
 
 def function_of(value: Any) -> Callable | None:
     """Return an interpolator as a function of signals; None for any other value."""
+    if getattr(value, "__name__", "") == "splev" and value.__module__.startswith(LIBRARIES):
+        return splev
     if not is_table(value):
         return None
-    table = cache(TABLES[type(value).__name__])
-    return lambda tape, *x, **more: boxed(tape, table(value)(tape, *x, **more))
+    table = cache(lambda: TABLES[type(value).__name__](value))
+    return lambda tape, *x, **more: boxed(tape, table()(tape, *x, **more))

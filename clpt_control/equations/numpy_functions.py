@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 
 from . import linear_algebra, lookup_tables, views
-from .arrays import HOOKS, Array, Tape, active, objects
+from .arrays import HOOKS, Array, Tape, Unread, active, objects
 from .elementwise import boxed, counts, filled, is_truth, lifted, stacked, where
 from .ufuncs import accumulated, check_doubles, reduced, rounded
-from .views import depends, into, of_numbers, on_objects, refuse, tape_of
+from .views import depends, into, of_numbers, on_objects, on_values, refuse, tape_of
 
 IMPLEMENTED: dict[Any, Callable] = {}  # NumPy's: what writes them down
 BOXED = {  # whose results are arrays, also without axes
@@ -29,7 +29,10 @@ def apply_function(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
     if function in IMPLEMENTED:
         result = IMPLEMENTED[function](*inputs, **more)
         return into(out, boxed(tape, result) if function in BOXED else result)
-    return into(out, on_objects(tape, function, inputs, more))
+    try:
+        return into(out, on_objects(tape, function, inputs, more))
+    except Unread as refused:
+        return into(out, on_values(tape, function, inputs, more, refused))
 
 
 def implements(*functions: Any, arrays: int = 1) -> Callable:
@@ -108,9 +111,9 @@ def _slope(f: Any, axis: int, step: Any) -> Any:
 
 
 @implements(np.clip)
-def clip(a: Any, low: Any = None, high: Any = None, **more: Any) -> Any:
+def clip(a: Any, a_min: Any = None, a_max: Any = None, *, min: Any = None, max: Any = None) -> Any:
     """Return a within limits."""
-    low, high = more.get("min", more.get("a_min", low)), more.get("max", more.get("a_max", high))
+    low, high = a_min if min is None else min, a_max if max is None else max
     if low is not None:
         a = np.maximum(a, low)
     return np.minimum(a, high) if high is not None else a
@@ -266,8 +269,8 @@ def sharing(function: Any) -> Callable:
     """Return what does a function of NumPy whose result shares what is written."""
 
     def shared(a: Any, *more: Any, **named: Any) -> Any:
-        if {"F", "A", "K"} & {v for v in (*more, *named.values()) if isinstance(v, str)}:
-            return refuse("elements in another order than row by row")
+        if {"A", "K"} & {v for v in (*more, *named.values()) if isinstance(v, str)}:
+            return refuse("elements in the order of memory")
         return views.part(a, lambda places: function(places, *more, **named))
 
     return shared
@@ -340,7 +343,7 @@ def method(name: str) -> Callable | None:
         return METHODS.get(name)
     function = vars(np).get(name)
     if isinstance(function, np.ufunc) or (callable(function) and hasattr(np.ndarray, name)):
-        return IMPLEMENTED.get(function, function)
+        return function
     return None
 
 

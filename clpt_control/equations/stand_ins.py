@@ -11,6 +11,7 @@ import functools
 import math
 import sys
 import time
+from collections import deque
 from collections.abc import Callable, Iterable
 from types import GeneratorType, ModuleType
 from typing import Any
@@ -35,7 +36,7 @@ from .numpy_functions import apply_function, in_order
 from .ufuncs import apply_ufunc
 from .views import converted, copied, fresh, share, tape_of
 
-ITERATORS = (GeneratorType, map, zip, filter)
+ITERATORS = (GeneratorType, map, zip, filter, deque)
 
 
 class StandIn:
@@ -350,7 +351,8 @@ def stand_in(value: Any) -> Any:
     if known is not None:
         return known
     if isinstance(value, ModuleType):
-        if value.__name__.partition(".")[0] == "numpy" and "random" not in value.__name__:
+        root = value.__name__.partition(".")[0]
+        if root in ("numpy", "scipy") and "random" not in value.__name__:
             return _KNOWN.setdefault(id(value), Module(value))
         return value
     name = getattr(value, "__name__", None)

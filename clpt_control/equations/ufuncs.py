@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import HOOKS, Array, Tape, is_of_numpy, objects
+from .arrays import HOOKS, Array, Tape, Unread, is_of_numpy, objects
 from .elementwise import as_number, elementwise, is_truth, lifted, total, where
 from .record import UFUNCS
-from .views import copied, depends, into, of_numbers, refuse, repacked, tape_of
+from .views import copied, depends, into, of_numbers, on_values, refuse, repacked, tape_of
 
 
 def apply_ufunc(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
@@ -24,7 +24,10 @@ def apply_ufunc(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) ->
     check_doubles(more.pop("dtype", None))
     for unused in ("casting", "subok", "order"):
         more.pop(unused, None)
-    result = _apply(tape, ufunc, method, inputs, more)
+    try:
+        result = _apply(tape, ufunc, method, inputs, more)
+    except Unread as refused:
+        result = on_values(tape, getattr(ufunc, method), inputs, more, refused)
     if condition is not True:
         result = np.where(condition, result, 0.0 if out is None else out)
     return into(out, result)

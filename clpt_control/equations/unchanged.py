@@ -35,7 +35,7 @@ FIXED = {  # modules that nobody changes
 }
 TABLE = (  # what an interpolator is made of
     *("x", "y", "c", "t", "k", "points", "grid", "values", "method", "fill_value", "ext"),
-    *("extrapolate", "bounds_error", "_eval_args"),
+    *("extrapolate", "bounds_error", "_eval_args", "coef", "domain", "window"),
 )
 CALLED = (FunctionType, type(math.sin), type(np.sin), type(np.dot), type)
 

@@ -22,6 +22,7 @@ from .elementwise import (
     as_number,
     boxed,
     constant,
+    counts,
     in_a_try,
     lifted,
     of_numpy,
@@ -79,10 +80,29 @@ def refuse(what: str) -> Any:
 def repacked(tape: Tape, value: Any) -> Any:
     """Return what NumPy made of arrays of objects."""
     if isinstance(value, tuple | list):
-        return type(value)(repacked(tape, one) for one in value)
+        make = getattr(type(value), "_make", type(value))  # that of a tuple with names
+        return make(repacked(tape, one) for one in value)
     if isinstance(value, np.ndarray) and value.dtype == object:
         return boxed(tape, lifted(tape, value))
     return fresh(tape, value)
+
+
+def on_values(tape: Tape, function: Callable, inputs: Any, more: dict, refused: Unread) -> Any:
+    """Run NumPy's own function on what parameters alone decide, which are then pinned."""
+
+    def value(one: Array) -> Any:
+        if type(ref := one._ref) is int and tape.free[ref]:
+            raise refused
+        given = None if type(ref) is float else tape.parameter(ref)
+        numbers = tape.numbers(ref) if given is None else np.asarray(given)
+        return numbers.astype(int) if counts(one) or is_whole(tape, ref) else numbers
+
+    arguments = arrays_as(inputs, value)
+    result = function(*arguments, **arrays_as(more, value))
+    if result is None or any(share(one, result) for one in arguments):  # it writes, or is a part
+        raise refused
+    tape.stopped = None
+    return repacked(tape, result)
 
 
 def on_objects(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
@@ -370,7 +390,7 @@ def converted(a: Any, dtype: Any = float, *more: Any, **named: Any) -> Any:
         return numbers
     if kind == TRUTH:
         return a if a._is_condition else a != 0
-    if kind != np.float64:
+    if kind not in (np.float64, np.object_):  # objects are the numbers themselves
         refuse(f"numbers of {kind}")
     new = copied(as_number(a))
     if new is not a:

@@ -190,7 +190,16 @@ def catches_a_parameter_of_zero(t, x, u, p):
         return [5.0 * x[0]]
 
 
+def limits_into_an_array(t, x, u, p):
+    y, z, total = x.copy(), np.zeros(3), np.zeros(1)
+    y.clip(-0.5, 0.5, out=y)
+    x.cumsum(out=z)
+    x.sum(out=total, axis=0, keepdims=True)
+    return [*y, *z, *total, *np.maximum(x, 0.0, out=z)]
+
+
 READ = [
+    limits_into_an_array,
     numbers_are_overwritten,
     signals_are_written_by_place,
     parts_are_written,
@@ -211,6 +220,7 @@ REFUSED = {  # with how many numbers each returns
     catches_a_place_outside: 1,
     catches_a_parameter_of_zero: 1,
     lambda t, x, u, p: np.digitize(x, [2.0, 1.0, 0.0]): 3,
+    lambda t, x, u, p: np.clip(x, -0.5, 0.5, where=x > 0.0, out=x.copy()): 3,
     lambda t, x, u, p: [np.mean(x, where=[True, True, False])]: 1,
     lambda t, x, u, p: [round(p["k"], 1) * x[0]]: 1,
     lambda t, x, u, p: [1.0 if ~(float(x[0]) > 0) else 2.0]: 1,

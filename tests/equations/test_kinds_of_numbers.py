@@ -16,7 +16,6 @@ from scipy.interpolate import (
     InterpolatedUnivariateSpline,
     LinearNDInterpolator,
     RegularGridInterpolator,
-    interp1d,
     make_interp_spline,
 )
 
@@ -39,7 +38,6 @@ RATIOS = {0: 4.0, 1: 2.0}
 SWITCH = False
 with warnings.catch_warnings(action="ignore"):
     SQUARE = np.asmatrix([[1.0, 2.0], [3.0, 4.0]])
-CUBIC = interp1d([0.0, 1.0, 2.0, 3.0], [0.0, 1.0, 4.0, 2.0], kind="cubic")  # no reading has it
 SPLINE = CubicSpline([-1.0, 0.0, 0.5, 2.0], [0.0, 1.0, -1.0, 2.0])
 TRACK = CubicSpline([-1.0, 0.0, 0.5, 2.0], [[0.0, 1.0], [1.0, 3.0], [-1.0, 2.0], [0.0, 1.0]])
 LAP = CubicSpline([0.0, 1.0, 1.5, 3.0], [[0.0, 1.0], [1, 3], [-1, 2], [0, 1]], bc_type="periodic")
@@ -273,6 +271,10 @@ def keeps_in_params(t, x, u, p):
 
 
 ONE_LINE = {  # as Python has them
+    "takes bits of a parameter": lambda t, x, u, p: [x[0] * (p["n"] & 1)],
+    "reads by columns": lambda t, x, u, p: np.outer(x, u).ravel(order="F"),
+    "reshapes by columns": lambda t, x, u, p: np.reshape(np.outer(x, u), (2, 3), order="F"),
+    "inverts the bits of a small one": lambda t, x, u, p: x[0] * ~p["short"],
     # truth values
     "truth times truth": lambda t, x, u, p: [
         (x[0] > 0) * (x[1] > 0) * u[0],
@@ -378,7 +380,6 @@ ONE_LINE_REFUSED = {  # what would be another number
     "sums short": lambda t, x, u, p: [x.sum(dtype=np.float32), np.mean(x, dtype=np.float16)],
     "wraps around": lambda t, x, u, p: (100 * x).astype(np.int8),
     "takes bits": lambda t, x, u, p: [int(x[0]) & 1],
-    "takes bits of a parameter": lambda t, x, u, p: [x[0] * (p["n"] & 1)],
     "makes all like the first": lambda t, x, u, p: np.vectorize(lambda v: 1 if v > 0 else 0.5 * v)(
         x
     ),
@@ -386,8 +387,7 @@ ONE_LINE_REFUSED = {  # what would be another number
     # what Python asks
     "seeks in a set": lambda t, x, u, p: [1.0 if int(x[0]) in {0, 1} else 0.0],
     "counts others": lambda t, x, u, p: [len(set(x))],
-    "reads by columns": lambda t, x, u, p: np.outer(x, u).ravel(order="F"),
-    "reshapes by columns": lambda t, x, u, p: np.reshape(np.outer(x, u), (2, 3), order="F"),
+    "reads in the order of memory": lambda t, x, u, p: np.outer(x, u).T.ravel(order="K"),
     "interpolates backwards": lambda t, x, u, p: [
         np.interp(x[0], [2.0, 1.0, 0.0], [5.0, 0.0, 1.0])
     ],

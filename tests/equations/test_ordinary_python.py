@@ -2,18 +2,31 @@
 
 import functools
 import math
+from collections import deque
 from math import exp
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+import scipy.interpolate
 from recorded import as_it_runs, static
-from scipy.interpolate import CubicSpline, interp1d
+from scipy.interpolate import CubicSpline, interp1d, splev, splrep
 
 TABLE = [1.0, 2.0]
 SLOPES = [0.01 * k * (k - 90) for k in range(100)]
 WHOLE = np.array([[0, 1, 3], [-2, -3, 1], [1, 1, 1]])
 NAMES = {"a": 1.5}
+KNOTS = np.linspace(-3.0, 3.0, 9)
+CURVE = np.sin(KNOTS)
+BENT = [
+    interp1d(KNOTS, CURVE, kind=kind, fill_value="extrapolate")
+    for kind in ("slinear", "quadratic", "cubic")
+]
+SHORT = interp1d([0, 1, 2, 3], [[0, 2], [1, 0], [4, 1], [2, 3]], "cubic", axis=0, fill_value=7)
+FILLED = interp1d(KNOTS / 5, CURVE, kind=3, bounds_error=False, fill_value=(7.0, -2.0))
+COMB = splrep(KNOTS, CURVE)
+SERIES = [np.polynomial.Polynomial([1.0, -0.5, 0.25]), np.polynomial.Chebyshev([0, 1, 2], [-2, 3])]
+SERIES.append(np.polynomial.Legendre([0.5, 1.0, 0.0, 0.3]))
 RATE = 0.5
 POINTS = ([0.3, -0.7, 2.0], [-1.2, 0.4, -0.1], [1.0, 1.0, 1.0], [2.5, 0.5, 0.2], [0.0, 0.0, 0.0])
 
@@ -158,6 +171,41 @@ def says_in_place(t, x, u, p):
     u += 1.0
     u[0] -= 3.0
     return u
+
+
+def says_columns(t, x, u, p):
+    A = np.outer(u, [1.0, 2.0])
+    M = np.reshape([*u, 1.0], (2, 2), order="F")
+    return [*A.ravel("F"), *M.flatten(order="F"), *M[0], *(A.T @ A).reshape(4, order="F")]
+
+
+def says_objects(t, x, u, p):
+    y = np.empty(2, dtype=object)
+    y[0], y[1] = u[0], 2 * u[1]
+    return [*y, *np.array([u[2], 1, u[0] > 0], dtype=object)]
+
+
+def says_delays(t, x, u, p):
+    line = deque(u, maxlen=3)
+    line.appendleft(0.5 * u[1])
+    return 2.0 * np.array(line)
+
+
+def says_curves(t, x, u, p):
+    return [*[f(u[0]) for f in BENT], *FILLED(u), *SHORT(abs(u[1])), splev(u[1], COMB)]
+
+
+def says_splines(t, x, u, p):
+    return [*scipy.interpolate.splev(u, COMB), splev(u[0], COMB, der=1)]
+
+
+def says_series(t, x, u, p):
+    return np.concatenate([f(u) for f in SERIES] + [[SERIES[0].deriv()(u[1]), SERIES[1](u[0])]])
+
+
+def says_periods(t, x, u, p):
+    a = np.interp(9.0 * u, [3.0, 0.0, 1.0, 2.0], [-1.0, 0.0, 1.0, 0.5], period=-4.0)
+    return [*a, np.interp(40.0 * u[0], [10, 20, 300], [1, 2, 3], left=9.0, period=36)]
 
 
 class Motor:

@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from recorded import as_it_runs, recorded, static
+from scipy import special
 from scipy.interpolate import interp1d
 from test_ordinary_python import POINTS, Hull, Motor, closure
 
@@ -123,6 +124,27 @@ def test_a_parameter_is_fixed_only_where_python_needs_its_value():
     assert "v" in leaves
     assert "count" not in leaves
     for change in ({"count": 3.0}, {"gain": 2.0}):
+        block.parameters = block.parameters._replace(**change)
+        as_it_runs(block, "output", 0.0, [], POINTS[0])
+
+
+OF_PARAMETERS = {  # what no record holds of signals
+    "eigenvalues": lambda t, x, u, p: np.linalg.eigvalsh(p.A)[0] * u[0],
+    "vectors": lambda t, x, u, p: np.linalg.eigh(p.A).eigenvectors[0] @ u[:2],
+    "singular values": lambda t, x, u, p: np.linalg.svd(p.A)[1].sum() * u[0],
+    "an inverse": lambda t, x, u, p: np.linalg.pinv(p.A)[0] @ u[:2],
+    "gamma": lambda t, x, u, p: special.gamma(p.gain + 1.0) * u[0],
+    "Bessel": lambda t, x, u, p: special.j0(2.0 * p.gain) * u[1],
+    "bits": lambda t, x, u, p: ((int(p.count) & 5) | 8) * u[0],
+    "shifts": lambda t, x, u, p: (1 << int(p.count)) * u[0],
+}
+
+
+@pytest.mark.parametrize("name", OF_PARAMETERS)
+def test_what_parameters_alone_decide_is_computed_by_numpy(name):
+    p = {"A": np.array([[2.0, 0.5], [0.5, 3.0]]), "gain": 0.5, "count": 7.0}
+    block = static(OF_PARAMETERS[name], parameters=p)
+    for change in ({}, {"A": np.array([[1.0, 0.2], [0.2, 4.0]]), "gain": 1.5, "count": 2.0}):
         block.parameters = block.parameters._replace(**change)
         as_it_runs(block, "output", 0.0, [], POINTS[0])
 
