@@ -1,6 +1,6 @@
 """Decisions: points where equations are not smooth, and how they are locked during a step.
 
-    where(a < b, c, d),  minimum(a, b),  |a|,  sign(a),  floor(a),  a row read at a place
+    where(a < b, c, d),  minimum(a, b),  |a|,  sign(a),  floor(a),  atan2,  a row read at a place
 
 A step of the solver across a kink is not accurate.  So during a step the rates hold every decision
 as it was at the beginning of the step: they are smooth, also a little beyond the kink.  If a step
@@ -29,7 +29,7 @@ WHOLE = ("floor", "ceil", "trunc", "floordiv")
 # the questions that other operations decide: comparisons with 0 or of both, or whole numbers
 QUESTIONS = {
     **{"minimum": ("lt",), "maximum": ("gt",), "sign": ("gt", "lt"), "fabs": ("ge",)},
-    **{"mod": ("floordiv",), "pick": ("trunc",)},
+    **{"mod": ("floordiv",), "pick": ("trunc",), "atan2": ("lt",)},
 }
 LOCKED = frozenset({*COMPARED, *WHOLE, *QUESTIONS})
 ROUNDING = 1e-12  # relative, of the numbers that are compared
@@ -45,8 +45,10 @@ class Port(NamedTuple):
     ref: Ref
 
 
-def operands(name: str, arguments: tuple[Ref, ...]) -> tuple[Ref, ...]:
-    """Return the arguments that a question is about."""
+def operands(kind: str, name: str, arguments: tuple[Ref, ...]) -> tuple[Ref, ...]:
+    """Return the arguments of an operation that a question is about."""
+    if kind == "atan2":  # which jumps where the first is 0 and the second below
+        return arguments[0], 0.0
     if name in COMPARED:
         return arguments[0], arguments[1] if len(arguments) > 1 else 0.0
     return arguments if name == "floordiv" else arguments[-1:]
@@ -103,11 +105,11 @@ class Decisions:
             return self.record.add(kind, refs, shape, None, owner)
 
         for name in QUESTIONS.get(kind, (kind,)):
-            now = add(name, *operands(name, exact))
+            now = add(name, *operands(kind, name, exact))
             if name in COMPARED:
                 now = add("where", now, 1.0, -1.0)
             H = self.record.load("P", self.grain + 1 + self.count, shape)
-            distance, least = self._distance(name, operands(name, arguments), H, add)
+            distance, least = self._distance(name, operands(kind, name, arguments), H, add)
             self._true.append(Port(self.count, shape, long, distance))
             stays = np.isin(np.arange(self.count, self.count + prod(shape)), held).astype(float)
             if stays.any():
@@ -129,6 +131,12 @@ class Decisions:
             beyond = add("sub", arguments[0], add("mul", arguments[1], answers[0]))
             same = add("eq", add("floordiv", *arguments), answers[0])
             return add("where", same, add("mod", *arguments), beyond)
+        if kind == "atan2":
+            angle, behind = add("atan2", *arguments), add("lt", arguments[1], 0.0)
+            now = add("where", add("lt", arguments[0], 0.0), 1.0, 0.0)
+            turns = add("sub", now, add("where", answers[0], 1.0, 0.0))
+            on = add("add", angle, add("mul", turns, 2.0 * np.pi))
+            return add("where", add("and", behind, add("ne", turns, 0.0)), on, angle)
         if kind == "pick":
             return add("pick", arguments[0], answers[0])
         return add("where", answers[0], *arguments)

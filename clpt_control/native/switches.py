@@ -20,6 +20,7 @@ from .decisions import QUESTIONS, operands
 LOOKS = 1_024, 4_096  # times between which one change is looked for: both find the same
 PARTS, DEEP = 8, 4  # where they do not, parts of the time are looked at by themselves
 GOLDEN = (5**0.5 - 1.0) / 2.0
+LEAST = 2.0**-80  # of the span: from t = 0 on there are a thousand powers of 2 to the next number
 CUTS, MANY = 64, 256  # parts of the piece in which a change is, each time; of many, halves
 
 
@@ -44,7 +45,7 @@ def timed_decisions(record: Any) -> dict[int, Record]:
         kind, arguments, shape, _ = lines[k]
         if "t" in groups[k] and "X" not in groups[k] and (kind in STEPS or kind in QUESTIONS):
             for name in (asked := QUESTIONS.get(kind, ())):
-                lines.append(Operation(name, operands(name, arguments), shape))
+                lines.append(Operation(name, operands(kind, name, arguments), shape))
             places = range(len(lines) - len(asked), len(lines)) if asked else [k]
             decisions.setdefault(record.owners[k], []).extend(places)
     return {owner: compact(lines, places) for owner, places in decisions.items()}
@@ -95,7 +96,7 @@ def times_of_change(
     except _Dense:
         return np.zeros(0)
     each, parts = np.arange(len(which)), CUTS if len(which) < MANY else 2
-    while np.any(np.nextafter(low, np.inf) < high):
+    while np.any(np.maximum(np.nextafter(low, np.inf), low + LEAST * (t1 - t0)) < high):
         cuts = np.linspace(low, high, parts + 1)
         values = decided_at(cuts.ravel()).reshape(-1, *cuts.shape)[which, :, each]
         first = np.argmax(values[:, 1:] != values[:, :1], axis=1)

@@ -111,6 +111,12 @@ FORMS = {  # rates, start, which state, what it is at t
         lambda t: (np.floor(2 * t) + (2 * t % 1.0) ** 2) / 4,
         1,
     ),
+    "a heading": (  # the integral of a wrapped angle, w^2/4 of its rate 2
+        lambda t, x, u, p: [2.0, np.arctan2(np.sin(x[0]), np.cos(x[0]))],
+        [0.0, 0.0],
+        lambda t: ((2 * t + np.pi) % (2 * np.pi) - np.pi) ** 2 / 4,
+        1,
+    ),
     "a pulse of time": (
         lambda t, x, u, p: [1.0 if 5.0 < t < 5.05 else 0.0],
         [0.0],
@@ -187,7 +193,7 @@ def test_a_pulse_soon_behind_a_kink_that_is_not_felt_is_met(ahead, width):
     np.testing.assert_allclose(found.states[-1, 1], wanted, rtol=1e-7)
 
 
-@pytest.mark.parametrize("case", ["saturation", "bang-bang", "maximum", "floor"])
+@pytest.mark.parametrize("case", ["saturation", "bang-bang", "maximum", "floor", "a heading"])
 def test_samples_do_not_change_what_a_run_over_kinks_gives(case):
     f, x0, *_ = FORMS[case]
     few, many = run(f, x0, [0.0, 10.0]), run(f, x0, np.linspace(0.0, 10.0, 1001))
@@ -199,7 +205,33 @@ def test_a_kink_takes_few_evaluations():
     assert run(saturated, [0.0]).attrs["solver_evaluations"] < 500
 
 
-@pytest.mark.parametrize("case", ["saturation", "bang-bang", "floor"])
+def test_a_heading_turns_at_the_back_alone():
+    """x' = 1 + wrap(x)/10 grows as an exponential from -pi to pi, again and again."""
+
+    def turning(t, x, u, p):
+        return [1.0 + 0.1 * np.arctan2(np.sin(x[0]), np.cos(x[0])), -x[2], np.arctan2(x[1], 9.0)]
+
+    def back(a):
+        return 10.0 * np.log((1.0 + 0.1 * np.pi) / (1.0 + 0.1 * a))
+
+    found = clpt.simulate(system(turning, 3), [0.0, 40.0], None, [0.0, 0.1, 0.0], rtol=1e-8)
+    turns, rest = divmod(40.0 - back(0.0), back(-np.pi))
+    wanted = 2.0 * np.pi * (turns + 1) - 10.0 + (10.0 - np.pi) * np.exp(0.1 * rest)
+    np.testing.assert_allclose(found.states[-1, 0], wanted, rtol=1e-9)
+    assert found.attrs["solver_evaluations"] < 2000
+
+
+def test_a_heading_that_swings_about_its_aim_takes_few_evaluations():
+    def swings(t, x, u, p):
+        return [x[1], -np.arctan2(np.sin(x[0]), np.cos(x[0]))]
+
+    found = run(swings, [0.5, 0.0])
+    np.testing.assert_allclose(found.states[:, 0], 0.5 * np.cos(T), atol=1e-8)
+    smooth = run(lambda t, x, u, p: [x[1], -x[0]], [0.5, 0.0])
+    assert found.attrs["solver_evaluations"] < 1.5 * smooth.attrs["solver_evaluations"]
+
+
+@pytest.mark.parametrize("case", ["saturation", "bang-bang", "floor", "a heading"])
 def test_runs_side_by_side_stop_at_their_own_kinks(case):
     f, x0, *_ = FORMS[case]
     runner = clpt.native.compile(system(f, len(x0)))

@@ -8,6 +8,7 @@ from test_kinks import T, system
 
 import clpt_control as clpt
 from clpt_control.errors import SimulationError
+from clpt_control.native import switches
 
 
 @pytest.mark.parametrize("end", [0.1, 0.5])
@@ -26,6 +27,16 @@ def test_switches_that_are_too_many_to_be_met_are_told():
     told = pytest.warns(UserWarning, match="time decides so often from t = 0 on that not every")
     with told, pytest.raises(SimulationError, match="switches to and fro"):
         clpt.simulate(fast, [0.0, 1000.0], None, 0.0)
+
+
+def test_a_switch_at_t_0_is_found_in_few_looks(monkeypatch):
+    """From 0 to the number next to it there are more than a thousand halves."""
+    asked, ask = [], switches.rows
+    monkeypatch.setattr(switches, "rows", lambda *given: asked.append(1) or ask(*given))
+    square = system(lambda t, x, u, p: [1.0 if np.sin(2 * np.pi * t) >= 0 else 0.0], 1)
+    found = clpt.simulate(square, [0.0, 10.0], None, 0.0)
+    np.testing.assert_allclose(found.states[-1, 0], 5.0, rtol=1e-12)
+    assert len(asked) < 30
 
 
 CARRIERS = {  # of period 1, and the share of the time that they are above a level
