@@ -31,7 +31,7 @@ from .wiring import Node, Row, Wiring, joined_wires, paths_to, spaces_around
 
 ALONG = "d_"  # before the name of a port: its derivatives, a row for each direction
 KINDS = "states", "inputs", "outputs"
-JUMPING = STEPS | {"mod", "pick"}
+JUMPING = STEPS | {"mod", "pick", "atan2"}
 Seeds = Mapping[str, np.ndarray]  # field of a block -> its derivatives, a row for each direction
 
 

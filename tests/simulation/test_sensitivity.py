@@ -216,6 +216,12 @@ def pulse():
     return autonomous(lambda t, x, u, p: [1.0 if t < p["until"] else 0.0], until=1.0)
 
 
+def heading():
+    return autonomous(
+        lambda t, x, u, p: [np.arctan2(np.sin(p["k"] * t), np.cos(p["k"] * t))], k=np.pi
+    )
+
+
 BESIDE = np.array([0.0, 0.51, 1.51, 3.51])  # no sample lies on a jump
 
 
@@ -226,8 +232,9 @@ BESIDE = np.array([0.0, 0.51, 1.51, 3.51])  # no sample lies on a jump
         (slower(), "k", 1.0, [0, -0.005, -0.005, -0.005]),  # x = k - 1.005 (t + k - 1)
         (pulse(), "until", 0.0, [0, 0, 1, 1]),  # x = until
         (clpt.connect([teeth()]), "teeth.period", 0.0, [0, 0, -0.5, -2.125]),  # t - (3 - 7/8) P
+        (heading(), "k", 0.0, [0, 0.13005, -0.85995, -1.83995]),  # x = k v^2/2, v = t - 2 pi n/k
     ],
-    ids=["a jump that is crossed", "one of half a percent", "a time", "a period"],
+    ids=["a jump that is crossed", "one of half a percent", "a time", "a period", "a heading"],
 )
 def test_what_moves_a_jump(system, to, start, slope):
     given = {"to": to, "initial_state": [start]}
