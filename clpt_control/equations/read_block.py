@@ -13,7 +13,6 @@ import numpy as np
 
 from ..errors import BlockError
 from .arrays import Unread
-from .declaration import Guard
 from .ports import labels, places, ports_of, sized, sizes_of
 from .reading import read, record_of_states
 from .record import Record, Shape
@@ -25,23 +24,10 @@ Shapes = dict[str, Shape]  # of ports or parameters by name
 class ReadBlock(control.NonlinearIOSystem):
     """A block's ports, functions and their records; `Block` declares them."""
 
-    name: str
-    update_function: Callable | None
-    output_function: Callable | None
-    jump_function: Callable | None
-    guard: Guard | None
-    declared: dict[str, Shapes]
-    input_shapes: Shapes
-    output_shapes: Shapes
-    state_shapes: Shapes
-    parameter_shapes: Shapes
-    sizes: dict[str, int]
     units: Mapping[str, str]
     parameters: Any
-    _sizes: dict[str, int]
     _sized: dict[str, Shapes]  # of states, inputs and outputs, in numbers
     _inner: dict[str, dict[str, str]]  # a port's name -> what its equations call it
-    _parameters: Any
     _plan: Mapping[str, tuple]  # each role's function, and where its results lie
 
     # --- ports --------------------------------------------------------------------------

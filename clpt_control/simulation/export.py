@@ -260,9 +260,8 @@ class CFile:
     def head(self, discrete: bool) -> str:
         """Return what the file says of itself."""
         own = self.name
-        step = "one step of the diagram's own time; dt is not used" if discrete else (
-            "one step of Runge and Kutta's method of order 4, inputs held"
-        )  # fmt: skip
+        step = "one step of Runge and Kutta's method of order 4, inputs held"
+        step = "one step of the diagram's own time; dt is not used" if discrete else step
         lines = [
             f"{_comment(self.run.name)}: made by clpt-control (export_c). C99, math.h alone.",
             "",

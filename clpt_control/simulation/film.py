@@ -289,14 +289,12 @@ def _chart(ax: Any, film: Film, step: float) -> dict[str, Any]:
     arrows: dict[str, Any] = {"angles": "xy", "scale_units": "xy", "scale": 1, "minlength": 0}
     arrows |= {"headwidth": 3.2, "headlength": 3.6, "headaxislength": 3.2}
     nothing = np.zeros(film.grid.shape).T
-    line: dict[str, Any] = {"color": BLUE, "lw": 1.0, "alpha": 0.7}
+    desired = "waypoint, now" if len(points) else "desired"
     moving = {
         "true": ax.quiver(*film.grid.T, *nothing, color=FAINT, width=0.008, **arrows),
         "learned": ax.quiver(*film.grid.T, *nothing, color=ORANGE, width=0.0042, **arrows),
-        "track": ax.plot([], [], **line)[0],
-        "zc": ax.plot(
-            [], [], "o", color="black", ms=5, label="waypoint, now" if len(points) else "desired"
-        )[0],
+        "track": ax.plot([], [], color=BLUE, lw=1.0, alpha=0.7)[0],
+        "zc": ax.plot([], [], "o", color="black", ms=5, label=desired)[0],
         "x": ax.plot([], [], "o", color=BLUE, ms=8, label="vehicle")[0],
         "z": ax.plot([], [], "D", color=GREEN, ms=8, mfc="none", mew=1.8, label="prediction")[0],
         "e": ax.plot([], [], color=RED, lw=1.6, label="CLPE")[0],

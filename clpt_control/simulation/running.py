@@ -199,11 +199,9 @@ class DiagramRun(SystemRun):
         wiring = wiring_of(diagram, params, sizes)
         wiring = wiring if stop is None else with_stop(wiring, stop)
         super().__init__(diagram.name, wiring, params and dict(params), engine, by_function)
-        outputs, inputs, self.states = labels_of(diagram, self.wiring)
-        self.names = {
-            "name": self.name, "inputs": inputs, "outputs": outputs, "states": self.states
-        }  # fmt: skip
-        outputs, inputs = map(whole_labels, (outputs, inputs))
+        self.names = labels_of(diagram, self.wiring)
+        self.states = self.names["states"]
+        outputs, inputs = (whole_labels(self.names[kind]) for kind in ("outputs", "inputs"))
         taken = ports_of(outputs)  # an input with the name of an output gets another one
         parts = [label.rpartition("[") for label in inputs]
         self.signal_labels = outputs + [
@@ -269,8 +267,8 @@ class DiagramRun(SystemRun):
         return run_frame(self.experiment.scenario, signals, beyond, ports, self.states)
 
 
-def labels_of(diagram: Any, wiring: Wiring) -> tuple[list[str], list[str], list[str]]:
-    """Return the labels of outputs, inputs and states; its block has those that are open."""
+def labels_of(diagram: Any, wiring: Wiring) -> dict[str, Any]:
+    """Return its name, and labels of outputs, inputs and states; its block has open ones."""
     first = wiring.nodes[0].system
     named = first if None in (diagram.ninputs, diagram.noutputs) else diagram
     states = (first if diagram.nstates is None else diagram).state_labels
@@ -280,7 +278,8 @@ def labels_of(diagram: Any, wiring: Wiring) -> tuple[list[str], list[str], list[
             for node in wiring.nodes
             for label in node.system.state_labels
         ]
-    return named.output_labels, named.input_labels, states
+    ports = {"inputs": named.input_labels, "outputs": named.output_labels}
+    return {"name": diagram.name, **ports, "states": states}
 
 
 def signal_units(wiring: Wiring) -> list[str]:
