@@ -19,17 +19,9 @@ import numpy as np
 
 from ..arguments import brief, public
 from ..errors import BlockError
+from . import declaration
 from .answers import located
-from .declaration import (
-    Equations,
-    Guard,
-    block_html,
-    block_line,
-    check_guard,
-    check_names,
-    check_units,
-    checked_parameters,
-)
+from .declaration import Equations, Guard, checked_parameters
 from .ports import Declared, flattened, labels, shapes_of, sizes_of, vector
 from .read_block import READ, ReadBlock
 from .reading import RAISED
@@ -133,7 +125,7 @@ class Block(ReadBlock):
             "outputs": shapes_of(states if output is None else outputs),
             "states": shapes_of(states),
         }
-        check_names(name, *declared.values())
+        declaration.check_names(name, *declared.values())
         for port in (*declared["inputs"], *declared["states"]):
             if hasattr(np.ndarray, port):
                 raise BlockError(
@@ -157,8 +149,8 @@ class Block(ReadBlock):
             raise BlockError(
                 f"{name}: a block of discrete time has no breakpoints and no guard; leave them out"
             )
-        check_guard(name, guard)
-        check_units(name, units or {}, *declared.values())
+        declaration.check_guard(name, guard)
+        declaration.check_units(name, units or {}, *declared.values())
         self.update_function, self.output_function, self.jump_function = update, output, jump
         self.opaque, self.breakpoints_function, self.guard = opaque, breakpoints, guard
         self.name, self.units = name, dict(units or {})
@@ -195,10 +187,10 @@ class Block(ReadBlock):
     # --- as text ------------------------------------------------------------------------
 
     def __repr__(self) -> str:
-        return block_line(self)
+        return declaration.block_line(self)
 
     def _repr_html_(self) -> str:
-        return block_html(self)
+        return declaration.block_html(self)
 
     def _repr_markdown_(self) -> None:
         """Return nothing: python-control's text would say the same again."""

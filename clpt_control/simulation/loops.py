@@ -16,18 +16,9 @@ from ..arguments import public
 from ..blocks import clpe, disturbance, field, flow, learner, localization, reference, vehicle
 from ..blocks.laws.table import LAWS
 from ..blocks.localization import TRUE
+from ..diagrams import parts
 from ..diagrams.interconnection import Diagram, connect, wiring_of_blocks
-from ..diagrams.parts import (
-    UNCHANGED,
-    Changes,
-    Part,
-    changes_of,
-    functions_of,
-    input_ports,
-    inserted,
-    output_ports,
-    replaced,
-)
+from ..diagrams.parts import Changes, Part, changes_of, functions_of, input_ports, output_ports
 from ..diagrams.wiring import Node, Wiring, read_anew, wiring_of
 from ..equations.block import Block
 from ..equations.declaration import Parameters
@@ -64,7 +55,7 @@ def paper_blocks(scenario: Scenario) -> list[Part]:
     >>> len(paper_blocks(clpt.paper_scenario()))
     12
     """
-    return changed_blocks(scenario, UNCHANGED)
+    return changed_blocks(scenario, parts.UNCHANGED)
 
 
 def changed_blocks(
@@ -115,7 +106,7 @@ def changed_blocks(
         else:
             blocks.append(learner.learned_flow_injection(alpha_M))
     blocks += [clpe.clpe(), scenario.law_block]
-    return inserted(replaced(blocks, changes.replace), changes.insert)
+    return parts.inserted(parts.replaced(blocks, changes.replace), changes.insert)
 
 
 def units_of_ports(units: Units) -> dict[str, str]:
@@ -155,7 +146,7 @@ class LoopOf(NamedTuple):
     """What `closed_loop` makes a loop of."""
 
     scenario: Scenario
-    changes: Changes = UNCHANGED
+    changes: Changes = parts.UNCHANGED
     external: tuple[str, ...] = ()
 
     @property
