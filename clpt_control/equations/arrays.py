@@ -70,8 +70,7 @@ class Tape:
     def add(self, kind: str, arguments: Sequence[Ref], shape: Shape, at: Any = None) -> "Array":
         """Return the value of an operation, written down where it is new."""
         key = (kind, tuple(map(key_of, arguments)), shape, at)
-        place = self._known.get(key)
-        if place is None:
+        if (place := self._known.get(key)) is None:
             place = self._known[key] = len(self.operations)
             self.append(Operation(kind, tuple(arguments), shape, at))
             if place > MOST_OPERATIONS:
@@ -207,8 +206,7 @@ class Array(NDArrayOperatorsMixin):
         """Return its elements in an array of objects."""
         if (store := self._written()) is not None:
             return store.copy()
-        known = numbers_of(self)
-        if known is not None:
+        if (known := numbers_of(self)) is not None:
             return known.astype(object)
         found = np.empty(self.size, dtype=object)
         for k, place in enumerate(np.ndindex(self.shape)):

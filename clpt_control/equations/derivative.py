@@ -103,8 +103,7 @@ class Direction:
             return 0.0
         for k in sorted(reached(self.tape.operations, [ref]) - self.known.keys()):
             self.known[k] = self._along(k)
-        slope = self.known[ref]
-        if slope is None:
+        if (slope := self.known[ref]) is None:
             return 0.0
         return spread(self.tape, slope, self.tape.operations[ref].shape)
 

@@ -76,8 +76,7 @@ class Snapshot:
             return
         if isinstance(value, tuple(STATES)):
             self._chance.setdefault(id(value), (value, _chance_of(value)))
-        kept = _kept_by(value)
-        if kept is None:
+        if (kept := _kept_by(value)) is None:
             return
         self._watched[id(value)] = value, kept
         own = getattr(value, "__dict__", None)

@@ -347,8 +347,7 @@ _KNOWN: dict[int, Any] = {
 
 def stand_in(value: Any) -> Any:
     """Return what stands for a module, function, type or interpolator; else the value itself."""
-    known = _KNOWN.get(id(value))
-    if known is not None:
+    if (known := _KNOWN.get(id(value))) is not None:
         return known
     if isinstance(value, ModuleType):
         root = value.__name__.partition(".")[0]

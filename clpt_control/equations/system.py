@@ -54,8 +54,7 @@ class System(Block):
         # role -> params that it asks for, texts in its code
         self._reads: dict[str, tuple[frozenset[Any], frozenset[Any]]] = {}
         updfcn, outfcn = _functions(system)
-        q = system.noutputs
-        if q is None:  # it is not declared
+        if (q := system.noutputs) is None:  # it is not declared
             arguments = 0.0, np.zeros(n), np.zeros(m), dict(self._params)
             q = n if outfcn is None else np.size(outfcn(*arguments))
         first = outfcn is None and q < n  # of the states, as python-control takes them

@@ -309,10 +309,8 @@ def tape_viewed(tape: Tape, node: int, mapped: tuple, shape: Shape) -> Any:
         if shape:
             return tape.add("fill", (number,), shape)
         return number if type(number) is float else Array(tape, number, ())
-    if kind == "join":
-        part = _of_join(tape, arguments, mapped, shape)
-        if part is not None:
-            return part
+    if kind == "join" and (part := _of_join(tape, arguments, mapped, shape)) is not None:
+        return part
     if kind == "stack" and isinstance(mapped[0], int):
         item = arguments[mapped[0]]
         if type(item) is float:

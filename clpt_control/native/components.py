@@ -150,8 +150,7 @@ class Components:
             if all(type(i) is int for i in index):
                 return float(numbers[index])
             return self._read(ref, shape, index)
-        source = self.source(ref, index)
-        if source is not None:
+        if (source := self.source(ref, index)) is not None:
             return self.at(*source)
         if kind in ("stack", "join"):
             return self._read(ref, shape, index)

@@ -143,8 +143,7 @@ def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:
     for h in ahead:
         near = x + h * rate if h else x  # the rate itself may be what is not finite
         u = None if inputs is None else inputs.at(t + h)
-        trouble = sweep.first_trouble(t + h, near, u, advice)
-        if trouble is not None:
+        if (trouble := sweep.first_trouble(t + h, near, u, advice)) is not None:
             return trouble
     return None
 

@@ -94,8 +94,7 @@ def code_name(*sources: str) -> str:
 
 def cached_code(name: str) -> bytes | None:
     """Return code from the cache, if it is whole and only the user could have written it."""
-    folder = cache_folder()
-    if folder is None:
+    if (folder := cache_folder()) is None:
         return None
     path = folder / f"{name}.o"
     content = read_cached(path)
@@ -108,8 +107,7 @@ def cached_code(name: str) -> bytes | None:
 
 def cache_code(name: str, code: bytes) -> None:
     """Write code into the cache, if there is one; code of diagrams does not remove the solver's."""
-    folder = cache_folder()
-    if folder is not None:
+    if (folder := cache_folder()) is not None:
         content = hashlib.sha256(code).digest() + code
         write_cached(folder / f"{name}.o", content, MOST_FILES)
 
@@ -119,8 +117,7 @@ def cache_code(name: str, code: bytes) -> None:
 
 def _load(name: str, text: Callable[[], str]) -> Any:
     """Return LLVM's engine with code from the cache, or else compiled; it knows the addresses."""
-    code = cached_code(name)
-    if code is None:
+    if (code := cached_code(name)) is None:
         machine, parsed = target_machine(), llvm.parse_assembly(printed := text())
         parsed.triple, parsed.data_layout = machine.triple, str(machine.target_data)
         options = llvm.create_pipeline_tuning_options(speed_level=3)

@@ -35,8 +35,7 @@ class MergedSums:
         for count, own in sums.items():
             symbol = (count, 0)
             if len({owner for _, owner, _ in own}) > 1 and len(own) < MOST:
-                body = self.body(own)
-                if body is not None:
+                if (body := self.body(own)) is not None:
                     terms.append((True, -1, self.components.total(body, symbol)))
             else:
                 terms += [(s, owner, self.components.total(v, symbol)) for s, owner, v in own]
@@ -53,8 +52,7 @@ class MergedSums:
             return
         components = self.components
         own = components.trimmed(ref, index)
-        source = components.source(ref, own)
-        if source is not None:
+        if (source := components.source(ref, own)) is not None:
             self.terms(plus, *source, rest, sums)
             return
         (kind, arguments, _, at), record = components.entries[ref], components.record

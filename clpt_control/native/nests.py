@@ -140,8 +140,7 @@ class _Nests(Function):
         if wide and self.vector not in loops:
             narrow = self.value((c, loops, False))
             return lambda: splat(builder, narrow, width)
-        read = self.read(c)
-        if read is not None:
+        if (read := self.read(c)) is not None:
             array, first, strides = read
             moves = self.moves(loops, strides, wide)
             return lambda: self.at_stage(array, first, *moves)

@@ -175,8 +175,7 @@ class Sweep:
         self.evaluate(t, x, u)
         least = (np.inf, "", "")
         for k, node in enumerate(self.nodes):
-            guard = node.system.guard
-            if guard is not None:
+            if (guard := node.system.guard) is not None:
                 inputs, p = self._inputs[node.inputs], self._current[k]
                 (distance,) = node.system.values("guard", 1, t, x[node.states], inputs, p)
                 if not distance >= least[0]:

@@ -215,6 +215,5 @@ def speeds_of(run: "xarray.Dataset", max_speed: float) -> dict[str, Any]:
 def note_speeds(run: "xarray.Dataset", figures: dict[str, Any], units: Units) -> None:
     """Put the share at the limit and, where there is one, the sentence into a run's attributes."""
     run.attrs["share_at_speed_limit"] = figures["share_at_limit"]
-    sentence = faster_flow(figures, units)
-    if sentence:
+    if sentence := faster_flow(figures, units):
         run.attrs["message"] = f"{run.attrs['message']}; {sentence}"

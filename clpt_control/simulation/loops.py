@@ -122,8 +122,7 @@ def units_of_ports(units: Units) -> dict[str, str]:
 
 def _localized(scenario: Scenario) -> list[Block]:
     """Return the blocks between the true position and the blocks that read it."""
-    table = scenario.localization
-    if table is None:
+    if (table := scenario.localization) is None:
         return []
     seed = float(table.seed or 0)
     if table.interval > 0:

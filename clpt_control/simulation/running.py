@@ -199,9 +199,10 @@ class DiagramRun(SystemRun):
         wiring = wiring_of(diagram, params, sizes)
         wiring = wiring if stop is None else with_stop(wiring, stop)
         super().__init__(diagram.name, wiring, params and dict(params), engine, by_function)
-        self.names = labels_of(diagram, self.wiring)
-        self.states = self.names["states"]
-        outputs, inputs = (whole_labels(self.names[kind]) for kind in ("outputs", "inputs"))
+        outputs, inputs, self.states = labels_of(diagram, self.wiring)
+        ports = {"inputs": inputs, "outputs": outputs, "states": self.states}
+        self.names = {"name": self.name, **ports}
+        outputs, inputs = map(whole_labels, (outputs, inputs))
         taken = ports_of(outputs)  # an input with the name of an output gets another one
         parts = [label.rpartition("[") for label in inputs]
         self.signal_labels = outputs + [
@@ -267,8 +268,8 @@ class DiagramRun(SystemRun):
         return run_frame(self.experiment.scenario, signals, beyond, ports, self.states)
 
 
-def labels_of(diagram: Any, wiring: Wiring) -> dict[str, Any]:
-    """Return its name, and labels of outputs, inputs and states; its block has open ones."""
+def labels_of(diagram: Any, wiring: Wiring) -> tuple[list[str], list[str], list[str]]:
+    """Return the labels of outputs, inputs and states; its block has those that are open."""
     first = wiring.nodes[0].system
     named = first if None in (diagram.ninputs, diagram.noutputs) else diagram
     states = (first if diagram.nstates is None else diagram).state_labels
@@ -278,8 +279,7 @@ def labels_of(diagram: Any, wiring: Wiring) -> dict[str, Any]:
             for node in wiring.nodes
             for label in node.system.state_labels
         ]
-    ports = {"inputs": named.input_labels, "outputs": named.output_labels}
-    return {"name": diagram.name, **ports, "states": states}
+    return named.output_labels, named.input_labels, states
 
 
 def signal_units(wiring: Wiring) -> list[str]:

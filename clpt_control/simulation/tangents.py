@@ -195,8 +195,7 @@ class Sensitive:
         """Return a run whose derivatives differences confirm, or are, where a function may jump."""
         every, moved = found.every.copy(), dict[str, np.ndarray]()
         for j, (name, value) in enumerate(zip(self.places, values, strict=True)):
-            own = self._differences(j, name, abs(value) or 1.0, values, found)
-            if own is not None:
+            if (own := self._differences(j, name, abs(value) or 1.0, values, found)) is not None:
                 every[..., 1 + j], moved[name] = own
         outputs, states = np.split(every, [len(self.labels)], axis=1)
         return found._replace(outputs=outputs, states=states, moved=moved)
