@@ -111,8 +111,7 @@ def checked_state(name: str, state: Any, shape: tuple[int, ...]) -> np.ndarray:
 
 def stacked(inputs: Any, times: np.ndarray) -> Any:
     """Return inputs, a list as rows if it holds any: samples at the times, or constant numbers."""
-    listed = isinstance(inputs, list | tuple) and any(hasattr(one, "__len__") for one in inputs)
-    if not listed:
+    if not (isinstance(inputs, list | tuple) and any(hasattr(x, "__len__") for x in inputs)):
         return inputs
     rows = []
     for one in inputs:

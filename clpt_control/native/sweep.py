@@ -39,11 +39,8 @@ class Sweep:
         self._moving = [k for k in wiring.order if self.nodes[k].system.nstates]
         self._current = list(parameters)  # with the interval that was entered
         systems = [node.system for node in self.nodes]
-        self._with_intervals = [
-            k
-            for k, (system, p) in enumerate(zip(systems, parameters, strict=True))
-            if system.breakpoints_function is not None and not p.interval >= 0.0
-        ]
+        self._breaking = [k for k, s in enumerate(systems) if s.breakpoints_function is not None]
+        self._with_intervals = [k for k in self._breaking if not parameters[k].interval >= 0.0]
         self.jumping = [k for k, one in enumerate(systems) if one.jump_function is not None]
         self.guarded = any(one.guard is not None for one in systems)
         self.enter(0.0)
@@ -70,11 +67,8 @@ class Sweep:
 
         Times that differ by rounding alone are one time, the later.
         """
-        jumps = [
-            node.system.breakpoints(t0, t1, p)
-            for node, p in zip(self.nodes, self.parameters, strict=True)
-            if node.system.breakpoints_function is not None
-        ]
+        nodes, given = self.nodes, self.parameters
+        jumps = [nodes[k].system.breakpoints(t0, t1, given[k]) for k in self._breaking]
         if not jumps:
             return np.zeros(0)
         times = np.sort(np.concatenate(jumps))
