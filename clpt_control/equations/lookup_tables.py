@@ -40,8 +40,7 @@ def lookup(table: Any, index: Any) -> Any:
     >>> lookup([3.0, 5.0, 7.0], 1.0)
     np.float64(5.0)
     """
-    tape = next((a._tape for a in (table, index) if isinstance(a, Array)), None)
-    if tape is None:
+    if (tape := next((a._tape for a in (table, index) if isinstance(a, Array)), None)) is None:
         try:
             return picked(np.asarray(table, dtype=float), np.asarray(index, dtype=float))[()]
         except (TypeError, ValueError):
@@ -82,8 +81,7 @@ def opaque(function: Callable) -> Callable:
     @wraps(function)
     def marked(*arguments: Any) -> Any:
         result = function(*arguments)
-        tape = next((a._tape for a in arguments if isinstance(a, Array)), None)
-        if tape is None:
+        if (tape := next((a._tape for a in arguments if isinstance(a, Array)), None)) is None:
             return result
         refs = [operand(lifted(tape, a)) for a in arguments]
         name = f"{function.__module__}.{function.__qualname__}"

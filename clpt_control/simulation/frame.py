@@ -122,15 +122,17 @@ def port_variables(
         name = port
         while name in taken or (name != port and name in ports):
             name += "_"
-        variables[name] = Series(("time", *more), columns(places, *[size] * len(more)), unit)
+        variables[name] = Series(("time", *more), columns(places, *more), unit)
     return variables, axes
 
 
-def columns(places: Sequence[int], *shape: int) -> Callable[[np.ndarray], np.ndarray]:
+def columns(places: Sequence[int], *shape: Any) -> Callable[[np.ndarray], np.ndarray]:
     """Return a function that takes columns of the signals, in a shape; without one, one column."""
     if not shape:
         return lambda signals: signals[:, places[0]]
     at = np.array(places)
+    if len(shape) == 1:
+        return lambda signals: signals[:, at]
     return lambda signals: signals[:, at].reshape(len(signals), *shape)
 
 
