@@ -16,7 +16,7 @@ import numpy as np
 
 from . import elementwise
 from .arrays import HOOKS, Array, Tape, Unread, numbers_of, objects, operand, whole
-from .elementwise import TRUTH, as_number, boxed, constant, counts, in_a_try, lifted, of_numpy, stacked
+from .elementwise import TRUTH, as_number, boxed, constant, in_a_try, lifted, of_numpy, stacked
 from .record import MOST_NUMBERS, Ref, Shape, viewed
 
 # --- as NumPy's own ----------------------------------------------------------------------------
@@ -84,7 +84,7 @@ def on_values(tape: Tape, function: Callable, inputs: Any, more: dict, refused: 
             raise refused
         given = None if type(ref) is float else tape.parameter(ref)
         numbers = tape.numbers(ref) if given is None else np.asarray(given)
-        return numbers.astype(int) if counts(one) or is_whole(tape, ref) else numbers
+        return numbers.astype(int) if elementwise.counts(one) or is_whole(tape, ref) else numbers
 
     arguments = arrays_as(inputs, value)
     result = function(*arguments, **arrays_as(more, value))
