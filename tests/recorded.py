@@ -3,15 +3,12 @@
 import numpy as np
 
 from clpt_control.equations import Block
-from clpt_control.equations.at_many import leaf_values
+from clpt_control.equations.at_many import on_arrays
 
 
 def recorded(block, role, t, x, u):
     """Return what the record of a role computes."""
-    x, u = np.asarray(x, dtype=float), np.asarray(u, dtype=float)
-    leaf = leaf_values(block, t, x, u, block.parameters)
-    found = block.array_record(role).values(leaf, block.sizes)
-    return np.concatenate([np.ravel(value) for value in found])
+    return on_arrays(block, role, t, np.asarray(x, dtype=float), np.asarray(u, dtype=float))
 
 
 def run(block, role, t, x, u):

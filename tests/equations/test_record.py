@@ -19,11 +19,6 @@ def kinds(block):
     return [operation.kind for operation in block.array_record("output").operations]
 
 
-def test_equal_operations_are_one():
-    block = static(lambda t, x, u, p: np.sin(u[0]) + np.sin(u[0]) * np.sin(u[0]))
-    assert kinds(block).count("sin") == 1
-
-
 def test_what_nothing_depends_on_is_left_out():
     def wasteful(t, x, u, p):
         np.exp(u)
@@ -85,14 +80,10 @@ VIEWS = {  # and two copies
     "split": lambda y: np.split(y, 2)[0],
     "split across": lambda y: np.hsplit(y, 2)[1],
     "shaped": lambda y: y.reshape(2, 2),
-    "shaped by NumPy": lambda y: np.reshape(y, (2, 2)),
     "ravelled": lambda y: y.reshape(2, 2).ravel(),
-    "flattened": lambda y: y.reshape(2, 2).flatten(),
     "squeezed": lambda y: np.squeeze(y[None]),
     "transposed": lambda y: y.reshape(2, 2).T,
-    "swapped": lambda y: np.swapaxes(y.reshape(2, 2), 0, 1),
     "flipped": np.flip,
-    "a part of a transpose": lambda y: y.reshape(2, 2).T[1],
     "copied": lambda y: y.reshape(2, 2).copy(),
 }
 
@@ -161,24 +152,6 @@ def test_an_argument_that_is_a_place_is_not_the_constant_of_that_number():
     assert static(of(1.0)).array_record("output") == records[2]
 
 
-def puts(t, x, u, p):
-    y = u * 1.0
-    np.put(y, [1], u[0])
-    return y
-
-
-def fills_a_diagonal(t, x, u, p):
-    y = np.outer(u[:2], u[2:])
-    np.fill_diagonal(y, u[0])
-    return y.ravel()
-
-
-def sorts(t, x, u, p):
-    y = -u
-    y.sort()
-    return y
-
-
 def writes_what_is_asked(t, x, u, p):
     y, z = u * 1.0, np.zeros(2)
     np.clip(y, 1.5, u[2], out=y)
@@ -194,8 +167,6 @@ def writes_to_what_is_flipped(t, x, u, p):
     return y
 
 
-@pytest.mark.parametrize(
-    "function", [puts, fills_a_diagonal, sorts, writes_what_is_asked, writes_to_what_is_flipped]
-)
+@pytest.mark.parametrize("function", [writes_what_is_asked, writes_to_what_is_flipped])
 def test_what_is_written_in_place_is_seen(function):
     agrees(function, 4)
