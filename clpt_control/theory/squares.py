@@ -193,9 +193,12 @@ def never_positive(e: sympy.Expr, fixed: set, ways: tuple = (None,), facts: tupl
     e = e.xreplace({TIME: sympy.Symbol("t", nonnegative=True)})
     if vanishes(e) or any(nonpositive(e, free, facts, by) for by in ways):
         return True
-    total = None if facts else squares(-e, fixed)  # which know nothing of facts
-    if total and total.constant.is_nonnegative:
-        return True
+    if not facts:  # of which squares know nothing
+        terms = sympy.Add.make_args(e)
+        left = (f for f in terms if f.is_polynomial(*free) or not f.is_nonpositive)
+        totals = (squares(-one, fixed) for one in dict.fromkeys((e, sympy.Add(*left))))
+        if any(total and total.constant.is_nonnegative for total in totals):
+            return True
     return any(interval(one)[1].is_nonpositive for one in (factored(e), sympy.factor_terms(e)))
 
 

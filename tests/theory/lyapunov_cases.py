@@ -8,6 +8,7 @@ import sympy
 from lyapunov_systems import (
     TICKS,
     backstepping,
+    chain,
     counting,
     energy,
     half,
@@ -64,6 +65,9 @@ RIGHT = {
         lambda s: np.exp(s.x) - s.x - 1 + 1.3 * np.log(np.cosh(s.y)),
     ),
     "two pendulums on one shaft": (lambda a, b, v, w: shaft(a, b, v, w, 1), of_the_shaft),
+    "a chain of diodes": lambda v, w, q: chain(lambda z: np.exp(40 * z) - 1, v, w, q),
+    "a chain of hinges": lambda v, w, q: chain(lambda z: 2 * z + np.sin(z), v, w, q),
+    "a chain of soft dampers": lambda v, w, q: chain(lambda z: z / np.sqrt(1 + z**2), v, w, q),
     "a rate of which rounding is left": lambda x: [x * (-1.65 * np.maximum(x, -0.7) - 1.65 * 0.7)],
     "a divisor below zero": lambda x: [x * (3 + np.cos(x)) / (np.sin(x) - 2)],
     "V that is linear far off": (lambda x: [-x], lambda s: s.x**2 / (1 + np.abs(s.x))),
@@ -121,6 +125,7 @@ RIGHT = {
     "V of what follows a wave": (lambda t, x: [np.cos(t) + np.sin(t) - x], (x - sympy.sin(t)) ** 2),
 }
 REFUTED = {
+    "a chain with a link that pushes": lambda v, w, q: chain(np.sin, v, w, q),
     "two pendulums whose shaft pushes both": (
         lambda a, b, v, w: shaft(a, b, v, w, -1),
         of_the_shaft,

@@ -207,3 +207,8 @@ def shaft(a, b, v, w, back):
 def of_the_shaft(s):
     """Return the energy of both pendulums and of the twist."""
     return (s.v**2 + s.w**2) / 2 + 2.5 - np.cos(s.a) - np.cos(s.b) - 0.5 * np.cos(s.a - s.b)
+
+
+def chain(link, v, w, q):
+    """Return the rates of three capacitors, or masses, in a row, of which the last leaks."""
+    return [-link(v - w), link(v - w) - link(w - q), link(w - q) - q]

@@ -180,8 +180,13 @@ def compared(
                 size = np.maximum(size, ROUNDING * np.abs(slopes[1:]).sum(axis=0) * states_size)
             level = level if running.V else of_V
             off = np.maximum(_apart(right, rate, size), _apart(of_V, level, np.abs(of_V)))
-            off = np.where(np.isnan(rates).any(axis=1), np.nan, off)  # as of inf/inf
-            off = np.where(_too_large(of_V, level), 0.0, off)
+            beyond = _too_large(of_V, level)
+            for k in np.flatnonzero(np.isnan(rates).any(axis=1) & ~beyond):
+                there = {s: np.broadcast_to(v, len(at[0]))[k] for s, v in known.items()}
+                exact = wanted.evalf(subs=there)  # large of inf - inf, not of inf/inf
+                beyond[k] = bool(exact.is_number and abs(exact) > HUGE)
+                off[k] = np.nan
+            off = np.where(beyond, 0.0, off)
             for k in np.flatnonzero(~(off <= CLOSE))[:1]:
                 t, x, u = (one[k] for one in here)
                 apart = f"differs by {off[k]:.1e} of V" if off[k] >= 0 else "is no number"

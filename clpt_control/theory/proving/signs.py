@@ -104,7 +104,7 @@ MOST_TERMS = 20_000  # more are not multiplied out
 MOST_EXAMINED = 400  # of more no sign is known
 HIGHEST = 4  # higher powers are not factored
 FEW = 12  # terms; more with words in them are not factored
-MOST_FACTORED, LARGEST = 40, 100  # terms; numbers in an exponent of e
+MOST_FACTORED, LARGEST = 40, 10  # terms; numbers in an exponent of e
 MOST_WORDS, MOST_FACTS = 8, 16  # that are examined together
 
 EVEN = {sympy.cos: (sympy.sin, -1), sympy.cosh: (sympy.sinh, 1)}  # 1 - sin^2, 1 + sinh^2
@@ -123,7 +123,9 @@ def tidied(expression: sympy.Expr) -> sympy.Expr:
     masked = {e: sympy.Dummy(str(e), positive=True) for e in expression.atoms(sympy.exp)}
     if masked and not any(e.args[0].atoms(sympy.exp) for e in masked):  # else in its denominators
         plain = tidied(expression.xreplace(masked))
-        return sympy.expand(plain.xreplace({d: e for e, d in masked.items()}), deep=False)
+        return sympy.expand(
+            plain.xreplace({d: e for e, d in masked.items()}), deep=False, power_exp=False
+        )
     angles = {p.base.args[0] for p in expression.atoms(sympy.Pow) if isinstance(p.base, sympy.cosh)}
     if angles:  # sinh/cosh, as of log(cosh)
         tanh = {sympy.sinh(a): sympy.tanh(a) * sympy.cosh(a) for a in angles}
@@ -234,7 +236,7 @@ def nonpositive(
 def groups_of(expression: sympy.Expr, apart: set) -> list[sympy.Expr]:
     """Return an expression as a sum of expressions that share no symbol of `apart`."""
     groups: list[tuple[set, list]] = []
-    for term in sympy.Add.make_args(sympy.expand(expression)):
+    for term in sympy.Add.make_args(sympy.expand(expression, power_exp=False)):
         symbols, terms = term.free_symbols & apart, [term]
         touching = [group for group in groups if group[0] & symbols]
         groups = [group for group in groups if not group[0] & symbols]
