@@ -301,4 +301,5 @@ def may_jump(block: Block) -> bool:
     if block.opaque and block.of_package:
         return False
     records = [block.array_record(role) for role in block.records if role != "guard"]
-    return any(one.kind in JUMPING for record in records for one in record.operations)
+    kinds = {one.kind for record in records for one in record.operations}
+    return not JUMPING.isdisjoint(kinds) or {"atan", "tan"} <= kinds

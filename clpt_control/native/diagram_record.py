@@ -26,7 +26,7 @@ from ..equations.arrays import Tape
 from ..equations.block import Block
 from ..equations.ports import places
 from ..equations.record import Operation, Record, bound
-from .decisions import LOCKED, Decisions, Port
+from .decisions import Decisions, Port, decides
 from .switches import timed_decisions
 
 SHORT, NAMED = 16, 2  # an axis up to SHORT is unrolled, but from NAMED on where it has a name
@@ -251,7 +251,9 @@ class DiagramRecord(RecordMerger):
             at = at, length[at], long[at]
         lengths, long = self._axes(block, shape)
         entry, smooth = self.add(kind, own, lengths, at, k), block.opaque and block.of_package
-        if kind in LOCKED and not smooth and block.first_held is None:  # samples stay for a step
+        if (
+            decides(self.entries, kind, own) and not smooth and block.first_held is None
+        ):  # samples stay for a step
             self.decided_by[entry] = long, (k, role, kind)
         return entry
 

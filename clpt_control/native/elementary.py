@@ -246,7 +246,8 @@ def _sine(a, n):
     odds = fma(y, odds, 2.7557319219160833e-06)
     even = fma(y, even, -0.16666666666666666)
     odds = fma(y, odds, 0.008333333333333316)
-    return fma(r * z, fma(z, odds, even), r)
+    value = fma(r * z, fma(z, odds, even), r)
+    return where(abs(value) > 1.0, copysign(1.0, value), value)  # which asin and sqrt refuse
 
 
 def sin(a):

@@ -166,6 +166,13 @@ def test_large_angles_stay_sane(name):
     assert np.isnan(beyond).all()
 
 
+@pytest.mark.parametrize("name", ["sin", "cos"])
+def test_sine_and_cosine_do_not_exceed_1(name):
+    at = np.arange(-2000, 2001) * np.pi / 2
+    near = np.concatenate([at, np.nextafter(at, np.inf), np.nextafter(at, -np.inf)])
+    assert np.max(np.abs(everywhere(name, near))) == 1.0
+
+
 SPECIAL = np.array(
     [
         *(0.0, -0.0, 5e-324, -5e-324, 1e-310, np.inf, -np.inf, np.nan, 1.0, -1.0, 709.78271),

@@ -93,6 +93,20 @@ def whole(t):
 
 
 LN2 = np.log(2.0)
+
+
+def sawtooth(t):
+    """The integral of an angle that grows by 3 and comes back by pi."""
+    return ((3 * t + np.pi / 2) % np.pi - np.pi / 2) ** 2 / 6
+
+
+def triangle(t):
+    """The integral of asin(sin 3t): of straight lines up and down between -pi/2 and pi/2."""
+    n = np.floor(3 * t / np.pi + 0.5)
+    inner, top = (3 * t - n * np.pi) ** 2 / 6, np.pi**2 / 24
+    return np.where(n % 2 == 0, inner, 2 * top - inner)
+
+
 FORMS = {  # rates, start, which state, what it is at t
     "saturation": (saturated, [0.0], lambda t: np.where(t < 3, t / 2, 2 - np.exp(3 - t) / 2)),
     "|sin t|": (
@@ -117,6 +131,15 @@ FORMS = {  # rates, start, which state, what it is at t
         lambda t: ((2 * t + np.pi) % (2 * np.pi) - np.pi) ** 2 / 4,
         1,
     ),
+    "a triangle of time": (lambda t, x, u, p: [np.arcsin(np.sin(3 * t))], [0.0], triangle),
+    "a triangle": (lambda t, x, u, p: [3.0, np.arcsin(np.sin(x[0]))], [0.0, 0.0], triangle, 1),
+    "a triangle by acos": (  # acos(cos(a + pi/2)) = pi/2 + asin(sin a)
+        lambda t, x, u, p: [3.0, np.pi / 2 - np.arccos(np.cos(x[0] + np.pi / 2))],
+        [0.0, 0.0],
+        lambda t: -triangle(t),
+        1,
+    ),
+    "a sawtooth": (lambda t, x, u, p: [3.0, np.arctan(np.tan(x[0]))], [0.0, 0.0], sawtooth, 1),
     "a pulse of time": (
         lambda t, x, u, p: [1.0 if 5.0 < t < 5.05 else 0.0],
         [0.0],

@@ -222,6 +222,10 @@ def heading():
     )
 
 
+def sawtooth():
+    return autonomous(lambda t, x, u, p: [np.arctan(np.tan(p["k"] * t))], k=np.pi / 2)
+
+
 BESIDE = np.array([0.0, 0.51, 1.51, 3.51])  # no sample lies on a jump
 
 
@@ -233,8 +237,16 @@ BESIDE = np.array([0.0, 0.51, 1.51, 3.51])  # no sample lies on a jump
         (pulse(), "until", 0.0, [0, 0, 1, 1]),  # x = until
         (clpt.connect([teeth()]), "teeth.period", 0.0, [0, 0, -0.5, -2.125]),  # t - (3 - 7/8) P
         (heading(), "k", 0.0, [0, 0.13005, -0.85995, -1.83995]),  # x = k v^2/2, v = t - 2 pi n/k
+        (sawtooth(), "k", 0.0, [0, 0.13005, -0.85995, -1.83995]),  # the same, of period pi/k
     ],
-    ids=["a jump that is crossed", "one of half a percent", "a time", "a period", "a heading"],
+    ids=[
+        "a jump that is crossed",
+        "one of half a percent",
+        "a time",
+        "a period",
+        "a heading",
+        "a saw",
+    ],
 )
 def test_what_moves_a_jump(system, to, start, slope):
     given = {"to": to, "initial_state": [start]}
