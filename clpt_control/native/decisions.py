@@ -30,9 +30,10 @@ WHOLE = ("floor", "ceil", "trunc", "floordiv")
 QUESTIONS = {
     **{"minimum": ("lt",), "maximum": ("gt",), "sign": ("gt", "lt"), "fabs": ("ge",)},
     **{"mod": ("floordiv",), "pick": ("trunc",), "atan2": ("lt",)},
-    **dict.fromkeys(FOLDS := {"asin": "sin", "acos": "cos", "atan": "tan"}, ("floordiv",)),
+    **dict.fromkeys(("asin", "acos", "atan"), ("floordiv",)),  # of FOLDS
 }
 LOCKED = frozenset({*COMPARED, *WHOLE, *QUESTIONS})
+FOLDS = {"asin": "sin", "acos": "cos", "atan": "tan"}  # inverses, which decide of these alone
 ROUNDING = 1e-12  # relative, of the numbers that are compared
 Ref = Any
 
@@ -47,7 +48,7 @@ class Port(NamedTuple):
 
 
 def decides(entries: Sequence[tuple], kind: str, arguments: Sequence[Ref]) -> bool:
-    """Return whether an operation decides: an inverse function that of which it is the inverse."""
+    """Return whether an operation decides; an inverse does where it undoes its function."""
     if kind not in FOLDS:
         return kind in LOCKED
     return type(arguments[0]) is int and entries[arguments[0]][0] == FOLDS[kind]
