@@ -19,9 +19,17 @@ import numpy as np
 
 from ..arguments import brief, public
 from ..errors import BlockError
-from . import declaration
 from .answers import located
-from .declaration import Equations, Guard, checked_parameters
+from .declaration import (
+    Equations,
+    Guard,
+    block_html,
+    block_line,
+    check_guard,
+    check_names,
+    check_units,
+    checked_parameters,
+)
 from .ports import Declared, flattened, labels, shapes_of, sizes_of, vector
 from .read_block import READ, ReadBlock
 from .reading import RAISED
@@ -125,7 +133,7 @@ class Block(ReadBlock):
             "outputs": shapes_of(states if output is None else outputs),
             "states": shapes_of(states),
         }
-        declaration.check_names(name, *declared.values())
+        check_names(name, *declared.values())
         for port in (*declared["inputs"], *declared["states"]):
             if hasattr(np.ndarray, port):
                 raise BlockError(
@@ -149,8 +157,8 @@ class Block(ReadBlock):
             raise BlockError(
                 f"{name}: a block of discrete time has no breakpoints and no guard; leave them out"
             )
-        declaration.check_guard(name, guard)
-        declaration.check_units(name, units or {}, *declared.values())
+        check_guard(name, guard)
+        check_units(name, units or {}, *declared.values())
         self.update_function, self.output_function, self.jump_function = update, output, jump
         self.opaque, self.breakpoints_function, self.guard = opaque, breakpoints, guard
         self.name, self.units = name, dict(units or {})
@@ -163,8 +171,15 @@ class Block(ReadBlock):
             raise BlockError(
                 f"{name}: a block with breakpoints needs a parameter `interval = -1.0`"
             )
-        signals: Any = {kind: labels(sizes_of(own)) or 0 for kind, own in self._sized.items()}
-        super().__init__(self.dynamics, self.output, name=name, dt=dt, **signals)
+        super().__init__(
+            self.dynamics,
+            self.output,
+            inputs=labels(sizes_of(self.input_shapes)),
+            outputs=labels(sizes_of(self.output_shapes)),
+            states=labels(sizes_of(self.state_shapes)) or 0,
+            name=name,
+            dt=dt,
+        )
         self._try_equations()
 
     def _try_equations(self) -> None:
@@ -187,10 +202,10 @@ class Block(ReadBlock):
     # --- as text ------------------------------------------------------------------------
 
     def __repr__(self) -> str:
-        return declaration.block_line(self)
+        return block_line(self)
 
     def _repr_html_(self) -> str:
-        return declaration.block_html(self)
+        return block_html(self)
 
     def _repr_markdown_(self) -> None:
         """Return nothing: python-control's text would say the same again."""

@@ -6,7 +6,7 @@ What an element is, the reading says: an expression (`symbolic`), the inputs tha
 a number of another library.  Along an axis of unknown length the place is a name (`symbolic`).
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from math import prod
 from typing import Any
 
@@ -33,8 +33,13 @@ class Elements:
         """Return a constant."""
         return value
 
-    leaf: Callable[..., Any]  # (at, shape, index): an element of a leaf
-    apply: Callable[..., Any]  # (ref, kind, arguments): what an operation makes of elements
+    def leaf(self, at: tuple[str, str], shape: Shape, index: Index) -> Any:
+        """Return an element of a leaf."""
+        raise NotImplementedError
+
+    def apply(self, ref: int, kind: str, arguments: tuple) -> Any:
+        """Return what an operation makes of elements."""
+        raise NotImplementedError
 
     def opaque(self, at: tuple, arguments: tuple, index: Index) -> Any:
         """Return an element of what an opaque helper computes."""
@@ -107,10 +112,12 @@ class Elements:
             raise Unread("elements that differ along an axis of unknown length")
         if kind == "stack":
             return self.at(arguments[k], tuple(rest))
-        parts = iter(arguments)
-        while k >= (n := bound(self.operations[part := next(parts)].shape, self.sizes)[0]):
+        for part in arguments:
+            n = bound(self.operations[part].shape, self.sizes)[0]
+            if k < n:
+                return self.at(part, (k, *rest))
             k -= n
-        return self.at(part, (k, *rest))
+        raise IndexError(index)
 
     def _sum(self, ref: int, array: Ref, axis: int, index: Index) -> Any:
         size = bound(self.operations[array].shape, self.sizes)[axis]

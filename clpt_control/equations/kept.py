@@ -52,8 +52,10 @@ STATES: dict[type, tuple[Callable, Callable]] = {  # of chance: its state, and t
     ),
     random.Random: (random.Random.getstate, random.Random.setstate),
 }
-# whose numbers the functions of these modules draw
-OF_ALL: tuple[Any, ...] = tuple(vars(one)["random"].__self__ for one in (random, np.random))
+OF_ALL: tuple[Any, ...] = (  # whose numbers the functions of these modules draw
+    vars(random)["random"].__self__,
+    vars(np.random)["random"].__self__,
+)
 
 
 class Snapshot:

@@ -13,6 +13,7 @@ import numpy as np
 
 from ..errors import BlockError
 from .arrays import Unread
+from .declaration import Guard
 from .ports import labels, places, ports_of, sized, sizes_of
 from .reading import read, record_of_states
 from .record import Record, Shape
@@ -24,6 +25,17 @@ Shapes = dict[str, Shape]  # of ports or parameters by name
 class ReadBlock(control.NonlinearIOSystem):
     """A block's ports, functions and their records; `Block` declares them."""
 
+    name: str
+    update_function: Callable | None
+    output_function: Callable | None
+    jump_function: Callable | None
+    guard: Guard | None
+    declared: dict[str, Shapes]
+    input_shapes: Shapes
+    output_shapes: Shapes
+    state_shapes: Shapes
+    parameter_shapes: Shapes
+    sizes: dict[str, int]
     units: Mapping[str, str]
     parameters: Any
     _sized: dict[str, Shapes]  # of states, inputs and outputs, in numbers

@@ -71,12 +71,13 @@ class Sampled(Block):
         self.stepped = inner.dt == 0  # its rates are taken for a period, as Euler does
         held = {HELD + port: shape for port, shape in inner.declared["inputs"].items()}
         states = {**inner.declared["states"], **held}
-        ports: Any = {**inner.declared, "states": states}
         super().__init__(
             inner.name,
             update=other_equations if states else None,
             output=other_equations,
-            **ports,
+            inputs=inner.declared["inputs"],
+            outputs=inner.declared["outputs"],
+            states=states,
             parameters={**inner.parameters._asdict(), "interval": -1.0},
             shapes=inner.parameter_shapes,
             sizes=inner.sizes,

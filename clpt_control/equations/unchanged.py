@@ -116,9 +116,13 @@ class Keys:
             cells = [self.of(cell.cell_contents) for cell in function.__closure__ or ()]
         except ValueError:  # not bound yet
             raise Unkeyed from None
-        defaults = self.of(function.__defaults__), self.of(function.__kwdefaults__)
-        named_ones = [(name, self.of(space[name])) for name in names if name in space]
-        return self.place(function.__code__), *defaults, *cells, *named_ones
+        return (
+            self.place(function.__code__),
+            self.of(function.__defaults__),
+            self.of(function.__kwdefaults__),
+            *cells,
+            *[(name, self.of(space[name])) for name in names if name in space],
+        )
 
 
 def is_fixed(value: Any) -> bool:

@@ -14,9 +14,20 @@ from typing import Any
 
 import numpy as np
 
-from . import elementwise
 from .arrays import HOOKS, Array, Tape, Unread, numbers_of, objects, operand, whole
-from .elementwise import TRUTH, as_number, boxed, constant, in_a_try, lifted, of_numpy, stacked
+from .elementwise import (
+    OF_WHOLE,
+    TRUTH,
+    Masked,
+    as_number,
+    boxed,
+    constant,
+    counts,
+    in_a_try,
+    lifted,
+    of_numpy,
+    stacked,
+)
 from .record import MOST_NUMBERS, Ref, Shape, viewed
 
 # --- as NumPy's own ----------------------------------------------------------------------------
@@ -84,7 +95,7 @@ def on_values(tape: Tape, function: Callable, inputs: Any, more: dict, refused: 
             raise refused
         given = None if type(ref) is float else tape.parameter(ref)
         numbers = tape.numbers(ref) if given is None else np.asarray(given)
-        return numbers.astype(int) if elementwise.counts(one) or is_whole(tape, ref) else numbers
+        return numbers.astype(int) if counts(one) or is_whole(tape, ref) else numbers
 
     arguments = arrays_as(inputs, value)
     result = function(*arguments, **arrays_as(more, value))
@@ -266,7 +277,7 @@ def _picked(array: Array, k: Any, *rest: Any) -> Any:
         if not k._tape.free[k._node]:
             return array[(k._tape.numbers(k._ref) != 0.0, *rest)]
         same = not rest and k.shape == array.shape
-        return elementwise.Masked(array, k) if same else refuse("taking elements by a condition")
+        return Masked(array, k) if same else refuse("taking elements by a condition")
     if not rest and array.ndim == 1 and isinstance(array.shape[0], int) and not k.shape:
         counts = is_whole(k._tape, k._ref)
         if counts and k._tape.free[k._node] and array._written() is None and not in_a_try():
@@ -283,7 +294,7 @@ def is_whole(tape: Tape, ref: Ref, deep: int = 8) -> bool:
         return True
     if kind == "constant":
         return bool(np.all(np.frombuffer(at) % 1.0 == 0.0))
-    parts = arguments[1:] if kind == "where" else arguments if kind in elementwise.OF_WHOLE else ()
+    parts = arguments[1:] if kind == "where" else arguments if kind in OF_WHOLE else ()
     return bool(parts and deep) and all(is_whole(tape, one, deep - 1) for one in parts)
 
 

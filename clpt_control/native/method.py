@@ -362,9 +362,12 @@ def formulas(method: int, ahead: bool = False) -> dict[str, Formula]:
     }
     stages: list[Formula] = [partial(_stage_of_dop853, k, ahead) for k in range(1, row.DOP853 + 4)]
     if method == row.DOPRI5:
-        own |= {"control": _control_dopri5, "dense": _dense_dopri5}
-        own["first"] = partial(_first, lambda value: power(value, 0.2))
-        own["stiffness"] = partial(_stiffness, _in_rows(RK45.A[-1]), 3.25)
+        own |= {
+            "control": _control_dopri5,
+            "dense": _dense_dopri5,
+            "first": partial(_first, lambda value: power(value, 0.2)),
+            "stiffness": partial(_stiffness, _in_rows(RK45.A[-1]), 3.25),
+        }
         stages = [partial(_stage, _in_rows(RK45.A[k, :k]), RK45.C[k]) for k in range(1, 6)]
         stages += [partial(_stage, _in_rows(RK45.B), 1.0)]
     elif method == row.RODAS5P:
@@ -402,8 +405,11 @@ def program_of_formulas(formulas: dict[str, Formula], n: int) -> Program:
 def kernels(n: int, lanes: int, method: int, ahead: bool) -> Machine:
     """Return the formulas of a method for n states as machine code."""
     named = formulas(method, ahead)
-    source, wanted = f"formulas {n} {lanes} {method} {ahead}", (tuple(named), lanes)
-    return Machine(named, source, lambda: print_program(program_of_formulas(named, n), *wanted))
+    return Machine(
+        named,
+        f"formulas {n} {lanes} {method} {ahead}",
+        lambda: print_program(program_of_formulas(named, n), tuple(named), lanes),
+    )
 
 
 def with_formulas(callee: Callee) -> Callee:

@@ -21,13 +21,22 @@ from ..arguments import numbers
 from ..diagrams.interconnection import changed_parameters
 from ..diagrams.wiring import Wiring, read_anew, wiring_of
 from ..errors import SimulationError
-from . import numbering, schedule
+from . import numbering
 from .batch import ANY, Batch, Callee, pace
 from .ending import NAMES, STUCK, Solution, ended, sampled_start, without_states
 from .jacobian import Jacobian, jacobian
 from .machine import callback
 from .method import with_formulas
-from .schedule import Inputs, Schedule, checked_state, checked_times, make_schedule, read_inputs
+from .schedule import (
+    BEGINS,
+    JUMPS,
+    Inputs,
+    Schedule,
+    checked_state,
+    checked_times,
+    make_schedule,
+    read_inputs,
+)
 from .sliding import go_on
 from .sweep import Sweep, rounding
 
@@ -89,8 +98,7 @@ class PythonDiagram:
 
         def jump(t: float, x: np.ndarray, P: np.ndarray) -> np.ndarray:
             jumping, beginning = (
-                [k for k, place in self.jumps.items() if P[place] == how]
-                for how in (schedule.JUMPS, schedule.BEGINS)
+                [k for k, place in self.jumps.items() if P[place] == how] for how in (JUMPS, BEGINS)
             )
             return sweep.jump(t, x, u(t), jumping, beginning)
 

@@ -30,7 +30,7 @@ class Inputs:
     `function`, the user's own.
     """
 
-    samples: Any  # None, or two arrays
+    samples: tuple[np.ndarray, np.ndarray] | None
     function: Callable[[float], np.ndarray] | None = None
 
     def at(self, t: float) -> np.ndarray:
@@ -43,18 +43,21 @@ class Inputs:
 
     @cached_property
     def _straight(self) -> tuple[list[float], np.ndarray, np.ndarray]:
+        assert self.samples is not None
         at, u = self.samples
         return at.tolist(), np.ascontiguousarray(u.T), np.ascontiguousarray(self.slopes.T)
 
     @cached_property
     def slopes(self) -> np.ndarray:
         """The slopes from each sample on, shape (ninputs, nt); 0 from the last one."""
+        assert self.samples is not None
         at, u = self.samples
         return np.diff(u, append=u[:, -1:]) / np.diff(at, append=np.inf)
 
     @property
     def kinks(self) -> np.ndarray:
         """Times at which the inputs bend; samples on one straight line, to the bit, are a piece."""
+        assert self.samples is not None
         (at, u), slopes = self.samples, self.slopes
         if len(at) < 3:
             return at
@@ -69,6 +72,7 @@ class Inputs:
 
         A bend that leaves the line before it by `least` of the largest value is sharp, too.
         """
+        assert self.samples is not None
         (at, u), slopes = self.samples, self.slopes[:, :-1]
         if len(at) < 3:
             return at[:0]
@@ -111,7 +115,8 @@ def checked_state(name: str, state: Any, shape: tuple[int, ...]) -> np.ndarray:
 
 def stacked(inputs: Any, times: np.ndarray) -> Any:
     """Return inputs, a list as rows if it holds any: samples at the times, or constant numbers."""
-    if not (isinstance(inputs, list | tuple) and any(hasattr(x, "__len__") for x in inputs)):
+    listed = isinstance(inputs, list | tuple) and any(hasattr(one, "__len__") for one in inputs)
+    if not listed:
         return inputs
     rows = []
     for one in inputs:

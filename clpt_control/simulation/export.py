@@ -261,7 +261,8 @@ class CFile:
         """Return what the file says of itself."""
         own = self.name
         step = "one step of Runge and Kutta's method of order 4, inputs held"
-        step = "one step of the diagram's own time; dt is not used" if discrete else step
+        if discrete:
+            step = "one step of the diagram's own time; dt is not used"
         lines = [
             f"{_comment(self.run.name)}: made by clpt-control (export_c). C99, math.h alone.",
             "",

@@ -180,8 +180,13 @@ def _variables(file: CFile) -> Iterator[tuple[str, str, dict[str, str]]]:
 
 def _description(file: CFile, token: str) -> Element:
     """Return modelDescription.xml: the variables, and which of them depend on others."""
-    own = {"fmiVersion": "3.0", "modelName": _name(file.run.name), "instantiationToken": token}
-    root = Element("fmiModelDescription", own, generationTool="clpt-control")
+    root = Element(
+        "fmiModelDescription",
+        fmiVersion="3.0",
+        modelName=_name(file.run.name),
+        instantiationToken=token,
+        generationTool="clpt-control",
+    )
     SubElement(root, "ModelExchange", modelIdentifier=file.name)
     rows = [*_variables(file)]
     if units := sorted({own["unit"] for *_, own in rows if "unit" in own}):

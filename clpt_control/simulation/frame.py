@@ -140,7 +140,10 @@ def how_it_ran(solution: Solution) -> dict[str, Any]:
     """Return attributes: versions, status and the solver's statistics."""
     return {
         "software": _software(),
-        **{name: getattr(solution, name) for name in ("status", "message", "engine", "method")},
+        "status": solution.status,
+        "message": solution.message,
+        "engine": solution.engine,
+        "method": solution.method,
         **{f"solver_{name}": value for name, value in solution.statistics.items()},
     }
 

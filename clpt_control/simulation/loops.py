@@ -16,9 +16,18 @@ from ..arguments import public
 from ..blocks import clpe, disturbance, field, flow, learner, localization, reference, vehicle
 from ..blocks.laws.table import LAWS
 from ..blocks.localization import TRUE
-from ..diagrams import parts
 from ..diagrams.interconnection import Diagram, connect, wiring_of_blocks
-from ..diagrams.parts import Changes, Part, changes_of, functions_of, input_ports, output_ports
+from ..diagrams.parts import (
+    UNCHANGED,
+    Changes,
+    Part,
+    changes_of,
+    functions_of,
+    input_ports,
+    inserted,
+    output_ports,
+    replaced,
+)
 from ..diagrams.wiring import Node, Wiring, read_anew, wiring_of
 from ..equations.block import Block
 from ..equations.declaration import Parameters
@@ -55,7 +64,7 @@ def paper_blocks(scenario: Scenario) -> list[Part]:
     >>> len(paper_blocks(clpt.paper_scenario()))
     12
     """
-    return changed_blocks(scenario, parts.UNCHANGED)
+    return changed_blocks(scenario, UNCHANGED)
 
 
 def changed_blocks(
@@ -82,8 +91,12 @@ def changed_blocks(
     localized = _localized(scenario)
     true = TRUE if any(block.name == "measurement" for block in localized) else "x"
     steered = alpha_M, car.feedback, car.feedforward, car.max_speed is not None
-    blocks = [reference.reference(scenario.waypoints, scenario.reference.dwell)]
-    blocks += [scenario.basis_block("x"), scenario.basis_block("z"), *localized]
+    blocks = [
+        reference.reference(scenario.waypoints, scenario.reference.dwell),
+        scenario.basis_block("x"),
+        scenario.basis_block("z"),
+        *localized,
+    ]
     if delta is not None:
         numbers = delta.amplitude, delta.period or 1.0, float(delta.seed or 0)
         blocks.append(disturbance.disturbance(delta.kind, *numbers))
@@ -106,7 +119,7 @@ def changed_blocks(
         else:
             blocks.append(learner.learned_flow_injection(alpha_M))
     blocks += [clpe.clpe(), scenario.law_block]
-    return parts.inserted(parts.replaced(blocks, changes.replace), changes.insert)
+    return inserted(replaced(blocks, changes.replace), changes.insert)
 
 
 def units_of_ports(units: Units) -> dict[str, str]:
@@ -145,7 +158,7 @@ class LoopOf(NamedTuple):
     """What `closed_loop` makes a loop of."""
 
     scenario: Scenario
-    changes: Changes = parts.UNCHANGED
+    changes: Changes = UNCHANGED
     external: tuple[str, ...] = ()
 
     @property

@@ -20,8 +20,18 @@ import control
 import numpy as np
 
 from ..arguments import nearest, public
-from ..diagrams import varied
-from ..diagrams.varied import ALONG, Place, may_jump, place_of, places_of, put, value_at
+from ..diagrams.varied import (
+    ALONG,
+    Place,
+    VariedWiring,
+    may_jump,
+    place_of,
+    places_of,
+    put,
+    read_as_number,
+    value_at,
+    varied,
+)
 from ..diagrams.wiring import Wiring
 from ..equations.arrays import Unread
 from ..equations.ports import ports_of
@@ -91,7 +101,7 @@ def varied_places(
                 places[label] = place._replace(element=at)
     for name, place in places.items():
         for k, field in place.fields:
-            if role := varied.read_as_number(wiring.nodes[k].system, field):
+            if role := read_as_number(wiring.nodes[k].system, field):
                 raise SimulationError(
                     f"{name}: {wiring.nodes[k].name}.{role} asks for its value (a count, an "
                     "index, an `if`, or a library that is no NumPy), so its derivative is not known"
@@ -134,7 +144,7 @@ class Sensitive:
         state = 0.0 if start is None else start
         self.start = stacked_state("initial_state", state, run.runner.nstates)
 
-    def _made(self) -> tuple[varied.VariedWiring, NativeDiagram]:
+    def _made(self) -> tuple[VariedWiring, NativeDiagram]:
         """Return the diagram beside how it varies, and ready to run."""
         seeds: list[dict[str, np.ndarray]] = [{} for _ in self.wiring.nodes]
         for j, place in enumerate(self.places.values()):
@@ -147,7 +157,7 @@ class Sensitive:
             for node, seed in zip(self.wiring.nodes, seeds, strict=True)
             if may_jump(node.system) or (seed and node.system.breakpoints_function is not None)
         ]
-        made = varied.varied(self.wiring, self.given, seeds, len(self.places))
+        made = varied(self.wiring, self.given, seeds, len(self.places))
         apart = {one: one for place in self.places.values() for one in place.fields}
         return made, NativeDiagram(made.wiring, apart=apart)
 

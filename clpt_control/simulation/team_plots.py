@@ -117,8 +117,12 @@ def run_figures(
 
     They are track, CLPE and learning of both axes; of a diagram each port over time.
     """
-    plots: dict[str, Any] = {"figure1": (track_plot,), "figure2": (clpe_plot,)}
-    plots |= {f"figure{2 + axis}": (learning_plot, axis) for axis in (1, 2)}
+    plots: dict[str, Any] = {
+        "figure1": (track_plot,),
+        "figure2": (clpe_plot,),
+        "figure3": (learning_plot, 1),
+        "figure4": (learning_plot, 2),
+    }
     if "scenario" not in run.attrs:
         plots = {"team": (team_plot,)} if TEAM in run.attrs else {"response": (response_plot,)}
     results: dict[Path, Any] = {}
