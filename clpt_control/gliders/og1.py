@@ -191,7 +191,7 @@ def _dive(of: pandas.DataFrame, fixes: Three, otherwise: int, notes: list[str]) 
     found = through_water(rows, start, end, current)
     greatest = middle.depth_max
     return dive_between(
-        int(number) if isfinite(number) else otherwise,
+        otherwise if isnan(number) else int(number),
         fixes,
         found,
         dac_east=current[0],

@@ -103,7 +103,7 @@ def columns_of(data: xarray.Dataset) -> pandas.DataFrame:
     of_fixes = pandas.DataFrame(dict(zip(("t_fix", *PLACE), fixes, strict=True)))
     beside = time.shape == fixes[0].shape  # else fixes on a dimension of their own
     whole = pandas.concat([pandas.DataFrame(of), of_fixes], axis=1 if beside else 0)
-    whole = whole.where(np.isfinite(whole)).reset_index(drop=True)
+    whole = whole.where(abs(whole) < 1e300).reset_index(drop=True)  # sums of larger are infinite
     name = known.get(steps[0], steps[0])
     whole.attrs = {"north": _frame(data, known), "steps": name, "notes": tuple(notes)}
     return whole
