@@ -20,7 +20,7 @@ from .block import Block
 from .declaration import Each, Guard
 from .ports import sized, sizes_of
 from .record import OPERATIONS, Operation, Record, Shape, bound
-from .sampled import Sampled, other_equations
+from .sampled import Sampled, inner_parameters, other_equations
 
 KINDS = ("input", "output", "state")
 LARGEST = 10**7  # numbers of one value of a record
@@ -110,7 +110,7 @@ def plain_block(block: Block, name: str, p: Any, begin: float, end: float) -> di
     if isinstance(block, Sampled):
         return {
             "sampled": block.period,
-            "inner": plain_block(block.inner, name, block.of_inner(p), begin, end),
+            "inner": plain_block(block.inner, name, inner_parameters(block, p), begin, end),
             "called": block._inner,
             "labels": labels,
         }

@@ -30,6 +30,11 @@ def other_equations(*arguments: Any) -> Any:
     raise NotImplementedError
 
 
+def inner_parameters(block: "Sampled", p: Any) -> Parameters:
+    """Return the parameters of the inner block among those of the sampled one."""
+    return Parameters(**{field: getattr(p, field) for field in block.inner.parameters._fields})
+
+
 @public
 class Sampled(Block):
     """A block that runs another at each multiple of a period.
@@ -97,10 +102,6 @@ class Sampled(Block):
         k = np.round(t / self.period)
         return bool(k >= 0 and abs(t - k * self.period) <= ROUNDING * max(1.0, abs(t)))
 
-    def of_inner(self, p: Any) -> Parameters:
-        """Return the parameters of the inner block."""
-        return Parameters(**{field: getattr(p, field) for field in self.inner.parameters._fields})
-
     # --- readings ---------------------------------------------------------------------------
 
     def _try_equations(self) -> None:
@@ -116,7 +117,7 @@ class Sampled(Block):
         """Return what the inner block does with what is held."""
         if role == "update":
             return np.zeros(size)
-        x, inner, parameters = np.asarray(x), self.inner, self.of_inner(p)
+        x, inner, parameters = np.asarray(x), self.inner, inner_parameters(self, p)
         states, held = x[: inner.nstates], x[inner.nstates :]
         if role == "output":
             return inner.values(role, size, p.interval * self.period, states, held, parameters)

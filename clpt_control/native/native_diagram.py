@@ -185,14 +185,17 @@ class NativeDiagram(PythonDiagram):
 
     def unlocked(self) -> Self:
         """Return the diagram with decisions that change within a step."""
-        return self.sliding(None, "free")
+        return self._in_form("free", None)
 
     @public
-    def sliding(self, held: Held | None, form: str | None = None) -> Self:
-        """Return the diagram with decisions held, or in another form."""
+    def sliding(self, held: Held) -> Self:
+        """Return the diagram on switches, whose decisions are held."""
+        return self._in_form(self._form, held)
+
+    def _in_form(self, form: str | None, held: Held | None) -> Self:
         other = copy(self)
-        other.held, other._form, other._callees = held, form or self._form, {}
-        other.code = code_of(self.wiring, self.layout, other._form, False, held)
+        other.held, other._form, other._callees = held, form, {}
+        other.code = code_of(self.wiring, self.layout, form, False, held)
         return other
 
     def _code(self, method: int) -> Code:
