@@ -247,7 +247,8 @@ def _sine(a, n):
     even = fma(y, even, -0.16666666666666666)
     odds = fma(y, odds, 0.008333333333333316)
     value = fma(r * z, fma(z, odds, even), r)
-    return where(abs(value) > 1.0, copysign(1.0, value), value)  # which asin and sqrt refuse
+    value = where(value > 1.0, 1.0, value)  # which asin and sqrt refuse
+    return where(value < -1.0, -1.0, value)
 
 
 def sin(a):
