@@ -96,10 +96,11 @@ def pid(
     low, high : float, optional
         Limits of u.
     filter : float, optional
-        The time Tf of the derivative's filter; |kd / (10 kp)| by default, and 1 without kd.
+        The time Tf of the derivative's filter; ``|kd / (10 kp)|`` by default, and 1 without
+        kd.
     tracking : float, optional
-        The time Tt in which the integral follows a limited u; sqrt(|kd / ki|) by default, |kp / ki|
-        without kd, and no less than `dt`.
+        The time Tt in which the integral follows a limited u; ``sqrt(|kd / ki|)`` by default,
+        ``|kp / ki|`` without kd, and no less than `dt`.
     weight : float, optional
         The weight b of the set point in the proportional part.
     dt : float, optional
