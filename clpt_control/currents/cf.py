@@ -35,7 +35,8 @@ AXES = {
     "longitude": (("longitude",), ("lon", "longitude", "nav_lon", "x_lon")),
     "time": (("time",), ("time", "t", "ocean_time", "mtime")),
 }
-DEPTHS = ("depth", "altitude", "height", "depth_below_sea_surface", "ocean_s_coordinate")
+HEIGHTS = ("altitude", "height")
+DEPTHS = (*HEIGHTS, "depth", "ocean_s_coordinate")
 DEPTH_NAMES = ("depth", "z", "lev", "level", "altitude", "s_rho", "deptht", "depthu", "sigma")
 CURE = (
     "regrid it to latitudes and longitudes, by cdo remapbil or xESMF, and turn u and v to east and "
@@ -109,6 +110,18 @@ def is_depth(data: xarray.Dataset, dim: Any) -> bool:
         return False
     standard = str(data[dim].attrs.get("standard_name", ""))
     return str(dim).lower() in DEPTH_NAMES or standard.startswith(DEPTHS)
+
+
+def distances_of(axis: xarray.DataArray) -> np.ndarray:
+    """Return how far levels are from the surface, in their unit; heights from below are refused."""
+    levels, said = np.atleast_1d(numbers_of(axis)), axis.attrs
+    up = said.get("positive") == "up" or str(said.get("standard_name")).startswith(HEIGHTS)
+    if up and np.any(levels > 0):
+        raise DataError(
+            f"{axis.name} counts up, to {np.nanmax(levels):.6g}, as from the sea floor; must be "
+            "depths from the surface, or heights below 0"
+        )
+    return np.abs(levels)
 
 
 def numbers_of(variable: xarray.DataArray) -> np.ndarray:
@@ -211,8 +224,7 @@ def velocity_values(
                     f"{name} has the dimension {dim} of {values.sizes[dim]}; allowed are "
                     "time, latitude, longitude and a depth: choose one and write it alone"
                 )
-            depth = data[dim].values.astype(float)
-            level = int(np.argmin(np.nan_to_num(np.abs(depth), nan=np.inf)))
+            level = int(np.argmin(np.nan_to_num(distances_of(data[dim]), nan=np.inf)))
         values = values.isel({dim: level})
     if set(values.dims) != set(index):
         raise DataError(

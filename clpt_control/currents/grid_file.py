@@ -64,7 +64,8 @@ class Currents:
 
     lat: np.ndarray  # degrees north, increasing, shape (ny,)
     lon: np.ndarray  # degrees east, increasing, may pass 180, shape (nx,)
-    depth: np.ndarray  # levels, m, increasing from the surface; 0 where the file has none
+    depth: np.ndarray  # levels, m, increasing from the surface; 0 where the file has none, NaN of
+    # one whose depth it does not say
     time: np.ndarray  # hours since the first step, increasing, shape (nt,)
     start: str  # the first step, ISO 8601, as the file counts it (UTC unless it says)
     u: np.ndarray  # to the east, m/s, NaN in gaps, shape (nt, ny, nx), or (nt, nz, ny, nx)
@@ -201,25 +202,25 @@ def _concatenated(path: Path, parts: list[Currents]) -> Currents:
     first, times = parts[0], []
     for part in parts:
         for name in ("lat", "lon", "depth"):
-            if not np.array_equal(getattr(part, name), getattr(first, name)):
+            if not np.array_equal(getattr(part, name), getattr(first, name), equal_nan=True):
                 raise DataError(f"{path}: {part.source} has another {name} than {first.source}")
         try:
-            times.append(seconds_since_1970(part.start) / 3600.0 + part.time)
+            times.append(np.round(1e3 * seconds_since_1970(part.start) + 3.6e6 * part.time))
         except ValueError:
             raise DataError(
                 f"{path}: {part.source} starts at {part.start}; must be a real date, by which "
                 "files can be joined"
             ) from None
-    hours = np.concatenate(times)
+    steps = np.concatenate(times)  # ms: hours of one step differ by how they are counted
     u, v = (np.concatenate([getattr(part, name) for part in parts]) for name in "uv")
     if u.size > MOST:
         raise DataError(f"{path}: has {u.size:.3g} values; at most {MOST:.0g} can be held")
-    hours, last = np.unique(hours[::-1], return_index=True)
-    if len(hours) < 2:
+    steps, last = np.unique(steps[::-1], return_index=True)
+    if len(steps) < 2:
         raise DataError(f"{path}: has 1 step in all; at least 2 are needed")
     rows = len(u) - 1 - last
     start = min(parts, key=lambda part: seconds_since_1970(part.start)).start
-    merged = {"time": hours - hours[0], "start": start, "u": u[rows], "v": v[rows]}
+    merged = {"time": (steps - steps[0]) / 3.6e6, "start": start, "u": u[rows], "v": v[rows]}
     return replace(first, **merged, source=shown_name(path))
 
 
@@ -348,21 +349,25 @@ def _inside(axis: np.ndarray, span: tuple, where: str, whole: bool) -> np.ndarra
 
 
 def _levels(data: xarray.Dataset, name: str, axes: set) -> tuple[Any | None, np.ndarray]:
-    """Return the dimension of depth, if any, and its levels, m."""
-    others = [dim for dim in data[name].dims if dim not in axes]
-    dims = [dim for dim in others if data[name].sizes[dim] != 1 and cf.is_depth(data, dim)]
-    if not dims:  # what else there is, `velocity_values` refuses
-        single = [d for d in others if str(d).lower() in cf.DEPTH_NAMES and d in data.variables]
-        alone = np.abs(data[single[0]].values.astype(float)) if single else np.zeros(1)
-        return None, np.nan_to_num(alone)
-    where = str(dims[0])
-    depth = np.abs(cf.numbers_of(data[dims[0]]))
-    unit = str(data[dims[0]].attrs.get("units", "")).strip()
-    if unit or not str(dims[0]).lower().startswith(("depth", "z")):  # else taken as m
-        depth *= length_in_metres(unit, where)
+    """Return the dimension of several levels, if any, and their depths, m; NaN if not known."""
+    across = set(data[name].dims) - axes
+    found = [n for n in data.variables if cf.is_depth(data, n)]
+    found = [n for n in found if n in across or data[n].size == 1]
+    if not found:  # what else there is, `velocity_values` refuses
+        return None, np.zeros(1)
+    where = str(max(found, key=lambda n: data[n].size))
+    unit, one = str(data[where].attrs.get("units", "")).strip(), data[where].size == 1
+    try:
+        depth = cf.distances_of(data[where])
+        if unit or not where.lower().startswith(("depth", "z")):  # else taken as m
+            depth *= length_in_metres(unit, where)
+    except DataError:
+        if not one:
+            raise
+        depth = np.array([np.nan])
     if not np.all(np.diff(np.sort(depth)) > 0):
         raise DataError(f"{where} has {len(depth)} levels; must be finite depths, each once")
-    return dims[0], depth
+    return None if one else where, depth
 
 
 def _edges(box: Any) -> str:

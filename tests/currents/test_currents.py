@@ -83,6 +83,11 @@ def test_level_nearest_the_surface_is_taken(tmp_path):
         read_currents(path)
     path = write(tmp_path / "d.nc", *deep, depth=[0.5, 10.0], change=saying("depth", units=None))
     np.testing.assert_array_equal(read_currents(path).u, u)
+    for attributes in ({"standard_name": "height_above_sea_floor"}, {"positive": "up"}):
+        change = saying("depth", **attributes)
+        path = write(tmp_path / "e.nc", *deep, depth=[0.5, 10.0], change=change)
+        with pytest.raises(DataError, match="depth counts up, to 10"):
+            read_currents(path)
 
 
 def packed(scale, fill):

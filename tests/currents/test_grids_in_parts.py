@@ -92,6 +92,21 @@ def test_files_of_one_current_are_joined(tmp_path):
         read_currents(folder)
 
 
+@pytest.mark.parametrize("minutes", [1, 5, 10, 20, 30])
+def test_a_step_of_two_files_is_one_however_it_is_counted(tmp_path, minutes):
+    """A sixth of an hour has no end in binary: hours since 1970 differed by 6e-11 h."""
+    dates = np.datetime64("2019-01-01T03:00") + np.timedelta64(minutes, "m") * np.arange(15)
+    for k, since in enumerate(("2019-01-01", "1950-01-01")):
+        days = (dates[5 * k : 5 * k + 10] - np.datetime64(since)) / np.timedelta64(1, "D")
+        part = current().isel(time=range(10))
+        part["time"] = ("time", days, {"units": f"days since {since}"})
+        part["u"][:] = k
+        part.to_netcdf(tmp_path / f"day{k}.nc")
+    found = read_currents(tmp_path)
+    np.testing.assert_allclose(found.time, minutes / 60 * np.arange(15), atol=1e-12)
+    np.testing.assert_array_equal(found.u[:, 0, 0], [0.0] * 5 + [1.0] * 10)
+
+
 @pytest.mark.parametrize(
     ("steps", "said"), [((), "holds neither Zarr nor a NetCDF file"), ((3,), "has 1 step in all")]
 )
