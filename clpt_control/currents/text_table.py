@@ -18,7 +18,7 @@ Columns `time`, `u` (to the east) and `v` (to the north), in any order, others
 are left alone; in place of u and v `speed` and `direction`, the one to which it flows, degrees
 from true north.  Units stand behind the names, in () or [], or for both in a
 comment `# units: cm/s`; a table without units is refused.  Times are ISO 8601
-(UTC unless they say) or seconds since 1970 UTC.  An empty cell or nan is a gap.
+(UTC unless they say; 20190101 is a day) or seconds since 1970 UTC.  An empty cell or nan is a gap.
 Lines that begin with `#` are comments; `# latitude: DEG` is read.
 """
 
@@ -50,6 +50,12 @@ POLAR = {
     "direction": ("direction", "current_direction", "dir", "heading"),
 }
 SUFFIXES = (".csv", ".txt", ".dat")
+NORTH = re.compile(r"\s*(°|deg(rees?)?)?[\s_]*(n(orth)?)?$", re.IGNORECASE)
+UTC = re.compile(
+    r"(iso ?8601|y{4}[-ymdhst:.z/ ]*)?[, ]*(utc|gmt|z)?|(unix|s|sec(ond)?s?)( since 1970.*)?",
+    re.IGNORECASE,
+)
+DAY = r"(1[789]|2[01])\d\d(0[1-9]|1[0-2])(0[1-9]|[12]\d|3[01])"  # 20190131
 HEADER = re.compile(r"([^([]*)(?:[(\[]([^)\]]*)[)\]])?")  # without spaces: they would be tried
 
 
@@ -138,11 +144,11 @@ def read_table(
     latitude = None
     if "latitude" in comments:
         try:
-            latitude = float(comments["latitude"].split()[0])
+            latitude = float(NORTH.sub("", comments["latitude"]))
         except ValueError:
             raise DataError(
-                f"{path}: the comment latitude is {comments['latitude'][:20]!r}; must begin with "
-                "degrees north"
+                f"{path}: the comment latitude is {comments['latitude'][:20]!r}; must be "
+                "degrees north, such as -41.2"
             ) from None
     return times, u, v, latitude
 
@@ -174,6 +180,8 @@ def _header(
         unit = stated[found[0]]
         if what == "direction" and unit and not unit.lower().startswith(("deg", "°")):
             raise DataError(f"direction is in '{unit}'; must be in degrees from true north")
+        if what == "time" and unit and not UTC.fullmatch(unit):
+            raise DataError(f"time is in '{unit}'; must be in UTC, or seconds since 1970 UTC")
         unit = "m/s" if what in ("time", "direction") else unit or units
         if unit is None:
             raise DataError(
@@ -186,7 +194,8 @@ def _header(
 
 def _times(cells: pandas.Series, path: Path) -> np.ndarray:
     """Return times of ISO 8601, or seconds since 1970, as datetime64 in ms."""
-    seconds = pandas.to_numeric(cells, errors="coerce")
+    days = cells.str.fullmatch(DAY)  # all of them: no seconds of the year 1970
+    seconds = pandas.to_numeric(cells, errors="coerce").mask(days & days.all())
     dates = pandas.to_datetime(
         cells.where(seconds.isna(), "1970"), utc=True, format="ISO8601", errors="coerce"
     )

@@ -80,6 +80,29 @@ def test_records_are_read_alike_from_every_file(tmp_path):
 
 
 @pytest.mark.parametrize(
+    ("unit", "cells"),
+    [
+        ("", ("20190101", "20190102")),
+        (" (UTC)", ("20190101T00", "2019-01-02T01:00+01:00")),
+        (" [yyyy-mm-ddTHH:MM:SSZ]", ("2019-01-01T00:00:00Z", "2019-01-02T00:00:00Z")),
+        (" (ISO 8601)", ("2019-01-01", "2019-01-02")),
+        (" (s)", ("1546300800", "1546387200")),
+        (" (seconds since 1970-01-01 00:00 UTC)", ("1546300800", "1546387200")),
+    ],
+)
+def test_times_of_a_table_are_as_its_header_says(tmp_path, unit, cells):
+    path = tmp_path / "r.csv"
+    path.write_text(
+        f"# latitude: -41.2 degrees north\ntime{unit},u (m/s),v (m/s)\n"
+        + "".join(f"{cell},0.1,0.2\n" for cell in cells)
+    )
+    record = read_record(path)
+    days = np.array(["2019-01-01", "2019-01-02"], "M8[ms]")
+    np.testing.assert_array_equal(record.time, days)
+    assert record.latitude == -41.2
+
+
+@pytest.mark.parametrize(
     ("text", "sentence"),
     [
         ("", "is empty"),
@@ -104,6 +127,11 @@ def test_records_are_read_alike_from_every_file(tmp_path):
         (HEADER.split("\n", 1)[1] + ROW.format(1), "does not say its latitude"),
         (HEADER.replace("41", "141") + ROW.format(1), "latitude = 141.0"),
         (HEADER.replace("41", "north") + ROW.format(1), "the comment latitude is 'north'"),
+        (HEADER.replace("41", "41 S") + ROW.format(1), "the comment latitude is '41 S'"),
+        (HEADER.replace("41", "41 30 N") + ROW.format(1), "the comment latitude is '41 30 N'"),
+        ("time (local),u (m/s),v (m/s)\n" + ROW.format(1), "time is in 'local'; must be in UTC"),
+        ("time (UTC+2),u (m/s),v (m/s)\n" + ROW.format(1), r"time is in 'UTC\+2'; must be in UTC"),
+        ("time (h),u (m/s),v (m/s)\n0,0.1,0.2\n", "time is in 'h'; must be in UTC"),
         (HEADER + ROW.format(1) + ROW.format(2), "which never change"),
         (HEADER + "0,1e-300,0\n1,2e-300,0\n", "change by 1e-300 m/s only: check their units"),
         (HEADER.replace(",", ";") + "0;1;2\n", "columns are separated by semicolons; use commas"),
