@@ -80,11 +80,13 @@ class Copies:
             return vectorized(np.vectorize(self.of(value.pyfunc)))
         if self.holding and is_row(value):
             return self._watched(Row(value))
-        if type(value) in (list, tuple) and len(value) < 100:
+        kind = type(value)
+        make = tuple if kind is tuple else getattr(kind, "_make", None)  # of a NamedTuple
+        if (make or kind is list) and len(value) < 100:
             own_items = [self.of(one) for one in value]
             if all(map(is_, own_items, value)):
                 return value
-            return tuple(own_items) if type(value) is tuple else self._watched(own_items)
+            return make(own_items) if make else self._watched(own_items)
         if type(value) is dict and len(value) < 100:
             self.texts.update(value)
             items = {key: self.of(one) for key, one in value.items()}

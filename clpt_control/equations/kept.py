@@ -20,7 +20,7 @@ from collections import deque
 from collections.abc import Callable, Iterable
 from enum import Enum
 from operator import is_
-from types import BuiltinFunctionType, FunctionType, ModuleType, NoneType
+from types import BuiltinFunctionType, FunctionType, ModuleType, NoneType, SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -82,7 +82,8 @@ class Snapshot:
             return
         self._watched[id(value)] = value, kept
         own = getattr(value, "__dict__", None)
-        if type(own) is dict and not _is_library(type(value).__module__.partition(".")[0]):
+        plain = type(value) is SimpleNamespace
+        if type(own) is dict and (plain or not _is_library(type(value).__module__.split(".")[0])):
             self.attributes[id(own)] = own
         if not deep or not isinstance(kept, list | dict):
             return

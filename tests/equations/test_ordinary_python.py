@@ -2,7 +2,7 @@
 
 import functools
 import math
-from collections import deque
+from collections import deque, namedtuple
 from math import exp
 from types import SimpleNamespace
 
@@ -15,6 +15,8 @@ from scipy.interpolate import CubicSpline, interp1d, splev, splrep
 TABLE = [1.0, 2.0]
 SLOPES = [0.01 * k * (k - 90) for k in range(100)]
 WHOLE = np.array([[0, 1, 3], [-2, -3, 1], [1, 1, 1]])
+PLATE = SimpleNamespace(drag=np.array([[2.0, 0.5, 0.0], [0.5, 3.0, 0.0], [0.0, 0.0, 1.0]]))
+SAIL = namedtuple("Sail", "plate drag")(PLATE, PLATE.drag.T - 1.0)
 KNOTS = np.linspace(-3.0, 3.0, 9)
 CURVE = np.sin(KNOTS)
 BENT = [
@@ -206,6 +208,8 @@ FUNCTIONS |= {
     "a partial": functools.partial(lambda k, t, x, u, p: k * u[0], 3.0),
     "a method": Motor(2.0).output,
     "a row": lambda t, x, u, p: SLOPES[int(20.0 * abs(u[0]))] + SLOPES[int(t)] * u[1],
+    "a namespace": lambda t, x, u, p: PLATE.drag.dot(u),
+    "a named tuple": lambda t, x, u, p: SAIL.drag.dot(u) - SAIL.plate.drag[1].dot(u),
     "whole numbers": lambda t, x, u, p: WHOLE.dot(u) + WHOLE[1] // 2,
     **{name: getattr(Hull(), name) for name in ("tables", "rows", "within", "matrices")},
     "an object": Motor(0.5),
