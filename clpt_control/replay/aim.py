@@ -21,7 +21,7 @@ Where c depends on the way, as with gaussians and flow models, d and c are found
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from math import hypot, isfinite, sqrt
+from math import ceil, hypot, isfinite, sqrt
 from statistics import median
 from typing import Any
 
@@ -54,7 +54,8 @@ class Aim:
     waypoint from its start, `heading` what to command, None to stay in place. `through_water` of
     the `full` way that speed and time allow is to be flown, as the vehicle reckons it; `dives` is
     how many such dives it takes, None where the waypoint cannot be made; `current` east and north
-    and `speed` through the water are what is expected, m/s.
+    and `speed` through the water are what is expected, m/s; `stay` is how long the vehicle stays up
+    between two dives, s.
     """
 
     target: Place
@@ -68,6 +69,7 @@ class Aim:
     dives: float | None
     current: tuple[float, float]
     speed: float
+    stay: float
     variation: float | None = None
 
     def __repr__(self) -> str:
@@ -85,6 +87,13 @@ class Aim:
         """Return the expected way over ground, m east and north."""
         plan, (east, north) = self.ahead.plan, self.ahead.forecast
         return plan.dr_east + float(east), plan.dr_north + float(north)
+
+    @property
+    def seconds(self) -> float | None:
+        """Return how long it takes, the stays between the dives with it; None where it cannot."""
+        if self.dives is None:
+            return None
+        return self.dives * self.ahead.plan.duration + (ceil(self.dives) - 1) * self.stay
 
     @property
     def made_good(self) -> float:
@@ -128,7 +137,7 @@ class Aim:
             "left": self.left,
             "state": self.state,
             "dives": self.dives,
-            "hours": None if self.dives is None else self.dives * plan.duration / 3600,
+            "hours": None if self.seconds is None else self.seconds / 3600,
             "end": utc(plan.t_gpse),
             **placed("end_", self.ahead.latitude, self.ahead.longitude),
             "expected_miss": sqrt(float(np.trace(self.ahead.covariance))),
@@ -223,17 +232,15 @@ def aims(
     targets = [checked_target(*place) for place in targets]
     V, T = usual(replay, speed, duration)
     last, at = replay.steps[-1].dive, replay.start()
-    pause = at[0] - last.t_gpse
     if start is not None:
         at = (start[0], *checked_target(*start[1:]))
     legs: list[Aim] = []
     for target in targets:
         leg = aim(replay, at, target, V, T)
         legs.append(replace(leg, variation=_variation(last, at, variation)))
-        plan = leg.ahead.plan
-        if leg.dives is None or leg.dives * plan.duration > YEAR:
+        if leg.seconds is None or leg.seconds > YEAR:
             break
-        at = (at[0] + max(leg.dives, 1.0) * plan.duration + pause, *target)
+        at = (at[0] + max(leg.seconds, leg.ahead.plan.duration) + leg.stay, *target)
     return legs
 
 
@@ -291,4 +298,4 @@ def aim(replay: Replay, start: Fix, target: Place, V: float, T: float, shorten: 
     plan = ahead.plan  # as it was forecast, whether or not c came to rest
     way, current = (plan.dr_east, plan.dr_north), (float(c[0]) / T, float(c[1]) / T)
     headed = hypot(*g), direction(*map(float, g)), direction(*way), hypot(*way)
-    return Aim(target, ahead, *headed, full, state, tau, current, s / T)
+    return Aim(target, ahead, *headed, full, state, tau, current, s / T, replay.habits.stay()[0])

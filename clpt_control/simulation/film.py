@@ -311,10 +311,10 @@ def _chart(ax: Any, film: Film, step: float) -> dict[str, Any]:
 
 def _trace(ax: Any, film: Film) -> dict[str, Any]:
     """Draw |e| over the film's time; return what moves."""
-    t, size = film.run.time.values, np.hypot(*film.run.clpe.values.T)
-    inside = (t >= film.times[0]) & (t <= film.times[-1])
-    size = np.where(size > LEAST * size[inside].max(), size, np.nan)
-    ax.semilogy(t[inside], size[inside], color=RED, lw=0.8)
+    samples, ends = film.run.time.values, film.times[[0, -1]]
+    t = np.union1d(samples[(samples > ends[0]) & (samples < ends[1])], ends)
+    size = np.hypot(*(np.interp(t, samples, one) for one in film.run.clpe.values.T))
+    ax.semilogy(t, np.where(size > LEAST * size.max(), size, np.nan), color=RED, lw=0.8)
     units = film.scenario.units
     ax.set(xlabel=f"time ({units.time})", ylabel=f"|CLPE| ({units.length})")
     ax.set_xlim(film.times[0], film.times[-1])

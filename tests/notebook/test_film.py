@@ -8,7 +8,7 @@ from PIL import Image
 
 import clpt_control as clpt
 from clpt_control.figures import BLUE, GREEN
-from clpt_control.simulation.film import film_of
+from clpt_control.simulation.film import draw_frames, film_of
 
 SCENARIO = clpt.paper_scenario().with_values({"run.duration": 40.0})
 
@@ -52,6 +52,15 @@ def test_what_is_shown_is_the_runs_own(run):
         np.testing.assert_allclose(film.true[k], velocity(SCENARIO, film.grid, t), atol=1e-12)
         learned = velocity(SCENARIO, film.grid, t, at.flow_parameters_estimate.values[k])
         np.testing.assert_allclose(film.learned[k], learned, atol=1e-12)
+
+
+def test_a_film_between_two_samples_shows_both_its_ends(run):
+    coarse = run.sel(time=[0.0, 10.0, 20.0])
+    figure, _ = draw_frames(film_of(coarse, np.linspace(12.0, 17.0, 3)), 200)
+    t, size = figure.axes[1].lines[0].get_data()
+    np.testing.assert_array_equal(t, [12.0, 17.0])
+    e = coarse.clpe.values
+    np.testing.assert_allclose(size, [np.hypot(*(e[1] + s * (e[2] - e[1]))) for s in (0.2, 0.7)])
 
 
 def test_arrows_stand_within_a_field(tmp_path):

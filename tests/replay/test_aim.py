@@ -153,7 +153,10 @@ def test_legs_follow_one_another():
     one, two = aims(replay, [first, second])
     assert (two.ahead.plan.lat_gps2, two.ahead.plan.lon_gps2) == first
     assert two.distance == pytest.approx(math.hypot(*displacement(*first, *second)))
-    later = one.ahead.plan.t_gps2 + one.dives * 14400 + 600  # at the surface
+    took = one.dives * 14400 + 600 * math.floor(one.dives)  # at the surface between the dives
+    assert one.dives > 5
+    assert one.as_dict()["hours"] == pytest.approx(took / 3600)
+    later = one.ahead.plan.t_gps2 + took + 600
     assert two.ahead.plan.t_gps2 == pytest.approx(later, abs=1)
     assert aims(replay, [first])[0].as_dict() == one.as_dict()
 
