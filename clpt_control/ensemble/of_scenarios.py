@@ -44,6 +44,9 @@ class VariedScenario(Varied):
         self.times = sample_times_of(scenario, self.samples, self.marks, trajectories)
         self.state_times, self.options = self.times.all, scenario.run.solver
         self.title, self.needs_signals = scenario.title, scenario.vehicle.max_speed is not None
+        own, at_fixes = self.changes.replace, scenario.learning.row.at_fixes
+        self.knows_flow = scenario.flow.parameters is not None and "true_flow" not in own
+        self.knows_gains = not at_fixes and "vehicle_controller" not in own
         self.name = ", ".join(changes.names) or "the closed loop"
         self.encoding = {"folder": str(scenario._folder.absolute())}  # of its field
         of_law = ("learning.gain", f"learning.{scenario.learning.row.table}.")

@@ -163,10 +163,10 @@ def arrays_of(varied: Any, values: Values) -> Arrays:
 
     add("clpe_rms", "cycle", "rms of the CLPE over a cycle", length)
     add("clpe_rms_whole", "", "rms of the CLPE over the whole run", length)
-    if scenario.flow.parameters is not None:
+    if varied.knows_flow:
         speed = f"{length} {rate}"
         add("flow_parameter_error", "mark", "largest error of a flow parameter", speed)
-    if not scenario.learning.row.at_fixes:
+    if varied.knows_gains:
         add("gain_error", "mark", "largest error of a gain", rate)
     for name, (long_name, is_time) in SPEEDS.items() if varied.needs_signals else ():
         add(name, "", long_name, time if is_time else "1")
@@ -224,7 +224,7 @@ def summarise(
         "clpe_rms": np.sqrt(np.array(means).reshape(-1, m).T),
         "clpe_rms_whole": np.sqrt(np.mean(squares, axis=1)),
     }
-    if scenario.flow.parameters is not None:
+    if varied.knows_flow:
         if row.given_estimate:
             estimate = value("learning.theta_estimate").reshape(-1, 1, 2 * N)
         elif row.makes_estimate:
@@ -234,7 +234,7 @@ def summarise(
         error = np.abs(estimate - value("flow.parameters").reshape(-1, 1, 2 * N)).max(axis=2)
         alive = np.isfinite(y[:, times.marks, 0])
         summaries["flow_parameter_error"] = np.where(alive, error, np.nan)
-    if not row.at_fixes:
+    if varied.knows_gains:
         errors = [
             np.abs(at[port][:, times.marks] - value(f"vehicle.{key}").reshape(-1, 1, 2)).max(axis=2)
             for port, key in (("K", "feedback"), ("Gamma", "feedforward"))

@@ -51,7 +51,7 @@ class Figures(pydantic.BaseModel):
     clpe_rms: Number
     clpe_rms_last_quarter: Number
     max_flow_parameter_error: dict[Time, Number] = {}
-    max_gain_error: dict[Time, Number]
+    max_gain_error: dict[Time, Number] = {}
     explained_variance: Shares | None = None
 
 

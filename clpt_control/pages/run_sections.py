@@ -11,11 +11,11 @@ from ..figures import BLUE, GREY, RED, TITLE, figure_of, new_figure
 from ..html import Result
 from ..scenario.experiment import Scenario
 from ..scenario.file import OWN_LAW
-from ..scenario.recorded_run import waypoints_of
+from ..scenario.recorded_run import is_known, waypoints_of
 from ..scenario.tables import Units
 from ..scenario.team import Team
 from ..simulation.charts import square_chart, track_plot
-from ..simulation.flows import flow_velocity
+from ..simulation.flows import flow_to_draw, flow_velocity
 from ..simulation.loops import closed_loop
 from ..simulation.plots import DIRECTIONS, clpe_plot, learning_plot
 from ..simulation.team_loops import team_loop
@@ -92,11 +92,10 @@ def figure_sections(run: xarray.Dataset, scenario: Scenario, numbers: Numbers) -
     if run.sizes["time"] < 2:
         return [Section("clpe", heading, ONE_SAMPLE), learning]
     few, thin = samples_to_draw(run)
-    where = "Where it was to be, the track, and the true flow at the start." + thin
-    flows = (
-        "The true flow and what was learned of it by the end. Where the vehicle never was, "
-        "what is learned is a guess."
-    )
+    known = is_known(run, "true_flow")
+    where = f"Where it was to be, the track{', and the true flow at the start' * known}.{thin}"
+    flows = "The true flow and what was learned of it" if known else "The learned flow"
+    flows += " by the end. Where the vehicle never was, what is learned is a guess."
     unit = scenario.units
     errors = (
         "The prediction error over the first two rounds; below, its size over the whole run, and "
@@ -148,8 +147,9 @@ def _learned(run: xarray.Dataset, scenario: Scenario) -> Section:
         _row(f"theta_{i + 1}[{k + 1}] ({per})", estimate[i, k], true[i, k])
         for i, k in np.ndindex(estimate.shape)
     ]
+    gain = 1.0 if is_known(run, "vehicle_controller") else np.nan
     rows += [
-        _row(f"{symbol}_{i + 1} (1/{unit.time})", last[name].values[i], right[i])
+        _row(f"{symbol}_{i + 1} (1/{unit.time})", last[name].values[i], gain * right[i])
         for name, symbol, right in (
             ("feedback_gain", "K", scenario.vehicle.feedback),
             ("feedforward_gain", "Gamma", scenario.vehicle.feedforward),
@@ -174,7 +174,7 @@ def flows_plot(run: xarray.Dataset, scenario: Scenario) -> Any:
     time, path = float(run.time[-1]), run.position.values
     grid = square_chart(ax, scenario, np.concatenate([waypoints_of(run, scenario), path]), PLACES)
     learned = flow_velocity(scenario, grid, time, run.flow_parameters_estimate.values[-1])
-    true = flow_velocity(scenario, grid, time)
+    true = flow_to_draw(run, scenario, grid, time)
     most = np.nanmax(np.hypot(*np.concatenate([true, learned]).T)) or 1.0
     size = {"angles": "xy", "scale_units": "xy", "scale": most * PLACES / np.ptp(ax.get_xlim())}
     ax.plot(*path.T, color=GREY, linewidth=0.4, alpha=0.6, label="track")

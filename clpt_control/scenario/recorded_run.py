@@ -36,7 +36,12 @@ MOST_WAYPOINTS = 1e6  # of a run, unless its scenario has more
 
 def waypoints_of(run: "xarray.Dataset", scenario: Scenario) -> np.ndarray:
     """Return the waypoints of a run; none where its desired position is not its scenario's."""
-    return np.zeros((0, 2)) if REFERENCE in own_parts(run.attrs) else scenario.waypoints
+    return scenario.waypoints if is_known(run, REFERENCE) else np.zeros((0, 2))
+
+
+def is_known(run: "xarray.Dataset", part: str) -> bool:
+    """Return whether a part of a run's diagram is its scenario's: the user gave no other."""
+    return part not in own_parts(run.attrs)
 
 
 def is_response(run: "xarray.Dataset") -> bool:

@@ -70,11 +70,11 @@ def track_plot(
     ax = axes_for(ax, 5.6, 5.2)
     if label:
         return _track_among(ax, scenario, points, run, label, color)
-    from .flows import flow_velocity
+    from .flows import flow_to_draw
 
     unit = scenario.units.length
     grid = square_chart(ax, scenario, np.concatenate([points, path]), 13)
-    flow = flow_velocity(scenario, grid, 0.0)
+    flow = flow_to_draw(run, scenario, grid, 0.0)
     size = float(f"{np.hypot(*flow.T).max():.1g}")
     if size > 0:  # where all is at rest there are no arrows
         arrows = ax.quiver(*grid.T, *flow.T, color=GREY, alpha=0.6, width=0.0035)
@@ -94,8 +94,8 @@ def track_plot(
         for k, point in enumerate(points, 1):
             ax.annotate(str(k), point, xytext=(5, 5), textcoords="offset points", fontsize=8)
     ax.plot(*path[0], "s", color="black", markersize=5, label="start")
-    named = "Waypoints, track, and flow" if len(points) else "Track, and flow"
-    ax.set_title(f"{named} at t = 0", **TITLE)
+    named = "Waypoints, track" if len(points) else "Track"
+    ax.set_title(named + ", and flow at t = 0" * (size > 0), **TITLE)
     legend_below(ax, 4)
     return ax
 

@@ -22,7 +22,7 @@ from ..progress.interrupt import check
 from ..scenario.experiment import Scenario
 from ..scenario.recorded_run import is_response, waypoints_of
 from .charts import arrow_grid, scenario_with
-from .flows import flow_velocity
+from .flows import flow_to_draw, flow_velocity
 
 if TYPE_CHECKING:
     import xarray
@@ -230,6 +230,12 @@ class Film(NamedTuple):
     true: np.ndarray
     learned: np.ndarray
 
+    @property
+    def longest(self) -> tuple[str, float]:
+        """The flow that scales the arrows, the true one where there is any, and its most."""
+        kind, flow = ("true", self.true) if self.true.any() else ("learned", self.learned)
+        return kind, float(np.hypot(*flow.reshape(-1, 2).T).max())
+
 
 def film_of(run: "xarray.Dataset", times: np.ndarray) -> Film:
     """Return what is shown at each time."""
@@ -245,10 +251,8 @@ def film_of(run: "xarray.Dataset", times: np.ndarray) -> Film:
     grid, n = _grid(scenario, run), len(times)
     places, moments = np.tile(grid, (n, 1)), np.repeat(times, len(grid))
     each = np.repeat(theta.reshape(n, 2, -1), len(grid), axis=0)
-    true, learned = (
-        flow_velocity(scenario, places, moments, *known).reshape(n, -1, 2)
-        for known in ((), (each,))
-    )
+    true = flow_to_draw(run, scenario, places, moments).reshape(n, -1, 2)
+    learned = flow_velocity(scenario, places, moments, each).reshape(n, -1, 2)
     return Film(scenario, run, times, x, z, zc, grid, true, learned)
 
 
@@ -300,11 +304,12 @@ def _chart(ax: Any, film: Film, step: float) -> dict[str, Any]:
         "e": ax.plot([], [], color=RED, lw=1.6, label="CLPE")[0],
         "title": ax.set_title("", **TITLE),
     }
-    ax.plot([], [], color=FAINT, lw=4, label="true flow")
+    kind, longest = film.longest
+    if kind == "true":
+        ax.plot([], [], color=FAINT, lw=4, label="true flow")
     ax.plot([], [], color=ORANGE, lw=2, label="learned flow")
-    longest = np.hypot(*film.true.reshape(-1, 2).T).max()
     ax.set(xlabel=f"$x_1$ ({units.length})", ylabel=f"$x_2$ ({units.length})")
-    note = f"longest true arrow {longest:.2g} {units.length}/{units.time}"
+    note = f"longest {kind} arrow {longest:.2g} {units.length}/{units.time}"
     ax.set_title(note, loc="right", fontsize=8, color=GREY)
     return moving
 
@@ -323,7 +328,7 @@ def _trace(ax: Any, film: Film) -> dict[str, Any]:
 
 def _frames(film: Film, moving: dict[str, Any], step: float) -> Iterator[int]:
     t, units = film.run.time.values, film.scenario.units
-    longest = max(float(np.hypot(*film.true.reshape(-1, 2).T).max()), 1e-300)
+    longest = max(film.longest[1], 1e-300)
     digits = max(0, int(np.ceil(-np.log10(max(np.ptp(film.times), 1e-9) / len(film.times)))))
     for k, now in enumerate(film.times):
         for name in ("true", "learned"):
@@ -339,7 +344,7 @@ def _frames(film: Film, moving: dict[str, Any], step: float) -> Iterator[int]:
 
 
 def _on_chart(flow: np.ndarray, longest: float, step: float) -> np.ndarray:
-    """Return arrows on the chart, the longest true one `LENGTH` steps, none over `LONGEST`."""
+    """Return arrows on the chart, the `longest` `LENGTH` steps, none over `LONGEST`."""
     arrows = flow / longest * LENGTH * step
     size = np.maximum(np.hypot(*arrows.T) / (LONGEST * step), 1.0)
     return arrows / size[:, None]

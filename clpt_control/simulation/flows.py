@@ -33,6 +33,7 @@ from ..equations.at_many import evaluate
 from ..errors import DataError
 from ..estimation.least_squares import explained_share
 from ..scenario.experiment import Scenario
+from ..scenario.recorded_run import is_known
 from ..scenario.tables import Units
 from ..units import percent
 from .loops import paper_blocks
@@ -80,6 +81,15 @@ def flow_velocity(
     theta = numbers("parameters", either, 2, scenario.basis.N)
     phi = evaluate(scenario.basis_block(), timepts, points)
     return np.einsum("...ik,...k->...i", theta, phi)
+
+
+def flow_to_draw(
+    run: "xarray.Dataset", scenario: Scenario, points: ArrayLike, timepts: ArrayLike
+) -> np.ndarray:
+    """Return a run's true flow at places and times, 0 where its scenario does not know it."""
+    if is_known(run, "true_flow"):
+        return flow_velocity(scenario, points, timepts)
+    return np.zeros(np.shape(points))
 
 
 @public

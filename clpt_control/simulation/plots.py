@@ -10,7 +10,7 @@ import numpy as np
 from ..arguments import public
 from ..errors import ClptError
 from ..figures import BLUE, GREY, TITLE, axes_for, line_style
-from ..scenario.recorded_run import waypoints_of
+from ..scenario.recorded_run import is_known, waypoints_of
 from .charts import coloured, scenario_with, track_plot
 
 if TYPE_CHECKING:
@@ -170,7 +170,8 @@ def learning_plot(
     top, bottom = axes
     time, i, units = run.time.values, axis - 1, scenario.units
     estimate = run.flow_parameters_estimate.values[:, i]
-    few, theta, of_run = estimate.shape[1] <= 6, scenario.flow.parameters, coloured(color)
+    few, of_run = estimate.shape[1] <= 6, coloured(color)
+    theta = run.flow_parameters.values if "flow_parameters" in run else None
     for k, column in enumerate(estimate.T):
         line, symbol = {**line_style(k), **of_run}, rf"$\hat\theta_{axis}^{{{k + 1}}}$"
         name = among(label, symbol) if few else label if k == 0 else None
@@ -187,8 +188,10 @@ def learning_plot(
         line, known = {**line_style(k), **of_run}, getattr(scenario.vehicle, gain)
         values, name = run[f"{gain}_gain"].values[:, i], among(label, f"${symbol}_{axis}$")
         bottom.plot(time, values, label=name, linewidth=1.2, **line)
-        bottom.axhline(known[i], color=line["color"], linewidth=0.7, alpha=0.7)
-    bottom.set_title("Gains, true values thin", **TITLE)
+        if is_known(run, "vehicle_controller"):
+            bottom.axhline(known[i], color=line["color"], linewidth=0.7, alpha=0.7)
+    truth = ", true values thin" if is_known(run, "vehicle_controller") else ""
+    bottom.set_title(f"Gains{truth}", **TITLE)
     bottom.set(xlabel=f"time ({units.time})", ylabel=f"gain (1/{units.time})")
     cycle = scenario.cycle if len(waypoints_of(run, scenario)) else np.inf
     for one in axes:

@@ -19,6 +19,7 @@ import numpy as np
 from ..arguments import check_holds, public
 from ..errors import DataError
 from ..scenario.experiment import Scenario
+from ..scenario.recorded_run import is_known
 from ..scenario.tables import Units
 from ..scenario.team import Team
 from .flows import explained_variance, note_speeds, speeds_of
@@ -141,16 +142,19 @@ def errors(
 ) -> dict[str, Any]:
     """Return how far a vehicle is from the truth; `at` are samples of its run by time."""
     figures: dict[str, Any] = {}
-    if (theta := scenario.flow.parameters) is not None:
-        wrong = {k: one.flow_parameters_estimate - theta for k, one in at.items()}
+    if "flow_parameters" in run:
+        wrong = {k: one.flow_parameters_estimate - run.flow_parameters for k, one in at.items()}
         figures["max_flow_parameter_error"] = {k: float(abs(v).max()) for k, v in wrong.items()}
     car = scenario.vehicle
     gains = {"feedback_gain": car.feedback, "feedforward_gain": car.feedforward}
-    figures["max_gain_error"] = {
-        key: max(float(np.abs(one[name] - np.array(true)).max()) for name, true in gains.items())
-        for key, one in at.items()
-    }
-    if scenario.flow.field is not None:
+    if is_known(run, "vehicle_controller"):
+        figures["max_gain_error"] = {
+            key: max(
+                float(np.abs(one[name] - np.array(true)).max()) for name, true in gains.items()
+            )
+            for key, one in at.items()
+        }
+    if scenario.flow.field is not None and is_known(run, "true_flow"):
         figures["explained_variance"] = explained_variance(scenario, run)
     return figures
 

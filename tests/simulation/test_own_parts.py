@@ -5,6 +5,8 @@ import law_blocks
 import numpy as np
 import pytest
 from calm_water import CALM, KD, POINTS, GammaD, exact_positions
+from matplotlib.quiver import Quiver
+from matplotlib.text import Text
 from xarray.testing import assert_allclose, assert_identical
 
 import clpt_control as clpt
@@ -12,6 +14,7 @@ from clpt_control.blocks import vehicle
 from clpt_control.diagrams.parts import LAW
 from clpt_control.errors import ClptError, DataError, DiagramError
 from clpt_control.scenario.file import OWN_PARTS
+from clpt_control.simulation.film import draw_frames, film_of
 from clpt_control.theory import prove
 
 PAPER = clpt.paper_scenario().with_values({"run.duration": 30})
@@ -190,6 +193,64 @@ def test_what_a_run_taught_is_not_told_of_another_track_nor_of_other_gains():
     assert clpt.theory.gramian(slow, 20.0, 0.0).window == 20.0
     with pytest.raises(ClptError, match=r'the run has parameters {"adaptation.gain": 0.001}'):
         clpt.theory.certificate(slow, 20.0, 0.0)
+
+
+def a_gyre(U=0.3):
+    return clpt.Block(
+        "gyre",
+        output=lambda t, x, u, p: {"flow_x": p.U * np.array([-np.sin(u.x[1]), np.sin(u.x[0])])},
+        inputs={"x": 2, "phi_x": 3},
+        outputs={"flow_x": 2},
+        parameters={"U": U},
+    )
+
+
+def a_controller():
+    return clpt.Block(
+        "own",
+        output=lambda t, x, u, p: {"v_x": p.k * np.tanh(u.zc - u.x)},
+        inputs={"x": 2, "zc": 2, "phi_x": 3},
+        outputs={"v_x": 2},
+        parameters={"k": 2.0},
+    )
+
+
+OF_NO_TRUTH = {
+    "true_flow": (a_gyre(), "flow_parameter_error", 0, "flow parameter is"),
+    "vehicle_controller": (a_controller(), "gain_error", 1, "gain is"),
+}
+
+
+@pytest.mark.parametrize("part", OF_NO_TRUTH)
+def test_what_stands_in_place_of_a_truth_leaves_no_error_to_tell(part, tmp_path):
+    own, error, below, said = OF_NO_TRUTH[part]
+    lines = {}
+    for replace in ({}, {part: own}):
+        loop = clpt.closed_loop(PAPER, replace=replace)
+        run = clpt.simulate(loop)
+        axes = clpt.simulation.learning_plot(run)
+        lines[len(replace)] = len(axes[below].lines), axes[below].get_title(loc="left")
+        page = clpt.report(run, tmp_path / "run.html")
+        assert (said in " ".join(page["sentences"])) is not bool(replace)
+        many = clpt.run_ensemble(loop, {"vehicle.position": [[0.0, 0.0]]})
+        assert (error in many) is not bool(replace)
+    assert lines[1][0] * 2 == lines[0][0]  # a line that is learned, and that of its truth
+    assert ("true" in lines[0][1], "true" in lines[1][1]) == (True, False)
+
+
+def test_a_flow_that_the_scenario_does_not_hold_is_not_drawn():
+    for replace in ({}, {"true_flow": a_gyre()}):
+        run = clpt.simulate(clpt.closed_loop(PAPER, replace=replace))
+        ax = clpt.simulation.track_plot(run)
+        assert bool([one for one in ax.collections if isinstance(one, Quiver)]) is not bool(replace)
+        film = film_of(run, np.array([0.0, 30.0]))
+        assert bool(film.true.any()) is not bool(replace)
+        figure, _ = draw_frames(film, 300)
+        texts = [text.get_text() for text in figure.findobj(Text)]
+        assert ("true flow" in texts) is not bool(replace)
+        longest = np.hypot(*(film.learned if replace else film.true).reshape(-1, 2).T).max()
+        kind = "learned" if replace else "true"
+        assert f"longest {kind} arrow {longest:.2g} m/s" in texts
 
 
 def test_delta_comes_from_outside():
