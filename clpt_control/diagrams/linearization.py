@@ -4,7 +4,7 @@
 
 Where a function has a kink right there, |e| at e = 0, or a node of a table, the slope is that of
 one side, and a warning names block and operation; where it jumps there is no slope, and that is
-refused.
+refused.  What its rates do not feel, as of the drag w |w| at rest, is neither.
 """
 
 from collections.abc import Iterable, Mapping
@@ -123,6 +123,23 @@ class _About:
         wide, small = (np.abs(one - 2.0 * middle + other) for one, other in (far, near))
         return "" if np.all(small <= 1e-3 * wide + rounding) else "bends"  # bends: 1e-2
 
+    def felt(self, operation: Any, places: np.ndarray, values: list[Any]) -> bool:
+        """Return whether values or slopes change with what an operation gives at some places.
+
+        w |w| bends nowhere: the slope of |w|, which is that of one side, is multiplied by w = 0.
+        """
+        if not np.any(places):
+            return False
+        k, [own] = operand(operation), self.numbers([operation])
+        line, other, found = self.tape.operations[k], ("other", k), []
+        self.tape.operations[k] = line._replace(kind="leaf", arguments=(), at=other)
+        drawn = np.random.default_rng(0).standard_normal(own.shape)
+        for self.values[other] in (own, np.where(places[..., None], drawn, own)):
+            found.append([self.slopes(values), *self.numbers(values)])
+        self.tape.operations[k] = line
+        pairs = zip(*found, strict=True)
+        return not all(np.array_equal(one, two, equal_nan=True) for one, two in pairs)
+
     def check(self, values: list[Any]) -> None:
         """Warn of each kink at the point; refuse a jump."""
         lines = list(self.tape.operations)
@@ -131,6 +148,7 @@ class _About:
             kind, arguments, _, _ = lines[k]
             doubtful = [undecided[a] for a in arguments if a in undecided]
             operands, verdict = [self.direction.value(a) for a in arguments], ""
+            bends = np.zeros((), bool)
             if kind in COMPARISONS:
                 _, undecided[k] = self.ties(*operands)
             elif kind in CONDITIONS and doubtful:
@@ -140,22 +158,27 @@ class _About:
             elif kind == "where" and arguments[0] in undecided:
                 ties, bends = self.ties(*operands[1:])
                 verdict = "jumps" if np.any(undecided[arguments[0]] & ~ties) else ""
-                verdict = verdict or ("bends" if np.any(undecided[arguments[0]] & bends) else "")
+                bends &= undecided[arguments[0]]
             elif any(np.any(one) for one in doubtful):
                 verdict = "jumps"
             elif kind in ("minimum", "maximum", "fabs"):
-                verdict = "bends" if np.any(self.ties(*operands, 0.0)[1]) else ""
+                _, bends = self.ties(*operands, 0.0)
             elif kind == "atan2":  # by a turn where its first argument changes sign
                 _, turns = self.ties(operands[0], 0.0)
                 behind = self.numbers([operands[1]])[0][..., 0] < 0
                 verdict = "jumps" if np.any(turns & behind) else ""
+            elif kind == "sign":  # its own slope, 0, is of neither side
+                there = self.ties(operands[0], 0.0)[1]
+                verdict = "jumps" if self.felt(self.direction.value(k), there, values) else ""
             elif kind in JUMPS or kind in ("mod", "pick"):
                 place = operands[0] / operands[1] if kind in ("mod", "floordiv") else operands[-1]
-                near = 0.0 if kind == "sign" else np.round(self.numbers([place])[0][..., 0])
+                near = np.round(self.numbers([place])[0][..., 0])
                 near = np.where(near == 0.0, np.nan, near) if kind in ("trunc", "pick") else near
                 verdict = "jumps" if np.any(self.ties(place, near)[1]) else ""
-            if verdict == "jumps" and kind != "sign":  # whose slope would be of no side
+            if verdict == "jumps" and kind != "sign":
                 verdict = self.seen(values)
+            elif self.felt(self.direction.known.get(k), bends, values):
+                verdict = verdict or "bends"
             self.report(self.record.owners.get(k, ""), kind, verdict)
 
     def report(self, owner: str, kind: str, verdict: str) -> None:

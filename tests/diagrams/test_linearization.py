@@ -76,11 +76,14 @@ BENT = {
     "maximum": (lambda y, v: v + np.clip(-y, -1, 1), 1.0),
     "where": (lambda y, v: v + np.where(y > 0, y, 0.0), 0.0),
     "where ": (lambda y, v: v + (y if y > 0 else 3 * y), 0.0),
+    "fabs ": (lambda y, v: v - y * abs(y) - 1e-6 * abs(y), 0.0),
+    "fabs  ": (lambda y, v: v - np.cos(y) * abs(abs(y)), 0.0),
 }
 TORN = {
     "sign": (lambda y, v: v - np.sign(y), 0.0),
     "sign ": (lambda y, v: v - 1e6 * y - 1e-3 * np.sign(y), 0.0),  # beside a steep slope
     "sign  ": (lambda y, v: v - y * np.sign(y), 0.0),  # 0 is the slope of neither side
+    "sign   ": (lambda y, v: v - y * np.sign(y) ** 2, 0.0),  # likewise
     "floor": (lambda y, v: v - np.floor(y), 2.0),
     "mod": (lambda y, v: v - y % 1.0, 3.0),
     "atan2": (lambda y, v: v - np.arctan2(y, -1.0), 0.0),
@@ -93,6 +96,9 @@ SMOOTH = {
     "beside a kink": (lambda y, v: v - abs(y), 1e-9),
     "an angle ahead": (lambda y, v: v - np.arctan2(y, 1.0), 0.0),
     "beside a jump": (lambda y, v: v - np.sign(y), -1e-9),
+    "a drag at rest": (lambda y, v: v - y * abs(y), 0.0),
+    "a drag at rest, by its sign": (lambda y, v: v - np.sign(y) * y**2, 0.0),
+    "a drag of one side": (lambda y, v: v - y * np.maximum(y, 0.0), 0.0),
     "two ways of one slope": (lambda y, v: v + np.where(y > 0, y * y, -y * y), 0.0),
     "a whole number cut at zero": (lambda y, v: v - y - np.trunc(y), 0.0),
     "infinity": (lambda y, v: v - y if np.isfinite(y) else 0 * y, 0.5),
