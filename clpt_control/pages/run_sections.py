@@ -11,7 +11,7 @@ from ..figures import BLUE, GREY, RED, TITLE, figure_of, new_figure
 from ..html import Result
 from ..scenario.experiment import Scenario
 from ..scenario.file import OWN_LAW
-from ..scenario.recorded_run import is_known, waypoints_of
+from ..scenario.recorded_run import unknown_parts, waypoints_of
 from ..scenario.tables import Units
 from ..scenario.team import Team
 from ..simulation.charts import square_chart, track_plot
@@ -92,7 +92,8 @@ def figure_sections(run: xarray.Dataset, scenario: Scenario, numbers: Numbers) -
     if run.sizes["time"] < 2:
         return [Section("clpe", heading, ONE_SAMPLE), learning]
     few, thin = samples_to_draw(run)
-    known = is_known(run, "true_flow")
+    unknown = unknown_parts(run)
+    known = not {"true_flow", "basis_x"} & unknown
     where = f"Where it was to be, the track{', and the true flow at the start' * known}.{thin}"
     flows = "The true flow and what was learned of it" if known else "The learned flow"
     flows += " by the end. Where the vehicle never was, what is learned is a guess."
@@ -123,10 +124,9 @@ def figure_sections(run: xarray.Dataset, scenario: Scenario, numbers: Numbers) -
             f"{number(V[-1])} at the end.{thin}"
         )
         figures.append(drawn("lyapunov", 2.8, caption, lyapunov_plot, few, unit))
-    track = [
-        drawn("track", 4.9, where, track_plot, few),
-        drawn("flows", 4.9, flows, flows_plot, few, scenario),
-    ]
+    track = [drawn("track", 4.9, where, track_plot, few)]
+    if "basis_x" not in unknown:
+        track.append(drawn("flows", 4.9, flows, flows_plot, few, scenario))
     clpe = drawn("clpe", 4.9, errors + thin, clpe_plot, few)
     return [
         Section("track", "Track and flow", figures=track),
@@ -147,7 +147,7 @@ def _learned(run: xarray.Dataset, scenario: Scenario) -> Section:
         _row(f"theta_{i + 1}[{k + 1}] ({per})", estimate[i, k], true[i, k])
         for i, k in np.ndindex(estimate.shape)
     ]
-    gain = 1.0 if is_known(run, "vehicle_controller") else np.nan
+    gain = 1.0 if "vehicle_controller" not in unknown_parts(run) else np.nan
     rows += [
         _row(f"{symbol}_{i + 1} (1/{unit.time})", last[name].values[i], gain * right[i])
         for name, symbol, right in (

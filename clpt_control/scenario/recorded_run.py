@@ -3,13 +3,14 @@
 A run comes from a file, which may be damaged, or from a user, who may have changed it.
 """
 
+import re
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..errors import DataError
 from .experiment import Scenario
-from .file import REFERENCE, TEAM, own_parts
+from .file import CHANGED, REFERENCE, TEAM, own_parts
 from .team import Team
 
 if TYPE_CHECKING:
@@ -36,12 +37,13 @@ MOST_WAYPOINTS = 1e6  # of a run, unless its scenario has more
 
 def waypoints_of(run: "xarray.Dataset", scenario: Scenario) -> np.ndarray:
     """Return the waypoints of a run; none where its desired position is not its scenario's."""
-    return scenario.waypoints if is_known(run, REFERENCE) else np.zeros((0, 2))
+    return np.zeros((0, 2)) if REFERENCE in own_parts(run.attrs) else scenario.waypoints
 
 
-def is_known(run: "xarray.Dataset", part: str) -> bool:
-    """Return whether a part of a run's diagram is its scenario's: the user gave no other."""
-    return part not in own_parts(run.attrs)
+def unknown_parts(run: "xarray.Dataset") -> set[str]:
+    """Return the parts of a run's diagram that its scenario does not hold, or their numbers."""
+    changed = re.findall(r"(\w+)\.", run.attrs.get(CHANGED, ""))  # blocks, and digits
+    return {*changed, *own_parts(run.attrs)}
 
 
 def is_response(run: "xarray.Dataset") -> bool:

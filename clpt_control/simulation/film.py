@@ -22,7 +22,7 @@ from ..progress.interrupt import check
 from ..scenario.experiment import Scenario
 from ..scenario.recorded_run import is_response, waypoints_of
 from .charts import arrow_grid, scenario_with
-from .flows import flow_to_draw, flow_velocity
+from .flows import flow_to_draw
 
 if TYPE_CHECKING:
     import xarray
@@ -252,7 +252,7 @@ def film_of(run: "xarray.Dataset", times: np.ndarray) -> Film:
     places, moments = np.tile(grid, (n, 1)), np.repeat(times, len(grid))
     each = np.repeat(theta.reshape(n, 2, -1), len(grid), axis=0)
     true = flow_to_draw(run, scenario, places, moments).reshape(n, -1, 2)
-    learned = flow_velocity(scenario, places, moments, each).reshape(n, -1, 2)
+    learned = flow_to_draw(run, scenario, places, moments, each).reshape(n, -1, 2)
     return Film(scenario, run, times, x, z, zc, grid, true, learned)
 
 
@@ -310,7 +310,7 @@ def _chart(ax: Any, film: Film, step: float) -> dict[str, Any]:
     ax.plot([], [], color=ORANGE, lw=2, label="learned flow")
     ax.set(xlabel=f"$x_1$ ({units.length})", ylabel=f"$x_2$ ({units.length})")
     note = f"longest {kind} arrow {longest:.2g} {units.length}/{units.time}"
-    ax.set_title(note, loc="right", fontsize=8, color=GREY)
+    ax.set_title(note if longest else "", loc="right", fontsize=8, color=GREY)
     return moving
 
 

@@ -33,7 +33,7 @@ from ..equations.at_many import evaluate
 from ..errors import DataError
 from ..estimation.least_squares import explained_share
 from ..scenario.experiment import Scenario
-from ..scenario.recorded_run import is_known
+from ..scenario.recorded_run import unknown_parts
 from ..scenario.tables import Units
 from ..units import percent
 from .loops import paper_blocks
@@ -84,12 +84,13 @@ def flow_velocity(
 
 
 def flow_to_draw(
-    run: "xarray.Dataset", scenario: Scenario, points: ArrayLike, timepts: ArrayLike
+    run: "xarray.Dataset", scenario: Scenario, points: np.ndarray, timepts: ArrayLike, *learned: Any
 ) -> np.ndarray:
-    """Return a run's true flow at places and times, 0 where its scenario does not know it."""
-    if is_known(run, "true_flow"):
-        return flow_velocity(scenario, points, timepts)
-    return np.zeros(np.shape(points))
+    """Return a run's flow at places and times, or 0 where its scenario does not hold it."""
+    makers = {"basis_x"} if learned else {"basis_x", "true_flow"}
+    if makers & unknown_parts(run):
+        return np.zeros(points.shape)
+    return flow_velocity(scenario, points, timepts, *learned)
 
 
 @public

@@ -10,7 +10,7 @@ import numpy as np
 from ..arguments import public
 from ..errors import ClptError
 from ..figures import BLUE, GREY, TITLE, axes_for, line_style
-from ..scenario.recorded_run import is_known, waypoints_of
+from ..scenario.recorded_run import unknown_parts, waypoints_of
 from .charts import coloured, scenario_with, track_plot
 
 if TYPE_CHECKING:
@@ -184,13 +184,14 @@ def learning_plot(
         estimated = "given estimate" if row.given_estimate else "estimate of the filter"
     top.set_title(f"Flow to the {DIRECTIONS[i]}, {estimated}{truth}", **TITLE)
     top.set_ylabel(f"flow parameter ({units.length}/{units.time})")
+    gains_known = "vehicle_controller" not in unknown_parts(run)
     for k, (gain, symbol) in enumerate((("feedback", "K"), ("feedforward", r"\Gamma"))):
         line, known = {**line_style(k), **of_run}, getattr(scenario.vehicle, gain)
         values, name = run[f"{gain}_gain"].values[:, i], among(label, f"${symbol}_{axis}$")
         bottom.plot(time, values, label=name, linewidth=1.2, **line)
-        if is_known(run, "vehicle_controller"):
+        if gains_known:
             bottom.axhline(known[i], color=line["color"], linewidth=0.7, alpha=0.7)
-    truth = ", true values thin" if is_known(run, "vehicle_controller") else ""
+    truth = ", true values thin" if gains_known else ""
     bottom.set_title(f"Gains{truth}", **TITLE)
     bottom.set(xlabel=f"time ({units.time})", ylabel=f"gain (1/{units.time})")
     cycle = scenario.cycle if len(waypoints_of(run, scenario)) else np.inf

@@ -19,7 +19,7 @@ import numpy as np
 from ..arguments import check_holds, public
 from ..errors import DataError
 from ..scenario.experiment import Scenario
-from ..scenario.recorded_run import is_known
+from ..scenario.recorded_run import unknown_parts
 from ..scenario.tables import Units
 from ..scenario.team import Team
 from .flows import explained_variance, note_speeds, speeds_of
@@ -147,14 +147,14 @@ def errors(
         figures["max_flow_parameter_error"] = {k: float(abs(v).max()) for k, v in wrong.items()}
     car = scenario.vehicle
     gains = {"feedback_gain": car.feedback, "feedforward_gain": car.feedforward}
-    if is_known(run, "vehicle_controller"):
+    if "vehicle_controller" not in unknown_parts(run):
         figures["max_gain_error"] = {
             key: max(
                 float(np.abs(one[name] - np.array(true)).max()) for name, true in gains.items()
             )
             for key, one in at.items()
         }
-    if scenario.flow.field is not None and is_known(run, "true_flow"):
+    if scenario.flow.field is not None and "true_flow" not in unknown_parts(run):
         figures["explained_variance"] = explained_variance(scenario, run)
     return figures
 

@@ -253,6 +253,23 @@ def test_a_flow_that_the_scenario_does_not_hold_is_not_drawn():
         assert f"longest {kind} arrow {longest:.2g} m/s" in texts
 
 
+def test_a_flow_of_functions_that_the_scenario_does_not_hold_is_not_drawn(tmp_path):
+    wide = {"output": lambda t, x, u, p: {"phi_x": p.s * np.array([1, u.x[0], u.x[1]])}}
+    ports = {"inputs": {"x": 2}, "outputs": {"phi_x": 3}, "parameters": {"s": 0.1}}
+    of_own = clpt.simulate(
+        clpt.closed_loop(PAPER, replace={"basis_x": clpt.Block("b", **wide, **ports)})
+    )
+    for run in (of_own, clpt.simulate(PAPER, params={"basis_x.widths": np.ones(3)})):
+        film = film_of(run, np.array([0.0, 30.0]))
+        assert not np.any([film.true, film.learned])
+        assert not any(
+            "arrow" in text.get_text() for text in draw_frames(film, 300)[0].findobj(Text)
+        )
+        clpt.report(run, tmp_path / "run.html")
+        page = (tmp_path / "run.html").read_text("utf-8")
+        assert "The learned flow by the end" not in page
+
+
 def test_delta_comes_from_outside():
     """x' = F + v + delta: in calm water a held delta moves the rest by delta/KD."""
     loop, delta = clpt.closed_loop(CALM, external="delta"), np.array([0.3, -0.2])

@@ -11,7 +11,6 @@ started at zero, where the learner oscillates, within 16 % and 2e-5.  For any ru
 shows what changes when every second sample is left out.
 """
 
-import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
@@ -24,8 +23,8 @@ from ...equations.at_many import evaluate
 from ...equations.declaration import multiples
 from ...errors import DataError, ScenarioError
 from ...scenario.experiment import Scenario
-from ...scenario.file import CHANGED, OWN_LAW, OWN_PARTS, TEAM, own_parts, scenario_of_run
-from ...scenario.recorded_run import check_run
+from ...scenario.file import CHANGED, OWN_LAW, OWN_PARTS, TEAM, scenario_of_run
+from ...scenario.recorded_run import check_run, unknown_parts
 from ...scenario.team import Team
 from ...simulation.integrate import simulate
 from .error_matrices import regressors
@@ -46,8 +45,7 @@ def scenario_of(source: Source) -> Scenario:
         raise DataError("the run is a team's; clpt.theory.team_gramian measures a team")
     scenario = scenario_of_run(source)
     check_run(source, scenario, "time")
-    changed = set(re.findall(r"(\w+)\.", source.attrs.get(CHANGED, "")))  # blocks, and digits
-    if unknown := OF_W & (changed | own_parts(source.attrs)):
+    if unknown := OF_W & unknown_parts(source):
         raise DataError(
             f"the run was made with a {unknown.pop()} that its scenario does not hold, so the "
             "regressor along it is not known; give a run of the scenario's own"
