@@ -21,8 +21,9 @@ STUCK = (numbering.NOT_FINITE, numbering.TOO_SMALL, numbering.TOO_MANY)
 ENDS = {  # by the solver's numbers: its name, what it means that a run ended so, and what to try
     "not_run": "under way",
     "finished": "finished: the end of the span was reached",
-    "step_too_small": "the step became too small; loosen rtol and atol, look for a singularity, or "
-    "give a switch that is met without number a boundary layer",
+    "step_too_small": "the step became too small; loosen rtol and atol, look for a singularity, "
+    "count large times from the first, or give a switch that is met without number a boundary "
+    "layer",
     "not_finite": "a number is not finite; check parameters and the initial state",
     "left_the_field": "a guard was left",
     "too_many_steps": "too many steps: rates change much faster than the run is long; lower the "

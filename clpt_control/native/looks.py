@@ -20,6 +20,7 @@ FACTORS = tuple(
     for b in range(0, 9, 2)
 )
 CLEAR = 10.0  # from a turn: a distance, in errors between looks
+BLURRED = 1e-15  # of the time: rounding moves what changes in it by so much of its change
 SHORTEST = 1e-13  # step up to a kink, of a run: in a shorter one states move by rounding alone
 
 
@@ -71,7 +72,7 @@ def mark_passed(code, function, shape, decided, times, results, lane, arrays):
             numbers[row.HIGH, k] = SHARES[last]
             clear = last if whole[row.WHICH, k] < 0 else last - 1
             long = not fixed and numbers[row.TAKEN, k] > 2.0 * shortest
-            if long and may_hide(k, lanes, decided, clear, D):
+            if long and may_hide(k, lanes, decided, clear, numbers, D):
                 try_again(k, 0.5 * numbers[row.TAKEN, k], counts, lane)
                 whole[row.WHICH, k] = -1
             some = some or whole[row.WHICH, k] >= 0
@@ -105,17 +106,22 @@ def error_between(d, stride, D):
     return error
 
 
-def may_hide(k, lanes, decided, last, D):
+def may_hide(k, lanes, decided, last, numbers, D):
     """Return whether a decision may pass and come back between looks at a step, up to the last.
 
     The step is too long to tell unless every distance within it, and the vertex of each parabola
     through three of them, is `CLEAR` times as large as the error between; but for those about a
-    passage that is seen.
+    passage that is seen.  What rounding of the distances, or of the time, makes is no error.
     """
     stride = 3 * decided * lanes  # from one look to the next
+    blurred = BLURRED * abs(numbers[row.NEW, k]) / numbers[row.TAKEN, k]
     for j in range(decided):
         d, nearest = (decided + j) * lanes + k, math.inf
-        error = error_between(d, stride, D)
+        error, rounding = error_between(d, stride, D), D[(2 * decided + j) * lanes + k]
+        for look in range(GLANCES):
+            rounding += blurred * abs(D[d + (look + 1) * stride] - D[d + look * stride])
+        if error <= rounding:
+            continue
         for look in range(1, min(last + 1, GLANCES)):
             a, b, c = D[d + (look - 1) * stride], D[d + look * stride], D[d + (look + 1) * stride]
             if b < 0.0:
@@ -128,6 +134,6 @@ def may_hide(k, lanes, decided, last, D):
                 slope = (b - a) / before + bend * before
                 if bend > 0.0 and -after < 0.5 * slope / bend < before:
                     nearest = min(nearest, b - 0.25 * slope * slope / bend)
-        if error > D[d + decided * lanes] and nearest <= CLEAR * error:
+        if nearest <= CLEAR * error:
             return True
     return False

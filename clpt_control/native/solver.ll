@@ -1,4 +1,4 @@
-; sha256 2b62fdf33b6db158be2e02a4c324bc8c7dc5ed8aca970c30d92ab01ef12aeac3
+; sha256 3e9f7b28bb737fb05dd653c6c80dd1eb1b1432e53e94ab5f8bd20d0f51a831a3
 
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.17 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1.18 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("
@@ -97,7 +97,7 @@ B550.if.lr.ph:                                    ; preds = %entry
 
 B602:                                             ; preds = %B550.if
   %.236.i = load i64, ptr %arg.batch.4.2.4, align 8, !noalias !0
-  %.289.i8870 = getelementptr double, ptr %0, i64 %.795.09246
+  %.289.i8870 = getelementptr double, ptr %0, i64 %.795.09243
   store double 0.000000e+00, ptr %.289.i8870, align 8, !noalias !0
   %.320.i = load i64, ptr %.319.i, align 8, !noalias !0
   %.322.i = icmp eq i64 %.236.i, %.320.i
@@ -117,13 +117,13 @@ B142.i:                                           ; preds = %B602
   %9 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.450.i8872
   %.480.i8873 = getelementptr i64, ptr %9, i64 %.466.i
   %.481.i = load i64, ptr %.480.i8873, align 8, !noalias !0
-  %.532.i8874 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.795.09246
+  %.532.i8874 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.795.09243
   store i64 %.236.i, ptr %.532.i8874, align 8, !noalias !0
-  %.583.i = getelementptr i64, ptr %1, i64 %.795.09246
+  %.583.i = getelementptr i64, ptr %1, i64 %.795.09243
   store i64 %.481.i, ptr %.583.i, align 8, !noalias !0
-  %.638.i = getelementptr i64, ptr %2, i64 %.795.09246
+  %.638.i = getelementptr i64, ptr %2, i64 %.795.09243
   store i64 1, ptr %.638.i, align 8, !noalias !0
-  %.689.i = getelementptr i64, ptr %3, i64 %.795.09246
+  %.689.i = getelementptr i64, ptr %3, i64 %.795.09243
   store i64 0, ptr %.689.i, align 8, !noalias !0
   br i1 %.7851131.not.i, label %B462.i, label %B418.if.lr.ph.i
 
@@ -132,7 +132,7 @@ B418.if.lr.ph.i:                                  ; preds = %B142.i
   %.848.i = add i64 %.847.i, %.236.i
   %.868.i = mul i64 %.848.i, %arg.batch.0.1.5.1
   %10 = getelementptr double, ptr %arg.batch.0.1.4, i64 %.868.i
-  %invariant.gep9554 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.795.09246
+  %invariant.gep9546 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.795.09243
   br label %B418.if.i
 
 B462.i:                                           ; preds = %B418.if.i, %B142.i
@@ -155,7 +155,7 @@ B76.if.i.i8875:                                   ; preds = %B76.if.i.i8875, %B7
   %13 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.01135.i
   %.293.i.i = load i64, ptr %13, align 8, !noalias !3
   %.295.i.i = mul nsw i64 %.293.i.i, %arg.shape.0
-  %.297.i.i = add nsw i64 %.295.i.i, %.795.09246
+  %.297.i.i = add nsw i64 %.295.i.i, %.795.09243
   %.311.i.i = icmp slt i64 %.297.i.i, 0
   %.312.i.i8876 = select i1 %.311.i.i, i64 %arg.batch.5.1.5.0, i64 0
   %14 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i
@@ -174,8 +174,8 @@ B418.if.i:                                        ; preds = %B418.if.i, %B418.if
   %15 = getelementptr double, ptr %10, i64 %.727.01132.i
   %.873.i = load double, ptr %15, align 8, !noalias !0
   %.875.i = mul nsw i64 %.727.01132.i, %arg.shape.0
-  %gep9555 = getelementptr double, ptr %invariant.gep9554, i64 %.875.i
-  store double %.873.i, ptr %gep9555, align 8, !noalias !0
+  %gep9547 = getelementptr double, ptr %invariant.gep9546, i64 %.875.i
+  store double %.873.i, ptr %gep9547, align 8, !noalias !0
   %exitcond.not.i = icmp eq i64 %.798.i, %arg.batch.0.1.5.1
   br i1 %exitcond.not.i, label %B462.i, label %B418.if.i
 
@@ -187,7 +187,7 @@ B566.if.lr.ph.i:                                  ; preds = %B462.endif.i
   %.1156.i = add i64 %.1155.i, %.236.i
   %.1176.i = mul i64 %.1156.i, %arg.batch.0.0.5.1
   %16 = getelementptr double, ptr %arg.batch.0.0.4, i64 %.1176.i
-  %invariant.gep9556 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.795.09246
+  %invariant.gep9548 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.795.09243
   br label %B566.if.i
 
 B566.if.i:                                        ; preds = %B566.if.i, %B566.if.lr.ph.i
@@ -196,13 +196,13 @@ B566.if.i:                                        ; preds = %B566.if.i, %B566.if
   %17 = getelementptr double, ptr %16, i64 %.1037.01138.i
   %.1181.i = load double, ptr %17, align 8, !noalias !0
   %.1183.i8877 = mul nsw i64 %.1037.01138.i, %arg.shape.0
-  %gep9557 = getelementptr double, ptr %invariant.gep9556, i64 %.1183.i8877
-  store double %.1181.i, ptr %gep9557, align 8, !noalias !0
+  %gep9549 = getelementptr double, ptr %invariant.gep9548, i64 %.1183.i8877
+  store double %.1181.i, ptr %gep9549, align 8, !noalias !0
   %exitcond1143.not.i = icmp eq i64 %.1106.i, %arg.shape.1
   br i1 %exitcond1143.not.i, label %B660.if.i, label %B566.if.i
 
 B660.if.i:                                        ; preds = %B566.if.i, %B462.endif.i
-  %invariant.gep.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.795.09246
+  %invariant.gep.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.795.09243
   store double 0.000000e+00, ptr %invariant.gep.i, align 8, !noalias !0
   %gep.1.i = getelementptr double, ptr %invariant.gep.i, i64 %arg.batch.4.0.5.1
   store double 0.000000e+00, ptr %gep.1.i, align 8, !noalias !0
@@ -272,14 +272,14 @@ B660.if.i:                                        ; preds = %B566.if.i, %B462.en
   %.1518.i = getelementptr double, ptr %18, i64 %.1504.i
   %.1519.i = load double, ptr %.1518.i, align 8, !noalias !0
   store double %.1431.i, ptr %invariant.gep.i, align 8, !noalias !0
-  %.1620.i = getelementptr double, ptr %4, i64 %.795.09246
+  %.1620.i = getelementptr double, ptr %4, i64 %.795.09243
   store double %.1519.i, ptr %.1620.i, align 8, !noalias !0
   store double 1.000000e+00, ptr %.289.i8870, align 8, !noalias !0
-  %.1723.i = getelementptr double, ptr %5, i64 %.795.09246
+  %.1723.i = getelementptr double, ptr %5, i64 %.795.09243
   store double 0xFFF0000000000000, ptr %.1723.i, align 8, !noalias !0
-  %.1774.i = getelementptr double, ptr %6, i64 %.795.09246
+  %.1774.i = getelementptr double, ptr %6, i64 %.795.09243
   store double 0x7FF0000000000000, ptr %.1774.i, align 8, !noalias !0
-  %.1825.i = getelementptr double, ptr %7, i64 %.795.09246
+  %.1825.i = getelementptr double, ptr %7, i64 %.795.09243
   %.1826.i = load double, ptr %.1825.i, align 8, !noalias !0
   %.1828.i = fcmp ueq double %.1826.i, 0xFFF0000000000000
   br i1 %.1828.i, label %B646, label %B1038.i
@@ -288,8 +288,8 @@ B646:                                             ; preds = %B1038.i, %B602, %B6
   %.1078 = load i64, ptr %375, align 8
   %.1079 = icmp sgt i64 %.1078, -1
   %.8849 = zext i1 %.1079 to i64
-  %.1096 = add nsw i64 %active.4.09248, %.8849
-  %.853 = icmp sgt i64 %.798.09247, 1
+  %.1096 = add nsw i64 %active.4.09245, %.8849
+  %.853 = icmp sgt i64 %.798.09244, 1
   br i1 %.853, label %B550.if, label %B710
 
 B710:                                             ; preds = %B646, %entry
@@ -301,16 +301,16 @@ B710:                                             ; preds = %B646, %entry
 
 B738.preheader:                                   ; preds = %B710
   %.1173 = getelementptr i8, ptr %arg.batch.4.2.4, i64 16
-  %factor.op.mul9425 = mul i64 %arg.shape.1, 14
-  %factor.op.mul9426 = mul i64 %arg.shape.1, 15
-  %factor.op.mul9427 = mul i64 %arg.shape.6, %arg.shape.0
-  %factor.op.mul = mul i64 %arg.shape.6, 27
+  %factor.op.mul = mul i64 %arg.shape.6, 3
+  %factor.op.mul9422 = mul i64 %arg.shape.1, 14
+  %factor.op.mul9423 = mul i64 %arg.shape.1, 15
+  %factor.op.mul9424 = mul i64 %arg.shape.6, 27
   %.1269 = getelementptr i8, ptr %arg.code.4, i64 8
   %.1321 = icmp sgt i64 %arg.shape.6, 0
   %.162.i = getelementptr i8, ptr %arg.code.4, i64 40
   %.idx8848 = mul i64 %arg.batch.4.0.5.1, 24
   %19 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8848
-  %.533.i9249 = icmp slt i64 %arg.shape.6, 1
+  %.533.i9246 = icmp slt i64 %arg.shape.6, 1
   %.687.i = getelementptr i8, ptr %arg.code.4, i64 8
   %.1382.not = icmp eq i64 %arg.shape.3, 0
   %.1412 = getelementptr i8, ptr %arg.code.4, i64 16
@@ -330,8 +330,8 @@ B738.preheader:                                   ; preds = %B710
   %.idx8842 = mul i64 %arg.batch.4.0.5.1, 264
   %22 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8842
   %.8850 = select i1 %.612, i64 0, i64 2
-  %.754.i348 = icmp ne i64 %arg.shape.2, 1
-  %"$phi466.4.2.i.2" = zext i1 %.754.i348 to i64
+  %.754.i349 = icmp ne i64 %arg.shape.2, 1
+  %"$phi466.4.2.i.2" = zext i1 %.754.i349 to i64
   %.idx8843 = mul i64 %arg.batch.4.0.5.1, 96
   %23 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8843
   %.idx8844 = shl i64 %arg.batch.4.0.5.1, 4
@@ -394,17 +394,17 @@ B738.preheader:                                   ; preds = %B710
   %.199.i.i = add i64 %arg.linear.3.1, 1
   %.2097 = add i64 %arg.shape.2, -1
   %storemerge8794 = tail call i64 @llvm.smax.i64(i64 %.2097, i64 0)
-  %.21409262.not = icmp slt i64 %.2097, 1
+  %.21409259.not = icmp slt i64 %.2097, 1
   %.2284 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.655
   %.2310 = inttoptr i64 %"$phi514.0.2.0" to ptr
   %.218614.not.i = icmp sgt i64 %arg.shape.1, 0
-  %or.cond9229.not = select i1 %.610, i1 %.218614.not.i, i1 false
+  %or.cond9227.not = select i1 %.610, i1 %.218614.not.i, i1 false
   %.326.i = mul nsw i64 %arg.shape.1, 17
   %.idx.i8891 = mul i64 %arg.shape.1, 80
-  %invariant.gep9258 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i8891
+  %invariant.gep9255 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i8891
   %.395.i = mul nsw i64 %arg.shape.1, 17
   %.339.i.i = add i64 %arg.linear.3.0, 1
-  %invariant.gep9260 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.395.i
+  %invariant.gep9257 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.395.i
   %32 = add i64 %arg.linear.3.1, %arg.linear.3.0
   %.2404 = getelementptr i8, ptr %arg.code.4, i64 72
   %.2481 = icmp sgt i64 %arg.shape.3, 0
@@ -461,33 +461,33 @@ B738.preheader:                                   ; preds = %B710
   %53 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
   %.230.i = getelementptr i8, ptr %53, i64 -8
   %storemerge.i = tail call i64 @llvm.smax.i64(i64 %arg.shape.0, i64 0)
-  %.idx7992.i = mul i64 %arg.batch.4.0.5.1, 152
-  %54 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx7992.i
-  %.idx7989.i = mul i64 %arg.batch.4.0.5.1, 48
-  %55 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx7989.i
-  %.287.i2218171.not.i = icmp slt i64 %arg.shape.1, 1
+  %.idx7998.i = mul i64 %arg.batch.4.0.5.1, 152
+  %54 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx7998.i
+  %.idx7995.i = mul i64 %arg.batch.4.0.5.1, 48
+  %55 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx7995.i
+  %.287.i2218170.not.i = icmp slt i64 %arg.shape.1, 1
   %.358.i355.i = shl i64 %arg.shape.1, 4
-  %.idx7982.i = shl i64 %arg.batch.4.1.5.1, 5
-  %56 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx7982.i
-  %.idx7983.i = mul i64 %arg.batch.4.0.5.1, 152
-  %57 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx7983.i
-  %.idx7984.i = mul i64 %arg.batch.4.0.5.1, 112
-  %58 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx7984.i
-  %.idx7985.i = mul i64 %arg.batch.4.0.5.1, 120
-  %59 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx7985.i
-  %storemerge7986.i = tail call i64 @llvm.smax.i64(i64 %arg.shape.6, i64 0)
+  %.idx7988.i = shl i64 %arg.batch.4.1.5.1, 5
+  %56 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx7988.i
+  %.idx7989.i = mul i64 %arg.batch.4.0.5.1, 152
+  %57 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx7989.i
+  %.idx7990.i = mul i64 %arg.batch.4.0.5.1, 112
+  %58 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx7990.i
+  %.idx7991.i = mul i64 %arg.batch.4.0.5.1, 120
+  %59 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx7991.i
+  %storemerge7992.i = tail call i64 @llvm.smax.i64(i64 %arg.shape.6, i64 0)
   %.194.i.i739.i = mul i64 %arg.shape.6, %arg.shape.0
-  %.idx7988.i = mul i64 %arg.batch.4.0.5.1, 160
-  %60 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx7988.i
-  %factor.op.mul8197.i.reass = mul i64 %factor.op.mul9425, %arg.shape.0
-  %.872.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %factor.op.mul8197.i.reass
+  %.idx7994.i = mul i64 %arg.batch.4.0.5.1, 160
+  %60 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx7994.i
+  %factor.op.mul.i.reass = mul i64 %factor.op.mul, %arg.shape.0
+  %factor.op.mul8196.i.reass = mul i64 %factor.op.mul9422, %arg.shape.0
+  %.872.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %factor.op.mul8196.i.reass
   %.878.i.i = mul nsw i64 %arg.shape.5, %arg.shape.0
-  %.114.i40.i8181.not.i = icmp slt i64 %.194.i.i739.i, 1
+  %.114.i40.i8180.not.i = icmp slt i64 %.194.i.i739.i, 1
   %.937.i.i = getelementptr i8, ptr %arg.code.4, i64 8
-  %factor.op.mul8198.i.reass = mul i64 %factor.op.mul9426, %arg.shape.0
-  %.1196.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %factor.op.mul8198.i.reass
+  %factor.op.mul8197.i.reass = mul i64 %factor.op.mul9423, %arg.shape.0
+  %.1196.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %factor.op.mul8197.i.reass
   %.1886.i.i = getelementptr i8, ptr %arg.tolerances.4, i64 8
-  %factor.op.mul.reass = mul i64 %factor.op.mul9427, 3
   %.155.i.i392.i = mul nsw i64 %arg.shape.1, 24
   %.155.i.i392.1.i = mul nsw i64 %arg.shape.1, 23
   %.155.i.i392.2.i = mul nsw i64 %arg.shape.1, 22
@@ -495,26 +495,26 @@ B738.preheader:                                   ; preds = %B710
   %.155.i.i392.4.i = mul nsw i64 %arg.shape.1, 20
   %.155.i.i392.5.i = mul nsw i64 %arg.shape.1, 19
   %.155.i.i392.6.i = mul nsw i64 %arg.shape.1, 18
-  %.190.i9488215.i = icmp sgt i64 %arg.shape.0, 0
-  %.203.i16108216.i = zext i1 %.190.i9488215.i to i64
-  %.199.i16078217.i = sext i1 %.190.i9488215.i to i64
-  %.134.i.18218.i = add nsw i64 %storemerge.i, %.199.i16078217.i
-  %.428.i10648202.not.i = icmp slt i64 %arg.shape.6, 1
+  %.190.i9488214.i = icmp sgt i64 %arg.shape.0, 0
+  %.203.i16108215.i = zext i1 %.190.i9488214.i to i64
+  %.199.i16078216.i = sext i1 %.190.i9488214.i to i64
+  %.134.i.18217.i = add nsw i64 %storemerge.i, %.199.i16078216.i
+  %.428.i10648201.not.i = icmp slt i64 %arg.shape.6, 1
   %.578.i.i = mul nsw i64 %arg.shape.6, 30
-  %.idx7883.i = mul i64 %arg.batch.4.0.5.1, 136
-  %61 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx7883.i
-  %.idx7884.i = mul i64 %arg.batch.4.0.5.1, 144
-  %62 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx7884.i
+  %.idx7889.i = mul i64 %arg.batch.4.0.5.1, 136
+  %61 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx7889.i
+  %.idx7890.i = mul i64 %arg.batch.4.0.5.1, 144
+  %62 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx7890.i
   %.646.i1935.i = getelementptr i8, ptr %arg.code.4, i64 40
   %.737.i.idx.i = shl i64 %.463, 7
   %.737.i.i = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.737.i.idx.i
   %.762.i.idx.i = mul i64 %.194.i.i739.i, 216
   %.762.i.i = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.762.i.idx.i
   %.155.i571.i.i = mul nsw i64 %arg.shape.6, 28
-  %factor.op.mul8292.i.reass = mul i64 %factor.op.mul, %arg.shape.0
+  %factor.op.mul8291.i.reass = mul i64 %factor.op.mul9424, %arg.shape.0
   %.1445.reass.i = mul i64 %.358.i355.i, %arg.shape.0
   %.1465.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1445.reass.i
-  %.1490.i = getelementptr double, ptr %arg.batch.5.4.4, i64 %factor.op.mul8292.i.reass
+  %.1490.i = getelementptr double, ptr %arg.batch.5.4.4, i64 %factor.op.mul8291.i.reass
   %.155.i.i.i.i = mul nsw i64 %arg.shape.1, 24
   %.155.i.i.i.1.i = mul nsw i64 %arg.shape.1, 23
   %.155.i.i.i.2.i = mul nsw i64 %arg.shape.1, 22
@@ -529,7 +529,7 @@ B738.preheader:                                   ; preds = %B710
   %.155.i.i.4.i = mul nsw i64 %arg.shape.1, 20
   %.155.i.i.5.i = mul nsw i64 %arg.shape.1, 19
   %.155.i.i.6.i = mul nsw i64 %arg.shape.1, 18
-  %.134.i7217.18316.i = add nsw i64 %storemerge.i, -1
+  %.134.i7217.18315.i = add nsw i64 %storemerge.i, -1
   %.155.i.i.i4987.i = mul nsw i64 %arg.shape.1, 24
   %.155.i.i.i4987.1.i = mul nsw i64 %arg.shape.1, 23
   %.155.i.i.i4987.2.i = mul nsw i64 %arg.shape.1, 22
@@ -537,74 +537,75 @@ B738.preheader:                                   ; preds = %B710
   %.155.i.i.i4987.4.i = mul nsw i64 %arg.shape.1, 20
   %.155.i.i.i4987.5.i = mul nsw i64 %arg.shape.1, 19
   %.155.i.i.i4987.6.i = mul nsw i64 %arg.shape.1, 18
-  %.idx7918.i = mul i64 %arg.batch.4.0.5.1, 56
-  %63 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx7918.i
-  %.30.i.i = mul i64 %.194.i.i739.i, 3
-  %.454.i.i.i = mul i64 %.194.i.i739.i, 6
-  %.456.i.2.i.i = mul i64 %.194.i.i739.i, 12
-  %.456.i.3.i.i = mul i64 %.194.i.i739.i, 18
-  %.456.i.4.i.i = mul i64 %.194.i.i739.i, 24
-  %.190.i.1.i.i = mul i64 %.194.i.i739.i, 9
-  %.190.i.2.i.i = mul i64 %.194.i.i739.i, 15
-  %.190.i.3.i.i = mul i64 %.194.i.i739.i, 21
+  %.idx7924.i = mul i64 %arg.batch.4.0.5.1, 56
+  %63 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx7924.i
+  %.183.1450.i.i = add nsw i64 %arg.shape.6, -1
+  %.454.i.i.i = shl i64 %factor.op.mul.i.reass, 1
+  %.320.i.i8915 = shl nsw i64 %arg.shape.6, 1
+  %.456.i.2.i.i = shl i64 %factor.op.mul.i.reass, 2
+  %.456.i.3.i.i = mul i64 %factor.op.mul.i.reass, 6
+  %.456.i.4.i.i = shl i64 %factor.op.mul.i.reass, 3
+  %.190.i.1.i.i = mul nsw i64 %factor.op.mul.i.reass, 3
+  %.190.i.2.i.i = mul nsw i64 %factor.op.mul.i.reass, 5
+  %.190.i.3.i.i = mul nsw i64 %factor.op.mul.i.reass, 7
   %.155.i9387.i = mul nsw i64 %arg.shape.6, 25
-  %.idx7926.i = mul i64 %arg.batch.4.0.5.1, 104
-  %64 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx7926.i
-  %.idx7927.i = mul i64 %arg.batch.4.0.5.1, 40
-  %65 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx7927.i
-  %.idx7928.i = shl i64 %arg.batch.4.0.5.1, 5
-  %66 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx7928.i
+  %.idx7932.i = mul i64 %arg.batch.4.0.5.1, 104
+  %64 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx7932.i
+  %.idx7933.i = mul i64 %arg.batch.4.0.5.1, 40
+  %65 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx7933.i
+  %.idx7934.i = shl i64 %arg.batch.4.0.5.1, 5
+  %66 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx7934.i
   %67 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
   %.4767.not = icmp eq i64 %arg.shape.3, 0
-  %.idx630.i = shl i64 %arg.shape.0, 4
-  %invariant.gep9367 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx630.i
-  %.idx631.i = mul i64 %arg.shape.0, 40
-  %invariant.gep9369 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx631.i
-  %.idx632.i = shl i64 %arg.shape.0, 6
-  %invariant.gep9371 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx632.i
-  %.idx633.i = mul i64 %arg.shape.0, 88
-  %invariant.gep9373 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx633.i
-  %.idx634.i = mul i64 %arg.shape.0, 112
-  %invariant.gep9375 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx634.i
-  %.idx635.i = mul i64 %arg.shape.0, 136
-  %invariant.gep9377 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx635.i
-  %.idx636.i = mul i64 %arg.shape.0, 160
-  %invariant.gep9379 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx636.i
-  %.idx637.i = mul i64 %arg.shape.0, 184
-  %invariant.gep9381 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx637.i
-  %.idx638.i = mul i64 %arg.shape.0, 208
-  %invariant.gep9383 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx638.i
+  %.idx628.i = shl i64 %arg.shape.0, 4
+  %invariant.gep9364 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx628.i
+  %.idx629.i = mul i64 %arg.shape.0, 40
+  %invariant.gep9366 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx629.i
+  %.idx630.i = shl i64 %arg.shape.0, 6
+  %invariant.gep9368 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx630.i
+  %.idx631.i = mul i64 %arg.shape.0, 88
+  %invariant.gep9370 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx631.i
+  %.idx632.i = mul i64 %arg.shape.0, 112
+  %invariant.gep9372 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx632.i
+  %.idx633.i = mul i64 %arg.shape.0, 136
+  %invariant.gep9374 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx633.i
+  %.idx634.i = mul i64 %arg.shape.0, 160
+  %invariant.gep9376 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx634.i
+  %.idx635.i = mul i64 %arg.shape.0, 184
+  %invariant.gep9378 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx635.i
+  %.idx636.i = mul i64 %arg.shape.0, 208
+  %invariant.gep9380 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx636.i
   %68 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
   %.226.i.i = getelementptr i8, ptr %68, i64 -8
   %.296.i.i = icmp sgt i64 %arg.shape.2, 4
   %..i.i = select i1 %.296.i.i, i64 0, i64 8
-  %.354.i.i8945 = sub nsw i64 9, %..i.i
-  %.5201293.not.i.i = icmp slt i64 %arg.shape.0, 1
-  %.idx1278.i.i = mul i64 %arg.batch.4.0.5.1, 48
-  %69 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1278.i.i
-  %.287.i1290.not.i.i = icmp slt i64 %arg.shape.1, 1
-  %.358.i.i.i8946 = shl nsw i64 %arg.shape.1, 4
+  %.354.i.i8946 = sub nsw i64 9, %..i.i
+  %.5201298.not.i.i = icmp slt i64 %arg.shape.0, 1
+  %.idx1284.i.i = mul i64 %arg.batch.4.0.5.1, 48
+  %69 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1284.i.i
+  %.287.i1295.not.i.i = icmp slt i64 %arg.shape.1, 1
+  %.358.i.i.i8947 = shl nsw i64 %arg.shape.1, 4
   %.707.i.i = getelementptr i8, ptr %arg.code.4, i64 16
-  %.155.i.i.i.i8947 = mul nsw i64 %arg.shape.1, 24
+  %.155.i.i.i.i8948 = mul nsw i64 %arg.shape.1, 24
   %.155.i.i.1.i.i = mul nsw i64 %arg.shape.1, 23
   %.155.i.i.2.i.i = mul nsw i64 %arg.shape.1, 22
   %.155.i.i.3.i.i = mul nsw i64 %arg.shape.1, 21
   %.155.i.i.4.i.i = mul nsw i64 %arg.shape.1, 20
   %.155.i.i.5.i.i = mul nsw i64 %arg.shape.1, 19
   %.155.i.i.6.i.i = mul nsw i64 %arg.shape.1, 18
-  %.881.11301.i.i = add nsw i64 %arg.shape.0, -1
+  %.881.11306.i.i = add nsw i64 %arg.shape.0, -1
   %.idx.i.i = mul i64 %arg.batch.4.0.5.1, 56
   %70 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i.i
-  %.idx1268.i.i = shl i64 %arg.batch.4.1.5.1, 5
-  %71 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1268.i.i
-  %.idx1270.i.i = mul i64 %arg.batch.4.0.5.1, 40
-  %72 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1270.i.i
-  %.1282.i.i = select i1 %.296.i.i, i64 0, i64 7
-  %.idx1271.i.i = mul i64 %arg.batch.4.0.5.1, 112
-  %73 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1271.i.i
-  %.idx1272.i.i = mul i64 %arg.batch.4.0.5.1, 120
-  %74 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1272.i.i
-  %.30.i.i.i = mul nsw i64 %arg.shape.0, 3
+  %.idx1274.i.i = shl i64 %arg.batch.4.1.5.1, 5
+  %71 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1274.i.i
+  %.idx1276.i.i = mul i64 %arg.batch.4.0.5.1, 40
+  %72 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1276.i.i
+  %.1288.i.i8965 = select i1 %.296.i.i, i64 0, i64 7
+  %.idx1277.i.i = mul i64 %arg.batch.4.0.5.1, 112
+  %73 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1277.i.i
+  %.idx1278.i.i = mul i64 %arg.batch.4.0.5.1, 120
+  %74 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1278.i.i
+  %.43.i.i.i = mul nsw i64 %arg.shape.0, 3
   %.454.i.i.i.i = mul i64 %arg.shape.0, 6
   %.456.i.2.i.i.i = mul i64 %arg.shape.0, 12
   %.456.i.3.i.i.i = mul i64 %arg.shape.0, 18
@@ -612,16 +613,17 @@ B738.preheader:                                   ; preds = %B710
   %.190.i.1.i.i.i = mul nsw i64 %arg.shape.0, 9
   %.190.i.2.i.i.i = mul nsw i64 %arg.shape.0, 15
   %.190.i.3.i.i.i = mul nsw i64 %arg.shape.0, 21
-  %.idx1275.i.i = shl i64 %arg.batch.4.0.5.1, 5
-  %75 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1275.i.i
+  %.323.i.i.i = shl nsw i64 %arg.shape.0, 1
+  %.idx1281.i.i = shl i64 %arg.batch.4.0.5.1, 5
+  %75 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1281.i.i
   %76 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
-  %.idx.i8951 = shl i64 %arg.batch.4.1.5.1, 5
-  %77 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx.i8951
+  %.idx.i8954 = shl i64 %arg.batch.4.1.5.1, 5
+  %77 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx.i8954
   %.idx600.i = mul i64 %arg.batch.4.0.5.1, 40
   %78 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx600.i
   %factor.op.mul652.i = mul i64 %arg.batch.3.0.5.2, %arg.batch.3.0.5.1
-  %.idx.i9031 = shl i64 %arg.batch.4.1.5.1, 4
-  %79 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx.i9031
+  %.idx.i9028 = shl i64 %arg.batch.4.1.5.1, 4
+  %79 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx.i9028
   %.idx640.i = mul i64 %arg.batch.4.0.5.1, 40
   %80 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx640.i
   %.idx641.i = mul i64 %arg.batch.4.0.5.1, 48
@@ -650,10 +652,10 @@ B738.preheader:                                   ; preds = %B710
   %86 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8816
   %.idx8817 = shl i64 %arg.batch.4.0.5.1, 7
   %87 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8817
-  %.536.i35739403.not = icmp slt i64 %arg.shape.1, 1
-  %.657.i4071 = getelementptr i8, ptr %arg.tolerances.4, i64 8
+  %.536.i35739400.not = icmp slt i64 %arg.shape.1, 1
+  %.657.i4069 = getelementptr i8, ptr %arg.tolerances.4, i64 8
   %88 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
-  %.795.i3613 = getelementptr i8, ptr %88, i64 -8
+  %.795.i3612 = getelementptr i8, ptr %88, i64 -8
   %.idx8819 = mul i64 %arg.batch.4.1.5.1, 24
   %89 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8819
   %.idx8820 = mul i64 %arg.batch.4.1.5.1, 24
@@ -661,7 +663,7 @@ B738.preheader:                                   ; preds = %B710
   %.idx8821 = mul i64 %arg.batch.4.0.5.1, 24
   %91 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8821
   %.5179.not = icmp ne i64 %arg.shape.4, 0
-  %storemerge.i9040 = tail call i64 @llvm.smax.i64(i64 %arg.shape.0, i64 0)
+  %storemerge.i9037 = tail call i64 @llvm.smax.i64(i64 %arg.shape.0, i64 0)
   %.idx1632.i = mul i64 %arg.batch.4.0.5.1, 40
   %92 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1632.i
   %.idx1633.i = shl i64 %arg.batch.4.0.5.1, 4
@@ -669,10 +671,10 @@ B738.preheader:                                   ; preds = %B710
   %94 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
   %.175.i1635.not.i = icmp slt i64 %arg.batch.1.1.5.0, 1
   %.632.i = getelementptr i8, ptr %arg.code.4, i64 8
-  %.775.i9044 = getelementptr i8, ptr %arg.code.4, i64 32
+  %.775.i9041 = getelementptr i8, ptr %arg.code.4, i64 32
   %.846.i = mul nsw i64 %arg.shape.1, 17
-  %.848.i9045 = mul nsw i64 %.846.i, %arg.shape.0
-  %.891.i9046 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.848.i9045
+  %.848.i9042 = mul nsw i64 %.846.i, %arg.shape.0
+  %.891.i9043 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.848.i9042
   %.896.not.i = icmp eq i64 %arg.shape.3, 0
   %.926.i = getelementptr i8, ptr %arg.code.4, i64 16
   %.idx1630.i = shl i64 %arg.batch.4.1.5.1, 4
@@ -686,49 +688,49 @@ B738.preheader:                                   ; preds = %B710
   %98 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
   %.idx8806 = mul i64 %arg.batch.4.0.5.1, 24
   %99 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8806
-  %.175.i.i47999415.not = icmp slt i64 %arg.batch.1.1.5.0, 1
+  %.175.i.i47979412.not = icmp slt i64 %arg.batch.1.1.5.0, 1
   %.idx8809 = shl i64 %arg.batch.4.1.5.1, 4
   %100 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx8809
-  %.idx.i9069 = mul i64 %arg.batch.4.0.5.1, 24
-  %101 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i9069
-  %.319.i9071 = getelementptr i8, ptr %arg.batch.4.2.4, i64 8
+  %.idx.i9067 = mul i64 %arg.batch.4.0.5.1, 24
+  %101 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i9067
+  %.319.i9069 = getelementptr i8, ptr %arg.batch.4.2.4, i64 8
   %102 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
-  %.idx1124.i9091 = mul i64 %arg.batch.4.1.5.1, 24
-  %103 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1124.i9091
-  %.7851131.not.i9093 = icmp slt i64 %arg.batch.0.1.5.1, 1
-  %.175.i1134.not.i9109 = icmp slt i64 %arg.batch.1.1.5.0, 1
-  %.10931137.not.i9128 = icmp slt i64 %arg.shape.1, 1
-  %gep.2.idx.i9146 = shl i64 %arg.batch.4.0.5.1, 4
-  %gep.4.idx.i9150 = shl i64 %arg.batch.4.0.5.1, 5
-  %gep.6.idx.i9154 = mul i64 %arg.batch.4.0.5.1, 48
-  %gep.7.idx.i9156 = mul i64 %arg.batch.4.0.5.1, 56
-  %gep.9.idx.i9160 = mul i64 %arg.batch.4.0.5.1, 72
-  %gep.10.idx.i9162 = mul i64 %arg.batch.4.0.5.1, 80
-  %gep.11.idx.i9164 = mul i64 %arg.batch.4.0.5.1, 88
-  %gep.12.idx.i9166 = mul i64 %arg.batch.4.0.5.1, 96
-  %gep.13.idx.i9168 = mul i64 %arg.batch.4.0.5.1, 104
-  %gep.14.idx.i9170 = mul i64 %arg.batch.4.0.5.1, 112
-  %gep.15.idx.i9172 = mul i64 %arg.batch.4.0.5.1, 120
-  %gep.16.idx.i9174 = shl i64 %arg.batch.4.0.5.1, 7
-  %gep.17.idx.i9176 = mul i64 %arg.batch.4.0.5.1, 136
-  %gep.18.idx.i9178 = mul i64 %arg.batch.4.0.5.1, 144
-  %gep.19.idx.i9180 = mul i64 %arg.batch.4.0.5.1, 152
-  %gep.20.idx.i9182 = mul i64 %arg.batch.4.0.5.1, 160
-  %gep.21.idx.i9184 = mul i64 %arg.batch.4.0.5.1, 168
-  %gep.22.idx.i9186 = mul i64 %arg.batch.4.0.5.1, 176
-  %gep.23.idx.i9188 = mul i64 %arg.batch.4.0.5.1, 184
-  %gep.24.idx.i9190 = mul i64 %arg.batch.4.0.5.1, 192
-  %gep.25.idx.i9192 = mul i64 %arg.batch.4.0.5.1, 200
-  %gep.26.idx.i9194 = mul i64 %arg.batch.4.0.5.1, 208
-  %gep.27.idx.i9196 = mul i64 %arg.batch.4.0.5.1, 216
-  %gep.28.idx.i9198 = mul i64 %arg.batch.4.0.5.1, 224
-  %gep.29.idx.i9200 = mul i64 %arg.batch.4.0.5.1, 232
-  %gep.30.idx.i9202 = mul i64 %arg.batch.4.0.5.1, 240
-  %104 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.2.idx.i9146
-  %105 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.16.idx.i9174
-  %106 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.30.idx.i9202
-  %.idx1130.i9217 = mul i64 %arg.batch.4.0.5.1, 248
-  %107 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1130.i9217
+  %.idx1124.i9089 = mul i64 %arg.batch.4.1.5.1, 24
+  %103 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1124.i9089
+  %.7851131.not.i9091 = icmp slt i64 %arg.batch.0.1.5.1, 1
+  %.175.i1134.not.i9107 = icmp slt i64 %arg.batch.1.1.5.0, 1
+  %.10931137.not.i9126 = icmp slt i64 %arg.shape.1, 1
+  %gep.2.idx.i9144 = shl i64 %arg.batch.4.0.5.1, 4
+  %gep.4.idx.i9148 = shl i64 %arg.batch.4.0.5.1, 5
+  %gep.6.idx.i9152 = mul i64 %arg.batch.4.0.5.1, 48
+  %gep.7.idx.i9154 = mul i64 %arg.batch.4.0.5.1, 56
+  %gep.9.idx.i9158 = mul i64 %arg.batch.4.0.5.1, 72
+  %gep.10.idx.i9160 = mul i64 %arg.batch.4.0.5.1, 80
+  %gep.11.idx.i9162 = mul i64 %arg.batch.4.0.5.1, 88
+  %gep.12.idx.i9164 = mul i64 %arg.batch.4.0.5.1, 96
+  %gep.13.idx.i9166 = mul i64 %arg.batch.4.0.5.1, 104
+  %gep.14.idx.i9168 = mul i64 %arg.batch.4.0.5.1, 112
+  %gep.15.idx.i9170 = mul i64 %arg.batch.4.0.5.1, 120
+  %gep.16.idx.i9172 = shl i64 %arg.batch.4.0.5.1, 7
+  %gep.17.idx.i9174 = mul i64 %arg.batch.4.0.5.1, 136
+  %gep.18.idx.i9176 = mul i64 %arg.batch.4.0.5.1, 144
+  %gep.19.idx.i9178 = mul i64 %arg.batch.4.0.5.1, 152
+  %gep.20.idx.i9180 = mul i64 %arg.batch.4.0.5.1, 160
+  %gep.21.idx.i9182 = mul i64 %arg.batch.4.0.5.1, 168
+  %gep.22.idx.i9184 = mul i64 %arg.batch.4.0.5.1, 176
+  %gep.23.idx.i9186 = mul i64 %arg.batch.4.0.5.1, 184
+  %gep.24.idx.i9188 = mul i64 %arg.batch.4.0.5.1, 192
+  %gep.25.idx.i9190 = mul i64 %arg.batch.4.0.5.1, 200
+  %gep.26.idx.i9192 = mul i64 %arg.batch.4.0.5.1, 208
+  %gep.27.idx.i9194 = mul i64 %arg.batch.4.0.5.1, 216
+  %gep.28.idx.i9196 = mul i64 %arg.batch.4.0.5.1, 224
+  %gep.29.idx.i9198 = mul i64 %arg.batch.4.0.5.1, 232
+  %gep.30.idx.i9200 = mul i64 %arg.batch.4.0.5.1, 240
+  %104 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.2.idx.i9144
+  %105 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.16.idx.i9172
+  %106 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.30.idx.i9200
+  %.idx1130.i9215 = mul i64 %arg.batch.4.0.5.1, 248
+  %107 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1130.i9215
   %.idx8808 = mul i64 %arg.batch.4.0.5.1, 248
   %108 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8808
   %.6211 = tail call i64 @llvm.smin.i64(i64 %arg.batch.2.5.0, i64 0)
@@ -789,7 +791,7 @@ B922:                                             ; preds = %B910
   br i1 %.809, label %B356.i, label %B214.if.i
 
 B354.i:                                           ; preds = %B296.if.i, %B214.if.i
-  %.359.i = icmp sgt i64 %.304.i.09254, 1
+  %.359.i = icmp sgt i64 %.304.i.09251, 1
   br i1 %.359.i, label %B214.if.i, label %B356.i
 
 B356.i:                                           ; preds = %B354.i, %B922
@@ -799,29 +801,29 @@ B356.i:                                           ; preds = %B354.i, %B922
   br label %B958
 
 B214.if.i:                                        ; preds = %B922, %B354.i
-  %.304.i.09254 = phi i64 [ %.368.i, %B354.i ], [ %storemerge, %B922 ]
-  %.301.i.09253 = phi i64 [ %.372.i, %B354.i ], [ 0, %B922 ]
-  %.368.i = add nsw i64 %.304.i.09254, -1
-  %.372.i = add nsw i64 %.301.i.09253, 1
-  %121 = getelementptr double, ptr %19, i64 %.301.i.09253
+  %.304.i.09251 = phi i64 [ %.368.i, %B354.i ], [ %storemerge, %B922 ]
+  %.301.i.09250 = phi i64 [ %.372.i, %B354.i ], [ 0, %B922 ]
+  %.368.i = add nsw i64 %.304.i.09251, -1
+  %.372.i = add nsw i64 %.301.i.09250, 1
+  %121 = getelementptr double, ptr %19, i64 %.301.i.09250
   %.450.i = load double, ptr %121, align 8, !noalias !7
   %.451.i = fcmp ule double %.450.i, 5.000000e-01
-  %brmerge9431 = select i1 %.451.i, i1 true, i1 %.533.i9249
-  br i1 %brmerge9431, label %B354.i, label %B296.if.i.preheader
+  %brmerge9428 = select i1 %.451.i, i1 true, i1 %.533.i9246
+  br i1 %brmerge9428, label %B354.i, label %B296.if.i.preheader
 
 B296.if.i.preheader:                              ; preds = %B214.if.i
-  %invariant.gep9558 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.301.i.09253
+  %invariant.gep9550 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.301.i.09250
   br label %B296.if.i
 
 B296.if.i:                                        ; preds = %B296.if.i.preheader, %B296.if.i
-  %.477.i.09250 = phi i64 [ %.546.i, %B296.if.i ], [ 0, %B296.if.i.preheader ]
-  %.546.i = add nsw i64 %.477.i.09250, 1
-  %.572.i = mul nsw i64 %.477.i.09250, %arg.shape.0
-  %gep9559 = getelementptr double, ptr %invariant.gep9558, i64 %.572.i
-  %.604.i = load double, ptr %gep9559, align 8, !noalias !7
-  %.606.i = add nsw i64 %.477.i.09250, %arg.shape.5
+  %.477.i.09247 = phi i64 [ %.546.i, %B296.if.i ], [ 0, %B296.if.i.preheader ]
+  %.546.i = add nsw i64 %.477.i.09247, 1
+  %.572.i = mul nsw i64 %.477.i.09247, %arg.shape.0
+  %gep9551 = getelementptr double, ptr %invariant.gep9550, i64 %.572.i
+  %.604.i = load double, ptr %gep9551, align 8, !noalias !7
+  %.606.i = add nsw i64 %.477.i.09247, %arg.shape.5
   %.608.i = mul nsw i64 %.606.i, %arg.shape.0
-  %.610.i = add nsw i64 %.608.i, %.301.i.09253
+  %.610.i = add nsw i64 %.608.i, %.301.i.09250
   %.624.i = icmp slt i64 %.610.i, 0
   %.625.i = select i1 %.624.i, i64 %arg.batch.5.1.5.0, i64 0
   %122 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.610.i
@@ -861,11 +863,11 @@ B1434:                                            ; preds = %B1044, %B1040
 
 B118.i:                                           ; preds = %B64.if.i
   store double 0.000000e+00, ptr %.310.i130, align 8, !noalias !11
-  %.418.i = getelementptr double, ptr %21, i64 %.161.i.09256
+  %.418.i = getelementptr double, ptr %21, i64 %.161.i.09253
   store double 0.000000e+00, ptr %.418.i, align 8, !noalias !11
-  %.469.i = getelementptr double, ptr %22, i64 %.161.i.09256
+  %.469.i = getelementptr double, ptr %22, i64 %.161.i.09253
   store double 0.000000e+00, ptr %.469.i, align 8, !noalias !11
-  %.520.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09256
+  %.520.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09253
   %.521.i = load i64, ptr %.520.i, align 8, !noalias !11
   %.544.i244 = icmp slt i64 %.521.i, 0
   %.545.i245 = select i1 %.544.i244, i64 %arg.batch.3.3.5.0, i64 0
@@ -874,25 +876,25 @@ B118.i:                                           ; preds = %B64.if.i
   %123 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.566.i
   %.570.i = getelementptr i8, ptr %123, i64 8
   %.571.i257 = load i64, ptr %.570.i, align 8, !noalias !11
-  %.594.i264 = add nsw i64 %.571.i257, %.8850
-  store i64 %.594.i264, ptr %.570.i, align 8, !noalias !11
-  %.702.i322 = load i64, ptr %.520.i, align 8, !noalias !11
-  %.725.i334 = icmp slt i64 %.702.i322, 0
-  %.726.i335 = select i1 %.725.i334, i64 %arg.batch.3.3.5.0, i64 0
-  %.727.i = add i64 %.726.i335, %.702.i322
+  %.594.i265 = add nsw i64 %.571.i257, %.8850
+  store i64 %.594.i265, ptr %.570.i, align 8, !noalias !11
+  %.702.i323 = load i64, ptr %.520.i, align 8, !noalias !11
+  %.725.i335 = icmp slt i64 %.702.i323, 0
+  %.726.i336 = select i1 %.725.i335, i64 %arg.batch.3.3.5.0, i64 0
+  %.727.i = add i64 %.726.i336, %.702.i323
   %.747.i = mul i64 %.727.i, %arg.batch.3.3.5.1
   %124 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.747.i
   %.751.i = getelementptr i8, ptr %124, i64 16
   %.752.i = load i64, ptr %.751.i, align 8, !noalias !11
   %.775.i = add nsw i64 %.752.i, %"$phi466.4.2.i.2"
   store i64 %.775.i, ptr %.751.i, align 8, !noalias !11
-  %.882.i = getelementptr double, ptr %23, i64 %.161.i.09256
+  %.882.i = getelementptr double, ptr %23, i64 %.161.i.09253
   %.883.i = load double, ptr %.882.i, align 8, !noalias !11
   %.884.i = fcmp une double %.883.i, 0.000000e+00
   br i1 %.884.i, label %B526.i, label %B582.i
 
 B526.i:                                           ; preds = %B118.i
-  %125 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09256
+  %125 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09253
   %.84.i.i = load i64, ptr %125, align 8, !noalias !15
   %.89.i.i = icmp sgt i64 %.84.i.i, -1
   br i1 %.89.i.i, label %B46.i.i, label %B582.i
@@ -911,13 +913,13 @@ B582.i:                                           ; preds = %B80.i.i, %B526.i, %
   br i1 %.1382.not, label %B758.i, label %B586.i
 
 B586.i:                                           ; preds = %B582.i
-  %126 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i.09256
+  %126 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i.09253
   %.954.i = load double, ptr %126, align 8, !noalias !11
   %.956.i = fcmp olt double %.954.i, -1.000000e-09
   br i1 %.956.i, label %B632.i, label %B758.i
 
 B632.i:                                           ; preds = %B586.i
-  %127 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09256
+  %127 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i.09253
   %.84.i63.i = load i64, ptr %127, align 8, !noalias !18
   %.89.i66.i = icmp sgt i64 %.84.i63.i, -1
   br i1 %.89.i66.i, label %B46.i71.i, label %_ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx.exit123.i
@@ -933,18 +935,18 @@ B80.i98.i:                                        ; preds = %B46.i71.i
   br label %_ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx.exit123.i
 
 _ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx.exit123.i: ; preds = %B46.i71.i, %B632.i, %B80.i98.i
-  %.1041.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.161.i.09256
+  %.1041.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.161.i.09253
   %.1042.i = load double, ptr %.1041.i, align 8, !noalias !11
-  %.1092.i = getelementptr double, ptr %24, i64 %.161.i.09256
+  %.1092.i = getelementptr double, ptr %24, i64 %.161.i.09253
   store double %.1042.i, ptr %.1092.i, align 8, !noalias !11
   br label %B758.i
 
 B758.i:                                           ; preds = %_ZN5pages9numbering4failB2v6B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx.exit123.i, %B586.i, %B582.i
-  %.107.i182.i = getelementptr i64, ptr %25, i64 %.161.i.09256
+  %.107.i182.i = getelementptr i64, ptr %25, i64 %.161.i.09253
   %.108.i183.i = load i64, ptr %.107.i182.i, align 8, !noalias !21
-  %.161.i.i = getelementptr double, ptr %26, i64 %.161.i.09256
+  %.161.i.i = getelementptr double, ptr %26, i64 %.161.i.09253
   %.162.i.i = load double, ptr %.161.i.i, align 8, !noalias !21
-  %.212.i.i = getelementptr double, ptr %27, i64 %.161.i.09256
+  %.212.i.i = getelementptr double, ptr %27, i64 %.161.i.09253
   store double %.162.i.i, ptr %.212.i.i, align 8, !noalias !21
   %.225.i.i = icmp slt i64 %.108.i183.i, %arg.batch.2.5.0
   br i1 %.225.i.i, label %B164.i.i, label %B792.i
@@ -962,15 +964,15 @@ B164.i.i:                                         ; preds = %B758.i
   br label %B792.i
 
 B792.i:                                           ; preds = %B164.i.i, %B758.i, %B64.if.i
-  %.220.i = icmp sgt i64 %.164.i70.09257, 1
+  %.220.i = icmp sgt i64 %.164.i70.09254, 1
   br i1 %.220.i, label %B64.if.i, label %B1476
 
 B64.if.i:                                         ; preds = %B1434, %B792.i
-  %.164.i70.09257 = phi i64 [ %.229.i372, %B792.i ], [ %storemerge, %B1434 ]
-  %.161.i.09256 = phi i64 [ %.233.i375, %B792.i ], [ 0, %B1434 ]
-  %.229.i372 = add nsw i64 %.164.i70.09257, -1
-  %.233.i375 = add nsw i64 %.161.i.09256, 1
-  %.310.i130 = getelementptr double, ptr %20, i64 %.161.i.09256
+  %.164.i70.09254 = phi i64 [ %.229.i370, %B792.i ], [ %storemerge, %B1434 ]
+  %.161.i.09253 = phi i64 [ %.233.i373, %B792.i ], [ 0, %B1434 ]
+  %.229.i370 = add nsw i64 %.164.i70.09254, -1
+  %.233.i373 = add nsw i64 %.161.i.09253, 1
+  %.310.i130 = getelementptr double, ptr %20, i64 %.161.i.09253
   %.311.i = load double, ptr %.310.i130, align 8, !noalias !11
   %.312.i131 = fcmp ogt double %.311.i, 5.000000e-01
   br i1 %.312.i131, label %B118.i, label %B792.i
@@ -1483,7 +1485,7 @@ B272.if.i:                                        ; preds = %B272.if.i, %B272.if
   br i1 %.630.i, label %B272.if.i, label %B326.i
 
 B1674:                                            ; preds = %B34.loopexit.i.i, %B126.i, %B1630
-  br i1 %.21409262.not, label %B1894, label %B1706.if
+  br i1 %.21409259.not, label %B1894, label %B1706.if
 
 B68.if.lr.ph.i:                                   ; preds = %B1706.if
   %.259.i = mul nsw i64 %.2153, %arg.shape.1
@@ -1512,10 +1514,10 @@ B34.if.i.i:                                       ; preds = %B68.if.i, %B34.i.lo
   %178 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.204.i.i
   %.233.i.i = getelementptr double, ptr %178, i64 %.219.i.i
   %.234.i.i = load double, ptr %.233.i.i, align 8, !noalias !39
-  %gep9261 = getelementptr double, ptr %invariant.gep9260, i64 %.73.i.0621.i
-  %.270.i.i = load double, ptr %gep9261, align 8, !noalias !39
+  %gep9258 = getelementptr double, ptr %invariant.gep9257, i64 %.73.i.0621.i
+  %.270.i.i = load double, ptr %gep9258, align 8, !noalias !39
   store double %.270.i.i, ptr %.233.i.i, align 8, !noalias !39
-  store double %.234.i.i, ptr %gep9261, align 8, !noalias !39
+  store double %.234.i.i, ptr %gep9258, align 8, !noalias !39
   %.340.i.i = add i64 %.339.i.i, %.73.i.0621.i
   %.11.i.i.i8895 = tail call i64 @llvm.smin.i64(i64 %.340.i.i, i64 %arg.shape.1)
   %.406.i.i = sub i64 %.11.i.i.i8895, %.144.i.i
@@ -1605,8 +1607,8 @@ B68.if.i:                                         ; preds = %B68.if.i, %B68.if.l
   %185 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.260.i
   %.289.i8890 = getelementptr double, ptr %185, i64 %.275.i8889
   %.290.i = load double, ptr %.289.i8890, align 8, !noalias !45
-  %gep9259 = getelementptr double, ptr %invariant.gep9258, i64 %.160.0615.i
-  %.323.i = load double, ptr %gep9259, align 8, !noalias !45
+  %gep9256 = getelementptr double, ptr %invariant.gep9255, i64 %.160.0615.i
+  %.323.i = load double, ptr %gep9256, align 8, !noalias !45
   %.324.i = fadd double %.290.i, %.323.i
   %186 = getelementptr i64, ptr %arg.linear.4.4, i64 %.160.0615.i
   %.356.i = load i64, ptr %186, align 8, !noalias !45
@@ -1640,8 +1642,8 @@ B326.if.i:                                        ; preds = %B326.if.i, %B326.if
   br i1 %exitcond634.not.i, label %B1892, label %B326.if.i
 
 B1892:                                            ; preds = %B326.if.i, %B1706.if
-  %exitcond9456.not = icmp eq i64 %.2084.09263, %storemerge8794
-  br i1 %exitcond9456.not, label %B1894, label %B1706.if
+  %exitcond9452.not = icmp eq i64 %.2084.09260, %storemerge8794
+  br i1 %exitcond9452.not, label %B1894, label %B1706.if
 
 B1894:                                            ; preds = %B1892, %B1674
   %.2405 = load i64, ptr %.2404, align 8
@@ -1653,104 +1655,104 @@ B1894:                                            ; preds = %B1892, %B1674
   br i1 %.809, label %B2156, label %B2046.if
 
 B2054:                                            ; preds = %B2046.if
-  %191 = getelementptr double, ptr %33, i64 %.2526.09266
+  %191 = getelementptr double, ptr %33, i64 %.2526.09263
   %.2681 = load double, ptr %191, align 8
   %.2682 = fcmp ogt double %.2681, 5.000000e-01
   br label %B2100
 
 B2100:                                            ; preds = %B2054, %B2046.if
   %"$phi2100.1.2.2" = phi i1 [ true, %B2046.if ], [ %.2682, %B2054 ]
-  br i1 %looked.2.19269, label %B2152, label %B2106
+  br i1 %looked.2.19266, label %B2152, label %B2106
 
 B2106:                                            ; preds = %B2100
-  %192 = getelementptr double, ptr %34, i64 %.2526.09266
+  %192 = getelementptr double, ptr %34, i64 %.2526.09263
   %.2752 = load double, ptr %192, align 8
   %.2753 = fcmp ogt double %.2752, 5.000000e-01
   br label %B2152
 
 B2152:                                            ; preds = %B2106, %B2100
   %"$phi2152.1.2.2" = phi i1 [ true, %B2100 ], [ %.2753, %B2106 ]
-  %.2582 = icmp sgt i64 %.2529.09267, 1
+  %.2582 = icmp sgt i64 %.2529.09264, 1
   br i1 %.2582, label %B2046.if, label %B2156
 
 B2156:                                            ; preds = %B2152, %B1894
   %good.2.1.lcssa = phi i1 [ false, %B1894 ], [ %"$phi2100.1.2.2", %B2152 ]
   %looked.2.1.lcssa = phi i1 [ %spec.select8869, %B1894 ], [ %"$phi2152.1.2.2", %B2152 ]
-  %looked.2.1.lcssa.not9460 = xor i1 %looked.2.1.lcssa, true
-  %brmerge9461 = or i1 %.809, %looked.2.1.lcssa.not9460
-  br i1 %brmerge9461, label %B2838, label %B82.if.i
+  %looked.2.1.lcssa.not9456 = xor i1 %looked.2.1.lcssa, true
+  %brmerge9457 = or i1 %.809, %looked.2.1.lcssa.not9456
+  br i1 %brmerge9457, label %B2838, label %B82.if.i
 
 B2226.preheader:                                  ; preds = %B682.i
   br i1 %.809, label %B2838, label %B2228.if
 
 B140.i:                                           ; preds = %B82.if.i
-  %.311.i575 = getelementptr double, ptr %35, i64 %.105.i426.09273
-  %.312.i576 = load double, ptr %.311.i575, align 8, !noalias !46
-  %.5.i.i = fptosi double %.312.i576 to i64
-  %.386.i = getelementptr double, ptr %36, i64 %.105.i426.09273
+  %.311.i573 = getelementptr double, ptr %35, i64 %.105.i424.09270
+  %.312.i574 = load double, ptr %.311.i573, align 8, !noalias !46
+  %.5.i.i = fptosi double %.312.i574 to i64
+  %.386.i = getelementptr double, ptr %36, i64 %.105.i424.09270
   %.387.i = load double, ptr %.386.i, align 8, !noalias !46
   %.5.i1.i = fptosi double %.387.i to i64
-  %.463.i660 = mul i64 %.255.i531, %arg.batch.3.3.5.1
-  %.467.i = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.463.i660
-  %.468.i663 = load i64, ptr %.467.i, align 8, !noalias !46
-  %.470.i = add nsw i64 %.468.i663, %.5.i.i
+  %.463.i658 = mul i64 %.255.i529, %arg.batch.3.3.5.1
+  %.467.i = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.463.i658
+  %.468.i661 = load i64, ptr %.467.i, align 8, !noalias !46
+  %.470.i = add nsw i64 %.468.i661, %.5.i.i
   store i64 %.470.i, ptr %.467.i, align 8, !noalias !46
-  %.568.i742 = getelementptr i8, ptr %.467.i, i64 24
-  %.569.i743 = load i64, ptr %.568.i742, align 8, !noalias !46
-  %.571.i745 = add nsw i64 %.569.i743, %.5.i1.i
-  store i64 %.571.i745, ptr %.568.i742, align 8, !noalias !46
-  %.669.i824 = getelementptr i8, ptr %.467.i, i64 8
-  %.670.i825 = load i64, ptr %.669.i824, align 8, !noalias !46
-  %.675.i830 = add nsw i64 %.5.i1.i, %.5.i.i
-  %.676.i831 = mul nsw i64 %.675.i830, %.2097
+  %.568.i740 = getelementptr i8, ptr %.467.i, i64 24
+  %.569.i741 = load i64, ptr %.568.i740, align 8, !noalias !46
+  %.571.i743 = add nsw i64 %.569.i741, %.5.i1.i
+  store i64 %.571.i743, ptr %.568.i740, align 8, !noalias !46
+  %.669.i822 = getelementptr i8, ptr %.467.i, i64 8
+  %.670.i823 = load i64, ptr %.669.i822, align 8, !noalias !46
+  %.675.i828 = add nsw i64 %.5.i1.i, %.5.i.i
+  %.676.i829 = mul nsw i64 %.675.i828, %.2097
   %..5.i.i = select i1 %.625, i64 0, i64 %.5.i.i
-  %.677.i832 = add i64 %.676.i831, %..5.i.i
-  %.802.i920 = add i64 %.677.i832, %.670.i825
-  store i64 %.802.i920, ptr %.669.i824, align 8, !noalias !46
-  store double 0.000000e+00, ptr %.311.i575, align 8, !noalias !46
+  %.677.i830 = add i64 %.676.i829, %..5.i.i
+  %.802.i921 = add i64 %.677.i830, %.670.i823
+  store i64 %.802.i921, ptr %.669.i822, align 8, !noalias !46
+  store double 0.000000e+00, ptr %.311.i573, align 8, !noalias !46
   store double 0.000000e+00, ptr %.386.i, align 8, !noalias !46
-  %.1017.i1028 = getelementptr double, ptr %37, i64 %.105.i426.09273
-  %.1018.i1029 = load double, ptr %.1017.i1028, align 8, !noalias !46
-  %.1026.i1034 = sitofp i64 %.675.i830 to double
-  %.1027.i1035 = fsub double %.1018.i1029, %.1026.i1034
-  store double %.1027.i1035, ptr %.1017.i1028, align 8, !noalias !46
+  %.1017.i1029 = getelementptr double, ptr %37, i64 %.105.i424.09270
+  %.1018.i1030 = load double, ptr %.1017.i1029, align 8, !noalias !46
+  %.1026.i1035 = sitofp i64 %.675.i828 to double
+  %.1027.i1036 = fsub double %.1018.i1030, %.1026.i1035
+  store double %.1027.i1036, ptr %.1017.i1029, align 8, !noalias !46
   br label %B682.i
 
 B682.i:                                           ; preds = %B140.i, %B82.if.i
-  %.164.i482 = icmp sgt i64 %.108.i.09274, 1
-  br i1 %.164.i482, label %B82.if.i, label %B2226.preheader
+  %.164.i480 = icmp sgt i64 %.108.i.09271, 1
+  br i1 %.164.i480, label %B82.if.i, label %B2226.preheader
 
 B82.if.i:                                         ; preds = %B2156, %B682.i
-  %.108.i.09274 = phi i64 [ %.173.i1070, %B682.i ], [ %storemerge, %B2156 ]
-  %.105.i426.09273 = phi i64 [ %.177.i1073, %B682.i ], [ 0, %B2156 ]
-  %.173.i1070 = add nsw i64 %.108.i.09274, -1
-  %.177.i1073 = add nsw i64 %.105.i426.09273, 1
-  %193 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i426.09273
-  %.255.i531 = load i64, ptr %193, align 8, !noalias !46
-  %.260.i534 = icmp sgt i64 %.255.i531, -1
-  br i1 %.260.i534, label %B140.i, label %B682.i
+  %.108.i.09271 = phi i64 [ %.173.i1071, %B682.i ], [ %storemerge, %B2156 ]
+  %.105.i424.09270 = phi i64 [ %.177.i1074, %B682.i ], [ 0, %B2156 ]
+  %.173.i1071 = add nsw i64 %.108.i.09271, -1
+  %.177.i1074 = add nsw i64 %.105.i424.09270, 1
+  %193 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i424.09270
+  %.255.i529 = load i64, ptr %193, align 8, !noalias !46
+  %.260.i532 = icmp sgt i64 %.255.i529, -1
+  br i1 %.260.i532, label %B140.i, label %B682.i
 
 B2358:                                            ; preds = %B2228.if
-  %.3192 = getelementptr double, ptr %40, i64 %.2873.09276
+  %.3192 = getelementptr double, ptr %40, i64 %.2873.09273
   %.3193 = load double, ptr %.3192, align 8
   %.3194 = fcmp ogt double %.3193, 5.000000e-01
   br i1 %.3194, label %B2406, label %B2516
 
 B2406:                                            ; preds = %B2358
   %.5.i = fptosi double %.3193 to i64
-  %194 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2873.09276
-  %.84.i2151 = load i64, ptr %194, align 8, !noalias !50
-  %.89.i2154 = icmp sgt i64 %.84.i2151, -1
-  br i1 %.89.i2154, label %B46.i2159, label %B2516
+  %194 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2873.09273
+  %.84.i2152 = load i64, ptr %194, align 8, !noalias !50
+  %.89.i2155 = icmp sgt i64 %.84.i2152, -1
+  br i1 %.89.i2155, label %B46.i2160, label %B2516
 
-B2516:                                            ; preds = %B2358, %B46.i2159, %B2406, %B80.i2192
-  %.3372 = getelementptr double, ptr %41, i64 %.2873.09276
+B2516:                                            ; preds = %B2358, %B46.i2160, %B2406, %B80.i2193
+  %.3372 = getelementptr double, ptr %41, i64 %.2873.09273
   %.3373 = load double, ptr %.3372, align 8
   %.3374 = fcmp ogt double %.3373, 5.000000e-01
   br i1 %.3374, label %B2564, label %B2834
 
 B2564:                                            ; preds = %B2516
-  %spec.select = select i1 %within.3.29278, i1 true, i1 %.2481
+  %spec.select = select i1 %within.3.29275, i1 true, i1 %.2481
   %.3446 = mul i64 %.3031, %arg.batch.3.3.5.1
   %.3450 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.3446
   %.3451 = load i64, ptr %.3450, align 8
@@ -1759,7 +1761,7 @@ B2564:                                            ; preds = %B2516
   br i1 %.3492, label %B2692, label %B2644
 
 B2644:                                            ; preds = %B2564
-  %.3549 = getelementptr double, ptr %42, i64 %.2873.09276
+  %.3549 = getelementptr double, ptr %42, i64 %.2873.09273
   %.3550 = load double, ptr %.3549, align 8
   %.3552 = fcmp ogt double %.3550, 0.000000e+00
   br i1 %.3552, label %B2692, label %B2732
@@ -1769,7 +1771,7 @@ B2692:                                            ; preds = %B2564, %B2644
   br label %B2732
 
 B2732:                                            ; preds = %B2692, %B2644
-  %checked.5.5 = phi i1 [ true, %B2692 ], [ %checked.3.29279, %B2644 ]
+  %checked.5.5 = phi i1 [ true, %B2692 ], [ %checked.3.29276, %B2644 ]
   %.3631 = icmp slt i64 %.3082, %arg.batch.2.5.0
   br i1 %.3631, label %B2770, label %B2834
 
@@ -1779,7 +1781,7 @@ B2770:                                            ; preds = %B2732
   %195 = getelementptr double, ptr %arg.batch.2.4, i64 %.3082
   %.3670 = getelementptr double, ptr %195, i64 %.3656
   %.3671 = load double, ptr %.3670, align 8
-  %.3725 = getelementptr double, ptr %43, i64 %.2873.09276
+  %.3725 = getelementptr double, ptr %43, i64 %.2873.09273
   %.3726 = load double, ptr %.3725, align 8
   %.3727 = fcmp olt double %.3671, %.3726
   br i1 %.3727, label %B2830, label %B2834
@@ -1788,9 +1790,9 @@ B2830:                                            ; preds = %B2770
   br label %B2834
 
 B2834:                                            ; preds = %B2228.if, %B2830, %B2770, %B2732, %B2516
-  %within.4.3 = phi i1 [ true, %B2830 ], [ %spec.select, %B2770 ], [ %spec.select, %B2732 ], [ %within.3.29278, %B2516 ], [ %within.3.29278, %B2228.if ]
-  %checked.4.3 = phi i1 [ %checked.5.5, %B2830 ], [ %checked.5.5, %B2770 ], [ %checked.5.5, %B2732 ], [ %checked.3.29279, %B2516 ], [ %checked.3.29279, %B2228.if ]
-  %.2936 = icmp sgt i64 %.2876.09277, 1
+  %within.4.3 = phi i1 [ true, %B2830 ], [ %spec.select, %B2770 ], [ %spec.select, %B2732 ], [ %within.3.29275, %B2516 ], [ %within.3.29275, %B2228.if ]
+  %checked.4.3 = phi i1 [ %checked.5.5, %B2830 ], [ %checked.5.5, %B2770 ], [ %checked.5.5, %B2732 ], [ %checked.3.29276, %B2516 ], [ %checked.3.29276, %B2228.if ]
+  %.2936 = icmp sgt i64 %.2876.09274, 1
   br i1 %.2936, label %B2228.if, label %B2838
 
 B2838:                                            ; preds = %B2834, %B2156, %B2226.preheader
@@ -1843,39 +1845,39 @@ B3210:                                            ; preds = %B3200
   br i1 %.614, label %B3258.if, label %B3628.critedge
 
 B160.i:                                           ; preds = %B64.if.i3146
-  %.397.i2550 = getelementptr double, ptr %46, i64 %.138.i2326.09286
-  %.398.i2551 = load double, ptr %.397.i2550, align 8, !noalias !54
-  %.399.i = fcmp uge double %.398.i2551, 5.000000e-01
-  %.412.i2558.not = icmp slt i64 %.338.i2501, %arg.batch.2.5.0
-  %or.cond8858 = select i1 %.399.i, i1 %.412.i2558.not, i1 false
+  %.397.i2551 = getelementptr double, ptr %46, i64 %.138.i2327.09283
+  %.398.i2552 = load double, ptr %.397.i2551, align 8, !noalias !54
+  %.399.i = fcmp uge double %.398.i2552, 5.000000e-01
+  %.412.i2559.not = icmp slt i64 %.338.i2502, %arg.batch.2.5.0
+  %or.cond8858 = select i1 %.399.i, i1 %.412.i2559.not, i1 false
   br i1 %or.cond8858, label %B248.i, label %B533.i
 
 B248.i:                                           ; preds = %B160.i
-  %.435.i2569 = icmp slt i64 %.338.i2501, 0
-  %.436.i2570 = select i1 %.435.i2569, i64 %arg.batch.2.5.0, i64 0
-  %196 = getelementptr double, ptr %arg.batch.2.4, i64 %.338.i2501
-  %.450.i2584 = getelementptr double, ptr %196, i64 %.436.i2570
-  %.451.i2585 = load double, ptr %.450.i2584, align 8, !noalias !54
-  %.501.i2629 = getelementptr double, ptr %47, i64 %.138.i2326.09286
-  %.502.i2630 = load double, ptr %.501.i2629, align 8, !noalias !54
-  %.503.i2631 = fcmp olt double %.451.i2585, %.502.i2630
-  br i1 %.503.i2631, label %B308.i, label %B533.i
+  %.435.i2570 = icmp slt i64 %.338.i2502, 0
+  %.436.i2571 = select i1 %.435.i2570, i64 %arg.batch.2.5.0, i64 0
+  %196 = getelementptr double, ptr %arg.batch.2.4, i64 %.338.i2502
+  %.450.i2585 = getelementptr double, ptr %196, i64 %.436.i2571
+  %.451.i2586 = load double, ptr %.450.i2585, align 8, !noalias !54
+  %.501.i2630 = getelementptr double, ptr %47, i64 %.138.i2327.09283
+  %.502.i2631 = load double, ptr %.501.i2630, align 8, !noalias !54
+  %.503.i2632 = fcmp olt double %.451.i2586, %.502.i2631
+  br i1 %.503.i2632, label %B308.i, label %B533.i
 
 B308.i:                                           ; preds = %B248.i
-  %.554.i2672 = getelementptr double, ptr %48, i64 %.138.i2326.09286
-  %.555.i2673 = load double, ptr %.554.i2672, align 8, !noalias !54
-  %.556.i2674 = fcmp ogt double %.555.i2673, 1.000000e+00
-  br i1 %.556.i2674, label %B356.i2675, label %B533.i
+  %.554.i2673 = getelementptr double, ptr %48, i64 %.138.i2327.09283
+  %.555.i2674 = load double, ptr %.554.i2673, align 8, !noalias !54
+  %.556.i2675 = fcmp ogt double %.555.i2674, 1.000000e+00
+  br i1 %.556.i2675, label %B356.i2676, label %B533.i
 
-B356.i2675:                                       ; preds = %B308.i
-  %.608.i2720 = getelementptr double, ptr %49, i64 %.138.i2326.09286
+B356.i2676:                                       ; preds = %B308.i
+  %.608.i2720 = getelementptr double, ptr %49, i64 %.138.i2327.09283
   %.609.i2721 = load double, ptr %.608.i2720, align 8, !noalias !54
-  store double 0.000000e+00, ptr %.397.i2550, align 8, !noalias !58
-  %.161.i.i2881 = getelementptr double, ptr %50, i64 %.138.i2326.09286
+  store double 0.000000e+00, ptr %.397.i2551, align 8, !noalias !58
+  %.161.i.i2881 = getelementptr double, ptr %50, i64 %.138.i2327.09283
   store double 0.000000e+00, ptr %.161.i.i2881, align 8, !noalias !58
-  %.214.i.i2908 = getelementptr double, ptr %51, i64 %.138.i2326.09286
+  %.214.i.i2908 = getelementptr double, ptr %51, i64 %.138.i2327.09283
   store double %.609.i2721, ptr %.214.i.i2908, align 8, !noalias !58
-  %.268.i.i = load i64, ptr %.286.i2456, align 8, !noalias !58
+  %.268.i.i = load i64, ptr %.286.i2457, align 8, !noalias !58
   %.294.i.i2942 = icmp slt i64 %.268.i.i, 0
   %.295.i.i2943 = select i1 %.294.i.i2942, i64 %arg.batch.3.3.5.0, i64 0
   %.296.i.i2944 = add i64 %.295.i.i2943, %.268.i.i
@@ -1884,7 +1886,7 @@ B356.i2675:                                       ; preds = %B308.i
   %.321.i.i = load i64, ptr %.320.i.i, align 8, !noalias !58
   %.322.i.i2955 = add nsw i64 %.321.i.i, -1
   store i64 %.322.i.i2955, ptr %.320.i.i, align 8, !noalias !58
-  %.426.i.i = load i64, ptr %.286.i2456, align 8, !noalias !58
+  %.426.i.i = load i64, ptr %.286.i2457, align 8, !noalias !58
   %.452.i.i = icmp slt i64 %.426.i.i, 0
   %.453.i.i = select i1 %.452.i.i, i64 %arg.batch.3.3.5.0, i64 0
   %.454.i.i = add i64 %.453.i.i, %.426.i.i
@@ -1894,10 +1896,10 @@ B356.i2675:                                       ; preds = %B308.i
   %.479.i.i = load i64, ptr %.478.i.i, align 8, !noalias !58
   %.480.i.i = add nsw i64 %.479.i.i, 1
   store i64 %.480.i.i, ptr %.478.i.i, align 8, !noalias !58
-  %.681.i3008 = load double, ptr %.450.i2584, align 8, !noalias !54
-  %.735.i3052 = getelementptr double, ptr %52, i64 %.138.i2326.09286
+  %.681.i3008 = load double, ptr %.450.i2585, align 8, !noalias !54
+  %.735.i3052 = getelementptr double, ptr %52, i64 %.138.i2327.09283
   store double %.681.i3008, ptr %.735.i3052, align 8, !noalias !54
-  %.784.i3095 = mul i64 %.287.i2457, %arg.batch.3.3.5.1
+  %.784.i3095 = mul i64 %.287.i2458, %arg.batch.3.3.5.1
   %198 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.784.i3095
   %.788.i3098 = getelementptr i8, ptr %198, i64 8
   %.789.i3099 = load i64, ptr %.788.i3098, align 8, !noalias !54
@@ -1905,21 +1907,21 @@ B356.i2675:                                       ; preds = %B308.i
   store i64 %.790.i3100, ptr %.788.i3098, align 8, !noalias !54
   br label %B533.i
 
-B533.i:                                           ; preds = %B248.i, %B308.i, %B356.i2675, %B64.if.i3146, %B160.i
-  %.196.i2395 = icmp sgt i64 %.141.i2327.09285, 1
-  br i1 %.196.i2395, label %B64.if.i3146, label %B3628
+B533.i:                                           ; preds = %B248.i, %B308.i, %B356.i2676, %B64.if.i3146, %B160.i
+  %.196.i2396 = icmp sgt i64 %.141.i2328.09282, 1
+  br i1 %.196.i2396, label %B64.if.i3146, label %B3628
 
 B64.if.i3146:                                     ; preds = %B3258.if, %B533.i
-  %.138.i2326.09286 = phi i64 [ %.209.i3153, %B533.i ], [ 0, %B3258.if ]
-  %.141.i2327.09285 = phi i64 [ %.205.i3150, %B533.i ], [ %storemerge, %B3258.if ]
-  %.205.i3150 = add nsw i64 %.141.i2327.09285, -1
-  %.209.i3153 = add nsw i64 %.138.i2326.09286, 1
-  %.286.i2456 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.138.i2326.09286
-  %.287.i2457 = load i64, ptr %.286.i2456, align 8, !noalias !54
-  %.337.i2500 = getelementptr i64, ptr %45, i64 %.138.i2326.09286
-  %.338.i2501 = load i64, ptr %.337.i2500, align 8, !noalias !54
-  %.346.i2505 = icmp slt i64 %.287.i2457, 0
-  br i1 %.346.i2505, label %B533.i, label %B160.i
+  %.138.i2327.09283 = phi i64 [ %.209.i3153, %B533.i ], [ 0, %B3258.if ]
+  %.141.i2328.09282 = phi i64 [ %.205.i3150, %B533.i ], [ %storemerge, %B3258.if ]
+  %.205.i3150 = add nsw i64 %.141.i2328.09282, -1
+  %.209.i3153 = add nsw i64 %.138.i2327.09283, 1
+  %.286.i2457 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.138.i2327.09283
+  %.287.i2458 = load i64, ptr %.286.i2457, align 8, !noalias !54
+  %.337.i2501 = getelementptr i64, ptr %45, i64 %.138.i2327.09283
+  %.338.i2502 = load i64, ptr %.337.i2501, align 8, !noalias !54
+  %.346.i2506 = icmp slt i64 %.287.i2458, 0
+  br i1 %.346.i2506, label %B533.i, label %B160.i
 
 B3628.critedge:                                   ; preds = %B3210
   %.4470.c = load i64, ptr %.4469.c, align 8
@@ -1951,14 +1953,14 @@ B296.preheader.i.preheader:                       ; preds = %B178.if.i.preheader
   br label %B296.preheader.i
 
 B296.preheader.i:                                 ; preds = %B296.preheader.i.preheader, %B364.endif.i
-  %.545.sroa.0.08201.i = phi i64 [ %.502.18200.i, %B364.endif.i ], [ 8, %B296.preheader.i.preheader ]
-  %.502.18200.i = phi i64 [ %.502.1.i, %B364.endif.i ], [ 7, %B296.preheader.i.preheader ]
+  %.545.sroa.0.08200.i = phi i64 [ %.502.18199.i, %B364.endif.i ], [ 8, %B296.preheader.i.preheader ]
+  %.502.18199.i = phi i64 [ %.502.1.i, %B364.endif.i ], [ 7, %B296.preheader.i.preheader ]
   br i1 %.809, label %B364.endif.i, label %B296.if.i8910.preheader
 
 B296.if.i8910.preheader:                          ; preds = %B296.preheader.i
-  %switch.tableidx9500 = add i64 %.545.sroa.0.08201.i, 9
-  %199 = icmp ult i64 %switch.tableidx9500, 17
-  %switch.gep9502 = getelementptr inbounds double, ptr @switch.table.advance_of_many.8, i64 %switch.tableidx9500
+  %switch.tableidx9495 = add i64 %.545.sroa.0.08200.i, 9
+  %199 = icmp ult i64 %switch.tableidx9495, 17
+  %switch.gep9497 = getelementptr inbounds double, ptr @switch.table.advance_of_many.8, i64 %switch.tableidx9495
   br label %B296.if.i8910
 
 B296.loopexit.i:                                  ; preds = %B122.if.i467.i, %switch.end.i
@@ -1966,28 +1968,28 @@ B296.loopexit.i:                                  ; preds = %B122.if.i467.i, %sw
   br i1 %exitcond8384.not.i, label %B88.if.i.lr.ph.i, label %B296.if.i8910
 
 B88.if.i.lr.ph.i:                                 ; preds = %B296.loopexit.i
-  %.151.i.i.i8912 = mul nsw i64 %.545.sroa.0.08201.i, 3
-  %.153.i.i7087987.i = add nsw i64 %.151.i.i.i8912, 1
-  %.155.i.i710.i = mul i64 %.153.i.i7087987.i, %arg.shape.6
+  %.151.i.i.i8912 = mul nsw i64 %.545.sroa.0.08200.i, 3
+  %.153.i.i7087993.i = add nsw i64 %.151.i.i.i8912, 1
+  %.155.i.i710.i = mul i64 %.153.i.i7087993.i, %arg.shape.6
   br label %B88.if.i.i
 
 B140.i.i:                                         ; preds = %B88.if.i.i
-  %200 = getelementptr double, ptr %57, i64 %.203.i538.08178.i
+  %200 = getelementptr double, ptr %57, i64 %.203.i538.08177.i
   %.408.i.i = load double, ptr %200, align 8, !noalias !65
   %.409.i.i = fcmp ugt double %.408.i.i, 1.000000e-01
   br i1 %.409.i.i, label %B334.i.i, label %B202.i.i
 
 B202.i.i:                                         ; preds = %B140.i.i
-  %.469.i.i = getelementptr double, ptr %58, i64 %.203.i538.08178.i
+  %.469.i.i = getelementptr double, ptr %58, i64 %.203.i538.08177.i
   %.470.i.i = load double, ptr %.469.i.i, align 8, !noalias !65
-  %.520.i.i = getelementptr double, ptr %59, i64 %.203.i538.08178.i
-  %.521.i.i8941 = load double, ptr %.520.i.i, align 8, !noalias !65
-  %.522.i.i8942 = fcmp olt double %.470.i.i, %.521.i.i8941
-  br i1 %.522.i.i8942, label %B34.i.i.i, label %B334.i.i
+  %.520.i.i = getelementptr double, ptr %59, i64 %.203.i538.08177.i
+  %.521.i.i8942 = load double, ptr %.520.i.i, align 8, !noalias !65
+  %.522.i.i8943 = fcmp olt double %.470.i.i, %.521.i.i8942
+  br i1 %.522.i.i8943, label %B34.i.i.i, label %B334.i.i
 
 B34.i.i.i:                                        ; preds = %B202.i.i, %B34.if.i.i.i
   %.51.i.i492.0.i = phi i64 [ %.122.i.i.i, %B34.if.i.i.i ], [ 0, %B202.i.i ]
-  %exitcond8385.not.i = icmp eq i64 %.51.i.i492.0.i, %storemerge7986.i
+  %exitcond8385.not.i = icmp eq i64 %.51.i.i492.0.i, %storemerge7992.i
   br i1 %exitcond8385.not.i, label %B334.i.i, label %B34.if.i.i.i
 
 B128.i.i.i:                                       ; preds = %B34.if.i.i.i
@@ -1998,7 +2000,7 @@ B34.if.i.i.i:                                     ; preds = %B34.i.i.i
   %.122.i.i.i = add i64 %.51.i.i492.0.i, 1
   %.157.i.i712.i = add nsw i64 %.51.i.i492.0.i, %.155.i.i710.i
   %.159.i.i714.i = mul nsw i64 %.157.i.i712.i, %arg.shape.0
-  %.161.i.i716.i = add nsw i64 %.159.i.i714.i, %.203.i538.08178.i
+  %.161.i.i716.i = add nsw i64 %.159.i.i714.i, %.203.i538.08177.i
   %.175.i.i724.i = icmp slt i64 %.161.i.i716.i, 0
   %.176.i.i725.i = select i1 %.175.i.i724.i, i64 %arg.batch.5.4.5.0, i64 0
   %202 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i.i716.i
@@ -2016,9 +2018,9 @@ B34.if.i.i.i:                                     ; preds = %B34.i.i.i
 
 B334.i.i:                                         ; preds = %B34.i.i.i, %B88.if.i.i, %B128.i.i.i, %B202.i.i, %B140.i.i
   %"$phi334.1.2.i.1.i" = phi i1 [ false, %B140.i.i ], [ false, %B202.i.i ], [ false, %B88.if.i.i ], [ %201, %B128.i.i.i ], [ false, %B34.i.i.i ]
-  %spec.select.i = or i1 %some.2.i.08180.i, %"$phi334.1.2.i.1.i"
+  %spec.select.i = or i1 %some.2.i.08179.i, %"$phi334.1.2.i.1.i"
   %"$phi352.2.2.i.1.i" = select i1 %"$phi334.1.2.i.1.i", double 1.000000e+00, double 0.000000e+00
-  %204 = getelementptr double, ptr %60, i64 %.203.i538.08178.i
+  %204 = getelementptr double, ptr %60, i64 %.203.i538.08177.i
   store double %"$phi352.2.2.i.1.i", ptr %204, align 8, !noalias !65
   %exitcond8386.not.i = icmp eq i64 %arg.shape.0, %.274.i.i
   br i1 %exitcond8386.not.i, label %B390.i.i, label %B88.if.i.i
@@ -2027,26 +2029,26 @@ B390.i.i:                                         ; preds = %B334.i.i
   br i1 %spec.select.i, label %B398.i.i, label %B364.endif.i
 
 B398.i.i:                                         ; preds = %B390.i.i
-  %.699.i.not.i = icmp eq i64 %.545.sroa.0.08201.i, 8
-  %..i8936 = select i1 %.699.i.not.i, i64 17, i64 16
-  %.714.i.i = mul i64 %..i8936, %.463
-  %.722.i.i = mul i64 %factor.op.mul.reass, %.545.sroa.0.08201.i
+  %.699.i.not.i = icmp eq i64 %.545.sroa.0.08200.i, 8
+  %..i8937 = select i1 %.699.i.not.i, i64 17, i64 16
+  %.714.i.i = mul i64 %..i8937, %.463
+  %.722.i.i = mul i64 %.545.sroa.0.08200.i, %factor.op.mul.i.reass
   %.757.i.i = load i64, ptr %arg.code.4, align 8, !noalias !65
   %.847.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.714.i.i
   %.873.i.i = inttoptr i64 %.757.i.i to ptr
   tail call void %.873.i.i(ptr %.571, ptr %.847.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.872.i.i), !noalias !65
-  br i1 %.114.i40.i8181.not.i, label %B466.endif.endif.i.i.critedge, label %B34.if.i111.i.i
+  br i1 %.114.i40.i8180.not.i, label %B466.endif.endif.i.i.critedge, label %B34.if.i111.i.i
 
 B34.if.i111.i.i:                                  ; preds = %B398.i.i, %B34.if.i111.i.i
-  %.56.i.i485.08182.i = phi i64 [ %.127.i115.i.i, %B34.if.i111.i.i ], [ 0, %B398.i.i ]
-  %.127.i115.i.i = add nsw i64 %.56.i.i485.08182.i, 1
-  %.153.i49.i.i = add nsw i64 %.56.i.i485.08182.i, %.722.i.i
+  %.56.i.i485.08181.i = phi i64 [ %.127.i115.i.i, %B34.if.i111.i.i ], [ 0, %B398.i.i ]
+  %.127.i115.i.i = add nsw i64 %.56.i.i485.08181.i, 1
+  %.153.i49.i.i = add nsw i64 %.56.i.i485.08181.i, %.722.i.i
   %.167.i56.i.i = icmp slt i64 %.153.i49.i.i, 0
   %.168.i.i.i = select i1 %.167.i56.i.i, i64 %arg.batch.5.4.5.0, i64 0
   %205 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i49.i.i
   %.182.i.i.i = getelementptr double, ptr %205, i64 %.168.i.i.i
   %.183.i68.i.i = load double, ptr %.182.i.i.i, align 8, !noalias !73
-  %.185.i70.i.i = add nsw i64 %.56.i.i485.08182.i, %.878.i.i
+  %.185.i70.i.i = add nsw i64 %.56.i.i485.08181.i, %.878.i.i
   %.199.i.i.i = icmp slt i64 %.185.i70.i.i, 0
   %.200.i.i.i = select i1 %.199.i.i.i, i64 %arg.batch.5.1.5.0, i64 0
   %206 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.185.i70.i.i
@@ -2062,10 +2064,10 @@ B1134.i.loopexit.i:                               ; preds = %B1222.if.i.i, %B113
   br i1 %exitcond8390.not.i, label %B364.endif.i, label %B1136.if.i.i
 
 B88.if.i.i:                                       ; preds = %B334.i.i, %B88.if.i.lr.ph.i
-  %some.2.i.08180.i = phi i1 [ false, %B88.if.i.lr.ph.i ], [ %spec.select.i, %B334.i.i ]
-  %.203.i538.08178.i = phi i64 [ 0, %B88.if.i.lr.ph.i ], [ %.274.i.i, %B334.i.i ]
-  %.274.i.i = add nsw i64 %.203.i538.08178.i, 1
-  %207 = getelementptr i64, ptr %56, i64 %.203.i538.08178.i
+  %some.2.i.08179.i = phi i1 [ false, %B88.if.i.lr.ph.i ], [ %spec.select.i, %B334.i.i ]
+  %.203.i538.08177.i = phi i64 [ 0, %B88.if.i.lr.ph.i ], [ %.274.i.i, %B334.i.i ]
+  %.274.i.i = add nsw i64 %.203.i538.08177.i, 1
+  %207 = getelementptr i64, ptr %56, i64 %.203.i538.08177.i
   %.352.i.i = load i64, ptr %207, align 8, !noalias !65
   %.353.i665.i = icmp sgt i64 %.352.i.i, -1
   br i1 %.353.i665.i, label %B140.i.i, label %B334.i.i
@@ -2074,21 +2076,21 @@ B466.endif.i.i:                                   ; preds = %B34.if.i111.i.i
   %.938.i.i = load i64, ptr %.937.i.i, align 8, !noalias !65
   %.1050.i.i = inttoptr i64 %.938.i.i to ptr
   tail call void %.1050.i.i(ptr %.571, ptr %.847.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !65
-  %.1081.i.i8937 = load i64, ptr %arg.code.4, align 8, !noalias !65
-  %.1197.i.i = inttoptr i64 %.1081.i.i8937 to ptr
+  %.1081.i.i8938 = load i64, ptr %arg.code.4, align 8, !noalias !65
+  %.1197.i.i = inttoptr i64 %.1081.i.i8938 to ptr
   tail call void %.1197.i.i(ptr %.571, ptr %.847.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1196.i.i), !noalias !65
   br label %B34.if.i316.i.i
 
 B34.if.i316.i.i:                                  ; preds = %B466.endif.i.i, %B34.if.i316.i.i
-  %.56.i149.i.08185.i = phi i64 [ %.127.i324.i.i, %B34.if.i316.i.i ], [ 0, %B466.endif.i.i ]
-  %.127.i324.i.i = add nsw i64 %.56.i149.i.08185.i, 1
-  %.153.i217.i.i = add nsw i64 %.56.i149.i.08185.i, %.722.i.i
+  %.56.i149.i.08184.i = phi i64 [ %.127.i324.i.i, %B34.if.i316.i.i ], [ 0, %B466.endif.i.i ]
+  %.127.i324.i.i = add nsw i64 %.56.i149.i.08184.i, 1
+  %.153.i217.i.i = add nsw i64 %.56.i149.i.08184.i, %.722.i.i
   %.167.i227.i.i = icmp slt i64 %.153.i217.i.i, 0
   %.168.i228.i.i = select i1 %.167.i227.i.i, i64 %arg.batch.5.4.5.0, i64 0
   %208 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i217.i.i
   %.182.i241.i.i = getelementptr double, ptr %208, i64 %.168.i228.i.i
   %.183.i242.i.i = load double, ptr %.182.i241.i.i, align 8, !noalias !77
-  %.185.i244.i.i = add nsw i64 %.56.i149.i.08185.i, %.878.i.i
+  %.185.i244.i.i = add nsw i64 %.56.i149.i.08184.i, %.878.i.i
   %.199.i254.i.i = icmp slt i64 %.185.i244.i.i, 0
   %.200.i255.i.i = select i1 %.199.i254.i.i, i64 %arg.batch.5.1.5.0, i64 0
   %209 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.185.i244.i.i
@@ -2103,45 +2105,45 @@ B466.endif.endif.i.i.critedge:                    ; preds = %B398.i.i
   %.938.i.i.c = load i64, ptr %.937.i.i, align 8, !noalias !65
   %.1050.i.i.c = inttoptr i64 %.938.i.i.c to ptr
   tail call void %.1050.i.i.c(ptr %.571, ptr %.847.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !65
-  %.1081.i.i8937.c = load i64, ptr %arg.code.4, align 8, !noalias !65
-  %.1197.i.i.c = inttoptr i64 %.1081.i.i8937.c to ptr
+  %.1081.i.i8938.c = load i64, ptr %arg.code.4, align 8, !noalias !65
+  %.1197.i.i.c = inttoptr i64 %.1081.i.i8938.c to ptr
   tail call void %.1197.i.i.c(ptr %.571, ptr %.847.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.1196.i.i), !noalias !65
   br label %B466.endif.endif.i.i
 
 B466.endif.endif.i.i:                             ; preds = %B34.if.i316.i.i, %B466.endif.endif.i.i.critedge
-  %.1264.i.i8938 = load i64, ptr %.937.i.i, align 8, !noalias !65
-  %.1378.i.i = inttoptr i64 %.1264.i.i8938 to ptr
+  %.1264.i.i8939 = load i64, ptr %.937.i.i, align 8, !noalias !65
+  %.1378.i.i = inttoptr i64 %.1264.i.i8939 to ptr
   tail call void %.1378.i.i(ptr %.571, ptr %.847.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !65
   br label %B1136.if.i.i
 
 B1136.if.i.i:                                     ; preds = %B466.endif.endif.i.i, %B1134.i.loopexit.i
-  %.1412.i.08193.i = phi i64 [ %.1482.i.i, %B1134.i.loopexit.i ], [ 0, %B466.endif.endif.i.i ]
-  %.1482.i.i = add nsw i64 %.1412.i.08193.i, 1
-  %.1559.i.i = getelementptr double, ptr %60, i64 %.1412.i.08193.i
+  %.1412.i.08192.i = phi i64 [ %.1482.i.i, %B1134.i.loopexit.i ], [ 0, %B466.endif.endif.i.i ]
+  %.1482.i.i = add nsw i64 %.1412.i.08192.i, 1
+  %.1559.i.i = getelementptr double, ptr %60, i64 %.1412.i.08192.i
   %.1560.i.i = load double, ptr %.1559.i.i, align 8, !noalias !65
   %.1561.i.i = fcmp ule double %.1560.i.i, 5.000000e-01
-  %.1658.i8189.not.i = select i1 %.1561.i.i, i1 true, i1 %.287.i2218171.not.i
-  br i1 %.1658.i8189.not.i, label %B1134.i.loopexit.i, label %B1222.if.i.lr.ph.i
+  %.1658.i8188.not.i = select i1 %.1561.i.i, i1 true, i1 %.287.i2218170.not.i
+  br i1 %.1658.i8188.not.i, label %B1134.i.loopexit.i, label %B1222.if.i.lr.ph.i
 
 B1222.if.i.lr.ph.i:                               ; preds = %B1136.if.i.i
-  %gep8196.i = getelementptr double, ptr %55, i64 %.1412.i.08193.i
-  %gep.i = getelementptr double, ptr %57, i64 %.1412.i.08193.i
+  %gep8195.i = getelementptr double, ptr %55, i64 %.1412.i.08192.i
+  %gep.i = getelementptr double, ptr %57, i64 %.1412.i.08192.i
   br label %B1222.if.i.i
 
 B1222.if.i.i:                                     ; preds = %B1222.if.i.i, %B1222.if.i.lr.ph.i
-  %.1602.i.08190.i = phi i64 [ 0, %B1222.if.i.lr.ph.i ], [ %.1671.i.i, %B1222.if.i.i ]
-  %.1671.i.i = add nsw i64 %.1602.i.08190.i, 1
-  %210 = mul nsw i64 %.1602.i.08190.i, %arg.shape.0
-  %.1699.i.i = add nsw i64 %210, %.1412.i.08193.i
+  %.1602.i.08189.i = phi i64 [ 0, %B1222.if.i.lr.ph.i ], [ %.1671.i.i, %B1222.if.i.i ]
+  %.1671.i.i = add nsw i64 %.1602.i.08189.i, 1
+  %210 = mul nsw i64 %.1602.i.08189.i, %arg.shape.0
+  %.1699.i.i = add nsw i64 %210, %.1412.i.08192.i
   %211 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1699.i.i
   %.1729.i.i = load double, ptr %211, align 8, !noalias !65
-  %.1738.i.i = add nsw i64 %.1699.i.i, %factor.op.mul8198.i.reass
+  %.1738.i.i = add nsw i64 %.1699.i.i, %factor.op.mul8197.i.reass
   %.1752.i.i = icmp slt i64 %.1738.i.i, 0
   %.1753.i.i = select i1 %.1752.i.i, i64 %arg.batch.5.0.5.0, i64 0
   %212 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1738.i.i
   %.1767.i.i = getelementptr double, ptr %212, i64 %.1753.i.i
   %.1768.i.i = load double, ptr %.1767.i.i, align 8, !noalias !65
-  %.1773.i.i = add nsw i64 %.1699.i.i, %factor.op.mul8197.i.reass
+  %.1773.i.i = add nsw i64 %.1699.i.i, %factor.op.mul8196.i.reass
   %.1787.i.i = icmp slt i64 %.1773.i.i, 0
   %.1788.i.i = select i1 %.1787.i.i, i64 %arg.batch.5.0.5.0, i64 0
   %213 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1773.i.i
@@ -2149,7 +2151,7 @@ B1222.if.i.i:                                     ; preds = %B1222.if.i.i, %B122
   %.1803.i.i = load double, ptr %.1802.i.i, align 8, !noalias !65
   %.1804.i.i = fsub double %.1768.i.i, %.1803.i.i
   %.1805.i.i = tail call double @llvm.fabs.f64(double %.1804.i.i)
-  %.1856.i.i = load double, ptr %gep8196.i, align 8, !noalias !65
+  %.1856.i.i = load double, ptr %gep8195.i, align 8, !noalias !65
   %.1857.i.i = fmul double %.1856.i.i, %.1805.i.i
   %.1887.i.i = load double, ptr %.1886.i.i, align 8, !noalias !65
   %.1917.i.i = load double, ptr %arg.tolerances.4, align 8, !noalias !65
@@ -2161,30 +2163,30 @@ B1222.if.i.i:                                     ; preds = %B1222.if.i.i, %B122
   %.1931.i.i = fcmp oeq double %.1930.i.i, 0.000000e+00
   %.1924.i..i = select i1 %.1931.i.i, double %.1924.i.i, double 0x7FF0000000000000
   %.1998.i.i = load double, ptr %gep.i, align 8, !noalias !65
-  %.10.i.i.i8939 = fcmp ogt double %.1924.i..i, %.1998.i.i
-  %.11.i.i.i8940 = select i1 %.10.i.i.i8939, double %.1924.i..i, double %.1998.i.i
-  store double %.11.i.i.i8940, ptr %gep.i, align 8, !noalias !65
+  %.10.i.i.i8940 = fcmp ogt double %.1924.i..i, %.1998.i.i
+  %.11.i.i.i8941 = select i1 %.10.i.i.i8940, double %.1924.i..i, double %.1998.i.i
+  store double %.11.i.i.i8941, ptr %gep.i, align 8, !noalias !65
   %exitcond8389.not.i = icmp eq i64 %arg.shape.1, %.1671.i.i
   br i1 %exitcond8389.not.i, label %B1134.i.loopexit.i, label %B1222.if.i.i
 
 B448.i:                                           ; preds = %B364.endif.i, %B678.endif.i
-  %.932.sroa.0.08299.i = phi i1 [ true, %B678.endif.i ], [ false, %B364.endif.i ]
-  %.889.18298.i = phi i64 [ %.889.1.i, %B678.endif.i ], [ 31, %B364.endif.i ]
-  br i1 %.190.i9488215.i, label %B92.i.lr.ph.i, label %_ZN5pages5kinks7bracketB3v35B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE28Literal_5bbool_5d_28False_29x8UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  %.932.sroa.0.08298.i = phi i1 [ true, %B678.endif.i ], [ false, %B364.endif.i ]
+  %.889.18297.i = phi i64 [ %.889.1.i, %B678.endif.i ], [ 31, %B364.endif.i ]
+  br i1 %.190.i9488214.i, label %B92.i.lr.ph.i, label %_ZN5pages5kinks7bracketB3v35B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE28Literal_5bbool_5d_28False_29x8UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
 B92.i.lr.ph.i:                                    ; preds = %B448.i
-  %.472.i7972.i = select i1 %.932.sroa.0.08299.i, i64 28, i64 1
-  %.474.i1514.i = mul i64 %.472.i7972.i, %arg.shape.6
+  %.472.i7978.i = select i1 %.932.sroa.0.08298.i, i64 28, i64 1
+  %.474.i1514.i = mul i64 %.472.i7978.i, %arg.shape.6
   br label %B92.i.i
 
 B92.i.i:                                          ; preds = %B925.i.i, %B92.i.lr.ph.i
-  %.180.i826.sroa.0.08223.i = phi i64 [ 0, %B92.i.lr.ph.i ], [ %.180.i826.sroa.0.0.i, %B925.i.i ]
-  %.134.i.18222.i = phi i64 [ %.134.i.18218.i, %B92.i.lr.ph.i ], [ %.134.i.1.i, %B925.i.i ]
-  %.131.i824.18221.i = phi i64 [ %.203.i16108216.i, %B92.i.lr.ph.i ], [ %.131.i824.1.i, %B925.i.i ]
-  %some.2.i818.08219.i = phi i1 [ false, %B92.i.lr.ph.i ], [ %some.3.i.1.i, %B925.i.i ]
-  %.257.i980.i = icmp slt i64 %.180.i826.sroa.0.08223.i, 0
+  %.180.i826.sroa.0.08222.i = phi i64 [ 0, %B92.i.lr.ph.i ], [ %.180.i826.sroa.0.0.i, %B925.i.i ]
+  %.134.i.18221.i = phi i64 [ %.134.i.18217.i, %B92.i.lr.ph.i ], [ %.134.i.1.i, %B925.i.i ]
+  %.131.i824.18220.i = phi i64 [ %.203.i16108215.i, %B92.i.lr.ph.i ], [ %.131.i824.1.i, %B925.i.i ]
+  %some.2.i818.08218.i = phi i1 [ false, %B92.i.lr.ph.i ], [ %some.3.i.1.i, %B925.i.i ]
+  %.257.i980.i = icmp slt i64 %.180.i826.sroa.0.08222.i, 0
   %.258.i981.i = select i1 %.257.i980.i, i64 %arg.batch.4.1.5.1, i64 0
-  %214 = getelementptr i64, ptr %56, i64 %.180.i826.sroa.0.08223.i
+  %214 = getelementptr i64, ptr %56, i64 %.180.i826.sroa.0.08222.i
   %.280.i1000.i = getelementptr i64, ptr %214, i64 %.258.i981.i
   %.281.i.i = load i64, ptr %.280.i1000.i, align 8, !noalias !81
   %.282.i.i = icmp slt i64 %.281.i.i, 0
@@ -2192,30 +2194,30 @@ B92.i.i:                                          ; preds = %B925.i.i, %B92.i.lr
 
 B142.i.i:                                         ; preds = %B92.i.i
   %.311.i1015.i = select i1 %.257.i980.i, i64 %arg.batch.4.0.5.1, i64 0
-  %.312.i1016.i = add i64 %.311.i1015.i, %.180.i826.sroa.0.08223.i
+  %.312.i1016.i = add i64 %.311.i1015.i, %.180.i826.sroa.0.08222.i
   %.333.i1034.i = getelementptr double, ptr %57, i64 %.312.i1016.i
   %.334.i1035.i = load double, ptr %.333.i1034.i, align 8, !noalias !81
   %.335.i1036.i = fcmp ogt double %.334.i1035.i, 1.000000e-01
   br i1 %.335.i1036.i, label %B925.i.i, label %B210.i.i
 
 B210.i.i:                                         ; preds = %B142.i.i
-  br i1 %.428.i10648202.not.i, label %B416.i.i, label %B240.if.i.i
+  br i1 %.428.i10648201.not.i, label %B416.i.i, label %B240.if.i.i
 
 B306.i.i:                                         ; preds = %B240.if.i.i
-  %.476.i.i = add nsw i64 %.372.i835.08203.i, %.474.i1514.i
-  %.478.i.i8933 = mul nsw i64 %.476.i.i, %arg.shape.0
-  %.480.i.i8934 = add nsw i64 %.478.i.i8933, %.180.i826.sroa.0.08223.i
-  %.504.i1551.i = icmp slt i64 %.480.i.i8934, 0
+  %.476.i.i = add nsw i64 %.372.i835.08202.i, %.474.i1514.i
+  %.478.i.i8934 = mul nsw i64 %.476.i.i, %arg.shape.0
+  %.480.i.i8935 = add nsw i64 %.478.i.i8934, %.180.i826.sroa.0.08222.i
+  %.504.i1551.i = icmp slt i64 %.480.i.i8935, 0
   %.505.i1552.i = select i1 %.504.i1551.i, i64 %arg.batch.5.4.5.0, i64 0
-  %215 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.480.i.i8934
+  %215 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.480.i.i8935
   %.519.i1561.i = getelementptr double, ptr %215, i64 %.505.i1552.i
   %.520.i1562.i = load double, ptr %.519.i1561.i, align 8, !noalias !81
-  %.525.i.i = add nsw i64 %.480.i.i8934, %.194.i.i739.i
+  %.525.i.i = add nsw i64 %.480.i.i8935, %.194.i.i739.i
   %.541.i.i = icmp slt i64 %.525.i.i, 0
   %.542.i.i = select i1 %.541.i.i, i64 %arg.batch.5.4.5.0, i64 0
   %216 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.525.i.i
-  %.556.i.i8935 = getelementptr double, ptr %216, i64 %.542.i.i
-  %.557.i1582.i = load double, ptr %.556.i.i8935, align 8, !noalias !81
+  %.556.i.i8936 = getelementptr double, ptr %216, i64 %.542.i.i
+  %.557.i1582.i = load double, ptr %.556.i.i8936, align 8, !noalias !81
   %.558.i1583.i = fneg double %.557.i1582.i
   %.559.i1584.i = fcmp olt double %.520.i1562.i, %.558.i1583.i
   %217 = select i1 %.559.i1584.i, double -1.000000e+00, double 1.000000e+00
@@ -2223,9 +2225,9 @@ B306.i.i:                                         ; preds = %B240.if.i.i
 
 B354.i.i:                                         ; preds = %B240.if.i.i, %B306.i.i
   %"$phi354.2.2.i.3.i" = phi double [ %217, %B306.i.i ], [ 1.000000e+00, %B240.if.i.i ]
-  %.580.i1524.i = add nsw i64 %.372.i835.08203.i, %.578.i.i
+  %.580.i1524.i = add nsw i64 %.372.i835.08202.i, %.578.i.i
   %.584.i1526.i = mul nsw i64 %.580.i1524.i, %arg.shape.0
-  %.586.i.i = add nsw i64 %.584.i1526.i, %.180.i826.sroa.0.08223.i
+  %.586.i.i = add nsw i64 %.584.i1526.i, %.180.i826.sroa.0.08222.i
   %.601.i1532.i = icmp slt i64 %.586.i.i, 0
   %.602.i.i = select i1 %.601.i1532.i, i64 %arg.batch.5.4.5.0, i64 0
   %218 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.586.i.i
@@ -2235,7 +2237,7 @@ B354.i.i:                                         ; preds = %B240.if.i.i, %B306.
   br i1 %exitcond8391.not.i, label %B416.i.i, label %B240.if.i.i
 
 B416.i.i:                                         ; preds = %B354.i.i, %B210.i.i
-  br i1 %.932.sroa.0.08299.i, label %B438.i.i, label %B480.i.i
+  br i1 %.932.sroa.0.08298.i, label %B438.i.i, label %B480.i.i
 
 B438.i.i:                                         ; preds = %B416.i.i
   %.677.i.i = getelementptr double, ptr %59, i64 %.312.i1016.i
@@ -2244,18 +2246,18 @@ B438.i.i:                                         ; preds = %B416.i.i
 
 B480.i.i:                                         ; preds = %B438.i.i, %B416.i.i
   %"$phi480.1.2.i.2.i" = phi double [ %.678.i1506.i, %B438.i.i ], [ 0.000000e+00, %B416.i.i ]
-  br i1 %.428.i10648202.not.i, label %B562.i.i.preheader, label %B58.if.i.i.i
+  br i1 %.428.i10648201.not.i, label %B562.i.i.preheader, label %B58.if.i.i.i
 
 B58.if.i.i.i:                                     ; preds = %B480.i.i, %B58.if.i.i.i
-  %least.2.i.i.08208.i = phi double [ %.11.i.i.i.i8931, %B58.if.i.i.i ], [ 0x7FF0000000000000, %B480.i.i ]
-  %.54.i.i807.08206.i = phi i64 [ %.125.i.i1473.i, %B58.if.i.i.i ], [ 0, %B480.i.i ]
-  %.125.i.i1473.i = add nsw i64 %.54.i.i807.08206.i, 1
-  %.156.i.i1391.i = add nsw i64 %.54.i.i807.08206.i, %.474.i1514.i
+  %least.2.i.i.08207.i = phi double [ %.11.i.i.i.i8932, %B58.if.i.i.i ], [ 0x7FF0000000000000, %B480.i.i ]
+  %.54.i.i807.08205.i = phi i64 [ %.125.i.i1473.i, %B58.if.i.i.i ], [ 0, %B480.i.i ]
+  %.125.i.i1473.i = add nsw i64 %.54.i.i807.08205.i, 1
+  %.156.i.i1391.i = add nsw i64 %.54.i.i807.08205.i, %.474.i1514.i
   %.158.i.i1393.i = mul nsw i64 %.156.i.i1391.i, %arg.shape.0
-  %.160.i.i1395.i = add nsw i64 %.158.i.i1393.i, %.180.i826.sroa.0.08223.i
-  %.164.i.i1398.i = add nsw i64 %.54.i.i807.08206.i, %.578.i.i
+  %.160.i.i1395.i = add nsw i64 %.158.i.i1393.i, %.180.i826.sroa.0.08222.i
+  %.164.i.i1398.i = add nsw i64 %.54.i.i807.08205.i, %.578.i.i
   %.166.i.i1400.i = mul nsw i64 %.164.i.i1398.i, %arg.shape.0
-  %.168.i.i1402.i = add nsw i64 %.166.i.i1400.i, %.180.i826.sroa.0.08223.i
+  %.168.i.i1402.i = add nsw i64 %.166.i.i1400.i, %.180.i826.sroa.0.08222.i
   %.182.i.i1410.i = icmp slt i64 %.168.i.i1402.i, 0
   %.183.i.i1411.i = select i1 %.182.i.i1410.i, i64 %arg.batch.5.4.5.0, i64 0
   %219 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.168.i.i1402.i
@@ -2274,13 +2276,13 @@ B58.if.i.i.i:                                     ; preds = %B480.i.i, %B58.if.i
   %.262.i.i1461.i = getelementptr double, ptr %221, i64 %.248.i.i1451.i
   %.263.i.i1462.i = load double, ptr %.262.i.i1461.i, align 8, !noalias !85
   %.264.i.i1463.i = fadd double %.229.i.i1440.i, %.263.i.i1462.i
-  %.10.i.i.i.i8930 = fcmp olt double %.264.i.i1463.i, %least.2.i.i.08208.i
-  %.11.i.i.i.i8931 = select i1 %.10.i.i.i.i8930, double %.264.i.i1463.i, double %least.2.i.i.08208.i
+  %.10.i.i.i.i8931 = fcmp olt double %.264.i.i1463.i, %least.2.i.i.08207.i
+  %.11.i.i.i.i8932 = select i1 %.10.i.i.i.i8931, double %.264.i.i1463.i, double %least.2.i.i.08207.i
   %exitcond8392.not.i = icmp eq i64 %arg.shape.6, %.125.i.i1473.i
   br i1 %exitcond8392.not.i, label %B562.i.i.preheader, label %B58.if.i.i.i
 
 B562.i.i.preheader:                               ; preds = %B58.if.i.i.i, %B480.i.i
-  %here.4.i.2.i.ph = phi double [ 0x7FF0000000000000, %B480.i.i ], [ %.11.i.i.i.i8931, %B58.if.i.i.i ]
+  %here.4.i.2.i.ph = phi double [ 0x7FF0000000000000, %B480.i.i ], [ %.11.i.i.i.i8932, %B58.if.i.i.i ]
   br label %B562.i.i
 
 B562.i.i:                                         ; preds = %B562.i.i.preheader, %B676.i.i
@@ -2292,15 +2294,15 @@ B562.i.i:                                         ; preds = %B562.i.i.preheader,
   br i1 %222, label %switch.lookup, label %_ZN5pages5kinks7bracketB3v35B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE28Literal_5bbool_5d_28False_29x8UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
 B58.if.i186.i.i:                                  ; preds = %B58.if.i186.i.lr.ph.i, %B58.if.i186.i.i
-  %least.2.i16.i.08213.i = phi double [ 0x7FF0000000000000, %B58.if.i186.i.lr.ph.i ], [ %.11.i.i182.i.i, %B58.if.i186.i.i ]
-  %.54.i20.i.08211.i = phi i64 [ 0, %B58.if.i186.i.lr.ph.i ], [ %.125.i192.i.i, %B58.if.i186.i.i ]
-  %.125.i192.i.i = add nsw i64 %.54.i20.i.08211.i, 1
-  %.156.i98.i.i = add nsw i64 %.54.i20.i.08211.i, %.155.i97.i.i
+  %least.2.i16.i.08212.i = phi double [ 0x7FF0000000000000, %B58.if.i186.i.lr.ph.i ], [ %.11.i.i182.i.i, %B58.if.i186.i.i ]
+  %.54.i20.i.08210.i = phi i64 [ 0, %B58.if.i186.i.lr.ph.i ], [ %.125.i192.i.i, %B58.if.i186.i.i ]
+  %.125.i192.i.i = add nsw i64 %.54.i20.i.08210.i, 1
+  %.156.i98.i.i = add nsw i64 %.54.i20.i.08210.i, %.155.i97.i.i
   %.158.i100.i.i = mul nsw i64 %.156.i98.i.i, %arg.shape.0
-  %.160.i102.i.i = add nsw i64 %.158.i100.i.i, %.180.i826.sroa.0.08223.i
-  %.164.i105.i.i = add nsw i64 %.54.i20.i.08211.i, %.578.i.i
+  %.160.i102.i.i = add nsw i64 %.158.i100.i.i, %.180.i826.sroa.0.08222.i
+  %.164.i105.i.i = add nsw i64 %.54.i20.i.08210.i, %.578.i.i
   %.166.i107.i.i = mul nsw i64 %.164.i105.i.i, %arg.shape.0
-  %.168.i109.i.i = add nsw i64 %.166.i107.i.i, %.180.i826.sroa.0.08223.i
+  %.168.i109.i.i = add nsw i64 %.166.i107.i.i, %.180.i826.sroa.0.08222.i
   %.182.i117.i.i = icmp slt i64 %.168.i109.i.i, 0
   %.183.i118.i.i = select i1 %.182.i117.i.i, i64 %arg.batch.5.4.5.0, i64 0
   %223 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.168.i109.i.i
@@ -2319,8 +2321,8 @@ B58.if.i186.i.i:                                  ; preds = %B58.if.i186.i.lr.ph
   %.262.i173.i.i = getelementptr double, ptr %225, i64 %.248.i163.i.i
   %.263.i174.i.i = load double, ptr %.262.i173.i.i, align 8, !noalias !89
   %.264.i175.i.i = fadd double %.229.i150.i.i, %.263.i174.i.i
-  %.10.i.i181.i.i = fcmp olt double %.264.i175.i.i, %least.2.i16.i.08213.i
-  %.11.i.i182.i.i = select i1 %.10.i.i181.i.i, double %.264.i175.i.i, double %least.2.i16.i.08213.i
+  %.10.i.i181.i.i = fcmp olt double %.264.i175.i.i, %least.2.i16.i.08212.i
+  %.11.i.i182.i.i = select i1 %.10.i.i181.i.i, double %.264.i175.i.i, double %least.2.i16.i.08212.i
   %exitcond8393.not.i = icmp eq i64 %arg.shape.6, %.125.i192.i.i
   br i1 %exitcond8393.not.i, label %B596.endif.i.i, label %B58.if.i186.i.i
 
@@ -2348,15 +2350,15 @@ B676.i.i:                                         ; preds = %switch.8.1.i.i, %sw
   br i1 %or.cond.i, label %B720.i.i, label %B562.i.i
 
 B720.i.i:                                         ; preds = %B676.i.i
-  br i1 %.1022.i1337.i, label %switch.lookup9476, label %B768.i.i
+  br i1 %.1022.i1337.i, label %switch.lookup9471, label %B768.i.i
 
-switch.lookup9476:                                ; preds = %B720.i.i
-  %switch.gep9477 = getelementptr inbounds double, ptr @switch.table.advance_of_many.3, i64 %look.2.i.2.i
-  %switch.load9478 = load double, ptr %switch.gep9477, align 8
+switch.lookup9471:                                ; preds = %B720.i.i
+  %switch.gep9472 = getelementptr inbounds double, ptr @switch.table.advance_of_many.3, i64 %look.2.i.2.i
+  %switch.load9473 = load double, ptr %switch.gep9472, align 8
   br label %B768.i.i
 
-B768.i.i:                                         ; preds = %switch.lookup9476, %B720.i.i
-  %"$phi768.2.2.i.2.i" = phi double [ %low.3.i.3.i, %B720.i.i ], [ %switch.load9478, %switch.lookup9476 ]
+B768.i.i:                                         ; preds = %switch.lookup9471, %B720.i.i
+  %"$phi768.2.2.i.2.i" = phi double [ %low.3.i.3.i, %B720.i.i ], [ %switch.load9473, %switch.lookup9471 ]
   %.1156.i1225.i = getelementptr double, ptr %58, i64 %.312.i1016.i
   store double %low.3.i.3.i, ptr %.1156.i1225.i, align 8, !noalias !81
   %.1210.i.i = getelementptr double, ptr %59, i64 %.312.i1016.i
@@ -2366,7 +2368,7 @@ B768.i.i:                                         ; preds = %switch.lookup9476, 
   %.1320.i1312.i = getelementptr double, ptr %62, i64 %.312.i1016.i
   store double %ahead.2.i.3.i, ptr %.1320.i1312.i, align 8, !noalias !81
   %.1331.i.i = fcmp olt double %ahead.2.i.3.i, 0.000000e+00
-  %spec.select7995.i = select i1 %some.2.i818.08219.i, i1 true, i1 %.1331.i.i
+  %spec.select8001.i = select i1 %some.2.i818.08218.i, i1 true, i1 %.1331.i.i
   br label %B925.i.i
 
 B924.i.loopexit.i:                                ; preds = %B925.i.i
@@ -2374,19 +2376,19 @@ B924.i.loopexit.i:                                ; preds = %B925.i.i
   br label %_ZN5pages5kinks7bracketB3v35B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE28Literal_5bbool_5d_28False_29x8UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
 B925.i.i:                                         ; preds = %B768.i.i, %B142.i.i, %B92.i.i
-  %some.3.i.1.i = phi i1 [ %spec.select7995.i, %B768.i.i ], [ %some.2.i818.08219.i, %B142.i.i ], [ %some.2.i818.08219.i, %B92.i.i ]
-  %.190.i948.i = icmp sgt i64 %.134.i.18222.i, 0
+  %some.3.i.1.i = phi i1 [ %spec.select8001.i, %B768.i.i ], [ %some.2.i818.08218.i, %B142.i.i ], [ %some.2.i818.08218.i, %B92.i.i ]
+  %.190.i948.i = icmp sgt i64 %.134.i.18221.i, 0
   %.203.i1610.i = zext i1 %.190.i948.i to i64
-  %.131.i824.1.i = add i64 %.131.i824.18221.i, %.203.i1610.i
+  %.131.i824.1.i = add i64 %.131.i824.18220.i, %.203.i1610.i
   %.199.i1607.i = sext i1 %.190.i948.i to i64
-  %.134.i.1.i = add nsw i64 %.134.i.18222.i, %.199.i1607.i
-  %.180.i826.sroa.0.0.i = select i1 %.190.i948.i, i64 %.131.i824.18221.i, i64 0
+  %.134.i.1.i = add nsw i64 %.134.i.18221.i, %.199.i1607.i
+  %.180.i826.sroa.0.0.i = select i1 %.190.i948.i, i64 %.131.i824.18220.i, i64 0
   br i1 %.190.i948.i, label %B92.i.i, label %B924.i.loopexit.i
 
 B240.if.i.i:                                      ; preds = %B210.i.i, %B354.i.i
-  %.372.i835.08203.i = phi i64 [ %.441.i1591.i, %B354.i.i ], [ 0, %B210.i.i ]
-  %.441.i1591.i = add nsw i64 %.372.i835.08203.i, 1
-  br i1 %.932.sroa.0.08299.i, label %B306.i.i, label %B354.i.i
+  %.372.i835.08202.i = phi i64 [ %.441.i1591.i, %B354.i.i ], [ 0, %B210.i.i ]
+  %.441.i1591.i = add nsw i64 %.372.i835.08202.i, 1
+  br i1 %.932.sroa.0.08298.i, label %B306.i.i, label %B354.i.i
 
 switch.lookup:                                    ; preds = %B562.i.i
   %switch.gep = getelementptr inbounds double, ptr @switch.table.advance_of_many.3, i64 %look.2.i.2.i
@@ -2395,18 +2397,18 @@ switch.lookup:                                    ; preds = %B562.i.i
   br i1 %.864.i1169.i, label %B58.i66.i.preheader.i, label %B676.i.i
 
 B58.i66.i.preheader.i:                            ; preds = %switch.lookup
-  br i1 %.428.i10648202.not.i, label %B596.endif.i.i, label %B58.if.i186.i.lr.ph.i
+  br i1 %.428.i10648201.not.i, label %B596.endif.i.i, label %B58.if.i186.i.lr.ph.i
 
 B58.if.i186.i.lr.ph.i:                            ; preds = %B58.i66.i.preheader.i
   %.151.i93.i.i = mul nsw i64 %look.2.i.2.i, 3
-  %.153.i95.i7885.i = add nsw i64 %.151.i93.i.i, 1
-  %.155.i97.i.i = mul i64 %.153.i95.i7885.i, %arg.shape.6
+  %.153.i95.i7891.i = add nsw i64 %.151.i93.i.i, 1
+  %.155.i97.i.i = mul i64 %.153.i95.i7891.i, %arg.shape.6
   br label %B58.if.i186.i.i
 
 B596.endif.i.i:                                   ; preds = %B58.if.i186.i.i, %B58.i66.i.preheader.i
   %least.2.i16.i.0.lcssa.i = phi double [ 0x7FF0000000000000, %B58.i66.i.preheader.i ], [ %.11.i.i182.i.i, %B58.if.i186.i.i ]
-  %.915.i.i8932 = fcmp ult double %least.2.i16.i.0.lcssa.i, 0.000000e+00
-  br i1 %.915.i.i8932, label %B676.i.i, label %B646.i.i
+  %.915.i.i8933 = fcmp ult double %least.2.i16.i.0.lcssa.i, 0.000000e+00
+  br i1 %.915.i.i8933, label %B676.i.i, label %B646.i.i
 
 switch.1.1.i.i:                                   ; preds = %B646.i.i
   br label %B676.i.i
@@ -2433,18 +2435,18 @@ switch.8.1.i.i:                                   ; preds = %B646.i.i
   br label %B676.i.i
 
 _ZN5pages5kinks7bracketB3v35B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE28Literal_5bbool_5d_28False_29x8UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B646.i.i, %B562.i.i, %B924.i.loopexit.i, %B448.i
-  %.190.i9488156.i = phi i1 [ false, %B924.i.loopexit.i ], [ false, %B448.i ], [ true, %B562.i.i ], [ true, %B646.i.i ]
+  %.190.i9488155.i = phi i1 [ false, %B924.i.loopexit.i ], [ false, %B448.i ], [ true, %B562.i.i ], [ true, %B646.i.i ]
   %.1001.0.i = phi i1 [ %226, %B924.i.loopexit.i ], [ true, %B448.i ], [ true, %B562.i.i ], [ true, %B646.i.i ]
   %.10251617.i = phi i32 [ 0, %B924.i.loopexit.i ], [ 0, %B448.i ], [ 1, %B562.i.i ], [ 1, %B646.i.i ]
-  br i1 %.190.i9488156.i, label %_ZN5pages5kinks12locate_kinksB3v32B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B492.endif.endif.i, !prof !93
+  br i1 %.190.i9488155.i, label %_ZN5pages5kinks12locate_kinksB3v32B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B492.endif.endif.i, !prof !93
 
 B114.i.loopexit.i:                                ; preds = %B879.i.i
-  %.219.i1836.i = icmp ne i64 %.163.i1730.18254.i, 0
-  %227 = sub nsw i64 45, %.160.i1729.18253.i
+  %.219.i1836.i = icmp ne i64 %.163.i1730.18253.i, 0
+  %227 = sub nsw i64 45, %.160.i1729.18252.i
   %.232.i2798.i = zext i1 %.219.i1836.i to i64
-  %.160.i1729.1.i = add i64 %.160.i1729.18253.i, %.232.i2798.i
+  %.160.i1729.1.i = add i64 %.160.i1729.18252.i, %.232.i2798.i
   %.228.i2795.i = sext i1 %.219.i1836.i to i64
-  %.163.i1730.1.i = add nsw i64 %.163.i1730.18254.i, %.228.i2795.i
+  %.163.i1730.1.i = add nsw i64 %.163.i1730.18253.i, %.228.i2795.i
   %.209.i1732.sroa.0.0.i = select i1 %.219.i1836.i, i64 %227, i64 45
   br i1 %.219.i1836.i, label %B154.i.preheader.i, label %B596.if.i.preheader
 
@@ -2452,10 +2454,10 @@ B596.if.i.preheader:                              ; preds = %B326.i.i, %B114.i.l
   br label %B596.if.i
 
 B154.i.preheader.i:                               ; preds = %B154.i.preheader.i.preheader, %B114.i.loopexit.i
-  %.209.i1732.sroa.0.08255.i = phi i64 [ %.209.i1732.sroa.0.0.i, %B114.i.loopexit.i ], [ 45, %B154.i.preheader.i.preheader ]
-  %.163.i1730.18254.i = phi i64 [ %.163.i1730.1.i, %B114.i.loopexit.i ], [ 44, %B154.i.preheader.i.preheader ]
-  %.160.i1729.18253.i = phi i64 [ %.160.i1729.1.i, %B114.i.loopexit.i ], [ 1, %B154.i.preheader.i.preheader ]
-  %.108.not.i.i = icmp eq i64 %.209.i1732.sroa.0.08255.i, 0
+  %.209.i1732.sroa.0.08254.i = phi i64 [ %.209.i1732.sroa.0.0.i, %B114.i.loopexit.i ], [ 45, %B154.i.preheader.i.preheader ]
+  %.163.i1730.18253.i = phi i64 [ %.163.i1730.1.i, %B114.i.loopexit.i ], [ 44, %B154.i.preheader.i.preheader ]
+  %.160.i1729.18252.i = phi i64 [ %.160.i1729.1.i, %B114.i.loopexit.i ], [ 1, %B154.i.preheader.i.preheader ]
+  %.108.not.i.i = icmp eq i64 %.209.i1732.sroa.0.08254.i, 0
   br label %B154.if.i.i
 
 B154.i.loopexit.i:                                ; preds = %B122.if.i.i.i, %B250.endif.i.i
@@ -2463,9 +2465,9 @@ B154.i.loopexit.i:                                ; preds = %B122.if.i.i.i, %B25
   br i1 %exitcond8396.not.i, label %B326.i.i, label %B154.if.i.i
 
 B162.i.i:                                         ; preds = %B154.if.i.i
-  %.441.i2409.i = getelementptr double, ptr %59, i64 %.287.i1738.08233.i
+  %.441.i2409.i = getelementptr double, ptr %59, i64 %.287.i1738.08232.i
   %.442.i2410.i = load double, ptr %.441.i2409.i, align 8, !noalias !94
-  %.492.i2450.i = getelementptr double, ptr %58, i64 %.287.i1738.08233.i
+  %.492.i2450.i = getelementptr double, ptr %58, i64 %.287.i1738.08232.i
   %.493.i2451.i = load double, ptr %.492.i2450.i, align 8, !noalias !94
   %.494.i2452.i = fsub double %.442.i2410.i, %.493.i2451.i
   %.496.i2454.i = fcmp ogt double %.494.i2452.i, 1.000000e-05
@@ -2473,13 +2475,13 @@ B162.i.i:                                         ; preds = %B154.if.i.i
 
 B250.i.i:                                         ; preds = %B154.if.i.i, %B162.i.i
   %"$phi250.2.2.i.2.i" = phi i1 [ true, %B154.if.i.i ], [ %.496.i2454.i, %B162.i.i ]
-  %.67.i.i2509.i = getelementptr double, ptr %58, i64 %.287.i1738.08233.i
+  %.67.i.i2509.i = getelementptr double, ptr %58, i64 %.287.i1738.08232.i
   %.68.i.i2510.i = load double, ptr %.67.i.i2509.i, align 8, !noalias !98
-  %.116.i.i.i = getelementptr double, ptr %59, i64 %.287.i1738.08233.i
+  %.116.i.i.i = getelementptr double, ptr %59, i64 %.287.i1738.08232.i
   %.117.i.i2543.i = load double, ptr %.116.i.i.i, align 8, !noalias !98
-  %.171.i.i.i = getelementptr double, ptr %61, i64 %.287.i1738.08233.i
+  %.171.i.i.i = getelementptr double, ptr %61, i64 %.287.i1738.08232.i
   %.172.i.i2576.i = load double, ptr %.171.i.i.i, align 8, !noalias !98
-  %.220.i.i2609.i = getelementptr double, ptr %62, i64 %.287.i1738.08233.i
+  %.220.i.i2609.i = getelementptr double, ptr %62, i64 %.287.i1738.08232.i
   %.221.i.i2610.i = load double, ptr %.220.i.i2609.i, align 8, !noalias !98
   %.224.i.i2613.i = fadd double %.68.i.i2510.i, %.117.i.i2543.i
   %.225.i.i2614.i = fmul double %.224.i.i2613.i, 5.000000e-01
@@ -2487,18 +2489,18 @@ B250.i.i:                                         ; preds = %B154.if.i.i, %B162.
 
 B282.i.i:                                         ; preds = %B250.i.i, %B282.i.i
   %r.2.0.i.i = phi double [ %r.3.1.i.i, %B282.i.i ], [ 1.000000e+00, %B250.i.i ]
-  %a.1.2.0.i.i = phi double [ %.147.i8004.i, %B282.i.i ], [ 2.000000e+00, %B250.i.i ]
-  %exp.4.0.i.i = phi i64 [ %.142.i.i, %B282.i.i ], [ %.209.i1732.sroa.0.08255.i, %B250.i.i ]
+  %a.1.2.0.i.i = phi double [ %.147.i8010.i, %B282.i.i ], [ 2.000000e+00, %B250.i.i ]
+  %exp.4.0.i.i = phi i64 [ %.142.i.i, %B282.i.i ], [ %.209.i1732.sroa.0.08254.i, %B250.i.i ]
   %.122.i.i8914 = and i64 %exp.4.0.i.i, 1
   %.123.not.i.i = icmp eq i64 %.122.i.i8914, 0
   %.127.i.i = fmul double %r.2.0.i.i, %a.1.2.0.i.i
   %r.3.1.i.i = select i1 %.123.not.i.i, double %r.2.0.i.i, double %.127.i.i
   %.142.i.i = lshr i64 %exp.4.0.i.i, 1
-  %.147.i8004.i = fmul double %a.1.2.0.i.i, %a.1.2.0.i.i
+  %.147.i8010.i = fmul double %a.1.2.0.i.i, %a.1.2.0.i.i
   %.150.not.i.i = icmp eq i64 %.142.i.i, 0
-  br i1 %.150.not.i.i, label %B334.i8005.loopexit.i, label %B282.i.i
+  br i1 %.150.not.i.i, label %B334.i8011.loopexit.i, label %B282.i.i
 
-B334.i8005.loopexit.i:                            ; preds = %B282.i.i
+B334.i8011.loopexit.i:                            ; preds = %B282.i.i
   %228 = fmul double %r.3.1.i.i, 1.000000e-05
   br label %B0.endif.i.i2628.i
 
@@ -2509,8 +2511,8 @@ B494.i.i.i:                                       ; preds = %B0.endif.i.i2628.i
   %.424.i.i.i = fsub double %.225.i.i2614.i, %.420.i.i.i
   br label %B250.endif.i.i
 
-B0.endif.i.i2628.i:                               ; preds = %B334.i8005.loopexit.i, %B250.i.i
-  %r.4.1.i.i = phi double [ 1.000000e-05, %B250.i.i ], [ %228, %B334.i8005.loopexit.i ]
+B0.endif.i.i2628.i:                               ; preds = %B334.i8011.loopexit.i, %B250.i.i
+  %r.4.1.i.i = phi double [ 1.000000e-05, %B250.i.i ], [ %228, %B334.i8011.loopexit.i ]
   %.259.i.i2632.i = fsub double %.117.i.i2543.i, %.68.i.i2510.i
   %.260.i.i2633.i = fsub double %r.4.1.i.i, %.259.i.i2632.i
   %.261.i.i2634.i = fmul double %.260.i.i2633.i, 5.000000e-01
@@ -2521,8 +2523,8 @@ B0.endif.i.i2628.i:                               ; preds = %B334.i8005.loopexit
   %.274.i.i2644.i = fdiv double %.269.i.i2640.i, %.270.i.i2641.i
   %.280.i.i2647.i = fcmp olt double %.68.i.i2510.i, %.274.i.i2644.i
   %.288.i.i2766.i = fcmp olt double %.274.i.i2644.i, %.117.i.i2543.i
-  %or.cond8000.i = select i1 %.280.i.i2647.i, i1 %.288.i.i2766.i, i1 false
-  %"$phi302.0.2.i.i.0.i" = select i1 %or.cond8000.i, double %.274.i.i2644.i, double %.225.i.i2614.i
+  %or.cond8006.i = select i1 %.280.i.i2647.i, i1 %.288.i.i2766.i, i1 false
+  %"$phi302.0.2.i.i.0.i" = select i1 %or.cond8006.i, double %.274.i.i2644.i, double %.225.i.i2614.i
   %.315.i.i.i = fsub double %.225.i.i2614.i, %"$phi302.0.2.i.i.0.i"
   %.316.i.i.i = tail call double @llvm.copysign.f64(double 1.000000e+00, double %.315.i.i.i)
   %.330.i.i.i = fmul double %.259.i.i2632.i, %.259.i.i2632.i
@@ -2546,29 +2548,29 @@ B336.i.i:                                         ; preds = %B326.i.i
   br label %B540.if.i.i
 
 B634.i.i:                                         ; preds = %B540.if.i.i
-  %.171.i135.i.i = getelementptr double, ptr %61, i64 %.789.i1762.08245.i
+  %.171.i135.i.i = getelementptr double, ptr %61, i64 %.789.i1762.08244.i
   %.172.i136.i.i = load double, ptr %.171.i135.i.i, align 8, !noalias !102
-  %.220.i169.i.i = getelementptr double, ptr %62, i64 %.789.i1762.08245.i
+  %.220.i169.i.i = getelementptr double, ptr %62, i64 %.789.i1762.08244.i
   %.221.i170.i.i = load double, ptr %.220.i169.i.i, align 8, !noalias !102
   %.224.i173.i.i = fadd double %.936.i2079.i, %.987.i2115.i
   %.225.i174.i.i = fmul double %.224.i173.i.i, 5.000000e-01
-  br i1 %.108.not.i.i, label %B0.endif.i188.i.i, label %B282.i8012.i
+  br i1 %.108.not.i.i, label %B0.endif.i188.i.i, label %B282.i8018.i
 
-B282.i8012.i:                                     ; preds = %B634.i.i, %B282.i8012.i
-  %r.2.0.i8013.i = phi double [ %r.3.1.i8019.i, %B282.i8012.i ], [ 1.000000e+00, %B634.i.i ]
-  %a.1.2.0.i8014.i = phi double [ %.147.i8021.i, %B282.i8012.i ], [ 2.000000e+00, %B634.i.i ]
-  %exp.4.0.i8015.i = phi i64 [ %.142.i8020.i, %B282.i8012.i ], [ %.209.i1732.sroa.0.08255.i, %B634.i.i ]
-  %.122.i8016.i = and i64 %exp.4.0.i8015.i, 1
-  %.123.not.i8017.i = icmp eq i64 %.122.i8016.i, 0
-  %.127.i8018.i = fmul double %r.2.0.i8013.i, %a.1.2.0.i8014.i
-  %r.3.1.i8019.i = select i1 %.123.not.i8017.i, double %r.2.0.i8013.i, double %.127.i8018.i
-  %.142.i8020.i = lshr i64 %exp.4.0.i8015.i, 1
-  %.147.i8021.i = fmul double %a.1.2.0.i8014.i, %a.1.2.0.i8014.i
-  %.150.not.i8022.i = icmp eq i64 %.142.i8020.i, 0
-  br i1 %.150.not.i8022.i, label %B334.i8023.loopexit.i, label %B282.i8012.i
+B282.i8018.i:                                     ; preds = %B634.i.i, %B282.i8018.i
+  %r.2.0.i8019.i = phi double [ %r.3.1.i8025.i, %B282.i8018.i ], [ 1.000000e+00, %B634.i.i ]
+  %a.1.2.0.i8020.i = phi double [ %.147.i8027.i, %B282.i8018.i ], [ 2.000000e+00, %B634.i.i ]
+  %exp.4.0.i8021.i = phi i64 [ %.142.i8026.i, %B282.i8018.i ], [ %.209.i1732.sroa.0.08254.i, %B634.i.i ]
+  %.122.i8022.i = and i64 %exp.4.0.i8021.i, 1
+  %.123.not.i8023.i = icmp eq i64 %.122.i8022.i, 0
+  %.127.i8024.i = fmul double %r.2.0.i8019.i, %a.1.2.0.i8020.i
+  %r.3.1.i8025.i = select i1 %.123.not.i8023.i, double %r.2.0.i8019.i, double %.127.i8024.i
+  %.142.i8026.i = lshr i64 %exp.4.0.i8021.i, 1
+  %.147.i8027.i = fmul double %a.1.2.0.i8020.i, %a.1.2.0.i8020.i
+  %.150.not.i8028.i = icmp eq i64 %.142.i8026.i, 0
+  br i1 %.150.not.i8028.i, label %B334.i8029.loopexit.i, label %B282.i8018.i
 
-B334.i8023.loopexit.i:                            ; preds = %B282.i8012.i
-  %229 = fmul double %r.3.1.i8019.i, 1.000000e-05
+B334.i8029.loopexit.i:                            ; preds = %B282.i8018.i
+  %229 = fmul double %r.3.1.i8025.i, 1.000000e-05
   br label %B0.endif.i188.i.i
 
 B494.i255.i.i:                                    ; preds = %B0.endif.i188.i.i
@@ -2578,9 +2580,9 @@ B494.i255.i.i:                                    ; preds = %B0.endif.i188.i.i
   %.424.i271.i.i = fsub double %.225.i174.i.i, %.420.i268.i.i
   br label %B634.endif.i.i
 
-B0.endif.i188.i.i:                                ; preds = %B334.i8023.loopexit.i, %B634.i.i
-  %r.4.1.i8024.i = phi double [ 1.000000e-05, %B634.i.i ], [ %229, %B334.i8023.loopexit.i ]
-  %.260.i193.i.i = fsub double %r.4.1.i8024.i, %.988.i2116.i
+B0.endif.i188.i.i:                                ; preds = %B334.i8029.loopexit.i, %B634.i.i
+  %r.4.1.i8030.i = phi double [ 1.000000e-05, %B634.i.i ], [ %229, %B334.i8029.loopexit.i ]
+  %.260.i193.i.i = fsub double %r.4.1.i8030.i, %.988.i2116.i
   %.261.i194.i.i = fmul double %.260.i193.i.i, 5.000000e-01
   %.266.i197.i.i = fmul double %.987.i2115.i, %.221.i170.i.i
   %.268.i199.i.i = fmul double %.936.i2079.i, %.172.i136.i.i
@@ -2589,8 +2591,8 @@ B0.endif.i188.i.i:                                ; preds = %B334.i8023.loopexit
   %.274.i204.i.i = fdiv double %.269.i200.i.i, %.270.i201.i.i
   %.280.i208.i.i = fcmp olt double %.987.i2115.i, %.274.i204.i.i
   %.288.i282.i.i = fcmp olt double %.274.i204.i.i, %.936.i2079.i
-  %or.cond8001.i = and i1 %.280.i208.i.i, %.288.i282.i.i
-  %"$phi302.0.2.i26.i.0.i" = select i1 %or.cond8001.i, double %.274.i204.i.i, double %.225.i174.i.i
+  %or.cond8007.i = and i1 %.280.i208.i.i, %.288.i282.i.i
+  %"$phi302.0.2.i26.i.0.i" = select i1 %or.cond8007.i, double %.274.i204.i.i, double %.225.i174.i.i
   %.315.i222.i.i = fsub double %.225.i174.i.i, %"$phi302.0.2.i26.i.0.i"
   %.316.i223.i.i = tail call double @llvm.copysign.f64(double 1.000000e+00, double %.315.i222.i.i)
   %.330.i233.i.i = fmul double %.988.i2116.i, %.988.i2116.i
@@ -2619,130 +2621,130 @@ B879.i.i:                                         ; preds = %B540.if.i.i, %B802.
   br i1 %exitcond8398.not.i, label %B114.i.loopexit.i, label %B540.if.i.i
 
 B154.if.i.i:                                      ; preds = %B154.i.loopexit.i, %B154.i.preheader.i
-  %wide.2.i.18235.i = phi i1 [ false, %B154.i.preheader.i ], [ %"$phi250.2.2.i.2.i", %B154.i.loopexit.i ]
-  %.287.i1738.08233.i = phi i64 [ 0, %B154.i.preheader.i ], [ %.356.i2784.i, %B154.i.loopexit.i ]
-  %.356.i2784.i = add nsw i64 %.287.i1738.08233.i, 1
-  br i1 %wide.2.i.18235.i, label %B250.i.i, label %B162.i.i
+  %wide.2.i.18234.i = phi i1 [ false, %B154.i.preheader.i ], [ %"$phi250.2.2.i.2.i", %B154.i.loopexit.i ]
+  %.287.i1738.08232.i = phi i64 [ 0, %B154.i.preheader.i ], [ %.356.i2784.i, %B154.i.loopexit.i ]
+  %.356.i2784.i = add nsw i64 %.287.i1738.08232.i, 1
+  br i1 %wide.2.i.18234.i, label %B250.i.i, label %B162.i.i
 
 B250.endif.i.i:                                   ; preds = %B0.endif.i.i2628.i, %B494.i.i.i
   %.511.i1747.0.i = phi double [ %.364.i.i.i, %B0.endif.i.i2628.i ], [ %.424.i.i.i, %B494.i.i.i ]
-  %.92.i352.i.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.287.i1738.08233.i
+  %.92.i352.i.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.287.i1738.08232.i
   %.93.i353.i.i = load double, ptr %.92.i352.i.i, align 8, !noalias !106
-  %.146.i384.i.i = getelementptr double, ptr %55, i64 %.287.i1738.08233.i
+  %.146.i384.i.i = getelementptr double, ptr %55, i64 %.287.i1738.08232.i
   %.147.i385.i.i = load double, ptr %.146.i384.i.i, align 8, !noalias !106
   %.149.i387.i.i = fmul double %.511.i1747.0.i, %.147.i385.i.i
   %.150.i388.i.i = fadd double %.93.i353.i.i, %.149.i387.i.i
-  %.203.i421.i.i = getelementptr double, ptr %.571, i64 %.287.i1738.08233.i
+  %.203.i421.i.i = getelementptr double, ptr %.571, i64 %.287.i1738.08232.i
   store double %.150.i388.i.i, ptr %.203.i421.i.i, align 8, !noalias !106
-  br i1 %.287.i2218171.not.i, label %B154.i.loopexit.i, label %B122.if.i.i.lr.ph.i
+  br i1 %.287.i2218170.not.i, label %B154.i.loopexit.i, label %B122.if.i.i.lr.ph.i
 
 B122.if.i.i.lr.ph.i:                              ; preds = %B250.endif.i.i
   %.247.i.i.i.i = fsub double 1.000000e+00, %.511.i1747.0.i
-  %invariant.gep9305 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08233.i
-  %invariant.gep9307 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08233.i
-  %invariant.gep9309 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08233.i
-  %invariant.gep9311 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08233.i
-  %invariant.gep9313 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08233.i
-  %invariant.gep9315 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08233.i
-  %invariant.gep9317 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08233.i
-  %invariant.gep9319 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08233.i
-  %invariant.gep9321 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08233.i
+  %invariant.gep9302 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08232.i
+  %invariant.gep9304 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08232.i
+  %invariant.gep9306 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08232.i
+  %invariant.gep9308 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08232.i
+  %invariant.gep9310 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08232.i
+  %invariant.gep9312 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08232.i
+  %invariant.gep9314 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08232.i
+  %invariant.gep9316 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08232.i
+  %invariant.gep9318 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i1738.08232.i
   br label %B122.if.i.i.i
 
 B122.if.i.i.i:                                    ; preds = %B122.if.i.i.i, %B122.if.i.i.lr.ph.i
-  %.229.i313.i.08230.i = phi i64 [ 0, %B122.if.i.i.lr.ph.i ], [ %.300.i.i.i, %B122.if.i.i.i ]
-  %.157.i.i.i.i = add nsw i64 %.229.i313.i.08230.i, %.155.i.i.i.i
+  %.229.i313.i.08229.i = phi i64 [ 0, %B122.if.i.i.lr.ph.i ], [ %.300.i.i.i, %B122.if.i.i.i ]
+  %.157.i.i.i.i = add nsw i64 %.229.i313.i.08229.i, %.155.i.i.i.i
   %.159.i.i.i.i = mul nsw i64 %.157.i.i.i.i, %arg.shape.0
-  %gep9306 = getelementptr double, ptr %invariant.gep9305, i64 %.159.i.i.i.i
-  %.191.i.i.i.i = load double, ptr %gep9306, align 8, !noalias !110
+  %gep9303 = getelementptr double, ptr %invariant.gep9302, i64 %.159.i.i.i.i
+  %.191.i.i.i.i = load double, ptr %gep9303, align 8, !noalias !110
   %.193.i.i.i.i = fadd double %.191.i.i.i.i, 0.000000e+00
   %.253.i.i.i.i = fmul double %.511.i1747.0.i, %.193.i.i.i.i
-  %.157.i.i.i.1.i = add nsw i64 %.229.i313.i.08230.i, %.155.i.i.i.1.i
+  %.157.i.i.i.1.i = add nsw i64 %.229.i313.i.08229.i, %.155.i.i.i.1.i
   %.159.i.i.i.1.i = mul nsw i64 %.157.i.i.i.1.i, %arg.shape.0
-  %gep9308 = getelementptr double, ptr %invariant.gep9307, i64 %.159.i.i.i.1.i
-  %.191.i.i.i.1.i = load double, ptr %gep9308, align 8, !noalias !110
+  %gep9305 = getelementptr double, ptr %invariant.gep9304, i64 %.159.i.i.i.1.i
+  %.191.i.i.i.1.i = load double, ptr %gep9305, align 8, !noalias !110
   %.193.i.i.i.1.i = fadd double %.191.i.i.i.1.i, %.253.i.i.i.i
   %.253.i.i.i.1.i = fmul double %.247.i.i.i.i, %.193.i.i.i.1.i
-  %.157.i.i.i.2.i = add nsw i64 %.229.i313.i.08230.i, %.155.i.i.i.2.i
+  %.157.i.i.i.2.i = add nsw i64 %.229.i313.i.08229.i, %.155.i.i.i.2.i
   %.159.i.i.i.2.i = mul nsw i64 %.157.i.i.i.2.i, %arg.shape.0
-  %gep9310 = getelementptr double, ptr %invariant.gep9309, i64 %.159.i.i.i.2.i
-  %.191.i.i.i.2.i = load double, ptr %gep9310, align 8, !noalias !110
+  %gep9307 = getelementptr double, ptr %invariant.gep9306, i64 %.159.i.i.i.2.i
+  %.191.i.i.i.2.i = load double, ptr %gep9307, align 8, !noalias !110
   %.193.i.i.i.2.i = fadd double %.191.i.i.i.2.i, %.253.i.i.i.1.i
   %.253.i.i.i.2.i = fmul double %.511.i1747.0.i, %.193.i.i.i.2.i
-  %.157.i.i.i.3.i = add nsw i64 %.229.i313.i.08230.i, %.155.i.i.i.3.i
+  %.157.i.i.i.3.i = add nsw i64 %.229.i313.i.08229.i, %.155.i.i.i.3.i
   %.159.i.i.i.3.i = mul nsw i64 %.157.i.i.i.3.i, %arg.shape.0
-  %gep9312 = getelementptr double, ptr %invariant.gep9311, i64 %.159.i.i.i.3.i
-  %.191.i.i.i.3.i = load double, ptr %gep9312, align 8, !noalias !110
+  %gep9309 = getelementptr double, ptr %invariant.gep9308, i64 %.159.i.i.i.3.i
+  %.191.i.i.i.3.i = load double, ptr %gep9309, align 8, !noalias !110
   %.193.i.i.i.3.i = fadd double %.191.i.i.i.3.i, %.253.i.i.i.2.i
   %.253.i.i.i.3.i = fmul double %.247.i.i.i.i, %.193.i.i.i.3.i
-  %.157.i.i.i.4.i = add nsw i64 %.229.i313.i.08230.i, %.155.i.i.i.4.i
+  %.157.i.i.i.4.i = add nsw i64 %.229.i313.i.08229.i, %.155.i.i.i.4.i
   %.159.i.i.i.4.i = mul nsw i64 %.157.i.i.i.4.i, %arg.shape.0
-  %gep9314 = getelementptr double, ptr %invariant.gep9313, i64 %.159.i.i.i.4.i
-  %.191.i.i.i.4.i = load double, ptr %gep9314, align 8, !noalias !110
+  %gep9311 = getelementptr double, ptr %invariant.gep9310, i64 %.159.i.i.i.4.i
+  %.191.i.i.i.4.i = load double, ptr %gep9311, align 8, !noalias !110
   %.193.i.i.i.4.i = fadd double %.191.i.i.i.4.i, %.253.i.i.i.3.i
   %.253.i.i.i.4.i = fmul double %.511.i1747.0.i, %.193.i.i.i.4.i
-  %.157.i.i.i.5.i = add nsw i64 %.229.i313.i.08230.i, %.155.i.i.i.5.i
+  %.157.i.i.i.5.i = add nsw i64 %.229.i313.i.08229.i, %.155.i.i.i.5.i
   %.159.i.i.i.5.i = mul nsw i64 %.157.i.i.i.5.i, %arg.shape.0
-  %gep9316 = getelementptr double, ptr %invariant.gep9315, i64 %.159.i.i.i.5.i
-  %.191.i.i.i.5.i = load double, ptr %gep9316, align 8, !noalias !110
+  %gep9313 = getelementptr double, ptr %invariant.gep9312, i64 %.159.i.i.i.5.i
+  %.191.i.i.i.5.i = load double, ptr %gep9313, align 8, !noalias !110
   %.193.i.i.i.5.i = fadd double %.191.i.i.i.5.i, %.253.i.i.i.4.i
   %.253.i.i.i.5.i = fmul double %.247.i.i.i.i, %.193.i.i.i.5.i
-  %.157.i.i.i.6.i = add nsw i64 %.229.i313.i.08230.i, %.155.i.i.i.6.i
+  %.157.i.i.i.6.i = add nsw i64 %.229.i313.i.08229.i, %.155.i.i.i.6.i
   %.159.i.i.i.6.i = mul nsw i64 %.157.i.i.i.6.i, %arg.shape.0
-  %gep9318 = getelementptr double, ptr %invariant.gep9317, i64 %.159.i.i.i.6.i
-  %.191.i.i.i.6.i = load double, ptr %gep9318, align 8, !noalias !110
+  %gep9315 = getelementptr double, ptr %invariant.gep9314, i64 %.159.i.i.i.6.i
+  %.191.i.i.i.6.i = load double, ptr %gep9315, align 8, !noalias !110
   %.193.i.i.i.6.i = fadd double %.191.i.i.i.6.i, %.253.i.i.i.5.i
   %.253.i.i.i.6.i = fmul double %.511.i1747.0.i, %.193.i.i.i.6.i
-  %.300.i.i.i = add nsw i64 %.229.i313.i.08230.i, 1
-  %.271.i.i.i.i = mul nsw i64 %.229.i313.i.08230.i, %arg.shape.0
-  %gep9320 = getelementptr double, ptr %invariant.gep9319, i64 %.271.i.i.i.i
-  %.309.i.i.i.i = load double, ptr %gep9320, align 8, !noalias !110
+  %.300.i.i.i = add nsw i64 %.229.i313.i.08229.i, 1
+  %.271.i.i.i.i = mul nsw i64 %.229.i313.i.08229.i, %arg.shape.0
+  %gep9317 = getelementptr double, ptr %invariant.gep9316, i64 %.271.i.i.i.i
+  %.309.i.i.i.i = load double, ptr %gep9317, align 8, !noalias !110
   %.313.i.i.i.i = fadd double %.309.i.i.i.i, %.253.i.i.i.6.i
-  %.359.i.i.i = add nsw i64 %.229.i313.i.08230.i, %.358.i355.i
+  %.359.i.i.i = add nsw i64 %.229.i313.i.08229.i, %.358.i355.i
   %.361.i.i.i = mul nsw i64 %.359.i.i.i, %arg.shape.0
-  %gep9322 = getelementptr double, ptr %invariant.gep9321, i64 %.361.i.i.i
-  store double %.313.i.i.i.i, ptr %gep9322, align 8, !noalias !106
+  %gep9319 = getelementptr double, ptr %invariant.gep9318, i64 %.361.i.i.i
+  store double %.313.i.i.i.i, ptr %gep9319, align 8, !noalias !106
   %exitcond8395.not.i = icmp eq i64 %arg.shape.1, %.300.i.i.i
   br i1 %exitcond8395.not.i, label %B154.i.loopexit.i, label %B122.if.i.i.i
 
 B540.if.i.i:                                      ; preds = %B879.i.i, %B336.i.i
-  %.789.i1762.08245.i = phi i64 [ 0, %B336.i.i ], [ %.858.i2357.i, %B879.i.i ]
-  %.858.i2357.i = add nsw i64 %.789.i1762.08245.i, 1
-  %.935.i.i = getelementptr double, ptr %59, i64 %.789.i1762.08245.i
+  %.789.i1762.08244.i = phi i64 [ 0, %B336.i.i ], [ %.858.i2357.i, %B879.i.i ]
+  %.858.i2357.i = add nsw i64 %.789.i1762.08244.i, 1
+  %.935.i.i = getelementptr double, ptr %59, i64 %.789.i1762.08244.i
   %.936.i2079.i = load double, ptr %.935.i.i, align 8, !noalias !94
-  %.986.i2114.i = getelementptr double, ptr %58, i64 %.789.i1762.08245.i
+  %.986.i2114.i = getelementptr double, ptr %58, i64 %.789.i1762.08244.i
   %.987.i2115.i = load double, ptr %.986.i2114.i, align 8, !noalias !94
   %.988.i2116.i = fsub double %.936.i2079.i, %.987.i2115.i
-  %.990.i.i8929 = fcmp ogt double %.988.i2116.i, 1.000000e-05
-  br i1 %.990.i.i8929, label %B634.i.i, label %B879.i.i
+  %.990.i.i8930 = fcmp ogt double %.988.i2116.i, 1.000000e-05
+  br i1 %.990.i.i8930, label %B634.i.i, label %B879.i.i
 
 B634.endif.i.i:                                   ; preds = %B0.endif.i188.i.i, %B494.i255.i.i
   %.997.i1769.0.i = phi double [ %.364.i247.i.i, %B0.endif.i188.i.i ], [ %.424.i271.i.i, %B494.i255.i.i ]
-  br i1 %.428.i10648202.not.i, label %B634.endif.endif.i.i, label %B58.if.i.i2349.i.preheader
+  br i1 %.428.i10648201.not.i, label %B634.endif.endif.i.i, label %B58.if.i.i2349.i.preheader
 
 B58.if.i.i2349.i.preheader:                       ; preds = %B634.endif.i.i
-  %invariant.gep9323 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.789.i1762.08245.i
-  %invariant.gep9325 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.789.i1762.08245.i
+  %invariant.gep9320 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.789.i1762.08244.i
+  %invariant.gep9322 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.789.i1762.08244.i
   br label %B58.if.i.i2349.i
 
 B58.if.i.i2349.i:                                 ; preds = %B58.if.i.i2349.i.preheader, %B58.if.i.i2349.i
-  %least.2.i.i1621.08242.i = phi double [ %.11.i.i665.i.i, %B58.if.i.i2349.i ], [ 0x7FF0000000000000, %B58.if.i.i2349.i.preheader ]
-  %.54.i.i1622.08240.i = phi i64 [ %.125.i675.i.i, %B58.if.i.i2349.i ], [ 0, %B58.if.i.i2349.i.preheader ]
-  %.125.i675.i.i = add nsw i64 %.54.i.i1622.08240.i, 1
-  %.156.i572.i.i = add nsw i64 %.54.i.i1622.08240.i, %.155.i571.i.i
+  %least.2.i.i1621.08241.i = phi double [ %.11.i.i665.i.i, %B58.if.i.i2349.i ], [ 0x7FF0000000000000, %B58.if.i.i2349.i.preheader ]
+  %.54.i.i1622.08239.i = phi i64 [ %.125.i675.i.i, %B58.if.i.i2349.i ], [ 0, %B58.if.i.i2349.i.preheader ]
+  %.125.i675.i.i = add nsw i64 %.54.i.i1622.08239.i, 1
+  %.156.i572.i.i = add nsw i64 %.54.i.i1622.08239.i, %.155.i571.i.i
   %.158.i574.i.i = mul nsw i64 %.156.i572.i.i, %arg.shape.0
-  %.164.i578.i.i = add nsw i64 %.54.i.i1622.08240.i, %.578.i.i
+  %.164.i578.i.i = add nsw i64 %.54.i.i1622.08239.i, %.578.i.i
   %.166.i580.i.i = mul nsw i64 %.164.i578.i.i, %arg.shape.0
-  %gep9324 = getelementptr double, ptr %invariant.gep9323, i64 %.166.i580.i.i
-  %.198.i608.i.i = load double, ptr %gep9324, align 8, !noalias !114
-  %gep9326 = getelementptr double, ptr %invariant.gep9325, i64 %.158.i574.i.i
-  %.228.i630.i.i = load double, ptr %gep9326, align 8, !noalias !114
+  %gep9321 = getelementptr double, ptr %invariant.gep9320, i64 %.166.i580.i.i
+  %.198.i608.i.i = load double, ptr %gep9321, align 8, !noalias !114
+  %gep9323 = getelementptr double, ptr %invariant.gep9322, i64 %.158.i574.i.i
+  %.228.i630.i.i = load double, ptr %gep9323, align 8, !noalias !114
   %.229.i631.i.i = fmul double %.198.i608.i.i, %.228.i630.i.i
-  %230 = getelementptr double, ptr %gep9326, i64 %.194.i.i739.i
+  %230 = getelementptr double, ptr %gep9323, i64 %.194.i.i739.i
   %.263.i656.i.i = load double, ptr %230, align 8, !noalias !114
   %.264.i657.i.i = fadd double %.229.i631.i.i, %.263.i656.i.i
-  %.10.i.i664.i.i = fcmp olt double %.264.i657.i.i, %least.2.i.i1621.08242.i
-  %.11.i.i665.i.i = select i1 %.10.i.i664.i.i, double %.264.i657.i.i, double %least.2.i.i1621.08242.i
+  %.10.i.i664.i.i = fcmp olt double %.264.i657.i.i, %least.2.i.i1621.08241.i
+  %.11.i.i665.i.i = select i1 %.10.i.i664.i.i, double %.264.i657.i.i, double %least.2.i.i1621.08241.i
   %exitcond8397.not.i = icmp eq i64 %arg.shape.6, %.125.i675.i.i
   br i1 %exitcond8397.not.i, label %B634.endif.endif.i.i, label %B58.if.i.i2349.i
 
@@ -2756,58 +2758,58 @@ B596.loopexit.i:                                  ; preds = %B122.if.i.i, %B596.
   br i1 %exitcond8401.not.i, label %B678.i, label %B596.if.i
 
 B122.if.i.i:                                      ; preds = %B122.if.i.lr.ph.i, %B122.if.i.i
-  %.229.i.08260.i = phi i64 [ 0, %B122.if.i.lr.ph.i ], [ %.300.i.i, %B122.if.i.i ]
-  %.157.i.i.i = add nsw i64 %.229.i.08260.i, %.155.i.i.i
+  %.229.i.08259.i = phi i64 [ 0, %B122.if.i.lr.ph.i ], [ %.300.i.i, %B122.if.i.i ]
+  %.157.i.i.i = add nsw i64 %.229.i.08259.i, %.155.i.i.i
   %.159.i.i.i = mul nsw i64 %.157.i.i.i, %arg.shape.0
-  %gep9328 = getelementptr double, ptr %invariant.gep9327, i64 %.159.i.i.i
-  %.191.i.i.i = load double, ptr %gep9328, align 8, !noalias !118
+  %gep9325 = getelementptr double, ptr %invariant.gep9324, i64 %.159.i.i.i
+  %.191.i.i.i = load double, ptr %gep9325, align 8, !noalias !118
   %.193.i.i.i = fadd double %.191.i.i.i, 0.000000e+00
   %.253.i.i.i = fmul double %.1301.i, %.193.i.i.i
-  %.157.i.i.1.i = add nsw i64 %.229.i.08260.i, %.155.i.i.1.i
+  %.157.i.i.1.i = add nsw i64 %.229.i.08259.i, %.155.i.i.1.i
   %.159.i.i.1.i = mul nsw i64 %.157.i.i.1.i, %arg.shape.0
-  %gep9330 = getelementptr double, ptr %invariant.gep9329, i64 %.159.i.i.1.i
-  %.191.i.i.1.i = load double, ptr %gep9330, align 8, !noalias !118
+  %gep9327 = getelementptr double, ptr %invariant.gep9326, i64 %.159.i.i.1.i
+  %.191.i.i.1.i = load double, ptr %gep9327, align 8, !noalias !118
   %.193.i.i.1.i = fadd double %.191.i.i.1.i, %.253.i.i.i
   %.253.i.i.1.i = fmul double %.247.i.i.i, %.193.i.i.1.i
-  %.157.i.i.2.i = add nsw i64 %.229.i.08260.i, %.155.i.i.2.i
+  %.157.i.i.2.i = add nsw i64 %.229.i.08259.i, %.155.i.i.2.i
   %.159.i.i.2.i = mul nsw i64 %.157.i.i.2.i, %arg.shape.0
-  %gep9332 = getelementptr double, ptr %invariant.gep9331, i64 %.159.i.i.2.i
-  %.191.i.i.2.i = load double, ptr %gep9332, align 8, !noalias !118
+  %gep9329 = getelementptr double, ptr %invariant.gep9328, i64 %.159.i.i.2.i
+  %.191.i.i.2.i = load double, ptr %gep9329, align 8, !noalias !118
   %.193.i.i.2.i = fadd double %.191.i.i.2.i, %.253.i.i.1.i
   %.253.i.i.2.i = fmul double %.1301.i, %.193.i.i.2.i
-  %.157.i.i.3.i = add nsw i64 %.229.i.08260.i, %.155.i.i.3.i
+  %.157.i.i.3.i = add nsw i64 %.229.i.08259.i, %.155.i.i.3.i
   %.159.i.i.3.i = mul nsw i64 %.157.i.i.3.i, %arg.shape.0
-  %gep9334 = getelementptr double, ptr %invariant.gep9333, i64 %.159.i.i.3.i
-  %.191.i.i.3.i = load double, ptr %gep9334, align 8, !noalias !118
+  %gep9331 = getelementptr double, ptr %invariant.gep9330, i64 %.159.i.i.3.i
+  %.191.i.i.3.i = load double, ptr %gep9331, align 8, !noalias !118
   %.193.i.i.3.i = fadd double %.191.i.i.3.i, %.253.i.i.2.i
   %.253.i.i.3.i = fmul double %.247.i.i.i, %.193.i.i.3.i
-  %.157.i.i.4.i = add nsw i64 %.229.i.08260.i, %.155.i.i.4.i
+  %.157.i.i.4.i = add nsw i64 %.229.i.08259.i, %.155.i.i.4.i
   %.159.i.i.4.i = mul nsw i64 %.157.i.i.4.i, %arg.shape.0
-  %gep9336 = getelementptr double, ptr %invariant.gep9335, i64 %.159.i.i.4.i
-  %.191.i.i.4.i = load double, ptr %gep9336, align 8, !noalias !118
+  %gep9333 = getelementptr double, ptr %invariant.gep9332, i64 %.159.i.i.4.i
+  %.191.i.i.4.i = load double, ptr %gep9333, align 8, !noalias !118
   %.193.i.i.4.i = fadd double %.191.i.i.4.i, %.253.i.i.3.i
   %.253.i.i.4.i = fmul double %.1301.i, %.193.i.i.4.i
-  %.157.i.i.5.i = add nsw i64 %.229.i.08260.i, %.155.i.i.5.i
+  %.157.i.i.5.i = add nsw i64 %.229.i.08259.i, %.155.i.i.5.i
   %.159.i.i.5.i = mul nsw i64 %.157.i.i.5.i, %arg.shape.0
-  %gep9338 = getelementptr double, ptr %invariant.gep9337, i64 %.159.i.i.5.i
-  %.191.i.i.5.i = load double, ptr %gep9338, align 8, !noalias !118
+  %gep9335 = getelementptr double, ptr %invariant.gep9334, i64 %.159.i.i.5.i
+  %.191.i.i.5.i = load double, ptr %gep9335, align 8, !noalias !118
   %.193.i.i.5.i = fadd double %.191.i.i.5.i, %.253.i.i.4.i
   %.253.i.i.5.i = fmul double %.247.i.i.i, %.193.i.i.5.i
-  %.157.i.i.6.i = add nsw i64 %.229.i.08260.i, %.155.i.i.6.i
+  %.157.i.i.6.i = add nsw i64 %.229.i.08259.i, %.155.i.i.6.i
   %.159.i.i.6.i = mul nsw i64 %.157.i.i.6.i, %arg.shape.0
-  %gep9340 = getelementptr double, ptr %invariant.gep9339, i64 %.159.i.i.6.i
-  %.191.i.i.6.i = load double, ptr %gep9340, align 8, !noalias !118
+  %gep9337 = getelementptr double, ptr %invariant.gep9336, i64 %.159.i.i.6.i
+  %.191.i.i.6.i = load double, ptr %gep9337, align 8, !noalias !118
   %.193.i.i.6.i = fadd double %.191.i.i.6.i, %.253.i.i.5.i
   %.253.i.i.6.i = fmul double %.1301.i, %.193.i.i.6.i
-  %.300.i.i = add nsw i64 %.229.i.08260.i, 1
-  %.271.i.i.i = mul nsw i64 %.229.i.08260.i, %arg.shape.0
-  %gep9342 = getelementptr double, ptr %invariant.gep9341, i64 %.271.i.i.i
-  %.309.i.i.i = load double, ptr %gep9342, align 8, !noalias !118
+  %.300.i.i = add nsw i64 %.229.i.08259.i, 1
+  %.271.i.i.i = mul nsw i64 %.229.i.08259.i, %arg.shape.0
+  %gep9339 = getelementptr double, ptr %invariant.gep9338, i64 %.271.i.i.i
+  %.309.i.i.i = load double, ptr %gep9339, align 8, !noalias !118
   %.313.i.i.i = fadd double %.309.i.i.i, %.253.i.i.6.i
-  %.359.i.i = add nsw i64 %.229.i.08260.i, %.358.i355.i
+  %.359.i.i = add nsw i64 %.229.i.08259.i, %.358.i355.i
   %.361.i.i = mul nsw i64 %.359.i.i, %arg.shape.0
-  %gep9344 = getelementptr double, ptr %invariant.gep9343, i64 %.361.i.i
-  store double %.313.i.i.i, ptr %gep9344, align 8, !noalias !125
+  %gep9341 = getelementptr double, ptr %invariant.gep9340, i64 %.361.i.i
+  store double %.313.i.i.i, ptr %gep9341, align 8, !noalias !125
   %exitcond8400.not.i = icmp eq i64 %arg.shape.1, %.300.i.i
   br i1 %exitcond8400.not.i, label %B596.loopexit.i, label %B122.if.i.i
 
@@ -2818,22 +2820,22 @@ B678.i:                                           ; preds = %B596.loopexit.i
   br label %B88.if.i7139.i
 
 B140.i7090.i:                                     ; preds = %B88.if.i7139.i
-  %231 = getelementptr double, ptr %57, i64 %.203.i5331.08266.i
+  %231 = getelementptr double, ptr %57, i64 %.203.i5331.08265.i
   %.408.i7136.i = load double, ptr %231, align 8, !noalias !126
   %.409.i7137.i = fcmp ugt double %.408.i7136.i, 1.000000e-01
   br i1 %.409.i7137.i, label %B334.i6744.i, label %B202.i6998.i
 
 B202.i6998.i:                                     ; preds = %B140.i7090.i
-  %.469.i7041.i = getelementptr double, ptr %58, i64 %.203.i5331.08266.i
+  %.469.i7041.i = getelementptr double, ptr %58, i64 %.203.i5331.08265.i
   %.470.i7042.i = load double, ptr %.469.i7041.i, align 8, !noalias !126
-  %.520.i7086.i = getelementptr double, ptr %59, i64 %.203.i5331.08266.i
+  %.520.i7086.i = getelementptr double, ptr %59, i64 %.203.i5331.08265.i
   %.521.i7087.i = load double, ptr %.520.i7086.i, align 8, !noalias !126
   %.522.i7088.i = fcmp olt double %.470.i7042.i, %.521.i7087.i
   br i1 %.522.i7088.i, label %B34.i.i6869.i, label %B334.i6744.i
 
 B34.i.i6869.i:                                    ; preds = %B202.i6998.i, %B34.if.i.i6983.i
   %.51.i.i5192.0.i = phi i64 [ %.122.i.i6989.i, %B34.if.i.i6983.i ], [ 0, %B202.i6998.i ]
-  %exitcond8402.not.i = icmp eq i64 %.51.i.i5192.0.i, %storemerge7986.i
+  %exitcond8402.not.i = icmp eq i64 %.51.i.i5192.0.i, %storemerge7992.i
   br i1 %exitcond8402.not.i, label %B334.i6744.i, label %B34.if.i.i6983.i
 
 B128.i.i6974.i:                                   ; preds = %B34.if.i.i6983.i
@@ -2844,7 +2846,7 @@ B34.if.i.i6983.i:                                 ; preds = %B34.i.i6869.i
   %.122.i.i6989.i = add i64 %.51.i.i5192.0.i, 1
   %.157.i.i6921.i = add nsw i64 %.51.i.i5192.0.i, %.155.i571.i.i
   %.159.i.i6923.i = mul nsw i64 %.157.i.i6921.i, %arg.shape.0
-  %.161.i.i6925.i = add nsw i64 %.159.i.i6923.i, %.203.i5331.08266.i
+  %.161.i.i6925.i = add nsw i64 %.159.i.i6923.i, %.203.i5331.08265.i
   %.175.i.i6933.i = icmp slt i64 %.161.i.i6925.i, 0
   %.176.i.i6934.i = select i1 %.175.i.i6933.i, i64 %arg.batch.5.4.5.0, i64 0
   %233 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i.i6925.i
@@ -2862,32 +2864,32 @@ B34.if.i.i6983.i:                                 ; preds = %B34.i.i6869.i
 
 B334.i6744.i:                                     ; preds = %B34.i.i6869.i, %B88.if.i7139.i, %B128.i.i6974.i, %B202.i6998.i, %B140.i7090.i
   %"$phi334.1.2.i5347.1.i" = phi i1 [ false, %B140.i7090.i ], [ false, %B202.i6998.i ], [ false, %B88.if.i7139.i ], [ %232, %B128.i.i6974.i ], [ false, %B34.i.i6869.i ]
-  %spec.select7996.i = or i1 %some.2.i5327.08268.i, %"$phi334.1.2.i5347.1.i"
+  %spec.select8002.i = or i1 %some.2.i5327.08267.i, %"$phi334.1.2.i5347.1.i"
   %"$phi352.2.2.i5352.1.i" = select i1 %"$phi334.1.2.i5347.1.i", double 1.000000e+00, double 0.000000e+00
-  %235 = getelementptr double, ptr %60, i64 %.203.i5331.08266.i
+  %235 = getelementptr double, ptr %60, i64 %.203.i5331.08265.i
   store double %"$phi352.2.2.i5352.1.i", ptr %235, align 8, !noalias !126
   %exitcond8403.not.i = icmp eq i64 %arg.shape.0, %.274.i7147.i
   br i1 %exitcond8403.not.i, label %B390.i5499.i, label %B88.if.i7139.i
 
 B390.i5499.i:                                     ; preds = %B334.i6744.i
-  br i1 %spec.select7996.i, label %B398.i5519.i, label %B678.endif.i
+  br i1 %spec.select8002.i, label %B398.i5519.i, label %B678.endif.i
 
 B398.i5519.i:                                     ; preds = %B390.i5499.i
   %.756.i5561.i = load i64, ptr %arg.code.4, align 8, !noalias !126
   %.872.i5637.i = inttoptr i64 %.756.i5561.i to ptr
   tail call void %.872.i5637.i(ptr %.571, ptr %.1465.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.872.i.i), !noalias !126
-  br i1 %.114.i40.i8181.not.i, label %B466.endif.endif.i6031.i.critedge, label %B34.if.i111.i6669.i
+  br i1 %.114.i40.i8180.not.i, label %B466.endif.endif.i6031.i.critedge, label %B34.if.i111.i6669.i
 
 B34.if.i111.i6669.i:                              ; preds = %B398.i5519.i, %B34.if.i111.i6669.i
-  %.56.i.i5171.08271.i = phi i64 [ %.127.i115.i6675.i, %B34.if.i111.i6669.i ], [ 0, %B398.i5519.i ]
-  %.127.i115.i6675.i = add nsw i64 %.56.i.i5171.08271.i, 1
-  %.153.i49.i6584.i = add nsw i64 %.56.i.i5171.08271.i, %factor.op.mul8292.i.reass
+  %.56.i.i5171.08270.i = phi i64 [ %.127.i115.i6675.i, %B34.if.i111.i6669.i ], [ 0, %B398.i5519.i ]
+  %.127.i115.i6675.i = add nsw i64 %.56.i.i5171.08270.i, 1
+  %.153.i49.i6584.i = add nsw i64 %.56.i.i5171.08270.i, %factor.op.mul8291.i.reass
   %.167.i56.i6592.i = icmp slt i64 %.153.i49.i6584.i, 0
   %.168.i.i6593.i = select i1 %.167.i56.i6592.i, i64 %arg.batch.5.4.5.0, i64 0
   %236 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i49.i6584.i
   %.182.i.i6603.i = getelementptr double, ptr %236, i64 %.168.i.i6593.i
   %.183.i68.i6604.i = load double, ptr %.182.i.i6603.i, align 8, !noalias !134
-  %.185.i70.i6606.i = add nsw i64 %.56.i.i5171.08271.i, %.878.i.i
+  %.185.i70.i6606.i = add nsw i64 %.56.i.i5171.08270.i, %.878.i.i
   %.199.i.i6614.i = icmp slt i64 %.185.i70.i6606.i, 0
   %.200.i.i6615.i = select i1 %.199.i.i6614.i, i64 %arg.batch.5.1.5.0, i64 0
   %237 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.185.i70.i6606.i
@@ -2903,10 +2905,10 @@ B1134.i6137.loopexit.i:                           ; preds = %B1222.if.i6439.i, %
   br i1 %exitcond8407.not.i, label %B678.endif.i, label %B1136.if.i6451.i
 
 B88.if.i7139.i:                                   ; preds = %B678.i, %B334.i6744.i
-  %some.2.i5327.08268.i = phi i1 [ %spec.select7996.i, %B334.i6744.i ], [ false, %B678.i ]
-  %.203.i5331.08266.i = phi i64 [ %.274.i7147.i, %B334.i6744.i ], [ 0, %B678.i ]
-  %.274.i7147.i = add nsw i64 %.203.i5331.08266.i, 1
-  %238 = getelementptr i64, ptr %56, i64 %.203.i5331.08266.i
+  %some.2.i5327.08267.i = phi i1 [ %spec.select8002.i, %B334.i6744.i ], [ false, %B678.i ]
+  %.203.i5331.08265.i = phi i64 [ %.274.i7147.i, %B334.i6744.i ], [ 0, %B678.i ]
+  %.274.i7147.i = add nsw i64 %.203.i5331.08265.i, 1
+  %238 = getelementptr i64, ptr %56, i64 %.203.i5331.08265.i
   %.352.i6733.i = load i64, ptr %238, align 8, !noalias !126
   %.353.i6734.i = icmp sgt i64 %.352.i6733.i, -1
   br i1 %.353.i6734.i, label %B140.i7090.i, label %B334.i6744.i
@@ -2921,15 +2923,15 @@ B466.endif.i5739.i:                               ; preds = %B34.if.i111.i6669.i
   br label %B34.if.i316.i6558.i
 
 B34.if.i316.i6558.i:                              ; preds = %B466.endif.i5739.i, %B34.if.i316.i6558.i
-  %.56.i149.i5151.08274.i = phi i64 [ %.127.i324.i6564.i, %B34.if.i316.i6558.i ], [ 0, %B466.endif.i5739.i ]
-  %.127.i324.i6564.i = add nsw i64 %.56.i149.i5151.08274.i, 1
-  %.153.i217.i6473.i = add nsw i64 %.56.i149.i5151.08274.i, %factor.op.mul8292.i.reass
+  %.56.i149.i5151.08273.i = phi i64 [ %.127.i324.i6564.i, %B34.if.i316.i6558.i ], [ 0, %B466.endif.i5739.i ]
+  %.127.i324.i6564.i = add nsw i64 %.56.i149.i5151.08273.i, 1
+  %.153.i217.i6473.i = add nsw i64 %.56.i149.i5151.08273.i, %factor.op.mul8291.i.reass
   %.167.i227.i6481.i = icmp slt i64 %.153.i217.i6473.i, 0
   %.168.i228.i6482.i = select i1 %.167.i227.i6481.i, i64 %arg.batch.5.4.5.0, i64 0
   %239 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.153.i217.i6473.i
   %.182.i241.i6492.i = getelementptr double, ptr %239, i64 %.168.i228.i6482.i
   %.183.i242.i6493.i = load double, ptr %.182.i241.i6492.i, align 8, !noalias !138
-  %.185.i244.i6495.i = add nsw i64 %.56.i149.i5151.08274.i, %.878.i.i
+  %.185.i244.i6495.i = add nsw i64 %.56.i149.i5151.08273.i, %.878.i.i
   %.199.i254.i6503.i = icmp slt i64 %.185.i244.i6495.i, 0
   %.200.i255.i6504.i = select i1 %.199.i254.i6503.i, i64 %arg.batch.5.1.5.0, i64 0
   %240 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.185.i244.i6495.i
@@ -2956,33 +2958,33 @@ B466.endif.endif.i6031.i:                         ; preds = %B34.if.i316.i6558.i
   br label %B1136.if.i6451.i
 
 B1136.if.i6451.i:                                 ; preds = %B466.endif.endif.i6031.i, %B1134.i6137.loopexit.i
-  %.1411.i5397.08284.i = phi i64 [ %.1481.i6455.i, %B1134.i6137.loopexit.i ], [ 0, %B466.endif.endif.i6031.i ]
-  %.1481.i6455.i = add nsw i64 %.1411.i5397.08284.i, 1
-  %.1558.i6177.i = getelementptr double, ptr %60, i64 %.1411.i5397.08284.i
+  %.1411.i5397.08283.i = phi i64 [ %.1481.i6455.i, %B1134.i6137.loopexit.i ], [ 0, %B466.endif.endif.i6031.i ]
+  %.1481.i6455.i = add nsw i64 %.1411.i5397.08283.i, 1
+  %.1558.i6177.i = getelementptr double, ptr %60, i64 %.1411.i5397.08283.i
   %.1559.i6178.i = load double, ptr %.1558.i6177.i, align 8, !noalias !126
   %.1560.i6179.i = fcmp ule double %.1559.i6178.i, 5.000000e-01
-  %.1657.i62058280.not.i = select i1 %.1560.i6179.i, i1 true, i1 %.287.i2218171.not.i
-  br i1 %.1657.i62058280.not.i, label %B1134.i6137.loopexit.i, label %B1222.if.i6439.lr.ph.i
+  %.1657.i62058279.not.i = select i1 %.1560.i6179.i, i1 true, i1 %.287.i2218170.not.i
+  br i1 %.1657.i62058279.not.i, label %B1134.i6137.loopexit.i, label %B1222.if.i6439.lr.ph.i
 
 B1222.if.i6439.lr.ph.i:                           ; preds = %B1136.if.i6451.i
-  %gep8287.i = getelementptr double, ptr %55, i64 %.1411.i5397.08284.i
-  %gep8289.i = getelementptr double, ptr %57, i64 %.1411.i5397.08284.i
+  %gep8286.i = getelementptr double, ptr %55, i64 %.1411.i5397.08283.i
+  %gep8288.i = getelementptr double, ptr %57, i64 %.1411.i5397.08283.i
   br label %B1222.if.i6439.i
 
 B1222.if.i6439.i:                                 ; preds = %B1222.if.i6439.i, %B1222.if.i6439.lr.ph.i
-  %.1601.i5408.08281.i = phi i64 [ 0, %B1222.if.i6439.lr.ph.i ], [ %.1670.i6443.i, %B1222.if.i6439.i ]
-  %.1670.i6443.i = add nsw i64 %.1601.i5408.08281.i, 1
-  %241 = mul nsw i64 %.1601.i5408.08281.i, %arg.shape.0
-  %.1698.i6214.i = add nsw i64 %241, %.1411.i5397.08284.i
+  %.1601.i5408.08280.i = phi i64 [ 0, %B1222.if.i6439.lr.ph.i ], [ %.1670.i6443.i, %B1222.if.i6439.i ]
+  %.1670.i6443.i = add nsw i64 %.1601.i5408.08280.i, 1
+  %241 = mul nsw i64 %.1601.i5408.08280.i, %arg.shape.0
+  %.1698.i6214.i = add nsw i64 %241, %.1411.i5397.08283.i
   %242 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1698.i6214.i
   %.1728.i6233.i = load double, ptr %242, align 8, !noalias !126
-  %.1737.i6242.i = add nsw i64 %.1698.i6214.i, %factor.op.mul8198.i.reass
+  %.1737.i6242.i = add nsw i64 %.1698.i6214.i, %factor.op.mul8197.i.reass
   %.1751.i6249.i = icmp slt i64 %.1737.i6242.i, 0
   %.1752.i6250.i = select i1 %.1751.i6249.i, i64 %arg.batch.5.0.5.0, i64 0
   %243 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1737.i6242.i
   %.1766.i.i = getelementptr double, ptr %243, i64 %.1752.i6250.i
   %.1767.i6261.i = load double, ptr %.1766.i.i, align 8, !noalias !126
-  %.1772.i6266.i = add nsw i64 %.1698.i6214.i, %factor.op.mul8197.i.reass
+  %.1772.i6266.i = add nsw i64 %.1698.i6214.i, %factor.op.mul8196.i.reass
   %.1786.i6273.i = icmp slt i64 %.1772.i6266.i, 0
   %.1787.i6274.i = select i1 %.1786.i6273.i, i64 %arg.batch.5.0.5.0, i64 0
   %244 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1772.i6266.i
@@ -2990,7 +2992,7 @@ B1222.if.i6439.i:                                 ; preds = %B1222.if.i6439.i, %
   %.1802.i6285.i = load double, ptr %.1801.i.i, align 8, !noalias !126
   %.1803.i6286.i = fsub double %.1767.i6261.i, %.1802.i6285.i
   %.1804.i6287.i = tail call double @llvm.fabs.f64(double %.1803.i6286.i)
-  %.1855.i6321.i = load double, ptr %gep8287.i, align 8, !noalias !126
+  %.1855.i6321.i = load double, ptr %gep8286.i, align 8, !noalias !126
   %.1856.i6322.i = fmul double %.1855.i6321.i, %.1804.i6287.i
   %.1886.i6338.i = load double, ptr %.1886.i.i, align 8, !noalias !126
   %.1916.i.i = load double, ptr %arg.tolerances.4, align 8, !noalias !126
@@ -3001,24 +3003,24 @@ B1222.if.i6439.i:                                 ; preds = %B1222.if.i6439.i, %
   %.1929.i6359.i = fsub double %.1923.i.i, %.1923.i.i
   %.1930.i6360.i = fcmp oeq double %.1929.i6359.i, 0.000000e+00
   %.1923.i..i = select i1 %.1930.i6360.i, double %.1923.i.i, double 0x7FF0000000000000
-  %.1997.i6396.i = load double, ptr %gep8289.i, align 8, !noalias !126
+  %.1997.i6396.i = load double, ptr %gep8288.i, align 8, !noalias !126
   %.10.i.i6401.i = fcmp ogt double %.1923.i..i, %.1997.i6396.i
   %.11.i.i6402.i = select i1 %.10.i.i6401.i, double %.1923.i..i, double %.1997.i6396.i
-  store double %.11.i.i6402.i, ptr %gep8289.i, align 8, !noalias !126
+  store double %.11.i.i6402.i, ptr %gep8288.i, align 8, !noalias !126
   %exitcond8406.not.i = icmp eq i64 %arg.shape.1, %.1670.i6443.i
   br i1 %exitcond8406.not.i, label %B1134.i6137.loopexit.i, label %B1222.if.i6439.i
 
 B904.i:                                           ; preds = %B678.endif.i, %B492.endif.endif.i
-  br i1 %.190.i9488215.i, label %B92.i7411.i, label %_ZN5pages5kinks7bracketB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE27Literal_5bbool_5d_28True_2923Literal_5bint_5d_280_298UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br i1 %.190.i9488214.i, label %B92.i7411.i, label %_ZN5pages5kinks7bracketB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE27Literal_5bbool_5d_28True_2923Literal_5bint_5d_280_298UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
 B92.i7411.i:                                      ; preds = %B904.i, %B925.i7952.i
-  %.180.i7220.sroa.0.08321.i = phi i64 [ %.180.i7220.sroa.0.0.i, %B925.i7952.i ], [ 0, %B904.i ]
-  %.134.i7217.18320.i = phi i64 [ %.134.i7217.1.i, %B925.i7952.i ], [ %.134.i7217.18316.i, %B904.i ]
-  %.131.i7216.18319.i = phi i64 [ %.131.i7216.1.i, %B925.i7952.i ], [ 1, %B904.i ]
-  %some.2.i7210.08317.i = phi i1 [ %some.3.i7228.1.i, %B925.i7952.i ], [ false, %B904.i ]
-  %.257.i7436.i = icmp slt i64 %.180.i7220.sroa.0.08321.i, 0
+  %.180.i7220.sroa.0.08320.i = phi i64 [ %.180.i7220.sroa.0.0.i, %B925.i7952.i ], [ 0, %B904.i ]
+  %.134.i7217.18319.i = phi i64 [ %.134.i7217.1.i, %B925.i7952.i ], [ %.134.i7217.18315.i, %B904.i ]
+  %.131.i7216.18318.i = phi i64 [ %.131.i7216.1.i, %B925.i7952.i ], [ 1, %B904.i ]
+  %some.2.i7210.08316.i = phi i1 [ %some.3.i7228.1.i, %B925.i7952.i ], [ false, %B904.i ]
+  %.257.i7436.i = icmp slt i64 %.180.i7220.sroa.0.08320.i, 0
   %.258.i7437.i = select i1 %.257.i7436.i, i64 %arg.batch.4.1.5.1, i64 0
-  %245 = getelementptr i64, ptr %56, i64 %.180.i7220.sroa.0.08321.i
+  %245 = getelementptr i64, ptr %56, i64 %.180.i7220.sroa.0.08320.i
   %.280.i7458.i = getelementptr i64, ptr %245, i64 %.258.i7437.i
   %.281.i7459.i = load i64, ptr %.280.i7458.i, align 8, !noalias !142
   %.282.i7460.i = icmp slt i64 %.281.i7459.i, 0
@@ -3026,25 +3028,25 @@ B92.i7411.i:                                      ; preds = %B904.i, %B925.i7952
 
 B142.i7461.i:                                     ; preds = %B92.i7411.i
   %.311.i7483.i = select i1 %.257.i7436.i, i64 %arg.batch.4.0.5.1, i64 0
-  %.312.i7484.i = add i64 %.311.i7483.i, %.180.i7220.sroa.0.08321.i
+  %.312.i7484.i = add i64 %.311.i7483.i, %.180.i7220.sroa.0.08320.i
   %.333.i7505.i = getelementptr double, ptr %57, i64 %.312.i7484.i
   %.334.i7506.i = load double, ptr %.333.i7505.i, align 8, !noalias !142
   %.335.i7507.i = fcmp ule double %.334.i7506.i, 1.000000e-01
   br i1 %.335.i7507.i, label %B925.i7952.i, label %B210.i7510.i
 
 B210.i7510.i:                                     ; preds = %B142.i7461.i
-  br i1 %.428.i10648202.not.i, label %B562.i7696.i.preheader, label %B240.if.i8322.i
+  br i1 %.428.i10648201.not.i, label %B562.i7696.i.preheader, label %B240.if.i8322.i
 
 B58.if.i.i8246.i:                                 ; preds = %B240.if.i8322.i, %B58.if.i.i8246.i
-  %least.2.i.i7185.08306.i = phi double [ %.11.i.i.i8242.i, %B58.if.i.i8246.i ], [ 0x7FF0000000000000, %B240.if.i8322.i ]
-  %.54.i.i7189.08304.i = phi i64 [ %.125.i.i8252.i, %B58.if.i.i8246.i ], [ 0, %B240.if.i8322.i ]
-  %.125.i.i8252.i = add nsw i64 %.54.i.i7189.08304.i, 1
-  %.156.i.i8158.i = add nsw i64 %.54.i.i7189.08304.i, %arg.shape.6
+  %least.2.i.i7185.08305.i = phi double [ %.11.i.i.i8242.i, %B58.if.i.i8246.i ], [ 0x7FF0000000000000, %B240.if.i8322.i ]
+  %.54.i.i7189.08303.i = phi i64 [ %.125.i.i8252.i, %B58.if.i.i8246.i ], [ 0, %B240.if.i8322.i ]
+  %.125.i.i8252.i = add nsw i64 %.54.i.i7189.08303.i, 1
+  %.156.i.i8158.i = add nsw i64 %.54.i.i7189.08303.i, %arg.shape.6
   %.158.i.i8160.i = mul nsw i64 %.156.i.i8158.i, %arg.shape.0
-  %.160.i.i8162.i = add nsw i64 %.158.i.i8160.i, %.180.i7220.sroa.0.08321.i
-  %.164.i.i8165.i = add nsw i64 %.54.i.i7189.08304.i, %.578.i.i
+  %.160.i.i8162.i = add nsw i64 %.158.i.i8160.i, %.180.i7220.sroa.0.08320.i
+  %.164.i.i8165.i = add nsw i64 %.54.i.i7189.08303.i, %.578.i.i
   %.166.i.i8167.i = mul nsw i64 %.164.i.i8165.i, %arg.shape.0
-  %.168.i.i8169.i = add nsw i64 %.166.i.i8167.i, %.180.i7220.sroa.0.08321.i
+  %.168.i.i8169.i = add nsw i64 %.166.i.i8167.i, %.180.i7220.sroa.0.08320.i
   %.182.i.i8177.i = icmp slt i64 %.168.i.i8169.i, 0
   %.183.i.i8178.i = select i1 %.182.i.i8177.i, i64 %arg.batch.5.4.5.0, i64 0
   %246 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.168.i.i8169.i
@@ -3063,8 +3065,8 @@ B58.if.i.i8246.i:                                 ; preds = %B240.if.i8322.i, %B
   %.262.i.i8233.i = getelementptr double, ptr %248, i64 %.248.i.i8223.i
   %.263.i.i8234.i = load double, ptr %.262.i.i8233.i, align 8, !noalias !146
   %.264.i.i8235.i = fadd double %.229.i.i8210.i, %.263.i.i8234.i
-  %.10.i.i.i8241.i = fcmp olt double %.264.i.i8235.i, %least.2.i.i7185.08306.i
-  %.11.i.i.i8242.i = select i1 %.10.i.i.i8241.i, double %.264.i.i8235.i, double %least.2.i.i7185.08306.i
+  %.10.i.i.i8241.i = fcmp olt double %.264.i.i8235.i, %least.2.i.i7185.08305.i
+  %.11.i.i.i8242.i = select i1 %.10.i.i.i8241.i, double %.264.i.i8235.i, double %least.2.i.i7185.08305.i
   %exitcond8409.not.i = icmp eq i64 %arg.shape.6, %.125.i.i8252.i
   br i1 %exitcond8409.not.i, label %B562.i7696.i.preheader, label %B58.if.i.i8246.i
 
@@ -3078,18 +3080,18 @@ B562.i7696.i:                                     ; preds = %B562.i7696.i.prehea
   %low.2.i7260.2.i = phi double [ %low.3.i7264.3.i, %B676.i7713.i ], [ 0.000000e+00, %B562.i7696.i.preheader ]
   %look.2.i7259.2.i = phi i64 [ %.977.i7724.i, %B676.i7713.i ], [ 1, %B562.i7696.i.preheader ]
   %249 = icmp ult i64 %look.2.i7259.2.i, 9
-  br i1 %249, label %switch.lookup9479, label %_ZN5pages5kinks7bracketB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE27Literal_5bbool_5d_28True_2923Literal_5bint_5d_280_298UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br i1 %249, label %switch.lookup9474, label %_ZN5pages5kinks7bracketB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE27Literal_5bbool_5d_28True_2923Literal_5bint_5d_280_298UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
 B58.if.i183.i.i:                                  ; preds = %B58.if.i183.i.lr.ph.i, %B58.if.i183.i.i
-  %least.2.i16.i7162.08311.i = phi double [ 0x7FF0000000000000, %B58.if.i183.i.lr.ph.i ], [ %.11.i.i179.i.i, %B58.if.i183.i.i ]
-  %.54.i20.i7166.08309.i = phi i64 [ 0, %B58.if.i183.i.lr.ph.i ], [ %.125.i189.i.i, %B58.if.i183.i.i ]
-  %.125.i189.i.i = add nsw i64 %.54.i20.i7166.08309.i, 1
-  %.156.i95.i.i = add nsw i64 %.54.i20.i7166.08309.i, %.155.i.i8132.i
+  %least.2.i16.i7162.08310.i = phi double [ 0x7FF0000000000000, %B58.if.i183.i.lr.ph.i ], [ %.11.i.i179.i.i, %B58.if.i183.i.i ]
+  %.54.i20.i7166.08308.i = phi i64 [ 0, %B58.if.i183.i.lr.ph.i ], [ %.125.i189.i.i, %B58.if.i183.i.i ]
+  %.125.i189.i.i = add nsw i64 %.54.i20.i7166.08308.i, 1
+  %.156.i95.i.i = add nsw i64 %.54.i20.i7166.08308.i, %.155.i.i8132.i
   %.158.i97.i.i = mul nsw i64 %.156.i95.i.i, %arg.shape.0
-  %.160.i99.i.i = add nsw i64 %.158.i97.i.i, %.180.i7220.sroa.0.08321.i
-  %.164.i102.i.i = add nsw i64 %.54.i20.i7166.08309.i, %.578.i.i
+  %.160.i99.i.i = add nsw i64 %.158.i97.i.i, %.180.i7220.sroa.0.08320.i
+  %.164.i102.i.i = add nsw i64 %.54.i20.i7166.08308.i, %.578.i.i
   %.166.i104.i.i = mul nsw i64 %.164.i102.i.i, %arg.shape.0
-  %.168.i106.i.i = add nsw i64 %.166.i104.i.i, %.180.i7220.sroa.0.08321.i
+  %.168.i106.i.i = add nsw i64 %.166.i104.i.i, %.180.i7220.sroa.0.08320.i
   %.182.i114.i.i = icmp slt i64 %.168.i106.i.i, 0
   %.183.i115.i.i = select i1 %.182.i114.i.i, i64 %arg.batch.5.4.5.0, i64 0
   %250 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.168.i106.i.i
@@ -3108,8 +3110,8 @@ B58.if.i183.i.i:                                  ; preds = %B58.if.i183.i.lr.ph
   %.262.i170.i.i = getelementptr double, ptr %252, i64 %.248.i160.i.i
   %.263.i171.i.i = load double, ptr %.262.i170.i.i, align 8, !noalias !150
   %.264.i172.i.i = fadd double %.229.i147.i.i, %.263.i171.i.i
-  %.10.i.i178.i.i = fcmp olt double %.264.i172.i.i, %least.2.i16.i7162.08311.i
-  %.11.i.i179.i.i = select i1 %.10.i.i178.i.i, double %.264.i172.i.i, double %least.2.i16.i7162.08311.i
+  %.10.i.i178.i.i = fcmp olt double %.264.i172.i.i, %least.2.i16.i7162.08310.i
+  %.11.i.i179.i.i = select i1 %.10.i.i178.i.i, double %.264.i172.i.i, double %least.2.i16.i7162.08310.i
   %exitcond8410.not.i = icmp eq i64 %arg.shape.6, %.125.i189.i.i
   br i1 %exitcond8410.not.i, label %B596.endif.i8090.i, label %B58.if.i183.i.i
 
@@ -3126,26 +3128,26 @@ B646.i8096.i:                                     ; preds = %B596.endif.i8090.i
     i64 4, label %switch.4.1.i8110.i
   ]
 
-B676.i7713.i:                                     ; preds = %switch.8.1.i8100.i, %switch.7.1.i8107.i, %switch.6.1.i8108.i, %switch.5.1.i8109.i, %switch.4.1.i8110.i, %switch.3.1.i8111.i, %switch.2.1.i8112.i, %switch.1.1.i8113.i, %B596.endif.i8090.i, %switch.lookup9479, %B646.i8096.i
-  %here.3.i7266.3.i = phi double [ %here.4.i7262.2.i, %switch.lookup9479 ], [ %here.4.i7262.2.i, %B596.endif.i8090.i ], [ %least.2.i16.i7162.0.lcssa.i, %B646.i8096.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.8.1.i8100.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.7.1.i8107.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.6.1.i8108.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.5.1.i8109.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.4.1.i8110.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.3.1.i8111.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.2.1.i8112.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.1.1.i8113.i ]
-  %ahead.2.i7265.3.i = phi double [ %ahead.3.i7261.2.i, %switch.lookup9479 ], [ %least.2.i16.i7162.0.lcssa.i, %B596.endif.i8090.i ], [ %least.2.i16.i7162.0.lcssa.i, %B646.i8096.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.8.1.i8100.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.7.1.i8107.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.6.1.i8108.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.5.1.i8109.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.4.1.i8110.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.3.1.i8111.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.2.1.i8112.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.1.1.i8113.i ]
-  %low.3.i7264.3.i = phi double [ %low.2.i7260.2.i, %switch.lookup9479 ], [ %low.2.i7260.2.i, %B596.endif.i8090.i ], [ 0.000000e+00, %B646.i8096.i ], [ 1.000000e+00, %switch.8.1.i8100.i ], [ 8.889000e-01, %switch.7.1.i8107.i ], [ 7.500000e-01, %switch.6.1.i8108.i ], [ 0x3FE50A3D70A3D70A, %switch.5.1.i8109.i ], [ 5.000000e-01, %switch.4.1.i8110.i ], [ 3.333000e-01, %switch.3.1.i8111.i ], [ 2.500000e-01, %switch.2.1.i8112.i ], [ 0x3FB48E8A71DE69AD, %switch.1.1.i8113.i ]
+B676.i7713.i:                                     ; preds = %switch.8.1.i8100.i, %switch.7.1.i8107.i, %switch.6.1.i8108.i, %switch.5.1.i8109.i, %switch.4.1.i8110.i, %switch.3.1.i8111.i, %switch.2.1.i8112.i, %switch.1.1.i8113.i, %B596.endif.i8090.i, %switch.lookup9474, %B646.i8096.i
+  %here.3.i7266.3.i = phi double [ %here.4.i7262.2.i, %switch.lookup9474 ], [ %here.4.i7262.2.i, %B596.endif.i8090.i ], [ %least.2.i16.i7162.0.lcssa.i, %B646.i8096.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.8.1.i8100.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.7.1.i8107.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.6.1.i8108.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.5.1.i8109.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.4.1.i8110.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.3.1.i8111.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.2.1.i8112.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.1.1.i8113.i ]
+  %ahead.2.i7265.3.i = phi double [ %ahead.3.i7261.2.i, %switch.lookup9474 ], [ %least.2.i16.i7162.0.lcssa.i, %B596.endif.i8090.i ], [ %least.2.i16.i7162.0.lcssa.i, %B646.i8096.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.8.1.i8100.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.7.1.i8107.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.6.1.i8108.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.5.1.i8109.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.4.1.i8110.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.3.1.i8111.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.2.1.i8112.i ], [ %least.2.i16.i7162.0.lcssa.i, %switch.1.1.i8113.i ]
+  %low.3.i7264.3.i = phi double [ %low.2.i7260.2.i, %switch.lookup9474 ], [ %low.2.i7260.2.i, %B596.endif.i8090.i ], [ 0.000000e+00, %B646.i8096.i ], [ 1.000000e+00, %switch.8.1.i8100.i ], [ 8.889000e-01, %switch.7.1.i8107.i ], [ 7.500000e-01, %switch.6.1.i8108.i ], [ 0x3FE50A3D70A3D70A, %switch.5.1.i8109.i ], [ 5.000000e-01, %switch.4.1.i8110.i ], [ 3.333000e-01, %switch.3.1.i8111.i ], [ 2.500000e-01, %switch.2.1.i8112.i ], [ 0x3FB48E8A71DE69AD, %switch.1.1.i8113.i ]
   %.987.i7730.i = icmp eq i64 %look.2.i7259.2.i, 8
   %.977.i7724.i = add nsw i64 %look.2.i7259.2.i, 1
   %.1020.i.i = fcmp ult double %ahead.2.i7265.3.i, 0.000000e+00
-  %or.cond7998.i = select i1 %.987.i7730.i, i1 true, i1 %.1020.i.i
-  br i1 %or.cond7998.i, label %B720.i7731.i, label %B562.i7696.i
+  %or.cond8004.i = select i1 %.987.i7730.i, i1 true, i1 %.1020.i.i
+  br i1 %or.cond8004.i, label %B720.i7731.i, label %B562.i7696.i
 
 B720.i7731.i:                                     ; preds = %B676.i7713.i
-  br i1 %.1020.i.i, label %switch.lookup9482, label %B768.i7754.i
+  br i1 %.1020.i.i, label %switch.lookup9477, label %B768.i7754.i
 
-switch.lookup9482:                                ; preds = %B720.i7731.i
-  %switch.gep9483 = getelementptr inbounds double, ptr @switch.table.advance_of_many.3, i64 %look.2.i7259.2.i
-  %switch.load9484 = load double, ptr %switch.gep9483, align 8
+switch.lookup9477:                                ; preds = %B720.i7731.i
+  %switch.gep9478 = getelementptr inbounds double, ptr @switch.table.advance_of_many.3, i64 %look.2.i7259.2.i
+  %switch.load9479 = load double, ptr %switch.gep9478, align 8
   br label %B768.i7754.i
 
-B768.i7754.i:                                     ; preds = %switch.lookup9482, %B720.i7731.i
-  %"$phi768.2.2.i7272.2.i" = phi double [ %low.3.i7264.3.i, %B720.i7731.i ], [ %switch.load9484, %switch.lookup9482 ]
+B768.i7754.i:                                     ; preds = %switch.lookup9477, %B720.i7731.i
+  %"$phi768.2.2.i7272.2.i" = phi double [ %low.3.i7264.3.i, %B720.i7731.i ], [ %switch.load9479, %switch.lookup9477 ]
   %.1154.i7800.i = getelementptr double, ptr %58, i64 %.312.i7484.i
   store double %low.3.i7264.3.i, ptr %.1154.i7800.i, align 8, !noalias !142
   %.1208.i7847.i = getelementptr double, ptr %59, i64 %.312.i7484.i
@@ -3155,7 +3157,7 @@ B768.i7754.i:                                     ; preds = %switch.lookup9482, 
   %.1318.i.i = getelementptr double, ptr %62, i64 %.312.i7484.i
   store double %ahead.2.i7265.3.i, ptr %.1318.i.i, align 8, !noalias !142
   %.1329.i7944.i = fcmp olt double %ahead.2.i7265.3.i, 0.000000e+00
-  %spec.select7999.i = select i1 %some.2.i7210.08317.i, i1 true, i1 %.1329.i7944.i
+  %spec.select8005.i = select i1 %some.2.i7210.08316.i, i1 true, i1 %.1329.i7944.i
   br label %B925.i7952.i
 
 B924.i7398.loopexit.i:                            ; preds = %B925.i7952.i
@@ -3163,21 +3165,21 @@ B924.i7398.loopexit.i:                            ; preds = %B925.i7952.i
   br label %_ZN5pages5kinks7bracketB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE27Literal_5bbool_5d_28True_2923Literal_5bint_5d_280_298UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
 B925.i7952.i:                                     ; preds = %B768.i7754.i, %B142.i7461.i, %B92.i7411.i
-  %some.3.i7228.1.i = phi i1 [ %spec.select7999.i, %B768.i7754.i ], [ %some.2.i7210.08317.i, %B142.i7461.i ], [ %some.2.i7210.08317.i, %B92.i7411.i ]
-  %.190.i7389.i = icmp sgt i64 %.134.i7217.18320.i, 0
+  %some.3.i7228.1.i = phi i1 [ %spec.select8005.i, %B768.i7754.i ], [ %some.2.i7210.08316.i, %B142.i7461.i ], [ %some.2.i7210.08316.i, %B92.i7411.i ]
+  %.190.i7389.i = icmp sgt i64 %.134.i7217.18319.i, 0
   %.203.i8353.i = zext i1 %.190.i7389.i to i64
-  %.131.i7216.1.i = add i64 %.131.i7216.18319.i, %.203.i8353.i
+  %.131.i7216.1.i = add i64 %.131.i7216.18318.i, %.203.i8353.i
   %.199.i8350.i = sext i1 %.190.i7389.i to i64
-  %.134.i7217.1.i = add nsw i64 %.134.i7217.18320.i, %.199.i8350.i
-  %.180.i7220.sroa.0.0.i = select i1 %.190.i7389.i, i64 %.131.i7216.18319.i, i64 0
+  %.134.i7217.1.i = add nsw i64 %.134.i7217.18319.i, %.199.i8350.i
+  %.180.i7220.sroa.0.0.i = select i1 %.190.i7389.i, i64 %.131.i7216.18318.i, i64 0
   br i1 %.190.i7389.i, label %B92.i7411.i, label %B924.i7398.loopexit.i
 
 B240.if.i8322.i:                                  ; preds = %B210.i7510.i, %B240.if.i8322.i
-  %.372.i7232.08301.i = phi i64 [ %.441.i8330.i, %B240.if.i8322.i ], [ 0, %B210.i7510.i ]
-  %.441.i8330.i = add nsw i64 %.372.i7232.08301.i, 1
-  %.579.i8288.i = add nsw i64 %.372.i7232.08301.i, %.578.i.i
+  %.372.i7232.08300.i = phi i64 [ %.441.i8330.i, %B240.if.i8322.i ], [ 0, %B210.i7510.i ]
+  %.441.i8330.i = add nsw i64 %.372.i7232.08300.i, 1
+  %.579.i8288.i = add nsw i64 %.372.i7232.08300.i, %.578.i.i
   %.583.i8291.i = mul nsw i64 %.579.i8288.i, %arg.shape.0
-  %.585.i8293.i = add nsw i64 %.583.i8291.i, %.180.i7220.sroa.0.08321.i
+  %.585.i8293.i = add nsw i64 %.583.i8291.i, %.180.i7220.sroa.0.08320.i
   %.600.i8303.i = icmp slt i64 %.585.i8293.i, 0
   %.601.i8304.i = select i1 %.600.i8303.i, i64 %arg.batch.5.4.5.0, i64 0
   %254 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.585.i8293.i
@@ -3186,19 +3188,19 @@ B240.if.i8322.i:                                  ; preds = %B210.i7510.i, %B240
   %exitcond8408.not.i = icmp eq i64 %arg.shape.6, %.441.i8330.i
   br i1 %exitcond8408.not.i, label %B58.if.i.i8246.i, label %B240.if.i8322.i
 
-switch.lookup9479:                                ; preds = %B562.i7696.i
-  %switch.gep9480 = getelementptr inbounds double, ptr @switch.table.advance_of_many.3, i64 %look.2.i7259.2.i
-  %switch.load9481 = load double, ptr %switch.gep9480, align 8
-  %.862.i.i = fcmp ogt double %switch.load9481, %low.2.i7260.2.i
+switch.lookup9474:                                ; preds = %B562.i7696.i
+  %switch.gep9475 = getelementptr inbounds double, ptr @switch.table.advance_of_many.3, i64 %look.2.i7259.2.i
+  %switch.load9476 = load double, ptr %switch.gep9475, align 8
+  %.862.i.i = fcmp ogt double %switch.load9476, %low.2.i7260.2.i
   br i1 %.862.i.i, label %B58.i66.i8058.preheader.i, label %B676.i7713.i
 
-B58.i66.i8058.preheader.i:                        ; preds = %switch.lookup9479
-  br i1 %.428.i10648202.not.i, label %B596.endif.i8090.i, label %B58.if.i183.i.lr.ph.i
+B58.i66.i8058.preheader.i:                        ; preds = %switch.lookup9474
+  br i1 %.428.i10648201.not.i, label %B596.endif.i8090.i, label %B58.if.i183.i.lr.ph.i
 
 B58.if.i183.i.lr.ph.i:                            ; preds = %B58.i66.i8058.preheader.i
   %.151.i.i8130.i = mul nsw i64 %look.2.i7259.2.i, 3
-  %.153.i.i81317896.i = add nsw i64 %.151.i.i8130.i, 1
-  %.155.i.i8132.i = mul i64 %.153.i.i81317896.i, %arg.shape.6
+  %.153.i.i81317902.i = add nsw i64 %.151.i.i8130.i, 1
+  %.155.i.i8132.i = mul i64 %.153.i.i81317902.i, %arg.shape.6
   br label %B58.if.i183.i.i
 
 B596.endif.i8090.i:                               ; preds = %B58.if.i183.i.i, %B58.i66.i8058.preheader.i
@@ -3231,27 +3233,27 @@ switch.8.1.i8100.i:                               ; preds = %B646.i8096.i
   br label %B676.i7713.i
 
 _ZN5pages5kinks7bracketB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE27Literal_5bbool_5d_28True_2923Literal_5bint_5d_280_298UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B646.i8096.i, %B562.i7696.i, %B924.i7398.loopexit.i, %B904.i
-  %.190.i73898150.i = phi i1 [ false, %B924.i7398.loopexit.i ], [ false, %B904.i ], [ true, %B562.i7696.i ], [ true, %B646.i8096.i ]
+  %.190.i73898149.i = phi i1 [ false, %B924.i7398.loopexit.i ], [ false, %B904.i ], [ true, %B562.i7696.i ], [ true, %B646.i8096.i ]
   %.1580.0.i = phi i1 [ %253, %B924.i7398.loopexit.i ], [ true, %B904.i ], [ true, %B562.i7696.i ], [ true, %B646.i8096.i ]
   %excinfo.7.6.i = phi ptr [ null, %B924.i7398.loopexit.i ], [ null, %B904.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.53, %B562.i7696.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.53, %B646.i8096.i ]
   %.16048364.i = phi i32 [ 0, %B924.i7398.loopexit.i ], [ 0, %B904.i ], [ 1, %B562.i7696.i ], [ 1, %B646.i8096.i ]
-  br i1 %.190.i73898150.i, label %_ZN5pages5kinks12locate_kinksB3v32B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B904.endif.endif.i, !prof !93
+  br i1 %.190.i73898149.i, label %_ZN5pages5kinks12locate_kinksB3v32B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B904.endif.endif.i, !prof !93
 
 B114.i3132.loopexit.i:                            ; preds = %B879.i3486.i
-  %.219.i3137.i = icmp ne i64 %.163.i3013.18352.i, 0
-  %255 = sub nsw i64 45, %.160.i3012.18351.i
+  %.219.i3137.i = icmp ne i64 %.163.i3013.18351.i, 0
+  %255 = sub nsw i64 45, %.160.i3012.18350.i
   %.232.i5132.i = zext i1 %.219.i3137.i to i64
-  %.160.i3012.1.i = add i64 %.160.i3012.18351.i, %.232.i5132.i
+  %.160.i3012.1.i = add i64 %.160.i3012.18350.i, %.232.i5132.i
   %.228.i5129.i = sext i1 %.219.i3137.i to i64
-  %.163.i3013.1.i = add nsw i64 %.163.i3013.18352.i, %.228.i5129.i
+  %.163.i3013.1.i = add nsw i64 %.163.i3013.18351.i, %.228.i5129.i
   %.209.i3016.sroa.0.0.i = select i1 %.219.i3137.i, i64 %255, i64 45
   br i1 %.219.i3137.i, label %B154.i3199.preheader.i, label %B996.i
 
 B154.i3199.preheader.i:                           ; preds = %B154.i3199.preheader.i.preheader, %B114.i3132.loopexit.i
-  %.209.i3016.sroa.0.08353.i = phi i64 [ %.209.i3016.sroa.0.0.i, %B114.i3132.loopexit.i ], [ 45, %B154.i3199.preheader.i.preheader ]
-  %.163.i3013.18352.i = phi i64 [ %.163.i3013.1.i, %B114.i3132.loopexit.i ], [ 44, %B154.i3199.preheader.i.preheader ]
-  %.160.i3012.18351.i = phi i64 [ %.160.i3012.1.i, %B114.i3132.loopexit.i ], [ 1, %B154.i3199.preheader.i.preheader ]
-  %.108.not.i8040.i = icmp eq i64 %.209.i3016.sroa.0.08353.i, 0
+  %.209.i3016.sroa.0.08352.i = phi i64 [ %.209.i3016.sroa.0.0.i, %B114.i3132.loopexit.i ], [ 45, %B154.i3199.preheader.i.preheader ]
+  %.163.i3013.18351.i = phi i64 [ %.163.i3013.1.i, %B114.i3132.loopexit.i ], [ 44, %B154.i3199.preheader.i.preheader ]
+  %.160.i3012.18350.i = phi i64 [ %.160.i3012.1.i, %B114.i3132.loopexit.i ], [ 1, %B154.i3199.preheader.i.preheader ]
+  %.108.not.i8046.i = icmp eq i64 %.209.i3016.sroa.0.08352.i, 0
   br label %B154.if.i5107.i
 
 B154.i3199.loopexit.i:                            ; preds = %B122.if.i.i5062.i, %B250.endif.i4600.i
@@ -3259,9 +3261,9 @@ B154.i3199.loopexit.i:                            ; preds = %B122.if.i.i5062.i, 
   br i1 %exitcond8413.not.i, label %B326.i3213.i, label %B154.if.i5107.i
 
 B162.i4221.i:                                     ; preds = %B154.if.i5107.i
-  %.441.i4265.i = getelementptr double, ptr %59, i64 %.287.i3026.08331.i
+  %.441.i4265.i = getelementptr double, ptr %59, i64 %.287.i3026.08330.i
   %.442.i4266.i = load double, ptr %.441.i4265.i, align 8, !noalias !154
-  %.492.i4310.i = getelementptr double, ptr %58, i64 %.287.i3026.08331.i
+  %.492.i4310.i = getelementptr double, ptr %58, i64 %.287.i3026.08330.i
   %.493.i4311.i = load double, ptr %.492.i4310.i, align 8, !noalias !154
   %.494.i4312.i = fsub double %.442.i4266.i, %.493.i4311.i
   %.496.i4314.i = fcmp ogt double %.494.i4312.i, 1.000000e-13
@@ -3269,33 +3271,33 @@ B162.i4221.i:                                     ; preds = %B154.if.i5107.i
 
 B250.i4316.i:                                     ; preds = %B154.if.i5107.i, %B162.i4221.i
   %"$phi250.2.2.i3035.2.i" = phi i1 [ true, %B154.if.i5107.i ], [ %.496.i4314.i, %B162.i4221.i ]
-  %.67.i.i4380.i = getelementptr double, ptr %58, i64 %.287.i3026.08331.i
+  %.67.i.i4380.i = getelementptr double, ptr %58, i64 %.287.i3026.08330.i
   %.68.i.i4381.i = load double, ptr %.67.i.i4380.i, align 8, !noalias !158
-  %.116.i.i4414.i = getelementptr double, ptr %59, i64 %.287.i3026.08331.i
+  %.116.i.i4414.i = getelementptr double, ptr %59, i64 %.287.i3026.08330.i
   %.117.i.i4415.i = load double, ptr %.116.i.i4414.i, align 8, !noalias !158
-  %.171.i.i4450.i = getelementptr double, ptr %61, i64 %.287.i3026.08331.i
+  %.171.i.i4450.i = getelementptr double, ptr %61, i64 %.287.i3026.08330.i
   %.172.i.i4451.i = load double, ptr %.171.i.i4450.i, align 8, !noalias !158
-  %.220.i.i4484.i = getelementptr double, ptr %62, i64 %.287.i3026.08331.i
+  %.220.i.i4484.i = getelementptr double, ptr %62, i64 %.287.i3026.08330.i
   %.221.i.i4485.i = load double, ptr %.220.i.i4484.i, align 8, !noalias !158
   %.224.i.i4488.i = fadd double %.68.i.i4381.i, %.117.i.i4415.i
   %.225.i.i4489.i = fmul double %.224.i.i4488.i, 5.000000e-01
-  br i1 %.108.not.i8040.i, label %B0.endif.i.i4503.i, label %B282.i8041.i
+  br i1 %.108.not.i8046.i, label %B0.endif.i.i4503.i, label %B282.i8047.i
 
-B282.i8041.i:                                     ; preds = %B250.i4316.i, %B282.i8041.i
-  %r.2.0.i8042.i = phi double [ %r.3.1.i8048.i, %B282.i8041.i ], [ 1.000000e+00, %B250.i4316.i ]
-  %a.1.2.0.i8043.i = phi double [ %.147.i8050.i, %B282.i8041.i ], [ 2.000000e+00, %B250.i4316.i ]
-  %exp.4.0.i8044.i = phi i64 [ %.142.i8049.i, %B282.i8041.i ], [ %.209.i3016.sroa.0.08353.i, %B250.i4316.i ]
-  %.122.i8045.i = and i64 %exp.4.0.i8044.i, 1
-  %.123.not.i8046.i = icmp eq i64 %.122.i8045.i, 0
-  %.127.i8047.i = fmul double %r.2.0.i8042.i, %a.1.2.0.i8043.i
-  %r.3.1.i8048.i = select i1 %.123.not.i8046.i, double %r.2.0.i8042.i, double %.127.i8047.i
-  %.142.i8049.i = lshr i64 %exp.4.0.i8044.i, 1
-  %.147.i8050.i = fmul double %a.1.2.0.i8043.i, %a.1.2.0.i8043.i
-  %.150.not.i8051.i = icmp eq i64 %.142.i8049.i, 0
-  br i1 %.150.not.i8051.i, label %B334.i8052.loopexit.i, label %B282.i8041.i
+B282.i8047.i:                                     ; preds = %B250.i4316.i, %B282.i8047.i
+  %r.2.0.i8048.i = phi double [ %r.3.1.i8054.i, %B282.i8047.i ], [ 1.000000e+00, %B250.i4316.i ]
+  %a.1.2.0.i8049.i = phi double [ %.147.i8056.i, %B282.i8047.i ], [ 2.000000e+00, %B250.i4316.i ]
+  %exp.4.0.i8050.i = phi i64 [ %.142.i8055.i, %B282.i8047.i ], [ %.209.i3016.sroa.0.08352.i, %B250.i4316.i ]
+  %.122.i8051.i = and i64 %exp.4.0.i8050.i, 1
+  %.123.not.i8052.i = icmp eq i64 %.122.i8051.i, 0
+  %.127.i8053.i = fmul double %r.2.0.i8048.i, %a.1.2.0.i8049.i
+  %r.3.1.i8054.i = select i1 %.123.not.i8052.i, double %r.2.0.i8048.i, double %.127.i8053.i
+  %.142.i8055.i = lshr i64 %exp.4.0.i8050.i, 1
+  %.147.i8056.i = fmul double %a.1.2.0.i8049.i, %a.1.2.0.i8049.i
+  %.150.not.i8057.i = icmp eq i64 %.142.i8055.i, 0
+  br i1 %.150.not.i8057.i, label %B334.i8058.loopexit.i, label %B282.i8047.i
 
-B334.i8052.loopexit.i:                            ; preds = %B282.i8041.i
-  %256 = fmul double %r.3.1.i8048.i, 1.000000e-13
+B334.i8058.loopexit.i:                            ; preds = %B282.i8047.i
+  %256 = fmul double %r.3.1.i8054.i, 1.000000e-13
   br label %B0.endif.i.i4503.i
 
 B494.i.i4570.i:                                   ; preds = %B0.endif.i.i4503.i
@@ -3305,10 +3307,10 @@ B494.i.i4570.i:                                   ; preds = %B0.endif.i.i4503.i
   %.424.i.i4586.i = fsub double %.225.i.i4489.i, %.420.i.i4583.i
   br label %B250.endif.i4600.i
 
-B0.endif.i.i4503.i:                               ; preds = %B334.i8052.loopexit.i, %B250.i4316.i
-  %r.4.1.i8053.i = phi double [ 1.000000e-13, %B250.i4316.i ], [ %256, %B334.i8052.loopexit.i ]
+B0.endif.i.i4503.i:                               ; preds = %B334.i8058.loopexit.i, %B250.i4316.i
+  %r.4.1.i8059.i = phi double [ 1.000000e-13, %B250.i4316.i ], [ %256, %B334.i8058.loopexit.i ]
   %.259.i.i4507.i = fsub double %.117.i.i4415.i, %.68.i.i4381.i
-  %.260.i.i4508.i = fsub double %r.4.1.i8053.i, %.259.i.i4507.i
+  %.260.i.i4508.i = fsub double %r.4.1.i8059.i, %.259.i.i4507.i
   %.261.i.i4509.i = fmul double %.260.i.i4508.i, 5.000000e-01
   %.266.i.i4512.i = fmul double %.68.i.i4381.i, %.221.i.i4485.i
   %.268.i.i4514.i = fmul double %.117.i.i4415.i, %.172.i.i4451.i
@@ -3317,8 +3319,8 @@ B0.endif.i.i4503.i:                               ; preds = %B334.i8052.loopexit
   %.274.i.i4519.i = fdiv double %.269.i.i4515.i, %.270.i.i4516.i
   %.280.i.i4523.i = fcmp olt double %.68.i.i4381.i, %.274.i.i4519.i
   %.288.i.i5093.i = fcmp olt double %.274.i.i4519.i, %.117.i.i4415.i
-  %or.cond8002.i = select i1 %.280.i.i4523.i, i1 %.288.i.i5093.i, i1 false
-  %"$phi302.0.2.i.i2914.0.i" = select i1 %or.cond8002.i, double %.274.i.i4519.i, double %.225.i.i4489.i
+  %or.cond8008.i = select i1 %.280.i.i4523.i, i1 %.288.i.i5093.i, i1 false
+  %"$phi302.0.2.i.i2914.0.i" = select i1 %or.cond8008.i, double %.274.i.i4519.i, double %.225.i.i4489.i
   %.315.i.i4537.i = fsub double %.225.i.i4489.i, %"$phi302.0.2.i.i2914.0.i"
   %.316.i.i4538.i = tail call double @llvm.copysign.f64(double 1.000000e+00, double %.315.i.i4537.i)
   %.330.i.i4548.i = fmul double %.259.i.i4507.i, %.259.i.i4507.i
@@ -3342,29 +3344,29 @@ B336.i3232.i:                                     ; preds = %B326.i3213.i
   br label %B540.if.i4196.i
 
 B634.i3487.i:                                     ; preds = %B540.if.i4196.i
-  %.171.i135.i3617.i = getelementptr double, ptr %61, i64 %.789.i3054.08343.i
+  %.171.i135.i3617.i = getelementptr double, ptr %61, i64 %.789.i3054.08342.i
   %.172.i136.i3618.i = load double, ptr %.171.i135.i3617.i, align 8, !noalias !162
-  %.220.i169.i3651.i = getelementptr double, ptr %62, i64 %.789.i3054.08343.i
+  %.220.i169.i3651.i = getelementptr double, ptr %62, i64 %.789.i3054.08342.i
   %.221.i170.i3652.i = load double, ptr %.220.i169.i3651.i, align 8, !noalias !162
   %.224.i173.i3655.i = fadd double %.936.i3436.i, %.987.i3480.i
   %.225.i174.i3656.i = fmul double %.224.i173.i3655.i, 5.000000e-01
-  br i1 %.108.not.i8040.i, label %B0.endif.i188.i3670.i, label %B282.i8070.i
+  br i1 %.108.not.i8046.i, label %B0.endif.i188.i3670.i, label %B282.i8076.i
 
-B282.i8070.i:                                     ; preds = %B634.i3487.i, %B282.i8070.i
-  %r.2.0.i8071.i = phi double [ %r.3.1.i8077.i, %B282.i8070.i ], [ 1.000000e+00, %B634.i3487.i ]
-  %a.1.2.0.i8072.i = phi double [ %.147.i8079.i, %B282.i8070.i ], [ 2.000000e+00, %B634.i3487.i ]
-  %exp.4.0.i8073.i = phi i64 [ %.142.i8078.i, %B282.i8070.i ], [ %.209.i3016.sroa.0.08353.i, %B634.i3487.i ]
-  %.122.i8074.i = and i64 %exp.4.0.i8073.i, 1
-  %.123.not.i8075.i = icmp eq i64 %.122.i8074.i, 0
-  %.127.i8076.i = fmul double %r.2.0.i8071.i, %a.1.2.0.i8072.i
-  %r.3.1.i8077.i = select i1 %.123.not.i8075.i, double %r.2.0.i8071.i, double %.127.i8076.i
-  %.142.i8078.i = lshr i64 %exp.4.0.i8073.i, 1
-  %.147.i8079.i = fmul double %a.1.2.0.i8072.i, %a.1.2.0.i8072.i
-  %.150.not.i8080.i = icmp eq i64 %.142.i8078.i, 0
-  br i1 %.150.not.i8080.i, label %B334.i8081.loopexit.i, label %B282.i8070.i
+B282.i8076.i:                                     ; preds = %B634.i3487.i, %B282.i8076.i
+  %r.2.0.i8077.i = phi double [ %r.3.1.i8083.i, %B282.i8076.i ], [ 1.000000e+00, %B634.i3487.i ]
+  %a.1.2.0.i8078.i = phi double [ %.147.i8085.i, %B282.i8076.i ], [ 2.000000e+00, %B634.i3487.i ]
+  %exp.4.0.i8079.i = phi i64 [ %.142.i8084.i, %B282.i8076.i ], [ %.209.i3016.sroa.0.08352.i, %B634.i3487.i ]
+  %.122.i8080.i = and i64 %exp.4.0.i8079.i, 1
+  %.123.not.i8081.i = icmp eq i64 %.122.i8080.i, 0
+  %.127.i8082.i = fmul double %r.2.0.i8077.i, %a.1.2.0.i8078.i
+  %r.3.1.i8083.i = select i1 %.123.not.i8081.i, double %r.2.0.i8077.i, double %.127.i8082.i
+  %.142.i8084.i = lshr i64 %exp.4.0.i8079.i, 1
+  %.147.i8085.i = fmul double %a.1.2.0.i8078.i, %a.1.2.0.i8078.i
+  %.150.not.i8086.i = icmp eq i64 %.142.i8084.i, 0
+  br i1 %.150.not.i8086.i, label %B334.i8087.loopexit.i, label %B282.i8076.i
 
-B334.i8081.loopexit.i:                            ; preds = %B282.i8070.i
-  %257 = fmul double %r.3.1.i8077.i, 1.000000e-13
+B334.i8087.loopexit.i:                            ; preds = %B282.i8076.i
+  %257 = fmul double %r.3.1.i8083.i, 1.000000e-13
   br label %B0.endif.i188.i3670.i
 
 B494.i255.i3737.i:                                ; preds = %B0.endif.i188.i3670.i
@@ -3374,9 +3376,9 @@ B494.i255.i3737.i:                                ; preds = %B0.endif.i188.i3670
   %.424.i271.i3753.i = fsub double %.225.i174.i3656.i, %.420.i268.i3750.i
   br label %B634.endif.i3767.i
 
-B0.endif.i188.i3670.i:                            ; preds = %B334.i8081.loopexit.i, %B634.i3487.i
-  %r.4.1.i8082.i = phi double [ 1.000000e-13, %B634.i3487.i ], [ %257, %B334.i8081.loopexit.i ]
-  %.260.i193.i3675.i = fsub double %r.4.1.i8082.i, %.988.i3481.i
+B0.endif.i188.i3670.i:                            ; preds = %B334.i8087.loopexit.i, %B634.i3487.i
+  %r.4.1.i8088.i = phi double [ 1.000000e-13, %B634.i3487.i ], [ %257, %B334.i8087.loopexit.i ]
+  %.260.i193.i3675.i = fsub double %r.4.1.i8088.i, %.988.i3481.i
   %.261.i194.i3676.i = fmul double %.260.i193.i3675.i, 5.000000e-01
   %.266.i197.i3679.i = fmul double %.987.i3480.i, %.221.i170.i3652.i
   %.268.i199.i3681.i = fmul double %.936.i3436.i, %.172.i136.i3618.i
@@ -3385,8 +3387,8 @@ B0.endif.i188.i3670.i:                            ; preds = %B334.i8081.loopexit
   %.274.i204.i3686.i = fdiv double %.269.i200.i3682.i, %.270.i201.i3683.i
   %.280.i208.i3690.i = fcmp olt double %.987.i3480.i, %.274.i204.i3686.i
   %.288.i282.i4182.i = fcmp olt double %.274.i204.i3686.i, %.936.i3436.i
-  %or.cond8003.i = and i1 %.280.i208.i3690.i, %.288.i282.i4182.i
-  %"$phi302.0.2.i26.i2894.0.i" = select i1 %or.cond8003.i, double %.274.i204.i3686.i, double %.225.i174.i3656.i
+  %or.cond8009.i = and i1 %.280.i208.i3690.i, %.288.i282.i4182.i
+  %"$phi302.0.2.i26.i2894.0.i" = select i1 %or.cond8009.i, double %.274.i204.i3686.i, double %.225.i174.i3656.i
   %.315.i222.i3704.i = fsub double %.225.i174.i3656.i, %"$phi302.0.2.i26.i2894.0.i"
   %.316.i223.i3705.i = tail call double @llvm.copysign.f64(double 1.000000e+00, double %.315.i222.i3704.i)
   %.330.i233.i3715.i = fmul double %.988.i3481.i, %.988.i3481.i
@@ -3415,98 +3417,98 @@ B879.i3486.i:                                     ; preds = %B540.if.i4196.i, %B
   br i1 %exitcond8415.not.i, label %B114.i3132.loopexit.i, label %B540.if.i4196.i
 
 B154.if.i5107.i:                                  ; preds = %B154.i3199.loopexit.i, %B154.i3199.preheader.i
-  %wide.2.i3022.18333.i = phi i1 [ false, %B154.i3199.preheader.i ], [ %"$phi250.2.2.i3035.2.i", %B154.i3199.loopexit.i ]
-  %.287.i3026.08331.i = phi i64 [ 0, %B154.i3199.preheader.i ], [ %.356.i5115.i, %B154.i3199.loopexit.i ]
-  %.356.i5115.i = add nsw i64 %.287.i3026.08331.i, 1
-  br i1 %wide.2.i3022.18333.i, label %B250.i4316.i, label %B162.i4221.i
+  %wide.2.i3022.18332.i = phi i1 [ false, %B154.i3199.preheader.i ], [ %"$phi250.2.2.i3035.2.i", %B154.i3199.loopexit.i ]
+  %.287.i3026.08330.i = phi i64 [ 0, %B154.i3199.preheader.i ], [ %.356.i5115.i, %B154.i3199.loopexit.i ]
+  %.356.i5115.i = add nsw i64 %.287.i3026.08330.i, 1
+  br i1 %wide.2.i3022.18332.i, label %B250.i4316.i, label %B162.i4221.i
 
 B250.endif.i4600.i:                               ; preds = %B0.endif.i.i4503.i, %B494.i.i4570.i
   %.511.i3038.0.i = phi double [ %.364.i.i4562.i, %B0.endif.i.i4503.i ], [ %.424.i.i4586.i, %B494.i.i4570.i ]
-  %.92.i352.i4681.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.287.i3026.08331.i
+  %.92.i352.i4681.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.287.i3026.08330.i
   %.93.i353.i4682.i = load double, ptr %.92.i352.i4681.i, align 8, !noalias !166
-  %.146.i384.i4718.i = getelementptr double, ptr %55, i64 %.287.i3026.08331.i
+  %.146.i384.i4718.i = getelementptr double, ptr %55, i64 %.287.i3026.08330.i
   %.147.i385.i4719.i = load double, ptr %.146.i384.i4718.i, align 8, !noalias !166
   %.149.i387.i4721.i = fmul double %.511.i3038.0.i, %.147.i385.i4719.i
   %.150.i388.i4722.i = fadd double %.93.i353.i4682.i, %.149.i387.i4721.i
-  %.203.i421.i4758.i = getelementptr double, ptr %.571, i64 %.287.i3026.08331.i
+  %.203.i421.i4758.i = getelementptr double, ptr %.571, i64 %.287.i3026.08330.i
   store double %.150.i388.i4722.i, ptr %.203.i421.i4758.i, align 8, !noalias !166
-  br i1 %.287.i2218171.not.i, label %B154.i3199.loopexit.i, label %B122.if.i.i5062.lr.ph.i
+  br i1 %.287.i2218170.not.i, label %B154.i3199.loopexit.i, label %B122.if.i.i5062.lr.ph.i
 
 B122.if.i.i5062.lr.ph.i:                          ; preds = %B250.endif.i4600.i
   %.247.i.i.i5032.i = fsub double 1.000000e+00, %.511.i3038.0.i
-  %invariant.gep9345 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08331.i
-  %invariant.gep9347 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08331.i
-  %invariant.gep9349 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08331.i
-  %invariant.gep9351 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08331.i
-  %invariant.gep9353 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08331.i
-  %invariant.gep9355 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08331.i
-  %invariant.gep9357 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08331.i
-  %invariant.gep9359 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08331.i
-  %invariant.gep9361 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08331.i
+  %invariant.gep9342 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08330.i
+  %invariant.gep9344 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08330.i
+  %invariant.gep9346 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08330.i
+  %invariant.gep9348 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08330.i
+  %invariant.gep9350 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08330.i
+  %invariant.gep9352 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08330.i
+  %invariant.gep9354 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08330.i
+  %invariant.gep9356 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08330.i
+  %invariant.gep9358 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.287.i3026.08330.i
   br label %B122.if.i.i5062.i
 
 B122.if.i.i5062.i:                                ; preds = %B122.if.i.i5062.i, %B122.if.i.i5062.lr.ph.i
-  %.229.i313.i2869.08328.i = phi i64 [ 0, %B122.if.i.i5062.lr.ph.i ], [ %.300.i.i5068.i, %B122.if.i.i5062.i ]
-  %.157.i.i.i4989.i = add nsw i64 %.229.i313.i2869.08328.i, %.155.i.i.i4987.i
+  %.229.i313.i2869.08327.i = phi i64 [ 0, %B122.if.i.i5062.lr.ph.i ], [ %.300.i.i5068.i, %B122.if.i.i5062.i ]
+  %.157.i.i.i4989.i = add nsw i64 %.229.i313.i2869.08327.i, %.155.i.i.i4987.i
   %.159.i.i.i4991.i = mul nsw i64 %.157.i.i.i4989.i, %arg.shape.0
-  %gep9346 = getelementptr double, ptr %invariant.gep9345, i64 %.159.i.i.i4991.i
-  %.191.i.i.i5013.i = load double, ptr %gep9346, align 8, !noalias !170
+  %gep9343 = getelementptr double, ptr %invariant.gep9342, i64 %.159.i.i.i4991.i
+  %.191.i.i.i5013.i = load double, ptr %gep9343, align 8, !noalias !170
   %.193.i.i.i5015.i = fadd double %.191.i.i.i5013.i, 0.000000e+00
   %.253.i.i.i5037.i = fmul double %.511.i3038.0.i, %.193.i.i.i5015.i
-  %.157.i.i.i4989.1.i = add nsw i64 %.229.i313.i2869.08328.i, %.155.i.i.i4987.1.i
+  %.157.i.i.i4989.1.i = add nsw i64 %.229.i313.i2869.08327.i, %.155.i.i.i4987.1.i
   %.159.i.i.i4991.1.i = mul nsw i64 %.157.i.i.i4989.1.i, %arg.shape.0
-  %gep9348 = getelementptr double, ptr %invariant.gep9347, i64 %.159.i.i.i4991.1.i
-  %.191.i.i.i5013.1.i = load double, ptr %gep9348, align 8, !noalias !170
+  %gep9345 = getelementptr double, ptr %invariant.gep9344, i64 %.159.i.i.i4991.1.i
+  %.191.i.i.i5013.1.i = load double, ptr %gep9345, align 8, !noalias !170
   %.193.i.i.i5015.1.i = fadd double %.191.i.i.i5013.1.i, %.253.i.i.i5037.i
   %.253.i.i.i5037.1.i = fmul double %.247.i.i.i5032.i, %.193.i.i.i5015.1.i
-  %.157.i.i.i4989.2.i = add nsw i64 %.229.i313.i2869.08328.i, %.155.i.i.i4987.2.i
+  %.157.i.i.i4989.2.i = add nsw i64 %.229.i313.i2869.08327.i, %.155.i.i.i4987.2.i
   %.159.i.i.i4991.2.i = mul nsw i64 %.157.i.i.i4989.2.i, %arg.shape.0
-  %gep9350 = getelementptr double, ptr %invariant.gep9349, i64 %.159.i.i.i4991.2.i
-  %.191.i.i.i5013.2.i = load double, ptr %gep9350, align 8, !noalias !170
+  %gep9347 = getelementptr double, ptr %invariant.gep9346, i64 %.159.i.i.i4991.2.i
+  %.191.i.i.i5013.2.i = load double, ptr %gep9347, align 8, !noalias !170
   %.193.i.i.i5015.2.i = fadd double %.191.i.i.i5013.2.i, %.253.i.i.i5037.1.i
   %.253.i.i.i5037.2.i = fmul double %.511.i3038.0.i, %.193.i.i.i5015.2.i
-  %.157.i.i.i4989.3.i = add nsw i64 %.229.i313.i2869.08328.i, %.155.i.i.i4987.3.i
+  %.157.i.i.i4989.3.i = add nsw i64 %.229.i313.i2869.08327.i, %.155.i.i.i4987.3.i
   %.159.i.i.i4991.3.i = mul nsw i64 %.157.i.i.i4989.3.i, %arg.shape.0
-  %gep9352 = getelementptr double, ptr %invariant.gep9351, i64 %.159.i.i.i4991.3.i
-  %.191.i.i.i5013.3.i = load double, ptr %gep9352, align 8, !noalias !170
+  %gep9349 = getelementptr double, ptr %invariant.gep9348, i64 %.159.i.i.i4991.3.i
+  %.191.i.i.i5013.3.i = load double, ptr %gep9349, align 8, !noalias !170
   %.193.i.i.i5015.3.i = fadd double %.191.i.i.i5013.3.i, %.253.i.i.i5037.2.i
   %.253.i.i.i5037.3.i = fmul double %.247.i.i.i5032.i, %.193.i.i.i5015.3.i
-  %.157.i.i.i4989.4.i = add nsw i64 %.229.i313.i2869.08328.i, %.155.i.i.i4987.4.i
+  %.157.i.i.i4989.4.i = add nsw i64 %.229.i313.i2869.08327.i, %.155.i.i.i4987.4.i
   %.159.i.i.i4991.4.i = mul nsw i64 %.157.i.i.i4989.4.i, %arg.shape.0
-  %gep9354 = getelementptr double, ptr %invariant.gep9353, i64 %.159.i.i.i4991.4.i
-  %.191.i.i.i5013.4.i = load double, ptr %gep9354, align 8, !noalias !170
+  %gep9351 = getelementptr double, ptr %invariant.gep9350, i64 %.159.i.i.i4991.4.i
+  %.191.i.i.i5013.4.i = load double, ptr %gep9351, align 8, !noalias !170
   %.193.i.i.i5015.4.i = fadd double %.191.i.i.i5013.4.i, %.253.i.i.i5037.3.i
   %.253.i.i.i5037.4.i = fmul double %.511.i3038.0.i, %.193.i.i.i5015.4.i
-  %.157.i.i.i4989.5.i = add nsw i64 %.229.i313.i2869.08328.i, %.155.i.i.i4987.5.i
+  %.157.i.i.i4989.5.i = add nsw i64 %.229.i313.i2869.08327.i, %.155.i.i.i4987.5.i
   %.159.i.i.i4991.5.i = mul nsw i64 %.157.i.i.i4989.5.i, %arg.shape.0
-  %gep9356 = getelementptr double, ptr %invariant.gep9355, i64 %.159.i.i.i4991.5.i
-  %.191.i.i.i5013.5.i = load double, ptr %gep9356, align 8, !noalias !170
+  %gep9353 = getelementptr double, ptr %invariant.gep9352, i64 %.159.i.i.i4991.5.i
+  %.191.i.i.i5013.5.i = load double, ptr %gep9353, align 8, !noalias !170
   %.193.i.i.i5015.5.i = fadd double %.191.i.i.i5013.5.i, %.253.i.i.i5037.4.i
   %.253.i.i.i5037.5.i = fmul double %.247.i.i.i5032.i, %.193.i.i.i5015.5.i
-  %.157.i.i.i4989.6.i = add nsw i64 %.229.i313.i2869.08328.i, %.155.i.i.i4987.6.i
+  %.157.i.i.i4989.6.i = add nsw i64 %.229.i313.i2869.08327.i, %.155.i.i.i4987.6.i
   %.159.i.i.i4991.6.i = mul nsw i64 %.157.i.i.i4989.6.i, %arg.shape.0
-  %gep9358 = getelementptr double, ptr %invariant.gep9357, i64 %.159.i.i.i4991.6.i
-  %.191.i.i.i5013.6.i = load double, ptr %gep9358, align 8, !noalias !170
+  %gep9355 = getelementptr double, ptr %invariant.gep9354, i64 %.159.i.i.i4991.6.i
+  %.191.i.i.i5013.6.i = load double, ptr %gep9355, align 8, !noalias !170
   %.193.i.i.i5015.6.i = fadd double %.191.i.i.i5013.6.i, %.253.i.i.i5037.5.i
   %.253.i.i.i5037.6.i = fmul double %.511.i3038.0.i, %.193.i.i.i5015.6.i
-  %.300.i.i5068.i = add nsw i64 %.229.i313.i2869.08328.i, 1
-  %.271.i.i.i4910.i = mul nsw i64 %.229.i313.i2869.08328.i, %arg.shape.0
-  %gep9360 = getelementptr double, ptr %invariant.gep9359, i64 %.271.i.i.i4910.i
-  %.309.i.i.i4935.i = load double, ptr %gep9360, align 8, !noalias !170
+  %.300.i.i5068.i = add nsw i64 %.229.i313.i2869.08327.i, 1
+  %.271.i.i.i4910.i = mul nsw i64 %.229.i313.i2869.08327.i, %arg.shape.0
+  %gep9357 = getelementptr double, ptr %invariant.gep9356, i64 %.271.i.i.i4910.i
+  %.309.i.i.i4935.i = load double, ptr %gep9357, align 8, !noalias !170
   %.313.i.i.i4938.i = fadd double %.309.i.i.i4935.i, %.253.i.i.i5037.6.i
-  %.359.i.i4951.i = add nsw i64 %.229.i313.i2869.08328.i, %.358.i355.i
+  %.359.i.i4951.i = add nsw i64 %.229.i313.i2869.08327.i, %.358.i355.i
   %.361.i.i4953.i = mul nsw i64 %.359.i.i4951.i, %arg.shape.0
-  %gep9362 = getelementptr double, ptr %invariant.gep9361, i64 %.361.i.i4953.i
-  store double %.313.i.i.i4938.i, ptr %gep9362, align 8, !noalias !166
+  %gep9359 = getelementptr double, ptr %invariant.gep9358, i64 %.361.i.i4953.i
+  store double %.313.i.i.i4938.i, ptr %gep9359, align 8, !noalias !166
   %exitcond8412.not.i = icmp eq i64 %arg.shape.1, %.300.i.i5068.i
   br i1 %exitcond8412.not.i, label %B154.i3199.loopexit.i, label %B122.if.i.i5062.i
 
 B540.if.i4196.i:                                  ; preds = %B879.i3486.i, %B336.i3232.i
-  %.789.i3054.08343.i = phi i64 [ 0, %B336.i3232.i ], [ %.858.i4203.i, %B879.i3486.i ]
-  %.858.i4203.i = add nsw i64 %.789.i3054.08343.i, 1
-  %.935.i3435.i = getelementptr double, ptr %59, i64 %.789.i3054.08343.i
+  %.789.i3054.08342.i = phi i64 [ 0, %B336.i3232.i ], [ %.858.i4203.i, %B879.i3486.i ]
+  %.858.i4203.i = add nsw i64 %.789.i3054.08342.i, 1
+  %.935.i3435.i = getelementptr double, ptr %59, i64 %.789.i3054.08342.i
   %.936.i3436.i = load double, ptr %.935.i3435.i, align 8, !noalias !154
-  %.986.i3479.i = getelementptr double, ptr %58, i64 %.789.i3054.08343.i
+  %.986.i3479.i = getelementptr double, ptr %58, i64 %.789.i3054.08342.i
   %.987.i3480.i = load double, ptr %.986.i3479.i, align 8, !noalias !154
   %.988.i3481.i = fsub double %.936.i3436.i, %.987.i3480.i
   %.990.i3483.i = fcmp ogt double %.988.i3481.i, 1.000000e-13
@@ -3514,31 +3516,31 @@ B540.if.i4196.i:                                  ; preds = %B879.i3486.i, %B336
 
 B634.endif.i3767.i:                               ; preds = %B0.endif.i188.i3670.i, %B494.i255.i3737.i
   %.997.i3065.0.i = phi double [ %.364.i247.i3729.i, %B0.endif.i188.i3670.i ], [ %.424.i271.i3753.i, %B494.i255.i3737.i ]
-  br i1 %.428.i10648202.not.i, label %B634.endif.endif.i3858.i, label %B58.if.i.i4151.i.preheader
+  br i1 %.428.i10648201.not.i, label %B634.endif.endif.i3858.i, label %B58.if.i.i4151.i.preheader
 
 B58.if.i.i4151.i.preheader:                       ; preds = %B634.endif.i3767.i
-  %invariant.gep9363 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.789.i3054.08343.i
-  %invariant.gep9365 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.789.i3054.08343.i
+  %invariant.gep9360 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.789.i3054.08342.i
+  %invariant.gep9362 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.789.i3054.08342.i
   br label %B58.if.i.i4151.i
 
 B58.if.i.i4151.i:                                 ; preds = %B58.if.i.i4151.i.preheader, %B58.if.i.i4151.i
-  %least.2.i.i2813.08340.i = phi double [ %.11.i.i665.i4147.i, %B58.if.i.i4151.i ], [ 0x7FF0000000000000, %B58.if.i.i4151.i.preheader ]
-  %.54.i.i2817.08338.i = phi i64 [ %.125.i675.i4157.i, %B58.if.i.i4151.i ], [ 0, %B58.if.i.i4151.i.preheader ]
-  %.125.i675.i4157.i = add nsw i64 %.54.i.i2817.08338.i, 1
-  %.156.i572.i4063.i = add nsw i64 %.54.i.i2817.08338.i, %.155.i571.i.i
+  %least.2.i.i2813.08339.i = phi double [ %.11.i.i665.i4147.i, %B58.if.i.i4151.i ], [ 0x7FF0000000000000, %B58.if.i.i4151.i.preheader ]
+  %.54.i.i2817.08337.i = phi i64 [ %.125.i675.i4157.i, %B58.if.i.i4151.i ], [ 0, %B58.if.i.i4151.i.preheader ]
+  %.125.i675.i4157.i = add nsw i64 %.54.i.i2817.08337.i, 1
+  %.156.i572.i4063.i = add nsw i64 %.54.i.i2817.08337.i, %.155.i571.i.i
   %.158.i574.i4065.i = mul nsw i64 %.156.i572.i4063.i, %arg.shape.0
-  %.164.i578.i4070.i = add nsw i64 %.54.i.i2817.08338.i, %.578.i.i
+  %.164.i578.i4070.i = add nsw i64 %.54.i.i2817.08337.i, %.578.i.i
   %.166.i580.i4072.i = mul nsw i64 %.164.i578.i4070.i, %arg.shape.0
-  %gep9364 = getelementptr double, ptr %invariant.gep9363, i64 %.166.i580.i4072.i
-  %.198.i608.i4094.i = load double, ptr %gep9364, align 8, !noalias !174
-  %gep9366 = getelementptr double, ptr %invariant.gep9365, i64 %.158.i574.i4065.i
-  %.228.i630.i4114.i = load double, ptr %gep9366, align 8, !noalias !174
+  %gep9361 = getelementptr double, ptr %invariant.gep9360, i64 %.166.i580.i4072.i
+  %.198.i608.i4094.i = load double, ptr %gep9361, align 8, !noalias !174
+  %gep9363 = getelementptr double, ptr %invariant.gep9362, i64 %.158.i574.i4065.i
+  %.228.i630.i4114.i = load double, ptr %gep9363, align 8, !noalias !174
   %.229.i631.i4115.i = fmul double %.198.i608.i4094.i, %.228.i630.i4114.i
-  %258 = getelementptr double, ptr %gep9366, i64 %.194.i.i739.i
+  %258 = getelementptr double, ptr %gep9363, i64 %.194.i.i739.i
   %.263.i656.i4139.i = load double, ptr %258, align 8, !noalias !174
   %.264.i657.i4140.i = fadd double %.229.i631.i4115.i, %.263.i656.i4139.i
-  %.10.i.i664.i4146.i = fcmp olt double %.264.i657.i4140.i, %least.2.i.i2813.08340.i
-  %.11.i.i665.i4147.i = select i1 %.10.i.i664.i4146.i, double %.264.i657.i4140.i, double %least.2.i.i2813.08340.i
+  %.10.i.i664.i4146.i = fcmp olt double %.264.i657.i4140.i, %least.2.i.i2813.08339.i
+  %.11.i.i665.i4147.i = select i1 %.10.i.i664.i4146.i, double %.264.i657.i4140.i, double %least.2.i.i2813.08339.i
   %exitcond8414.not.i = icmp eq i64 %arg.shape.6, %.125.i675.i4157.i
   br i1 %exitcond8414.not.i, label %B634.endif.endif.i3858.i, label %B58.if.i.i4151.i
 
@@ -3574,25 +3576,25 @@ B1440.i:                                          ; preds = %B1152.i
 B1548.i:                                          ; preds = %B1440.i
   %.2087.i = load double, ptr %.1876.i, align 8, !noalias !61
   %.2088.i = tail call double @llvm.fabs.f64(double %.2087.i)
-  %.2089.i = fmul double %.2088.i, 2.000000e-12
+  %.2089.i = fmul double %.2088.i, 4.000000e-15
   %.2319.i = fmul double %.2035.i, 0x3D719799812DEA11
-  %.10.i.i8927 = fcmp ogt double %.2089.i, %.2319.i
-  %.11.i.i8928 = select i1 %.10.i.i8927, double %.2089.i, double %.2319.i
+  %.10.i.i8928 = fcmp ogt double %.2089.i, %.2319.i
+  %.11.i.i8929 = select i1 %.10.i.i8928, double %.2089.i, double %.2319.i
   %.2315.i = fsub double 1.000000e+00, %.2150.i
   %.2317.i = fmul double %.2035.i, %.2315.i
-  %.2351.i = fcmp ugt double %.2317.i, %.11.i.i8928
+  %.2351.i = fcmp ugt double %.2317.i, %.11.i.i8929
   br i1 %.2351.i, label %B1552.i, label %B1662.i
 
 B1552.i:                                          ; preds = %B1548.i
   %.2416.i = fmul double %.2035.i, %.2201.i
-  %.10.i8094.i = fcmp ogt double %.262.i, %.2416.i
-  %.11.i8095.i = select i1 %.10.i8094.i, double %.262.i, double %.2416.i
+  %.10.i8100.i = fcmp ogt double %.262.i, %.2416.i
+  %.11.i8101.i = select i1 %.10.i8100.i, double %.262.i, double %.2416.i
   %.108.i8930.i = getelementptr double, ptr %65, i64 %.1729.08355.i
   store double 0.000000e+00, ptr %.108.i8930.i, align 8, !noalias !178
   %.161.i8976.i = getelementptr double, ptr %66, i64 %.1729.08355.i
   store double 0.000000e+00, ptr %.161.i8976.i, align 8, !noalias !178
   %.214.i9022.i = getelementptr double, ptr %67, i64 %.1729.08355.i
-  store double %.11.i8095.i, ptr %.214.i9022.i, align 8, !noalias !178
+  store double %.11.i8101.i, ptr %.214.i9022.i, align 8, !noalias !178
   %.267.i9068.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.1729.08355.i
   %.268.i9069.i = load i64, ptr %.267.i9068.i, align 8, !noalias !178
   %.294.i9090.i = icmp slt i64 %.268.i9069.i, 0
@@ -3613,307 +3615,356 @@ B1552.i:                                          ; preds = %B1548.i
   %.479.i9259.i = load i64, ptr %.478.i9258.i, align 8, !noalias !178
   %.480.i9260.i = add nsw i64 %.479.i9259.i, 1
   store i64 %.480.i9260.i, ptr %.478.i9258.i, align 8, !noalias !178
-  br label %B1917.i
+  br label %B1919.i
 
 B1662.i:                                          ; preds = %B1548.i, %B1440.i
   %.2547.i = getelementptr double, ptr %64, i64 %.1729.08355.i
   store double 1.000000e+00, ptr %.2547.i, align 8, !noalias !61
-  br label %B1917.i
+  br label %B1919.i
 
 B1710.i:                                          ; preds = %B1152.i
-  br i1 %.2099.i, label %B1714.i, label %B1812.i
+  br i1 %.2099.i, label %B1714.i, label %B1814.i
 
 B1714.i:                                          ; preds = %B1710.i
-  br i1 %.2202.i, label %B1766.i, label %B50.i.i
+  br i1 %.2202.i, label %B1768.i, label %B1718.i
 
-B50.i.i:                                          ; preds = %B1714.i, %B860.i.i
-  %.58.0.i.i = phi i64 [ %.130.i.i, %B860.i.i ], [ 0, %B1714.i ]
-  %exitcond.not.i.i8916 = icmp eq i64 %.58.0.i.i, %storemerge7986.i
-  br i1 %exitcond.not.i.i8916, label %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B52.if.i.i
+B1718.i:                                          ; preds = %B1714.i
+  %.96.i.i = load double, ptr %.1876.i, align 8, !noalias !181
+  %.97.i.i = tail call double @llvm.fabs.f64(double %.96.i.i)
+  %.98.i.i = fmul double %.97.i.i, 1.000000e-15
+  %.152.i.i = fdiv double %.98.i.i, %.2035.i
+  br i1 %.2486, label %B178.i.i, label %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
-B216.i.i:                                         ; preds = %B52.if.i.i, %B935.i.i
-  %.300.sroa.0.0341.i.i = phi i64 [ 1, %B52.if.i.i ], [ %.300.sroa.0.0.i.i, %B935.i.i ]
-  %.256.1340.i.i = phi i64 [ 6, %B52.if.i.i ], [ %.256.1.i.i, %B935.i.i ]
-  %.253.1339.i.i = phi i64 [ 2, %B52.if.i.i ], [ %.253.1.i.i, %B935.i.i ]
-  %nearest.3.1338.i.i = phi double [ 0x7FF0000000000000, %B52.if.i.i ], [ %nearest.4.2.i.i, %B935.i.i ]
-  %.352.i8099.i = add nsw i64 %.300.sroa.0.0341.i.i, -1
-  %.354.i.i = mul nsw i64 %.352.i8099.i, %.30.i.i
-  %.356.i.i = add nsw i64 %.354.i.i, %.160.i.i
-  %.370.i.i = icmp slt i64 %.356.i.i, 0
-  %.371.i.i8917 = select i1 %.370.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %260 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.356.i.i
-  %.385.i.i = getelementptr double, ptr %260, i64 %.371.i.i8917
-  %.386.i.i = load double, ptr %.385.i.i, align 8, !noalias !181
-  %.389.i.i = mul nsw i64 %.300.sroa.0.0341.i.i, %.30.i.i
-  %.391.i.i = add nsw i64 %.389.i.i, %.160.i.i
-  %.405.i.i = icmp slt i64 %.391.i.i, 0
-  %.406.i.i8918 = select i1 %.405.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %261 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.391.i.i
-  %.420.i.i = getelementptr double, ptr %261, i64 %.406.i.i8918
-  %.421.i.i = load double, ptr %.420.i.i, align 8, !noalias !181
-  %.423.i.i = add nsw i64 %.300.sroa.0.0341.i.i, 1
-  %.425.i.i = mul nsw i64 %.423.i.i, %.30.i.i
-  %.427.i8100.i = add nsw i64 %.425.i.i, %.160.i.i
-  %.441.i.i = icmp slt i64 %.427.i8100.i, 0
-  %.442.i.i = select i1 %.441.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %262 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.427.i8100.i
-  %.456.i.i = getelementptr double, ptr %262, i64 %.442.i.i
-  %.457.i.i = load double, ptr %.456.i.i, align 8, !noalias !181
-  %.480.i8101.i = fcmp olt double %.421.i.i, 0.000000e+00
-  %.483.i.i = fneg double %.386.i.i
-  %.487.i.i = fneg double %.421.i.i
-  %.491.i.i = fneg double %.457.i.i
-  %c.2.2.i.i = select i1 %.480.i8101.i, double %.491.i.i, double %.457.i.i
-  %b.2.2.i.i = select i1 %.480.i8101.i, double %.487.i.i, double %.421.i.i
-  %a.2.2.i.i = select i1 %.480.i8101.i, double %.483.i.i, double %.386.i.i
-  %.508.i.i = icmp eq i64 %.300.sroa.0.0341.i.i, 1
-  %.515.i.i = fcmp ogt double %a.2.2.i.i, 0.000000e+00
-  %or.cond.i.i = select i1 %.508.i.i, i1 true, i1 %.515.i.i
-  br i1 %or.cond.i.i, label %B368.i.i, label %B424.i.i
-
-B368.i.i:                                         ; preds = %B216.i.i
-  %.521.i8133.i = icmp eq i64 %.300.sroa.0.0341.i.i, 8
-  %.527.i.i = fcmp ogt double %c.2.2.i.i, 0.000000e+00
-  %or.cond307.i.i = select i1 %.521.i8133.i, i1 true, i1 %.527.i.i
-  br i1 %or.cond307.i.i, label %B392.i.i, label %B424.i.i
-
-B392.i.i:                                         ; preds = %B368.i.i
-  %.10.i.i8134.i = fcmp olt double %b.2.2.i.i, %nearest.3.1338.i.i
-  %.11.i.i8135.i = select i1 %.10.i.i8134.i, double %b.2.2.i.i, double %nearest.3.1338.i.i
-  br label %B424.i.i
-
-B424.i.i:                                         ; preds = %B392.i.i, %B368.i.i, %B216.i.i
-  %nearest.6.3.i.i = phi double [ %.11.i.i8135.i, %B392.i.i ], [ %nearest.3.1338.i.i, %B368.i.i ], [ %nearest.3.1338.i.i, %B216.i.i ]
-  %.572.i.i = icmp slt i64 %.300.sroa.0.0341.i.i, 8
-  br i1 %.572.i.i, label %B436.i.i, label %B935.i.i
-
-B436.i.i:                                         ; preds = %B424.i.i
-  %.581.i.i = fsub double %a.2.2.i.i, %b.2.2.i.i
-  %.582.i.i = tail call double @llvm.fabs.f64(double %.581.i.i)
-  %.585.i.i = fsub double %c.2.2.i.i, %b.2.2.i.i
-  %.586.i8104.i = tail call double @llvm.fabs.f64(double %.585.i.i)
-  %.587.i.i = fadd double %.582.i.i, %.586.i8104.i
-  %.588.i.i = fmul double %.587.i.i, 3.000000e+00
-  %.589.i.i8922 = fadd double %.578.i8098.i, %.588.i.i
-  %.591.i.i = fcmp olt double %b.2.2.i.i, %.589.i.i8922
-  br i1 %.591.i.i, label %B546.i.i, label %B935.i.i
-
-B546.i.i:                                         ; preds = %B436.i.i
-  %switch.tableidx = add i64 %.300.sroa.0.0341.i.i, 9
-  %263 = icmp ult i64 %switch.tableidx, 18
-  br i1 %263, label %switch.lookup9485, label %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE.exit.i
-
-B752.i.i:                                         ; preds = %switch.lookup9497
-  %.800.i.i = fneg double %.741.i.i8923
-  %.804.i.i = fmul double %.790.i.i8924, 5.000000e-01
-  %.809.i.i = fdiv double %.804.i.i, %.773.i.i
-  %.810.i.i = fcmp ogt double %.809.i.i, %.800.i.i
-  %.820.i.i = fcmp olt double %.809.i.i, %.667.i.i
-  %or.cond309.i.i = and i1 %.810.i.i, %.820.i.i
-  br i1 %or.cond309.i.i, label %B792.i.i8926, label %B935.i.i
-
-B792.i.i8926:                                     ; preds = %B752.i.i
-  %.847.i8111.i = fmul double %.790.i.i8924, 2.500000e-01
-  %.849.i.i = fmul double %.790.i.i8924, %.847.i8111.i
-  %.856.i.i = fdiv double %.849.i.i, %.773.i.i
-  %.860.i.i = fsub double %b.2.2.i.i, %.856.i.i
-  %.10.i310.i.i = fcmp olt double %.860.i.i, %nearest.6.3.i.i
-  %.11.i311.i.i = select i1 %.10.i310.i.i, double %.860.i.i, double %nearest.6.3.i.i
-  br label %B935.i.i
-
-B860.i.i:                                         ; preds = %B935.i.i
-  %.929.i.i = add nsw i64 %.160.i.i, %.194.i.i739.i
-  %.945.i.i = icmp slt i64 %.929.i.i, 0
-  %.946.i.i = select i1 %.945.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %264 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.929.i.i
-  %.960.i.i = getelementptr double, ptr %264, i64 %.946.i.i
-  %.961.i.i = load double, ptr %.960.i.i, align 8, !noalias !181
-  %.963.i.i = fcmp ule double %.11.i.i.3.i.i, %.961.i.i
-  %.970.i.i = fcmp ugt double %nearest.4.2.i.i, %.578.i8098.i
-  %or.cond308.i.i = select i1 %.963.i.i, i1 true, i1 %.970.i.i
-  br i1 %or.cond308.i.i, label %B50.i.i, label %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE.exit.i
-
-B935.i.i:                                         ; preds = %switch.lookup9497, %B792.i.i8926, %B752.i.i, %B436.i.i, %B424.i.i
-  %nearest.4.2.i.i = phi double [ %nearest.6.3.i.i, %B752.i.i ], [ %.11.i311.i.i, %B792.i.i8926 ], [ %nearest.6.3.i.i, %B424.i.i ], [ %nearest.6.3.i.i, %switch.lookup9497 ], [ %nearest.6.3.i.i, %B436.i.i ]
-  %.310.i.i = icmp ne i64 %.256.1340.i.i, 0
-  %.323.i.i = zext i1 %.310.i.i to i64
-  %.253.1.i.i = add i64 %.253.1339.i.i, %.323.i.i
-  %.319.i.i8919 = sext i1 %.310.i.i to i64
-  %.256.1.i.i = add nsw i64 %.256.1340.i.i, %.319.i.i8919
-  %.300.sroa.0.0.i.i = select i1 %.310.i.i, i64 %.253.1339.i.i, i64 0
-  br i1 %.310.i.i, label %B216.i.i, label %B860.i.i
-
-B52.if.i.i:                                       ; preds = %B50.i.i
-  %.130.i.i = add i64 %.58.0.i.i, 1
-  %.156.i.i = add nsw i64 %.58.0.i.i, %arg.shape.6
-  %.158.i.i = mul nsw i64 %.156.i.i, %arg.shape.0
-  %.160.i.i = add nsw i64 %.158.i.i, %.1729.08355.i
-  %.192.i.i.i = add nsw i64 %.160.i.i, %.30.i.i
+B178.i.i:                                         ; preds = %B1718.i, %B1225.i.i
+  %.229.sroa.0.0454.i.i = phi i64 [ %.229.sroa.0.0.i.i, %B1225.i.i ], [ 0, %B1718.i ]
+  %.183.1453.i.i = phi i64 [ %.183.1.i.i, %B1225.i.i ], [ %.183.1450.i.i, %B1718.i ]
+  %.180.1452.i.i = phi i64 [ %.180.1.i.i, %B1225.i.i ], [ 1, %B1718.i ]
+  %.278.i.i = add nsw i64 %.229.sroa.0.0454.i.i, %arg.shape.6
+  %.280.i.i = mul nsw i64 %.278.i.i, %arg.shape.0
+  %.282.i8104.i = add nsw i64 %.280.i.i, %.1729.08355.i
+  %.192.i.i.i = add nsw i64 %.282.i8104.i, %factor.op.mul.i.reass
   %.206.i.i.i = icmp slt i64 %.192.i.i.i, 0
   %.207.i.i.i = select i1 %.206.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %265 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.i.i
-  %.221.i.i.i = getelementptr double, ptr %265, i64 %.207.i.i.i
+  %260 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.i.i
+  %.221.i.i.i = getelementptr double, ptr %260, i64 %.207.i.i.i
   %.222.i.i.i = load double, ptr %.221.i.i.i, align 8, !noalias !185
-  %.472.i.i.i = icmp slt i64 %.160.i.i, 0
+  %.472.i.i.i = icmp slt i64 %.282.i8104.i, 0
   %.473.i.i.i = select i1 %.472.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %266 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.160.i.i
-  %.487.i.i.i = getelementptr double, ptr %266, i64 %.473.i.i.i
+  %261 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.282.i8104.i
+  %.487.i.i.i = getelementptr double, ptr %261, i64 %.473.i.i.i
   %.488.i.i.i = load double, ptr %.487.i.i.i, align 8, !noalias !185
   %.489.i.i.i = fmul double %.488.i.i.i, 0x3FDDF27AAAADCB3A
   %.491.i.i.i = fsub double %.222.i.i.i, %.489.i.i.i
-  %.458.i.1.i.i = add nsw i64 %.160.i.i, %.454.i.i.i
+  %.458.i.1.i.i = add nsw i64 %.282.i8104.i, %.454.i.i.i
   %.472.i.1.i.i = icmp slt i64 %.458.i.1.i.i, 0
   %.473.i.1.i.i = select i1 %.472.i.1.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %267 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.1.i.i
-  %.487.i.1.i.i = getelementptr double, ptr %267, i64 %.473.i.1.i.i
+  %262 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.1.i.i
+  %.487.i.1.i.i = getelementptr double, ptr %262, i64 %.473.i.1.i.i
   %.488.i.1.i.i = load double, ptr %.487.i.1.i.i, align 8, !noalias !185
   %.489.i.1.i.i = fmul double %.488.i.1.i.i, 0x3FEC575F1EBC4F2F
   %.491.i.1.i.i = fsub double %.491.i.i.i, %.489.i.1.i.i
-  %.458.i.2.i.i = add nsw i64 %.160.i.i, %.456.i.2.i.i
+  %.458.i.2.i.i = add nsw i64 %.282.i8104.i, %.456.i.2.i.i
   %.472.i.2.i.i = icmp slt i64 %.458.i.2.i.i, 0
   %.473.i.2.i.i = select i1 %.472.i.2.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %268 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.2.i.i
-  %.487.i.2.i.i = getelementptr double, ptr %268, i64 %.473.i.2.i.i
+  %263 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.2.i.i
+  %.487.i.2.i.i = getelementptr double, ptr %263, i64 %.473.i.2.i.i
   %.488.i.2.i.i = load double, ptr %.487.i.2.i.i, align 8, !noalias !185
   %.489.i.2.i.i = fmul double %.488.i.2.i.i, 0x3FE1306AA3D795F4
-  %269 = fadd double %.491.i.1.i.i, %.489.i.2.i.i
-  %.458.i.3.i.i = add nsw i64 %.160.i.i, %.456.i.3.i.i
+  %264 = fadd double %.491.i.1.i.i, %.489.i.2.i.i
+  %.458.i.3.i.i = add nsw i64 %.282.i8104.i, %.456.i.3.i.i
   %.472.i.3.i.i = icmp slt i64 %.458.i.3.i.i, 0
   %.473.i.3.i.i = select i1 %.472.i.3.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %270 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.3.i.i
-  %.487.i.3.i.i = getelementptr double, ptr %270, i64 %.473.i.3.i.i
+  %265 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.3.i.i
+  %.487.i.3.i.i = getelementptr double, ptr %265, i64 %.473.i.3.i.i
   %.488.i.3.i.i = load double, ptr %.487.i.3.i.i, align 8, !noalias !185
   %.489.i.3.i.i = fmul double %.488.i.3.i.i, 0x3FCCB9F574BDCC3A
-  %.491.i.3.i.i = fsub double %269, %.489.i.3.i.i
-  %.458.i.4.i.i = add nsw i64 %.160.i.i, %.456.i.4.i.i
+  %.491.i.3.i.i = fsub double %264, %.489.i.3.i.i
+  %.458.i.4.i.i = add nsw i64 %.282.i8104.i, %.456.i.4.i.i
   %.472.i.4.i.i = icmp slt i64 %.458.i.4.i.i, 0
   %.473.i.4.i.i = select i1 %.472.i.4.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %271 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.4.i.i
-  %.487.i.4.i.i = getelementptr double, ptr %271, i64 %.473.i.4.i.i
+  %266 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.4.i.i
+  %.487.i.4.i.i = getelementptr double, ptr %266, i64 %.473.i.4.i.i
   %.488.i.4.i.i = load double, ptr %.487.i.4.i.i, align 8, !noalias !185
   %.489.i.4.i.i = fmul double %.488.i.4.i.i, 0x3FA4EAF2D6B11E79
-  %272 = fadd double %.491.i.3.i.i, %.489.i.4.i.i
-  %.502.i.i.i = tail call double @llvm.fabs.f64(double %272)
-  %.10.i.i.i8096.i = fcmp ogt double %.502.i.i.i, 0.000000e+00
-  %.11.i.i.i8097.i = select i1 %.10.i.i.i8096.i, double %.502.i.i.i, double 0.000000e+00
-  %.192.i.1.i.i = add nsw i64 %.160.i.i, %.190.i.1.i.i
+  %267 = fadd double %.491.i.3.i.i, %.489.i.4.i.i
+  %.502.i.i.i = tail call double @llvm.fabs.f64(double %267)
+  %.10.i.i.i8105.i = fcmp ogt double %.502.i.i.i, 0.000000e+00
+  %.11.i.i.i8106.i = select i1 %.10.i.i.i8105.i, double %.502.i.i.i, double 0.000000e+00
+  %.192.i.1.i.i = add nsw i64 %.282.i8104.i, %.190.i.1.i.i
   %.206.i.1.i.i = icmp slt i64 %.192.i.1.i.i, 0
   %.207.i.1.i.i = select i1 %.206.i.1.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %273 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.1.i.i
-  %.221.i.1.i.i = getelementptr double, ptr %273, i64 %.207.i.1.i.i
+  %268 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.1.i.i
+  %.221.i.1.i.i = getelementptr double, ptr %268, i64 %.207.i.1.i.i
   %.222.i.1.i.i = load double, ptr %.221.i.1.i.i, align 8, !noalias !185
-  %.489.i.1377.i.i = fmul double %.488.i.i.i, 0x3FA5118805F8B876
-  %274 = fadd double %.489.i.1377.i.i, %.222.i.1.i.i
+  %.489.i.1492.i.i = fmul double %.488.i.i.i, 0x3FA5118805F8B876
+  %269 = fadd double %.489.i.1492.i.i, %.222.i.1.i.i
   %.489.i.1.1.i.i = fmul double %.488.i.1.i.i, 0x3FE51326698BC5BD
-  %.491.i.1.1.i.i = fsub double %274, %.489.i.1.1.i.i
+  %.491.i.1.1.i.i = fsub double %269, %.489.i.1.1.i.i
   %.489.i.2.1.i.i = fmul double %.488.i.2.i.i, 0x3FDF97DED30D4572
   %.491.i.2.1.i.i = fsub double %.491.i.1.1.i.i, %.489.i.2.1.i.i
   %.489.i.3.1.i.i = fmul double %.488.i.3.i.i, 0x3FC0DA0C684D1D67
-  %275 = fadd double %.489.i.3.1.i.i, %.491.i.2.1.i.i
+  %270 = fadd double %.489.i.3.1.i.i, %.491.i.2.1.i.i
   %.489.i.4.1.i.i = fmul double %.488.i.4.i.i, 0x3F9510B8EC0D4D92
-  %.491.i.4.1.i.i = fsub double %275, %.489.i.4.1.i.i
+  %.491.i.4.1.i.i = fsub double %270, %.489.i.4.1.i.i
   %.502.i.1.i.i = tail call double @llvm.fabs.f64(double %.491.i.4.1.i.i)
-  %.10.i.i.1.i.i = fcmp ogt double %.502.i.1.i.i, %.11.i.i.i8097.i
-  %.11.i.i.1.i.i = select i1 %.10.i.i.1.i.i, double %.502.i.1.i.i, double %.11.i.i.i8097.i
-  %.192.i.2.i.i = add nsw i64 %.160.i.i, %.190.i.2.i.i
+  %.10.i.i.1.i.i = fcmp ogt double %.502.i.1.i.i, %.11.i.i.i8106.i
+  %.11.i.i.1.i.i = select i1 %.10.i.i.1.i.i, double %.502.i.1.i.i, double %.11.i.i.i8106.i
+  %.192.i.2.i.i = add nsw i64 %.282.i8104.i, %.190.i.2.i.i
   %.206.i.2.i.i = icmp slt i64 %.192.i.2.i.i, 0
   %.207.i.2.i.i = select i1 %.206.i.2.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %276 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.2.i.i
-  %.221.i.2.i.i = getelementptr double, ptr %276, i64 %.207.i.2.i.i
+  %271 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.2.i.i
+  %.221.i.2.i.i = getelementptr double, ptr %271, i64 %.207.i.2.i.i
   %.222.i.2.i.i = load double, ptr %.221.i.2.i.i, align 8, !noalias !185
-  %.489.i.2404.i.i = fmul double %.488.i.i.i, 0x3F9635A30F8F142F
-  %.491.i.2405.i.i = fsub double %.222.i.2.i.i, %.489.i.2404.i.i
+  %.489.i.2519.i.i = fmul double %.488.i.i.i, 0x3F9635A30F8F142F
+  %.491.i.2520.i.i = fsub double %.222.i.2.i.i, %.489.i.2519.i.i
   %.489.i.1.2.i.i = fmul double %.488.i.1.i.i, 0x3FC1EAE0FF33D241
-  %277 = fadd double %.489.i.1.2.i.i, %.491.i.2405.i.i
+  %272 = fadd double %.489.i.1.2.i.i, %.491.i.2520.i.i
   %.489.i.2.2.i.i = fmul double %.488.i.2.i.i, 0x3FE1625D59218460
-  %.491.i.2.2.i.i = fsub double %277, %.489.i.2.2.i.i
+  %.491.i.2.2.i.i = fsub double %272, %.489.i.2.2.i.i
   %.489.i.3.2.i.i = fmul double %.488.i.3.i.i, 0x3FE3BBC3E8A29641
   %.491.i.3.2.i.i = fsub double %.491.i.2.2.i.i, %.489.i.3.2.i.i
   %.489.i.4.2.i.i = fmul double %.488.i.4.i.i, 0x3FA55161A739EB34
-  %278 = fadd double %.489.i.4.2.i.i, %.491.i.3.2.i.i
-  %.502.i.2.i.i = tail call double @llvm.fabs.f64(double %278)
+  %273 = fadd double %.489.i.4.2.i.i, %.491.i.3.2.i.i
+  %.502.i.2.i.i = tail call double @llvm.fabs.f64(double %273)
   %.10.i.i.2.i.i = fcmp ogt double %.502.i.2.i.i, %.11.i.i.1.i.i
   %.11.i.i.2.i.i = select i1 %.10.i.i.2.i.i, double %.502.i.2.i.i, double %.11.i.i.1.i.i
-  %.192.i.3.i.i = add nsw i64 %.160.i.i, %.190.i.3.i.i
+  %.192.i.3.i.i = add nsw i64 %.282.i8104.i, %.190.i.3.i.i
   %.206.i.3.i.i = icmp slt i64 %.192.i.3.i.i, 0
   %.207.i.3.i.i = select i1 %.206.i.3.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %279 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.3.i.i
-  %.221.i.3.i.i = getelementptr double, ptr %279, i64 %.207.i.3.i.i
+  %274 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.3.i.i
+  %.221.i.3.i.i = getelementptr double, ptr %274, i64 %.207.i.3.i.i
   %.222.i.3.i.i = load double, ptr %.221.i.3.i.i, align 8, !noalias !185
-  %.489.i.3431.i.i = fmul double %.488.i.i.i, 0x3FA4F0C0BB579409
-  %280 = fadd double %.489.i.3431.i.i, %.222.i.3.i.i
+  %.489.i.3546.i.i = fmul double %.488.i.i.i, 0x3FA4F0C0BB579409
+  %275 = fadd double %.489.i.3546.i.i, %.222.i.3.i.i
   %.489.i.1.3.i.i = fmul double %.488.i.1.i.i, 0x3FCD2266FBC0D976
-  %.491.i.1.3.i.i = fsub double %280, %.489.i.1.3.i.i
+  %.491.i.1.3.i.i = fsub double %275, %.489.i.1.3.i.i
   %.489.i.2.3.i.i = fmul double %.488.i.2.i.i, 0x3FE1F2DB6FEE3151
-  %281 = fadd double %.489.i.2.3.i.i, %.491.i.1.3.i.i
+  %276 = fadd double %.489.i.2.3.i.i, %.491.i.1.3.i.i
   %.489.i.3.3.i.i = fmul double %.488.i.3.i.i, 0x3FF0C05015964CBE
-  %.491.i.3.3.i.i = fsub double %281, %.489.i.3.3.i.i
+  %.491.i.3.3.i.i = fsub double %276, %.489.i.3.3.i.i
   %.489.i.4.3.i.i = fmul double %.488.i.4.i.i, 0x3FD4F15B230DB570
   %.491.i.4.3.i.i = fsub double %.491.i.3.3.i.i, %.489.i.4.3.i.i
   %.502.i.3.i.i = tail call double @llvm.fabs.f64(double %.491.i.4.3.i.i)
   %.10.i.i.3.i.i = fcmp ogt double %.502.i.3.i.i, %.11.i.i.2.i.i
   %.11.i.i.3.i.i = select i1 %.10.i.i.3.i.i, double %.502.i.3.i.i, double %.11.i.i.2.i.i
-  %.578.i8098.i = fmul double %.11.i.i.3.i.i, 1.000000e+01
-  br label %B216.i.i
+  %.321.i.i8919 = add nsw i64 %.229.sroa.0.0454.i.i, %.320.i.i8915
+  %.323.i.i = mul nsw i64 %.321.i.i8919, %arg.shape.0
+  %.325.i.i = add nsw i64 %.323.i.i, %.1729.08355.i
+  %277 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.325.i.i
+  %.339.i.i8920 = icmp slt i64 %.325.i.i, 0
+  %.340.i.i8921 = select i1 %.339.i.i8920, i64 %arg.batch.5.4.5.0, i64 0
+  %.354.i.i = getelementptr double, ptr %277, i64 %.340.i.i8921
+  %.355.i.i = load double, ptr %.354.i.i, align 8, !noalias !181
+  %.548.i.i = fsub double %.222.i.i.i, %.488.i.i.i
+  %.549.i.i = tail call double @llvm.fabs.f64(double %.548.i.i)
+  %.551.i.i8922 = fmul double %.152.i.i, %.549.i.i
+  %.553.i.i = fadd double %.551.i.i8922, %.355.i.i
+  %.548.1.i.i = fsub double %.488.i.1.i.i, %.222.i.i.i
+  %.549.1.i.i = tail call double @llvm.fabs.f64(double %.548.1.i.i)
+  %.551.1.i.i = fmul double %.152.i.i, %.549.1.i.i
+  %.553.1.i.i = fadd double %.551.1.i.i, %.553.i.i
+  %.548.2.i.i = fsub double %.222.i.1.i.i, %.488.i.1.i.i
+  %.549.2.i.i = tail call double @llvm.fabs.f64(double %.548.2.i.i)
+  %.551.2.i.i = fmul double %.152.i.i, %.549.2.i.i
+  %.553.2.i.i = fadd double %.551.2.i.i, %.553.1.i.i
+  %.548.3.i.i = fsub double %.488.i.2.i.i, %.222.i.1.i.i
+  %.549.3.i.i = tail call double @llvm.fabs.f64(double %.548.3.i.i)
+  %.551.3.i.i = fmul double %.152.i.i, %.549.3.i.i
+  %.553.3.i.i = fadd double %.551.3.i.i, %.553.2.i.i
+  %.548.4.i.i = fsub double %.222.i.2.i.i, %.488.i.2.i.i
+  %.549.4.i.i = tail call double @llvm.fabs.f64(double %.548.4.i.i)
+  %.551.4.i.i = fmul double %.152.i.i, %.549.4.i.i
+  %.553.4.i.i = fadd double %.551.4.i.i, %.553.3.i.i
+  %.548.5.i.i = fsub double %.488.i.3.i.i, %.222.i.2.i.i
+  %.549.5.i.i = tail call double @llvm.fabs.f64(double %.548.5.i.i)
+  %.551.5.i.i = fmul double %.152.i.i, %.549.5.i.i
+  %.553.5.i.i = fadd double %.551.5.i.i, %.553.4.i.i
+  %.548.6.i.i = fsub double %.222.i.3.i.i, %.488.i.3.i.i
+  %.549.6.i.i = tail call double @llvm.fabs.f64(double %.548.6.i.i)
+  %.551.6.i.i = fmul double %.152.i.i, %.549.6.i.i
+  %.553.6.i.i = fadd double %.551.6.i.i, %.553.5.i.i
+  %.548.7.i.i = fsub double %.488.i.4.i.i, %.222.i.3.i.i
+  %.549.7.i.i = tail call double @llvm.fabs.f64(double %.548.7.i.i)
+  %.551.7.i.i = fmul double %.152.i.i, %.549.7.i.i
+  %.553.7.i.i = fadd double %.551.7.i.i, %.553.6.i.i
+  %.563.i.i = fcmp ugt double %.11.i.i.3.i.i, %.553.7.i.i
+  br i1 %.563.i.i, label %B538.preheader.i.i, label %B1225.i.i
 
-switch.lookup9485:                                ; preds = %B546.i.i
-  %switch.tableidx9488 = add i64 %.300.sroa.0.0341.i.i, 8
-  %282 = icmp ult i64 %switch.tableidx9488, 18
-  br i1 %282, label %switch.lookup9489, label %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE.exit.i
+B538.preheader.i.i:                               ; preds = %B178.i.i
+  %.958.i.i8923 = fmul double %.11.i.i.3.i.i, 1.000000e+01
+  br label %B542.i.i
 
-switch.lookup9489:                                ; preds = %switch.lookup9485
-  %switch.gep9486 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx
-  %switch.load9487 = load double, ptr %switch.gep9486, align 8
-  %switch.gep9490 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9488
-  %switch.load9491 = load double, ptr %switch.gep9490, align 8
-  %.667.i.i = fsub double %switch.load9487, %switch.load9491
-  %switch.tableidx9492 = add i64 %.300.sroa.0.0341.i.i, 10
-  %283 = icmp ult i64 %switch.tableidx9492, 18
-  br i1 %283, label %switch.lookup9493, label %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE.exit.i
+B542.i.i:                                         ; preds = %B1226.i.i, %B538.preheader.i.i
+  %.680.sroa.0.0446.i.i = phi i64 [ 1, %B538.preheader.i.i ], [ %.680.sroa.0.0.i.i, %B1226.i.i ]
+  %.636.1445.i.i = phi i64 [ 6, %B538.preheader.i.i ], [ %.636.1.i.i, %B1226.i.i ]
+  %.633.1444.i.i = phi i64 [ 2, %B538.preheader.i.i ], [ %.633.1.i.i, %B1226.i.i ]
+  %nearest.3.2443.i.i = phi double [ 0x7FF0000000000000, %B538.preheader.i.i ], [ %nearest.4.3.i.i, %B1226.i.i ]
+  %.732.i.i = add nsw i64 %.680.sroa.0.0446.i.i, -1
+  %.734.i.i = mul nsw i64 %.732.i.i, %factor.op.mul.i.reass
+  %.736.i.i = add nsw i64 %.734.i.i, %.282.i8104.i
+  %.750.i.i = icmp slt i64 %.736.i.i, 0
+  %.751.i.i = select i1 %.750.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %278 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.736.i.i
+  %.765.i.i = getelementptr double, ptr %278, i64 %.751.i.i
+  %.766.i.i = load double, ptr %.765.i.i, align 8, !noalias !181
+  %.769.i.i = mul nsw i64 %.680.sroa.0.0446.i.i, %factor.op.mul.i.reass
+  %.771.i.i = add nsw i64 %.769.i.i, %.282.i8104.i
+  %.785.i.i = icmp slt i64 %.771.i.i, 0
+  %.786.i.i = select i1 %.785.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %279 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.771.i.i
+  %.800.i.i = getelementptr double, ptr %279, i64 %.786.i.i
+  %.801.i.i = load double, ptr %.800.i.i, align 8, !noalias !181
+  %.803.i.i = add nsw i64 %.680.sroa.0.0446.i.i, 1
+  %.805.i.i = mul nsw i64 %.803.i.i, %factor.op.mul.i.reass
+  %.807.i.i = add nsw i64 %.805.i.i, %.282.i8104.i
+  %.821.i.i = icmp slt i64 %.807.i.i, 0
+  %.822.i.i = select i1 %.821.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %280 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.807.i.i
+  %.836.i.i = getelementptr double, ptr %280, i64 %.822.i.i
+  %.837.i.i = load double, ptr %.836.i.i, align 8, !noalias !181
+  %.860.i.i = fcmp olt double %.801.i.i, 0.000000e+00
+  %.863.i.i = fneg double %.766.i.i
+  %.867.i.i = fneg double %.801.i.i
+  %.871.i.i = fneg double %.837.i.i
+  %c.2.3.i.i = select i1 %.860.i.i, double %.871.i.i, double %.837.i.i
+  %b.2.3.i.i = select i1 %.860.i.i, double %.867.i.i, double %.801.i.i
+  %a.2.3.i.i = select i1 %.860.i.i, double %.863.i.i, double %.766.i.i
+  %.888.i.i = icmp eq i64 %.680.sroa.0.0446.i.i, 1
+  %.895.i.i = fcmp ogt double %a.2.3.i.i, 0.000000e+00
+  %or.cond.i.i = select i1 %.888.i.i, i1 true, i1 %.895.i.i
+  br i1 %or.cond.i.i, label %B694.i.i, label %B750.i.i8924
 
-switch.lookup9493:                                ; preds = %switch.lookup9489
-  %switch.tableidx9496 = add i64 %.300.sroa.0.0341.i.i, 9
-  %284 = icmp ult i64 %switch.tableidx9496, 18
-  br i1 %284, label %switch.lookup9497, label %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE.exit.i
+B694.i.i:                                         ; preds = %B542.i.i
+  %.901.i.i = icmp eq i64 %.680.sroa.0.0446.i.i, 8
+  %.907.i.i = fcmp ogt double %c.2.3.i.i, 0.000000e+00
+  %or.cond410.i.i = select i1 %.901.i.i, i1 true, i1 %.907.i.i
+  br i1 %or.cond410.i.i, label %B718.i.i, label %B750.i.i8924
 
-switch.lookup9497:                                ; preds = %switch.lookup9493
-  %switch.gep9494 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9492
-  %switch.load9495 = load double, ptr %switch.gep9494, align 8
-  %switch.gep9498 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9496
-  %switch.load9499 = load double, ptr %switch.gep9498, align 8
-  %.741.i.i8923 = fsub double %switch.load9495, %switch.load9499
-  %.757.i8110.i = fdiv double %.585.i.i, %.741.i.i8923
-  %.760.i.i = fsub double %b.2.2.i.i, %a.2.2.i.i
-  %.765.i.i = fdiv double %.760.i.i, %.667.i.i
-  %.766.i.i = fsub double %.757.i8110.i, %.765.i.i
-  %.769.i.i = fadd double %.667.i.i, %.741.i.i8923
-  %.773.i.i = fdiv double %.766.i.i, %.769.i.i
-  %.789.i.i = fmul double %.667.i.i, %.773.i.i
-  %.790.i.i8924 = fadd double %.765.i.i, %.789.i.i
-  %.795.i.i8925 = fcmp ogt double %.773.i.i, 0.000000e+00
-  br i1 %.795.i.i8925, label %B752.i.i, label %B935.i.i
+B718.i.i:                                         ; preds = %B694.i.i
+  %.10.i.i8133.i = fcmp olt double %b.2.3.i.i, %nearest.3.2443.i.i
+  %.11.i.i8134.i = select i1 %.10.i.i8133.i, double %b.2.3.i.i, double %nearest.3.2443.i.i
+  br label %B750.i.i8924
 
-_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B860.i.i, %B50.i.i, %B546.i.i, %switch.lookup9485, %switch.lookup9489, %switch.lookup9493
-  %.2584.not.i = phi i1 [ true, %B546.i.i ], [ true, %switch.lookup9493 ], [ true, %switch.lookup9489 ], [ true, %switch.lookup9485 ], [ %exitcond.not.i.i8916, %B50.i.i ], [ %exitcond.not.i.i8916, %B860.i.i ]
-  %excinfo.12.4.i = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.70, %B546.i.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.70, %switch.lookup9493 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.70, %switch.lookup9489 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.70, %switch.lookup9485 ], [ %excinfo.12.08359.i, %B50.i.i ], [ %excinfo.12.08359.i, %B860.i.i ]
-  %.2573.not.i = phi i1 [ false, %B546.i.i ], [ false, %switch.lookup9493 ], [ false, %switch.lookup9489 ], [ false, %switch.lookup9485 ], [ true, %B50.i.i ], [ true, %B860.i.i ]
-  %common.ret.op.i8103.i = phi i32 [ 1, %B546.i.i ], [ 1, %switch.lookup9493 ], [ 1, %switch.lookup9489 ], [ 1, %switch.lookup9485 ], [ 0, %B50.i.i ], [ 0, %B860.i.i ]
-  br i1 %.2573.not.i, label %B1718.endif.endif.i, label %_ZN5pages5kinks12locate_kinksB3v32B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, !prof !53
+B750.i.i8924:                                     ; preds = %B718.i.i, %B694.i.i, %B542.i.i
+  %nearest.5.4.i.i = phi double [ %.11.i.i8134.i, %B718.i.i ], [ %nearest.3.2443.i.i, %B694.i.i ], [ %nearest.3.2443.i.i, %B542.i.i ]
+  %.952.i.i = icmp slt i64 %.680.sroa.0.0446.i.i, 8
+  br i1 %.952.i.i, label %B762.i.i, label %B1226.i.i
 
-B1766.i:                                          ; preds = %B1718.endif.endif.i, %B1714.i
+B762.i.i:                                         ; preds = %B750.i.i8924
+  %.961.i.i = fsub double %a.2.3.i.i, %b.2.3.i.i
+  %.962.i.i = tail call double @llvm.fabs.f64(double %.961.i.i)
+  %.965.i.i = fsub double %c.2.3.i.i, %b.2.3.i.i
+  %.966.i.i = tail call double @llvm.fabs.f64(double %.965.i.i)
+  %.967.i.i = fadd double %.962.i.i, %.966.i.i
+  %.968.i.i = fmul double %.967.i.i, 3.000000e+00
+  %.969.i.i = fadd double %.958.i.i8923, %.968.i.i
+  %.971.i.i = fcmp olt double %b.2.3.i.i, %.969.i.i
+  br i1 %.971.i.i, label %B872.i.i, label %B1226.i.i
+
+B872.i.i:                                         ; preds = %B762.i.i
+  %switch.tableidx = add i64 %.680.sroa.0.0446.i.i, 9
+  %281 = icmp ult i64 %switch.tableidx, 18
+  br i1 %281, label %switch.lookup9480, label %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+
+B1078.i.i:                                        ; preds = %switch.lookup9492
+  %.1180.i.i = fneg double %.1121.i.i
+  %.1184.i.i = fmul double %.1170.i.i, 5.000000e-01
+  %.1189.i.i8926 = fdiv double %.1184.i.i, %.1153.i8111.i
+  %.1190.i.i8927 = fcmp ogt double %.1189.i.i8926, %.1180.i.i
+  %.1200.i.i = fcmp olt double %.1189.i.i8926, %.1047.i.i
+  %or.cond411.i.i = and i1 %.1190.i.i8927, %.1200.i.i
+  br i1 %or.cond411.i.i, label %B1118.i.i, label %B1226.i.i
+
+B1118.i.i:                                        ; preds = %B1078.i.i
+  %.1227.i.i = fmul double %.1170.i.i, 2.500000e-01
+  %.1229.i.i = fmul double %.1170.i.i, %.1227.i.i
+  %.1236.i.i = fdiv double %.1229.i.i, %.1153.i8111.i
+  %.1240.i.i = fsub double %b.2.3.i.i, %.1236.i.i
+  %.10.i412.i.i = fcmp olt double %.1240.i.i, %nearest.5.4.i.i
+  %.11.i413.i.i = select i1 %.10.i412.i.i, double %.1240.i.i, double %nearest.5.4.i.i
+  br label %B1226.i.i
+
+B1186.i.i:                                        ; preds = %B1226.i.i
+  %.1312.i.i = fcmp ugt double %nearest.4.3.i.i, %.958.i.i8923
+  br i1 %.1312.i.i, label %B1225.i.i, label %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+
+B1225.i.i:                                        ; preds = %B1186.i.i, %B178.i.i
+  %.239.i.i = icmp sgt i64 %.183.1453.i.i, 0
+  %.252.i.i = zext i1 %.239.i.i to i64
+  %.180.1.i.i = add i64 %.180.1452.i.i, %.252.i.i
+  %.248.i.i = sext i1 %.239.i.i to i64
+  %.183.1.i.i = add nsw i64 %.183.1453.i.i, %.248.i.i
+  %.229.sroa.0.0.i.i = select i1 %.239.i.i, i64 %.180.1452.i.i, i64 0
+  br i1 %.239.i.i, label %B178.i.i, label %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+
+B1226.i.i:                                        ; preds = %switch.lookup9492, %B1118.i.i, %B1078.i.i, %B762.i.i, %B750.i.i8924
+  %nearest.4.3.i.i = phi double [ %nearest.5.4.i.i, %B1078.i.i ], [ %.11.i413.i.i, %B1118.i.i ], [ %nearest.5.4.i.i, %B750.i.i8924 ], [ %nearest.5.4.i.i, %switch.lookup9492 ], [ %nearest.5.4.i.i, %B762.i.i ]
+  %.690.i.i = icmp ne i64 %.636.1445.i.i, 0
+  %.703.i.i = zext i1 %.690.i.i to i64
+  %.633.1.i.i = add i64 %.633.1444.i.i, %.703.i.i
+  %.699.i.i = sext i1 %.690.i.i to i64
+  %.636.1.i.i = add nsw i64 %.636.1445.i.i, %.699.i.i
+  %.680.sroa.0.0.i.i = select i1 %.690.i.i, i64 %.633.1444.i.i, i64 0
+  br i1 %.690.i.i, label %B542.i.i, label %B1186.i.i
+
+switch.lookup9480:                                ; preds = %B872.i.i
+  %switch.tableidx9483 = add i64 %.680.sroa.0.0446.i.i, 8
+  %282 = icmp ult i64 %switch.tableidx9483, 18
+  br i1 %282, label %switch.lookup9484, label %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+
+switch.lookup9484:                                ; preds = %switch.lookup9480
+  %switch.gep9481 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx
+  %switch.load9482 = load double, ptr %switch.gep9481, align 8
+  %switch.gep9485 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9483
+  %switch.load9486 = load double, ptr %switch.gep9485, align 8
+  %.1047.i.i = fsub double %switch.load9482, %switch.load9486
+  %switch.tableidx9487 = add i64 %.680.sroa.0.0446.i.i, 10
+  %283 = icmp ult i64 %switch.tableidx9487, 18
+  br i1 %283, label %switch.lookup9488, label %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+
+switch.lookup9488:                                ; preds = %switch.lookup9484
+  %switch.tableidx9491 = add i64 %.680.sroa.0.0446.i.i, 9
+  %284 = icmp ult i64 %switch.tableidx9491, 18
+  br i1 %284, label %switch.lookup9492, label %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+
+switch.lookup9492:                                ; preds = %switch.lookup9488
+  %switch.gep9489 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9487
+  %switch.load9490 = load double, ptr %switch.gep9489, align 8
+  %switch.gep9493 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9491
+  %switch.load9494 = load double, ptr %switch.gep9493, align 8
+  %.1121.i.i = fsub double %switch.load9490, %switch.load9494
+  %.1137.i.i = fdiv double %.965.i.i, %.1121.i.i
+  %.1140.i.i = fsub double %b.2.3.i.i, %a.2.3.i.i
+  %.1145.i.i = fdiv double %.1140.i.i, %.1047.i.i
+  %.1146.i.i = fsub double %.1137.i.i, %.1145.i.i
+  %.1149.i.i = fadd double %.1047.i.i, %.1121.i.i
+  %.1153.i8111.i = fdiv double %.1146.i.i, %.1149.i.i
+  %.1169.i.i = fmul double %.1047.i.i, %.1153.i8111.i
+  %.1170.i.i = fadd double %.1145.i.i, %.1169.i.i
+  %.1175.i.i = fcmp ogt double %.1153.i8111.i, 0.000000e+00
+  br i1 %.1175.i.i, label %B1078.i.i, label %B1226.i.i
+
+_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B1225.i.i, %B1186.i.i, %B872.i.i, %switch.lookup9480, %switch.lookup9484, %switch.lookup9488, %B1718.i
+  %.2589.not.i = phi i1 [ true, %B1718.i ], [ true, %B872.i.i ], [ true, %switch.lookup9488 ], [ true, %switch.lookup9484 ], [ true, %switch.lookup9480 ], [ true, %B1225.i.i ], [ false, %B1186.i.i ]
+  %excinfo.12.4.i = phi ptr [ %excinfo.12.08359.i, %B1718.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.70, %B872.i.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.70, %switch.lookup9488 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.70, %switch.lookup9484 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.70, %switch.lookup9480 ], [ %excinfo.12.08359.i, %B1186.i.i ], [ %excinfo.12.08359.i, %B1225.i.i ]
+  %.2578.not.i = phi i1 [ true, %B1718.i ], [ false, %B872.i.i ], [ false, %switch.lookup9488 ], [ false, %switch.lookup9484 ], [ false, %switch.lookup9480 ], [ true, %B1186.i.i ], [ true, %B1225.i.i ]
+  %common.ret.op.i8103.i = phi i32 [ 0, %B1718.i ], [ 1, %B872.i.i ], [ 1, %switch.lookup9488 ], [ 1, %switch.lookup9484 ], [ 1, %switch.lookup9480 ], [ 0, %B1186.i.i ], [ 0, %B1225.i.i ]
+  br i1 %.2578.not.i, label %B1718.endif.endif.i, label %_ZN5pages5kinks12locate_kinksB3v32B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, !prof !53
+
+B1768.i:                                          ; preds = %B1718.endif.endif.i, %B1714.i
   %excinfo.12.3.i = phi ptr [ %excinfo.12.08359.i, %B1714.i ], [ %excinfo.12.4.i, %B1718.endif.endif.i ]
-  %.2603.i = fmul double %.2035.i, 5.000000e-01
+  %.2608.i = fmul double %.2035.i, 5.000000e-01
   %.108.i8460.i = getelementptr double, ptr %65, i64 %.1729.08355.i
   store double 0.000000e+00, ptr %.108.i8460.i, align 8, !noalias !189
-  %.161.i.i8920 = getelementptr double, ptr %66, i64 %.1729.08355.i
-  store double 0.000000e+00, ptr %.161.i.i8920, align 8, !noalias !189
+  %.161.i.i8917 = getelementptr double, ptr %66, i64 %.1729.08355.i
+  store double 0.000000e+00, ptr %.161.i.i8917, align 8, !noalias !189
   %.214.i8546.i = getelementptr double, ptr %67, i64 %.1729.08355.i
-  store double %.2603.i, ptr %.214.i8546.i, align 8, !noalias !189
+  store double %.2608.i, ptr %.214.i8546.i, align 8, !noalias !189
   %.267.i8591.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.1729.08355.i
   %.268.i8592.i = load i64, ptr %.267.i8591.i, align 8, !noalias !189
   %.294.i8613.i = icmp slt i64 %.268.i8592.i, 0
-  %.295.i.i8921 = select i1 %.294.i8613.i, i64 %arg.batch.3.3.5.0, i64 0
-  %.296.i8614.i = add i64 %.295.i.i8921, %.268.i8592.i
+  %.295.i.i8918 = select i1 %.294.i8613.i, i64 %arg.batch.3.3.5.0, i64 0
+  %.296.i8614.i = add i64 %.295.i.i8918, %.268.i8592.i
   %.316.i8634.i = mul i64 %.296.i8614.i, %arg.batch.3.3.5.1
   %.320.i8638.i = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.316.i8634.i
   %.321.i8639.i = load i64, ptr %.320.i8638.i, align 8, !noalias !189
@@ -3929,22 +3980,22 @@ B1766.i:                                          ; preds = %B1718.endif.endif.i
   %.479.i8780.i = load i64, ptr %.478.i8779.i, align 8, !noalias !189
   %.480.i8781.i = add nsw i64 %.479.i8780.i, 1
   store i64 %.480.i8781.i, ptr %.478.i8779.i, align 8, !noalias !189
-  br label %B1917.i
+  br label %B1919.i
 
-B1812.i:                                          ; preds = %B1718.endif.endif.i, %B1710.i
+B1814.i:                                          ; preds = %B1718.endif.endif.i, %B1710.i
   %excinfo.12.2.i = phi ptr [ %excinfo.12.4.i, %B1718.endif.endif.i ], [ %excinfo.12.08359.i, %B1710.i ]
   br label %B34.i.i
 
-B34.i.i:                                          ; preds = %B34.if.i.i8915, %B1812.i
-  %.51.i9321.0.i = phi i64 [ 0, %B1812.i ], [ %.122.i9466.i, %B34.if.i.i8915 ]
-  %exitcond8416.not.i = icmp eq i64 %.51.i9321.0.i, %storemerge7986.i
-  br i1 %exitcond8416.not.i, label %B1917.i, label %B34.if.i.i8915
+B34.i.i:                                          ; preds = %B34.if.i.i8916, %B1814.i
+  %.51.i9321.0.i = phi i64 [ 0, %B1814.i ], [ %.122.i9466.i, %B34.if.i.i8916 ]
+  %exitcond8416.not.i = icmp eq i64 %.51.i9321.0.i, %storemerge7992.i
+  br i1 %exitcond8416.not.i, label %B1919.i, label %B34.if.i.i8916
 
-B128.i.i:                                         ; preds = %B34.if.i.i8915
+B128.i.i:                                         ; preds = %B34.if.i.i8916
   %286 = icmp sgt i64 %.51.i9321.0.i, -1
-  br i1 %286, label %B1868.i, label %B1917.i
+  br i1 %286, label %B1870.i, label %B1919.i
 
-B34.if.i.i8915:                                   ; preds = %B34.i.i
+B34.if.i.i8916:                                   ; preds = %B34.i.i
   %.122.i9466.i = add i64 %.51.i9321.0.i, 1
   %.157.i9389.i = add nsw i64 %.51.i9321.0.i, %.155.i9387.i
   %.159.i9391.i = mul nsw i64 %.157.i9389.i, %arg.shape.0
@@ -3964,110 +4015,110 @@ B34.if.i.i8915:                                   ; preds = %B34.i.i
   %.227.i9449.i = fcmp olt double %.191.i9418.i, %.226.i9448.i
   br i1 %.227.i9449.i, label %B128.i.i, label %B34.i.i
 
-B1868.i:                                          ; preds = %B128.i.i
-  %.2738.i = getelementptr double, ptr %64, i64 %.1729.08355.i
-  store double 1.000000e+00, ptr %.2738.i, align 8, !noalias !61
-  br label %B1917.i
+B1870.i:                                          ; preds = %B128.i.i
+  %.2743.i = getelementptr double, ptr %64, i64 %.1729.08355.i
+  store double 1.000000e+00, ptr %.2743.i, align 8, !noalias !61
+  br label %B1919.i
 
-B1917.i:                                          ; preds = %B34.i.i, %B1028.if.i, %B1868.i, %B128.i.i, %B1766.i, %B1662.i, %B1552.i
-  %excinfo.12.1.i = phi ptr [ %excinfo.12.08359.i, %B1028.if.i ], [ %excinfo.12.08359.i, %B1552.i ], [ %excinfo.12.08359.i, %B1662.i ], [ %excinfo.12.3.i, %B1766.i ], [ %excinfo.12.2.i, %B1868.i ], [ %excinfo.12.2.i, %B128.i.i ], [ %excinfo.12.2.i, %B34.i.i ]
+B1919.i:                                          ; preds = %B34.i.i, %B1028.if.i, %B1870.i, %B128.i.i, %B1768.i, %B1662.i, %B1552.i
+  %excinfo.12.1.i = phi ptr [ %excinfo.12.08359.i, %B1028.if.i ], [ %excinfo.12.08359.i, %B1552.i ], [ %excinfo.12.08359.i, %B1662.i ], [ %excinfo.12.3.i, %B1768.i ], [ %excinfo.12.2.i, %B1870.i ], [ %excinfo.12.2.i, %B128.i.i ], [ %excinfo.12.2.i, %B34.i.i ]
   %exitcond8417.not.i = icmp eq i64 %arg.shape.0, %.1799.i
   br i1 %exitcond8417.not.i, label %_ZN5pages5kinks12locate_kinksB3v32B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B1028.if.i
 
 B296.if.i8910:                                    ; preds = %B296.if.i8910.preheader, %B296.loopexit.i
-  %.620.08175.i = phi i64 [ %.689.i8911, %B296.loopexit.i ], [ 0, %B296.if.i8910.preheader ]
-  %.689.i8911 = add nsw i64 %.620.08175.i, 1
-  br i1 %199, label %switch.lookup9501, label %switch.end.i
+  %.620.08174.i = phi i64 [ %.689.i8911, %B296.loopexit.i ], [ 0, %B296.if.i8910.preheader ]
+  %.689.i8911 = add nsw i64 %.620.08174.i, 1
+  br i1 %199, label %switch.lookup9496, label %switch.end.i
 
-switch.lookup9501:                                ; preds = %B296.if.i8910
-  %switch.load9503 = load double, ptr %switch.gep9502, align 8
+switch.lookup9496:                                ; preds = %B296.if.i8910
+  %switch.load9498 = load double, ptr %switch.gep9497, align 8
   br label %switch.end.i
 
-switch.end.i:                                     ; preds = %B296.if.i8910, %switch.lookup9501
-  %.731.i = phi double [ %switch.load9503, %switch.lookup9501 ], [ 1.000000e+00, %B296.if.i8910 ]
-  %.92.i107.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.620.08175.i
+switch.end.i:                                     ; preds = %B296.if.i8910, %switch.lookup9496
+  %.731.i = phi double [ %switch.load9498, %switch.lookup9496 ], [ 1.000000e+00, %B296.if.i8910 ]
+  %.92.i107.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.620.08174.i
   %.93.i108.i = load double, ptr %.92.i107.i, align 8, !noalias !196
-  %.146.i144.i = getelementptr double, ptr %55, i64 %.620.08175.i
+  %.146.i144.i = getelementptr double, ptr %55, i64 %.620.08174.i
   %.147.i145.i = load double, ptr %.146.i144.i, align 8, !noalias !196
   %.149.i147.i = fmul double %.731.i, %.147.i145.i
   %.150.i148.i = fadd double %.93.i108.i, %.149.i147.i
-  %.203.i184.i = getelementptr double, ptr %.571, i64 %.620.08175.i
+  %.203.i184.i = getelementptr double, ptr %.571, i64 %.620.08174.i
   store double %.150.i148.i, ptr %.203.i184.i, align 8, !noalias !196
-  br i1 %.287.i2218171.not.i, label %B296.loopexit.i, label %B122.if.i467.lr.ph.i
+  br i1 %.287.i2218170.not.i, label %B296.loopexit.i, label %B122.if.i467.lr.ph.i
 
 B122.if.i467.lr.ph.i:                             ; preds = %switch.end.i
   %.247.i.i437.i = fsub double 1.000000e+00, %.731.i
-  %invariant.gep9287 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08175.i
-  %invariant.gep9289 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08175.i
-  %invariant.gep9291 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08175.i
-  %invariant.gep9293 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08175.i
-  %invariant.gep9295 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08175.i
-  %invariant.gep9297 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08175.i
-  %invariant.gep9299 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08175.i
-  %invariant.gep9301 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08175.i
-  %invariant.gep9303 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08175.i
+  %invariant.gep9284 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08174.i
+  %invariant.gep9286 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08174.i
+  %invariant.gep9288 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08174.i
+  %invariant.gep9290 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08174.i
+  %invariant.gep9292 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08174.i
+  %invariant.gep9294 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08174.i
+  %invariant.gep9296 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08174.i
+  %invariant.gep9298 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08174.i
+  %invariant.gep9300 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.620.08174.i
   br label %B122.if.i467.i
 
 B122.if.i467.i:                                   ; preds = %B122.if.i467.i, %B122.if.i467.lr.ph.i
-  %.229.i60.08172.i = phi i64 [ 0, %B122.if.i467.lr.ph.i ], [ %.300.i473.i, %B122.if.i467.i ]
-  %.157.i.i394.i = add nsw i64 %.229.i60.08172.i, %.155.i.i392.i
+  %.229.i60.08171.i = phi i64 [ 0, %B122.if.i467.lr.ph.i ], [ %.300.i473.i, %B122.if.i467.i ]
+  %.157.i.i394.i = add nsw i64 %.229.i60.08171.i, %.155.i.i392.i
   %.159.i.i396.i = mul nsw i64 %.157.i.i394.i, %arg.shape.0
-  %gep9288 = getelementptr double, ptr %invariant.gep9287, i64 %.159.i.i396.i
-  %.191.i.i418.i = load double, ptr %gep9288, align 8, !noalias !200
+  %gep9285 = getelementptr double, ptr %invariant.gep9284, i64 %.159.i.i396.i
+  %.191.i.i418.i = load double, ptr %gep9285, align 8, !noalias !200
   %.193.i.i420.i = fadd double %.191.i.i418.i, 0.000000e+00
   %.253.i.i442.i = fmul double %.731.i, %.193.i.i420.i
-  %.157.i.i394.1.i = add nsw i64 %.229.i60.08172.i, %.155.i.i392.1.i
+  %.157.i.i394.1.i = add nsw i64 %.229.i60.08171.i, %.155.i.i392.1.i
   %.159.i.i396.1.i = mul nsw i64 %.157.i.i394.1.i, %arg.shape.0
-  %gep9290 = getelementptr double, ptr %invariant.gep9289, i64 %.159.i.i396.1.i
-  %.191.i.i418.1.i = load double, ptr %gep9290, align 8, !noalias !200
+  %gep9287 = getelementptr double, ptr %invariant.gep9286, i64 %.159.i.i396.1.i
+  %.191.i.i418.1.i = load double, ptr %gep9287, align 8, !noalias !200
   %.193.i.i420.1.i = fadd double %.191.i.i418.1.i, %.253.i.i442.i
   %.253.i.i442.1.i = fmul double %.247.i.i437.i, %.193.i.i420.1.i
-  %.157.i.i394.2.i = add nsw i64 %.229.i60.08172.i, %.155.i.i392.2.i
+  %.157.i.i394.2.i = add nsw i64 %.229.i60.08171.i, %.155.i.i392.2.i
   %.159.i.i396.2.i = mul nsw i64 %.157.i.i394.2.i, %arg.shape.0
-  %gep9292 = getelementptr double, ptr %invariant.gep9291, i64 %.159.i.i396.2.i
-  %.191.i.i418.2.i = load double, ptr %gep9292, align 8, !noalias !200
+  %gep9289 = getelementptr double, ptr %invariant.gep9288, i64 %.159.i.i396.2.i
+  %.191.i.i418.2.i = load double, ptr %gep9289, align 8, !noalias !200
   %.193.i.i420.2.i = fadd double %.191.i.i418.2.i, %.253.i.i442.1.i
   %.253.i.i442.2.i = fmul double %.731.i, %.193.i.i420.2.i
-  %.157.i.i394.3.i = add nsw i64 %.229.i60.08172.i, %.155.i.i392.3.i
+  %.157.i.i394.3.i = add nsw i64 %.229.i60.08171.i, %.155.i.i392.3.i
   %.159.i.i396.3.i = mul nsw i64 %.157.i.i394.3.i, %arg.shape.0
-  %gep9294 = getelementptr double, ptr %invariant.gep9293, i64 %.159.i.i396.3.i
-  %.191.i.i418.3.i = load double, ptr %gep9294, align 8, !noalias !200
+  %gep9291 = getelementptr double, ptr %invariant.gep9290, i64 %.159.i.i396.3.i
+  %.191.i.i418.3.i = load double, ptr %gep9291, align 8, !noalias !200
   %.193.i.i420.3.i = fadd double %.191.i.i418.3.i, %.253.i.i442.2.i
   %.253.i.i442.3.i = fmul double %.247.i.i437.i, %.193.i.i420.3.i
-  %.157.i.i394.4.i = add nsw i64 %.229.i60.08172.i, %.155.i.i392.4.i
+  %.157.i.i394.4.i = add nsw i64 %.229.i60.08171.i, %.155.i.i392.4.i
   %.159.i.i396.4.i = mul nsw i64 %.157.i.i394.4.i, %arg.shape.0
-  %gep9296 = getelementptr double, ptr %invariant.gep9295, i64 %.159.i.i396.4.i
-  %.191.i.i418.4.i = load double, ptr %gep9296, align 8, !noalias !200
+  %gep9293 = getelementptr double, ptr %invariant.gep9292, i64 %.159.i.i396.4.i
+  %.191.i.i418.4.i = load double, ptr %gep9293, align 8, !noalias !200
   %.193.i.i420.4.i = fadd double %.191.i.i418.4.i, %.253.i.i442.3.i
   %.253.i.i442.4.i = fmul double %.731.i, %.193.i.i420.4.i
-  %.157.i.i394.5.i = add nsw i64 %.229.i60.08172.i, %.155.i.i392.5.i
+  %.157.i.i394.5.i = add nsw i64 %.229.i60.08171.i, %.155.i.i392.5.i
   %.159.i.i396.5.i = mul nsw i64 %.157.i.i394.5.i, %arg.shape.0
-  %gep9298 = getelementptr double, ptr %invariant.gep9297, i64 %.159.i.i396.5.i
-  %.191.i.i418.5.i = load double, ptr %gep9298, align 8, !noalias !200
+  %gep9295 = getelementptr double, ptr %invariant.gep9294, i64 %.159.i.i396.5.i
+  %.191.i.i418.5.i = load double, ptr %gep9295, align 8, !noalias !200
   %.193.i.i420.5.i = fadd double %.191.i.i418.5.i, %.253.i.i442.4.i
   %.253.i.i442.5.i = fmul double %.247.i.i437.i, %.193.i.i420.5.i
-  %.157.i.i394.6.i = add nsw i64 %.229.i60.08172.i, %.155.i.i392.6.i
+  %.157.i.i394.6.i = add nsw i64 %.229.i60.08171.i, %.155.i.i392.6.i
   %.159.i.i396.6.i = mul nsw i64 %.157.i.i394.6.i, %arg.shape.0
-  %gep9300 = getelementptr double, ptr %invariant.gep9299, i64 %.159.i.i396.6.i
-  %.191.i.i418.6.i = load double, ptr %gep9300, align 8, !noalias !200
+  %gep9297 = getelementptr double, ptr %invariant.gep9296, i64 %.159.i.i396.6.i
+  %.191.i.i418.6.i = load double, ptr %gep9297, align 8, !noalias !200
   %.193.i.i420.6.i = fadd double %.191.i.i418.6.i, %.253.i.i442.5.i
   %.253.i.i442.6.i = fmul double %.731.i, %.193.i.i420.6.i
-  %.300.i473.i = add nsw i64 %.229.i60.08172.i, 1
-  %.271.i.i315.i = mul nsw i64 %.229.i60.08172.i, %arg.shape.0
-  %gep9302 = getelementptr double, ptr %invariant.gep9301, i64 %.271.i.i315.i
-  %.309.i.i340.i = load double, ptr %gep9302, align 8, !noalias !200
+  %.300.i473.i = add nsw i64 %.229.i60.08171.i, 1
+  %.271.i.i315.i = mul nsw i64 %.229.i60.08171.i, %arg.shape.0
+  %gep9299 = getelementptr double, ptr %invariant.gep9298, i64 %.271.i.i315.i
+  %.309.i.i340.i = load double, ptr %gep9299, align 8, !noalias !200
   %.313.i.i343.i = fadd double %.309.i.i340.i, %.253.i.i442.6.i
-  %.359.i356.i = add nsw i64 %.229.i60.08172.i, %.358.i355.i
+  %.359.i356.i = add nsw i64 %.229.i60.08171.i, %.358.i355.i
   %.361.i358.i = mul nsw i64 %.359.i356.i, %arg.shape.0
-  %gep9304 = getelementptr double, ptr %invariant.gep9303, i64 %.361.i358.i
-  store double %.313.i.i343.i, ptr %gep9304, align 8, !noalias !196
+  %gep9301 = getelementptr double, ptr %invariant.gep9300, i64 %.361.i358.i
+  store double %.313.i.i343.i, ptr %gep9301, align 8, !noalias !196
   %exitcond8383.not.i = icmp eq i64 %arg.shape.1, %.300.i473.i
   br i1 %exitcond8383.not.i, label %B296.loopexit.i, label %B122.if.i467.i
 
 B364.endif.i:                                     ; preds = %B1134.i.loopexit.i, %B296.preheader.i, %B390.i.i
-  %.555.i = icmp ne i64 %.502.18200.i, 0
+  %.555.i = icmp ne i64 %.502.18199.i, 0
   %.564.i = sext i1 %.555.i to i64
-  %.502.1.i = add nsw i64 %.502.18200.i, %.564.i
+  %.502.1.i = add nsw i64 %.502.18199.i, %.564.i
   br i1 %.555.i, label %B296.preheader.i, label %B448.i
 
 B492.endif.endif.i:                               ; preds = %_ZN5pages5kinks7bracketB3v35B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE28Literal_5bbool_5d_28False_29x8UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i
@@ -4077,31 +4128,31 @@ B154.i.preheader.i.preheader:                     ; preds = %B492.endif.endif.i
   br i1 %.809, label %B678.endif.i.critedge, label %B154.i.preheader.i
 
 B596.if.i:                                        ; preds = %B596.if.i.preheader, %B596.loopexit.i
-  %.1157.08263.i = phi i64 [ %.1226.i, %B596.loopexit.i ], [ 0, %B596.if.i.preheader ]
-  %.1226.i = add nsw i64 %.1157.08263.i, 1
-  %289 = getelementptr double, ptr %59, i64 %.1157.08263.i
+  %.1157.08262.i = phi i64 [ %.1226.i, %B596.loopexit.i ], [ 0, %B596.if.i.preheader ]
+  %.1226.i = add nsw i64 %.1157.08262.i, 1
+  %289 = getelementptr double, ptr %59, i64 %.1157.08262.i
   %.1301.i = load double, ptr %289, align 8, !noalias !61
-  %.92.i.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.1157.08263.i
+  %.92.i.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.1157.08262.i
   %.93.i.i = load double, ptr %.92.i.i, align 8, !noalias !125
-  %.146.i.i = getelementptr double, ptr %55, i64 %.1157.08263.i
+  %.146.i.i = getelementptr double, ptr %55, i64 %.1157.08262.i
   %.147.i.i = load double, ptr %.146.i.i, align 8, !noalias !125
   %.149.i.i = fmul double %.1301.i, %.147.i.i
   %.150.i.i = fadd double %.93.i.i, %.149.i.i
-  %.203.i.i = getelementptr double, ptr %.571, i64 %.1157.08263.i
+  %.203.i.i = getelementptr double, ptr %.571, i64 %.1157.08262.i
   store double %.150.i.i, ptr %.203.i.i, align 8, !noalias !125
-  br i1 %.287.i2218171.not.i, label %B596.loopexit.i, label %B122.if.i.lr.ph.i
+  br i1 %.287.i2218170.not.i, label %B596.loopexit.i, label %B122.if.i.lr.ph.i
 
 B122.if.i.lr.ph.i:                                ; preds = %B596.if.i
   %.247.i.i.i = fsub double 1.000000e+00, %.1301.i
-  %invariant.gep9327 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08263.i
-  %invariant.gep9329 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08263.i
-  %invariant.gep9331 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08263.i
-  %invariant.gep9333 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08263.i
-  %invariant.gep9335 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08263.i
-  %invariant.gep9337 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08263.i
-  %invariant.gep9339 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08263.i
-  %invariant.gep9341 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08263.i
-  %invariant.gep9343 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08263.i
+  %invariant.gep9324 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08262.i
+  %invariant.gep9326 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08262.i
+  %invariant.gep9328 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08262.i
+  %invariant.gep9330 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08262.i
+  %invariant.gep9332 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08262.i
+  %invariant.gep9334 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08262.i
+  %invariant.gep9336 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08262.i
+  %invariant.gep9338 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08262.i
+  %invariant.gep9340 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1157.08262.i
   br label %B122.if.i.i
 
 B678.endif.i.critedge:                            ; preds = %B154.i.preheader.i.preheader
@@ -4111,9 +4162,9 @@ B678.endif.i.critedge:                            ; preds = %B154.i.preheader.i.
   br label %B678.endif.i
 
 B678.endif.i:                                     ; preds = %B1134.i6137.loopexit.i, %B678.endif.i.critedge, %B390.i5499.i
-  %.942.i = icmp ne i64 %.889.18298.i, 0
+  %.942.i = icmp ne i64 %.889.18297.i, 0
   %.951.i = sext i1 %.942.i to i64
-  %.889.1.i = add nsw i64 %.889.18298.i, %.951.i
+  %.889.1.i = add nsw i64 %.889.18297.i, %.951.i
   br i1 %.942.i, label %B448.i, label %B904.i
 
 B904.endif.endif.i:                               ; preds = %_ZN5pages5kinks7bracketB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE27Literal_5bbool_5d_28True_2923Literal_5bint_5d_280_298UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i
@@ -4122,9 +4173,9 @@ B904.endif.endif.i:                               ; preds = %_ZN5pages5kinks7bra
 B154.i3199.preheader.i.preheader:                 ; preds = %B904.endif.endif.i
   br i1 %.809, label %_ZN5pages5kinks12locate_kinksB3v32B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B154.i3199.preheader.i
 
-B1028.if.i:                                       ; preds = %B1917.i, %B1028.if.lr.ph.i
-  %excinfo.12.08359.i = phi ptr [ null, %B1028.if.lr.ph.i ], [ %excinfo.12.1.i, %B1917.i ]
-  %.1729.08355.i = phi i64 [ 0, %B1028.if.lr.ph.i ], [ %.1799.i, %B1917.i ]
+B1028.if.i:                                       ; preds = %B1919.i, %B1028.if.lr.ph.i
+  %excinfo.12.08359.i = phi ptr [ null, %B1028.if.lr.ph.i ], [ %excinfo.12.1.i, %B1919.i ]
+  %.1729.08355.i = phi i64 [ 0, %B1028.if.lr.ph.i ], [ %.1799.i, %B1919.i ]
   %.1799.i = add nsw i64 %.1729.08355.i, 1
   %.1876.i = getelementptr double, ptr %63, i64 %.1729.08355.i
   %.1877.i = load double, ptr %.1876.i, align 8, !noalias !61
@@ -4133,14 +4184,14 @@ B1028.if.i:                                       ; preds = %B1917.i, %B1028.if.
   %.1978.i = getelementptr i64, ptr %56, i64 %.1729.08355.i
   %.1979.i = load i64, ptr %.1978.i, align 8, !noalias !61
   %.1980.i = icmp slt i64 %.1979.i, 0
-  br i1 %.1980.i, label %B1917.i, label %B1152.i
+  br i1 %.1980.i, label %B1919.i, label %B1152.i
 
-B1718.endif.endif.i:                              ; preds = %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE.exit.i
-  br i1 %.2584.not.i, label %B1812.i, label %B1766.i
+B1718.endif.endif.i:                              ; preds = %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br i1 %.2589.not.i, label %B1814.i, label %B1768.i
 
-_ZN5pages5kinks12locate_kinksB3v32B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit: ; preds = %_ZN5pages5kinks7bracketB3v35B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE28Literal_5bbool_5d_28False_29x8UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE.exit.i, %B1917.i, %B154.i3199.preheader.i.preheader, %_ZN5pages5kinks7bracketB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE27Literal_5bbool_5d_28True_2923Literal_5bint_5d_280_298UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B996.i
-  %excinfo.12.3 = phi ptr [ %excinfo.12.0, %B996.i ], [ %excinfo.12.0, %B1917.i ], [ %excinfo.7.6.i, %_ZN5pages5kinks7bracketB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE27Literal_5bbool_5d_28True_2923Literal_5bint_5d_280_298UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %excinfo.12.0, %B154.i3199.preheader.i.preheader ], [ %excinfo.12.4.i, %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.19, %_ZN5pages5kinks7bracketB3v35B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE28Literal_5bbool_5d_28False_29x8UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
-  %common.ret.op.i = phi i32 [ 0, %B996.i ], [ 0, %B1917.i ], [ %.16048364.i, %_ZN5pages5kinks7bracketB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE27Literal_5bbool_5d_28True_2923Literal_5bint_5d_280_298UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ 0, %B154.i3199.preheader.i.preheader ], [ %common.ret.op.i8103.i, %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.10251617.i, %_ZN5pages5kinks7bracketB3v35B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE28Literal_5bbool_5d_28False_29x8UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+_ZN5pages5kinks12locate_kinksB3v32B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit: ; preds = %_ZN5pages5kinks7bracketB3v35B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE28Literal_5bbool_5d_28False_29x8UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B1919.i, %B154.i3199.preheader.i.preheader, %_ZN5pages5kinks7bracketB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE27Literal_5bbool_5d_28True_2923Literal_5bint_5d_280_298UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B996.i
+  %excinfo.12.3 = phi ptr [ %excinfo.12.0, %B996.i ], [ %excinfo.12.0, %B1919.i ], [ %excinfo.7.6.i, %_ZN5pages5kinks7bracketB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE27Literal_5bbool_5d_28True_2923Literal_5bint_5d_280_298UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %excinfo.12.0, %B154.i3199.preheader.i.preheader ], [ %excinfo.12.4.i, %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.19, %_ZN5pages5kinks7bracketB3v35B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE28Literal_5bbool_5d_28False_29x8UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+  %common.ret.op.i = phi i32 [ 0, %B996.i ], [ 0, %B1919.i ], [ %.16048364.i, %_ZN5pages5kinks7bracketB3v44B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE27Literal_5bbool_5d_28True_2923Literal_5bint_5d_280_298UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ 0, %B154.i3199.preheader.i.preheader ], [ %common.ret.op.i8103.i, %_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.10251617.i, %_ZN5pages5kinks7bracketB3v35B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE28Literal_5bbool_5d_28False_29x8UniTupleIxLi7EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
   %.4747.not = icmp eq i32 %common.ret.op.i, 0
   br i1 %.4747.not, label %B3742, label %B3700.if, !prof !53
 
@@ -4152,483 +4203,517 @@ B3746:                                            ; preds = %B3742
   br i1 %.809, label %B116.loopexit.8.i, label %B150.if.i
 
 B150.if.1.i:                                      ; preds = %B150.if.i, %B150.if.1.i
-  %.361.0604.1.i = phi i64 [ %.430.1.i, %B150.if.1.i ], [ 0, %B150.if.i ]
-  %.430.1.i = add nsw i64 %.361.0604.1.i, 1
-  %gep9370 = getelementptr double, ptr %invariant.gep9369, i64 %.361.0604.1.i
-  store double 1.000000e-09, ptr %gep9370, align 8, !noalias !204
+  %.361.0603.1.i = phi i64 [ %.430.1.i, %B150.if.1.i ], [ 0, %B150.if.i ]
+  %.430.1.i = add nsw i64 %.361.0603.1.i, 1
+  %gep9367 = getelementptr double, ptr %invariant.gep9366, i64 %.361.0603.1.i
+  store double 1.000000e-09, ptr %gep9367, align 8, !noalias !204
   %exitcond.1.not.i = icmp eq i64 %arg.shape.0, %.430.1.i
   br i1 %exitcond.1.not.i, label %B150.if.2.i, label %B150.if.1.i
 
 B150.if.2.i:                                      ; preds = %B150.if.1.i, %B150.if.2.i
-  %.361.0604.2.i = phi i64 [ %.430.2.i, %B150.if.2.i ], [ 0, %B150.if.1.i ]
-  %.430.2.i = add nsw i64 %.361.0604.2.i, 1
-  %gep9372 = getelementptr double, ptr %invariant.gep9371, i64 %.361.0604.2.i
-  store double 1.000000e-09, ptr %gep9372, align 8, !noalias !204
+  %.361.0603.2.i = phi i64 [ %.430.2.i, %B150.if.2.i ], [ 0, %B150.if.1.i ]
+  %.430.2.i = add nsw i64 %.361.0603.2.i, 1
+  %gep9369 = getelementptr double, ptr %invariant.gep9368, i64 %.361.0603.2.i
+  store double 1.000000e-09, ptr %gep9369, align 8, !noalias !204
   %exitcond.2.not.i = icmp eq i64 %arg.shape.0, %.430.2.i
   br i1 %exitcond.2.not.i, label %B150.if.3.i, label %B150.if.2.i
 
 B150.if.3.i:                                      ; preds = %B150.if.2.i, %B150.if.3.i
-  %.361.0604.3.i = phi i64 [ %.430.3.i, %B150.if.3.i ], [ 0, %B150.if.2.i ]
-  %.430.3.i = add nsw i64 %.361.0604.3.i, 1
-  %gep9374 = getelementptr double, ptr %invariant.gep9373, i64 %.361.0604.3.i
-  store double 1.000000e-09, ptr %gep9374, align 8, !noalias !204
+  %.361.0603.3.i = phi i64 [ %.430.3.i, %B150.if.3.i ], [ 0, %B150.if.2.i ]
+  %.430.3.i = add nsw i64 %.361.0603.3.i, 1
+  %gep9371 = getelementptr double, ptr %invariant.gep9370, i64 %.361.0603.3.i
+  store double 1.000000e-09, ptr %gep9371, align 8, !noalias !204
   %exitcond.3.not.i = icmp eq i64 %arg.shape.0, %.430.3.i
   br i1 %exitcond.3.not.i, label %B150.if.4.i, label %B150.if.3.i
 
 B150.if.4.i:                                      ; preds = %B150.if.3.i, %B150.if.4.i
-  %.361.0604.4.i = phi i64 [ %.430.4.i, %B150.if.4.i ], [ 0, %B150.if.3.i ]
-  %.430.4.i = add nsw i64 %.361.0604.4.i, 1
-  %gep9376 = getelementptr double, ptr %invariant.gep9375, i64 %.361.0604.4.i
-  store double 1.000000e-09, ptr %gep9376, align 8, !noalias !204
+  %.361.0603.4.i = phi i64 [ %.430.4.i, %B150.if.4.i ], [ 0, %B150.if.3.i ]
+  %.430.4.i = add nsw i64 %.361.0603.4.i, 1
+  %gep9373 = getelementptr double, ptr %invariant.gep9372, i64 %.361.0603.4.i
+  store double 1.000000e-09, ptr %gep9373, align 8, !noalias !204
   %exitcond.4.not.i = icmp eq i64 %arg.shape.0, %.430.4.i
   br i1 %exitcond.4.not.i, label %B150.if.5.i, label %B150.if.4.i
 
 B150.if.5.i:                                      ; preds = %B150.if.4.i, %B150.if.5.i
-  %.361.0604.5.i = phi i64 [ %.430.5.i, %B150.if.5.i ], [ 0, %B150.if.4.i ]
-  %.430.5.i = add nsw i64 %.361.0604.5.i, 1
-  %gep9378 = getelementptr double, ptr %invariant.gep9377, i64 %.361.0604.5.i
-  store double 1.000000e-09, ptr %gep9378, align 8, !noalias !204
+  %.361.0603.5.i = phi i64 [ %.430.5.i, %B150.if.5.i ], [ 0, %B150.if.4.i ]
+  %.430.5.i = add nsw i64 %.361.0603.5.i, 1
+  %gep9375 = getelementptr double, ptr %invariant.gep9374, i64 %.361.0603.5.i
+  store double 1.000000e-09, ptr %gep9375, align 8, !noalias !204
   %exitcond.5.not.i = icmp eq i64 %arg.shape.0, %.430.5.i
   br i1 %exitcond.5.not.i, label %B150.if.6.i, label %B150.if.5.i
 
 B150.if.6.i:                                      ; preds = %B150.if.5.i, %B150.if.6.i
-  %.361.0604.6.i = phi i64 [ %.430.6.i, %B150.if.6.i ], [ 0, %B150.if.5.i ]
-  %.430.6.i = add nsw i64 %.361.0604.6.i, 1
-  %gep9380 = getelementptr double, ptr %invariant.gep9379, i64 %.361.0604.6.i
-  store double 1.000000e-09, ptr %gep9380, align 8, !noalias !204
+  %.361.0603.6.i = phi i64 [ %.430.6.i, %B150.if.6.i ], [ 0, %B150.if.5.i ]
+  %.430.6.i = add nsw i64 %.361.0603.6.i, 1
+  %gep9377 = getelementptr double, ptr %invariant.gep9376, i64 %.361.0603.6.i
+  store double 1.000000e-09, ptr %gep9377, align 8, !noalias !204
   %exitcond.6.not.i = icmp eq i64 %arg.shape.0, %.430.6.i
   br i1 %exitcond.6.not.i, label %B150.if.7.i, label %B150.if.6.i
 
 B150.if.7.i:                                      ; preds = %B150.if.6.i, %B150.if.7.i
-  %.361.0604.7.i = phi i64 [ %.430.7.i, %B150.if.7.i ], [ 0, %B150.if.6.i ]
-  %.430.7.i = add nsw i64 %.361.0604.7.i, 1
-  %gep9382 = getelementptr double, ptr %invariant.gep9381, i64 %.361.0604.7.i
-  store double 1.000000e-09, ptr %gep9382, align 8, !noalias !204
+  %.361.0603.7.i = phi i64 [ %.430.7.i, %B150.if.7.i ], [ 0, %B150.if.6.i ]
+  %.430.7.i = add nsw i64 %.361.0603.7.i, 1
+  %gep9379 = getelementptr double, ptr %invariant.gep9378, i64 %.361.0603.7.i
+  store double 1.000000e-09, ptr %gep9379, align 8, !noalias !204
   %exitcond.7.not.i = icmp eq i64 %arg.shape.0, %.430.7.i
   br i1 %exitcond.7.not.i, label %B150.if.8.i, label %B150.if.7.i
 
 B150.if.8.i:                                      ; preds = %B150.if.7.i, %B150.if.8.i
-  %.361.0604.8.i = phi i64 [ %.430.8.i, %B150.if.8.i ], [ 0, %B150.if.7.i ]
-  %.430.8.i = add nsw i64 %.361.0604.8.i, 1
-  %gep9384 = getelementptr double, ptr %invariant.gep9383, i64 %.361.0604.8.i
-  store double 1.000000e-09, ptr %gep9384, align 8, !noalias !204
+  %.361.0603.8.i = phi i64 [ %.430.8.i, %B150.if.8.i ], [ 0, %B150.if.7.i ]
+  %.430.8.i = add nsw i64 %.361.0603.8.i, 1
+  %gep9381 = getelementptr double, ptr %invariant.gep9380, i64 %.361.0603.8.i
+  store double 1.000000e-09, ptr %gep9381, align 8, !noalias !204
   %exitcond.8.not.i = icmp eq i64 %arg.shape.0, %.430.8.i
   br i1 %exitcond.8.not.i, label %B116.loopexit.8.i, label %B150.if.8.i
 
 B116.loopexit.8.i:                                ; preds = %B150.if.8.i, %B3746
   %.227.i.i = load double, ptr %.226.i.i, align 8, !noalias !208
-  %.256.i.i8944 = load double, ptr %arg.batch.2.4, align 8, !noalias !208
+  %.256.i.i8945 = load double, ptr %arg.batch.2.4, align 8, !noalias !208
   br label %B256.if.i.i
 
-B290.loopexit.i.i:                                ; preds = %B122.if.i.i.i9009, %switch.end.i.i9005
-  %exitcond1309.not.i.i = icmp eq i64 %arg.shape.0, %.533.i.i
-  br i1 %exitcond1309.not.i.i, label %B358.i.i, label %B290.if.i.i
+B290.loopexit.i.i:                                ; preds = %B122.if.i.i.i9006, %switch.end.i.i9002
+  %exitcond1313.not.i.i = icmp eq i64 %arg.shape.0, %.533.i.i
+  br i1 %exitcond1313.not.i.i, label %B358.i.i, label %B290.if.i.i
 
 B358.i.i:                                         ; preds = %B290.loopexit.i.i, %B256.if.i.i
-  %.634.i.i = icmp ult i64 %.341.01296.i.i, 8
-  %.1281.i.i = select i1 %.634.i.i, i64 16, i64 17
-  %.644.i.i = mul nsw i64 %.341.01296.i.i, 3
-  %.6501277.i.i = add nsw i64 %.644.i.i, 1
-  %.673.i.i = mul i64 %.6501277.i.i, %arg.shape.0
+  %.634.i.i = icmp ult i64 %.341.01301.i.i, 8
+  %.1287.i.i8950 = select i1 %.634.i.i, i64 16, i64 17
+  %.644.i.i = mul nsw i64 %.341.01301.i.i, 3
+  %.6501283.i.i = add nsw i64 %.644.i.i, 1
+  %.673.i.i = mul i64 %.6501283.i.i, %arg.shape.0
   %.708.i.i = load i64, ptr %.707.i.i, align 8, !noalias !208
-  %.783.i.i = mul i64 %.1281.i.i, %.463
-  %.801.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.783.i.i
+  %.783.i.i = mul i64 %.1287.i.i8950, %.463
+  %.801.i.i8951 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.783.i.i
   %.826.i.i = getelementptr double, ptr %arg.batch.5.4.4, i64 %.673.i.i
-  %.827.i.i8949 = inttoptr i64 %.708.i.i to ptr
-  tail call void %.827.i.i8949(ptr %.571, ptr %.801.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.826.i.i), !noalias !208
-  %.399.i.i = icmp sgt i64 %.344.01297.i.i, 1
+  %.827.i.i8952 = inttoptr i64 %.708.i.i to ptr
+  tail call void %.827.i.i8952(ptr %.571, ptr %.801.i.i8951, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.826.i.i), !noalias !208
+  %.399.i.i = icmp sgt i64 %.344.01302.i.i, 1
   br i1 %.399.i.i, label %B256.if.i.i, label %B600.i.i
 
 B600.i.i:                                         ; preds = %B358.i.i
-  br i1 %.5201293.not.i.i, label %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, label %B634.lr.ph.i.i
+  br i1 %.5201298.not.i.i, label %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, label %B634.lr.ph.i.i
 
 B634.lr.ph.i.i:                                   ; preds = %B600.i.i
-  %.257.i.i8960 = fsub double %.227.i.i, %.256.i.i8944
-  %.258.i.i8961 = fmul double %.257.i.i8960, 1.000000e-13
-  %.1816.i.i = fmul double %.258.i.i8961, 2.000000e+00
-  br label %B634.i.i8962
+  %.257.i.i8963 = fsub double %.227.i.i, %.256.i.i8945
+  %.258.i.i8964 = fmul double %.257.i.i8963, 1.000000e-13
+  %.1816.i.i = fmul double %.258.i.i8964, 2.000000e+00
+  br label %B634.i.i8966
 
-B634.i.i8962:                                     ; preds = %B1542.i.i, %B634.lr.ph.i.i
-  %.925.sroa.0.01306.i.i = phi i64 [ 0, %B634.lr.ph.i.i ], [ %.925.sroa.0.0.i.i, %B1542.i.i ]
-  %.881.11305.i.i = phi i64 [ %.881.11301.i.i, %B634.lr.ph.i.i ], [ %.881.1.i.i, %B1542.i.i ]
-  %.878.11304.i.i = phi i64 [ 1, %B634.lr.ph.i.i ], [ %.878.1.i.i, %B1542.i.i ]
-  %some.2.01303.i.i = phi i1 [ false, %B634.lr.ph.i.i ], [ %some.3.1.i.i, %B1542.i.i ]
-  %excinfo.3.01302.i.i = phi ptr [ null, %B634.lr.ph.i.i ], [ %excinfo.3.1.i.i, %B1542.i.i ]
-  %.1006.i.i = icmp slt i64 %.925.sroa.0.01306.i.i, 0
-  %.1007.i.i8963 = select i1 %.1006.i.i, i64 %arg.batch.4.0.5.1, i64 0
-  %.1008.i.i8964 = add i64 %.1007.i.i8963, %.925.sroa.0.01306.i.i
-  %.1029.i.i8965 = getelementptr double, ptr %70, i64 %.1008.i.i8964
-  %.1030.i.i8966 = load double, ptr %.1029.i.i8965, align 8, !noalias !208
+B634.i.i8966:                                     ; preds = %B1544.i.i, %B634.lr.ph.i.i
+  %.925.sroa.0.01311.i.i = phi i64 [ 0, %B634.lr.ph.i.i ], [ %.925.sroa.0.0.i.i, %B1544.i.i ]
+  %.881.11310.i.i = phi i64 [ %.881.11306.i.i, %B634.lr.ph.i.i ], [ %.881.1.i.i, %B1544.i.i ]
+  %.878.11309.i.i = phi i64 [ 1, %B634.lr.ph.i.i ], [ %.878.1.i.i, %B1544.i.i ]
+  %some.2.01308.i.i = phi i1 [ false, %B634.lr.ph.i.i ], [ %some.3.1.i.i, %B1544.i.i ]
+  %excinfo.3.01307.i.i = phi ptr [ null, %B634.lr.ph.i.i ], [ %excinfo.3.1.i.i, %B1544.i.i ]
+  %.1006.i.i = icmp slt i64 %.925.sroa.0.01311.i.i, 0
+  %.1007.i.i8967 = select i1 %.1006.i.i, i64 %arg.batch.4.0.5.1, i64 0
+  %.1008.i.i8968 = add i64 %.1007.i.i8967, %.925.sroa.0.01311.i.i
+  %.1029.i.i8969 = getelementptr double, ptr %70, i64 %.1008.i.i8968
+  %.1030.i.i8970 = load double, ptr %.1029.i.i8969, align 8, !noalias !208
   %.1058.i.i = select i1 %.1006.i.i, i64 %arg.batch.4.1.5.1, i64 0
-  %.1059.i.i8967 = add i64 %.1058.i.i, %.925.sroa.0.01306.i.i
-  %.1080.i.i8968 = getelementptr i64, ptr %71, i64 %.1059.i.i8967
-  store i64 -1, ptr %.1080.i.i8968, align 8, !noalias !208
-  %.1131.i.i = getelementptr double, ptr %.571, i64 %.1008.i.i8964
-  store double %.1030.i.i8966, ptr %.1131.i.i, align 8, !noalias !208
-  %.1182.i.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.1059.i.i8967
+  %.1059.i.i8971 = add i64 %.1058.i.i, %.925.sroa.0.01311.i.i
+  %.1080.i.i8972 = getelementptr i64, ptr %71, i64 %.1059.i.i8971
+  store i64 -1, ptr %.1080.i.i8972, align 8, !noalias !208
+  %.1131.i.i = getelementptr double, ptr %.571, i64 %.1008.i.i8968
+  store double %.1030.i.i8970, ptr %.1131.i.i, align 8, !noalias !208
+  %.1182.i.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.1059.i.i8971
   %.1183.i.i = load i64, ptr %.1182.i.i, align 8, !noalias !208
-  %.1184.i.i = icmp sgt i64 %.1183.i.i, -1
-  br i1 %.1184.i.i, label %B792.i.i8970, label %B1542.i.i
+  %.1184.i.i8973 = icmp sgt i64 %.1183.i.i, -1
+  br i1 %.1184.i.i8973, label %B792.i.i8975, label %B1544.i.i
 
-B792.i.i8970:                                     ; preds = %B634.i.i8962
-  %.1238.i.i = getelementptr double, ptr %72, i64 %.1008.i.i8964
+B792.i.i8975:                                     ; preds = %B634.i.i8966
+  %.1238.i.i = getelementptr double, ptr %72, i64 %.1008.i.i8968
   %.1239.i.i = load double, ptr %.1238.i.i, align 8, !noalias !208
-  %.1240.i.i = fcmp ogt double %.1239.i.i, 5.000000e-01
-  br i1 %.1240.i.i, label %B842.i.i, label %B1542.i.i
+  %.1240.i.i8976 = fcmp ogt double %.1239.i.i, 5.000000e-01
+  br i1 %.1240.i.i8976, label %B842.i.i, label %B1544.i.i
 
-B842.i.i:                                         ; preds = %B792.i.i8970
-  %.1326.i.i8971 = load i64, ptr %.1080.i.i8968, align 8, !noalias !208
-  %.1327.i.i = icmp slt i64 %.1326.i.i8971, 0
+B842.i.i:                                         ; preds = %B792.i.i8975
+  %.1326.i.i8977 = load i64, ptr %.1080.i.i8972, align 8, !noalias !208
+  %.1327.i.i = icmp slt i64 %.1326.i.i8977, 0
   br i1 %.1327.i.i, label %B940.i.i, label %B1088.i.i
 
 B940.i.i:                                         ; preds = %B842.i.i, %B940.i.i
-  %last.2.3.i.i = phi i64 [ %.1333.i.i, %B940.i.i ], [ %.1282.i.i, %B842.i.i ]
+  %last.2.3.i.i = phi i64 [ %.1333.i.i, %B940.i.i ], [ %.1288.i.i8965, %B842.i.i ]
   %.1333.i.i = add nsw i64 %last.2.3.i.i, 1
   %.151.i51.i.i = mul nsw i64 %.1333.i.i, 3
-  %.155.i.i.i9000 = add nsw i64 %.151.i51.i.i, 1
-  %.159.i.i.i9001 = mul nsw i64 %.155.i.i.i9000, %arg.shape.0
-  %.161.i.i.i = add nsw i64 %.159.i.i.i9001, %.925.sroa.0.01306.i.i
+  %.155.i.i.i8997 = add nsw i64 %.151.i51.i.i, 1
+  %.159.i.i.i8998 = mul nsw i64 %.155.i.i.i8997, %arg.shape.0
+  %.161.i.i.i = add nsw i64 %.159.i.i.i8998, %.925.sroa.0.01311.i.i
   %.175.i63.i.i = icmp slt i64 %.161.i.i.i, 0
   %.176.i64.i.i = select i1 %.175.i63.i.i, i64 %arg.batch.5.4.5.0, i64 0
   %290 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i.i.i
   %.190.i.i.i = getelementptr double, ptr %290, i64 %.176.i64.i.i
-  %.191.i.i.i9002 = load double, ptr %.190.i.i.i, align 8, !noalias !212
+  %.191.i.i.i8999 = load double, ptr %.190.i.i.i, align 8, !noalias !212
   %.195.i80.i.i = add nsw i64 %.161.i.i.i, %arg.shape.0
   %.209.i.i.i = icmp slt i64 %.195.i80.i.i, 0
-  %.210.i.i.i9003 = select i1 %.209.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %.210.i.i.i9000 = select i1 %.209.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
   %291 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.195.i80.i.i
-  %.224.i91.i.i = getelementptr double, ptr %291, i64 %.210.i.i.i9003
+  %.224.i91.i.i = getelementptr double, ptr %291, i64 %.210.i.i.i9000
   %.225.i92.i.i = load double, ptr %.224.i91.i.i, align 8, !noalias !212
   %.226.i93.i.i = fneg double %.225.i92.i.i
-  %.227.i94.i.i = fcmp uge double %.191.i.i.i9002, %.226.i93.i.i
+  %.227.i94.i.i = fcmp uge double %.191.i.i.i8999, %.226.i93.i.i
   %.1348.0.i.i = sext i1 %.227.i94.i.i to i64
-  store i64 %.1348.0.i.i, ptr %.1080.i.i8968, align 8, !noalias !208
-  %exitcond1311.not.i.i = icmp ne i64 %last.2.3.i.i, 7
-  %brmerge.not.i.i = and i1 %exitcond1311.not.i.i, %.227.i94.i.i
+  store i64 %.1348.0.i.i, ptr %.1080.i.i8972, align 8, !noalias !208
+  %exitcond1315.not.i.i = icmp ne i64 %last.2.3.i.i, 7
+  %brmerge.not.i.i = and i1 %exitcond1315.not.i.i, %.227.i94.i.i
   br i1 %brmerge.not.i.i, label %B940.i.i, label %B1088.i.i
 
 B1088.i.i:                                        ; preds = %B940.i.i, %B842.i.i
-  %last.3.2.i.i = phi i64 [ %.1282.i.i, %B842.i.i ], [ %.1333.i.i, %B940.i.i ]
+  %last.3.2.i.i = phi i64 [ %.1288.i.i8965, %B842.i.i ], [ %.1333.i.i, %B940.i.i ]
   br i1 %.296.i.i, label %B1096.i.i, label %B1126.i.i
 
 B1096.i.i:                                        ; preds = %B1088.i.i
   %292 = getelementptr double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %last.3.2.i.i
-  %switch.gep9506 = getelementptr i8, ptr %292, i64 64
-  %switch.load9507 = load double, ptr %switch.gep9506, align 8
+  %switch.gep9501 = getelementptr i8, ptr %292, i64 64
+  %switch.load9502 = load double, ptr %switch.gep9501, align 8
   br label %B1126.i.i
 
 B1126.i.i:                                        ; preds = %B1096.i.i, %B1088.i.i
-  %"$phi1126.1.2.2.i.i" = phi double [ 0.000000e+00, %B1088.i.i ], [ %switch.load9507, %B1096.i.i ]
-  %.1595.i.i = getelementptr double, ptr %73, i64 %.1008.i.i8964
+  %"$phi1126.1.2.2.i.i" = phi double [ 0.000000e+00, %B1088.i.i ], [ %switch.load9502, %B1096.i.i ]
+  %.1595.i.i = getelementptr double, ptr %73, i64 %.1008.i.i8968
   store double %"$phi1126.1.2.2.i.i", ptr %.1595.i.i, align 8, !noalias !208
   %293 = getelementptr double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %last.3.2.i.i
-  %switch.gep9510 = getelementptr i8, ptr %293, i64 72
-  %switch.load9511 = load double, ptr %switch.gep9510, align 8
-  %.1683.i.i = getelementptr double, ptr %74, i64 %.1008.i.i8964
-  store double %switch.load9511, ptr %.1683.i.i, align 8, !noalias !208
-  %.1735.i.i = load i64, ptr %.1080.i.i8968, align 8, !noalias !208
+  %switch.gep9505 = getelementptr i8, ptr %293, i64 72
+  %switch.load9506 = load double, ptr %switch.gep9505, align 8
+  %.1683.i.i = getelementptr double, ptr %74, i64 %.1008.i.i8968
+  store double %switch.load9506, ptr %.1683.i.i, align 8, !noalias !208
+  %.1735.i.i = load i64, ptr %.1080.i.i8972, align 8, !noalias !208
   %.1736.i.i = icmp sgt i64 %.1735.i.i, -1
   %.1746.i.i = sext i1 %.1736.i.i to i64
   %"$phi1274.1.2.2.i.i" = add nsw i64 %last.3.2.i.i, %.1746.i.i
-  br i1 %.296.i.i, label %B1282.i.i, label %B1490.i.i
+  br i1 %.296.i.i, label %B1282.i.i, label %B1492.i.i
 
 B1282.i.i:                                        ; preds = %B1126.i.i
-  %.1813.i.i = getelementptr double, ptr %69, i64 %.1008.i.i8964
+  %.1813.i.i = getelementptr double, ptr %69, i64 %.1008.i.i8968
   %.1814.i.i = load double, ptr %.1813.i.i, align 8, !noalias !208
   %.1817.i.i = fcmp ogt double %.1814.i.i, %.1816.i.i
-  br i1 %.1817.i.i, label %B1340.i.i, label %B1490.i.i
+  br i1 %.1817.i.i, label %B1340.i.i, label %B1492.i.i
 
 B1340.i.i:                                        ; preds = %B1282.i.i
+  %.96.i.i.i = load double, ptr %.1029.i.i8969, align 8, !noalias !216
+  %.97.i.i.i = tail call double @llvm.fabs.f64(double %.96.i.i.i)
+  %.98.i.i.i = fmul double %.97.i.i.i, 1.000000e-15
+  %.152.i.i.i = fdiv double %.98.i.i.i, %.1814.i.i
   %294 = tail call i64 @llvm.smax.i64(i64 range(i64 -1, 9) %"$phi1274.1.2.2.i.i", i64 0)
   %storemerge.i.i.i = tail call i64 @llvm.smin.i64(i64 %294, i64 7)
-  %.310338.i.i.i = icmp sgt i64 %"$phi1274.1.2.2.i.i", 0
-  %.253.1340.i.i.i = select i1 %.310338.i.i.i, i64 2, i64 1
-  %.319341.i.i.i = sext i1 %.310338.i.i.i to i64
-  %.256.1342.i.i.i = add nsw i64 %storemerge.i.i.i, %.319341.i.i.i
-  %.300.sroa.0.0343.i.i.i = zext i1 %.310338.i.i.i to i64
-  %.160.i.i.i = add nsw i64 %.925.sroa.0.01306.i.i, %arg.shape.0
-  %.192.i.i.i.i = add nsw i64 %.160.i.i.i, %.30.i.i.i
+  %.690443.i.i.i = icmp sgt i64 %"$phi1274.1.2.2.i.i", 0
+  %.633.1445.i.i.i = select i1 %.690443.i.i.i, i64 2, i64 1
+  %.699446.i.i.i = sext i1 %.690443.i.i.i to i64
+  %.636.1447.i.i.i = add nsw i64 %storemerge.i.i.i, %.699446.i.i.i
+  %.680.sroa.0.0448.i.i.i = zext i1 %.690443.i.i.i to i64
+  %.282.i.i.i = add nsw i64 %.925.sroa.0.01311.i.i, %arg.shape.0
+  %.192.i.i.i.i = add nsw i64 %.282.i.i.i, %.43.i.i.i
   %.206.i.i.i.i = icmp slt i64 %.192.i.i.i.i, 0
   %.207.i.i.i.i = select i1 %.206.i.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
   %295 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.i.i.i
   %.221.i.i.i.i = getelementptr double, ptr %295, i64 %.207.i.i.i.i
-  %.472.i.i.i.i = icmp slt i64 %.160.i.i.i, 0
+  %.222.i.i.i.i = load double, ptr %.221.i.i.i.i, align 8, !noalias !220
+  %.472.i.i.i.i = icmp slt i64 %.282.i.i.i, 0
   %.473.i.i.i.i = select i1 %.472.i.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %296 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.160.i.i.i
+  %296 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.282.i.i.i
   %.487.i.i.i.i = getelementptr double, ptr %296, i64 %.473.i.i.i.i
-  %.458.i.1.i.i.i = add nsw i64 %.160.i.i.i, %.454.i.i.i.i
+  %.488.i.i.i.i = load double, ptr %.487.i.i.i.i, align 8, !noalias !220
+  %.489.i.i.i.i = fmul double %.488.i.i.i.i, 0x3FDDF27AAAADCB3A
+  %.491.i.i.i.i = fsub double %.222.i.i.i.i, %.489.i.i.i.i
+  %.458.i.1.i.i.i = add nsw i64 %.282.i.i.i, %.454.i.i.i.i
   %.472.i.1.i.i.i = icmp slt i64 %.458.i.1.i.i.i, 0
   %.473.i.1.i.i.i = select i1 %.472.i.1.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
   %297 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.1.i.i.i
   %.487.i.1.i.i.i = getelementptr double, ptr %297, i64 %.473.i.1.i.i.i
-  %.458.i.2.i.i.i = add nsw i64 %.160.i.i.i, %.456.i.2.i.i.i
+  %.488.i.1.i.i.i = load double, ptr %.487.i.1.i.i.i, align 8, !noalias !220
+  %.489.i.1.i.i.i = fmul double %.488.i.1.i.i.i, 0x3FEC575F1EBC4F2F
+  %.491.i.1.i.i.i = fsub double %.491.i.i.i.i, %.489.i.1.i.i.i
+  %.458.i.2.i.i.i = add nsw i64 %.282.i.i.i, %.456.i.2.i.i.i
   %.472.i.2.i.i.i = icmp slt i64 %.458.i.2.i.i.i, 0
   %.473.i.2.i.i.i = select i1 %.472.i.2.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
   %298 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.2.i.i.i
   %.487.i.2.i.i.i = getelementptr double, ptr %298, i64 %.473.i.2.i.i.i
-  %.458.i.3.i.i.i = add nsw i64 %.160.i.i.i, %.456.i.3.i.i.i
-  %.472.i.3.i.i.i = icmp slt i64 %.458.i.3.i.i.i, 0
-  %.473.i.3.i.i.i = select i1 %.472.i.3.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %299 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.3.i.i.i
-  %.487.i.3.i.i.i = getelementptr double, ptr %299, i64 %.473.i.3.i.i.i
-  %.458.i.4.i.i.i = add nsw i64 %.160.i.i.i, %.456.i.4.i.i.i
-  %.472.i.4.i.i.i = icmp slt i64 %.458.i.4.i.i.i, 0
-  %.473.i.4.i.i.i = select i1 %.472.i.4.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %300 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.4.i.i.i
-  %.487.i.4.i.i.i = getelementptr double, ptr %300, i64 %.473.i.4.i.i.i
-  %.192.i.1.i.i.i = add nsw i64 %.160.i.i.i, %.190.i.1.i.i.i
-  %.206.i.1.i.i.i = icmp slt i64 %.192.i.1.i.i.i, 0
-  %.207.i.1.i.i.i = select i1 %.206.i.1.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %301 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.1.i.i.i
-  %.221.i.1.i.i.i = getelementptr double, ptr %301, i64 %.207.i.1.i.i.i
-  %.192.i.2.i.i.i = add nsw i64 %.160.i.i.i, %.190.i.2.i.i.i
-  %.206.i.2.i.i.i = icmp slt i64 %.192.i.2.i.i.i, 0
-  %.207.i.2.i.i.i = select i1 %.206.i.2.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %302 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.2.i.i.i
-  %.221.i.2.i.i.i = getelementptr double, ptr %302, i64 %.207.i.2.i.i.i
-  %.192.i.3.i.i.i = add nsw i64 %.160.i.i.i, %.190.i.3.i.i.i
-  %.206.i.3.i.i.i = icmp slt i64 %.192.i.3.i.i.i, 0
-  %.207.i.3.i.i.i = select i1 %.206.i.3.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %303 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.3.i.i.i
-  %.221.i.3.i.i.i = getelementptr double, ptr %303, i64 %.207.i.3.i.i.i
-  %.929.i.i.i = add nsw i64 %.160.i.i.i, %arg.shape.0
-  %.945.i.i.i = icmp slt i64 %.929.i.i.i, 0
-  %.946.i.i.i = select i1 %.945.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %304 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.929.i.i.i
-  %.960.i.i.i = getelementptr double, ptr %304, i64 %.946.i.i.i
-  br label %B50.i.i.i
-
-B50.i.i.i:                                        ; preds = %B860.i.i.i, %B1340.i.i
-  %exitcond.not.i.i.i = phi i1 [ false, %B1340.i.i ], [ true, %B860.i.i.i ]
-  br i1 %exitcond.not.i.i.i, label %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B52.if.i.i.i
-
-B216.i.i.i:                                       ; preds = %B216.lr.ph.i.i.i, %B935.i.i.i
-  %.300.sroa.0.0347.i.i.i = phi i64 [ %.300.sroa.0.0343.i.i.i, %B216.lr.ph.i.i.i ], [ %.300.sroa.0.0.i.i.i, %B935.i.i.i ]
-  %.256.1346.i.i.i = phi i64 [ %.256.1342.i.i.i, %B216.lr.ph.i.i.i ], [ %.256.1.i.i.i, %B935.i.i.i ]
-  %.253.1345.i.i.i = phi i64 [ %.253.1340.i.i.i, %B216.lr.ph.i.i.i ], [ %.253.1.i.i.i, %B935.i.i.i ]
-  %nearest.3.1344.i.i.i = phi double [ 0x7FF0000000000000, %B216.lr.ph.i.i.i ], [ %nearest.4.2.i.i.i, %B935.i.i.i ]
-  %.352.i.i.i = add nsw i64 %.300.sroa.0.0347.i.i.i, -1
-  %.354.i.i.i = mul nsw i64 %.352.i.i.i, %.30.i.i.i
-  %.356.i.i.i = add nsw i64 %.354.i.i.i, %.160.i.i.i
-  %.370.i.i.i8975 = icmp slt i64 %.356.i.i.i, 0
-  %.371.i.i.i8976 = select i1 %.370.i.i.i8975, i64 %arg.batch.5.4.5.0, i64 0
-  %305 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.356.i.i.i
-  %.385.i.i.i = getelementptr double, ptr %305, i64 %.371.i.i.i8976
-  %.386.i.i.i = load double, ptr %.385.i.i.i, align 8, !noalias !216
-  %.389.i.i.i = mul nsw i64 %.300.sroa.0.0347.i.i.i, %.30.i.i.i
-  %.391.i.i.i = add nsw i64 %.389.i.i.i, %.160.i.i.i
-  %.405.i.i.i = icmp slt i64 %.391.i.i.i, 0
-  %.406.i.i.i = select i1 %.405.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %306 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.391.i.i.i
-  %.420.i.i.i8977 = getelementptr double, ptr %306, i64 %.406.i.i.i
-  %.421.i.i.i = load double, ptr %.420.i.i.i8977, align 8, !noalias !216
-  %.423.i.i.i = add nsw i64 %.300.sroa.0.0347.i.i.i, 1
-  %.425.i.i.i = mul nsw i64 %.423.i.i.i, %.30.i.i.i
-  %.427.i.i.i = add nsw i64 %.425.i.i.i, %.160.i.i.i
-  %.441.i.i.i = icmp slt i64 %.427.i.i.i, 0
-  %.442.i.i.i = select i1 %.441.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
-  %307 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.427.i.i.i
-  %.456.i.i.i = getelementptr double, ptr %307, i64 %.442.i.i.i
-  %.457.i.i.i = load double, ptr %.456.i.i.i, align 8, !noalias !216
-  %.480.i1283.i.i = fcmp olt double %.421.i.i.i, 0.000000e+00
-  %.483.i.i.i = fneg double %.386.i.i.i
-  %.487.i.i.i8978 = fneg double %.421.i.i.i
-  %.491.i.i.i8979 = fneg double %.457.i.i.i
-  %c.2.2.i.i.i = select i1 %.480.i1283.i.i, double %.491.i.i.i8979, double %.457.i.i.i
-  %b.2.2.i.i.i = select i1 %.480.i1283.i.i, double %.487.i.i.i8978, double %.421.i.i.i
-  %a.2.2.i.i.i = select i1 %.480.i1283.i.i, double %.483.i.i.i, double %.386.i.i.i
-  %.508.i.i.i = icmp eq i64 %.300.sroa.0.0347.i.i.i, 1
-  %.515.i.i.i = fcmp ogt double %a.2.2.i.i.i, 0.000000e+00
-  %or.cond.i.i.i = select i1 %.508.i.i.i, i1 true, i1 %.515.i.i.i
-  br i1 %or.cond.i.i.i, label %B368.i.i.i, label %B424.i.i.i
-
-B368.i.i.i:                                       ; preds = %B216.i.i.i
-  %.521.i.i.i = icmp eq i64 %.300.sroa.0.0347.i.i.i, %"$phi1274.1.2.2.i.i"
-  %.527.i.i.i = fcmp ogt double %c.2.2.i.i.i, 0.000000e+00
-  %or.cond306.i.i.i = select i1 %.521.i.i.i, i1 true, i1 %.527.i.i.i
-  br i1 %or.cond306.i.i.i, label %B392.i.i.i, label %B424.i.i.i
-
-B392.i.i.i:                                       ; preds = %B368.i.i.i
-  %.10.i.i.i.i8983 = fcmp olt double %b.2.2.i.i.i, %nearest.3.1344.i.i.i
-  %.11.i.i.i.i8984 = select i1 %.10.i.i.i.i8983, double %b.2.2.i.i.i, double %nearest.3.1344.i.i.i
-  br label %B424.i.i.i
-
-B424.i.i.i:                                       ; preds = %B392.i.i.i, %B368.i.i.i, %B216.i.i.i
-  %nearest.6.3.i.i.i = phi double [ %.11.i.i.i.i8984, %B392.i.i.i ], [ %nearest.3.1344.i.i.i, %B368.i.i.i ], [ %nearest.3.1344.i.i.i, %B216.i.i.i ]
-  %.572.i.i.i = icmp slt i64 %.300.sroa.0.0347.i.i.i, %"$phi1274.1.2.2.i.i"
-  br i1 %.572.i.i.i, label %B436.i.i.i, label %B935.i.i.i
-
-B436.i.i.i:                                       ; preds = %B424.i.i.i
-  %.581.i.i.i = fsub double %a.2.2.i.i.i, %b.2.2.i.i.i
-  %.582.i.i.i = tail call double @llvm.fabs.f64(double %.581.i.i.i)
-  %.585.i.i.i = fsub double %c.2.2.i.i.i, %b.2.2.i.i.i
-  %.586.i.i.i8980 = tail call double @llvm.fabs.f64(double %.585.i.i.i)
-  %.587.i.i.i8981 = fadd double %.582.i.i.i, %.586.i.i.i8980
-  %.588.i.i.i8982 = fmul double %.587.i.i.i8981, 3.000000e+00
-  %.589.i.i.i = fadd double %.578.i.i.i, %.588.i.i.i8982
-  %.591.i.i.i = fcmp olt double %b.2.2.i.i.i, %.589.i.i.i
-  br i1 %.591.i.i.i, label %B546.i.i.i, label %B935.i.i.i
-
-B546.i.i.i:                                       ; preds = %B436.i.i.i
-  %switch.tableidx9512 = add i64 %.300.sroa.0.0347.i.i.i, 9
-  %308 = icmp ult i64 %switch.tableidx9512, 18
-  br i1 %308, label %switch.lookup9513, label %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
-
-B752.i.i.i:                                       ; preds = %switch.lookup9525
-  %.800.i.i.i = fneg double %.741.i.i.i
-  %.804.i.i.i = fmul double %.790.i.i.i, 5.000000e-01
-  %.809.i.i.i = fdiv double %.804.i.i.i, %.773.i.i.i
-  %.810.i.i.i = fcmp ogt double %.809.i.i.i, %.800.i.i.i
-  %.820.i.i.i = fcmp olt double %.809.i.i.i, %.667.i.i.i
-  %or.cond308.i.i.i = and i1 %.810.i.i.i, %.820.i.i.i
-  br i1 %or.cond308.i.i.i, label %B792.i.i.i, label %B935.i.i.i
-
-B792.i.i.i:                                       ; preds = %B752.i.i.i
-  %.847.i.i.i = fmul double %.790.i.i.i, 2.500000e-01
-  %.849.i.i.i = fmul double %.790.i.i.i, %.847.i.i.i
-  %.856.i.i.i = fdiv double %.849.i.i.i, %.773.i.i.i
-  %.860.i.i.i = fsub double %b.2.2.i.i.i, %.856.i.i.i
-  %.10.i309.i.i.i = fcmp olt double %.860.i.i.i, %nearest.6.3.i.i.i
-  %.11.i310.i.i.i = select i1 %.10.i309.i.i.i, double %.860.i.i.i, double %nearest.6.3.i.i.i
-  br label %B935.i.i.i
-
-B860.i.i.i:                                       ; preds = %B935.i.i.i, %B52.if.i.i.i
-  %nearest.3.1.lcssa.i.i.i = phi double [ 0x7FF0000000000000, %B52.if.i.i.i ], [ %nearest.4.2.i.i.i, %B935.i.i.i ]
-  %.961.i.i.i = load double, ptr %.960.i.i.i, align 8, !noalias !216
-  %.963.i.i.i = fcmp ule double %.11.i.i.3.i.i.i, %.961.i.i.i
-  %.966.i.i.i = fmul double %.11.i.i.3.i.i.i, 1.000000e+01
-  %.970.i.i.i = fcmp ugt double %nearest.3.1.lcssa.i.i.i, %.966.i.i.i
-  %or.cond307.i.i.i = select i1 %.963.i.i.i, i1 true, i1 %.970.i.i.i
-  br i1 %or.cond307.i.i.i, label %B50.i.i.i, label %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
-
-B935.i.i.i:                                       ; preds = %switch.lookup9525, %B792.i.i.i, %B752.i.i.i, %B436.i.i.i, %B424.i.i.i
-  %nearest.4.2.i.i.i = phi double [ %nearest.6.3.i.i.i, %B752.i.i.i ], [ %.11.i310.i.i.i, %B792.i.i.i ], [ %nearest.6.3.i.i.i, %B424.i.i.i ], [ %nearest.6.3.i.i.i, %switch.lookup9525 ], [ %nearest.6.3.i.i.i, %B436.i.i.i ]
-  %.310.i.i.i = icmp sgt i64 %.256.1346.i.i.i, 0
-  %.323.i.i.i = zext i1 %.310.i.i.i to i64
-  %.253.1.i.i.i = add i64 %.253.1345.i.i.i, %.323.i.i.i
-  %.319.i.i.i = sext i1 %.310.i.i.i to i64
-  %.256.1.i.i.i = add nsw i64 %.256.1346.i.i.i, %.319.i.i.i
-  %.300.sroa.0.0.i.i.i = select i1 %.310.i.i.i, i64 %.253.1345.i.i.i, i64 0
-  br i1 %.310.i.i.i, label %B216.i.i.i, label %B860.i.i.i
-
-B52.if.i.i.i:                                     ; preds = %B50.i.i.i
-  %.222.i.i.i.i = load double, ptr %.221.i.i.i.i, align 8, !noalias !220
-  %.488.i.i.i.i = load double, ptr %.487.i.i.i.i, align 8, !noalias !220
-  %.489.i.i.i.i = fmul double %.488.i.i.i.i, 0x3FDDF27AAAADCB3A
-  %.491.i.i.i.i = fsub double %.222.i.i.i.i, %.489.i.i.i.i
-  %.488.i.1.i.i.i = load double, ptr %.487.i.1.i.i.i, align 8, !noalias !220
-  %.489.i.1.i.i.i = fmul double %.488.i.1.i.i.i, 0x3FEC575F1EBC4F2F
-  %.491.i.1.i.i.i = fsub double %.491.i.i.i.i, %.489.i.1.i.i.i
   %.488.i.2.i.i.i = load double, ptr %.487.i.2.i.i.i, align 8, !noalias !220
   %.489.i.2.i.i.i = fmul double %.488.i.2.i.i.i, 0x3FE1306AA3D795F4
-  %309 = fadd double %.491.i.1.i.i.i, %.489.i.2.i.i.i
+  %299 = fadd double %.491.i.1.i.i.i, %.489.i.2.i.i.i
+  %.458.i.3.i.i.i = add nsw i64 %.282.i.i.i, %.456.i.3.i.i.i
+  %.472.i.3.i.i.i = icmp slt i64 %.458.i.3.i.i.i, 0
+  %.473.i.3.i.i.i = select i1 %.472.i.3.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %300 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.3.i.i.i
+  %.487.i.3.i.i.i = getelementptr double, ptr %300, i64 %.473.i.3.i.i.i
   %.488.i.3.i.i.i = load double, ptr %.487.i.3.i.i.i, align 8, !noalias !220
   %.489.i.3.i.i.i = fmul double %.488.i.3.i.i.i, 0x3FCCB9F574BDCC3A
-  %.491.i.3.i.i.i = fsub double %309, %.489.i.3.i.i.i
+  %.491.i.3.i.i.i = fsub double %299, %.489.i.3.i.i.i
+  %.458.i.4.i.i.i = add nsw i64 %.282.i.i.i, %.456.i.4.i.i.i
+  %.472.i.4.i.i.i = icmp slt i64 %.458.i.4.i.i.i, 0
+  %.473.i.4.i.i.i = select i1 %.472.i.4.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %301 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.458.i.4.i.i.i
+  %.487.i.4.i.i.i = getelementptr double, ptr %301, i64 %.473.i.4.i.i.i
   %.488.i.4.i.i.i = load double, ptr %.487.i.4.i.i.i, align 8, !noalias !220
   %.489.i.4.i.i.i = fmul double %.488.i.4.i.i.i, 0x3FA4EAF2D6B11E79
-  %310 = fadd double %.491.i.3.i.i.i, %.489.i.4.i.i.i
-  %.502.i.i.i.i = tail call double @llvm.fabs.f64(double %310)
+  %302 = fadd double %.491.i.3.i.i.i, %.489.i.4.i.i.i
+  %.502.i.i.i.i = tail call double @llvm.fabs.f64(double %302)
   %.10.i.i.i.i.i = fcmp ogt double %.502.i.i.i.i, 0.000000e+00
   %.11.i.i.i.i.i = select i1 %.10.i.i.i.i.i, double %.502.i.i.i.i, double 0.000000e+00
+  %.192.i.1.i.i.i = add nsw i64 %.282.i.i.i, %.190.i.1.i.i.i
+  %.206.i.1.i.i.i = icmp slt i64 %.192.i.1.i.i.i, 0
+  %.207.i.1.i.i.i = select i1 %.206.i.1.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %303 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.1.i.i.i
+  %.221.i.1.i.i.i = getelementptr double, ptr %303, i64 %.207.i.1.i.i.i
   %.222.i.1.i.i.i = load double, ptr %.221.i.1.i.i.i, align 8, !noalias !220
-  %.489.i.1383.i.i.i = fmul double %.488.i.i.i.i, 0x3FA5118805F8B876
-  %311 = fadd double %.489.i.1383.i.i.i, %.222.i.1.i.i.i
+  %.489.i.1494.i.i.i = fmul double %.488.i.i.i.i, 0x3FA5118805F8B876
+  %304 = fadd double %.489.i.1494.i.i.i, %.222.i.1.i.i.i
   %.489.i.1.1.i.i.i = fmul double %.488.i.1.i.i.i, 0x3FE51326698BC5BD
-  %.491.i.1.1.i.i.i = fsub double %311, %.489.i.1.1.i.i.i
+  %.491.i.1.1.i.i.i = fsub double %304, %.489.i.1.1.i.i.i
   %.489.i.2.1.i.i.i = fmul double %.488.i.2.i.i.i, 0x3FDF97DED30D4572
   %.491.i.2.1.i.i.i = fsub double %.491.i.1.1.i.i.i, %.489.i.2.1.i.i.i
   %.489.i.3.1.i.i.i = fmul double %.488.i.3.i.i.i, 0x3FC0DA0C684D1D67
-  %312 = fadd double %.489.i.3.1.i.i.i, %.491.i.2.1.i.i.i
+  %305 = fadd double %.489.i.3.1.i.i.i, %.491.i.2.1.i.i.i
   %.489.i.4.1.i.i.i = fmul double %.488.i.4.i.i.i, 0x3F9510B8EC0D4D92
-  %.491.i.4.1.i.i.i = fsub double %312, %.489.i.4.1.i.i.i
+  %.491.i.4.1.i.i.i = fsub double %305, %.489.i.4.1.i.i.i
   %.502.i.1.i.i.i = tail call double @llvm.fabs.f64(double %.491.i.4.1.i.i.i)
   %.10.i.i.1.i.i.i = fcmp ogt double %.502.i.1.i.i.i, %.11.i.i.i.i.i
   %.11.i.i.1.i.i.i = select i1 %.10.i.i.1.i.i.i, double %.502.i.1.i.i.i, double %.11.i.i.i.i.i
+  %.192.i.2.i.i.i = add nsw i64 %.282.i.i.i, %.190.i.2.i.i.i
+  %.206.i.2.i.i.i = icmp slt i64 %.192.i.2.i.i.i, 0
+  %.207.i.2.i.i.i = select i1 %.206.i.2.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %306 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.2.i.i.i
+  %.221.i.2.i.i.i = getelementptr double, ptr %306, i64 %.207.i.2.i.i.i
   %.222.i.2.i.i.i = load double, ptr %.221.i.2.i.i.i, align 8, !noalias !220
-  %.489.i.2410.i.i.i = fmul double %.488.i.i.i.i, 0x3F9635A30F8F142F
-  %.491.i.2411.i.i.i = fsub double %.222.i.2.i.i.i, %.489.i.2410.i.i.i
+  %.489.i.2521.i.i.i = fmul double %.488.i.i.i.i, 0x3F9635A30F8F142F
+  %.491.i.2522.i.i.i = fsub double %.222.i.2.i.i.i, %.489.i.2521.i.i.i
   %.489.i.1.2.i.i.i = fmul double %.488.i.1.i.i.i, 0x3FC1EAE0FF33D241
-  %313 = fadd double %.489.i.1.2.i.i.i, %.491.i.2411.i.i.i
+  %307 = fadd double %.489.i.1.2.i.i.i, %.491.i.2522.i.i.i
   %.489.i.2.2.i.i.i = fmul double %.488.i.2.i.i.i, 0x3FE1625D59218460
-  %.491.i.2.2.i.i.i = fsub double %313, %.489.i.2.2.i.i.i
+  %.491.i.2.2.i.i.i = fsub double %307, %.489.i.2.2.i.i.i
   %.489.i.3.2.i.i.i = fmul double %.488.i.3.i.i.i, 0x3FE3BBC3E8A29641
   %.491.i.3.2.i.i.i = fsub double %.491.i.2.2.i.i.i, %.489.i.3.2.i.i.i
   %.489.i.4.2.i.i.i = fmul double %.488.i.4.i.i.i, 0x3FA55161A739EB34
-  %314 = fadd double %.489.i.4.2.i.i.i, %.491.i.3.2.i.i.i
-  %.502.i.2.i.i.i = tail call double @llvm.fabs.f64(double %314)
+  %308 = fadd double %.489.i.4.2.i.i.i, %.491.i.3.2.i.i.i
+  %.502.i.2.i.i.i = tail call double @llvm.fabs.f64(double %308)
   %.10.i.i.2.i.i.i = fcmp ogt double %.502.i.2.i.i.i, %.11.i.i.1.i.i.i
   %.11.i.i.2.i.i.i = select i1 %.10.i.i.2.i.i.i, double %.502.i.2.i.i.i, double %.11.i.i.1.i.i.i
+  %.192.i.3.i.i.i = add nsw i64 %.282.i.i.i, %.190.i.3.i.i.i
+  %.206.i.3.i.i.i = icmp slt i64 %.192.i.3.i.i.i, 0
+  %.207.i.3.i.i.i = select i1 %.206.i.3.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %309 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.192.i.3.i.i.i
+  %.221.i.3.i.i.i = getelementptr double, ptr %309, i64 %.207.i.3.i.i.i
   %.222.i.3.i.i.i = load double, ptr %.221.i.3.i.i.i, align 8, !noalias !220
-  %.489.i.3437.i.i.i = fmul double %.488.i.i.i.i, 0x3FA4F0C0BB579409
-  %315 = fadd double %.489.i.3437.i.i.i, %.222.i.3.i.i.i
+  %.489.i.3548.i.i.i = fmul double %.488.i.i.i.i, 0x3FA4F0C0BB579409
+  %310 = fadd double %.489.i.3548.i.i.i, %.222.i.3.i.i.i
   %.489.i.1.3.i.i.i = fmul double %.488.i.1.i.i.i, 0x3FCD2266FBC0D976
-  %.491.i.1.3.i.i.i = fsub double %315, %.489.i.1.3.i.i.i
+  %.491.i.1.3.i.i.i = fsub double %310, %.489.i.1.3.i.i.i
   %.489.i.2.3.i.i.i = fmul double %.488.i.2.i.i.i, 0x3FE1F2DB6FEE3151
-  %316 = fadd double %.489.i.2.3.i.i.i, %.491.i.1.3.i.i.i
+  %311 = fadd double %.489.i.2.3.i.i.i, %.491.i.1.3.i.i.i
   %.489.i.3.3.i.i.i = fmul double %.488.i.3.i.i.i, 0x3FF0C05015964CBE
-  %.491.i.3.3.i.i.i = fsub double %316, %.489.i.3.3.i.i.i
+  %.491.i.3.3.i.i.i = fsub double %311, %.489.i.3.3.i.i.i
   %.489.i.4.3.i.i.i = fmul double %.488.i.4.i.i.i, 0x3FD4F15B230DB570
   %.491.i.4.3.i.i.i = fsub double %.491.i.3.3.i.i.i, %.489.i.4.3.i.i.i
   %.502.i.3.i.i.i = tail call double @llvm.fabs.f64(double %.491.i.4.3.i.i.i)
   %.10.i.i.3.i.i.i = fcmp ogt double %.502.i.3.i.i.i, %.11.i.i.2.i.i.i
   %.11.i.i.3.i.i.i = select i1 %.10.i.i.3.i.i.i, double %.502.i.3.i.i.i, double %.11.i.i.2.i.i.i
-  br i1 %.310338.i.i.i, label %B216.lr.ph.i.i.i, label %B860.i.i.i
+  %.325.i.i.i = add nsw i64 %.925.sroa.0.01311.i.i, %.323.i.i.i
+  %312 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.325.i.i.i
+  %.339.i.i.i = icmp slt i64 %.325.i.i.i, 0
+  %.340.i.i.i = select i1 %.339.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %.354.i.i.i = getelementptr double, ptr %312, i64 %.340.i.i.i
+  %.355.i.i.i = load double, ptr %.354.i.i.i, align 8, !noalias !216
+  %.548.i.i.i = fsub double %.222.i.i.i.i, %.488.i.i.i.i
+  %.549.i.i.i = tail call double @llvm.fabs.f64(double %.548.i.i.i)
+  %.551.i.i.i = fmul double %.152.i.i.i, %.549.i.i.i
+  %.553.i.i.i = fadd double %.551.i.i.i, %.355.i.i.i
+  %.548.1.i.i.i = fsub double %.488.i.1.i.i.i, %.222.i.i.i.i
+  %.549.1.i.i.i = tail call double @llvm.fabs.f64(double %.548.1.i.i.i)
+  %.551.1.i.i.i = fmul double %.152.i.i.i, %.549.1.i.i.i
+  %.553.1.i.i.i = fadd double %.551.1.i.i.i, %.553.i.i.i
+  %.548.2.i.i.i = fsub double %.222.i.1.i.i.i, %.488.i.1.i.i.i
+  %.549.2.i.i.i = tail call double @llvm.fabs.f64(double %.548.2.i.i.i)
+  %.551.2.i.i.i = fmul double %.152.i.i.i, %.549.2.i.i.i
+  %.553.2.i.i.i = fadd double %.551.2.i.i.i, %.553.1.i.i.i
+  %.548.3.i.i.i = fsub double %.488.i.2.i.i.i, %.222.i.1.i.i.i
+  %.549.3.i.i.i = tail call double @llvm.fabs.f64(double %.548.3.i.i.i)
+  %.551.3.i.i.i = fmul double %.152.i.i.i, %.549.3.i.i.i
+  %.553.3.i.i.i = fadd double %.551.3.i.i.i, %.553.2.i.i.i
+  %.548.4.i.i.i = fsub double %.222.i.2.i.i.i, %.488.i.2.i.i.i
+  %.549.4.i.i.i = tail call double @llvm.fabs.f64(double %.548.4.i.i.i)
+  %.551.4.i.i.i = fmul double %.152.i.i.i, %.549.4.i.i.i
+  %.553.4.i.i.i = fadd double %.551.4.i.i.i, %.553.3.i.i.i
+  %.548.5.i.i.i = fsub double %.488.i.3.i.i.i, %.222.i.2.i.i.i
+  %.549.5.i.i.i = tail call double @llvm.fabs.f64(double %.548.5.i.i.i)
+  %.551.5.i.i.i = fmul double %.152.i.i.i, %.549.5.i.i.i
+  %.553.5.i.i.i = fadd double %.551.5.i.i.i, %.553.4.i.i.i
+  %.548.6.i.i.i = fsub double %.222.i.3.i.i.i, %.488.i.3.i.i.i
+  %.549.6.i.i.i = tail call double @llvm.fabs.f64(double %.548.6.i.i.i)
+  %.551.6.i.i.i = fmul double %.152.i.i.i, %.549.6.i.i.i
+  %.553.6.i.i.i = fadd double %.551.6.i.i.i, %.553.5.i.i.i
+  %.548.7.i.i.i = fsub double %.488.i.4.i.i.i, %.222.i.3.i.i.i
+  %.549.7.i.i.i = tail call double @llvm.fabs.f64(double %.548.7.i.i.i)
+  %.551.7.i.i.i = fmul double %.152.i.i.i, %.549.7.i.i.i
+  %.553.7.i.i.i = fadd double %.551.7.i.i.i, %.553.6.i.i.i
+  %.563.i.i.i = fcmp ugt double %.11.i.i.3.i.i.i, %.553.7.i.i.i
+  br i1 %.563.i.i.i, label %B462.i.i.i, label %B1225.i.i.i
 
-B216.lr.ph.i.i.i:                                 ; preds = %B52.if.i.i.i
-  %.578.i.i.i = fmul double %.11.i.i.3.i.i.i, 1.000000e+01
-  br label %B216.i.i.i
+B462.i.i.i:                                       ; preds = %B1340.i.i
+  br i1 %.690443.i.i.i, label %B542.lr.ph.i.i.i, label %B1186.i.i.i
 
-switch.lookup9513:                                ; preds = %B546.i.i.i
-  %switch.tableidx9516 = add i64 %.300.sroa.0.0347.i.i.i, 8
-  %317 = icmp ult i64 %switch.tableidx9516, 18
-  br i1 %317, label %switch.lookup9517, label %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+B542.lr.ph.i.i.i:                                 ; preds = %B462.i.i.i
+  %.958.i.i.i = fmul double %.11.i.i.3.i.i.i, 1.000000e+01
+  br label %B542.i.i.i
 
-switch.lookup9517:                                ; preds = %switch.lookup9513
-  %switch.gep9514 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9512
-  %switch.load9515 = load double, ptr %switch.gep9514, align 8
-  %switch.gep9518 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9516
-  %switch.load9519 = load double, ptr %switch.gep9518, align 8
-  %.667.i.i.i = fsub double %switch.load9515, %switch.load9519
-  %switch.tableidx9520 = add i64 %.300.sroa.0.0347.i.i.i, 10
-  %318 = icmp ult i64 %switch.tableidx9520, 18
-  br i1 %318, label %switch.lookup9521, label %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+B542.i.i.i:                                       ; preds = %B1226.i.i.i, %B542.lr.ph.i.i.i
+  %.680.sroa.0.0452.i.i.i = phi i64 [ %.680.sroa.0.0448.i.i.i, %B542.lr.ph.i.i.i ], [ %.680.sroa.0.0.i.i.i, %B1226.i.i.i ]
+  %.636.1451.i.i.i = phi i64 [ %.636.1447.i.i.i, %B542.lr.ph.i.i.i ], [ %.636.1.i.i.i, %B1226.i.i.i ]
+  %.633.1450.i.i.i = phi i64 [ %.633.1445.i.i.i, %B542.lr.ph.i.i.i ], [ %.633.1.i.i.i, %B1226.i.i.i ]
+  %nearest.3.2449.i.i.i = phi double [ 0x7FF0000000000000, %B542.lr.ph.i.i.i ], [ %nearest.4.3.i.i.i, %B1226.i.i.i ]
+  %.732.i.i.i = add nsw i64 %.680.sroa.0.0452.i.i.i, -1
+  %.734.i.i.i = mul nsw i64 %.732.i.i.i, %.43.i.i.i
+  %.736.i.i.i = add nsw i64 %.734.i.i.i, %.282.i.i.i
+  %.750.i.i.i = icmp slt i64 %.736.i.i.i, 0
+  %.751.i.i.i = select i1 %.750.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %313 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.736.i.i.i
+  %.765.i.i.i = getelementptr double, ptr %313, i64 %.751.i.i.i
+  %.766.i.i.i = load double, ptr %.765.i.i.i, align 8, !noalias !216
+  %.769.i.i.i = mul nsw i64 %.680.sroa.0.0452.i.i.i, %.43.i.i.i
+  %.771.i.i.i = add nsw i64 %.769.i.i.i, %.282.i.i.i
+  %.785.i.i.i = icmp slt i64 %.771.i.i.i, 0
+  %.786.i.i.i = select i1 %.785.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %314 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.771.i.i.i
+  %.800.i.i.i = getelementptr double, ptr %314, i64 %.786.i.i.i
+  %.801.i.i.i = load double, ptr %.800.i.i.i, align 8, !noalias !216
+  %.803.i.i.i = add nsw i64 %.680.sroa.0.0452.i.i.i, 1
+  %.805.i.i.i = mul nsw i64 %.803.i.i.i, %.43.i.i.i
+  %.807.i.i.i = add nsw i64 %.805.i.i.i, %.282.i.i.i
+  %.821.i.i.i = icmp slt i64 %.807.i.i.i, 0
+  %.822.i.i.i = select i1 %.821.i.i.i, i64 %arg.batch.5.4.5.0, i64 0
+  %315 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.807.i.i.i
+  %.836.i.i.i = getelementptr double, ptr %315, i64 %.822.i.i.i
+  %.837.i.i.i = load double, ptr %.836.i.i.i, align 8, !noalias !216
+  %.860.i.i.i = fcmp olt double %.801.i.i.i, 0.000000e+00
+  %.863.i.i.i = fneg double %.766.i.i.i
+  %.867.i.i.i = fneg double %.801.i.i.i
+  %.871.i.i.i = fneg double %.837.i.i.i
+  %c.2.3.i.i.i = select i1 %.860.i.i.i, double %.871.i.i.i, double %.837.i.i.i
+  %b.2.3.i.i.i = select i1 %.860.i.i.i, double %.867.i.i.i, double %.801.i.i.i
+  %a.2.3.i.i.i = select i1 %.860.i.i.i, double %.863.i.i.i, double %.766.i.i.i
+  %.888.i.i.i = icmp eq i64 %.680.sroa.0.0452.i.i.i, 1
+  %.895.i.i.i = fcmp ogt double %a.2.3.i.i.i, 0.000000e+00
+  %or.cond.i.i.i = select i1 %.888.i.i.i, i1 true, i1 %.895.i.i.i
+  br i1 %or.cond.i.i.i, label %B694.i.i.i, label %B750.i.i.i
 
-switch.lookup9521:                                ; preds = %switch.lookup9517
-  %switch.tableidx9524 = add i64 %.300.sroa.0.0347.i.i.i, 9
-  %319 = icmp ult i64 %switch.tableidx9524, 18
-  br i1 %319, label %switch.lookup9525, label %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+B694.i.i.i:                                       ; preds = %B542.i.i.i
+  %.901.i.i.i = icmp eq i64 %.680.sroa.0.0452.i.i.i, %"$phi1274.1.2.2.i.i"
+  %.907.i.i.i = fcmp ogt double %c.2.3.i.i.i, 0.000000e+00
+  %or.cond409.i.i.i = select i1 %.901.i.i.i, i1 true, i1 %.907.i.i.i
+  br i1 %or.cond409.i.i.i, label %B718.i.i.i, label %B750.i.i.i
 
-switch.lookup9525:                                ; preds = %switch.lookup9521
-  %switch.gep9522 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9520
-  %switch.load9523 = load double, ptr %switch.gep9522, align 8
-  %switch.gep9526 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9524
-  %switch.load9527 = load double, ptr %switch.gep9526, align 8
-  %.741.i.i.i = fsub double %switch.load9523, %switch.load9527
-  %.757.i.i.i = fdiv double %.585.i.i.i, %.741.i.i.i
-  %.760.i.i.i = fsub double %b.2.2.i.i.i, %a.2.2.i.i.i
-  %.765.i.i.i = fdiv double %.760.i.i.i, %.667.i.i.i
-  %.766.i.i.i = fsub double %.757.i.i.i, %.765.i.i.i
-  %.769.i.i.i = fadd double %.667.i.i.i, %.741.i.i.i
-  %.773.i.i.i = fdiv double %.766.i.i.i, %.769.i.i.i
-  %.789.i.i.i = fmul double %.667.i.i.i, %.773.i.i.i
-  %.790.i.i.i = fadd double %.765.i.i.i, %.789.i.i.i
-  %.795.i.i.i = fcmp ogt double %.773.i.i.i, 0.000000e+00
-  br i1 %.795.i.i.i, label %B752.i.i.i, label %B935.i.i.i
+B718.i.i.i:                                       ; preds = %B694.i.i.i
+  %.10.i.i.i.i8981 = fcmp olt double %b.2.3.i.i.i, %nearest.3.2449.i.i.i
+  %.11.i411.i.i.i = select i1 %.10.i.i.i.i8981, double %b.2.3.i.i.i, double %nearest.3.2449.i.i.i
+  br label %B750.i.i.i
 
-_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B860.i.i.i, %B50.i.i.i, %B546.i.i.i, %switch.lookup9513, %switch.lookup9517, %switch.lookup9521
-  %.1850.not.i.i = phi i1 [ true, %B546.i.i.i ], [ true, %switch.lookup9521 ], [ true, %switch.lookup9517 ], [ true, %switch.lookup9513 ], [ %exitcond.not.i.i.i, %B50.i.i.i ], [ %exitcond.not.i.i.i, %B860.i.i.i ]
-  %excinfo.3.3.i.i = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.106, %B546.i.i.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.106, %switch.lookup9521 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.106, %switch.lookup9517 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.106, %switch.lookup9513 ], [ %excinfo.3.01302.i.i, %B50.i.i.i ], [ %excinfo.3.01302.i.i, %B860.i.i.i ]
-  %.1839.not.i.i = phi i1 [ false, %B546.i.i.i ], [ false, %switch.lookup9521 ], [ false, %switch.lookup9517 ], [ false, %switch.lookup9513 ], [ true, %B50.i.i.i ], [ true, %B860.i.i.i ]
-  br i1 %.1839.not.i.i, label %B1340.endif.endif.i.i, label %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, !prof !53
+B750.i.i.i:                                       ; preds = %B718.i.i.i, %B694.i.i.i, %B542.i.i.i
+  %nearest.5.4.i.i.i = phi double [ %.11.i411.i.i.i, %B718.i.i.i ], [ %nearest.3.2449.i.i.i, %B694.i.i.i ], [ %nearest.3.2449.i.i.i, %B542.i.i.i ]
+  %.952.i.i.i = icmp slt i64 %.680.sroa.0.0452.i.i.i, %"$phi1274.1.2.2.i.i"
+  br i1 %.952.i.i.i, label %B762.i.i.i, label %B1226.i.i.i
 
-B1378.i.i:                                        ; preds = %B1340.endif.endif.i.i
-  %.1921.i.i = fmul double %.1814.i.i, 5.000000e-01
+B762.i.i.i:                                       ; preds = %B750.i.i.i
+  %.961.i.i.i = fsub double %a.2.3.i.i.i, %b.2.3.i.i.i
+  %.962.i.i.i = tail call double @llvm.fabs.f64(double %.961.i.i.i)
+  %.965.i.i.i = fsub double %c.2.3.i.i.i, %b.2.3.i.i.i
+  %.966.i.i.i = tail call double @llvm.fabs.f64(double %.965.i.i.i)
+  %.967.i.i.i = fadd double %.962.i.i.i, %.966.i.i.i
+  %.968.i.i.i = fmul double %.967.i.i.i, 3.000000e+00
+  %.969.i.i.i = fadd double %.958.i.i.i, %.968.i.i.i
+  %.971.i.i.i = fcmp olt double %b.2.3.i.i.i, %.969.i.i.i
+  br i1 %.971.i.i.i, label %B872.i.i.i, label %B1226.i.i.i
+
+B872.i.i.i:                                       ; preds = %B762.i.i.i
+  %switch.tableidx9507 = add i64 %.680.sroa.0.0452.i.i.i, 9
+  %316 = icmp ult i64 %switch.tableidx9507, 18
+  br i1 %316, label %switch.lookup9508, label %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+
+B1078.i.i.i:                                      ; preds = %switch.lookup9520
+  %.1180.i.i.i = fneg double %.1121.i.i.i
+  %.1184.i.i.i = fmul double %.1170.i.i.i, 5.000000e-01
+  %.1189.i.i.i = fdiv double %.1184.i.i.i, %.1153.i.i.i
+  %.1190.i.i.i = fcmp ogt double %.1189.i.i.i, %.1180.i.i.i
+  %.1200.i.i.i = fcmp olt double %.1189.i.i.i, %.1047.i.i.i
+  %or.cond410.i.i.i = and i1 %.1190.i.i.i, %.1200.i.i.i
+  br i1 %or.cond410.i.i.i, label %B1118.i.i.i, label %B1226.i.i.i
+
+B1118.i.i.i:                                      ; preds = %B1078.i.i.i
+  %.1227.i.i.i = fmul double %.1170.i.i.i, 2.500000e-01
+  %.1229.i.i.i = fmul double %.1170.i.i.i, %.1227.i.i.i
+  %.1236.i.i.i = fdiv double %.1229.i.i.i, %.1153.i.i.i
+  %.1240.i.i.i = fsub double %b.2.3.i.i.i, %.1236.i.i.i
+  %.10.i412.i.i.i = fcmp olt double %.1240.i.i.i, %nearest.5.4.i.i.i
+  %.11.i413.i.i.i = select i1 %.10.i412.i.i.i, double %.1240.i.i.i, double %nearest.5.4.i.i.i
+  br label %B1226.i.i.i
+
+B1186.i.i.i:                                      ; preds = %B1226.i.i.i, %B462.i.i.i
+  %nearest.3.2.lcssa.i.i.i = phi double [ 0x7FF0000000000000, %B462.i.i.i ], [ %nearest.4.3.i.i.i, %B1226.i.i.i ]
+  %.1308.i.i.i = fmul double %.11.i.i.3.i.i.i, 1.000000e+01
+  %.1312.i.i.i = fcmp ugt double %nearest.3.2.lcssa.i.i.i, %.1308.i.i.i
+  br i1 %.1312.i.i.i, label %B1225.i.i.i, label %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+
+B1225.i.i.i:                                      ; preds = %B1186.i.i.i, %B1340.i.i
+  br label %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+
+B1226.i.i.i:                                      ; preds = %switch.lookup9520, %B1118.i.i.i, %B1078.i.i.i, %B762.i.i.i, %B750.i.i.i
+  %nearest.4.3.i.i.i = phi double [ %nearest.5.4.i.i.i, %B1078.i.i.i ], [ %.11.i413.i.i.i, %B1118.i.i.i ], [ %nearest.5.4.i.i.i, %B750.i.i.i ], [ %nearest.5.4.i.i.i, %switch.lookup9520 ], [ %nearest.5.4.i.i.i, %B762.i.i.i ]
+  %.690.i.i.i = icmp sgt i64 %.636.1451.i.i.i, 0
+  %.703.i.i.i = zext i1 %.690.i.i.i to i64
+  %.633.1.i.i.i = add i64 %.633.1450.i.i.i, %.703.i.i.i
+  %.699.i.i.i = sext i1 %.690.i.i.i to i64
+  %.636.1.i.i.i = add nsw i64 %.636.1451.i.i.i, %.699.i.i.i
+  %.680.sroa.0.0.i.i.i = select i1 %.690.i.i.i, i64 %.633.1450.i.i.i, i64 0
+  br i1 %.690.i.i.i, label %B542.i.i.i, label %B1186.i.i.i
+
+switch.lookup9508:                                ; preds = %B872.i.i.i
+  %switch.tableidx9511 = add i64 %.680.sroa.0.0452.i.i.i, 8
+  %317 = icmp ult i64 %switch.tableidx9511, 18
+  br i1 %317, label %switch.lookup9512, label %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+
+switch.lookup9512:                                ; preds = %switch.lookup9508
+  %switch.gep9509 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9507
+  %switch.load9510 = load double, ptr %switch.gep9509, align 8
+  %switch.gep9513 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9511
+  %switch.load9514 = load double, ptr %switch.gep9513, align 8
+  %.1047.i.i.i = fsub double %switch.load9510, %switch.load9514
+  %switch.tableidx9515 = add i64 %.680.sroa.0.0452.i.i.i, 10
+  %318 = icmp ult i64 %switch.tableidx9515, 18
+  br i1 %318, label %switch.lookup9516, label %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+
+switch.lookup9516:                                ; preds = %switch.lookup9512
+  %switch.tableidx9519 = add i64 %.680.sroa.0.0452.i.i.i, 9
+  %319 = icmp ult i64 %switch.tableidx9519, 18
+  br i1 %319, label %switch.lookup9520, label %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+
+switch.lookup9520:                                ; preds = %switch.lookup9516
+  %switch.gep9517 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9515
+  %switch.load9518 = load double, ptr %switch.gep9517, align 8
+  %switch.gep9521 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx9519
+  %switch.load9522 = load double, ptr %switch.gep9521, align 8
+  %.1121.i.i.i = fsub double %switch.load9518, %switch.load9522
+  %.1137.i.i.i = fdiv double %.965.i.i.i, %.1121.i.i.i
+  %.1140.i.i.i = fsub double %b.2.3.i.i.i, %a.2.3.i.i.i
+  %.1145.i.i.i = fdiv double %.1140.i.i.i, %.1047.i.i.i
+  %.1146.i.i.i = fsub double %.1137.i.i.i, %.1145.i.i.i
+  %.1149.i.i.i = fadd double %.1047.i.i.i, %.1121.i.i.i
+  %.1153.i.i.i = fdiv double %.1146.i.i.i, %.1149.i.i.i
+  %.1169.i.i.i = fmul double %.1047.i.i.i, %.1153.i.i.i
+  %.1170.i.i.i = fadd double %.1145.i.i.i, %.1169.i.i.i
+  %.1175.i.i.i = fcmp ogt double %.1153.i.i.i, 0.000000e+00
+  br i1 %.1175.i.i.i, label %B1078.i.i.i, label %B1226.i.i.i
+
+_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B872.i.i.i, %switch.lookup9508, %switch.lookup9512, %switch.lookup9516, %B1225.i.i.i, %B1186.i.i.i
+  %.1855.not.i.i = phi i1 [ false, %B1186.i.i.i ], [ true, %B1225.i.i.i ], [ true, %switch.lookup9516 ], [ true, %switch.lookup9512 ], [ true, %switch.lookup9508 ], [ true, %B872.i.i.i ]
+  %excinfo.3.3.i.i = phi ptr [ %excinfo.3.01307.i.i, %B1186.i.i.i ], [ %excinfo.3.01307.i.i, %B1225.i.i.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.106, %switch.lookup9516 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.106, %switch.lookup9512 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.106, %switch.lookup9508 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.106, %B872.i.i.i ]
+  %.1844.not.i.i = phi i1 [ true, %B1186.i.i.i ], [ true, %B1225.i.i.i ], [ false, %switch.lookup9516 ], [ false, %switch.lookup9512 ], [ false, %switch.lookup9508 ], [ false, %B872.i.i.i ]
+  br i1 %.1844.not.i.i, label %B1340.endif.endif.i.i, label %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, !prof !53
+
+B1380.i.i:                                        ; preds = %B1340.endif.endif.i.i
+  %.1926.i.i = fmul double %.1814.i.i, 5.000000e-01
   store double 0.000000e+00, ptr %.1238.i.i, align 8, !noalias !224
-  %.161.i230.i.i = getelementptr double, ptr %75, i64 %.1008.i.i8964
+  %.161.i230.i.i = getelementptr double, ptr %75, i64 %.1008.i.i8968
   store double 0.000000e+00, ptr %.161.i230.i.i, align 8, !noalias !224
-  %.214.i273.i.i = getelementptr double, ptr %76, i64 %.1008.i.i8964
-  store double %.1921.i.i, ptr %.214.i273.i.i, align 8, !noalias !224
+  %.214.i273.i.i = getelementptr double, ptr %76, i64 %.1008.i.i8968
+  store double %.1926.i.i, ptr %.214.i273.i.i, align 8, !noalias !224
   %.268.i313.i.i = load i64, ptr %.1182.i.i, align 8, !noalias !224
   %.294.i.i.i = icmp slt i64 %.268.i313.i.i, 0
   %.295.i.i.i = select i1 %.294.i.i.i, i64 %arg.batch.3.3.5.0, i64 0
@@ -4641,192 +4726,192 @@ B1378.i.i:                                        ; preds = %B1340.endif.endif.i
   %.426.i.i.i = load i64, ptr %.1182.i.i, align 8, !noalias !224
   %.452.i.i.i = icmp slt i64 %.426.i.i.i, 0
   %.453.i.i.i = select i1 %.452.i.i.i, i64 %arg.batch.3.3.5.0, i64 0
-  %.454.i.i.i8974 = add i64 %.453.i.i.i, %.426.i.i.i
-  %.474.i.i.i = mul i64 %.454.i.i.i8974, %arg.batch.3.3.5.1
+  %.454.i.i.i8980 = add i64 %.453.i.i.i, %.426.i.i.i
+  %.474.i.i.i = mul i64 %.454.i.i.i8980, %arg.batch.3.3.5.1
   %320 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i.i.i
   %.478.i.i.i = getelementptr i8, ptr %320, i64 24
   %.479.i.i.i = load i64, ptr %.478.i.i.i, align 8, !noalias !224
   %.480.i.i.i = add nsw i64 %.479.i.i.i, 1
   store i64 %.480.i.i.i, ptr %.478.i.i.i, align 8, !noalias !224
-  store i64 -1, ptr %.1080.i.i8968, align 8, !noalias !208
-  br label %B1490.i.i
+  store i64 -1, ptr %.1080.i.i8972, align 8, !noalias !208
+  br label %B1492.i.i
 
-B1490.i.i:                                        ; preds = %B1340.endif.endif.i.i, %B1126.i.i, %B1378.i.i, %B1282.i.i
-  %excinfo.3.2.i.i = phi ptr [ %excinfo.3.3.i.i, %B1340.endif.endif.i.i ], [ %excinfo.3.3.i.i, %B1378.i.i ], [ %excinfo.3.01302.i.i, %B1282.i.i ], [ %excinfo.3.01302.i.i, %B1126.i.i ]
-  br i1 %some.2.01303.i.i, label %B1542.i.i, label %B1494.i.i
+B1492.i.i:                                        ; preds = %B1340.endif.endif.i.i, %B1126.i.i, %B1380.i.i, %B1282.i.i
+  %excinfo.3.2.i.i = phi ptr [ %excinfo.3.3.i.i, %B1340.endif.endif.i.i ], [ %excinfo.3.3.i.i, %B1380.i.i ], [ %excinfo.3.01307.i.i, %B1282.i.i ], [ %excinfo.3.01307.i.i, %B1126.i.i ]
+  br i1 %some.2.01308.i.i, label %B1544.i.i, label %B1496.i.i
 
-B1494.i.i:                                        ; preds = %B1490.i.i
-  %.2077.i.i = load i64, ptr %.1080.i.i8968, align 8, !noalias !208
-  %.2078.i.i = icmp sgt i64 %.2077.i.i, -1
-  br label %B1542.i.i
+B1496.i.i:                                        ; preds = %B1492.i.i
+  %.2082.i.i = load i64, ptr %.1080.i.i8972, align 8, !noalias !208
+  %.2083.i.i = icmp sgt i64 %.2082.i.i, -1
+  br label %B1544.i.i
 
-B1542.i.i:                                        ; preds = %B1494.i.i, %B1490.i.i, %B792.i.i8970, %B634.i.i8962
-  %excinfo.3.1.i.i = phi ptr [ %excinfo.3.2.i.i, %B1490.i.i ], [ %excinfo.3.2.i.i, %B1494.i.i ], [ %excinfo.3.01302.i.i, %B792.i.i8970 ], [ %excinfo.3.01302.i.i, %B634.i.i8962 ]
-  %some.3.1.i.i = phi i1 [ true, %B1490.i.i ], [ %.2078.i.i, %B1494.i.i ], [ %some.2.01303.i.i, %B792.i.i8970 ], [ %some.2.01303.i.i, %B634.i.i8962 ]
-  %.935.i.i8969 = icmp sgt i64 %.881.11305.i.i, 0
-  %.948.i.i = zext i1 %.935.i.i8969 to i64
-  %.878.1.i.i = add i64 %.878.11304.i.i, %.948.i.i
-  %.944.i.i = sext i1 %.935.i.i8969 to i64
-  %.881.1.i.i = add nsw i64 %.881.11305.i.i, %.944.i.i
-  %.925.sroa.0.0.i.i = select i1 %.935.i.i8969, i64 %.878.11304.i.i, i64 0
-  br i1 %.935.i.i8969, label %B634.i.i8962, label %B1546.loopexit.i.i
+B1544.i.i:                                        ; preds = %B1496.i.i, %B1492.i.i, %B792.i.i8975, %B634.i.i8966
+  %excinfo.3.1.i.i = phi ptr [ %excinfo.3.2.i.i, %B1492.i.i ], [ %excinfo.3.2.i.i, %B1496.i.i ], [ %excinfo.3.01307.i.i, %B792.i.i8975 ], [ %excinfo.3.01307.i.i, %B634.i.i8966 ]
+  %some.3.1.i.i = phi i1 [ true, %B1492.i.i ], [ %.2083.i.i, %B1496.i.i ], [ %some.2.01308.i.i, %B792.i.i8975 ], [ %some.2.01308.i.i, %B634.i.i8966 ]
+  %.935.i.i8974 = icmp sgt i64 %.881.11310.i.i, 0
+  %.948.i.i = zext i1 %.935.i.i8974 to i64
+  %.878.1.i.i = add i64 %.878.11309.i.i, %.948.i.i
+  %.944.i.i = sext i1 %.935.i.i8974 to i64
+  %.881.1.i.i = add nsw i64 %.881.11310.i.i, %.944.i.i
+  %.925.sroa.0.0.i.i = select i1 %.935.i.i8974, i64 %.878.11309.i.i, i64 0
+  br i1 %.935.i.i8974, label %B634.i.i8966, label %B1548.loopexit.i.i
 
-B1546.loopexit.i.i:                               ; preds = %B1542.i.i
+B1548.loopexit.i.i:                               ; preds = %B1544.i.i
   %321 = xor i1 %some.3.1.i.i, true
   br label %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i
 
 B256.if.i.i:                                      ; preds = %B358.i.i, %B116.loopexit.8.i
-  %.344.01297.i.i = phi i64 [ %.354.i.i8945, %B116.loopexit.8.i ], [ %.408.i.i8948, %B358.i.i ]
-  %.341.01296.i.i = phi i64 [ %..i.i, %B116.loopexit.8.i ], [ %.412.i.i, %B358.i.i ]
-  %.408.i.i8948 = add nsw i64 %.344.01297.i.i, -1
-  %.412.i.i = add nsw i64 %.341.01296.i.i, 1
-  br i1 %.5201293.not.i.i, label %B358.i.i, label %B290.if.i.i.preheader
+  %.344.01302.i.i = phi i64 [ %.354.i.i8946, %B116.loopexit.8.i ], [ %.408.i.i8949, %B358.i.i ]
+  %.341.01301.i.i = phi i64 [ %..i.i, %B116.loopexit.8.i ], [ %.412.i.i, %B358.i.i ]
+  %.408.i.i8949 = add nsw i64 %.344.01302.i.i, -1
+  %.412.i.i = add nsw i64 %.341.01301.i.i, 1
+  br i1 %.5201298.not.i.i, label %B358.i.i, label %B290.if.i.i.preheader
 
 B290.if.i.i.preheader:                            ; preds = %B256.if.i.i
-  %322 = icmp ult i64 %.341.01296.i.i, 8
-  %switch.gep9529 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.21, i64 %.341.01296.i.i
+  %322 = icmp ult i64 %.341.01301.i.i, 8
+  %switch.gep9524 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.21, i64 %.341.01301.i.i
   br label %B290.if.i.i
 
 B290.if.i.i:                                      ; preds = %B290.if.i.i.preheader, %B290.loopexit.i.i
-  %.464.01294.i.i = phi i64 [ %.533.i.i, %B290.loopexit.i.i ], [ 0, %B290.if.i.i.preheader ]
-  %.533.i.i = add nsw i64 %.464.01294.i.i, 1
-  br i1 %322, label %switch.lookup9528, label %switch.end.i.i9005
+  %.464.01299.i.i = phi i64 [ %.533.i.i, %B290.loopexit.i.i ], [ 0, %B290.if.i.i.preheader ]
+  %.533.i.i = add nsw i64 %.464.01299.i.i, 1
+  br i1 %322, label %switch.lookup9523, label %switch.end.i.i9002
 
-switch.lookup9528:                                ; preds = %B290.if.i.i
-  %switch.load9530 = load double, ptr %switch.gep9529, align 8
-  br label %switch.end.i.i9005
+switch.lookup9523:                                ; preds = %B290.if.i.i
+  %switch.load9525 = load double, ptr %switch.gep9524, align 8
+  br label %switch.end.i.i9002
 
-switch.end.i.i9005:                               ; preds = %B290.if.i.i, %switch.lookup9528
-  %.575.i.i = phi double [ %switch.load9530, %switch.lookup9528 ], [ 1.000000e+00, %B290.if.i.i ]
-  %.92.i.i.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.464.01294.i.i
+switch.end.i.i9002:                               ; preds = %B290.if.i.i, %switch.lookup9523
+  %.575.i.i = phi double [ %switch.load9525, %switch.lookup9523 ], [ 1.000000e+00, %B290.if.i.i ]
+  %.92.i.i.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.464.01299.i.i
   %.93.i.i.i = load double, ptr %.92.i.i.i, align 8, !noalias !227
-  %.146.i.i.i = getelementptr double, ptr %69, i64 %.464.01294.i.i
+  %.146.i.i.i = getelementptr double, ptr %69, i64 %.464.01299.i.i
   %.147.i.i.i = load double, ptr %.146.i.i.i, align 8, !noalias !227
   %.149.i.i.i = fmul double %.575.i.i, %.147.i.i.i
-  %.150.i.i.i9006 = fadd double %.93.i.i.i, %.149.i.i.i
-  %.203.i.i.i = getelementptr double, ptr %.571, i64 %.464.01294.i.i
-  store double %.150.i.i.i9006, ptr %.203.i.i.i, align 8, !noalias !227
-  br i1 %.287.i1290.not.i.i, label %B290.loopexit.i.i, label %B122.if.i.lr.ph.i.i
+  %.150.i.i.i9003 = fadd double %.93.i.i.i, %.149.i.i.i
+  %.203.i.i.i = getelementptr double, ptr %.571, i64 %.464.01299.i.i
+  store double %.150.i.i.i9003, ptr %.203.i.i.i, align 8, !noalias !227
+  br i1 %.287.i1295.not.i.i, label %B290.loopexit.i.i, label %B122.if.i.lr.ph.i.i
 
-B122.if.i.lr.ph.i.i:                              ; preds = %switch.end.i.i9005
-  %.247.i.i.i.i9007 = fsub double 1.000000e+00, %.575.i.i
-  %invariant.gep.i9008 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.464.01294.i.i
-  br label %B122.if.i.i.i9009
+B122.if.i.lr.ph.i.i:                              ; preds = %switch.end.i.i9002
+  %.247.i.i.i.i9004 = fsub double 1.000000e+00, %.575.i.i
+  %invariant.gep.i9005 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.464.01299.i.i
+  br label %B122.if.i.i.i9006
 
-B122.if.i.i.i9009:                                ; preds = %B122.if.i.i.i9009, %B122.if.i.lr.ph.i.i
-  %.229.i.01291.i.i = phi i64 [ 0, %B122.if.i.lr.ph.i.i ], [ %.300.i.i.i9016, %B122.if.i.i.i9009 ]
-  %.157.i.i.i.i9010 = add nsw i64 %.229.i.01291.i.i, %.155.i.i.i.i8947
-  %.159.i.i.i.i9011 = mul nsw i64 %.157.i.i.i.i9010, %arg.shape.0
-  %gep.i9012 = getelementptr double, ptr %invariant.gep.i9008, i64 %.159.i.i.i.i9011
-  %.191.i.i.i.i9013 = load double, ptr %gep.i9012, align 8, !noalias !231
-  %.193.i.i.i.i9014 = fadd double %.191.i.i.i.i9013, 0.000000e+00
-  %.253.i.i.i.i9015 = fmul double %.575.i.i, %.193.i.i.i.i9014
-  %.157.i.i.1.i.i = add nsw i64 %.229.i.01291.i.i, %.155.i.i.1.i.i
+B122.if.i.i.i9006:                                ; preds = %B122.if.i.i.i9006, %B122.if.i.lr.ph.i.i
+  %.229.i.01296.i.i = phi i64 [ 0, %B122.if.i.lr.ph.i.i ], [ %.300.i.i.i9013, %B122.if.i.i.i9006 ]
+  %.157.i.i.i.i9007 = add nsw i64 %.229.i.01296.i.i, %.155.i.i.i.i8948
+  %.159.i.i.i.i9008 = mul nsw i64 %.157.i.i.i.i9007, %arg.shape.0
+  %gep.i9009 = getelementptr double, ptr %invariant.gep.i9005, i64 %.159.i.i.i.i9008
+  %.191.i.i.i.i9010 = load double, ptr %gep.i9009, align 8, !noalias !231
+  %.193.i.i.i.i9011 = fadd double %.191.i.i.i.i9010, 0.000000e+00
+  %.253.i.i.i.i9012 = fmul double %.575.i.i, %.193.i.i.i.i9011
+  %.157.i.i.1.i.i = add nsw i64 %.229.i.01296.i.i, %.155.i.i.1.i.i
   %.159.i.i.1.i.i = mul nsw i64 %.157.i.i.1.i.i, %arg.shape.0
-  %gep609.i = getelementptr double, ptr %invariant.gep.i9008, i64 %.159.i.i.1.i.i
-  %.191.i.i.1.i.i = load double, ptr %gep609.i, align 8, !noalias !231
-  %.193.i.i.1.i.i = fadd double %.191.i.i.1.i.i, %.253.i.i.i.i9015
-  %.253.i.i.1.i.i = fmul double %.247.i.i.i.i9007, %.193.i.i.1.i.i
-  %.157.i.i.2.i.i = add nsw i64 %.229.i.01291.i.i, %.155.i.i.2.i.i
+  %gep608.i = getelementptr double, ptr %invariant.gep.i9005, i64 %.159.i.i.1.i.i
+  %.191.i.i.1.i.i = load double, ptr %gep608.i, align 8, !noalias !231
+  %.193.i.i.1.i.i = fadd double %.191.i.i.1.i.i, %.253.i.i.i.i9012
+  %.253.i.i.1.i.i = fmul double %.247.i.i.i.i9004, %.193.i.i.1.i.i
+  %.157.i.i.2.i.i = add nsw i64 %.229.i.01296.i.i, %.155.i.i.2.i.i
   %.159.i.i.2.i.i = mul nsw i64 %.157.i.i.2.i.i, %arg.shape.0
-  %gep611.i = getelementptr double, ptr %invariant.gep.i9008, i64 %.159.i.i.2.i.i
-  %.191.i.i.2.i.i = load double, ptr %gep611.i, align 8, !noalias !231
+  %gep610.i = getelementptr double, ptr %invariant.gep.i9005, i64 %.159.i.i.2.i.i
+  %.191.i.i.2.i.i = load double, ptr %gep610.i, align 8, !noalias !231
   %.193.i.i.2.i.i = fadd double %.191.i.i.2.i.i, %.253.i.i.1.i.i
   %.253.i.i.2.i.i = fmul double %.575.i.i, %.193.i.i.2.i.i
-  %.157.i.i.3.i.i = add nsw i64 %.229.i.01291.i.i, %.155.i.i.3.i.i
+  %.157.i.i.3.i.i = add nsw i64 %.229.i.01296.i.i, %.155.i.i.3.i.i
   %.159.i.i.3.i.i = mul nsw i64 %.157.i.i.3.i.i, %arg.shape.0
-  %gep613.i = getelementptr double, ptr %invariant.gep.i9008, i64 %.159.i.i.3.i.i
-  %.191.i.i.3.i.i = load double, ptr %gep613.i, align 8, !noalias !231
+  %gep612.i = getelementptr double, ptr %invariant.gep.i9005, i64 %.159.i.i.3.i.i
+  %.191.i.i.3.i.i = load double, ptr %gep612.i, align 8, !noalias !231
   %.193.i.i.3.i.i = fadd double %.191.i.i.3.i.i, %.253.i.i.2.i.i
-  %.253.i.i.3.i.i = fmul double %.247.i.i.i.i9007, %.193.i.i.3.i.i
-  %.157.i.i.4.i.i = add nsw i64 %.229.i.01291.i.i, %.155.i.i.4.i.i
+  %.253.i.i.3.i.i = fmul double %.247.i.i.i.i9004, %.193.i.i.3.i.i
+  %.157.i.i.4.i.i = add nsw i64 %.229.i.01296.i.i, %.155.i.i.4.i.i
   %.159.i.i.4.i.i = mul nsw i64 %.157.i.i.4.i.i, %arg.shape.0
-  %gep615.i = getelementptr double, ptr %invariant.gep.i9008, i64 %.159.i.i.4.i.i
-  %.191.i.i.4.i.i = load double, ptr %gep615.i, align 8, !noalias !231
+  %gep614.i = getelementptr double, ptr %invariant.gep.i9005, i64 %.159.i.i.4.i.i
+  %.191.i.i.4.i.i = load double, ptr %gep614.i, align 8, !noalias !231
   %.193.i.i.4.i.i = fadd double %.191.i.i.4.i.i, %.253.i.i.3.i.i
   %.253.i.i.4.i.i = fmul double %.575.i.i, %.193.i.i.4.i.i
-  %.157.i.i.5.i.i = add nsw i64 %.229.i.01291.i.i, %.155.i.i.5.i.i
+  %.157.i.i.5.i.i = add nsw i64 %.229.i.01296.i.i, %.155.i.i.5.i.i
   %.159.i.i.5.i.i = mul nsw i64 %.157.i.i.5.i.i, %arg.shape.0
-  %gep617.i = getelementptr double, ptr %invariant.gep.i9008, i64 %.159.i.i.5.i.i
-  %.191.i.i.5.i.i = load double, ptr %gep617.i, align 8, !noalias !231
+  %gep616.i = getelementptr double, ptr %invariant.gep.i9005, i64 %.159.i.i.5.i.i
+  %.191.i.i.5.i.i = load double, ptr %gep616.i, align 8, !noalias !231
   %.193.i.i.5.i.i = fadd double %.191.i.i.5.i.i, %.253.i.i.4.i.i
-  %.253.i.i.5.i.i = fmul double %.247.i.i.i.i9007, %.193.i.i.5.i.i
-  %.157.i.i.6.i.i = add nsw i64 %.229.i.01291.i.i, %.155.i.i.6.i.i
+  %.253.i.i.5.i.i = fmul double %.247.i.i.i.i9004, %.193.i.i.5.i.i
+  %.157.i.i.6.i.i = add nsw i64 %.229.i.01296.i.i, %.155.i.i.6.i.i
   %.159.i.i.6.i.i = mul nsw i64 %.157.i.i.6.i.i, %arg.shape.0
-  %gep619.i = getelementptr double, ptr %invariant.gep.i9008, i64 %.159.i.i.6.i.i
-  %.191.i.i.6.i.i = load double, ptr %gep619.i, align 8, !noalias !231
+  %gep618.i = getelementptr double, ptr %invariant.gep.i9005, i64 %.159.i.i.6.i.i
+  %.191.i.i.6.i.i = load double, ptr %gep618.i, align 8, !noalias !231
   %.193.i.i.6.i.i = fadd double %.191.i.i.6.i.i, %.253.i.i.5.i.i
   %.253.i.i.6.i.i = fmul double %.575.i.i, %.193.i.i.6.i.i
-  %.300.i.i.i9016 = add nsw i64 %.229.i.01291.i.i, 1
-  %.271.i.i.i.i9017 = mul nsw i64 %.229.i.01291.i.i, %arg.shape.0
-  %gep621.i = getelementptr double, ptr %invariant.gep.i9008, i64 %.271.i.i.i.i9017
-  %.309.i.i.i.i9018 = load double, ptr %gep621.i, align 8, !noalias !231
-  %.313.i.i.i.i9019 = fadd double %.309.i.i.i.i9018, %.253.i.i.6.i.i
-  %.359.i.i.i9020 = add nsw i64 %.229.i.01291.i.i, %.358.i.i.i8946
-  %.361.i.i.i9021 = mul nsw i64 %.359.i.i.i9020, %arg.shape.0
-  %gep623.i = getelementptr double, ptr %invariant.gep.i9008, i64 %.361.i.i.i9021
-  store double %.313.i.i.i.i9019, ptr %gep623.i, align 8, !noalias !227
-  %exitcond.not.i.i9022 = icmp eq i64 %arg.shape.1, %.300.i.i.i9016
-  br i1 %exitcond.not.i.i9022, label %B290.loopexit.i.i, label %B122.if.i.i.i9009
+  %.300.i.i.i9013 = add nsw i64 %.229.i.01296.i.i, 1
+  %.271.i.i.i.i9014 = mul nsw i64 %.229.i.01296.i.i, %arg.shape.0
+  %gep620.i = getelementptr double, ptr %invariant.gep.i9005, i64 %.271.i.i.i.i9014
+  %.309.i.i.i.i9015 = load double, ptr %gep620.i, align 8, !noalias !231
+  %.313.i.i.i.i9016 = fadd double %.309.i.i.i.i9015, %.253.i.i.6.i.i
+  %.359.i.i.i9017 = add nsw i64 %.229.i.01296.i.i, %.358.i.i.i8947
+  %.361.i.i.i9018 = mul nsw i64 %.359.i.i.i9017, %arg.shape.0
+  %gep622.i = getelementptr double, ptr %invariant.gep.i9005, i64 %.361.i.i.i9018
+  store double %.313.i.i.i.i9016, ptr %gep622.i, align 8, !noalias !227
+  %exitcond.not.i.i9019 = icmp eq i64 %arg.shape.1, %.300.i.i.i9013
+  br i1 %exitcond.not.i.i9019, label %B290.loopexit.i.i, label %B122.if.i.i.i9006
 
-B1340.endif.endif.i.i:                            ; preds = %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
-  br i1 %.1850.not.i.i, label %B1490.i.i, label %B1378.i.i
+B1340.endif.endif.i.i:                            ; preds = %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  br i1 %.1855.not.i.i, label %B1492.i.i, label %B1380.i.i
 
-_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i: ; preds = %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, %B1546.loopexit.i.i, %B600.i.i
-  %.512.0.i = phi i1 [ %321, %B1546.loopexit.i.i ], [ true, %B600.i.i ], [ true, %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
-  %excinfo.1.0.i = phi ptr [ null, %B1546.loopexit.i.i ], [ null, %B600.i.i ], [ %excinfo.3.3.i.i, %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
-  %common.ret.op.i.i.not = phi i1 [ false, %B1546.loopexit.i.i ], [ false, %B600.i.i ], [ true, %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
-  %brmerge9225 = select i1 %common.ret.op.i.i.not, i1 true, i1 %.512.0.i, !prof !93
-  %brmerge9226 = or i1 %.5201293.not.i.i, %brmerge9225
+_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i: ; preds = %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, %B1548.loopexit.i.i, %B600.i.i
+  %.512.0.i = phi i1 [ %321, %B1548.loopexit.i.i ], [ true, %B600.i.i ], [ true, %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %excinfo.1.0.i = phi ptr [ null, %B1548.loopexit.i.i ], [ null, %B600.i.i ], [ %excinfo.3.3.i.i, %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %common.ret.op.i.i.not = phi i1 [ false, %B1548.loopexit.i.i ], [ false, %B600.i.i ], [ true, %_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %brmerge9223 = select i1 %common.ret.op.i.i.not, i1 true, i1 %.512.0.i, !prof !93
+  %brmerge9224 = or i1 %.5201298.not.i.i, %brmerge9223
   %excinfo.1.0.i.mux.mux = select i1 %common.ret.op.i.i.not, ptr %excinfo.1.0.i, ptr %excinfo.13.0, !prof !235
   %.mux.mux = zext i1 %common.ret.op.i.i.not to i32
-  br i1 %brmerge9226, label %_ZN5pages5looks12watch_guardsB3v49B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B306.if.i, !prof !236
+  br i1 %brmerge9224, label %_ZN5pages5looks12watch_guardsB3v49B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B306.if.i, !prof !236
 
 B358.i:                                           ; preds = %B306.if.i
-  %323 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.634.0625.i
-  %.84.i.i8953 = load i64, ptr %323, align 8, !noalias !237
-  %.89.i.i8954 = icmp sgt i64 %.84.i.i8953, -1
-  br i1 %.89.i.i8954, label %B46.i.i8955, label %B358.endif.i
+  %323 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.634.0624.i
+  %.84.i.i8956 = load i64, ptr %323, align 8, !noalias !237
+  %.89.i.i8957 = icmp sgt i64 %.84.i.i8956, -1
+  br i1 %.89.i.i8957, label %B46.i.i8958, label %B358.endif.i
 
-B46.i.i8955:                                      ; preds = %B358.i
-  %.120.i.i8956 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i.i8953
-  %.121.i.i8957 = load i64, ptr %.120.i.i8956, align 8, !noalias !237
-  %.122.i.i8958 = icmp eq i64 %.121.i.i8957, 0
-  br i1 %.122.i.i8958, label %B80.i.i8959, label %B358.endif.i
+B46.i.i8958:                                      ; preds = %B358.i
+  %.120.i.i8959 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i.i8956
+  %.121.i.i8960 = load i64, ptr %.120.i.i8959, align 8, !noalias !237
+  %.122.i.i8961 = icmp eq i64 %.121.i.i8960, 0
+  br i1 %.122.i.i8961, label %B80.i.i8962, label %B358.endif.i
 
-B80.i.i8959:                                      ; preds = %B46.i.i8955
-  store i64 4, ptr %.120.i.i8956, align 8, !noalias !237
+B80.i.i8962:                                      ; preds = %B46.i.i8958
+  store i64 4, ptr %.120.i.i8959, align 8, !noalias !237
   br label %B358.endif.i
 
-B448.i8952:                                       ; preds = %B358.endif.i, %B306.if.i
-  %exitcond629.not.i = icmp eq i64 %.703.i, %arg.shape.0
-  br i1 %exitcond629.not.i, label %_ZN5pages5looks12watch_guardsB3v49B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B306.if.i
+B448.i8955:                                       ; preds = %B358.endif.i, %B306.if.i
+  %exitcond627.not.i = icmp eq i64 %.703.i, %arg.shape.0
+  br i1 %exitcond627.not.i, label %_ZN5pages5looks12watch_guardsB3v49B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B306.if.i
 
 B150.if.i:                                        ; preds = %B3746, %B150.if.i
-  %.361.0604.i = phi i64 [ %.430.i, %B150.if.i ], [ 0, %B3746 ]
-  %.430.i = add nsw i64 %.361.0604.i, 1
-  %gep9368 = getelementptr double, ptr %invariant.gep9367, i64 %.361.0604.i
-  store double 1.000000e-09, ptr %gep9368, align 8, !noalias !204
-  %exitcond.not.i8943 = icmp eq i64 %arg.shape.0, %.430.i
-  br i1 %exitcond.not.i8943, label %B150.if.1.i, label %B150.if.i
+  %.361.0603.i = phi i64 [ %.430.i, %B150.if.i ], [ 0, %B3746 ]
+  %.430.i = add nsw i64 %.361.0603.i, 1
+  %gep9365 = getelementptr double, ptr %invariant.gep9364, i64 %.361.0603.i
+  store double 1.000000e-09, ptr %gep9365, align 8, !noalias !204
+  %exitcond.not.i8944 = icmp eq i64 %arg.shape.0, %.430.i
+  br i1 %exitcond.not.i8944, label %B150.if.1.i, label %B150.if.i
 
-B306.if.i:                                        ; preds = %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, %B448.i8952
-  %.634.0625.i = phi i64 [ %.703.i, %B448.i8952 ], [ 0, %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ]
-  %.703.i = add nsw i64 %.634.0625.i, 1
-  %324 = getelementptr i64, ptr %77, i64 %.634.0625.i
+B306.if.i:                                        ; preds = %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, %B448.i8955
+  %.634.0624.i = phi i64 [ %.703.i, %B448.i8955 ], [ 0, %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ]
+  %.703.i = add nsw i64 %.634.0624.i, 1
+  %324 = getelementptr i64, ptr %77, i64 %.634.0624.i
   %.781.i = load i64, ptr %324, align 8, !noalias !204
   %.782.i = icmp sgt i64 %.781.i, -1
-  br i1 %.782.i, label %B358.i, label %B448.i8952
+  br i1 %.782.i, label %B358.i, label %B448.i8955
 
-B358.endif.i:                                     ; preds = %B80.i.i8959, %B46.i.i8955, %B358.i
-  %325 = getelementptr double, ptr %78, i64 %.634.0625.i
+B358.endif.i:                                     ; preds = %B80.i.i8962, %B46.i.i8958, %B358.i
+  %325 = getelementptr double, ptr %78, i64 %.634.0624.i
   store double 0.000000e+00, ptr %325, align 8, !noalias !204
-  br label %B448.i8952
+  br label %B448.i8955
 
-_ZN5pages5looks12watch_guardsB3v49B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit: ; preds = %B448.i8952, %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i
-  %excinfo.13.2 = phi ptr [ %excinfo.1.0.i.mux.mux, %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ], [ %excinfo.13.0, %B448.i8952 ]
-  %common.ret.op.i8950 = phi i32 [ %.mux.mux, %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ], [ 0, %B448.i8952 ]
-  %.4832.not = icmp eq i32 %common.ret.op.i8950, 0
+_ZN5pages5looks12watch_guardsB3v49B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit: ; preds = %B448.i8955, %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i
+  %excinfo.13.2 = phi ptr [ %excinfo.1.0.i.mux.mux, %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ], [ %excinfo.13.0, %B448.i8955 ]
+  %common.ret.op.i8953 = phi i32 [ %.mux.mux, %_ZN5pages5looks11mark_passedB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ], [ 0, %B448.i8955 ]
+  %.4832.not = icmp eq i32 %common.ret.op.i8953, 0
   br i1 %.4832.not, label %B3786, label %B3746.if, !prof !53
 
 B3786:                                            ; preds = %B3200, %_ZN5pages5looks12watch_guardsB3v49B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi7EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, %B3742
@@ -4853,20 +4938,20 @@ B240.i:                                           ; preds = %B192.i
   br i1 %.475.not.i, label %B286.i, label %B899.i
 
 B286.i:                                           ; preds = %B240.i
-  %.533.i9032 = mul i64 %.330.i, %arg.batch.3.3.5.1
-  %326 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.533.i9032
+  %.533.i9029 = mul i64 %.330.i, %arg.batch.3.3.5.1
+  %326 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.533.i9029
   %.537.i = getelementptr i8, ptr %326, i64 8
   %.538.i = load i64, ptr %.537.i, align 8, !noalias !240
   %.540.i = add nsw i64 %.538.i, %"$phi3830.7.2.2"
   store i64 %.540.i, ptr %.537.i, align 8, !noalias !240
-  %.638.i9033 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.180.0654.i
-  %.639.i9034 = load double, ptr %.638.i9033, align 8, !noalias !240
-  %.689.i9035 = getelementptr double, ptr %81, i64 %.180.0654.i
-  %.690.i = load double, ptr %.689.i9035, align 8, !noalias !240
+  %.638.i9030 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.180.0654.i
+  %.639.i9031 = load double, ptr %.638.i9030, align 8, !noalias !240
+  %.689.i9032 = getelementptr double, ptr %81, i64 %.180.0654.i
+  %.690.i = load double, ptr %.689.i9032, align 8, !noalias !240
   %.740.i = getelementptr double, ptr %82, i64 %.180.0654.i
   %.741.i = load double, ptr %.740.i, align 8, !noalias !240
-  %.762.i9036 = icmp slt i64 %.381.i, %arg.batch.2.5.0
-  br i1 %.762.i9036, label %B500.i, label %B860.i
+  %.762.i9033 = icmp slt i64 %.381.i, %arg.batch.2.5.0
+  br i1 %.762.i9033, label %B500.i, label %B860.i
 
 B500.i:                                           ; preds = %B286.i
   %.785.i = icmp slt i64 %.381.i, 0
@@ -4881,15 +4966,15 @@ B524.preheader.i:                                 ; preds = %B500.i
   %factor.op.mul.reass.i = mul i64 %factor.op.mul652.i, %.330.i
   %.1288.i = getelementptr double, ptr %83, i64 %.180.0654.i
   %328 = getelementptr double, ptr %arg.batch.3.0.4, i64 %factor.op.mul.reass.i
-  %invariant.gep9385 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9387 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9389 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9391 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9393 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9395 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9397 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9399 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
-  %invariant.gep9401 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9382 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9384 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9386 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9388 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9390 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9392 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9394 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9396 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
+  %invariant.gep9398 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.180.0654.i
   br label %B524.i
 
 B524.i:                                           ; preds = %B836.i, %B524.preheader.i
@@ -4907,11 +4992,11 @@ B554.if.lr.ph.i:                                  ; preds = %B524.i
   %330 = getelementptr double, ptr %328, i64 %.1218.i
   br label %B554.if.i
 
-B582.i9039:                                       ; preds = %B554.if.i
+B582.i9036:                                       ; preds = %B554.if.i
   %.970.i = add nsw i64 %.836.0650.i, %.968.i
   %.972.i = mul nsw i64 %.970.i, %arg.shape.0
-  %gep9402 = getelementptr double, ptr %invariant.gep9401, i64 %.972.i
-  %.1004.i = load double, ptr %gep9402, align 8, !noalias !240
+  %gep9399 = getelementptr double, ptr %invariant.gep9398, i64 %.972.i
+  %.1004.i = load double, ptr %gep9399, align 8, !noalias !240
   br label %B900.i
 
 B734.i:                                           ; preds = %B900.i, %B524.i
@@ -4938,12 +5023,12 @@ B899.i:                                           ; preds = %B96.if.i, %B860.i, 
   %exitcond657.not.i = icmp eq i64 %.252.i, %arg.shape.0
   br i1 %exitcond657.not.i, label %B3846, label %B96.if.i
 
-B900.i:                                           ; preds = %B38.if.i.i, %B582.i9039
-  %.313.i.i.sink = phi double [ %.313.i.i, %B38.if.i.i ], [ %.1004.i, %B582.i9039 ]
+B900.i:                                           ; preds = %B38.if.i.i, %B582.i9036
+  %.313.i.i.sink = phi double [ %.313.i.i, %B38.if.i.i ], [ %.1004.i, %B582.i9036 ]
   %332 = getelementptr double, ptr %330, i64 %.836.0650.i
   store double %.313.i.i.sink, ptr %332, align 8, !noalias !240
-  %exitcond.not.i9038 = icmp eq i64 %arg.shape.1, %.905.i
-  br i1 %exitcond.not.i9038, label %B734.i, label %B554.if.i
+  %exitcond.not.i9035 = icmp eq i64 %arg.shape.1, %.905.i
+  br i1 %exitcond.not.i9035, label %B734.i, label %B554.if.i
 
 B96.if.i:                                         ; preds = %B3794, %B899.i
   %.180.0654.i = phi i64 [ %.252.i, %B899.i ], [ 0, %B3794 ]
@@ -4960,57 +5045,57 @@ B554.if.i:                                        ; preds = %B900.i, %B554.if.lr
   %.905.i = add nsw i64 %.836.0650.i, 1
   %.963.i = load double, ptr %.962.i, align 8, !noalias !240
   %.965.i = fcmp oeq double %.963.i, %.741.i
-  br i1 %.965.i, label %B582.i9039, label %B38.if.i.i
+  br i1 %.965.i, label %B582.i9036, label %B38.if.i.i
 
 B38.if.i.i:                                       ; preds = %B554.if.i
-  %.1113.i = fsub double %.963.i, %.639.i9034
+  %.1113.i = fsub double %.963.i, %.639.i9031
   %.1118.i = fdiv double %.1113.i, %.690.i
   %.247.i.i = fsub double 1.000000e+00, %.1118.i
   %.157.i.i = add nsw i64 %.836.0650.i, %.155.i.i
   %.159.i.i = mul nsw i64 %.157.i.i, %arg.shape.0
-  %gep9386 = getelementptr double, ptr %invariant.gep9385, i64 %.159.i.i
-  %.191.i.i = load double, ptr %gep9386, align 8, !noalias !243
+  %gep9383 = getelementptr double, ptr %invariant.gep9382, i64 %.159.i.i
+  %.191.i.i = load double, ptr %gep9383, align 8, !noalias !243
   %.193.i.i = fadd double %.191.i.i, 0.000000e+00
   %.253.i.i = fmul double %.1118.i, %.193.i.i
   %.157.i.1.i = add nsw i64 %.836.0650.i, %.155.i.1.i
   %.159.i.1.i = mul nsw i64 %.157.i.1.i, %arg.shape.0
-  %gep9388 = getelementptr double, ptr %invariant.gep9387, i64 %.159.i.1.i
-  %.191.i.1.i = load double, ptr %gep9388, align 8, !noalias !243
+  %gep9385 = getelementptr double, ptr %invariant.gep9384, i64 %.159.i.1.i
+  %.191.i.1.i = load double, ptr %gep9385, align 8, !noalias !243
   %.193.i.1.i = fadd double %.191.i.1.i, %.253.i.i
   %.253.i.1.i = fmul double %.247.i.i, %.193.i.1.i
   %.157.i.2.i = add nsw i64 %.836.0650.i, %.155.i.2.i
   %.159.i.2.i = mul nsw i64 %.157.i.2.i, %arg.shape.0
-  %gep9390 = getelementptr double, ptr %invariant.gep9389, i64 %.159.i.2.i
-  %.191.i.2.i = load double, ptr %gep9390, align 8, !noalias !243
+  %gep9387 = getelementptr double, ptr %invariant.gep9386, i64 %.159.i.2.i
+  %.191.i.2.i = load double, ptr %gep9387, align 8, !noalias !243
   %.193.i.2.i = fadd double %.191.i.2.i, %.253.i.1.i
   %.253.i.2.i = fmul double %.1118.i, %.193.i.2.i
   %.157.i.3.i = add nsw i64 %.836.0650.i, %.155.i.3.i
   %.159.i.3.i = mul nsw i64 %.157.i.3.i, %arg.shape.0
-  %gep9392 = getelementptr double, ptr %invariant.gep9391, i64 %.159.i.3.i
-  %.191.i.3.i = load double, ptr %gep9392, align 8, !noalias !243
+  %gep9389 = getelementptr double, ptr %invariant.gep9388, i64 %.159.i.3.i
+  %.191.i.3.i = load double, ptr %gep9389, align 8, !noalias !243
   %.193.i.3.i = fadd double %.191.i.3.i, %.253.i.2.i
   %.253.i.3.i = fmul double %.247.i.i, %.193.i.3.i
   %.157.i.4.i = add nsw i64 %.836.0650.i, %.155.i.4.i
   %.159.i.4.i = mul nsw i64 %.157.i.4.i, %arg.shape.0
-  %gep9394 = getelementptr double, ptr %invariant.gep9393, i64 %.159.i.4.i
-  %.191.i.4.i = load double, ptr %gep9394, align 8, !noalias !243
+  %gep9391 = getelementptr double, ptr %invariant.gep9390, i64 %.159.i.4.i
+  %.191.i.4.i = load double, ptr %gep9391, align 8, !noalias !243
   %.193.i.4.i = fadd double %.191.i.4.i, %.253.i.3.i
   %.253.i.4.i = fmul double %.1118.i, %.193.i.4.i
   %.157.i.5.i = add nsw i64 %.836.0650.i, %.155.i.5.i
   %.159.i.5.i = mul nsw i64 %.157.i.5.i, %arg.shape.0
-  %gep9396 = getelementptr double, ptr %invariant.gep9395, i64 %.159.i.5.i
-  %.191.i.5.i = load double, ptr %gep9396, align 8, !noalias !243
+  %gep9393 = getelementptr double, ptr %invariant.gep9392, i64 %.159.i.5.i
+  %.191.i.5.i = load double, ptr %gep9393, align 8, !noalias !243
   %.193.i.5.i = fadd double %.191.i.5.i, %.253.i.4.i
   %.253.i.5.i = fmul double %.247.i.i, %.193.i.5.i
   %.157.i.6.i = add nsw i64 %.836.0650.i, %.155.i.6.i
   %.159.i.6.i = mul nsw i64 %.157.i.6.i, %arg.shape.0
-  %gep9398 = getelementptr double, ptr %invariant.gep9397, i64 %.159.i.6.i
-  %.191.i.6.i = load double, ptr %gep9398, align 8, !noalias !243
+  %gep9395 = getelementptr double, ptr %invariant.gep9394, i64 %.159.i.6.i
+  %.191.i.6.i = load double, ptr %gep9395, align 8, !noalias !243
   %.193.i.6.i = fadd double %.191.i.6.i, %.253.i.5.i
   %.253.i.6.i = fmul double %.1118.i, %.193.i.6.i
-  %.271.i.i9037 = mul nsw i64 %.836.0650.i, %arg.shape.0
-  %gep9400 = getelementptr double, ptr %invariant.gep9399, i64 %.271.i.i9037
-  %.309.i.i = load double, ptr %gep9400, align 8, !noalias !243
+  %.271.i.i9034 = mul nsw i64 %.836.0650.i, %arg.shape.0
+  %gep9397 = getelementptr double, ptr %invariant.gep9396, i64 %.271.i.i9034
+  %.309.i.i = load double, ptr %gep9397, align 8, !noalias !243
   %.313.i.i = fadd double %.309.i.i, %.253.i.6.i
   br label %B900.i
 
@@ -5030,50 +5115,50 @@ B3906:                                            ; preds = %B3858, %B3846
 
 B3984:                                            ; preds = %B3906, %B3858
   %brmerge8856.not.not = xor i1 %brmerge8856.not, true
-  %brmerge9433 = or i1 %.809, %brmerge8856.not.not
-  br i1 %brmerge9433, label %B4040, label %B80.if.i
+  %brmerge9430 = or i1 %.809, %brmerge8856.not.not
+  br i1 %brmerge9430, label %B4040, label %B80.if.i
 
 B144.i:                                           ; preds = %B80.if.i
-  %.343.i3441 = getelementptr double, ptr %86, i64 %.141.i3256.09410
+  %.343.i3441 = getelementptr double, ptr %86, i64 %.141.i3256.09407
   %.344.i3442 = load double, ptr %.343.i3441, align 8, !noalias !247
   %.345.i3443 = fcmp ogt double %.344.i3442, 5.000000e-01
   br i1 %.345.i3443, label %B194.i, label %B920.i
 
 B194.i:                                           ; preds = %B144.i
-  %.396.i3487 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.141.i3256.09410
+  %.396.i3487 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.141.i3256.09407
   %.397.i3488 = load double, ptr %.396.i3487, align 8, !noalias !247
-  %.447.i3533 = getelementptr double, ptr %87, i64 %.141.i3256.09410
+  %.447.i3533 = getelementptr double, ptr %87, i64 %.141.i3256.09407
   %.448.i3534 = load double, ptr %.447.i3533, align 8, !noalias !247
   %.449.i3535 = fsub double %.397.i3488, %.448.i3534
-  br i1 %.536.i35739403.not, label %B510.i, label %B310.if.i.preheader
+  br i1 %.536.i35739400.not, label %B510.i, label %B310.if.i.preheader
 
 B310.if.i.preheader:                              ; preds = %B194.i
-  %invariant.gep9560 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.141.i3256.09410
-  %invariant.gep9562 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.141.i3256.09410
+  %invariant.gep9552 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.141.i3256.09407
+  %invariant.gep9554 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.141.i3256.09407
   br label %B310.if.i
 
 B410.i:                                           ; preds = %B310.if.i
-  %.580.i4010 = add nsw i64 %.480.i3271.09405, %arg.shape.1
-  %.582.i4012 = mul nsw i64 %.580.i4010, %arg.shape.0
-  %gep9561 = getelementptr double, ptr %invariant.gep9560, i64 %.582.i4012
-  %.614.i4040 = load double, ptr %gep9561, align 8, !noalias !247
-  %.615.i = tail call double @llvm.fabs.f64(double %.614.i4040)
-  %.617.i4042 = fmul double %.449.i3535, %.615.i
-  %.658.i4072 = load double, ptr %.657.i4071, align 8, !noalias !247
-  %.688.i4097 = load double, ptr %arg.tolerances.4, align 8, !noalias !247
-  %.691.i4100 = mul nsw i64 %.480.i3271.09405, %arg.shape.0
-  %gep9563 = getelementptr double, ptr %invariant.gep9562, i64 %.691.i4100
-  %.725.i4129 = load double, ptr %gep9563, align 8, !noalias !247
-  %.726.i4130 = tail call double @llvm.fabs.f64(double %.725.i4129)
-  %.727.i4131 = fmul double %.688.i4097, %.726.i4130
-  %.728.i4132 = fadd double %.658.i4072, %.727.i4131
-  %.730.i = fcmp ogt double %.617.i4042, %.728.i4132
+  %.580.i4008 = add nsw i64 %.480.i3271.09402, %arg.shape.1
+  %.582.i4010 = mul nsw i64 %.580.i4008, %arg.shape.0
+  %gep9553 = getelementptr double, ptr %invariant.gep9552, i64 %.582.i4010
+  %.614.i4038 = load double, ptr %gep9553, align 8, !noalias !247
+  %.615.i = tail call double @llvm.fabs.f64(double %.614.i4038)
+  %.617.i4040 = fmul double %.449.i3535, %.615.i
+  %.658.i4070 = load double, ptr %.657.i4069, align 8, !noalias !247
+  %.688.i4095 = load double, ptr %arg.tolerances.4, align 8, !noalias !247
+  %.691.i4098 = mul nsw i64 %.480.i3271.09402, %arg.shape.0
+  %gep9555 = getelementptr double, ptr %invariant.gep9554, i64 %.691.i4098
+  %.725.i4127 = load double, ptr %gep9555, align 8, !noalias !247
+  %.726.i4128 = tail call double @llvm.fabs.f64(double %.725.i4127)
+  %.727.i4129 = fmul double %.688.i4095, %.726.i4128
+  %.728.i4130 = fadd double %.658.i4070, %.727.i4129
+  %.730.i = fcmp ogt double %.617.i4040, %.728.i4130
   br label %B506.i
 
 B506.i:                                           ; preds = %B410.i, %B310.if.i
   %"$phi506.2.2.i.3" = phi i1 [ true, %B310.if.i ], [ %.730.i, %B410.i ]
-  %exitcond9458.not = icmp eq i64 %arg.shape.1, %.549.i
-  br i1 %exitcond9458.not, label %B510.i.loopexit, label %B310.if.i
+  %exitcond9454.not = icmp eq i64 %arg.shape.1, %.549.i
+  br i1 %exitcond9454.not, label %B510.i.loopexit, label %B310.if.i
 
 B510.i.loopexit:                                  ; preds = %B506.i
   %333 = select i1 %"$phi506.2.2.i.3", double 0x3E7AD7F29ABCAF48, double 5.000000e-06
@@ -5081,26 +5166,26 @@ B510.i.loopexit:                                  ; preds = %B506.i
 
 B510.i:                                           ; preds = %B510.i.loopexit, %B194.i
   %felt.2.i.2.lcssa = phi double [ 5.000000e-06, %B194.i ], [ %333, %B510.i.loopexit ]
-  %.796.i3614 = load double, ptr %.795.i3613, align 8, !noalias !247
-  %.826.i3639 = load double, ptr %arg.batch.2.4, align 8, !noalias !247
-  %.827.i3640 = fsub double %.796.i3614, %.826.i3639
-  %.829.i3642 = fmul double %felt.2.i.2.lcssa, %.827.i3640
-  %.833.i3645 = fcmp olt double %.449.i3535, %.829.i3642
-  br i1 %.833.i3645, label %B590.i, label %B638.i
+  %.796.i3613 = load double, ptr %.795.i3612, align 8, !noalias !247
+  %.826.i3638 = load double, ptr %arg.batch.2.4, align 8, !noalias !247
+  %.827.i3639 = fsub double %.796.i3613, %.826.i3638
+  %.829.i3641 = fmul double %felt.2.i.2.lcssa, %.827.i3639
+  %.833.i3644 = fcmp olt double %.449.i3535, %.829.i3641
+  br i1 %.833.i3644, label %B590.i, label %B638.i
 
 B590.i:                                           ; preds = %B510.i
-  %334 = getelementptr i64, ptr %89, i64 %.141.i3256.09410
-  %.887.i4000 = load i64, ptr %334, align 8, !noalias !247
-  %.888.i4001 = add nsw i64 %.887.i4000, 1
+  %334 = getelementptr i64, ptr %89, i64 %.141.i3256.09407
+  %.887.i3999 = load i64, ptr %334, align 8, !noalias !247
+  %.888.i4000 = add nsw i64 %.887.i3999, 1
   br label %B638.i
 
 B638.i:                                           ; preds = %B510.i, %B590.i
-  %"$phi638.1.2.i.2" = phi i64 [ %.888.i4001, %B590.i ], [ 0, %B510.i ]
-  %335 = getelementptr i64, ptr %90, i64 %.141.i3256.09410
+  %"$phi638.1.2.i.2" = phi i64 [ %.888.i4000, %B590.i ], [ 0, %B510.i ]
+  %335 = getelementptr i64, ptr %90, i64 %.141.i3256.09407
   store i64 %"$phi638.1.2.i.2", ptr %335, align 8, !noalias !247
-  %.1000.i3723 = load double, ptr %.396.i3487, align 8, !noalias !247
-  store double %.1000.i3723, ptr %.447.i3533, align 8, !noalias !247
-  %.1101.i = getelementptr double, ptr %91, i64 %.141.i3256.09410
+  %.1000.i3722 = load double, ptr %.396.i3487, align 8, !noalias !247
+  store double %.1000.i3722, ptr %.447.i3533, align 8, !noalias !247
+  %.1101.i = getelementptr double, ptr %91, i64 %.141.i3256.09407
   store double 1.000000e+00, ptr %.1101.i, align 8, !noalias !247
   store i64 1, ptr %.1173, align 8, !noalias !247
   %.1183.i = load i64, ptr %335, align 8, !noalias !247
@@ -5108,123 +5193,123 @@ B638.i:                                           ; preds = %B510.i, %B590.i
   br i1 %.1184.i, label %B864.i, label %B920.i
 
 B864.i:                                           ; preds = %B638.i
-  %336 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.141.i3256.09410
-  %.84.i.i3896 = load i64, ptr %336, align 8, !noalias !251
-  %.89.i.i3899 = icmp sgt i64 %.84.i.i3896, -1
-  br i1 %.89.i.i3899, label %B46.i.i3905, label %B920.i
+  %336 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.141.i3256.09407
+  %.84.i.i3895 = load i64, ptr %336, align 8, !noalias !251
+  %.89.i.i3898 = icmp sgt i64 %.84.i.i3895, -1
+  br i1 %.89.i.i3898, label %B46.i.i3904, label %B920.i
 
-B46.i.i3905:                                      ; preds = %B864.i
-  %.120.i.i3925 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i.i3896
-  %.121.i.i3926 = load i64, ptr %.120.i.i3925, align 8, !noalias !251
-  %.122.i.i3927 = icmp eq i64 %.121.i.i3926, 0
-  br i1 %.122.i.i3927, label %B80.i.i3932, label %B920.i
+B46.i.i3904:                                      ; preds = %B864.i
+  %.120.i.i3924 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i.i3895
+  %.121.i.i3925 = load i64, ptr %.120.i.i3924, align 8, !noalias !251
+  %.122.i.i3926 = icmp eq i64 %.121.i.i3925, 0
+  br i1 %.122.i.i3926, label %B80.i.i3931, label %B920.i
 
-B80.i.i3932:                                      ; preds = %B46.i.i3905
-  store i64 6, ptr %.120.i.i3925, align 8, !noalias !251
+B80.i.i3931:                                      ; preds = %B46.i.i3904
+  store i64 6, ptr %.120.i.i3924, align 8, !noalias !251
   br label %B920.i
 
-B920.i:                                           ; preds = %B80.i.i3932, %B864.i, %B46.i.i3905, %B638.i, %B144.i, %B80.if.i
+B920.i:                                           ; preds = %B80.i.i3931, %B864.i, %B46.i.i3904, %B638.i, %B144.i, %B80.if.i
   store double 0.000000e+00, ptr %.290.i3394, align 8, !noalias !247
-  %.200.i3339 = icmp sgt i64 %.144.i3257.09409, 1
+  %.200.i3339 = icmp sgt i64 %.144.i3257.09406, 1
   br i1 %.200.i3339, label %B80.if.i, label %B4040
 
 B80.if.i:                                         ; preds = %B3984, %B920.i
-  %.141.i3256.09410 = phi i64 [ %.213.i4161, %B920.i ], [ 0, %B3984 ]
-  %.144.i3257.09409 = phi i64 [ %.209.i4158, %B920.i ], [ %storemerge, %B3984 ]
-  %.209.i4158 = add nsw i64 %.144.i3257.09409, -1
-  %.213.i4161 = add nsw i64 %.141.i3256.09410, 1
-  %.290.i3394 = getelementptr double, ptr %85, i64 %.141.i3256.09410
+  %.141.i3256.09407 = phi i64 [ %.213.i4159, %B920.i ], [ 0, %B3984 ]
+  %.144.i3257.09406 = phi i64 [ %.209.i4156, %B920.i ], [ %storemerge, %B3984 ]
+  %.209.i4156 = add nsw i64 %.144.i3257.09406, -1
+  %.213.i4159 = add nsw i64 %.141.i3256.09407, 1
+  %.290.i3394 = getelementptr double, ptr %85, i64 %.141.i3256.09407
   %.291.i3395 = load double, ptr %.290.i3394, align 8, !noalias !247
   %.292.i3396 = fcmp oeq double %.291.i3395, 1.000000e+00
   br i1 %.292.i3396, label %B144.i, label %B920.i
 
 B310.if.i:                                        ; preds = %B310.if.i.preheader, %B506.i
-  %felt.2.i.29406 = phi i1 [ %"$phi506.2.2.i.3", %B506.i ], [ false, %B310.if.i.preheader ]
-  %.480.i3271.09405 = phi i64 [ %.549.i, %B506.i ], [ 0, %B310.if.i.preheader ]
-  %.549.i = add nsw i64 %.480.i3271.09405, 1
-  br i1 %felt.2.i.29406, label %B506.i, label %B410.i
+  %felt.2.i.29403 = phi i1 [ %"$phi506.2.2.i.3", %B506.i ], [ false, %B310.if.i.preheader ]
+  %.480.i3271.09402 = phi i64 [ %.549.i, %B506.i ], [ 0, %B310.if.i.preheader ]
+  %.549.i = add nsw i64 %.480.i3271.09402, 1
+  br i1 %felt.2.i.29403, label %B506.i, label %B410.i
 
 B4040:                                            ; preds = %B920.i, %B3984
   %brmerge8867.not = and i1 %.5179.not, %looked.2.1.lcssa
   %brmerge8867.not.not = xor i1 %brmerge8867.not, true
-  %brmerge9432 = or i1 %.809, %brmerge8867.not.not
-  br i1 %brmerge9432, label %B4090, label %B114.if.i
+  %brmerge9429 = or i1 %.809, %brmerge8867.not.not
+  br i1 %brmerge9429, label %B4090, label %B114.if.i
 
 B56.i.i:                                          ; preds = %B114.if.i
-  %.131.i.i9041 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.95.i.i
-  %.132.i.i = load i64, ptr %.131.i.i9041, align 8, !noalias !254
+  %.131.i.i9038 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.95.i.i
+  %.132.i.i = load i64, ptr %.131.i.i9038, align 8, !noalias !254
   %.137.i.not.i = icmp eq i64 %.132.i.i, 0
   br i1 %.137.i.not.i, label %B100.i.i, label %B238.i
 
 B100.i.i:                                         ; preds = %B56.i.i
-  %.188.i.i9052 = getelementptr double, ptr %92, i64 %.302.01639.i
-  %.189.i.i = load double, ptr %.188.i.i9052, align 8, !noalias !254
+  %.188.i.i9049 = getelementptr double, ptr %92, i64 %.302.01639.i
+  %.189.i.i = load double, ptr %.188.i.i9049, align 8, !noalias !254
   %.190.i.i = fcmp olt double %.189.i.i, 5.000000e-01
   br i1 %.190.i.i, label %B238.i, label %B152.i.i
 
 B152.i.i:                                         ; preds = %B100.i.i
-  %.252.i.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.302.01639.i
-  %.253.i.i9053 = load double, ptr %.252.i.i, align 8, !noalias !254
+  %.252.i.i9050 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.302.01639.i
+  %.253.i.i9051 = load double, ptr %.252.i.i9050, align 8, !noalias !254
   %.305.i.i = getelementptr double, ptr %93, i64 %.302.01639.i
   %.306.i.i = load double, ptr %.305.i.i, align 8, !noalias !254
-  %.309.i.i9054 = fcmp une double %.253.i.i9053, %.306.i.i
-  %brmerge.i = select i1 %.309.i.i9054, i1 true, i1 %.175.i1635.not.i
-  %not..309.i.i = xor i1 %.309.i.i9054, true
+  %.309.i.i9052 = fcmp une double %.253.i.i9051, %.306.i.i
+  %brmerge.i = select i1 %.309.i.i9052, i1 true, i1 %.175.i1635.not.i
+  %not..309.i.i = xor i1 %.309.i.i9052, true
   %some.2.01641.mux.i = select i1 %not..309.i.i, i1 true, i1 %some.2.01641.i
-  br i1 %brmerge.i, label %B238.i, label %B76.if.i.lr.ph.i9055
+  br i1 %brmerge.i, label %B238.i, label %B76.if.i.lr.ph.i9053
 
-B76.if.i.lr.ph.i9055:                             ; preds = %B152.i.i
+B76.if.i.lr.ph.i9053:                             ; preds = %B152.i.i
   %337 = getelementptr i64, ptr %94, i64 %.302.01639.i
   %.509.i = load i64, ptr %337, align 8, !noalias !259
-  %.510.i9056 = add nsw i64 %.509.i, 1
+  %.510.i9054 = add nsw i64 %.509.i, 1
   %.236.i322.i = icmp slt i64 %.509.i, -1
   %.237.i323.i = select i1 %.236.i322.i, i64 %arg.batch.1.3.5.0, i64 0
-  %.238.i324.i = add i64 %.510.i9056, %.237.i323.i
-  %.258.i.i9057 = mul i64 %.238.i324.i, %arg.batch.1.3.5.1
-  %338 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i9057
-  br label %B76.if.i.i9058
+  %.238.i324.i = add i64 %.510.i9054, %.237.i323.i
+  %.258.i.i9055 = mul i64 %.238.i324.i, %arg.batch.1.3.5.1
+  %338 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i9055
+  br label %B76.if.i.i9056
 
-B76.if.i.i9058:                                   ; preds = %B76.if.i.i9058, %B76.if.i.lr.ph.i9055
-  %.117.i261.01636.i = phi i64 [ 0, %B76.if.i.lr.ph.i9055 ], [ %.188.i378.i, %B76.if.i.i9058 ]
+B76.if.i.i9056:                                   ; preds = %B76.if.i.i9056, %B76.if.i.lr.ph.i9053
+  %.117.i261.01636.i = phi i64 [ 0, %B76.if.i.lr.ph.i9053 ], [ %.188.i378.i, %B76.if.i.i9056 ]
   %.188.i378.i = add nsw i64 %.117.i261.01636.i, 1
   %339 = getelementptr double, ptr %338, i64 %.117.i261.01636.i
-  %.263.i.i9059 = load double, ptr %339, align 8, !noalias !260
+  %.263.i.i9057 = load double, ptr %339, align 8, !noalias !260
   %340 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i261.01636.i
-  %.293.i.i9060 = load i64, ptr %340, align 8, !noalias !260
-  %.295.i362.i = mul nsw i64 %.293.i.i9060, %arg.shape.0
+  %.293.i.i9058 = load i64, ptr %340, align 8, !noalias !260
+  %.295.i362.i = mul nsw i64 %.293.i.i9058, %arg.shape.0
   %.297.i364.i = add nsw i64 %.295.i362.i, %.302.01639.i
-  %.311.i.i9061 = icmp slt i64 %.297.i364.i, 0
-  %.312.i.i9062 = select i1 %.311.i.i9061, i64 %arg.batch.5.1.5.0, i64 0
+  %.311.i.i9059 = icmp slt i64 %.297.i364.i, 0
+  %.312.i.i9060 = select i1 %.311.i.i9059, i64 %arg.batch.5.1.5.0, i64 0
   %341 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i364.i
-  %.326.i.i9063 = getelementptr double, ptr %341, i64 %.312.i.i9062
-  store double %.263.i.i9059, ptr %.326.i.i9063, align 8, !noalias !260
-  %exitcond.not.i9064 = icmp eq i64 %arg.batch.1.1.5.0, %.188.i378.i
-  br i1 %exitcond.not.i9064, label %B238.i, label %B76.if.i.i9058
+  %.326.i.i9061 = getelementptr double, ptr %341, i64 %.312.i.i9060
+  store double %.263.i.i9057, ptr %.326.i.i9061, align 8, !noalias !260
+  %exitcond.not.i9062 = icmp eq i64 %arg.batch.1.1.5.0, %.188.i378.i
+  br i1 %exitcond.not.i9062, label %B238.i, label %B76.if.i.i9056
 
-B238.i:                                           ; preds = %B76.if.i.i9058, %B114.if.i, %B152.i.i, %B100.i.i, %B56.i.i
-  %some.3.1.i = phi i1 [ %some.2.01641.mux.i, %B152.i.i ], [ %some.2.01641.i, %B100.i.i ], [ %some.2.01641.i, %B114.if.i ], [ %some.2.01641.i, %B56.i.i ], [ true, %B76.if.i.i9058 ]
+B238.i:                                           ; preds = %B76.if.i.i9056, %B114.if.i, %B152.i.i, %B100.i.i, %B56.i.i
+  %some.3.1.i = phi i1 [ %some.2.01641.mux.i, %B152.i.i ], [ %some.2.01641.i, %B100.i.i ], [ %some.2.01641.i, %B114.if.i ], [ %some.2.01641.i, %B56.i.i ], [ true, %B76.if.i.i9056 ]
   %exitcond1650.not.i = icmp eq i64 %arg.shape.0, %.373.i
-  br i1 %exitcond1650.not.i, label %B240.i9042, label %B114.if.i
+  br i1 %exitcond1650.not.i, label %B240.i9039, label %B114.if.i
 
-B240.i9042:                                       ; preds = %B238.i
-  br i1 %some.3.1.i, label %B248.i9043, label %B4090
+B240.i9039:                                       ; preds = %B238.i
+  br i1 %some.3.1.i, label %B248.i9040, label %B4090
 
-B248.i9043:                                       ; preds = %B240.i9042
+B248.i9040:                                       ; preds = %B240.i9039
   %.633.i = load i64, ptr %.632.i, align 8, !noalias !259
   %.745.i = inttoptr i64 %.633.i to ptr
   tail call void %.745.i(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !259
-  %.776.i = load i64, ptr %.775.i9044, align 8, !noalias !259
-  %.892.i9047 = inttoptr i64 %.776.i to ptr
-  tail call void %.892.i9047(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.891.i9046), !noalias !259
+  %.776.i = load i64, ptr %.775.i9041, align 8, !noalias !259
+  %.892.i9044 = inttoptr i64 %.776.i to ptr
+  tail call void %.892.i9044(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.891.i9043), !noalias !259
   br i1 %.896.not.i, label %B690.if.i.preheader, label %B516.i
 
-B516.i:                                           ; preds = %B248.i9043
+B516.i:                                           ; preds = %B248.i9040
   %.927.i = load i64, ptr %.926.i, align 8, !noalias !259
   %.1045.i = inttoptr i64 %.927.i to ptr
-  tail call void %.1045.i(ptr %arg.batch.4.0.4, ptr %.891.i9046, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !259
+  tail call void %.1045.i(ptr %arg.batch.4.0.4, ptr %.891.i9043, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !259
   br label %B690.if.i.preheader
 
-B690.if.i.preheader:                              ; preds = %B516.i, %B248.i9043
+B690.if.i.preheader:                              ; preds = %B516.i, %B248.i9040
   br label %B690.if.i
 
 B56.i80.i:                                        ; preds = %B690.if.i
@@ -5272,8 +5357,8 @@ B922.if.lr.ph.i:                                  ; preds = %B890.i
   %.1728.i = mul i64 %.1699.i, %arg.batch.3.0.5.2
   %343 = getelementptr double, ptr %arg.batch.3.0.4, i64 %.1726.i
   %344 = getelementptr double, ptr %343, i64 %.1728.i
-  %invariant.gep9411 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1086.01648.i
-  %invariant.gep9413 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1086.01648.i
+  %invariant.gep9408 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1086.01648.i
+  %invariant.gep9410 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1086.01648.i
   br label %B922.if.i
 
 B1028.i:                                          ; preds = %B922.if.i
@@ -5292,19 +5377,19 @@ B1052.loopexit.i:                                 ; preds = %B1050.i
 B1064.i:                                          ; preds = %B1052.loopexit.i
   %.84.i441.i = load i64, ptr %349, align 8, !noalias !267
   %.89.i444.i = icmp sgt i64 %.84.i441.i, -1
-  br i1 %.89.i444.i, label %B46.i.i9050, label %B1120.i
+  br i1 %.89.i444.i, label %B46.i.i9047, label %B1120.i
 
-B46.i.i9050:                                      ; preds = %B1064.i
+B46.i.i9047:                                      ; preds = %B1064.i
   %.120.i468.i = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i441.i
   %.121.i469.i = load i64, ptr %.120.i468.i, align 8, !noalias !267
   %.122.i470.i = icmp eq i64 %.121.i469.i, 0
-  br i1 %.122.i470.i, label %B80.i.i9051, label %B1120.i
+  br i1 %.122.i470.i, label %B80.i.i9048, label %B1120.i
 
-B80.i.i9051:                                      ; preds = %B46.i.i9050
+B80.i.i9048:                                      ; preds = %B46.i.i9047
   store i64 3, ptr %.120.i468.i, align 8, !noalias !267
   br label %B1120.i
 
-B1120.i:                                          ; preds = %B80.i.i9051, %B46.i.i9050, %B1064.i, %B1052.loopexit.i, %B890.i
+B1120.i:                                          ; preds = %B80.i.i9048, %B46.i.i9047, %B1064.i, %B1052.loopexit.i, %B890.i
   br i1 %.896.not.i, label %B1238.i, label %B1136.i
 
 B1136.i:                                          ; preds = %B1120.i
@@ -5342,10 +5427,10 @@ B114.if.i:                                        ; preds = %B4040, %B238.i
   br i1 %.100.i.i, label %B238.i, label %B56.i.i
 
 B690.if.i:                                        ; preds = %B690.if.i.preheader, %B1238.i
-  %.1089.01649.i = phi i64 [ %.1152.i, %B1238.i ], [ %storemerge.i9040, %B690.if.i.preheader ]
-  %.1086.01648.i = phi i64 [ %.1156.i9049, %B1238.i ], [ 0, %B690.if.i.preheader ]
+  %.1089.01649.i = phi i64 [ %.1152.i, %B1238.i ], [ %storemerge.i9037, %B690.if.i.preheader ]
+  %.1086.01648.i = phi i64 [ %.1156.i9046, %B1238.i ], [ 0, %B690.if.i.preheader ]
   %.1152.i = add nsw i64 %.1089.01649.i, -1
-  %.1156.i9049 = add nsw i64 %.1086.01648.i, 1
+  %.1156.i9046 = add nsw i64 %.1086.01648.i, 1
   %349 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.1086.01648.i
   %.95.i76.i = load i64, ptr %349, align 8, !noalias !264
   %.100.i79.i = icmp slt i64 %.95.i76.i, 0
@@ -5357,20 +5442,20 @@ B922.if.i:                                        ; preds = %B1050.i, %B922.if.l
   %.1542.i = add nsw i64 %.1473.01643.i, 1
   %.1573.i = add nsw i64 %.1473.01643.i, %.846.i
   %.1575.i = mul nsw i64 %.1573.i, %arg.shape.0
-  %gep9412 = getelementptr double, ptr %invariant.gep9411, i64 %.1575.i
-  %.1607.i = load double, ptr %gep9412, align 8, !noalias !259
+  %gep9409 = getelementptr double, ptr %invariant.gep9408, i64 %.1575.i
+  %.1607.i = load double, ptr %gep9409, align 8, !noalias !259
   %.1612.i = fmul double %.1607.i, 0.000000e+00
   %.1614.i = fadd double %trouble.2.11645.i, %.1612.i
   %.1622.i = mul nsw i64 %.1473.01643.i, %arg.shape.0
-  %gep9414 = getelementptr double, ptr %invariant.gep9413, i64 %.1622.i
-  store double %.1607.i, ptr %gep9414, align 8, !noalias !259
+  %gep9411 = getelementptr double, ptr %invariant.gep9410, i64 %.1622.i
+  store double %.1607.i, ptr %gep9411, align 8, !noalias !259
   br i1 %"$phi890.1.2.1.i", label %B1028.i, label %B1050.i
 
-B4090:                                            ; preds = %B1238.i, %B4040, %B240.i9042
+B4090:                                            ; preds = %B1238.i, %B4040, %B240.i9039
   %looked.2.1.lcssa.not = xor i1 %looked.2.1.lcssa, true
-  %brmerge9434 = or i1 %.809, %looked.2.1.lcssa.not
+  %brmerge9431 = or i1 %.809, %looked.2.1.lcssa.not
   %active.9.1.mux = select i1 %looked.2.1.lcssa, i64 0, i64 %active.9.1
-  br i1 %brmerge9434, label %B5266, label %B4132.if
+  br i1 %brmerge9431, label %B5266, label %B4132.if
 
 B4190:                                            ; preds = %B4132.if
   %.5556 = mul i64 %.5487, %arg.batch.3.3.5.1
@@ -5384,80 +5469,80 @@ B4190:                                            ; preds = %B4132.if
   br i1 %.5620, label %B4290, label %B4346
 
 B4290:                                            ; preds = %B4190
-  %351 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5329.09419
-  %.84.i2020 = load i64, ptr %351, align 8, !noalias !273
-  %.89.i2023 = icmp sgt i64 %.84.i2020, -1
-  br i1 %.89.i2023, label %B46.i, label %B4346
+  %351 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5329.09416
+  %.84.i2021 = load i64, ptr %351, align 8, !noalias !273
+  %.89.i2024 = icmp sgt i64 %.84.i2021, -1
+  br i1 %.89.i2024, label %B46.i, label %B4346
 
 B46.i:                                            ; preds = %B4290
-  %.120.i2046 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i2020
-  %.121.i2047 = load i64, ptr %.120.i2046, align 8, !noalias !273
-  %.122.i2048 = icmp eq i64 %.121.i2047, 0
-  br i1 %.122.i2048, label %B80.i2052, label %B4346
+  %.120.i2047 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i2021
+  %.121.i2048 = load i64, ptr %.120.i2047, align 8, !noalias !273
+  %.122.i2049 = icmp eq i64 %.121.i2048, 0
+  br i1 %.122.i2049, label %B80.i2053, label %B4346
 
-B80.i2052:                                        ; preds = %B46.i
-  store i64 5, ptr %.120.i2046, align 8, !noalias !273
+B80.i2053:                                        ; preds = %B46.i
+  store i64 5, ptr %.120.i2047, align 8, !noalias !273
   br label %B4346
 
-B4346:                                            ; preds = %B80.i2052, %B4290, %B46.i, %B4190
-  %.5706 = getelementptr double, ptr %96, i64 %.5329.09419
+B4346:                                            ; preds = %B80.i2053, %B4290, %B46.i, %B4190
+  %.5706 = getelementptr double, ptr %96, i64 %.5329.09416
   %.5707 = load double, ptr %.5706, align 8
   %.5708 = fcmp ogt double %.5707, 5.000000e-01
   br i1 %.5708, label %B4394, label %B4518
 
 B4394:                                            ; preds = %B4346
-  %.5759 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5329.09419
+  %.5759 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5329.09416
   %.5760 = load double, ptr %.5759, align 8
-  %.5810 = getelementptr double, ptr %97, i64 %.5329.09419
+  %.5810 = getelementptr double, ptr %97, i64 %.5329.09416
   %.5811 = load double, ptr %.5810, align 8
   %.5812 = fcmp oeq double %.5760, %.5811
   br i1 %.5812, label %B4478, label %B4518
 
 B4478:                                            ; preds = %B4394
-  %.188.i4362 = load i64, ptr %.5486, align 8, !noalias !276
-  %.240.i4405 = getelementptr i64, ptr %98, i64 %.5329.09419
-  %.241.i4406 = load i64, ptr %.240.i4405, align 8, !noalias !276
-  %.242.i4407 = add nsw i64 %.241.i4406, 1
-  store i64 %.242.i4407, ptr %.240.i4405, align 8, !noalias !276
-  %.357.i4505 = icmp slt i64 %.241.i4406, -1
-  %.358.i4506 = select i1 %.357.i4505, i64 %arg.batch.1.2.5.0, i64 0
-  %352 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.242.i4407
-  %.372.i4520 = getelementptr double, ptr %352, i64 %.358.i4506
-  %.373.i4521 = load double, ptr %.372.i4520, align 8, !noalias !276
-  %.374.i4522 = fcmp oeq double %.373.i4521, 0x7FF0000000000000
-  br i1 %.374.i4522, label %B212.i, label %B290.i
+  %.188.i4360 = load i64, ptr %.5486, align 8, !noalias !276
+  %.240.i4403 = getelementptr i64, ptr %98, i64 %.5329.09416
+  %.241.i4404 = load i64, ptr %.240.i4403, align 8, !noalias !276
+  %.242.i4405 = add nsw i64 %.241.i4404, 1
+  store i64 %.242.i4405, ptr %.240.i4403, align 8, !noalias !276
+  %.357.i4503 = icmp slt i64 %.241.i4404, -1
+  %.358.i4504 = select i1 %.357.i4503, i64 %arg.batch.1.2.5.0, i64 0
+  %352 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.242.i4405
+  %.372.i4518 = getelementptr double, ptr %352, i64 %.358.i4504
+  %.373.i4519 = load double, ptr %.372.i4518, align 8, !noalias !276
+  %.374.i4520 = fcmp oeq double %.373.i4519, 0x7FF0000000000000
+  br i1 %.374.i4520, label %B212.i, label %B290.i
 
 B212.i:                                           ; preds = %B4478
-  %.408.i5026 = icmp slt i64 %.188.i4362, 0
-  %.409.i5027 = select i1 %.408.i5026, i64 %arg.batch.3.1.5.0, i64 0
-  %353 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.188.i4362
-  %.423.i5041 = getelementptr i64, ptr %353, i64 %.409.i5027
-  %.424.i5042 = load i64, ptr %.423.i5041, align 8, !noalias !276
-  %.425.i5043 = icmp eq i64 %.424.i5042, 0
-  br i1 %.425.i5043, label %B256.i, label %B4518
+  %.408.i5024 = icmp slt i64 %.188.i4360, 0
+  %.409.i5025 = select i1 %.408.i5024, i64 %arg.batch.3.1.5.0, i64 0
+  %353 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.188.i4360
+  %.423.i5039 = getelementptr i64, ptr %353, i64 %.409.i5025
+  %.424.i5040 = load i64, ptr %.423.i5039, align 8, !noalias !276
+  %.425.i5041 = icmp eq i64 %.424.i5040, 0
+  br i1 %.425.i5041, label %B256.i, label %B4518
 
 B256.i:                                           ; preds = %B212.i
-  store i64 1, ptr %.423.i5041, align 8, !noalias !276
+  store i64 1, ptr %.423.i5039, align 8, !noalias !276
   br label %B4518
 
 B290.i:                                           ; preds = %B4478
-  store double %.373.i4521, ptr %.5810, align 8, !noalias !276
-  %.572.i4609 = select i1 %.357.i4505, i64 %arg.batch.1.4.5.0, i64 0
-  %354 = getelementptr i64, ptr %arg.batch.1.4.4, i64 %.242.i4407
-  %.586.i4623 = getelementptr i64, ptr %354, i64 %.572.i4609
-  %.587.i4624 = load i64, ptr %.586.i4623, align 8, !noalias !276
-  %.590.i4626 = icmp eq i64 %.587.i4624, 0
-  br i1 %.590.i4626, label %B360.i, label %B428.i
+  store double %.373.i4519, ptr %.5810, align 8, !noalias !276
+  %.572.i4607 = select i1 %.357.i4503, i64 %arg.batch.1.4.5.0, i64 0
+  %354 = getelementptr i64, ptr %arg.batch.1.4.4, i64 %.242.i4405
+  %.586.i4621 = getelementptr i64, ptr %354, i64 %.572.i4607
+  %.587.i4622 = load i64, ptr %.586.i4621, align 8, !noalias !276
+  %.590.i4624 = icmp eq i64 %.587.i4622, 0
+  br i1 %.590.i4624, label %B360.i, label %B428.i
 
 B360.i:                                           ; preds = %B290.i
-  %.641.i4981 = getelementptr double, ptr %99, i64 %.5329.09419
-  store double 1.000000e+00, ptr %.641.i4981, align 8, !noalias !276
+  %.641.i4979 = getelementptr double, ptr %99, i64 %.5329.09416
+  store double 1.000000e+00, ptr %.641.i4979, align 8, !noalias !276
   br label %B482.i.sink.split
 
 B428.i:                                           ; preds = %B290.i
-  %.709.i4652 = load i64, ptr %.1173, align 8, !noalias !276
-  %.710.i4653 = icmp eq i64 %.709.i4652, 0
-  br i1 %.710.i4653, label %B482.i.sink.split, label %B482.i
+  %.709.i4650 = load i64, ptr %.1173, align 8, !noalias !276
+  %.710.i4651 = icmp eq i64 %.709.i4650, 0
+  br i1 %.710.i4651, label %B482.i.sink.split, label %B482.i
 
 B482.i.sink.split:                                ; preds = %B428.i, %B360.i
   %.sink = phi i64 [ 1, %B360.i ], [ 2, %B428.i ]
@@ -5465,31 +5550,31 @@ B482.i.sink.split:                                ; preds = %B428.i, %B360.i
   br label %B482.i
 
 B482.i:                                           ; preds = %B482.i.sink.split, %B428.i
-  br i1 %.175.i.i47999415.not, label %B4518, label %B76.if.i.i.lr.ph
+  br i1 %.175.i.i47979412.not, label %B4518, label %B76.if.i.i.lr.ph
 
 B76.if.i.i.lr.ph:                                 ; preds = %B482.i
-  %.237.i.i4847 = select i1 %.357.i4505, i64 %arg.batch.1.3.5.0, i64 0
-  %.238.i.i4848 = add i64 %.237.i.i4847, %.242.i4407
-  %.258.i.i4861 = mul i64 %.238.i.i4848, %arg.batch.1.3.5.1
-  %355 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i4861
+  %.237.i.i4845 = select i1 %.357.i4503, i64 %arg.batch.1.3.5.0, i64 0
+  %.238.i.i4846 = add i64 %.237.i.i4845, %.242.i4405
+  %.258.i.i4859 = mul i64 %.238.i.i4846, %arg.batch.1.3.5.1
+  %355 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i4859
   br label %B76.if.i.i
 
 B76.if.i.i:                                       ; preds = %B76.if.i.i.lr.ph, %B76.if.i.i
-  %.117.i.i4177.09417 = phi i64 [ 0, %B76.if.i.i.lr.ph ], [ %.188.i.i4905, %B76.if.i.i ]
-  %.188.i.i4905 = add nsw i64 %.117.i.i4177.09417, 1
-  %356 = getelementptr double, ptr %355, i64 %.117.i.i4177.09417
-  %.263.i.i4864 = load double, ptr %356, align 8, !noalias !280
-  %357 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.i4177.09417
-  %.293.i.i4881 = load i64, ptr %357, align 8, !noalias !280
-  %.295.i.i4883 = mul nsw i64 %.293.i.i4881, %arg.shape.0
-  %.297.i.i4885 = add nsw i64 %.295.i.i4883, %.5329.09419
-  %.311.i.i4891 = icmp slt i64 %.297.i.i4885, 0
-  %.312.i.i4892 = select i1 %.311.i.i4891, i64 %arg.batch.5.1.5.0, i64 0
-  %358 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i4885
-  %.326.i.i4899 = getelementptr double, ptr %358, i64 %.312.i.i4892
-  store double %.263.i.i4864, ptr %.326.i.i4899, align 8, !noalias !280
-  %exitcond9459.not = icmp eq i64 %arg.batch.1.1.5.0, %.188.i.i4905
-  br i1 %exitcond9459.not, label %B4518, label %B76.if.i.i
+  %.117.i.i4175.09414 = phi i64 [ 0, %B76.if.i.i.lr.ph ], [ %.188.i.i4903, %B76.if.i.i ]
+  %.188.i.i4903 = add nsw i64 %.117.i.i4175.09414, 1
+  %356 = getelementptr double, ptr %355, i64 %.117.i.i4175.09414
+  %.263.i.i4862 = load double, ptr %356, align 8, !noalias !280
+  %357 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.i4175.09414
+  %.293.i.i4879 = load i64, ptr %357, align 8, !noalias !280
+  %.295.i.i4881 = mul nsw i64 %.293.i.i4879, %arg.shape.0
+  %.297.i.i4883 = add nsw i64 %.295.i.i4881, %.5329.09416
+  %.311.i.i4889 = icmp slt i64 %.297.i.i4883, 0
+  %.312.i.i4890 = select i1 %.311.i.i4889, i64 %arg.batch.5.1.5.0, i64 0
+  %358 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i4883
+  %.326.i.i4897 = getelementptr double, ptr %358, i64 %.312.i.i4890
+  store double %.263.i.i4862, ptr %.326.i.i4897, align 8, !noalias !280
+  %exitcond9455.not = icmp eq i64 %arg.batch.1.1.5.0, %.188.i.i4903
+  br i1 %exitcond9455.not, label %B4518, label %B76.if.i.i
 
 B4518:                                            ; preds = %B76.if.i.i, %B482.i, %B256.i, %B212.i, %B4394, %B4346
   %.5901 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.5487
@@ -5498,209 +5583,209 @@ B4518:                                            ; preds = %B76.if.i.i, %B482.i
   br i1 %.5903.not, label %B4690, label %B4562
 
 B4562:                                            ; preds = %B4518
-  %.5960 = getelementptr i64, ptr %100, i64 %.5329.09419
+  %.5960 = getelementptr i64, ptr %100, i64 %.5329.09416
   %.5961 = load i64, ptr %.5960, align 8
   %.5991 = getelementptr i64, ptr %arg.batch.3.2.4, i64 %.5487
   store i64 %.5961, ptr %.5991, align 8
   store i64 -1, ptr %.5486, align 8
-  %.236.i9065 = load i64, ptr %arg.batch.4.2.4, align 8, !noalias !284
-  %.289.i9070 = getelementptr double, ptr %101, i64 %.5329.09419
-  store double 0.000000e+00, ptr %.289.i9070, align 8, !noalias !284
-  %.320.i9072 = load i64, ptr %.319.i9071, align 8, !noalias !284
-  %.322.i9073 = icmp eq i64 %.236.i9065, %.320.i9072
-  br i1 %.322.i9073, label %B4948, label %B142.i9074
+  %.236.i9063 = load i64, ptr %arg.batch.4.2.4, align 8, !noalias !284
+  %.289.i9068 = getelementptr double, ptr %101, i64 %.5329.09416
+  store double 0.000000e+00, ptr %.289.i9068, align 8, !noalias !284
+  %.320.i9070 = load i64, ptr %.319.i9069, align 8, !noalias !284
+  %.322.i9071 = icmp eq i64 %.236.i9063, %.320.i9070
+  br i1 %.322.i9071, label %B4948, label %B142.i9072
 
-B142.i9074:                                       ; preds = %B4562
-  %.355.i9075 = add nsw i64 %.236.i9065, 1
-  store i64 %.355.i9075, ptr %arg.batch.4.2.4, align 8, !noalias !284
+B142.i9072:                                       ; preds = %B4562
+  %.355.i9073 = add nsw i64 %.236.i9063, 1
+  store i64 %.355.i9073, ptr %arg.batch.4.2.4, align 8, !noalias !284
   store i64 1, ptr %.1173, align 8, !noalias !284
-  %.434.i9077 = icmp slt i64 %.236.i9065, 0
-  %.435.i9078 = select i1 %.434.i9077, i64 %arg.batch.0.2.5.0, i64 0
-  %359 = getelementptr i64, ptr %arg.batch.0.2.4, i64 %.236.i9065
-  %.449.i9079 = getelementptr i64, ptr %359, i64 %.435.i9078
-  %.450.i9080 = load i64, ptr %.449.i9079, align 8, !noalias !284
-  %.465.i9081 = icmp slt i64 %.450.i9080, 0
-  %.466.i9082 = select i1 %.465.i9081, i64 %arg.batch.1.0.5.0, i64 0
-  %360 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.450.i9080
-  %.480.i9083 = getelementptr i64, ptr %360, i64 %.466.i9082
-  %.481.i9084 = load i64, ptr %.480.i9083, align 8, !noalias !284
-  store i64 %.236.i9065, ptr %.5486, align 8, !noalias !284
-  %.583.i9088 = getelementptr i64, ptr %102, i64 %.5329.09419
-  store i64 %.481.i9084, ptr %.583.i9088, align 8, !noalias !284
+  %.434.i9075 = icmp slt i64 %.236.i9063, 0
+  %.435.i9076 = select i1 %.434.i9075, i64 %arg.batch.0.2.5.0, i64 0
+  %359 = getelementptr i64, ptr %arg.batch.0.2.4, i64 %.236.i9063
+  %.449.i9077 = getelementptr i64, ptr %359, i64 %.435.i9076
+  %.450.i9078 = load i64, ptr %.449.i9077, align 8, !noalias !284
+  %.465.i9079 = icmp slt i64 %.450.i9078, 0
+  %.466.i9080 = select i1 %.465.i9079, i64 %arg.batch.1.0.5.0, i64 0
+  %360 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.450.i9078
+  %.480.i9081 = getelementptr i64, ptr %360, i64 %.466.i9080
+  %.481.i9082 = load i64, ptr %.480.i9081, align 8, !noalias !284
+  store i64 %.236.i9063, ptr %.5486, align 8, !noalias !284
+  %.583.i9086 = getelementptr i64, ptr %102, i64 %.5329.09416
+  store i64 %.481.i9082, ptr %.583.i9086, align 8, !noalias !284
   store i64 1, ptr %.5960, align 8, !noalias !284
-  %.689.i9092 = getelementptr i64, ptr %103, i64 %.5329.09419
-  store i64 0, ptr %.689.i9092, align 8, !noalias !284
-  br i1 %.7851131.not.i9093, label %B462.i9108, label %B418.if.lr.ph.i9094
+  %.689.i9090 = getelementptr i64, ptr %103, i64 %.5329.09416
+  store i64 0, ptr %.689.i9090, align 8, !noalias !284
+  br i1 %.7851131.not.i9091, label %B462.i9106, label %B418.if.lr.ph.i9092
 
-B418.if.lr.ph.i9094:                              ; preds = %B142.i9074
-  %.847.i9095 = select i1 %.434.i9077, i64 %arg.batch.0.1.5.0, i64 0
-  %.848.i9096 = add i64 %.847.i9095, %.236.i9065
-  %.868.i9097 = mul i64 %.848.i9096, %arg.batch.0.1.5.1
-  %361 = getelementptr double, ptr %arg.batch.0.1.4, i64 %.868.i9097
-  %invariant.gep9564 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.5329.09419
-  br label %B418.if.i9098
+B418.if.lr.ph.i9092:                              ; preds = %B142.i9072
+  %.847.i9093 = select i1 %.434.i9075, i64 %arg.batch.0.1.5.0, i64 0
+  %.848.i9094 = add i64 %.847.i9093, %.236.i9063
+  %.868.i9095 = mul i64 %.848.i9094, %arg.batch.0.1.5.1
+  %361 = getelementptr double, ptr %arg.batch.0.1.4, i64 %.868.i9095
+  %invariant.gep9556 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.5329.09416
+  br label %B418.if.i9096
 
-B462.i9108:                                       ; preds = %B418.if.i9098, %B142.i9074
-  br i1 %.175.i1134.not.i9109, label %B462.endif.i9127, label %B76.if.i.lr.ph.i9110
+B462.i9106:                                       ; preds = %B418.if.i9096, %B142.i9072
+  br i1 %.175.i1134.not.i9107, label %B462.endif.i9125, label %B76.if.i.lr.ph.i9108
 
-B76.if.i.lr.ph.i9110:                             ; preds = %B462.i9108
-  %.966.i9111 = load i64, ptr %.583.i9088, align 8, !noalias !284
-  %.236.i.i9112 = icmp slt i64 %.966.i9111, 0
-  %.237.i.i9113 = select i1 %.236.i.i9112, i64 %arg.batch.1.3.5.0, i64 0
-  %.238.i.i9114 = add i64 %.237.i.i9113, %.966.i9111
-  %.258.i.i9115 = mul i64 %.238.i.i9114, %arg.batch.1.3.5.1
-  %362 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i9115
-  br label %B76.if.i.i9116
+B76.if.i.lr.ph.i9108:                             ; preds = %B462.i9106
+  %.966.i9109 = load i64, ptr %.583.i9086, align 8, !noalias !284
+  %.236.i.i9110 = icmp slt i64 %.966.i9109, 0
+  %.237.i.i9111 = select i1 %.236.i.i9110, i64 %arg.batch.1.3.5.0, i64 0
+  %.238.i.i9112 = add i64 %.237.i.i9111, %.966.i9109
+  %.258.i.i9113 = mul i64 %.238.i.i9112, %arg.batch.1.3.5.1
+  %362 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i9113
+  br label %B76.if.i.i9114
 
-B76.if.i.i9116:                                   ; preds = %B76.if.i.i9116, %B76.if.i.lr.ph.i9110
-  %.117.i.01135.i9117 = phi i64 [ 0, %B76.if.i.lr.ph.i9110 ], [ %.188.i.i9118, %B76.if.i.i9116 ]
-  %.188.i.i9118 = add nsw i64 %.117.i.01135.i9117, 1
-  %363 = getelementptr double, ptr %362, i64 %.117.i.01135.i9117
-  %.263.i.i9119 = load double, ptr %363, align 8, !noalias !287
-  %364 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.01135.i9117
-  %.293.i.i9120 = load i64, ptr %364, align 8, !noalias !287
-  %.295.i.i9121 = mul nsw i64 %.293.i.i9120, %arg.shape.0
-  %.297.i.i9122 = add nsw i64 %.295.i.i9121, %.5329.09419
-  %.311.i.i9123 = icmp slt i64 %.297.i.i9122, 0
-  %.312.i.i9124 = select i1 %.311.i.i9123, i64 %arg.batch.5.1.5.0, i64 0
-  %365 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i9122
-  %.326.i.i9125 = getelementptr double, ptr %365, i64 %.312.i.i9124
-  store double %.263.i.i9119, ptr %.326.i.i9125, align 8, !noalias !287
-  %exitcond1142.not.i9126 = icmp eq i64 %.188.i.i9118, %arg.batch.1.1.5.0
-  br i1 %exitcond1142.not.i9126, label %B462.endif.i9127, label %B76.if.i.i9116
+B76.if.i.i9114:                                   ; preds = %B76.if.i.i9114, %B76.if.i.lr.ph.i9108
+  %.117.i.01135.i9115 = phi i64 [ 0, %B76.if.i.lr.ph.i9108 ], [ %.188.i.i9116, %B76.if.i.i9114 ]
+  %.188.i.i9116 = add nsw i64 %.117.i.01135.i9115, 1
+  %363 = getelementptr double, ptr %362, i64 %.117.i.01135.i9115
+  %.263.i.i9117 = load double, ptr %363, align 8, !noalias !287
+  %364 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.01135.i9115
+  %.293.i.i9118 = load i64, ptr %364, align 8, !noalias !287
+  %.295.i.i9119 = mul nsw i64 %.293.i.i9118, %arg.shape.0
+  %.297.i.i9120 = add nsw i64 %.295.i.i9119, %.5329.09416
+  %.311.i.i9121 = icmp slt i64 %.297.i.i9120, 0
+  %.312.i.i9122 = select i1 %.311.i.i9121, i64 %arg.batch.5.1.5.0, i64 0
+  %365 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i9120
+  %.326.i.i9123 = getelementptr double, ptr %365, i64 %.312.i.i9122
+  store double %.263.i.i9117, ptr %.326.i.i9123, align 8, !noalias !287
+  %exitcond1142.not.i9124 = icmp eq i64 %.188.i.i9116, %arg.batch.1.1.5.0
+  br i1 %exitcond1142.not.i9124, label %B462.endif.i9125, label %B76.if.i.i9114
 
-B1038.i9221:                                      ; preds = %B660.if.i9143
-  store double 0.000000e+00, ptr %.1825.i9218, align 8, !noalias !284
+B1038.i9219:                                      ; preds = %B660.if.i9141
+  store double 0.000000e+00, ptr %.1825.i9216, align 8, !noalias !284
   br label %B4948
 
-B418.if.i9098:                                    ; preds = %B418.if.i9098, %B418.if.lr.ph.i9094
-  %.727.01132.i9099 = phi i64 [ 0, %B418.if.lr.ph.i9094 ], [ %.798.i9100, %B418.if.i9098 ]
-  %.798.i9100 = add nsw i64 %.727.01132.i9099, 1
-  %366 = getelementptr double, ptr %361, i64 %.727.01132.i9099
-  %.873.i9101 = load double, ptr %366, align 8, !noalias !284
-  %.875.i9102 = mul nsw i64 %.727.01132.i9099, %arg.shape.0
-  %gep9565 = getelementptr double, ptr %invariant.gep9564, i64 %.875.i9102
-  store double %.873.i9101, ptr %gep9565, align 8, !noalias !284
-  %exitcond.not.i9107 = icmp eq i64 %.798.i9100, %arg.batch.0.1.5.1
-  br i1 %exitcond.not.i9107, label %B462.i9108, label %B418.if.i9098
+B418.if.i9096:                                    ; preds = %B418.if.i9096, %B418.if.lr.ph.i9092
+  %.727.01132.i9097 = phi i64 [ 0, %B418.if.lr.ph.i9092 ], [ %.798.i9098, %B418.if.i9096 ]
+  %.798.i9098 = add nsw i64 %.727.01132.i9097, 1
+  %366 = getelementptr double, ptr %361, i64 %.727.01132.i9097
+  %.873.i9099 = load double, ptr %366, align 8, !noalias !284
+  %.875.i9100 = mul nsw i64 %.727.01132.i9097, %arg.shape.0
+  %gep9557 = getelementptr double, ptr %invariant.gep9556, i64 %.875.i9100
+  store double %.873.i9099, ptr %gep9557, align 8, !noalias !284
+  %exitcond.not.i9105 = icmp eq i64 %.798.i9098, %arg.batch.0.1.5.1
+  br i1 %exitcond.not.i9105, label %B462.i9106, label %B418.if.i9096
 
-B462.endif.i9127:                                 ; preds = %B76.if.i.i9116, %B462.i9108
-  br i1 %.10931137.not.i9128, label %B660.if.i9143, label %B566.if.lr.ph.i9129
+B462.endif.i9125:                                 ; preds = %B76.if.i.i9114, %B462.i9106
+  br i1 %.10931137.not.i9126, label %B660.if.i9141, label %B566.if.lr.ph.i9127
 
-B566.if.lr.ph.i9129:                              ; preds = %B462.endif.i9127
-  %.1155.i9130 = select i1 %.434.i9077, i64 %arg.batch.0.0.5.0, i64 0
-  %.1156.i9131 = add i64 %.1155.i9130, %.236.i9065
-  %.1176.i9132 = mul i64 %.1156.i9131, %arg.batch.0.0.5.1
-  %367 = getelementptr double, ptr %arg.batch.0.0.4, i64 %.1176.i9132
-  %invariant.gep9566 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.5329.09419
-  br label %B566.if.i9133
+B566.if.lr.ph.i9127:                              ; preds = %B462.endif.i9125
+  %.1155.i9128 = select i1 %.434.i9075, i64 %arg.batch.0.0.5.0, i64 0
+  %.1156.i9129 = add i64 %.1155.i9128, %.236.i9063
+  %.1176.i9130 = mul i64 %.1156.i9129, %arg.batch.0.0.5.1
+  %367 = getelementptr double, ptr %arg.batch.0.0.4, i64 %.1176.i9130
+  %invariant.gep9558 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.5329.09416
+  br label %B566.if.i9131
 
-B566.if.i9133:                                    ; preds = %B566.if.i9133, %B566.if.lr.ph.i9129
-  %.1037.01138.i9134 = phi i64 [ 0, %B566.if.lr.ph.i9129 ], [ %.1106.i9135, %B566.if.i9133 ]
-  %.1106.i9135 = add nsw i64 %.1037.01138.i9134, 1
-  %368 = getelementptr double, ptr %367, i64 %.1037.01138.i9134
-  %.1181.i9136 = load double, ptr %368, align 8, !noalias !284
-  %.1183.i9137 = mul nsw i64 %.1037.01138.i9134, %arg.shape.0
-  %gep9567 = getelementptr double, ptr %invariant.gep9566, i64 %.1183.i9137
-  store double %.1181.i9136, ptr %gep9567, align 8, !noalias !284
-  %exitcond1143.not.i9142 = icmp eq i64 %.1106.i9135, %arg.shape.1
-  br i1 %exitcond1143.not.i9142, label %B660.if.i9143, label %B566.if.i9133
+B566.if.i9131:                                    ; preds = %B566.if.i9131, %B566.if.lr.ph.i9127
+  %.1037.01138.i9132 = phi i64 [ 0, %B566.if.lr.ph.i9127 ], [ %.1106.i9133, %B566.if.i9131 ]
+  %.1106.i9133 = add nsw i64 %.1037.01138.i9132, 1
+  %368 = getelementptr double, ptr %367, i64 %.1037.01138.i9132
+  %.1181.i9134 = load double, ptr %368, align 8, !noalias !284
+  %.1183.i9135 = mul nsw i64 %.1037.01138.i9132, %arg.shape.0
+  %gep9559 = getelementptr double, ptr %invariant.gep9558, i64 %.1183.i9135
+  store double %.1181.i9134, ptr %gep9559, align 8, !noalias !284
+  %exitcond1143.not.i9140 = icmp eq i64 %.1106.i9133, %arg.shape.1
+  br i1 %exitcond1143.not.i9140, label %B660.if.i9141, label %B566.if.i9131
 
-B660.if.i9143:                                    ; preds = %B566.if.i9133, %B462.endif.i9127
-  %invariant.gep.i9144 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5329.09419
-  store double 0.000000e+00, ptr %invariant.gep.i9144, align 8, !noalias !284
-  %gep.1.i9145 = getelementptr double, ptr %invariant.gep.i9144, i64 %arg.batch.4.0.5.1
-  store double 0.000000e+00, ptr %gep.1.i9145, align 8, !noalias !284
-  %gep.2.i9147 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.2.idx.i9146
-  store double 0.000000e+00, ptr %gep.2.i9147, align 8, !noalias !284
-  %gep.3.i9149 = getelementptr i8, ptr %invariant.gep.i9144, i64 %.idx.i9069
-  store double 0.000000e+00, ptr %gep.3.i9149, align 8, !noalias !284
-  %gep.4.i9151 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.4.idx.i9150
-  store double 0.000000e+00, ptr %gep.4.i9151, align 8, !noalias !284
-  %gep.5.i9153 = getelementptr i8, ptr %invariant.gep.i9144, i64 %.idx8804
-  store double 0.000000e+00, ptr %gep.5.i9153, align 8, !noalias !284
-  %gep.6.i9155 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.6.idx.i9154
-  store double 0.000000e+00, ptr %gep.6.i9155, align 8, !noalias !284
-  %gep.7.i9157 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.7.idx.i9156
-  store double 0.000000e+00, ptr %gep.7.i9157, align 8, !noalias !284
-  %gep.8.i9159 = getelementptr i8, ptr %invariant.gep.i9144, i64 %.571.idx
-  store double 0.000000e+00, ptr %gep.8.i9159, align 8, !noalias !284
-  %gep.9.i9161 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.9.idx.i9160
-  store double 0.000000e+00, ptr %gep.9.i9161, align 8, !noalias !284
-  %gep.10.i9163 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.10.idx.i9162
-  store double 0.000000e+00, ptr %gep.10.i9163, align 8, !noalias !284
-  %gep.11.i9165 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.11.idx.i9164
-  store double 0.000000e+00, ptr %gep.11.i9165, align 8, !noalias !284
-  %gep.12.i9167 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.12.idx.i9166
-  store double 0.000000e+00, ptr %gep.12.i9167, align 8, !noalias !284
-  %gep.13.i9169 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.13.idx.i9168
-  store double 0.000000e+00, ptr %gep.13.i9169, align 8, !noalias !284
-  %gep.14.i9171 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.14.idx.i9170
-  store double 0.000000e+00, ptr %gep.14.i9171, align 8, !noalias !284
-  %gep.15.i9173 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.15.idx.i9172
-  store double 0.000000e+00, ptr %gep.15.i9173, align 8, !noalias !284
-  %gep.16.i9175 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.16.idx.i9174
-  store double 0.000000e+00, ptr %gep.16.i9175, align 8, !noalias !284
-  %gep.17.i9177 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.17.idx.i9176
-  store double 0.000000e+00, ptr %gep.17.i9177, align 8, !noalias !284
-  %gep.18.i9179 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.18.idx.i9178
-  store double 0.000000e+00, ptr %gep.18.i9179, align 8, !noalias !284
-  %gep.19.i9181 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.19.idx.i9180
-  store double 0.000000e+00, ptr %gep.19.i9181, align 8, !noalias !284
-  %gep.20.i9183 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.20.idx.i9182
-  store double 0.000000e+00, ptr %gep.20.i9183, align 8, !noalias !284
-  %gep.21.i9185 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.21.idx.i9184
-  store double 0.000000e+00, ptr %gep.21.i9185, align 8, !noalias !284
-  %gep.22.i9187 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.22.idx.i9186
-  store double 0.000000e+00, ptr %gep.22.i9187, align 8, !noalias !284
-  %gep.23.i9189 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.23.idx.i9188
-  store double 0.000000e+00, ptr %gep.23.i9189, align 8, !noalias !284
-  %gep.24.i9191 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.24.idx.i9190
-  store double 0.000000e+00, ptr %gep.24.i9191, align 8, !noalias !284
-  %gep.25.i9193 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.25.idx.i9192
-  store double 0.000000e+00, ptr %gep.25.i9193, align 8, !noalias !284
-  %gep.26.i9195 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.26.idx.i9194
-  store double 0.000000e+00, ptr %gep.26.i9195, align 8, !noalias !284
-  %gep.27.i9197 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.27.idx.i9196
-  store double 0.000000e+00, ptr %gep.27.i9197, align 8, !noalias !284
-  %gep.28.i9199 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.28.idx.i9198
-  store double 0.000000e+00, ptr %gep.28.i9199, align 8, !noalias !284
-  %gep.29.i9201 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.29.idx.i9200
-  store double 0.000000e+00, ptr %gep.29.i9201, align 8, !noalias !284
-  %gep.30.i9203 = getelementptr i8, ptr %invariant.gep.i9144, i64 %gep.30.idx.i9202
-  store double 0.000000e+00, ptr %gep.30.i9203, align 8, !noalias !284
-  %.1431.i9204 = load double, ptr %arg.batch.2.4, align 8, !noalias !284
-  %.1488.i9205 = load i64, ptr %.583.i9088, align 8, !noalias !284
-  %.1503.i9206 = icmp slt i64 %.1488.i9205, 0
-  %.1504.i9207 = select i1 %.1503.i9206, i64 %arg.batch.1.2.5.0, i64 0
-  %369 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.1488.i9205
-  %.1518.i9208 = getelementptr double, ptr %369, i64 %.1504.i9207
-  %.1519.i9209 = load double, ptr %.1518.i9208, align 8, !noalias !284
-  store double %.1431.i9204, ptr %invariant.gep.i9144, align 8, !noalias !284
-  %.1620.i9212 = getelementptr double, ptr %104, i64 %.5329.09419
-  store double %.1519.i9209, ptr %.1620.i9212, align 8, !noalias !284
-  store double 1.000000e+00, ptr %.289.i9070, align 8, !noalias !284
-  %.1723.i9214 = getelementptr double, ptr %105, i64 %.5329.09419
-  store double 0xFFF0000000000000, ptr %.1723.i9214, align 8, !noalias !284
-  %.1774.i9216 = getelementptr double, ptr %106, i64 %.5329.09419
-  store double 0x7FF0000000000000, ptr %.1774.i9216, align 8, !noalias !284
-  %.1825.i9218 = getelementptr double, ptr %107, i64 %.5329.09419
-  %.1826.i9219 = load double, ptr %.1825.i9218, align 8, !noalias !284
-  %.1828.i9220 = fcmp ueq double %.1826.i9219, 0xFFF0000000000000
-  br i1 %.1828.i9220, label %B4948, label %B1038.i9221
+B660.if.i9141:                                    ; preds = %B566.if.i9131, %B462.endif.i9125
+  %invariant.gep.i9142 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5329.09416
+  store double 0.000000e+00, ptr %invariant.gep.i9142, align 8, !noalias !284
+  %gep.1.i9143 = getelementptr double, ptr %invariant.gep.i9142, i64 %arg.batch.4.0.5.1
+  store double 0.000000e+00, ptr %gep.1.i9143, align 8, !noalias !284
+  %gep.2.i9145 = getelementptr i8, ptr %invariant.gep.i9142, i64 %gep.2.idx.i9144
+  store double 0.000000e+00, ptr %gep.2.i9145, align 8, !noalias !284
+  %gep.3.i9147 = getelementptr i8, ptr %invariant.gep.i9142, i64 %.idx.i9067
+  store double 0.000000e+00, ptr %gep.3.i9147, align 8, !noalias !284
+  %gep.4.i9149 = getelementptr i8, ptr %invariant.gep.i9142, i64 %gep.4.idx.i9148
+  store double 0.000000e+00, ptr %gep.4.i9149, align 8, !noalias !284
+  %gep.5.i9151 = getelementptr i8, ptr %invariant.gep.i9142, i64 %.idx8804
+  store double 0.000000e+00, ptr %gep.5.i9151, align 8, !noalias !284
+  %gep.6.i9153 = getelementptr i8, ptr %invariant.gep.i9142, i64 %gep.6.idx.i9152
+  store double 0.000000e+00, ptr %gep.6.i9153, align 8, !noalias !284
+  %gep.7.i9155 = getelementptr i8, ptr %invariant.gep.i9142, i64 %gep.7.idx.i9154
+  store double 0.000000e+00, ptr %gep.7.i9155, align 8, !noalias !284
+  %gep.8.i9157 = getelementptr i8, ptr %invariant.gep.i9142, i64 %.571.idx
+  store double 0.000000e+00, ptr %gep.8.i9157, align 8, !noalias !284
+  %gep.9.i9159 = getelementptr i8, ptr %invariant.gep.i9142, i64 %gep.9.idx.i9158
+  store double 0.000000e+00, ptr %gep.9.i9159, align 8, !noalias !284
+  %gep.10.i9161 = getelementptr i8, ptr %invariant.gep.i9142, i64 %gep.10.idx.i9160
+  store double 0.000000e+00, ptr %gep.10.i9161, align 8, !noalias !284
+  %gep.11.i9163 = getelementptr i8, ptr %invariant.gep.i9142, i64 %gep.11.idx.i9162
+  store double 0.000000e+00, ptr %gep.11.i9163, align 8, !noalias !284
+  %gep.12.i9165 = getelementptr i8, ptr %invariant.gep.i9142, i64 %gep.12.idx.i9164
+  store double 0.000000e+00, ptr %gep.12.i9165, align 8, !noalias !284
+  %gep.13.i9167 = getelementptr i8, ptr %invariant.gep.i9142, i64 %gep.13.idx.i9166
+  store double 0.000000e+00, ptr %gep.13.i9167, align 8, !noalias !284
+  %gep.14.i9169 = getelementptr i8, ptr %invariant.gep.i9142, i64 %gep.14.idx.i9168
+  store double 0.000000e+00, ptr %gep.14.i9169, align 8, !noalias !284
+  %gep.15.i9171 = getelementptr i8, ptr %invariant.gep.i9142, i64 %gep.15.idx.i9170
+  store double 0.000000e+00, ptr %gep.15.i9171, align 8, !noalias !284
+  %gep.16.i9173 = getelementptr i8, ptr %invariant.gep.i9142, i64 %gep.16.idx.i9172
+  store double 0.000000e+00, ptr %gep.16.i9173, align 8, !noalias !284
+  %gep.17.i9175 = getelementptr i8, ptr %invariant.gep.i9142, i64 %gep.17.idx.i9174
+  store double 0.000000e+00, ptr %gep.17.i9175, align 8, !noalias !284
+  %gep.18.i9177 = getelementptr i8, ptr %invariant.gep.i9142, i64 %gep.18.idx.i9176
+  store double 0.000000e+00, ptr %gep.18.i9177, align 8, !noalias !284
+  %gep.19.i9179 = getelementptr i8, ptr %invariant.gep.i9142, i64 %gep.19.idx.i9178
+  store double 0.000000e+00, ptr %gep.19.i9179, align 8, !noalias !284
+  %gep.20.i9181 = getelementptr i8, ptr %invariant.gep.i9142, i64 %gep.20.idx.i9180
+  store double 0.000000e+00, ptr %gep.20.i9181, align 8, !noalias !284
+  %gep.21.i9183 = getelementptr i8, ptr %invariant.gep.i9142, i64 %gep.21.idx.i9182
+  store double 0.000000e+00, ptr %gep.21.i9183, align 8, !noalias !284
+  %gep.22.i9185 = getelementptr i8, ptr %invariant.gep.i9142, i64 %gep.22.idx.i9184
+  store double 0.000000e+00, ptr %gep.22.i9185, align 8, !noalias !284
+  %gep.23.i9187 = getelementptr i8, ptr %invariant.gep.i9142, i64 %gep.23.idx.i9186
+  store double 0.000000e+00, ptr %gep.23.i9187, align 8, !noalias !284
+  %gep.24.i9189 = getelementptr i8, ptr %invariant.gep.i9142, i64 %gep.24.idx.i9188
+  store double 0.000000e+00, ptr %gep.24.i9189, align 8, !noalias !284
+  %gep.25.i9191 = getelementptr i8, ptr %invariant.gep.i9142, i64 %gep.25.idx.i9190
+  store double 0.000000e+00, ptr %gep.25.i9191, align 8, !noalias !284
+  %gep.26.i9193 = getelementptr i8, ptr %invariant.gep.i9142, i64 %gep.26.idx.i9192
+  store double 0.000000e+00, ptr %gep.26.i9193, align 8, !noalias !284
+  %gep.27.i9195 = getelementptr i8, ptr %invariant.gep.i9142, i64 %gep.27.idx.i9194
+  store double 0.000000e+00, ptr %gep.27.i9195, align 8, !noalias !284
+  %gep.28.i9197 = getelementptr i8, ptr %invariant.gep.i9142, i64 %gep.28.idx.i9196
+  store double 0.000000e+00, ptr %gep.28.i9197, align 8, !noalias !284
+  %gep.29.i9199 = getelementptr i8, ptr %invariant.gep.i9142, i64 %gep.29.idx.i9198
+  store double 0.000000e+00, ptr %gep.29.i9199, align 8, !noalias !284
+  %gep.30.i9201 = getelementptr i8, ptr %invariant.gep.i9142, i64 %gep.30.idx.i9200
+  store double 0.000000e+00, ptr %gep.30.i9201, align 8, !noalias !284
+  %.1431.i9202 = load double, ptr %arg.batch.2.4, align 8, !noalias !284
+  %.1488.i9203 = load i64, ptr %.583.i9086, align 8, !noalias !284
+  %.1503.i9204 = icmp slt i64 %.1488.i9203, 0
+  %.1504.i9205 = select i1 %.1503.i9204, i64 %arg.batch.1.2.5.0, i64 0
+  %369 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.1488.i9203
+  %.1518.i9206 = getelementptr double, ptr %369, i64 %.1504.i9205
+  %.1519.i9207 = load double, ptr %.1518.i9206, align 8, !noalias !284
+  store double %.1431.i9202, ptr %invariant.gep.i9142, align 8, !noalias !284
+  %.1620.i9210 = getelementptr double, ptr %104, i64 %.5329.09416
+  store double %.1519.i9207, ptr %.1620.i9210, align 8, !noalias !284
+  store double 1.000000e+00, ptr %.289.i9068, align 8, !noalias !284
+  %.1723.i9212 = getelementptr double, ptr %105, i64 %.5329.09416
+  store double 0xFFF0000000000000, ptr %.1723.i9212, align 8, !noalias !284
+  %.1774.i9214 = getelementptr double, ptr %106, i64 %.5329.09416
+  store double 0x7FF0000000000000, ptr %.1774.i9214, align 8, !noalias !284
+  %.1825.i9216 = getelementptr double, ptr %107, i64 %.5329.09416
+  %.1826.i9217 = load double, ptr %.1825.i9216, align 8, !noalias !284
+  %.1828.i9218 = fcmp ueq double %.1826.i9217, 0xFFF0000000000000
+  br i1 %.1828.i9218, label %B4948, label %B1038.i9219
 
 B4690:                                            ; preds = %B4518
-  %.6179 = getelementptr double, ptr %108, i64 %.5329.09419
+  %.6179 = getelementptr double, ptr %108, i64 %.5329.09416
   %.6180 = load double, ptr %.6179, align 8
   %.6182 = fcmp ult double %.6180, 1.500000e+01
   br i1 %.6182, label %B4948, label %B4758
 
 B4758:                                            ; preds = %B4690
   %.6226 = load double, ptr %.6225, align 8
-  %.6276 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5329.09419
+  %.6276 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5329.09416
   %.6277 = load double, ptr %.6276, align 8
   %.6278 = fsub double %.6226, %.6277
-  %.6328 = getelementptr double, ptr %111, i64 %.5329.09419
+  %.6328 = getelementptr double, ptr %111, i64 %.5329.09416
   %.6329 = load double, ptr %.6328, align 8
   %.6331 = fmul double %.6329, 5.000000e+03
   %.6332 = fcmp ogt double %.6278, %.6331
@@ -5710,46 +5795,46 @@ B4914:                                            ; preds = %B4758
   store double 0.000000e+00, ptr %.6179, align 8
   br label %B4948
 
-B4948:                                            ; preds = %B1038.i9221, %B4562, %B660.if.i9143, %B4758, %B4914, %B4690
-  %budget.7.4 = phi i64 [ %budget.5.29421, %B4690 ], [ 0, %B4758 ], [ %budget.5.29421, %B4914 ], [ %budget.5.29421, %B660.if.i9143 ], [ %budget.5.29421, %B4562 ], [ %budget.5.29421, %B1038.i9221 ]
+B4948:                                            ; preds = %B1038.i9219, %B4562, %B660.if.i9141, %B4758, %B4914, %B4690
+  %budget.7.4 = phi i64 [ %budget.5.29418, %B4690 ], [ 0, %B4758 ], [ %budget.5.29418, %B4914 ], [ %budget.5.29418, %B660.if.i9141 ], [ %budget.5.29418, %B4562 ], [ %budget.5.29418, %B1038.i9219 ]
   %.6452 = load i64, ptr %.5486, align 8
   %.6453 = icmp sgt i64 %.6452, -1
   br i1 %.6453, label %B4996, label %B5293
 
 B4996:                                            ; preds = %B4948
-  %.6458 = add nsw i64 %active.5.29422, 1
+  %.6458 = add nsw i64 %active.5.29419, 1
   %.6559 = mul i64 %.6452, %arg.batch.3.3.5.1
   %.6563 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.6559
   %.6564 = load i64, ptr %.6563, align 8
   %.6575.0 = and i64 %.6564, 127
   %.6605 = sub nsw i64 128, %.6575.0
   %.11.i = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.6605, i64 %.5615)
-  %.6689 = getelementptr double, ptr %112, i64 %.5329.09419
+  %.6689 = getelementptr double, ptr %112, i64 %.5329.09416
   %.6690 = load double, ptr %.6689, align 8
   %.6692 = fcmp ogt double %.6690, 0.000000e+00
   %.6703 = sitofp i64 %.11.i to double
   %"$phi5196.1.2.5" = select i1 %.6692, double 1.000000e+00, double %.6703
-  %.6762 = getelementptr double, ptr %113, i64 %.5329.09419
+  %.6762 = getelementptr double, ptr %113, i64 %.5329.09416
   store double %"$phi5196.1.2.5", ptr %.6762, align 8
-  %.107.i5175 = getelementptr i64, ptr %114, i64 %.5329.09419
-  %.108.i5176 = load i64, ptr %.107.i5175, align 8, !noalias !291
-  %.161.i5222 = getelementptr double, ptr %115, i64 %.5329.09419
-  %.162.i5223 = load double, ptr %.161.i5222, align 8, !noalias !291
-  %.212.i5268 = getelementptr double, ptr %116, i64 %.5329.09419
-  store double %.162.i5223, ptr %.212.i5268, align 8, !noalias !291
-  %.225.i5276 = icmp slt i64 %.108.i5176, %arg.batch.2.5.0
-  br i1 %.225.i5276, label %B164.i, label %B5293
+  %.107.i5173 = getelementptr i64, ptr %114, i64 %.5329.09416
+  %.108.i5174 = load i64, ptr %.107.i5173, align 8, !noalias !291
+  %.161.i5220 = getelementptr double, ptr %115, i64 %.5329.09416
+  %.162.i5221 = load double, ptr %.161.i5220, align 8, !noalias !291
+  %.212.i5266 = getelementptr double, ptr %116, i64 %.5329.09416
+  store double %.162.i5221, ptr %.212.i5266, align 8, !noalias !291
+  %.225.i5274 = icmp slt i64 %.108.i5174, %arg.batch.2.5.0
+  br i1 %.225.i5274, label %B164.i, label %B5293
 
 B164.i:                                           ; preds = %B4996
-  %.241.i5291 = icmp slt i64 %.108.i5176, 0
-  %.242.i5292 = select i1 %.241.i5291, i64 %arg.batch.2.5.0, i64 0
-  %370 = getelementptr double, ptr %arg.batch.2.4, i64 %.108.i5176
-  %.256.i5306 = getelementptr double, ptr %370, i64 %.242.i5292
-  %.257.i5307 = load double, ptr %.256.i5306, align 8, !noalias !291
-  %.312.i5355 = load double, ptr %.161.i5222, align 8, !noalias !291
-  %.10.i.i = fcmp olt double %.312.i5355, %.257.i5307
-  %.11.i.i = select i1 %.10.i.i, double %.312.i5355, double %.257.i5307
-  store double %.11.i.i, ptr %.212.i5268, align 8, !noalias !291
+  %.241.i5289 = icmp slt i64 %.108.i5174, 0
+  %.242.i5290 = select i1 %.241.i5289, i64 %arg.batch.2.5.0, i64 0
+  %370 = getelementptr double, ptr %arg.batch.2.4, i64 %.108.i5174
+  %.256.i5304 = getelementptr double, ptr %370, i64 %.242.i5290
+  %.257.i5305 = load double, ptr %.256.i5304, align 8, !noalias !291
+  %.312.i5353 = load double, ptr %.161.i5220, align 8, !noalias !291
+  %.10.i.i = fcmp olt double %.312.i5353, %.257.i5305
+  %.11.i.i = select i1 %.10.i.i, double %.312.i5353, double %.257.i5305
+  store double %.11.i.i, ptr %.212.i5266, align 8, !noalias !291
   br label %B5293
 
 B5266:                                            ; preds = %B5293, %B4090
@@ -5762,133 +5847,133 @@ B5266:                                            ; preds = %B5293, %B4090
 
 B5292:                                            ; preds = %B5266, %B710
   %active.10.0 = phi i64 [ %active.4.0.lcssa, %B710 ], [ %active.8.2, %B5266 ]
-  br i1 %.809, label %B5292.endif, label %B82.if.i1943.lr.ph
+  br i1 %.809, label %B5292.endif, label %B82.if.i1944.lr.ph
 
-B82.if.i1943.lr.ph:                               ; preds = %B5292
+B82.if.i1944.lr.ph:                               ; preds = %B5292
   %.idx = mul i64 %arg.batch.4.0.5.1, 208
   %371 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx
   %.idx8802 = mul i64 %arg.batch.4.0.5.1, 216
   %372 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8802
-  %.672.i1616 = add nsw i64 %arg.shape.2, -1
+  %.672.i1617 = add nsw i64 %arg.shape.2, -1
   %.idx8803 = mul i64 %arg.batch.4.0.5.1, 192
   %373 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8803
-  br label %B82.if.i1943
+  br label %B82.if.i1944
 
-B140.i1292:                                       ; preds = %B82.if.i1943
-  %.311.i1336 = getelementptr double, ptr %371, i64 %.105.i1142.09429
-  %.312.i1337 = load double, ptr %.311.i1336, align 8, !noalias !295
-  %.5.i.i1338 = fptosi double %.312.i1337 to i64
-  %.386.i1383 = getelementptr double, ptr %372, i64 %.105.i1142.09429
-  %.387.i1384 = load double, ptr %.386.i1383, align 8, !noalias !295
-  %.5.i1.i1385 = fptosi double %.387.i1384 to i64
-  %.463.i1432 = mul i64 %.255.i1285, %arg.batch.3.3.5.1
-  %.467.i1435 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.463.i1432
-  %.468.i1436 = load i64, ptr %.467.i1435, align 8, !noalias !295
-  %.470.i1438 = add nsw i64 %.468.i1436, %.5.i.i1338
-  store i64 %.470.i1438, ptr %.467.i1435, align 8, !noalias !295
-  %.568.i1522 = getelementptr i8, ptr %.467.i1435, i64 24
-  %.569.i1523 = load i64, ptr %.568.i1522, align 8, !noalias !295
-  %.571.i1525 = add nsw i64 %.569.i1523, %.5.i1.i1385
-  store i64 %.571.i1525, ptr %.568.i1522, align 8, !noalias !295
-  %.669.i1613 = getelementptr i8, ptr %.467.i1435, i64 8
-  %.670.i1614 = load i64, ptr %.669.i1613, align 8, !noalias !295
-  %.675.i1619 = add nsw i64 %.5.i1.i1385, %.5.i.i1338
-  %.676.i1620 = mul nsw i64 %.675.i1619, %.672.i1616
-  %..5.i.i1338 = select i1 %.625, i64 0, i64 %.5.i.i1338
-  %.677.i1621 = add i64 %.676.i1620, %..5.i.i1338
-  %.802.i1723 = add i64 %.677.i1621, %.670.i1614
-  store i64 %.802.i1723, ptr %.669.i1613, align 8, !noalias !295
-  store double 0.000000e+00, ptr %.311.i1336, align 8, !noalias !295
-  store double 0.000000e+00, ptr %.386.i1383, align 8, !noalias !295
-  %.1017.i1891 = getelementptr double, ptr %373, i64 %.105.i1142.09429
-  %.1018.i1892 = load double, ptr %.1017.i1891, align 8, !noalias !295
-  %.1026.i1898 = sitofp i64 %.675.i1619 to double
-  %.1027.i1899 = fsub double %.1018.i1892, %.1026.i1898
-  store double %.1027.i1899, ptr %.1017.i1891, align 8, !noalias !295
-  br label %B682.i1289
+B140.i1293:                                       ; preds = %B82.if.i1944
+  %.311.i1337 = getelementptr double, ptr %371, i64 %.105.i1143.09426
+  %.312.i1338 = load double, ptr %.311.i1337, align 8, !noalias !295
+  %.5.i.i1339 = fptosi double %.312.i1338 to i64
+  %.386.i1384 = getelementptr double, ptr %372, i64 %.105.i1143.09426
+  %.387.i1385 = load double, ptr %.386.i1384, align 8, !noalias !295
+  %.5.i1.i1386 = fptosi double %.387.i1385 to i64
+  %.463.i1433 = mul i64 %.255.i1286, %arg.batch.3.3.5.1
+  %.467.i1436 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.463.i1433
+  %.468.i1437 = load i64, ptr %.467.i1436, align 8, !noalias !295
+  %.470.i1439 = add nsw i64 %.468.i1437, %.5.i.i1339
+  store i64 %.470.i1439, ptr %.467.i1436, align 8, !noalias !295
+  %.568.i1523 = getelementptr i8, ptr %.467.i1436, i64 24
+  %.569.i1524 = load i64, ptr %.568.i1523, align 8, !noalias !295
+  %.571.i1526 = add nsw i64 %.569.i1524, %.5.i1.i1386
+  store i64 %.571.i1526, ptr %.568.i1523, align 8, !noalias !295
+  %.669.i1614 = getelementptr i8, ptr %.467.i1436, i64 8
+  %.670.i1615 = load i64, ptr %.669.i1614, align 8, !noalias !295
+  %.675.i1620 = add nsw i64 %.5.i1.i1386, %.5.i.i1339
+  %.676.i1621 = mul nsw i64 %.675.i1620, %.672.i1617
+  %..5.i.i1339 = select i1 %.625, i64 0, i64 %.5.i.i1339
+  %.677.i1622 = add i64 %.676.i1621, %..5.i.i1339
+  %.802.i1724 = add i64 %.677.i1622, %.670.i1615
+  store i64 %.802.i1724, ptr %.669.i1614, align 8, !noalias !295
+  store double 0.000000e+00, ptr %.311.i1337, align 8, !noalias !295
+  store double 0.000000e+00, ptr %.386.i1384, align 8, !noalias !295
+  %.1017.i1892 = getelementptr double, ptr %373, i64 %.105.i1143.09426
+  %.1018.i1893 = load double, ptr %.1017.i1892, align 8, !noalias !295
+  %.1026.i1899 = sitofp i64 %.675.i1620 to double
+  %.1027.i1900 = fsub double %.1018.i1893, %.1026.i1899
+  store double %.1027.i1900, ptr %.1017.i1892, align 8, !noalias !295
+  br label %B682.i1290
 
-B682.i1289:                                       ; preds = %B140.i1292, %B82.if.i1943
-  %.164.i1223 = icmp sgt i64 %.108.i1143.09430, 1
-  br i1 %.164.i1223, label %B82.if.i1943, label %B5292.endif
+B682.i1290:                                       ; preds = %B140.i1293, %B82.if.i1944
+  %.164.i1224 = icmp sgt i64 %.108.i1144.09427, 1
+  br i1 %.164.i1224, label %B82.if.i1944, label %B5292.endif
 
-B82.if.i1943:                                     ; preds = %B82.if.i1943.lr.ph, %B682.i1289
-  %.108.i1143.09430 = phi i64 [ %storemerge, %B82.if.i1943.lr.ph ], [ %.173.i1948, %B682.i1289 ]
-  %.105.i1142.09429 = phi i64 [ 0, %B82.if.i1943.lr.ph ], [ %.177.i1951, %B682.i1289 ]
-  %.173.i1948 = add nsw i64 %.108.i1143.09430, -1
-  %.177.i1951 = add nsw i64 %.105.i1142.09429, 1
-  %374 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i1142.09429
-  %.255.i1285 = load i64, ptr %374, align 8, !noalias !295
-  %.260.i1288 = icmp sgt i64 %.255.i1285, -1
-  br i1 %.260.i1288, label %B140.i1292, label %B682.i1289
+B82.if.i1944:                                     ; preds = %B82.if.i1944.lr.ph, %B682.i1290
+  %.108.i1144.09427 = phi i64 [ %storemerge, %B82.if.i1944.lr.ph ], [ %.173.i1949, %B682.i1290 ]
+  %.105.i1143.09426 = phi i64 [ 0, %B82.if.i1944.lr.ph ], [ %.177.i1952, %B682.i1290 ]
+  %.173.i1949 = add nsw i64 %.108.i1144.09427, -1
+  %.177.i1952 = add nsw i64 %.105.i1143.09426, 1
+  %374 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.105.i1143.09426
+  %.255.i1286 = load i64, ptr %374, align 8, !noalias !295
+  %.260.i1289 = icmp sgt i64 %.255.i1286, -1
+  br i1 %.260.i1289, label %B140.i1293, label %B682.i1290
 
 B5293:                                            ; preds = %B4996, %B164.i, %B4948, %B4132.if
-  %budget.6.3 = phi i64 [ %budget.5.29421, %B4132.if ], [ %budget.7.4, %B4948 ], [ %budget.7.4, %B164.i ], [ %budget.7.4, %B4996 ]
-  %active.6.3 = phi i64 [ %active.5.29422, %B4132.if ], [ %active.5.29422, %B4948 ], [ %.6458, %B164.i ], [ %.6458, %B4996 ]
-  %.5392 = icmp sgt i64 %.5332.09420, 1
+  %budget.6.3 = phi i64 [ %budget.5.29418, %B4132.if ], [ %budget.7.4, %B4948 ], [ %budget.7.4, %B164.i ], [ %budget.7.4, %B4996 ]
+  %active.6.3 = phi i64 [ %active.5.29419, %B4132.if ], [ %active.5.29419, %B4948 ], [ %.6458, %B164.i ], [ %.6458, %B4996 ]
+  %.5392 = icmp sgt i64 %.5332.09417, 1
   br i1 %.5392, label %B4132.if, label %B5266
 
 common.ret:                                       ; preds = %B3746.if, %B3700.if, %B3632.endif.if, %B3058.endif.if, %B5292.endif
-  %common.ret.op = phi i32 [ %.4645, %B3632.endif.if ], [ %.4068, %B3058.endif.if ], [ 0, %B5292.endif ], [ %common.ret.op.i8950, %B3746.if ], [ %common.ret.op.i, %B3700.if ]
+  %common.ret.op = phi i32 [ %.4645, %B3632.endif.if ], [ %.4068, %B3058.endif.if ], [ 0, %B5292.endif ], [ %common.ret.op.i8953, %B3746.if ], [ %common.ret.op.i, %B3700.if ]
   ret i32 %common.ret.op
 
 B550.if:                                          ; preds = %B550.if.lr.ph, %B646
-  %active.4.09248 = phi i64 [ 0, %B550.if.lr.ph ], [ %.1096, %B646 ]
-  %.798.09247 = phi i64 [ %storemerge, %B550.if.lr.ph ], [ %.862, %B646 ]
-  %.795.09246 = phi i64 [ 0, %B550.if.lr.ph ], [ %.866, %B646 ]
-  %.862 = add nsw i64 %.798.09247, -1
-  %.866 = add nsw i64 %.795.09246, 1
-  %375 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.795.09246
+  %active.4.09245 = phi i64 [ 0, %B550.if.lr.ph ], [ %.1096, %B646 ]
+  %.798.09244 = phi i64 [ %storemerge, %B550.if.lr.ph ], [ %.862, %B646 ]
+  %.795.09243 = phi i64 [ 0, %B550.if.lr.ph ], [ %.866, %B646 ]
+  %.862 = add nsw i64 %.798.09244, -1
+  %.866 = add nsw i64 %.795.09243, 1
+  %375 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.795.09243
   %.944 = load i64, ptr %375, align 8
   %.945 = icmp slt i64 %.944, 0
   br i1 %.945, label %B602, label %B646
 
 B1706.if:                                         ; preds = %B1674, %B1892
-  %.2084.09263 = phi i64 [ %.2153, %B1892 ], [ 1, %B1674 ]
-  %.2153 = add i64 %.2084.09263, 1
-  %376 = getelementptr i64, ptr %arg.code.4, i64 %.2084.09263
+  %.2084.09260 = phi i64 [ %.2153, %B1892 ], [ 1, %B1674 ]
+  %.2153 = add i64 %.2084.09260, 1
+  %376 = getelementptr i64, ptr %arg.code.4, i64 %.2084.09260
   %377 = getelementptr i8, ptr %376, i64 128
   %.2212 = load i64, ptr %377, align 8
   %.2257 = inttoptr i64 %.2212 to ptr
   tail call void %.2257(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  %.2261 = add nsw i64 %.2084.09263, %.
+  %.2261 = add nsw i64 %.2084.09260, %.
   %.2263 = mul nsw i64 %.2261, %.463
   %.2309 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.2263
   tail call void %.2310(ptr %.571, ptr %.2284, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.2309)
-  br i1 %or.cond9229.not, label %B68.if.lr.ph.i, label %B1892
+  br i1 %or.cond9227.not, label %B68.if.lr.ph.i, label %B1892
 
 B2046.if:                                         ; preds = %B1894, %B2152
-  %looked.2.19269 = phi i1 [ %"$phi2152.1.2.2", %B2152 ], [ %spec.select8869, %B1894 ]
-  %good.2.19268 = phi i1 [ %"$phi2100.1.2.2", %B2152 ], [ false, %B1894 ]
-  %.2529.09267 = phi i64 [ %.2591, %B2152 ], [ %storemerge, %B1894 ]
-  %.2526.09266 = phi i64 [ %.2595, %B2152 ], [ 0, %B1894 ]
-  %.2591 = add nsw i64 %.2529.09267, -1
-  %.2595 = add nsw i64 %.2526.09266, 1
-  br i1 %good.2.19268, label %B2100, label %B2054
+  %looked.2.19266 = phi i1 [ %"$phi2152.1.2.2", %B2152 ], [ %spec.select8869, %B1894 ]
+  %good.2.19265 = phi i1 [ %"$phi2100.1.2.2", %B2152 ], [ false, %B1894 ]
+  %.2529.09264 = phi i64 [ %.2591, %B2152 ], [ %storemerge, %B1894 ]
+  %.2526.09263 = phi i64 [ %.2595, %B2152 ], [ 0, %B1894 ]
+  %.2591 = add nsw i64 %.2529.09264, -1
+  %.2595 = add nsw i64 %.2526.09263, 1
+  br i1 %good.2.19265, label %B2100, label %B2054
 
 B2228.if:                                         ; preds = %B2226.preheader, %B2834
-  %checked.3.29279 = phi i1 [ %checked.4.3, %B2834 ], [ false, %B2226.preheader ]
-  %within.3.29278 = phi i1 [ %within.4.3, %B2834 ], [ false, %B2226.preheader ]
-  %.2876.09277 = phi i64 [ %.2945, %B2834 ], [ %storemerge, %B2226.preheader ]
-  %.2873.09276 = phi i64 [ %.2949, %B2834 ], [ 0, %B2226.preheader ]
-  %.2945 = add nsw i64 %.2876.09277, -1
-  %.2949 = add nsw i64 %.2873.09276, 1
-  %.3030 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2873.09276
+  %checked.3.29276 = phi i1 [ %checked.4.3, %B2834 ], [ false, %B2226.preheader ]
+  %within.3.29275 = phi i1 [ %within.4.3, %B2834 ], [ false, %B2226.preheader ]
+  %.2876.09274 = phi i64 [ %.2945, %B2834 ], [ %storemerge, %B2226.preheader ]
+  %.2873.09273 = phi i64 [ %.2949, %B2834 ], [ 0, %B2226.preheader ]
+  %.2945 = add nsw i64 %.2876.09274, -1
+  %.2949 = add nsw i64 %.2873.09273, 1
+  %.3030 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.2873.09273
   %.3031 = load i64, ptr %.3030, align 8
-  %.3081 = getelementptr i64, ptr %38, i64 %.2873.09276
+  %.3081 = getelementptr i64, ptr %38, i64 %.2873.09273
   %.3082 = load i64, ptr %.3081, align 8
-  %.3138 = getelementptr double, ptr %39, i64 %.2873.09276
+  %.3138 = getelementptr double, ptr %39, i64 %.2873.09273
   store double 0.000000e+00, ptr %.3138, align 8
   %.3141 = icmp sgt i64 %.3031, -1
   br i1 %.3141, label %B2358, label %B2834
 
-B46.i2159:                                        ; preds = %B2406
-  %.120.i2185 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i2151
-  %.121.i2186 = load i64, ptr %.120.i2185, align 8, !noalias !50
-  %.122.i2187 = icmp eq i64 %.121.i2186, 0
-  br i1 %.122.i2187, label %B80.i2192, label %B2516
+B46.i2160:                                        ; preds = %B2406
+  %.120.i2186 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i2152
+  %.121.i2187 = load i64, ptr %.120.i2186, align 8, !noalias !50
+  %.122.i2188 = icmp eq i64 %.121.i2187, 0
+  br i1 %.122.i2188, label %B80.i2193, label %B2516
 
-B80.i2192:                                        ; preds = %B46.i2159
-  store i64 %.5.i, ptr %.120.i2185, align 8, !noalias !50
+B80.i2193:                                        ; preds = %B46.i2160
+  store i64 %.5.i, ptr %.120.i2186, align 8, !noalias !50
   br label %B2516
 
 B3058.endif.if:                                   ; preds = %B3058
@@ -5936,18 +6021,18 @@ B3746.if:                                         ; preds = %_ZN5pages5looks12wa
   br label %common.ret
 
 B4132.if:                                         ; preds = %B4090, %B5293
-  %active.5.29422 = phi i64 [ %active.6.3, %B5293 ], [ 0, %B4090 ]
-  %budget.5.29421 = phi i64 [ %budget.6.3, %B5293 ], [ %.1139, %B4090 ]
-  %.5332.09420 = phi i64 [ %.5401, %B5293 ], [ %storemerge, %B4090 ]
-  %.5329.09419 = phi i64 [ %.5405, %B5293 ], [ 0, %B4090 ]
-  %.5401 = add nsw i64 %.5332.09420, -1
-  %.5405 = add nsw i64 %.5329.09419, 1
-  %.5486 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5329.09419
+  %active.5.29419 = phi i64 [ %active.6.3, %B5293 ], [ 0, %B4090 ]
+  %budget.5.29418 = phi i64 [ %budget.6.3, %B5293 ], [ %.1139, %B4090 ]
+  %.5332.09417 = phi i64 [ %.5401, %B5293 ], [ %storemerge, %B4090 ]
+  %.5329.09416 = phi i64 [ %.5405, %B5293 ], [ 0, %B4090 ]
+  %.5401 = add nsw i64 %.5332.09417, -1
+  %.5405 = add nsw i64 %.5329.09416, 1
+  %.5486 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5329.09416
   %.5487 = load i64, ptr %.5486, align 8
   %.5492 = icmp slt i64 %.5487, 0
   br i1 %.5492, label %B5293, label %B4190
 
-B5292.endif:                                      ; preds = %B682.i1289, %B5292
+B5292.endif:                                      ; preds = %B682.i1290, %B5292
   store i64 %active.10.0, ptr %retptr, align 8
   br label %common.ret
 }
@@ -5966,13 +6051,13 @@ entry:
   %.296 = icmp sgt i64 %arg.shape.2, 4
   %. = select i1 %.296, i64 0, i64 8
   %.354 = sub nsw i64 9, %.
-  %.5201294.not = icmp slt i64 %arg.shape.0, 1
+  %.5201302.not = icmp slt i64 %arg.shape.0, 1
   %factor.op.mul = mul i64 %arg.decided, 3
-  %.idx1279 = mul i64 %arg.lane.0.5.1, 48
-  %1 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1279
-  %.idx1280 = shl i64 %arg.lane.0.5.1, 6
-  %2 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1280
-  %.287.i1291.not = icmp slt i64 %arg.shape.1, 1
+  %.idx1285 = mul i64 %arg.lane.0.5.1, 48
+  %1 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1285
+  %.idx1286 = shl i64 %arg.lane.0.5.1, 6
+  %2 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1286
+  %.287.i1299.not = icmp slt i64 %arg.shape.1, 1
   %.358.i = shl nsw i64 %arg.shape.1, 4
   %.644.reass = mul i64 %factor.op.mul, %arg.shape.0
   %.707 = getelementptr i8, ptr %arg.code.4, i64 40
@@ -5989,74 +6074,76 @@ entry:
   br label %B256.if
 
 B290.loopexit:                                    ; preds = %B122.if.i, %switch.end
-  %exitcond1310.not = icmp eq i64 %arg.shape.0, %.533
-  br i1 %exitcond1310.not, label %B358, label %B290.if
+  %exitcond1319.not = icmp eq i64 %arg.shape.0, %.533
+  br i1 %exitcond1319.not, label %B358, label %B290.if
 
 B358:                                             ; preds = %B290.loopexit, %B256.if
-  %.634 = icmp ult i64 %.341.01297, 8
-  %.1282 = select i1 %.634, i64 16, i64 17
-  %.650 = mul i64 %.644.reass, %.341.01297
+  %.634 = icmp ult i64 %.341.01305, 8
+  %.1288 = select i1 %.634, i64 16, i64 17
+  %.650 = mul i64 %.644.reass, %.341.01305
   %.708 = load i64, ptr %.707, align 8
-  %.783 = mul i64 %.779, %.1282
+  %.783 = mul i64 %.779, %.1288
   %.801 = getelementptr double, ptr %arg.arrays.0.4, i64 %.783
   %.826 = getelementptr double, ptr %arg.arrays.4.4, i64 %.650
   %.827 = inttoptr i64 %.708 to ptr
   tail call void %.827(ptr %.748, ptr %.801, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.826)
-  %.399 = icmp sgt i64 %.344.01298, 1
+  %.399 = icmp sgt i64 %.344.01306, 1
   br i1 %.399, label %B256.if, label %B600
 
 B600:                                             ; preds = %B358
-  %.9351299 = icmp sgt i64 %arg.shape.0, 0
-  br i1 %.9351299, label %B634.lr.ph, label %B1546
+  %.9351308 = icmp sgt i64 %arg.shape.0, 0
+  br i1 %.9351308, label %B634.lr.ph, label %B1548
 
 B634.lr.ph:                                       ; preds = %B600
-  %.881.11302 = add nsw i64 %arg.shape.0, -1
+  %.881.11311 = add nsw i64 %arg.shape.0, -1
+  %factor.op.mul1307 = mul i64 %arg.decided, 3
   %.idx = mul i64 %arg.lane.0.5.1, 56
   %3 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx
-  %.idx1268 = shl i64 %arg.lane.1.5.1, 5
-  %4 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx1268
-  %.idx1269 = shl i64 %arg.lane.0.5.1, 6
-  %5 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1269
-  %.idx1270 = mul i64 %arg.lane.0.5.1, 40
-  %6 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1270
-  %.1283 = select i1 %.296, i64 0, i64 7
-  %storemerge1271 = tail call i64 @llvm.smax.i64(i64 %arg.decided, i64 0)
+  %.idx1274 = shl i64 %arg.lane.1.5.1, 5
+  %4 = getelementptr i8, ptr %arg.lane.1.4, i64 %.idx1274
+  %.idx1275 = shl i64 %arg.lane.0.5.1, 6
+  %5 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1275
+  %.idx1276 = mul i64 %arg.lane.0.5.1, 40
+  %6 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1276
+  %.1289 = select i1 %.296, i64 0, i64 7
+  %storemerge1277 = tail call i64 @llvm.smax.i64(i64 %arg.decided, i64 0)
   %.194.i79 = mul nsw i64 %arg.decided, %arg.shape.0
-  %.idx1273 = mul i64 %arg.lane.0.5.1, 112
-  %7 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1273
-  %.idx1274 = mul i64 %arg.lane.0.5.1, 120
-  %8 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1274
-  %.idx1275 = mul i64 %arg.lane.0.5.1, 48
-  %9 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1275
+  %.idx1279 = mul i64 %arg.lane.0.5.1, 112
+  %7 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1279
+  %.idx1280 = mul i64 %arg.lane.0.5.1, 120
+  %8 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1280
+  %.idx1281 = mul i64 %arg.lane.0.5.1, 48
+  %9 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1281
   %.1816 = fmul double %.258, 2.000000e+00
-  %.28.i = mul i64 %arg.decided, %arg.shape.0
-  %.30.i = mul i64 %.28.i, 3
-  %storemerge.i = tail call i64 @llvm.smax.i64(i64 %arg.decided, i64 0)
-  %.454.i.i = mul i64 %.28.i, 6
-  %.456.i.2.i = mul i64 %.28.i, 12
-  %.456.i.3.i = mul i64 %.28.i, 18
-  %.456.i.4.i = mul i64 %.28.i, 24
-  %.190.i.1.i = mul i64 %.28.i, 9
-  %.190.i.2.i = mul i64 %.28.i, 15
-  %.190.i.3.i = mul i64 %.28.i, 21
-  %.idx1277 = shl i64 %arg.lane.0.5.1, 5
-  %10 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1277
+  %.41.i.reass = mul i64 %factor.op.mul1307, %arg.shape.0
+  %.239454.i = icmp sgt i64 %arg.decided, 0
+  %.183.1457.i = add nsw i64 %arg.decided, -1
+  %.454.i.i = shl i64 %.41.i.reass, 1
+  %.320.i1291 = shl nsw i64 %arg.decided, 1
+  %.456.i.2.i = shl i64 %.41.i.reass, 2
+  %.456.i.3.i = mul i64 %.41.i.reass, 6
+  %.456.i.4.i = shl i64 %.41.i.reass, 3
+  %.190.i.1.i = mul nsw i64 %.41.i.reass, 3
+  %.190.i.2.i = mul nsw i64 %.41.i.reass, 5
+  %.190.i.3.i = mul nsw i64 %.41.i.reass, 7
+  %.idx1283 = shl i64 %arg.lane.0.5.1, 5
+  %10 = getelementptr i8, ptr %arg.lane.0.4, i64 %.idx1283
   %11 = getelementptr double, ptr %arg.lane.0.4, i64 %arg.lane.0.5.1
   br label %B634
 
-B634:                                             ; preds = %B634.lr.ph, %B1542
-  %.925.sroa.0.01307 = phi i64 [ 0, %B634.lr.ph ], [ %.925.sroa.0.0, %B1542 ]
-  %.881.11306 = phi i64 [ %.881.11302, %B634.lr.ph ], [ %.881.1, %B1542 ]
-  %.878.11305 = phi i64 [ 1, %B634.lr.ph ], [ %.878.1, %B1542 ]
-  %some.2.01304 = phi i1 [ false, %B634.lr.ph ], [ %some.3.1, %B1542 ]
-  %excinfo.3.01303 = phi ptr [ null, %B634.lr.ph ], [ %excinfo.3.1, %B1542 ]
-  %.1006 = icmp slt i64 %.925.sroa.0.01307, 0
+B634:                                             ; preds = %B634.lr.ph, %B1544
+  %.925.sroa.0.01316 = phi i64 [ 0, %B634.lr.ph ], [ %.925.sroa.0.0, %B1544 ]
+  %.881.11315 = phi i64 [ %.881.11311, %B634.lr.ph ], [ %.881.1, %B1544 ]
+  %.878.11314 = phi i64 [ 1, %B634.lr.ph ], [ %.878.1, %B1544 ]
+  %some.2.01313 = phi i1 [ false, %B634.lr.ph ], [ %some.3.1, %B1544 ]
+  %excinfo.3.01312 = phi ptr [ null, %B634.lr.ph ], [ %excinfo.3.1, %B1544 ]
+  %.1006 = icmp slt i64 %.925.sroa.0.01316, 0
   %.1007 = select i1 %.1006, i64 %arg.lane.0.5.1, i64 0
-  %.1008 = add i64 %.1007, %.925.sroa.0.01307
+  %.1008 = add i64 %.1007, %.925.sroa.0.01316
   %.1029 = getelementptr double, ptr %3, i64 %.1008
   %.1030 = load double, ptr %.1029, align 8
   %.1058 = select i1 %.1006, i64 %arg.lane.1.5.1, i64 0
-  %.1059 = add i64 %.1058, %.925.sroa.0.01307
+  %.1059 = add i64 %.1058, %.925.sroa.0.01316
   %.1080 = getelementptr i64, ptr %4, i64 %.1059
   store i64 -1, ptr %.1080, align 8
   %.1131 = getelementptr double, ptr %5, i64 %.1008
@@ -6064,13 +6151,13 @@ B634:                                             ; preds = %B634.lr.ph, %B1542
   %.1182 = getelementptr i64, ptr %arg.lane.1.4, i64 %.1059
   %.1183 = load i64, ptr %.1182, align 8
   %.1184 = icmp sgt i64 %.1183, -1
-  br i1 %.1184, label %B792, label %B1542
+  br i1 %.1184, label %B792, label %B1544
 
 B792:                                             ; preds = %B634
   %.1238 = getelementptr double, ptr %6, i64 %.1008
   %.1239 = load double, ptr %.1238, align 8
   %.1240 = fcmp ogt double %.1239, 5.000000e-01
-  br i1 %.1240, label %B842, label %B1542
+  br i1 %.1240, label %B842, label %B1544
 
 B842:                                             ; preds = %B792
   %.1326 = load i64, ptr %.1080, align 8
@@ -6078,23 +6165,23 @@ B842:                                             ; preds = %B792
   br i1 %.1327, label %B940, label %B1088
 
 B940:                                             ; preds = %B842, %B1040
-  %last.2.3 = phi i64 [ %.1333, %B1040 ], [ %.1283, %B842 ]
+  %last.2.3 = phi i64 [ %.1333, %B1040 ], [ %.1289, %B842 ]
   %.1333 = add nsw i64 %last.2.3, 1
   %.151.i51 = mul nsw i64 %.1333, 3
-  %.153.i521272 = add nsw i64 %.151.i51, 1
-  %.155.i = mul i64 %.153.i521272, %arg.decided
+  %.153.i521278 = add nsw i64 %.151.i51, 1
+  %.155.i = mul i64 %.153.i521278, %arg.decided
   br label %B34.i
 
 B34.i:                                            ; preds = %B36.i, %B940
   %.51.i13.0 = phi i64 [ 0, %B940 ], [ %.122.i103, %B36.i ]
-  %exitcond1311.not = icmp eq i64 %.51.i13.0, %storemerge1271
-  br i1 %exitcond1311.not, label %B940.endif, label %B36.i
+  %exitcond1320.not = icmp eq i64 %.51.i13.0, %storemerge1277
+  br i1 %exitcond1320.not, label %B940.endif, label %B36.i
 
 B36.i:                                            ; preds = %B34.i
   %.122.i103 = add i64 %.51.i13.0, 1
   %.157.i54 = add nsw i64 %.51.i13.0, %.155.i
   %.159.i = mul nsw i64 %.157.i54, %arg.shape.0
-  %.161.i = add nsw i64 %.159.i, %.925.sroa.0.01307
+  %.161.i = add nsw i64 %.159.i, %.925.sroa.0.01316
   %.175.i63 = icmp slt i64 %.161.i, 0
   %.176.i64 = select i1 %.175.i63, i64 %arg.arrays.4.5.0, i64 0
   %12 = getelementptr double, ptr %arg.arrays.4.4, i64 %.161.i
@@ -6115,7 +6202,7 @@ B1040:                                            ; preds = %B940.endif
   br i1 %.1487, label %B940, label %B1088
 
 B1088:                                            ; preds = %B940.endif, %B1040, %B842
-  %last.3.2 = phi i64 [ %.1283, %B842 ], [ %.1333, %B1040 ], [ 8, %B940.endif ]
+  %last.3.2 = phi i64 [ %.1289, %B842 ], [ %.1333, %B1040 ], [ 8, %B940.endif ]
   br i1 %.296, label %B1096, label %B1126
 
 B1096:                                            ; preds = %B1088
@@ -6137,310 +6224,359 @@ B1126:                                            ; preds = %B1096, %B1088
   %.1736 = icmp sgt i64 %.1735, -1
   %.1746 = sext i1 %.1736 to i64
   %"$phi1274.1.2.2" = add nsw i64 %last.3.2, %.1746
-  br i1 %.296, label %B1282, label %B1490
+  br i1 %.296, label %B1282, label %B1492
 
 B1282:                                            ; preds = %B1126
   %.1813 = getelementptr double, ptr %9, i64 %.1008
   %.1814 = load double, ptr %.1813, align 8
   %.1817 = fcmp ogt double %.1814, %.1816
-  br i1 %.1817, label %B1340, label %B1490
+  br i1 %.1817, label %B1340, label %B1492
 
 B1340:                                            ; preds = %B1282
+  %.96.i = load double, ptr %.1029, align 8, !noalias !303
+  %.97.i = tail call double @llvm.fabs.f64(double %.96.i)
+  %.98.i = fmul double %.97.i, 1.000000e-15
+  %.152.i = fdiv double %.98.i, %.1814
+  br i1 %.239454.i, label %B178.lr.ph.i, label %_ZN5pages5looks8may_hideB3v27B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+
+B178.lr.ph.i:                                     ; preds = %B1340
   %16 = tail call i64 @llvm.smax.i64(i64 range(i64 -1, 9) %"$phi1274.1.2.2", i64 0)
-  %storemerge306.i = tail call i64 @llvm.smin.i64(i64 %16, i64 7)
-  %.310339.i = icmp sgt i64 %"$phi1274.1.2.2", 0
-  %.253.1341.i = select i1 %.310339.i, i64 2, i64 1
-  %.319342.i = sext i1 %.310339.i to i64
-  %.256.1343.i = add nsw i64 %storemerge306.i, %.319342.i
-  %.300.sroa.0.0344.i = zext i1 %.310339.i to i64
-  br label %B50.i
+  %storemerge409.i = tail call i64 @llvm.smin.i64(i64 %16, i64 7)
+  %.690444.i = icmp sgt i64 %"$phi1274.1.2.2", 0
+  %.633.1446.i = select i1 %.690444.i, i64 2, i64 1
+  %.699447.i = sext i1 %.690444.i to i64
+  %.636.1448.i = add nsw i64 %storemerge409.i, %.699447.i
+  %.680.sroa.0.0449.i = zext i1 %.690444.i to i64
+  br label %B178.i
 
-B50.i:                                            ; preds = %B860.i, %B1340
-  %.58.0.i = phi i64 [ 0, %B1340 ], [ %.130.i, %B860.i ]
-  %exitcond.not.i = icmp eq i64 %.58.0.i, %storemerge.i
-  br i1 %exitcond.not.i, label %_ZN5pages5looks8may_hideB3v27B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit, label %B52.if.i
-
-B216.i:                                           ; preds = %B216.lr.ph.i, %B935.i
-  %.300.sroa.0.0348.i = phi i64 [ %.300.sroa.0.0344.i, %B216.lr.ph.i ], [ %.300.sroa.0.0.i, %B935.i ]
-  %.256.1347.i = phi i64 [ %.256.1343.i, %B216.lr.ph.i ], [ %.256.1.i, %B935.i ]
-  %.253.1346.i = phi i64 [ %.253.1341.i, %B216.lr.ph.i ], [ %.253.1.i, %B935.i ]
-  %nearest.3.1345.i = phi double [ 0x7FF0000000000000, %B216.lr.ph.i ], [ %nearest.4.2.i, %B935.i ]
-  %.352.i = add nsw i64 %.300.sroa.0.0348.i, -1
-  %.354.i = mul nsw i64 %.352.i, %.30.i
-  %.356.i = add nsw i64 %.354.i, %.160.i
-  %.370.i = icmp slt i64 %.356.i, 0
-  %.371.i = select i1 %.370.i, i64 %arg.arrays.4.5.0, i64 0
-  %17 = getelementptr double, ptr %arg.arrays.4.4, i64 %.356.i
-  %.385.i = getelementptr double, ptr %17, i64 %.371.i
-  %.386.i = load double, ptr %.385.i, align 8, !noalias !303
-  %.389.i = mul nsw i64 %.300.sroa.0.0348.i, %.30.i
-  %.391.i = add nsw i64 %.389.i, %.160.i
-  %.405.i = icmp slt i64 %.391.i, 0
-  %.406.i = select i1 %.405.i, i64 %arg.arrays.4.5.0, i64 0
-  %18 = getelementptr double, ptr %arg.arrays.4.4, i64 %.391.i
-  %.420.i = getelementptr double, ptr %18, i64 %.406.i
-  %.421.i = load double, ptr %.420.i, align 8, !noalias !303
-  %.423.i = add nsw i64 %.300.sroa.0.0348.i, 1
-  %.425.i = mul nsw i64 %.423.i, %.30.i
-  %.427.i = add nsw i64 %.425.i, %.160.i
-  %.441.i = icmp slt i64 %.427.i, 0
-  %.442.i = select i1 %.441.i, i64 %arg.arrays.4.5.0, i64 0
-  %19 = getelementptr double, ptr %arg.arrays.4.4, i64 %.427.i
-  %.456.i = getelementptr double, ptr %19, i64 %.442.i
-  %.457.i = load double, ptr %.456.i, align 8, !noalias !303
-  %.480.i1284 = fcmp olt double %.421.i, 0.000000e+00
-  %.483.i = fneg double %.386.i
-  %.487.i = fneg double %.421.i
-  %.491.i = fneg double %.457.i
-  %c.2.2.i = select i1 %.480.i1284, double %.491.i, double %.457.i
-  %b.2.2.i = select i1 %.480.i1284, double %.487.i, double %.421.i
-  %a.2.2.i = select i1 %.480.i1284, double %.483.i, double %.386.i
-  %.508.i = icmp eq i64 %.300.sroa.0.0348.i, 1
-  %.515.i = fcmp ogt double %a.2.2.i, 0.000000e+00
-  %or.cond.i = select i1 %.508.i, i1 true, i1 %.515.i
-  br i1 %or.cond.i, label %B368.i, label %B424.i
-
-B368.i:                                           ; preds = %B216.i
-  %.521.i = icmp eq i64 %.300.sroa.0.0348.i, %"$phi1274.1.2.2"
-  %.527.i = fcmp ogt double %c.2.2.i, 0.000000e+00
-  %or.cond307.i = select i1 %.521.i, i1 true, i1 %.527.i
-  br i1 %or.cond307.i, label %B392.i, label %B424.i
-
-B392.i:                                           ; preds = %B368.i
-  %.10.i.i = fcmp olt double %b.2.2.i, %nearest.3.1345.i
-  %.11.i.i = select i1 %.10.i.i, double %b.2.2.i, double %nearest.3.1345.i
-  br label %B424.i
-
-B424.i:                                           ; preds = %B392.i, %B368.i, %B216.i
-  %nearest.6.3.i = phi double [ %.11.i.i, %B392.i ], [ %nearest.3.1345.i, %B368.i ], [ %nearest.3.1345.i, %B216.i ]
-  %.572.i = icmp slt i64 %.300.sroa.0.0348.i, %"$phi1274.1.2.2"
-  br i1 %.572.i, label %B436.i, label %B935.i
-
-B436.i:                                           ; preds = %B424.i
-  %.581.i = fsub double %a.2.2.i, %b.2.2.i
-  %.582.i = tail call double @llvm.fabs.f64(double %.581.i)
-  %.585.i = fsub double %c.2.2.i, %b.2.2.i
-  %.586.i = tail call double @llvm.fabs.f64(double %.585.i)
-  %.587.i = fadd double %.582.i, %.586.i
-  %.588.i = fmul double %.587.i, 3.000000e+00
-  %.589.i = fadd double %.578.i, %.588.i
-  %.591.i = fcmp olt double %b.2.2.i, %.589.i
-  br i1 %.591.i, label %B546.i, label %B935.i
-
-B546.i:                                           ; preds = %B436.i
-  %switch.tableidx6 = add i64 %.300.sroa.0.0348.i, 9
-  %20 = icmp ult i64 %switch.tableidx6, 18
-  br i1 %20, label %switch.lookup7, label %_ZN5pages5looks8may_hideB3v27B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit
-
-B752.i:                                           ; preds = %switch.lookup19
-  %.800.i = fneg double %.741.i
-  %.804.i = fmul double %.790.i, 5.000000e-01
-  %.809.i = fdiv double %.804.i, %.773.i
-  %.810.i = fcmp ogt double %.809.i, %.800.i
-  %.820.i = fcmp olt double %.809.i, %.667.i
-  %or.cond309.i = and i1 %.810.i, %.820.i
-  br i1 %or.cond309.i, label %B792.i, label %B935.i
-
-B792.i:                                           ; preds = %B752.i
-  %.847.i = fmul double %.790.i, 2.500000e-01
-  %.849.i = fmul double %.790.i, %.847.i
-  %.856.i = fdiv double %.849.i, %.773.i
-  %.860.i = fsub double %b.2.2.i, %.856.i
-  %.10.i310.i = fcmp olt double %.860.i, %nearest.6.3.i
-  %.11.i311.i = select i1 %.10.i310.i, double %.860.i, double %nearest.6.3.i
-  br label %B935.i
-
-B860.i:                                           ; preds = %B935.i, %B52.if.i
-  %nearest.3.1.lcssa.i = phi double [ 0x7FF0000000000000, %B52.if.i ], [ %nearest.4.2.i, %B935.i ]
-  %.929.i = add nsw i64 %.160.i, %.28.i
-  %.945.i = icmp slt i64 %.929.i, 0
-  %.946.i = select i1 %.945.i, i64 %arg.arrays.4.5.0, i64 0
-  %21 = getelementptr double, ptr %arg.arrays.4.4, i64 %.929.i
-  %.960.i = getelementptr double, ptr %21, i64 %.946.i
-  %.961.i = load double, ptr %.960.i, align 8, !noalias !303
-  %.963.i = fcmp ule double %.11.i.i.3.i, %.961.i
-  %.966.i = fmul double %.11.i.i.3.i, 1.000000e+01
-  %.970.i = fcmp ugt double %nearest.3.1.lcssa.i, %.966.i
-  %or.cond308.i = select i1 %.963.i, i1 true, i1 %.970.i
-  br i1 %or.cond308.i, label %B50.i, label %_ZN5pages5looks8may_hideB3v27B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit
-
-B935.i:                                           ; preds = %switch.lookup19, %B792.i, %B752.i, %B436.i, %B424.i
-  %nearest.4.2.i = phi double [ %nearest.6.3.i, %B752.i ], [ %.11.i311.i, %B792.i ], [ %nearest.6.3.i, %B424.i ], [ %nearest.6.3.i, %switch.lookup19 ], [ %nearest.6.3.i, %B436.i ]
-  %.310.i = icmp sgt i64 %.256.1347.i, 0
-  %.323.i = zext i1 %.310.i to i64
-  %.253.1.i = add i64 %.253.1346.i, %.323.i
-  %.319.i = sext i1 %.310.i to i64
-  %.256.1.i = add nsw i64 %.256.1347.i, %.319.i
-  %.300.sroa.0.0.i = select i1 %.310.i, i64 %.253.1346.i, i64 0
-  br i1 %.310.i, label %B216.i, label %B860.i
-
-B52.if.i:                                         ; preds = %B50.i
-  %.130.i = add i64 %.58.0.i, 1
-  %.156.i = add nsw i64 %.58.0.i, %arg.decided
-  %.158.i = mul nsw i64 %.156.i, %arg.shape.0
-  %.160.i = add nsw i64 %.158.i, %.925.sroa.0.01307
-  %.192.i.i = add nsw i64 %.160.i, %.30.i
+B178.i:                                           ; preds = %B1225.i, %B178.lr.ph.i
+  %.229.sroa.0.0461.i = phi i64 [ 0, %B178.lr.ph.i ], [ %.229.sroa.0.0.i, %B1225.i ]
+  %.183.1460.i = phi i64 [ %.183.1457.i, %B178.lr.ph.i ], [ %.183.1.i, %B1225.i ]
+  %.180.1459.i = phi i64 [ 1, %B178.lr.ph.i ], [ %.180.1.i, %B1225.i ]
+  %.278.i = add nsw i64 %.229.sroa.0.0461.i, %arg.decided
+  %.280.i = mul nsw i64 %.278.i, %arg.shape.0
+  %.282.i = add nsw i64 %.280.i, %.925.sroa.0.01316
+  %.192.i.i = add nsw i64 %.282.i, %.41.i.reass
   %.206.i.i = icmp slt i64 %.192.i.i, 0
   %.207.i.i = select i1 %.206.i.i, i64 %arg.arrays.4.5.0, i64 0
-  %22 = getelementptr double, ptr %arg.arrays.4.4, i64 %.192.i.i
-  %.221.i.i = getelementptr double, ptr %22, i64 %.207.i.i
+  %17 = getelementptr double, ptr %arg.arrays.4.4, i64 %.192.i.i
+  %.221.i.i = getelementptr double, ptr %17, i64 %.207.i.i
   %.222.i.i = load double, ptr %.221.i.i, align 8, !noalias !307
-  %.472.i.i = icmp slt i64 %.160.i, 0
+  %.472.i.i = icmp slt i64 %.282.i, 0
   %.473.i.i = select i1 %.472.i.i, i64 %arg.arrays.4.5.0, i64 0
-  %23 = getelementptr double, ptr %arg.arrays.4.4, i64 %.160.i
-  %.487.i.i = getelementptr double, ptr %23, i64 %.473.i.i
+  %18 = getelementptr double, ptr %arg.arrays.4.4, i64 %.282.i
+  %.487.i.i = getelementptr double, ptr %18, i64 %.473.i.i
   %.488.i.i = load double, ptr %.487.i.i, align 8, !noalias !307
   %.489.i.i = fmul double %.488.i.i, 0x3FDDF27AAAADCB3A
   %.491.i.i = fsub double %.222.i.i, %.489.i.i
-  %.458.i.1.i = add nsw i64 %.160.i, %.454.i.i
+  %.458.i.1.i = add nsw i64 %.282.i, %.454.i.i
   %.472.i.1.i = icmp slt i64 %.458.i.1.i, 0
   %.473.i.1.i = select i1 %.472.i.1.i, i64 %arg.arrays.4.5.0, i64 0
-  %24 = getelementptr double, ptr %arg.arrays.4.4, i64 %.458.i.1.i
-  %.487.i.1.i = getelementptr double, ptr %24, i64 %.473.i.1.i
+  %19 = getelementptr double, ptr %arg.arrays.4.4, i64 %.458.i.1.i
+  %.487.i.1.i = getelementptr double, ptr %19, i64 %.473.i.1.i
   %.488.i.1.i = load double, ptr %.487.i.1.i, align 8, !noalias !307
   %.489.i.1.i = fmul double %.488.i.1.i, 0x3FEC575F1EBC4F2F
   %.491.i.1.i = fsub double %.491.i.i, %.489.i.1.i
-  %.458.i.2.i = add nsw i64 %.160.i, %.456.i.2.i
+  %.458.i.2.i = add nsw i64 %.282.i, %.456.i.2.i
   %.472.i.2.i = icmp slt i64 %.458.i.2.i, 0
   %.473.i.2.i = select i1 %.472.i.2.i, i64 %arg.arrays.4.5.0, i64 0
-  %25 = getelementptr double, ptr %arg.arrays.4.4, i64 %.458.i.2.i
-  %.487.i.2.i = getelementptr double, ptr %25, i64 %.473.i.2.i
+  %20 = getelementptr double, ptr %arg.arrays.4.4, i64 %.458.i.2.i
+  %.487.i.2.i = getelementptr double, ptr %20, i64 %.473.i.2.i
   %.488.i.2.i = load double, ptr %.487.i.2.i, align 8, !noalias !307
   %.489.i.2.i = fmul double %.488.i.2.i, 0x3FE1306AA3D795F4
-  %26 = fadd double %.491.i.1.i, %.489.i.2.i
-  %.458.i.3.i = add nsw i64 %.160.i, %.456.i.3.i
+  %21 = fadd double %.491.i.1.i, %.489.i.2.i
+  %.458.i.3.i = add nsw i64 %.282.i, %.456.i.3.i
   %.472.i.3.i = icmp slt i64 %.458.i.3.i, 0
   %.473.i.3.i = select i1 %.472.i.3.i, i64 %arg.arrays.4.5.0, i64 0
-  %27 = getelementptr double, ptr %arg.arrays.4.4, i64 %.458.i.3.i
-  %.487.i.3.i = getelementptr double, ptr %27, i64 %.473.i.3.i
+  %22 = getelementptr double, ptr %arg.arrays.4.4, i64 %.458.i.3.i
+  %.487.i.3.i = getelementptr double, ptr %22, i64 %.473.i.3.i
   %.488.i.3.i = load double, ptr %.487.i.3.i, align 8, !noalias !307
   %.489.i.3.i = fmul double %.488.i.3.i, 0x3FCCB9F574BDCC3A
-  %.491.i.3.i = fsub double %26, %.489.i.3.i
-  %.458.i.4.i = add nsw i64 %.160.i, %.456.i.4.i
+  %.491.i.3.i = fsub double %21, %.489.i.3.i
+  %.458.i.4.i = add nsw i64 %.282.i, %.456.i.4.i
   %.472.i.4.i = icmp slt i64 %.458.i.4.i, 0
   %.473.i.4.i = select i1 %.472.i.4.i, i64 %arg.arrays.4.5.0, i64 0
-  %28 = getelementptr double, ptr %arg.arrays.4.4, i64 %.458.i.4.i
-  %.487.i.4.i = getelementptr double, ptr %28, i64 %.473.i.4.i
+  %23 = getelementptr double, ptr %arg.arrays.4.4, i64 %.458.i.4.i
+  %.487.i.4.i = getelementptr double, ptr %23, i64 %.473.i.4.i
   %.488.i.4.i = load double, ptr %.487.i.4.i, align 8, !noalias !307
   %.489.i.4.i = fmul double %.488.i.4.i, 0x3FA4EAF2D6B11E79
-  %29 = fadd double %.491.i.3.i, %.489.i.4.i
-  %.502.i.i = tail call double @llvm.fabs.f64(double %29)
+  %24 = fadd double %.491.i.3.i, %.489.i.4.i
+  %.502.i.i = tail call double @llvm.fabs.f64(double %24)
   %.10.i.i.i = fcmp ogt double %.502.i.i, 0.000000e+00
   %.11.i.i.i = select i1 %.10.i.i.i, double %.502.i.i, double 0.000000e+00
-  %.192.i.1.i = add nsw i64 %.160.i, %.190.i.1.i
+  %.192.i.1.i = add nsw i64 %.282.i, %.190.i.1.i
   %.206.i.1.i = icmp slt i64 %.192.i.1.i, 0
   %.207.i.1.i = select i1 %.206.i.1.i, i64 %arg.arrays.4.5.0, i64 0
-  %30 = getelementptr double, ptr %arg.arrays.4.4, i64 %.192.i.1.i
-  %.221.i.1.i = getelementptr double, ptr %30, i64 %.207.i.1.i
+  %25 = getelementptr double, ptr %arg.arrays.4.4, i64 %.192.i.1.i
+  %.221.i.1.i = getelementptr double, ptr %25, i64 %.207.i.1.i
   %.222.i.1.i = load double, ptr %.221.i.1.i, align 8, !noalias !307
-  %.489.i.1384.i = fmul double %.488.i.i, 0x3FA5118805F8B876
-  %31 = fadd double %.222.i.1.i, %.489.i.1384.i
+  %.489.i.1499.i = fmul double %.488.i.i, 0x3FA5118805F8B876
+  %26 = fadd double %.222.i.1.i, %.489.i.1499.i
   %.489.i.1.1.i = fmul double %.488.i.1.i, 0x3FE51326698BC5BD
-  %.491.i.1.1.i = fsub double %31, %.489.i.1.1.i
+  %.491.i.1.1.i = fsub double %26, %.489.i.1.1.i
   %.489.i.2.1.i = fmul double %.488.i.2.i, 0x3FDF97DED30D4572
   %.491.i.2.1.i = fsub double %.491.i.1.1.i, %.489.i.2.1.i
   %.489.i.3.1.i = fmul double %.488.i.3.i, 0x3FC0DA0C684D1D67
-  %32 = fadd double %.491.i.2.1.i, %.489.i.3.1.i
+  %27 = fadd double %.491.i.2.1.i, %.489.i.3.1.i
   %.489.i.4.1.i = fmul double %.488.i.4.i, 0x3F9510B8EC0D4D92
-  %.491.i.4.1.i = fsub double %32, %.489.i.4.1.i
+  %.491.i.4.1.i = fsub double %27, %.489.i.4.1.i
   %.502.i.1.i = tail call double @llvm.fabs.f64(double %.491.i.4.1.i)
   %.10.i.i.1.i = fcmp ogt double %.502.i.1.i, %.11.i.i.i
   %.11.i.i.1.i = select i1 %.10.i.i.1.i, double %.502.i.1.i, double %.11.i.i.i
-  %.192.i.2.i = add nsw i64 %.160.i, %.190.i.2.i
+  %.192.i.2.i = add nsw i64 %.282.i, %.190.i.2.i
   %.206.i.2.i = icmp slt i64 %.192.i.2.i, 0
   %.207.i.2.i = select i1 %.206.i.2.i, i64 %arg.arrays.4.5.0, i64 0
-  %33 = getelementptr double, ptr %arg.arrays.4.4, i64 %.192.i.2.i
-  %.221.i.2.i = getelementptr double, ptr %33, i64 %.207.i.2.i
+  %28 = getelementptr double, ptr %arg.arrays.4.4, i64 %.192.i.2.i
+  %.221.i.2.i = getelementptr double, ptr %28, i64 %.207.i.2.i
   %.222.i.2.i = load double, ptr %.221.i.2.i, align 8, !noalias !307
-  %.489.i.2411.i = fmul double %.488.i.i, 0x3F9635A30F8F142F
-  %.491.i.2412.i = fsub double %.222.i.2.i, %.489.i.2411.i
+  %.489.i.2526.i = fmul double %.488.i.i, 0x3F9635A30F8F142F
+  %.491.i.2527.i = fsub double %.222.i.2.i, %.489.i.2526.i
   %.489.i.1.2.i = fmul double %.488.i.1.i, 0x3FC1EAE0FF33D241
-  %34 = fadd double %.491.i.2412.i, %.489.i.1.2.i
+  %29 = fadd double %.491.i.2527.i, %.489.i.1.2.i
   %.489.i.2.2.i = fmul double %.488.i.2.i, 0x3FE1625D59218460
-  %.491.i.2.2.i = fsub double %34, %.489.i.2.2.i
+  %.491.i.2.2.i = fsub double %29, %.489.i.2.2.i
   %.489.i.3.2.i = fmul double %.488.i.3.i, 0x3FE3BBC3E8A29641
   %.491.i.3.2.i = fsub double %.491.i.2.2.i, %.489.i.3.2.i
   %.489.i.4.2.i = fmul double %.488.i.4.i, 0x3FA55161A739EB34
-  %35 = fadd double %.491.i.3.2.i, %.489.i.4.2.i
-  %.502.i.2.i = tail call double @llvm.fabs.f64(double %35)
+  %30 = fadd double %.491.i.3.2.i, %.489.i.4.2.i
+  %.502.i.2.i = tail call double @llvm.fabs.f64(double %30)
   %.10.i.i.2.i = fcmp ogt double %.502.i.2.i, %.11.i.i.1.i
   %.11.i.i.2.i = select i1 %.10.i.i.2.i, double %.502.i.2.i, double %.11.i.i.1.i
-  %.192.i.3.i = add nsw i64 %.160.i, %.190.i.3.i
+  %.192.i.3.i = add nsw i64 %.282.i, %.190.i.3.i
   %.206.i.3.i = icmp slt i64 %.192.i.3.i, 0
   %.207.i.3.i = select i1 %.206.i.3.i, i64 %arg.arrays.4.5.0, i64 0
-  %36 = getelementptr double, ptr %arg.arrays.4.4, i64 %.192.i.3.i
-  %.221.i.3.i = getelementptr double, ptr %36, i64 %.207.i.3.i
+  %31 = getelementptr double, ptr %arg.arrays.4.4, i64 %.192.i.3.i
+  %.221.i.3.i = getelementptr double, ptr %31, i64 %.207.i.3.i
   %.222.i.3.i = load double, ptr %.221.i.3.i, align 8, !noalias !307
-  %.489.i.3438.i = fmul double %.488.i.i, 0x3FA4F0C0BB579409
-  %37 = fadd double %.222.i.3.i, %.489.i.3438.i
+  %.489.i.3553.i = fmul double %.488.i.i, 0x3FA4F0C0BB579409
+  %32 = fadd double %.222.i.3.i, %.489.i.3553.i
   %.489.i.1.3.i = fmul double %.488.i.1.i, 0x3FCD2266FBC0D976
-  %.491.i.1.3.i = fsub double %37, %.489.i.1.3.i
+  %.491.i.1.3.i = fsub double %32, %.489.i.1.3.i
   %.489.i.2.3.i = fmul double %.488.i.2.i, 0x3FE1F2DB6FEE3151
-  %38 = fadd double %.491.i.1.3.i, %.489.i.2.3.i
+  %33 = fadd double %.491.i.1.3.i, %.489.i.2.3.i
   %.489.i.3.3.i = fmul double %.488.i.3.i, 0x3FF0C05015964CBE
-  %.491.i.3.3.i = fsub double %38, %.489.i.3.3.i
+  %.491.i.3.3.i = fsub double %33, %.489.i.3.3.i
   %.489.i.4.3.i = fmul double %.488.i.4.i, 0x3FD4F15B230DB570
   %.491.i.4.3.i = fsub double %.491.i.3.3.i, %.489.i.4.3.i
   %.502.i.3.i = tail call double @llvm.fabs.f64(double %.491.i.4.3.i)
   %.10.i.i.3.i = fcmp ogt double %.502.i.3.i, %.11.i.i.2.i
   %.11.i.i.3.i = select i1 %.10.i.i.3.i, double %.502.i.3.i, double %.11.i.i.2.i
-  br i1 %.310339.i, label %B216.lr.ph.i, label %B860.i
+  %.321.i1292 = add nsw i64 %.229.sroa.0.0461.i, %.320.i1291
+  %.323.i = mul nsw i64 %.321.i1292, %arg.shape.0
+  %.325.i = add nsw i64 %.323.i, %.925.sroa.0.01316
+  %34 = getelementptr double, ptr %arg.arrays.4.4, i64 %.325.i
+  %.339.i = icmp slt i64 %.325.i, 0
+  %.340.i = select i1 %.339.i, i64 %arg.arrays.4.5.0, i64 0
+  %.354.i = getelementptr double, ptr %34, i64 %.340.i
+  %.355.i = load double, ptr %.354.i, align 8, !noalias !303
+  %.548.i = fsub double %.222.i.i, %.488.i.i
+  %.549.i = tail call double @llvm.fabs.f64(double %.548.i)
+  %.551.i = fmul double %.152.i, %.549.i
+  %.553.i = fadd double %.551.i, %.355.i
+  %.548.1.i = fsub double %.488.i.1.i, %.222.i.i
+  %.549.1.i = tail call double @llvm.fabs.f64(double %.548.1.i)
+  %.551.1.i = fmul double %.152.i, %.549.1.i
+  %.553.1.i = fadd double %.551.1.i, %.553.i
+  %.548.2.i = fsub double %.222.i.1.i, %.488.i.1.i
+  %.549.2.i = tail call double @llvm.fabs.f64(double %.548.2.i)
+  %.551.2.i = fmul double %.152.i, %.549.2.i
+  %.553.2.i = fadd double %.551.2.i, %.553.1.i
+  %.548.3.i = fsub double %.488.i.2.i, %.222.i.1.i
+  %.549.3.i = tail call double @llvm.fabs.f64(double %.548.3.i)
+  %.551.3.i = fmul double %.152.i, %.549.3.i
+  %.553.3.i = fadd double %.551.3.i, %.553.2.i
+  %.548.4.i = fsub double %.222.i.2.i, %.488.i.2.i
+  %.549.4.i = tail call double @llvm.fabs.f64(double %.548.4.i)
+  %.551.4.i = fmul double %.152.i, %.549.4.i
+  %.553.4.i = fadd double %.551.4.i, %.553.3.i
+  %.548.5.i = fsub double %.488.i.3.i, %.222.i.2.i
+  %.549.5.i = tail call double @llvm.fabs.f64(double %.548.5.i)
+  %.551.5.i = fmul double %.152.i, %.549.5.i
+  %.553.5.i = fadd double %.551.5.i, %.553.4.i
+  %.548.6.i = fsub double %.222.i.3.i, %.488.i.3.i
+  %.549.6.i = tail call double @llvm.fabs.f64(double %.548.6.i)
+  %.551.6.i = fmul double %.152.i, %.549.6.i
+  %.553.6.i = fadd double %.551.6.i, %.553.5.i
+  %.548.7.i = fsub double %.488.i.4.i, %.222.i.3.i
+  %.549.7.i = tail call double @llvm.fabs.f64(double %.548.7.i)
+  %.551.7.i = fmul double %.152.i, %.549.7.i
+  %.553.7.i = fadd double %.551.7.i, %.553.6.i
+  %.563.i = fcmp ugt double %.11.i.i.3.i, %.553.7.i
+  br i1 %.563.i, label %B462.i, label %B1225.i
 
-B216.lr.ph.i:                                     ; preds = %B52.if.i
-  %.578.i = fmul double %.11.i.i.3.i, 1.000000e+01
-  br label %B216.i
+B462.i:                                           ; preds = %B178.i
+  br i1 %.690444.i, label %B542.lr.ph.i, label %B1186.i
 
-switch.lookup7:                                   ; preds = %B546.i
-  %switch.tableidx10 = add i64 %.300.sroa.0.0348.i, 8
+B542.lr.ph.i:                                     ; preds = %B462.i
+  %.958.i = fmul double %.11.i.i.3.i, 1.000000e+01
+  br label %B542.i
+
+B542.i:                                           ; preds = %B1226.i, %B542.lr.ph.i
+  %.680.sroa.0.0453.i = phi i64 [ %.680.sroa.0.0449.i, %B542.lr.ph.i ], [ %.680.sroa.0.0.i, %B1226.i ]
+  %.636.1452.i = phi i64 [ %.636.1448.i, %B542.lr.ph.i ], [ %.636.1.i, %B1226.i ]
+  %.633.1451.i = phi i64 [ %.633.1446.i, %B542.lr.ph.i ], [ %.633.1.i, %B1226.i ]
+  %nearest.3.2450.i = phi double [ 0x7FF0000000000000, %B542.lr.ph.i ], [ %nearest.4.3.i, %B1226.i ]
+  %.732.i = add nsw i64 %.680.sroa.0.0453.i, -1
+  %.734.i = mul nsw i64 %.732.i, %.41.i.reass
+  %.736.i = add nsw i64 %.734.i, %.282.i
+  %.750.i = icmp slt i64 %.736.i, 0
+  %.751.i = select i1 %.750.i, i64 %arg.arrays.4.5.0, i64 0
+  %35 = getelementptr double, ptr %arg.arrays.4.4, i64 %.736.i
+  %.765.i = getelementptr double, ptr %35, i64 %.751.i
+  %.766.i = load double, ptr %.765.i, align 8, !noalias !303
+  %.769.i = mul nsw i64 %.680.sroa.0.0453.i, %.41.i.reass
+  %.771.i = add nsw i64 %.769.i, %.282.i
+  %.785.i = icmp slt i64 %.771.i, 0
+  %.786.i = select i1 %.785.i, i64 %arg.arrays.4.5.0, i64 0
+  %36 = getelementptr double, ptr %arg.arrays.4.4, i64 %.771.i
+  %.800.i = getelementptr double, ptr %36, i64 %.786.i
+  %.801.i = load double, ptr %.800.i, align 8, !noalias !303
+  %.803.i = add nsw i64 %.680.sroa.0.0453.i, 1
+  %.805.i = mul nsw i64 %.803.i, %.41.i.reass
+  %.807.i = add nsw i64 %.805.i, %.282.i
+  %.821.i = icmp slt i64 %.807.i, 0
+  %.822.i = select i1 %.821.i, i64 %arg.arrays.4.5.0, i64 0
+  %37 = getelementptr double, ptr %arg.arrays.4.4, i64 %.807.i
+  %.836.i = getelementptr double, ptr %37, i64 %.822.i
+  %.837.i = load double, ptr %.836.i, align 8, !noalias !303
+  %.860.i = fcmp olt double %.801.i, 0.000000e+00
+  %.863.i = fneg double %.766.i
+  %.867.i = fneg double %.801.i
+  %.871.i = fneg double %.837.i
+  %c.2.3.i = select i1 %.860.i, double %.871.i, double %.837.i
+  %b.2.3.i = select i1 %.860.i, double %.867.i, double %.801.i
+  %a.2.3.i = select i1 %.860.i, double %.863.i, double %.766.i
+  %.888.i = icmp eq i64 %.680.sroa.0.0453.i, 1
+  %.895.i = fcmp ogt double %a.2.3.i, 0.000000e+00
+  %or.cond.i = select i1 %.888.i, i1 true, i1 %.895.i
+  br i1 %or.cond.i, label %B694.i, label %B750.i
+
+B694.i:                                           ; preds = %B542.i
+  %.901.i = icmp eq i64 %.680.sroa.0.0453.i, %"$phi1274.1.2.2"
+  %.907.i = fcmp ogt double %c.2.3.i, 0.000000e+00
+  %or.cond410.i = select i1 %.901.i, i1 true, i1 %.907.i
+  br i1 %or.cond410.i, label %B718.i, label %B750.i
+
+B718.i:                                           ; preds = %B694.i
+  %.10.i.i = fcmp olt double %b.2.3.i, %nearest.3.2450.i
+  %.11.i412.i = select i1 %.10.i.i, double %b.2.3.i, double %nearest.3.2450.i
+  br label %B750.i
+
+B750.i:                                           ; preds = %B718.i, %B694.i, %B542.i
+  %nearest.5.4.i = phi double [ %.11.i412.i, %B718.i ], [ %nearest.3.2450.i, %B694.i ], [ %nearest.3.2450.i, %B542.i ]
+  %.952.i = icmp slt i64 %.680.sroa.0.0453.i, %"$phi1274.1.2.2"
+  br i1 %.952.i, label %B762.i, label %B1226.i
+
+B762.i:                                           ; preds = %B750.i
+  %.961.i = fsub double %a.2.3.i, %b.2.3.i
+  %.962.i = tail call double @llvm.fabs.f64(double %.961.i)
+  %.965.i = fsub double %c.2.3.i, %b.2.3.i
+  %.966.i = tail call double @llvm.fabs.f64(double %.965.i)
+  %.967.i = fadd double %.962.i, %.966.i
+  %.968.i = fmul double %.967.i, 3.000000e+00
+  %.969.i = fadd double %.958.i, %.968.i
+  %.971.i = fcmp olt double %b.2.3.i, %.969.i
+  br i1 %.971.i, label %B872.i, label %B1226.i
+
+B872.i:                                           ; preds = %B762.i
+  %switch.tableidx6 = add i64 %.680.sroa.0.0453.i, 9
+  %38 = icmp ult i64 %switch.tableidx6, 18
+  br i1 %38, label %switch.lookup7, label %_ZN5pages5looks8may_hideB3v27B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+
+B1078.i:                                          ; preds = %switch.lookup19
+  %.1180.i = fneg double %.1121.i
+  %.1184.i = fmul double %.1170.i, 5.000000e-01
+  %.1189.i = fdiv double %.1184.i, %.1153.i
+  %.1190.i = fcmp ogt double %.1189.i, %.1180.i
+  %.1200.i = fcmp olt double %.1189.i, %.1047.i
+  %or.cond411.i = and i1 %.1190.i, %.1200.i
+  br i1 %or.cond411.i, label %B1118.i, label %B1226.i
+
+B1118.i:                                          ; preds = %B1078.i
+  %.1227.i = fmul double %.1170.i, 2.500000e-01
+  %.1229.i = fmul double %.1170.i, %.1227.i
+  %.1236.i = fdiv double %.1229.i, %.1153.i
+  %.1240.i = fsub double %b.2.3.i, %.1236.i
+  %.10.i413.i = fcmp olt double %.1240.i, %nearest.5.4.i
+  %.11.i414.i = select i1 %.10.i413.i, double %.1240.i, double %nearest.5.4.i
+  br label %B1226.i
+
+B1186.i:                                          ; preds = %B1226.i, %B462.i
+  %nearest.3.2.lcssa.i = phi double [ 0x7FF0000000000000, %B462.i ], [ %nearest.4.3.i, %B1226.i ]
+  %.1308.i = fmul double %.11.i.i.3.i, 1.000000e+01
+  %.1312.i = fcmp ugt double %nearest.3.2.lcssa.i, %.1308.i
+  br i1 %.1312.i, label %B1225.i, label %_ZN5pages5looks8may_hideB3v27B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+
+B1225.i:                                          ; preds = %B1186.i, %B178.i
+  %.239.i = icmp sgt i64 %.183.1460.i, 0
+  %.252.i = zext i1 %.239.i to i64
+  %.180.1.i = add i64 %.180.1459.i, %.252.i
+  %.248.i = sext i1 %.239.i to i64
+  %.183.1.i = add nsw i64 %.183.1460.i, %.248.i
+  %.229.sroa.0.0.i = select i1 %.239.i, i64 %.180.1459.i, i64 0
+  br i1 %.239.i, label %B178.i, label %_ZN5pages5looks8may_hideB3v27B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+
+B1226.i:                                          ; preds = %switch.lookup19, %B1118.i, %B1078.i, %B762.i, %B750.i
+  %nearest.4.3.i = phi double [ %nearest.5.4.i, %B1078.i ], [ %.11.i414.i, %B1118.i ], [ %nearest.5.4.i, %B750.i ], [ %nearest.5.4.i, %switch.lookup19 ], [ %nearest.5.4.i, %B762.i ]
+  %.690.i = icmp sgt i64 %.636.1452.i, 0
+  %.703.i = zext i1 %.690.i to i64
+  %.633.1.i = add i64 %.633.1451.i, %.703.i
+  %.699.i = sext i1 %.690.i to i64
+  %.636.1.i = add nsw i64 %.636.1452.i, %.699.i
+  %.680.sroa.0.0.i = select i1 %.690.i, i64 %.633.1451.i, i64 0
+  br i1 %.690.i, label %B542.i, label %B1186.i
+
+switch.lookup7:                                   ; preds = %B872.i
+  %switch.tableidx10 = add i64 %.680.sroa.0.0453.i, 8
   %39 = icmp ult i64 %switch.tableidx10, 18
-  br i1 %39, label %switch.lookup11, label %_ZN5pages5looks8may_hideB3v27B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit
+  br i1 %39, label %switch.lookup11, label %_ZN5pages5looks8may_hideB3v27B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
 
 switch.lookup11:                                  ; preds = %switch.lookup7
   %switch.gep8 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx6
   %switch.load9 = load double, ptr %switch.gep8, align 8
   %switch.gep12 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx10
   %switch.load13 = load double, ptr %switch.gep12, align 8
-  %.667.i = fsub double %switch.load9, %switch.load13
-  %switch.tableidx14 = add i64 %.300.sroa.0.0348.i, 10
+  %.1047.i = fsub double %switch.load9, %switch.load13
+  %switch.tableidx14 = add i64 %.680.sroa.0.0453.i, 10
   %40 = icmp ult i64 %switch.tableidx14, 18
-  br i1 %40, label %switch.lookup15, label %_ZN5pages5looks8may_hideB3v27B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit
+  br i1 %40, label %switch.lookup15, label %_ZN5pages5looks8may_hideB3v27B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
 
 switch.lookup15:                                  ; preds = %switch.lookup11
-  %switch.tableidx18 = add i64 %.300.sroa.0.0348.i, 9
+  %switch.tableidx18 = add i64 %.680.sroa.0.0453.i, 9
   %41 = icmp ult i64 %switch.tableidx18, 18
-  br i1 %41, label %switch.lookup19, label %_ZN5pages5looks8may_hideB3v27B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit
+  br i1 %41, label %switch.lookup19, label %_ZN5pages5looks8may_hideB3v27B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
 
 switch.lookup19:                                  ; preds = %switch.lookup15
   %switch.gep16 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx14
   %switch.load17 = load double, ptr %switch.gep16, align 8
   %switch.gep20 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.20, i64 %switch.tableidx18
   %switch.load21 = load double, ptr %switch.gep20, align 8
-  %.741.i = fsub double %switch.load17, %switch.load21
-  %.757.i = fdiv double %.585.i, %.741.i
-  %.760.i = fsub double %b.2.2.i, %a.2.2.i
-  %.765.i = fdiv double %.760.i, %.667.i
-  %.766.i = fsub double %.757.i, %.765.i
-  %.769.i = fadd double %.667.i, %.741.i
-  %.773.i = fdiv double %.766.i, %.769.i
-  %.789.i = fmul double %.667.i, %.773.i
-  %.790.i = fadd double %.765.i, %.789.i
-  %.795.i = fcmp ogt double %.773.i, 0.000000e+00
-  br i1 %.795.i, label %B752.i, label %B935.i
+  %.1121.i = fsub double %switch.load17, %switch.load21
+  %.1137.i = fdiv double %.965.i, %.1121.i
+  %.1140.i = fsub double %b.2.3.i, %a.2.3.i
+  %.1145.i = fdiv double %.1140.i, %.1047.i
+  %.1146.i = fsub double %.1137.i, %.1145.i
+  %.1149.i = fadd double %.1047.i, %.1121.i
+  %.1153.i = fdiv double %.1146.i, %.1149.i
+  %.1169.i = fmul double %.1047.i, %.1153.i
+  %.1170.i = fadd double %.1145.i, %.1169.i
+  %.1175.i = fcmp ogt double %.1153.i, 0.000000e+00
+  br i1 %.1175.i, label %B1078.i, label %B1226.i
 
-_ZN5pages5looks8may_hideB3v27B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B50.i, %B860.i, %B546.i, %switch.lookup7, %switch.lookup11, %switch.lookup15
-  %.1850.not = phi i1 [ true, %B546.i ], [ true, %switch.lookup15 ], [ true, %switch.lookup11 ], [ true, %switch.lookup7 ], [ %exitcond.not.i, %B860.i ], [ %exitcond.not.i, %B50.i ]
-  %excinfo.3.3 = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16, %B546.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16, %switch.lookup15 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16, %switch.lookup11 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16, %switch.lookup7 ], [ %excinfo.3.01303, %B860.i ], [ %excinfo.3.01303, %B50.i ]
-  %.1839.not = phi i1 [ false, %B546.i ], [ false, %switch.lookup15 ], [ false, %switch.lookup11 ], [ false, %switch.lookup7 ], [ true, %B860.i ], [ true, %B50.i ]
-  %common.ret.op.i = phi i32 [ 1, %B546.i ], [ 1, %switch.lookup15 ], [ 1, %switch.lookup11 ], [ 1, %switch.lookup7 ], [ 0, %B860.i ], [ 0, %B50.i ]
-  br i1 %.1839.not, label %B1340.endif.endif, label %B1340.endif.if, !prof !53
+_ZN5pages5looks8may_hideB3v27B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B1225.i, %B1186.i, %B872.i, %switch.lookup7, %switch.lookup11, %switch.lookup15, %B1340
+  %.1855.not = phi i1 [ true, %B1340 ], [ true, %B872.i ], [ true, %switch.lookup15 ], [ true, %switch.lookup11 ], [ true, %switch.lookup7 ], [ true, %B1225.i ], [ false, %B1186.i ]
+  %excinfo.3.3 = phi ptr [ %excinfo.3.01312, %B1340 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16, %B872.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16, %switch.lookup15 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16, %switch.lookup11 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16, %switch.lookup7 ], [ %excinfo.3.01312, %B1186.i ], [ %excinfo.3.01312, %B1225.i ]
+  %.1844.not = phi i1 [ true, %B1340 ], [ false, %B872.i ], [ false, %switch.lookup15 ], [ false, %switch.lookup11 ], [ false, %switch.lookup7 ], [ true, %B1186.i ], [ true, %B1225.i ]
+  %common.ret.op.i = phi i32 [ 0, %B1340 ], [ 1, %B872.i ], [ 1, %switch.lookup15 ], [ 1, %switch.lookup11 ], [ 1, %switch.lookup7 ], [ 0, %B1186.i ], [ 0, %B1225.i ]
+  br i1 %.1844.not, label %B1340.endif.endif, label %B1340.endif.if, !prof !53
 
-B1378:                                            ; preds = %B1340.endif.endif
-  %.1921 = fmul double %.1814, 5.000000e-01
+B1380:                                            ; preds = %B1340.endif.endif
+  %.1926 = fmul double %.1814, 5.000000e-01
   store double 0.000000e+00, ptr %.1238, align 8, !noalias !311
   %.161.i230 = getelementptr double, ptr %10, i64 %.1008
   store double 0.000000e+00, ptr %.161.i230, align 8, !noalias !311
   %.214.i273 = getelementptr double, ptr %11, i64 %.1008
-  store double %.1921, ptr %.214.i273, align 8, !noalias !311
+  store double %.1926, ptr %.214.i273, align 8, !noalias !311
   %.268.i313 = load i64, ptr %.1182, align 8, !noalias !311
   %.294.i = icmp slt i64 %.268.i313, 0
   %.295.i = select i1 %.294.i, i64 %arg.results.3.5.0, i64 0
@@ -6461,56 +6597,56 @@ B1378:                                            ; preds = %B1340.endif.endif
   %.480.i = add nsw i64 %.479.i, 1
   store i64 %.480.i, ptr %.478.i, align 8, !noalias !311
   store i64 -1, ptr %.1080, align 8
-  br label %B1490
+  br label %B1492
 
-B1490:                                            ; preds = %B1126, %B1378, %B1340.endif.endif, %B1282
-  %excinfo.3.2 = phi ptr [ %excinfo.3.3, %B1340.endif.endif ], [ %excinfo.3.3, %B1378 ], [ %excinfo.3.01303, %B1282 ], [ %excinfo.3.01303, %B1126 ]
-  br i1 %some.2.01304, label %B1542, label %B1494
+B1492:                                            ; preds = %B1126, %B1380, %B1340.endif.endif, %B1282
+  %excinfo.3.2 = phi ptr [ %excinfo.3.3, %B1340.endif.endif ], [ %excinfo.3.3, %B1380 ], [ %excinfo.3.01312, %B1282 ], [ %excinfo.3.01312, %B1126 ]
+  br i1 %some.2.01313, label %B1544, label %B1496
 
-B1494:                                            ; preds = %B1490
-  %.2077 = load i64, ptr %.1080, align 8
-  %.2078 = icmp sgt i64 %.2077, -1
-  br label %B1542
+B1496:                                            ; preds = %B1492
+  %.2082 = load i64, ptr %.1080, align 8
+  %.2083 = icmp sgt i64 %.2082, -1
+  br label %B1544
 
-B1542:                                            ; preds = %B1490, %B1494, %B792, %B634
-  %excinfo.3.1 = phi ptr [ %excinfo.3.2, %B1490 ], [ %excinfo.3.2, %B1494 ], [ %excinfo.3.01303, %B792 ], [ %excinfo.3.01303, %B634 ]
-  %some.3.1 = phi i1 [ true, %B1490 ], [ %.2078, %B1494 ], [ %some.2.01304, %B792 ], [ %some.2.01304, %B634 ]
-  %.935 = icmp sgt i64 %.881.11306, 0
+B1544:                                            ; preds = %B1492, %B1496, %B792, %B634
+  %excinfo.3.1 = phi ptr [ %excinfo.3.2, %B1492 ], [ %excinfo.3.2, %B1496 ], [ %excinfo.3.01312, %B792 ], [ %excinfo.3.01312, %B634 ]
+  %some.3.1 = phi i1 [ true, %B1492 ], [ %.2083, %B1496 ], [ %some.2.01313, %B792 ], [ %some.2.01313, %B634 ]
+  %.935 = icmp sgt i64 %.881.11315, 0
   %.948 = zext i1 %.935 to i64
-  %.878.1 = add i64 %.878.11305, %.948
+  %.878.1 = add i64 %.878.11314, %.948
   %.944 = sext i1 %.935 to i64
-  %.881.1 = add nsw i64 %.881.11306, %.944
-  %.925.sroa.0.0 = select i1 %.935, i64 %.878.11305, i64 0
-  br i1 %.935, label %B634, label %B1546.loopexit
+  %.881.1 = add nsw i64 %.881.11315, %.944
+  %.925.sroa.0.0 = select i1 %.935, i64 %.878.11314, i64 0
+  br i1 %.935, label %B634, label %B1548.loopexit
 
-common.ret:                                       ; preds = %B1340.endif.if, %B1546
-  %common.ret.op = phi i32 [ 0, %B1546 ], [ %common.ret.op.i, %B1340.endif.if ]
+common.ret:                                       ; preds = %B1340.endif.if, %B1548
+  %common.ret.op = phi i32 [ 0, %B1548 ], [ %common.ret.op.i, %B1340.endif.if ]
   ret i32 %common.ret.op
 
-B1546.loopexit:                                   ; preds = %B1542
+B1548.loopexit:                                   ; preds = %B1544
   %43 = zext i1 %some.3.1 to i8
-  br label %B1546
+  br label %B1548
 
-B1546:                                            ; preds = %B1546.loopexit, %B600
-  %some.2.0.lcssa = phi i8 [ 0, %B600 ], [ %43, %B1546.loopexit ]
+B1548:                                            ; preds = %B1548.loopexit, %B600
+  %some.2.0.lcssa = phi i8 [ 0, %B600 ], [ %43, %B1548.loopexit ]
   store i8 %some.2.0.lcssa, ptr %retptr, align 1
   br label %common.ret
 
 B256.if:                                          ; preds = %entry, %B358
-  %.344.01298 = phi i64 [ %.354, %entry ], [ %.408, %B358 ]
-  %.341.01297 = phi i64 [ %., %entry ], [ %.412, %B358 ]
-  %.408 = add nsw i64 %.344.01298, -1
-  %.412 = add nsw i64 %.341.01297, 1
-  br i1 %.5201294.not, label %B358, label %B290.if.preheader
+  %.344.01306 = phi i64 [ %.354, %entry ], [ %.408, %B358 ]
+  %.341.01305 = phi i64 [ %., %entry ], [ %.412, %B358 ]
+  %.408 = add nsw i64 %.344.01306, -1
+  %.412 = add nsw i64 %.341.01305, 1
+  br i1 %.5201302.not, label %B358, label %B290.if.preheader
 
 B290.if.preheader:                                ; preds = %B256.if
-  %44 = icmp ult i64 %.341.01297, 8
-  %switch.gep23 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.21, i64 %.341.01297
+  %44 = icmp ult i64 %.341.01305, 8
+  %switch.gep23 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v23B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi7EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.21, i64 %.341.01305
   br label %B290.if
 
 B290.if:                                          ; preds = %B290.if.preheader, %B290.loopexit
-  %.464.01295 = phi i64 [ %.533, %B290.loopexit ], [ 0, %B290.if.preheader ]
-  %.533 = add nsw i64 %.464.01295, 1
+  %.464.01303 = phi i64 [ %.533, %B290.loopexit ], [ 0, %B290.if.preheader ]
+  %.533 = add nsw i64 %.464.01303, 1
   br i1 %44, label %switch.lookup22, label %switch.end
 
 switch.lookup22:                                  ; preds = %B290.if
@@ -6519,97 +6655,97 @@ switch.lookup22:                                  ; preds = %B290.if
 
 switch.end:                                       ; preds = %B290.if, %switch.lookup22
   %.575 = phi double [ %switch.load24, %switch.lookup22 ], [ 1.000000e+00, %B290.if ]
-  %.92.i = getelementptr double, ptr %arg.lane.0.4, i64 %.464.01295
+  %.92.i = getelementptr double, ptr %arg.lane.0.4, i64 %.464.01303
   %.93.i = load double, ptr %.92.i, align 8, !noalias !314
-  %.146.i = getelementptr double, ptr %1, i64 %.464.01295
+  %.146.i = getelementptr double, ptr %1, i64 %.464.01303
   %.147.i = load double, ptr %.146.i, align 8, !noalias !314
   %.149.i = fmul double %.575, %.147.i
   %.150.i = fadd double %.93.i, %.149.i
-  %.203.i = getelementptr double, ptr %2, i64 %.464.01295
+  %.203.i = getelementptr double, ptr %2, i64 %.464.01303
   store double %.150.i, ptr %.203.i, align 8, !noalias !314
-  br i1 %.287.i1291.not, label %B290.loopexit, label %B122.if.i.lr.ph
+  br i1 %.287.i1299.not, label %B290.loopexit, label %B122.if.i.lr.ph
 
 B122.if.i.lr.ph:                                  ; preds = %switch.end
   %.247.i.i = fsub double 1.000000e+00, %.575
-  %invariant.gep = getelementptr double, ptr %arg.arrays.0.4, i64 %.464.01295
-  %invariant.gep27 = getelementptr double, ptr %arg.arrays.0.4, i64 %.464.01295
-  %invariant.gep29 = getelementptr double, ptr %arg.arrays.0.4, i64 %.464.01295
-  %invariant.gep31 = getelementptr double, ptr %arg.arrays.0.4, i64 %.464.01295
-  %invariant.gep33 = getelementptr double, ptr %arg.arrays.0.4, i64 %.464.01295
-  %invariant.gep35 = getelementptr double, ptr %arg.arrays.0.4, i64 %.464.01295
-  %invariant.gep37 = getelementptr double, ptr %arg.arrays.0.4, i64 %.464.01295
-  %invariant.gep39 = getelementptr double, ptr %arg.arrays.0.4, i64 %.464.01295
-  %invariant.gep41 = getelementptr double, ptr %arg.arrays.0.4, i64 %.464.01295
+  %invariant.gep = getelementptr double, ptr %arg.arrays.0.4, i64 %.464.01303
+  %invariant.gep26 = getelementptr double, ptr %arg.arrays.0.4, i64 %.464.01303
+  %invariant.gep28 = getelementptr double, ptr %arg.arrays.0.4, i64 %.464.01303
+  %invariant.gep30 = getelementptr double, ptr %arg.arrays.0.4, i64 %.464.01303
+  %invariant.gep32 = getelementptr double, ptr %arg.arrays.0.4, i64 %.464.01303
+  %invariant.gep34 = getelementptr double, ptr %arg.arrays.0.4, i64 %.464.01303
+  %invariant.gep36 = getelementptr double, ptr %arg.arrays.0.4, i64 %.464.01303
+  %invariant.gep38 = getelementptr double, ptr %arg.arrays.0.4, i64 %.464.01303
+  %invariant.gep40 = getelementptr double, ptr %arg.arrays.0.4, i64 %.464.01303
   br label %B122.if.i
 
 B122.if.i:                                        ; preds = %B122.if.i.lr.ph, %B122.if.i
-  %.229.i.01292 = phi i64 [ 0, %B122.if.i.lr.ph ], [ %.300.i, %B122.if.i ]
-  %.157.i.i = add nsw i64 %.155.i.i, %.229.i.01292
+  %.229.i.01300 = phi i64 [ 0, %B122.if.i.lr.ph ], [ %.300.i, %B122.if.i ]
+  %.157.i.i = add nsw i64 %.155.i.i, %.229.i.01300
   %.159.i.i = mul nsw i64 %.157.i.i, %arg.shape.0
   %gep = getelementptr double, ptr %invariant.gep, i64 %.159.i.i
   %.191.i.i = load double, ptr %gep, align 8, !noalias !318
   %.193.i.i = fadd double %.191.i.i, 0.000000e+00
   %.253.i.i = fmul double %.575, %.193.i.i
-  %.157.i.i.1 = add nsw i64 %.155.i.i.1, %.229.i.01292
+  %.157.i.i.1 = add nsw i64 %.155.i.i.1, %.229.i.01300
   %.159.i.i.1 = mul nsw i64 %.157.i.i.1, %arg.shape.0
-  %gep28 = getelementptr double, ptr %invariant.gep27, i64 %.159.i.i.1
-  %.191.i.i.1 = load double, ptr %gep28, align 8, !noalias !318
+  %gep27 = getelementptr double, ptr %invariant.gep26, i64 %.159.i.i.1
+  %.191.i.i.1 = load double, ptr %gep27, align 8, !noalias !318
   %.193.i.i.1 = fadd double %.253.i.i, %.191.i.i.1
   %.253.i.i.1 = fmul double %.247.i.i, %.193.i.i.1
-  %.157.i.i.2 = add nsw i64 %.155.i.i.2, %.229.i.01292
+  %.157.i.i.2 = add nsw i64 %.155.i.i.2, %.229.i.01300
   %.159.i.i.2 = mul nsw i64 %.157.i.i.2, %arg.shape.0
-  %gep30 = getelementptr double, ptr %invariant.gep29, i64 %.159.i.i.2
-  %.191.i.i.2 = load double, ptr %gep30, align 8, !noalias !318
+  %gep29 = getelementptr double, ptr %invariant.gep28, i64 %.159.i.i.2
+  %.191.i.i.2 = load double, ptr %gep29, align 8, !noalias !318
   %.193.i.i.2 = fadd double %.253.i.i.1, %.191.i.i.2
   %.253.i.i.2 = fmul double %.575, %.193.i.i.2
-  %.157.i.i.3 = add nsw i64 %.155.i.i.3, %.229.i.01292
+  %.157.i.i.3 = add nsw i64 %.155.i.i.3, %.229.i.01300
   %.159.i.i.3 = mul nsw i64 %.157.i.i.3, %arg.shape.0
-  %gep32 = getelementptr double, ptr %invariant.gep31, i64 %.159.i.i.3
-  %.191.i.i.3 = load double, ptr %gep32, align 8, !noalias !318
+  %gep31 = getelementptr double, ptr %invariant.gep30, i64 %.159.i.i.3
+  %.191.i.i.3 = load double, ptr %gep31, align 8, !noalias !318
   %.193.i.i.3 = fadd double %.253.i.i.2, %.191.i.i.3
   %.253.i.i.3 = fmul double %.247.i.i, %.193.i.i.3
-  %.157.i.i.4 = add nsw i64 %.155.i.i.4, %.229.i.01292
+  %.157.i.i.4 = add nsw i64 %.155.i.i.4, %.229.i.01300
   %.159.i.i.4 = mul nsw i64 %.157.i.i.4, %arg.shape.0
-  %gep34 = getelementptr double, ptr %invariant.gep33, i64 %.159.i.i.4
-  %.191.i.i.4 = load double, ptr %gep34, align 8, !noalias !318
+  %gep33 = getelementptr double, ptr %invariant.gep32, i64 %.159.i.i.4
+  %.191.i.i.4 = load double, ptr %gep33, align 8, !noalias !318
   %.193.i.i.4 = fadd double %.253.i.i.3, %.191.i.i.4
   %.253.i.i.4 = fmul double %.575, %.193.i.i.4
-  %.157.i.i.5 = add nsw i64 %.155.i.i.5, %.229.i.01292
+  %.157.i.i.5 = add nsw i64 %.155.i.i.5, %.229.i.01300
   %.159.i.i.5 = mul nsw i64 %.157.i.i.5, %arg.shape.0
-  %gep36 = getelementptr double, ptr %invariant.gep35, i64 %.159.i.i.5
-  %.191.i.i.5 = load double, ptr %gep36, align 8, !noalias !318
+  %gep35 = getelementptr double, ptr %invariant.gep34, i64 %.159.i.i.5
+  %.191.i.i.5 = load double, ptr %gep35, align 8, !noalias !318
   %.193.i.i.5 = fadd double %.253.i.i.4, %.191.i.i.5
   %.253.i.i.5 = fmul double %.247.i.i, %.193.i.i.5
-  %.157.i.i.6 = add nsw i64 %.155.i.i.6, %.229.i.01292
+  %.157.i.i.6 = add nsw i64 %.155.i.i.6, %.229.i.01300
   %.159.i.i.6 = mul nsw i64 %.157.i.i.6, %arg.shape.0
-  %gep38 = getelementptr double, ptr %invariant.gep37, i64 %.159.i.i.6
-  %.191.i.i.6 = load double, ptr %gep38, align 8, !noalias !318
+  %gep37 = getelementptr double, ptr %invariant.gep36, i64 %.159.i.i.6
+  %.191.i.i.6 = load double, ptr %gep37, align 8, !noalias !318
   %.193.i.i.6 = fadd double %.253.i.i.5, %.191.i.i.6
   %.253.i.i.6 = fmul double %.575, %.193.i.i.6
-  %.300.i = add nsw i64 %.229.i.01292, 1
-  %.271.i.i = mul nsw i64 %.229.i.01292, %arg.shape.0
-  %gep40 = getelementptr double, ptr %invariant.gep39, i64 %.271.i.i
-  %.309.i.i = load double, ptr %gep40, align 8, !noalias !318
+  %.300.i = add nsw i64 %.229.i.01300, 1
+  %.271.i.i = mul nsw i64 %.229.i.01300, %arg.shape.0
+  %gep39 = getelementptr double, ptr %invariant.gep38, i64 %.271.i.i
+  %.309.i.i = load double, ptr %gep39, align 8, !noalias !318
   %.313.i.i = fadd double %.253.i.i.6, %.309.i.i
-  %.359.i = add nsw i64 %.229.i.01292, %.358.i
+  %.359.i = add nsw i64 %.229.i.01300, %.358.i
   %.361.i = mul nsw i64 %.359.i, %arg.shape.0
-  %gep42 = getelementptr double, ptr %invariant.gep41, i64 %.361.i
-  store double %.313.i.i, ptr %gep42, align 8, !noalias !314
+  %gep41 = getelementptr double, ptr %invariant.gep40, i64 %.361.i
+  store double %.313.i.i, ptr %gep41, align 8, !noalias !314
   %exitcond.not = icmp eq i64 %arg.shape.1, %.300.i
   br i1 %exitcond.not, label %B290.loopexit, label %B122.if.i
 
 B940.endif:                                       ; preds = %B36.i, %B34.i
   %.1348.0 = phi i64 [ %.51.i13.0, %B36.i ], [ -1, %B34.i ]
   store i64 %.1348.0, ptr %.1080, align 8
-  %exitcond1312.not = icmp eq i64 %last.2.3, 7
-  br i1 %exitcond1312.not, label %B1088, label %B1040
+  %exitcond1321.not = icmp eq i64 %last.2.3, 7
+  br i1 %exitcond1321.not, label %B1088, label %B1040
 
-B1340.endif.if:                                   ; preds = %_ZN5pages5looks8may_hideB3v27B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit
+B1340.endif.if:                                   ; preds = %_ZN5pages5looks8may_hideB3v27B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
   store ptr %excinfo.3.3, ptr %excinfo, align 8
   br label %common.ret
 
-B1340.endif.endif:                                ; preds = %_ZN5pages5looks8may_hideB3v27B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE.exit
-  br i1 %.1850.not, label %B1490, label %B1378
+B1340.endif.endif:                                ; preds = %_ZN5pages5looks8may_hideB3v27B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+  br i1 %.1855.not, label %B1492, label %B1380
 }
 
 ; Function Attrs: mustprogress nocallback nofree nosync nounwind speculatable willreturn memory(none)
@@ -6939,9 +7075,9 @@ B760.if:                                          ; preds = %B760.if.lr.ph, %B76
 !179 = distinct !{!179, !180, !"_ZN5pages9numbering9try_againB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE: %retptr"}
 !180 = distinct !{!180, !"_ZN5pages9numbering9try_againB3v30B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExd5ArrayIxLi2E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE"}
 !181 = !{!182, !184, !62, !64}
-!182 = distinct !{!182, !183, !"_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!183 = distinct !{!183, !"_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE"}
-!184 = distinct !{!184, !183, !"_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!182 = distinct !{!182, !183, !"_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!183 = distinct !{!183, !"_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!184 = distinct !{!184, !183, !"_ZN5pages5looks8may_hideB3v47B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
 !185 = !{!186, !188, !182, !184, !62, !64}
 !186 = distinct !{!186, !187, !"_ZN5pages5looks13error_betweenB3v28B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !187 = distinct !{!187, !"_ZN5pages5looks13error_betweenB3v28B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE"}
@@ -6974,9 +7110,9 @@ B760.if:                                          ; preds = %B760.if.lr.ph, %B76
 !214 = distinct !{!214, !"_ZN5pages5looks12first_passedB3v51B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE"}
 !215 = distinct !{!215, !214, !"_ZN5pages5looks12first_passedB3v51B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
 !216 = !{!217, !219, !209, !211, !205, !207}
-!217 = distinct !{!217, !218, !"_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!218 = distinct !{!218, !"_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE"}
-!219 = distinct !{!219, !218, !"_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!217 = distinct !{!217, !218, !"_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!218 = distinct !{!218, !"_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!219 = distinct !{!219, !218, !"_ZN5pages5looks8may_hideB3v52B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
 !220 = !{!221, !223, !217, !219, !209, !211, !205, !207}
 !221 = distinct !{!221, !222, !"_ZN5pages5looks13error_betweenB3v28B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !222 = distinct !{!222, !"_ZN5pages5looks13error_betweenB3v28B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE"}
@@ -7061,9 +7197,9 @@ B760.if:                                          ; preds = %B760.if.lr.ph, %B76
 !301 = distinct !{!301, !"_ZN5pages5looks12first_passedB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxxx5ArrayIdLi1E1C7mutable7alignedE"}
 !302 = distinct !{!302, !301, !"_ZN5pages5looks12first_passedB3v26B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExxxx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
 !303 = !{!304, !306}
-!304 = distinct !{!304, !305, !"_ZN5pages5looks8may_hideB3v27B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!305 = distinct !{!305, !"_ZN5pages5looks8may_hideB3v27B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE"}
-!306 = distinct !{!306, !305, !"_ZN5pages5looks8may_hideB3v27B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!304 = distinct !{!304, !305, !"_ZN5pages5looks8may_hideB3v27B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!305 = distinct !{!305, !"_ZN5pages5looks8may_hideB3v27B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!306 = distinct !{!306, !305, !"_ZN5pages5looks8may_hideB3v27B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxxx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
 !307 = !{!308, !310, !304, !306}
 !308 = distinct !{!308, !309, !"_ZN5pages5looks13error_betweenB3v28B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !309 = distinct !{!309, !"_ZN5pages5looks13error_betweenB3v28B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx5ArrayIdLi1E1C7mutable7alignedE"}

@@ -311,3 +311,23 @@ def test_a_kink_that_no_state_feels_is_not_looked_for():
     )
     assert run.attrs["solver_steps"] < 10_000
     np.testing.assert_allclose(run.flow_parameters_estimate.values[-1], flow, atol=1e-7)
+
+
+@pytest.mark.parametrize("start", [86_400.0, 1e6, 1e8, 1.7e9])
+def test_a_run_that_begins_late_finds_its_switches_as_one_from_zero(start):
+    slows = control.nlsys(
+        lambda t, x, u, p: [1.0 if x[0] < 1 else 0.25], None, inputs=0, states=1, outputs=1
+    )
+    run = clpt.simulate(slows, start + np.array([0.0, 0.3, 3.0]), rtol=1e-9, atol=1e-12)
+    assert abs(run["y"].values[-1] - 1.5) < 1e-14 * start
+
+    def follows(t, x, u, p):
+        return [x[1], max(-0.3, min(0.3, u[0] - x[0])) - 4 * x[0] - x[1]]
+
+    system = control.nlsys(follows, None, inputs=1, states=2, outputs=2)
+    times = np.arange(60.0)
+    samples = np.convolve(np.random.default_rng(0).normal(size=60), np.ones(5) / 5, "same")
+    early, late = (clpt.simulate(system, t, inputs=samples) for t in (times, start + times))
+    assert early.attrs["method"] == late.attrs["method"] == "DOP853"
+    assert late.attrs["solver_restarts"] == early.attrs["solver_restarts"] > 10
+    np.testing.assert_allclose(late["y"], early["y"], atol=1e-6)
