@@ -108,7 +108,8 @@ class AnsweringTape(Tape):
             )
         if space.get("__builtins__") is BUILTINS or any(space is one for one in self.spaces):
             self.refuse(
-                f"NumPy's {word} asks for the value of a signal; write what it computes"
+                f"NumPy's {word} asks for the value of a signal; write "
+                + ("np.array, and @ for *" if "matrix" in word else "what it computes")
                 if word
                 else "needs the value of a signal; write NumPy, and fill arrays where they are made"
             )
@@ -169,7 +170,7 @@ def _asking_frame() -> tuple[FrameType, str]:
     frame, word = sys._getframe(2), ""
     while frame.f_back is not None and _is_own(frame):
         if not _module(frame).startswith(__package__):
-            word = frame.f_code.co_qualname
+            word = frame.f_code.co_qualname.removesuffix(".__new__")
         frame = frame.f_back
     return frame, word
 

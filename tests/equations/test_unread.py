@@ -350,9 +350,17 @@ def test_a_mistake_is_told_where_the_block_is_made(function, words):
     assert "\n" not in str(caught.value)
 
 
-def test_numpys_function_that_asks_is_named():
-    block = static(lambda t, x, u, p: np.histogram(u)[0][:1], 3)
-    with pytest.raises(Unread, match="NumPy's histogram asks for the value of a signal"):
+@pytest.mark.filterwarnings("ignore:the matrix subclass")
+@pytest.mark.parametrize(
+    ("function", "said"),
+    [
+        (lambda u: np.histogram(u)[0][:1], "histogram asks for the value of a signal; write what"),
+        (lambda u: (np.matrix(u) * np.matrix(u).T).A1, "matrix asks for .*; write np.array, and @"),
+    ],
+)
+def test_numpys_function_that_asks_is_named(function, said):
+    block = static(lambda t, x, u, p: function(u), 3)
+    with pytest.raises(Unread, match=f"NumPy's {said}"):
         block.array_record("output")
 
 
