@@ -44,9 +44,7 @@ class VariedScenario(Varied):
         self.times = sample_times_of(scenario, self.samples, self.marks, trajectories)
         self.state_times, self.options = self.times.all, scenario.run.solver
         self.title, self.needs_signals = scenario.title, scenario.vehicle.max_speed is not None
-        own, at_fixes = self.changes.replace, scenario.learning.row.at_fixes
-        self.knows_flow = scenario.flow.parameters is not None and "true_flow" not in own
-        self.knows_gains = not at_fixes and "vehicle_controller" not in own
+        self.own = set(self.changes.replace)
         self.name = ", ".join(changes.names) or "the closed loop"
         self.encoding = {"folder": str(scenario._folder.absolute())}  # of its field
         of_law = ("learning.gain", f"learning.{scenario.learning.row.table}.")
@@ -59,6 +57,16 @@ class VariedScenario(Varied):
         scenario = self.scenario.model_copy()
         scenario._folder = scenario._folder.absolute()
         return type(self), (scenario, self.changes, self.samples, self.marks, self.trajectories)
+
+    @property
+    def knows_flow(self) -> bool:
+        """Whether the true flow parameters are the scenario's."""
+        return self.scenario.flow.parameters is not None and "true_flow" not in self.own
+
+    @property
+    def knows_gains(self) -> bool:
+        """Whether there are true gains, the scenario's."""
+        return not self.scenario.learning.row.at_fixes and "vehicle_controller" not in self.own
 
     # --- what may vary --------------------------------------------------------------------
 

@@ -326,6 +326,7 @@ def _arrays_of_arguments(store: Store) -> Arrays:
     rest = (arguments[name] for name in ("samples", "times", "trajectories"))
     keys, varies = arguments["keys"], read_varies(arguments["vary"])
     varied = VariedScenario(scenario, UNCHANGED, *rest)
+    varied.own = {text.split()[0] for text in (arguments["law"] or "").split("; ") if text}
     check_varies(varied, varies)
     values = {key: group[key][:] for key in keys}
     fits = [one.key for one in varies] == keys

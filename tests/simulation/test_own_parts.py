@@ -232,8 +232,12 @@ def test_what_stands_in_place_of_a_truth_leaves_no_error_to_tell(part, tmp_path)
         lines[len(replace)] = len(axes[below].lines), axes[below].get_title(loc="left")
         page = clpt.report(run, tmp_path / "run.html")
         assert (said in " ".join(page["sentences"])) is not bool(replace)
-        many = clpt.run_ensemble(loop, {"vehicle.position": [[0.0, 0.0]]})
+        folder = tmp_path / f"many{len(replace)}"
+        many = clpt.run_ensemble(loop, {"vehicle.position": [[0.0, 0.0]]}, out=folder)
         assert (error in many) is not bool(replace)
+        clpt.report(folder, tmp_path / "many.html")
+        page = (tmp_path / "many.html").read_text("utf-8")
+        assert (f"{error.split('_')[-2]} error" in page) is not bool(replace)
     assert lines[1][0] * 2 == lines[0][0]  # a line that is learned, and that of its truth
     assert ("true" in lines[0][1], "true" in lines[1][1]) == (True, False)
 
