@@ -218,7 +218,7 @@ class Sensitive:
         Where a sample falls on a jump of an output, they grow as their size shrinks; where they
         grow at the next sample too, or at the last, the runs part.
         """
-        if not self.doubtful:
+        if not self.doubtful or np.isinf(size):  # which has nothing beside it
             return None
         solver = {} if self.wiring.dt else EXACT
         along, way = found.every[..., 1 + j] * size, size * (np.arange(len(values)) == j)

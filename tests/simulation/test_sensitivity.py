@@ -301,6 +301,16 @@ def test_where_the_run_itself_parts_is_refused():
             clpt.sensitivity(parting, times, to="a", initial_state=[0.0])
 
 
+def test_an_endless_limit_beside_a_jump_moves_nothing():
+    """There is no run a little to both sides of infinity: it ended in a traceback."""
+    system = autonomous(
+        lambda t, x, u, p: [np.clip(np.where(x[0] < p["a"], 1.0, 3.0), -1.0, p["high"])],
+        **{"a": 1.0, "high": np.inf},
+    )
+    found = clpt.sensitivity(system, [0.0, 0.5, 2.0], to=["high", "a"]).x
+    assert found.values[-1] == pytest.approx([0.0, -2.0], abs=1e-5)
+
+
 def test_before_and_behind_a_jump_all_is_known():
     before = clpt.sensitivity(stepping(), np.linspace(0.0, 0.5, 6), to="edge")
     assert not before.x.values.any()
