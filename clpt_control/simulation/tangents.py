@@ -50,8 +50,8 @@ if TYPE_CHECKING:
     import xarray
 
 START = "x0"  # all states of the start
-STEPS = (1e-3, 1e-5)  # of the differences, of what is varied
-MIDDLE = 1e-4  # of those that take the place of S: at 1e-10 each error is about 1e-6
+STEPS = (1e-3, 1e-4, 1e-5)  # of the differences, of what is varied; the middle ones take the place
+# of S: at 1e-10 each error is about 1e-6
 CLOSE = 1e-3  # how far off they may be
 EXACT = {"rtol": 1e-10, "atol": 1e-13}  # of their runs
 
@@ -216,7 +216,8 @@ class Sensitive:
         """Return None where differences confirm a derivative, else them, and samples on a jump.
 
         Where a sample falls on a jump of an output, they grow as their size shrinks; where they
-        grow at the next sample too, or at the last, the runs part.
+        grow at the next sample too, or at the last, the runs part.  The nearest may be of
+        rounding, so they confirm where they come nearer than those before.
         """
         if not self.doubtful or np.isinf(size):  # which has nothing beside it
             return None
@@ -227,25 +228,28 @@ class Sensitive:
             return self.run(values + step * way, **solver).every[..., 0]
 
         wrong, before = np.ones(along.shape, dtype=bool), np.full(along.shape, np.inf)
+        pairs = []
         for h in STEPS:
-            more, less = beside(h), beside(-h)
+            pairs.append((beside(h), beside(-h)))
+            more, less = pairs[-1]
             n = min(len(more), len(less), len(along))
             rounding = 10 * EXACT["rtol"] / h * np.abs(more).max(axis=0)
             central = (more[:n] - less[:n]) / (2.0 * h)
             off = np.abs(central - along[:n])
-            far = off > CLOSE * np.abs(along).max(axis=0) + rounding
-            grown = off >= 10.0 * before[:n]
+            near = CLOSE * np.abs(along).max(axis=0)
+            far = off > (near + rounding if h > STEPS[-1] else np.maximum(near, 0.2 * before[:n]))
+            grown = off >= 5.0 * before[:n]
             alone = grown & ~np.vstack([grown[1:], np.ones_like(grown[:1])])
             alone[1:] &= ~grown[:-1]
             wrong = wrong[:n] & far & ~alone
             before = off
             if not wrong.any():
                 return None
-        at, ahead, behind = (beside(step) for step in (0.0, MIDDLE, -MIDDLE))
+        at, (_, (ahead, behind), _), wide = beside(0.0), pairs, STEPS[1]
         if n == len(along) == len(at) == len(ahead) == len(behind):
-            middle = (ahead - behind) / (2.0 * MIDDLE)
+            middle = (ahead - behind) / (2.0 * wide)
             limit = CLOSE * np.abs(middle).max(axis=0) + rounding
-            bend, wider = abs(more - 2 * at + less) / h, abs(ahead - 2 * at + behind) / MIDDLE
+            bend, wider = abs(more - 2 * at + less) / h, abs(ahead - 2 * at + behind) / wide
             kink = (bend > limit) & (bend > 0.5 * wider)  # what is smooth bends a tenth as much
             apart = np.any((np.abs(central - middle) > limit) | kink, axis=1)
             if not apart[-1] and not np.any(apart[1:] & apart[:-1]):
