@@ -21,6 +21,7 @@ from ..arguments import brief, public
 from ..errors import BlockError
 from .answers import located
 from .declaration import (
+    Each,
     Equations,
     Guard,
     block_html,
@@ -227,7 +228,6 @@ class Block(ReadBlock):
         self._forget()
         self._bind()
         self.__dict__.pop("_call_of_thread", None)
-        self._jumps = np.zeros(0), 0.0  # and until when they are known
 
     @property
     def _call(self) -> Call:
@@ -309,17 +309,14 @@ class Block(ReadBlock):
         return times
 
     def interval_at(self, t: float, p: Any = None) -> np.float64:
-        """Return the number of the interval that holds t, by bisection.
+        """Return the number of the interval that holds t.
 
         A breakpoint belongs to the interval that it starts.
         """
-        if p is not None and p is not self.parameters:
-            return np.float64(len(self.breakpoints(0.0, t, p)))
-        jumps, until = self._jumps
-        if t >= until:
-            until = max(2.0 * t, t + 1.0)
-            jumps, _ = self._jumps = self.breakpoints(0.0, until), until
-        return np.float64(np.searchsorted(jumps, t, side="right"))
+        p = self.parameters if p is None else p
+        if isinstance(self.breakpoints_function, Each):
+            return np.float64(self.breakpoints_function.count(p, t))
+        return np.float64(len(self.breakpoints(0.0, t, p)))
 
     def parameters_at(self, t: float, p: Any = None) -> Any:
         """Return the parameters with `interval` filled in for time t."""

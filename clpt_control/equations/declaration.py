@@ -151,15 +151,28 @@ class Each:
     period: str | float
     part: float = 1.0
 
+    def apart(self, p: Any) -> float:
+        """Return the time from one to the next."""
+        period = getattr(p, self.period) if isinstance(self.period, str) else self.period
+        return self.part * period
+
     def __call__(self, p: Any, t0: float, t1: float) -> np.ndarray:
         """Return the breakpoints in (t0, t1]."""
-        period = getattr(p, self.period) if isinstance(self.period, str) else self.period
+        apart = self.apart(p)
         if t0 < 0:
             raise BlockError(
-                f"what samples or jumps each {self.part * period:g} does so from time 0 on; begin "
-                f"the run at 0 or later, not at {t0:g}"
+                f"what samples or jumps each {apart:g} does so from time 0 on; begin the run at 0 "
+                f"or later, not at {t0:g}"
             )
-        return multiples(self.part * period, t0, t1)
+        return multiples(apart, t0, t1)
+
+    def count(self, p: Any, t: float) -> int:
+        """Return how many breakpoints there are in (0, t]."""
+        apart = self.apart(p)
+        if not (apart > 0 and t < 2.0**52 * apart):
+            return len(multiples(apart, 0.0, t))  # which refuses so many
+        k = math.floor(t / apart)
+        return max(k + (apart * (k + 1) <= t) - (apart * k > t), 0)
 
 
 TAKEN = frozenset({"get", "keys", "_fields", "_replace", "_asdict"})  # by what all parameters do

@@ -218,7 +218,8 @@ def make_schedule(
         if p.interval >= 0:
             return np.full(len(starts), p.interval)
         late = starts + rounding(starts)
-        return np.searchsorted(block.breakpoints(0.0, late[-1], p), late, side="right")
+        later = block.breakpoints(late[0], late[-1], p)
+        return block.interval_at(late[0], p) + np.searchsorted(later, late, side="right")
 
     columns, begins = [intervals_of(k) for k in diagram.intervals], False
     for k in diagram.jumps:

@@ -13,7 +13,7 @@ from clpt_control.blocks import disturbance, field, flow, learner, localization,
 from clpt_control.blocks.laws.paper import KNOWN_FLOW
 from clpt_control.currents.plane import GriddedField
 from clpt_control.equations import evaluate
-from clpt_control.equations.declaration import multiples
+from clpt_control.equations.declaration import Each, multiples
 from clpt_control.errors import ScenarioError
 
 
@@ -150,6 +150,14 @@ def test_multiples_are_single_rounded_products():
     assert multiples(2.0, 4.0, 8.0).tolist() == [6.0, 8.0]
     assert multiples(2.0, 4.5, 5.5).tolist() == []
     assert multiples(2.0, -9.0, 1.0).tolist() == []
+
+
+def test_multiples_are_counted_as_they_are_listed():
+    for period in (0.1, 1 / 3, 7.0, 0.013):
+        each, rng = Each(period), np.random.default_rng(1)
+        at = multiples(period, 0.0, 900.0)
+        for t in (*rng.uniform(0, 900, 200), *at[::7], *np.nextafter(at[::7], 0.0), 0.0):
+            assert each.count(None, t) == np.searchsorted(at, t, side="right")
 
 
 # --- disturbances, Eq. (32) -------------------------------------------------------------------

@@ -63,6 +63,13 @@ def test_a_sampled_pid_on_a_tank_at_its_samples_and_between(engine):
     np.testing.assert_allclose(run.states[:, -2:], exact, atol=1e-9)
 
 
+@pytest.mark.parametrize("start", [1e6, 1e8, 1.7e9])
+def test_a_sampled_loop_may_begin_long_after_zero(start):
+    loop = clpt.connect([error(), pid(), tanks()], external="r")
+    early, late = (clpt.simulate(loop, t, inputs=1.0, **TIGHT) for t in (TIMES, start + TIMES))
+    np.testing.assert_allclose(late["y"], early["y"], atol=1e-15 * start)
+
+
 def _moved(x, v, since):
     """Return the exact state of the tanks, v being held."""
     both = np.block([[A, B], [np.zeros((1, 3))]])
