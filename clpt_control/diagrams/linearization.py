@@ -268,7 +268,7 @@ def linearize(
         for i, j in np.argwhere(~np.isfinite(rows))[:1]:
             raise DiagramError(
                 f"{system.name}: what {names[i]} does along {labels[j]} has no finite slope at "
-                "this point"
+                "this point; under a root or a norm that is 0, add a small number"
             )
     linear = state_space(
         *(AB[:, :n], AB[:, n:], CD[:, :n], CD[:, n:]),
