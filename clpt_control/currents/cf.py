@@ -119,7 +119,7 @@ def distances_of(axis: xarray.DataArray) -> np.ndarray:
     if up and np.any(levels > 0):
         raise DataError(
             f"{axis.name} counts up, to {np.nanmax(levels):.6g}, as from the sea floor; must be "
-            "depths from the surface, or heights below 0"
+            "depths from the surface, heights below 0, or one level alone"
         )
     return np.abs(levels)
 
