@@ -216,8 +216,8 @@ class Sensitive:
         """Return None where differences confirm a derivative, else them, and samples on a jump.
 
         Where a sample falls on a jump of an output, they grow as their size shrinks; where they
-        grow at the next sample too, or at the last, the runs part.  The nearest may be of
-        rounding, so they confirm where they come nearer than those before.
+        grow at the next sample too, or at the last, the runs part.  What is left may be of
+        rounding only where it is less than that of the differences before.
         """
         if not self.doubtful or np.isinf(size):  # which has nothing beside it
             return None
@@ -237,7 +237,7 @@ class Sensitive:
             central = (more[:n] - less[:n]) / (2.0 * h)
             off = np.abs(central - along[:n])
             near = CLOSE * np.abs(along).max(axis=0)
-            far = off > (near + rounding if h > STEPS[-1] else np.maximum(near, 0.2 * before[:n]))
+            far = off > near + rounding * (off <= 0.2 * before[:n])
             grown = off >= 5.0 * before[:n]
             alone = grown & ~np.vstack([grown[1:], np.ones_like(grown[:1])])
             alone[1:] &= ~grown[:-1]
