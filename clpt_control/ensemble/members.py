@@ -28,7 +28,6 @@ from ..native.batch import Batch, Callee
 from ..native.ending import STUCK, sampled_start
 from ..native.engines import make_runner, run_compared, warn_python
 from ..native.machine import LANES, processor
-from ..native.native_diagram import NativeDiagram
 from ..native.python_diagram import PythonDiagram
 from ..native.schedule import Inputs, Schedule
 from ..native.sliding import go_on
@@ -221,43 +220,43 @@ class Ensemble:
             nothing, counts = np.zeros((count, nt, 0)), np.zeros((count, 4), dtype=np.int64)
             return States(nothing, np.full(count, numbering.FINISHED), np.full(count, nt), counts)
 
-        def run(
-            some: Any, runner: PythonDiagram, inputs: Any, lanes: int
-        ) -> tuple[np.ndarray, ...]:
-            runs, group = (members.x0[some], members.P[some]), members.group[some]
-            callee = runner.callee(lanes, inputs, by)
-            batch = Batch(callee, *runs, times, members.schedules, group)
+        def run(runner: PythonDiagram, runs: tuple, lanes: int = 1, inputs: Any = None) -> Batch:
+            batch = Batch(runner.callee(lanes, inputs, by), *runs)
             implicit = partial(runner.implicit, inputs) if method == "auto" else None
-            batch.adaptive(rtol, atol, implicit=implicit)
-            return batch.results
-
-        if not self.compiled:
-            results = [run(slice(m, m + 1), *own, 1) for m, own in enumerate(members.runners)]
-            return States(*map(np.concatenate, zip(*results, strict=True)))
-        result = run(slice(None), self.native, None, 1 if by == numbering.RODAS5P else self.lanes)
-        stuck = np.flatnonzero(np.isin(result[1], STUCK))
-        if self.native.code.program.decided and len(stuck):
-            again = run(stuck, self.native.unlocked(), None, 1)
-            for array, rows in zip(result, again, strict=True):
-                array[stuck] = rows
-
-        def alone(of: NativeDiagram, P: Any, start: Any, at: Any, pieces: Schedule) -> Batch:
-            batch = Batch(of.callee(1, None, by), start[None], P[None], at, [pieces])
-            implicit = of.implicit if method == "auto" else None
             batch.adaptive(rtol, atol, implicit=implicit)
             return batch
 
+        def rows(m: Any) -> tuple:
+            return members.x0[m], members.P[m], times, members.schedules, members.group[m]
+
+        def alone(of: PythonDiagram, P: Any, start: Any, at: Any, pieces: Schedule) -> Batch:
+            return run(of, (start[None], P[None], at, [pieces]))
+
+        if not self.compiled:
+            each = enumerate(members.runners)
+            results = [run(of, rows([m]), inputs=inputs).results for m, (of, inputs) in each]
+            return States(*map(np.concatenate, zip(*results, strict=True)))
+        lanes = 1 if by == numbering.RODAS5P else self.lanes
+        result = run(self.native, rows(slice(None)), lanes).results
+
+        def put(m: Any, batch: Batch) -> None:
+            for array, found in zip(result, batch.results, strict=True):
+                array[m] = found
+
+        stuck = np.flatnonzero(np.isin(result[1], STUCK))
+        if self.native.code.program.decided and len(stuck):
+            put(stuck, run(self.native.unlocked(), rows(stuck)))
         for m in np.flatnonzero(result[1] == numbering.CHATTERS).tolist():
             one = members.P[m], members.x0[m], times, members.schedule(m)
             go_on(self.native, batch := alone(self.native, *one), alone)
-            for array, rows in zip(result, batch.results, strict=True):
-                array[m] = rows[0]
+            put([m], batch)
         return States(*result)
 
-    def signals(self, members: Members, run: States, m: int, times: np.ndarray) -> np.ndarray:
+    def signals(self, members: Members, run: States, m: int) -> np.ndarray:
         """Return all signals of one member, at the times of its states that it reached."""
-        reached = int(run.reached[m])
-        points = times[:reached], run.states[m, :reached], members.schedule(m), members.P[m]
+        reached = slice(run.reached[m])
+        at = self.varied.state_times[reached], run.states[m, reached]
+        points = *at, members.schedule(m), members.P[m]
         return self._callee(members, m).evaluate(numbering.SIGNALS, *points, self.native.nsignals)
 
     @property

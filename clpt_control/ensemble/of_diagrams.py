@@ -26,9 +26,9 @@ from ..equations.system import System
 from ..errors import DiagramError, ScenarioError
 from ..native import numbering
 from ..native.python_diagram import checked_steps
-from ..native.schedule import Inputs, checked_times, read_inputs
+from ..native.schedule import Inputs, read_inputs
 from ..simulation.frame import Axes, Series, port_variables
-from ..simulation.integrate import as_diagram, sizes_of_run
+from ..simulation.integrate import request_of, sizes_of_run
 from ..simulation.running import labels_of, signal_units
 from ..simulation.starts import stacked_state
 from .drawn_values import Vary, unknown_name
@@ -53,11 +53,11 @@ class VariedDiagram(Varied):
         trajectories: bool = False,
         **solver: Any,
     ):
-        diagram, known = as_diagram(diagram)
-        self.state_times, self.name = checked_times("timepts", timepts), diagram.name
+        diagram, self.state_times, self.skipped, inputs, x0, solver = request_of(
+            diagram, timepts, inputs, initial_state, **solver
+        )
+        self.times, self.name = self.state_times[self.skipped :], diagram.name
         self.title, self.trajectories = f"Ensemble of {diagram.name}", trajectories
-        x0 = known.get("initial_state") if initial_state is None else initial_state
-        inputs = known.get("inputs") if inputs is None else inputs
         read_anew(diagram)
         sizes = sizes_of_run(diagram, inputs, x0, self.state_times)
         self.params = dict(params or {})
@@ -70,7 +70,6 @@ class VariedDiagram(Varied):
             self.params |= undeclared
             self.wiring = wiring_of(diagram, self.params, sizes)
         self.given = changed_parameters(self.wiring.blocks, self.params)
-        solver = {name: known.get(name) if one is None else one for name, one in solver.items()}
         rtol, atol, _, _, method = checked_steps(self.wiring.dt, self.state_times, **solver)
         self.options = {"rtol": rtol, "atol": atol, "method": method}
         self.inputs: Inputs = read_inputs(inputs, self.state_times, self.wiring.ninputs)
@@ -197,7 +196,7 @@ class VariedDiagram(Varied):
             raise DiagramError("out: inputs by a function cannot be told from others; give samples")
         parts += [(node.name, node.wires) for node in self.wiring.nodes]
         parts += [self.wiring.outputs, self.wiring.dt, self.outputs, self.options]
-        arrays = [self.start, self.state_times, *self.inputs.samples]
+        arrays = [self.start, self.state_times, self.times, *self.inputs.samples]
         arrays += [number for given in self.given for number in given]
         parts += [np.asarray(one, dtype=float).tolist() for one in arrays]
         return f"{self.name} {hashlib.sha256(repr(parts).encode()).hexdigest()[:16]}"
@@ -241,7 +240,7 @@ class VariedDiagram(Varied):
         """Return all arrays of the store, for the values of all members."""
         ports, axes = self.variables
         sizes = {dim: len(numbers) for dim, (numbers, _) in axes.items()}
-        sizes["time"] = len(self.state_times)
+        sizes["time"] = len(self.times)
         arrays = Arrays(len(next(iter(values.values()))), sizes)
         for port, one in ports.items():
             for what, words in SUMMARIES.items():
@@ -256,7 +255,7 @@ class VariedDiagram(Varied):
         for dim, (numbers, attributes) in axes.items():
             arrays.add_fixed(dim, (dim,), numbers, **attributes)
         if self.trajectories:
-            arrays.add_fixed("time", ("time",), self.state_times, long_name="time")
+            arrays.add_fixed("time", ("time",), self.times, long_name="time")
         return arrays
 
     def summarise(
@@ -266,7 +265,7 @@ class VariedDiagram(Varied):
         y = np.full((len(run.status), len(self.outputs), len(self.state_times)), np.nan)
         ports = self.variables[0]
         for m, rows in enumerate(y):
-            signals = ensemble.signals(members, run, m, self.state_times).T
+            signals = ensemble.signals(members, run, m).T
             reached, (_, inputs) = signals.shape[1], ensemble.alone(members, m)
             u = inputs.along(self.state_times[:reached])
             rows[:, :reached] = 0.0
@@ -275,6 +274,7 @@ class VariedDiagram(Varied):
                     row += gain * (signals[k] if k >= 0 else u[~k])
         not_finite = (run.status == numbering.FINISHED) & ~np.isfinite(y).all(axis=(1, 2))
         run = replace(run, status=np.where(not_finite, numbering.NOT_FINITE, run.status))
+        y = y[..., self.skipped :]
         # each row is summed by itself, so that no bit depends on the others
         rms = np.sqrt(np.sum(self._weights * y**2, axis=-1))
         figures = dict(zip(SUMMARIES, (y[..., -1], rms, np.abs(y).max(axis=-1)), strict=True))
@@ -292,8 +292,7 @@ class VariedDiagram(Varied):
     @property
     def _weights(self) -> np.ndarray:
         """The weight of each sample in a mean over time: equal, or of trapezoids."""
-        times = self.state_times
+        count, spans = len(self.times), np.diff(self.times)
         if self.wiring.dt:
-            return np.full(len(times), 1.0 / len(times))
-        spans = np.diff(times)
-        return (np.append(spans, 0.0) + np.append(0.0, spans)) / (2.0 * (times[-1] - times[0]))
+            return np.full(count, 1.0 / count)
+        return np.convolve(spans, [0.5, 0.5]) / (self.times[-1] - self.times[0])

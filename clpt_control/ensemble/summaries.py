@@ -26,7 +26,7 @@ from ..simulation.dataset import VARIABLES
 from ..simulation.flows import SpeedTimer
 from ..simulation.integrate import sample_times
 from ..simulation.loops import units_of_ports
-from ..simulation.pieces import nearest, samples_for_means
+from ..simulation.pieces import nearest, samples_for_means, starts_of_rounds
 from .members import Ensemble, Members, States, Values
 
 FEWEST = 20  # samples a cycle
@@ -47,8 +47,8 @@ class SampleTimes(NamedTuple):
     """Times of the states, and the numbers of those for each purpose."""
 
     all: np.ndarray  # increasing, from 0 to the end
-    fine: np.ndarray  # evenly spaced, for mean squares
     starts: np.ndarray  # where in `fine` each full cycle starts, and where the last one ends
+    fine: np.ndarray  # evenly spaced, for mean squares
     marks: np.ndarray  # of errors
     own: np.ndarray  # the scenario's own, for trajectories; empty without them
 
@@ -86,16 +86,12 @@ def sample_times_of(
     end, cycle = scenario.run.duration, scenario.cycle
     fine = sample_times(end, min(cycle, end) / samples)
     own = sample_times(end, scenario.run.output_step) if trajectories else np.zeros(0)
-    every = np.sort(np.concatenate([fine, np.array(marks, dtype=float), own]))
+    wanted = fine, np.array(marks, dtype=float), own
+    every = np.sort(np.concatenate(wanted))
     slack = 1e-9 * max(1.0, end)
     merged = every[np.append(True, np.diff(every) > slack)]
     merged[-1] = end
-    number = np.floor((fine + slack) / cycle).astype(int)
-    full = int(np.floor((end + slack) / cycle))
-    starts = np.searchsorted(number, np.arange(full + 1))
-    marked = np.array(marks, dtype=float)
-    numbers = [nearest(merged, wanted) for wanted in (fine, marked, own)]
-    return SampleTimes(merged, numbers[0], starts, *numbers[1:])
+    return SampleTimes(merged, starts_of_rounds(fine, cycle), *(nearest(merged, t) for t in wanted))
 
 
 class StoredArray(NamedTuple):
@@ -261,7 +257,7 @@ def _speeds(
         reached = int(run.reached[m])
         if reached < 2:
             continue
-        timer, signals = SpeedTimer(float(limit)), ensemble.signals(members, run, m, times)
+        timer, signals = SpeedTimer(float(limit)), ensemble.signals(members, run, m)
         timer.add(times[:reached], *(signals[:, ports[port]] for port in ("v_c", "flow_x")))
         figures = timer.figures()
         faster = figures["faster_flow"] or {"share": 0.0, "longest": 0.0}

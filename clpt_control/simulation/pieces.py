@@ -130,6 +130,12 @@ def nearest(times: np.ndarray, wanted: np.ndarray) -> np.ndarray:
     return np.where(wanted - times[after - 1] < times[after] - wanted, after - 1, after)
 
 
+def starts_of_rounds(times: np.ndarray, cycle: float) -> np.ndarray:
+    """Return where rounds of the waypoints start; the last one has just begun."""
+    slack = 1e-9 * max(1.0, float(times[-1]))
+    return np.flatnonzero(np.diff(np.floor((times + slack) / cycle), prepend=-1.0))
+
+
 def clpe_rms(
     scenario: Scenario, times: np.ndarray, squares: np.ndarray, counts: np.ndarray
 ) -> dict[str, Any]:
@@ -139,9 +145,8 @@ def clpe_rms(
     """
     first, end = float(times[0]), float(times[-1])
     slack = 1e-9 * max(1.0, end)
-    number = np.floor((times + slack) / scenario.cycle)  # of the round
-    starts = np.flatnonzero(np.diff(number, prepend=-1.0))
-    rounds = pairwise(starts if first <= slack else [])  # the last one has just begun
+    starts = starts_of_rounds(times, scenario.cycle)
+    rounds = pairwise(starts if first <= slack else [])
     late = int(np.searchsorted(times, first + 0.75 * (end - first) - slack))
     spans = {"clpe_rms": slice(None), "clpe_rms_last_quarter": slice(late, None)}
 

@@ -88,10 +88,12 @@ def test_a_part_of_ones_own_varies_where_the_loop_is_a_diagram(quick):
     loop = clpt.closed_loop(quick, law=law_blocks.papers_law(name="adaptation"))
     with pytest.raises(ScenarioError, match=r"^vary: adaptation.gain is no key .* with timepts"):
         run_ensemble(loop, {"adaptation.gain": [0.5, 2.0]})
-    times = np.arange(3.0)
-    data = run_ensemble(loop, {"adaptation.gain": [0.5, 2.0]}, timepts=times)
+    times = np.arange(1.0, 4.0)  # it runs from t = 0
+    data = run_ensemble(loop, {"adaptation.gain": [0.5, 2.0]}, timepts=times, trajectories=True)
     alone = clpt.simulate(loop, times, params={"adaptation.gain": 2.0})
-    np.testing.assert_allclose(data.e_final[1], alone.clpe[-1], atol=1e-12)
+    np.testing.assert_allclose(data.e[1], alone.clpe, atol=1e-12)
+    np.testing.assert_allclose(data.e_max[1], np.abs(alone.clpe).max("time"), atol=1e-12)
+    np.testing.assert_allclose(data.e_rms[1] ** 2, (alone.clpe**2).integrate("time") / 2)
 
 
 def test_a_block_takes_the_laws_place(quick, tmp_path):
