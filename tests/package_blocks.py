@@ -105,7 +105,7 @@ def package_blocks():
         learned = LAWS["learned-flow"].block(theorem_scenario(N, "learned-flow").known_to_law)
         yield f"law-in-a-team-{N}", consensus.pulled_law(learned)
         for law in lyapunov.CANDIDATES:
-            p = lyapunov.one_gain(0.7, theta, KD, GammaD)
+            p = lyapunov.weighted([0.7] * 3, theta, KD, GammaD)
             yield f"lyapunov-{law}-{N}", lyapunov.lyapunov_candidate(law, p)
 
 

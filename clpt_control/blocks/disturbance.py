@@ -87,8 +87,7 @@ def disturbance(
     Of noise the amplitude is the standard deviation, and the seed is a whole number.
     """
     output, breakpoints = KINDS[kind]
-    numbers = {"period": float(period), "seed": float(seed)}
-    given = {"amplitude": amplitude, **numbers, "interval": -1.0}
+    given = {"amplitude": amplitude, "period": period, "seed": seed}
     return paper_block(
         "disturbance", "-> delta", given, output=output, opaque=True, breakpoints=breakpoints
     )

@@ -86,7 +86,7 @@ def gridded_flow(
         "true_flow",
         f"{position} delta -> flow_x" if disturbed else f"{position} -> flow_x",
         {
-            "shape": [float(len(axis)) for axis in axes],  # grid points in time, x2 and x1
+            "shape": [len(axis) for axis in axes],  # grid points in time, x2 and x1
             "start": [axis[0] for axis in axes],  # the first of them
             "step": [(axis[-1] - axis[0]) / (len(axis) - 1) for axis in axes],
             # coefficients of the flow along x1 and x2, length per time, flat with time slowest,

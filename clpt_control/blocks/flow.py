@@ -25,7 +25,7 @@ import numpy as np
 
 from ..equations.block import Block
 from ..equations.ports import renamed
-from .ports import SHAPES, paper_block
+from .ports import paper_block
 
 
 def squared_distance(u, p):
@@ -64,9 +64,8 @@ def flow_basis(
     Centres of shape (N, 2) and widths are lengths, frequencies rad per time, phases rad.
     """
     given = {"centers": centers, "widths": widths, "frequencies": frequencies, "phases": phases}
-    ports: dict[str, Any] = {"inputs": {position: 2}, "outputs": {f"phi_{position}": "N"}}
-    shapes = {field: SHAPES[field] for field in given}
-    return Block(name, output=KERNELS[kernel], **ports, parameters=given, shapes=shapes)
+    block = paper_block(name, "x -> phi_x", given, output=KERNELS[kernel])
+    return at_position(block, position)
 
 
 def true(t, x, u, p):
@@ -92,10 +91,9 @@ def true_flow(theta: Any, disturbed: bool = False, position: str = "x") -> Block
 
 
 def at_position(block: Block, position: str) -> Block:
-    """Return a block that reads another position than x, and phi there."""
-    if position == "x":
-        return block
-    return renamed(block, block.name, {"x": position, "phi_x": f"phi_{position}"}, {})
+    """Return a block at another position than x, and of phi there."""
+    ports = {"x": position, "phi_x": f"phi_{position}"}
+    return block if position == "x" else renamed(block, block.name, ports, ports)
 
 
 def modeled_flow(alpha_M: Any) -> Block:

@@ -48,7 +48,7 @@ def fix(t, x, u, p):
 
 def fixes(noise: float, between: float, dropouts: float = 0.0, seed: float = 0.0) -> Block:
     """Make the block of the fixes: s, the time between two, the share that is missing."""
-    given = _numbers(noise=noise, between=between, dropouts=dropouts, seed=seed)
+    given = {"noise": noise, "between": between, "dropouts": dropouts, "seed": seed}
     return paper_block(
         "fixes", "x -> fix taken", given, output=fix, opaque=True, breakpoints=Each("between")
     )
@@ -56,11 +56,6 @@ def fixes(noise: float, between: float, dropouts: float = 0.0, seed: float = 0.0
 
 def measurement(noise: float, period: float, seed: float = 0.0) -> Block:
     """Make the block of the measured position: s, and how long the noise is held."""
-    given = _numbers(noise=noise, period=period, seed=seed)
+    given = {"noise": noise, "period": period, "seed": seed}
     jumps, ports = Each("period"), f"{TRUE} -> x"
     return paper_block("measurement", ports, given, output=measured, opaque=True, breakpoints=jumps)
-
-
-def _numbers(**values: float) -> dict[str, float]:
-    """Return parameters and `interval`, which the integrator sets."""
-    return {name: float(value) for name, value in values.items()} | {"interval": -1.0}

@@ -3,7 +3,7 @@
     V = (|e|^2 + |K - KD|^2/gamma + |GammaD - Gamma|^2/gamma) / 2               Eq. (17)
     V = Eq. (17) + |theta + alpha|^2 / (2 gamma)                                Eq. (24)
 
-The paper has one gain gamma (`one_gain`); here each error is weighted by its own.
+The paper has one gain gamma; here each error is weighted by its own.
 V is a signal like any other: runs keep it and proofs differentiate it, both from
 the functions here.
 
@@ -36,11 +36,6 @@ def weighted(gains: Sequence[float], theta: Any, KD: Any, GammaD: Any) -> Any:
         KD=KD,  # per time
         GammaD=GammaD,  # per time
     )
-
-
-def one_gain(gain: float, theta: Any, KD: Any, GammaD: Any) -> Any:
-    """Return what V of Eqs. (17) and (24) is made of: one gain gamma."""
-    return weighted((gain, gain, gain), theta, KD, GammaD)
 
 
 def level(e, u, p):

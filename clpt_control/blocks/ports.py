@@ -8,8 +8,10 @@ length per time) and gains of each axis (K, Gamma: per time).  N is the number o
 time).
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
+
+import numpy as np
 
 from ..equations.block import Block
 
@@ -20,9 +22,14 @@ OF_AXES = (
 SHAPES: dict[str, Any] = {
     **dict.fromkeys(OF_AXES, 2),
     **dict.fromkeys(("phi_x", "phi_x_true", "phi_z", "widths", "frequencies", "phases"), "N"),
-    **dict.fromkeys(("alpha", "alpha_M", "theta", "theta_hat", "eta"), (2, "N")),
-    **{"centers": ("N", 2), "taken": 1, "V": 1},
+    **dict.fromkeys(("alpha", "alpha_0", "alpha_M", "theta", "theta_hat", "eta"), (2, "N")),
+    **{"centers": ("N", 2), "information": "N", "taken": 1, "V": 1},
 }
+
+
+def among(names: Iterable[str]) -> dict[str, Any]:
+    """Return the shapes of those quantities that have any."""
+    return {name: SHAPES[name] for name in names if name in SHAPES}
 
 
 def paper_block(
@@ -30,9 +37,12 @@ def paper_block(
 ) -> Block:
     """Make a block; `ports` are its inputs, "->" and its outputs, or its states without `output`.
 
-    N tells the number of basis functions where no parameter does.
+    N tells the number of basis functions where no parameter does.  One with `breakpoints` has the
+    parameter `interval`, which the integrator sets.
     """
     inputs, outputs = ({port: SHAPES[port] for port in s.split()} for s in ports.split("->"))
     more["outputs" if "output" in more else "states"] = outputs
-    shapes, sizes = {p: SHAPES[p] for p in parameters if p in SHAPES}, {} if N is None else {"N": N}
-    return Block(name, inputs=inputs, parameters=parameters, shapes=shapes, sizes=sizes, **more)
+    given = {**parameters, "interval": -1.0} if "breakpoints" in more else parameters
+    values = {key: np.asarray(value, dtype=float)[()] for key, value in given.items()}
+    shapes, sizes = among(parameters), {} if N is None else {"N": N}
+    return Block(name, inputs=inputs, parameters=values, shapes=shapes, sizes=sizes, **more)

@@ -34,8 +34,8 @@ def circle(radius: float, count: int) -> np.ndarray:
 
 def reference(points: Any, dwell: float) -> Block:
     """Make the reference: waypoints of shape (n, 2) in turn, each for the time `dwell`."""
-    x1, x2 = np.asarray(points, dtype=float).T
-    given = {"x1": x1, "x2": x2, "dwell": float(dwell), "interval": -1.0}
+    x1, x2 = np.transpose(points)
+    given = {"x1": x1, "x2": x2, "dwell": dwell}
     return paper_block(
         "reference", "-> zc", given, output=waypoint, opaque=True, breakpoints=Each("dwell")
     )

@@ -78,7 +78,7 @@ def difference(t, x, u, p):
 
 def speed_limit(max_speed: float) -> Block:
     """Make the limit of the vehicle's speed, length per time."""
-    given = {"max_speed": float(max_speed)}
+    given = {"max_speed": max_speed}
     return paper_block("speed_limit", "v_c -> v_x", given, output=limited)
 
 

@@ -9,7 +9,7 @@ from own_laws import BOUNDED, GAIN, NOT_PROVED, NOT_REFUTED, REFUTED, RIGHT, TOO
 from textbook_laws import by, of_e, with_R
 
 import clpt_control as clpt
-from clpt_control.blocks.lyapunov import lyapunov_candidate, one_gain
+from clpt_control.blocks.lyapunov import lyapunov_candidate, weighted
 from clpt_control.equations import Block
 from clpt_control.errors import ClptError, DiagramError
 from clpt_control.progress import interrupt
@@ -78,7 +78,7 @@ def test_a_V_that_does_not_fit_refutes_no_law():
     truth = (scenario.flow.parameters, car.feedback, car.feedforward)
     own = own_laws.paper()
     for gain, status in ((0.5, "proved"), (0.7, "open")):
-        V = lyapunov_candidate("learned-flow", one_gain(gain, *truth))
+        V = lyapunov_candidate("learned-flow", weighted([gain] * 3, *truth))
         assert prove(own, V, points=POINTS).status == status
 
 

@@ -10,7 +10,7 @@ from own_laws import GAIN, law
 from textbook_laws import LAWS, of_e
 from wrong_laws import WRONG
 
-from clpt_control.blocks.lyapunov import lyapunov_candidate, one_gain
+from clpt_control.blocks.lyapunov import lyapunov_candidate, weighted
 from clpt_control.errors import ClptError, DiagramError
 from clpt_control.theory.proving.own_law import prove
 from clpt_control.theory.proving.signs import MOST_TERMS, terms_of
@@ -38,7 +38,7 @@ def test_a_V_of_other_numbers_is_not_the_truths():
 
     def made(truth):
         own = truth._replace(KD=np.array([1.0, 0.7]))
-        return lyapunov_candidate("learned-flow", one_gain(0.5, *own))
+        return lyapunov_candidate("learned-flow", weighted([0.5] * 3, *own))
 
     found = prove(own_laws.paper(), made, points=POINTS)
     assert found.status == "open"

@@ -27,6 +27,7 @@ from ...equations.block import Block
 from ...equations.declaration import Parameters
 from ...errors import ScenarioError
 from ..lyapunov import SHAPES, known_flow_V, learned_flow_V, weighted
+from ..ports import among
 
 # --- what is known ----------------------------------------------------------------------------
 
@@ -158,7 +159,6 @@ LEARNED = {"alpha": State((2, "N")), "K": State(2), "Gamma": State(2)}  # the ou
 # gamma of K and Gamma, per length squared per time squared; 0 holds K or Gamma
 K_GAMMA = {"gain_K": "gains.feedback", "gain_Gamma": "gains.feedforward"}
 GAINS = {"gain": "gains.parameters", **K_GAMMA}  # gamma > 0 of alpha, per time squared
-MORE_SHAPES = {"alpha_M": (2, "N"), "alpha_0": (2, "N"), "information": "N"}  # of parameters
 Part = dict[str, Any]  # fields of a row that laws share
 MAPPINGS = ("keys", "parameters", "states", "inputs")  # fields that are merged
 
@@ -322,7 +322,7 @@ class Law(NamedTuple):
             outputs={**self.outputs, **states},
             states=states,
             parameters=parameters | ({"interval": -1.0} if self.breakpoints else {}),
-            shapes=among(parameters, MORE_SHAPES),
+            shapes=among(parameters),
             sizes={"N": N},
             jump=self.jump,
             breakpoints=self.breakpoints,
@@ -348,18 +348,13 @@ class Law(NamedTuple):
             inputs={port: ports[port] for port in (BY_P if by_P else self.V_inputs)},
             outputs={"V": 1},
             parameters=values,
-            shapes=among(values, {**SHAPES, **MORE_SHAPES}),
+            shapes=among(values) | SHAPES,
         )
 
 
 def merged(mappings: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
     """Return mappings as one."""
     return {name: value for mapping in mappings for name, value in mapping.items()}
-
-
-def among(parameters: Any, shapes: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the shapes of those parameters that have any."""
-    return {name: shapes[name] for name in parameters if name in shapes}
 
 
 def gains_of(p: Any) -> tuple[Any, Any]:

@@ -19,7 +19,7 @@ import numpy as np
 
 from ...blocks.laws.law import Law, Truth
 from ...blocks.laws.table import LAWS
-from ...blocks.lyapunov import lyapunov_candidate, one_gain
+from ...blocks.lyapunov import lyapunov_candidate, weighted
 from ...diagrams.interconnection import Diagram, connect
 from ...equations.block import Block
 from ...errors import DiagramError
@@ -127,7 +127,7 @@ def theorem_candidate(scenario: Scenario, **gains: Any) -> Block:
 
     `gain` of alpha (2, N), `gain_K` and `gain_Gamma` (2,) take the place of the one gain.
     """
-    p = one_gain(scenario.learning.used_gains.parameters, *truth_of(scenario))
+    p = weighted([scenario.learning.used_gains.parameters] * 3, *truth_of(scenario))
     return lyapunov_candidate(scenario.learning.law, p._replace(**gains))
 
 
