@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike
 
 from ..arguments import public
 from ..equations.block import Block
-from .part import each, part, positive, remembering, rising, time_of
+from .part import each, positive, remembering, rising, signal_part, time_of
 
 
 def gap_closed(t, x, u, p):
@@ -157,14 +157,13 @@ def relay(
     """
     values = each(name, signals, off=off, on=on, low=low, high=high)
     rising(name, off=off, on=on)
-    return part(
+    return signal_part(
         name,
         ports,
         {**values, **time_of(name, lag, dt)},
+        signals,
         update=switched if lag is None else trigger,
         output=relayed,
-        inputs={"u": signals},
-        outputs={"y": signals},
         states={"closed": signals},
         dt=dt or 0,
     )

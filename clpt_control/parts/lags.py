@@ -17,15 +17,13 @@ Legendre Memory Units, Eqs. (1) to (3), NeurIPS 32 (delay); Franklin, Powell and
 Digital Control of Dynamic Systems (hold).
 """
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ..arguments import public
 from ..equations.block import Block
 from ..errors import BlockError
-from .part import each, part, positive
+from .part import each, part, positive, signal_part
 
 
 def lagging(t, x, u, p):
@@ -134,20 +132,23 @@ def delay(
     [0.0, 0.0, 1.0, 2.0, 3.0]
     """
     positive(name, delay=delay, order=order)
-    declared: dict[str, Any] = {"inputs": {"u": signals}, "outputs": {"y": signals}}
     if dt is not None:
         positive(name, dt=dt)
         count = round(delay / dt)
         if count < 1 or abs(count * dt - delay) > 1e-9 * delay:
             raise BlockError(f"{name}: delay = {delay}: must be a multiple of dt = {dt}")
-        declared |= {"states": {"line": (count, signals)}, "dt": dt}
-        return part(name, ports, {}, update=shifted, output=last_of_line, **declared)
+        line = {"line": (count, signals)}
+        return signal_part(
+            name, ports, {}, signals, update=shifted, output=last_of_line, states=line, dt=dt
+        )
     i = np.arange(order)
     weight, sign = 2.0 * i + 1, (-1.0) ** i
     A = weight[:, None] * np.where(i[:, None] < i, -1.0, -np.outer(sign, sign))
     values = {"delay": delay, "A": A, "B": weight * sign, "C": np.ones(order)}
-    declared["states"] = {"past": (order, signals)}
-    return part(name, ports, values, update=legendre_rate, output=oldest, **declared)
+    past = {"past": (order, signals)}
+    return signal_part(
+        name, ports, values, signals, update=legendre_rate, output=oldest, states=past
+    )
 
 
 def as_sampled(t, x, u, p):
@@ -184,5 +185,4 @@ def hold(dt: float, signals: int = 1, name: str = "hold", **ports: str) -> Block
     [0.0, 0.0, 2.0, 2.0]
     """
     positive(name, dt=dt)
-    declared = {"inputs": {"u": signals}, "outputs": {"y": signals}, "dt": dt}
-    return part(name, ports, {}, output=as_sampled, **declared)
+    return signal_part(name, ports, {}, signals, output=as_sampled, dt=dt)

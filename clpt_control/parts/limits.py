@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike
 from ..arguments import brief, numbers, public
 from ..equations.block import Block
 from ..errors import BlockError
-from .part import Ports, each, part, positive, remembering, rising, sampled
+from .part import each, positive, remembering, rising, sampled, signal_part
 
 
 def limited(t, x, u, p):
@@ -60,7 +60,7 @@ def saturation(
     """
     limits = each(name, signals, low=low, high=high)
     rising(name, **limits)
-    return _static(name, limited, signals, ports, **limits)
+    return signal_part(name, ports, limits, signals, output=limited)
 
 
 def beyond(t, x, u, p):
@@ -98,12 +98,7 @@ def dead_zone(
     """
     limits = each(name, signals, low=low, high=high)
     rising(name, **limits)
-    return _static(name, beyond, signals, ports, **limits)
-
-
-def _static(name: str, output: Any, signals: int, ports: Ports, **parameters: Any) -> Block:
-    declared = {"inputs": {"u": signals}, "outputs": {"y": signals}}
-    return part(name, ports, parameters, output=output, **declared)
+    return signal_part(name, ports, limits, signals, output=beyond)
 
 
 def looked_up(t, x, u, p):
@@ -154,7 +149,8 @@ def lookup_table(
         raise BlockError(f"{name}: at = {brief(at)}: must be two or more increasing numbers")
     if numbers(f"{name}: values", values).shape != places.shape:
         raise BlockError(f"{name}: values = {brief(values)}: must be {len(places)} numbers")
-    return _static(name, looked_up, signals, ports, at=at, values=values)
+    table = {"at": at, "values": values}
+    return signal_part(name, ports, table, signals, output=looked_up)
 
 
 def limited_rate(t, x, u, p):

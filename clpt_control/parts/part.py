@@ -31,6 +31,14 @@ def part(name: str, ports: Ports, parameters: Mapping[str, Any], **declared: Any
     return renamed(block, name, ports, ports) if ports else block
 
 
+def signal_part(
+    name: str, ports: Ports, parameters: Mapping[str, Any], signals: int, **declared: Any
+) -> Block:
+    """Make a part that takes u and makes y, each of some signals."""
+    both = {"inputs": {"u": signals}, "outputs": {"y": signals}}
+    return part(name, ports, parameters, **both, **declared)
+
+
 def each(name: str, signals: int, **values: Any) -> dict[str, Any]:
     """Return numbers, of which there may be one for each signal."""
     for key, value in values.items():
@@ -81,8 +89,7 @@ def remembering(
 ) -> Block:
     """Make a part that remembers its output: a state, or what a sampled one gave last."""
     values = {**parameters, **time_of(name, lag, dt)}
-    declared: dict[str, Any] = {"inputs": {"u": signals}}
     if dt is None:
-        return part(name, ports, values, update=rate, states={"y": signals}, **declared)
-    declared |= {"outputs": {"y": signals}, "states": {"last": signals}, "dt": dt}
-    return part(name, ports, values, update=step, output=step, **declared)
+        return part(name, ports, values, update=rate, inputs={"u": signals}, states={"y": signals})
+    last = {"last": signals}
+    return signal_part(name, ports, values, signals, update=step, output=step, states=last, dt=dt)
