@@ -107,7 +107,7 @@ def _repeats(block: Block, drawn: list[Sample]) -> Iterator[str]:
 
 def _zero(block: Block, drawn: list[Sample]) -> Iterator[str]:
     """Equations are finite where states and inputs are zero."""
-    x, u = np.zeros(block.nstates or 0), np.zeros(block.ninputs or 0)
+    x, u = np.zeros(block.nstates), np.zeros(block.ninputs)
     zero = Sample(0.0, x, u, block.parameters_at(0.0, block.parameters))
     for role in called_roles(block):
         if not np.all(np.isfinite(python_values(block, role, zero))):

@@ -6,6 +6,7 @@ parameter; here all four are errors that name the block and the port.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
@@ -373,4 +374,4 @@ def with_stop(wiring: Wiring, stop: Callable[[float, Any, Any], Any]) -> Wiring:
         joined_wires(fed),
     )
     order = (*wiring.order, len(wiring.nodes))
-    return Wiring((*wiring.nodes, node), order, m, wiring.outputs, units=wiring.units)
+    return replace(wiring, nodes=(*wiring.nodes, node), order=order)

@@ -49,7 +49,7 @@ def open_sizes(wiring: Wiring) -> dict[str, int]:
     """Return the sizes that have one name and one value in all blocks."""
     found: dict[str, set[int]] = {}
     for node in wiring.nodes:
-        for name, value in getattr(node.system, "sizes", {}).items():
+        for name, value in node.system.sizes.items():
             found.setdefault(name, set()).add(value)
     return {name: values.pop() for name, values in found.items() if len(values) == 1}
 

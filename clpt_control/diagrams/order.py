@@ -27,11 +27,8 @@ def order_of(nodes: list[Any]) -> tuple[int, ...]:
 
     The linear blocks of a circle are replaced in `nodes`.
     """
-    owner = [k for k, node in enumerate(nodes) for _ in range(node.system.noutputs or 0)]
-    waits = {
-        k: {owner[w.source + j] for w in node.wires if not w.external for j in range(w.size)}
-        for k, node in enumerate(nodes)
-    }
+    owner = [k for k, node in enumerate(nodes) for _ in range(node.system.noutputs)]
+    waits = {k: {owner[source] for _, source, _ in node.fed()} for k, node in enumerate(nodes)}
     # an unread function is tried, which may change what it keeps: not one that waits for none
     waits = {
         k: own if own and reaches_outputs(nodes[k].system) else set() for k, own in waits.items()
@@ -54,9 +51,8 @@ def _by_signals(nodes: list[Any], order: list[int], waits: dict[int, set[int]]) 
     needed: dict[int, dict[int, set[int]]] = {}  # block -> signal -> the signals that it waits for
     for k in waits:
         fed: dict[int, set[int]] = {}
-        for wire in nodes[k].wires:
-            for j in range(0 if wire.external else wire.size):
-                fed.setdefault(wire.to + j, set()).add(wire.source + j)
+        for to, source, _ in nodes[k].fed():
+            fed.setdefault(to, set()).add(source)
         first = nodes[k].outputs.start
         needed[k] = {
             first + i: set().union(*(fed.get(j, set()) for j in inputs))
@@ -105,26 +101,26 @@ def asked_at_once(block: Block) -> Block:
 def reaches_outputs(block: Block) -> bool:
     """Return whether inputs reach outputs at once, or once sampled; an unread function is tried."""
     block = asked_at_once(block)
-    return bool(block.ninputs and block.feedthrough and any(_through(block, by_signal=False)))
+    try:
+        return bool(block.array_record("output").leaves("u"))
+    except Unread:
+        return any(_tried(block))
 
 
-def _through(block: Block, by_signal: bool = True) -> list[set[int]]:
-    """Return for each output the inputs that reach it at once; else one set: whether any does."""
+def _through(block: Block) -> list[set[int]]:
+    """Return for each output the inputs that reach it at once."""
     block = asked_at_once(block)
     try:
-        if not by_signal:
-            return [{0}] if block.array_record("output").leaves("u") else []
         record = block.array_record("output")
         ports = InputsOf(record.operations, block.sizes).outputs(record)
-        places = {
-            (port, k): own.start + k
-            for port, (own, _) in inputs_of(block.input_shapes).items()
-            for k in range(own.stop - own.start)
-        }
-        return [{places[one] for one in port} for port in ports]
     except Unread:
-        reaching = _tried(block)
-    return reaching if by_signal else [set().union(*reaching)]
+        return _tried(block)
+    places = {
+        (port, k): own.start + k
+        for port, (own, _) in inputs_of(block.input_shapes).items()
+        for k in range(own.stop - own.start)
+    }
+    return [{places[one] for one in port} for port in ports]
 
 
 def _tried(block: Block) -> list[set[int]]:

@@ -104,9 +104,6 @@ def sizes(ports: Mapping[str, list[int]]) -> str:
 
 def functions_of(law: control.NonlinearIOSystem) -> int:
     """Return the N of a law; refuse a part that does not make alpha[2N], K[2] and Gamma[2]."""
-    if not isinstance(law, control.NonlinearIOSystem):
-        what = f"a {type(law).__name__}" if hasattr(law, "name") else f"{law!r:.60}"
-        raise DiagramError(f"{what} is no law: give a Block")
     outputs = widths([law])
     N = outputs.get("alpha", 0) // 2
     if N < 1 or {"alpha": 2 * N, "K": 2, "Gamma": 2}.items() - outputs.items():

@@ -34,11 +34,9 @@ def plain_diagram(
     """
     wires: dict[bool, list[Entry]] = {
         external: [
-            (node.inputs.start + wire.to + k, wire.source + k, wire.gain)
+            (node.inputs.start + to, source, gain)
             for node in wiring.nodes
-            for wire in node.wires
-            if wire.external is external
-            for k in range(wire.size)
+            for to, source, gain in node.fed(external)
         ]
         for external in (False, True)
     }

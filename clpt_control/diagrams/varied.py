@@ -27,6 +27,7 @@ from ..equations.ports import ports_of
 from ..equations.record import Record, Shape, bound, compact
 from ..equations.sampled import Sampled, other_equations
 from ..equations.system import System
+from .order import asked_at_once
 from .wiring import Node, Row, Wiring, joined_wires, paths_to, spaces_around
 
 ALONG = "d_"  # before the name of a port: its derivatives, a row for each direction
@@ -190,11 +191,10 @@ def varied(wiring: Wiring, given: Sequence, seeds: Sequence[Seeds], count: int) 
     )
     for k, (node, old) in enumerate(zip(nodes, wiring.nodes, strict=True)):
         fed: list[Row] = [{} for _ in range(node.inputs.stop - node.inputs.start)]
-        for wire in old.wires:
-            for j in range(0 if wire.external else wire.size):
-                places = node.system.places["inputs"][:, wire.to + j]
-                for to, source in zip(places, signals[:, wire.source + j], strict=True):
-                    fed[to][int(source)] = wire.gain
+        for own_to, own_source, gain in old.fed():
+            places = node.system.places["inputs"][:, own_to]
+            for to, source in zip(places, signals[:, own_source], strict=True):
+                fed[to][int(source)] = gain
         outer = [wire for wire in old.wires if wire.external]
         nodes[k] = replace(node, wires=(*joined_wires(fed), *outer))
     return VariedWiring(replace(wiring, nodes=tuple(nodes)), states, signals)
@@ -289,7 +289,7 @@ def _fields_by_name(wiring: Wiring) -> dict[str, list[tuple[int, str]]]:
 
 def read_as_number(block: Block, field: str) -> str | None:
     """Return the function in which a parameter was read as a number, if there is one."""
-    inner: Block = block.inner if isinstance(block, Sampled) else block
+    inner = asked_at_once(block)
     for role in inner.records:
         if field in inner.read_with.get(role, ((), ""))[0]:
             return role

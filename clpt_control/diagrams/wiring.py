@@ -49,6 +49,13 @@ class Node:
     outputs: slice  # among all block outputs
     wires: tuple[Wire, ...]  # what feeds it
 
+    def fed(self, external: bool = False) -> Iterator[tuple[int, int, float]]:
+        """Yield each input that blocks feed, or that the diagram's inputs do: it, source, gain."""
+        for wire in self.wires:
+            if wire.external is external:
+                for k in range(wire.size):
+                    yield wire.to + k, wire.source + k, wire.gain
+
 
 @dataclass(frozen=True)
 class Wiring:
@@ -170,10 +177,10 @@ def units_of(wiring: Wiring) -> tuple[list[str], list[str]]:
     given = [""] * wiring.ninputs
     for node in wiring.nodes:
         taken = units(node, "input")
-        for wire in (one for one in node.wires if one.gain == 1.0):
-            row = given if wire.external else made
-            for k in range(wire.size):
-                row[wire.source + k] = row[wire.source + k] or taken[wire.to + k]
+        for row, external in ((made, False), (given, True)):
+            for to, source, gain in node.fed(external):
+                if gain == 1.0:
+                    row[source] = row[source] or taken[to]
     return made, given
 
 
@@ -311,9 +318,9 @@ def ordered_wiring(
     """Return the wiring of named systems; `fed` has the sources of each block input, in order."""
     nodes, x, u, y = [], 0, 0, 0
     for name, system in systems:
-        states = slice(x, x := x + (system.nstates or 0))
-        inputs = slice(u, u := u + (system.ninputs or 0))
-        outputs = slice(y, y := y + (system.noutputs or 0))
+        states = slice(x, x := x + system.nstates)
+        inputs = slice(u, u := u + system.ninputs)
+        outputs = slice(y, y := y + system.noutputs)
         wires = joined_wires(fed[inputs])
         nodes.append(Node(system, name, states, inputs, outputs, wires))
     order = order_of(nodes)

@@ -189,7 +189,7 @@ class ClptAccessor:
         `input` names a port that comes from outside then, such as "zc", `output` one that is
         looked at, such as "e"; without them there is no input, and every signal is an output.
         """
-        from ..diagrams.linearization import linearize, minimal_of, state_space
+        from ..diagrams.linearization import linearize, minimal_of
 
         at, attributes = self.state_at(t), self._data.attrs
         beyond = [attributes[name] for name in BEYOND if name in attributes]
@@ -210,14 +210,8 @@ class ClptAccessor:
             ports = ports_of(system.output_labels)
             check_holds("output", ports, [output], f"it has {', '.join(ports)}")
             rows = ports[output]
-            linear = state_space(
-                *(linear.A, linear.B, linear.C[rows], linear.D[rows]),
-                0,
-                states=system.state_labels or None,
-                inputs=system.input_labels,
-                outputs=[system.output_labels[k] for k in rows],
-                name=linear.name,
-            )
+            linear.C, linear.D = linear.C[rows], linear.D[rows]
+            linear.set_outputs([system.output_labels[k] for k in rows])
         return minimal_of(linear) if minimal else linear
 
     def animate(self, path: Any = None, **options: Any) -> Any:

@@ -100,23 +100,26 @@ def draw(
         text = mermaid(diagram)
         write_file(path, f"```mermaid\n{text}```\n" if suffix == ".md" else text)
         return None
-    from matplotlib import style
-
     figure = block_figure(diagram)
-    with style.context(["default", STYLE]):
+    with _same_style():
         write_file(path, figure)
     return None
 
 
 def drawing(diagram: control.NonlinearIOSystem) -> Drawing:
     """Return a diagram drawn for a page, as wide as on paper."""
-    from matplotlib import style
-
     figure = block_figure(diagram)
-    with style.context(["default", STYLE]):
+    with _same_style():
         svg = inline_svg(figure, "diagram", f"block diagram of {diagram.name}")
     wide = f'<svg width="{72 * figure.get_figwidth():.0f}pt" '
     return Drawing(diagram.name, svg.replace("<svg ", wide, 1))
+
+
+def _same_style() -> Any:
+    """Return a context in which pictures are drawn, whatever the user's matplotlibrc says."""
+    from matplotlib import style
+
+    return style.context(["default", STYLE])
 
 
 def diagram_line(diagram: control.InterconnectedSystem) -> str:
@@ -193,7 +196,7 @@ def mermaid(diagram: control.NonlinearIOSystem) -> str:
     carried: dict[tuple[str, str], list[str]] = {}
     for arrow in arrows(diagram, wiring):
         start = outside[arrow.source] if arrow.external else inside[arrow.source]
-        carried.setdefault((start, inside[arrow.target]), []).append(arrow.label)
+        carried.setdefault((start, inside[arrow.target]), []).append(arrow.factor + arrow.port)
     for (start, end), names in carried.items():
         lines.append(f'    {start} -->|"{_quoted(", ".join(names))}"| {end}')
     return "\n".join(lines) + "\n"
@@ -208,14 +211,13 @@ def _quoted(text: str) -> str:
 
 def block_figure(diagram: control.NonlinearIOSystem) -> Any:
     """Return a diagram as a figure."""
-    from matplotlib import style
     from matplotlib.figure import Figure
 
     routed, nets, nodes = layout(diagram)
     key = _key(nets, nodes)
     across = max(routed.width, width(key, NOTE)) + 2 * MARGIN
     height = routed.height + 2 * MARGIN + (KEY if key else 0)
-    with style.context(["default", STYLE]):
+    with _same_style():
         figure = Figure(figsize=(across / 72, height / 72), facecolor="white", dpi=200)
         axes = figure.add_axes((0, 0, 1, 1))
         axes.set_axis_off()
@@ -238,7 +240,7 @@ def _key(nets: list[Any], nodes: dict[str, Node]) -> str:
     parts = []
     if any(system.nstates for system in systems):
         parts.append("∫ thick frame: block with states")
-    if any(getattr(system, "opaque", False) for system in systems):
+    if any(system.opaque for system in systems):
         parts.append("grey: source of time or tables")
     if any(net.back for net in nets):
         parts.append("dashed: feedback")
@@ -273,12 +275,11 @@ def _draw_arrows(axes: Any, routed: Routed, nets: list[Any]) -> None:
 def _draw_block(axes: Any, box: Any, name: str, system: control.NonlinearIOSystem) -> None:
     from matplotlib.patches import Rectangle
 
-    opaque = getattr(system, "opaque", False)
     frame = Rectangle(
         (box.x, box.y - box.height / 2),
         box.width,
         box.height,
-        fc="0.88" if opaque else "white",
+        fc="0.88" if system.opaque else "white",
         ec="black",
         lw=1.8 if system.nstates else 0.8,
         zorder=4,

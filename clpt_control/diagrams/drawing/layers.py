@@ -38,9 +38,9 @@ class Arrow(NamedTuple):
     external: bool  # true where the port is an input of the diagram
 
     @property
-    def label(self) -> str:
-        """Return the port, with its gain unless that is 1."""
-        return self.port if self.gain == 1 else f"{self.gain:g} {self.port}"
+    def factor(self) -> str:
+        """Return the gain as it stands before the port, nothing where it is 1."""
+        return "" if self.gain == 1 else f"{self.gain:g} "
 
 
 def port_of(label: str) -> str:
@@ -130,9 +130,8 @@ def gather(diagram: control.NonlinearIOSystem, wiring: Wiring) -> list[Net]:
     for arrow in arrows(diagram, wiring):
         source = f"in:{arrow.source}" if arrow.external else arrow.source
         targets = reached.setdefault((source, arrow.port), {})
-        gain = "" if arrow.gain == 1 else f"{arrow.gain:g} "
         before = f"{targets[arrow.target]}, " if arrow.target in targets else ""
-        targets[arrow.target] = before + gain
+        targets[arrow.target] = before + arrow.factor
     made, given = (iter(one) for one in units_of(wiring))
     units = {
         (n.name, p): next(made) for n in wiring.nodes for p in map(port_of, n.system.output_labels)
@@ -233,8 +232,8 @@ def _order_layers(layered: Layered) -> None:
             for start, end in layered.links(layer - 1 if down else layer):
                 name, other = (end, start) if down else (start, end)
                 near[name].append(place[other])
-            mean = {n: sum(at) / len(at) if at else place[n] for n, at in near.items()}
-            layers[layer].sort(key=mean.__getitem__)
+            middle = {name: mean(at or [place[name]]) for name, at in near.items()}
+            layers[layer].sort(key=middle.__getitem__)
         if (crossings := _crossings(layered)) < fewest:
             fewest, best = crossings, [list(names) for names in layers]
     layered.layers = best

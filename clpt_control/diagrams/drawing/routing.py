@@ -183,9 +183,7 @@ def _paths(layered: Layered, boxes: Boxes, channels: Channels, text_width: Width
                 )
                 lane = away.lane or 0.0
                 path += [(away.x, start[1]), (away.x, lane), (home.x, lane), (home.x, end[1])]
-            for c in range(rank, layered.rank[target]):
-                if target in net.back:
-                    break
+            for c in range(rank, layered.rank[target]):  # none of feedback
                 turn = next(t for t in channels[c] if t.net == k and t.lane is None)
                 last = c + 1 == layered.rank[target]
                 y = end[1] if last else boxes[f"pass:{k}:{c + 1}"].y
