@@ -11,6 +11,7 @@ speed that no sea has is refused instead.
 
 import re
 import warnings
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -188,14 +189,22 @@ def dates_of(when: xarray.DataArray, real: bool = True, least: int = 2) -> np.nd
     return dates
 
 
-def check_speed(values: np.ndarray, what: str) -> None:
-    """Refuse a speed, m/s with NaN in gaps, that no sea has; one at least is finite."""
-    most = np.nanmax(np.abs(values))
-    if most > FASTEST:
-        raise DataError(
-            f"{what} reaches {most:.4g} m/s; at most {FASTEST} are allowed: check its "
-            "units and fill value"
-        )
+def mark_gaps(u: np.ndarray, v: np.ndarray, names: Sequence[str], nothing: str) -> None:
+    """Set both components of a current, m/s, to NaN where one is missing.
+
+    Gaps alone are refused, which `nothing` says, and a speed that no sea has.
+    """
+    gap = ~(np.isfinite(u) & np.isfinite(v))
+    if gap.all():
+        raise DataError(nothing)
+    u[gap] = v[gap] = np.nan
+    for name, values in zip(names, (u, v), strict=True):
+        most = np.nanmax(np.abs(values))
+        if most > FASTEST:
+            raise DataError(
+                f"{name} reaches {most:.4g} m/s; at most {FASTEST} are allowed: check its "
+                "units and fill value"
+            )
 
 
 def velocity_values(

@@ -106,12 +106,8 @@ def read_record(
             times, u, v, place = _from_netcdf(of_profiler(data), at, units)
     check_increasing(times, str(path))
     with naming(path):
-        gap = ~(np.isfinite(u) & np.isfinite(v))
-        if gap.all():
-            raise DataError("no time has a finite value of both components of the current")
-        u, v = np.where(gap, np.nan, u), np.where(gap, np.nan, v)
-        for name, values in (("eastward", u), ("northward", v)):
-            cf.check_speed(values, f"the {name} current")
+        nothing = "no time has a finite value of both components of the current"
+        cf.mark_gaps(u, v, ("the eastward current", "the northward current"), nothing)
         found = place[0] if latitude is None else latitude
         if found is None:
             raise DataError(

@@ -272,15 +272,11 @@ def _read(path: Path, span: Box | None, column: bool, units: str | None, least: 
                 "the file to the area and days that are needed"
             )
         u, v = (cf.velocity_values(data, name, index, units) for name in names)
-        gap = ~(np.isfinite(u) & np.isfinite(v))
-        if gap.all():
-            raise DataError(
-                f"{names[0]} and {names[1]} have no finite value in the box {_edges(wanted)}; "
-                "choose a box where the current was measured"
-            )
-        u[gap] = v[gap] = np.nan
-        for name, values in zip(names, (u, v), strict=True):
-            cf.check_speed(values, name)
+        nothing = (
+            f"{names[0]} and {names[1]} have no finite value in the box {_edges(wanted)}; "
+            "choose a box where the current was measured"
+        )
+        cf.mark_gaps(u, v, names, nothing)
         if column and u.ndim == 3:
             u, v = u[:, None], v[:, None]
         lat0, lat1, lon0, lon1 = map(float, wanted)

@@ -72,7 +72,7 @@ class LocalPlane:
 
     def to_plane(self, lat: Any, lon: Any) -> tuple[np.ndarray, np.ndarray]:
         """Return x1 and x2 in km of places in degrees, 1000 km from the origin at most."""
-        lat, lon = np.broadcast_arrays(np.asarray(lat, float), np.asarray(lon, float))
+        lat, lon = np.broadcast_arrays(lat, lon)
         x1, x2 = self._projection(lon, lat)
         distance = np.hypot(x1, x2)
         if not np.all(distance <= WIDEST):  # also where not finite
@@ -87,13 +87,13 @@ class LocalPlane:
 
         The longitude lies within 180 degrees of the origin's.
         """
-        x1, x2 = np.broadcast_arrays(np.asarray(x1, float), np.asarray(x2, float))
+        x1, x2 = np.broadcast_arrays(x1, x2)
         lon, lat = self._projection(x1, x2, inverse=True)
         return lat, near(lon, self.lon)
 
     def rotate(self, lat: Any, lon: Any, u: Any, v: Any) -> tuple[np.ndarray, np.ndarray]:
         """Rotate velocities at places in degrees from east and north to x1 and x2."""
-        lat, lon = np.broadcast_arrays(np.asarray(lat, float), np.asarray(lon, float))
+        lat, lon = np.broadcast_arrays(lat, lon)
         factors = self._projection.get_factors(lon, lat)
         # where east points in the plane
         angle = np.arctan2(factors.dy_dlam, factors.dx_dlam)

@@ -141,16 +141,17 @@ def fit_tides(
     times, flow = _measured(time, u, v, where)
     hours = (times - times[0]).astype(float) / 3.6e6
     names = _names(constituents, hours, where)
-    cycles = np.array([utide.cycles_per_hour[name] for name in tidal.utide_names(names)])
+    theirs = tidal.utide_names(names)
+    cycles = np.array([utide.cycles_per_hour[name] for name in theirs])
     speeds = {"steady": 0.0} | dict(zip(names, 360.0 * cycles, strict=True))
     telling_apart.check_separable(tuple(speeds), hours[-1], where, speeds)
     telling_apart.check_sampling(hours, cycles, names, where)
     telling_apart.check_nyquist(hours, cycles, names, where)
     options = {
         "lat": tidal.checked_latitude(latitude),
-        "constit": tidal.utide_names(names),
+        "constit": theirs,
         "white": True,
-        "order_constit": tidal.utide_names(names),
+        "order_constit": theirs,
         "trend": False,
         "verbose": False,
     }

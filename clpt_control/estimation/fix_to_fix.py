@@ -83,16 +83,16 @@ def generalised(segments, h, theta, sd, r, blur=0.0) -> tuple[np.ndarray, np.nda
 
 
 def batch_least_squares(segments, basis, theta, sd, r, w):
-    """Return theta, P, the steps and h of batch least squares."""
+    """Return the steps of theta, P and h of batch least squares."""
     h, B = segments.integrals(basis, segments.known_track), segments.blur(basis)
     first, P = theta, np.diag(sd**2)
     for _ in range(3 if segments.noise_period else 1):
         theta, P = generalised(segments, h, first, sd, r, expected_blur(theta, P, B))
-    return theta, P, theta[None], h
+    return theta[None], P, h
 
 
 def kalman(segments, basis, theta, sd, r, w):
-    """Return theta, P, the steps and h of the filter, causal: each segment after its end."""
+    """Return the steps of theta, P and h of the filter, causal: each segment after its end."""
     h, B, N = segments.integrals(basis, segments.known_track), segments.blur(basis), len(sd)
     alone, fix = segments.shares(r)
     x, P = np.pad(theta, ((0, 0), (0, 2))), np.diag([*sd**2, fix[0], 0.0])
@@ -110,11 +110,11 @@ def kalman(segments, basis, theta, sd, r, w):
         steps.append(x[:, :N])
         last = [*range(N), N + 1 if new else N]  # the end is the next one's start
         x, P = np.pad(x[:, last], ((0, 0), (0, 1))), np.pad(P[np.ix_(last, last)], (0, 1))
-    return steps[-1], P[:N, :N], np.array(steps), h
+    return np.array(steps), P[:N, :N], h
 
 
 def tomography(segments, basis, theta, sd, r, w):
-    """Return theta, P, the steps and h where tracks are predicted, until theta settles."""
+    """Return the steps of theta, P and h where tracks are predicted, until theta settles."""
     first, steps = theta, []
     for _ in range(MOST):
         check()
@@ -122,7 +122,7 @@ def tomography(segments, basis, theta, sd, r, w):
         before, (theta, P) = theta, generalised(segments, h, first, sd, r)
         steps.append(theta)
         if np.max(np.abs(theta - before) / sd) < SETTLED:
-            return theta, P, np.array(steps), h
+            return np.array(steps), P, h
     raise DataError(
         f"the tomography does not settle in {MOST} iterations: its last moved theta by "
         f"{np.abs(theta - before).max():.2g}; give fixes more often, a smaller prior or fewer "

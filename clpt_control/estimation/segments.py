@@ -166,7 +166,7 @@ class RunTrack:
 
     def __init__(self, run: xarray.Dataset, scenario: Scenario):
         self.time, places = run.time.values, run.position.values
-        self.basis = scenario.basis_block()
+        basis = scenario.basis_block()
         self.places, self.water = [], []  # splines, one a piece
         self.doubt = 0.0  # of the displacement over a piece, length
         self.periods = {"waypoint": scenario.reference.dwell}  # how long what lasts
@@ -202,7 +202,7 @@ class RunTrack:
         x = places[every] + (read - places)[began]
         t, car = self.time[every], scenario.vehicle
         gains = scenario.model_parameters, car.feedback, car.feedforward
-        seen = np.hstack([x, run.reference.values[began], evaluate(self.basis, t, x)])
+        seen = np.hstack([x, run.reference.values[began], evaluate(basis, t, x)])
         way = evaluate(vehicle.vehicle_controller(*gains), t, seen)  # through the water
         if car.max_speed is not None:
             way = evaluate(vehicle.speed_limit(car.max_speed), t, way)
@@ -228,10 +228,8 @@ class RunTrack:
         return x, d
 
 
-def run_segments(
-    run: xarray.Dataset, scenario: Scenario, every: float | None
-) -> tuple[Segments, Block]:
-    """Return the segments of a run, and the scenario's basis."""
+def run_segments(run: xarray.Dataset, scenario: Scenario, every: float | None) -> Segments:
+    """Return the segments of a run."""
     if scenario.localization is not None and scenario.localization.fixes is not None:
         raise ScenarioError(
             "localization.interval: the vehicle of this run steers on its prediction between "
@@ -261,7 +259,7 @@ def run_segments(
             f"the run's samples let the way through the water be known to {track.doubt:.2g} "
             f"{scenario.units.length} only; run it with a smaller run.output_step"
         )
-    return segments, track.basis
+    return segments
 
 
 def run_scenario(run: xarray.Dataset) -> Scenario:

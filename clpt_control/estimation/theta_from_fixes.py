@@ -164,12 +164,12 @@ def flow_estimate(
         usual_walk = np.sqrt(2 / sea.memory)  # that of a current, scaled
     else:
         scenario = run_scenario(data)
-        segments, of_run = run_segments(data, scenario, every)
-        basis, known = of_run if basis is None else basis, scenario.known_to_law
+        segments, known = run_segments(data, scenario, every), scenario.known_to_law
         usual_prior = PRIOR.usual(known)
         fix = 0.0 if scenario.localization is None else scenario.localization.noise
         usual_noise = np.full(len(segments.start), np.hypot(segments.alone, np.sqrt(2) * fix))
-        usual_start = known.alpha_M if basis is of_run else None
+        if basis is None:
+            basis, usual_start = scenario.basis_block(), known.alpha_M
     n, sizes = len(segments.start), list(basis.output_ports.values())
     if basis.state_ports or list(basis.input_ports.values()) != [2] or len(sizes) != 1:
         raise ScenarioError(f"{basis.name}: is no basis, a block x[2] -> phi_x[N] without states")
@@ -188,7 +188,8 @@ def flow_estimate(
     if not np.all(segments.duration > 0):
         raise DataError("a segment does not end after it begins; clpt.gliders.usable leaves it out")
     with np.errstate(all="ignore"):  # what is not finite is refused
-        theta, P, steps, h = METHODS[method](segments, basis, theta, sd, r, w)
+        steps, P, h = METHODS[method](segments, basis, theta, sd, r, w)
+        theta = steps[-1]
         scaled, left = whitened(segments, h, r), segments.miss - h @ theta.T
     if not all(np.all(np.isfinite(part)) for part in (theta, P, scaled)):
         raise DataError("the estimate is not finite; give a smaller prior or more noise")

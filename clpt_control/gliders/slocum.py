@@ -75,13 +75,11 @@ def dead_reckoning(
     of: pandas.DataFrame, start: Fix, wet: np.ndarray, east_of_north: float
 ) -> tuple[np.ndarray | None, str]:
     """Return time since the fix (s), metres east and north of it to the end under water; or why."""
-    time, east, north = _places(of, start, wet, east_of_north)
+    time, *places = _places(of, start, wet, east_of_north)
     if time.size < 2:
         return None, "fewer than two places of dead reckoning (m_lat, m_lon or m_x_lmc, m_y_lmc)"
-    steps = np.diff(time)
-    speed = float(np.median(np.hypot(np.diff(east), np.diff(north)) / steps))
-    since = np.concatenate([[0.0], time - start[0]])
-    east, north = np.concatenate([[0.0], east]), np.concatenate([[0.0], north])
+    speed = float(np.median(np.hypot(*np.diff(places)) / np.diff(time)))
+    path = np.hstack([np.zeros((3, 1)), [time - start[0], *places]])
     rest = wet[-1] - time[-1]
     if rest > SHORT:
         log, heading = logged(between(of, start[0], wet[-1] + SHORT), "m_heading")
@@ -90,33 +88,29 @@ def dead_reckoning(
         later = np.append(log[(log > time[-1]) & (log < wet[-1])], wet[-1])
         h = np.radians(east_of_north) + np.interp(later, log, np.unwrap(heading))
         step = speed * np.diff(later, prepend=time[-1])
-        since = np.append(since, later - start[0])
-        east = np.append(east, east[-1] + np.cumsum(step * np.sin(h)))
-        north = np.append(north, north[-1] + np.cumsum(step * np.cos(h)))
-    return np.array([since, east, north]), ""
+        flown = np.cumsum(step * [np.sin(h), np.cos(h)], axis=1)
+        path = np.hstack([path, [later - start[0], *(path[1:, -1:] + flown)]])
+    return path, ""
 
 
-def _places(
-    of: pandas.DataFrame, start: Fix, wet: np.ndarray, east_of_north: float
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return times of the dead reckoning and its places east and north of the fix, m."""
+def _places(of: pandas.DataFrame, start: Fix, wet: np.ndarray, east_of_north: float) -> np.ndarray:
+    """Return times of the dead reckoning and its places east and north of the fix, m, (3, n)."""
     near = between(of, start[0] - SHORT, wet[-1])
     (time, lat, lon), (times, x, y) = logged(near, *PLACE), logged(near, *LOCAL)
     lat, lon = degrees(lat), degrees(lon)
     good = np.isfinite(lat) & np.isfinite(lon) & (time > start[0])
     if good.sum() >= 2:
         moved = [displacement(*start[1:], a, b) for a, b in zip(lat[good], lon[good], strict=True)]
-        east, north = np.array(moved).T
-        return time[good], east, north
+        return np.array([time[good], *np.transpose(moved)])
     if times.size < 2:
-        return np.empty(0), np.empty(0), np.empty(0)
+        return np.empty((3, 0))
     later = max(times[0] - max(wet[0], start[0]), 0.0)  # it was reset to the fix until the dive
     origin = [
         np.interp(start[0], times, c) - np.diff(c)[0] / np.diff(times)[0] * later for c in (x, y)
     ]
     rows = times > start[0]
-    east, north = turned((x[rows] - origin[0], y[rows] - origin[1]), east_of_north)
-    return times[rows], east, north
+    places = turned((x[rows] - origin[0], y[rows] - origin[1]), east_of_north)
+    return np.array([times[rows], *places])
 
 
 def was_added(miss: np.ndarray, before: np.ndarray, now: np.ndarray, used: float) -> bool:

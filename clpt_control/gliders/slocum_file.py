@@ -66,11 +66,13 @@ def read_segment(path: Path) -> Segment:
         raw, whole = uncompressed(raw)
     tags, at = _header(raw, path)
     if tags["dbd_label"].startswith(TEXT):
-        columns, at = _table(raw, at, int(tags["num_label_lines"]), path)
+        columns, at = _table(raw, at, int(tags["num_label_lines"]))
     else:
         sensors, at = _sensors(raw, at, tags, path)
         states = int(tags["state_bytes_per_cycle"])
         columns, at = _cycles(raw, at, sensors, states, path)
+    if TIME not in columns:
+        raise DataError(f"{path}: the Slocum file has no {TIME}, the times of its cycles")
     notes: tuple[str, ...] = ()
     if not whole or raw[at : at + 1] not in (b"X", b""):
         where = f"at byte {at} of {len(raw)}"
@@ -238,8 +240,6 @@ def _cycles(
             "sensors: the list is of another file; get the right one from the glider"
         )
     wanted = {name: k for k, (name, _) in enumerate(sensors) if name in (TIME, *NAMES)}
-    if TIME not in wanted:
-        raise DataError(f"{path}: the Slocum file has no {TIME}, the times of its cycles")
     sizes = np.array([size for _, size in sensors])
     codes = (np.arange(256)[:, None] >> np.array([6, 4, 2, 0])) & 3
     last, rows = dict.fromkeys(wanted, nan), list[list[float]]()
@@ -257,13 +257,11 @@ def _cycles(
     return pandas.DataFrame(rows, columns=[*wanted], dtype=float), at
 
 
-def _table(raw: bytes, at: int, labels: int, path: Path) -> tuple[pandas.DataFrame, int]:
+def _table(raw: bytes, at: int, labels: int) -> tuple[pandas.DataFrame, int]:
     """Return the values of sensors in the whole lines of a text, and where these end."""
     end = raw.rfind(b"\n") + 1
     lines = raw[at:end].decode("ascii", "replace").splitlines()
     sensors = lines[0].split() if lines else []
-    if TIME not in sensors:
-        raise DataError(f"{path}: the Slocum file has no {TIME}, the times of its cycles")
     wanted = [name for name in (TIME, *NAMES) if name in sensors]
     places = [sensors.index(name) for name in wanted]
     cells = [line.split() for line in lines[labels:]]
