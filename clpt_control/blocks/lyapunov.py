@@ -17,8 +17,10 @@ import numpy as np
 
 from ..equations.block import Block
 from ..equations.declaration import Parameters
+from .ports import paper_block
 
-SHAPES = {"gain": (2, "N"), "theta": (2, "N")}  # of what V is made of
+PORTS = "e alpha K Gamma -> V"
+BY_GAINS = {"gain": (2, "N")}  # shapes beside those of `ports`: each alpha has its gain
 
 
 def weighted(gains: Sequence[float], theta: Any, KD: Any, GammaD: Any) -> Any:
@@ -64,11 +66,5 @@ CANDIDATES = {"known-flow": known_flow_V, "learned-flow": learned_flow_V}
 
 def lyapunov_candidate(law: str, parameters: Any) -> Block:
     """Make V: Eq. (17) for the law ``"known-flow"``, Eq. (24) for ``"learned-flow"``."""
-    return Block(
-        "lyapunov",
-        output=CANDIDATES[law],
-        inputs={"e": 2, "alpha": (2, "N"), "K": 2, "Gamma": 2},
-        outputs={"V": 1},
-        parameters=parameters,
-        shapes=SHAPES,
-    )
+    given, output = parameters._asdict(), CANDIDATES[law]
+    return paper_block("lyapunov", PORTS, given, output=output, shapes=BY_GAINS)

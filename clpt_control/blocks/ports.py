@@ -44,5 +44,5 @@ def paper_block(
     more["outputs" if "output" in more else "states"] = outputs
     given = {**parameters, "interval": -1.0} if "breakpoints" in more else parameters
     values = {key: np.asarray(value, dtype=float)[()] for key, value in given.items()}
-    shapes, sizes = among(parameters), {} if N is None else {"N": N}
+    shapes, sizes = among(parameters) | more.pop("shapes", {}), {} if N is None else {"N": N}
     return Block(name, inputs=inputs, parameters=values, shapes=shapes, sizes=sizes, **more)

@@ -50,6 +50,11 @@ CALENDARS = (*REAL, "julian", "noleap", "365_day", "all_leap", "366_day", "360_d
 SINCE_A_DATE = re.compile(r"\s*(\w+)\s+since\s+(\d+-\d+-\d+.*)", re.IGNORECASE)
 
 
+def said(variable: xarray.DataArray, attribute: str = "units") -> str:
+    """Return an attribute as text, '' where there is none."""
+    return str(variable.attrs.get(attribute, "")).strip()
+
+
 def find_variable(data: xarray.Dataset, table: dict[str, Any], what: str) -> str:
     """Return the name of a variable of `VELOCITY` or `AXES`, by standard name and by name.
 
@@ -57,13 +62,13 @@ def find_variable(data: xarray.Dataset, table: dict[str, Any], what: str) -> str
     no current, whatever its name.
     """
     standard, names = table[what]
-    said = {name: one.attrs.get("standard_name") for name, one in data.variables.items()}
-    by_standard = [name for name, one in said.items() if one in standard]
-    by_name = [n for n, one in said.items() if str(n).lower() in names and "wind" not in str(one)]
+    named = {name: one.attrs.get("standard_name") for name, one in data.variables.items()}
+    by_standard = [name for name, one in named.items() if one in standard]
+    by_name = [n for n, one in named.items() if str(n).lower() in names and "wind" not in str(one)]
     by_name.sort(key=lambda name: names.index(str(name).lower()))
     if found := [*(n for n in by_name if n in by_standard), *by_standard, *by_name]:
         return str(found[0])
-    if table is AXES and any(one in PROJECTED for one in said.values()):
+    if table is AXES and any(one in PROJECTED for one in named.values()):
         raise DataError(f"has a projected grid, of x and y, and no {what}; {CURE}")
     kind = f"{what} velocity" if table is VELOCITY else what
     raise DataError(
@@ -109,14 +114,14 @@ def is_depth(data: xarray.Dataset, dim: Any) -> bool:
     """Return whether a dimension has a coordinate that is a depth by its names."""
     if dim not in data.variables:
         return False
-    standard = str(data[dim].attrs.get("standard_name", ""))
-    return str(dim).lower() in DEPTH_NAMES or standard.startswith(DEPTHS)
+    by_standard = said(data[dim], "standard_name").startswith(DEPTHS)
+    return str(dim).lower() in DEPTH_NAMES or by_standard
 
 
 def distances_of(axis: xarray.DataArray) -> np.ndarray:
     """Return how far levels are from the surface, in their unit; heights from below are refused."""
-    levels, said = np.atleast_1d(numbers_of(axis)), axis.attrs
-    up = said.get("positive") == "up" or str(said.get("standard_name")).startswith(HEIGHTS)
+    levels = np.atleast_1d(numbers_of(axis))
+    up = said(axis, "positive") == "up" or said(axis, "standard_name").startswith(HEIGHTS)
     if up and np.any(levels > 0):
         raise DataError(
             f"{axis.name} counts up, to {np.nanmax(levels):.6g}, as from the sea floor; must be "
@@ -168,7 +173,7 @@ def dates_of(when: xarray.DataArray, real: bool = True, least: int = 2) -> np.nd
 
     A dive and a tide need real dates, a current alone does not.
     """
-    unit = str(when.attrs.get("units", ""))
+    unit = said(when)
     calendar = str(when.attrs.get("calendar", "standard"))
     if len(when) < least:
         steps = f"{len(when)} step{'s' if len(when) != 1 else ''}"
@@ -208,7 +213,7 @@ def mark_gaps(u: np.ndarray, v: np.ndarray, names: Sequence[str], nothing: str) 
 
 
 def velocity_values(
-    data: xarray.Dataset, name: str, index: dict[Any, np.ndarray], units: str | None = None
+    data: xarray.Dataset, name: str, index: dict[Any, np.ndarray], units: str | None
 ) -> np.ndarray:
     """Return a velocity in m/s, NaN where missing, at the `index` of each dimension.
 

@@ -352,7 +352,7 @@ def _levels(data: xarray.Dataset, name: str, axes: set) -> tuple[Any | None, np.
     if not found:  # what else there is, `velocity_values` refuses
         return None, np.zeros(1)
     where = str(max(found, key=lambda n: data[n].size))
-    unit, one = str(data[where].attrs.get("units", "")).strip(), data[where].size == 1
+    unit, one = cf.said(data[where]), data[where].size == 1
     try:
         depth = cf.distances_of(data[where])
         if unit or not where.lower().startswith(("depth", "z")):  # else taken as m

@@ -121,7 +121,7 @@ def is_table(path: Path) -> bool:
 
 
 def read_table(
-    path: Path, units: str | None = None
+    path: Path, units: str | None
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, float | None]:
     """Return times (datetime64[ms], UTC), u, v (m/s, NaN in gaps) and latitude of a table.
 

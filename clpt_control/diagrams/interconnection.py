@@ -16,7 +16,7 @@ import numpy as np
 from ..arguments import brief, nearest, public
 from ..equations.block import Block
 from ..equations.declaration import Guard, Parameters, check_names, same_unit
-from ..equations.ports import labels, whole_labels
+from ..equations.ports import labels, port_of, whole_labels
 from ..equations.system import System, is_linear
 from ..errors import BlockError, DiagramError
 from ..scenario.quantities import call_time_hint
@@ -140,7 +140,7 @@ def _unit(block: Part, port: str) -> str:
 
 
 def match_ports(
-    blocks: Sequence[Part], external: Iterable[str] = ()
+    blocks: Sequence[Part], external: Iterable[str]
 ) -> tuple[Makers, Users, dict[str, int]]:
     """Match the ports of parts; refuse one that is made twice, missing or of another size.
 
@@ -175,7 +175,7 @@ def match_ports(
         for port, places in input_ports(block).items():
             if port not in makers and port not in external:
                 whole = ""
-                if port.partition("[")[0] in makers:
+                if port_of(port) in makers:
                     whole = "; a part takes whole ports, label its inputs from [0] on"
                 if external:
                     taken = {one for part in blocks for one in input_ports(part)}

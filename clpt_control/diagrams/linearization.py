@@ -260,7 +260,8 @@ def linearize(
         at.check([*rates, *signals])
     except Unread as error:
         raise DiagramError(f"{error}") from None
-    all_slopes, known = np.vstack([Y, at.every[n:]]), np.isfinite(np.vstack([Y, at.every[n:]]))
+    all_slopes = np.vstack([Y, at.every[n:]])
+    known = np.isfinite(all_slopes)
     CD = wiring.output_map @ np.where(known, all_slopes, 0.0)
     CD[(wiring.output_map != 0.0) @ ~known] = np.nan
     labels = [*system.state_labels, *system.input_labels]

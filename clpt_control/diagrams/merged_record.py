@@ -20,7 +20,7 @@ import numpy as np
 from ..equations.arrays import Array, Tape, Unread, objects, operand
 from ..equations.block import Block
 from ..equations.elementwise import lifted, spread
-from ..equations.ports import places, ports_of
+from ..equations.ports import counts_of, places
 from ..equations.record import Operation, Record, Ref, Shape
 from .wiring import Node, Wire, Wiring
 
@@ -301,10 +301,10 @@ def merged_record(
     wiring: Wiring,
     leaf: Leaf,
     input_of: Input,
+    tape: Tape,
     stand_in: StandIn = lambda node, u, shapes: None,
-    tape: Tape | None = None,
     closed: bool = False,
 ) -> MergedRecord:
     """Return a diagram's record; `leaf`, `input_of` and `stand_in` make its first values."""
-    external = {port: len(own) for port, own in ports_of(diagram.input_labels).items()}
-    return _TapeMerger(wiring, external, tape or Tape(), leaf, closed).merge(input_of, stand_in)
+    external = counts_of(diagram.input_labels)
+    return _TapeMerger(wiring, external, tape, leaf, closed).merge(input_of, stand_in)

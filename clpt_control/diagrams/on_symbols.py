@@ -248,7 +248,7 @@ class _Read:
         """Return the equations of the diagram."""
         result, names, wiring = self.result, self.names, self.wiring
         record = merged_record(
-            self.diagram, wiring, self.leaf, self.input_of, self.stand_in, self.tape, closed=True
+            self.diagram, wiring, self.leaf, self.input_of, self.tape, self.stand_in, closed=True
         )
 
         def watched(place: int, kind: str, arguments: tuple) -> None:

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import control
 
 from ..equations.block import Block
-from ..equations.ports import labels, ports_of, renamed
+from ..equations.ports import counts_of, labels, ports_of, renamed
 from ..equations.sampled import Sampled
 from ..equations.system import System, is_linear, linear, on_each_axis
 from ..errors import DiagramError
@@ -178,7 +178,7 @@ class Changes(NamedTuple):
 UNCHANGED = Changes({}, {})
 
 
-def changes_of(law: Any = None, replace: Any = None, insert: Any = None) -> Changes:
+def changes_of(law: Any, replace: Any = None, insert: Any = None) -> Changes:
     """Return the user's changes; `law` is short for replacing the part called adaptation."""
     replacing = dict(pairs("replace", replace, "{'vehicle': block}"))
     if law is not None and LAW in replacing:
@@ -240,7 +240,7 @@ def inserted(parts: Sequence[Part], insert: Mapping[Any, Any]) -> list[Part]:
 
 def widths(parts: Sequence[Part]) -> dict[str, int]:
     """Return the ports that parts make, each with its number of signals."""
-    return {port: len(places) for part in parts for port, places in output_ports(part).items()}
+    return {port: n for part in parts for port, n in counts_of(part.output_labels).items()}
 
 
 def pairs(argument: str, given: Any, example: str) -> list[tuple[Any, Any]]:

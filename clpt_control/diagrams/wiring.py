@@ -16,6 +16,7 @@ import numpy as np
 
 from ..equations.block import Block
 from ..equations.declaration import Parameters
+from ..equations.ports import port_of
 from ..equations.sampled import Sampled
 from ..equations.system import System, linear
 from ..errors import DiagramError
@@ -169,7 +170,7 @@ def units_of(wiring: Wiring) -> tuple[list[str], list[str]]:
 
     def units(node: Node, kind: str) -> list[str]:
         known = wiring.units.get(node.name.rpartition(".")[0], {})
-        ports = (label.partition("[")[0] for label in getattr(node.system, f"{kind}_labels"))
+        ports = map(port_of, getattr(node.system, f"{kind}_labels"))
         own = zip(node.system.units_of(kind), ports, strict=True)
         return [unit or known.get(port, "") for unit, port in own]
 

@@ -126,6 +126,16 @@ def labels(ports: Mapping[str, int] | None) -> list[str]:
     return [f"{port}[{k}]" for port, size in (ports or {}).items() for k in range(size)]
 
 
+def port_of(label: str) -> str:
+    """Return the port of a signal's label."""
+    return label.partition("[")[0]
+
+
+def counts_of(labels: Iterable[str]) -> dict[str, int]:
+    """Return the ports that labels form, each with its number of signals."""
+    return {port: len(places) for port, places in ports_of(labels).items()}
+
+
 def ports_of(labels: Iterable[str]) -> dict[str, list[int]]:
     """Return the ports that labels form, each with the places of its signals.
 

@@ -14,7 +14,7 @@ import numpy as np
 from ..errors import BlockError
 from .arrays import Unread
 from .declaration import Guard
-from .ports import labels, places, ports_of, sized, sizes_of
+from .ports import counts_of, labels, places, port_of, sized, sizes_of
 from .reading import read, record_of_states
 from .record import Record, Shape
 
@@ -71,20 +71,15 @@ class ReadBlock(control.NonlinearIOSystem):
         self._x = places(self._inner_shapes("states", self.state_shapes))
         self._u = places(self._inner_shapes("inputs", self.input_shapes))
 
-    def _ports(self, kind: str) -> dict[str, int]:
-        """Return ports as the labels form them, each with its number of signals."""
-        ports = ports_of(getattr(self, f"{kind}_labels"))
-        return {port: len(places) for port, places in ports.items()}
-
     @property
     def input_ports(self) -> dict[str, int]:
         """Return the input ports and their numbers of signals."""
-        return self._ports("input")
+        return counts_of(self.input_labels)
 
     @property
     def output_ports(self) -> dict[str, int]:
         """Return the output ports and their numbers of signals."""
-        return self._ports("output")
+        return counts_of(self.output_labels)
 
     @property
     def state_ports(self) -> dict[str, int]:
@@ -93,9 +88,7 @@ class ReadBlock(control.NonlinearIOSystem):
 
     def units_of(self, kind: str) -> list[str]:
         """Return the unit of each "input" or "output", "" for none."""
-        return [
-            self.units.get(label.partition("[")[0], "") for label in getattr(self, f"{kind}_labels")
-        ]
+        return [self.units.get(port_of(label), "") for label in getattr(self, f"{kind}_labels")]
 
     def _name_ports(self, names: Mapping[str, Mapping[str, str]]) -> None:
         """Rename ports, ``{"inputs": {old: new}}``; the equations keep their names."""

@@ -25,7 +25,7 @@ from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import groupby, pairwise
-from math import atan2, degrees, hypot, inf, isnan
+from math import atan2, degrees, hypot, inf
 from operator import itemgetter
 from pathlib import Path
 from typing import Any
@@ -40,6 +40,7 @@ from ..estimation.dive import Fix as Fix
 from ..estimation.dive import ThroughWater, dac_difference
 from ..estimation.dive import make_dive as make_dive
 from ..geodesy import displacement, is_place
+from ..units import known
 
 MENTIONED = 0.01  # m/s
 LEAST_DEPTH = 5.0  # m that a dive reaches
@@ -132,11 +133,9 @@ def dive_between(number: int, fixes: Three, through: ThroughWater, **optional: A
     first: dict[str, Any] = dict(
         zip(("t_gps1", "lat_gps1", "lon_gps1"), fixes[0] or (None,) * 3, strict=True)
     )
-    known = dict(optional)
+    more = {"track": through.track, "turned": through.turned, **first}
     for key, one in optional.items():
-        if isinstance(one, float):
-            known[key] = None if isnan(one) else float(one)
-    more = {"track": through.track, "turned": through.turned, **first, **known}
+        more[key] = known(float(one)) if isinstance(one, float) else one
     dive = make_dive(number, fixes[1], fixes[2], through.total, **more)
     difference = dac_difference(dive)
     if not MENTIONED < difference < inf:

@@ -30,6 +30,7 @@ import numpy as np
 import pandas
 import xarray
 
+from ..currents.cf import said
 from ..errors import DataError
 from .dives import Fix, fixes_in, is_fix
 from .samples import SURFACE, metres, metres_per_second, seconds, values
@@ -71,7 +72,7 @@ def columns_of(data: xarray.Dataset) -> pandas.DataFrame:
     fixes, t_name = _fix_columns(data, known)
     time = seconds(data, known["TIME"]).ravel() if "TIME" in known else fixes[0]
     notes: list[str] = []
-    if t_name in known and not str(data[known[t_name]].attrs.get("units", "")).strip():
+    if t_name in known and not said(data[known[t_name]]):
         unit = unit_of_times(fixes[0], time)
         if unit:
             fixes[0] = fixes[0] / SMALLER[unit]
@@ -185,7 +186,7 @@ def known_names(data: xarray.Dataset) -> dict[str, str]:
 
 
 def _degrees(data: xarray.Dataset, name: str) -> np.ndarray:
-    radians = str(data[name].attrs.get("units", "")).lower().startswith("rad")
+    radians = said(data[name]).lower().startswith("rad")
     return np.degrees(values(data, name)) if radians else values(data, name)
 
 

@@ -26,7 +26,7 @@ import numpy as np
 import xarray
 from numpy.typing import ArrayLike
 
-from ..currents.cf import decoded, number
+from ..currents.cf import decoded, number, said
 from ..errors import DataError, needed
 from ..estimation.dive import Dive, ThroughWater, Track
 from ..units import length_in_metres, speed_in_metres_per_second
@@ -79,7 +79,7 @@ def seconds(data: xarray.Dataset, name: str) -> np.ndarray:
     """
     numbers = values(data, name)
     numbers = np.where(numbers == NOT_A_TIME, nan, numbers)
-    units = str(data[name].attrs.get("units", ""))
+    units = said(data[name])
     if " since " not in units.lower():
         return numbers
     bare = re.sub(r"\s*(UTC|GMT)\s*$", "", units)
@@ -100,15 +100,15 @@ def metres(data: xarray.Dataset, name: str) -> np.ndarray:
     >>> metres(data, "eng_depth")
     array([1.5])
     """
-    units = str(data[name].attrs.get("units", "")).strip() or "m"
+    units = said(data[name]) or "m"
     size = length_in_metres(units, name)
-    up = str(data[name].attrs.get("positive", "")).lower() == "up"
+    up = said(data[name], "positive").lower() == "up"
     return values(data, name) * (-size if up else size)
 
 
 def metres_per_second(data: xarray.Dataset, name: str) -> np.ndarray:
     """Return speeds in m/s, NaN where missing."""
-    units = str(data[name].attrs.get("units", "")).strip() or "m/s"
+    units = said(data[name]) or "m/s"
     return values(data, name) * speed_in_metres_per_second(units, name)
 
 

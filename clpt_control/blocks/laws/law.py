@@ -26,7 +26,7 @@ import numpy as np
 from ...equations.block import Block
 from ...equations.declaration import Parameters
 from ...errors import ScenarioError
-from ..lyapunov import SHAPES, known_flow_V, learned_flow_V, weighted
+from ..lyapunov import BY_GAINS, known_flow_V, learned_flow_V, weighted
 from ..ports import among
 
 # --- what is known ----------------------------------------------------------------------------
@@ -348,7 +348,7 @@ class Law(NamedTuple):
             inputs={port: ports[port] for port in (BY_P if by_P else self.V_inputs)},
             outputs={"V": 1},
             parameters=values,
-            shapes=among(values) | SHAPES,
+            shapes=among(values) | BY_GAINS,
         )
 
 
@@ -363,7 +363,7 @@ def gains_of(p: Any) -> tuple[Any, Any]:
     return p.get("gain_K", one), p.get("gain_Gamma", one)
 
 
-def adapt_gains(p, e, z, zc):
+def adapt_gains(p, e, u):
     """Return K' and Gamma', Eqs. (14)-(15) and (22)-(23)."""
     gain_K, gain_Gamma = gains_of(p)
-    return {"K": -gain_K * z * e, "Gamma": gain_Gamma * zc * e}
+    return {"K": -gain_K * u.z * e, "Gamma": gain_Gamma * u.zc * e}

@@ -28,7 +28,7 @@ def learned_flow(t, x, u, p):
 
 def driven_by(e, u, p):
     """Return the rates of Eqs. (21)-(23), driven by e."""
-    return {"alpha": np.outer(-p.gain * e, u.phi_x), **adapt_gains(p, e, u.z, u.zc)}
+    return {"alpha": np.outer(-p.gain * e, u.phi_x), **adapt_gains(p, e, u)}
 
 
 LEARNED_FLOW = Law(
@@ -62,7 +62,7 @@ def known_flow(t, x, u, p):
     Ports: e[2] (length), phi_x[N], z[2], zc[2] (length) -> K[2], Gamma[2] (per time), the states,
     and alpha[2N] (length per time), constant.
     """
-    return adapt_gains(p, u.e, u.z, u.zc)
+    return adapt_gains(p, u.e, u)
 
 
 def known_flow_output(t, x, u, p):
@@ -112,7 +112,7 @@ def kalman_flow(t, x, u, p):
     """
     P_phi, eps = x.P @ x.phi_f, filtered_flow(x, u, p) - x.theta_hat @ x.phi_f
     return {
-        **adapt_gains(p, u.e, u.z, u.zc),
+        **adapt_gains(p, u.e, u),
         "theta_hat": np.outer(eps, P_phi) / p.noise**2,
         "P": p.walk**2 * np.eye(len(x.P)) - np.outer(P_phi, P_phi) / p.noise**2,
         **filter_rates(x, u, p),

@@ -149,7 +149,7 @@ def gain_rates(x, u, p):
     Q_1, b_1 = remembered(x.Q_1, x.b_v[0], y[0], w[0], m_w[0], size[0])
     Q_2, b_2 = remembered(x.Q_2, x.b_v[1], y[1], w[1], m_w[1], size[1])
     missed = x.b_v - np.stack([x.Q_1 @ kappa[0], x.Q_2 @ kappa[1]])
-    by_error = adapt_gains(p, u.e, u.z, u.zc)
+    by_error = adapt_gains(p, u.e, u)
     return {
         "K": by_error["K"] + p.gain_K * missed[:, 0],
         "Gamma": by_error["Gamma"] + p.gain_Gamma * missed[:, 1],

@@ -216,7 +216,7 @@ def drem(t, x, u, p):
     scale = p.rate / np.maximum(p.excitation**2, Delta * Delta)
     return {
         "alpha": -scale * Delta * ((x.b + x.alpha @ x.Q.T) @ mixed),
-        **adapt_gains(p, u.e, u.z, u.zc),
+        **adapt_gains(p, u.e, u),
         **memory_rates(x, u, p),
         **filter_rates(x, u, p),
         "w": -scale * Delta * Delta * x.w,

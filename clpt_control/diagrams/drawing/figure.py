@@ -18,7 +18,7 @@ import control
 
 from ...arguments import public
 from ...equations.declaration import docs_of, ports_line
-from ...equations.ports import ports_of
+from ...equations.ports import counts_of
 from ...errors import ClptError, DiagramError
 from ...figures import inline_svg, literal
 from ...files import check_name, write_file
@@ -125,8 +125,7 @@ def _same_style() -> Any:
 def diagram_line(diagram: control.InterconnectedSystem) -> str:
     """Return what a diagram is, in a line."""
     flows = " -> ".join(
-        ports_line({port: len(places) for port, places in ports_of(labels).items()})
-        for labels in (diagram.input_labels, diagram.output_labels)
+        ports_line(counts_of(labels)) for labels in (diagram.input_labels, diagram.output_labels)
     )
     return f"<Diagram {shortened(diagram.name, 60)}: {_size(diagram)}; {flows}>"
 

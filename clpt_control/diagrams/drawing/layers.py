@@ -17,6 +17,7 @@ from typing import NamedTuple
 
 import control
 
+from ...equations.ports import port_of
 from ..wiring import Node, Wiring, units_of
 
 GRID, PITCH, GAP = 7.0, 14.0, 14.0  # points; of heights, of ports, between boxes
@@ -41,11 +42,6 @@ class Arrow(NamedTuple):
     def factor(self) -> str:
         """Return the gain as it stands before the port, nothing where it is 1."""
         return "" if self.gain == 1 else f"{self.gain:g} "
-
-
-def port_of(label: str) -> str:
-    """Return the port of a signal's label."""
-    return label.partition("[")[0]
 
 
 def ports(labels: list[str]) -> list[str]:

@@ -19,7 +19,8 @@ import numpy as np
 
 from ...blocks.laws.law import Law, Truth
 from ...blocks.laws.table import LAWS
-from ...blocks.lyapunov import lyapunov_candidate, weighted
+from ...blocks.lyapunov import PORTS, lyapunov_candidate, weighted
+from ...blocks.ports import paper_block
 from ...diagrams.interconnection import Diagram, connect
 from ...equations.block import Block
 from ...errors import DiagramError
@@ -139,14 +140,8 @@ def mixed_level(t, x, u, p):
 
 def mixed_candidate(inverse: np.ndarray, truth: Truth) -> Block:
     """Return V of the errors of alpha row by row, K and Gamma, weighed by a matrix."""
-    return Block(
-        "lyapunov",
-        output=mixed_level,
-        inputs={"e": 2, "alpha": (2, "N"), "K": 2, "Gamma": 2},
-        outputs={"V": 1},
-        parameters={"inverse": inverse, **truth._asdict()},
-        shapes={"theta": (2, "N")},
-    )
+    given = {"inverse": inverse, **truth._asdict()}
+    return paper_block("lyapunov", PORTS, given, output=mixed_level)
 
 
 def tied(loop: SymbolicLoop, V: Block, make: Callable[..., Block], *sources: tuple) -> dict:
