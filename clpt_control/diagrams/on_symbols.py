@@ -264,15 +264,16 @@ class _Read:
 
         for node in wiring.nodes:
             system, block = node.system, names.block(node)
-            values = flat(record.signals, node, system.declared["outputs"])
-            for group, places, shape in groups(system, "output"):
-                result.signals[names.port(node, group, "output")] = values[places].reshape(shape)
-            if system.nstates:
-                symbols = np.concatenate([s.ravel() for s in self.states_of(node).values()])
-                rates = flat(record.rates, node, system.declared["states"])
-                for group, places, shape in groups(system, "state"):
-                    result.rates[names.port(node, group, "state")] = rates[places].reshape(shape)
+            states = self.states_of(node) if system.nstates else {}
+            for kind, made, shown in (
+                ("output", record.signals, result.signals),
+                ("state", record.rates, result.rates),
+            ):
+                values = flat(made, node, system.declared[f"{kind}s"])
+                for group, places, shape in groups(system, kind):
+                    shown[names.port(node, group, kind)] = values[places].reshape(shape)
             if system.jump_function is not None:
+                symbols = np.concatenate([s.ravel() for s in states.values()])
                 after = flat(record.jumps, node, system.declared["states"])
                 result.jumps[block] = dict(zip(symbols, after, strict=True))
             fields: dict[str, Any] = {}

@@ -151,9 +151,14 @@ class Changes(NamedTuple):
         return as_part(self.replace[LAW]) if LAW in self.replace else None
 
     @property
+    def parts(self) -> list[Any]:
+        """The user's parts."""
+        return [*self.replace.values(), *self.insert.values()]
+
+    @property
     def names(self) -> list[str]:
         """The names of the user's parts."""
-        return [as_part(part).name for part in (*self.replace.values(), *self.insert.values())]
+        return [as_part(part).name for part in self.parts]
 
     @property
     def in_words(self) -> str:
@@ -166,7 +171,7 @@ class Changes(NamedTuple):
     def of_blocks(self, what: str) -> "Changes":
         """Return the parts as blocks, for uses that run as machine code alone."""
         changes = Changes(*({at: as_part(part) for at, part in parts.items()} for parts in self))
-        for part in (*changes.replace.values(), *changes.insert.values()):
+        for part in changes.parts:
             if not isinstance(part, Block):
                 raise DiagramError(
                     f"{part.name}: is a {type(part).__name__}; {what} takes blocks, control.ss and "
@@ -186,7 +191,7 @@ def changes_of(law: Any, replace: Any = None, insert: Any = None) -> Changes:
     if law is not None:
         replacing[LAW] = law
     changes = Changes(replacing, dict(pairs("insert", insert, "{('v_x', 'vehicle'): lag}")))
-    for part in (*changes.replace.values(), *changes.insert.values()):
+    for part in changes.parts:
         read_anew(part)
     return changes
 

@@ -211,8 +211,7 @@ def text_of_changes(changes: Changes) -> str | None:
     """Return a text that tells the user's own blocks, their numbers and equations, from others."""
     places = [name if name != LAW else "" for name in changes.replace]
     places += [str(where) for where in changes.insert]
-    blocks = (*changes.replace.values(), *changes.insert.values())
-    return "; ".join(map(_of_block, places, blocks)) or None
+    return "; ".join(map(_of_block, places, changes.parts)) or None
 
 
 def _of_block(place: str, block: Block) -> str:

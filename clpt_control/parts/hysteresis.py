@@ -89,7 +89,7 @@ def closed_by(x, u, p):
 
 def trigger(t, x, u, p):
     """T m' = sgn(m + v) - m (Schmitt 1938, section "trigger": feedback about a comparator)."""
-    return (np.where(closed_by(x, u, p) > 0, 1.0, -1.0) - x.closed) / p.lag
+    return (switched(t, x, u, p) - x.closed) / p.lag
 
 
 def switched(t, x, u, p):

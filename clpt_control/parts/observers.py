@@ -26,10 +26,9 @@ from ..arguments import Seed, numbers, public
 from ..blocks.disturbance import normal
 from ..equations.block import Block
 from ..equations.declaration import Each
+from ..equations.system import SHAPES
 from ..errors import BlockError
 from .part import each, part, positive
-
-INNER = {"A": ("n", "n"), "B": ("n", "m"), "C": ("q", "n"), "D": ("q", "m")}
 
 
 def innovation(X, u, p):
@@ -81,7 +80,7 @@ def observer(
         update=observed,
         inputs={"u": "m", "y": "q"},
         states={"x_hat": "n"},
-        shapes={**INNER, "L": ("n", "q")},
+        shapes={**SHAPES, "L": ("n", "q")},
         dt=system.dt or 0,
     )
 
@@ -183,7 +182,7 @@ def kalman_filter(
         inputs={"u": "m", "y": "q"},
         outputs={"x_hat": "n", "P": ("n", "n")},
         states={"predicted" if sampled else "x_hat": "n", "moved": ("n", "n")},
-        shapes={**INNER, "Q": ("n", "n"), "R": ("q", "q"), "P0": ("n", "n")},
+        shapes={**SHAPES, "Q": ("n", "n"), "R": ("q", "q"), "P0": ("n", "n")},
         dt=system.dt or 0,
     )
 

@@ -10,6 +10,7 @@ Which track and which lane a net turns in is chosen before its corners are laid.
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
+from math import dist
 
 from .layers import GRID, Boxes, Layered, Net, Sizes, place
 
@@ -224,7 +225,7 @@ def strokes(paths: Paths, nets: list[Net]) -> Paths:
         rest = list(path)
         while len(rest) > 2:
             (a, b), direction = rest[:2], _directions(rest[0], *rest[:2])[0]
-            length = abs(b[0] - a[0]) + abs(b[1] - a[1])
+            length = dist(a, b)
             done = min(inked.get((k, a, direction), 0.0), length)
             rest[0] = (a[0] + direction[0] * done, a[1] + direction[1] * done)
             if done < length:
@@ -233,7 +234,7 @@ def strokes(paths: Paths, nets: list[Net]) -> Paths:
         drawn[k, target] = rest
         for a, b in pairwise(path):
             key = (k, a, _directions(a, a, b)[0])
-            inked[key] = max(inked.get(key, 0.0), abs(b[0] - a[0]) + abs(b[1] - a[1]))
+            inked[key] = max(inked.get(key, 0.0), dist(a, b))
     return drawn
 
 
