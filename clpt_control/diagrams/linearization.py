@@ -147,38 +147,40 @@ class _About:
         for k in sorted(reached(lines, [operand(value) for value in values])):
             kind, arguments, _, _ = lines[k]
             doubtful = [undecided[a] for a in arguments if a in undecided]
-            operands, verdict = [self.direction.value(a) for a in arguments], ""
+            doubt = any(map(np.any, doubtful))
+            operands = [self.direction.value(a) for a in arguments]
+            jumps: Any = False
             bends = np.zeros((), bool)
             if kind in COMPARISONS:
                 _, undecided[k] = self.ties(*operands)
             elif kind in CONDITIONS and doubtful:
                 undecided[k] = np.logical_or.reduce(np.broadcast_arrays(*doubtful))
             elif (kind in MOVED or kind == "fill") and doubtful:
-                undecided[k] = np.any([np.any(one) for one in doubtful])
+                undecided[k] = np.array(doubt)
             elif kind == "where" and arguments[0] in undecided:
                 ties, bends = self.ties(*operands[1:])
-                verdict = "jumps" if np.any(undecided[arguments[0]] & ~ties) else ""
+                jumps = np.any(undecided[arguments[0]] & ~ties)
                 bends &= undecided[arguments[0]]
-            elif any(np.any(one) for one in doubtful):
-                verdict = "jumps"
+            elif doubt:
+                jumps = True
             elif kind in ("minimum", "maximum", "fabs"):
                 _, bends = self.ties(*operands, 0.0)
             elif kind == "atan2":  # by a turn where its first argument changes sign
                 _, turns = self.ties(operands[0], 0.0)
                 behind = self.numbers([operands[1]])[0][..., 0] < 0
-                verdict = "jumps" if np.any(turns & behind) else ""
+                jumps = np.any(turns & behind)
             elif kind == "sign":  # its own slope, 0, is of neither side
                 there = self.ties(operands[0], 0.0)[1]
-                verdict = "jumps" if self.felt(self.direction.value(k), there, values) else ""
+                jumps = self.felt(self.direction.value(k), there, values)
             elif kind in JUMPS or kind in ("mod", "pick"):
                 place = operands[0] / operands[1] if kind in ("mod", "floordiv") else operands[-1]
                 near = np.round(self.numbers([place])[0][..., 0])
                 near = np.where(near == 0.0, np.nan, near) if kind in ("trunc", "pick") else near
-                verdict = "jumps" if np.any(self.ties(place, near)[1]) else ""
-            if verdict == "jumps" and kind != "sign":
-                verdict = self.seen(values)
-            elif self.felt(self.direction.known.get(k), bends, values):
-                verdict = verdict or "bends"
+                jumps = np.any(self.ties(place, near)[1])
+            if jumps:
+                verdict = "jumps" if kind == "sign" else self.seen(values)
+            else:
+                verdict = "bends" if self.felt(self.direction.known.get(k), bends, values) else ""
             self.report(self.record.owners.get(k, ""), kind, verdict)
 
     def report(self, owner: str, kind: str, verdict: str) -> None:

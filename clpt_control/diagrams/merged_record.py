@@ -14,7 +14,6 @@ from itertools import pairwise
 from math import prod
 from typing import Any
 
-import control
 import numpy as np
 
 from ..equations.arrays import Array, Tape, Unread, objects, operand
@@ -22,7 +21,7 @@ from ..equations.block import Block
 from ..equations.elementwise import lifted, spread
 from ..equations.ports import counts_of, places
 from ..equations.record import Operation, Record, Ref, Shape
-from .wiring import Node, Wire, Wiring
+from .wiring import Node, Part, Wire, Wiring
 
 Values = dict[tuple[str, str], Any]  # (block, port) -> Array or number
 # functions that make the values with which a record begins
@@ -297,7 +296,7 @@ class _TapeMerger(RecordMerger):
 
 
 def merged_record(
-    diagram: control.NonlinearIOSystem,
+    diagram: Part,
     wiring: Wiring,
     leaf: Leaf,
     input_of: Input,

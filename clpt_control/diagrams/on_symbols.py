@@ -27,7 +27,7 @@ from ..equations.system import is_linear
 from ..errors import DiagramError
 from .merged_record import merged_record
 from .symbol_names import TIME, Names, Numbers, element_name, fields_of, groups, typeset
-from .wiring import Node, Wiring, read_unsampled, wiring_of
+from .wiring import Node, Part, Wiring, read_unsampled, wiring_of
 
 # takes block.role, an operation and its arguments on symbols; returns a remark on it, or None
 Watch = Callable[[str, str, tuple], str | None]
@@ -293,7 +293,7 @@ class _Read:
 
 
 def on_symbols(
-    diagram: control.NonlinearIOSystem,
+    diagram: Part,
     names: type[Names] = Names,
     hidden: Iterable[str] = (),
     watch: Watch = lambda owner, kind, arguments: None,

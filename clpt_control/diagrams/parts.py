@@ -21,7 +21,7 @@ from ..errors import DiagramError
 from .wiring import Params, Part, read_anew
 
 
-def as_part(system: Any, discrete: bool = False) -> control.NonlinearIOSystem:
+def as_part(system: Any, discrete: bool = False) -> Part:
     """Return a system as a part that can be wired; refuse any other object in a sentence.
 
     A system of discrete time samples its inputs, unless the whole diagram is `discrete`.
@@ -63,7 +63,7 @@ def sampled(part: Part, period: float, params: Params = None) -> Part:
     return diagram
 
 
-def _wired(system: Any) -> control.NonlinearIOSystem:
+def _wired(system: Any) -> Part:
     if isinstance(system, Block):
         return system
     if not isinstance(system, control.NonlinearIOSystem | control.TransferFunction):
@@ -87,12 +87,12 @@ def _wired(system: Any) -> control.NonlinearIOSystem:
     return system
 
 
-def input_ports(part: control.NonlinearIOSystem) -> dict[str, list[int]]:
+def input_ports(part: Part) -> dict[str, list[int]]:
     """Return the ports that a part takes, each with the places of its signals."""
     return ports_of(part.input_labels)
 
 
-def output_ports(part: control.NonlinearIOSystem) -> dict[str, list[int]]:
+def output_ports(part: Part) -> dict[str, list[int]]:
     """Return the ports that a part makes, each with the places of its signals."""
     return ports_of(part.output_labels)
 
@@ -102,7 +102,7 @@ def sizes(ports: Mapping[str, list[int]]) -> str:
     return ", ".join(f"{port}[{len(at)}]" for port, at in ports.items()) or "nothing"
 
 
-def functions_of(law: control.NonlinearIOSystem) -> int:
+def functions_of(law: Part) -> int:
     """Return the N of a law; refuse a part that does not make alpha[2N], K[2] and Gamma[2]."""
     outputs = widths([law])
     N = outputs.get("alpha", 0) // 2

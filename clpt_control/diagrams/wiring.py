@@ -43,7 +43,7 @@ class Wire(NamedTuple):
 class Node:
     """One block in its place."""
 
-    system: control.NonlinearIOSystem  # the block
+    system: Part  # the block
     name: str  # its name; inside a nested diagram ``"outer.inner"``
     states: slice  # where its states stand among all states
     inputs: slice  # among all block inputs
@@ -92,7 +92,7 @@ class Wiring:
         return matrix if isinstance(matrix, np.ndarray) else matrix.tocsr()
 
 
-def _flatten(system: control.NonlinearIOSystem, name: str) -> tuple[list[Row], list[Row]]:
+def _flatten(system: Part, name: str) -> tuple[list[Row], list[Row]]:
     """Return the sum that feeds each input of a system's leaves, and that each output is."""
     if not isinstance(system, control.NonlinearIOSystem):
         raise DiagramError(

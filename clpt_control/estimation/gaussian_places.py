@@ -54,10 +54,11 @@ def near(places: Places | None, dive: Dive, width: float) -> Places:
     old = places or Places(dive.lat_gps2, dive.lon_gps2, width)
     x = _along(old, dive, False)[1]
     pitch, reach = SPACING * old.width, old.width * math.sqrt(-2 * math.log(REACHED))
-    if np.ptp(x, axis=0).max() > 10 * pitch:
+    long = np.ptp(x, axis=0).max()
+    if long > 10 * pitch:
         raise ScenarioError(
             f"width of the gaussians = {old.width:g} m: must be more, for dive {dive.number} is "
-            f"{np.ptp(x, axis=0).max():.0f} m long"
+            f"{long:.0f} m long"
         )
     low, high = (
         np.rint((end(x, axis=0) + side * reach) / pitch).astype(int)

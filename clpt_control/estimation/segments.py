@@ -210,7 +210,8 @@ class RunTrack:
         for rows in np.split(np.arange(len(every)), np.flatnonzero(np.diff(began)) + 1):
             t, v = self.time[every[rows]], way[rows]
             whole, half = CubicSpline(t, v), CubicSpline(t[::2], v[::2])
-            apart = whole.integrate(t[0], t[::2][-1]) - half.integrate(t[0], t[::2][-1])
+            span = t[0], t[::2][-1]
+            apart = whole.integrate(*span) - half.integrate(*span)
             self.doubt = max(self.doubt, float(np.abs(apart).max()) / 15)
             self.places.append(CubicSpline(t, x[rows]))
             self.water.append((whole.antiderivative(), gone))

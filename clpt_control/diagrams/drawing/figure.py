@@ -23,7 +23,7 @@ from ...errors import ClptError, DiagramError
 from ...figures import inline_svg, literal
 from ...files import check_name, write_file
 from ...html import fragment, paragraphs, shortened
-from ..wiring import Node, wiring_of
+from ..wiring import Node, Part, wiring_of
 from .layers import arrange, arrows, gather, ports
 from .routing import Routed, route, strokes
 
@@ -106,7 +106,7 @@ def draw(
     return None
 
 
-def drawing(diagram: control.NonlinearIOSystem) -> Drawing:
+def drawing(diagram: Part) -> Drawing:
     """Return a diagram drawn for a page, as wide as on paper."""
     figure = block_figure(diagram)
     with _same_style():
@@ -208,7 +208,7 @@ def _quoted(text: str) -> str:
 # --- the figure ----------------------------------------------------------------------------------
 
 
-def block_figure(diagram: control.NonlinearIOSystem) -> Any:
+def block_figure(diagram: Part) -> Any:
     """Return a diagram as a figure."""
     from matplotlib.figure import Figure
 
@@ -271,7 +271,7 @@ def _draw_arrows(axes: Any, routed: Routed, nets: list[Any]) -> None:
         axes.add_patch(Circle((x, y), 1.7, fc="black", ec="none", zorder=3))
 
 
-def _draw_block(axes: Any, box: Any, name: str, system: control.NonlinearIOSystem) -> None:
+def _draw_block(axes: Any, box: Any, name: str, system: Part) -> None:
     from matplotlib.patches import Rectangle
 
     frame = Rectangle(
@@ -294,7 +294,7 @@ def _draw_block(axes: Any, box: Any, name: str, system: control.NonlinearIOSyste
         axes.text(box.x + box.width / 2, y, line, size=size, weight=weight, **place)
 
 
-def layout(diagram: control.NonlinearIOSystem) -> tuple[Routed, list[Any], dict[str, Node]]:
+def layout(diagram: Part) -> tuple[Routed, list[Any], dict[str, Node]]:
     """Return boxes and arrows in points, the nets they carry, and the blocks by name."""
     wiring = wiring_of(diagram)
     nets = gather(diagram, wiring)
@@ -309,7 +309,7 @@ def layout(diagram: control.NonlinearIOSystem) -> tuple[Routed, list[Any], dict[
     return routed, nets, {node.name: node for node in wiring.nodes}
 
 
-def equation_numbers(system: control.NonlinearIOSystem) -> str:
+def equation_numbers(system: Part) -> str:
     """Return the equations of a block's docstrings, such as ``"Eqs. (21)–(23)"``, but V's."""
     numbers: set[int] = set()
     for text in docs_of(system):
@@ -339,7 +339,7 @@ def lines_of(name: str) -> list[str]:
     return lines
 
 
-def caption(system: control.NonlinearIOSystem) -> str:
+def caption(system: Part) -> str:
     """Return the line under a block's name: an integral sign for states, and equations."""
     return f"{'∫' if system.nstates else ''}  {equation_numbers(system)}".strip()
 

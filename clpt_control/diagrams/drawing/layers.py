@@ -15,10 +15,8 @@ from itertools import pairwise
 from statistics import mean
 from typing import NamedTuple
 
-import control
-
 from ...equations.ports import port_of
-from ..wiring import Node, Wiring, units_of
+from ..wiring import Node, Part, Wiring, units_of
 
 GRID, PITCH, GAP = 7.0, 14.0, 14.0  # points; of heights, of ports, between boxes
 WEIGHTS = 1.0, 2.0, 8.0  # of an arrow with so many passages at its ends
@@ -49,7 +47,7 @@ def ports(labels: list[str]) -> list[str]:
     return list(dict.fromkeys(map(port_of, labels)))
 
 
-def arrows(diagram: control.NonlinearIOSystem, wiring: Wiring) -> list[Arrow]:
+def arrows(diagram: Part, wiring: Wiring) -> list[Arrow]:
     """Return one arrow for each source, target, port and gain, nested diagrams included."""
     made = [(n.name, label) for n in wiring.nodes for label in n.system.output_labels]
     given = [(port_of(label), label) for label in diagram.input_labels]
@@ -118,7 +116,7 @@ class Layered:
         return [(hop.start, end) for hop in hops for end in hop.ends]
 
 
-def gather(diagram: control.NonlinearIOSystem, wiring: Wiring) -> list[Net]:
+def gather(diagram: Part, wiring: Wiring) -> list[Net]:
     """Return nets: ports of one block that feed the same blocks, or nothing."""
     reached: dict[tuple[str, str], dict[str, str]] = {
         (node.name, port): {} for node in wiring.nodes for port in ports(node.system.output_labels)
