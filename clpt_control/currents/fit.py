@@ -37,7 +37,7 @@ from ..scenario.experiment import Scenario
 from ..scenario.file import load_scenario, scenario_to_text
 from ..units import known, percent, seconds_since_1970
 from .constituents import nodal_report
-from .grid_file import Currents, read_currents, with_all_steps
+from .grid_file import Box, Currents, read_currents, with_all_steps
 from .plane import GriddedField, LocalPlane, field_dataset, fill_gaps, regular_grid
 from .telling_apart import check_nyquist, check_separable
 
@@ -237,7 +237,7 @@ def _check(rows: int, columns: int, constituents: tuple[str, ...]) -> None:
 
 
 def _middles(
-    plane: LocalPlane, box: tuple[float, float, float, float], rows: int, columns: int
+    plane: LocalPlane, box: Box, rows: int, columns: int
 ) -> tuple[list[tuple[float, float]], float]:
     """Return the middles of equal parts of a box, km, and how far they are apart.
 

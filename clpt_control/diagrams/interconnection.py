@@ -74,7 +74,7 @@ class Diagram(control.InterconnectedSystem):
     def _repr_markdown_(self) -> None:
         """Return nothing in place of python-control's, which would repeat the drawing."""
 
-    def _update_params(self, params: Mapping[str, Any] | None) -> None:
+    def _update_params(self, params: Params) -> None:
         given, own = dict(params or {}), f"{self.name}."
         inside_another = any(hasattr(value, "_fields") for value in given.values())
         inside_another |= bool(self.params) and set(self.params) <= set(given)

@@ -20,7 +20,7 @@ from ..equations.system import System
 from ..equations.unchanged import Keys, Unkeyed
 from ..errors import DiagramError
 from .interconnection import MOST_BYTES, Diagram
-from .wiring import Wiring
+from .wiring import Params, Wiring
 
 Entry = tuple[int, int, float]  # row, column, gain
 
@@ -109,7 +109,7 @@ def _matrix(entries: Sequence[Entry], shape: tuple[int, int]) -> np.ndarray:
 # --- a key of all that a diagram consists of ------------------------------------------------------
 
 
-def diagram_key(diagram: Any, params: Mapping[str, Any] | None, *more: Any) -> tuple | None:
+def diagram_key(diagram: Any, params: Params, *more: Any) -> tuple | None:
     """Return the key of a diagram with params and more, and the objects that must live as long.
 
     None where something in it could change without a trace.

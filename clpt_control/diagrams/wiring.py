@@ -246,7 +246,7 @@ def read_anew(system: Any) -> None:
             part.read_anew()
 
 
-def read_unsampled(system: Any, params: Mapping[str, Any] | None = None) -> Wiring:
+def read_unsampled(system: Any, params: Params = None) -> Wiring:
     """Return the wiring of a diagram as it is now; refuse one in which a part samples."""
     read_anew(system)
     wiring = wiring_of(system, params)

@@ -125,9 +125,9 @@ def fill(time: np.ndarray, steps: np.ndarray, bad: np.ndarray) -> np.ndarray:
     return np.where(bad, speed * since, steps)
 
 
-def track_of(since: np.ndarray, east: np.ndarray, north: np.ndarray, duration: float) -> Track:
+def track_of(since: np.ndarray, steps: np.ndarray, duration: float) -> Track:
     """Sum steps (m) at times since the fix before the dive (s) to a track of the whole dive."""
-    path = np.array([since, np.cumsum(east), np.cumsum(north)])
+    path = np.vstack([since, np.cumsum(steps, axis=1)])
     if since[0] > 0:
         path = np.hstack([np.zeros((3, 1)), path])
     if since[-1] < duration:
@@ -186,7 +186,7 @@ def summed(
         return ThroughWater(notes=notes)
     east, north = steps
     total = float(np.sum(east)), float(np.sum(north))
-    return ThroughWater(total, track_of(since, east, north, duration), notes)
+    return ThroughWater(total, track_of(since, steps, duration), notes)
 
 
 def deepest(depth: np.ndarray) -> float | None:

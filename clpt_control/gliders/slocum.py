@@ -39,7 +39,15 @@ import pandas
 
 from ..estimation.dive import Dive, Fix, ThroughWater
 from ..geodesy import displacement
-from .dives import LEAST_DEPTH, dive_between, dives_across_files, fixes_in, logged, planned_course
+from .dives import (
+    LEAST_DEPTH,
+    Three,
+    dive_between,
+    dives_across_files,
+    fixes_in,
+    logged,
+    planned_course,
+)
 from .samples import deepest, degrees, hole_under_water, turned, variation
 from .slocum_file import FIX, LOCAL, PLACE, PLAN, WATER, Segment, read_segment
 from .slocum_file import MAGIC as MAGIC
@@ -185,7 +193,7 @@ def _fixes_and_wet(of: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
     return fixes_in(time, *map(degrees, place)), wet
 
 
-def _dive(of: pandas.DataFrame, segment: Segment, fixes: tuple[Fix | None, Fix, Fix]) -> Dive:
+def _dive(of: pandas.DataFrame, segment: Segment, fixes: Three) -> Dive:
     """Make the dive between two fixes that is under water at some times."""
     _, start, end = fixes
     notes = list(segment.notes)
