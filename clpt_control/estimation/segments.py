@@ -37,7 +37,7 @@ from ..scenario.experiment import Scenario
 from ..scenario.recorded_run import check_run
 from .dive import Dive, reckoned
 
-SAMPLES = 129  # of a segment's track, an odd number for Simpson's rule
+SHARES = np.linspace(0.0, 1.0, 257)  # of a segment; every second is of its track, for Simpson
 
 
 class Segments(NamedTuple):
@@ -143,12 +143,11 @@ class Segments(NamedTuple):
 
 def dive_segments(dives: Sequence[Dive], origin: tuple[float, float]) -> Segments:
     """Return dives as segments, m and s since 1970, on the plane of an origin (degrees)."""
-    share, fine = np.linspace(0.0, 1.0, SAMPLES), np.linspace(0.0, 1.0, 2 * SAMPLES - 1)
     time, water, start = [], [], []
     for dive in dives:
         since, *axes = reckoned(dive)
-        time.append(dive.t_gps2 + share * dive.duration)
-        way = [np.interp(fine * dive.duration, since, axis) for axis in axes]
+        time.append(dive.t_gps2 + SHARES[::2] * dive.duration)
+        way = [np.interp(SHARES * dive.duration, since, axis) for axis in axes]
         way[0][-1], way[1][-1] = dive.dr_east, dive.dr_north
         water.append(np.stack(way, axis=1))
         start.append(displacement(*origin, dive.lat_gps2, dive.lon_gps2))
@@ -249,7 +248,7 @@ def run_segments(run: xarray.Dataset, scenario: Scenario, every: float | None) -
             f"{length / MOST_FIXES:g} {scenario.units.time}"
         )
     fixes = track.time[0] + fix * np.arange(int(np.floor(length / fix * (1 + 1e-12))) + 1)
-    fine = fixes[:-1, None] + fix * np.linspace(0.0, 1.0, 2 * SAMPLES - 1)
+    fine = fixes[:-1, None] + fix * SHARES
     x, d = track.at(np.minimum(fine, track.time[-1]))
     floor = max(1e-4 * scenario.known_to_law.R, track.doubt)
     period = track.periods.get("noise", 0.0)

@@ -32,7 +32,7 @@ SAMPLES = 33  # of a track between two fixes; enough for the tolerances here
 
 @pytest.fixture(autouse=True)
 def few_samples(monkeypatch):
-    monkeypatch.setattr(between_fixes, "SAMPLES", SAMPLES)
+    monkeypatch.setattr(between_fixes, "SHARES", np.linspace(0.0, 1.0, 2 * SAMPLES - 1))
 
 
 def place(t, x, u, p):
