@@ -144,20 +144,24 @@ def dive_between(number: int, fixes: Three, through: ThroughWater, **optional: A
         f"miss over duration differs by {1e3 * difference:.0f} mm/s from the file's "
         "depth-averaged current"
     )
-    return replace(dive, notes=(*dive.notes, note))
+    return noted(dive, note)
+
+
+def noted(dive: Dive, note: str) -> Dive:
+    """Return a dive with a note, which stands there once."""
+    return dive if note in dive.notes else replace(dive, notes=(*dive.notes, note))
 
 
 def changes_noted(dives: list[Dive]) -> list[Dive]:
     """Return dives, noted where one is of another vehicle than the last that bears a name."""
-    noted, last = [], None
+    found, last = [], None
     for dive in dives:
         name = dive.vehicle
         if name and last and name.casefold() != last.casefold():
-            note = f"is of {name}, those before of {last}: replay each on its own"
-            dive = replace(dive, notes=(*dive.notes, note))
+            dive = noted(dive, f"is of {name}, those before of {last}: replay each on its own")
         last = name or last
-        noted.append(dive)
-    return noted
+        found.append(dive)
+    return found
 
 
 def is_segment(path: Path) -> bool:

@@ -18,7 +18,6 @@ another vehicle than those before.
 """
 
 from collections.abc import Iterable
-from dataclasses import replace
 from datetime import UTC, datetime
 from math import hypot, isfinite
 
@@ -27,7 +26,7 @@ import numpy as np
 from ..arguments import public
 from ..currents.constituents import YEARS
 from ..geodesy import distance, is_place
-from .dives import NUMBERS, Dive, Skipped, changes_noted
+from .dives import NUMBERS, Dive, Skipped, changes_noted, noted
 
 LEAST_DURATION = 1000.0  # s: shelf gliders dive for half an hour, trials for minutes
 FASTEST = 5.0  # m/s: no current and no glider is faster, so a fix or a sum is wrong
@@ -90,7 +89,7 @@ def usable(
         if dive.t_gpse < latest:
             years = (latest - dive.t_gpse) / YEAR
             back = f": {years:.0f} years before it, was a clock set back?" if years > 1 else ""
-            dive = _noted(dive, f"came after a later dive, sorted by time{back}")
+            dive = noted(dive, f"came after a later dive, sorted by time{back}")
         latest = max(latest, dive.t_gpse)
         fit.append(dive)
     ordered = sorted(fit, key=_by_time)
@@ -108,13 +107,13 @@ def usable(
             stray = dive
             continue
         if why and stray is not None:
-            dive = _noted(dive, f"{why}, but follows dive {stray.number}, which was left out: used")
+            dive = noted(dive, f"{why}, but follows dive {stray.number}, which was left out: used")
         elif odd := _too_far(dive, before, NEAR):
-            dive = _noted(dive, odd)
+            dive = noted(dive, odd)
         stray = None
         missing = dive.number - before.number - 1
         if 0 < missing < MISSION and not follows(dive, before):
-            dive = _noted(dive, f"{missing} dive(s) missing after dive {before.number}")
+            dive = noted(dive, f"{missing} dive(s) missing after dive {before.number}")
         used.append(dive)
     return changes_noted(used), skipped
 
@@ -123,10 +122,6 @@ def follows(dive: Dive, before: Dive) -> bool:
     """Whether a dive is the next one, as far as numbers and times tell."""
     since = dive.t_gps2 - before.t_gpse
     return dive.number == before.number + 1 or since <= SHARE * min(dive.duration, before.duration)
-
-
-def _noted(dive: Dive, note: str) -> Dive:
-    return dive if note in dive.notes else replace(dive, notes=(*dive.notes, note))
 
 
 def _fault(dive: Dive, least_duration: float) -> str:
