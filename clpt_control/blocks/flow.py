@@ -25,7 +25,7 @@ import numpy as np
 
 from ..equations.block import Block
 from ..equations.ports import renamed
-from .ports import paper_block
+from .ports import among, paper_block
 
 
 def squared_distance(u, p):
@@ -64,8 +64,9 @@ def flow_basis(
     Centres of shape (N, 2) and widths are lengths, frequencies rad per time, phases rad.
     """
     given = {"centers": centers, "widths": widths, "frequencies": frequencies, "phases": phases}
-    block = paper_block(name, "x -> phi_x", given, output=KERNELS[kernel])
-    return at_position(block, position)
+    ports: dict[str, Any] = {"inputs": {position: 2}, "outputs": {f"phi_{position}": "N"}}
+    shapes = among(given)
+    return Block(name, output=KERNELS[kernel], **ports, parameters=given, shapes=shapes)
 
 
 def true(t, x, u, p):
