@@ -289,15 +289,12 @@ def _result(report: dict[str, Any]) -> Result:
 
 
 def _row(one: dict[str, Any]) -> list[str]:
-    if one["failed"]:
-        return [one["law"], *_choice(one), f"{one['failed']} runs failed", "", "", ""]
-    numbers = [one[key] for key in ("error", "error_95", "learning_time", "clpe_rms")]
-    return [one["law"], *_choice(one), *("never" if v is None else cell_text(v) for v in numbers)]
-
-
-def _choice(one: dict[str, Any]) -> list[str]:
     gain, pole = ("-" if one[key] is None else cell_text(one[key]) for key in ("gain", "filter"))
-    return [gain, "held" if one["held"] else "adapted", pole]
+    choice = [one["law"], gain, "held" if one["held"] else "adapted", pole]
+    if one["failed"]:
+        return [*choice, f"{one['failed']} runs failed", "", "", ""]
+    numbers = [one[key] for key in ("error", "error_95", "learning_time", "clpe_rms")]
+    return [*choice, *("never" if v is None else cell_text(v) for v in numbers)]
 
 
 # --- to show -------------------------------------------------------------------------------------

@@ -249,10 +249,10 @@ def check_same(store: Store, arguments: Mapping[str, Any]) -> None:
         stored = store.arguments.get(name)
         if stored == value:
             continue
-        whole = name in ("scenario", "diagram")
-        what = f"another {name}" if whole else f"{name} = {_short(stored)}"
-        wanted = "" if whole else f", not {_short(value)}"
-        raise DataError(f"{store.path}: holds an ensemble of {what}{wanted}; give another --out")
+        what = f"{name} = {_short(stored)}, not {_short(value)}"
+        if name in ("scenario", "diagram"):
+            what = f"another {name}"
+        raise DataError(f"{store.path}: holds an ensemble of {what}; give another --out")
 
 
 def _short(value: Any) -> str:

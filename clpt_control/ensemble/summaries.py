@@ -58,12 +58,13 @@ def samples_per_cycle(scenario: Scenario, samples: int | None) -> int:
 
     As in `clpt run` where a run has 20,000 at most; fewer in others, but at least a tenth.
     """
+    cycles = max(1.0, scenario.run.duration / scenario.cycle)
     if samples is None:
-        cycles, usual = scenario.run.duration / scenario.cycle, samples_for_means(scenario)
-        return min(usual, max(usual // 10, int(MOST_SAMPLES / max(cycles, 1))))
+        usual = samples_for_means(scenario)
+        return min(usual, max(usual // 10, int(MOST_SAMPLES / cycles)))
     if samples < FEWEST:
         raise ScenarioError(f"samples = {samples}: must be a whole number, at least {FEWEST}")
-    if samples * max(1.0, scenario.run.duration / scenario.cycle) > MOST_TIMES:
+    if samples * cycles > MOST_TIMES:
         raise ScenarioError(f"samples = {samples}: more than {MOST_TIMES:.0e} in a run; take fewer")
     return samples
 
@@ -214,8 +215,8 @@ def summarise(
     squares = np.zeros((m, len(times.fine)))
     for i in range(2):
         squares += np.square(at["x"][:, fine, i] - at["z"][:, fine, i])
-    spans = zip(times.starts[:-1], times.starts[1:], strict=True)
-    means = [np.mean(squares[:, first:last], axis=1) for first, last in spans]
+    rounds = itertools.pairwise(times.starts)
+    means = [np.mean(squares[:, first:last], axis=1) for first, last in rounds]
     summaries = {
         "clpe_rms": np.sqrt(np.array(means).reshape(-1, m).T),
         "clpe_rms_whole": np.sqrt(np.mean(squares, axis=1)),

@@ -155,15 +155,14 @@ def read(path: Path) -> Any:
         return _netcdf(path)
     text = text_of(raw, path, f"is nothing that clpt writes; {KNOWN}")
     if not text.lstrip().startswith("{"):
-        hint = (
-            "is a scenario, or text; `clpt run` runs a scenario; " if path.suffix == ".toml" else ""
-        )
-        raise DataError(f"{path}: {hint or 'is nothing that clpt report reads; '}{KNOWN}")
+        what = "is nothing that clpt report reads"
+        if path.suffix == ".toml":
+            what = "is a scenario, or text; `clpt run` runs a scenario"
+        raise DataError(f"{path}: {what}; {KNOWN}")
     try:
-        content = json.loads(text, parse_constant=_no_number)
+        return json.loads(text, parse_constant=_no_number)
     except (ValueError, RecursionError) as error:
         raise DataError(f"{path}: is no whole JSON: {str(error)[:80]}; {KNOWN}") from None
-    return content
 
 
 def _no_number(name: str) -> None:

@@ -74,22 +74,24 @@ class Scenario(tables.Table):
                 "vehicle.max_speed, which it tells the learner of; remove the key or give the limit"
             )
         row, fixes = self.learning.row, self.localization
-        if row.at_fixes and (fixes is None or fixes.interval == 0):
-            yield (
-                f'learning.law = "{row.name}": learns at fixes; give localization.interval, the '
-                "time from one fix to the next, above 0"
-            )
-        if fixes is not None and fixes.interval > 0 and not row.at_fixes:
-            yield (
-                f'localization.interval = {fixes.interval}: law = "{row.name}" reads the position '
-                f'at all times; take learning.law = "{AT_FIXES}", or interval = 0'
-            )
-        if fixes is not None and fixes.interval + fixes.latency > self.run.duration:
-            late = f" and latency = {fixes.latency}" if fixes.latency else ""
-            yield (
-                f"localization.interval = {fixes.interval}{late}: no fix arrives within "
-                f"run.duration, {self.run.duration}; must be at most that"
-            )
+        if fixes is None or fixes.interval == 0:
+            if row.at_fixes:
+                yield (
+                    f'learning.law = "{row.name}": learns at fixes; give localization.interval, '
+                    "the time from one fix to the next, above 0"
+                )
+        else:
+            if not row.at_fixes:
+                yield (
+                    f'localization.interval = {fixes.interval}: law = "{row.name}" reads the '
+                    f'position at all times; take learning.law = "{AT_FIXES}", or interval = 0'
+                )
+            if fixes.interval + fixes.latency > self.run.duration:
+                late = f" and latency = {fixes.latency}" if fixes.latency else ""
+                yield (
+                    f"localization.interval = {fixes.interval}{late}: no fix arrives within "
+                    f"run.duration, {self.run.duration}; must be at most that"
+                )
         disturbance = self.flow.disturbance
         spans = {"reference.dwell": self.reference.dwell}
         if disturbance is not None and disturbance.kind in ("square", "noise"):

@@ -70,12 +70,13 @@ def load_scenario(path: str | Path) -> Scenario:
     True
     """
     path = Path(path)
-    text = run_text(path) if path.suffix == ".nc" else read_text(path)
-    return scenario_from_text(text, str(path), path.parent)
+    return scenario_from_text(read_text(path), str(path), path.parent)
 
 
 def read_text(path: Path) -> str:
-    """Return the text of a scenario's file."""
+    """Return the TOML text of a file, of a scenario's, a team's or a run's."""
+    if path.suffix == ".nc":
+        return run_text(path)
     try:
         raw = read_bytes(path, hint="`clpt init` writes a scenario to start from", most=LARGEST)
         return raw.decode("utf-8-sig")

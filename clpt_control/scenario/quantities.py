@@ -90,7 +90,7 @@ def parameters_of_keys(scenario: Any, known: Collection[str]) -> dict[str, list[
 
 def _parameters(scenario: Any, key: str) -> list[str]:
     """Return which parameters have a key's value in this scenario, whatever a law makes of it."""
-    names, learning = CALL_TIME_NAMES.get(key, []), scenario.learning
+    names, learning = CALL_TIME_NAMES[key], scenario.learning
     if key == "learning.gain" and not learning.adapt_gains:
         names = names[:1]  # the others are 0
     of_a_gain, of_one_each = map(key.startswith, ("learning.gain", "learning.gains."))

@@ -89,17 +89,16 @@ def check_run(run: "xarray.Dataset", system: Scenario | Team, *names: str) -> No
     All variables of `DIMS` must be numbers over their dimensions, times must increase, and there
     must be a sample.
     """
-    team = system if isinstance(system, Team) else None
     first = system.first if isinstance(system, Team) else system
     sizes = {"axis": 2, "basis": first.basis.N}
-    if team is not None:
+    if isinstance(system, Team):
         names += ("alpha", "flow_parameters_estimate")  # on which its vehicles agree
-        sizes["vehicle"] = len(team.members)
-        if "vehicle" not in run or list(run.vehicle.values) != list(team.members):
-            raise DataError(f"the run's vehicles are not {', '.join(team.members)}, its team's")
+        sizes["vehicle"] = len(system.members)
+        if "vehicle" not in run or list(run.vehicle.values) != list(system.members):
+            raise DataError(f"the run's vehicles are not {', '.join(system.members)}, its team's")
     check_attributes(run)
     for name, dims in DIMS.items():
-        if team and name not in SHARED:
+        if "vehicle" in sizes and name not in SHARED:
             dims = ("vehicle", *dims)
         if name not in run.variables:
             if name not in names:

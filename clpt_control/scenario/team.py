@@ -206,7 +206,7 @@ def load_team(path: str | Path) -> Team:
 def load_either(path: str | Path) -> Scenario | Team:
     """Read a scenario or a team from a TOML file or a run's NetCDF file."""
     path = Path(path)
-    text = file.run_text(path) if path.suffix == ".nc" else file.read_text(path)
+    text = file.read_text(path)
     read = team_from_text if "team" in file.tables_of(text, str(path)) else file.scenario_from_text
     return read(text, str(path), path.parent)
 
