@@ -9,7 +9,7 @@ import typer
 from ..errors import ClptError, SimulationError
 from ..html import Result
 from ..progress import progress_bar
-from .printing import Json, cell_text, check_out, finish, flag, names_of_laws, opt
+from .printing import Json, Report, cell_text, check_out, finish, flag, names_of_laws, opt
 
 OF_THEOREM = "status for_every_N printed assumptions steps conclusion corrected cited not_proved"
 OF_LAW = "law status claim for_every_N steps"
@@ -38,7 +38,7 @@ def laws(
     if name is not None and name not in LAWS:
         raise ClptError(f"{name}: is no law; `clpt laws` lists them")
     wanted = list(LAWS.values()) if name is None else [LAWS[name]]
-    listed: dict[str, Any] = {}
+    listed: Report = {}
     rows, keys = [], []
     for law in wanted:
         settings = {}
@@ -100,7 +100,7 @@ def prove(
     rooms = {room: {s.name: v for s, v in outcomes.items() if s.room == room} for room in FIELDS}
     misprints = outcomes[wanted[-1]]
     proved_at = max(cached.times[one] for one in wanted)
-    summary: dict[str, Any] = {
+    summary: Report = {
         room: {name: _fields(one, room, name) for name, one in proofs.items()}
         for room, proofs in rooms.items()
     }
@@ -180,7 +180,7 @@ def refute(
         raise SimulationError(f"{law} breaks its promise: {found.broken}")
 
 
-def _fields(proof: Any, room: str, name: str) -> dict[str, Any]:
+def _fields(proof: Any, room: str, name: str) -> Report:
     """Return the fields of a proof in JSON."""
     known = {**asdict(proof), "law": name, "conclusion": proof.claim}
     return {field: known[field] for field in FIELDS[room]}

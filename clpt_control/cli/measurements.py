@@ -9,7 +9,7 @@ from ..errors import DataError, ScenarioError
 from ..files import make_folder, write_together
 from ..html import Result
 from ..units import known, percent
-from .printing import TIDES, Formats, Json, arg, cell_text, check_out, finish, flag, opt
+from .printing import TIDES, Formats, Json, Report, arg, cell_text, check_out, finish, flag, opt
 
 
 def fit(
@@ -107,7 +107,7 @@ def tides(
     finish([tides_result(report)], report, as_json, *written)
 
 
-def tides_result(report: dict[str, Any]) -> Result:
+def tides_result(report: Report) -> Result:
     """Return tidal constants: a row per constituent, then the whole."""
     rows = []
     for name, each in report["constituents"].items():

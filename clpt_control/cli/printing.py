@@ -177,6 +177,7 @@ Window = Annotated[
 Start = Annotated[
     float | None, opt("TIME", "Start of the window; default: the second cycle.", default=...)
 ]
+Report = dict[str, Any]  # ready for JSON
 PIPED = 140  # letters of a line that goes to no terminal
 LONG = 40  # characters; longer cells are broken into lines
 Json = Annotated[
@@ -211,7 +212,7 @@ def draw_figure(path: Path | None, plot: Callable[..., Any], *args: Any) -> None
         write_file(path, figure_of(plot, *args))
 
 
-def print_json(value: dict[str, Any]) -> None:
+def print_json(value: Report) -> None:
     """Print one JSON object on standard output."""
     try:
         text = json.dumps(value, indent=1, allow_nan=False)
@@ -236,9 +237,7 @@ def _print(text: str) -> None:
         discard(sys.stdout)
 
 
-def finish(
-    results: Iterable[Result], report: dict[str, Any], as_json: bool, *written: Path | None
-) -> None:
+def finish(results: Iterable[Result], report: Report, as_json: bool, *written: Path | None) -> None:
     """Print a report as one JSON object, or results as tables and sentences; name files written."""
     if as_json:
         print_json(report)

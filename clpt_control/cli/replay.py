@@ -22,7 +22,7 @@ from ..files import make_folder, write_file
 from ..html import Result
 from ..progress import progress_bar, tell
 from . import replay_report
-from .printing import Formats, Json, arg, finish, flag, opt
+from .printing import Formats, Json, Report, arg, finish, flag, opt
 
 
 def folder_named(text: str) -> Path:
@@ -261,7 +261,7 @@ def pages_of(vehicles: Iterable[str], place: Path) -> dict[str, Path]:
 
 def look_at(
     take: replay_report.Take, top: Path, out: Path, kinds: Sequence[str], alert: Sequence[str]
-) -> tuple[dict[str, Any], Path]:
+) -> tuple[Report, Path]:
     """Replay each vehicle below a folder and write the fleet's page; return what is found."""
     from ..gliders.dive_files import FROM_GLIDER
     from ..replay.fleet import Alerts, fleet_page, ordered, standing, unread
@@ -304,7 +304,7 @@ def look_at(
     return fleet, out / "fleet.html"
 
 
-def fleet_results(found: dict[str, Any]) -> list[Result]:
+def fleet_results(found: Report) -> list[Result]:
     """Return what a terminal shows of a fleet."""
     from ..replay.fleet import FLEET, fleet_cells, fleet_sentence
 

@@ -21,7 +21,7 @@ from ..errors import ScenarioError
 from ..files import write_together
 from ..html import Result
 from ..progress import interrupt, progress_bar, tell
-from .printing import LONG, Command, terminal_width
+from .printing import LONG, Command, Report, terminal_width
 
 PAIR = re.compile(r"\s*[-+.\d]+\s+[-+.\d]+\s*")  # both numbers quoted as one word
 EDGES, EDGE = 3, 1  # letters around a cell, and of the table's own edge
@@ -142,7 +142,7 @@ def fitted(
     return Result(title, titles, [[row[one] for one in titles] for row in rows], [*sentences])
 
 
-def results(summary: dict[str, Any]) -> list[Result]:
+def results(summary: Report) -> list[Result]:
     """Return a summary as tables and sentences: dives, misses, what was learned, what comes."""
     from ..replay import cells, wording
 
@@ -166,12 +166,7 @@ def results(summary: dict[str, Any]) -> list[Result]:
 
 
 def write(
-    result: Any,
-    found: dict[str, Any],
-    folder: Path,
-    ahead: Any,
-    kinds: Sequence[str],
-    again: bool = False,
+    result: Any, found: Report, folder: Path, ahead: Any, kinds: Sequence[str], again: bool = False
 ) -> list[Path]:
     """Write a replay, and what `summary_with_next` says of it, into a folder, all or none.
 
@@ -202,7 +197,7 @@ def write(
     return list(placed)
 
 
-def summary_with_next(result: Any, skipped: list, ahead: Ahead) -> tuple[dict[str, Any], Any]:
+def summary_with_next(result: Any, skipped: list, ahead: Ahead) -> tuple[Report, Any]:
     """Return what `--json` prints, and the next dive: the summary, where it ends, aim and paste."""
     from ..replay.exchange import paste
     from ..replay.route import DRAWS, arrivals
@@ -240,7 +235,7 @@ def watch(
     every: float,
     patience: float,
     alert: Sequence[str] = (),
-) -> dict[str, Any]:
+) -> Report:
     """Replay all dives of a folder whenever a file arrives; return what the last replay found.
 
     Times are in s.  Ctrl-C or SIGTERM ends it: while it waits, with the last replay; while
@@ -250,7 +245,7 @@ def watch(
     from ..replay.follow import following
 
     with interrupt.terminated(), following(folder, out) as follower:
-        found: dict[str, Any] | None = None  # None while results are not those of all files
+        found: Report | None = None  # None while results are not those of all files
         alerts = Alerts(alert, out)
         since = time.monotonic()
         try:
@@ -278,7 +273,7 @@ def watch(
 
 def learn(
     take: Take, dives: tuple[Any, Any], files: int, out: Path, ahead: Ahead, kinds: Sequence[str]
-) -> tuple[dict[str, Any], str]:
+) -> tuple[Report, str]:
     """Replay dives and write the results; return them with a line on the new files."""
     from ..replay.places import place
     from ..replay.wording import aim_sentence, when

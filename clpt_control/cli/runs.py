@@ -18,6 +18,7 @@ from ..progress import progress_bar
 from .printing import (
     Formats,
     Json,
+    Report,
     ScenarioFile,
     arg,
     cell_text,
@@ -272,7 +273,7 @@ def tune(
     finish([_result(tuned.report)], tuned.report, as_json, out)
 
 
-def _result(report: dict[str, Any]) -> Result:
+def _result(report: Report) -> Result:
     length, time = report["units"]["length"], report["units"]["time"]
     rows = [_row(one) for one in report["candidates"][:MOST_SHOWN]]
     if report["own"] is not None:
@@ -288,7 +289,7 @@ def _result(report: dict[str, Any]) -> Result:
     return Result(title, columns, rows, [*skipped, report["because"]])
 
 
-def _row(one: dict[str, Any]) -> list[str]:
+def _row(one: Report) -> list[str]:
     gain, pole = ("-" if one[key] is None else cell_text(one[key]) for key in ("gain", "filter"))
     choice = [one["law"], gain, "held" if one["held"] else "adapted", pole]
     if one["failed"]:

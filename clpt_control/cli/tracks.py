@@ -12,6 +12,7 @@ from ..progress import progress_bar
 from ..units import at_most
 from .printing import (
     Json,
+    Report,
     ScenarioFile,
     Start,
     Window,
@@ -145,20 +146,19 @@ def design(
 
         results[figure] = figure_of(clpt.theory.design_plot, found)
     write_together(results)
-    columns = ["", "before", "after"]
-    result = Result(_title(found.report), columns, _rows(found.report), _sentences(found.report))
-    finish([result], found.report, as_json, *results)
+    finish([_result(found.report)], found.report, as_json, *results)
 
 
-def _title(report: dict[str, Any]) -> str:
+def _result(report: Report) -> Result:
     end = report["start"] + report["window"]
-    return (
+    title = (
         f"Smallest eigenvalue of the joint Gramian over {report['start']:g} to {end:g} "
         f"{report['units']['time']}, along {report['trajectory']}"
     )
+    return Result(title, ["", "before", "after"], _rows(report), _sentences(report))
 
 
-def _rows(report: dict[str, Any]) -> list[list[str]]:
+def _rows(report: Report) -> list[list[str]]:
     length, time = report["units"]["length"], report["units"]["time"]
     names = [
         ("smallest_eigenvalue", "smallest eigenvalue"),
@@ -191,7 +191,7 @@ def _cell(key: str, value: Any) -> str:
     return cell_text(list(value.values()) if isinstance(value, dict) else value)
 
 
-def _sentences(report: dict[str, Any]) -> list[str]:
+def _sentences(report: Report) -> list[str]:
     before, after, ratio = report["before"], report["after"], report["ratio"]
     times = "" if ratio is None else f", {ratio:.3g} times"
     law = report["law"] if report["goal"] == "law" else None

@@ -317,7 +317,7 @@ def _values(one: Vary, base: np.ndarray, shares: np.ndarray) -> np.ndarray:
     return shares.reshape(len(shares), *base.shape)
 
 
-def check_members(varied: Varied, varies: Sequence[Vary], values: dict[str, np.ndarray]) -> None:
+def check_members(varied: Varied, varies: Sequence[Vary], values: Values) -> None:
     """Refuse members with values that are not allowed.
 
     What is allowed are intervals: where the least and the largest of all members

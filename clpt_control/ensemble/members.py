@@ -35,7 +35,7 @@ from ..native.sliding import go_on
 BATCH_BYTES = 64_000_000  # states in flight, a thread
 MOST_MEMBERS = 512  # a batch
 TRIED = 5  # members whose records are compared with Python, before any runs
-Values = Mapping[str, np.ndarray]  # what varies, each with a row for each member
+Values = dict[str, np.ndarray]  # what varies, or summaries, each with a row for each member
 Member = tuple[Sequence[Any], np.ndarray, Any]  # parameters of all blocks, start, inputs
 
 
@@ -44,7 +44,7 @@ class Varied(Protocol):
 
     name: str
     title: str
-    values: dict[str, np.ndarray]  # of all that may vary, in the system itself
+    values: Values  # of all that may vary, in the system itself
     params: Mapping[str, Any] = {}
     inputs: Inputs | None = None
     wiring: Wiring
@@ -77,7 +77,7 @@ class Varied(Protocol):
 
     def summarise(
         self, ensemble: "Ensemble", members: "Members", values: Values, run: "States"
-    ) -> dict[str, np.ndarray]:
+    ) -> Values:
         """Return the summaries of members; those that failed may hold any number."""
 
 
@@ -271,7 +271,7 @@ class Ensemble:
         fit = BATCH_BYTES // (8 * states * len(self.varied.state_times))
         return max(8, min(MOST_MEMBERS, fit // 8 * 8))
 
-    def summaries(self, values: Values) -> dict[str, np.ndarray]:
+    def summaries(self, values: Values) -> Values:
         """Run members together, at most a batch, and return their summaries."""
         varied = self.varied
         with self._lock:  # one evaluator makes all members; compile once
@@ -308,13 +308,13 @@ def checked_ensemble(varied: Varied, values: Values) -> Ensemble:
     return ensemble
 
 
-def cut(values: Values, size: int) -> Iterator[dict[str, np.ndarray]]:
+def cut(values: Values, size: int) -> Iterator[Values]:
     """Yield the values of so many members at a time."""
     for first in range(0, len(next(iter(values.values()))), size):
         yield {name: array[first : first + size] for name, array in values.items()}
 
 
-def concatenated(parts: list[dict[str, np.ndarray]]) -> dict[str, np.ndarray]:
+def concatenated(parts: list[Values]) -> Values:
     """Return the summaries of batches one after the other."""
     return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
 

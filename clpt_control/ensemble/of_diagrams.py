@@ -76,7 +76,7 @@ class VariedDiagram(Varied):
         self.start = stacked_state("initial_state", 0.0 if x0 is None else x0, len(states))
         self.names = places_of(self.wiring, self.given, states, taken)
         self.places: dict[str, Place] = {}
-        self.values: dict[str, np.ndarray] = {}
+        self.values: Values = {}
         for one in varies:
             place = place_of(one.key, self.names, self.given)
             if place is not None:
@@ -260,7 +260,7 @@ class VariedDiagram(Varied):
 
     def summarise(
         self, ensemble: Ensemble, members: Members, values: Values, run: States
-    ) -> dict[str, np.ndarray]:
+    ) -> Values:
         """Return the summaries of members."""
         y = np.full((len(run.status), len(self.outputs), len(self.state_times)), np.nan)
         ports = self.variables[0]

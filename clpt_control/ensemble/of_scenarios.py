@@ -165,13 +165,13 @@ class VariedScenario(Varied):
     summarise = summarise
 
 
-def variable_values(scenario: Scenario) -> dict[str, np.ndarray]:
+def variable_values(scenario: Scenario) -> Values:
     """Return the values of all keys that may vary: the scenario's, or the defaults."""
     defaults = {"basis.phases": scenario.phases, "model.parameters": scenario.model_parameters}
     learning, delta = scenario.learning, scenario.flow.disturbance
     if not learning.row.alpha_is_constant:
         defaults["learning.parameters"] = scenario.learning_parameters
-    values: dict[str, np.ndarray] = {}
+    values: Values = {}
 
     def add(key: str, value: Any) -> None:
         number = np.asarray(value)

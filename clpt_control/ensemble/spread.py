@@ -188,7 +188,7 @@ def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> np.ndarray:
         return axes
     bands, time = percentiles(data, name), data["mark"].values
     _bands(bottom, time, bands, RED)
-    what = "flow parameter" if name == "flow_parameter_error" else "gain"
+    what = name.removesuffix("_error").replace("_", " ")
     bottom.set_title(f"Largest error of a {what}", **TITLE)
     bottom.set(
         xlabel=f"time ({data['mark'].attrs['units']})",

@@ -29,6 +29,7 @@ from ..html import shortened
 from ..scenario.experiment import Scenario
 from ..scenario.file import tables_of
 from .drawn_values import check_varies, read_varies
+from .members import Values
 from .of_scenarios import VariedScenario
 from .summaries import STATUS, Arrays, StoredArray
 
@@ -65,11 +66,11 @@ class Store:
         """Return how many members some chunks have."""
         return sum(rows.stop - rows.start for rows in map(self.rows, indices))
 
-    def values(self, index: int) -> dict[str, np.ndarray]:
+    def values(self, index: int) -> Values:
         """Return the values of what varies, for the members of a chunk."""
         return {key: self.arrays[key][self.rows(index)] for key in self.arguments["keys"]}
 
-    def write(self, index: int, arrays: Mapping[str, np.ndarray]) -> None:
+    def write(self, index: int, arrays: Values) -> None:
         """Write a chunk, then its checksum."""
         try:
             for name in self.per_member:
@@ -80,7 +81,7 @@ class Store:
             reason = error.strerror or error
             raise DataError(f"{self.path}: cannot be written: {reason}") from None
 
-    def checksum(self, arrays: Mapping[str, np.ndarray]) -> int:
+    def checksum(self, arrays: Values) -> int:
         """Return a checksum of the summaries, above zero."""
         check = 0
         for name in self.summaries:
@@ -128,22 +129,16 @@ class Store:
             decode_times=False,
             decode_timedelta=False,
         )
-        data = renamed(data.drop_vars(DONE), SLASH, "/").set_coords(self.arguments["keys"])
+        keys = self.arguments["keys"]
+        data = renamed(data.drop_vars(DONE), SLASH, "/").set_coords(keys)
         data = data[sorted(map(str, data.variables))]  # a folder has no order
         if self.path is None:
             data.load()
         else:
             data.encoding["folder"] = str(self.path.absolute().parent)
-        return self._on_a_grid(data) if self.arguments["design"] == "grid" else data
-
-    def _on_a_grid(self, data: "xarray.Dataset") -> "xarray.Dataset":
-        """Return the members of a grid of numbers with these as their index."""
-        from xarray.indexes import PandasMultiIndex
-
-        keys = self.arguments["keys"]
-        if any(data[key].ndim > 1 for key in keys):
-            return data
-        return data.drop_vars("member").set_xindex(keys, PandasMultiIndex)
+        if self.arguments["design"] == "grid" and all(data[key].ndim == 1 for key in keys):
+            data = data.drop_vars("member").set_xindex(keys, xarray.indexes.PandasMultiIndex)
+        return data
 
 
 def software() -> str:

@@ -138,7 +138,7 @@ class Arrays(dict[str, StoredArray]):
         )
 
 
-def ends_of(run: States, times: np.ndarray) -> dict[str, np.ndarray]:
+def ends_of(run: States, times: np.ndarray) -> Values:
     """Return how members ended, and when."""
     end = times[np.clip(run.reached - 1, 0, None)]
     return {"status": run.status.astype("int8"), "end": end}
@@ -202,7 +202,7 @@ def followed(varied: Any) -> list[str]:
 
 def summarise(
     varied: Any, ensemble: Ensemble, members: Members, values: Values, run: States
-) -> dict[str, np.ndarray]:
+) -> Values:
     """Return the summaries of members; NaN after the end of one that failed."""
     scenario, times, y = varied.scenario, varied.times, run.states
     row, m, N = scenario.learning.row, len(run.states), scenario.basis.N

@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..errors import ClptError, DataError
 from ..progress.interrupt import check, folders, remove, unfinished
-from .reading import OPENED, SLASH, kind_of, netcdf_engine, opened, opened_name, renamed
+from .reading import OPENED, SLASH, AnyPath, kind_of, netcdf_engine, opened, opened_name, renamed
 
 if TYPE_CHECKING:
     import xarray
@@ -34,7 +34,7 @@ PART = re.compile(rf"\.(.+)\.{HERE}-(\d{{1,7}})-[0-9a-f]{{8}}\.part")  # of a pr
 
 
 @contextmanager
-def beside(path: str | Path, folder: bool = False) -> Iterator[Path]:
+def beside(path: AnyPath, folder: bool = False) -> Iterator[Path]:
     """Make a hidden empty file, or folder, beside a place, and rename it there at the end.
 
     Its name is ``.NAME.MACHINE-PROCESS-CHANCE.part``.  It is removed where the work fails; the next
@@ -70,7 +70,7 @@ def beside(path: str | Path, folder: bool = False) -> Iterator[Path]:
         unfinished.discard(part)
 
 
-def _place(path: str | Path) -> tuple[Path, int | None]:
+def _place(path: AnyPath) -> tuple[Path, int | None]:
     """Return where a file is to be written, and the mode of the one that stands there.
 
     A device, a pipe or a socket is refused: it would be replaced by a file.
@@ -156,22 +156,20 @@ def _no_cluster() -> Iterator[None]:
 
     No cluster writes where nobody has imported it.
     """
-    if "distributed" in sys.modules:
-        yield
-        return
-    sys.modules["distributed"] = None  # type: ignore[assignment]
+    sys.modules.setdefault("distributed", None)  # type: ignore[arg-type]
     try:
         yield
     finally:
-        del sys.modules["distributed"]
+        if sys.modules["distributed"] is None:
+            del sys.modules["distributed"]
 
 
-def write_file(path: str | Path, result: "str | bytes | xarray.Dataset | Figure") -> None:
+def write_file(path: AnyPath, result: "str | bytes | xarray.Dataset | Figure") -> None:
     """Write one file, whole or not at all."""
     write_together({Path(path): result})
 
 
-def check_name(path: str | Path) -> None:
+def check_name(path: AnyPath) -> None:
     """Refuse a name that is too long or no text: nothing can be written under it."""
     try:
         longest = max((len(part.encode()) for part in Path(path).parts), default=0)
@@ -186,7 +184,7 @@ def check_name(path: str | Path) -> None:
         )
 
 
-def make_folder(path: str | Path) -> Path:
+def make_folder(path: AnyPath) -> Path:
     """Make a folder for results; a command removes it if it stays empty."""
     path = Path(path)
     check_name(path)
@@ -201,7 +199,7 @@ def make_folder(path: str | Path) -> Path:
     return path
 
 
-def check_writable(path: str | Path, what: str = "", endings: Sequence[str] = ()) -> None:
+def check_writable(path: AnyPath, what: str = "", endings: Sequence[str] = ()) -> None:
     """Refuse, before work begins, a file that could not be written: no folder, or read-only.
 
     Its name must have one of the `endings`, if there are any; `what` is what it is to be, such as

@@ -27,6 +27,7 @@ from ..errors import DataError, needed
 if TYPE_CHECKING:
     import xarray
 
+AnyPath = str | Path
 STRAY = 0.05  # largest share of characters that are no UTF-8 text
 LARGEST = 2 * 10**8  # bytes of a file that is read whole
 OPEN_PIPE = re.compile(r"/dev/stdin|(/dev|/proc/self)/fd/\d+")  # any other pipe may wait for ever
@@ -44,7 +45,7 @@ NO_FILES = {  # what is no file, by the first letter that `ls -l` shows
 
 @contextmanager
 def opened(
-    path: str | Path, most: float = LARGEST, hint: str = "give the name of a file"
+    path: AnyPath, most: float = LARGEST, hint: str = "give the name of a file"
 ) -> Iterator[BinaryIO]:
     """Open a file of at most so many bytes; `hint` ends the sentence where there is none."""
     try:
@@ -59,7 +60,7 @@ def opened(
         raise DataError(f"{path}: cannot be read: {error.strerror or error}") from None
 
 
-def _check(file: BinaryIO, path: str | Path, most: float) -> None:
+def _check(file: BinaryIO, path: AnyPath, most: float) -> None:
     """Refuse what was opened where it is neither a file nor an open pipe, or is too large."""
     state = os.fstat(file.fileno())
     if stat.S_ISFIFO(state.st_mode) and OPEN_PIPE.fullmatch(str(path)):
@@ -84,17 +85,17 @@ def at_once(name: str, flags: int, more: int = 0) -> int:
     return os.open(name, flags | more | getattr(os, "O_NONBLOCK", 0))
 
 
-def opened_name(number: int, path: str | Path) -> str:
+def opened_name(number: int, path: AnyPath) -> str:
     """Return a name of a descriptor, whatever its path means by now; the path elsewhere."""
     return f"{OPENED}/{number}" if os.path.isdir(OPENED) else str(path)  # noqa: PTH112
 
 
-def _too_large(path: str | Path, most: float) -> str:
+def _too_large(path: AnyPath, most: float) -> str:
     return f"{path}: is larger than {most / 1e6:.0f} MB, the most that is read; split it"
 
 
 def read_bytes(
-    path: str | Path,
+    path: AnyPath,
     other: tuple[bytes, ...] = (),
     hint: str = "give the name of a file",
     most: int | None = None,
@@ -150,12 +151,12 @@ def kind_of(mode: int) -> str:
     return NO_FILES.get(stat.filemode(mode)[0], "no file")
 
 
-def read_text(path: str | Path, no_text: str, most: int | None = None) -> str:
+def read_text(path: AnyPath, no_text: str, most: int | None = None) -> str:
     """Read a file that must be text; where it is none, the error is its name and `no_text`."""
     return text_of(read_bytes(path, most=most), path, no_text)
 
 
-def text_of(raw: bytes, path: str | Path, no_text: str) -> str:
+def text_of(raw: bytes, path: AnyPath, no_text: str) -> str:
     """Return a whole file's bytes as text, those that are no UTF-8 as U+FFFD."""
     if raw.startswith(UTF_16):
         raise DataError(f"{path}: is text in UTF-16; must be in UTF-8: save it so")
@@ -169,7 +170,7 @@ def text_of(raw: bytes, path: str | Path, no_text: str) -> str:
 
 
 @contextmanager
-def open_netcdf(path: str | Path, most: float = inf) -> "Iterator[xarray.Dataset]":
+def open_netcdf(path: AnyPath, most: float = inf) -> "Iterator[xarray.Dataset]":
     """Open a NetCDF file with xarray, or raise one sentence that says why not.
 
     Times stay numbers, and values are read when they are used: a damaged variable is a
@@ -216,7 +217,7 @@ def _reason(error: Exception) -> str:
     return words.splitlines()[0][:120]
 
 
-def _check_header(file: BinaryIO, path: str | Path) -> None:
+def _check_header(file: BinaryIO, path: AnyPath) -> None:
     """Refuse a damaged file that a library takes for whole, or never finishes to read.
 
     SciPy fills a classic file that was cut with zeros.  HDF5 walks a global heap object by object,
@@ -247,7 +248,7 @@ def _check_header(file: BinaryIO, path: str | Path) -> None:
         ) from None
 
 
-def _check_heap(raw: bytes, at: int, path: str | Path) -> None:
+def _check_heap(raw: bytes, at: int, path: AnyPath) -> None:
     """Refuse a global heap, from its size on, whose objects do not lead to its end."""
     end, at = at - 8 + int.from_bytes(raw[at : at + 8], "little"), at + 8
     while at + 16 <= min(end, len(raw)):

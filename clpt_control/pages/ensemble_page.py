@@ -4,7 +4,7 @@ import json
 from typing import Any
 
 import numpy as np
-import xarray
+from xarray import Dataset
 
 from ..ensemble.drawn_values import Vary, read_vary
 from ..ensemble.spread import ensemble_plot, ensemble_summary, unit_of
@@ -18,9 +18,10 @@ DESIGNS = {"lhs": "Latin hypercube", "grid": "grid", "random": "random draws"}
 MOST_KEYS = 4  # in a sentence
 MOST_FAILED = 20  # members named
 MOST_ROUNDS = 12
+Request = dict[str, Any]  # what was asked of `run_ensemble`
 
 
-def ensemble_page(data: xarray.Dataset, title: str | None = None) -> Page:
+def ensemble_page(data: Dataset, title: str | None = None) -> Page:
     """Return the page of an ensemble, whole or begun."""
     request = json.loads(data.attrs["ensemble"])
     summary = ensemble_summary(data)
@@ -54,7 +55,7 @@ def ensemble_page(data: xarray.Dataset, title: str | None = None) -> Page:
     )
 
 
-def _asked(request: dict[str, Any]) -> str:
+def _asked(request: Request) -> str:
     ways = [_varies(read_vary(one)) for one in request["vary"]]
     varies = "; ".join(ways) if len(ways) <= MOST_KEYS else f"{len(ways)} keys of the scenario vary"
     return (
@@ -74,7 +75,7 @@ def _varies(vary: Vary) -> str:
     return f"{vary.key} has one of {len(vary.numbers)} values"
 
 
-def _found(data: xarray.Dataset, summary: dict[str, Any], done: int) -> list[str]:
+def _found(data: Dataset, summary: Numbers, done: int) -> list[str]:
     if not done:
         return ["Found: nothing yet, no member is done."]
     unit = data["clpe_rms"].attrs["units"]
@@ -100,7 +101,7 @@ def _found(data: xarray.Dataset, summary: dict[str, Any], done: int) -> list[str
     return sentences or ["Found: no run came to the end of a round, nor to its own."]
 
 
-def _cards(data: xarray.Dataset, summary: dict[str, Any], done: int, finished: int) -> list[Card]:
+def _cards(data: Dataset, summary: Numbers, done: int, finished: int) -> list[Card]:
     cards = [
         Card("Members done", f"{done} of {summary['members']}", f"{finished} came to their end")
     ]
@@ -116,7 +117,7 @@ def _cards(data: xarray.Dataset, summary: dict[str, Any], done: int, finished: i
     return cards
 
 
-def _spread(data: xarray.Dataset, summary: dict[str, Any], done: int) -> Section:
+def _spread(data: Dataset, summary: Numbers, done: int) -> Section:
     """Return percentiles, drawn and as a table."""
     heading = "How the runs differ"
     if not done:
@@ -131,7 +132,7 @@ def _spread(data: xarray.Dataset, summary: dict[str, Any], done: int) -> Section
     return Section("spread", heading, result, [figure])
 
 
-def ensemble_result(data: xarray.Dataset, summary: Numbers, name: str, most: int) -> Result:
+def ensemble_result(data: Dataset, summary: Numbers, name: str, most: int) -> Result:
     """Return percentiles over the members; of more cycles than `most`, the first and the last."""
     length, time = data["clpe_rms"].attrs["units"], data["mark"].attrs["units"]
     rows, cycles = [], summary["clpe_rms_per_cycle"]
@@ -163,7 +164,7 @@ def _cells(column: list[float] | None) -> list[str]:
     return ["-"] * 5 if column is None else [f"{value:.4g}" for value in column]
 
 
-def _varied(data: xarray.Dataset, request: dict[str, Any]) -> Section:
+def _varied(data: Dataset, request: Request) -> Section:
     rows = []
     for key, text in zip(request["keys"], request["vary"], strict=True):
         values = data[key].values.reshape(request["members"], -1)
@@ -175,7 +176,7 @@ def _varied(data: xarray.Dataset, request: dict[str, Any]) -> Section:
     return Section("varied", "What varied", Result("Values of all members", columns, rows))
 
 
-def _failed(data: xarray.Dataset, request: dict[str, Any], status: np.ndarray) -> list[Section]:
+def _failed(data: Dataset, request: Request, status: np.ndarray) -> list[Section]:
     """Return the members that did not come to their end."""
     failed = np.flatnonzero(status > 1)
     if not len(failed):
@@ -194,7 +195,7 @@ def _failed(data: xarray.Dataset, request: dict[str, Any], status: np.ndarray) -
     return [Section("failed", "Runs that failed", listed)]
 
 
-def _again(data: xarray.Dataset, request: dict[str, Any]) -> Section:
+def _again(data: Dataset, request: Request) -> Section:
     words = [f"--vary '{one}'" for one in request["vary"]]
     begin = f"clpt ensemble scenario.toml --members {request['members']}"
     end = f"--design {request['design']} --seed {request['seed']} --samples {request['samples']}"

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from typing import Annotated, Any
 
 import pydantic
-import xarray
+from xarray import Dataset
 
 from ..html import Result
 from ..scenario.experiment import Scenario
@@ -65,7 +65,7 @@ def number(value: float) -> str:
     return f"{float(text):.0f}" if "e+" in text and abs(value) < 1e6 else text
 
 
-def numbers_of(run: xarray.Dataset, system: Scenario | Team) -> dict[str, Any]:
+def numbers_of(run: Dataset, system: Scenario | Team) -> Numbers:
     """Return a run's figures by the names of `run_and_report`; `of_samples` if they are less."""
     if isinstance(system, Team):
         return {"of_samples": True, **team_summary(system, run, run)}
@@ -84,7 +84,7 @@ def numbers_of(run: xarray.Dataset, system: Scenario | Team) -> dict[str, Any]:
     return numbers
 
 
-def of_the_worst(numbers: Numbers) -> dict[str, Any]:
+def of_the_worst(numbers: Numbers) -> Numbers:
     """Return the figures of a team as those of one vehicle, each of the vehicle that is worst."""
     worst = {**numbers, "clpe_rms_per_cycle": []}
     for key in ("clpe_rms", "clpe_rms_last_quarter"):
@@ -229,7 +229,7 @@ def found_of_flow(numbers: Numbers, scenario: Scenario) -> str:
     return begin + "; ".join(parts) + "."
 
 
-def run_result(summary: dict[str, Any], title: str, most: int = MOST_VEHICLES) -> Result:
+def run_result(summary: Numbers, title: str, most: int = MOST_VEHICLES) -> Result:
     """Return what a vehicle achieved in its run, or each of a team's, up to the most."""
     length, time = summary["units"]["length"], summary["units"]["time"]
     rows = [["status", summary["message"]]]
@@ -290,7 +290,7 @@ def excitation_of(source: Any, window: float | None = None, start: float | None 
     return (team_excitation_report if is_team(source) else excitation_report)(source, window, start)
 
 
-def excitation_result(report: dict[str, Any]) -> Result:
+def excitation_result(report: Numbers) -> Result:
     """Return the excitation of a track, or of the tracks of a team, each alone and together."""
     end, unit = report["start"] + report["window"], report["time_unit"]
     title = f"Excitation from {report['start']:g} to {end:g} {unit}, {report['trajectory']}"
@@ -334,7 +334,7 @@ def excitation_result(report: dict[str, Any]) -> Result:
     return Result(title, ["", ""], rows, sentences)
 
 
-def _of_a_team(report: dict[str, Any]) -> tuple[list[list[str]], list[str]]:
+def _of_a_team(report: Numbers) -> tuple[list[list[str]], list[str]]:
     """Return a row for each axis of each vehicle and of the team, and sentences."""
     rows, sentences = [], [f"measured: {report['measured']}"]
     for name, one in [*report["vehicles"].items(), ("team", report["team"])]:

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-import xarray
+from xarray import Dataset
 
 from ..diagrams.drawing.figure import MOST, block_figure
 from ..diagrams.interconnection import Diagram
@@ -18,9 +18,25 @@ from ..simulation.run_file import diagram_of_text, equations_text
 from ..simulation.summary import claims
 from ..theory.proving.array_loop import no_value
 from ..units import percent
-from . import results, run_sections
+from . import run_sections
 from .page import Card, Drawn, Page, Section, again_section, drawn
-from .results import Numbers, number
+from .results import (
+    SHARES,
+    Numbers,
+    asked,
+    asked_of_team,
+    at_end,
+    claims_result,
+    errors_by_time,
+    found_of_clpe,
+    found_of_clpes,
+    found_of_flow,
+    number,
+    numbers_of,
+    of_the_worst,
+    shares_of,
+    span_of_means,
+)
 
 KINDS = ("Run of a scenario", "Run of a diagram")
 IN_PYTHON = {OWN_LAW: "law", CHANGED: "parameters", OWN_PARTS: "parts"}
@@ -32,18 +48,15 @@ MOST_SAID = 4  # signals in a sentence
 SHORT = 12, 200  # lines of equations, and letters of each
 
 
-def run_page(run: xarray.Dataset, system: Scenario | Team, title: str | None = None) -> Page:
+def run_page(run: Dataset, system: Scenario | Team, title: str | None = None) -> Page:
     """Return the page of a run that carries this scenario, or this team."""
-    numbers = results.numbers_of(run, system)
+    numbers = numbers_of(run, system)
     own, changed, parts = (run.attrs.get(name) for name in (OWN_LAW, CHANGED, OWN_PARTS))
     paper = system == paper_scenario() and not (own or changed or parts)
     text = listing(str(run.attrs.get(TEAM, run.attrs.get("scenario"))))
     if isinstance(system, Team):
-        kind, scenario, alone = "Run of a team", system.first, results.of_the_worst(numbers)
-        sentences = [
-            results.asked_of_team(system),
-            results.found_of_clpes(numbers, scenario.units.length),
-        ]
+        kind, scenario, alone = "Run of a team", system.first, of_the_worst(numbers)
+        sentences = [asked_of_team(system), found_of_clpes(numbers, scenario.units.length)]
         per = f"1/{scenario.units.time}"
         below = f"coupling {system.coupling:g} {per}; below, of the worst"
         cards = [Card("Vehicles", str(len(system.members)), below)]
@@ -55,19 +68,19 @@ def run_page(run: xarray.Dataset, system: Scenario | Team, title: str | None = N
         if not count:  # there are no rounds
             numbers = alone = {**numbers, "clpe_rms_per_cycle": []}
         begin = "Asked, as far as the scenario says" if parts else "Asked"
-        question = results.asked(scenario, law, count, begin)
-        sentences = [question, results.found_of_clpe(numbers, scenario.units.length)]
+        question = asked(scenario, law, count, begin)
+        sentences = [question, found_of_clpe(numbers, scenario.units.length)]
         cards, sections = [], run_sections.figure_sections(run, scenario, numbers)
     if not parts:
         sections = [*run_sections.loop_section(system, own), *sections]
     if paper and not numbers["of_samples"]:  # else the run does not carry its figures
-        judged = results.claims_result(claims(numbers))
+        judged = claims_result(claims(numbers))
         sections = [Section("claims", judged.title, judged), *sections]
     unmeasured = "the run had what its scenario does not hold" if changed or parts else ""
     return Page(
         "Section IV of the paper" if paper else kind,
         title or str(run.attrs.get("title") or UNTITLED),
-        [*sentences, results.found_of_flow(alone, scenario)],
+        [*sentences, found_of_flow(alone, scenario)],
         [*_ended(run), *_warnings(run, scenario, numbers)],
         [*cards, *_cards(alone, scenario)],
         [
@@ -79,7 +92,7 @@ def run_page(run: xarray.Dataset, system: Scenario | Team, title: str | None = N
     )
 
 
-def _ended(run: xarray.Dataset) -> list[str]:
+def _ended(run: Dataset) -> list[str]:
     """Return how a run ended, where it did not just come to its end."""
     message = run.attrs.get("message", "no reason is recorded")
     if run.attrs.get("status", "finished") != "finished":
@@ -87,7 +100,7 @@ def _ended(run: xarray.Dataset) -> list[str]:
     return [f"{message}."] if "; " in str(message) else []
 
 
-def _warnings(run: xarray.Dataset, scenario: Scenario, numbers: Numbers) -> list[str]:
+def _warnings(run: Dataset, scenario: Scenario, numbers: Numbers) -> list[str]:
     """Return what a reader must know before the figures."""
     changed, parts = run.attrs.get(CHANGED), run.attrs.get(OWN_PARTS)
     sentences = []
@@ -128,23 +141,21 @@ def _cards(numbers: Numbers, scenario: Scenario) -> list[Card]:
     else:
         late = f"over the last quarter {number(numbers['clpe_rms_last_quarter'])} {unit.length}"
         whole = f"{number(numbers['clpe_rms'])} {unit.length}"
-        cards.append(Card(f"CLPE rms, {results.span_of_means(numbers)}", whole, late))
-    for what, per, errors in results.errors_by_time(numbers, unit.length, unit.time):
+        cards.append(Card(f"CLPE rms, {span_of_means(numbers)}", whole, late))
+    for what, per, errors in errors_by_time(numbers, unit.length, unit.time):
         below = f"at t = {numbers['end']:g} {unit.time}"
         after = [time for time in errors if scenario.cycle <= float(time) < numbers["end"]]
         if after:
             below += f"; at t = {after[0]} {unit.time}: {number(errors[after[0]])}"
-        cards.append(
-            Card(f"Largest error of a {what}", f"{number(results.at_end(errors))} {per}", below)
-        )
-    for place, share, worse in results.shares_of(numbers):
+        cards.append(Card(f"Largest error of a {what}", f"{number(at_end(errors))} {per}", below))
+    for place, share, worse in shares_of(numbers):
         said = "none" if share is None else percent(share)
         why = "; it hardly changes there" if share is None else f"{worse and '; '}{worse}"
-        cards.append(Card("Current's variance explained", said, results.SHARES[place] + why))
+        cards.append(Card("Current's variance explained", said, SHARES[place] + why))
     return cards
 
 
-def _again(run: xarray.Dataset, scenario: Scenario | None, paper: bool = False) -> Section:
+def _again(run: Dataset, scenario: Scenario | None, paper: bool = False) -> Section:
     """Return how a run is made again: from its file's equations, from its scenario, or not."""
     missing, commands = [what for name, what in IN_PYTHON.items() if name in run.attrs], list[str]()
     if (missing or scenario is None) and equations_text(run)[0]:
@@ -173,7 +184,7 @@ def _again(run: xarray.Dataset, scenario: Scenario | None, paper: bool = False) 
 # --- of any diagram ------------------------------------------------------------------------------
 
 
-def diagram_page(run: xarray.Dataset, title: str | None = None) -> Page:
+def diagram_page(run: Dataset, title: str | None = None) -> Page:
     """Return the page of a diagram's run: its loop, its equations if short, each port over time."""
     text, why = equations_text(run)
     diagram = diagram_of_text(text) if text else None
@@ -208,14 +219,14 @@ def diagram_page(run: xarray.Dataset, title: str | None = None) -> Page:
     )
 
 
-def span_of(run: xarray.Dataset) -> str:
+def span_of(run: Dataset) -> str:
     """Return from when to when a run is."""
     unit = run.time.attrs.get("units")
     first, last = (f"{float(t):.6g}" for t in run.time.values[[0, -1]])
     return f"t = {first} to {last}{f' {unit}' if unit else ''}"
 
 
-def extent_of(run: xarray.Dataset) -> dict[str, dict[str, float]]:
+def extent_of(run: Dataset) -> dict[str, dict[str, float]]:
     """Return of each signal, by name and unit, where it began and ended and how far it went."""
     return {
         named(name, one.attrs.get("units")): {
@@ -229,7 +240,7 @@ def extent_of(run: xarray.Dataset) -> dict[str, dict[str, float]]:
     }
 
 
-def response_result(run: xarray.Dataset) -> Result:
+def response_result(run: Dataset) -> Result:
     """Return where the signals of a diagram's run began and ended, and how far they went."""
     rows = [[name, *(f"{v:.6g}" for v in own.values())] for name, own in extent_of(run).items()]
     sentences = [f"{more} more signals"] if (more := len(rows) - MOST_SIGNALS) > 0 else []
@@ -265,7 +276,7 @@ def _equations(diagram: Any) -> list[str]:
     return found if len(found) <= lines and max(map(len, found), default=0) <= letters else []
 
 
-def _over_time(run: xarray.Dataset) -> Section:
+def _over_time(run: Dataset) -> Section:
     """Return each port over time."""
     heading = "Signals over time"
     if run.sizes["time"] < 2:

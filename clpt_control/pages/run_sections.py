@@ -3,7 +3,7 @@
 from typing import Any
 
 import numpy as np
-import xarray
+from xarray import Dataset
 
 from ..diagrams.drawing.figure import block_figure
 from ..errors import ClptError
@@ -30,7 +30,7 @@ MOST_DRAWN = 3  # vehicles in a drawing of the loop
 ONE_SAMPLE = Result(sentences=["The run has one sample: nothing can be drawn over time"])
 
 
-def team_section(run: xarray.Dataset, numbers: Numbers) -> Section:
+def team_section(run: Dataset, numbers: Numbers) -> Section:
     """Return a team's figure and what each vehicle achieved."""
     figures = []
     result = run_result(numbers, "What the vehicles achieved", len(numbers["vehicles"]))
@@ -64,7 +64,7 @@ def loop_section(system: Scenario | Team, own: str | None) -> list[Section]:
     return [Section("loop", "The loop", result, [Drawn("loop", figure, caption, wide=True)])]
 
 
-def excitation_section(run: xarray.Dataset, why: str = "") -> Section:
+def excitation_section(run: Dataset, why: str = "") -> Section:
     """Return the excitation over one round of a run, or `why` it cannot be measured."""
     team = is_team(run)
     heading, figures = f"What the track{'s' if team else ''} can teach", []
@@ -86,7 +86,7 @@ def excitation_section(run: xarray.Dataset, why: str = "") -> Section:
     return Section("excitation", heading, result, figures)
 
 
-def figure_sections(run: xarray.Dataset, scenario: Scenario, numbers: Numbers) -> list[Section]:
+def figure_sections(run: Dataset, scenario: Scenario, numbers: Numbers) -> list[Section]:
     """Return what is drawn along the run."""
     heading, learning = "Prediction error", _learned(run, scenario)
     if run.sizes["time"] < 2:
@@ -135,7 +135,7 @@ def figure_sections(run: xarray.Dataset, scenario: Scenario, numbers: Numbers) -
     ]
 
 
-def _learned(run: xarray.Dataset, scenario: Scenario) -> Section:
+def _learned(run: Dataset, scenario: Scenario) -> Section:
     """Return what was learned, without its figures."""
     unit, last, row = scenario.units, run.isel(time=-1), scenario.learning.row
     estimate = last.flow_parameters_estimate.values
@@ -168,7 +168,7 @@ def _row(name: str, learned: float, true: float) -> list[str]:
     return [name, f"{learned:.4g}", *known]
 
 
-def flows_plot(run: xarray.Dataset, scenario: Scenario) -> Any:
+def flows_plot(run: Dataset, scenario: Scenario) -> Any:
     """Draw the true flow and the learned one at the end of a run, at the same places."""
     _, ax = new_figure(4.8, 4.8)
     time, path = float(run.time[-1]), run.position.values
@@ -189,7 +189,7 @@ def flows_plot(run: xarray.Dataset, scenario: Scenario) -> Any:
     return ax
 
 
-def lyapunov_plot(run: xarray.Dataset, units: Units) -> Any:
+def lyapunov_plot(run: Dataset, units: Units) -> Any:
     """Draw the Lyapunov candidate V along a run, logarithmic."""
     _, ax = new_figure(4.8, 2.6)
     V = run.lyapunov.values
@@ -200,7 +200,7 @@ def lyapunov_plot(run: xarray.Dataset, units: Units) -> Any:
     return ax
 
 
-def samples_to_draw(run: xarray.Dataset) -> tuple[xarray.Dataset, str]:
+def samples_to_draw(run: Dataset) -> tuple[Dataset, str]:
     """Return as many samples of a run as a figure shows, and a sentence if they are not all."""
     count = run.sizes["time"]
     step = -(-count // MOST_SAMPLES)

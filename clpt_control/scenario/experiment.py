@@ -21,12 +21,25 @@ from ..blocks.laws.table import LAWS
 from ..equations.block import Block
 from ..equations.sampled import Sampled
 from ..errors import ScenarioError
-from . import tables
 from .display import scenario_html, scenario_line
 from .learning import Learning
 from .quantities import QUANTITIES
+from .tables import (
+    Basis,
+    Circle,
+    Flow,
+    Localization,
+    Model,
+    Run,
+    Table,
+    TwoRows,
+    Units,
+    Vehicle,
+    Waypoints,
+)
 from .tidal_periods import period
 
+Nested = dict[str, Any]  # tables of a scenario, as TOML has them
 MOST_JUMPS = 10**7  # of one block in a run
 MOST_BYTES = 4 * 10**9  # of memory that a run may take
 FINE = 2000  # samples of a run beside its own
@@ -34,7 +47,7 @@ NUMBERS = 110, 24  # of a sample, and of a sample for each function: measured, t
 AT_FIXES = " or ".join(law.name for law in LAWS.values() if law.at_fixes)
 
 
-class Scenario(tables.Table):
+class Scenario(Table):
     """One experiment: flow, vehicle, waypoints, law and run.
 
     Made by `load_scenario`, or from keywords of the same names as the tables
@@ -49,15 +62,15 @@ class Scenario(tables.Table):
     """
 
     title: str = ""
-    units: tables.Units = tables.Units()
-    basis: tables.Basis
-    flow: tables.Flow
-    model: tables.Model = tables.Model()
-    vehicle: tables.Vehicle
-    reference: Annotated[tables.Circle | tables.Waypoints, Field(discriminator="kind")]
+    units: Units = Units()
+    basis: Basis
+    flow: Flow
+    model: Model = Model()
+    vehicle: Vehicle
+    reference: Annotated[Circle | Waypoints, Field(discriminator="kind")]
     learning: Learning
-    localization: tables.Localization | None = None
-    run: tables.Run
+    localization: Localization | None = None
+    run: Run
     _folder: Path = PrivateAttr(default_factory=Path)
 
     def _mistakes(self) -> Iterator[str]:
@@ -159,12 +172,12 @@ class Scenario(tables.Table):
         return self.basis.phases or (0.0,) * self.basis.N
 
     @property
-    def model_parameters(self) -> tables.TwoRows:
+    def model_parameters(self) -> TwoRows:
         """alpha_M of Eq. (4), zero where the scenario leaves it out."""
         return self.model.parameters or ((0.0,) * self.basis.N,) * 2
 
     @property
-    def learning_parameters(self) -> tables.TwoRows:
+    def learning_parameters(self) -> TwoRows:
         """alpha(0); alpha_M with a law that holds alpha."""
         if self.learning.row.alpha_is_constant:
             return self.model_parameters
@@ -230,7 +243,7 @@ class Scenario(tables.Table):
         """Waypoints, shape (n, 2), units.length."""
         from ..blocks.reference import circle
 
-        if isinstance(self.reference, tables.Circle):
+        if isinstance(self.reference, Circle):
             return circle(self.reference.radius, self.reference.count)
         return np.array(self.reference.points)
 
@@ -288,7 +301,7 @@ class Scenario(tables.Table):
         return checked_scenario(nested, "scenario", self._folder)
 
 
-def checked_scenario(nested: dict[str, Any], name: str, folder: Path | None = Path()) -> Scenario:
+def checked_scenario(nested: Nested, name: str, folder: Path | None = Path()) -> Scenario:
     """Return a scenario of nested dicts; `name` begins each error.
 
     Its files must lie in the `folder`; with None they are not looked for.
@@ -296,6 +309,6 @@ def checked_scenario(nested: dict[str, Any], name: str, folder: Path | None = Pa
     return Scenario.model_validate(nested, context={"name": name, "folder": folder})
 
 
-def scenario_tables(scenario: Scenario) -> dict[str, Any]:
+def scenario_tables(scenario: Scenario) -> Nested:
     """Return a scenario as nested dicts of the keys that were set."""
     return scenario.model_dump(mode="python", exclude_none=True, exclude_unset=True)

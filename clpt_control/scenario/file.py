@@ -18,7 +18,7 @@ from ..arguments import public
 from ..errors import DataError, ScenarioError
 from ..files import write_file
 from ..files.reading import open_netcdf, read_bytes
-from .experiment import Scenario, checked_scenario, scenario_tables
+from .experiment import Nested, Scenario, checked_scenario, scenario_tables
 
 CHANGED = "parameters_changed"  # attribute of a run: parameters that no key holds
 TEAM = "team"  # attribute of a team's run, in place of its scenario: the team as TOML text
@@ -97,7 +97,7 @@ def scenario_from_text(text: str, name: str, folder: Path | None) -> Scenario:
     return checked_scenario(tables, name, folder)
 
 
-def tables_of(text: str, name: str) -> dict[str, Any]:
+def tables_of(text: str, name: str) -> Nested:
     """Return TOML text as nested dicts; `name` begins each error."""
     try:
         return tomllib.loads(text)
@@ -139,7 +139,7 @@ def scenario_to_text(scenario: Scenario, folder: Path | None = None) -> str:
     return toml(placed_tables(scenario, folder))
 
 
-def placed_tables(scenario: Scenario, folder: Path | None) -> dict[str, Any]:
+def placed_tables(scenario: Scenario, folder: Path | None) -> Nested:
     """Return a scenario as nested dicts; its field's path is relative to `folder`, if given."""
     tables = scenario_tables(scenario)
     if folder is not None and scenario.field_path is not None:
@@ -148,7 +148,7 @@ def placed_tables(scenario: Scenario, folder: Path | None) -> dict[str, Any]:
     return tables
 
 
-def toml(tables: dict[str, Any], name: str = "") -> str:
+def toml(tables: Nested, name: str = "") -> str:
     """Return nested dicts as TOML text; `name` is "" or that of the outer table, with its dot."""
     values = "".join(
         f"{_key(key)} = {_value(value)}\n"

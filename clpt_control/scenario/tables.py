@@ -10,7 +10,16 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Annotated, Any, Literal, Self, get_args
 
-import pydantic
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    Strict,
+    ValidationError,
+    model_validator,
+)
 
 from ..blocks.laws.law import Fixes
 from ..errors import ScenarioError
@@ -24,17 +33,17 @@ def _one_sentence(table: Any, name: str) -> Iterator[None]:
     """Raise a ScenarioError that begins with `name` in place of pydantic's error."""
     try:
         yield
-    except pydantic.ValidationError as error:
+    except ValidationError as error:
         problems = error.errors()
         first = min(problems, key=lambda problem: problem["type"] != "extra_forbidden")
         more = f" (and {len(problems) - 1} more)" if len(problems) > 1 else ""
         raise ScenarioError(f"{name}: {sentence(first, table)}{more}") from None
 
 
-class Table(pydantic.BaseModel):
+class Table(BaseModel):
     """A table of the scenario; unknown keys are errors."""
 
-    model_config = pydantic.ConfigDict(extra="forbid", frozen=True)
+    model_config = ConfigDict(extra="forbid", frozen=True)
 
     def __init__(self, **values: Any) -> None:
         with _one_sentence(type(self), type(self).__name__.lower()):
@@ -46,7 +55,7 @@ class Table(pydantic.BaseModel):
         """Yield a sentence for each way in which keys do not fit together."""
         yield from ()
 
-    @pydantic.model_validator(mode="after")
+    @model_validator(mode="after")
     def _fits_together(self) -> Self:
         for mistake in self._mistakes():
             raise ValueError(mistake)
@@ -137,14 +146,12 @@ def _whole(value: Any) -> Any:
     return int(value) if isinstance(value, float) and value.is_integer() else value
 
 
-Number = Annotated[float, pydantic.Strict(), pydantic.Field(allow_inf_nan=False)]
-Positive = Annotated[Number, pydantic.Field(gt=0)]
-NotNegative = Annotated[Number, pydantic.Field(ge=0)]
-Period = Annotated[float, pydantic.Strict(), pydantic.AfterValidator(_period)]
-Count = Annotated[int, pydantic.Strict(), pydantic.Field(ge=1, le=10**6)]
-Seed = Annotated[
-    int, pydantic.BeforeValidator(_whole), pydantic.Strict(), pydantic.Field(ge=0, lt=67108859)
-]
+Number = Annotated[float, Strict(), Field(allow_inf_nan=False)]
+Positive = Annotated[Number, Field(gt=0)]
+NotNegative = Annotated[Number, Field(ge=0)]
+Period = Annotated[float, Strict(), AfterValidator(_period)]
+Count = Annotated[int, Strict(), Field(ge=1, le=10**6)]
+Seed = Annotated[int, BeforeValidator(_whole), Strict(), Field(ge=0, lt=67108859)]
 Pair = tuple[Number, Number]
 PositivePair = tuple[Positive, Positive]
 Row = tuple[Number, ...]
@@ -164,7 +171,7 @@ class Basis(Table):
     """The flow basis functions of Eq. (5), one entry per function."""
 
     kernel: Kernel
-    centers: Annotated[tuple[Pair, ...], pydantic.Field(min_length=1)]
+    centers: Annotated[tuple[Pair, ...], Field(min_length=1)]
     widths: tuple[Positive, ...]
     periods: tuple[Period, ...] | None = None
     constituents: tuple[str, ...] | None = None
@@ -245,7 +252,7 @@ class Waypoints(Table):
     """Any list of waypoints."""
 
     kind: Literal["waypoints"]
-    points: Annotated[tuple[Pair, ...], pydantic.Field(min_length=1, max_length=10**6)]
+    points: Annotated[tuple[Pair, ...], Field(min_length=1, max_length=10**6)]
     dwell: Positive
 
 
@@ -259,7 +266,7 @@ class Localization(Table):
     interval: NotNegative = 0.0
     noise: NotNegative = 0.0
     noise_period: Positive | None = None
-    dropouts: Annotated[Number, pydantic.Field(ge=0, lt=1)] = 0.0
+    dropouts: Annotated[Number, Field(ge=0, lt=1)] = 0.0
     latency: NotNegative = 0.0
     seed: Seed | None = None
 
@@ -307,7 +314,7 @@ class Run(Table):
 
     duration: Positive
     output_step: Positive = 1.0
-    rtol: Annotated[Positive, pydantic.Field(ge=1e-13, lt=1)] = 1e-8
+    rtol: Annotated[Positive, Field(ge=1e-13, lt=1)] = 1e-8
     atol: Positive = 1e-10
     method: Literal["auto", "dop853", "dopri5", "rodas5p"] = "auto"
 

@@ -26,9 +26,18 @@ from pydantic import Field, Strict, model_validator
 
 from ..arguments import brief, public
 from ..errors import DataError, ScenarioError
-from . import file
 from .display import team_html, team_line
-from .experiment import Scenario, checked_scenario, scenario_tables
+from .experiment import Nested, Scenario, checked_scenario, scenario_tables
+from .file import (
+    TEAM,
+    folder_of,
+    placed_tables,
+    read_text,
+    scenario_from_text,
+    scenario_of_run,
+    tables_of,
+    toml,
+)
 from .tables import Run, Table
 
 TEAM_LAW = "learned-flow"
@@ -157,7 +166,7 @@ class Team(Table):
         return float(np.linalg.eigvalsh(self._laplacian)[1])
 
 
-def shared_tables(scenario: Scenario) -> dict[str, Any]:
+def shared_tables(scenario: Scenario) -> Nested:
     """Return what must be the same in all scenarios of a team, by table."""
     shared = _without_own(scenario.model_dump(mode="python", exclude={"title"}))
     if scenario.field_path is not None:
@@ -165,7 +174,7 @@ def shared_tables(scenario: Scenario) -> dict[str, Any]:
     return shared
 
 
-def _without_own(tables: dict[str, Any]) -> dict[str, Any]:
+def _without_own(tables: Nested) -> Nested:
     """Return the tables of a scenario without what a vehicle has of its own."""
     shared = {table: value for table, value in tables.items() if table not in OWN[:-1]}
     shared["learning"] = {k: v for k, v in shared["learning"].items() if k not in OWN_STARTS}
@@ -206,14 +215,14 @@ def load_team(path: str | Path) -> Team:
 def load_either(path: str | Path) -> Scenario | Team:
     """Read a scenario or a team from a TOML file or a run's NetCDF file."""
     path = Path(path)
-    text = file.read_text(path)
-    read = team_from_text if "team" in file.tables_of(text, str(path)) else file.scenario_from_text
+    text = read_text(path)
+    read = team_from_text if "team" in tables_of(text, str(path)) else scenario_from_text
     return read(text, str(path), path.parent)
 
 
 def team_from_text(text: str, name: str, folder: Path | None) -> Team:
     """Read a team of TOML text; `name` begins each error, `folder` holds its files, if any."""
-    common = file.tables_of(text, name)
+    common = tables_of(text, name)
     team = _table(common.pop("team", None), f"{name}: team")
     vehicles = _table(team.pop("members", None), f"{name}: team.members")
     members = {
@@ -230,14 +239,14 @@ def team_from_text(text: str, name: str, folder: Path | None) -> Team:
 
 def team_to_text(team: Team, folder: Path | None = None) -> str:
     """Return a team as TOML text; its field's path is relative to `folder`, if given."""
-    tables = _without_own(file.placed_tables(team.first, folder))
+    tables = _without_own(placed_tables(team.first, folder))
     members = {name: _own(scenario, team.first.title) for name, scenario in team.members.items()}
-    return file.toml(
+    return toml(
         {**tables, "team": {"coupling": team.coupling, "edges": team.edges, "members": members}}
     )
 
 
-def _own(scenario: Scenario, title: str) -> dict[str, Any]:
+def _own(scenario: Scenario, title: str) -> Nested:
     """Return the keys of a vehicle alone, of those that were set; `title` is the team's."""
     tables = scenario_tables(scenario)
     own = {table: tables[table] for table in OWN[:-1] if table in tables}
@@ -246,7 +255,7 @@ def _own(scenario: Scenario, title: str) -> dict[str, Any]:
     return {**named, **own, **({"learning": starts} if starts else {})}
 
 
-def _merged(common: dict[str, Any], own: dict[str, Any], name: str) -> dict[str, Any]:
+def _merged(common: Nested, own: Nested, name: str) -> Nested:
     """Return the keys of all vehicles, replaced by those of one where it has them."""
     tables = dict(common)
     for table, values in own.items():
@@ -270,7 +279,7 @@ def _merged(common: dict[str, Any], own: dict[str, Any], name: str) -> dict[str,
     return tables
 
 
-def _table(value: Any, where: str) -> dict[str, Any]:
+def _table(value: Any, where: str) -> Nested:
     """Return a value that must be a table."""
     if not isinstance(value, dict):
         raise ScenarioError(f"{where} = {brief(value)}: must be a table of keys")
@@ -279,18 +288,18 @@ def _table(value: Any, where: str) -> dict[str, Any]:
 
 def team_of_run(run: Any, files: bool = True) -> Team:
     """Return the team that a run carries; with `files` the file of its field must exist."""
-    text = getattr(run, "attrs", {}).get(file.TEAM)
+    text = getattr(run, "attrs", {}).get(TEAM)
     if not isinstance(text, str):
         raise DataError(
             f"{brief(run)}: must be a Team or a team's run; clpt.load_team and clpt.load_run read "
             "them"
         )
-    return team_from_text(text, "the run", file.folder_of(run) if files else None)
+    return team_from_text(text, "the run", folder_of(run) if files else None)
 
 
 def system_of_run(run: Any, files: bool = True) -> Scenario | Team:
     """Return the scenario or team that a run carries; with `files` its field's file must exist."""
     attributes = getattr(run, "attrs", {})
-    if file.TEAM in attributes and "scenario" in attributes:
+    if TEAM in attributes and "scenario" in attributes:
         raise DataError("the run carries a scenario and a team; must be of one of the two")
-    return (team_of_run if file.TEAM in attributes else file.scenario_of_run)(run, files)
+    return (team_of_run if TEAM in attributes else scenario_of_run)(run, files)
