@@ -97,7 +97,7 @@ def tides(
     current = measured.time, measured.u, measured.v, measured.latitude
     fit = clpt.currents.fit_tides(*current, names, where=str(record))
     report = {"source": measured.source, **tides_report(fit)}
-    written: list[Path] = []
+    written = []
     if out is not None:
         results: dict[Path, Any] = {make_folder(out) / "tides.nc": tides_dataset(fit, measured)}
         figure = figure_of(clpt.currents.tides_plot, fit, measured)

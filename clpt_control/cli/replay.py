@@ -178,7 +178,7 @@ def replay(
         rows, page = look_at(take, fleet, out or fleet / "replay", kinds, command)
         finish(fleet_results(rows), rows, as_json, page)
         return
-    written: list[Path] = []
+    written = []
     if follow is not None:
         place = follow / "replay" if out is None else out
         summary = replay_report.watch(take, follow, place, ahead, kinds, every, patience, command)
@@ -248,7 +248,7 @@ def pages_of(vehicles: Iterable[str], place: Path) -> dict[str, Path]:
     >>> {name: page.name for name, page in pages_of({"a b", "a_b", ".."}, Path("out")).items()}
     {'..': '_.', 'a b': 'a_b', 'a_b': 'a_b_'}
     """
-    found: dict[str, Path] = {}
+    found = {}
     taken = {STATE}
     for vehicle in sorted(vehicles):
         name = re.sub(r"[^\w.-]|^\.", "_", vehicle)

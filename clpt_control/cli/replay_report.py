@@ -245,7 +245,7 @@ def watch(
     from ..replay.follow import following
 
     with interrupt.terminated(), following(folder, out) as follower:
-        found: Report | None = None  # None while results are not those of all files
+        found = None  # None while results are not those of all files
         alerts = Alerts(alert, out)
         since = time.monotonic()
         try:

@@ -31,7 +31,7 @@ from ..progress.processes import processes
 from ..scenario.experiment import Scenario
 from ..simulation.loops import loop_of
 from .drawn_values import Vary, check_varies, draw_members, grid_count, read_varies
-from .members import Ensemble, Values, checked_ensemble, concatenated, cut, ensemble_of
+from .members import Ensemble, checked_ensemble, concatenated, cut, ensemble_of
 from .of_diagrams import VariedDiagram
 from .of_scenarios import VariedScenario
 from .store import Store, begun_or_made, open_store, remove_empty
@@ -158,7 +158,7 @@ def run_ensemble(
     path = None if out is None else Path(out).absolute()
     if path is not None and not os.path.lexists(path):
         check_writable(path)
-    of_diagram: dict[str, Any] = {
+    of_diagram = {
         "inputs": inputs,
         "initial_state": initial_state,
         "params": params,
@@ -261,7 +261,7 @@ def _run_here(
     size = min(ensemble.batch, max(8, -(-spread // 8) * 8))
     batches = ((index, part) for index in missing for part in cut(store.values(index), size))
     running: deque[tuple[int, futures.Future]] = deque()
-    parts: list[Values] = []  # of the first chunk that runs
+    parts = []  # of the first chunk that runs
     pool = futures.ThreadPoolExecutor(threads)
     try:
         while True:

@@ -88,7 +88,7 @@ def ensemble_summary(data: "xarray.Dataset") -> dict[str, Any]:
     check_holds("ensemble_summary: data", data, ["status", "clpe_rms"], ENSEMBLE)
     status = data["status"].values
     failed = np.flatnonzero(status != 1)
-    summary: dict[str, Any] = {
+    summary = {
         "title": data.attrs["title"],
         "units": {"length": data["clpe_rms"].attrs["units"], "time": data["mark"].attrs["units"]},
         "members": len(status),

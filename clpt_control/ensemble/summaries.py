@@ -178,7 +178,7 @@ def arrays_of(varied: Any, values: Values) -> Arrays:
         arrays.add_fixed(key, ("member", *axes_of_key), array, long_name=f"{key}, which varies")
     used = {dim for array in arrays.values() for dim in array.dims}
     arrays.add_members()
-    axes: dict[str, tuple[np.ndarray, str, dict[str, Any]]] = {
+    axes = {
         "cycle": (np.arange(1, cycles + 1), "round of the waypoints", {"length": scenario.cycle}),
         "mark": (times.all[times.marks], "time of an error", {"units": time}),
         "time": (times.all[times.own], "time since the start of the run", {"units": time}),

@@ -130,7 +130,7 @@ def tune_law(
     if not tried:
         raise ScenarioError(f"laws: none of {', '.join(names)} learns the flow; name another")
     report = progress or (lambda share: None)
-    scores: list[Score] = []
+    scores = []
 
     def score(one: Candidate) -> None:
         try:
@@ -171,7 +171,7 @@ def tune_law(
     report(1.0)
     chosen, enough = best[0], NEAR * min(one.score for one in best)
     failed = sorted((one for one in scores if one.failed), key=lambda one: one.candidate.text)
-    summary: dict[str, Any] = {
+    summary = {
         "title": scenario.title,
         "units": scenario.units.model_dump(),
         "members": members,
