@@ -13,7 +13,7 @@ import hashlib
 import pickle
 import threading
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property, lru_cache, partial
 from importlib.metadata import version
 from typing import Any, Protocol
@@ -89,7 +89,7 @@ class Members:
     x0: np.ndarray  # (m, nstates)
     group: np.ndarray  # (m,), the number of a member's schedule
     schedules: list[Schedule]
-    runners: list[tuple[PythonDiagram, Any]] = field(default_factory=list)  # each with its inputs
+    runners: list[tuple[PythonDiagram, Any]]  # what runs each by itself, and its inputs
 
     def schedule(self, m: int) -> Schedule:
         """Return the pieces of time of a member."""
@@ -168,8 +168,9 @@ class Ensemble:
         """Make members of values."""
         varied, count = self.varied, len(next(iter(values.values())))
         P, x0 = np.tile(self.native.parameters(), (count, 1)), np.tile(varied.start, (count, 1))
-        members = Members(P, x0, np.zeros(count, dtype=np.int64), [])
-        members.schedules.append(self.native.schedule(varied.state_times, varied.inputs))
+        pieces = self.native.schedule(varied.state_times, varied.inputs)
+        runners = [(self.native, varied.inputs)] * count
+        members = Members(P, x0, np.zeros(count, dtype=np.int64), [pieces], runners)
         known = dict[tuple, int]()
         for m in range(count if self.one_by_one else 0):
             own = {key: values[key][m] for key in self.one_by_one}
@@ -182,7 +183,7 @@ class Ensemble:
                 known[name] = len(members.schedules)
                 members.schedules.append(pieces)
             members.group[m] = known[name]
-            members.runners.append((self.native if self.compiled else one, inputs))
+            members.runners[m] = self.native if self.compiled else one, inputs
         for key in self.places.keys() - set(self.one_by_one):
             flat, place = np.reshape(values[key], (count, -1)), self.places[key]
             for first in {self._column(one, place.element) for one in place.fields}:
@@ -200,13 +201,9 @@ class Ensemble:
         within = 0 if element is ... or not shape else int(np.ravel_multi_index(element, shape))
         return int(self.native.layout.slots[place].offset) + within
 
-    def alone(self, members: Members, m: int) -> tuple[PythonDiagram, Any]:
-        """Return what runs one member by itself, and its inputs."""
-        return members.runners[m] if members.runners else (self.native, self.varied.inputs)
-
     def _callee(self, members: Members, m: int) -> Callee:
         """Return the callee of one member by itself."""
-        runner, inputs = self.alone(members, m)
+        runner, inputs = members.runners[m]
         return runner.callee(1, inputs)
 
     # --- run and summarised ---------------------------------------------------------------

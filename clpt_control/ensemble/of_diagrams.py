@@ -266,7 +266,7 @@ class VariedDiagram(Varied):
         ports = self.variables[0]
         for m, rows in enumerate(y):
             signals = ensemble.signals(members, run, m).T
-            reached, (_, inputs) = signals.shape[1], ensemble.alone(members, m)
+            reached, (_, inputs) = signals.shape[1], members.runners[m]
             u = inputs.along(self.state_times[:reached])
             rows[:, :reached] = 0.0
             for row, sources in zip(rows[:, :reached], self.wiring.outputs, strict=True):

@@ -243,7 +243,7 @@ def summarise(
     for name in followed(varied):
         own = at[VARIABLES[name][0]][:, times.own]
         summaries[name] = own.reshape(m, -1, 2, N) if name == "alpha" else own
-    return {name: np.ascontiguousarray(array) for name, array in summaries.items()}
+    return summaries
 
 
 def _speeds(
