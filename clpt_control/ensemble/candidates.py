@@ -135,7 +135,7 @@ def unknown_of(
     known = drawn.known_to_law
     size = PRIOR.usual(known) if prior is None else float(prior)
     varies = [Vary("flow.parameters", "normal", (size,))]
-    seeds = tuple(float(k) for k in range(members))
+    seeds = tuple(map(float, range(members)))
     delta, seen = drawn.flow.disturbance, drawn.localization
     if delta is not None and delta.kind == "noise":
         varies.append(Vary("flow.disturbance.seed", "levels", seeds))

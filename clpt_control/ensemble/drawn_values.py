@@ -179,14 +179,13 @@ def _checked(one: Vary) -> Vary:
 def read_varies(vary: str | Vary | Iterable[str | Vary] | Mapping[str, Any]) -> tuple[Vary, ...]:
     """Read what varies, in any of its forms."""
     if isinstance(vary, Mapping):
-        several: Iterable[str | Vary] = [_of_item(key, value) for key, value in vary.items()]
+        varies = [_of_item(key, value) for key, value in vary.items()]
     else:
         several = [vary] if isinstance(vary, str | Vary) else vary
-        several = [_checked(one) if isinstance(one, Vary) else one for one in several]
-    varies = tuple(read_vary(one) if isinstance(one, str) else one for one in several)
+        varies = [_checked(one) if isinstance(one, Vary) else read_vary(one) for one in several]
     if not varies:
         raise ScenarioError("vary: name at least one key, such as learning.gain=0.2:2.0")
-    return varies
+    return tuple(varies)
 
 
 def check_varies(varied: Varied, varies: Sequence[Vary]) -> None:

@@ -21,7 +21,7 @@ MOST_ROUNDS = 12
 Request = dict[str, Any]  # what was asked of `run_ensemble`
 
 
-def ensemble_page(data: Dataset, title: str | None = None) -> Page:
+def ensemble_page(data: Dataset, title: str | None) -> Page:
     """Return the page of an ensemble, whole or begun."""
     request = json.loads(data.attrs["ensemble"])
     summary = ensemble_summary(data)

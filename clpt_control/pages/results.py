@@ -8,7 +8,7 @@ carries its figures, or they are those of its samples: nothing is run again.  `c
 from collections.abc import Iterator
 from typing import Annotated, Any
 
-import pydantic
+from pydantic import AfterValidator, BaseModel, Field, ValidationError
 from xarray import Dataset
 
 from ..html import Result
@@ -31,11 +31,11 @@ MOST_EIGENVALUES = 20  # in the table; the report has all
 
 
 Numbers = dict[str, Any]  # figures of a run by name, as `run_and_report` has them
-Number = Annotated[float, pydantic.Field(allow_inf_nan=False)]
-Time = Annotated[str, pydantic.AfterValidator(lambda time: f"{float(time):g}")]
+Number = Annotated[float, Field(allow_inf_nan=False)]
+Time = Annotated[str, AfterValidator(lambda time: f"{float(time):g}")]
 
 
-class Shares(pydantic.BaseModel):
+class Shares(BaseModel):
     """The shares of a current's variance that are learned, as `explained_variance` has them."""
 
     track: Number | None
@@ -43,7 +43,7 @@ class Shares(pydantic.BaseModel):
     window: list[Number]
 
 
-class Figures(pydantic.BaseModel):
+class Figures(BaseModel):
     """The figures of one vehicle that a run carries, of which pages speak."""
 
     end: Number
@@ -71,7 +71,7 @@ def numbers_of(run: Dataset, system: Scenario | Team) -> Numbers:
         return {"of_samples": True, **team_summary(system, run, run)}
     try:
         summary = Figures.model_validate_json(str(run.attrs.get(SUMMARY, "")), strict=True)
-    except pydantic.ValidationError:  # none, or damaged
+    except ValidationError:  # none, or damaged
         summary = None
     end = float(run.time[-1])
     if summary is not None and summary.end == end:

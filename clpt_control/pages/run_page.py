@@ -41,14 +41,13 @@ from .results import (
 KINDS = ("Run of a scenario", "Run of a diagram")
 IN_PYTHON = {OWN_LAW: "law", CHANGED: "parameters", OWN_PARTS: "parts"}
 ALL = "<p>All that was asked, as a file for <code>clpt run</code>:</p>"
-UNTITLED = "A run without a title"
 EACH = 5  # ports of a figure
 MOST_SIGNALS = 60  # in the table
 MOST_SAID = 4  # signals in a sentence
 SHORT = 12, 200  # lines of equations, and letters of each
 
 
-def run_page(run: Dataset, system: Scenario | Team, title: str | None = None) -> Page:
+def run_page(run: Dataset, system: Scenario | Team, title: str) -> Page:
     """Return the page of a run that carries this scenario, or this team."""
     numbers = numbers_of(run, system)
     own, changed, parts = (run.attrs.get(name) for name in (OWN_LAW, CHANGED, OWN_PARTS))
@@ -79,7 +78,7 @@ def run_page(run: Dataset, system: Scenario | Team, title: str | None = None) ->
     unmeasured = "the run had what its scenario does not hold" if changed or parts else ""
     return Page(
         "Section IV of the paper" if paper else kind,
-        title or str(run.attrs.get("title") or UNTITLED),
+        title,
         [*sentences, found_of_flow(alone, scenario)],
         [*_ended(run), *_warnings(run, scenario, numbers)],
         [*cards, *_cards(alone, scenario)],
@@ -184,7 +183,7 @@ def _again(run: Dataset, scenario: Scenario | None, paper: bool = False) -> Sect
 # --- of any diagram ------------------------------------------------------------------------------
 
 
-def diagram_page(run: Dataset, title: str | None = None) -> Page:
+def diagram_page(run: Dataset, title: str) -> Page:
     """Return the page of a diagram's run: its loop, its equations if short, each port over time."""
     text, why = equations_text(run)
     diagram = diagram_of_text(text) if text else None
@@ -203,7 +202,7 @@ def diagram_page(run: Dataset, title: str | None = None) -> Page:
     more = f", of {len(last)} signals" if len(last) > MOST_SAID else ""
     return Page(
         KINDS[1],
-        title or str(run.attrs.get("title") or UNTITLED),
+        title,
         [
             f"Asked: what the signals of a diagram do, {span_of(run)}.",
             f"Found: at the end {', '.join(last[:MOST_SAID])}{more}.",

@@ -110,22 +110,23 @@ def report(
     }
 
 
-def page_of(data: "xarray.Dataset", title: str | None = None) -> "Page":
+def page_of(data: "xarray.Dataset", title: str | None) -> "Page":
     """Return the page of a run, of a team's run, of a diagram's or of an ensemble."""
     from ..scenario.recorded_run import check_response, check_run, is_response
     from ..scenario.team import system_of_run
     from .run_page import diagram_page, run_page
 
+    of_run = title or str(data.attrs.get("title") or "A run without a title")
     if is_response(data):
         check_response(data)
-        return diagram_page(data, title)
+        return diagram_page(data, of_run)
     if is_ensemble(data):
         from .ensemble_page import ensemble_page
 
         return ensemble_page(data, title)
     system = system_of_run(data)
     check_run(data, system, *NEEDED)
-    return run_page(data, system, title)
+    return run_page(data, system, of_run)
 
 
 def _replay(replay: dict[str, Any], title: str | None) -> tuple[str, Sequence[str]]:
