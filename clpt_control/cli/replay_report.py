@@ -121,25 +121,21 @@ class Ahead:
             return []
 
 
-def fitting(rows: list[dict[str, str]], width: int, ranks: dict[str, int]) -> list[str]:
-    """Return the titles of the columns that fit into a width, in letters."""
-    size = {
-        title: EDGES + max(len(title), *(min(len(row[title]), LONG) for row in rows))
-        for title in rows[0]
-    }
-    chosen: list[str] = []
-    for title in sorted(size, key=lambda title: ranks[title]):
-        if ranks[title] == 0 or EDGE + size[title] + sum(size[one] for one in chosen) <= width:
-            chosen.append(title)
-    return [title for title in size if title in chosen]
-
-
 def fitted(
     title: str, rows: list[dict[str, str]], ranks: dict[str, int], sentences: Sequence[str] = ()
 ) -> Result:
-    """Return rows of cells by title as a table that fits the terminal."""
-    titles = fitting(rows, terminal_width(), ranks)
-    return Result(title, titles, [[row[one] for one in titles] for row in rows], [*sentences])
+    """Return rows of cells by title as a table of the columns that fit the terminal."""
+    size = {
+        name: EDGES + max(len(name), *(min(len(row[name]), LONG) for row in rows))
+        for name in rows[0]
+    }
+    left, chosen = terminal_width() - EDGE, set()
+    for name in sorted(size, key=lambda name: ranks[name]):
+        if ranks[name] == 0 or size[name] <= left:
+            chosen.add(name)
+            left -= size[name]
+    titles = [name for name in size if name in chosen]
+    return Result(title, titles, [[row[one] for one in titles] for row in rows], sentences)
 
 
 def results(summary: Report) -> list[Result]:

@@ -8,7 +8,7 @@ from pydantic_core import PydanticCustomError
 
 from ..blocks.laws.law import Gains, Law
 from ..blocks.laws.table import LAWS
-from .tables import NotNegative, Number, Pair, Positive, Table, TwoRows
+from .tables import NotNegative, Pair, Positive, Table, TwoRows
 
 
 def _square_is_a_number(value: float) -> float:
@@ -20,13 +20,11 @@ def _square_is_a_number(value: float) -> float:
 _Squared = AfterValidator(_square_is_a_number)  # laws square and divide by settings, V by gains
 _Gain = Annotated[Positive, _Squared] | None
 KINDS: dict[str, Any] = {  # what a law's setting may be
-    "number": Annotated[Number, _Squared],
     "positive": Annotated[Positive, _Squared],
     "not negative": Annotated[NotNegative, _Squared],
     "below 1": Annotated[Positive, _Squared, Field(lt=1)],
     "at most 1": Annotated[Positive, _Squared, Field(le=1)],
     "row": tuple[Annotated[NotNegative, _Squared], ...],
-    "two rows": TwoRows,
 }
 
 

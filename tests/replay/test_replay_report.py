@@ -80,12 +80,13 @@ def test_following_goes_on_where_it_cannot_aim(command, follow, tmp_path):
     assert "give --speed" in str(command(*tmp_path.glob("*.csv"), *aim).exception)
 
 
-def test_wider_is_more(sg542):
-    from clpt_control.cli.replay_report import fitting
+def test_wider_is_more(sg542, monkeypatch):
+    from clpt_control.cli import replay_report
     from clpt_control.replay.cells import RANKS, cells
 
-    rows = [cells(row) for row in sg542["each_dive"]]
-    counts = [len(fitting(rows, width, RANKS)) for width in range(40, 260)]
+    rows, widths = [cells(row) for row in sg542["each_dive"]], iter(range(40, 260))
+    monkeypatch.setattr(replay_report, "terminal_width", lambda: next(widths))
+    counts = [len(replay_report.fitted("", rows, RANKS).columns) for _ in range(40, 260)]
     assert counts[0] == 5
     assert counts[-1] == len(rows[0])
     assert counts[20] < counts[60] < counts[120] < counts[-1]
