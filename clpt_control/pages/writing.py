@@ -110,7 +110,7 @@ def report(
     }
 
 
-def page_of(data: "xarray.Dataset", title: str | None) -> "Page":
+def page_of(data: "xarray.Dataset", title: str | None = None) -> "Page":
     """Return the page of a run, of a team's run, of a diagram's or of an ensemble."""
     from ..scenario.recorded_run import check_response, check_run, is_response
     from ..scenario.team import system_of_run
