@@ -75,9 +75,8 @@ def candidate(
 ) -> Candidate:
     """Return a law with its gain and filter times a factor each."""
     car = scenario.vehicle
-    others = [one for one in LAWS.values() if one.settings and one.name != law.name]
     unused = ["gains", "parameters" if law.alpha_is_constant else "theta_estimate"]
-    unused += [other.table for other in others]
+    unused += [one.table for one in LAWS.values() if one.settings and one.name != law.name]
     values: dict[str, Any] = {f"learning.{key}": None for key in unused}
     values |= {"learning.law": law.name, "learning.adapt_gains": not held}
     if held:

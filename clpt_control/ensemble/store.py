@@ -14,7 +14,7 @@ import shutil
 import warnings
 import zlib
 from collections.abc import Iterable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
@@ -179,37 +179,33 @@ def create_store(
     `arguments` identify the ensemble; chunks fill the arrays that have no values.
     """
     zarr = needed("zarr")
-    if path is None:
-        group = zarr.create_group(zarr.storage.MemoryStore())
-        return Store(_filled(group, arguments, arrays, attrs))
-    with beside(path, folder=True) as part:
-        _filled(zarr.create_group(part), arguments, arrays, attrs)
-    return Store(zarr.open_group(path, mode="r+"), path)
-
-
-def _filled(group: Any, arguments: Any, arrays: Arrays, attrs: Any) -> Any:
     from zarr.codecs import Crc32cCodec, ZstdCodec
 
-    group.attrs.update({**attrs, ARGUMENTS: json.dumps(arguments)})
+    place: Any = path or zarr.storage.MemoryStore()
     chunk, count = arguments["chunk"], -(-arguments["members"] // arguments["chunk"])
     done = StoredArray(("chunk",), (count,), "int64", {"long_name": "checksum of a whole chunk"})
-    for name, one in {**arrays, DONE: done}.items():
-        if not name or "\\" in name:
-            raise DataError(f"Zarr has no name {name!r}; call that signal otherwise, without a \\")
-        first = {"member": chunk, "chunk": 1}.get(one.dims[0], one.shape[0])
-        array = group.create_array(
-            name.replace("/", SLASH),
-            shape=one.shape,
-            dtype=one.dtype,
-            chunks=tuple(max(1, n) for n in (min(first, one.shape[0]), *one.shape[1:])),
-            attributes=one.attrs,
-            dimension_names=[dim.replace("/", SLASH) for dim in one.dims],
-            fill_value=np.nan if np.dtype(one.dtype).kind == "f" else 0,
-            compressors=(ZstdCodec(level=1), Crc32cCodec()),
-        )
-        if one.values is not None and one.values.size:
-            array[:] = one.values
-    return group
+    with beside(path, folder=True) if path else nullcontext(place) as part:
+        group = zarr.create_group(part)
+        group.attrs.update({**attrs, ARGUMENTS: json.dumps(arguments)})
+        for name, one in {**arrays, DONE: done}.items():
+            if not name or "\\" in name:
+                raise DataError(
+                    f"Zarr has no name {name!r}; call that signal otherwise, without a \\"
+                )
+            first = {"member": chunk, "chunk": 1}.get(one.dims[0], one.shape[0])
+            array = group.create_array(
+                name.replace("/", SLASH),
+                shape=one.shape,
+                dtype=one.dtype,
+                chunks=tuple(max(1, n) for n in (min(first, one.shape[0]), *one.shape[1:])),
+                attributes=one.attrs,
+                dimension_names=[dim.replace("/", SLASH) for dim in one.dims],
+                fill_value=np.nan if np.dtype(one.dtype).kind == "f" else 0,
+                compressors=(ZstdCodec(level=1), Crc32cCodec()),
+            )
+            if one.values is not None and one.values.size:
+                array[:] = one.values
+    return Store(zarr.open_group(place, mode="r+"), path)
 
 
 def remove_empty(store: Store) -> None:

@@ -150,16 +150,12 @@ def placed_tables(scenario: Scenario, folder: Path | None) -> Nested:
 
 def toml(tables: Nested, name: str = "") -> str:
     """Return nested dicts as TOML text; `name` is "" or that of the outer table, with its dot."""
-    values = "".join(
-        f"{_key(key)} = {_value(value)}\n"
-        for key, value in tables.items()
-        if not isinstance(value, dict)
-    )
-    inner = [
-        toml(table, f"{name}{_key(key)}.")
-        for key, table in tables.items()
-        if isinstance(table, dict)
-    ]
+    values, inner = "", []
+    for key, value in tables.items():
+        if isinstance(value, dict):
+            inner.append(toml(value, f"{name}{_key(key)}."))
+        else:
+            values += f"{_key(key)} = {_value(value)}\n"
     head = f"[{name[:-1]}]\n" if name and (values or not inner) else ""
     return "\n".join(filter(None, [head + values, *inner]))
 
