@@ -131,10 +131,9 @@ def prove(
         for name, proof in rooms[room].items()
         for step in proof.failed
     ]
-    wrong += [
-        f"law {law}: {proof.claim}" for law, proof in rooms["laws"].items() if not proof.holds
-    ]
-    wrong += [f"team: {proof.claim}" for proof in rooms["team"].values() if not proof.holds]
+    for room, called in (("laws", "law {}"), ("team", "team")):
+        proofs = rooms[room].items()
+        wrong += [f"{called.format(name)}: {one.claim}" for name, one in proofs if not one.holds]
     wrong += [
         f"the misprint of {m['equation']} is not confirmed" for m in misprints if not m["confirmed"]
     ]

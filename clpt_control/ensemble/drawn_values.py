@@ -275,7 +275,7 @@ def _grid_shares(varies: Sequence[Vary], columns: Sequence[int], members: int) -
     """Return shares on a grid; the last number varies fastest."""
     fixed = [len(one.numbers) if one.kind == "levels" else 0 for one in varies]
     free = sum(c for c, count in zip(columns, fixed, strict=True) if not count)
-    lists = prod(count for count in fixed if count)
+    lists = prod(filter(None, fixed))
     n = max(1, round((members / lists) ** (1 / free))) if free else 1
     if lists * n**free != members:
         allowed = sorted({lists * max(1, n + step) ** free for step in (-1, 0, 1)})
@@ -284,7 +284,7 @@ def _grid_shares(varies: Sequence[Vary], columns: Sequence[int], members: int) -
             f"members = {members}: this grid must have "
             + (f"{lists} n^{free} members, such as {shown}" if free else f"{lists} members")
         )
-    sizes = [count or n for c, count in zip(columns, fixed, strict=True) for _ in range(c)]
+    sizes = np.repeat([count or n for count in fixed], columns)
     index = iter(np.unravel_index(np.arange(members), sizes))
     shares = []
     for one, c, count in zip(varies, columns, fixed, strict=True):
