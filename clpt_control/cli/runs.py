@@ -115,7 +115,7 @@ def run(
     from ..theory.excitation.gramian import not_learned
 
     kinds = checked_formats(formats or ["png"])
-    again = scenario.suffix == ".nc" and repeats_by_equations(scenario)
+    again = repeats_by_equations(scenario)
     system: Any = clpt.load_diagram(scenario) if again else load_either(scenario)
     check_writable(out)
     if scenario.suffix != ".nc" and out.exists() and out.samefile(scenario):
@@ -172,7 +172,7 @@ def export(
     from ..simulation.run_file import repeats_by_equations
 
     check_writable(out, "a program", (".c", ".h", ".fmu"))
-    again = scenario.suffix == ".nc" and repeats_by_equations(scenario)
+    again = repeats_by_equations(scenario)
     write = clpt.export_fmu if out.suffix == ".fmu" else clpt.export_c
     write(clpt.load_diagram(scenario) if again else clpt.load_scenario(scenario), out)
     say(f"{out}: written")

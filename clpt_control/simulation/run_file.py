@@ -232,7 +232,9 @@ def diagram_of_text(text: str) -> Diagram:
 
 
 def repeats_by_equations(path: Path) -> bool:
-    """Return whether a file holds equations, and no scenario that repeats the run alone."""
+    """Return whether a run's file holds equations, and no scenario that repeats it alone."""
+    if path.suffix != ".nc":
+        return False
     with open_netcdf(path) as data:
         beyond = data.attrs.keys() & {*BEYOND}
         return file.EQUATIONS in data.attrs and bool(beyond or "scenario" not in data.attrs)
