@@ -230,7 +230,7 @@ def watch(
     kinds: Sequence[str],
     every: float,
     patience: float,
-    alert: Sequence[str] = (),
+    alert: Sequence[str],
 ) -> Report:
     """Replay all dives of a folder whenever a file arrives; return what the last replay found.
 

@@ -44,7 +44,7 @@ SOFTWARE = ("clpt-control", "llvmlite", "numpy", "scipy", "zarr")
 class Store:
     """An ensemble's arrays, in a folder or in memory."""
 
-    def __init__(self, group: Any, path: Path | None = None):
+    def __init__(self, group: Any, path: Path | None):
         self.group, self.path = group, path
         self.arguments: dict[str, Any] = json.loads(group.attrs[ARGUMENTS])
         self.members, self.chunk = self.arguments["members"], self.arguments["chunk"]

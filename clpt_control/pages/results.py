@@ -107,7 +107,7 @@ def at_end(by_time: dict[str, float]) -> float:
     return list(by_time.values())[-1]
 
 
-def asked(scenario: Scenario, law: str, count: int, begin: str = "Asked") -> str:
+def asked(scenario: Scenario, law: str, count: int, begin: str) -> str:
     """Return what was asked of a scenario's run with so many waypoints."""
     run, unit = scenario.run, scenario.units
     rounds = run.duration / scenario.cycle

@@ -64,8 +64,8 @@ def loop_section(system: Scenario | Team, own: str | None) -> list[Section]:
     return [Section("loop", "The loop", result, [Drawn("loop", figure, caption, wide=True)])]
 
 
-def excitation_section(run: Dataset, why: str = "") -> Section:
-    """Return the excitation over one round of a run, or `why` it cannot be measured."""
+def excitation_section(run: Dataset, why: str) -> Section:
+    """Return the excitation over one round of a run, or `why` it cannot be measured, if so."""
     team = is_team(run)
     heading, figures = f"What the track{'s' if team else ''} can teach", []
     try:
@@ -139,9 +139,8 @@ def _learned(run: Dataset, scenario: Scenario) -> Section:
     """Return what was learned, without its figures."""
     unit, last, row = scenario.units, run.isel(time=-1), scenario.learning.row
     estimate = last.flow_parameters_estimate.values
-    true = np.full_like(estimate, np.nan)
-    if "flow_parameters" in run:
-        true = run.flow_parameters.values
+    unknown = np.full_like(estimate, np.nan)
+    true = run.flow_parameters.values if "flow_parameters" in run else unknown
     per = f"{unit.length}/{unit.time}"
     rows = [
         _row(f"theta_{i + 1}[{k + 1}] ({per})", estimate[i, k], true[i, k])

@@ -301,7 +301,7 @@ class Scenario(Table):
         return checked_scenario(nested, "scenario", self._folder)
 
 
-def checked_scenario(nested: Nested, name: str, folder: Path | None = Path()) -> Scenario:
+def checked_scenario(nested: Nested, name: str, folder: Path | None) -> Scenario:
     """Return a scenario of nested dicts; `name` begins each error.
 
     Its files must lie in the `folder`; with None they are not looked for.
