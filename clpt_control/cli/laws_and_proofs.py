@@ -55,15 +55,15 @@ def laws(
             "table": f"learning.{law.table}" if settings else None,
             "settings": settings,
         }
-    found = [
-        Result("Laws (learning.law)", ["law", "promise", "needs"], rows, [""]),
-        Result("Settings", ["key", "allowed", "default", "what it is"], keys),
-    ]
+    sentences = [""]
     if name is not None:
+        page = listed[name]["page"] = wanted[0].page
         promises = [f"- {words}" for words in listed[name]["promises"]]
-        found[0] = found[0]._replace(sentences=[wanted[0].page, "Asked along runs:", *promises, ""])
-        listed[name]["page"] = wanted[0].page
-    finish(found[: 1 + bool(keys)], {"laws": listed}, as_json)
+        sentences = [page, "Asked along runs:", *promises, ""]
+    found = [Result("Laws (learning.law)", ["law", "promise", "needs"], rows, sentences)]
+    if keys:
+        found.append(Result("Settings", ["key", "allowed", "default", "what it is"], keys))
+    finish(found, {"laws": listed}, as_json)
 
 
 def prove(

@@ -187,7 +187,7 @@ def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> np.ndarray:
         _nothing(bottom, "neither flow parameters nor gains have a known truth")
         return axes
     bands, time = percentiles(data, name), data["mark"].values
-    _bands(bottom, time, bands, RED)
+    _bands(bottom, time, bands)
     what = name.removesuffix("_error").replace("_", " ")
     bottom.set_title(f"Largest error of a {what}", **TITLE)
     bottom.set(
@@ -216,14 +216,14 @@ def _logarithmic(ax: Any) -> None:
     ax.yaxis.set_minor_formatter(NullFormatter())
 
 
-def _bands(ax: Any, x: np.ndarray, bands: np.ndarray, colour: str) -> None:
+def _bands(ax: Any, x: np.ndarray, bands: np.ndarray) -> None:
     low, quarter, middle, three, high = bands
     marker = "o" if len(x) < 5 else None
-    ax.fill_between(x, low, high, color=colour, alpha=0.18, linewidth=0, label="5 to 95 %")
-    ax.fill_between(x, quarter, three, color=colour, alpha=0.35, linewidth=0, label="25 to 75 %")
-    ax.plot(x, middle, color=colour, linewidth=1.5, marker=marker, markersize=4, label="median")
+    ax.fill_between(x, low, high, color=RED, alpha=0.18, linewidth=0, label="5 to 95 %")
+    ax.fill_between(x, quarter, three, color=RED, alpha=0.35, linewidth=0, label="25 to 75 %")
+    ax.plot(x, middle, color=RED, linewidth=1.5, marker=marker, markersize=4, label="median")
     for edge in (low, high):
-        ax.plot(x, edge, color=colour, linewidth=0.6, linestyle="--", marker=marker, markersize=2)
+        ax.plot(x, edge, color=RED, linewidth=0.6, linestyle="--", marker=marker, markersize=2)
 
 
 def _cycle_bands(ax: Any, cycles: np.ndarray, bands: np.ndarray) -> None:

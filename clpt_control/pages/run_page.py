@@ -186,18 +186,24 @@ def _again(run: Dataset, scenario: Scenario | None, paper: bool = False) -> Sect
 def diagram_page(run: Dataset, title: str) -> Page:
     """Return the page of a diagram's run: its loop, its equations if short, each port over time."""
     text, why = equations_text(run)
-    diagram = diagram_of_text(text) if text else None
-    why = why or str(run.attrs.get(NOT_REPEATED, ""))
     signals, found, warnings = extent_of(run), response_result(run), _ended(run)
     cards = [
         Card("Samples", str(run.sizes["time"]), f"{span_of(run)}, of {len(signals)} signals"),
         Card("Ended", str(run.attrs.get("status", "-")), str(run.attrs.get("method", ""))),
     ]
-    if diagram is None:
-        warnings.append(f"The run cannot be made again from its file{f': {why}' if why else ''}.")
-    else:
+    sections = [
+        _over_time(run),
+        Section("signals", "Where they began and ended", found),
+        _again(run, None),
+    ]
+    if text:
+        diagram = diagram_of_text(text)
         states = f"{diagram.nstates or 0} states"
         cards.insert(0, Card("Blocks", str(len(diagram.syslist)), states))
+        sections = [*_loop(diagram), *sections]
+    else:
+        why = why or run.attrs.get(NOT_REPEATED, "")
+        warnings.append(f"The run cannot be made again from its file{f': {why}' if why else ''}.")
     last = [f"{name} = {number(own['last'])}" for name, own in signals.items()]
     more = f", of {len(last)} signals" if len(last) > MOST_SAID else ""
     return Page(
@@ -209,12 +215,7 @@ def diagram_page(run: Dataset, title: str) -> Page:
         ],
         warnings,
         cards,
-        [
-            *(_loop(diagram) if diagram is not None else []),
-            _over_time(run),
-            Section("signals", "Where they began and ended", found),
-            _again(run, None),
-        ],
+        sections,
     )
 
 
