@@ -284,8 +284,8 @@ def look_at(
                 dives, bad = follower.dives()
                 if not dives:
                     raise DataError(bad[0].why if bad else f"{folder}: no file is there any more")
+                places = pages_of({dive.vehicle or name for dive in dives}, place)
                 dives = [replace(dive, vehicle=dive.vehicle or name) for dive in dives]
-                places = pages_of({dive.vehicle for dive in dives}, place)
                 alerts = Alerts(alert, place)
                 for vehicle, page in places.items():
                     its = [dive for dive in dives if dive.vehicle == vehicle]

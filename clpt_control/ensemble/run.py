@@ -15,15 +15,7 @@ straight into it.  The chunk of a cluster's worker that is lost is given to anot
 import os
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from concurrent.futures import (
-    BrokenExecutor,
-    CancelledError,
-    Executor,
-    Future,
-    ThreadPoolExecutor,
-    as_completed,
-    wait,
-)
+from concurrent import futures
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -268,9 +260,9 @@ def _run_here(
     spread = -(-store.count(missing) // (4 * threads))  # some batches for every thread
     size = min(ensemble.batch, max(8, -(-spread // 8) * 8))
     batches = ((index, part) for index in missing for part in cut(store.values(index), size))
-    running: deque[tuple[int, Future]] = deque()
+    running: deque[tuple[int, futures.Future]] = deque()
     parts = []  # of the first chunk that runs
-    pool = ThreadPoolExecutor(threads)
+    pool = futures.ThreadPoolExecutor(threads)
     try:
         while True:
             while len(running) < 2 * threads and (batch := next(batches, None)) is not None:
@@ -278,7 +270,7 @@ def _run_here(
             if not running:
                 return
             index, future = running.popleft()
-            while not wait([future], timeout=interrupt.SLICE).done:
+            while not futures.wait([future], timeout=interrupt.SLICE).done:
                 interrupt.check()
             interrupt.check()
             parts.append(future.result())
@@ -295,7 +287,7 @@ def _run_here(
 
 
 @contextmanager
-def pool_of(address: str, workers: int) -> Iterator[Executor]:
+def pool_of(address: str, workers: int) -> Iterator[futures.Executor]:
     """Yield a ``"local"`` pool of processes, or that of a scheduler, ``"tcp://host:port"``."""
     if address == "local":
         with processes(workers) as pool:
@@ -317,7 +309,7 @@ def pool_of(address: str, workers: int) -> Iterator[Executor]:
         try:
             yield client.get_executor(pure=False, retries=RETRIES)
         except KilledWorker as error:
-            raise BrokenExecutor from error
+            raise futures.BrokenExecutor from error
 
 
 def _run_elsewhere(
@@ -326,7 +318,7 @@ def _run_elsewhere(
     try:
         with pool_of(address, workers) as pool:
             indices = {pool.submit(run_chunk, index, *work): index for index in missing}
-            for future in as_completed(indices):
+            for future in futures.as_completed(indices):
                 interrupt.check()
                 future.result()
                 index = indices[future]  # ask the store: the worker may be lost by now
@@ -334,12 +326,12 @@ def _run_elsewhere(
                     raise SimulationError(f"dask: chunk {index} did not reach {store.path}")
                 count = store.count([index])
                 report(count, count)
-    except BrokenExecutor:
+    except futures.BrokenExecutor:
         raise SimulationError(
             "dask: a worker was lost with its chunk (out of memory? then give a smaller --chunk); "
             f"{STORED}"
         ) from None
-    except CancelledError:
+    except futures.CancelledError:
         raise SimulationError(f"dask: the scheduler {address} was lost; {STORED}") from None
 
 

@@ -18,25 +18,9 @@ from ..simulation.run_file import diagram_of_text, equations_text
 from ..simulation.summary import claims
 from ..theory.proving.array_loop import no_value
 from ..units import percent
-from . import run_sections
+from . import results, run_sections
 from .page import Card, Drawn, Page, Section, again_section, drawn
-from .results import (
-    SHARES,
-    Numbers,
-    asked,
-    asked_of_team,
-    at_end,
-    claims_result,
-    errors_by_time,
-    found_of_clpe,
-    found_of_clpes,
-    found_of_flow,
-    number,
-    numbers_of,
-    of_the_worst,
-    shares_of,
-    span_of_means,
-)
+from .results import Numbers, number
 
 KINDS = ("Run of a scenario", "Run of a diagram")
 IN_PYTHON = {OWN_LAW: "law", CHANGED: "parameters", OWN_PARTS: "parts"}
@@ -49,13 +33,16 @@ SHORT = 12, 200  # lines of equations, and letters of each
 
 def run_page(run: Dataset, system: Scenario | Team, title: str) -> Page:
     """Return the page of a run that carries this scenario, or this team."""
-    numbers = numbers_of(run, system)
+    numbers = results.numbers_of(run, system)
     own, changed, parts = (run.attrs.get(name) for name in (OWN_LAW, CHANGED, OWN_PARTS))
     paper = system == paper_scenario() and not (own or changed or parts)
     text = listing(str(run.attrs.get(TEAM, run.attrs.get("scenario"))))
     if isinstance(system, Team):
-        kind, scenario, alone = "Run of a team", system.first, of_the_worst(numbers)
-        sentences = [asked_of_team(system), found_of_clpes(numbers, scenario.units.length)]
+        kind, scenario, alone = "Run of a team", system.first, results.of_the_worst(numbers)
+        sentences = [
+            results.asked_of_team(system),
+            results.found_of_clpes(numbers, scenario.units.length),
+        ]
         per = f"1/{scenario.units.time}"
         below = f"coupling {system.coupling:g} {per}; below, of the worst"
         cards = [Card("Vehicles", str(len(system.members)), below)]
@@ -67,19 +54,19 @@ def run_page(run: Dataset, system: Scenario | Team, title: str) -> Page:
         if not count:  # there are no rounds
             numbers = alone = {**numbers, "clpe_rms_per_cycle": []}
         begin = "Asked, as far as the scenario says" if parts else "Asked"
-        question = asked(scenario, law, count, begin)
-        sentences = [question, found_of_clpe(numbers, scenario.units.length)]
+        question = results.asked(scenario, law, count, begin)
+        sentences = [question, results.found_of_clpe(numbers, scenario.units.length)]
         cards, sections = [], run_sections.figure_sections(run, scenario, numbers)
     if not parts:
         sections = [*run_sections.loop_section(system, own), *sections]
     if paper and not numbers["of_samples"]:  # else the run does not carry its figures
-        judged = claims_result(claims(numbers))
+        judged = results.claims_result(claims(numbers))
         sections = [Section("claims", judged.title, judged), *sections]
     unmeasured = "the run had what its scenario does not hold" if changed or parts else ""
     return Page(
         "Section IV of the paper" if paper else kind,
         title,
-        [*sentences, found_of_flow(alone, scenario)],
+        [*sentences, results.found_of_flow(alone, scenario)],
         [*_ended(run), *_warnings(run, scenario, numbers)],
         [*cards, *_cards(alone, scenario)],
         [
@@ -140,17 +127,19 @@ def _cards(numbers: Numbers, scenario: Scenario) -> list[Card]:
     else:
         late = f"over the last quarter {number(numbers['clpe_rms_last_quarter'])} {unit.length}"
         whole = f"{number(numbers['clpe_rms'])} {unit.length}"
-        cards.append(Card(f"CLPE rms, {span_of_means(numbers)}", whole, late))
-    for what, per, errors in errors_by_time(numbers, unit.length, unit.time):
+        cards.append(Card(f"CLPE rms, {results.span_of_means(numbers)}", whole, late))
+    for what, per, errors in results.errors_by_time(numbers, unit.length, unit.time):
         below = f"at t = {numbers['end']:g} {unit.time}"
         after = [time for time in errors if scenario.cycle <= float(time) < numbers["end"]]
         if after:
             below += f"; at t = {after[0]} {unit.time}: {number(errors[after[0]])}"
-        cards.append(Card(f"Largest error of a {what}", f"{number(at_end(errors))} {per}", below))
-    for place, share, worse in shares_of(numbers):
+        cards.append(
+            Card(f"Largest error of a {what}", f"{number(results.at_end(errors))} {per}", below)
+        )
+    for place, share, worse in results.shares_of(numbers):
         said = "none" if share is None else percent(share)
         why = "; it hardly changes there" if share is None else f"{worse and '; '}{worse}"
-        cards.append(Card("Current's variance explained", said, SHARES[place] + why))
+        cards.append(Card("Current's variance explained", said, results.SHARES[place] + why))
     return cards
 
 

@@ -10,16 +10,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Annotated, Any, Literal, Self, get_args
 
-from pydantic import (
-    AfterValidator,
-    BaseModel,
-    BeforeValidator,
-    ConfigDict,
-    Field,
-    Strict,
-    ValidationError,
-    model_validator,
-)
+import pydantic
+from pydantic import Field, Strict
 
 from ..blocks.laws.law import Fixes
 from ..errors import ScenarioError
@@ -33,17 +25,17 @@ def _one_sentence(table: Any, name: str) -> Iterator[None]:
     """Raise a ScenarioError that begins with `name` in place of pydantic's error."""
     try:
         yield
-    except ValidationError as error:
+    except pydantic.ValidationError as error:
         problems = error.errors()
         first = min(problems, key=lambda problem: problem["type"] != "extra_forbidden")
         more = f" (and {len(problems) - 1} more)" if len(problems) > 1 else ""
         raise ScenarioError(f"{name}: {sentence(first, table)}{more}") from None
 
 
-class Table(BaseModel):
+class Table(pydantic.BaseModel):
     """A table of the scenario; unknown keys are errors."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True)
+    model_config = pydantic.ConfigDict(extra="forbid", frozen=True)
 
     def __init__(self, **values: Any) -> None:
         with _one_sentence(type(self), type(self).__name__.lower()):
@@ -55,7 +47,7 @@ class Table(BaseModel):
         """Yield a sentence for each way in which keys do not fit together."""
         yield from ()
 
-    @model_validator(mode="after")
+    @pydantic.model_validator(mode="after")
     def _fits_together(self) -> Self:
         for mistake in self._mistakes():
             raise ValueError(mistake)
@@ -149,9 +141,9 @@ def _whole(value: Any) -> Any:
 Number = Annotated[float, Strict(), Field(allow_inf_nan=False)]
 Positive = Annotated[Number, Field(gt=0)]
 NotNegative = Annotated[Number, Field(ge=0)]
-Period = Annotated[float, Strict(), AfterValidator(_period)]
+Period = Annotated[float, Strict(), pydantic.AfterValidator(_period)]
 Count = Annotated[int, Strict(), Field(ge=1, le=10**6)]
-Seed = Annotated[int, BeforeValidator(_whole), Strict(), Field(ge=0, lt=67108859)]
+Seed = Annotated[int, pydantic.BeforeValidator(_whole), Strict(), Field(ge=0, lt=67108859)]
 Pair = tuple[Number, Number]
 PositivePair = tuple[Positive, Positive]
 Row = tuple[Number, ...]

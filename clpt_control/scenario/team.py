@@ -26,18 +26,9 @@ from pydantic import Field, Strict, model_validator
 
 from ..arguments import brief, public
 from ..errors import DataError, ScenarioError
+from . import file
 from .display import team_html, team_line
 from .experiment import Nested, Scenario, checked_scenario, scenario_tables
-from .file import (
-    TEAM,
-    folder_of,
-    placed_tables,
-    read_text,
-    scenario_from_text,
-    scenario_of_run,
-    tables_of,
-    toml,
-)
 from .tables import Run, Table
 
 TEAM_LAW = "learned-flow"
@@ -215,14 +206,14 @@ def load_team(path: str | Path) -> Team:
 def load_either(path: str | Path) -> Scenario | Team:
     """Read a scenario or a team from a TOML file or a run's NetCDF file."""
     path = Path(path)
-    text = read_text(path)
-    read = team_from_text if "team" in tables_of(text, str(path)) else scenario_from_text
+    text = file.read_text(path)
+    read = team_from_text if "team" in file.tables_of(text, str(path)) else file.scenario_from_text
     return read(text, str(path), path.parent)
 
 
 def team_from_text(text: str, name: str, folder: Path | None) -> Team:
     """Read a team of TOML text; `name` begins each error, `folder` holds its files, if any."""
-    common = tables_of(text, name)
+    common = file.tables_of(text, name)
     team = _table(common.pop("team", None), f"{name}: team")
     vehicles = _table(team.pop("members", None), f"{name}: team.members")
     members = {
@@ -239,9 +230,9 @@ def team_from_text(text: str, name: str, folder: Path | None) -> Team:
 
 def team_to_text(team: Team, folder: Path | None = None) -> str:
     """Return a team as TOML text; its field's path is relative to `folder`, if given."""
-    tables = _without_own(placed_tables(team.first, folder))
+    tables = _without_own(file.placed_tables(team.first, folder))
     members = {name: _own(scenario, team.first.title) for name, scenario in team.members.items()}
-    return toml(
+    return file.toml(
         {**tables, "team": {"coupling": team.coupling, "edges": team.edges, "members": members}}
     )
 
@@ -288,18 +279,18 @@ def _table(value: Any, where: str) -> Nested:
 
 def team_of_run(run: Any, files: bool = True) -> Team:
     """Return the team that a run carries; with `files` the file of its field must exist."""
-    text = getattr(run, "attrs", {}).get(TEAM)
+    text = getattr(run, "attrs", {}).get(file.TEAM)
     if not isinstance(text, str):
         raise DataError(
             f"{brief(run)}: must be a Team or a team's run; clpt.load_team and clpt.load_run read "
             "them"
         )
-    return team_from_text(text, "the run", folder_of(run) if files else None)
+    return team_from_text(text, "the run", file.folder_of(run) if files else None)
 
 
 def system_of_run(run: Any, files: bool = True) -> Scenario | Team:
     """Return the scenario or team that a run carries; with `files` its field's file must exist."""
     attributes = getattr(run, "attrs", {})
-    if TEAM in attributes and "scenario" in attributes:
+    if file.TEAM in attributes and "scenario" in attributes:
         raise DataError("the run carries a scenario and a team; must be of one of the two")
-    return (team_of_run if TEAM in attributes else scenario_of_run)(run, files)
+    return (team_of_run if file.TEAM in attributes else file.scenario_of_run)(run, files)
