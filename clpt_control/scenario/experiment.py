@@ -21,22 +21,10 @@ from ..blocks.laws.table import LAWS
 from ..equations.block import Block
 from ..equations.sampled import Sampled
 from ..errors import ScenarioError
+from . import tables
 from .display import scenario_html, scenario_line
 from .learning import Learning
 from .quantities import QUANTITIES
-from .tables import (
-    Basis,
-    Circle,
-    Flow,
-    Localization,
-    Model,
-    Run,
-    Table,
-    TwoRows,
-    Units,
-    Vehicle,
-    Waypoints,
-)
 from .tidal_periods import period
 
 Nested = dict[str, Any]  # tables of a scenario, as TOML has them
@@ -47,7 +35,7 @@ NUMBERS = 110, 24  # of a sample, and of a sample for each function: measured, t
 AT_FIXES = " or ".join(law.name for law in LAWS.values() if law.at_fixes)
 
 
-class Scenario(Table):
+class Scenario(tables.Table):
     """One experiment: flow, vehicle, waypoints, law and run.
 
     Made by `load_scenario`, or from keywords of the same names as the tables
@@ -62,15 +50,15 @@ class Scenario(Table):
     """
 
     title: str = ""
-    units: Units = Units()
-    basis: Basis
-    flow: Flow
-    model: Model = Model()
-    vehicle: Vehicle
-    reference: Annotated[Circle | Waypoints, Field(discriminator="kind")]
+    units: tables.Units = tables.Units()
+    basis: tables.Basis
+    flow: tables.Flow
+    model: tables.Model = tables.Model()
+    vehicle: tables.Vehicle
+    reference: Annotated[tables.Circle | tables.Waypoints, Field(discriminator="kind")]
     learning: Learning
-    localization: Localization | None = None
-    run: Run
+    localization: tables.Localization | None = None
+    run: tables.Run
     _folder: Path = PrivateAttr(default_factory=Path)
 
     def _mistakes(self) -> Iterator[str]:
@@ -172,12 +160,12 @@ class Scenario(Table):
         return self.basis.phases or (0.0,) * self.basis.N
 
     @property
-    def model_parameters(self) -> TwoRows:
+    def model_parameters(self) -> tables.TwoRows:
         """alpha_M of Eq. (4), zero where the scenario leaves it out."""
         return self.model.parameters or ((0.0,) * self.basis.N,) * 2
 
     @property
-    def learning_parameters(self) -> TwoRows:
+    def learning_parameters(self) -> tables.TwoRows:
         """alpha(0); alpha_M with a law that holds alpha."""
         if self.learning.row.alpha_is_constant:
             return self.model_parameters
@@ -243,7 +231,7 @@ class Scenario(Table):
         """Waypoints, shape (n, 2), units.length."""
         from ..blocks.reference import circle
 
-        if isinstance(self.reference, Circle):
+        if isinstance(self.reference, tables.Circle):
             return circle(self.reference.radius, self.reference.count)
         return np.array(self.reference.points)
 
