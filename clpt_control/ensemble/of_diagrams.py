@@ -241,17 +241,16 @@ class VariedDiagram(Varied):
         ports, axes = self.variables
         sizes = {dim: len(numbers) for dim, (numbers, _) in axes.items()}
         sizes["time"] = len(self.times)
-        arrays = Arrays(len(next(iter(values.values()))), sizes)
+        arrays = Arrays(values, sizes)
         for port, one in ports.items():
             for what, words in SUMMARIES.items():
                 arrays.add(f"{port}_{what}", one.dims[1:], f"{port}, {words}", **one.attributes)
             if self.trajectories:
                 arrays.add(self.along(port), one.dims, port, **one.attributes)
-        arrays.add_ends()
+        arrays.add_members()
         for key, array in values.items():
             more = [f"{key} {k}" for k in range(array.ndim - 1)]
             arrays.add_fixed(key, ("member", *more), array, long_name=key, **self.units(key))
-        arrays.add_members()
         for dim, (numbers, attributes) in axes.items():
             arrays.add_fixed(dim, (dim,), numbers, **attributes)
         if self.trajectories:

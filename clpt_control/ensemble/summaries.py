@@ -106,10 +106,10 @@ class StoredArray(NamedTuple):
 
 
 class Arrays(dict[str, StoredArray]):
-    """The arrays of a store by name: the summaries of members, and fixed ones."""
+    """The arrays of a store by name: the summaries of members, made of values, and fixed ones."""
 
-    def __init__(self, members: int, sizes: Mapping[str, int]):
-        self.members, self.sizes = members, sizes
+    def __init__(self, values: Values, sizes: Mapping[str, int]):
+        self.members, self.sizes = len(next(iter(values.values()))), sizes
 
     def add(
         self, name: str, dims: Iterable[str], long_name: str, dtype: str = "float64", **attrs: Any
@@ -119,23 +119,19 @@ class Arrays(dict[str, StoredArray]):
         shape = (self.members, *(self.sizes[dim] for dim in dims))
         self[name] = StoredArray(("member", *dims), shape, dtype, {"long_name": long_name, **attrs})
 
-    def add_ends(self, **of_time: str) -> None:
-        """Add how members ended, and when."""
+    def add_members(self, **of_time: str) -> None:
+        """Add the number of each member, how it ended, and when."""
         flags = {"flag_values": list(range(len(STATUS))), "flag_meanings": " ".join(STATUS)}
         self.add("status", "", "how the run ended", "int8", **flags)
         self.add("end", "", "last sample reached", **of_time)
+        numbers = np.arange(self.members)
+        self.add_fixed("member", ("member",), numbers, long_name="member of the ensemble")
 
     def add_fixed(
         self, name: str, dims: tuple[str, ...], numbers: np.ndarray, **attrs: Any
     ) -> None:
         """Add an array with its values."""
         self[name] = StoredArray(dims, numbers.shape, numbers.dtype, attrs, numbers)
-
-    def add_members(self) -> None:
-        """Add the number of each member."""
-        self.add_fixed(
-            "member", ("member",), np.arange(self.members), long_name="member of the ensemble"
-        )
 
 
 def ends_of(run: States, times: np.ndarray) -> Values:
@@ -153,7 +149,7 @@ def arrays_of(varied: Any, values: Values) -> Arrays:
     length, time = scenario.units.length, scenario.units.time
     rate, N, cycles = f"{time}-1", scenario.basis.N, len(times.starts) - 1
     sizes = {"cycle": cycles, "mark": len(times.marks), "axis": 2, "basis": N}
-    arrays = Arrays(len(next(iter(values.values()))), sizes | {"time": len(times.own)})
+    arrays = Arrays(values, sizes | {"time": len(times.own)})
 
     def add(name: str, dims: str, long_name: str, units: str) -> None:
         arrays.add(name, dims.split(), long_name, units=units)
@@ -167,7 +163,7 @@ def arrays_of(varied: Any, values: Values) -> Arrays:
         add("gain_error", "mark", "largest error of a gain", rate)
     for name, (long_name, is_time) in SPEEDS.items() if varied.needs_signals else ():
         add(name, "", long_name, time if is_time else "1")
-    arrays.add_ends(units=time)
+    arrays.add_members(units=time)
     for name in followed(varied):
         port, long_name, *_ = VARIABLES[name]
         dims = "time axis basis" if port == "alpha" else "time axis"
@@ -177,7 +173,6 @@ def arrays_of(varied: Any, values: Values) -> Arrays:
         axes_of_key = of_key or ["axis", "basis"][: array.ndim - 1]
         arrays.add_fixed(key, ("member", *axes_of_key), array, long_name=f"{key}, which varies")
     used = {dim for array in arrays.values() for dim in array.dims}
-    arrays.add_members()
     axes = {
         "cycle": (np.arange(1, cycles + 1), "round of the waypoints", {"length": scenario.cycle}),
         "mark": (times.all[times.marks], "time of an error", {"units": time}),
