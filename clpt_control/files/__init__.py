@@ -126,13 +126,12 @@ def _put(result: Any, part: Path, path: Path) -> None:
         return
     engine, encoding = netcdf_engine(), {}
     result = renamed(result, "/", SLASH)
-    wrong = next((name for name in map(str, result.variables) if not NETCDF_NAME(name)), None)
-    if wrong is not None:
-        raise DataError(
-            f"{path}: NetCDF has no name {wrong!r:.40}: names begin with a letter, a digit or _, "
-            "at most 200 more follow; call that signal otherwise"
-        )
     for name, values in result.variables.items():
+        if not NETCDF_NAME(str(name)):
+            raise DataError(
+                f"{path}: NetCDF has no name {str(name)!r:.40}: names begin with a letter, a digit "
+                "or _, at most 200 more follow; call that signal otherwise"
+            )
         has_nan = values.dtype.kind == "f" and bool(values.isnull().any())
         encoding[name] = {"_FillValue": float("nan") if has_nan else None}
         if engine == "netcdf4" and values.ndim and values.dtype.kind in "fiu":
