@@ -148,7 +148,7 @@ class _About:
             kind, arguments, _, _ = lines[k]
             doubtful = [undecided[a] for a in arguments if a in undecided]
             doubt = any(map(np.any, doubtful))
-            operands = [self.direction.value(a) for a in arguments]
+            operands = [self.tape.value(a) for a in arguments]
             jumps: Any = False
             bends = np.zeros((), bool)
             if kind in COMPARISONS:
@@ -171,7 +171,7 @@ class _About:
                 jumps = np.any(turns & behind)
             elif kind == "sign":  # its own slope, 0, is of neither side
                 there = self.ties(operands[0], 0.0)[1]
-                jumps = self.felt(self.direction.value(k), there, values)
+                jumps = self.felt(self.tape.value(k), there, values)
             elif kind in JUMPS or kind in ("mod", "pick"):
                 place = operands[0] / operands[1] if kind in ("mod", "floordiv") else operands[-1]
                 near = np.round(self.numbers([place])[0][..., 0])

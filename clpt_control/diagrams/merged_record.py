@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from ..equations.arrays import Array, Tape, Unread, objects, operand
+from ..equations.arrays import Tape, Unread, objects, operand
 from ..equations.block import Block
 from ..equations.elementwise import lifted, spread
 from ..equations.ports import counts_of, places
@@ -241,7 +241,7 @@ class _TapeMerger(RecordMerger):
 
     def part(self, ref: Ref, first: int, shape: Shape) -> Ref:
         """Return elements of a value from a place on; an array of an open size has no parts."""
-        value = self.array(ref)
+        value = self.tape.value(ref)
         if first == 0 and value.shape == shape:
             return ref
         if any(isinstance(n, str) for n in (*shape, *value.shape)):
@@ -249,21 +249,17 @@ class _TapeMerger(RecordMerger):
         own = objects(value).ravel()[first : first + prod(shape)]
         return operand(lifted(self.tape, own.reshape(shape)))
 
-    def array(self, ref: Ref) -> Any:
-        """Return a value as an array; a constant as it is."""
-        return Array(self.tape, ref, self.tape.operations[ref].shape) if type(ref) is int else ref
-
     def brought(self, node: Node, port: str, first: int, size: int, shape: Shape) -> Ref:
         """Return what wires bring to a port, in all of its shape."""
         try:
-            found = self.array(super().brought(node, port, first, size, shape))
+            found = self.tape.value(super().brought(node, port, first, size, shape))
             return operand(spread(self.tape, found, shape))
         except Unread as error:
             raise Unread(f"{node.name}.{port} {error}") from None
 
     def arrays(self, k: int) -> dict[str, Any]:
         """Return what feeds each input port of a block, as arrays."""
-        return {port: self.array(ref) for port, ref in self.fed(k).items()}
+        return {port: self.tape.value(ref) for port, ref in self.fed(k).items()}
 
     def ports(self, k: int, role: str, u: dict[str, Any]) -> dict[str, Any]:
         """Return the results of a block's function on this tape, by port."""
@@ -275,7 +271,7 @@ class _TapeMerger(RecordMerger):
         values = self.run(k, role, {port: operand(value) for port, value in u.items()})
         declared = block.declared["outputs" if role == "output" else "states"]
         made = {
-            port: spread(self.tape, self.array(value), self.shape(block, shape))
+            port: spread(self.tape, self.tape.value(value), self.shape(block, shape))
             for (port, shape), value in zip(declared.items(), values, strict=True)
         }
         for place in range(first, len(self.tape.operations)):

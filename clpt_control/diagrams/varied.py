@@ -133,7 +133,7 @@ class _Along(Direction):
         found, kind = super()._along(k), self.tape.operations[k].kind
         if found is None or kind not in ("sqrt", "hypot", "pow"):
             return found
-        nothing = (self.value(k) == 0.0) & (found != found)
+        nothing = (self.tape.value(k) == 0.0) & (found != found)
         return elementwise("where", nothing, 0.0, found)
 
 

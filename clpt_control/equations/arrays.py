@@ -77,6 +77,10 @@ class Tape:
                 raise Unread(f"takes more than {MOST_OPERATIONS} operations")
         return Array(self, place, shape)
 
+    def value(self, ref: Ref) -> Any:
+        """Return what a reference names: an array, or a number as it is."""
+        return Array(self, ref, self.operations[ref].shape) if type(ref) is int else ref
+
     def append(self, operation: Operation) -> None:
         """Write an operation down, also where an equal one stands."""
         kind, arguments, _, at = operation

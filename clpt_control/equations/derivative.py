@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import COMPARISONS, CONDITIONS, Array, Tape, Unread, operand
+from .arrays import COMPARISONS, CONDITIONS, Tape, Unread, operand
 from .elementwise import elementwise, spread
 from .record import Ref, reached
 
@@ -107,24 +107,20 @@ class Direction:
             return 0.0
         return spread(self.tape, slope, self.tape.operations[ref].shape)
 
-    def value(self, ref: Ref) -> Any:
-        """Return an argument as an array or a number."""
-        return ref if type(ref) is float else Array(self.tape, ref, self.tape.operations[ref].shape)
-
     def _along(self, k: int) -> Any:
         kind, arguments, shape, at = self.tape.operations[k]
         slopes = [self.known.get(a) if type(a) is int else None for a in arguments]
         if all(slope is None for slope in slopes):
             return None
-        values = [self.value(a) for a in arguments]
+        values = [self.tape.value(a) for a in arguments]
         if kind in CONDITIONS or kind in JUMPS:
             return self._refused(kind) if self.smooth else None
         if kind in SLOPES:
-            return SLOPES[kind](*values, self.value(k)) * slopes[0]
+            return SLOPES[kind](*values, self.tape.value(k)) * slopes[0]
         if kind in PAIRS:
             if kind == "mod" and self.smooth:
                 self._refused(kind)
-            return PAIRS[kind](*values, self.value(k), *slopes)
+            return PAIRS[kind](*values, self.tape.value(k), *slopes)
         if kind == "where":
             return _chosen(values[0], *slopes[1:])
         if kind in ("sum", "view", "fill", "stack", "join", "part"):  # a part is `native`'s

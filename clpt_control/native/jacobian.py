@@ -140,7 +140,7 @@ def slopes_of(record: DiagramRecord, n: int) -> list[Port]:
     for k in loads:
         (array, first), shape = record.entries[k].at, record.entries[k].shape
         place = {"X": n + first, "t": 2 * n}.get(array)
-        slope = None if place is None else direction.value(record.load("X", place, shape))
+        slope = None if place is None else record.tape.value(record.load("X", place, shape))
         direction.known[k] = slope
-    slopes = [direction.of(direction.value(ref)) for ref in roots]
+    slopes = [direction.of(record.tape.value(ref)) for ref in roots]
     return [port._replace(ref=operand(one)) for port, one in zip(record.rates, slopes, strict=True)]

@@ -49,7 +49,7 @@ class Held(NamedTuple):
 
 def slide(record: Any, held: Held) -> None:
     """Make the rates of a `DiagramRecord` those on switches; each w and 1 - w is a margin."""
-    value, several = Direction(record.tape, {}).value, len(held.switches) > 1
+    value, several = record.tape.value, len(held.switches) > 1
     copies = [
         record.decisions.lock(record.rates, held.places)
         for _ in range(1 + len(held.switches) + several)
