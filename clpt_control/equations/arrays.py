@@ -65,6 +65,8 @@ class Tape:
         self.has_floats = False  # whether some signals are Python's floats, not NumPy's
         self.free: list[bool] = []  # of each: whether it depends on time, states or inputs
         self.truth: list[bool] = []  # of each: whether it holds truth values
+        self.trees: list[tuple[int, int]] = []  # of each, once asked for: how it is made, how deep
+        self.kinds: dict[Any, int] = {}  # of trees
         self._known: dict[Any, int] = {}
 
     def add(self, kind: str, arguments: Sequence[Ref], shape: Shape, at: Any = None) -> "Array":

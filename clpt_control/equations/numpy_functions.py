@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from . import linear_algebra, lookup_tables, views
+from . import linear_algebra, lookup_tables, stacks, views
 from .arrays import HOOKS, Array, Tape, Unread, active, objects
 from .elementwise import boxed, counts, filled, is_truth, lifted, stacked, where
 from .ufuncs import accumulated, check_doubles, reduced, rounded
@@ -251,8 +251,8 @@ implements(np.searchsorted, arrays=0)(lookup_tables.searched)
 implements(np.digitize, arrays=0)(
     lambda x, points, right=False: lookup_tables.searched(points, x, "left" if right else "right")
 )
-implements(np.stack, arrays=0)(views.stack)
-implements(np.concatenate, arrays=0)(views.join)
+implements(np.stack, arrays=0)(stacks.stack)
+implements(np.concatenate, arrays=0)(stacks.join)
 implements(np.round, np.around)(rounded)
 implements(np.fix)(np.trunc)
 implements(np.copy)(views.copied)

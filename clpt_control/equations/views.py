@@ -8,7 +8,6 @@ At times they are NumPy's own: as numbers where they depend on nothing, else as 
 
 from collections.abc import Callable, Sequence
 from functools import lru_cache
-from itertools import pairwise
 from operator import itemgetter
 from typing import Any
 
@@ -26,7 +25,6 @@ from .elementwise import (
     in_a_try,
     lifted,
     of_numpy,
-    stacked,
 )
 from .record import MOST_NUMBERS, Ref, Shape, viewed
 
@@ -156,29 +154,7 @@ def tape_of(values: Any) -> Any:
 # --- views -------------------------------------------------------------------------------------
 
 
-LONG = 64  # an array that is joined to others as it is
 MANY = 2**16 + 1  # places along an axis of unknown length
-
-
-def tape_view(tape: Tape, refs: Sequence[Ref]) -> Any:
-    """Return the array whose elements follow each other in this stack, or None."""
-    lines = [tape.operations[ref] for ref in refs if type(ref) is int]
-    views = [line for line in lines if line.kind == "view"]
-    if len(views) < max(2, len(refs)) or len({line.arguments for line in views}) > 1:
-        return None
-    maps = [line.at for line in views]
-    varying = [d for d in range(len(maps[0])) if len({m[d] for m in maps}) > 1]
-    places = [m[d] for m in maps for d in varying]
-    if len(varying) != 1 or not all(isinstance(p, int) for p in places):
-        return None
-    step = places[1] - places[0]
-    if step < 1 or any(b - a != step for a, b in pairwise(places)):
-        return None
-    mapped = tuple(
-        (0, places[0], step) if k in varying else p if isinstance(p, int) else (p[0] + 1, *p[1:])
-        for k, p in enumerate(maps[0])
-    )
-    return tape_viewed(tape, views[0].arguments[0], mapped, (len(refs), *views[0].shape))
 
 
 def item(array: Array, index: tuple) -> Any:
@@ -348,24 +324,6 @@ def _of_join(tape: Tape, parts: Sequence[Ref], mapped: tuple, shape: Shape) -> A
 # --- other shapes ------------------------------------------------------------
 
 
-def stack(parts: Any, axis: int = 0, **more: Any) -> Any:
-    """Return np.stack(parts)."""
-    tape = tape_of(parts)
-    new = stacked(tape, [lifted(tape, p) for p in parts])
-    return np.moveaxis(new, 0, axis) if axis else new
-
-
-def join(parts: Any, axis: Any = 0, **more: Any) -> Any:
-    """Return np.concatenate(parts)."""
-    tape = tape_of(parts)
-    arrays = [p for p in (lifted(tape, p) for p in parts) if p.shape != (0,)]
-    known = all(isinstance(n, int) for p in arrays for n in p.shape)
-    if axis == 0 and known and any(p.shape[0] > LONG for p in arrays):
-        shape = (sum(p.shape[0] for p in arrays), *arrays[0].shape[1:])
-        return tape.add("join", [operand(p) for p in arrays], shape)
-    return lifted(tape, np.concatenate([objects(p) for p in arrays], axis=axis))
-
-
 def copied(a: Any, *arguments: Any, **more: Any) -> Any:
     """Return a copy, which no longer shares what is written."""
     if not isinstance(a, Array) or not (a.shape or a._boxed):
@@ -396,4 +354,4 @@ def converted(a: Any, dtype: Any = float, *more: Any, **named: Any) -> Any:
     return new
 
 
-HOOKS.update(item=item, tape_view=tape_view)
+HOOKS.update(item=item)

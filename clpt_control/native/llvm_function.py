@@ -10,6 +10,7 @@ mask; its sums have eight parts, which are added in the same order on every proc
 from collections.abc import Callable, Sequence
 from typing import Any
 
+import numpy as np
 from llvmlite import ir
 
 from .machine import LANES
@@ -35,13 +36,13 @@ class Function:
             self.arrays[array] = argument
         self.builder = ir.IRBuilder(function.append_basic_block())
         if constants:
-            kind = ir.ArrayType(DOUBLE, len(constants))
             if "K" not in module.globals:
+                numbers = bytearray(np.array(constants).tobytes())  # printed sooner than doubles
+                kind = ir.ArrayType(ir.IntType(8), len(numbers))
                 table = ir.GlobalVariable(module, kind, "K")
-                table.linkage, table.global_constant = "internal", True
-                table.initializer = ir.Constant(kind, list(constants))
-            zero = ir.Constant(INT32, 0)
-            self.arrays["K"] = self.builder.gep(module.globals["K"], [zero, zero])
+                table.linkage, table.global_constant, table.align = "internal", True, 8
+                table.initializer = ir.Constant(kind, numbers)
+            self.arrays["K"] = self.builder.bitcast(module.globals["K"], pointer)
         self.lanes = lanes
         self.wide = self.active = LANES  # iterations at once, and how many of them the mask leaves
 

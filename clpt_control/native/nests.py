@@ -1,5 +1,6 @@
 """Print the nests of a program as LLVM's code."""
 
+from collections import Counter
 from collections.abc import Callable, Sequence
 from math import prod
 from typing import Any
@@ -13,6 +14,7 @@ from .plan import Nest, Program
 from .vectors import WORD, calculate, constant, elements, gathered, horizontal_sum, splat, width_of
 
 UNROLLED, UNROLLED_RUNS = 4, 8  # the longest loop that unrolls: most loops, inner ones in lanes
+MOST_INLINED = 64  # calls of a function; LLVM takes minutes for thousands in one piece of code
 Key = tuple[int, tuple[int, ...], bool]  # component, loops of its axes, for eight iterations
 
 
@@ -22,6 +24,11 @@ def print_program(program: Program, names: tuple[str, ...], lanes: int) -> ir.Mo
     with deep():
         for name in names:
             _Nests(module, name, lanes, program)
+    calls = Counter(one.name for one in program.components)
+    for function in module.functions:
+        if calls[function.name.partition(".")[0]] > MOST_INLINED:
+            function.attributes.discard("alwaysinline")
+            function.attributes.add("noinline")
     return module
 
 

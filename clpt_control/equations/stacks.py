@@ -1,0 +1,173 @@
+"""Arrays that are put together of parts: many numbers that were made alike are few arrays.
+
+A loop over elements makes one tree of operations again and again, whose leaves follow each other,
+
+    for i in range(1, n - 1):
+        dx[i] = k * (x[i + 1] - 2 * x[i] + x[i - 1])        k * (x[2:] - 2 * x[1:-1] + x[:-2])
+
+and what NumPy itself fills, rolls or pads is views of single places.  An array of more than `LONG`
+such numbers is written down as operations on arrays, joined; each number is that of the loop.
+"""
+
+from collections.abc import Sequence
+from itertools import groupby, pairwise
+from math import prod
+from typing import Any
+
+import numpy as np
+
+from .arrays import HOOKS, Tape, objects, operand
+from .elementwise import constant, lifted, stacked
+from .record import OPERATIONS, Ref, Shape, key_of
+from .views import part, tape_of, tape_viewed
+
+LONG = 16  # numbers of an array that is written down as it is made
+FEW = 8  # numbers that are made alike, fewer stay as they are
+DEEPEST = 100  # operations that follow each other in a tree
+
+
+def stack(parts: Any, axis: int = 0, **more: Any) -> Any:
+    """Return np.stack(parts)."""
+    tape = tape_of(parts)
+    new = stacked(tape, [lifted(tape, p) for p in parts])
+    return np.moveaxis(new, 0, axis) if axis else new
+
+
+def join(parts: Any, axis: Any = 0, **more: Any) -> Any:
+    """Return np.concatenate(parts)."""
+    tape = tape_of(parts)
+    arrays = [p for p in (lifted(tape, p) for p in parts) if p.shape != (0,)]
+    known = all(isinstance(n, int) for p in arrays for n in p.shape)
+    if known and axis is not None and any(prod(p.shape) > LONG for p in arrays):
+        first = [np.moveaxis(p, axis, 0) for p in arrays]
+        shape = (sum(p.shape[0] for p in first), *first[0].shape[1:])
+        joined = tape.add("join", [operand(p) for p in first], shape)
+        return np.moveaxis(joined, 0, axis) if axis else joined
+    return lifted(tape, np.concatenate([objects(p) for p in arrays], axis=axis))
+
+
+def stack_of(tape: Tape, refs: Sequence[Ref], shape: Shape) -> Any:
+    """Return the array whose elements are these, each of a shape."""
+    if (seen := _following(tape, refs)) is not None:
+        return seen
+    known = all(isinstance(n, int) for n in shape)
+    if known and len(refs) * prod(shape) > LONG:
+        return _gathered(tape, refs, shape)
+    return _stacked(tape, refs, shape)
+
+
+def _stacked(tape: Tape, refs: Sequence[Ref], shape: Shape) -> Any:
+    return tape.add("stack", refs, (len(refs), *shape))
+
+
+def _following(tape: Tape, refs: Sequence[Ref]) -> Any:
+    """Return the view of an array whose elements follow each other in a stack, or None."""
+    lines = [tape.operations[ref] for ref in refs if type(ref) is int]
+    views = [line for line in lines if line.kind == "view"]
+    if len(views) < max(2, len(refs)) or len({line.arguments for line in views}) > 1:
+        return None
+    maps = [line.at for line in views]
+    varying = [d for d in range(len(maps[0])) if len({m[d] for m in maps}) > 1]
+    places = [m[d] for m in maps for d in varying]
+    if len(varying) != 1 or not all(isinstance(p, int) for p in places):
+        return None
+    step = places[1] - places[0]
+    if step < 1 or any(b - a != step for a, b in pairwise(places)):
+        return None
+    mapped = tuple(
+        (0, places[0], step) if k in varying else p if isinstance(p, int) else (p[0] + 1, *p[1:])
+        for k, p in enumerate(maps[0])
+    )
+    return tape_viewed(tape, views[0].arguments[0], mapped, (len(refs), *views[0].shape))
+
+
+def _trees(tape: Tape) -> list[tuple[int, int]]:
+    """Return of each value a number that all have which are made alike, and how deep it is."""
+    for k in range(len(tape.trees), len(tape.operations)):
+        kind, arguments, shape, at = tape.operations[k]
+        below = [tape.trees[a] if type(a) is int else (-1, 0) for a in arguments]
+        depth = 1 + max((one[1] for one in below), default=0)
+        key: tuple = ("", k)
+        if kind in OPERATIONS or kind == "stack":
+            key = kind, shape, at, *(one[0] for one in below)
+        elif kind == "view":
+            depth = 0
+            key = kind, shape, arguments, *(None if isinstance(m, int) else m for m in at)
+        elif kind == "constant":
+            key = kind, shape
+        tape.trees.append((tape.kinds.setdefault(key, len(tape.kinds)), depth))
+    return tape.trees
+
+
+def _gathered(tape: Tape, refs: Sequence[Ref], shape: Shape) -> Any:
+    """Return a stack as few arrays, where numbers one behind the other are made alike."""
+    trees, pieces = _trees(tape), list[Any]()
+    alone: list[Ref] = []  # of no array yet
+
+    def flush() -> None:
+        if alone:
+            pieces.append(_stacked(tape, alone, shape))
+            alone.clear()
+
+    for _, group in groupby(refs, lambda ref: trees[ref] if type(ref) is int else (-1, 0)):
+        same = [*group]
+        while same:
+            count, made = _alike(tape, same, shape) if len(same) >= FEW else (len(same), None)
+            if made is None:
+                alone += same[:count]
+            else:
+                flush()
+                pieces.append(made)
+            del same[:count]
+    flush()
+    if len(pieces) == 1:
+        return pieces[0]
+    return tape.add("join", [operand(piece) for piece in pieces], (len(refs), *shape))
+
+
+def _alike(tape: Tape, refs: list[Ref], shape: Shape) -> tuple[int, Any]:
+    """Return how many of these, all made alike, are one array, and that; None if they are none."""
+    n, first = len(refs), refs[0]
+    if type(first) is float:
+        return n, constant(tape, np.array(refs))
+    kind, _, _, at = tape.operations[first]
+    if kind == "view":
+        return _run(tape, refs, shape)
+    if refs.count(first) == n:
+        return (n, None) if shape or tape.truth[first] else (n, tape.add("fill", (first,), (n,)))
+    if _trees(tape)[first][1] > DEEPEST:
+        return n, None
+    columns = zip(*(tape.operations[ref].arguments for ref in refs), strict=True)
+    if kind == "stack":  # rows: of each place in them a column
+        columns = [operand(_gathered(tape, column, shape[1:])) for column in columns]
+        return n, part(_gathered(tape, columns, (n, *shape[1:])), lambda a: np.swapaxes(a, 0, 1))
+    if kind == "constant":
+        rows = [np.frombuffer(tape.operations[ref].at).reshape(shape) for ref in refs]
+        return n, constant(tape, np.stack(rows))
+    own: list[Ref] = []
+    for column in columns:
+        if len(set(map(key_of, column))) == 1:
+            own.append(column[0])
+        else:
+            of = tape.operations[column[0]].shape if type(column[0]) is int else ()
+            if of != shape:
+                return n, None
+            own.append(operand(_gathered(tape, column, shape)))
+    return n, tape.add(kind, own, (n, *shape), at)
+
+
+def _run(tape: Tape, refs: list[Ref], shape: Shape) -> tuple[int, Any]:
+    """Return how many of these views follow each other, or are one, and their array, if any."""
+    places = [[m for m in tape.operations[ref].at if isinstance(m, int)] for ref in refs]
+    steps = [np.subtract(b, a).tolist() for a, b in pairwise(places)]
+    count = 1 + next((k for k, step in enumerate(steps) if step != steps[0]), len(steps))
+    made = None
+    if count >= FEW:
+        if any(steps[0]):
+            made = _following(tape, refs[:count])
+        elif not shape and not tape.truth[refs[0]]:
+            made = tape.add("fill", (refs[0],), (count,))
+    return count if made is not None else max(1, count - 1), made
+
+
+HOOKS.update(stack_of=stack_of)
