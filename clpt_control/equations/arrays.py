@@ -22,7 +22,7 @@ MOST_OPERATIONS = 200_000  # a longer record is given up
 LOGICAL = frozenset({"and", "or", "not"})  # of conditions
 COMPARISONS = frozenset({"lt", "le", "gt", "ge", "eq", "ne"})
 CONDITIONS = LOGICAL | COMPARISONS
-MOVED = frozenset({"view", "stack", "join"})  # hold what their arguments hold
+MOVED = frozenset({"view", "stack", "join", "part"})  # hold what their arguments hold
 
 # what arrays call in files that import this one; each file puts in its own
 HOOKS: dict[str, Any] = {}

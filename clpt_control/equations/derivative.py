@@ -123,7 +123,7 @@ class Direction:
             return PAIRS[kind](*values, self.tape.value(k), *slopes)
         if kind == "where":
             return _chosen(values[0], *slopes[1:])
-        if kind in ("sum", "view", "fill", "stack", "join", "part"):  # a part is `native`'s
+        if kind in ("sum", "view", "fill", "stack", "join", "part"):
             refs = [self._argument(a, s) for a, s in zip(arguments, slopes, strict=True)]
             return self.tape.add(kind, refs, shape, at)
         if kind == "pick" and (slopes[1] is None or not self.smooth):

@@ -85,6 +85,10 @@ class Elements:
             return self.at(arguments[0], tuple([_moved(m, index) for m in at]))
         if kind == "fill":
             return self.at(arguments[0], ())
+        if kind == "part":
+            outer = bound(self.operations[arguments[0]].shape, self.sizes)
+            place = np.unravel_index(at + np.ravel_multi_index(index, shape), outer)
+            return self.at(arguments[0], tuple(map(int, place)))
         if kind in ("stack", "join"):
             return self._gathered(kind, arguments, index)
         if kind == "sum":

@@ -20,7 +20,7 @@ as a number says, or as a name: ``"N"`` is a size that the record leaves open.
 | fill | number | the number everywhere, of the operation's shape | |
 | stack | arrays of one shape | along a new first axis |
 | join | arrays | one behind the other, along the first axis |
-| part | array | first of the elements, row by row, that the shape takes; in diagrams alone |
+| part | array | first of the elements, row by row, that the shape takes |
 | pick | row of numbers, index | the number at a whole place; NaN outside |
 | opaque | value, arguments | name: SymPy reads a function of the arguments |
 

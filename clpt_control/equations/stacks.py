@@ -19,9 +19,8 @@ import numpy as np
 from .arrays import HOOKS, Tape, objects, operand
 from .elementwise import constant, lifted, stacked
 from .record import OPERATIONS, Ref, Shape, key_of
-from .views import part, tape_of, tape_viewed
+from .views import LONG, part, tape_of, tape_viewed
 
-LONG = 16  # numbers of an array that is written down as it is made
 FEW = 8  # numbers that are made alike, fewer stay as they are
 DEEPEST = 100  # operations that follow each other in a tree
 
@@ -88,7 +87,7 @@ def _trees(tape: Tape) -> list[tuple[int, int]]:
         below = [tape.trees[a] if type(a) is int else (-1, 0) for a in arguments]
         depth = 1 + max((one[1] for one in below), default=0)
         key: tuple = ("", k)
-        if kind in OPERATIONS or kind == "stack":
+        if kind in OPERATIONS or kind in ("stack", "sum"):
             key = kind, shape, at, *(one[0] for one in below)
         elif kind == "view":
             depth = 0
@@ -150,10 +149,10 @@ def _alike(tape: Tape, refs: list[Ref], shape: Shape) -> tuple[int, Any]:
             own.append(column[0])
         else:
             of = tape.operations[column[0]].shape if type(column[0]) is int else ()
-            if of != shape:
+            if of != shape and kind != "sum":
                 return n, None
-            own.append(operand(_gathered(tape, column, shape)))
-    return n, tape.add(kind, own, (n, *shape), at)
+            own.append(operand(_gathered(tape, column, of)))
+    return n, tape.add(kind, own, (n, *shape), at + 1 if kind == "sum" else at)
 
 
 def _run(tape: Tape, refs: list[Ref], shape: Shape) -> tuple[int, Any]:

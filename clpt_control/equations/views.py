@@ -8,7 +8,8 @@ At times they are NumPy's own: as numbers where they depend on nothing, else as 
 
 from collections.abc import Callable, Sequence
 from functools import lru_cache
-from operator import itemgetter
+from math import prod
+from operator import itemgetter, mul
 from typing import Any
 
 import numpy as np
@@ -154,6 +155,7 @@ def tape_of(values: Any) -> Any:
 # --- views -------------------------------------------------------------------------------------
 
 
+LONG = 16  # numbers of an array that is written down as it is made, not one by one
 MANY = 2**16 + 1  # places along an axis of unknown length
 
 
@@ -182,7 +184,8 @@ def part(a: Any, function: Callable[[np.ndarray], Any]) -> Any:
         return new
     node, seen = a._node, _mapped(a.shape, function)
     if seen is None:
-        new = lifted(a._tape, function(a._elements()))
+        new = _in_another_shape(a, function)
+        new = lifted(a._tape, function(a._elements())) if new is None else new
     else:
         new = tape_viewed(a._tape, node, *seen)
     cuts = seen is None or (a._parent is not None and not isinstance(function, itemgetter))
@@ -197,6 +200,23 @@ def part(a: Any, function: Callable[[np.ndarray], Any]) -> Any:
     view = Array(a._tape, new._node, new.shape, a, function)
     view._boxed = not new.shape
     return view
+
+
+def _in_another_shape(a: Array, function: Callable) -> Any:
+    """Return many elements that stay row by row in another shape; None of others."""
+    if numbers_of(a) is not None or not all(isinstance(n, int) for n in a.shape):
+        return None
+    places = function(np.arange(a.size).reshape(a.shape))
+    if places.size <= LONG or np.any(np.diff(places.ravel()) != 1):
+        return None
+    return _parted(a._tape, a._node, places.item(0), places.shape)
+
+
+def _parted(tape: Tape, node: int, first: int, shape: Shape) -> Array:
+    kind, arguments, old, at = tape.operations[node]
+    if kind == "part":
+        return _parted(tape, arguments[0], at + first, shape)
+    return Array(tape, node, old) if old == shape else tape.add("part", (node,), shape, first)
 
 
 def _mapped(shape: Shape, function: Callable) -> tuple[tuple, Shape] | None:
@@ -296,6 +316,8 @@ def tape_viewed(tape: Tape, node: int, mapped: tuple, shape: Shape) -> Any:
         if shape:
             return tape.add("fill", (number,), shape)
         return number if type(number) is float else Array(tape, number, ())
+    if kind == "part" and (row := _in_a_row(tape, node, mapped)) is not None:
+        return tape_viewed(tape, arguments[0], (row,), shape)
     if kind == "join" and (part := _of_join(tape, arguments, mapped, shape)) is not None:
         return part
     if kind == "stack" and isinstance(mapped[0], int):
@@ -304,6 +326,18 @@ def tape_viewed(tape: Tape, node: int, mapped: tuple, shape: Shape) -> Any:
             return constant(tape, np.full(shape, item))  # a number, or one with new axes
         return tape_viewed(tape, item, mapped[1:], shape)
     return tape.add("view", (node,), shape, mapped)
+
+
+def _in_a_row(tape: Tape, node: int, mapped: tuple) -> Any:
+    """Return the places of a view of a part in the one axis that it is of, if they are a line."""
+    _, (source,), shape, start = tape.operations[node]
+    moving = [(k, m) for k, m in enumerate(mapped) if not isinstance(m, int)]
+    if len(tape.operations[source].shape) > 1 or len(moving) > 1:
+        return None
+    strides = [prod(shape[k + 1 :]) for k in range(len(shape))]
+    places = [m if isinstance(m, int) else m[1] for m in mapped]
+    start += sum(map(mul, strides, places))
+    return next(((m[0], start, m[2] * strides[k]) for k, m in moving), start)
 
 
 def _of_join(tape: Tape, parts: Sequence[Ref], mapped: tuple, shape: Shape) -> Any:

@@ -246,6 +246,8 @@ class DiagramRecord(RecordMerger):
         block, (kind, arguments, shape, at) = self.wiring.nodes[k].system, operation
         if kind == "opaque":
             return own[0]
+        if kind == "part":
+            return self.part(own[0], at, shape)
         if kind == "sum":
             length, long = self._axes(block, record.operations[arguments[0]].shape)
             at = at, length[at], long[at]
@@ -312,4 +314,6 @@ class DiagramRecord(RecordMerger):
         if entry.kind == "load":
             array, start = entry.at
             return self.load(array, start + first, shape)
+        if entry.kind == "view" and len(entry.at) == 1 and entry.at[0][2] == 1:
+            return self.part(entry.arguments[0], entry.at[0][1] + first, shape)
         return self.add("part", (ref,), shape, first)

@@ -102,14 +102,11 @@ class _Reached(Elements):
         kind, arguments, shape, at = self.operations[ref]
         if kind == "sum":
             return self._sum(ref, arguments[0], at[0], index)
-        if kind not in ("load", "part"):
+        if kind != "load":
             return super()._element(ref, index)
+        array, first = at
         place = sum(i * prod(shape[k + 1 :]) for k, i in enumerate(index))
-        if kind == "load":
-            array, first = at
-            return 1 << (first + place if array == "X" else self.n) if array in "Xt" else 0
-        source = np.unravel_index(at + place, self.operations[arguments[0]].shape)
-        return self.at(arguments[0], tuple(map(int, source)))
+        return 1 << (first + place if array == "X" else self.n) if array in "Xt" else 0
 
 
 def reach_of(record: DiagramRecord, n: int) -> np.ndarray:
