@@ -65,7 +65,7 @@ class Tape:
         self.has_floats = False  # whether some signals are Python's floats, not NumPy's
         self.free: list[bool] = []  # of each: whether it depends on time, states or inputs
         self.truth: list[bool] = []  # of each: whether it holds truth values
-        self.trees: list[tuple[int, int]] = []  # of each, once asked for: how it is made, how deep
+        self.trees: list[int] = []  # of each, once asked for: how it is made
         self.kinds: dict[Any, int] = {}  # of trees
         self._known: dict[Any, int] = {}
 

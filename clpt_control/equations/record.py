@@ -27,7 +27,9 @@ as a number says, or as a name: ``"N"`` is a size that the record leaves open.
 `computed` is a record on NumPy's numbers, in the order in which it was written.
 """
 
-from collections.abc import Callable, Iterable, Mapping
+import sys
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
 from math import copysign, erf, erfc, prod
@@ -94,6 +96,17 @@ class Record:
 def bound(shape: Shape, sizes: Mapping[str, int]) -> Shape:
     """Return a shape with the sizes that are known in the place of their names."""
     return tuple([sizes.get(n, n) for n in shape])
+
+
+@contextmanager
+def deep() -> Iterator[None]:
+    """Allow recursion as deep as records are."""
+    before = sys.getrecursionlimit()
+    sys.setrecursionlimit(max(before, 1_000_000))
+    try:
+        yield
+    finally:
+        sys.setrecursionlimit(before)
 
 
 def reached(operations: Iterable[Any], roots: Iterable[Ref]) -> set[int]:

@@ -12,17 +12,18 @@ such numbers is written down as operations on arrays, joined; each number is tha
 from collections.abc import Sequence
 from itertools import groupby, pairwise
 from math import prod
+from operator import itemgetter, ne
 from typing import Any
 
 import numpy as np
 
 from .arrays import HOOKS, Tape, objects, operand
 from .elementwise import constant, lifted, stacked
-from .record import OPERATIONS, Ref, Shape, key_of
+from .record import OPERATIONS, Ref, Shape, deep, key_of
 from .views import LONG, part, tape_of, tape_viewed
 
 FEW = 8  # numbers that are made alike, fewer stay as they are
-DEEPEST = 100  # operations that follow each other in a tree
+IN_TURN = 6  # the most kinds of numbers that follow each other in turn, as x and v of many masses
 
 
 def stack(parts: Any, axis: int = 0, **more: Any) -> Any:
@@ -51,7 +52,8 @@ def stack_of(tape: Tape, refs: Sequence[Ref], shape: Shape) -> Any:
         return seen
     known = all(isinstance(n, int) for n in shape)
     if known and len(refs) * prod(shape) > LONG:
-        return _gathered(tape, refs, shape)
+        with deep():
+            return _gathered(tape, refs, shape)
     return _stacked(tape, refs, shape)
 
 
@@ -80,27 +82,34 @@ def _following(tape: Tape, refs: Sequence[Ref]) -> Any:
     return tape_viewed(tape, views[0].arguments[0], mapped, (len(refs), *views[0].shape))
 
 
-def _trees(tape: Tape) -> list[tuple[int, int]]:
-    """Return of each value a number that all have which are made alike, and how deep it is."""
-    for k in range(len(tape.trees), len(tape.operations)):
+def _trees(tape: Tape, refs: Sequence[Ref]) -> list[int]:
+    """Return of each value a number that all have which are made alike."""
+    trees = tape.trees
+    for k in range(len(trees), len(tape.operations)):
         kind, arguments, shape, at = tape.operations[k]
-        below = [tape.trees[a] if type(a) is int else (-1, 0) for a in arguments]
-        depth = 1 + max((one[1] for one in below), default=0)
         key: tuple = ("", k)
         if kind in OPERATIONS or kind in ("stack", "sum"):
-            key = kind, shape, at, *(one[0] for one in below)
+            key = kind, shape, at, *(trees[a] if type(a) is int else -1 for a in arguments)
         elif kind == "view":
-            depth = 0
             key = kind, shape, arguments, *(None if isinstance(m, int) else m for m in at)
         elif kind == "constant":
             key = kind, shape
-        tape.trees.append((tape.kinds.setdefault(key, len(tape.kinds)), depth))
-    return tape.trees
+        trees.append(tape.kinds.setdefault(key, len(tape.kinds)))
+    return [trees[ref] if type(ref) is int else -1 for ref in refs]
+
+
+def _in_turn(trees: list[int]) -> int:
+    """Return how many kinds of numbers follow each other in turn; 1 where each follows its own."""
+    counts = [n for n in range(1, IN_TURN + 1) if len(trees) % n == 0 and len(trees) >= n * FEW]
+    return min(counts, key=lambda n: sum(map(ne, trees, trees[n:])), default=1)
 
 
 def _gathered(tape: Tape, refs: Sequence[Ref], shape: Shape) -> Any:
     """Return a stack as few arrays, where numbers one behind the other are made alike."""
-    trees, pieces = _trees(tape), list[Any]()
+    trees, pieces = _trees(tape, refs), list[Any]()
+    if (count := _in_turn(trees)) > 1:
+        rows = _turned(tape, [refs[k::count] for k in range(count)], shape)
+        return part(rows, lambda a: np.reshape(a, (len(refs), *shape)))
     alone: list[Ref] = []  # of no array yet
 
     def flush() -> None:
@@ -108,8 +117,8 @@ def _gathered(tape: Tape, refs: Sequence[Ref], shape: Shape) -> Any:
             pieces.append(_stacked(tape, alone, shape))
             alone.clear()
 
-    for _, group in groupby(refs, lambda ref: trees[ref] if type(ref) is int else (-1, 0)):
-        same = [*group]
+    for _, group in groupby(zip(trees, refs, strict=True), itemgetter(0)):
+        same = [ref for _, ref in group]
         while same:
             count, made = _alike(tape, same, shape) if len(same) >= FEW else (len(same), None)
             if made is None:
@@ -134,12 +143,9 @@ def _alike(tape: Tape, refs: list[Ref], shape: Shape) -> tuple[int, Any]:
         return _run(tape, refs, shape)
     if refs.count(first) == n:
         return (n, None) if shape or tape.truth[first] else (n, tape.add("fill", (first,), (n,)))
-    if _trees(tape)[first][1] > DEEPEST:
-        return n, None
-    columns = zip(*(tape.operations[ref].arguments for ref in refs), strict=True)
-    if kind == "stack":  # rows: of each place in them a column
-        columns = [operand(_gathered(tape, column, shape[1:])) for column in columns]
-        return n, part(_gathered(tape, columns, (n, *shape[1:])), lambda a: np.swapaxes(a, 0, 1))
+    columns = [*zip(*(tape.operations[ref].arguments for ref in refs), strict=True)]
+    if kind == "stack":
+        return n, _turned(tape, columns, shape[1:])
     if kind == "constant":
         rows = [np.frombuffer(tape.operations[ref].at).reshape(shape) for ref in refs]
         return n, constant(tape, np.stack(rows))
@@ -153,6 +159,14 @@ def _alike(tape: Tape, refs: list[Ref], shape: Shape) -> tuple[int, Any]:
                 return n, None
             own.append(operand(_gathered(tape, column, of)))
     return n, tape.add(kind, own, (n, *shape), at + 1 if kind == "sum" else at)
+
+
+def _turned(tape: Tape, columns: Sequence[Sequence[Ref]], shape: Shape) -> Any:
+    """Return rows of numbers by their columns."""
+    gathered = [operand(_gathered(tape, column, shape)) for column in columns]
+    return part(
+        _gathered(tape, gathered, (len(columns[0]), *shape)), lambda a: np.swapaxes(a, 0, 1)
+    )
 
 
 def _run(tape: Tape, refs: list[Ref], shape: Shape) -> tuple[int, Any]:

@@ -8,9 +8,7 @@ axis of the old one is; `BOUND` is the axis of a sum.  While components are made
 symbol (length, number) and an index is (symbol, start, step).
 """
 
-import sys
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
 from functools import partial, reduce
 from itertools import count, product
 from math import copysign, prod
@@ -53,17 +51,6 @@ class Write(NamedTuple):
     value: Value
     saves: int = -1  # the component that is read from there from now on
     summed: bool = False
-
-
-@contextmanager
-def deep() -> Iterator[None]:
-    """Allow recursion as deep as records are."""
-    before = sys.getrecursionlimit()
-    sys.setrecursionlimit(max(before, 1_000_000))
-    try:
-        yield
-    finally:
-        sys.setrecursionlimit(before)
 
 
 class Components:

@@ -22,8 +22,7 @@ from scipy.sparse.csgraph import reverse_cuthill_mckee
 from ..equations.arrays import CONDITIONS, Unread, operand
 from ..equations.derivative import JUMPS, Direction
 from ..equations.elements import Elements, Index
-from ..equations.record import reached
-from .components import deep
+from ..equations.record import deep, reached
 from .decisions import Port
 from .diagram_record import DiagramRecord
 

@@ -7,7 +7,8 @@ from typing import Any
 
 from llvmlite import ir
 
-from .components import Write, deep, row_strides
+from ..equations.record import deep
+from .components import Write, row_strides
 from .llvm_function import Function
 from .machine import LANES
 from .plan import Nest, Program

@@ -11,7 +11,8 @@ from math import inf, prod
 from typing import Any, NamedTuple
 
 from ..equations.arrays import CONDITIONS
-from .components import BOUND, Component, Components, Write, deep, row_strides
+from ..equations.record import deep
+from .components import BOUND, Component, Components, Write, row_strides
 from .diagram_record import DiagramRecord, Port
 from .merged_sums import MergedSums
 

@@ -13,7 +13,8 @@ from math import copysign, inf, isnan
 from typing import Any
 
 from ..equations.arrays import CONDITIONS
-from ..native.components import Components, deep, row_strides
+from ..equations.record import deep
+from ..native.components import Components, row_strides
 from ..native.diagram_record import DiagramRecord, Layout
 from ..native.plan import Nest, Planner
 
