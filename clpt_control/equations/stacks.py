@@ -164,9 +164,8 @@ def _alike(tape: Tape, refs: list[Ref], shape: Shape) -> tuple[int, Any]:
 def _turned(tape: Tape, columns: Sequence[Sequence[Ref]], shape: Shape) -> Any:
     """Return rows of numbers by their columns."""
     gathered = [operand(_gathered(tape, column, shape)) for column in columns]
-    return part(
-        _gathered(tape, gathered, (len(columns[0]), *shape)), lambda a: np.swapaxes(a, 0, 1)
-    )
+    whole = _gathered(tape, gathered, (len(columns[0]), *shape))
+    return part(whole, lambda a: np.swapaxes(a, 0, 1))
 
 
 def _run(tape: Tape, refs: list[Ref], shape: Shape) -> tuple[int, Any]:

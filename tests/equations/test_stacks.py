@@ -51,6 +51,18 @@ def following(x):
     return [min(1.0, max(-1.0, x[i - 1] - x[i])) if i else 1.0 for i in range(N)]
 
 
+def masses(x):
+    rates = np.zeros(N)
+    for i in range(0, N, 2):
+        force = -0.1 * x[i + 1]
+        if i > 0:
+            force += 10 * (x[i - 2] - x[i])
+        if i < N - 2:
+            force += 10 * (x[i + 2] - x[i])
+        rates[i], rates[i + 1] = x[i + 1], force
+    return rates
+
+
 def grid(x):
     z = x[:36].reshape(M, M)
     rates = np.zeros((M, M))
@@ -69,7 +81,8 @@ LOOPS = {
     "padded": (lambda x: np.diff(np.pad(x, 1, mode="edge"), n=2), 12),
     "convolved": (lambda x: np.convolve(x, [1.0, -2.0, 1.0], "same"), 26),
     "written in places": (lambda x: np.r_[x[1:] * x[0], x[:1]], 12),
-    "of two kinds in turn": (lambda x: [x[i] if i % 2 else -x[i] for i in range(N)], 2 * N),
+    "of two kinds in turn": (lambda x: [x[i] if i % 2 else -x[i] for i in range(N)], 12),
+    "masses, x and v in turn": (masses, 40),
     "a grid": (grid, 90),
     "points of a plane": (lambda x: (x.reshape(-1, 2) @ [[0.0, 1.0], [-1.0, 0.0]]).ravel(), 16),
 }
