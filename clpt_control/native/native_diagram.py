@@ -28,6 +28,7 @@ from .sliding import Held, slide
 from .switches import times_of_change
 
 ABREAST = 256  # states of runs in lanes; more do not fit the first cache
+MANY, SHORTER = 1500, 3  # components of a long program, and how much shorter one of loops is
 FUNCTIONS = ("derivative", "prepare", "margin", "signals", "jump", "decide", "slope", "staged")
 
 
@@ -76,9 +77,8 @@ def code_of(
     """Return the code of a diagram, the same for diagrams of one structure.
 
     With `implicit` rates have slopes, for an implicit method; with `held` they are those on
-    switches.  `form` says whether all axes are
-    ``"unrolled"`` or ``"looped"``, or decisions ``"free"``.  An `Uncompiled` error says what cannot
-    be compiled.
+    switches.  `form` says whether all axes are ``"unrolled"`` or ``"looped"``, or decisions
+    ``"free"``.  An `Uncompiled` error says what cannot be compiled.
     """
     if form not in FORMS:
         raise DiagramError(f"form = {form!r}: must be 'unrolled', 'looped' or 'free', or left out")
@@ -97,6 +97,20 @@ def code_of(
 
 @once(64)
 def _code(structure: Structure, form: str | None, implicit: bool, held: Held | None) -> Code:
+    """Return the code; that with short axes looped where it is far shorter, as of matrices."""
+    try:
+        code = _planned(structure, form, implicit, held)
+    except Uncompiled:
+        if form is not None:
+            raise
+        return _planned(structure, "looped", implicit, held)
+    if form is None and (size := len(code.program.components)) > MANY:
+        looped = _planned(structure, "looped", implicit, held)
+        return looped if SHORTER * len(looped.program.components) < size else code
+    return code
+
+
+def _planned(structure: Structure, form: str | None, implicit: bool, held: Held | None) -> Code:
     wiring, layout = structure.wiring, structure.layout
     record = DiagramRecord(wiring, layout, form, held is not None)
     if held is not None:

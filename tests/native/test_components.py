@@ -2,12 +2,14 @@
 
 import numpy as np
 import pytest
+import scipy.linalg
 
 from clpt_control.conformance import readings
 from clpt_control.diagrams.interconnection import connect
 from clpt_control.diagrams.wiring import wiring_of
 from clpt_control.equations import Block, lookup
 from clpt_control.native import NativeDiagram
+from clpt_control.native.nests import print_program
 
 SIZES = {"N": 11, "M": 3}
 STATES = {"x": "N", "y": "M", "A": ("N", "N"), "B": (2, "N"), "c": 2, "d": 20, "s": 1}
@@ -156,6 +158,40 @@ def test_a_large_matrix_is_a_loop():
         np.testing.assert_allclose(
             readings(system)[name](0.0, x, [0.5])[0], system.A @ x + 0.5, rtol=1e-12, atol=1e-12
         )
+
+
+@pytest.mark.parametrize("n", [8, 16])
+def test_products_of_small_matrices_are_loops_where_they_are_many(n):
+    """exp(S), its series: as straight code of 16 rows it would take more than 60,000 operations."""
+
+    def turn(t, x, u, p):
+        series = np.eye(n)
+        for k in range(18, 0, -1):
+            series = np.eye(n) + (x.S - x.S.T) @ series / k
+        return series
+
+    block = Block("turn", update=turn, states={"S": (n, n)})
+    native = NativeDiagram(block)
+    assert len(native.code.program.components) < 200
+    S = np.random.default_rng(3).normal(size=(n, n)) / n
+    wanted = scipy.linalg.expm(S - S.T).ravel()
+    found = readings(block)["native"](0.0, S.ravel(), [])[0]
+    np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize("count", [40, 80])
+def test_a_function_that_is_called_often_is_written_once(count):
+    """LLVM took minutes where thousands of sines stood one behind the other."""
+
+    def rate(t, x, u, p):
+        total = 0.0
+        for k in range(count):
+            total = np.sin(x[0] + k * total)
+        return total
+
+    program = NativeDiagram(Block("b", update=rate, states={"x": 1})).code.program
+    text = str(print_program(program, ("derivative",), 1))
+    assert ("noinline" in text, "alwaysinline" in text) == (count > 64, count < 64)
 
 
 def test_a_state_that_is_looked_up_by_its_place_moves_within_a_step():
