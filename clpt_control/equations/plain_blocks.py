@@ -273,7 +273,8 @@ def _fits(
         (a,) = arguments
         return len(at) == len(a) and all(map(_within, at, a, [shape] * len(a)))
     if kind == "part":
-        return type(at) is int and 0 <= at <= prod(arguments[0]) - prod(shape)
+        one = len(arguments) == 1 and arguments[0] and type(at) is int
+        return bool(one) and 0 <= at <= prod(arguments[0]) - prod(shape)
     if kind == "opaque":
         return bool(arguments) and arguments[0] == shape and isinstance(hash(at), int)
     if at is not None:

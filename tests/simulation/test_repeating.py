@@ -346,6 +346,10 @@ def test_changed_equations_are_one_sentence_or_a_diagram():
         (["join", [0, 0], [3], None], 0),
         (["stack", [0], [2, 2], None], 0),
         (["pick", [0, 0], [], None], 0),
+        (["part", [0], [2, 1], 1], 0),
+        (["part", [0], [1], -1], 0),
+        (["part", [0, 0], [2, 1], 0], 0),
+        (["part", [0.5], [1, 1], 0], 0),
     ],
 )
 def test_a_line_of_a_record_that_is_none_is_refused(line, at):
