@@ -88,7 +88,7 @@ def _trees(tape: Tape, refs: Sequence[Ref]) -> list[int]:
     for k in range(len(trees), len(tape.operations)):
         kind, arguments, shape, at = tape.operations[k]
         key: tuple = ("", k)
-        if kind in OPERATIONS or kind in ("stack", "sum"):
+        if kind in OPERATIONS or kind in ("stack", "sum", "pick"):
             key = kind, shape, at, *(trees[a] if type(a) is int else -1 for a in arguments)
         elif kind == "view":
             key = kind, shape, arguments, *(None if isinstance(m, int) else m for m in at)
@@ -155,7 +155,7 @@ def _alike(tape: Tape, refs: list[Ref], shape: Shape) -> tuple[int, Any]:
             own.append(column[0])
         else:
             of = tape.operations[column[0]].shape if type(column[0]) is int else ()
-            if of != shape and kind != "sum":
+            if len(of) != len(shape) and kind != "sum":
                 return n, None
             own.append(operand(_gathered(tape, column, of)))
     return n, tape.add(kind, own, (n, *shape), at + 1 if kind == "sum" else at)

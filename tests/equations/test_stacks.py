@@ -70,6 +70,7 @@ def grid(x):
     return np.r_[(rates - 4 * z + np.roll(z, 1, axis=1)).ravel(), x[36:]]
 
 
+NODES = np.linspace(-2.0, 2.0, 9)
 A = np.random.default_rng(1).normal(size=(N, N))
 LOOPS = {
     "a second difference": (looped, 20),
@@ -78,6 +79,7 @@ LOOPS = {
     "one after the other, between limits": (following, 20),
     "rows of a matrix": (lambda x: [A[i] @ x - np.tanh(x[i]) for i in range(N)], 12),
     "rolled": (lambda x: np.roll(x, 1) - 2 * x + np.roll(x, -1), 12),
+    "a table": (lambda x: [np.interp(x[i], NODES, NODES**2) for i in range(N)], 30),
     "padded": (lambda x: np.diff(np.pad(x, 1, mode="edge"), n=2), 12),
     "convolved": (lambda x: np.convolve(x, [1.0, -2.0, 1.0], "same"), 26),
     "written in places": (lambda x: np.r_[x[1:] * x[0], x[:1]], 12),
