@@ -2,9 +2,10 @@
 
     key = (code, defaults, closure, the globals that it names, and what these reach in turn)
 
-Numbers, texts and arrays of numbers count as they are now, so that a changed global has another
-key at once.  Whatever could change unseen has no key: objects, modules, what a function imports by
-itself, files.  Then it is read anew.
+Numbers, texts and arrays of numbers count as they are now, and so do objects of plain classes, by
+what they hold and what their class does: a changed global has another key at once.  Whatever could
+change unseen has no key: other objects, modules, what a function imports by itself, files.  Then it
+is read anew.
 """
 
 import cmath
@@ -15,7 +16,7 @@ import itertools
 import math
 import operator
 from collections.abc import Iterator, Mapping
-from types import CodeType, FunctionType, ModuleType, NoneType
+from types import CodeType, FunctionType, MethodType, ModuleType, NoneType
 from typing import Any
 
 import control
@@ -30,6 +31,7 @@ DIGITS = (int, bool, str, bytes, NoneType)
 READ = ("open", "input", "load", "loadtxt", "genfromtxt", "fromfile", "memmap", "random")
 OPENED = ("globals", "vars", "eval", "exec", "compile", "__import__", "__dict__", "__globals__")
 SEES = frozenset((*READ, *OPENED))  # names by which a function reaches more than it names
+OF_TYPES = frozenset(("type", "__class__", "__new__", "super"))  # by which the class is reached
 FIXED = {  # modules that nobody changes
     one.__name__: one for one in (math, cmath, copy, functools, itertools, operator, np, np.linalg)
 }
@@ -87,8 +89,10 @@ class Keys:
             key = self.place(value), *map(self.of, parts)
         elif isinstance(value, control.InputOutputSystem):
             key = self._system(value)
+        elif kind is MethodType:
+            key = self.of(value.__func__), self.of(value.__self__)
         else:
-            raise Unkeyed
+            key = self._object(value)
         return key if self.alike else (self.place(value), key)
 
     def named(self, values: Mapping[Any, Any]) -> tuple[Any, ...]:
@@ -106,6 +110,26 @@ class Keys:
             raise Unkeyed
         fields = {k: v for k, v in vars(system).items() if not k.endswith(("_labels", "_prefix"))}
         return self.place(system), *self.named(fields)
+
+    def _object(self, value: Any) -> Any:
+        """Return the key of an object of a plain class: what it holds, and what its class does."""
+        kind = type(value)
+        plain = kind.__bases__ == (object,) and kind.__new__ is object.__new__
+        if not plain or "__dict__" not in vars(kind):
+            raise Unkeyed  # it may hold what no attribute shows
+        of_class = []
+        for name, own in vars(kind).items():
+            if isinstance(own, FunctionType):
+                if OF_TYPES.intersection(names_in(own.__code__)):
+                    raise Unkeyed  # it may make another, by what is left out here
+                of_class += [name] if name == "__init__" else [name, self.of(own)]
+            elif isinstance(own, property):
+                of_class += [name, *map(self.of, (own.fget, own.fset, own.fdel))]
+            elif isinstance(own, staticmethod):
+                of_class += [name, self.of(own.__func__)]
+            elif not (name.startswith("__") and name.endswith("__")):
+                of_class += [name, self.of(own)]
+        return kind.__qualname__, *of_class, *self.named(vars(value))
 
     def _function(self, function: FunctionType) -> Any:
         names = named(function.__code__)

@@ -287,12 +287,22 @@ class DiagramRecord(RecordMerger):
 
     def fed(self, k: int) -> dict[str, Ref]:
         """Return the value that feeds each input port of a block."""
-        fed = super().fed(k)
-        if self._signed(self.wiring.nodes[k].system):
+        fed, block = super().fed(k), self.wiring.nodes[k].system
+        lines = (line for record in block.records.values() for line in record.operations)
+        if any(line.kind in ("join", "part") for line in lines):  # which take whole arrays
+            for port, shape in block.declared["inputs"].items():
+                fed[port] = self._spread(fed[port], self.shape(block, shape))
+        if self._signed(block):
             for port, ref in fed.items():
                 if type(ref) is int:  # sums in Python begin at 0.0, are never -0.0
                     fed[port] = self.add("add", (ref, 0.0), self.shape_of(ref))
         return fed
+
+    def _spread(self, ref: Ref, shape: tuple[int, ...]) -> Ref:
+        """Return a value in all of a shape: what feeds a port may have fewer axes."""
+        if (own := self.shape_of(ref)) == shape:
+            return ref
+        return self.add("mul", (ref, 1.0), shape) if own else self.add("fill", (ref,), shape)
 
     def _signed(self, block: Block) -> bool:
         """Return whether a block distinguishes -0.0 from 0.0, of inputs or states that hold one."""

@@ -1,8 +1,13 @@
 """What changes after a block was made counts at its next reading; what parameters are asked."""
 
+import functools
+import io
 import math
+import re
+import threading
 from types import SimpleNamespace
 
+import control
 import numpy as np
 import pytest
 from recorded import as_it_runs, recorded, static
@@ -10,9 +15,11 @@ from scipy import special
 from scipy.interpolate import interp1d
 from test_ordinary_python import POINTS, Hull, Motor, closure
 
+import clpt_control as clpt
 from clpt_control.equations import Block
 from clpt_control.equations.arrays import Unread
 from clpt_control.equations.reading import read
+from clpt_control.equations.unchanged import Keys, Unkeyed
 
 # --- what changes after the block was made --------------------------------------------------------
 
@@ -44,6 +51,76 @@ def test_a_change_counts_at_the_next_reading(monkeypatch):
     monkeypatch.undo()
     monkeypatch.setattr(helper, "__defaults__", (7.0,))
     assert as_it_runs(static(changing), "output", 0.0, [], POINTS[0]) == 7.0 * POINTS[0][0]
+
+
+class Tank:
+    """An object as engineers write them; what it holds and does may change at any time."""
+
+    area = 2.0
+
+    def __init__(self):
+        self.loss, self.table, self.parts = 0.5, np.array([1.0, 2.0]), {"valve": [3.0]}
+
+    @property
+    def width(self):
+        return 10.0
+
+    @staticmethod
+    def scaled(level):
+        return 1.0 * level
+
+    def drained(self, level):
+        return self.loss * level
+
+    def rate(self, t, x, u, params):
+        held = self.table[1] * self.parts["valve"][0] / (self.area * self.width)
+        return [-self.drained(self.scaled(x[0])) + held]
+
+
+def test_a_change_in_an_object_counts_at_the_next_run(monkeypatch):
+    """Of what it holds, of what that holds, of its class; what is alike is read once."""
+    tank = Tank()
+    changes = [
+        lambda: monkeypatch.setattr(tank, "loss", 0.7),
+        lambda: tank.table.put(1, 5.0),
+        lambda: tank.parts["valve"].append(tank.parts["valve"].pop() + 1.0),
+        lambda: monkeypatch.setattr(Tank, "area", 4.0),
+        lambda: monkeypatch.setattr(Tank, "width", property(lambda self: 20.0)),
+        lambda: monkeypatch.setattr(Tank, "scaled", staticmethod(lambda level: 3.0 * level)),
+        lambda: monkeypatch.setattr(Tank, "drained", lambda self, level: 0.1 * level),
+    ]
+    system = control.nlsys(tank.rate, None, inputs=0, outputs=1, states=1, name="tank")
+    seen = set()
+    for change in [lambda: None, *changes]:
+        change()
+        a, b = -(tank.rate(0.0, [1.0], [], {})[0] - (h := tank.rate(0.0, [0.0], [], {})[0])), h
+        found = clpt.simulate(system, [0.0, 1.0], initial_state=[1.0]).states[-1].item()
+        assert found == pytest.approx(b / a + (1.0 - b / a) * np.exp(-a), rel=1e-6)
+        seen.add(round(found, 9))
+    assert len(seen) == len(changes) + 1
+    assert Keys(alike=True).of(tank.rate) == Keys(alike=True).of(tank.rate)
+
+
+class Made:
+    """It may make another of its class, whose beginning has no key."""
+
+    def again(self):
+        return type(self)()
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        *((k for k in range(3)), iter([1.0]), threading.Lock(), re.compile("a"), Made(), object()),
+        *(functools.lru_cache(abs), np.random.default_rng(0), io.StringIO(), classmethod(abs)),
+    ],
+    ids=lambda value: type(value).__name__,
+)
+def test_what_may_change_unseen_has_no_key(value):
+    tank = Tank()
+    tank.more = value
+    with pytest.raises(Unkeyed):
+        Keys(alike=True).of(tank.rate)
 
 
 def read_alone(function, size):

@@ -1,9 +1,11 @@
 """Machine code of records of arrays: every operation, in every form, against NumPy's."""
 
+import control
 import numpy as np
 import pytest
 import scipy.linalg
 
+import clpt_control as clpt
 from clpt_control.conformance import readings
 from clpt_control.diagrams.interconnection import connect
 from clpt_control.diagrams.wiring import wiring_of
@@ -177,6 +179,22 @@ def test_products_of_small_matrices_are_loops_where_they_are_many(n):
     wanted = scipy.linalg.expm(S - S.T).ravel()
     found = readings(block)["native"](0.0, S.ravel(), [])[0]
     np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-12)
+
+
+def test_many_inputs_that_nothing_feeds_are_a_whole_array():
+    """They are 0, which stood as one number where an array was joined, and reshaped."""
+    lags, source = (
+        control.nlsys(rates, None, name=name, inputs=20, outputs=20, states=20)
+        for name, rates in (
+            ("lags", lambda t, x, u, p: np.sin(np.r_[u, u.reshape(4, 5)[:, 2]])[4:] - x),
+            ("source", lambda t, x, u, p: u - x),
+        )
+    )
+    outer = [f"source.u[{k}]" for k in range(20)]
+    loop = control.interconnect([lags, source], False, outer, ["lags.y[0]", "lags.y[7]"])
+    run = clpt.simulate(loop, [0.0, 1.0], initial_state=np.ones(40))
+    assert run.attrs["engine"] == "native"
+    np.testing.assert_allclose(run.states[-1], np.exp(-1.0), rtol=1e-6)
 
 
 @pytest.mark.parametrize("count", [40, 80])

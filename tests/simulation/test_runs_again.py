@@ -164,9 +164,13 @@ def test_what_could_change_unseen_has_no_key(monkeypatch):
         def rates(self, t, x, u, params):
             return [-self.rate * x[0]]
 
+    class Noisy(Plant):
+        pass
+
     plant = Plant()
     diagram = system(plant.rates)
-    assert diagram_key(diagram, None) is None
+    assert diagram_key(diagram, None) is not None
+    assert diagram_key(system(Noisy().rates), None) is None
     assert diagram_key(system(by_import), None) is None
     assert diagram_key(system(by_math), None) is not None
     assert diagram_key(system(by_reduce), None) is not None
