@@ -16,7 +16,7 @@ import itertools
 import math
 import operator
 from collections.abc import Iterator, Mapping
-from types import CodeType, FunctionType, MethodType, ModuleType, NoneType
+from types import CodeType, FunctionType, MethodType, ModuleType, NoneType, SimpleNamespace
 from typing import Any
 
 import control
@@ -31,7 +31,10 @@ DIGITS = (int, bool, str, bytes, NoneType)
 READ = ("open", "input", "load", "loadtxt", "genfromtxt", "fromfile", "memmap", "random")
 OPENED = ("globals", "vars", "eval", "exec", "compile", "__import__", "__dict__", "__globals__")
 SEES = frozenset((*READ, *OPENED))  # names by which a function reaches more than it names
-OF_TYPES = frozenset(("type", "__class__", "__new__", "super"))  # by which the class is reached
+MAKING = frozenset(  # by which a function makes another object, or reaches the class
+    ("type", "__class__", "__new__", "__init__", "super", "replace", "copy", "deepcopy")
+)
+UNUSED = ("__repr__", "__annotate__", "__annotate_func__")  # by what equations compute
 FIXED = {  # modules that nobody changes
     one.__name__: one for one in (math, cmath, copy, functools, itertools, operator, np, np.linalg)
 }
@@ -112,24 +115,30 @@ class Keys:
         return self.place(system), *self.named(fields)
 
     def _object(self, value: Any) -> Any:
-        """Return the key of an object of a plain class: what it holds, and what its class does."""
+        """Return the key of an object by what it holds, and by what its class does."""
         kind = type(value)
-        plain = kind.__bases__ == (object,) and kind.__new__ is object.__new__
-        if not plain or "__dict__" not in vars(kind):
-            raise Unkeyed  # it may hold what no attribute shows
-        of_class = []
-        for name, own in vars(kind).items():
-            if isinstance(own, FunctionType):
-                if OF_TYPES.intersection(names_in(own.__code__)):
-                    raise Unkeyed  # it may make another, by what is left out here
-                of_class += [name] if name == "__init__" else [name, self.of(own)]
-            elif isinstance(own, property):
-                of_class += [name, *map(self.of, (own.fget, own.fset, own.fdel))]
-            elif isinstance(own, staticmethod):
-                of_class += [name, self.of(own.__func__)]
-            elif not (name.startswith("__") and name.endswith("__")):
-                of_class += [name, self.of(own)]
-        return kind.__qualname__, *of_class, *self.named(vars(value))
+        if kind is type:
+            return self._class(value, makes=True)
+        if kind in (SimpleNamespace, ModuleType) and len(vars(value)) < MANY:
+            held = {k: own for k, own in vars(value).items() if not _of_python(k, own)}
+            return kind, *self.named(held)
+        return self._class(kind), *self.named(vars(value))
+
+    def _class(self, kind: type, makes: bool = False) -> Any:
+        """Return the key of a plain class; with how objects begin where something makes more."""
+        own = vars(kind)
+        rooted = "__weakref__" in own or not {*kind.__bases__} <= {object}  # written in Python
+        plain = type(kind) is type and kind.__new__ is object.__new__ and rooted
+        if not plain or "__slots__" in own:
+            raise Unkeyed  # its objects may hold what no attribute shows
+        does = {k: _functions(one) for k, one in own.items() if not _of_python(k, one)}
+        for name, functions in does.items():
+            codes = [f.__code__ for f in functions if isinstance(f, FunctionType)]
+            makes |= isinstance(own[name], classmethod)
+            makes |= name != "__init__" and any(MAKING.intersection(names_in(c)) for c in codes)
+        bases = [self._class(one, makes) for one in kind.__bases__ if one is not object]
+        begins = {} if makes else {"__init__": ()}
+        return kind.__qualname__, *bases, *self.named(does | begins)
 
     def _function(self, function: FunctionType) -> Any:
         names = named(function.__code__)
@@ -149,6 +158,19 @@ class Keys:
         )
 
 
+def _of_python(name: str, own: Any) -> bool:
+    """Return whether an attribute is what Python itself holds in a class or module."""
+    special = name.startswith("__") and name.endswith("__")
+    return name in UNUSED or (special and not isinstance(own, FunctionType))
+
+
+def _functions(own: Any) -> tuple[Any, ...]:
+    """Return the functions that an attribute of a class consists of, or what it is."""
+    if isinstance(own, property):
+        return own.fget, own.fset, own.fdel
+    return (own.__func__ if isinstance(own, staticmethod | classmethod) else own,)
+
+
 def is_fixed(value: Any) -> bool:
     """Return whether a value is a module, function or type that nobody changes."""
     if isinstance(value, ModuleType):
@@ -156,7 +178,7 @@ def is_fixed(value: Any) -> bool:
     root = (getattr(value, "__module__", None) or "").partition(".")[0]
     return (
         type(value) in CALLED
-        and root in ("builtins", "math", "cmath", "numpy", "_warnings")
+        and root in ("builtins", "math", "cmath", "numpy", "types", "dataclasses", "_warnings")
         and isinstance(getattr(value, "__self__", None), ModuleType | NoneType)
         and value.__name__ not in SEES
     )
@@ -164,10 +186,15 @@ def is_fixed(value: Any) -> bool:
 
 @functools.lru_cache(maxsize=1024)
 def named(code: CodeType) -> tuple[str, ...] | None:
-    """Return the names that code reads; None where it reaches more than it names."""
-    names = names_in(code)
-    fixed = all(all(_imports(one)) for one in _all_code(code))
-    return names if fixed and not SEES.intersection(names) else None
+    """Return the globals that code names; None where it reaches more than it names."""
+    lines = [line for one in _all_code(code) for line in dis.get_instructions(one)]
+    for k, line in enumerate(lines):  # of an import, level and names are loaded before
+        if line.opname == "IMPORT_NAME" and (line.argval not in FIXED or lines[k - 2].argval != 0):
+            return None
+    found = {
+        line.argval: None for line in lines if "_GLOBAL" in line.opname or "_NAME" in line.opname
+    }
+    return None if SEES.intersection(names_in(code)) else tuple(found)
 
 
 @functools.lru_cache(maxsize=1024)
@@ -188,11 +215,3 @@ def _all_code(code: CodeType) -> Iterator[CodeType]:
     for one in code.co_consts:
         if isinstance(one, CodeType):
             yield from _all_code(one)
-
-
-def _imports(code: CodeType) -> Iterator[bool]:
-    """Yield for each import whether it is of a module that nobody changes."""
-    lines = list(dis.get_instructions(code))
-    for k, line in enumerate(lines):
-        if line.opname == "IMPORT_NAME":  # level and names are loaded before
-            yield line.argval in FIXED and lines[k - 2].argval == 0

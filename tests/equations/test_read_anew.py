@@ -4,8 +4,10 @@ import functools
 import io
 import math
 import re
+import sys
 import threading
-from types import SimpleNamespace
+from dataclasses import dataclass
+from types import ModuleType, SimpleNamespace
 
 import control
 import numpy as np
@@ -53,13 +55,31 @@ def test_a_change_counts_at_the_next_reading(monkeypatch):
     assert as_it_runs(static(changing), "output", 0.0, [], POINTS[0]) == 7.0 * POINTS[0][0]
 
 
-class Tank:
+@dataclass
+class Pump:
+    head: float = 1.0
+
+
+class Vessel:
+    def __init__(self):
+        self.loss, self.table, self.parts = 0.5, np.array([1.0, 2.0]), {"valve": [3.0]}
+
+    def rate(self, level, inflow):
+        return [-level + inflow]
+
+
+PLACE = ModuleType("place")
+PLACE.width = 1.0
+
+
+class Tank(Vessel):
     """An object as engineers write them; what it holds and does may change at any time."""
 
     area = 2.0
 
     def __init__(self):
-        self.loss, self.table, self.parts = 0.5, np.array([1.0, 2.0]), {"valve": [3.0]}
+        super().__init__()
+        self.pump, self.more = Pump(), SimpleNamespace(pump=Pump(1.0))
 
     @property
     def width(self):
@@ -73,8 +93,9 @@ class Tank:
         return self.loss * level
 
     def rate(self, t, x, u, params):
-        held = self.table[1] * self.parts["valve"][0] / (self.area * self.width)
-        return [-self.drained(self.scaled(x[0])) + held]
+        held = self.table[1] * self.parts["valve"][0] / (self.area * self.width * PLACE.width)
+        held *= self.pump.head * self.more.pump.head
+        return super().rate(self.drained(self.scaled(x[0])), held)
 
 
 def test_a_change_in_an_object_counts_at_the_next_run(monkeypatch):
@@ -84,6 +105,10 @@ def test_a_change_in_an_object_counts_at_the_next_run(monkeypatch):
         lambda: monkeypatch.setattr(tank, "loss", 0.7),
         lambda: tank.table.put(1, 5.0),
         lambda: tank.parts["valve"].append(tank.parts["valve"].pop() + 1.0),
+        lambda: monkeypatch.setattr(tank.pump, "head", 1.1),
+        lambda: monkeypatch.setattr(tank.more.pump, "head", 1.2),
+        lambda: monkeypatch.setattr(PLACE, "width", 1.3),
+        lambda: monkeypatch.setattr(Vessel, "rate", lambda self, a, b: [1.1 * b - a]),
         lambda: monkeypatch.setattr(Tank, "area", 4.0),
         lambda: monkeypatch.setattr(Tank, "width", property(lambda self: 20.0)),
         lambda: monkeypatch.setattr(Tank, "scaled", staticmethod(lambda level: 3.0 * level)),
@@ -103,6 +128,9 @@ def test_a_change_in_an_object_counts_at_the_next_run(monkeypatch):
 
 class Made:
     """It may make another of its class, whose beginning has no key."""
+
+    def __init__(self, log=sys.stdout):
+        self.gain = 1.0
 
     def again(self):
         return type(self)()

@@ -164,7 +164,7 @@ def test_what_could_change_unseen_has_no_key(monkeypatch):
         def rates(self, t, x, u, params):
             return [-self.rate * x[0]]
 
-    class Noisy(Plant):
+    class Noisy(Plant, list):
         pass
 
     plant = Plant()
