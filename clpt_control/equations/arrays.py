@@ -37,6 +37,10 @@ class Unread(Exception):
             tape.stopped = self  # a function may catch it
 
 
+class Joined(Exception):
+    """Whether a number that was chosen is whole hangs on the way, and is asked."""
+
+
 _ACTIVE = local()
 
 
@@ -62,6 +66,7 @@ class Tape:
         self.operations: list[Operation] = []
         self.stopped: Exception | None = None  # what ends the reading
         self.parameters: Mapping[str, Any] = {}  # as they were given
+        self.joins = True  # whether what Python chooses is one number, not one of each way
         self.has_floats = False  # whether some signals are Python's floats, not NumPy's
         self.free: list[bool] = []  # of each: whether it depends on time, states or inputs
         self.truth: list[bool] = []  # of each: whether it holds truth values
@@ -125,7 +130,8 @@ class Array(NDArrayOperatorsMixin):
         self._tape, self._node, self._shape = tape, node, shape
         self._fixed = False  # whether nothing may be written into it
         self._boxed = False  # whether, without axes, it is NumPy's array and no number
-        self._whole = False  # whether what is written into it is cut to a whole number
+        # whether what is written into it is cut to a whole number; None: as a way chooses
+        self._whole: bool | None = False
         self._of_python = False  # whether it is surely one of Python's numbers, not of NumPy's
         self._parent: Array | None = parent
         self._select = select  # takes this part of the parent's elements
@@ -184,6 +190,13 @@ class Array(NDArrayOperatorsMixin):
     def _is_condition(self) -> bool:
         """Whether it holds truth values."""
         return self._store is None and self._tape.truth[self._node]
+
+    def _decided(self) -> "Array":
+        """Return itself; read anew, way by way, where it hangs on the way whether it is whole."""
+        if self._whole is None:
+            self._tape.stopped = Joined()
+            raise self._tape.stopped
+        return self
 
     def _counted(self) -> tuple[int, ...]:
         """Return the shape in whole numbers; refuse an open size."""
@@ -272,7 +285,7 @@ class Array(NDArrayOperatorsMixin):
         return self._tape.whole(self)
 
     def __format__(self, spec: str) -> str:
-        ref = self._ref
+        ref = self._decided()._ref
         value = ref if type(ref) is float else self._tape.parameter(ref)
         return repr(self) if value is None else format(value, spec)
 

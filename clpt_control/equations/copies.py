@@ -10,6 +10,7 @@ or a list of numbers asks (``self.table[int(t)]``), `Holding` does so with what 
 import functools
 from collections.abc import Iterator
 from contextlib import contextmanager
+from copy import copy
 from io import IOBase
 from operator import is_
 from types import CellType, FunctionType, MethodType
@@ -24,6 +25,7 @@ from .lookup_tables import is_table
 from .stand_ins import BUILTINS, SHADOWS, stand_in, vectorized
 from .unchanged import names_in, texts_in
 from .views import fresh
+from .ways import is_plain, joined
 
 LIBRARIES = ("numpy", "scipy", "matplotlib")  # run as they are
 # modules that read
@@ -77,7 +79,9 @@ class Copies:
         if isinstance(value, functools._lru_cache_wrapper) or hasattr(value, "py_func"):
             return self.of(getattr(value, "py_func", None) or value.__wrapped__)
         if isinstance(value, np.vectorize):
-            return vectorized(np.vectorize(self.of(value.pyfunc)))
+            alike = copy(value)
+            alike.pyfunc = self.of(value.pyfunc)
+            return vectorized(alike)
         if self.holding and is_row(value):
             return self._watched(Row(value))
         kind = type(value)
@@ -140,7 +144,7 @@ class Copies:
         for name in names_in(function.__code__):
             if name in function.__globals__ and first[name] is space[name]:
                 space[name] = first[name] = self.of(function.__globals__[name])
-        return copy
+        return joined(copy) if is_plain(function) else copy
 
     def _space(self, names: dict[str, Any]) -> tuple[dict, dict]:
         if id(names) not in self._spaces:

@@ -5,7 +5,7 @@ Truth values and whole numbers are told apart from others, as NumPy does.
 
 import dis
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import lru_cache, reduce
 from types import CodeType
 from typing import Any
@@ -72,7 +72,7 @@ def put(array: Array, index: Any, value: Any) -> None:
             raise Unread("puts elements taken by one condition where another holds")
         value = value.full
     value = lifted(array._tape, value)
-    if root._whole:
+    if counts(root):
         value = np.trunc(value)
     if isinstance(index, Array) and index._is_condition and not moves(index):
         index = np.asarray(index)
@@ -138,7 +138,7 @@ def lifted(tape: Tape, value: Any) -> Any:
     if not parts:
         return constant(tape, np.asarray(value, dtype=float))
     new, of = stacked(tape, parts), zip(parts, value, strict=True)
-    new._whole = all(counts(part if isinstance(part, Array) else one) for part, one in of)
+    new._whole = all_whole([part if isinstance(part, Array) else one for part, one in of])
     return new
 
 
@@ -208,7 +208,7 @@ def elementwise(name: str, *arguments: Any) -> Any:
         refs.append(operand(one))
     shape = shapes.pop() if len(shapes) == 1 else broadcast(*shapes)
     new = tape.add(name, refs, shape)
-    new._whole = name in OF_WHOLE and all(map(counts, arguments[name == "where" :]))
+    new._whole = name in OF_WHOLE and all_whole(arguments[name == "where" :])
     new._of_python = of_python
     return new
 
@@ -254,10 +254,31 @@ def of_numpy(number: Any) -> Any:
 
 def counts(value: Any) -> bool:
     """Return whether NumPy has it as whole numbers, or as truth values."""
+    return bool(_whole(value._decided() if isinstance(value, Array) else value))
+
+
+def all_whole(values: Iterable[Any]) -> bool | None:
+    """Return whether all count; None where that hangs on what was chosen."""
+    kinds = {*map(_whole, values)}
+    return False if False in kinds else None if None in kinds else True
+
+
+def _whole(value: Any) -> bool | None:
     if isinstance(value, Array):
-        return value._whole or value._is_condition
+        return value._is_condition or value._whole
     kind = getattr(getattr(value, "dtype", None), "kind", "f")
     return isinstance(value, int) or kind in "iub"
+
+
+def chosen(condition: Any, a: Any, b: Any) -> Any:
+    """Return the number that Python chooses: a where a condition holds, else b."""
+    mixed = isinstance(condition, Array) and _whole(a) is not _whole(b)
+    if mixed and not condition._tape.joins:
+        return a if condition else b
+    new = where(condition, a, b)
+    if mixed and not new.shape:
+        new._whole = None
+    return new
 
 
 def refuse_in_a_try(*arguments: Any) -> None:

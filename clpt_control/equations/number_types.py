@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from .arrays import Array, Unread, is_of_numpy, moves, single
-from .elementwise import elementwise
+from .elementwise import counts, elementwise
 from .views import is_whole
 
 
@@ -95,7 +95,7 @@ def _may_be(value: Array) -> list[Any]:
         return [np.bool_(False)]
     of_python = [] if is_of_numpy(value) else [0.0]
     of_whole = any(isinstance(one, int) for one in tape.parameters.values())
-    counted = value._whole or is_whole(tape, ref) or (of_whole and not moves(value))
+    counted = counts(value) or is_whole(tape, ref) or (of_whole and not moves(value))
     return [np.float64(0.0), *of_python, *([0, np.int64(0)] if counted else [])]
 
 

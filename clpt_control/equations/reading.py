@@ -17,14 +17,15 @@ import numpy as np
 
 from ..errors import BlockError
 from .answers import AnsweringTape, Borrowed, Holding, Outside, Ports, located
-from .arrays import Array, Tape, Unread, objects, operand, reading_on
+from .arrays import Array, Joined, Tape, Unread, objects, operand, reading_on
 from .copies import Copies, borrowed
 from .declaration import Parameters
 from .elementwise import as_number, filled, lifted, where
 from .kept import OF_ALL, Snapshot
 from .ports import places
-from .record import Record, Shape, compact, key_of
+from .record import Record, Shape, compact
 from .stand_ins import UNSEEDED
+from .ways import each_way, merged
 
 MOST_WAYS = 256
 MOST_READINGS = 16  # one for each state in which something is left
@@ -70,7 +71,7 @@ def read(*arguments: Any, **more: Any) -> Read:
     """
     request = Request(*arguments, **more)
     spaces: list[dict[str, Any]] = []
-    holding = False
+    asked: set[type] = set()
     reads: list[Read] = []
     snapshot = Snapshot(() if request.known else OF_ALL)
     try:
@@ -78,12 +79,12 @@ def read(*arguments: Any, **more: Any) -> Read:
             states = [{}, *snapshot.left.values()]
             state = states[min(len(reads), len(states) - 1)]
             try:
-                reads.append(_Ways(request, spaces, snapshot, state, holding).read())
-            except (Borrowed, Holding) as missing:
+                reads.append(_Ways(request, spaces, snapshot, state, asked).read())
+            except (Borrowed, Holding, Joined) as missing:
                 if isinstance(missing, Borrowed):
                     spaces.append(missing.space)
                 else:
-                    holding = True
+                    asked.add(type(missing))
                 reads.clear()
                 snapshot.restore()
                 snapshot.left.clear()
@@ -107,11 +108,18 @@ class _Ways:
     """All ways through a function, one after the other."""
 
     def __init__(
-        self, request: Request, spaces: list[dict], snapshot: Snapshot, state: dict, holding: bool
+        self,
+        request: Request,
+        spaces: list[dict],
+        snapshot: Snapshot,
+        state: dict,
+        asked: set[type],
     ) -> None:
         self.request, self.spaces = request, spaces
         self.snapshot, self.state = snapshot, state  # in which a way left all
+        holding = Holding in asked
         self.tape = AnsweringTape(request.parameters, spaces, holding)
+        self.tape.joins = Joined not in asked
         self.copies = Copies(self.tape, snapshot, holding)
         self.ways: list[tuple[dict[int, bool], list[Any]]] = []
 
@@ -124,11 +132,11 @@ class _Ways:
             for name, value in request.parameters.items()
         }
         named = request.wrap is None  # else x and u are the function's own
-        while True:
+        for _ in each_way(tape):
             for space in self.snapshot.asking.values():
                 if not any(space is one for one in self.spaces):
                     raise Borrowed(space)
-            tape.answers, tape.last_asked = {}, None
+            tape.last_asked = None
             self.snapshot.begin(self.state, self._unknown)
             x, u = Ports(tape, "x", request.states, named), Ports(tape, "u", request.inputs, named)
             p = request.wrap(dict(fields)) if request.wrap else Parameters(**fields)
@@ -140,13 +148,7 @@ class _Ways:
                 raise Unread(f"{request.name} changes its params; make what it keeps a state")
             if len(self.ways) > MOST_WAYS:
                 raise Unread(f"{request.name} has more than {MOST_WAYS} ways through it")
-            way = list(tape.answers.values())
-            while way and not way[-1]:
-                way.pop()
-            if not way:
-                break
-            tape.way = [*way[:-1], False]
-        refs = [operand(one) for one in _merged(tape, self.ways, 0)]
+        refs = [operand(one) for one in merged(tape, self.ways, where)]
         record = compact(tape.operations, refs, request.out.values())
         return Read(record, frozenset(tape.pinned), frozenset(self.copies.texts))
 
@@ -170,7 +172,7 @@ class _Ways:
                 if returned is None and tape.answers:
                     raise ValueError("returns nothing")
                 outputs = _by_port(tape, request.role, returned, request.out)
-        except (Borrowed, Holding, BlockError):
+        except (Borrowed, Holding, Joined, BlockError):
             raise
         except RecursionError:
             raise Unread(f"{request.name} calls itself without end") from None
@@ -199,21 +201,6 @@ def record_of_states(shapes: Mapping[str, Shape]) -> Record:
     tape = Tape()
     leaves = [tape.add("leaf", (), shape, ("x", port)) for port, shape in shapes.items()]
     return compact(tape.operations, [operand(one) for one in leaves], shapes.values())
-
-
-def _merged(tape: Tape, ways: list, depth: int) -> list[Any]:
-    """Join what the ways return by the questions that tell them apart."""
-    if len(ways) == 1:
-        return ways[0][1]
-    question = list(ways[0][0])[depth]
-    yes, no = ([way for way in ways if way[0].get(question) is one] for one in (True, False))
-    if not yes or not no or len(yes) + len(no) < len(ways):
-        raise Unread("asks otherwise from call to call; make what it keeps a state")
-    condition = Array(tape, question, ())
-    pairs = zip(_merged(tape, yes, depth + 1), _merged(tape, no, depth + 1), strict=True)
-    return [
-        a if key_of(operand(a)) == key_of(operand(b)) else where(condition, a, b) for a, b in pairs
-    ]
 
 
 def _by_port(tape: Tape, role: str, returned: Any, out: Mapping[str, Shape]) -> list[Any]:

@@ -22,6 +22,7 @@ from .arrays import Array, Tape, Unread, active, objects, single, whole
 from .elementwise import (
     READ,
     boxed,
+    chosen,
     counts,
     elementwise,
     in_a_try,
@@ -153,7 +154,7 @@ def of_values(real: Callable, own: Callable[[list], Any]) -> Callable:
 
 def best(better: Callable, values: list) -> Any:
     """Return the best value: what is better takes the place of what was best."""
-    return functools.reduce(lambda a, b: where(better(b, a), b, a), map(single, values))
+    return functools.reduce(lambda a, b: chosen(better(b, a), b, a), map(single, values))
 
 
 def ordered(values: list) -> list[Any]:
@@ -263,11 +264,13 @@ def vectorized(real: np.vectorize) -> StandIn:
     """Return the stand-in of a function made by np.vectorize, which is run for each element."""
 
     def function(tape: Tape, *arguments: Any, **more: Any) -> Any:
+        if real.signature or real.excluded:
+            raise Unread("calls np.vectorize with a signature, or what it excludes; write a loop")
         arrays = np.broadcast_arrays(*(objects(lifted(tape, one)) for one in arguments))
         results = np.empty(arrays[0].size, dtype=object)
         for k, values in enumerate(zip(*(one.ravel() for one in arrays), strict=True)):
             results[k] = real.pyfunc(*values, **more)
-        kinds = {isinstance(one, int | np.integer | np.bool_) for one in results}
+        kinds = {*map(counts, results)}
         if real.otypes is None and len(kinds) > 1:
             raise Unread("np.vectorize makes all like the first, an int; write 1.0 for 1")
         return lifted(tape, results).reshape(arrays[0].shape)

@@ -1,0 +1,120 @@
+"""Helpers that ask questions are joined where they are called, and give what Python gives."""
+
+import functools
+import math
+
+import numpy as np
+import pytest
+from recorded import as_it_runs, static
+
+import clpt_control as clpt
+
+
+def limited(v, low=-1.0, high=1.0):
+    if v > high:
+        return high
+    if v < low:
+        return low
+    return v
+
+
+def whole_at_its_ends(v):
+    if v > 1:
+        return 1
+    return -1 if v < -1 else v
+
+
+def dead(v, width=0.1):
+    return 0 if abs(v) < width else v - math.copysign(width, v)
+
+
+def thrust(n):
+    n = limited(dead(n), high=0.9)
+    return 2.0 * n * n if n >= 0 else -1.2 * n * n
+
+
+def raising(v):
+    if v < 0:
+        raise ValueError("no root")
+    return math.sqrt(v)
+
+
+def gear(v):
+    if v < 0.2:
+        return 0
+    return 1 if v < 0.6 else 2
+
+
+def halves(v):
+    return (v, 1) if v > 0 else (0.0, -v)
+
+
+def high(v):
+    return bool(v > 0.3)
+
+
+def powers(v, n):
+    if n == 0:
+        return v
+    return v * powers(v, n - 1) if v > 0 else -powers(v, n - 1)
+
+
+def none_above(v):
+    return None if v > 0.5 else v
+
+
+@functools.lru_cache
+def cached(v):
+    return v if v > 0 else -2 * v
+
+
+def caught(v):
+    try:
+        return raising(v)
+    except ValueError:
+        return -1.0
+
+
+def in_an_array(values):
+    """Whole numbers alone are an array of whole numbers, which cuts what is written into it."""
+    found = np.array(values)
+    found[0] = 0.5
+    return found
+
+
+RATIOS, NAMES = [1.0, 2.5, 4.0], {"1": 2.0, "-1": 3.0}
+FUNCTIONS = {
+    "limits": lambda t, x, u, p: [limited(v) for v in u],
+    "by name": lambda t, x, u, p: [limited(v, high=0.5) for v in u],
+    "held": lambda t, x, u, p: [functools.partial(limited, low=-0.2)(v) for v in u],
+    "within": lambda t, x, u, p: [thrust(v) for v in u],
+    "two numbers": lambda t, x, u, p: [a * b for a, b in map(halves, u)],
+    "errors": lambda t, x, u, p: [caught(v) for v in u],
+    "places": lambda t, x, u, p: [RATIOS[gear(v)] * v for v in u],
+    "counts": lambda t, x, u, p: [sum(u[: gear(abs(v))]) for v in u],
+    "truths": lambda t, x, u, p: [1.0 if high(v) else v for v in u],
+    "nothing": lambda t, x, u, p: [v if none_above(v) is None else 2.0 * v for v in u],
+    "itself": lambda t, x, u, p: [powers(v, 3) for v in u],
+    "asked before": lambda t, x, u, p: [limited(v) if v > 1.0 else 2 * limited(v) for v in u],
+    "a cache": lambda t, x, u, p: [cached(float(v)) for v in u],
+    "whole": lambda t, x, u, p: in_an_array([whole_at_its_ends(10 * v) for v in u]),
+    "whole, made float": lambda t, x, u, p: in_an_array([1.0 * whole_at_its_ends(v) for v in u]),
+    "max": lambda t, x, u, p: in_an_array([max(0, v) for v in u]),
+    "a text": lambda t, x, u, p: [NAMES.get(str(whole_at_its_ends(v)), 0.5) for v in u],
+    "a type": lambda t, x, u, p: [float(type(whole_at_its_ends(v)) is int) for v in u],
+}
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_what_helpers_give_is_what_python_gives(name):
+    block, numbers = static(FUNCTIONS[name], 3, 3), np.random.default_rng(1)
+    for size in (0.3, 1.0, 3.0) * 10:
+        as_it_runs(block, "output", 0.0, [], np.round(size * numbers.normal(size=3), 1))
+
+
+def test_ways_of_helpers_add_up():
+    """Eight thrusters with six ways each, 6^8 of them, are machine code."""
+    rov = static(lambda t, x, u, p: [thrust(v) for v in u], 8, 8)
+    as_it_runs(rov, "output", 0.0, [], np.linspace(-2, 2, 8))
+    run = clpt.simulate(rov, [0.0, 1.0], np.linspace(-2, 2, 8))
+    assert run.attrs["engine"] == "native"
