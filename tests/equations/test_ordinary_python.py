@@ -189,6 +189,13 @@ def closure(gain):
     return output
 
 
+def held(place, speed):
+    """No speed out of the ends, at most 0.7: 15 ways, of which 9 can be."""
+    if (place <= -0.5 and speed <= 0) or (place >= 0.5 and speed >= 0):
+        return 0.0
+    return -0.7 if speed <= -0.7 else 0.7 if speed >= 0.7 else speed
+
+
 FUNCTIONS = {name: f for name, f in dict(globals()).items() if name.startswith("says_")}
 FUNCTIONS |= {
     "ternary": lambda t, x, u, p: u[1] if u[0] > 0 else -u[1],
@@ -204,6 +211,9 @@ FUNCTIONS |= {
     "stacked": lambda t, x, u, p: np.hstack([u[:1], np.vstack([u, 2 * u])[1, 1:]]),
     "mapping": lambda t, x, u, p: {"y": np.flip(u)},
     "gear": lambda t, x, u, p: [0.5, 0.25, 0.125][int(np.clip(u[2], 0.0, 2.0))] * u[0],
+    "ways that can be": lambda t, x, u, p: (
+        held(u[0], u[1]) + (2 if u[2] > 0.1 else 3) * held(u[2], u[0] + t)
+    ),
     "a closure": closure(2.5),
     "a partial": functools.partial(lambda k, t, x, u, p: k * u[0], 3.0),
     "a method": Motor(2.0).output,
