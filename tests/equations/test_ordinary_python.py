@@ -17,6 +17,7 @@ SLOPES = [0.01 * k * (k - 90) for k in range(100)]
 WHOLE = np.array([[0, 1, 3], [-2, -3, 1], [1, 1, 1]])
 PLATE = SimpleNamespace(drag=np.array([[2.0, 0.5, 0.0], [0.5, 3.0, 0.0], [0.0, 0.0, 1.0]]))
 SAIL = namedtuple("Sail", "plate drag")(PLATE, PLATE.drag.T - 1.0)
+ENDS = SimpleNamespace(low=-0.5, high=0.5)
 KNOTS = np.linspace(-3.0, 3.0, 9)
 CURVE = np.sin(KNOTS)
 BENT = [
@@ -189,9 +190,9 @@ def closure(gain):
     return output
 
 
-def held(place, speed):
+def held(place, speed, ends):
     """No speed out of the ends, at most 0.7: 15 ways, of which 9 can be."""
-    if (place <= -0.5 and speed <= 0) or (place >= 0.5 and speed >= 0):
+    if (place <= ends.low and speed <= 0) or (place >= ends.high and speed >= 0):
         return 0.0
     return -0.7 if speed <= -0.7 else 0.7 if speed >= 0.7 else speed
 
@@ -212,7 +213,7 @@ FUNCTIONS |= {
     "mapping": lambda t, x, u, p: {"y": np.flip(u)},
     "gear": lambda t, x, u, p: [0.5, 0.25, 0.125][int(np.clip(u[2], 0.0, 2.0))] * u[0],
     "ways that can be": lambda t, x, u, p: (
-        held(u[0], u[1]) + (2 if u[2] > 0.1 else 3) * held(u[2], u[0] + t)
+        held(u[0], u[1], ENDS) + (2 if u[2] > 0.1 else 3) * held(u[2], u[0] + t, ENDS)
     ),
     "a closure": closure(2.5),
     "a partial": functools.partial(lambda k, t, x, u, p: k * u[0], 3.0),
