@@ -302,7 +302,11 @@ class Array(NDArrayOperatorsMixin):
     def __round__(self, digits: Any = None) -> Any:
         if digits and not is_of_numpy(self):
             raise Unread("rounds to digits, which Python does otherwise than np.round")
-        return np.round(self, digits) if digits else np.round(self) + 0.0  # as a whole number
+        if digits is not None:
+            return np.round(self, digits)
+        new: Any = np.round(self) + 0.0  # as a whole number
+        new._of_python = new._whole = True
+        return new
 
     def __repr__(self) -> str:
         return f"<v{self._node} {self.shape}>"

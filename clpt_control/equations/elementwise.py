@@ -21,7 +21,7 @@ TRUTHS_ALLOWED = CONDITIONS | {"where"}  # operations on truth values alone
 # of whole numbers, a whole number
 OF_WHOLE = frozenset(
     {"add", "sub", "mul", "neg", "mod", "minimum", "maximum", "where", "sum", "fill", "stack"}
-    | {"floordiv", "pow", "sign"}
+    | {"floordiv", "pow", "sign", "fabs"}
 )
 OF_TRUTHS = {"mul": "and", "minimum": "and", "maximum": "or"}  # what NumPy makes of truth values
 RAISING = frozenset({"div", "floordiv", "mod", "pow"})  # where Python's floats raise
@@ -208,7 +208,8 @@ def elementwise(name: str, *arguments: Any) -> Any:
         refs.append(operand(one))
     shape = shapes.pop() if len(shapes) == 1 else broadcast(*shapes)
     new = tape.add(name, refs, shape)
-    new._whole = name in OF_WHOLE and all_whole(arguments[name == "where" :])
+    inverse = name == "pow" and not isinstance(arguments[1], Array) and np.any(arguments[1] < 0)
+    new._whole = name in OF_WHOLE and not inverse and all_whole(arguments[name == "where" :])
     new._of_python = of_python
     return new
 
@@ -363,10 +364,12 @@ def _both(condition: Array, truth: Any) -> Array | None:
 
 def total(array: Array, axis: int) -> Any:
     """Return the sum over one axis."""
-    array = as_number(array)
+    counted, array = _whole(array), as_number(array)
     axis %= array.ndim
     shape = array.shape[:axis] + array.shape[axis + 1 :]
-    return array._tape.add("sum", (array._ref,), shape, axis)
+    new = array._tape.add("sum", (array._ref,), shape, axis)
+    new._whole = counted
+    return new
 
 
 HOOKS.update(elementwise=elementwise, lifted=lifted, put=put)

@@ -12,7 +12,7 @@ import numpy as np
 
 from .arrays import Array, Unread, is_of_numpy, moves, single
 from .elementwise import counts, elementwise
-from .views import is_whole
+from .views import converted, is_whole
 
 
 class StandInType(type):
@@ -108,12 +108,12 @@ def as_float(value: Array) -> Any:
     return of_python(number)
 
 
-def of_python(number: Any) -> Any:
-    """Return a number as one of Python's."""
+def of_python(number: Any, whole: bool | None = False) -> Any:
+    """Return a number as one of Python's: a float, or a whole one."""
     if not isinstance(number, Array):
         return number
     new = Array(number._tape, number._ref, ())
-    new._of_python, new._whole = True, number._whole
+    new._of_python, new._whole = True, whole
     return new
 
 
@@ -121,7 +121,8 @@ TYPES = {  # of numbers: what stands for them
     real: stand_in_type(real, make)
     for real, make in (
         (float, as_float),
-        (np.float64, lambda value: value[()]),
-        *((whole, lambda value: np.trunc(as_float(value))) for whole in (int, np.int64)),
+        (np.float64, lambda value: converted(value[()])),
+        (int, lambda value: of_python(np.trunc(as_float(value)), whole=True)),
+        (np.int64, lambda value: converted(value[()], np.int64)),
     )
 }

@@ -165,7 +165,7 @@ UFUNCS: dict[Any, str] = {
     **{
         getattr(np, name): name
         for name in (
-            *("exp", "expm1", "log", "log1p", "log2", "log10", "sqrt", "pow", "hypot", "fabs"),
+            *("exp", "expm1", "log", "log1p", "log2", "log10", "sqrt", "pow", "hypot"),
             *("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh"),
             *("asinh", "acosh", "atanh", "minimum", "maximum", "sign", "floor", "ceil", "trunc"),
         )

@@ -135,7 +135,9 @@ def of_math(name: str, tape: Tape, *arguments: Any, **more: Any) -> Any:
         refuse_in_a_try(*numbers)
     if name in DOMAINS and in_a_try() and DOMAINS[name](*numbers):
         raise ValueError("math domain error")
-    return of_python(MATH[name](*numbers, **more))
+    new = MATH[name](*numbers, **more)
+    kept = isinstance(new, Array) and name == "prod" and new._whole
+    return of_python(new, True if name in ("floor", "ceil", "trunc") else kept)
 
 
 OF_MATH = [StandIn(getattr(math, name), functools.partial(of_math, name)) for name in MATH]

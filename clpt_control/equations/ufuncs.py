@@ -10,7 +10,17 @@ import numpy as np
 from .arrays import HOOKS, Array, Tape, Unread, is_of_numpy, objects
 from .elementwise import as_number, elementwise, is_truth, lifted, total, where
 from .record import UFUNCS
-from .views import copied, depends, into, of_numbers, on_values, refuse, repacked, tape_of
+from .views import (
+    converted,
+    copied,
+    depends,
+    into,
+    of_numbers,
+    on_values,
+    refuse,
+    repacked,
+    tape_of,
+)
 
 
 def apply_ufunc(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
@@ -52,7 +62,7 @@ def _apply(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
         return elementwise(UFUNCS[ufunc], *inputs)
     if ufunc in BITWISE and method == "__call__":
         return BITWISE[ufunc](*inputs) if all(map(is_truth, inputs)) else refuse("bits")
-    arguments = [lifted(tape, one) for one in inputs]
+    arguments: list[Any] = [one if type(one) is int else lifted(tape, one) for one in inputs]
     if method == "outer":
         a, b = arguments
         return ufunc(a[(..., *[None] * np.ndim(b))] if np.ndim(a) else a, b)
@@ -172,6 +182,7 @@ COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special
     "fmax": lambda a, b: ignoring_nan("maximum", a, b),
     **dict.fromkeys(("deg2rad", "radians"), lambda a: elementwise("mul", a, np.pi / 180)),
     **dict.fromkeys(("rad2deg", "degrees"), lambda a: elementwise("mul", a, 180 / np.pi)),
+    "fabs": lambda a: converted(elementwise("fabs", a)),
     "exp2": lambda a: elementwise("pow", 2.0, a),
     "cbrt": lambda a: np.sign(a) * np.fabs(a) ** (1 / 3),
     "rint": rounded,

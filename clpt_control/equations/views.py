@@ -164,8 +164,14 @@ def item(array: Array, index: tuple) -> Any:
     if any(isinstance(i, Array) for i in index):
         return _picked(array, *index)
     if any(isinstance(i, list | tuple | np.ndarray) and np.ndim(i) for i in index):
-        return lifted(array._tape, array._elements()[index])
-    return part(array, itemgetter(index))
+        new = lifted(array._tape, array._elements()[index])
+    else:
+        new = part(array, itemgetter(index))
+    if (counted := array._root._whole) is False:
+        return new
+    if isinstance(new, Array):
+        new._whole = counted
+    return new if isinstance(new, Array) or counted is None else np.int64(new)
 
 
 def part(a: Any, function: Callable[[np.ndarray], Any]) -> Any:
@@ -383,9 +389,8 @@ def converted(a: Any, dtype: Any = float, *more: Any, **named: Any) -> Any:
     if kind not in (np.float64, np.object_):  # objects are the numbers themselves
         refuse(f"numbers of {kind}")
     new = copied(as_number(a))
-    if new is not a:
-        new._whole = False
-    return new
+    counted = isinstance(new, Array) and new._whole is not False
+    return Array(new._tape, new._ref, new.shape) if counted else new
 
 
 HOOKS.update(item=item)

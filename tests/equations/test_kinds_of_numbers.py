@@ -270,7 +270,39 @@ def keeps_in_params(t, x, u, p):
     return [x[0] - last]
 
 
+def beside(number, cut):
+    """An array of 0 and a number, into which another is written: cut, if both were whole."""
+    y = np.array([0, number])
+    y[0] = cut
+    return y
+
+
+COUNTED = {  # whole numbers, and what is none though it is made of them
+    "int": lambda a, b: int(a),
+    "round": lambda a, b: 1 - round(a),
+    "math.floor": lambda a, b: math.floor(a) % 3,
+    "np.int64": lambda a, b: abs(np.int64(a)),
+    "divmod": lambda a, b: divmod(int(a), 2)[0],
+    "prod": lambda a, b: math.prod([int(a), int(b)]),
+    "sum": lambda a, b: sum(int(one) for one in (a, b)),
+    "np.sum": lambda a, b: np.sum([int(a), int(b)]),
+    "np.max": lambda a, b: np.max([int(a), 1]),
+    "an element": lambda a, b: np.array([int(a), 3])[1] + np.array([int(a), 3])[0],
+    "truths": lambda a, b: np.sum(np.array([a, b]) > 0.0),
+    "one way": lambda a, b: round(a) if b > 0 else 0.5 * a,
+    "the larger": lambda a, b: max(int(a), b),
+    "float": lambda a, b: float(int(a)),
+    "np.float64": lambda a, b: np.float64(int(a)),
+    "np.fabs": lambda a, b: np.fabs(int(a)),
+    "math.pow": lambda a, b: math.pow(int(a), 2),
+    "pow": lambda a, b: (3 + int(a)) ** -1,
+    "digits": lambda a, b: round(a, 0),
+}
 ONE_LINE = {  # as Python has them
+    **{
+        f"cuts by {name}": lambda t, x, u, p, f=f: beside(f(x[0], x[1]), u[1])
+        for name, f in COUNTED.items()
+    },
     "takes bits of a parameter": lambda t, x, u, p: [x[0] * (p["n"] & 1)],
     "reads by columns": lambda t, x, u, p: np.outer(x, u).ravel(order="F"),
     "reshapes by columns": lambda t, x, u, p: np.reshape(np.outer(x, u), (2, 3), order="F"),
