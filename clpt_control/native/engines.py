@@ -174,6 +174,7 @@ def _same(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     return np.all(near | (a == b) | (np.isnan(a) & np.isnan(b)), axis=-1)
 
 
+@np.errstate(all="ignore")  # as a sweep runs them
 def misread_function(runner: PythonDiagram, t: float, x: np.ndarray) -> str | None:
     """Return a sentence on the function whose record differs from it, at the last pass's inputs."""
     sweep = runner.sweep

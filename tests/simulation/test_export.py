@@ -258,6 +258,8 @@ def test_what_has_no_c_is_said():
         with pytest.raises(clpt.DiagramError, match=r"initial_state = .*: must be finite"):
             clpt.export_c(plant, initial_state=[value])
     assert "INFINITY" in clpt.export_c(clpt.parts.pid(1, 0.1))  # no limit of its own
+    divides = control.nlsys(lambda t, x, u, p: [1 / x[0]], None, name="s", states=1, inputs=0)
+    assert "1.0 / x[0]" in clpt.export_c(divides)  # asked at 0, without a warning
     with pytest.raises(clpt.DiagramError, match="odd jumps at times that a function"):
         clpt.export_c(clpt.connect([block]))
 
