@@ -67,6 +67,7 @@ class Tape:
         self.stopped: Exception | None = None  # what ends the reading
         self.parameters: Mapping[str, Any] = {}  # as they were given
         self.joins = True  # whether what Python chooses is one number, not one of each way
+        self.runs = 0  # ways through a function and its helpers
         self.has_floats = False  # whether some signals are Python's floats, not NumPy's
         self.free: list[bool] = []  # of each: whether it depends on time, states or inputs
         self.truth: list[bool] = []  # of each: whether it holds truth values

@@ -18,7 +18,7 @@ from .arrays import Array, Tape, Unread, active, key_of, operand
 from .elementwise import chosen
 from .unchanged import is_fixed, named
 
-MOST_OF_HELPER = 32
+MOST_OF_HELPER, MOST_RUNS = 32, 10_000
 NUMBERS = (int, float, np.float64)
 PLAIN = (*NUMBERS, bool, str, NoneType)
 
@@ -30,6 +30,9 @@ def each_way(tape: Any) -> Iterator[None]:
     while True:
         tape.answers = dict(before)
         yield
+        tape.runs += 1
+        if tape.runs > MOST_RUNS:
+            raise Unread(f"has helpers in helpers, of more than {MOST_RUNS} ways")
         way = [*tape.answers.values()]
         while len(way) > len(before) and not way[-1]:
             way.pop()

@@ -8,6 +8,7 @@ import pytest
 from recorded import as_it_runs, static
 
 import clpt_control as clpt
+from clpt_control.equations.arrays import Unread
 
 
 def limited(v, low=-1.0, high=1.0):
@@ -118,3 +119,18 @@ def test_ways_of_helpers_add_up():
     as_it_runs(rov, "output", 0.0, [], np.linspace(-2, 2, 8))
     run = clpt.simulate(rov, [0.0, 1.0], np.linspace(-2, 2, 8))
     assert run.attrs["engine"] == "native"
+
+
+def test_helpers_of_helpers_of_helpers_end_in_a_sentence():
+    def gears(v):
+        return gear(v) + gear(v + 3) * gear(v - 3)
+
+    def more(v):
+        return gears(v) + gears(2 * v) * gears(3 * v)
+
+    def most(v):
+        return more(v) + more(4 * v) * more(5 * v)
+
+    block = static(lambda t, x, u, p: [most(v) + most(v + 9) for v in u], 1, 1)
+    with pytest.raises(Unread, match="has helpers in helpers, of more than 10000 ways"):
+        block.array_record("output")
