@@ -21,6 +21,8 @@ MOST_ROWS = 24  # of linear equations
 
 def dot(a: Any, b: Any) -> Any:
     """Return np.dot(a, b)."""
+    if np.ndim(a) and np.ndim(b) > 2:
+        return np.tensordot(a, b, (-1, -2))
     return matmul(a, b) if np.ndim(a) and np.ndim(b) else elementwise("mul", a, b)
 
 

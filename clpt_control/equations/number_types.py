@@ -110,7 +110,7 @@ def as_float(value: Array) -> Any:
 
 def of_python(number: Any, whole: bool | None = False) -> Any:
     """Return a number as one of Python's: a float, or a whole one."""
-    if not isinstance(number, Array):
+    if not isinstance(number, Array) or number.shape:
         return number
     new = Array(number._tape, number._ref, ())
     new._of_python, new._whole = True, whole

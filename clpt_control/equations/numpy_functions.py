@@ -225,7 +225,10 @@ def alike(a: Array, value: float, dtype: Any = None, **named: Any) -> Any:
     return filled(a._tape, value, a.shape)
 
 
-implements(np.dot, np.vdot, arrays=2)(linear_algebra.dot)
+implements(np.dot, arrays=2)(linear_algebra.dot)
+implements(np.vdot, arrays=2)(lambda a, b: linear_algebra.dot(np.ravel(a), np.ravel(b)))
+for unread in (np.shares_memory, np.may_share_memory, np.ix_):
+    implements(unread, arrays=0)(lambda *_, name=unread.__name__: refuse(f"np.{name}"))
 implements(np.outer, arrays=2)(linear_algebra.outer)
 implements(np.cross, arrays=2)(linear_algebra.cross)
 implements(np.linalg.norm)(linear_algebra.norm)

@@ -164,7 +164,9 @@ def _alike(tape: Tape, refs: list[Ref], shape: Shape) -> tuple[int, Any]:
 def _turned(tape: Tape, columns: Sequence[Sequence[Ref]], shape: Shape) -> Any:
     """Return rows of numbers by their columns."""
     gathered = [operand(_gathered(tape, column, shape)) for column in columns]
-    whole = _gathered(tape, gathered, (len(columns[0]), *shape))
+    left = sum(type(one) is int and tape.operations[one].kind == "stack" for one in gathered)
+    make = _stacked if left >= FEW else _gathered  # which would turn these back, without end
+    whole = make(tape, gathered, (len(columns[0]), *shape))
     return part(whole, lambda a: np.swapaxes(a, 0, 1))
 
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from .arrays import HOOKS, Array, Tape, Unread, is_of_numpy, objects
-from .elementwise import as_number, elementwise, is_truth, lifted, total, where
+from .elementwise import as_condition, as_number, elementwise, is_truth, lifted, total, where
 from .record import UFUNCS
 from .views import (
     converted,
@@ -71,6 +71,8 @@ def _apply(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
     if all(set(kind) <= set("O->") for kind in ufunc.types):  # by np.frompyfunc
         return repacked(tape, ufunc(*map(objects, arguments)))
     name = ufunc.__name__
+    if name not in TAKING_TRUTHS and all(map(is_truth, arguments)):
+        refuse(f"np.{name} of truth values, in short floats,")
     return COMPOSED[name](*arguments) if name in COMPOSED else refuse(f"np.{name}")
 
 
@@ -80,6 +82,8 @@ def reduced(
     """Join the elements along an axis, or all, one after the other; a sum is one operation."""
     a = lifted(tape_of([a]), a)
     a = a if np.ndim(a) else copied(a)
+    if ufunc in (np.logical_and, np.logical_or):
+        a = as_condition(a)
     if where is not True:
         a = np.where(where, a, initial if ufunc.identity is None else ufunc.identity)
     axes = [axis] if isinstance(axis, int) else axis
@@ -172,8 +176,11 @@ BITWISE: dict[Any, Callable] = {  # of truth values
     np.bitwise_xor: partial(elementwise, "ne"),
     np.invert: lambda a: elementwise("not", a) if a.shape or is_of_numpy(a) else refuse("~"),
 }
+TAKING_TRUTHS = frozenset(
+    {"logical_xor", "isnan", "isfinite", "isinf", "fmin", "fmax", "square", "conjugate", "rint"}
+)
 COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special too
-    "vecdot": lambda a, b: total(a * b, a.ndim - 1),
+    "vecdot": lambda a, b: total(a * b, -1),
     **dict.fromkeys(("matmul", "matvec"), matmul),
     "square": lambda a: elementwise("mul", a, a),
     "reciprocal": lambda a: elementwise("div", 1.0, a),

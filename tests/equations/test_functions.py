@@ -93,17 +93,36 @@ ARRAYS = """
     np.gradient(np.outer(u, v), 0.1)[1][2, 1] ; np.gradient(np.outer(u, v), 0.1, axis=0)[1, 2] ;
     np.gradient(np.outer(u, v), [0.0, 1.0, 3.0], axis=-1)[1, 1] ; np.gradient(v, u + 9 * v)[1] ;
     np.linalg.cholesky(np.outer(u, u) + np.eye(3))[2, 1] ;
-    np.linalg.cholesky(np.outer(u, u) + np.eye(3))[0, 1] + u[0]
+    np.linalg.cholesky(np.outer(u, u) + np.eye(3))[0, 1] + u[0] ;
+    np.kron(np.outer(u, v), np.eye(3))[4, 7] ; np.kron(np.outer(u, v), np.outer(v, u))[2, 7] ;
+    np.vdot(np.outer(u, v), np.outer(v, v)) ; np.any(u[0]) ; np.all(u[:1]) ; any([u[1]]) ;
+    np.dot(np.outer(u, v), CUBE)[2, 1, 2] ; np.dot(u[0] * CUBE, CUBE)[1, 2, 0, 1] ;
+    np.dot(u, CUBE)[1, 0] ; math.prod(np.outer(u, v))[1]
 """
+CUBE = np.random.default_rng(5).normal(size=(2, 3, 3))
 
 
 @pytest.mark.parametrize("call", [call.strip() for call in ARRAYS.split(";")])
 def test_a_function_of_arrays_is_read_as_it_computes(call):
-    space = {"np": np}
+    space = {"np": np, "math": math, "CUBE": CUBE}
     exec(f"def f(t, x, u, p):\n    u, v = u.u, p.v\n    return 1.0 * ({call})", space)
     block = static(space["f"], parameters={"v": np.array([0.5, -1.5, 2.0])})
     for u in (U, (2.0, 0.3, 0.7), (-0.4, 1.2, 0.1)):
         as_it_runs(block, "output", 0.0, [], u, 1e-13)
+
+
+NOT_KNOWN = [
+    *("np.roots(u)[0].real", "1.0 * np.shares_memory(u, u)"),
+    *("1.0 * np.ix_(u > 0)[0][0]", "1.0 * np.deg2rad(u > 0)[0]"),
+]
+
+
+@pytest.mark.parametrize("call", NOT_KNOWN)
+def test_what_is_not_known_of_an_array_is_named(call):
+    space = {"np": np}
+    exec(f"def f(t, x, u, p):\n    return {call}", space)
+    with pytest.raises(Unread, match=r"f, line 2: "):
+        static(space["f"]).array_record("output")
 
 
 @pytest.mark.parametrize("name", ["sqrt", "log", "acos", "exp", "atanh", "log1p"])
