@@ -1,5 +1,6 @@
 """Of measurements: `clpt fit` of a current, `clpt tides` of a record, `clpt estimate` of fixes."""
 
+import json
 from pathlib import Path
 from typing import Any
 
@@ -79,7 +80,7 @@ def tides(
     latitude: float | None = opt("DEGREES", "Degrees north; default: the file's own."),
     at: tuple[float, float] | None = opt("LAT LON", "Degrees: the nearest cell of a grid."),
     units: str | None = opt("UNIT", "Of u and v, such as m/s, where the file has none."),
-    out: Path | None = opt("FOLDER", "Folder for tides.nc and its figure."),
+    out: Path | None = opt("FOLDER", "Folder for tides.json and its figure."),
     formats: Formats = None,
     as_json: Json = False,
 ) -> None:
@@ -88,7 +89,7 @@ def tides(
     Example:
         clpt tides record.nc --constituents M2,S2,K1 --out tides
     """
-    from ..currents.tidal_constants import tides_dataset, tides_report
+    from ..currents.tidal_constants import tides_report
     from ..figures import checked_formats, figure_of
 
     kinds = checked_formats(formats or ["png"])
@@ -96,10 +97,11 @@ def tides(
     names = [name.strip() for name in constituents.split(",")]
     current = measured.time, measured.u, measured.v, measured.latitude
     fit = clpt.currents.fit_tides(*current, names, where=str(record))
-    report = {"source": measured.source, **tides_report(fit)}
+    place = {"source": measured.source, "longitude": measured.longitude}
+    report = place | tides_report(fit)
     written = []
     if out is not None:
-        results: dict[Path, Any] = {make_folder(out) / "tides.nc": tides_dataset(fit, measured)}
+        results: dict[Path, Any] = {make_folder(out) / "tides.json": json.dumps(report, indent=1)}
         figure = figure_of(clpt.currents.tides_plot, fit, measured)
         results |= {out / f"tides.{kind}": figure for kind in kinds}
         write_together(results)

@@ -17,48 +17,25 @@ own times say so by their condition number, which bounds how much worse than
 even sampling the times make the errors.
 """
 
-import math
 from collections.abc import Mapping, Sequence
 from itertools import combinations
+from math import inf
 
 import numpy as np
 
-from ..arguments import check_holds, public
+from ..arguments import public
 from ..errors import DataError
 from ..scenario import tidal_periods
+from ..units import at_most
 
-FULL_TURN = 360.0 * (1 - 1e-9)  # times in files are rounded
+TURN = 360.0 * (1 - 1e-9)  # degrees; times in files are rounded
 UNEVEN = 0.1  # of a step, by which a clock may be off
 WORST = 30.0  # largest condition number
 NEAR = np.array([*range(-10, 0), *range(1, 11)])  # neighbours of a tide, in 1 / record length
 
 
-def inseparable(
-    names: Sequence[str], hours: float, speeds: Mapping[str, float] | None = None
-) -> list[tuple[str, str, float]]:
-    """Return the pairs that a record of some hours cannot tell apart, and the hours they need.
-
-    The longest comes first; `speeds` are degrees per hour, those of `tidal_periods` by default.
-
-    >>> inseparable(["steady", "M2", "S2"], 24.0)
-    [('M2', 'S2', 354.367...)]
-    >>> inseparable(["steady", "M2"], 24.0)
-    []
-    """
-    each = {name: tidal_periods.speed(name) if speeds is None else speeds[name] for name in names}
-    apart = [(a, b, abs(each[a] - each[b])) for a, b in combinations(names, 2)]
-    pairs = [
-        (a, b, 360.0 / difference if difference else math.inf)
-        for a, b, difference in apart
-        if not difference * hours >= FULL_TURN
-    ]
-    return sorted(pairs, key=lambda pair: -pair[2])
-
-
 @public
-def check_separable(
-    names: Sequence[str], hours: float, where: str, speeds: Mapping[str, float] | None = None
-) -> None:
+def check_separable(names: Sequence[str], hours: float, where: str) -> None:
     """Refuse tides that a record is too short to tell apart.
 
     Parameters
@@ -69,8 +46,6 @@ def check_separable(
         From the first measurement to the last, h.
     where : str
         The record, for the message.
-    speeds : mapping of str to float, optional
-        Degrees per hour of each name; those of `tidal_periods` by default.
 
     Raises
     ------
@@ -85,33 +60,22 @@ def check_separable(
     >>> check_separable(["M2", "S2"], 24.0, "currents.nc")
     Traceback (most recent call last):
         ...
-    clpt_control.errors.DataError: currents.nc: in 24 h, M2 and S2 cannot be told apart: 354.4 h
-    are needed; leave one of them out or take a longer record
+    clpt_control.errors.DataError: currents.nc: in 24 h, these cannot be told apart: M2 and S2
+    (354.4 h are needed); leave one of each pair out or take a longer record
     """
-    if speeds is not None:
-        check_holds("check_separable: speeds", speeds, names, "give degrees per hour of each name")
-    pairs = inseparable(names, hours, speeds)
-    if not pairs:
-        return
-    if len(pairs) == 1:
-        a, b, needed = pairs[0]
-        fault = f"{a} and {b} cannot be told apart: {_in_hours(needed)} are needed"
-        which = "them"
-    else:
-        listed = ", ".join(f"{a} and {b} ({_in_hours(needed)})" for a, b, needed in pairs)
-        fault = f"these pairs cannot be told apart (hours needed): {listed}"
-        which = "each pair"
-    raise DataError(
-        f"{where}: in {hours:.6g} h, {fault}; leave one of {which} out or take a longer record"
-    )
+    check_speeds({name: tidal_periods.speed(name) for name in names}, hours, where)
 
 
-def _in_hours(hours: float) -> str:
-    """Return hours to four digits, rounded up, so that the number suffices."""
-    if math.isinf(hours):
-        return "endless h"
-    unit = 10.0 ** max(math.floor(math.log10(hours)) - 3, -6)
-    return f"{math.ceil(hours / unit - 1e-9) * unit:.10g} h"
+def check_speeds(speeds: Mapping[str, float], hours: float, where: str) -> None:
+    """Refuse tides, degrees per hour by name, that a record is too short to tell apart."""
+    apart = sorted((abs(speeds[a] - speeds[b]), a, b) for a, b in combinations(speeds, 2))
+    alike = [(360.0 / each if each else inf, a, b) for each, a, b in apart if each * hours < TURN]
+    if alike:
+        pairs = ", ".join(f"{a} and {b} ({at_most(each)} h are needed)" for each, a, b in alike)
+        raise DataError(
+            f"{where}: in {hours:.6g} h, these cannot be told apart: {pairs}; leave one of each "
+            "pair out or take a longer record"
+        )
 
 
 def nyquist(hours: np.ndarray) -> float:
@@ -158,7 +122,7 @@ def check_sampling(hours: np.ndarray, cycles: np.ndarray, names: Sequence[str], 
     clpt_control.errors.DataError: record: at the times of its 48 measurements the mean and S2 look
     alike; take them at other intervals, fill the gaps or leave one out
     """
-    n, count = len(cycles), 2 * len(cycles) + 1
+    count = 2 * len(cycles) + 1
     if len(hours) < 2 * count:
         raise DataError(
             f"{where}: {len(hours)} measurements for {count} numbers to fit; at least {2 * count} "
@@ -166,18 +130,12 @@ def check_sampling(hours: np.ndarray, cycles: np.ndarray, names: Sequence[str], 
         )
     wave = np.exp(2j * np.pi * np.outer(hours - hours.mean(), cycles))
     functions = np.hstack([np.full((len(hours), 1), 0.5**0.5), wave.real, wave.imag])
-    _, size, modes = np.linalg.svd(functions, full_matrices=False)
-    if size[0] <= WORST * size[-1]:
-        return
-    weakest = np.abs(modes[-1])
-    share = np.array([weakest[0], *np.hypot(weakest[1 : n + 1], weakest[n + 1 :])])
-    shares = zip(["the mean", *names], share, strict=True)
-    alike = [name for name, part in shares if part > 0.3 * share.max()]
-    fault = f"{' and '.join(alike)} look alike" if len(alike) > 1 else f"{alike[0]} is not seen"
-    raise DataError(
-        f"{where}: at the times of its {len(hours)} measurements {fault}; take them at other "
-        "intervals, fill the gaps or leave one out"
-    )
+    if np.linalg.cond(functions) > WORST:
+        raise DataError(
+            f"{where}: at the times of its {len(hours)} measurements the mean and "
+            f"{', '.join(names)} look alike; take them at other intervals, fill the gaps or leave "
+            "one out"
+        )
 
 
 def noise_ratio(residual: np.ndarray, hours: np.ndarray, cycles: np.ndarray, k: int) -> np.ndarray:

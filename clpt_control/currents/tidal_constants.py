@@ -1,10 +1,4 @@
-"""Tidal constants of one place: what `fit_tides` returns, as JSON, NetCDF and theta.
-
-Amplitudes in m/s, phases in degrees of Greenwich lag, as `tidal_fit` says.  In a file
-`amplitude` and `phase` have the dims (constituent, axis), the ellipse's numbers
-(constituent); each has its standard error beside it under `..._standard_error`.  `f`,
-`u` and `V` are the nodal corrections at the record's middle.  Latitude and longitude are
-scalar coordinates of all; times are ISO 8601, UTC.
+"""Tidal constants of one place: what `fit_tides` returns, as JSON and as theta.
 
 As theta of Eq. (3), for the basis of a scenario, they are
 
@@ -16,25 +10,23 @@ in the middle of what is to be run; M2 changes by 0.4 % in half a year.  A
 scenario's sine is the phase -pi/2.
 """
 
-from importlib.metadata import version
 from typing import Any, NamedTuple
 
 import numpy as np
-import xarray
 
 from ..arguments import public
 from ..errors import DataError
 from ..scenario.tidal_periods import SPEEDS
 from ..units import known, speed_in_metres_per_second
 from .constituents import checked_times, nodal_corrections, nodal_report
-from .current_record import CurrentRecord
 from .tidal_fit import NUMBERS, TidalFit
 
 
 def tides_report(fit: TidalFit) -> dict[str, Any]:
     """Return a fit as one JSON object, numbers that are not finite as None.
 
-    f, u and V at the record's middle stand under "nodal".
+    Amplitudes are in m/s, phases in degrees of Greenwich lag, times in UTC; f, u and V at the
+    record's middle stand under "nodal".
     """
     return {
         "start": str(fit.start),
@@ -57,66 +49,6 @@ def tides_report(fit: TidalFit) -> dict[str, Any]:
         "nodal_time": str(fit.middle),
         "nodal": nodal_report([each.name for each in fit.constituents], fit.middle, fit.latitude),
     }
-
-
-def tides_dataset(fit: TidalFit, record: CurrentRecord) -> xarray.Dataset:
-    """Return tidal constants and the place of their record as a dataset to write."""
-    names = [each.name for each in fit.constituents]
-    tables: dict[str, tuple[str, ...]]
-    tables = {"amplitude": ("east", "north"), "phase": ("east_phase", "north_phase")}
-    tables |= {f"ellipse_{key}": (key,) for key in ("major", "minor", "inclination", "phase")}
-    both = {"amplitude": "amplitude of each component", "phase": "Greenwich phase lag"}
-    variables: dict[str, tuple] = {}
-    for name, keys in tables.items():
-        long_name, unit = NUMBERS[keys[0]][2:]
-        long_name = both.get(name, long_name)
-        dims = ("constituent", "axis")[: len(keys)]
-        shape = (len(names), 2)[: len(keys)]
-        values = [[getattr(each, key) for key in keys] for each in fit.constituents]
-        errors = [[each.errors[key] for key in keys] for each in fit.constituents]
-        wrong = f"{name}_standard_error"
-        words = {"long_name": long_name, "units": unit, "ancillary_variables": wrong}
-        variables[name] = (dims, np.reshape(values, shape), words)
-        words = {"long_name": f"standard error of: {long_name}", "units": unit}
-        variables[wrong] = (dims, np.reshape(errors, shape), words)
-    found = nodal_corrections(names, fit.middle, fit.latitude)
-    for key, long_name, unit in (
-        ("f", "nodal factor", "1"),
-        ("u", "nodal angle", "degree"),
-        ("V", "astronomical argument at Greenwich", "degree"),
-    ):
-        attributes = {"long_name": f"{long_name} at nodal_time", "units": unit}
-        variables[key] = ("constituent", getattr(found, key)[0], attributes)
-    words = {"long_name": "mean current", "units": "m s-1"}
-    variables["mean"] = ("axis", np.array(fit.mean), words)
-    coordinates: dict[str, tuple] = {
-        "constituent": ("constituent", names, {"long_name": "tidal constituent"}),
-        "axis": ("axis", ["east", "north"], {"long_name": "component of the current"}),
-    }
-    for name, degrees, unit in (
-        ("latitude", fit.latitude, "degrees_north"),
-        ("longitude", record.longitude, "degrees_east"),
-    ):
-        if degrees is not None:
-            coordinates[name] = ((), degrees, {"standard_name": name, "units": unit})
-    return xarray.Dataset(
-        variables,
-        coordinates,
-        {
-            "Conventions": "CF-1.11",
-            "title": f"Tidal constants of {record.source}",
-            "history": "written by clpt tides",
-            "source": f"{record.source}, by clpt-control {version('clpt-control')} and UTide",
-            "time_coverage_start": f"{fit.start}Z",
-            "time_coverage_end": f"{fit.end}Z",
-            "nodal_time": f"{fit.middle}Z",
-            "samples": fit.samples,
-            "explained_variance": fit.explained_variance,
-            "residual_rms": fit.residual_rms,
-            "residual_rms_units": "m s-1",
-            "comment": "tide(t) = f(t) amplitude cos(V(t) + u(t) - phase)",
-        },
-    )
 
 
 class TidalBasis(NamedTuple):

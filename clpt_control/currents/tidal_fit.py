@@ -29,15 +29,15 @@ from . import telling_apart
 
 LEAST_CHANGE = 1e-9  # m/s in a record; less is no measured tide, and its squares vanish
 CI = 1.96  # UTide's half widths, in standard errors
-NUMBERS = {  # of a tide: which fit has it, as what, and in words with its unit
-    "east": (1, "A", "amplitude of the eastward component", "m s-1"),
-    "east_phase": (1, "g", "Greenwich phase lag of the eastward component", "degree"),
-    "north": (2, "A", "amplitude of the northward component", "m s-1"),
-    "north_phase": (2, "g", "Greenwich phase lag of the northward component", "degree"),
-    "major": (0, "Lsmaj", "semi-major axis of the ellipse", "m s-1"),
-    "minor": (0, "Lsmin", "semi-minor axis, negative where the current turns clockwise", "m s-1"),
-    "inclination": (0, "theta", "major axis, counter-clockwise from east", "degree"),
-    "phase": (0, "g", "Greenwich phase lag of the greatest speed", "degree"),
+NUMBERS = {  # of a tide: which fit has it, as what
+    "east": (1, "A"),
+    "east_phase": (1, "g"),
+    "north": (2, "A"),
+    "north_phase": (2, "g"),
+    "major": (0, "Lsmaj"),
+    "minor": (0, "Lsmin"),
+    "inclination": (0, "theta"),
+    "phase": (0, "g"),
 }
 
 
@@ -144,7 +144,7 @@ def fit_tides(
     theirs = tidal.utide_names(names)
     cycles = np.array([utide.cycles_per_hour[name] for name in theirs])
     speeds = {"steady": 0.0} | dict(zip(names, 360.0 * cycles, strict=True))
-    telling_apart.check_separable(tuple(speeds), hours[-1], where, speeds)
+    telling_apart.check_speeds(speeds, hours[-1], where)
     telling_apart.check_sampling(hours, cycles, names, where)
     telling_apart.check_nyquist(hours, cycles, names, where)
     options = {
@@ -270,7 +270,7 @@ def _names(constituents: Sequence[str] | str, hours: np.ndarray, where: str) -> 
 def _constituent(name: str, k: int, fits: tuple, ratio: np.ndarray) -> Constituent:
     """Return the tide of index k of the fits of both components, of the east and of the north."""
     values, errors = dict[str, float](), dict[str, float]()
-    for key, (which, symbol, *_) in NUMBERS.items():
+    for key, (which, symbol) in NUMBERS.items():
         values[key] = float(fits[which][symbol][k])
         errors[key] = float(fits[which][f"{symbol}_ci"][k] / CI * ratio[which])
     return Constituent(name=name, errors=errors, **values)

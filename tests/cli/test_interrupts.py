@@ -200,7 +200,7 @@ COMMANDS = {  # -> what it writes: all of it, or nothing; None: a part may be th
     ("certify", "s.toml"): (),
     ("design", "s.toml", "--out", "b.toml", "--figure", "b.png"): ("b.toml", "b.png"),
     ("fit", "c.nc", "--out", "f.toml"): ("f.toml", "f_field.nc"),
-    TIDES: ("tides.nc", "tides.png"),
+    TIDES: ("tides.json", "tides.png"),
     ("estimate", "r.nc", "--out", "known.toml"): ("known.toml",),
     FOLLOW: None,
     ("animate", "r.nc", "-o", "r.gif", "--seconds", "1"): ("r.gif",),
