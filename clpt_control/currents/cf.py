@@ -45,8 +45,6 @@ CURE = (
 )
 PROJECTED = ("projection_x_coordinate", "projection_y_coordinate")
 FASTEST = 15.0  # m/s; no current at sea is faster, a fill value taken as data is
-REAL = ("standard", "gregorian", "proleptic_gregorian")  # calendars of real dates
-CALENDARS = (*REAL, "julian", "noleap", "365_day", "all_leap", "366_day", "360_day")
 SINCE_A_DATE = re.compile(r"\s*(\w+)\s+since\s+(\d+-\d+-\d+.*)", re.IGNORECASE)
 
 
@@ -147,10 +145,10 @@ def number(cell: Any) -> float:
 
 
 def decoded(numbers: np.ndarray, unit: str, calendar: str = "standard") -> np.ndarray | None:
-    """Return dates of numbers such as hours since a date, by xarray; None where they are none.
+    """Return dates of numbers such as hours since a date, by xarray, as datetime64 in ns.
 
-    They are datetime64 in ns; in calendars without real dates, such as of 360 days, and in years
-    that ns cannot count they are objects of cftime.
+    None where they are no dates, in calendars without real ones, such as of 360 days, and in years
+    that ns cannot count.
 
     >>> decoded(np.array([36.0]), "hours since 2019-1-1")
     array(['2019-01-02T12:00:00.000000000'], dtype='datetime64[ns]')
@@ -163,35 +161,27 @@ def decoded(numbers: np.ndarray, unit: str, calendar: str = "standard") -> np.nd
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of years that ns cannot count
-            return CFDatetimeCoder().decode(variable).values
+            dates = CFDatetimeCoder().decode(variable).values
     except (ValueError, TypeError, KeyError, OverflowError):
         return None
+    return dates if dates.dtype.kind == "M" else None
 
 
-def dates_of(when: xarray.DataArray, real: bool = True, least: int = 2) -> np.ndarray:
-    """Return the times of a file as `decoded` has them, in ns where dates must be `real`.
-
-    A dive and a tide need real dates, a current alone does not.
-    """
-    unit = said(when)
-    calendar = str(when.attrs.get("calendar", "standard"))
+def dates_of(when: xarray.DataArray, least: int = 2) -> np.ndarray:
+    """Return the times of a file, to the nearest ms."""
     if len(when) < least:
         steps = f"{len(when)} step{'s' if len(when) != 1 else ''}"
         raise DataError(f"{when.name} has {steps}; at least {least} are needed")
-    numbers = numbers_of(when)
-    if calendar.lower() not in (REAL if real else CALENDARS):
-        raise DataError(
-            f"{when.name} has the calendar '{calendar}'; must be one of "
-            + (f"real dates: {', '.join(REAL)}" if real else ", ".join(CALENDARS))
-        )
-    if not np.all(np.isfinite(numbers)):
+    if not np.all(np.isfinite(numbers_of(when))):
         raise DataError(f"{when.name} has values that are not finite")
+    unit, calendar = said(when), str(when.attrs.get("calendar", "standard"))
     dates = decoded(when.values, unit, calendar)
-    if dates is None or (real and dates.dtype.kind != "M"):
-        years = "" if dates is None else ", with years from 1678 to 2261"
-        such = f"'hours since 2019-01-01 00:00:00'{years}"
-        raise DataError(f"{when.name} has units '{unit}'; must be such as {such}")
-    return dates
+    if dates is None:
+        raise DataError(
+            f"{when.name} has units '{unit}' and the calendar '{calendar}'; must be such as "
+            "'hours since 2019-01-01 00:00:00', with real dates of the years 1678 to 2261"
+        )
+    return (dates + np.timedelta64(500, "us")).astype("datetime64[ms]")
 
 
 def mark_gaps(u: np.ndarray, v: np.ndarray, names: Sequence[str], nothing: str) -> None:

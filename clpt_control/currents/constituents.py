@@ -68,7 +68,7 @@ def nodal_report(
 ) -> dict[str, dict[str, float]] | None:
     """Return f, u and V by name at one instant, UTC, "steady" left out.
 
-    None where UTide is missing or the instant is not in a real calendar.
+    None where UTide is missing.
     """
     names = [name for name in constituents if name != "steady"]
     try:

@@ -121,7 +121,7 @@ def _from_netcdf(data: xarray.Dataset, at: tuple[float, float] | None, units: st
     """Return times, u, v and (latitude, longitude)."""
     east, north = (cf.find_variable(data, cf.VELOCITY, what) for what in ("eastward", "northward"))
     when = cf.find_axis(data, east, "time")
-    times = (cf.dates_of(when) + np.timedelta64(500, "us")).astype("datetime64[ms]")
+    times = cf.dates_of(when)
     index: dict[Any, np.ndarray] = {when.dims[0]: np.arange(len(times))}
     place = _own_place(data)
     if at is not None:

@@ -35,7 +35,7 @@ from ..files import check_writable, write_together
 from ..scenario import tidal_periods
 from ..scenario.experiment import Scenario
 from ..scenario.file import load_scenario, scenario_to_text
-from ..units import known, percent, seconds_since_1970
+from ..units import known, percent
 from .constituents import nodal_report
 from .grid_file import Box, Currents, read_currents, with_all_steps
 from .plane import GriddedField, LocalPlane, field_dataset, fill_gaps, regular_grid
@@ -190,6 +190,7 @@ def fit_scenario(
         alpha = tuple(map(tuple, (-fit.theta).tolist()))
         learning = scenario.learning.model_copy(update={"parameters": alpha})
         scenario = scenario.model_copy(update={"learning": learning})
+    length = currents.dates[-1] - currents.dates[0]
     report = {
         "source": currents.source,
         "box": list(currents.box),
@@ -216,7 +217,7 @@ def fit_scenario(
         "speed_units": SPEED,
         "condition_number": fit.condition_number,
         "theta": fit.theta.tolist(),
-        "nodal": _nodal(currents, constituents, plane.lat),
+        "nodal": nodal_report(constituents, currents.dates[0] + length // 2, plane.lat),
     }
     return Fit(scenario, field, report)
 
@@ -256,15 +257,6 @@ def _middles(
     apart = np.sqrt((x1[1] - x1[0]) / columns * (x2[1] - x2[0]) / rows)
     middles = [(round(float(x), 3) + 0.0, round(float(y), 3) + 0.0) for y in ys for x in xs]
     return middles, float(apart)
-
-
-def _nodal(currents: Currents, constituents: tuple, latitude: float) -> dict | None:
-    """Return f, u and V at the record's middle, None without UTide or a real calendar."""
-    try:
-        middle = seconds_since_1970(currents.start) + 1800 * currents.time[-1]
-    except ValueError:
-        return None
-    return nodal_report(constituents, np.datetime64(int(middle), "s"), latitude)
 
 
 def _scenario(

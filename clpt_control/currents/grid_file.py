@@ -26,7 +26,7 @@ import xarray
 from ..arguments import public
 from ..errors import ClptError, DataError, naming
 from ..files.reading import open_netcdf, shown_name, zarr_store
-from ..units import length_in_metres, seconds_since_1970
+from ..units import length_in_metres
 from . import cf
 
 NAME = "maracoos_hfr_2019-01-01.nc"
@@ -66,8 +66,7 @@ class Currents:
     lon: np.ndarray  # degrees east, increasing, may pass 180, shape (nx,)
     depth: np.ndarray  # levels, m, increasing from the surface; 0 where the file has none, NaN of
     # one whose depth it does not say
-    time: np.ndarray  # hours since the first step, increasing, shape (nt,)
-    start: str  # the first step, ISO 8601, as the file counts it (UTC unless it says)
+    dates: np.ndarray  # datetime64[ms], UTC, increasing, shape (nt,)
     u: np.ndarray  # to the east, m/s, NaN in gaps, shape (nt, ny, nx), or (nt, nz, ny, nx)
     v: np.ndarray  # to the north
     box: Box  # lat0, lat1, lon0, lon1 asked for, degrees
@@ -78,6 +77,16 @@ class Currents:
     def measured(self) -> np.ndarray:
         """Where the current was measured, boolean, of the shape of u."""
         return np.isfinite(self.u)
+
+    @property
+    def time(self) -> np.ndarray:
+        """Hours since the first step."""
+        return (self.dates - self.dates[0]) / np.timedelta64(1, "h")
+
+    @property
+    def start(self) -> str:
+        """The first step, ISO 8601."""
+        return self.dates[0].item().isoformat()
 
 
 @public
@@ -100,9 +109,8 @@ def read_currents(
         lat0, lat1, lon0, lon1 in degrees; cells whose centre is inside are
         read. Without it, the whole file.
     column : bool, optional
-        Read all levels down to 1000 m and the next, at real dates, in place of
-        the level nearest the surface. A grid around the Earth then gets its
-        first column again at its end.
+        Read all levels down to 1000 m and the next, in place of the level
+        nearest the surface.
     units : str, optional
         Of u and v, such as ``m/s``, where the file has none.
 
@@ -173,10 +181,10 @@ def with_all_steps(currents: Currents) -> Currents:
             f"{currents.time[np.argmax(missing)]:.6g} h; cut the file there"
         )
     there = np.concatenate([[0], np.cumsum(1 + missing)])
-    time = np.interp(np.arange(there[-1] + 1), there, currents.time)
-    u, v = (np.full((len(time), *w.shape[1:]), np.nan) for w in (currents.u, currents.v))
+    dates = np.interp(np.arange(there[-1] + 1), there, currents.dates.astype(float))
+    u, v = (np.full((len(dates), *w.shape[1:]), np.nan) for w in (currents.u, currents.v))
     u[there], v[there] = currents.u, currents.v
-    return replace(currents, time=time, u=u, v=v)
+    return replace(currents, dates=dates.astype(currents.dates.dtype), u=u, v=v)
 
 
 @contextmanager
@@ -199,29 +207,21 @@ def _opened(path: Path) -> Iterator[xarray.Dataset]:
 
 def _concatenated(path: Path, parts: list[Currents]) -> Currents:
     """Return one current of several on one grid, each with steps of its own."""
-    first, times = parts[0], []
+    first = parts[0]
     for part in parts:
         for name in ("lat", "lon", "depth"):
             if not np.array_equal(getattr(part, name), getattr(first, name), equal_nan=True):
                 raise DataError(f"{path}: {part.source} has another {name} than {first.source}")
-        try:
-            times.append(np.round(1e3 * seconds_since_1970(part.start) + 3.6e6 * part.time))
-        except ValueError:
-            raise DataError(
-                f"{path}: {part.source} starts at {part.start}; must be a real date, by which "
-                "files can be joined"
-            ) from None
-    steps = np.concatenate(times)  # ms: hours of one step differ by how they are counted
-    u, v = (np.concatenate([getattr(part, name) for part in parts]) for name in "uv")
+    dates, u, v = (
+        np.concatenate([getattr(p, name) for p in parts]) for name in ("dates", "u", "v")
+    )
     if u.size > MOST:
         raise DataError(f"{path}: has {u.size:.3g} values; at most {MOST:.0g} can be held")
-    steps, last = np.unique(steps[::-1], return_index=True)
+    steps, last = np.unique(dates[::-1], return_index=True)
     if len(steps) < 2:
         raise DataError(f"{path}: has 1 step in all; at least 2 are needed")
     rows = len(u) - 1 - last
-    start = min(parts, key=lambda part: seconds_since_1970(part.start)).start
-    merged = {"time": (steps - steps[0]) / 3.6e6, "start": start, "u": u[rows], "v": v[rows]}
-    return replace(first, **merged, source=shown_name(path))
+    return replace(first, dates=steps, u=u[rows], v=v[rows], source=shown_name(path))
 
 
 def _read(path: Path, span: Box | None, column: bool, units: str | None, least: int) -> Currents:
@@ -241,7 +241,7 @@ def _read(path: Path, span: Box | None, column: bool, units: str | None, least: 
                 f"{lat.name} and {lon.name} are those of each {lat.dims[0]}: a triangular grid "
                 f"or a track; {cf.CURE}"
             )
-        hours, start = _since_first(cf.dates_of(when, column, least))
+        dates = cf.dates_of(when, least)
         latitudes, longitudes = lat.values.astype(float), lon.values.astype(float)
         if abs(np.ptp(longitudes[[0, -1]]) - 360.0) < SAME:  # its first meridian again
             longitudes = longitudes[:-1]
@@ -249,12 +249,8 @@ def _read(path: Path, span: Box | None, column: bool, units: str | None, least: 
         wanted = span or (latitudes.min(), latitudes.max(), longitudes.min(), longitudes.max())
         rows = _inside(latitudes, wanted[:2], str(lat.name), span is None)
         columns = _inside(longitudes, wanted[2:], str(lon.name), span is None)
-        lon_read = longitudes[columns]
-        if column and lon_read[0] + 360.0 - lon_read[-1] < AROUND * np.median(np.diff(lon_read)):
-            columns = np.append(columns, columns[0])
-            lon_read = np.append(lon_read, lon_read[0] + 360.0)
-        steps = np.argsort(hours)
-        if not np.all(np.diff(hours[steps]) > 0):
+        steps = np.argsort(dates)
+        if len(np.unique(dates)) < len(dates):
             raise DataError(f"{when.name} has a step twice; keep each time once")
         across = {lat.dims[0]: rows, lon.dims[0]: columns}
         index, depth = {when.dims[0]: steps}, np.zeros(1)
@@ -280,20 +276,8 @@ def _read(path: Path, span: Box | None, column: bool, units: str | None, least: 
         if column and u.ndim == 3:
             u, v = u[:, None], v[:, None]
         lat0, lat1, lon0, lon1 = map(float, wanted)
-        of_grid = latitudes[rows], lon_read, depth, hours[steps], start, u, v
+        of_grid = latitudes[rows], longitudes[columns], depth, dates[steps], u, v
         return Currents(*of_grid, (lat0, lat1, lon0, lon1), shown_name(path))
-
-
-def _since_first(dates: np.ndarray) -> tuple[np.ndarray, str]:
-    """Return hours since the earliest date, and that date, with its calendar if not real."""
-    first = dates.min()
-    if dates.dtype.kind == "M":
-        nearest = (first + np.timedelta64(500, "us")).astype("datetime64[ms]")
-        return (dates - first) / np.timedelta64(1, "h"), nearest.item().isoformat()
-    start = first.isoformat()
-    if first.calendar not in cf.REAL:
-        start += f" in the calendar {first.calendar}"
-    return np.array([(date - first).total_seconds() / 3600.0 for date in dates]), start
 
 
 def _checked_box(box: Any) -> Box:

@@ -17,8 +17,8 @@ A current at one place is such a table:
 Columns `time`, `u` (to the east) and `v` (to the north), in any order, others
 are left alone; in place of u and v `speed` and `direction`, the one to which it flows, degrees
 from true north.  Units stand behind the names, in () or [], or for both in a
-comment `# units: cm/s`; a table without units is refused.  Times are ISO 8601
-(UTC unless they say; 20190101 is a day) or seconds since 1970 UTC.  An empty cell or nan is a gap.
+comment `# units: cm/s`; a table without units is refused.  Times are ISO 8601, UTC unless they
+say.  An empty cell or nan is a gap.
 Lines that begin with `#` are comments; `# latitude: DEG` is read.
 """
 
@@ -51,11 +51,7 @@ POLAR = {
 }
 SUFFIXES = (".csv", ".txt", ".dat")
 NORTH = re.compile(r"\s*(°|deg(rees?)?)?[\s_]*(n(orth)?)?$", re.IGNORECASE)
-UTC = re.compile(
-    r"(iso ?8601|y{4}[-ymdhst:.z/ ]*)?[, ]*(utc|gmt|z)?|(unix|s|sec(ond)?s?)( since 1970.*)?",
-    re.IGNORECASE,
-)
-DAY = r"(1[789]|2[01])\d\d(0[1-9]|1[0-2])(0[1-9]|[12]\d|3[01])"  # 20190131
+UTC = re.compile(r"(iso ?8601|y{4}[-ymdhst:.z/ ]*)?[, ]*(utc|gmt|z)?", re.IGNORECASE)
 HEADER = re.compile(r"([^([]*)(?:[(\[]([^)\]]*)[)\]])?")  # without spaces: they would be tried
 
 
@@ -181,7 +177,7 @@ def _header(
         if what == "direction" and unit and not unit.lower().startswith(("deg", "°")):
             raise DataError(f"direction is in '{unit}'; must be in degrees from true north")
         if what == "time" and unit and not UTC.fullmatch(unit):
-            raise DataError(f"time is in '{unit}'; must be in UTC, or seconds since 1970 UTC")
+            raise DataError(f"time is in '{unit}'; must be in UTC")
         unit = "m/s" if what in ("time", "direction") else unit or units
         if unit is None:
             raise DataError(
@@ -193,20 +189,11 @@ def _header(
 
 
 def _times(cells: pandas.Series, path: Path) -> np.ndarray:
-    """Return times of ISO 8601, or seconds since 1970, as datetime64 in ms."""
-    days = cells.str.fullmatch(DAY)  # all of them: no seconds of the year 1970
-    seconds = pandas.to_numeric(cells, errors="coerce").mask(days & days.all())
-    dates = pandas.to_datetime(
-        cells.where(seconds.isna(), "1970"), utc=True, format="ISO8601", errors="coerce"
-    )
-    _refuse(
-        dates.isna(), cells, "time", "such as 2019-01-01T06:00:00Z, or seconds since 1970", path
-    )
-    _refuse(seconds.abs() >= 1e11, cells, "time", "seconds since 1970", path)
-    counted = np.round(1000 * seconds.fillna(0.0)).to_numpy("datetime64[ms]")
-    read = dates.dt.tz_localize(None).dt.round("ms").to_numpy("datetime64[ms]")
+    """Return times of ISO 8601 as datetime64 in ms."""
+    dates = pandas.to_datetime(cells, utc=True, format="ISO8601", errors="coerce")
+    _refuse(dates.isna(), cells, "time", "such as 2019-01-01T06:00:00Z", path)
     with naming(path):
-        return checked_times(np.where(seconds.isna(), read, counted))
+        return checked_times(dates.dt.tz_localize(None).dt.round("ms"))
 
 
 def _numbers(cells: pandas.Series, what: str, path: Path) -> np.ndarray:

@@ -84,7 +84,7 @@ def seconds(data: xarray.Dataset, name: str) -> np.ndarray:
         return numbers
     bare = re.sub(r"\s*(UTC|GMT)\s*$", "", units)
     dates = decoded(np.array([0.0, 1.0]), bare)  # of two numbers, so that digits stay
-    if dates is None or dates.dtype.kind != "M":
+    if dates is None:
         raise DataError(
             f"{name} is in '{units}'; must be such as 'seconds since 1970-01-01 00:00:00'"
         )

@@ -20,11 +20,10 @@ from pathlib import Path
 import numpy as np
 from scipy.interpolate import RegularGridInterpolator
 
-from ..currents.grid_file import DEEPEST, missing_steps, read_currents
+from ..currents.grid_file import AROUND, DEEPEST, missing_steps, read_currents
 from ..currents.plane import LocalPlane
 from ..geodesy import near
 from ..gliders.dives import Dive
-from ..units import seconds_since_1970
 from .carried_dives import Flow, FlowModel, Uncovered
 
 OUTSIDE = "outside the forecast's area"
@@ -73,11 +72,12 @@ class Forecast(FlowModel):
             about += f"; {column.land} cells of nothing but zeros are taken as land"
         self.about = about
         self.fastest = float(np.sqrt(np.nanmax(column.u**2 + column.v**2)))  # m/s, anywhere
-        self.time = seconds_since_1970(column.start) + 3600.0 * column.time  # s since 1970 UTC
+        self.time = column.dates.astype(float) / 1e3  # s since 1970 UTC
         self.gaps = missing_steps(self.time) > 0
-        self.lon, self.columns = column.lon, np.arange(len(column.lon))
-        if column.lon[-1] == column.lon[0] + 360.0:  # around the Earth: a turn on either side
-            n = len(column.lon) - 1
+        self.lon, n = column.lon, len(column.lon)
+        self.columns = np.arange(n)
+        if self.lon[0] + 360.0 - self.lon[-1] < AROUND * np.median(np.diff(self.lon)):
+            # around the Earth: a turn on either side
             turns, self.columns = np.divmod(np.arange(-n, 2 * n + 1), n)
             self.lon = column.lon[self.columns] + 360.0 * turns
 
@@ -127,7 +127,7 @@ class Forecast(FlowModel):
 
     def _inside(self, lat: float, lon: float) -> bool:
         c = self.column
-        return bool(c.lat[0] <= lat <= c.lat[-1] and self._unwrapped(lon) <= c.lon[-1])
+        return bool(c.lat[0] <= lat <= c.lat[-1] and self._unwrapped(lon) <= self.lon[-1])
 
     def _reached(self, dive: Dive) -> tuple[slice, slice, slice]:
         """Return the steps, rows and columns that the dive can reach."""

@@ -14,7 +14,6 @@ import clpt_control as clpt
 from clpt_control.currents.fit import fit_scenario, save_fit
 from clpt_control.currents.grid_file import sample_currents
 from clpt_control.errors import ArgumentError, DataError, ScenarioError
-from clpt_control.replay.flow_models import read_flow_model
 from clpt_control.simulation.flows import explained_variance
 
 MARACOOS = sample_currents()
@@ -176,18 +175,6 @@ def test_steps_that_are_missing_are_gaps_and_nothing_overshoots(tmp_path):
     assert without.report["missing_fraction"] == pytest.approx(10 / 61)
     with pytest.raises(DataError, match="99 steps are missing among 51, most of them behind 19 h"):
         fitted(tide[rows], rows + 89 * (rows > 25))
-
-
-def test_a_calendar_without_real_dates_has_no_moon_and_carries_no_dive(known, tmp_path):
-    (tmp_path / "c.nc").write_bytes(known[0].read_bytes())
-    with netCDF4.Dataset(tmp_path / "c.nc", "a") as file:
-        file["time"].calendar = "noleap"
-    fit = fit_scenario(tmp_path / "c.nc", BOX, rows=1, columns=1, width_km=30.0)
-    assert fit.report["start"] == "2020-06-01T00:00:00 in the calendar noleap"
-    assert fit.report["nodal"] is None
-    save_fit(fit, tmp_path / "s.toml")
-    with pytest.raises(DataError, match="a real date"):
-        read_flow_model(tmp_path / "s.toml")
 
 
 def test_saved_scenario_and_field_belong_together(known, tmp_path):
