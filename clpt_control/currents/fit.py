@@ -35,7 +35,7 @@ from ..files import check_writable, write_together
 from ..scenario import tidal_periods
 from ..scenario.experiment import Scenario
 from ..scenario.file import load_scenario, scenario_to_text
-from ..units import known, percent
+from ..units import known
 from .constituents import nodal_report
 from .grid_file import Box, Currents, read_currents, with_all_steps
 from .plane import GriddedField, LocalPlane, field_dataset, fill_gaps, regular_grid
@@ -69,7 +69,6 @@ def fit_scenario(
     width_km: float | None = None,
     constituents: Sequence[str] = ("steady", "M2"),
     radius_km: float | None = None,
-    gain: float = 5.0,
     start_from_fit: bool = False,
     units: str | None = None,
 ) -> Fit:
@@ -90,8 +89,6 @@ def fit_scenario(
     radius_km : float, optional
         Radius of the circle of 12 waypoints around the origin, km; 0.32 of the
         distance to the nearest edge of the field.
-    gain : float, optional
-        Adaptation gain of the scenario.
     start_from_fit : bool, optional
         Let the learner start at alpha(0) = -theta. (alpha_M stays 0: Eqs. (7)
         and (20) cancel it, so it would teach the learner nothing.)
@@ -133,13 +130,9 @@ def fit_scenario(
     """
     constituents = tuple(constituents)
     _check(rows, columns, constituents)
-    for what, value, unit in (
-        ("width (--width-km)", width_km, " km"),
-        ("radius", radius_km, " km"),
-        ("gain", gain, ""),
-    ):
+    for what, value in (("width (--width-km)", width_km), ("radius", radius_km)):
         if value is not None and not (np.isfinite(value) and value > 0):
-            raise DataError(f"{what} = {value}{unit}: must be positive and finite")
+            raise DataError(f"{what} = {value} km: must be positive and finite")
     currents = read_currents(path, box, units=units)
     with naming(path):
         currents = with_all_steps(currents)
@@ -166,7 +159,7 @@ def fit_scenario(
     width_km = float(f"{WIDTH * apart:.2g}") if width_km is None else width_km
     away = np.abs(np.hypot(*np.transpose(places)) - radius_km)  # of places from the track
     felt = np.exp(-((away / width_km) ** 2) / 2) >= FELT
-    scenario = _scenario(currents, places, width_km, constituents, radius_km, gain)
+    scenario = _scenario(currents, places, width_km, constituents, radius_km)
     measured = currents.measured
     if measured.sum() < scenario.basis.N:
         raise DataError(
@@ -260,7 +253,7 @@ def _middles(
 
 
 def _scenario(
-    currents: Currents, places: list, width: float, constituents: tuple, radius: float, gain: float
+    currents: Currents, places: list, width: float, constituents: tuple, radius: float
 ) -> Scenario:
     """Return the scenario; `save_fit` writes its field and names it."""
     phased = [(c, p) for c in constituents for p in ((0.0,) if c == "steady" else (0.0, SINE))]
@@ -279,7 +272,7 @@ def _scenario(
             "flow": {"field": "field.nc", "outside": "raise"},
             "vehicle": car,
             "reference": {"kind": "circle", "radius": float(radius), "count": 12, "dwell": 2.0},
-            "learning": {"law": "learned-flow", "gain": float(gain), **car},
+            "learning": {"law": "learned-flow", "gain": 5.0, **car},
             "run": {"duration": float(currents.time[-1]), "output_step": 0.1},
         }
     )
@@ -322,7 +315,7 @@ def save_fit(fit: Fit, out: str | Path) -> Scenario:
         "source": f"{report['source']}, by clpt-control {version('clpt-control')}",
         "time_origin": report["start"],
         "origin_latitude_longitude": report["origin"],
-        "comment": _gaps(report),
+        "comment": "gaps are filled harmonically in space and time; fit_report counts them",
         "fit_report": json.dumps(report),
     }
     flow = scenario.flow.model_copy(update={"field": field.name})
@@ -331,36 +324,13 @@ def save_fit(fit: Fit, out: str | Path) -> Scenario:
     return load_scenario(out)
 
 
-def _gaps(report: dict) -> str:
-    return (
-        f"{percent(report['missing_fraction'])} of the values were missing and are filled, "
-        f"harmonically in space and time; {report['cells_never_measured']} of {report['cells']} "
-        "cells were never measured"
-    )
-
-
 def _header(report: dict) -> str:
     """Return the comment lines that say where the scenario came from."""
-    box = " ".join(f"{value:g}" for value in report["box"])
-    rows, columns = report["places"]
-    share = report["explained_variance"]
-    learned = "The current hardly changes, so they have no variance to explain"
-    if share is not None:
-        learned = f"They explain {percent(share)} of the measured variance"
     lines = [
-        f"Made by clpt-control {version('clpt-control')} from {report['source']}, "
-        f"box {box} (degrees).",
-        f"Origin ({report['origin'][0]:.6g} N, {report['origin'][1]:.6g} E), x1 east, x2 north, "
-        f"t = 0 at {report['start']}.",
-        f"True flow: the measured current; {_gaps(report)}.",
-        f"Basis: {rows} x {columns} places, width {report['width']:g} km, "
-        f"{', '.join(report['constituents'])}: {report['functions']} functions; the track, a "
-        f"circle of {report['track_radius']:g} km, feels {report['functions_felt_on_the_track']}.",
-        f"{learned} ({report['samples']} samples); the rest, Delta of Eq. (32), has rms "
-        f"{report['residual_rms']:.3g}, at most {report['residual_max']:.3g} km/h; "
-        f"condition number {report['condition_number']:.3g}.",
-        "The fitted theta is in the field file's attribute fit_report; the learner does not "
-        "know it",
-        "unless learning.parameters = -theta.",
+        f"Made by clpt-control {version('clpt-control')}; x1 is east, x2 north.",
+        "The true flow is the measured current, gaps filled harmonically in space and time.",
+        "The learner does not know theta of the fit, which the field's fit_report has.",
     ]
+    told = [key for key in report if key not in ("theta", "nodal")]
+    lines += [f"{key.replace('_', ' ')}: {report[key]}" for key in told]
     return "".join(f"# {line}\n" for line in lines) + "\n"

@@ -212,9 +212,7 @@ def _concatenated(path: Path, parts: list[Currents]) -> Currents:
         for name in ("lat", "lon", "depth"):
             if not np.array_equal(getattr(part, name), getattr(first, name), equal_nan=True):
                 raise DataError(f"{path}: {part.source} has another {name} than {first.source}")
-    dates, u, v = (
-        np.concatenate([getattr(p, name) for p in parts]) for name in ("dates", "u", "v")
-    )
+    dates, u, v = map(np.concatenate, zip(*((p.dates, p.u, p.v) for p in parts), strict=True))
     if u.size > MOST:
         raise DataError(f"{path}: has {u.size:.3g} values; at most {MOST:.0g} can be held")
     steps, last = np.unique(dates[::-1], return_index=True)

@@ -82,7 +82,7 @@ def test_width_and_radius_follow_the_box(known, tmp_path):
     assert half.report["track_radius"] < 0.6 * small.report["track_radius"]
     narrow = fit_scenario(known[0], BOX, width_km=6.0, radius_km=1.0)
     assert narrow.report["functions_felt_on_the_track"] == 3
-    assert "a circle of 1 km, feels 3." in fit_text(narrow, tmp_path)
+    assert "# functions felt on the track: 3\n" in fit_text(narrow, tmp_path)
 
 
 def fit_text(fit, folder):
@@ -111,7 +111,7 @@ def test_a_uniform_current_has_no_share_and_says_so(clpt, printed, known, tmp_pa
     u, scenario, run = np.full(known[2].shape, 0.5), tmp_path / "s.toml", tmp_path / "run.nc"
     uniform = write(tmp_path / "c.nc", u, 0.4 * u)
     assert printed("fit", uniform, "--out", scenario)["explained_variance"] is None
-    assert "# The current hardly changes, so they have no variance" in scenario.read_text()
+    assert "# explained variance: None" in scenario.read_text()
     _, out, _ = clpt("run", scenario, "--out", run)
     assert out.count("none: the current hardly changes") == 2
     shares = printed("run", scenario, "--out", run)["explained_variance"]
@@ -192,8 +192,7 @@ def test_saved_scenario_and_field_belong_together(known, tmp_path):
         (tmp_path / name).rename(moved / name)
     assert clpt.load_scenario(moved / "north.toml").model_dump() == scenario.model_dump()
     text = (moved / "north.toml").read_text()
-    assert "30." in text.split("\n")[2]
-    assert "filled" in text.split("\n")[2]
+    assert "# missing fraction: 0.30" in text
     assert str(tmp_path) not in text
     with netCDF4.Dataset(moved / "north_field.nc") as file:
         assert json.loads(file.fit_report) == fit.report
@@ -211,7 +210,7 @@ def test_a_scenario_of_a_file_with_any_name_is_read_back(known, tmp_path, name):
     shown = ascii(name)[1:-1]
     scenario = save_fit(fit, tmp_path / "north.toml")
     assert scenario.title == f"Measured current of {shown} from 2020-06-01T00:00:00"
-    assert shown in (tmp_path / "north.toml").read_text().split("\n")[0]
+    assert shown in (tmp_path / "north.toml").read_text()
 
 
 def test_files_are_written_whole_or_not_at_all(known, tmp_path, monkeypatch):
@@ -256,7 +255,6 @@ def test_places_that_cannot_be_written_to(known, tmp_path, name, sentence):
         ({"rows": 50, "columns": 40}, DataError, "cannot determine 6000 basis functions"),
         ({"radius_km": 60.0}, DataError, "circle of 60 km .* leaves the field"),
         ({"radius_km": -1.0}, DataError, "radius = -1.0 km: must be positive"),
-        ({"gain": 0.0}, DataError, "gain = 0.0: must be positive"),
         ({"box": (40.9, 41.1, -69.9, -69.0), "radius_km": 10.0}, DataError, "circle of 10 km"),
     ],
 )

@@ -55,15 +55,15 @@ def test_records_are_read_alike_from_every_file(tmp_path):
     flow = waves(time)
     flow[0, 3] = np.nan
     one = read_record(write_table(tmp_path / "r.csv", time, flow))
-    other = tmp_path / "s.csv"
+    loose = tmp_path / "s.csv"
     rows = "".join(f"{v},x,{t},{u}\n" for t, u, v in zip(time, *flow, strict=True))
-    other.write_text(f"# units: m s-1\n# latitude = 41.2 N\nv,note,time,u\n{rows}")
+    loose.write_text(f"# units: m s-1\n# latitude = 41.2 N\nv,note,time,u\n{rows}")
     net = write_netcdf(tmp_path / "r.nc", time, 100 * flow, units="cm/s")
     cells = (np.array([40.0, 41.2]), np.array([-70.0, -69.0, -68.0]))
     grid = np.stack([np.stack([flow * k for k in row], -1) for row in ((0, 0, 0), (0, 0, 1))], -2)
     grid = read_record(write_netcdf(tmp_path / "g.nc", time, grid, cells=cells), at=(41.0, 292.1))
     assert (grid.latitude, grid.longitude) == (41.2, -68.0)
-    for other in (read_record(other), read_record(net), grid):
+    for other in (read_record(loose), read_record(net), grid):
         np.testing.assert_array_equal(other.time, one.time)
         np.testing.assert_allclose([other.u, other.v], [one.u, one.v], atol=1e-12)
         assert other.latitude == one.latitude == LATITUDE
