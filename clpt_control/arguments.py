@@ -35,7 +35,6 @@ SIMPLE = {float, int, str, bool, NoneType}
 EMPTY = np.dtype("V")
 SHORT = reprlib.Repr()
 SHORT.maxstring = SHORT.maxother = 60
-PATH = "a path (str or Path)"
 NOUNS = {
     "float": "a number",
     "int": "a whole number",
@@ -44,13 +43,13 @@ NOUNS = {
     "NoneType": "None",
     "ndarray": "an array of numbers",
     "Dataset": "an xarray.Dataset",
-    "Any": "anything",
     "NonlinearIOSystem": "a diagram",
     "InputOutputSystem": "a diagram",
     "Callable": "a function",
-    "Path": PATH,
-    "PathLike": PATH,
+    "Path": "a path",
+    "PathLike": "a path",
 }
+NO_WORDS = re.compile(r"\w+\.|ForwardRef\('|'\)|Annotated\[|, '[^']* [^']*'\]")  # of annotations
 EXAMPLES = {  # of arguments whose kind alone does not show how they are written
     "inputs": "{'e': 2}",
     "outputs": "{'y': 1}",
@@ -65,20 +64,19 @@ EXAMPLES = {  # of arguments whose kind alone does not show how they are written
     "box": "(40.9, 41.55, -69.9, -69.0)",
     "law_block": "clpt.blocks.table_of_laws()['learned-flow'].of(2, gain=0.5)",
 }
-MAKERS = {  # what people make first, and by what; FILE is the path that they gave, or such a one
-    "Scenario": ("clpt.load_scenario(FILE) reads a scenario's file", "mine.toml"),
-    "Team": ("clpt.load_team(FILE) reads a team's file", "team.toml"),
-    "NonlinearIOSystem": ("clpt.closed_loop, clpt.connect or control.ss makes one", ""),
-    "InputOutputSystem": ("clpt.connect(blocks) makes a diagram, clpt.Block a block", ""),
-    "Dataset": ("clpt.simulate(scenario) makes a run, clpt.load_run(FILE) reads one", "run.nc"),
-    "Block": ("clpt.Block('gain', output=..., inputs={'u': 1}, outputs={'y': 1}) makes one", ""),
-    "Dive": ("clpt.gliders.read_dives(FILE)[0] is a list of dives", "dives.csv"),
-    "Replay": ("clpt.replay.replay_dives(dives) makes one", ""),
-    "FlowModel": ("clpt.replay.read_flow_model(FILE) reads one", "forecast.nc"),
-    "NextDive": ("clpt.replay.next_dive(replay) makes one", ""),
-    "Fit": ("clpt.currents.fit_scenario(FILE) makes one", "currents.nc"),
-    "TidalFit": ("clpt.currents.fit_tides makes one of a record", ""),
-    "FixModel": ("clpt.estimation.FixModel() makes one", ""),
+MAKERS = {  # what people make first, by a word of what is allowed
+    "Scenario": "clpt.load_scenario('mine.toml') reads a scenario's file",
+    "Team": "clpt.load_team('team.toml') reads a team's file",
+    "diagram": "clpt.closed_loop, clpt.connect or control.ss makes one",
+    "Dataset": "clpt.simulate(scenario) makes a run, clpt.load_run('run.nc') reads one",
+    "Block": "clpt.Block('gain', output=..., inputs={'u': 1}, outputs={'y': 1}) makes one",
+    "Dive": "clpt.gliders.read_dives('dives.csv')[0] is a list of dives",
+    "Replay": "clpt.replay.replay_dives(dives) makes one",
+    "FlowModel": "clpt.replay.read_flow_model('forecast.nc') reads one",
+    "NextDive": "clpt.replay.next_dive(replay) makes one",
+    "Fit": "clpt.currents.fit_scenario('currents.nc') makes one",
+    "TidalFit": "clpt.currents.fit_tides makes one of a record",
+    "FixModel": "clpt.estimation.FixModel() makes one",
 }
 
 
@@ -105,32 +103,26 @@ def _checking(function: Any, name: str) -> Any:
     places = code.co_varnames[: code.co_argcount]
     known = set(code.co_varnames[: code.co_argcount + code.co_kwonlyargcount])
     any_name = bool(code.co_flags & CO_VARKEYWORDS)
-    allowed: dict[str, Kinds] = {}
+    kinds_by: dict[str, Kinds] = {}
 
     def checked(argument: str, value: Any) -> Any:
-        if not allowed:  # at the first call, when all names are known
+        if not kinds_by:  # at the first call, when all names are known
             for one, kind in function.__annotations__.items():
-                allowed[one] = kinds_of(kind, function.__globals__)
-        kinds = allowed.get(argument, (Any,))
+                kinds_by[one] = kinds_of(kind, function.__globals__)
+        kinds = kinds_by.get(argument, (Any,))
         if Any in kinds or (type(value) in SIMPLE and type(value) in kinds and value == value):
             return value  # at once: a dive has 25 numbers
         value = plain(value, kinds)
         if not fits(value, kinds):
-            such = f", such as {EXAMPLES[argument]}" if argument in EXAMPLES else ""
+            allowed = words(kinds)
             raise ArgumentError(
-                f"{name}: {argument} = {brief(value)}: must be {words(kinds)}{such}"
-                f"{cure(value, kinds)}"
+                f"{name}: {argument} = {brief(value)}: must be {allowed}"
+                f"{hint(argument, value, allowed)}"
             )
         return value
 
-    def suggest(named: Iterable[str]) -> None:
-        for one in () if any_name else named:
-            if one not in known and (close := nearest(one, known)):
-                raise ArgumentError(f"{name}: has no argument {one}; did you mean {close}?")
-
     def call(*given: Any, **named: Any) -> Any:
         if len(given) > len(places) or not (any_name or known.issuperset(named)):
-            suggest(named)
             return function(*given, **named)  # Python itself says what is too much
         return function(
             *map(checked, places, given),
@@ -244,10 +236,7 @@ def _is_list(value: Any, own: Any, inner: Kinds) -> bool:
 
 def words(kinds: Kinds) -> str:
     """Return what is allowed: "a number or None"."""
-    nouns = dict.fromkeys(map(_noun, kinds))
-    if PATH in nouns:
-        nouns.pop(NOUNS["str"], None)
-    *many, last = nouns
+    *many, last = dict.fromkeys(map(_noun, kinds))
     return f"{', '.join(many)} or {last}" if many else last
 
 
@@ -255,26 +244,10 @@ def _noun(kind: Any) -> str:
     if kind in (Seed, Count):
         return f"a whole number, {get_args(kind)[1]}"
     own, inner = _parts(kind)
-    if own in LISTS or (own is tuple and inner[-1] is Ellipsis):
-        return "a list" if inner[0] is Any else f"a list of {_many(inner[0])}"
-    if own is tuple:
-        return f"{len(inner)} values, each {words(kinds_of(inner[0], {}))}"
-    if own in (Mapping, dict):
-        return "a dict" + (f" of {_bare(inner[0])} to {_bare(inner[1])}" if inner else "")
     name = own if isinstance(own, str) else getattr(own, "__name__", str(own))
+    if inner and name not in NOUNS:
+        return NO_WORDS.sub("", str(kind))  # Sequence[str | Path], as it is written
     return NOUNS.get(name) or f"{'an' if name[0] in 'AEIOUaeioux' else 'a'} {name}"
-
-
-def _bare(kind: Any) -> str:
-    return words(kinds_of(kind, {})).removeprefix("a ").removeprefix("an ")
-
-
-def _many(kind: Any) -> str:
-    """Return "texts" of one text."""
-    one, *rest = re.split(r"(?= \(| of |, each)", _bare(kind), maxsplit=1)
-    if not one[0].isdigit():
-        one = re.sub(r"(?=, | or |$)", "s", one)
-    return one + "".join(rest)
 
 
 def brief(value: Any) -> str:
@@ -289,19 +262,13 @@ def brief(value: Any) -> str:
     return f"{named} of shape {shape}" if isinstance(shape, tuple) else named
 
 
-def cure(value: Any, kinds: Kinds) -> str:
+def hint(argument: str, value: Any, allowed: str) -> str:
     """Return what to try, or nothing."""
-    path = os.fspath(value) if isinstance(value, os.PathLike) else value
-    for kind in kinds:
-        inner = get_args(kind)[:1] if get_origin(kind) in LISTS else ()
-        if str in inner and isinstance(path, str):
-            return f"; give a list: [{path!r}]"
-        for one in (*inner, kind):
-            name = (one if isinstance(one, str) else getattr(one, "__name__", "")).split(".")[-1]
-            if name in MAKERS:
-                how, file = MAKERS[name]
-                return "; " + how.replace("FILE", repr(path if isinstance(path, str) else file))
-    return ""
+    if argument in EXAMPLES:
+        return f", such as {EXAMPLES[argument]}"
+    if isinstance(value, str) and "[str" in allowed:
+        return f"; give a list: [{value!r}]"
+    return next((f"; {MAKERS[word]}" for word in re.findall(r"\w+", allowed) if word in MAKERS), "")
 
 
 def numbers(argument: str, value: Any, *last: int | None) -> np.ndarray:

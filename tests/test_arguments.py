@@ -103,11 +103,6 @@ def test_a_tolerance_of_nothing_is_not_the_default():
         clpt.simulate(LOOP, [0.0, 2.0], rtol=0.0, atol=0.0)
 
 
-def test_a_keyword_that_was_meant_is_named():
-    with pytest.raises(ClptError, match=r"simulate: has no argument parms; did you mean params\?"):
-        clpt.simulate(SCENARIO, parms={"adaptation.gain": 2.0})
-
-
 def test_an_unknown_keyword_is_refused_by_all():
     fix = (0.0, 0.0, 0.0)
     for function, given in (

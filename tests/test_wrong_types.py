@@ -258,12 +258,12 @@ def allowed(function, argument, label):
         ),
         (
             lambda: clpt.Block("b", output=line, inputs=["u"], outputs={"y": 1}),
-            "Block: inputs = ['u']: must be a dict of text to whole number, a text or a list of "
-            "whole numbers or a texts or None, such as {'e': 2}",
+            "Block: inputs = ['u']: must be Mapping[str, int | str | tuple[int | str, ...]] or "
+            "None, such as {'e': 2}",
         ),
         (
             lambda: clpt.gliders.read_dives(3),
-            "read_dives: paths = 3: must be a path (str or Path) or a list of paths (str or Path)",
+            "read_dives: paths = 3: must be a text, a path or Iterable[str | Path]",
         ),
         (
             lambda: clpt.simulate(SCENARIO, rtol=math.nan),
@@ -271,12 +271,12 @@ def allowed(function, argument, label):
         ),
         (
             lambda: clpt.ensemble.tune_law(SCENARIO, laws="sigma"),
-            "tune_law: laws = 'sigma': must be a list of texts; give a list: ['sigma']",
+            "tune_law: laws = 'sigma': must be Iterable[str]; give a list: ['sigma']",
         ),
         (
             lambda: clpt.theory.gramian(Path("run.nc")),
             "gramian: source = 'run.nc': must be a Scenario, an xarray.Dataset or a Regressor; "
-            "clpt.load_scenario('run.nc') reads a scenario's file",
+            "clpt.load_scenario('mine.toml') reads a scenario's file",
         ),
     ],
 )

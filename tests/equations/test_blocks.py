@@ -154,7 +154,7 @@ def test_states_are_views_of_one_vector():
             {"output": flow, "inputs": {"phi": "N"}, "outputs": {"y": 1}},
             "the size 'N' is not known",
         ),
-        ({"output": flow, "outputs": {"y": 1.5}}, "must be a dict of text to whole number"),
+        ({"output": flow, "outputs": {"y": 1.5}}, r"must be Mapping\[str, int"),
         ({"output": flow, "outputs": {"y": -1}}, "must be a whole number, 0 or more, or a name"),
         ({"output": flow, "outputs": {"a.b": 1}}, "must not be empty, begin with a sign"),
         ({"output": flow, "outputs": {"y": 1}, "parameters": {"a": "b"}}, r"mine\.a = 'b'"),
@@ -180,7 +180,7 @@ def test_a_parameter_of_another_shape_is_refused():
 
 
 def test_ports_have_sizes():
-    with pytest.raises(ArgumentError, match=r"inputs = \['e'\]: must be a dict .* \{'e': 2\}$"):
+    with pytest.raises(ArgumentError, match=r"inputs = \['e'\]: must be Mapping.* \{'e': 2\}$"):
         Block("a", output=flow, inputs=["e"], outputs={"y": 1})
 
 

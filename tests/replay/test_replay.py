@@ -119,5 +119,5 @@ def test_what_was_repaired_is_said():
 
 
 def test_a_path_is_no_dive():
-    with pytest.raises(ArgumentError, match=r"'p5420304.nc'.*must be a list of Dive.*read_dives"):
+    with pytest.raises(ArgumentError, match=r"'p5420304.nc'.*must be Iterable.Dive.*read_dives"):
         replay_dives(["p5420304.nc"])

@@ -61,7 +61,7 @@ def test_a_table_of_its_own_is_checked_too():
     wait_for_error(lambda: Learning(law="none", gain=1.0), "learning: law = 'none': must be")
     wait_for_error(lambda: clpt.Scenario(basis={}), "missing key basis.kernel .and")
     wait_for_error(lambda: clpt.Scenario.model_validate(3), "3: must be a table of keys")
-    wait_for_error(lambda: PAPER.with_values([2]), "must be a dict")
+    wait_for_error(lambda: PAPER.with_values([2]), "must be Mapping")
     other = {"reference.kind": "waypoints"}
     wait_for_error(lambda: PAPER.with_values(other), "missing key reference.points")
     given = PAPER.with_values({**other, "reference.points": [[0, 1]]}).reference

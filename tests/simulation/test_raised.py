@@ -252,7 +252,9 @@ def test_what_is_no_diagram():
 
 def test_what_is_no_path(tmp_path):
     run = clpt.simulate(system(decay), TIMES, 0.0, [1.0])
-    with pytest.raises(clpt.ArgumentError, match=r"table: path = 3: must be a path"):
+    with pytest.raises(
+        clpt.ArgumentError, match=r"table: path = 3: must be a text, a path or None"
+    ):
         run.clpt.table(3)
     run.clpt.table(tmp_path / "run.csv")
     assert (tmp_path / "run.csv").read_text().startswith("time")
