@@ -52,17 +52,10 @@ NOUNS = {
 NO_WORDS = re.compile(r"\w+\.|ForwardRef\('|'\)|Annotated\[|, '[^']* [^']*'\]")  # of annotations
 EXAMPLES = {  # of arguments whose kind alone does not show how they are written
     "inputs": "{'e': 2}",
-    "outputs": "{'y': 1}",
-    "states": "{'theta': 2}",
-    "blocks": "[block, control.tf(1, [0.1, 1], name='lag')]",
     "params": "{'adaptation.gain': 2.0}",
-    "values": "{'learning.gain': 2.0}",
     "vary": "'learning.gain=0.2:2.0'",
-    "external": "['zc']",
     "replace": "{'vehicle': block}",
     "insert": "{('v_x', 'vehicle'): lag}",
-    "box": "(40.9, 41.55, -69.9, -69.0)",
-    "law_block": "clpt.blocks.table_of_laws()['learned-flow'].of(2, gain=0.5)",
 }
 MAKERS = {  # what people make first, by a word of what is allowed
     "Scenario": "clpt.load_scenario('mine.toml') reads a scenario's file",

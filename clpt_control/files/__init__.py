@@ -223,20 +223,12 @@ def cache_folder() -> Path | None:
     Return None where it cannot be written to, or another user could have put something there.
     """
     try:
-        folder = Path(os.environ.get(CACHE) or _usual() / "clpt-control")
+        caches = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
+        folder = Path(os.environ.get(CACHE) or Path(caches, "clpt-control"))
         folder.mkdir(parents=True, exist_ok=True, mode=0o700)
         return folder if trusted(folder.stat()) and os.access(folder, os.W_OK) else None
     except (OSError, RuntimeError):  # RuntimeError: a user without a home
         return None
-
-
-def _usual() -> Path:
-    """Return the folder where a user's programs cache their files."""
-    if sys.platform == "win32":
-        return Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local")
-    caches = "Library/Caches" if sys.platform == "darwin" else ".cache"
-    named = os.environ.get("XDG_CACHE_HOME", "")
-    return Path(named) if Path(named).is_absolute() else Path.home() / caches
 
 
 def trusted(state: os.stat_result) -> bool:

@@ -1,6 +1,6 @@
 """The progress of work that lasts over two seconds, on standard error.
 
-A bar on a terminal, a plain line now and then elsewhere; a note on what happens once.
+One line on a terminal, written anew; a line now and then elsewhere; a note on what happens once.
 A line that cannot be printed is dropped and the work goes on; control characters are escaped.
 """
 
@@ -11,11 +11,13 @@ import time
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
+from shutil import get_terminal_size
 from traceback import walk_stack
 from typing import TextIO
 
-PATIENCE = 2.0  # seconds before the bar appears
+PATIENCE = 2.0  # seconds before the first line
 LOG_EVERY = 10.0  # seconds between lines where there is no terminal
+CLEARED = "\x1b[K\r"  # the rest of a terminal's line goes, and the next is written over it
 CONTROLS = re.compile(  # all but tab and newline, and marks that reverse the direction of text
     r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]"
 )
@@ -23,7 +25,7 @@ CONTROLS = re.compile(  # all but tab and newline, and marks that reverse the di
 
 @contextmanager
 def progress_bar(what: str, total: float, counted: str = "") -> Iterator[Callable[[float], None]]:
-    """Show percent and time left, or, where things are counted, how many a second.
+    """Tell percent and time left, or, where things are counted, how many a second.
 
     Yield ``report(done)``, to be called as often as you like; its first call tells how much
     an earlier run had done.
@@ -33,11 +35,11 @@ def progress_bar(what: str, total: float, counted: str = "") -> Iterator[Callabl
     """
     start = time.monotonic()
     terminal = sys.stderr.isatty()
-    bar = task = earlier = None
+    earlier = None
     printed = float("-inf")
 
     def report(done: float) -> None:
-        nonlocal bar, task, printed, earlier
+        nonlocal printed, earlier
         now = time.monotonic()
         if earlier is None:
             earlier = done
@@ -51,25 +53,16 @@ def progress_bar(what: str, total: float, counted: str = "") -> Iterator[Callabl
         if rate > 0:
             state += f", {rate:.4g} a second" if counted else ""
             state += f", {clock((total - done) / rate)} left"
-        if not terminal:
+        if terminal:
+            tell(f"{what}: {state}"[: get_terminal_size().columns - 1], CLEARED)
+        else:
             tell(f"{what}: {state}")
-            return
-        if bar is None:
-            from rich.console import Console
-            from rich.progress import BarColumn, Progress, TextColumn
-
-            name = TextColumn("{task.fields[what]}", markup=False)
-            columns = (name, BarColumn(), TextColumn("{task.description}", markup=False))
-            bar = Progress(*columns, console=Console(stderr=True), transient=True)
-            bar.start()
-            task = bar.add_task(state, total=total, what=escaped(what))
-        bar.update(task, completed=done, description=state)
 
     try:
         yield report
     finally:
-        if bar is not None:
-            bar.stop()
+        if terminal and printed > 0:
+            tell("", CLEARED)
 
 
 def note(sentence: str) -> None:
@@ -77,10 +70,10 @@ def note(sentence: str) -> None:
     tell(f"clpt: {sentence}")
 
 
-def tell(line: str) -> None:
+def tell(line: str, end: str = "\n") -> None:
     """Print a line on standard error; drop it where that fails."""
     try:
-        print(escaped(line), file=sys.stderr, flush=True)
+        print(escaped(line), end=end, file=sys.stderr, flush=True)
     except (OSError, ValueError):
         discard(sys.stderr)
 

@@ -21,7 +21,7 @@ from pathlib import Path
 from types import FrameType
 from typing import Any, NoReturn
 
-from . import escaped, tell
+from . import CLEARED, escaped, tell
 
 NOTHING = "nothing half-written was left"  # ends the sentence where there is no `resume_hint`
 PATIENCE = 3.0  # seconds that an interrupted process may take to end by itself
@@ -130,7 +130,7 @@ def leave() -> NoReturn:
     _tidy()
     with suppress(OSError):
         if os.isatty(2):
-            os.write(2, b"\r\x1b[?25h")  # the cursor, which a bar hides
+            os.write(2, CLEARED.encode())
         if not _printed:
             _printed = True
             os.write(2, f"{_sentence()}\n".encode(errors="backslashreplace"))
