@@ -39,9 +39,7 @@ def utide_names(constituents: Sequence[str]) -> list[str]:
     names = [OTHER_NAMES.get(name, name) for name in constituents]
     for name in names:
         if name not in known or name == "Z0":
-            raise ScenarioError(
-                f"unknown constituent '{name}': must be one that UTide has, such as M2, S2, K1, O1"
-            )
+            raise ScenarioError(f"unknown constituent '{name}': must be one of UTide's, such as M2")
     return names
 
 
@@ -86,17 +84,12 @@ def checked_times(time: Any) -> np.ndarray:
     try:
         times = np.atleast_1d(np.asarray(time, dtype="datetime64[ms]"))
     except (ValueError, TypeError, OverflowError):
-        raise DataError(
-            f"time = {brief(time)}: must be UTC times such as 2019-01-01T06:00"
-        ) from None
+        raise DataError(f"time = {brief(time)}: must be such as 2019-01-01T06:00") from None
     low, high = (np.datetime64(f"{year}-01-01") for year in YEARS)
     wrong = ~((times >= low) & (times < high))
     if times.size == 0 or wrong.any():
         first = times[wrong][0] if times.size else "none"
-        raise DataError(
-            f"time = {first}: must be at least one, from the year {YEARS[0]} to {YEARS[1]}; "
-            "check the unit and the epoch of the times"
-        )
+        raise DataError(f"time = {first}: must be from the year {YEARS[0]} to {YEARS[1]}")
     return times
 
 
@@ -111,7 +104,5 @@ def check_increasing(times: np.ndarray, where: str) -> None:
     """Refuse times, datetime64, at the first that does not increase."""
     late = np.flatnonzero(np.diff(times) <= np.timedelta64(0, "ms"))
     if len(late):
-        raise DataError(
-            f"{where}: the time {times[late[0] + 1]} comes after {times[late[0]]}; times must "
-            "increase: sort the record and keep each time once"
-        )
+        before, after = times[late[0] :][:2]
+        raise DataError(f"{where}: {after} follows {before}; times must increase, each once")

@@ -110,9 +110,7 @@ def read_record(
         cf.mark_gaps(u, v, ("the eastward current", "the northward current"), nothing)
         found = place[0] if latitude is None else latitude
         if found is None:
-            raise DataError(
-                "does not say its latitude, which the nodal corrections need; give --latitude DEG"
-            )
+            raise DataError("does not say its latitude; give --latitude DEG")
         checked_latitude(found)
     return CurrentRecord(times, u, v, float(found), place[1], shown_name(path))
 
@@ -131,14 +129,6 @@ def _from_netcdf(data: xarray.Dataset, at: tuple[float, float] | None, units: st
             k = _nearest(axis.values.astype(float), wanted, what)
             index[axis.dims[0]] = np.array([k])
             place.append(float(axis.values[k]))
-    others = {dim: data[east].sizes[dim] for dim in data[east].dims if dim not in index}
-    horizontal = cf.AXES["latitude"][1] + cf.AXES["longitude"][1]
-    grid = [n for n, size in others.items() if size > 1 and str(n).lower() in horizontal]
-    if at is None and grid:
-        raise DataError(
-            f"is a grid of {' x '.join(str(others[n]) for n in grid)} places; --at LAT LON takes "
-            "the nearest"
-        )
     u, v = (cf.velocity_values(data, name, index, units).ravel() for name in (east, north))
     return times, u, v, tuple(place)
 
@@ -149,10 +139,7 @@ def _nearest(axis: np.ndarray, wanted: float, what: str) -> int:
     k = int(np.argmin(np.abs(apart)))
     cell = np.abs(np.diff(np.sort(axis))).max() if len(axis) > 1 else 1.0
     if not abs(apart[k]) <= cell:  # also where not finite
-        raise DataError(
-            f"{what} {wanted:g} lies outside the grid, which covers {axis.min():.6g} to "
-            f"{axis.max():.6g}"
-        )
+        raise DataError(f"{what} {wanted:g} lies outside: {axis.min():.6g} to {axis.max():.6g}")
     return k
 
 
@@ -189,15 +176,9 @@ def of_profiler(data: xarray.Dataset) -> xarray.Dataset:
     system = str(data.attrs.get("coord_sys", "unknown"))
     names = [str(name) for name in data["dir"].values]
     if system != "earth" or not {"E", "N"} <= set(names):
-        raise DataError(
-            f"vel has the coordinates '{system}' ({', '.join(names)}); must be earth: "
-            "dolfyn.rotate2(data, 'earth'), and save it again"
-        )
+        raise DataError(f"vel is in '{system}' coordinates, not earth; dolfyn.rotate2 turns it")
     if "declination" not in data.attrs:
-        raise DataError(
-            "does not say its declination, so north is that of the compass; "
-            "dolfyn.set_declination(data, DEGREES EAST), and save it again"
-        )
+        raise DataError("its north is that of the compass; dolfyn.set_declination turns it")
     parts = {}
     for name, direction in (("u", "E"), ("v", "N")):
         part = data["vel"].isel(dir=names.index(direction), drop=True)

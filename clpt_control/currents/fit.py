@@ -151,31 +151,21 @@ def fit_scenario(
     room = min(-field.x1[0], field.x1[-1], -field.x2[0], field.x2[-1])
     radius_km = float(f"{RADIUS * room:.2g}") if radius_km is None else radius_km
     if not radius_km < room:
-        raise DataError(
-            f"{path}: a circle of {radius_km:g} km around the box's centre leaves the field, which "
-            f"has {room:.3g} km there; choose a larger box or a smaller radius"
-        )
+        raise DataError(f"{path}: a circle of {radius_km:g} km leaves the field, of {room:.3g} km")
     places, apart = _middles(plane, currents.box, rows, columns)
     width_km = float(f"{WIDTH * apart:.2g}") if width_km is None else width_km
     away = np.abs(np.hypot(*np.transpose(places)) - radius_km)  # of places from the track
     felt = np.exp(-((away / width_km) ** 2) / 2) >= FELT
     scenario = _scenario(currents, places, width_km, constituents, radius_km)
     measured = currents.measured
-    if measured.sum() < scenario.basis.N:
-        raise DataError(
-            f"{path}: {measured.sum()} samples in the box cannot determine {scenario.basis.N} "
-            "basis functions; use a larger box, fewer rows and columns or fewer constituents"
-        )
+    N, samples = scenario.basis.N, measured.sum()
+    if samples < N:
+        raise DataError(f"{path}: {samples} samples for {N} functions; use fewer, or a larger box")
     t, s1, s2 = (
         np.broadcast_to(a, measured.shape)[measured] for a in (currents.time[:, None, None], x1, x2)
     )
-    basis = scenario.basis
-    names = [
-        f"{'' if tide == 'steady' else 'sin ' if phase else 'cos '}{tide} at ({x:.3g}, {y:.3g}) km"
-        for tide, phase, (x, y) in zip(
-            basis.constituents or (), basis.phases or (), basis.centers, strict=True
-        )
-    ]
+    each = zip(scenario.basis.constituents or (), scenario.basis.centers, strict=True)
+    names = [f"{tide} at ({x:.3g}, {y:.3g}) km" for tide, (x, y) in each]
     phi = evaluate(scenario.basis_block(), t, np.column_stack([s1, s2]))
     with naming(path):
         fit = least_squares(phi, np.column_stack([u[measured], v[measured]]), names)
@@ -218,14 +208,9 @@ def fit_scenario(
 def _check(rows: int, columns: int, constituents: tuple[str, ...]) -> None:
     for what, count in (("rows", rows), ("columns", columns)):
         if not 1 <= count <= MOST:
-            raise DataError(
-                f"{what} = {count!s:.20}: must be a whole number, at least 1 and at most {MOST}"
-            )
+            raise DataError(f"{what} = {count!s:.20}: must be a whole number, 1 to {MOST}")
     if not constituents or len(set(constituents)) != len(constituents):
-        raise DataError(
-            f"constituents = {','.join(constituents)}: must be at least one name, each once, "
-            "such as steady,M2"
-        )
+        raise DataError(f"constituents = {','.join(constituents)}: must be names, each once")
     for name in constituents:
         tidal_periods.period(name)
 

@@ -176,10 +176,8 @@ def with_all_steps(currents: Currents) -> Currents:
     """Return a current on one level with the steps that are missing, as gaps."""
     missing = missing_steps(currents.time)
     if missing.sum() > len(currents.time):
-        raise DataError(
-            f"{missing.sum()} steps are missing among {len(currents.time)}, most of them behind "
-            f"{currents.time[np.argmax(missing)]:.6g} h; cut the file there"
-        )
+        where = currents.time[np.argmax(missing)]
+        raise DataError(f"{missing.sum()} steps are missing, most behind {where:.6g} h; cut there")
     there = np.concatenate([[0], np.cumsum(1 + missing)])
     dates = np.interp(np.arange(there[-1] + 1), there, currents.dates.astype(float))
     u, v = (np.full((len(dates), *w.shape[1:]), np.nan) for w in (currents.u, currents.v))
@@ -226,18 +224,14 @@ def _read(path: Path, span: Box | None, column: bool, units: str | None, least: 
     """Read one file, or Zarr folder, of so many steps at least."""
     with _opened(path) as data, naming(path):
         if "fit_report" in data.attrs:
-            raise DataError(
-                "is the field of a `clpt fit`; give the .toml file beside it as a flow model, or "
-                "the file that was fitted"
-            )
+            raise DataError("is the field of a fit; give the .toml file beside it as a flow model")
         names = [cf.find_variable(data, cf.VELOCITY, what) for what in ("eastward", "northward")]
         lat, lon, when = (
             cf.find_axis(data, names[0], what) for what in ("latitude", "longitude", "time")
         )
         if lat.dims == lon.dims:  # places, and no grid of them
             raise DataError(
-                f"{lat.name} and {lon.name} are those of each {lat.dims[0]}: a triangular grid "
-                f"or a track; {cf.CURE}"
+                f"{lat.name} and {lon.name} are of each {lat.dims[0]}, no grid; {cf.CURE}"
             )
         dates = cf.dates_of(when, least)
         latitudes, longitudes = lat.values.astype(float), lon.values.astype(float)
@@ -245,8 +239,8 @@ def _read(path: Path, span: Box | None, column: bool, units: str | None, least: 
             longitudes = longitudes[:-1]
         longitudes = _unwrapped(longitudes, span)
         wanted = span or (latitudes.min(), latitudes.max(), longitudes.min(), longitudes.max())
-        rows = _inside(latitudes, wanted[:2], str(lat.name), span is None)
-        columns = _inside(longitudes, wanted[2:], str(lon.name), span is None)
+        rows = _inside(latitudes, wanted[:2], str(lat.name))
+        columns = _inside(longitudes, wanted[2:], str(lon.name))
         steps = np.argsort(dates)
         if len(np.unique(dates)) < len(dates):
             raise DataError(f"{when.name} has a step twice; keep each time once")
@@ -261,15 +255,9 @@ def _read(path: Path, span: Box | None, column: bool, units: str | None, least: 
         index |= across
         size = np.prod([len(places) for places in index.values()], dtype=float)
         if size > MOST:
-            raise DataError(
-                f"{names[0]} has {size:.3g} values; at most {MOST:.0g} can be held, cut "
-                "the file to the area and days that are needed"
-            )
+            raise DataError(f"{names[0]} has {size:.3g} values, at most {MOST:.0g}; cut the file")
         u, v = (cf.velocity_values(data, name, index, units) for name in names)
-        nothing = (
-            f"{names[0]} and {names[1]} have no finite value in the box {_edges(wanted)}; "
-            "choose a box where the current was measured"
-        )
+        nothing = f"{names[0]} and {names[1]} have no finite value in the box {_edges(wanted)}"
         cf.mark_gaps(u, v, names, nothing)
         if column and u.ndim == 3:
             u, v = u[:, None], v[:, None]
@@ -280,14 +268,11 @@ def _read(path: Path, span: Box | None, column: bool, units: str | None, least: 
 
 def _checked_box(box: Any) -> Box:
     """Return lat0, lat1, lon0, lon1 with lon1 > lon0, also across 180 degrees."""
-    if len(box) != 4 or not np.all(np.isfinite(box)):
-        raise DataError(f"box = {tuple(box)}: must be 4 finite numbers, LAT0 LAT1 LON0 LON1")
     lat0, lat1, lon0, lon1 = map(float, box)
     width = (lon1 - lon0) % 360.0
     if not -90 <= lat0 < lat1 <= 90 or not 0 < width <= 180:
         raise DataError(
-            f"box = {_edges(box)}: must be LAT0 LAT1 LON0 LON1 in degrees, south before north "
-            "and west before east, at most 180 degrees wide"
+            f"box = {_edges(box)}: must be SOUTH NORTH WEST EAST, at most 180 degrees wide"
         )
     return lat0, lat1, lon0, lon0 + width
 
@@ -307,22 +292,16 @@ def _unwrapped(lon: np.ndarray, box: Box | None) -> np.ndarray:
     return lon - 360.0 * np.floor((lon - first) / 360.0)
 
 
-def _inside(axis: np.ndarray, span: tuple, where: str, whole: bool) -> np.ndarray:
+def _inside(axis: np.ndarray, span: tuple, where: str) -> np.ndarray:
     """Return the indices of the axis inside the span, in increasing order."""
     slack = 1e-9
     order = np.argsort(axis)
     inside = order[(axis[order] >= span[0] - slack) & (axis[order] <= span[1] + slack)]
-    if len(inside) < 2 and whole:
-        raise DataError(f"{where} has 1 value; at least 2 are needed")
     if len(inside) < 2:
-        raise DataError(
-            f"{where} holds {len(inside)} cells of the box, {span[0]:g} to {span[1]:g}; at least 2 "
-            f"are needed, the file covers {axis.min():.6g} to {axis.max():.6g}"
-        )
+        covered = f"it has {axis.min():.6g} to {axis.max():.6g}"
+        raise DataError(f"{where} has {len(inside)} cells in the box; 2 are needed, {covered}")
     if not np.all(np.diff(axis[inside]) > SAME):
-        raise DataError(
-            f"{where} has a value twice (0 and 360 degrees are one); keep each cell once"
-        )
+        raise DataError(f"{where} has a value twice (0 and 360 degrees are one); keep it once")
     return inside
 
 

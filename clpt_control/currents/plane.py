@@ -62,10 +62,7 @@ class LocalPlane:
 
     def __init__(self, lat: float, lon: float) -> None:
         if not (abs(lat) <= 90 and np.isfinite(lon)):
-            raise DataError(
-                f"origin ({lat}, {lon}): must be a latitude of -90 to 90 and a finite longitude, "
-                "degrees"
-            )
+            raise DataError(f"origin ({lat}, {lon}): must be latitude and longitude, degrees")
         self.lat, self.lon = lat, lon
         aeqd = {"proj": "aeqd", "ellps": "WGS84", "units": "km"}
         self._projection = needed("pyproj").Proj(aeqd, lat_0=lat, lon_0=lon)
@@ -76,10 +73,8 @@ class LocalPlane:
         x1, x2 = self._projection(lon, lat)
         distance = np.hypot(x1, x2)
         if not np.all(distance <= WIDEST):  # also where not finite
-            raise DataError(
-                f"a place is {np.max(distance):.4g} km from the origin ({self.lat:g}, "
-                f"{self.lon:g}); a local plane is allowed {WIDEST:g} km: choose a smaller box"
-            )
+            far = f"{np.max(distance):.4g} km from the origin"
+            raise DataError(f"a place is {far}, at most {WIDEST:g}; choose a smaller box")
         return x1, x2
 
     def to_earth(self, x1: Any, x2: Any) -> tuple[np.ndarray, np.ndarray]:

@@ -61,7 +61,7 @@ def check_separable(names: Sequence[str], hours: float, where: str) -> None:
     Traceback (most recent call last):
         ...
     clpt_control.errors.DataError: currents.nc: in 24 h, these cannot be told apart: M2 and S2
-    (354.4 h are needed); leave one of each pair out or take a longer record
+    (354.4 h are needed)
     """
     check_speeds({name: tidal_periods.speed(name) for name in names}, hours, where)
 
@@ -72,10 +72,7 @@ def check_speeds(speeds: Mapping[str, float], hours: float, where: str) -> None:
     alike = [(360.0 / each if each else inf, a, b) for each, a, b in apart if each * hours < TURN]
     if alike:
         pairs = ", ".join(f"{a} and {b} ({at_most(each)} h are needed)" for each, a, b in alike)
-        raise DataError(
-            f"{where}: in {hours:.6g} h, these cannot be told apart: {pairs}; leave one of each "
-            "pair out or take a longer record"
-        )
+        raise DataError(f"{where}: in {hours:.6g} h, these cannot be told apart: {pairs}")
 
 
 def nyquist(hours: np.ndarray) -> float:
@@ -98,16 +95,13 @@ def check_nyquist(hours: np.ndarray, cycles: np.ndarray, names: Sequence[str], w
     >>> check_nyquist(6.0 * np.arange(9), np.array([1 / 12]), ["S2"], "record")
     Traceback (most recent call last):
         ...
-    clpt_control.errors.DataError: record: a measurement each 6 h sees no tide of 12 h or faster:
-    leave out S2
+    clpt_control.errors.DataError: record: steps of 6 h see no tide of 12 h or faster: leave out S2
     """
     fast = [name for name, each in zip(names, cycles, strict=True) if each >= nyquist(hours)]
     if fast:
         step = float(np.median(np.diff(hours)))
-        raise DataError(
-            f"{where}: a measurement each {step:.4g} h sees no tide of {2 * step:.4g} h or faster: "
-            f"leave out {', '.join(fast)}"
-        )
+        seen = f"steps of {step:.4g} h see no tide of {2 * step:.4g} h or faster"
+        raise DataError(f"{where}: {seen}: leave out {', '.join(fast)}")
 
 
 def check_sampling(hours: np.ndarray, cycles: np.ndarray, names: Sequence[str], where: str) -> None:
@@ -119,23 +113,18 @@ def check_sampling(hours: np.ndarray, cycles: np.ndarray, names: Sequence[str], 
     >>> check_sampling(12.0 * np.arange(48), np.array([1 / 12]), ["S2"], "record")
     Traceback (most recent call last):
         ...
-    clpt_control.errors.DataError: record: at the times of its 48 measurements the mean and S2 look
-    alike; take them at other intervals, fill the gaps or leave one out
+    clpt_control.errors.DataError: record: at its times the mean and S2 look alike; take other
+    intervals or leave one out
     """
     count = 2 * len(cycles) + 1
     if len(hours) < 2 * count:
-        raise DataError(
-            f"{where}: {len(hours)} measurements for {count} numbers to fit; at least {2 * count} "
-            "are needed: take a longer record or fewer constituents"
-        )
+        needed = f"at least {2 * count} are needed"
+        raise DataError(f"{where}: {len(hours)} measurements for {count} numbers to fit; {needed}")
     wave = np.exp(2j * np.pi * np.outer(hours - hours.mean(), cycles))
     functions = np.hstack([np.full((len(hours), 1), 0.5**0.5), wave.real, wave.imag])
     if np.linalg.cond(functions) > WORST:
-        raise DataError(
-            f"{where}: at the times of its {len(hours)} measurements the mean and "
-            f"{', '.join(names)} look alike; take them at other intervals, fill the gaps or leave "
-            "one out"
-        )
+        alike = f"the mean and {', '.join(names)} look alike"
+        raise DataError(f"{where}: at its times {alike}; take other intervals or leave one out")
 
 
 def noise_ratio(residual: np.ndarray, hours: np.ndarray, cycles: np.ndarray, k: int) -> np.ndarray:

@@ -142,10 +142,8 @@ def read_table(
         try:
             latitude = float(NORTH.sub("", comments["latitude"]))
         except ValueError:
-            raise DataError(
-                f"{path}: the comment latitude is {comments['latitude'][:20]!r}; must be "
-                "degrees north, such as -41.2"
-            ) from None
+            given = repr(comments["latitude"][:20])
+            raise DataError(f"{path}: latitude is {given}; must be degrees north") from None
     return times, u, v, latitude
 
 
@@ -168,11 +166,8 @@ def _header(
         if not found and (marks := other_marks(",".join(header), NAMES["time"][0])):
             raise DataError(marks)
         if len(found) != 1:
-            raise DataError(
-                f"{'no column' if not found else 'more than one column'} {what}; the table "
-                f"must begin with a line such as 'time,u (m/s),v (m/s)', this one does with "
-                f"{','.join(header)[:60]!r}"
-            )
+            count, first = "more than one" if found else "no", ",".join(header)[:60]
+            raise DataError(f"{count} column {what}; must begin as 'time,u,v', not {first!r}")
         unit = stated[found[0]]
         if what == "direction" and unit and not unit.lower().startswith(("deg", "°")):
             raise DataError(f"direction is in '{unit}'; must be in degrees from true north")
@@ -180,10 +175,7 @@ def _header(
             raise DataError(f"time is in '{unit}'; must be in UTC")
         unit = "m/s" if what in ("time", "direction") else unit or units
         if unit is None:
-            raise DataError(
-                f"{what} has no units; write them behind the name, such as 'u (m/s)', or in a line "
-                "'# units: m/s'"
-            )
+            raise DataError(f"{what} has no units; write them behind the name, as in 'u (m/s)'")
         columns[what] = found[0], speed_in_metres_per_second(unit, what)
     return columns
 

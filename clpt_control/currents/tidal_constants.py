@@ -96,10 +96,7 @@ def tidal_basis(fit: TidalFit, epoch: Any, unit: str = "m s-1") -> TidalBasis:
     names = [each.name for each in fit.constituents]
     foreign = [name for name in names if name not in SPEEDS]
     if foreign:
-        raise DataError(
-            f"{', '.join(foreign)}: no constituent of a scenario; fit those that are wanted "
-            f"by name, of {', '.join(SPEEDS)}"
-        )
+        raise DataError(f"{', '.join(foreign)}: a scenario knows only {', '.join(SPEEDS)}")
     size = 1.0 / speed_in_metres_per_second(unit, "theta")
     f, u, V = nodal_corrections(names, checked_times(epoch)[:1], fit.latitude)
     columns = [np.array(fit.mean)]

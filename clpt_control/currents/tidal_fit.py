@@ -226,23 +226,14 @@ def _measured(time: Any, u: Any, v: Any, where: str) -> tuple[np.ndarray, np.nda
     times = tidal.checked_times(time)
     u, v = np.asarray(u, float), np.asarray(v, float)
     if not u.shape == v.shape == times.shape or times.ndim != 1:
-        raise DataError(
-            f"{where}: time {times.shape}, u {u.shape} and v {v.shape}: must be one row, as long"
-        )
+        raise DataError(f"{where}: time {times.shape}, u {u.shape}, v {v.shape} must be one row")
     tidal.check_increasing(times, where)
     whole = np.isfinite(u) & np.isfinite(v)
     if whole.sum() < 2:
-        raise DataError(
-            f"{where}: {whole.sum()} of {len(u)} times have both components; a record of at least "
-            "one period of each tide is needed"
-        )
+        raise DataError(f"{where}: {whole.sum()} of {len(u)} times have both components")
     change = max(np.ptp(u[whole]), np.ptp(v[whole]))
     if change < LEAST_CHANGE:
-        how = f"change by {change:.2g} m/s only: check their units" if change else "never change"
-        raise DataError(
-            f"{where}: {whole.sum()} measurements of both components, which {how}; a record of a "
-            "tide is needed"
-        )
+        raise DataError(f"{where}: changes by {change:.2g} m/s only: check its units")
     return times[whole], u[whole] + 1j * v[whole]
 
 
@@ -260,10 +251,7 @@ def _names(constituents: Sequence[str] | str, hours: np.ndarray, where: str) -> 
         return names
     names = tuple(name for name in constituents if name != "steady")  # the mean, always there
     if not names or len(set(tidal.utide_names(names))) != len(names):
-        raise ScenarioError(
-            f"constituents = {','.join(constituents)}: must be at least one tide, each once, such "
-            "as M2,S2"
-        )
+        raise ScenarioError(f"constituents = {','.join(constituents)}: must be tides, each once")
     return names
 
 

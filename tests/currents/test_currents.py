@@ -86,7 +86,7 @@ def test_level_nearest_the_surface_is_taken(tmp_path):
     for attributes in ({"standard_name": "height_above_sea_floor"}, {"positive": "up"}):
         change = saying("depth", **attributes)
         path = write(tmp_path / "e.nc", *deep, depth=[0.5, 10.0], change=change)
-        with pytest.raises(DataError, match="depth counts up, to 10"):
+        with pytest.raises(DataError, match="depth counts up, as from"):
             read_currents(path)
 
 
@@ -112,7 +112,7 @@ def test_packed_gaps_that_the_fill_value_does_not_name_are_refused(tmp_path, gap
     whole = np.round(0.1 * sample() / scale)
     whole[:, 2:4, :, 1] = gap
     path = write(tmp_path / "c.nc", *whole * scale, **packed(scale, -999))
-    with pytest.raises(DataError, match=f"u holds {gap} of int16 12 times.* fill value -999"):
+    with pytest.raises(DataError, match=f"u holds {gap} 12 times, a gap: correct _FillValue"):
         read_currents(path)
     right = write(tmp_path / "c.nc", *whole * scale, **packed(scale, gap))
     assert np.isnan(read_currents(right).u[2:4, :, 1]).all()
@@ -201,7 +201,7 @@ SOUTH = np.where(LAT > 41.2, LAT, np.nan)
         (lambda data: data.drop_vars("lat"), "no latitude; .*standard_name 'latitude'"),
         (lambda data: data.drop_vars("lon"), "no longitude"),
         (lambda data: data.drop_vars("time"), "no time"),
-        (saying("u", units=None), "u has no units; must be such as 'm/s'"),
+        (saying("u", units=None), "u has no units; give --units"),
         (saying("u", units="kelvin"), "u: units = 'kelvin' is no speed"),
         (as_words("time"), "time holds .*; must hold numbers"),
         (as_words("lat"), "lat holds .*; must hold numbers"),
@@ -216,17 +216,17 @@ def test_each_mistake_of_a_file_is_one_sentence(tmp_path, change, sentence):
     ("axes", "box", "sentence"),
     [
         ({"time": TIME * np.nan}, BOX, "time has values that are not finite"),
-        ({"lat": SOUTH}, BOX, "lat has values that are not finite"),
+        ({"lat": SOUTH}, BOX, "lat goes from nan to nan; must be a latitude"),
         ({"time": np.zeros(10)}, BOX, "time has a step twice"),
         ({"lat": 1e300 * LAT}, BOX, "lat goes from 4.1e.301 to 4.15e.301; must be a latitude"),
         ({"lat": np.full(6, 41.2)}, BOX, "lat has a value twice"),
         ({"lon": np.append(LON[:-1], LON[2] + 360.0 + 1e-10)}, BOX, "lon has a value twice .0 and"),
-        ({}, (50, 51, -69.9, -69), "lat holds 0 cells of the box, 50 to 51; .*covers 41 to 41.5"),
-        ({}, (41, 41.5, 10, 11), "lon holds 0 cells of the box, 10 to 11"),
-        ({}, (41.0, 41.05, -69.9, -69), "lat holds 1 cells of the box, 41 to 41.05; at least 2"),
-        ({}, (41.5, 41.0, -69.9, -69), "south before north"),
-        ({}, (41.0, 41.5, -69.0, -69.9), "west before east"),
-        ({}, (41.0, np.inf, -69.9, -69), "4 finite numbers"),
+        ({}, (50, 51, -69.9, -69), "lat has 0 cells in the box; 2 are needed, it has 41 to 41.5"),
+        ({}, (41, 41.5, 10, 11), "lon has 0 cells in the box"),
+        ({}, (41.0, 41.05, -69.9, -69), "lat has 1 cells in the box; 2 are"),
+        ({}, (41.5, 41.0, -69.9, -69), "must be SOUTH NORTH"),
+        ({}, (41.0, 41.5, -69.0, -69.9), "must be SOUTH NORTH"),
+        ({}, (41.0, np.inf, -69.9, -69), "must be SOUTH NORTH"),
     ],
 )
 def test_each_mistake_of_axes_is_one_sentence(tmp_path, axes, box, sentence):
@@ -308,7 +308,7 @@ def test_files_that_are_no_data(tmp_path):
     with pytest.raises(DataError, match="no finite value in the box"):
         read_currents(empty, BOX)
     wild = write(tmp_path / "wild.nc", *np.full((2, 10, 6, 8), 9999.0))
-    with pytest.raises(DataError, match="9999 m/s; at most 15"):
+    with pytest.raises(DataError, match="reaches 9999 m/s: check its units"):
         read_currents(wild, BOX)
 
 

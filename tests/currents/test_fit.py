@@ -173,7 +173,7 @@ def test_steps_that_are_missing_are_gaps_and_nothing_overshoots(tmp_path):
     assert without.report == whole.report
     assert np.hypot(without.field.u, without.field.v).max() <= 3.6 * np.hypot(0.5, 0.5) * (1 + 1e-6)
     assert without.report["missing_fraction"] == pytest.approx(10 / 61)
-    with pytest.raises(DataError, match="99 steps are missing among 51, most of them behind 19 h"):
+    with pytest.raises(DataError, match="99 steps are missing, most behind 19 h"):
         fitted(tide[rows], rows + 89 * (rows > 25))
 
 
@@ -244,16 +244,16 @@ def test_places_that_cannot_be_written_to(known, tmp_path, name, sentence):
 @pytest.mark.parametrize(
     ("options", "error", "sentence"),
     [
-        ({"rows": 0}, DataError, "rows = 0: must be a whole number, at least 1"),
+        ({"rows": 0}, DataError, "rows = 0: must be a whole number, 1 to 100"),
         ({"columns": 1.5}, ArgumentError, "columns = 1.5: must be a whole number"),
         ({"width_km": -1.0}, DataError, r"width \(--width-km\) = -1.0 km: must be positive"),
         ({"width_km": np.nan}, ArgumentError, "width_km = nan: must be a number"),
         ({"width_km": 1e4}, DataError, "cannot separate the basis functions .* smaller width"),
-        ({"constituents": ()}, DataError, "at least one name"),
+        ({"constituents": ()}, DataError, "must be names, each once"),
         ({"constituents": ("M2", "M2")}, DataError, "each once"),
         ({"constituents": ("M9",)}, ScenarioError, "unknown constituent 'M9'"),
-        ({"rows": 50, "columns": 40}, DataError, "cannot determine 6000 basis functions"),
-        ({"radius_km": 60.0}, DataError, "circle of 60 km .* leaves the field"),
+        ({"rows": 50, "columns": 40}, DataError, "samples for 6000 functions"),
+        ({"radius_km": 60.0}, DataError, "circle of 60 km leaves the field"),
         ({"radius_km": -1.0}, DataError, "radius = -1.0 km: must be positive"),
         ({"box": (40.9, 41.1, -69.9, -69.0), "radius_km": 10.0}, DataError, "circle of 10 km"),
     ],

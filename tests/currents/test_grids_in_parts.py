@@ -154,5 +154,5 @@ def test_a_table_with_a_line_for_each_depth_is_averaged(tmp_path):
     np.testing.assert_allclose(record.v, 0.3)
     assert len(record.time) == 10
     path.write_text("\n".join(lines[:-1]))  # the last ping is not whole
-    with pytest.raises(DataError, match="keep each time once"):
+    with pytest.raises(DataError, match="must increase, each once"):
         read_record(path)

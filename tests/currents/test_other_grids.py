@@ -34,7 +34,7 @@ UNLIKE = {
     ),
     "triangular": (
         {"u": flow("node"), "v": flow("node"), "lat": ("node", LAT), "lon": ("node", LON)},
-        "lat and lon are those of each node: a triangular grid",
+        "lat and lon are of each node, no grid; regrid it",
     ),
     "projected": (
         {
@@ -101,7 +101,7 @@ def test_a_profilers_file_is_a_record(tmp_path):
     with pytest.raises(DataError, match="set_declination"):
         read_record(tmp_path / "magnetic.nc")
     profiler("inst", declination=0.0).to_netcdf(tmp_path / "inst.nc")
-    with pytest.raises(DataError, match=r"coordinates 'inst' .* must be earth"):
+    with pytest.raises(DataError, match=r"in 'inst' coordinates, not earth"):
         read_record(tmp_path / "inst.nc")
 
 
@@ -132,9 +132,7 @@ def test_no_tide_above_the_nyquist_frequency(step, auto):
     assert fastest < 0.5 / step
     for name, refused in (("M2", 2 * step > 12.42), ("M4", 2 * step > 6.21)):
         if refused:
-            with pytest.raises(
-                DataError, match=f"sees no tide of {2 * step:g} h or faster.*{name}"
-            ):
+            with pytest.raises(DataError, match=f"see no tide of {2 * step:g} h or faster.*{name}"):
                 fit_tides(time, wave, 0.5 * wave, 41.0, ["K1", name])
         else:
             fit_tides(time, wave, 0.5 * wave, 41.0, ["K1", name])
@@ -148,5 +146,5 @@ def test_a_fit_of_a_grid_refuses_a_tide_that_its_steps_miss(tmp_path):
     hours = np.arange(0.0, 240.0, 8.0)
     wave = 0.3 * np.cos(2 * np.pi * hours / 12.42)[:, None, None] * np.ones((4, 4))
     gridded_current(wave, wave, LAT, LON, hours).to_netcdf(tmp_path / "slow.nc")
-    with pytest.raises(DataError, match="a measurement each 8 h sees no tide of 16 h or faster"):
+    with pytest.raises(DataError, match="steps of 8 h see no tide of 16 h or faster"):
         fit_scenario(tmp_path / "slow.nc", rows=1, columns=1, radius_km=1.0)
