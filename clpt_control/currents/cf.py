@@ -162,8 +162,7 @@ def decoded(numbers: np.ndarray, unit: str, calendar: str = "standard") -> np.nd
 def dates_of(when: xarray.DataArray, least: int = 2) -> np.ndarray:
     """Return the times of a file, to the nearest ms."""
     if len(when) < least:
-        steps = f"{len(when)} step{'s' if len(when) != 1 else ''}"
-        raise DataError(f"{when.name} has {steps}; at least {least} are needed")
+        raise DataError(f"{when.name} has {len(when)} of the {least} steps that are needed")
     if not np.all(np.isfinite(numbers_of(when))):
         raise DataError(f"{when.name} has values that are not finite")
     unit, calendar = said(when), str(when.attrs.get("calendar", "standard"))

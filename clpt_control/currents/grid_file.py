@@ -215,7 +215,7 @@ def _concatenated(path: Path, parts: list[Currents]) -> Currents:
         raise DataError(f"{path}: has {u.size:.3g} values; at most {MOST:.0g} can be held")
     steps, last = np.unique(dates[::-1], return_index=True)
     if len(steps) < 2:
-        raise DataError(f"{path}: has 1 step in all; at least 2 are needed")
+        raise DataError(f"{path}: has 1 of the 2 steps that are needed")
     rows = len(u) - 1 - last
     return replace(first, dates=steps, u=u[rows], v=v[rows], source=shown_name(path))
 
@@ -298,8 +298,8 @@ def _inside(axis: np.ndarray, span: tuple, where: str) -> np.ndarray:
     order = np.argsort(axis)
     inside = order[(axis[order] >= span[0] - slack) & (axis[order] <= span[1] + slack)]
     if len(inside) < 2:
-        covered = f"it has {axis.min():.6g} to {axis.max():.6g}"
-        raise DataError(f"{where} has {len(inside)} cells in the box; 2 are needed, {covered}")
+        there = f"{len(inside)} of the 2 cells that are needed"
+        raise DataError(f"{where} has {there}; it goes from {axis.min():.6g} to {axis.max():.6g}")
     if not np.all(np.diff(axis[inside]) > SAME):
         raise DataError(f"{where} has a value twice (0 and 360 degrees are one); keep it once")
     return inside

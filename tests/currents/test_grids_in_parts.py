@@ -108,7 +108,8 @@ def test_a_step_of_two_files_is_one_however_it_is_counted(tmp_path, minutes):
 
 
 @pytest.mark.parametrize(
-    ("steps", "said"), [((), "holds neither Zarr nor a NetCDF file"), ((3,), "has 1 step in all")]
+    ("steps", "said"),
+    [((), "holds neither Zarr nor a NetCDF file"), ((3,), "has 1 of the 2 steps")],
 )
 def test_a_folder_without_a_current_is_one_sentence(tmp_path, steps, said):
     for k in steps:

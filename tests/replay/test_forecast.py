@@ -187,13 +187,16 @@ def test_too_few_values_are_counted_in_words(tmp_path):
     for path, said in (
         (
             write(tmp_path / "a.nc", one, one, lat=LAT[:1], hours=HOURS[:4]),
-            "lat has 1 value; at least 2",
+            "lat has 1 of the 2 cells",
         ),
         (
             write(tmp_path / "b.nc", one[:1], one[:1], hours=HOURS[:1], lat=LAT[:1]),
-            "has 1 step; at least 2",
+            "has 1 of the 2 steps",
         ),
-        (write(tmp_path / "c.nc", one[:0], one[:0], hours=HOURS[:0], lat=LAT[:1]), "has 0 steps;"),
+        (
+            write(tmp_path / "c.nc", one[:0], one[:0], hours=HOURS[:0], lat=LAT[:1]),
+            "has 0 of the 2 steps",
+        ),
     ):
         with pytest.raises(DataError, match=said):
             read_currents(path, column=True)
