@@ -128,10 +128,7 @@ def _put(result: Any, part: Path, path: Path) -> None:
     result = renamed(result, "/", SLASH)
     for name, values in result.variables.items():
         if not NETCDF_NAME(str(name)):
-            raise DataError(
-                f"{path}: NetCDF has no name {str(name)!r:.40}: names begin with a letter, a digit "
-                "or _, at most 200 more follow; call that signal otherwise"
-            )
+            raise DataError(f"{path}: NetCDF has no name {str(name)!r:.40}; call it otherwise")
         has_nan = values.dtype.kind == "f" and bool(values.isnull().any())
         encoding[name] = {"_FillValue": float("nan") if has_nan else None}
         if engine == "netcdf4" and values.ndim and values.dtype.kind in "fiu":
@@ -143,9 +140,9 @@ def _put(result: Any, part: Path, path: Path) -> None:
     except (RuntimeError, PermissionError, UnicodeError) as error:  # of a full disk, too
         full = shutil.disk_usage(part.parent).free < 2**20
         reason = getattr(error, "strerror", None) or str(error)
-        reason = "no space left" if full else f"{reason}; is there a limit on the size of files?"
         if isinstance(error, UnicodeError):
             reason = "the name of its folder, or a text in it, holds bytes that are no text"
+        reason = "no space left" if full else reason
         raise DataError(f"{path}: cannot be written: {reason}") from None
 
 
@@ -173,13 +170,10 @@ def check_name(path: AnyPath) -> None:
     try:
         longest = max((len(part.encode()) for part in Path(path).parts), default=0)
     except UnicodeEncodeError:
-        raise DataError(
-            f"{path}: its name holds bytes that are no text; give another name"
-        ) from None
+        raise DataError(f"{path}: its name holds bytes that are no text") from None
     if longest > LONGEST_NAME or len(str(path)) > LONGEST_PATH:
         raise DataError(
-            f"{str(path)[:40]}...: the name is too long; at most {LONGEST_NAME} letters are "
-            f"allowed, and {LONGEST_PATH} with all folders"
+            f"{str(path)[:40]}...: the name is too long; at most {LONGEST_NAME} letters"
         )
 
 

@@ -190,10 +190,8 @@ def open_netcdf(path: AnyPath, most: float = inf) -> "Iterator[xarray.Dataset]":
             raise DataError(f"{path}: cannot be read as NetCDF: {_reason(error)}") from None
         with data:
             if data.nbytes > most:
-                raise DataError(
-                    f"{path}: holds {data.nbytes / 1e9:.3g} GB of numbers; at most "
-                    f"{most / 1e9:g} are read at once"
-                )
+                size = f"{data.nbytes / 1e9:.3g} GB of numbers"
+                raise DataError(f"{path}: holds {size}; at most {most / 1e9:g} are read at once")
             try:
                 yield renamed(data, SLASH, "/")
             except (OSError, RuntimeError) as error:
@@ -226,8 +224,7 @@ def _check_header(file: BinaryIO, path: AnyPath) -> None:
     start = file.read(4)
     if start == b"CDF\x05":
         raise DataError(
-            f"{path}: is classic NetCDF of 64-bit data, of which a part could be missing "
-            "unseen; `nccopy -k nc4 FILE NEW` writes it as NetCDF-4"
+            f"{path}: is classic NetCDF of 64-bit data; `nccopy -k nc4` makes it NetCDF-4"
         )
     if start[:3] != b"CDF":
         needed("netCDF4")
@@ -242,10 +239,7 @@ def _check_header(file: BinaryIO, path: AnyPath) -> None:
             warnings.simplefilter("ignore")  # of memory that is still mapped
             netcdf_file(opened_name(file.fileno(), path), mmap=True).close()
     except Exception:  # a damaged header can raise anything
-        raise DataError(
-            f"{path}: damaged or cut short: it holds less than its NetCDF header says; "
-            "fetch it again"
-        ) from None
+        raise DataError(f"{path}: damaged or cut short: less than its header says") from None
 
 
 def _check_heap(raw: bytes, at: int, path: AnyPath) -> None:

@@ -137,10 +137,7 @@ def pid(
         tracking = max(follows, dt or 0.0)
     positive(name, filter=filter, tracking=tracking, **({} if dt is None else {"dt": dt}))
     if tracking <= (dt or 0.0) / 2:
-        raise BlockError(
-            f"{name}: tracking = {tracking:g}: must be more than half of dt = {dt:g}, or the "
-            "integral runs away where u is limited"
-        )
+        raise BlockError(f"{name}: tracking = {tracking:g}: must be above half of dt = {dt:g}")
     rising(name, low=low, high=high)
     gains = {"kp": kp, "ki": ki, "kd": kd, "low": low, "high": high}
     values = {**gains, "filter": filter, "tracking": tracking, "weight": weight}

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ..arguments import brief, nearest, numbers
+from ..arguments import brief, numbers
 from ..equations.block import Block
 from ..equations.ports import renamed
 from ..errors import BlockError
@@ -21,11 +21,8 @@ def part(name: str, ports: Ports, parameters: Mapping[str, Any], **declared: Any
     known = {*block.input_ports, *block.output_ports}
     for port, new_name in ports.items():
         if port not in known:
-            close = nearest(port, [*known, *values, "dt", "signals", "name"])
-            raise BlockError(
-                f"{name}: has no port '{port}'; it has {', '.join(sorted(known))}"
-                + (f"; did you mean {close}?" if close else "")
-            )
+            named = ", ".join(sorted({*known, *values}))
+            raise BlockError(f"{name}: has no port or parameter '{port}', but {named}")
         if not isinstance(new_name, str):
             raise BlockError(f"{name}: {port} = {new_name!r}: must be a name, a text")
     return renamed(block, name, ports, ports) if ports else block
@@ -65,9 +62,7 @@ def time_of(name: str, lag: float | None, dt: float | None) -> dict[str, float]:
     """Return the lag, in continuous time; a part that samples, each `dt`, has none."""
     times = {key: value for key, value in (("lag", lag), ("dt", dt)) if value is not None}
     if len(times) != 1:
-        raise BlockError(
-            f"{name}: give lag, for continuous time, or dt, for a sampled part; one of the two"
-        )
+        raise BlockError(f"{name}: give lag, in continuous time, or dt, sampled; one of the two")
     positive(name, **times)
     return {} if lag is None else {"lag": lag}
 

@@ -130,13 +130,13 @@ def test_every_cut_of_a_classic_file_is_refused(tmp_path, kind, unlimited):
     np.testing.assert_array_equal(read_currents(tmp_path / "whole.nc").u, sample()[0])
     for percent in (1, 5, 20, 50, 80, 95, 99, 99.9, 99.99):
         (tmp_path / "cut.nc").write_bytes(whole[: int(percent * len(whole) / 100)])
-        with pytest.raises(DataError, match=r"cut.nc: damaged or cut short: it holds less than"):
+        with pytest.raises(DataError, match=r"cut.nc: damaged or cut short: less than"):
             read_currents(tmp_path / "cut.nc")
 
 
 def test_a_classic_file_of_64_bit_data_is_refused(tmp_path):
     (tmp_path / "c.nc").write_bytes(b"CDF\x05" + bytes(200))
-    with pytest.raises(DataError, match="of 64-bit data, of which a part could be missing unseen"):
+    with pytest.raises(DataError, match="of 64-bit data; `nccopy -k nc4`"):
         read_currents(tmp_path / "c.nc")
 
 

@@ -221,7 +221,7 @@ def test_a_slash_in_a_name_is_kept_in_files(tmp_path):
     np.testing.assert_array_equal(here["west/y"].isel(member=0), run["west/y"])
     for name in (" y", "<y>", "y" * 300):
         run = clpt.simulate(control.ss(-1, 1, 1, 0, outputs=name), TIMES, 1.0)
-        with pytest.raises(ClptError, match=r"run.nc: NetCDF has no name '.*call that signal othe"):
+        with pytest.raises(ClptError, match=r"run.nc: NetCDF has no name '.*call it othe"):
             clpt.save_run(run, tmp_path / "run.nc")
 
 

@@ -87,10 +87,8 @@ class Known(NamedTuple):
         places = np.vstack([self.waypoints, self.position])
         R = float(np.max(np.linalg.norm(places - self.waypoints.mean(axis=0), axis=1)))
         if R == 0:
-            raise ScenarioError(
-                "reference: start and waypoints lie at one place, which has no scale of length; "
-                "give prior and noise in the law's own table"
-            )
+            place = "start and waypoints lie at one place"
+            raise ScenarioError(f"reference: {place}; give prior and noise in the law's own table")
         return R
 
     @property

@@ -234,8 +234,7 @@ def check_size(law: Law, known: Any) -> None:
     """Refuse more functions than a determinant is good for."""
     if known.N > MOST:
         raise ScenarioError(
-            f'learning.law = "drem": the basis has {known.N} functions, and a determinant of more '
-            f'than {MOST} says too little; use "composite-least-squares" or "composite-memory"'
+            f"drem: takes at most {MOST} functions, not {known.N}; try composite-memory"
         )
 
 
