@@ -40,7 +40,6 @@ def test_the_command_prints_a_laws_page(clpt, printed, name):
     listed = printed("laws", name)["laws"]
     assert list(listed) == [name]
     assert listed[name]["page"] == LAWS[name].page
-    assert listed[name]["promise"] == LAWS[name].promise
     assert list(listed[name]["settings"]) == list(LAWS[name].settings)
     assert listed[name]["promises"] == list(promises_in_words(LAWS[name]).values())
     for line in (LAWS[name].page.splitlines()[0], *listed[name]["promises"]):

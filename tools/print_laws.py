@@ -127,7 +127,7 @@ def whole_page() -> str:
         for law in rows:
             words = promises_in_words(law).values()
             said = [f"- {plain(one).replace(f'where: {USUAL}', 'as usual')}" for one in words]
-            found.append(f"`{law.name}` promises: {plain(law.promise)}. Asked along runs:\n")
+            found.append(f"`{law.name}` promises, asked along runs:\n")
             found.append("\n".join(said) + "\n")
     found.append(f"## Shared: `regressions`\n\n{markdown(str(regressions.__doc__))}\n")
     return "\n".join(found)

@@ -33,7 +33,7 @@ def laws(
         clpt laws concurrent
     """
     from ..blocks.laws.table import LAWS
-    from ..theory.promises import promises_in_words
+    from ..theory.promises import promises_in_words, what_it_promises
 
     if name is not None and name not in LAWS:
         raise ClptError(f"{name}: is no law; `clpt laws` lists them")
@@ -46,9 +46,8 @@ def laws(
             settings[key] = {name: getattr(one, name) for name in ("default", "allowed", "meaning")}
             default = "of the scenario" if one.default is None else f"{one.default:g}"
             keys.append([f"learning.{law.table}.{key}", one.allowed, default, one.meaning])
-        rows.append([law.name, law.promise, law.needs])
+        rows.append([law.name, what_it_promises(law), law.needs])
         listed[law.name] = {
-            "promise": law.promise,
             "promises": list(promises_in_words(law).values()),
             "needs": law.needs,
             "default_gain": law.gain,
@@ -60,7 +59,7 @@ def laws(
         page = listed[name]["page"] = wanted[0].page
         promises = [f"- {words}" for words in listed[name]["promises"]]
         sentences = [page, "Asked along runs:", *promises, ""]
-    found = [Result("Laws (learning.law)", ["law", "promise", "needs"], rows, sentences)]
+    found = [Result("Laws (learning.law)", ["law", "promise, on conditions", "needs"], rows, sentences)]
     if keys:
         found.append(Result("Settings", ["key", "allowed", "default", "what it is"], keys))
     finish(found, {"laws": listed}, as_json)

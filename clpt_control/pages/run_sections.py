@@ -21,6 +21,7 @@ from ..simulation.plots import DIRECTIONS, clpe_plot, learning_plot
 from ..simulation.team_loops import team_loop
 from ..simulation.team_plots import team_plot
 from ..theory.excitation.excitation_report import excitation_plot
+from ..theory.promises import what_it_promises
 from .page import Drawn, Section, drawn
 from .results import Numbers, excitation_of, excitation_result, is_team, number, run_result
 
@@ -156,7 +157,7 @@ def _learned(run: Dataset, scenario: Scenario) -> Section:
         for i in range(2)
     ]
     title = f"Learned by t = {float(last.time):g} {unit.time}"
-    promise = f"What {row.name} promises, where its theorem holds: {row.promise}"
+    promise = f"What {row.name} promises, where its theorem holds: {what_it_promises(row)}"
     sentences = [] if run.attrs.get(OWN_LAW) else [promise]
     result = Result(title, ["", "learned", "true", "error"], rows, sentences)
     return Section("learning", "What was learned", result)

@@ -225,6 +225,11 @@ CONDITIONS: dict[str, tuple[str, Callable[[Scenario], bool]]] = {
 }
 
 
+def what_it_promises(row: Law) -> str:
+    """Return all that a law promises, without the conditions."""
+    return "; ".join(CHECKS[promise.what][0] for promise in row.promises)
+
+
 def promises_in_words(row: Law) -> dict[str, str]:
     """Return each promise of a law in words, with its conditions."""
     return {

@@ -43,7 +43,10 @@ def test_a_source_has_nothing_to_linearize_along():
         (lambda: parts.lag(0.0), "lag = 0.0: must be positive"),
         (lambda: parts.saturation([0, 1], 3, signals=3), "must be one number, or 3"),
         (lambda: parts.saturation(-1, 1, v="x"), "has no port or parameter 'v', but"),
-        (lambda: parts.pid(1, 0.1, hgih=1), "has no port or parameter 'hgih', but dt|'hgih', but filter"),
+        (
+            lambda: parts.pid(1, 0.1, hgih=1),
+            "has no port or parameter 'hgih', but dt|'hgih', but filter",
+        ),
         (lambda: parts.pid(1, 1, dt=1, tracking=0.5), "tracking = 0.5: must be above half of"),
         (lambda: parts.pid(1, r="a", y="a"), "pid: its inputs would be a, a; each needs its own"),
         (lambda: parts.point_vehicle(1, 1, x="f", v="f"), "its outputs would be f, f; each needs"),

@@ -213,9 +213,9 @@ def test_gains_are_those_that_adapt(values, gains):
 def test_every_row_fits_the_scenario(name):
     law = LAWS[name]
     assert law.name == name
-    assert law.promise
+    assert law.promises
     assert law.needs
-    assert "\n" not in law.promise + law.needs
+    assert "\n" not in law.needs
     assert not law.settings or law.table in Learning.model_fields
     for key, one in law.settings.items():
         assert key.isidentifier()

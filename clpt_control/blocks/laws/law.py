@@ -174,7 +174,7 @@ class OutputAndStates:
 
 
 class Promise(NamedTuple):
-    """A part of a promise, which `theory.promises` checks along runs."""
+    """What a law promises, which `theory.promises` says in words and checks along runs."""
 
     what: str  # a predicate
     where: tuple[str, ...]  # its conditions
@@ -189,7 +189,6 @@ class Law(NamedTuple):
     """A row of the table of laws."""
 
     name: str  # learning.law; its own table is learning.NAME, with _ for -
-    promise: str  # one line
     rates: Callable[..., Any]  # the rates of its states; their docstring is its page
     family: Callable[..., Any] | None = None  # whose docstring is the page of several laws
     needs: str = ""  # one line

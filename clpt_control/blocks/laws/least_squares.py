@@ -52,7 +52,6 @@ def regression_losses(s: Any, p: Any, truth: Truth) -> list[tuple]:
 
 NORMALISED_GRADIENT = Law(
     "normalised-gradient",
-    promise="CLPE goes to zero, and alpha to -theta as fast as the track of now shows it",
     rates=normalised_gradient,
     promises=promised("true spanned exact", "falls", "settles"),
     parameters={**GAINS, "regression_gain": Setting("gamma_n, 1/time; 4 k (k mean KD)", scaled(4))},
@@ -107,8 +106,6 @@ def errors_by_rho(s: Any, p: Any, truth: Truth) -> Any:
 
 LEAST_SQUARES = Law(
     "least-squares",
-    promise="alpha goes to -theta where the track excites, whatever K, Gamma and CLPE do; CLPE is "
-    "as small in the mean as the flow is well learned",
     rates=least_squares,
     promises=(
         *promised("spanned exact", "estimate"),
@@ -174,7 +171,6 @@ def errors_by_impulse(s: Any, p: Any, truth: Truth) -> Any:
 
 COMPOSITE_LEAST_SQUARES = Law(
     "composite-least-squares",
-    promise="CLPE goes to zero, and alpha to -theta faster the more the track has shown",
     rates=composite_least_squares,
     promises=promised("true spanned exact", "falls", "settles"),
     parameters={

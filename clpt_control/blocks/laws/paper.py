@@ -33,7 +33,6 @@ def driven_by(e, u, p):
 
 LEARNED_FLOW = Law(
     "learned-flow",
-    promise="CLPE goes to zero (Theorem 3.2); alpha to -theta where the track excites",
     needs="nothing but a gain",
     rates=learned_flow,
     one_gain=True,
@@ -72,8 +71,6 @@ def known_flow_output(t, x, u, p):
 
 KNOWN_FLOW = Law(
     "known-flow",
-    promise="in the mean, CLPE at most the error of the given flow over the least of KD "
-    "(Theorem 3.1)",
     needs="an estimate of theta, learning.theta_estimate",
     rates=known_flow,
     parameters={**K_GAMMA, "alpha_M": "alpha_M"},
@@ -127,8 +124,6 @@ def error_growth(s: Any, p: Any, truth: Truth) -> Any:
 
 KALMAN_FLOW = Law(
     "kalman-flow",
-    promise="CLPE as small as the error of the flow that a Kalman filter finds on the way "
-    "(Theorem 3.1)",
     needs="the commanded velocity; learning.theta_estimate, if given, is where it starts",
     rates=kalman_flow,
     parameters={

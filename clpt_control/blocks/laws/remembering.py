@@ -64,8 +64,6 @@ def composite_memory(t, x, u, p):
 
 COMPOSITE_MEMORY = Law(
     "composite-memory",
-    promise="CLPE goes to zero, and alpha to -theta exponentially once the track has excited, even "
-    "if it never does again",
     rates=composite_memory,
     parameters={
         **GAINS,
@@ -148,8 +146,6 @@ WINDOW: dict[str, Any] = {
 }
 CONCURRENT = Law(
     "concurrent",
-    promise="CLPE goes to zero, and alpha to -theta exponentially once the track has excited, even "
-    "if it never does again",
     rates=concurrent,
     parameters={
         **GAINS,
@@ -240,8 +236,6 @@ def check_size(law: Law, known: Any) -> None:
 
 DREM = Law(
     "drem",
-    promise="each flow parameter's error only shrinks; in the mean, CLPE at most what is left of "
-    "the flow's error over the least of KD; a readout of theta in finite time",
     needs=f"the commanded velocity, at most {MOST} functions",
     rates=drem,
     promises=(
@@ -370,7 +364,6 @@ STATES = {
 }
 FIX_REGRESSION = Law(
     "fix-regression",
-    promise="V does not rise at exact fixes, as far as phi at the prediction is phi at the vehicle",
     needs="fixes, localization.interval; steers on the prediction in between",
     rates=predict,
     promises=promised("spanned exact uniform", "falls"),

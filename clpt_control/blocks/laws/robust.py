@@ -81,8 +81,7 @@ def twice_gains(known: Known) -> float:
 TWICE = "twice the larger of those of KD and GammaD"
 NORM_LIMITS = {
     "largest_flow": Setting(
-        "largest norm of the flow parameters, length per time; sqrt(2 N) times "
-        "the speed that KD asks for at the farthest waypoint",
+        "largest norm of alpha, length per time; (2 N)^0.5 max KD at the farthest waypoint",
         lambda known: float(np.sqrt(2 * known.N) * known.KD.max()) * known.reach,
     ),
     "largest_feedback": Setting(f"largest norm of K, per time; {TWICE}", twice_gains),
@@ -130,12 +129,9 @@ def level_of_e_modification(p: Any, truth: Truth, delta: float) -> float:
     return float(max(c**2 / (2 * k**2), c / (p.leak * gain)))
 
 
-LEAK = Setting(
-    "its gain times leak is what is forgotten per time, of alpha all within a cycle", cycle_leak
-)
+LEAK = Setting("its gain times leak is forgotten per time, all of alpha in a cycle", cycle_leak)
 SIGMA = Law(
     "sigma",
-    promise="CLPE and all that is learned stay bounded under any bounded disturbance",
     needs="nothing but a gain; what is learned is pulled to zero",
     rates=sigma,
     family=leaking,
@@ -145,7 +141,6 @@ SIGMA = Law(
 )
 SWITCHING_SIGMA = Law(
     "switching-sigma",
-    promise="as sigma, and CLPE goes to zero without disturbance where the limits hold",
     needs="limits of the flow parameters and gains",
     rates=switching_sigma,
     family=leaking,
@@ -159,8 +154,6 @@ SWITCHING_SIGMA = Law(
 )
 E_MODIFICATION = Law(
     "e-modification",
-    promise="V never rises above a level under a bounded disturbance; less is forgotten where "
-    "CLPE is small",
     needs="nothing but a gain",
     rates=e_modification,
     family=leaking,
@@ -169,8 +162,7 @@ E_MODIFICATION = Law(
     parameters={
         **GAINS,
         "leak": Setting(
-            "its gain times leak times CLPE is what is forgotten per time, of alpha all within "
-            "a cycle at a CLPE as large as the farthest waypoint's distance",
+            "as of sigma, by CLPE; as much at a CLPE as far as the farthest waypoint",
             lambda known: cycle_leak(known) / known.reach,
         ),
     },
@@ -214,15 +206,12 @@ def candidate(t, x, u, p):
 
 DEAD_ZONE = Law(
     "dead-zone",
-    promise="where the disturbance is at most KD times the zone, CLPE comes to the zone and V "
-    "never rises",
     needs="a zone as large as the disturbance over KD",
     rates=dead_zone,
     parameters={
         **GAINS,
         "zone": Setting(
-            "CLPE of which nothing is learned, length; a fiftieth of the farthest waypoint's "
-            "distance",
+            "CLPE of which nothing is learned, length; a fiftieth of the farthest waypoint",
             lambda known: known.reach / 50,
         ),
     },
@@ -270,8 +259,6 @@ def projection(t, x, u, p):
 
 PROJECTION = Law(
     "projection",
-    promise="what is learned stays within balls whatever happens; without disturbance CLPE goes "
-    "to zero where the truth lies within",
     needs="limits of the flow parameters and gains, and a start within them",
     rates=projection,
     promises=(

@@ -19,7 +19,7 @@ def table_of_laws() -> dict[str, Law]:
     Returns
     -------
     dict of str to Law
-        A row has what ``learning.law`` takes as `name`, and `promise`, `needs`, `settings` and
+        A row has what ``learning.law`` takes as `name`, and `promises`, `needs`, `settings` and
         `page`: its equations, V and source in words.
 
     Examples
