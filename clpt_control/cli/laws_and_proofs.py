@@ -59,7 +59,9 @@ def laws(
         page = listed[name]["page"] = wanted[0].page
         promises = [f"- {words}" for words in listed[name]["promises"]]
         sentences = [page, "Asked along runs:", *promises, ""]
-    found = [Result("Laws (learning.law)", ["law", "promise, on conditions", "needs"], rows, sentences)]
+    found = [
+        Result("Laws (learning.law)", ["law", "promise, on conditions", "needs"], rows, sentences)
+    ]
     if keys:
         found.append(Result("Settings", ["key", "allowed", "default", "what it is"], keys))
     finish(found, {"laws": listed}, as_json)
