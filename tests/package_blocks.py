@@ -123,7 +123,7 @@ def shelf():
         yield f"backlash-{way}", parts.backlash(0.4, signals=2, **given)
         yield f"relay-{way}", parts.relay(0.3, -0.2, **given)
     for way, dt in (("continuous", None), ("sampled", 0.1)):
-        yield f"pid-{way}", parts.pid(2.0, 0.5, 0.3, -1, 2, weight=0.7, dt=dt, signals=2)
+        yield f"pid-{way}", parts.pid(2.0, 0.5, 0.3, -1, 2, dt=dt, signals=2)
         plant = control.ss(
             [[0.5, 0.2], [-0.3, 0.4]], [[0], [1]], [[1, 0], [1, 2]], [[0.1], [0]], dt or 0
         )

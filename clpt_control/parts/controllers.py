@@ -1,12 +1,12 @@
 """The PID controller, limited, with anti-windup: continuous and sampled.
 
-    v = Kp (b r - y) + I + D,          u = min(max(v, low), high)
+    v = Kp (r - y) + I + D,            u = min(max(v, low), high)
     I' = Ki (r - y) + (u - v)/Tt       D = -Kd (y - yf)/Tf,   Tf yf' = y - yf
     sampled, h = dt                    D_k = (Tf D_{k-1} - Kd (y_k - y_{k-1}))/(Tf + h)
     I_{k+1} = I_k + h (Ki (r_k - y_k) + (u_k - v_k)/Tt)
 
-The derivative is of y alone, filtered with the time Tf; b weighs the set point; where u is limited
-the integral follows with the time Tt (back-calculation), and does not wind up.
+The derivative is of y alone, filtered with the time Tf; where u is limited the integral follows
+with the time Tt (back-calculation), and does not wind up.
 
 Ports: r, y (of one unit) -> u, each of `signals` signals; Kp is u by y, Ki that per time, Kd that
 times time.
@@ -22,8 +22,8 @@ from .part import part, positive, rising, sampled
 
 
 def unlimited(x, u, p, derivative):
-    """Return v = Kp (b r - y) + I + D."""
-    return p.kp * (p.weight * u.r - u.y) + x.integral + derivative
+    """Return v = Kp (r - y) + I + D."""
+    return p.kp * (u.r - u.y) + x.integral + derivative
 
 
 def integral_rate(v, u, p):
@@ -74,7 +74,6 @@ def pid(
     *,
     filter: float | None = None,
     tracking: float | None = None,
-    weight: float = 1.0,
     dt: float | None = None,
     signals: int = 1,
     name: str = "pid",
@@ -82,7 +81,7 @@ def pid(
 ) -> Block:
     """Make a PID controller with limits and anti-windup.
 
-    Continuous: v = Kp (b r - y) + I + D, u = min(max(v, low), high), I' = Ki (r - y) + (u - v)/Tt,
+    Continuous: v = Kp (r - y) + I + D, u = min(max(v, low), high), I' = Ki (r - y) + (u - v)/Tt,
     D = -Kd (y - yf)/Tf, Tf yf' = y - yf. Sampled, h = dt: D_k = (Tf D_{k-1} - Kd (y_k - y_{k-1}))
     / (Tf + h), I_{k+1} = I_k + h (Ki (r_k - y_k) + (u_k - v_k)/Tt).
 
@@ -101,8 +100,6 @@ def pid(
     tracking : float, optional
         The time Tt in which the integral follows a limited u; ``sqrt(|kd / ki|)`` by default,
         ``|kp / ki|`` without kd, and no less than `dt`.
-    weight : float, optional
-        The weight b of the set point in the proportional part.
     dt : float, optional
         Sampled at each multiple of dt; without, of continuous time.
     signals : int, optional
@@ -140,7 +137,7 @@ def pid(
         raise BlockError(f"{name}: tracking = {tracking:g}: must be above half of dt = {dt:g}")
     rising(name, low=low, high=high)
     gains = {"kp": kp, "ki": ki, "kd": kd, "low": low, "high": high}
-    values = {**gains, "filter": filter, "tracking": tracking, "weight": weight}
+    values = {**gains, "filter": filter, "tracking": tracking}
     states = ["integral", "filtered"] if dt is None else ["integral", "derivative", "last"]
     return part(
         name,
