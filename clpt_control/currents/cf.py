@@ -69,11 +69,8 @@ def find_variable(data: xarray.Dataset, table: dict[str, Any], what: str) -> str
     if table is AXES and any(one in PROJECTED for one in named.values()):
         raise DataError(f"has a projected grid, of x and y, and no {what}; {CURE}")
     kind = f"{what} velocity" if table is VELOCITY else what
-    raise DataError(
-        f"no {kind}; a variable with standard_name '{standard[0]}' or one of the names "
-        f"{', '.join(names)} is needed, the file has "
-        f"{', '.join(map(str, data.variables)) or 'none'}"
-    )
+    wanted = f"no standard_name '{standard[0]}' and none of {', '.join(names)}"
+    raise DataError(f"no {kind}: {wanted} among {', '.join(map(str, data.variables))}")
 
 
 def find_axis(data: xarray.Dataset, velocity: str, what: str) -> xarray.DataArray:
@@ -91,9 +88,7 @@ def find_axis(data: xarray.Dataset, velocity: str, what: str) -> xarray.DataArra
     most = 90.0 if what == "latitude" else 720.0
     degrees = numbers_of(axis)
     if not np.all(np.abs(degrees) <= most + 1e-6):  # also where not finite
-        raise DataError(
-            f"{name} goes from {degrees.min():.6g} to {degrees.max():.6g}; must be a {what}"
-        )
+        raise DataError(f"{name} reaches {np.abs(degrees).max():.6g}; must be a {what}, degrees")
     return axis
 
 
@@ -114,9 +109,7 @@ def distances_of(axis: xarray.DataArray) -> np.ndarray:
     levels = np.atleast_1d(numbers_of(axis))
     up = said(axis, "positive") == "up" or said(axis, "standard_name").startswith(HEIGHTS)
     if up and np.any(levels > 0):
-        raise DataError(
-            f"{axis.name} counts up, as from the sea floor; must count from the surface"
-        )
+        raise DataError(f"{axis.name} counts up from the sea floor; must be depths below water")
     return np.abs(levels)
 
 
@@ -209,9 +202,7 @@ def velocity_values(
         level = 0
         if values.sizes[dim] != 1:
             if not is_depth(data, dim):
-                raise DataError(
-                    f"{name} has {values.sizes[dim]} of {dim}; choose one (--at LAT LON)"
-                )
+                raise DataError(f"{name} has {values.sizes[dim]} {dim}; choose one, --at LAT LON")
             level = int(np.argmin(np.nan_to_num(distances_of(data[dim]), nan=np.inf)))
         values = values.isel({dim: level})
     if set(values.dims) != set(index):
