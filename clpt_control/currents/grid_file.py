@@ -271,9 +271,7 @@ def _checked_box(box: Any) -> Box:
     lat0, lat1, lon0, lon1 = map(float, box)
     width = (lon1 - lon0) % 360.0
     if not -90 <= lat0 < lat1 <= 90 or not 0 < width <= 180:
-        raise DataError(
-            f"box = {_edges(box)}: must be SOUTH NORTH WEST EAST, at most 180 degrees wide"
-        )
+        raise DataError(f"box = {_edges(box)}: must be SOUTH NORTH WEST EAST, up to 180 wide")
     return lat0, lat1, lon0, lon0 + width
 
 

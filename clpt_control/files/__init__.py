@@ -172,9 +172,7 @@ def check_name(path: AnyPath) -> None:
     except UnicodeEncodeError:
         raise DataError(f"{path}: its name holds bytes that are no text") from None
     if longest > LONGEST_NAME or len(str(path)) > LONGEST_PATH:
-        raise DataError(
-            f"{str(path)[:40]}...: the name is too long; at most {LONGEST_NAME} letters"
-        )
+        raise DataError(f"{str(path)[:40]}...: the name is too long")
 
 
 def make_folder(path: AnyPath) -> Path:

@@ -223,9 +223,7 @@ def _check_header(file: BinaryIO, path: AnyPath) -> None:
     """
     start = file.read(4)
     if start == b"CDF\x05":
-        raise DataError(
-            f"{path}: is classic NetCDF of 64-bit data; `nccopy -k nc4` makes it NetCDF-4"
-        )
+        raise DataError(f"{path}: is of 64-bit data; `nccopy -k nc4` makes it NetCDF-4")
     if start[:3] != b"CDF":
         needed("netCDF4")
         raw = file.read() if os.fstat(file.fileno()).st_size <= LARGEST else b""

@@ -229,9 +229,7 @@ def output(t, x, u, p):
 def check_size(law: Law, known: Any) -> None:
     """Refuse more functions than a determinant is good for."""
     if known.N > MOST:
-        raise ScenarioError(
-            f"drem: takes at most {MOST} functions, not {known.N}; try composite-memory"
-        )
+        raise ScenarioError(f"drem: takes at most {MOST} functions, not {known.N}")
 
 
 DREM = Law(
