@@ -217,7 +217,7 @@ def prove(
         if V is None:
             raise DiagramError(f"{law_block.name}: a law whose states keep relations needs its V")
         part = {"invariants": invariants, "semidefinite": semidefinite, "losses": losses}
-        row = Law(law_block.name, "", rates=law_block.values, V_rate="-e^T KD e - losses")
+        row = Law(law_block.name, rates=law_block.values, V_rate="-e^T KD e - losses")
         make = _maker(V)
         blocks = law_block, lambda truth: make(truth, law_block.parameters)
         case = InvariantLoop(row := row.with_parts(part), N, blocks=blocks)
