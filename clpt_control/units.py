@@ -15,26 +15,11 @@ SPEED = re.compile(  # m/s, m per s, m s-1, m.s-1, m s^-1, m s**-1
     r"\s*(\w+)(?:\s*/\s*|\s+per\s+)(\w+)\s*|\s*(\w+)[\s.]+([a-z]+)\s*(?:\^|\*\*)?-1\s*",
     re.IGNORECASE,
 )
+UNITS = ("meter", "metre", "second")
+PREFIXES = {"": "", "kilo": "k", "centi": "c", "milli": "m", "micro": "u", "nano": "n"}
 WORDS = {  # also in the plural
-    "meter": "m",
-    "metre": "m",
-    "kilometer": "km",
-    "kilometre": "km",
-    "centimeter": "cm",
-    "centimetre": "cm",
-    "millimeter": "mm",
-    "millimetre": "mm",
-    "sec": "s",
-    "second": "s",
-    "minute": "min",
-    "hr": "h",
-    "hour": "h",
-    "day": "d",
-    "millisecond": "ms",
-    "microsecond": "us",
-    "nanosecond": "ns",
-    "kt": "knot",
-    "kn": "knot",
+    **{long + unit: short + unit[0] for long, short in PREFIXES.items() for unit in UNITS},
+    **{"sec": "s", "minute": "min", "hr": "h", "hour": "h", "day": "d", "kt": "knot", "kn": "knot"},
 }
 
 

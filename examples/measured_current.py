@@ -136,8 +136,8 @@ def main(currents, folder="out"):
         for name, key in (("K", "feedback_gain"), ("Gamma", "feedforward_gain"))
     )
     print(f"a small prediction error is not a right flow: the gains drifted from 1 to {gains}")
-    from_fit = fit_scenario(currents, BOX, start_from_fit=True)
-    told = save_fit(from_fit, folder / "measured_current_from_fit.toml")
+    started = {"learning.parameters": [[-a for a in row] for row in report["theta"]]}
+    told = scenario.with_values(started)
     run = clpt.simulate(told)
     shares = explained_variance(told, run)
     print(

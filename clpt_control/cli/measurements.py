@@ -10,7 +10,7 @@ from ..errors import DataError, ScenarioError
 from ..files import make_folder, write_together
 from ..html import Result
 from ..units import known, percent
-from .printing import TIDES, Formats, Json, Report, arg, cell_text, check_out, finish, flag, opt
+from .printing import TIDES, Formats, Json, Report, arg, cell_text, check_out, finish, opt
 
 
 def fit(
@@ -30,7 +30,6 @@ def fit(
         default="steady,M2",
         words=("steady", *TIDES),
     ),
-    start_from_fit: bool = flag("Let the learner start with the fit.", "--start-from-fit"),
     units: str | None = opt("UNIT", "Of u and v, such as m/s, where the file has none."),
     as_json: Json = False,
 ) -> None:
@@ -48,13 +47,12 @@ def fit(
         columns=columns,
         width_km=width_km,
         constituents=tuple(name.strip() for name in constituents.split(",")),
-        start_from_fit=start_from_fit,
         units=units,
     )
     scenario = clpt.currents.save_fit(fitted, out)
     length, speed = fitted.report["width_units"], fitted.report["speed_units"]
     beside = dict.fromkeys(("track_radius", "width"), f" {length}")
-    beside |= dict.fromkeys(("rms_speed", "residual_rms", "residual_max"), f" {speed}")
+    beside |= dict.fromkeys(("residual_rms", "residual_max"), f" {speed}")
     lines = [
         [key.replace("_", " "), cell_text(value) + beside.get(key, "")]
         for key, value in fitted.report.items()

@@ -69,7 +69,6 @@ def fit_scenario(
     width_km: float | None = None,
     constituents: Sequence[str] = ("steady", "M2"),
     radius_km: float | None = None,
-    start_from_fit: bool = False,
     units: str | None = None,
 ) -> Fit:
     """Make a scenario of a gridded current, fitted by its basis.
@@ -89,16 +88,13 @@ def fit_scenario(
     radius_km : float, optional
         Radius of the circle of 12 waypoints around the origin, km; 0.32 of the
         distance to the nearest edge of the field.
-    start_from_fit : bool, optional
-        Let the learner start at alpha(0) = -theta. (alpha_M stays 0: Eqs. (7)
-        and (20) cancel it, so it would teach the learner nothing.)
     units : str, optional
         Of u and v, such as ``m/s``, where the file has none.
 
     Returns
     -------
     Fit
-        `scenario`, in km and h, `field`, the true flow, and `report`, a dict.
+        `scenario`, in km and h, `field`, the true flow, and `report`, a dict with theta.
 
     Raises
     ------
@@ -169,17 +165,12 @@ def fit_scenario(
     phi = evaluate(scenario.basis_block(), t, np.column_stack([s1, s2]))
     with naming(path):
         fit = least_squares(phi, np.column_stack([u[measured], v[measured]]), names)
-    if start_from_fit:
-        alpha = tuple(map(tuple, (-fit.theta).tolist()))
-        learning = scenario.learning.model_copy(update={"parameters": alpha})
-        scenario = scenario.model_copy(update={"learning": learning})
     length = currents.dates[-1] - currents.dates[0]
     report = {
         "source": currents.source,
         "box": list(currents.box),
         "origin": [plane.lat, plane.lon],
         "start": currents.start,
-        "hours": float(currents.time[-1]),
         "functions": scenario.basis.N,
         "functions_felt_on_the_track": int(scenario.basis.N * felt.mean()),
         "track_radius": float(radius_km),
@@ -189,11 +180,8 @@ def fit_scenario(
         "constituents": list(constituents),
         "samples": len(t),
         "missing_fraction": float(1 - measured.mean()),
-        "filled": int(gap.sum()),
-        "cells": gap[0].size,
         "cells_never_measured": int(gap.all(axis=0).sum()),
         "cells_of_zeros_taken_as_land": currents.land,
-        "rms_speed": float(np.sqrt(np.mean(u[measured] ** 2 + v[measured] ** 2))),
         "explained_variance": known(fit.explained_variance),
         "residual_rms": fit.residual_rms,
         "residual_max": fit.residual_max,
