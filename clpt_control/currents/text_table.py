@@ -33,7 +33,7 @@ import pandas
 from ..errors import DataError, naming
 from ..files.reading import read_text
 from ..units import speed_in_metres_per_second
-from .cf import VELOCITY
+from .cf import VELOCITY, number
 from .constituents import checked_times
 
 COMMENT = re.compile(r"#\s*(\w+)\s*[:=](.*)")
@@ -50,7 +50,6 @@ POLAR = {
     "direction": ("direction", "current_direction", "dir", "heading"),
 }
 SUFFIXES = (".csv", ".txt", ".dat")
-NORTH = re.compile(r"\s*(°|deg(rees?)?)?[\s_]*(n(orth)?)?$", re.IGNORECASE)
 UTC = re.compile(r"(iso ?8601|y{4}[-ymdhst:.z/ ]*)?[, ]*(utc|gmt|z)?", re.IGNORECASE)
 HEADER = re.compile(r"([^([]*)(?:[(\[]([^)\]]*)[)\]])?")  # without spaces: they would be tried
 
@@ -137,13 +136,7 @@ def read_table(
     u, v = (size * _numbers(cells.iloc[:, k], name, path) for name, (k, size) in columns.items())
     if polar:
         u, v = u * np.sin(np.radians(v)), u * np.cos(np.radians(v))
-    latitude = None
-    if "latitude" in comments:
-        try:
-            latitude = float(NORTH.sub("", comments["latitude"]))
-        except ValueError:
-            given = repr(comments["latitude"][:20])
-            raise DataError(f"{path}: latitude is {given}; must be degrees north") from None
+    latitude = number(comments["latitude"]) if "latitude" in comments else None
     return times, u, v, latitude
 
 
