@@ -1,16 +1,13 @@
 """Of measurements: `clpt fit` of a current, `clpt tides` of a record, `clpt estimate` of fixes."""
 
-import json
 from pathlib import Path
-from typing import Any
 
 import clpt_control as clpt
 
 from ..errors import DataError, ScenarioError
-from ..files import make_folder, write_together
 from ..html import Result
 from ..units import known, percent
-from .printing import TIDES, Formats, Json, Report, arg, cell_text, check_out, finish, opt
+from .printing import TIDES, Json, Report, arg, cell_text, check_out, finish, opt
 
 
 def fit(
@@ -78,33 +75,22 @@ def tides(
     latitude: float | None = opt("DEGREES", "Degrees north; default: the file's own."),
     at: tuple[float, float] | None = opt("LAT LON", "Degrees: the nearest cell of a grid."),
     units: str | None = opt("UNIT", "Of u and v, such as m/s, where the file has none."),
-    out: Path | None = opt("FOLDER", "Folder for tides.json and its figure."),
-    formats: Formats = None,
     as_json: Json = False,
 ) -> None:
     """Fit tidal constituents to a current record.
 
     Example:
-        clpt tides record.nc --constituents M2,S2,K1 --out tides
+        clpt tides record.nc --constituents M2,S2,K1
     """
     from ..currents.tidal_constants import tides_report
-    from ..figures import checked_formats, figure_of
 
-    kinds = checked_formats(formats or ["png"])
     measured = clpt.currents.read_record(record, latitude, at, units)
     names = [name.strip() for name in constituents.split(",")]
     current = measured.time, measured.u, measured.v, measured.latitude
     fit = clpt.currents.fit_tides(*current, names, where=str(record))
     place = {"source": measured.source, "longitude": measured.longitude}
     report = place | tides_report(fit)
-    written = []
-    if out is not None:
-        results: dict[Path, Any] = {make_folder(out) / "tides.json": json.dumps(report, indent=1)}
-        figure = figure_of(clpt.currents.tides_plot, fit, measured)
-        results |= {out / f"tides.{kind}": figure for kind in kinds}
-        write_together(results)
-        written = list(results)
-    finish([tides_result(report)], report, as_json, *written)
+    finish([tides_result(report)], report, as_json)
 
 
 def tides_result(report: Report) -> Result:

@@ -4,7 +4,6 @@ from .grid_file import read_currents, sample_currents
 from .telling_apart import check_separable
 from .tidal_constants import tidal_basis
 from .tidal_fit import fit_tides, predict
-from .tidal_picture import tides_plot
 
 __all__ = [
     "check_separable",
@@ -16,5 +15,4 @@ __all__ = [
     "sample_currents",
     "save_fit",
     "tidal_basis",
-    "tides_plot",
 ]

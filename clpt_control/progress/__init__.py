@@ -25,7 +25,7 @@ CONTROLS = re.compile(  # all but tab and newline, and marks that reverse the di
 
 @contextmanager
 def progress_bar(what: str, total: float, counted: str = "") -> Iterator[Callable[[float], None]]:
-    """Tell percent and time left, or, where things are counted, how many a second.
+    """Print percent and time left, or, where things are counted, how many a second.
 
     Yield ``report(done)``, to be called as often as you like; its first call tells how much
     an earlier run had done.

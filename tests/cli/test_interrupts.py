@@ -47,7 +47,7 @@ def names(folder):
 
 
 RUN = ("run", "s.toml", "--out", "run.nc")
-TIDES = ("tides", "r.csv", "--constituents", "M2", "--out", "out")
+TIDES = ("tides", "r.csv", "--constituents", "M2")
 ENSEMBLE = ("ensemble", "s.toml", "--vary", "learning.gain=1:2", "--out", "e.zarr", "--members")
 FOLLOW = ("replay", "--follow", "in", "--out", "out", "--patience", "0", "--json")
 
@@ -68,7 +68,6 @@ FOLLOW = ("replay", "--follow", "in", "--out", "out", "--patience", "0", "--json
                 ("clpt_control.native.numbering", RUN),
                 ("utide", TIDES),
                 ("utide.harmonics", TIDES),
-                ("matplotlib.figure", TIDES),
                 ("numpy", FOLLOW),
                 ("matplotlib", FOLLOW),
                 ("netCDF4", FOLLOW),
@@ -200,7 +199,7 @@ COMMANDS = {  # -> what it writes: all of it, or nothing; None: a part may be th
     ("certify", "s.toml"): (),
     ("design", "s.toml", "--out", "b.toml", "--figure", "b.png"): ("b.toml", "b.png"),
     ("fit", "c.nc", "--out", "f.toml"): ("f.toml", "f_field.nc"),
-    TIDES: ("tides.json", "tides.png"),
+    TIDES: (),
     ("estimate", "r.nc", "--out", "known.toml"): ("known.toml",),
     FOLLOW: None,
     ("animate", "r.nc", "-o", "r.gif", "--seconds", "1"): ("r.gif",),

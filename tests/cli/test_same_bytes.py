@@ -23,7 +23,7 @@ COMMANDS = [
     ("laws", "--json"),
     ("prove", "--theorem", "3.2", "--again"),
     ("fit", "c.nc", "--out", "f.toml", "--json"),
-    ("tides", "r.csv", "--constituents", "M2,S2", "--out", "out", "--json"),
+    ("tides", "r.csv", "--constituents", "M2,S2", "--json"),
     ("estimate", "r.nc", "--method", "kalman", "--out", "k.toml", "--json"),
     ("excitation", "s.toml", "--json"),
     ("excitation", "r.nc", "--json"),

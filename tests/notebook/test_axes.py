@@ -7,10 +7,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
-from tidal_records import times, waves
 
 import clpt_control as clpt
-from clpt_control.currents.current_record import CurrentRecord
 from clpt_control.figures import figure_of, inline_svg
 
 SCENARIO = clpt.paper_scenario().with_values({"run.duration": 40.0})
@@ -20,9 +18,6 @@ SCENARIO = clpt.paper_scenario().with_values({"run.duration": 40.0})
 def made():
     """One of each thing that is drawn."""
     dives, _ = clpt.gliders.usable(clpt.gliders.sample_dives())
-    time = times(20)
-    u, v = waves(time)
-    fit = clpt.currents.fit_tides(time, u, v, 41.0, ["M2"])
     return {
         "run": clpt.simulate(SCENARIO),
         "diagram": clpt.simulate(control.ss(-1, 1, [[1], [2]], 0, name="lag"), [0, 1, 2], 1.0),
@@ -32,7 +27,6 @@ def made():
         "design": clpt.theory.design_track(
             SCENARIO, goal="kappa", count=2, window=20, generations=1
         ),
-        "tides": (fit, CurrentRecord(time, u, v, 41.0, None, "made")),
     }
 
 
@@ -50,7 +44,6 @@ PLOTS = {  # name -> what it draws, how many axes
     "replay.dive_clpe_plot": ("replay", 1),
     "replay.current_plot": ("replay", 3),
     "replay.replay_plot": ("replay", 5),
-    "currents.tides_plot": ("tides", 3),
 }
 
 
