@@ -13,7 +13,7 @@ A and g stay, f, u and V are taken anew.  Angles are in degrees.
 """
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -23,14 +23,6 @@ from ..errors import DataError, ScenarioError, needed
 OTHER_NAMES = {"M1": "NO1"}  # Schureman's name and UTide's, where they differ
 DAYS_TO_1970 = 719163  # of the proleptic calendar whose first day is 0001-01-01
 YEARS = (1700, 2200)  # the series of the moon's and the sun's longitudes hold well there
-
-
-class NodalCorrections(NamedTuple):
-    """What turns Greenwich constants into a tide: one row per time, one column per tide."""
-
-    f: np.ndarray  # nodal factor
-    u: np.ndarray  # nodal angle, degrees, -180 to 180
-    V: np.ndarray  # astronomical argument at Greenwich, degrees, 0 to 360
 
 
 def utide_names(constituents: Sequence[str]) -> list[str]:
@@ -43,13 +35,15 @@ def utide_names(constituents: Sequence[str]) -> list[str]:
     return names
 
 
-def nodal_corrections(constituents: Sequence[str], time: Any, latitude: float) -> NodalCorrections:
-    """Return f, u and V of constituents at times in UTC.
+def nodal_corrections(
+    constituents: Sequence[str], time: Any, latitude: float
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return f, u and V of constituents at times in UTC: a row for each time, in degrees.
 
     The latitude is in degrees north; within 5 degrees of the equator, 5 is used.
 
-    >>> m2 = nodal_corrections(["M2"], ["2024-06-01"], 41.0)
-    >>> m2.f.round(3), m2.u.round(1)
+    >>> f, u, V = nodal_corrections(["M2"], ["2024-06-01"], 41.0)
+    >>> f.round(3), u.round(1)
     (array([[0.965]]), array([[-0.6]]))
     """
     names = utide_names(constituents)
@@ -58,7 +52,7 @@ def nodal_corrections(constituents: Sequence[str], time: Any, latitude: float) -
     days = checked_times(time).astype(float) / 86400e3 + DAYS_TO_1970
     exact = [False] * 4  # nodal corrections and arguments at each time, none linearized
     f, u, V = utide.harmonics.FUV(days, days[0], which, checked_latitude(latitude), exact)
-    return NodalCorrections(f, (360.0 * u + 180.0) % 360.0 - 180.0, 360.0 * V % 360.0)
+    return f, (360.0 * u + 180.0) % 360.0 - 180.0, 360.0 * V % 360.0
 
 
 def nodal_report(

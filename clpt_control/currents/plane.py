@@ -212,11 +212,9 @@ def time_origin(path: Path) -> dict[str, str]:
 
 
 def _regular(axis: np.ndarray, name: str) -> np.ndarray:
-    step = np.diff(axis)
-    if axis.ndim != 1 or len(axis) < 2 or not np.all(step > 0):
-        raise DataError(f"{name} must increase and have at least two points")
-    if np.ptp(step) > 1e-6 * step.mean():
-        raise DataError(f"{name} must be evenly spaced; `clpt fit` writes such a field")
+    step = np.diff(np.atleast_1d(axis))
+    if axis.ndim != 1 or not step.size or not np.ptp(step) < 1e-6 * step.min():
+        raise DataError(f"{name} must have two points or more, evenly spaced and increasing")
     return axis
 
 

@@ -79,7 +79,8 @@ def backlash(
     [0.0, 0.5, 1.5, 1.5, 1.5, 0.5]
     """
     positive(name, **each(name, signals, width=width))
-    return remembering(name, gap_closed, play, signals, ports, lag, dt, width=width)
+    values = {"width": width, **time_of(name, lag, dt)}
+    return remembering(name, ports, values, signals, gap_closed, play, dt)
 
 
 def closed_by(x, u, p):

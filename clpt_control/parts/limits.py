@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike
 from ..arguments import brief, numbers, public
 from ..equations.block import Block
 from ..errors import BlockError
-from .part import each, positive, remembering, rising, sampled, signal_part
+from .part import each, positive, remembering, rising, sampled, signal_part, time_of
 
 
 def limited(t, x, u, p):
@@ -211,4 +211,5 @@ def rate_limit(
     rates = each(name, signals, rise=rise, fall=rise if fall is None else fall)
     positive(name, **rates)
     step = limited_step if dt is None else sampled(limited_step, dt)
-    return remembering(name, limited_rate, step, signals, ports, lag, dt, **rates)
+    values = {**rates, **time_of(name, lag, dt)}
+    return remembering(name, ports, values, signals, limited_rate, step, dt)

@@ -162,16 +162,12 @@ def kalman_filter(
     n, q = len(matrices["A"]), len(matrices["C"])
     P0 = np.zeros((n, n)) if P0 is None else P0
     for key, value, size in (("Q", Q, n), ("R", R, q), ("P0", P0, n)):
-        matrices[key] = numbers(f"{name}: {key}", value)
-        if matrices[key].shape != (size, size):
-            raise BlockError(f"{name}: {key}: must have the shape {(size, size)}")
-        if not np.allclose(matrices[key], matrices[key].T, atol=0):
-            raise BlockError(f"{name}: {key}: must be symmetric")
-        least = np.linalg.eigvalsh(matrices[key])[0]
-        if key == "R" and least <= 0:
-            raise BlockError(f"{name}: R: must be positive definite")
-        if least < -1e-12 * np.abs(matrices[key]).max():  # but for rounding
-            raise BlockError(f"{name}: {key}: must be positive semidefinite")
+        M = matrices[key] = numbers(f"{name}: {key}", value)
+        if M.shape != (size, size) or not np.allclose(M, M.T, atol=0):
+            raise BlockError(f"{name}: {key}: must be symmetric, of shape {(size, size)}")
+        least = np.linalg.eigvalsh(M)[0]
+        if least < -1e-12 * np.abs(M).max() or (key == "R" and least <= 0):  # but for rounding
+            raise BlockError(f"{name}: {key}: must be positive semidefinite, and R definite")
     sampled = bool(system.dt)
     return part(
         name,

@@ -73,17 +73,9 @@ def sampled(function: Any, dt: float) -> Any:
 
 
 def remembering(
-    name: str,
-    rate: Any,
-    step: Any,
-    signals: int,
-    ports: Ports,
-    lag: float | None,
-    dt: float | None,
-    **parameters: Any,
+    name: str, ports: Ports, values: dict, signals: int, rate: Any, step: Any, dt: float | None
 ) -> Block:
     """Make a part that remembers its output: a state, or what a sampled one gave last."""
-    values = {**parameters, **time_of(name, lag, dt)}
     if dt is None:
         return part(name, ports, values, update=rate, inputs={"u": signals}, states={"y": signals})
     last = {"last": signals}

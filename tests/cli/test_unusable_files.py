@@ -92,7 +92,7 @@ def test_field_files_that_cannot_be_used(refused_for):
         (good.drop_vars("v"), ["'v'"]),
         (gap, ["u has gaps"]),
         (unit, ["furlong", "speed"]),
-        (uneven, ["x must be evenly spaced"]),
+        (uneven, ["x must have two points or more, evenly"]),
         (good.assign_coords(y=("y", np.arange(5.0))), ["y has units"]),
     ]:
         data.to_netcdf("field.nc")

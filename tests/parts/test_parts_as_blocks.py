@@ -56,7 +56,7 @@ def test_a_source_has_nothing_to_linearize_along():
         ),
         (lambda: parts.lookup_table([0, 0], [1, 2]), "two or more increasing numbers"),
         (lambda: parts.planar_vehicle(np.ones((3, 3)), np.eye(3)), "m12 = m13 = 0"),
-        (lambda: parts.kalman_filter(control.ss(-1, 1, 1, 0), [[1]], [[0]]), "positive definite"),
+        (lambda: parts.kalman_filter(control.ss(-1, 1, 1, 0), [[1]], [[0]]), "and R definite"),
         (
             lambda: parts.kalman_filter(control.ss(-1, 1, 1, 0), [[-1]], [[1]]),
             "Q: must be positive",
