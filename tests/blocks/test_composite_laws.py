@@ -169,8 +169,8 @@ def test_a_prior_of_0_holds_its_parameter():
 @pytest.mark.parametrize(
     ("table", "said"),
     [
-        ({"priors": [1.0, 2.0]}, "priors: has 2 numbers; must be one for each of the 3 functions"),
-        ({"prior": 1.0, "priors": [1.0] * 3}, "give either prior or priors"),
+        ({"priors": [1.0, 2.0]}, "priors: must be 3 numbers, one for each function"),
+        ({"prior": 1.0, "priors": [1.0] * 3}, "priors: must be .* in place of prior"),
         ({"priors": [-1.0] * 3}, "priors"),
     ],
 )

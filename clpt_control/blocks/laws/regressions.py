@@ -219,16 +219,9 @@ def priors(known: Known) -> np.ndarray:
 def check_priors(law: Law, known: Known) -> None:
     """Refuse priors that do not fit the functions."""
     one, each = known.settings["prior"], known.settings["priors"]
-    if each is None:
-        return
-    count = f"has {len(each)} numbers; must be one for each of the {known.N} functions"
-    for wrong, sentence in (
-        (one is not None, "give either prior or priors, one of the two"),
-        (len(each) != known.N, f"{count}, 0 to hold its parameter"),
-        (not any(each), "are all 0, which holds all parameters; give at least one"),
-    ):
-        if wrong:
-            raise ScenarioError(f"learning.{law.table}.priors: {sentence}")
+    if each is not None and (one is not None or len(each) != known.N or not any(each)):
+        wanted = f"{known.N} numbers, one for each function, not all 0, in place of prior"
+        raise ScenarioError(f"learning.{law.table}.priors: must be {wanted}")
 
 
 def information(known: Known) -> np.ndarray:
