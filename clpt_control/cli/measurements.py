@@ -88,8 +88,7 @@ def tides(
     names = [name.strip() for name in constituents.split(",")]
     current = measured.time, measured.u, measured.v, measured.latitude
     fit = clpt.currents.fit_tides(*current, names, where=str(record))
-    place = {"source": measured.source, "longitude": measured.longitude}
-    report = place | tides_report(fit)
+    report = {"source": measured.source, **tides_report(fit)}
     finish([tides_result(report)], report, as_json)
 
 

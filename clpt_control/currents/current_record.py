@@ -40,7 +40,6 @@ class CurrentRecord:
     u: np.ndarray  # to the east, m/s; NaN in both where not measured
     v: np.ndarray  # to the north
     latitude: float  # degrees north
-    longitude: float | None  # degrees east, where the file says it
     source: str  # name of the file
 
     def __repr__(self) -> str:
@@ -71,8 +70,7 @@ def read_record(
     Returns
     -------
     CurrentRecord
-        `time` (datetime64, UTC), `u` and `v` (m/s, NaN in gaps), `latitude`,
-        `longitude` and `source`.
+        `time` (datetime64, UTC), `u` and `v` (m/s, NaN in gaps), `latitude` and `source`.
 
     Raises
     ------
@@ -93,44 +91,42 @@ def read_record(
     if is_table(path):
         if at is not None:
             raise DataError(f"{path}: is a table of one place; --at is for gridded NetCDF files")
-        times, u, v, stated = read_table(path, units)
+        times, u, v, own = read_table(path, units)
         lines = int(np.argmax(times != times[0]))  # of one ping
         if lines > 1 and len(times) % lines == 0:
             each = times.reshape(-1, lines)
             if (each == each[:, :1]).all():
                 times = each[:, 0]
                 u, v = (_over_ranges(w.reshape(each.shape)) for w in (u, v))
-        place: tuple[float | None, float | None] = (stated, None)
     else:
         with open_netcdf(path) as data, naming(path):
-            times, u, v, place = _from_netcdf(of_profiler(data), at, units)
+            times, u, v, own = _from_netcdf(of_profiler(data), at, units)
     check_increasing(times, str(path))
     with naming(path):
         nothing = "no time has a finite value of both components of the current"
         cf.mark_gaps(u, v, ("the eastward current", "the northward current"), nothing)
-        found = place[0] if latitude is None else latitude
+        found = own if latitude is None else latitude
         if found is None:
             raise DataError("does not say its latitude; give --latitude DEG")
         checked_latitude(found)
-    return CurrentRecord(times, u, v, float(found), place[1], shown_name(path))
+    return CurrentRecord(times, u, v, float(found), shown_name(path))
 
 
 def _from_netcdf(data: xarray.Dataset, at: tuple[float, float] | None, units: str | None) -> tuple:
-    """Return times, u, v and (latitude, longitude)."""
+    """Return times, u, v and latitude."""
     east, north = (cf.find_variable(data, cf.VELOCITY, what) for what in ("eastward", "northward"))
     when = cf.find_axis(data, east, "time")
     times = cf.dates_of(when)
     index: dict[Any, np.ndarray] = {when.dims[0]: np.arange(len(times))}
-    place = _own_place(data)
-    if at is not None:
-        place = []
-        for what, wanted in zip(("latitude", "longitude"), at, strict=True):
-            axis = cf.find_axis(data, east, what)
-            k = _nearest(axis.values.astype(float), wanted, what)
-            index[axis.dims[0]] = np.array([k])
-            place.append(float(axis.values[k]))
+    latitude = _own_latitude(data)
+    of_cell = () if at is None else zip(("longitude", "latitude"), at[::-1], strict=True)
+    for what, wanted in of_cell:
+        axis = cf.find_axis(data, east, what)
+        k = _nearest(axis.values.astype(float), wanted, what)
+        index[axis.dims[0]] = np.array([k])
+        latitude = float(axis.values[k])
     u, v = (cf.velocity_values(data, name, index, units).ravel() for name in (east, north))
-    return times, u, v, tuple(place)
+    return times, u, v, latitude
 
 
 def _nearest(axis: np.ndarray, wanted: float, what: str) -> int:
@@ -143,22 +139,18 @@ def _nearest(axis: np.ndarray, wanted: float, what: str) -> int:
     return k
 
 
-def _own_place(data: xarray.Dataset) -> list[float | None]:
-    """Return latitude and longitude of a file of one place, None where it is silent."""
-    place: list[float | None] = []
-    for what, short in (("latitude", "lat"), ("longitude", "lon")):
-        names = cf.AXES[what][1]
-        single = [name for name in data.variables if data[name].size == 1]
-        values: list[Any] = [
-            data[name].values.ravel()[0]
-            for name in single
-            if data[name].attrs.get("standard_name") == what or str(name).lower() in names
-        ]
-        low, high = (data.attrs.get(f"geospatial_{short}_{end}") for end in ("min", "max"))
-        values += [low] if low is not None and low == high else []
-        values += [data.attrs[name] for name in (what, short) if name in data.attrs]
-        place.append(next(filter(np.isfinite, map(cf.number, values)), None))
-    return place
+def _own_latitude(data: xarray.Dataset) -> float | None:
+    """Return the latitude of a file of one place, None where it is silent."""
+    named = cf.AXES["latitude"][1]
+    single = {str(name).lower(): one for name, one in data.variables.items() if one.size == 1}
+    of_axes = [
+        one.values.ravel()[0]
+        for name, one in single.items()
+        if name in named or one.attrs.get("standard_name") == "latitude"
+    ]
+    low, high = (data.attrs.get(f"geospatial_lat_{end}") for end in ("min", "max"))
+    values = (*of_axes, low if low == high else None, *map(data.attrs.get, ("latitude", "lat")))
+    return next(filter(np.isfinite, map(cf.number, values)), None)
 
 
 def _over_ranges(values: np.ndarray) -> np.ndarray:

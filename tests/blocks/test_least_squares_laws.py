@@ -137,7 +137,9 @@ def test_priors_of_zero_alone_are_refused():
     scenario = clpt.paper_scenario().with_values(
         {**own, "learning.least_squares.priors": [0.0, 0.0, 0.0]}
     )
-    with pytest.raises(clpt.errors.ScenarioError, match=r"least_squares\.priors: must be .* not all 0"):
+    with pytest.raises(
+        clpt.errors.ScenarioError, match=r"least_squares\.priors: must be .* not all 0"
+    ):
         clpt.simulate(scenario)
 
 
