@@ -211,8 +211,6 @@ def _concatenated(path: Path, parts: list[Currents]) -> Currents:
             if not np.array_equal(getattr(part, name), getattr(first, name), equal_nan=True):
                 raise DataError(f"{path}: {part.source} has another {name} than {first.source}")
     dates, u, v = map(np.concatenate, zip(*((p.dates, p.u, p.v) for p in parts), strict=True))
-    if u.size > MOST:
-        raise DataError(f"{path}: has {u.size:.3g} values; at most {MOST:.0g} can be held")
     steps, last = np.unique(dates[::-1], return_index=True)
     if len(steps) < 2:
         raise DataError(f"{path}: has 1 of the 2 steps that are needed")

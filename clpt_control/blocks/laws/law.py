@@ -212,7 +212,6 @@ class Law(NamedTuple):
     # what V' loses beyond e^T KD e where they hold: products of factors that are not negative
     losses: Callable[..., list[tuple]] = lambda states, p, truth: []
     perturbation: Callable[..., Any] | None = None  # what V' has beside, which bounds the law
-    bound: str = ""  # what is reached with a perturbation, in words
     weighted_error: Callable[..., Any] | None = None  # eta P^-1, of a law with a covariance P
     # V of such a law of its input eta P^-1, which is what it is anywhere, not as the invariants say
     candidate_by_P: Callable[..., Any] | None = None

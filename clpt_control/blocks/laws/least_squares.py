@@ -112,7 +112,6 @@ LEAST_SQUARES = Law(
     },
     perturbation=lambda s, p, truth: (s["x"] - s["z"]) @ ((truth.theta + s["alpha"]) @ s["phi_x"]),
     V_rate="-e^T KD e + e^T eta phi - |eta phi_f|^2/(2 k) - r^2 lambda tr(eta P^-1 eta^T)/(2 k)",
-    bound="tr(eta P^-1 eta^T) never rises; in the mean |e| <= |eta phi| over the least of KD",
 ).with_parts(FILTERED_FLOW, COMMANDED_GAINS, covariance(errors_by_rho, "rate", "rho"))
 
 
