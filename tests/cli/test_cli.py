@@ -78,7 +78,7 @@ def test_init_writes_a_measured_current(clpt, refused):
     fitted = clpt("fit", "currents.nc", *few, "--out", "mine.toml")
     assert fitted.status == 0
     assert re.search(
-        r"track radius\W+[\d.]+ km .*rms speed\W+[\d.]+ km h-1 ", fitted.out, re.DOTALL
+        r"track radius\W+[\d.]+ km .*residual rms\W+[\d.]+ km h-1 ", fitted.out, re.DOTALL
     )
     said = refused("init", "--example", "current")
     assert "--example current: must be one of paper, team, currents" in said
