@@ -27,7 +27,7 @@ from typing import Any
 
 import numpy as np
 
-from ..arguments import public
+from ..arguments import Count, public
 from ..equations.at_many import evaluate
 from ..errors import DataError, naming
 from ..estimation.least_squares import least_squares
@@ -46,7 +46,6 @@ SPEED = "km h-1"
 KM_PER_HOUR = 3.6  # one m/s
 WIDTH = 0.61  # of a kernel, in the distance between places
 RADIUS = 0.32  # of the track, in the distance to the nearest edge of the field
-MOST = 100  # rows, and columns
 FELT = 0.1  # of its height: what a kernel has somewhere on a track that feels it
 
 
@@ -64,8 +63,8 @@ def fit_scenario(
     path: str | Path,
     box: tuple[float, float, float, float] | None = None,
     *,
-    rows: int = 3,
-    columns: int = 3,
+    rows: Count = 3,
+    columns: Count = 3,
     width_km: float | None = None,
     constituents: Sequence[str] = ("steady", "M2"),
     radius_km: float | None = None,
@@ -125,7 +124,8 @@ def fit_scenario(
     (12, True)
     """
     constituents = tuple(constituents)
-    _check(rows, columns, constituents)
+    if not constituents or len(set(constituents)) != len(constituents):
+        raise DataError(f"constituents = {','.join(constituents)}: must be names, each once")
     for what, value in (("width (--width-km)", width_km), ("radius", radius_km)):
         if value is not None and not (np.isfinite(value) and value > 0):
             raise DataError(f"{what} = {value} km: must be positive and finite")
@@ -137,6 +137,9 @@ def fit_scenario(
     tidal = [name for name in constituents if name != "steady"]
     cycles = np.array([tidal_periods.speed(name) for name in tidal]) / 360.0
     check_nyquist(hours, cycles, tidal, str(path))
+    measured, N = currents.measured, rows * columns * (2 * len(tidal) + ("steady" in constituents))
+    if measured.sum() < N:
+        raise DataError(f"{path}: {measured.sum()} samples for {N!s:.20} functions; use fewer")
     lat0, lat1, lon0, lon1 = currents.box
     plane = LocalPlane(round((lat0 + lat1) / 2, 9), round((lon0 + lon1) / 2, 9))
     lat, lon = currents.lat[:, None], currents.lon[None, :]
@@ -153,10 +156,6 @@ def fit_scenario(
     away = np.abs(np.hypot(*np.transpose(places)) - radius_km)  # of places from the track
     felt = np.exp(-((away / width_km) ** 2) / 2) >= FELT
     scenario = _scenario(currents, places, width_km, constituents, radius_km)
-    measured = currents.measured
-    N, samples = scenario.basis.N, measured.sum()
-    if samples < N:
-        raise DataError(f"{path}: {samples} samples for {N} functions; use fewer, or a larger box")
     t, s1, s2 = (
         np.broadcast_to(a, measured.shape)[measured] for a in (currents.time[:, None, None], x1, x2)
     )
@@ -171,8 +170,8 @@ def fit_scenario(
         "box": list(currents.box),
         "origin": [plane.lat, plane.lon],
         "start": currents.start,
-        "functions": scenario.basis.N,
-        "functions_felt_on_the_track": int(scenario.basis.N * felt.mean()),
+        "functions": N,
+        "functions_felt_on_the_track": int(N * felt.mean()),
         "track_radius": float(radius_km),
         "places": [rows, columns],
         "width": float(width_km),
@@ -191,16 +190,6 @@ def fit_scenario(
         "nodal": nodal_report(constituents, currents.dates[0] + length // 2, plane.lat),
     }
     return Fit(scenario, field, report)
-
-
-def _check(rows: int, columns: int, constituents: tuple[str, ...]) -> None:
-    for what, count in (("rows", rows), ("columns", columns)):
-        if not 1 <= count <= MOST:
-            raise DataError(f"{what} = {count!s:.20}: must be a whole number, 1 to {MOST}")
-    if not constituents or len(set(constituents)) != len(constituents):
-        raise DataError(f"constituents = {','.join(constituents)}: must be names, each once")
-    for name in constituents:
-        tidal_periods.period(name)
 
 
 def _middles(

@@ -14,7 +14,7 @@ the estimates' true spread, and 0.55 with 40 % of the samples missing.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from typing import Any
 
 import numpy as np
@@ -29,32 +29,25 @@ from . import telling_apart
 
 LEAST_CHANGE = 1e-9  # m/s in a record; less is no measured tide, and its squares vanish
 CI = 1.96  # UTide's half widths, in standard errors
-NUMBERS = {  # of a tide: which fit has it, as what
-    "east": (1, "A"),
-    "east_phase": (1, "g"),
-    "north": (2, "A"),
-    "north_phase": (2, "g"),
-    "major": (0, "Lsmaj"),
-    "minor": (0, "Lsmin"),
-    "inclination": (0, "theta"),
-    "phase": (0, "g"),
-}
 
 
 @dataclass(frozen=True)
 class Constituent:
     """One tide of a current: amplitudes (m/s), Greenwich phases and ellipse (degrees)."""
 
-    name: str
-    east: float
-    east_phase: float
-    north: float
-    north_phase: float
-    major: float
-    minor: float  # negative where the current turns clockwise
-    inclination: float
-    phase: float
+    name: str  # of each number: which fit of UTide's has it (both, east, north), and as what
+    east: float = field(metadata={"of": (1, "A")})
+    east_phase: float = field(metadata={"of": (1, "g")})
+    north: float = field(metadata={"of": (2, "A")})
+    north_phase: float = field(metadata={"of": (2, "g")})
+    major: float = field(metadata={"of": (0, "Lsmaj")})
+    minor: float = field(metadata={"of": (0, "Lsmin")})  # negative where it turns clockwise
+    inclination: float = field(metadata={"of": (0, "theta")})
+    phase: float = field(metadata={"of": (0, "g")})
     errors: dict[str, float]  # standard error of each number; NaN where it has none
+
+
+NUMBERS = {one.name: one.metadata["of"] for one in fields(Constituent) if one.metadata}
 
 
 @dataclass(frozen=True)

@@ -243,7 +243,7 @@ def test_places_that_cannot_be_written_to(known, tmp_path, name, sentence):
 @pytest.mark.parametrize(
     ("options", "error", "sentence"),
     [
-        ({"rows": 0}, DataError, "rows = 0: must be a whole number, 1 to 100"),
+        ({"rows": 0}, ArgumentError, "rows = 0: must be a whole number, 1 or more"),
         ({"columns": 1.5}, ArgumentError, "columns = 1.5: must be a whole number"),
         ({"width_km": -1.0}, DataError, r"width \(--width-km\) = -1.0 km: must be positive"),
         ({"width_km": np.nan}, ArgumentError, "width_km = nan: must be a number"),
