@@ -27,8 +27,8 @@ from .errors import ArgumentError
 Public = TypeVar("Public", bound=Callable)
 Kinds = tuple[Any, ...]  # an argument may be of any of them
 OrNaN = Annotated[float, "NaN where it is not known"]
-Seed = Annotated[int, "0 or more"]
-Count = Annotated[int, "1 or more"]
+Seed = Annotated[int, 0]  # or more
+Count = Annotated[int, 1]
 LISTS = (Sequence, Iterable, list)
 PLAIN = (str, bytes, bool, int, float, complex, list, tuple, set, dict)
 SIMPLE = {float, int, str, bool, NoneType}
@@ -171,7 +171,7 @@ def _is(value: Any, kind: Any) -> bool:
     if own is Any:
         return True
     if kind in (Seed, Count):
-        least = 0 if kind == Seed else 1
+        least = get_args(kind)[1]
         return isinstance(value, Integral) and not isinstance(value, bool) and int(value) >= least
     if own in (float, int):
         return isinstance(value, Real if own is float else Integral) and not isinstance(value, bool)
@@ -235,7 +235,7 @@ def words(kinds: Kinds) -> str:
 
 def _noun(kind: Any) -> str:
     if kind in (Seed, Count):
-        return f"a whole number, {get_args(kind)[1]}"
+        return f"a whole number, {get_args(kind)[1]} or more"
     own, inner = _parts(kind)
     name = own if isinstance(own, str) else getattr(own, "__name__", str(own))
     if inner and name not in NOUNS:

@@ -168,7 +168,9 @@ def of_profiler(data: xarray.Dataset) -> xarray.Dataset:
     system = str(data.attrs.get("coord_sys", "unknown"))
     names = [str(name) for name in data["dir"].values]
     if system != "earth" or not {"E", "N"} <= set(names):
-        raise DataError(f"vel is in '{system}' coordinates, not earth; dolfyn.rotate2 turns it")
+        raise DataError(
+            f"vel has {', '.join(names)} of '{system}'; dolfyn.rotate2 turns it to earth"
+        )
     if "declination" not in data.attrs:
         raise DataError("its north is that of the compass; dolfyn.set_declination turns it")
     parts = {}

@@ -101,7 +101,7 @@ def test_a_profilers_file_is_a_record(tmp_path):
     with pytest.raises(DataError, match="set_declination"):
         read_record(tmp_path / "magnetic.nc")
     profiler("inst", declination=0.0).to_netcdf(tmp_path / "inst.nc")
-    with pytest.raises(DataError, match=r"in 'inst' coordinates, not earth"):
+    with pytest.raises(DataError, match=r"of 'inst'; dolfyn.rotate2 turns it to earth"):
         read_record(tmp_path / "inst.nc")
 
 
