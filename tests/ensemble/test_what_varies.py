@@ -215,7 +215,7 @@ def test_an_output_named_as_a_summary_of_another_is_refused():
 
 @pytest.mark.parametrize("times", [5.0, np.array(["2020-01-01", "2020-01-02"], "datetime64[ns]")])
 def test_times_that_are_none_are_one_sentence(times):
-    with pytest.raises(ClptError, match=r"timepts = .*: must be a list of numbers, an array of"):
+    with pytest.raises(ClptError, match=r"timepts = .*: must be Sequence.float., an array of"):
         clpt.run_ensemble(lag(), {"tau": [0.5]}, timepts=times)
 
 

@@ -299,7 +299,7 @@ def test_dives_that_tell_too_little_are_refused():
     with pytest.raises(clpt.DataError, match="no dives are given"):
         estimate([], basis=basis)
     for nothing in ("dives", [1, 2]):
-        with pytest.raises(clpt.ArgumentError, match=r"an xarray\.Dataset or a list of Dive"):
+        with pytest.raises(clpt.ArgumentError, match=r"an xarray\.Dataset or Sequence.Dive"):
             estimate(nothing, basis=basis)
     with pytest.raises(clpt.DataError, match="does not end after it begins"):
         estimate([dive(1, (0, 0), hours=0.0)], basis=basis)

@@ -16,6 +16,7 @@ from .regressions import (
     filter_rates,
     forgetting,
     gain_rates,
+    level_by_P,
     unexplained,
     unexplained_square,
 )
@@ -93,6 +94,11 @@ def least_squares(t, x, u, p):
     }
 
 
+def least_squares_level(t, x, u, p):
+    """V of Eq. (24) with r^2 tr(eta P^-1 eta^T)/k for |eta|^2, eta P^-1 = rho eta(0) P(0)^-1."""
+    return level_by_P(u, p, errors_by_rho({"rho": u.rho}, p, p), p.rate)
+
+
 def errors_by_rho(s: Any, p: Any, truth: Truth) -> Any:
     """Return eta P^-1 = rho eta(0) P(0)^-1, shape (2, N)."""
     return s["rho"] * (truth.theta + p.alpha_0) * p.information
@@ -110,9 +116,11 @@ LEAST_SQUARES = Law(
         "forgetting": Setting("lambda_0 of P, 1/time; 0.02 k", scaled(0.02), "not negative"),
         "alpha_0": lambda known: known.alpha,
     },
+    candidate=least_squares_level,
+    V_inputs=("e", "alpha", "K", "Gamma", "rho"),
     perturbation=lambda s, p, truth: (s["x"] - s["z"]) @ ((truth.theta + s["alpha"]) @ s["phi_x"]),
     V_rate="-e^T KD e + e^T eta phi - |eta phi_f|^2/(2 k) - r^2 lambda tr(eta P^-1 eta^T)/(2 k)",
-).with_parts(FILTERED_FLOW, COMMANDED_GAINS, covariance(errors_by_rho, "rate", "rho"))
+).with_parts(FILTERED_FLOW, COMMANDED_GAINS, covariance(errors_by_rho, "rate"))
 
 
 # --- least squares with CLPE -----------------------------------------------------------------
@@ -149,6 +157,12 @@ def composite_least_squares(t, x, u, p):
     }
 
 
+def composite_level(t, x, u, p):
+    """V of Eq. (24) with tr(eta P^-1 eta^T)/gamma for |eta|^2."""
+    weighted = errors_by_impulse({"rho": u.rho, "impulse": u.impulse}, p, p)
+    return level_by_P(u, p, weighted, p.weight)
+
+
 def errors_by_impulse(s: Any, p: Any, truth: Truth) -> Any:
     """Return eta P^-1 = s + rho theta P(0)^-1, shape (2, N)."""
     return s["impulse"] + s["rho"] * truth.theta * p.information
@@ -163,11 +177,13 @@ COMPOSITE_LEAST_SQUARES = Law(
         "weight": Setting("w, of CLPE beside the regression, 1/time; 100 k", scaled(100)),
         "forgetting": Setting("lambda_0 of P, 1/time; 0 forgets nothing", 0.0, "not negative"),
     },
+    candidate=composite_level,
+    V_inputs=("e", "alpha", "K", "Gamma", "rho", "impulse"),
     V_rate="-e^T KD e - |eta phi_f|^2/(2 w) - lambda tr(eta P^-1 eta^T)/(2 gamma)",
 ).with_parts(
     FILTERED_FLOW,
     COMMANDED_GAINS,
-    covariance(errors_by_impulse, "weight", "rho", "impulse"),
+    covariance(errors_by_impulse, "weight"),
     {"states": {"impulse": State((2, "N"), lambda known, p: known.alpha * p.information)}},
 )
 

@@ -229,13 +229,8 @@ def information(known: Known) -> np.ndarray:
     return np.array([1 / one**2 if one > 0 else 0.0 for one in priors(known)])
 
 
-def covariance(weighted_error: Callable[..., Any], weight: str, *states: str) -> Part:
-    """Make the part of a law with this P, of its eta P^-1, which the states make, and its w."""
-
-    def candidate(t, x, u, p):
-        """V of Eq. (24) with r^2 tr(eta P^-1 eta^T)/w for |eta|^2."""
-        weighted = weighted_error({name: getattr(u, name) for name in states}, p, p)
-        return level_by_P(u, p, weighted, getattr(p, weight))
+def covariance(weighted_error: Callable[..., Any], weight: str) -> Part:
+    """Make the part of a law with this P, of its eta P^-1 and the parameter that is w."""
 
     def invariants(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
         """Return alpha of eta P^-1."""
@@ -268,8 +263,6 @@ def covariance(weighted_error: Callable[..., Any], weight: str, *states: str) ->
         "invariants": invariants,
         "losses": losses,
         "weighted_error": weighted_error,
-        "candidate": candidate,
-        "V_inputs": ("e", "alpha", "K", "Gamma", *states),
         "candidate_by_P": lambda t, x, u, p: level_by_P(u, p, u.weighted, getattr(p, weight)),
         "semidefinite": ("P",),
     }
