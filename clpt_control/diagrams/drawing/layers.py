@@ -8,6 +8,7 @@ below all that stands in the layers that it goes back over, the longest outermos
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import chain
 from statistics import mean
 
 from ...equations.ports import port_of
@@ -99,7 +100,7 @@ def gather(diagram: Part, wiring: Wiring) -> list[Net]:
     made = [(n.name, label) for n in wiring.nodes for label in n.system.output_labels]
     given = [(f"in:{port_of(label)}", label) for label in diagram.input_labels]
     units, whole = dict[tuple[str, str], str](), dict[tuple[str, str], list[str]]()
-    for (source, label), unit in zip(made + given, sum(units_of(wiring), []), strict=True):
+    for (source, label), unit in zip(made + given, chain(*units_of(wiring)), strict=True):
         units.setdefault((source, port_of(label)), f" ({unit})" if unit else "")
         whole.setdefault((source, port_of(label)), []).append(label)
     fed: dict[tuple[str, str, str], dict[str, str]] = {}  # source, port, name -> target -> gains

@@ -184,20 +184,14 @@ def sort_tracks(turns: list[Turn]) -> None:
         crossed += sum(a.low <= y <= a.high for y in b.lefts)
         return crossed + 1000 * sum(abs(y - z) < 1 for y in a.rights for z in b.lefts)
 
-    better = True
-    while better:
-        better = False
-        for turn in list(turns):
-            here = turns.index(turn)
-            rest = turns[:here] + turns[here + 1 :]
-            costs = [
-                sum(cost(a, turn) for a in rest[:k]) + sum(cost(turn, b) for b in rest[k:])
-                for k in range(len(turns))
-            ]
-            best = costs.index(min(costs))
-            if costs[best] < costs[here]:
-                turns[:] = [*rest[:best], turn, *rest[best:]]
-                better = True
+    for turn in turns * 3:
+        rest = [one for one in turns if one is not turn]
+        costs = [
+            sum(cost(a, turn) for a in rest[:k]) + sum(cost(turn, b) for b in rest[k:])
+            for k in range(len(turns))
+        ]
+        best = costs.index(min(costs))
+        turns[:] = [*rest[:best], turn, *rest[best:]]
 
 
 def overlap(a: Turn, b: Turn) -> bool:
