@@ -150,7 +150,7 @@ def test_folders_that_are_no_ensemble(quick, tmp_path):
     lost = tmp_path / "lost.zarr"
     shutil.copytree(out, lost)
     shutil.rmtree(lost / "status")
-    cases.append((lost, "is no ensemble or is damaged"))
+    cases.append((lost, "is damaged, .* its status is not as it was made"))
     for kind, put in (("a pipe with a name", os.mkfifo), ("a link", lambda at: at.symlink_to(out))):
         odd = tmp_path / f"{kind[2:6]}.zarr"
         shutil.copytree(out, odd)
@@ -170,6 +170,7 @@ def test_numbers_of_other_versions_are_not_mixed(quick, halves, tmp_path):
     out = shutil.copytree(halves, tmp_path / "e.zarr")
     store = open_store(out)
     store.group.attrs["code"] = "another"
+    store.group.attrs["digests"] = store.digests()
     run_ensemble(quick, VARY, 20, out=out, chunk=10)
     store.group["done"][1] = 0
     with pytest.raises(DataError, match="begun by other versions"):
@@ -199,14 +200,6 @@ def test_a_foreign_array_is_refused_before_a_chunk_is_written(quick, lacking, tm
     assert not (tmp_path / "e.html").exists()
 
 
-def test_an_ensemble_of_another_version_is_not_called_damaged(lacking, tmp_path):
-    out = tmp_path / "e.zarr"
-    lacking.attrs["software"] = "clpt-control 0.0.1"
-    lacking["gain_error"].attrs["long_name"] = "another"
-    with pytest.raises(DataError, match=r"gain_error has other attributes .* by clpt-control 0\.0"):
-        clpt_control.report(out, tmp_path / "e.html")
-
-
 @pytest.mark.parametrize("name", ["members", "chunk", "keys", "scenario", "samples"])
 def test_arguments_that_do_not_fit_are_told(lacking, tmp_path, name):
     out, text = tmp_path / "e.zarr", lacking.attrs["ensemble"]
@@ -218,7 +211,7 @@ def test_arguments_that_do_not_fit_are_told(lacking, tmp_path, name):
 
 def test_numbers_that_are_not_those_of_a_chunk_are_told(lacking, tmp_path):
     lacking["clpe_rms_whole"][3] = 0.5
-    with pytest.raises(DataError, match="chunk 0 is not as it was written"):
+    with pytest.raises(DataError, match="chunk 0 is not as written"):
         clpt_control.report(tmp_path / "e.zarr", tmp_path / "e.html")
 
 
