@@ -30,7 +30,7 @@ from ..progress import interrupt, warn
 from ..progress.processes import processes
 from ..scenario.experiment import Scenario
 from ..simulation.loops import loop_of
-from .drawn_values import Vary, check_varies, draw_members, grid_count, read_varies
+from .drawn_values import check_varies, draw_members, grid_count, read_varies
 from .members import Ensemble, checked_ensemble, concatenated, cut, ensemble_of
 from .of_diagrams import VariedDiagram
 from .of_scenarios import VariedScenario
@@ -51,7 +51,7 @@ Report = Callable[[int, int], None]  # of how many more members are done, and ar
 @public
 def run_ensemble(
     system: Scenario | control.InputOutputSystem,
-    vary: str | Vary | Iterable[str | Vary] | Mapping[str, Any],
+    vary: str | Iterable[str] | Mapping[str, Any],
     members: int | None = None,
     design: str | None = None,
     seed: Seed = 0,
@@ -83,7 +83,7 @@ def run_ensemble(
     system : Scenario or control.InputOutputSystem
         The base: a scenario, or its `closed_loop` with blocks and linear systems of your own, which
         other processes get pickled; with `timepts` any diagram that `simulate` takes.
-    vary : dict, str, Vary or several
+    vary : dict, str or several
         ``{"plant.m": np.linspace(1, 2, 5), "c.k": "0.2:2.0", "d": scipy.stats.norm(0, 1)}``:
         a list of values, a range, a distribution; or ``"learning.gain=0.2:2.0"``,
         ``"flow.parameters~normal:0.1"``, ``"learning.gain=[0.5, 1, 2]"``. Of a scenario its keys;

@@ -81,11 +81,7 @@ def test_what_is_drawn_is_drawn_about_the_belief(paper):
     np.testing.assert_array_equal(belief(modelled), [[1, 2, 3], [0, 0, 4]])
     noisy = paper.with_values({"localization": {"noise": 0.02, "noise_period": 1}})
     unknown = unknown_of(noisy, 0.5, 0.2, 4)
-    assert [one.key for one in unknown.varies] == [
-        "flow.parameters",
-        "flow.disturbance.seed",
-        "localization.seed",
-    ]
+    assert [*unknown.varies] == ["flow.parameters", "flow.disturbance.seed", "localization.seed"]
     assert (unknown.prior, unknown.noise) == (0.5, 0.02)
     assert unknown.unmodelled == pytest.approx(0.2)
 
