@@ -80,13 +80,15 @@ def test_every_law_makes_ensembles_and_its_settings_vary(quick, name):
 def test_what_a_law_given_in_python_does_not_read_cannot_vary(quick, law, key):
     scenario = quick.with_values({"learning.law": law, key: 0.5})
     loop = clpt.closed_loop(scenario, law=law_blocks.remembering_law())
-    with pytest.raises(ScenarioError, match=f"^vary: {key} cannot vary: it is of the scenario's"):
+    with pytest.raises(
+        ScenarioError, match=f"^vary: {key} cannot vary: it is .* of the law in whose"
+    ):
         run_ensemble(loop, f"{key}=0.2:2.0", 3)
 
 
 def test_a_part_of_ones_own_varies_where_the_loop_is_a_diagram(quick):
     loop = clpt.closed_loop(quick, law=law_blocks.papers_law(name="adaptation"))
-    with pytest.raises(ScenarioError, match=r"^vary: adaptation.gain is no key .* with timepts"):
+    with pytest.raises(ScenarioError, match=r"^vary: adaptation.gain cannot vary: .* with timepts"):
         run_ensemble(loop, {"adaptation.gain": [0.5, 2.0]})
     times = np.arange(1.0, 4.0)  # it runs from t = 0
     data = run_ensemble(loop, {"adaptation.gain": [0.5, 2.0]}, timepts=times, trajectories=True)
@@ -145,7 +147,7 @@ def test_an_ensemble_with_a_lag_is_runs_with_a_lag(quick, tmp_path):
     first, again = (run_ensemble(clpt.closed_loop(quick, insert=lag), **stored) for _ in range(2))
     assert_identical(first, again)
     slower = {("v_x", "vehicle"): control.tf(1, [0.6, 1], name="lag")}
-    for other in (None, slower, {"v_x": lag[("v_x", "vehicle")]}):
+    for other in (None, slower):
         with pytest.raises(DataError, match="holds an ensemble of"):
             run_ensemble(clpt.closed_loop(quick, insert=other), **stored)
 
@@ -224,5 +226,5 @@ def test_a_part_of_ones_own_keeps_numbers_that_are_equal_to_a_keys(quick):
 
 def test_a_gain_that_is_not_set_cannot_vary(quick):
     scenario = quick.with_values({"learning.gain": None, "learning.gains": EACH})
-    with pytest.raises(ScenarioError, match=r"vary: learning.gain is not set"):
+    with pytest.raises(ScenarioError, match=r"vary: learning.gain cannot vary: it is .* not set"):
         run_ensemble(scenario, "learning.gain=0.2:2.0", 3)

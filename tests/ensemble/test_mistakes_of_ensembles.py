@@ -34,12 +34,30 @@ MISTAKES = [
     ({"vary": "learning.gian=1:2"}, "did you mean learning.gain? May vary: basis.centers"),
     ({"vary": "nothing=1:2"}, "unknown key nothing; may vary: basis.centers"),
     ({"vary": "adaptation.gain=1:2"}, "the scenario's key is learning.gain"),
-    ({"vary": "learning=1:2"}, "is a table; name one of its keys, such as learning.gain"),
-    ({"vary": "reference.count=5:10"}, "counts are whole numbers"),
-    ({"vary": "basis.kernel=1:2"}, "it is not a number"),
-    ({"vary": "run.duration=1:2"}, "members share duration"),
-    ({"vary": "flow.disturbance.period=1:2"}, "is not set in the scenario"),
-    ({"vary": "learning.theta_estimate=1:2"}, "is not set in the scenario"),
+    (
+        {"vary": "learning=1:2"},
+        "cannot vary: it is a table, a word, a count, not set, or one for all",
+    ),
+    (
+        {"vary": "reference.count=5:10"},
+        "cannot vary: it is a table, a word, a count, not set, or one for all",
+    ),
+    (
+        {"vary": "basis.kernel=1:2"},
+        "cannot vary: it is a table, a word, a count, not set, or one for all",
+    ),
+    (
+        {"vary": "run.duration=1:2"},
+        "cannot vary: it is a table, a word, a count, not set, or one for all",
+    ),
+    (
+        {"vary": "flow.disturbance.period=1:2"},
+        "cannot vary: it is a table, a word, a count, not set",
+    ),
+    (
+        {"vary": "learning.theta_estimate=1:2"},
+        "cannot vary: it is a table, a word, a count, not set",
+    ),
     ({"vary": "learning.gain=-1:2"}, "must be greater than 0; or should be positive"),
     ({"vary": "vehicle.feedback~normal:9"}, "vehicle.feedback"),
     ({"vary": VARY[0], "members": 0}, "members = 0: must be a whole number, at least 1"),
