@@ -61,13 +61,8 @@ class Team(Table):
     @model_validator(mode="before")
     @classmethod
     def _all_are_neighbours(cls, values: Any) -> Any:
-        edges, members = values.get("edges"), values.get("members")
-        if edges is None:
-            return {**values, "edges": tuple(combinations(members or (), 2))}
-        for k, edge in enumerate(edges if isinstance(edges, list | tuple) else [edges]):
-            pair = isinstance(edge, list | tuple) and len(edge) == 2
-            if not pair or not all(isinstance(name, str) for name in edge):
-                raise ValueError(f"edges[{k}] = {brief(edge)}: must be the names of two vehicles")
+        if isinstance(values, dict) and values.get("edges") is None:
+            return {**values, "edges": tuple(combinations(values.get("members") or (), 2))}
         return values
 
     def _mistakes(self) -> Iterator[str]:
@@ -218,7 +213,7 @@ def team_from_text(text: str, name: str, folder: Path | None) -> Team:
     vehicles = _table(team.pop("members", None), f"{name}: team.members")
     members = {
         member: checked_scenario(
-            _merged(common, _table(own, f"{name}: team.members.{member}"), f"{name}, {member}"),
+            _merged(common, _table(own, f"{name}: team.members.{member}")),
             f"{name}, {member}",
             folder,
         )
@@ -246,27 +241,15 @@ def _own(scenario: Scenario, title: str) -> Nested:
     return {**named, **own, **({"learning": starts} if starts else {})}
 
 
-def _merged(common: Nested, own: Nested, name: str) -> Nested:
+def _merged(common: Nested, own: Nested) -> Nested:
     """Return the keys of all vehicles, replaced by those of one where it has them."""
     tables = dict(common)
     for table, values in own.items():
-        if table not in ("title", *OWN):
-            raise ScenarioError(
-                f"{name}: {table} is no table of a vehicle's own, which are {', '.join(OWN)}; what "
-                "the team shares stands at the top"
-            )
-        for key in values if table == "learning" and isinstance(values, dict) else ():
-            if key not in OWN_STARTS:
-                raise ScenarioError(
-                    f"{name}: learning.{key} is shared by the team and stands at the top; a "
-                    f"vehicle's own are {', '.join(OWN_STARTS)}"
-                )
         before = tables.get(table)
         whole = table == "reference" and isinstance(values, dict) and "kind" in values
         if isinstance(values, dict) and isinstance(before, dict) and not whole:
-            tables[table] = {**before, **values}
-        else:
-            tables[table] = values
+            values = {**before, **values}
+        tables[table] = values
     return tables
 
 
