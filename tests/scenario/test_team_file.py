@@ -81,8 +81,8 @@ def test_left_out_edges_join_all():
         ("[team.members.west]", '[team.members."we st"]', "the name 'we st' of a vehicle must be"),
         (
             "vehicle.position = [11, 0]",
-            "basis.kernel = 'gaussian'",
-            "members.east: its basis is not that of west",
+            "run.duration = 7.0",
+            "members.east: its run is not that of west",
         ),
         (
             "vehicle.position = [11, 0]",
