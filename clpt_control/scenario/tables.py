@@ -265,30 +265,23 @@ class Localization(Table):
         return Fixes(self.interval, self.latency, self.noise) if self.interval > 0 else None
 
     def _mistakes(self) -> Iterator[str]:
-        if self.interval == 0:
-            if self.noise_period is None:
-                yield (
-                    "localization.noise_period: is required where interval is 0; give how long a "
-                    "value of the noise is held, or an interval above 0 for fixes"
-                )
-            for key in ("dropouts", "latency"):
-                if getattr(self, key) > 0:
-                    yield (
-                        f"localization.{key} = {getattr(self, key)}: is of fixes; give an interval "
-                        "above 0, or remove the key"
-                    )
-        elif self.noise_period is not None:
+        if (self.interval == 0) != (self.noise_period is not None):
             yield (
-                f"localization.noise_period = {self.noise_period}: is allowed only with interval = "
-                "0; each fix has a noise of its own"
+                "localization.noise_period: how long a value of the noise is held; is required "
+                "with interval = 0, and allowed only with interval = 0: each fix has its own noise"
             )
-        else:
-            few = SHORT * self.interval
-            if self.latency != 0 and not few <= self.latency <= self.interval - few:
+        for key in ("dropouts", "latency") if self.interval == 0 else ():
+            if getattr(self, key) > 0:
                 yield (
-                    f"localization.latency = {self.latency}: must be 0 or below the interval, "
-                    f"{self.interval}, and not within {few:.1g} of either"
+                    f"localization.{key} = {getattr(self, key)}: is of fixes; give an interval "
+                    "above 0, or remove the key"
                 )
+        few = SHORT * self.interval
+        if self.latency != 0 and not few <= self.latency <= self.interval - few:
+            yield (
+                f"localization.latency = {self.latency}: must be 0 or below the interval, "
+                f"{self.interval}, and not within {few:.1g} of either"
+            )
 
 
 class Run(Table):
