@@ -177,7 +177,8 @@ def match_ports(
                 raise DiagramError(
                     f"'{port}' has {size} signal{'s' * (size != 1)}, but {names[k]} takes "
                     f"{len(places)}; both must have one size: label its inputs "
-                    f"{', '.join(labels({port: size}))}, or give control.append of several"
+                    f"{', '.join(labels({port: size}))}, give control.append of several, or "
+                    "as many signals= to one of clpt.parts"
                 )
         units = [(getattr(blocks[k], "units", {}).get(port), names[k]) for k, _ in ends]
         said = [(unit, name) for unit, name in units if unit]

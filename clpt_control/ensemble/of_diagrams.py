@@ -146,15 +146,7 @@ class VariedDiagram(Varied):
         return {"units": units.pop()} if len(units) == 1 and units != {""} else {}
 
     def _check_apart(self) -> None:
-        """Refuse two names of one number, and those of the result."""
-        ports, axes = self.variables
-        summaries = {f"{port}_{what}" for port in ports for what in SUMMARIES}
-        if own := {*RESULT, *axes, *summaries} & self.places.keys():
-            raise ScenarioError(f"vary: {min(own)} is a name of the result; rename it")
-        along = [self.along(port) for port in ports]
-        own = {one for one in along if one in summaries or along.count(one) > 1}
-        if self.trajectories and own:
-            raise ScenarioError(f"trajectories: {min(own)} is a name of the result; rename it")
+        """Refuse two names of one number."""
         names: dict[tuple, str] = {}
         for key, (fields, states, inputs, element) in self.places.items():
             numbers: list[tuple] = [("state", k) for k in states]

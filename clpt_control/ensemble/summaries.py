@@ -117,7 +117,7 @@ class Arrays(dict[str, StoredArray]):
         """Add an array that summaries fill, the first dimension the member."""
         dims = tuple(dims)
         shape = (self.members, *(self.sizes[dim] for dim in dims))
-        self[name] = StoredArray(("member", *dims), shape, dtype, {"long_name": long_name, **attrs})
+        self._put(name, ("member", *dims), shape, dtype, {"long_name": long_name, **attrs})
 
     def add_members(self, **of_time: str) -> None:
         """Add the number of each member, how it ended, and when."""
@@ -131,7 +131,12 @@ class Arrays(dict[str, StoredArray]):
         self, name: str, dims: tuple[str, ...], numbers: np.ndarray, **attrs: Any
     ) -> None:
         """Add an array with its values."""
-        self[name] = StoredArray(dims, numbers.shape, numbers.dtype, attrs, numbers)
+        self._put(name, dims, numbers.shape, numbers.dtype, attrs, numbers)
+
+    def _put(self, name: str, *array: Any) -> None:
+        if name in self:
+            raise ScenarioError(f"{name} is twice a name of the result; rename what is called so")
+        self[name] = StoredArray(*array)
 
 
 def ends_of(run: States, times: np.ndarray) -> Values:
