@@ -14,6 +14,8 @@ from statistics import mean
 from ...equations.ports import port_of
 from ..wiring import Part, Wiring, units_of
 
+SWEEPS = 5  # over the layers; the last one from the left
+
 
 @dataclass
 class Net:
@@ -82,10 +84,6 @@ class Layered:
                 turn.ends.append(start)
                 yield start
 
-    def links(self, c: int) -> list[tuple[str, str]]:
-        """Return what is joined behind a layer."""
-        return [(turn.start, end) for turn in self.channels[c] for end in turn.ends]
-
 
 def ports(labels: Iterable[str]) -> list[str]:
     """Return the ports of signal labels, each once, in order."""
@@ -141,7 +139,9 @@ def arrange(nets: list[Net], wiring: Wiring) -> Layered:
         last = max((rank[target] for target in net.onward), default=first)
         for passage in layered.lead(k, net.onward, range(first, last), 1):
             layers[rank[passage]].append(passage)
-    _order_layers(layered)
+    joined = layered.channels.items()
+    links = {c: [(turn.start, end) for turn in turns for end in turn.ends] for c, turns in joined}
+    _order_layers(layers, links)
     lengths = {
         k: rank[net.source] - min(map(rank.__getitem__, net.back))
         for k, net in enumerate(nets)
@@ -187,45 +187,25 @@ def _depth_first(nets: list[Net], names: list[str]) -> list[str]:
 
 
 def _ranks(nets: list[Net], names: list[str]) -> dict[str, int]:
-    """Return longest paths; a name with more nets out than in moves to what it feeds."""
+    """Return longest paths."""
     rank = dict.fromkeys(names, 0)
-    onward = [(net.source, target) for net in nets for target in net.onward]
     for _ in names:
-        for name, target in onward:
-            rank[target] = max(rank[target], rank[name] + 1)
-    for name in sorted(names, key=lambda name: -rank[name]):
-        right = min((rank[target] for source, target in onward if source == name), default=0) - 1
-        comes = sum(name in net.onward for net in nets)
-        goes = sum(bool(net.onward) for net in nets if net.source == name)
-        if right > rank[name] and goes > comes and not name.startswith("in:"):
-            rank[name] = right
+        for net in nets:
+            for target in net.onward:
+                rank[target] = max(rank[target], rank[net.source] + 1)
     return rank
 
 
-def _order_layers(layered: Layered) -> None:
-    """Sweep over the layers to and fro, and keep the order with the fewest crossings."""
-    layers, best = layered.layers, [list(names) for names in layered.layers]
-    fewest = _crossings(layered)
-    for sweep in range(24):
+def _order_layers(layers: list[list[str]], links: dict[int, list[tuple[str, str]]]) -> None:
+    """Sweep over the layers to and fro: each name near the middle of what it is joined to."""
+    for sweep in range(SWEEPS):
         down = sweep % 2 == 0
         steps = range(1, len(layers)) if down else range(len(layers) - 2, -1, -1)
         for layer in steps:
-            near: dict[str, list[int]] = {name: [] for name in layers[layer]}
             place = {name: k for one in layers for k, name in enumerate(one)}
-            for start, end in layered.links(layer - 1 if down else layer):
+            near: dict[str, list[int]] = {name: [] for name in layers[layer]}
+            for start, end in links[layer - 1 if down else layer]:
                 name, other = (end, start) if down else (start, end)
                 near[name].append(place[other])
             middle = {name: mean(at or [place[name]]) for name, at in near.items()}
             layers[layer].sort(key=middle.__getitem__)
-        if (crossings := _crossings(layered)) < fewest:
-            fewest, best = crossings, [list(names) for names in layers]
-    layered.layers = best
-
-
-def _crossings(layered: Layered) -> int:
-    place = {name: k for one in layered.layers for k, name in enumerate(one)}
-    total = 0
-    for layer in range(len(layered.layers) - 1):
-        pairs = [(place[a], place[b]) for a, b in layered.links(layer)]
-        total += sum(a < c and b > d for a, b in pairs for c, d in pairs)
-    return total
