@@ -21,8 +21,8 @@ from ..blocks.laws.table import LAWS
 from ..equations.block import Block
 from ..equations.sampled import Sampled
 from ..errors import ScenarioError
+from ..html import facts, fragment, shortened
 from . import tables
-from .display import scenario_html, scenario_line
 from .learning import Learning
 from .quantities import QUANTITIES
 from .tidal_periods import period
@@ -130,8 +130,19 @@ class Scenario(tables.Table):
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Scenario) and self.__dict__ == other.__dict__
 
-    __repr__ = __str__ = scenario_line
-    _repr_html_ = scenario_html
+    def __repr__(self) -> str:
+        points = len(self.waypoints)
+        return (
+            f"<Scenario {shortened(self.title, 60)!r}: {self.learning.law}, {self.basis.N} flow "
+            f"functions, {points} waypoint{'s' * (points > 1)}, {self.run.duration:g} "
+            f"{self.units.time}>"
+        )
+
+    __str__ = __repr__
+
+    def _repr_html_(self) -> str:
+        keys = ((key, value) for key, value, given in self.every_key() if given)
+        return fragment("Scenario", self.title, facts(keys))
 
     @property
     def periods(self) -> np.ndarray:

@@ -26,8 +26,8 @@ from pydantic import Field, Strict, model_validator
 
 from ..arguments import brief, public
 from ..errors import DataError, ScenarioError
+from ..html import facts, fragment, shortened
 from . import file
-from .display import team_html, team_line
 from .experiment import Nested, Scenario, checked_scenario, scenario_tables
 from .tables import Run, Table
 
@@ -118,8 +118,15 @@ class Team(Table):
                     "or run it alone"
                 )
 
-    __repr__ = __str__ = team_line
-    _repr_html_ = team_html
+    def __repr__(self) -> str:
+        names = shortened(", ".join(self.members), 60)
+        return f"<Team of {len(self.members)}: {names}; coupling {self.coupling:g}>"
+
+    __str__ = __repr__
+
+    def _repr_html_(self) -> str:
+        graph = [("coupling", self.coupling), ("connectivity", f"{self.connectivity:.3g}")]
+        return fragment("Team", self.first.title, facts([*graph, *self.members.items()]))
 
     @public
     def neighbours(self, name: str) -> list[str]:
