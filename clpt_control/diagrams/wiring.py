@@ -239,10 +239,8 @@ def _units_within(system: Any, space: str = "") -> Iterator[tuple[str, Mapping[s
 
 def read_anew(system: Any) -> None:
     """Read the functions of a diagram's blocks again: objects that they name may have changed."""
-    for part in getattr(system, "syslist", [system]):
-        if isinstance(part, control.InterconnectedSystem):
-            read_anew(part)
-        elif isinstance(part, Block):
+    for _, part in leaves(getattr(system, "syslist", [system])):
+        if isinstance(part, Block):
             part.read_anew()
 
 

@@ -160,17 +160,17 @@ def unknown_name(what: str, name: str, known: Iterable[str]) -> str:
 
 
 def _check_levels(one: Vary, shape: tuple[int, ...]) -> None:
-    allowed = "a number" if shape == () else f"an array of shape {shape}"
-    for level in one.numbers:
-        try:
-            fits = np.shape(np.asarray(level, dtype=float)) == shape and level is not None
-        except (TypeError, ValueError, OverflowError):
-            fits = False
-        if fits and one.key.endswith(".seed") and not float(level).is_integer():
-            fits, allowed = False, "a whole number"
-        if not fits or isinstance(level, bool):
-            text = shortened(json.dumps(level), 40)
-            raise ScenarioError(f"vary: {one.key} = {text}: each value must be {allowed}")
+    try:
+        levels = np.array(one.numbers, dtype=float)
+    except (TypeError, ValueError, OverflowError):
+        levels = np.array(math.nan)
+    whole = not one.key.endswith(".seed") or np.all(levels % 1 == 0)
+    finite = np.all(np.isfinite(levels)) and bool not in map(type, one.numbers)
+    if levels.shape[1:] != shape or not finite or not whole:
+        allowed = "a number" if shape == () else f"an array of shape {shape}"
+        allowed = allowed if whole else "a whole number"
+        text = shortened(json.dumps(one.numbers), 60)
+        raise ScenarioError(f"vary: {one.key} = {text}: each value must be {allowed}")
 
 
 # --- the values of each member -------------------------------------------------------------------
@@ -228,12 +228,8 @@ def _grid_shares(varies: Sequence[Vary], columns: Sequence[int], members: int) -
     lists = prod(filter(None, fixed))
     n = max(1, round((members / lists) ** (1 / free))) if free else 1
     if lists * n**free != members:
-        allowed = sorted({lists * max(1, n + step) ** free for step in (-1, 0, 1)})
-        shown = " or ".join(f"{count:,}".replace(",", " ") for count in allowed[:3])
-        raise ScenarioError(
-            f"members = {members}: this grid must have "
-            + (f"{lists} n^{free} members, such as {shown}" if free else f"{lists} members")
-        )
+        more = f" n^{free} members, such as {lists * n**free}" if free else " members"
+        raise ScenarioError(f"members = {members}: this grid must have {lists}{more}")
     sizes = np.repeat([count or n for count in fixed], columns)
     index = iter(np.unravel_index(np.arange(members), sizes))
     shares = []

@@ -25,7 +25,6 @@ import numpy as np
 from ..errors import DataError, needed
 from ..files import beside
 from ..files.reading import SLASH, renamed, zarr_store
-from ..html import shortened
 from .members import Values
 from .summaries import Arrays, StoredArray
 
@@ -254,17 +253,10 @@ def open_store(path: Path, mode: Literal["r", "r+"] = "r+") -> Store:
 def check_same(store: Store, arguments: Mapping[str, Any]) -> None:
     """Refuse a store of another ensemble."""
     for name, value in arguments.items():
-        stored = store.arguments.get(name)
-        if stored == value:
-            continue
-        what = f"{name} = {_short(stored)}, not {_short(value)}"
-        if name in ("scenario", "diagram"):
-            what = f"another {name}"
-        raise DataError(f"{store.path}: holds an ensemble of {what}; give another --out")
-
-
-def _short(value: Any) -> str:
-    return shortened(", ".join(map(str, value)) if isinstance(value, list) else value, 60)
+        if store.arguments.get(name) != value:
+            raise DataError(
+                f"{store.path}: holds an ensemble of another {name}; give another --out"
+            )
 
 
 def open_ensemble(path: Path) -> "xarray.Dataset":

@@ -79,7 +79,7 @@ MISTAKES = [
     ({"vary": "learning.gain=[1, 2]", "design": "grid", "members": 5}, "must have 2 members"),
     (
         {"vary": ["learning.gain=[1, 2]", "learning.position=0:1"], "design": "grid"},
-        "must have 2 n^2 members, such as 2 or 8 or 18",
+        "must have 2 n^2 members, such as ",
     ),
 ]
 
@@ -124,13 +124,13 @@ def test_a_member_that_is_not_allowed_is_named(quick):
 @pytest.mark.parametrize(
     ("given", "sentence"),
     [
-        ({"seed": 1}, "holds an ensemble of seed = 0, not 1"),
-        ({"members": 21}, "holds an ensemble of members = 20, not 21"),
-        ({"design": "random"}, "holds an ensemble of design = lhs, not random"),
-        ({"vary": "learning.gain=1:2"}, "holds an ensemble of vary = learning.gain=0.2:2.0"),
-        ({"trajectories": True}, "holds an ensemble of trajectories = False, not True"),
-        ({"chunk": 7}, "holds an ensemble of chunk = 20, not 7"),
-        ({"samples": 50}, "holds an ensemble of samples = 2000, not 50"),
+        ({"seed": 1}, "holds an ensemble of another seed"),
+        ({"members": 21}, "holds an ensemble of another members"),
+        ({"design": "random"}, "holds an ensemble of another design"),
+        ({"vary": "learning.gain=1:2"}, "holds an ensemble of another vary"),
+        ({"trajectories": True}, "holds an ensemble of another trajectories"),
+        ({"chunk": 7}, "holds an ensemble of another chunk"),
+        ({"samples": 50}, "holds an ensemble of another samples"),
         ({"system": 1}, "holds an ensemble of another scenario"),
     ],
 )

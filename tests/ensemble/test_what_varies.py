@@ -50,7 +50,7 @@ MISTAKES = [
     ({"vary": {"tau": []}}, "must be a list of values"),
     ({"vary": {"tau": ["a"]}}, "must be a list of values"),
     ({"vary": {"tau": [[1.0, 2.0]]}}, "each value must be a number"),
-    ({"vary": {"tau": [np.inf]}}, "member 0: tau = inf: must be finite"),
+    ({"vary": {"tau": [np.inf]}}, r"tau = \[Infinity\]: each value must be a number"),
     ({"vary": {"tau": stats.uniform(0.5, 1)}}, "members: is required where values are drawn"),
     ({"vary": "tau~nothing(1)", "members": 3}, r"nothing\(1\) is no distribution of scipy.stats"),
     ({"vary": "tau~norm(1, a)", "members": 3}, "is no distribution of scipy.stats with numbers"),
@@ -116,7 +116,9 @@ def test_one_name_for_two_shapes_has_the_shape_that_python_control_hands_down(tw
         system(lambda t, x, u, p: -p["K"][1] * x, params={"K": two}, name="b"),
     ]
     loop = control.interconnect(systems, connections=False, outlist=["b.y"], outputs=["y"])
-    with pytest.raises(ClptError, match=r"K = 1\.0: each value must be an array of shape \(2,\)"):
+    with pytest.raises(
+        ClptError, match=r"K = \[1.*\]: each value must be an array of shape \(2,\)"
+    ):
         clpt.run_ensemble(loop, {"K": [1.0, 2.0]}, timepts=TIMES)
     data = clpt.run_ensemble(loop, {"K[1]": [1.0, 2.0]}, timepts=TIMES, initial_state=1.0)
     np.testing.assert_allclose(data.y_final, np.exp([-5, -10]), atol=1e-9)

@@ -74,7 +74,7 @@ def test_left_out_edges_join_all():
         ('"east"]]', '"est"]]', r"edges\[0\]: there is no vehicle 'est'; must be among west, east"),
         ('"east"]]', '"west"]]', r"edges\[0\] = \['west', 'west'\]: must join two vehicles"),
         ('"east"]]', '"east"], ["east", "west"]]', r"edges\[1\] = .*: must join two .* each pair"),
-        ('[["west", "east"]]', "[]", "edges: no path joins east to west; join every vehicle"),
+        ('[["west", "east"]]', "[]", "edges: no path joins all vehicles"),
         ('[["west", "east"]]', '["west"]', r"edges\[0\] = 'west': must be a list"),
         ('[["west", "east"]]', '[["west"]]', r"missing key edges\[0\]\[1\]"),
         ('[["west", "east"]]', "3", r"edges = 3: must be a list"),
