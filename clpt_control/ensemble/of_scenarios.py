@@ -20,7 +20,7 @@ from ..simulation.loops import changed_blocks
 from ..simulation.starts import state_columns, state_of
 from .drawn_values import unknown_name
 from .members import Member, Values, Varied, hash_of
-from .summaries import arrays_of, marks_of, sample_times_of, samples_per_cycle, summarise
+from .summaries import arrays_of, marks_of, sample_times_of, summarise
 
 
 class VariedScenario(Varied):
@@ -30,14 +30,13 @@ class VariedScenario(Varied):
         self,
         scenario: Scenario,
         changes: Changes = UNCHANGED,
-        samples: int | None = None,
         times: Sequence[float] | None = None,
         trajectories: bool = False,
     ):
         self.scenario, self.changes = scenario, checked_changes(changes, scenario)
         self.marks = marks_of(scenario, times)
-        self.samples, self.trajectories = samples_per_cycle(scenario, samples), trajectories
-        self.times = sample_times_of(scenario, self.samples, self.marks, trajectories)
+        self.times = sample_times_of(scenario, self.marks, trajectories)
+        self.trajectories = trajectories
         self.state_times, self.options = self.times.all, scenario.run.solver
         self.title, self.needs_signals = scenario.title, scenario.vehicle.max_speed is not None
         self.own = set(self.changes.replace)
@@ -52,7 +51,7 @@ class VariedScenario(Varied):
         """Travel as its arguments, with the absolute folder of the field."""
         scenario = self.scenario.model_copy()
         scenario._folder = scenario._folder.absolute()
-        return type(self), (scenario, self.changes, self.samples, self.marks, self.trajectories)
+        return type(self), (scenario, self.changes, self.marks, self.trajectories)
 
     @property
     def knows_flow(self) -> bool:
@@ -92,7 +91,6 @@ class VariedScenario(Varied):
         """Return what identifies it, for a store at a path."""
         return {
             "scenario": scenario_to_text(self.scenario, None if path is None else path.parent),
-            "samples": self.samples,
             "times": list(self.marks),
             "law": self.own_parts,
         }

@@ -67,7 +67,6 @@ def run_ensemble(
     threads: int | None = None,
     trajectories: bool = False,
     chunk: int | None = None,
-    samples: int | None = None,
     times: Sequence[float] | None = None,
     progress: Callable[[int], None] | None = None,
     dask: str | None = None,
@@ -106,9 +105,6 @@ def run_ensemble(
         Keep the states at the scenario's own samples too; of a diagram its outputs at `timepts`.
     chunk : int, optional
         Members written at once; memory grows with it, not with `members`.
-    samples : int, optional
-        Of a scenario: samples a cycle, or a run that is shorter, for mean squares; as many as in
-        `clpt run` without, up to 20,000 a member, and at least a tenth as many in longer runs.
     times : sequence of float, optional
         Of a scenario: when errors are kept; 41 evenly spaced times without.
     progress : callable, optional
@@ -172,9 +168,9 @@ def run_ensemble(
         if not isinstance(system, Scenario) and (loop is None or loop.external):
             raise ScenarioError("timepts: is required to run a diagram many times")
         loop = loop_of(system)
-        varied: Any = VariedScenario(loop.scenario, loop.changes, samples, times, trajectories)
+        varied: Any = VariedScenario(loop.scenario, loop.changes, times, trajectories)
     else:
-        _refuse("is for a scenario; a diagram has timepts", samples=samples, times=times)
+        _refuse("is for a scenario; a diagram has timepts", times=times)
         varied = VariedDiagram(system, varies, timepts, trajectories=trajectories, **of_diagram)
     check_varies(varied, varies)
     if design is None:

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     import xarray
 
 ARGUMENTS, CODE, DIGESTS, DONE = "ensemble", "code", "digests", "done"
-REPEATED = ("scenario", "vary", "design", "seed", "samples")  # arguments that are attributes too
+REPEATED = ("scenario", "vary", "design", "seed")  # arguments that are attributes too
 SOFTWARE = ("clpt-control", "llvmlite", "numpy", "scipy", "zarr")
 
 

@@ -29,9 +29,7 @@ from ..simulation.loops import units_of_ports
 from ..simulation.pieces import nearest, samples_for_means, starts_of_rounds
 from .members import Ensemble, Members, States, Values
 
-FEWEST = 20  # samples a cycle
-MOST_TIMES = 10**8  # samples of a run
-MOST_SAMPLES = 20_000  # a member, unless they are given; at least a tenth of those of `clpt run`
+MOST_SAMPLES = 20_000  # a member, but at least a tenth of those of `clpt run`
 MARKS = 41  # times of errors, unless they are given
 TRAJECTORIES = ("position", "predicted_position", "alpha", "feedback_gain", "feedforward_gain")
 STATUS = tuple(ENDS)[: numbering.STIFF]  # a member goes on by itself where it is stiff
@@ -53,20 +51,13 @@ class SampleTimes(NamedTuple):
     own: np.ndarray  # the scenario's own, for trajectories; empty without them
 
 
-def samples_per_cycle(scenario: Scenario, samples: int | None) -> int:
+def samples_per_cycle(scenario: Scenario) -> int:
     """Return the number of samples a cycle, or a run that is shorter, for mean squares.
 
     As in `clpt run` where a run has 20,000 at most; fewer in others, but at least a tenth.
     """
-    cycles = max(1.0, scenario.run.duration / scenario.cycle)
-    if samples is None:
-        usual = samples_for_means(scenario)
-        return min(usual, max(usual // 10, int(MOST_SAMPLES / cycles)))
-    if samples < FEWEST:
-        raise ScenarioError(f"samples = {samples}: must be a whole number, at least {FEWEST}")
-    if samples * cycles > MOST_TIMES:
-        raise ScenarioError(f"samples = {samples}: more than {MOST_TIMES:.0e} in a run; take fewer")
-    return samples
+    usual, cycles = samples_for_means(scenario), max(1.0, scenario.run.duration / scenario.cycle)
+    return min(usual, max(usual // 10, int(MOST_SAMPLES / cycles)))
 
 
 def marks_of(scenario: Scenario, times: Sequence[float] | None) -> tuple[float, ...]:
@@ -80,12 +71,10 @@ def marks_of(scenario: Scenario, times: Sequence[float] | None) -> tuple[float, 
     return tuple(sorted({float(time) for time in times} | {end}))
 
 
-def sample_times_of(
-    scenario: Scenario, samples: int, marks: Sequence[float], trajectories: bool
-) -> SampleTimes:
+def sample_times_of(scenario: Scenario, marks: Sequence[float], trajectories: bool) -> SampleTimes:
     """Return all times of samples; those that differ by rounding are one."""
     end, cycle = scenario.run.duration, scenario.cycle
-    fine = sample_times(end, min(cycle, end) / samples)
+    fine = sample_times(end, min(cycle, end) / samples_per_cycle(scenario))
     own = sample_times(end, scenario.run.output_step) if trajectories else np.zeros(0)
     wanted = fine, np.array(marks, dtype=float), own
     every = np.sort(np.concatenate(wanted))

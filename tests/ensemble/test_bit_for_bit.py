@@ -26,14 +26,14 @@ from clpt_control.errors import ClptError, DataError, ScenarioError, SimulationE
 
 @pytest.mark.parametrize(("threads", "chunk"), [(1, 7), (2, 3), (3, 1000)])
 def test_threads_and_chunks_do_not_matter(scenario, whole, tmp_path, threads, chunk):
-    given = {"seed": 3, "samples": 100, "trajectories": True, "threads": threads, "chunk": chunk}
+    given = {"seed": 3, "trajectories": True, "threads": threads, "chunk": chunk}
     data = run_ensemble(scenario, VARY, 40, out=tmp_path / "e.zarr", **given)
     assert_identical(data, whole)
 
 
 def test_the_batch_does_not_matter(scenario, whole, monkeypatch):
     monkeypatch.setattr(Ensemble, "batch", 8)
-    data = run_ensemble(scenario, VARY, 40, seed=3, threads=2, samples=100, trajectories=True)
+    data = run_ensemble(scenario, VARY, 40, seed=3, threads=2, trajectories=True)
     assert_identical(data, whole)
 
 
@@ -127,9 +127,7 @@ def stored(scenario, tmp_path_factory):
     out = tmp_path_factory.mktemp("stored") / "e.zarr"
 
     def run(path):
-        return run_ensemble(
-            quick, VARY[0], 6, out=path, chunk=3, threads=1, trajectories=True, samples=100
-        )
+        return run_ensemble(quick, VARY[0], 6, out=path, chunk=3, threads=1, trajectories=True)
 
     run(out)
     return out, run

@@ -65,7 +65,6 @@ MISTAKES = [
     ({"vary": VARY[0], "members": 10**20}, "would draw 1e+20 numbers; at most 2e+08"),
     ({"vary": VARY[0], "members": 10**400}, "would draw 1e+400 numbers"),
     ({"vary": VARY[0], "members": 10**20, "design": "grid"}, "would draw 1e+20 numbers"),
-    ({"vary": VARY[0], "members": 2, "samples": 10**20}, "more than 1e+08 in a run"),
     ({"vary": "learning.gain=" + "[" * 5000, "members": 2}, "KEY=[VALUE, ...]"),
     ({"vary": f"learning.gain=[{'1' * 5000}]", "members": 2}, "KEY=[VALUE, ...]"),
     ({"vary": f"learning.gain=[{'1' * 400}]", "members": 2}, "each value must be a number"),
@@ -74,7 +73,6 @@ MISTAKES = [
     ({"vary": VARY[0], "design": "sobol"}, "must be one of lhs, grid, random"),
     ({"vary": VARY[0], "chunk": 0}, "chunk = 0: must be a whole number"),
     ({"vary": VARY[0], "threads": 0}, "threads = 0: must be a whole number"),
-    ({"vary": VARY[0], "samples": 3}, "samples = 3: must be a whole number, at least 20"),
     ({"vary": VARY[0], "times": [11.0]}, "11.0 must lie between 0 and run.duration = 10"),
     ({"vary": "learning.gain=[1, 2]", "design": "grid", "members": 5}, "must have 2 members"),
     (
@@ -130,7 +128,6 @@ def test_a_member_that_is_not_allowed_is_named(quick):
         ({"vary": "learning.gain=1:2"}, "holds an ensemble of another vary"),
         ({"trajectories": True}, "holds an ensemble of another trajectories"),
         ({"chunk": 7}, "holds an ensemble of another chunk"),
-        ({"samples": 50}, "holds an ensemble of another samples"),
         ({"system": 1}, "holds an ensemble of another scenario"),
     ],
 )
@@ -215,7 +212,7 @@ def test_a_foreign_array_is_refused_before_a_chunk_is_written(quick, lacking, tm
     assert not (tmp_path / "e.html").exists()
 
 
-@pytest.mark.parametrize("name", ["members", "chunk", "keys", "scenario", "samples"])
+@pytest.mark.parametrize("name", ["members", "chunk", "keys", "scenario"])
 def test_arguments_that_do_not_fit_are_told(lacking, tmp_path, name):
     out, text = tmp_path / "e.zarr", lacking.attrs["ensemble"]
     for value in (None, 10**12, [], "x", -1, 0):
@@ -237,7 +234,7 @@ def test_vary_reads_back():
 
 @pytest.mark.parametrize("duration", [10, 125])
 def test_the_figure(scenario, duration):
-    data = run_ensemble(scenario.with_values({"run.duration": duration}), VARY, 8, samples=50)
+    data = run_ensemble(scenario.with_values({"run.duration": duration}), VARY, 8)
     axes = ensemble_plot(data)
     assert [len(ax.get_title(loc="left")) > 0 for ax in axes] == [True, True]
     assert axes[1].get_yscale() == "log"

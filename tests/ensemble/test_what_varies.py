@@ -27,7 +27,7 @@ def test_distributions_are_those_of_scipy():
 
 def test_a_dict_says_the_same_of_a_scenario():
     scenario = clpt.paper_scenario().with_values({"run.duration": 20})
-    given = {"samples": 20, "seed": 1}
+    given = {"seed": 1}
     texts = ["learning.gain=0.2:2.0", "flow.parameters~normal:0.1"]
     asked = {"learning.gain": "0.2:2.0", "flow.parameters": "~normal:0.1"}
     assert_identical(
@@ -59,7 +59,7 @@ MISTAKES = [
     ({"vary": {"u": [1.0]}, "inputs": lambda t: 1.0}, "an input cannot vary where inputs are a f"),
     ({"timepts": None}, "timepts: is required to run a diagram many times"),
     ({"timepts": [0.0]}, "timepts: must be at least two increasing times"),
-    ({"samples": 100}, "samples: is for a scenario; a diagram has timepts; leave it out"),
+    ({"times": [1.0]}, "times: is for a scenario; a diagram has timepts; leave it out"),
     ({"times": [1.0]}, "times: is for a scenario"),
     ({"method": "euler"}, "method = 'euler': must be one of auto, dop853, dopri5, rodas5p"),
     ({"rtol": -1.0}, "rtol = -1.0: must be a number, 0 or more"),
