@@ -48,17 +48,10 @@ class Candidate(NamedTuple):
 
 def laws_to_try(names: tuple[str, ...]) -> tuple[list[Law], dict[str, str]]:
     """Return the rows of the table that learn, and why others are left out."""
-    tried, skipped = [], {}
-    for law in LAWS.values():
-        if names and law.name not in names:
-            continue
-        if law.given_estimate:
-            skipped[law.name] = "is given the flow and does not learn it"
-        elif law.at_fixes:
-            skipped[law.name] = "learns at fixes, not from the position at all times"
-        else:
-            tried.append(law)
-    return tried, skipped
+    asked = [law for law in LAWS.values() if not names or law.name in names]
+    idle = {law.name for law in asked if law.given_estimate or law.at_fixes}
+    why = "is given the flow, or learns at fixes and not from the position at all times"
+    return [law for law in asked if law.name not in idle], dict.fromkeys(sorted(idle), why)
 
 
 def grid_about(scenario: Scenario, one: Candidate) -> Iterator[Candidate]:

@@ -176,7 +176,7 @@ def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> np.ndarray:
         top.set_xticks(cycles if len(cycles) <= 20 else cycles[:: len(cycles) // 10])
         top.set(xlabel="cycle of the waypoints", ylabel=f"CLPE rms ({units})")
         top.set_xlim(0, len(cycles) + 1)
-        _logarithmic(top)
+        top.set_yscale("log")
         top.legend(frameon=False, fontsize=8)
     else:
         _nothing(top, "no run has come to the end of a cycle")
@@ -196,7 +196,7 @@ def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> np.ndarray:
         xlim=(time[0], time[-1]) if len(time) > 1 else None,
     )
     if np.nanmin(bands, initial=1.0) > 0:
-        _logarithmic(bottom)
+        bottom.set_yscale("log")
     bottom.legend(frameon=False, fontsize=8)
     return axes
 
@@ -204,16 +204,6 @@ def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> np.ndarray:
 def _nothing(ax: Any, why: str) -> None:
     ax.text(0.5, 0.5, why, ha="center", color=GREY, transform=ax.transAxes)
     ax.set_axis_off()
-
-
-def _logarithmic(ax: Any) -> None:
-    from matplotlib.ticker import LogLocator, NullFormatter
-
-    ax.set_yscale("log")
-    low, high = ax.get_ylim()
-    ax.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5) if high < 200 * low else (1,)))
-    ax.yaxis.set_major_formatter("{x:g}")
-    ax.yaxis.set_minor_formatter(NullFormatter())
 
 
 def _bands(ax: Any, x: np.ndarray, bands: np.ndarray, color: str) -> None:

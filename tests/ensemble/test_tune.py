@@ -1,6 +1,5 @@
 """Tuning: the answer stays unseen, the fast or the robust law is taken where it is obvious."""
 
-
 import numpy as np
 import pytest
 
