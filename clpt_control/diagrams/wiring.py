@@ -239,8 +239,10 @@ def _units_within(system: Any, space: str = "") -> Iterator[tuple[str, Mapping[s
 
 def read_anew(system: Any) -> None:
     """Read the functions of a diagram's blocks again: objects that they name may have changed."""
-    for _, part in leaves(getattr(system, "syslist", [system])):
-        if isinstance(part, Block):
+    for part in getattr(system, "syslist", [system]):
+        if isinstance(part, control.InterconnectedSystem):
+            read_anew(part)
+        elif isinstance(part, Block):
             part.read_anew()
 
 

@@ -49,9 +49,9 @@ class Candidate(NamedTuple):
 def laws_to_try(names: tuple[str, ...]) -> tuple[list[Law], dict[str, str]]:
     """Return the rows of the table that learn, and why others are left out."""
     asked = [law for law in LAWS.values() if not names or law.name in names]
-    idle = {law.name for law in asked if law.given_estimate or law.at_fixes}
     why = "is given the flow, or learns at fixes and not from the position at all times"
-    return [law for law in asked if law.name not in idle], dict.fromkeys(sorted(idle), why)
+    idle = {law.name: why for law in asked if law.given_estimate or law.at_fixes}
+    return [law for law in asked if law.name not in idle], idle
 
 
 def grid_about(scenario: Scenario, one: Candidate) -> Iterator[Candidate]:

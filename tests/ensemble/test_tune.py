@@ -102,7 +102,7 @@ def test_every_law_that_learns_is_a_candidate(paper, name):
 
 def test_laws_that_cannot_be_tuned_are_skipped_with_the_reason():
     tried, skipped = laws_to_try(())
-    assert skipped["known-flow"] == "is given the flow and does not learn it"
+    assert "is given the flow" in skipped["known-flow"]
     assert set(skipped) == {law.name for law in LAWS.values() if law.given_estimate or law.at_fixes}
     assert [law.name for law in tried] == [name for name in LAWS if name not in skipped]
 
