@@ -15,7 +15,7 @@ import numpy as np
 DATA = Path(__file__).parent / "data"
 SAMPLE = "2016-01-31"  # the day of the sample's dives
 RUNS = ("run", "ensemble", "tune", "design", "certify", "excitation s", "excitation t")
-VARY = "--members 4 --vary learning.gain=0.2:2 --samples 50 --chunk 2 --threads 1"
+VARY = "--members 4 --vary learning.gain=0.2:2 --chunk 2 --threads 1"
 FILM = "--seconds 0.2 --fps 5 --width 200"
 WATCH = "replay --follow in --every 0.1 --patience 0.1"
 USES = (
@@ -70,8 +70,8 @@ OPTIONS = (  # words, options whose values are damaged
         "--length --max-speed --count --dwell --window --start --level --seed --generations",
     ),
     (
-        "ensemble s.toml --members 3 --vary learning.gain=0.2:2 --samples 50 --out out.zarr",
-        "--members --vary --seed --threads --chunk --samples --design",
+        "ensemble s.toml --members 3 --vary learning.gain=0.2:2 --out out.zarr",
+        "--members --vary --seed --threads --chunk --design",
     ),
     ("tune s.toml --members 2 --law learned-flow", "--members --prior --seed"),
     ("fit grid.nc --out out.toml", "--rows --columns --width-km --units"),
@@ -112,7 +112,7 @@ def make_valid(folder):
     uniform_field(folder / "field.nc", half=40.0, end=500.0)
     flow = {"flow.parameters": None, "flow.field": str(folder / "field.nc")}
     clpt.save_scenario(short.with_values(flow), folder / "f.toml")
-    clpt.run_ensemble(short, "learning.gain=0.2:2", 4, out=folder / "e.zarr", chunk=2, samples=50)
+    clpt.run_ensemble(short, "learning.gain=0.2:2", 4, out=folder / "e.zarr", chunk=2)
     shutil.copytree(folder / "e.zarr", folder / "begun.zarr")
     (folder / "begun.zarr/done/c/1").unlink()
     write_table(folder / "record.csv", times(3), waves(times(3)))

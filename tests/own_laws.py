@@ -318,7 +318,7 @@ TOO_MUCH = {  # -> what is said
         driven(lambda t, x, u, p: u.e * np.random.default_rng().random()),
         "^own.update: .* draws by chance",
     ),
-    "one z": (lambda: law(of_other_ports, GAIN, {"zc": 3, "z": 1}), "'z' has 2 signals"),
+    "one z": (lambda: law(of_other_ports, GAIN, {"zc": 3, "z": 1}), "'zc?' has 2 signals"),
     "no name": (lambda: Block("", update=memory, states=MORE), "must not be empty"),
     "a port with a dot": (driven(lambda t, x, u, p: u.e, more={"a.b": 1}), "'a.b' of a block"),
 }

@@ -194,7 +194,6 @@ def right(tmp_path_factory):
         "lyapunov": {"system": clpt.error_loop(SCENARIO), "V": "e"},
         "Lyapunov": dict.fromkeys(("status", "claim"), "") | {"V": None, "rate": None},
         "Guard": {"distance": line, "policy": "stop", "sentence": line},
-        "Vary": {"key": "learning.gain", "kind": "uniform", "numbers": (1.0, 2.0)},
         "FlowEstimate.miss": {"self": clpt.estimation.flow_estimate(run, every=5.0)},
         "Replay": {"model": clpt.estimation.FixModel()},
         "Replay.forecast": {"self": replay},

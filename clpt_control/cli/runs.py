@@ -203,7 +203,6 @@ def ensemble(
     figure: Path | None = opt("FILE", ".png, .pdf or .svg: percentiles of CLPE and errors."),
     dask: str | None = opt("ADDRESS", "Run on a cluster: tcp://HOST:PORT, or local."),
     chunk: int | None = opt("COUNT", "Members written at once."),
-    samples: int | None = opt("COUNT", "Samples a cycle, or a shorter run, for CLPE rms."),
     as_json: Json = False,
 ) -> None:
     r"""Run a scenario many times with values that vary.
@@ -227,7 +226,6 @@ def ensemble(
             threads=threads,
             trajectories=trajectories,
             chunk=chunk,
-            samples=samples,
             progress=report,
             dask=dask,
         )

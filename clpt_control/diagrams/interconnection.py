@@ -16,8 +16,8 @@ import numpy as np
 from ..arguments import brief, nearest, public
 from ..equations.block import Block
 from ..equations.declaration import Guard, Parameters, check_names, same_unit
-from ..equations.ports import labels, port_of, whole_labels
-from ..equations.system import System, is_linear
+from ..equations.ports import labels, whole_labels
+from ..equations.system import System
 from ..errors import BlockError, DiagramError
 from ..scenario.quantities import call_time_hint
 from .parts import as_part, input_ports, is_discrete, output_ports
@@ -134,11 +134,6 @@ Makers = dict[str, tuple[int, list[int]]]  # port -> the block that makes it, it
 Users = dict[str, list[tuple[int, list[int]]]]  # port -> blocks that take it, their inputs
 
 
-def _unit(block: Part, port: str) -> str:
-    """Return the unit that a part says for a port, or nothing."""
-    return getattr(block, "units", {}).get(port, "")
-
-
 def match_ports(
     blocks: Sequence[Part], external: Iterable[str]
 ) -> tuple[Makers, Users, dict[str, int]]:
@@ -146,79 +141,60 @@ def match_ports(
 
     Return who makes and who takes each, and the sizes of those that come from outside.
     """
-    external = list(external)
+    external, names = list(external), [block.name for block in blocks]
     if not blocks:
         raise DiagramError("a diagram of no blocks: give at least one")
-    names = [block.name for block in blocks]
-    for name_ in names:
-        if names.count(name_) > 1:
-            raise DiagramError(f"two blocks are called '{name_}': rename one")
+    for name in names:
+        if names.count(name) > 1:
+            raise DiagramError(f"two blocks are called '{name}': rename one")
     makers: Makers = {}
+    users: Users = {}
     for k, block in enumerate(blocks):
         for port, places in output_ports(block).items():
             if port in makers:
-                nested = isinstance(block, control.InterconnectedSystem)
                 raise DiagramError(
                     f"'{port}' is made by both {names[makers[port][0]]} and {block.name}: "
-                    "python-control would add them; rename one port"
-                    + (", or wire the diagrams by control.interconnect" if nested else "")
+                    "python-control would add them; rename one port, or wire diagrams by "
+                    "control.interconnect"
                 )
-            makers[port] = (k, places)
-    users: Users = {}
-    sizes: dict[str, int] = {}
-    said = {  # who says the unit of a port first
-        port: (unit, names[k])
-        for port, (k, _) in makers.items()
-        if (unit := _unit(blocks[k], port))
-    }
-    for k, block in enumerate(blocks):
+            makers[port] = k, places
         for port, places in input_ports(block).items():
-            if port not in makers and port not in external:
-                whole = ""
-                if port_of(port) in makers:
-                    whole = "; a part takes whole ports, label its inputs from [0] on"
-                if external:
-                    taken = {one for part in blocks for one in input_ports(part)}
-                    unused = [one for one in external if one not in taken]
-                    whole += f"; from outside come {', '.join(sorted(external))}"
-                    whole += f", but no block takes {', '.join(unused)}" if unused else ""
-                close = nearest(port, [*makers, *external])
-                if not close:
-                    whole += f"; connect(..., external='{port}') takes it from outside"
-                raise DiagramError(
-                    f"'{port}', an input of {block.name}, is made by no block"
-                    f"{f'; did you mean {close}? Blocks' if close else '; blocks'} make "
-                    f"{', '.join(sorted(makers))}{whole}"
-                )
-            size = len(places)
-            wanted = len(makers[port][1]) if port in makers else sizes.setdefault(port, size)
-            if wanted != size:
-                every = ", ".join(f"'{label}'" for label in labels({port: wanted}))
-                cure = "; both must have one size"
-                if size == 1 and (is_linear(block) or not isinstance(block, Block)):
-                    cure = f"; label its inputs {every}, or give control.append of several"
-                raise DiagramError(
-                    f"'{port}' has {wanted} signal{'s' if wanted != 1 else ''}, but {block.name} "
-                    f"takes {size}{cure}"
-                )
-            if unit := _unit(block, port):
-                other, whose = said.setdefault(port, (unit, block.name))
-                if not same_unit(unit, other):
-                    raise DiagramError(
-                        f"'{port}' is in '{other}' at {whose} and in '{unit}' at {block.name}; "
-                        "give it one unit, or put a block between that converts it"
-                    )
             users.setdefault(port, []).append((k, places))
-    for port in external:
-        if port in makers:
-            owner = names[makers[port][0]]
-            raise DiagramError(f"'{port}' cannot come from outside: {owner} makes it")
-        if port not in users:
+    for port, taken in users.items():
+        ends = [makers[port], *taken] if port in makers else taken
+        if port not in makers and port not in external:
+            close = nearest(port, [*makers, *external])
+            hint = f"did you mean {close}? Blocks" if close else "blocks"
+            outside = f"; from outside come {', '.join(sorted(external))}" if external else ""
             raise DiagramError(
-                f"'{port}' cannot come from outside: no block takes it; blocks take "
-                f"{', '.join(sorted(users))}"
+                f"'{port}', an input of {names[taken[0][0]]}, is made by no block; {hint} make "
+                f"{', '.join(sorted(makers))}; connect(..., external='{port}') takes it from "
+                f"outside{outside}"
             )
-    return makers, users, {port: sizes[port] for port in external}
+        size = len(ends[0][1])
+        for k, places in ends:
+            if len(places) != size:
+                raise DiagramError(
+                    f"'{port}' has {size} signal{'s' * (size != 1)}, but {names[k]} takes "
+                    f"{len(places)}; both must have one size: label its inputs "
+                    f"{', '.join(labels({port: size}))}, give control.append of several, or "
+                    "as many signals= to one of clpt.parts"
+                )
+        units = [(getattr(blocks[k], "units", {}).get(port), names[k]) for k, _ in ends]
+        said = [(unit, name) for unit, name in units if unit]
+        for unit, name in said[1:]:
+            if not same_unit(unit, said[0][0]):
+                raise DiagramError(
+                    f"'{port}' is in '{said[0][0]}' at {said[0][1]} and in '{unit}' at {name}; "
+                    "give it one unit, or put a block between that converts it"
+                )
+    for port in external:
+        if port in makers or port not in users:
+            why = f"{names[makers[port][0]]} makes it" if port in makers else "no block takes it"
+            raise DiagramError(
+                f"'{port}' cannot come from outside: {why}; blocks take {', '.join(sorted(users))}"
+            )
+    return makers, users, {port: len(users[port][0][1]) for port in external}
 
 
 @public

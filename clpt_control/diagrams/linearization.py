@@ -2,9 +2,10 @@
 
     dx' = A dx + B du,    dy = C dx + D du         about x and u at time t
 
-Where a function has a kink right there, |e| at e = 0, or a node of a table, the slope is that of
-one side, and a warning names block and operation; where it jumps there is no slope, and that is
-refused.  What its rates do not feel, as of the drag w |w| at rest, is neither.
+Where a signal or a rate has a kink right there, |e| at e = 0, or a node of a table, the slope is
+that of one side, and a warning names it; where it jumps there is no slope, and that is refused.
+Both are seen in what the slopes leave beside the point.  What is not felt, as of the drag w |w| at
+rest, is neither.
 """
 
 from collections.abc import Iterable, Mapping
@@ -16,19 +17,21 @@ import numpy as np
 from scipy.linalg import orth
 
 from ..arguments import numbers, public
-from ..equations.arrays import COMPARISONS, CONDITIONS, MOVED, Tape, Unread, operand
-from ..equations.derivative import JUMPS, Direction
+from ..equations.arrays import Tape, Unread, operand
+from ..equations.derivative import Direction
 from ..equations.elementwise import lifted
 from ..equations.ports import ports_of
-from ..equations.record import Shape, compact, computed, reached
+from ..equations.record import Shape, compact, computed
 from ..errors import ArgumentError, DiagramError
 from ..progress import warn
 from .interconnection import changed_parameters
 from .merged_record import merged_record
 from .wiring import Node, Wiring, read_unsampled
 
-CLOSE = 1e-12  # relative: numbers that differ by less are equal
-BESIDE = 1e-3, 1e-5, 1e-9  # relative: what differs alike at the nearer two jumps
+STEPS = 1e-6, -1e-6, 1e-8, -1e-8  # relative: what is left shrinks to 1e-4, at a kink to 1e-2
+SMOOTH, JUMP = 5e-3, 0.3  # what is left at the nearer step, of that at the farther one
+DRAWN = 3  # times so many directions as states and inputs
+ROUNDING = 1e-14  # relative, of a value and of what its slopes bring
 REACHED = 1e-9  # of the largest: a smaller component is not reached
 
 
@@ -79,13 +82,16 @@ class _About:
         self.places[at] = place
         return leaf
 
-    def numbers(self, values: Iterable[Any], like: Iterable[Any] | None = None) -> list[np.ndarray]:
+    def numbers(
+        self, values: Iterable[Any], like: Iterable[Any] | None = None, columns: int | None = None
+    ) -> list[np.ndarray]:
         """Return values of the tape as numbers; the last axis is that of the directions."""
         values = [lifted(self.tape, one) for one in values]
         shapes = [getattr(one, "shape", ()) for one in (values if like is None else like)]
         record = compact(self.tape.operations, [operand(one) for one in values], shapes)
         numbers = computed(record, lambda *at: self.values[at], {})
-        return [np.broadcast_to(one, (*one.shape[:-1], len(self.every))) for one in numbers]
+        last = len(self.every) if columns is None else columns
+        return [np.broadcast_to(one, (*one.shape[:-1], last)) for one in numbers]
 
     def slopes(self, values: list[Any]) -> np.ndarray:
         """Return the derivatives of values, a row for each element."""
@@ -93,105 +99,44 @@ class _About:
         flat = [one.reshape(-1, len(self.every)) for one in slopes]
         return np.concatenate([np.zeros((0, len(self.every))), *flat])
 
-    def ties(self, a: Any, b: Any, *_: Any) -> tuple[np.ndarray, np.ndarray]:
-        """Return where two values are equal, and where their slopes differ there."""
-        one, other, slope = self.numbers([a, b, self.direction.of(a - b)])
-        size = np.maximum(1.0, np.minimum(np.abs(one), np.abs(other)))  # infinity has no neighbour
-        ties = (one == other) | (np.abs(one - other) <= CLOSE * size)
-        return ties[..., 0], np.any(slope != 0.0, axis=-1) & ties[..., 0]
+    def beside(self, values: list[Any], moves: np.ndarray) -> np.ndarray:
+        """Return values beside the point, a row for each element and a column for each move."""
+        moved, own = self.point[:, None] + moves, self.values
+        there = {one: moved[k].reshape(*own[one].shape[:-1], -1) for one, k in self.places.items()}
+        self.values = {**own, **there}
+        found = self.numbers(values, columns=moves.shape[1])
+        self.values = own
+        return np.concatenate([one.reshape(-1, moves.shape[1]) for one in found])
 
-    def seen(self, values: list[Any]) -> str:
-        """Return whether values beside the point show that something jumps or bends there."""
-        ways = np.random.default_rng(0).standard_normal(self.every.shape)
-        ways *= 1.0 + np.abs(self.point[:, None])
+    def check(self, values: Mapping[str, Any]) -> None:
+        """Warn where a value has a kink at the point; refuse where one jumps.
 
-        def at(step: float) -> np.ndarray:
-            moved, own = self.point[:, None] + step * ways, self.values
-            beside = {
-                one: moved[k].reshape(*own[one].shape[:-1], -1) for one, k in self.places.items()
-            }
-            self.values = {**own, **beside}
-            found = np.concatenate([one.ravel() for one in self.numbers(values)])
-            self.values = own
-            return found
-
-        middle, (far, near, nearest) = at(0.0), [(at(h), at(-h)) for h in BESIDE]
-        rounding = CLOSE * (1.0 + np.abs(middle))
-        wide, small = (np.abs(one - other) for one, other in (near, nearest))
-        if not np.all(small <= 1e-3 * wide + rounding):  # of a number that is none too
-            return "jumps"
-        wide, small = (np.abs(one - 2.0 * middle + other) for one, other in (far, near))
-        return "" if np.all(small <= 1e-3 * wide + rounding) else "bends"  # bends: 1e-2
-
-    def felt(self, operation: Any, places: np.ndarray, values: list[Any]) -> bool:
-        """Return whether values or slopes change with what an operation gives at some places.
-
-        w |w| bends nowhere: the slope of |w|, which is that of one side, is multiplied by w = 0.
+        What the slopes leave beside the point shrinks as the step does at a kink, and not at a
+        jump; else as the square of the step.  A slope that is of neither side is refused too.
         """
-        if not np.any(places):
-            return False
-        k, [own] = operand(operation), self.numbers([operation])
-        line, other, found = self.tape.operations[k], ("other", k), []
-        self.tape.operations[k] = line._replace(kind="leaf", arguments=(), at=other)
-        drawn = np.random.default_rng(0).standard_normal(own.shape)
-        for self.values[other] in (own, np.where(places[..., None], drawn, own)):
-            found.append([self.slopes(values), *self.numbers(values)])
-        self.tape.operations[k] = line
-        pairs = zip(*found, strict=True)
-        return not all(np.array_equal(one, two, equal_nan=True) for one, two in pairs)
-
-    def check(self, values: list[Any]) -> None:
-        """Warn of each kink at the point; refuse a jump."""
-        lines = list(self.tape.operations)
-        undecided: dict[int, Any] = {}  # condition -> where both answers are possible
-        for k in sorted(reached(lines, [operand(value) for value in values])):
-            kind, arguments, _, _ = lines[k]
-            doubtful = [undecided[a] for a in arguments if a in undecided]
-            doubt = any(map(np.any, doubtful))
-            operands = [self.tape.value(a) for a in arguments]
-            jumps: Any = False
-            bends = np.zeros((), bool)
-            if kind in COMPARISONS:
-                _, undecided[k] = self.ties(*operands)
-            elif kind in CONDITIONS and doubtful:
-                undecided[k] = np.logical_or.reduce(np.broadcast_arrays(*doubtful))
-            elif (kind in MOVED or kind == "fill") and doubtful:
-                undecided[k] = np.array(doubt)
-            elif kind == "where" and arguments[0] in undecided:
-                ties, bends = self.ties(*operands[1:])
-                jumps = np.any(undecided[arguments[0]] & ~ties)
-                bends &= undecided[arguments[0]]
-            elif doubt:
-                jumps = True
-            elif kind in ("minimum", "maximum", "fabs"):
-                _, bends = self.ties(*operands, 0.0)
-            elif kind == "atan2":  # by a turn where its first argument changes sign
-                _, turns = self.ties(operands[0], 0.0)
-                behind = self.numbers([operands[1]])[0][..., 0] < 0
-                jumps = np.any(turns & behind)
-            elif kind == "sign":  # its own slope, 0, is of neither side
-                there = self.ties(operands[0], 0.0)[1]
-                jumps = self.felt(self.tape.value(k), there, values)
-            elif kind in JUMPS or kind in ("mod", "pick"):
-                place = operands[0] / operands[1] if kind in ("mod", "floordiv") else operands[-1]
-                near = np.round(self.numbers([place])[0][..., 0])
-                near = np.where(near == 0.0, np.nan, near) if kind in ("trunc", "pick") else near
-                jumps = np.any(self.ties(place, near)[1])
-            if jumps:
-                verdict = "jumps" if kind == "sign" else self.seen(values)
-            else:
-                verdict = "bends" if self.felt(self.direction.known.get(k), bends, values) else ""
-            self.report(self.record.owners.get(k, ""), kind, verdict)
-
-    def report(self, owner: str, kind: str, verdict: str) -> None:
-        """Warn of a kink; refuse a jump."""
-        if verdict == "jumps":
+        size, own = 1.0 + np.abs(self.point)[:, None], [*values.values()]
+        slopes, here = self.slopes(own), self.beside(own, np.zeros((n := len(self.every), 1)))
+        known = np.all(np.isfinite(slopes), axis=1)  # others are refused where they matter
+        slopes = np.where(known[:, None], slopes, 0.0)
+        drawn = np.random.default_rng(0).standard_normal((n, DRAWN * n))
+        ways = size * np.hstack([self.every, drawn])  # along each state and input, and all at once
+        moves = np.hstack([step * ways for step in STEPS])
+        left = np.abs(self.beside(own, moves) - here - slopes @ moves)
+        far, back, near, behind = np.split(left, len(STEPS), axis=1)
+        rounding = ROUNDING * (np.abs(here) + np.abs(slopes) @ size)
+        wide, small = np.nan_to_num(np.maximum(far, back), nan=np.inf), np.maximum(near, behind)
+        kink = SMOOTH * wide + rounding
+        bent = np.any(small > kink, axis=1)
+        torn = np.any(~(small <= JUMP * wide + rounding), axis=1)
+        torn |= np.any((np.minimum(near, behind) > kink)[:, :n], axis=1)
+        names = np.repeat([*values], [int(np.prod(getattr(one, "shape", ()))) for one in own])
+        for name in names[torn & known][:1]:
             raise DiagramError(
-                f"{owner}: `{kind}` jumps at this point, so nothing is linear there; linearize on "
-                "one side of it"
+                f"{name} jumps at this point, or has the slope of neither side, so nothing is "
+                "linear there; linearize on one side of it"
             )
-        if verdict:
-            warn(f"{owner}: `{kind}` has a kink at this point; the slope is that of one side")
+        for name in names[bent & known][:1]:
+            warn(f"{name} has a kink at this point; the slope is that of one side")
 
 
 @public
@@ -228,13 +173,13 @@ def linearize(
     Raises
     ------
     DiagramError
-        If a function jumps at the point, has no finite slope there or cannot be read, or a part
-        samples its inputs.
+        If a signal or a rate jumps at the point or has no finite slope there, a function cannot
+        be read, or a part samples its inputs.
 
     Warns
     -----
     UserWarning
-        If a function has a kink at the point; block and operation are named.
+        If a signal or a rate has a kink at the point; the first is named.
 
     Examples
     --------
@@ -259,7 +204,11 @@ def linearize(
         signals = [at.record.signals[node.name, port] for node, port in ports]
         rates = [at.record.rates[port] for port in at.states]
         AB, Y = at.slopes(rates), at.slopes(signals)
-        at.check([*rates, *signals])
+        named = {
+            f"{node.name}.{port}": own for (node, port), own in zip(ports, signals, strict=True)
+        }
+        named |= {f"the rate of {'.'.join(port)}": at.record.rates[port] for port in at.states}
+        at.check(named)
     except Unread as error:
         raise DiagramError(f"{error}") from None
     all_slopes = np.vstack([Y, at.every[n:]])

@@ -203,16 +203,8 @@ def replaced(parts: Sequence[Part], replace: Mapping[str, Any]) -> list[Part]:
         names = [part.name for part in new_parts]
         if name not in names:
             raise DiagramError(f"replace = {name!r}: must be among {', '.join(names)}")
-        argument, old = f"replace = {name!r}", new_parts[names.index(name)]
-        part = _in_place(as_part(system), old, widths(new_parts), argument)
-        made = output_ports(part)
-        for port, places in output_ports(old).items():
-            users = [other.name for other in new_parts if port in input_ports(other)]
-            if users and len(made.get(port, ())) != len(places):
-                raise DiagramError(
-                    f"{argument}: {part.name} must make {port}[{len(places)}], which goes to "
-                    f"{', '.join(users)}; it makes {sizes(made)}; give its outputs these names"
-                )
+        old = new_parts[names.index(name)]
+        part = _in_place(as_part(system), old, widths(new_parts), f"replace = {name!r}")
         new_parts[names.index(name)] = part
     return new_parts
 
@@ -281,13 +273,6 @@ def _between(part: Part, taken: tuple[str, int], made: tuple[str, int], argument
                 f"{argument}: {part.name} {which} {sizes(ports)}; call the one that is meant "
                 f"'{port}', or give a part with one input port and one output port"
             )
-    own = len(takes[to]), len(makes[out])
     if is_linear(part) and part.ninputs == part.noutputs == 1 and taken[1] == made[1] != 1:
         part, to, out = on_each_axis(part, taken[1]), "u", "y"
-    elif own != (taken[1], made[1]):
-        raise DiagramError(
-            f"{argument}: {part.name} takes {own[0]} and makes {own[1]} signals, must take "
-            f"{taken[0]}[{taken[1]}] and make {made[1]}; control.append joins linear parts, "
-            f"those of clpt.parts take signals={taken[1]}"
-        )
     return with_ports(part, {to: taken[0]}, {out: made[0]})

@@ -24,7 +24,6 @@ from ..blocks.laws.law import PRIOR, Law
 from ..blocks.laws.table import LAWS
 from ..errors import ScenarioError
 from ..scenario.experiment import Scenario
-from .drawn_values import Vary
 
 GAINS = (0.25, 1.0, 4.0)
 FILTERS = (0.5, 1.0, 2.0)
@@ -49,17 +48,10 @@ class Candidate(NamedTuple):
 
 def laws_to_try(names: tuple[str, ...]) -> tuple[list[Law], dict[str, str]]:
     """Return the rows of the table that learn, and why others are left out."""
-    tried, skipped = [], {}
-    for law in LAWS.values():
-        if names and law.name not in names:
-            continue
-        if law.given_estimate:
-            skipped[law.name] = "is given the flow and does not learn it"
-        elif law.at_fixes:
-            skipped[law.name] = "learns at fixes, not from the position at all times"
-        else:
-            tried.append(law)
-    return tried, skipped
+    asked = [law for law in LAWS.values() if not names or law.name in names]
+    why = "is given the flow, or learns at fixes and not from the position at all times"
+    idle = {law.name: why for law in asked if law.given_estimate or law.at_fixes}
+    return [law for law in asked if law.name not in idle], idle
 
 
 def grid_about(scenario: Scenario, one: Candidate) -> Iterator[Candidate]:
@@ -110,7 +102,7 @@ class Unknown(NamedTuple):
 
     scenario: Scenario  # flow.parameters are the belief
     prior: float  # standard deviation of each theta, length per time
-    varies: tuple[Vary, ...]
+    varies: dict[str, Any]
     unmodelled: float  # rms of the disturbance, both axes, length per time
     noise: float  # standard deviation of the position, length
 
@@ -133,15 +125,14 @@ def unknown_of(
     drawn = scenario.with_values(values)
     known = drawn.known_to_law
     size = PRIOR.usual(known) if prior is None else float(prior)
-    varies = [Vary("flow.parameters", "normal", (size,))]
-    seeds = tuple(map(float, range(members)))
+    varies: dict[str, Any] = {"flow.parameters": f"~normal:{size!r}"}
     delta, seen = drawn.flow.disturbance, drawn.localization
     if delta is not None and delta.kind == "noise":
-        varies.append(Vary("flow.disturbance.seed", "levels", seeds))
+        varies["flow.disturbance.seed"] = range(members)
     if seen is not None and (seen.noise > 0 or seen.dropouts > 0):
-        varies.append(Vary("localization.seed", "levels", seeds))
+        varies["localization.seed"] = range(members)
     noise = 0.0 if seen is None else float(seen.noise)
-    return Unknown(drawn, size, tuple(varies), _rms(drawn), noise)
+    return Unknown(drawn, size, varies, _rms(drawn), noise)
 
 
 def belief(scenario: Scenario) -> np.ndarray:

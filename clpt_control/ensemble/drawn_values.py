@@ -24,49 +24,36 @@ import ast
 import json
 import math
 import re
-from bisect import bisect_left
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from decimal import Decimal
-from functools import lru_cache, partial
+from functools import lru_cache
 from math import prod
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..arguments import brief, nearest, public
+from ..arguments import brief, nearest
 from ..errors import ScenarioError
 from ..html import shortened
 from .members import Values, Varied
 
-FORMS = "KEY=LOW:HIGH, KEY~normal:DEVIATION or KEY=[VALUE, ...]"
+FORMS = (
+    "KEY=LOW:HIGH, two finite numbers of which the first is the smaller; KEY~normal:DEVIATION, a "
+    "positive number; KEY~gamma(2) or another of scipy.stats; or KEY=[VALUE, ...]"
+)
 IN_A_DICT = "a list of values, a range '0.2:2.0', or a distribution, such as scipy.stats.norm(1, 2)"
 DESIGNS = ("lhs", "grid", "random")
 MOST_NUMBERS = 2 * 10**8  # 1.6 GB
 EDGE = 2.0**-53  # shares stay away from 0 and 1, where the normal quantile is infinite
 
 
-@public
 class Vary(NamedTuple):
-    """One name of a scenario or a diagram, and how it varies.
+    """One name of a scenario or a diagram, and how it varies."""
 
-    Attributes
-    ----------
-    key : str
-        Dotted key, ``"learning.gain"``.
-    kind : str
-        ``"uniform"``, ``"normal"``, ``"drawn"`` or ``"levels"``.
-    numbers : tuple
-        Low and high; the standard deviation; a distribution, ``"gamma(2, 0, 1)"``; or the levels.
-
-    Examples
-    --------
-    >>> Vary("learning.gain", "uniform", (0.2, 2.0)).text
-    'learning.gain=0.2:2.0'
-    """
-
-    key: str
-    kind: str
-    numbers: tuple[Any, ...]
+    key: str  # dotted, ``"learning.gain"``
+    kind: str  # uniform, normal, drawn or levels
+    numbers: tuple[Any, ...]  # low and high; the deviation; a distribution's text; the levels
 
     @property
     def text(self) -> str:
@@ -83,47 +70,23 @@ class Vary(NamedTuple):
 def read_vary(text: str) -> Vary:
     """Read how a key varies, in one of the forms above."""
     match = re.fullmatch(r"\s*([\w.]+(?:\[[\d, ]+\])?)\s*([=~])\s*(.+?)\s*", text, re.DOTALL)
-    if match is None:
-        raise ScenarioError(f"vary = '{text}': must be {FORMS}, such as learning.gain=0.2:2.0")
-    key, sign, rest = match.groups()
-    if sign == "~":
-        kind, _, deviation = rest.partition(":")
-        if rest.endswith(")"):
-            distribution(rest)
-            return Vary(key, "drawn", (rest,))
-        if kind.strip() != "normal":
-            raise ScenarioError(f"vary = '{text}': after ~ must stand normal:DEVIATION")
-        size = _number(deviation, text)
-        if not size > 0:
-            raise ScenarioError(f"vary = '{text}': the standard deviation must be positive")
-        return Vary(key, "normal", (size,))
-    if rest.startswith("["):
-        try:
-            levels = json.loads(rest)
-        except (ValueError, RecursionError):  # no list, or too many brackets or digits
-            raise ScenarioError(
-                f"vary = '{text}': the list cannot be read; write it as [0.5, 1, 2]"
-            ) from None
-        if not levels:
-            raise ScenarioError(f"vary = '{text}': the list must have at least one value")
-        return Vary(key, "levels", tuple(levels))
-    low, colon, high = rest.partition(":")
-    if not colon:
-        raise ScenarioError(f"vary = '{text}': must be {FORMS}, such as {key}=0.2:2.0")
-    ends = _number(low, text), _number(high, text)
-    if not ends[0] < ends[1]:
-        raise ScenarioError(f"vary = '{text}': the first number must be below the second")
-    return Vary(key, "uniform", ends)
-
-
-def _number(word: str, text: str) -> float:
-    try:
-        value = float(word) if word.isascii() else math.nan
-    except ValueError:
-        value = math.nan
-    if not math.isfinite(value):
-        raise ScenarioError(f"vary = '{text}': '{word.strip()}' must be a finite number")
-    return value
+    key, sign, rest = match.groups() if match else ("", "", "")
+    if sign == "~" and rest.endswith(")"):
+        distribution(rest)
+        return Vary(key, "drawn", (rest,))
+    with suppress(ValueError, RecursionError):  # no number or list, or too many brackets or digits
+        if rest.startswith("["):
+            if levels := json.loads(rest):
+                return Vary(key, "levels", tuple(levels))
+        elif sign == "=":
+            low, high = map(float, rest.split(":"))
+            if -math.inf < low < high < math.inf:
+                return Vary(key, "uniform", (low, high))
+        elif rest.startswith("normal:"):
+            size = float(rest.removeprefix("normal:"))
+            if 0 < size < math.inf:
+                return Vary(key, "normal", (size,))
+    raise ScenarioError(f"vary = '{shortened(text, 60)}': must be {FORMS}")
 
 
 @lru_cache(maxsize=64)
@@ -164,25 +127,12 @@ def _of_item(key: str, given: Any) -> Vary:
     raise ScenarioError(f"vary: {key} = {brief(given)}: must be {IN_A_DICT}")
 
 
-def _checked(one: Vary) -> Vary:
-    """Refuse one made by hand whose kind or numbers no text says."""
-    try:
-        if read_vary(one._replace(key="key").text).kind == one.kind:
-            return one
-    except (IndexError, TypeError, ValueError):
-        pass
-    raise ScenarioError(
-        f"vary: {one!r:.80}: its kind must be uniform, normal, drawn or levels, with its numbers"
-    )
-
-
-def read_varies(vary: str | Vary | Iterable[str | Vary] | Mapping[str, Any]) -> tuple[Vary, ...]:
+def read_varies(vary: str | Iterable[str] | Mapping[str, Any]) -> tuple[Vary, ...]:
     """Read what varies, in any of its forms."""
     if isinstance(vary, Mapping):
         varies = [_of_item(key, value) for key, value in vary.items()]
     else:
-        several = [vary] if isinstance(vary, str | Vary) else vary
-        varies = [_checked(one) if isinstance(one, Vary) else read_vary(one) for one in several]
+        varies = [read_vary(one) for one in ([vary] if isinstance(vary, str) else vary)]
     if not varies:
         raise ScenarioError("vary: name at least one key, such as learning.gain=0.2:2.0")
     return tuple(varies)
@@ -210,17 +160,17 @@ def unknown_name(what: str, name: str, known: Iterable[str]) -> str:
 
 
 def _check_levels(one: Vary, shape: tuple[int, ...]) -> None:
-    allowed = "a number" if shape == () else f"an array of shape {shape}"
-    for level in one.numbers:
-        try:
-            fits = np.shape(np.asarray(level, dtype=float)) == shape and level is not None
-        except (TypeError, ValueError, OverflowError):
-            fits = False
-        if fits and one.key.endswith(".seed") and not float(level).is_integer():
-            fits, allowed = False, "a whole number"
-        if not fits or isinstance(level, bool):
-            text = shortened(json.dumps(level), 40)
-            raise ScenarioError(f"vary: {one.key} = {text}: each value must be {allowed}")
+    try:
+        levels = np.array(one.numbers, dtype=float)
+    except (TypeError, ValueError, OverflowError):
+        levels = np.array(math.nan)
+    whole = not one.key.endswith(".seed") or np.all(levels % 1 == 0)
+    finite = np.all(np.isfinite(levels)) and bool not in map(type, one.numbers)
+    if levels.shape[1:] != shape or not finite or not whole:
+        allowed = "a number" if shape == () else f"an array of shape {shape}"
+        allowed = allowed if whole else "a whole number"
+        text = shortened(json.dumps(one.numbers), 60)
+        raise ScenarioError(f"vary: {one.key} = {text}: each value must be {allowed}")
 
 
 # --- the values of each member -------------------------------------------------------------------
@@ -278,12 +228,8 @@ def _grid_shares(varies: Sequence[Vary], columns: Sequence[int], members: int) -
     lists = prod(filter(None, fixed))
     n = max(1, round((members / lists) ** (1 / free))) if free else 1
     if lists * n**free != members:
-        allowed = sorted({lists * max(1, n + step) ** free for step in (-1, 0, 1)})
-        shown = " or ".join(f"{count:,}".replace(",", " ") for count in allowed[:3])
-        raise ScenarioError(
-            f"members = {members}: this grid must have "
-            + (f"{lists} n^{free} members, such as {shown}" if free else f"{lists} members")
-        )
+        more = f" n^{free} members, such as {lists * n**free}" if free else " members"
+        raise ScenarioError(f"members = {members}: this grid must have {lists}{more}")
     sizes = np.repeat([count or n for count in fixed], columns)
     index = iter(np.unravel_index(np.arange(members), sizes))
     shares = []
@@ -319,27 +265,14 @@ def _values(one: Vary, base: np.ndarray, shares: np.ndarray) -> np.ndarray:
 def check_members(varied: Varied, varies: Sequence[Vary], values: Values) -> None:
     """Refuse members with values that are not allowed.
 
-    What is allowed are intervals: where the least and the largest of all members
-    are allowed, so is what lies between.
+    What is allowed are intervals: where the members with the least and the largest number are
+    allowed, so are the others.
     """
     for one in varies:
-        column = values[one.key]
-        if not _refused(varied, one.key, column, len(column)):
-            continue
-        refused = partial(_refused, varied, one.key, column)
-        first = bisect_left(range(len(column)), True, key=refused)
-        try:
-            varied.check(one.key, column[first])
-        except ScenarioError as error:
-            sentence = str(error).removeprefix("scenario: ")
-            raise ScenarioError(f"member {first}: {sentence}; narrow {one.text}") from None
-
-
-def _refused(varied: Varied, key: str, values: np.ndarray, last: int) -> bool:
-    """Return whether a member up to the last is refused."""
-    try:
-        for extreme in (np.min, np.max):
-            varied.check(key, extreme(values[: last + 1], axis=0))
-    except ScenarioError:
-        return True
-    return False
+        numbers = values[one.key].reshape(len(values[one.key]), -1)
+        for m in (numbers.min(axis=1).argmin(), numbers.max(axis=1).argmax()):
+            try:
+                varied.check(one.key, values[one.key][m])
+            except ScenarioError as error:
+                sentence = str(error).removeprefix("scenario: ")
+                raise ScenarioError(f"member {m}: {sentence}; narrow {one.text}") from None

@@ -305,6 +305,15 @@ def checked_ensemble(varied: Varied, values: Values) -> Ensemble:
     return ensemble
 
 
+def hash_of(wiring: Wiring, given: Iterable[Any], *more: Any) -> str:
+    """Return a hash of a diagram, of its parameters and of more that makes the numbers."""
+    parts: list[Any] = [(n.name, n.wires, n.system.records) for n in wiring.nodes]
+    parts += [wiring.outputs, wiring.dt]
+    for one in (*(number for own in given for number in own), *more):
+        parts.append(one.tolist() if isinstance(one, np.ndarray) else one)
+    return hashlib.sha256(repr(parts).encode()).hexdigest()[:16]
+
+
 def cut(values: Values, size: int) -> Iterator[Values]:
     """Yield the values of so many members at a time."""
     for first in range(0, len(next(iter(values.values()))), size):

@@ -9,7 +9,6 @@ The summaries of an output are its final value, its root mean square over time (
 the samples; in discrete time the samples' mean) and its largest magnitude.
 """
 
-import hashlib
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
@@ -32,7 +31,7 @@ from ..simulation.integrate import request_of, sizes_of_run
 from ..simulation.running import labels_of, signal_units
 from ..simulation.starts import stacked_state
 from .drawn_values import Vary, unknown_name
-from .members import Ensemble, Member, Members, States, Values, Varied
+from .members import Ensemble, Member, Members, States, Values, Varied, hash_of
 from .summaries import Arrays, ends_of
 
 RESULT = "time", "member", "status", "end"  # names of a result, beside those of ports
@@ -123,22 +122,12 @@ class VariedDiagram(Varied):
 
     def why_not(self, key: str) -> str:
         """Return why a name cannot vary."""
-        block, _, name = key.rpartition(".")
-        if len(self.names.get(key, ())) > 1:
-            return (
-                f"vary: {key} is more than one of a parameter, an initial state and an input, or "
-                "parameters of several shapes; rename one, or name one of a block"
-            )
         whole = key.partition("[")[0]
         if whole in self.names:
-            shape = np.shape(self._value(self.names[whole][0]))
-            return f"vary: {key} is no element: {whole} has shape {shape}, counted from 0"
-        for node, given in zip(self.wiring.nodes, self.given, strict=True):
-            if node.name == block and isinstance(getattr(given, name, None), int):
-                return (
-                    f"vary: {key} = {getattr(given, name)} cannot vary: a whole number is fixed "
-                    "when its block is made; declare it as a float, or make a diagram of each"
-                )
+            return (
+                f"vary: {key} is no element of {whole}, counted from 0; or {whole} is more than "
+                "one of a parameter, an initial state and an input: name one of a block"
+            )
         return unknown_name("name", key, self.names)
 
     def check(self, key: str, value: np.ndarray) -> None:
@@ -157,15 +146,7 @@ class VariedDiagram(Varied):
         return {"units": units.pop()} if len(units) == 1 and units != {""} else {}
 
     def _check_apart(self) -> None:
-        """Refuse two names of one number, and those of the result."""
-        ports, axes = self.variables
-        summaries = {f"{port}_{what}" for port in ports for what in SUMMARIES}
-        if own := {*RESULT, *axes, *summaries} & self.places.keys():
-            raise ScenarioError(f"vary: {min(own)} is a name of the result; rename it")
-        along = [self.along(port) for port in ports]
-        own = {one for one in along if one in summaries or along.count(one) > 1}
-        if self.trajectories and own:
-            raise ScenarioError(f"trajectories: {min(own)} is a name of the result; rename it")
+        """Refuse two names of one number."""
         names: dict[tuple, str] = {}
         for key, (fields, states, inputs, element) in self.places.items():
             numbers: list[tuple] = [("state", k) for k in states]
@@ -185,21 +166,17 @@ class VariedDiagram(Varied):
     @property
     def identity(self) -> str:
         """A hash of all that makes the numbers, but for what varies."""
+        if self.inputs.samples is None:
+            raise DiagramError("out: inputs by a function cannot be told from others; give samples")
+        arrays = self.start, self.state_times, self.times, *self.inputs.samples
         try:
-            parts: list[Any] = [node.system.records for node in self.wiring.nodes]
+            found = hash_of(self.wiring, self.given, self.outputs, self.options, *arrays)
         except Unread as error:
             raise DiagramError(
                 f"out: {error}, so a folder cannot tell the diagram from others; give no out= "
                 "and save the result"
             ) from None
-        if self.inputs.samples is None:
-            raise DiagramError("out: inputs by a function cannot be told from others; give samples")
-        parts += [(node.name, node.wires) for node in self.wiring.nodes]
-        parts += [self.wiring.outputs, self.wiring.dt, self.outputs, self.options]
-        arrays = [self.start, self.state_times, self.times, *self.inputs.samples]
-        arrays += [number for given in self.given for number in given]
-        parts += [np.asarray(one, dtype=float).tolist() for one in arrays]
-        return f"{self.name} {hashlib.sha256(repr(parts).encode()).hexdigest()[:16]}"
+        return f"{self.name} {found}"
 
     # --- its members ----------------------------------------------------------------------
 

@@ -1,7 +1,5 @@
 """The members of a scenario: its keys that may vary, and where its loop holds their values."""
 
-import hashlib
-import json
 from collections.abc import Sequence
 from functools import cached_property
 from pathlib import Path
@@ -21,10 +19,8 @@ from ..scenario.quantities import QUANTITIES, STARTS, key_hint, keys_of, keys_of
 from ..simulation.loops import changed_blocks
 from ..simulation.starts import state_columns, state_of
 from .drawn_values import unknown_name
-from .members import Member, Values, Varied
-from .summaries import arrays_of, marks_of, sample_times_of, samples_per_cycle, summarise
-
-OWN_PARTS = "with timepts the loop runs as any diagram, whose parts' own parameters may vary"
+from .members import Member, Values, Varied, hash_of
+from .summaries import arrays_of, marks_of, sample_times_of, summarise
 
 
 class VariedScenario(Varied):
@@ -34,14 +30,13 @@ class VariedScenario(Varied):
         self,
         scenario: Scenario,
         changes: Changes = UNCHANGED,
-        samples: int | None = None,
         times: Sequence[float] | None = None,
         trajectories: bool = False,
     ):
         self.scenario, self.changes = scenario, checked_changes(changes, scenario)
         self.marks = marks_of(scenario, times)
-        self.samples, self.trajectories = samples_per_cycle(scenario, samples), trajectories
-        self.times = sample_times_of(scenario, self.samples, self.marks, trajectories)
+        self.times = sample_times_of(scenario, self.marks, trajectories)
+        self.trajectories = trajectories
         self.state_times, self.options = self.times.all, scenario.run.solver
         self.title, self.needs_signals = scenario.title, scenario.vehicle.max_speed is not None
         self.own = set(self.changes.replace)
@@ -56,7 +51,7 @@ class VariedScenario(Varied):
         """Travel as its arguments, with the absolute folder of the field."""
         scenario = self.scenario.model_copy()
         scenario._folder = scenario._folder.absolute()
-        return type(self), (scenario, self.changes, self.samples, self.marks, self.trajectories)
+        return type(self), (scenario, self.changes, self.marks, self.trajectories)
 
     @property
     def knows_flow(self) -> bool:
@@ -72,31 +67,20 @@ class VariedScenario(Varied):
 
     def why_not(self, key: str) -> str:
         """Return why a key cannot vary."""
-        if key in self.of_law and self.changes.law is not None:
+        if key in self.of_law or key.split(".")[0] in self.changes.names:
             return (
-                f"vary: {key} cannot vary: it is of the scenario's law, in whose place "
-                f"{self.changes.law.name} is given in Python; {OWN_PARTS}"
+                f"vary: {key} cannot vary: it is of a part given in Python, or of the law in whose "
+                "place one is given; with timepts the loop runs as any diagram, whose parts' own "
+                "parameters may vary"
             )
-        if key.split(".")[0] in self.changes.names:
-            return f"vary: {key} is no key of the scenario; {OWN_PARTS}"
         if other := key_hint(key):
             return f"vary: {other}"
-        values = {name: value for name, value, _ in self.scenario.every_key()}
-        value, within = values.get(key), [name for name in values if name.startswith(f"{key}.")]
-        if key.split(".")[0] == "run":
-            return f"vary: {key} cannot vary: members share duration, samples and tolerances"
-        if key == "learning.sample":
-            return f"vary: {key} cannot vary: members share the times at which their law runs"
-        if isinstance(value, int):
-            return f"vary: {key} = {value} cannot vary: counts are whole numbers"
-        if within:
-            numbers = [name for name in within if isinstance(values[name], float | tuple)]
-            such = min(numbers or within, key=lambda name: name.count("."))
-            return f"vary: {key} is a table; name one of its keys, such as {such}"
-        if value is not None:
-            return f"vary: {key} = {value!r} cannot vary: it is not a number"
-        if any(f"{key}.".startswith(f"{name}.") for name in values if values[name] is None):
-            return f"vary: {key} is not set in the scenario; may vary: {', '.join(self.values)}"
+        dotted = [f"{name}." for name, *_ in self.scenario.every_key()]
+        if any(name.startswith(f"{key}.") or f"{key}.".startswith(name) for name in dotted):
+            return (
+                f"vary: {key} cannot vary: it is a table, a word, a count, not set, or one for all "
+                f"members; may vary: {', '.join(self.values)}"
+            )
         return unknown_name("key", key, self.values)
 
     def check(self, key: str, value: np.ndarray) -> None:
@@ -107,10 +91,17 @@ class VariedScenario(Varied):
         """Return what identifies it, for a store at a path."""
         return {
             "scenario": scenario_to_text(self.scenario, None if path is None else path.parent),
-            "samples": self.samples,
             "times": list(self.marks),
-            "law": text_of_changes(self.changes),
+            "law": self.own_parts,
         }
+
+    @property
+    def own_parts(self) -> str | None:
+        """The names of the user's own parts, and a hash of the loop that they are in."""
+        if self.changes == UNCHANGED:
+            return None
+        given = [block.parameters for block in self.blocks]
+        return f"{', '.join(self.changes.names)} {hash_of(self.wiring, given)}"
 
     # --- its loop -------------------------------------------------------------------------
 
@@ -205,17 +196,3 @@ def checked_changes(changes: Changes, scenario: Scenario) -> Changes:
                     f"summarised from the states {', '.join(states)}"
                 )
     return changes
-
-
-def text_of_changes(changes: Changes) -> str | None:
-    """Return a text that tells the user's own blocks, their numbers and equations, from others."""
-    places = [name if name != LAW else "" for name in changes.replace]
-    places += [str(where) for where in changes.insert]
-    return "; ".join(map(_of_block, places, changes.parts)) or None
-
-
-def _of_block(place: str, block: Block) -> str:
-    fields = block.parameters._asdict().items()
-    numbers = json.dumps({field: np.asarray(value).tolist() for field, value in fields})
-    equations = hashlib.sha256(repr(block.records).encode()).hexdigest()
-    return f"{place} {block.name} {equations[:8]} {numbers}".lstrip()

@@ -30,7 +30,7 @@ from ..progress import interrupt, warn
 from ..progress.processes import processes
 from ..scenario.experiment import Scenario
 from ..simulation.loops import loop_of
-from .drawn_values import Vary, check_varies, draw_members, grid_count, read_varies
+from .drawn_values import check_varies, draw_members, grid_count, read_varies
 from .members import Ensemble, checked_ensemble, concatenated, cut, ensemble_of
 from .of_diagrams import VariedDiagram
 from .of_scenarios import VariedScenario
@@ -51,7 +51,7 @@ Report = Callable[[int, int], None]  # of how many more members are done, and ar
 @public
 def run_ensemble(
     system: Scenario | control.InputOutputSystem,
-    vary: str | Vary | Iterable[str | Vary] | Mapping[str, Any],
+    vary: str | Iterable[str] | Mapping[str, Any],
     members: int | None = None,
     design: str | None = None,
     seed: Seed = 0,
@@ -67,7 +67,6 @@ def run_ensemble(
     threads: int | None = None,
     trajectories: bool = False,
     chunk: int | None = None,
-    samples: int | None = None,
     times: Sequence[float] | None = None,
     progress: Callable[[int], None] | None = None,
     dask: str | None = None,
@@ -83,7 +82,7 @@ def run_ensemble(
     system : Scenario or control.InputOutputSystem
         The base: a scenario, or its `closed_loop` with blocks and linear systems of your own, which
         other processes get pickled; with `timepts` any diagram that `simulate` takes.
-    vary : dict, str, Vary or several
+    vary : dict, str or several
         ``{"plant.m": np.linspace(1, 2, 5), "c.k": "0.2:2.0", "d": scipy.stats.norm(0, 1)}``:
         a list of values, a range, a distribution; or ``"learning.gain=0.2:2.0"``,
         ``"flow.parameters~normal:0.1"``, ``"learning.gain=[0.5, 1, 2]"``. Of a scenario its keys;
@@ -106,9 +105,6 @@ def run_ensemble(
         Keep the states at the scenario's own samples too; of a diagram its outputs at `timepts`.
     chunk : int, optional
         Members written at once; memory grows with it, not with `members`.
-    samples : int, optional
-        Of a scenario: samples a cycle, or a run that is shorter, for mean squares; as many as in
-        `clpt run` without, up to 20,000 a member, and at least a tenth as many in longer runs.
     times : sequence of float, optional
         Of a scenario: when errors are kept; 41 evenly spaced times without.
     progress : callable, optional
@@ -172,9 +168,9 @@ def run_ensemble(
         if not isinstance(system, Scenario) and (loop is None or loop.external):
             raise ScenarioError("timepts: is required to run a diagram many times")
         loop = loop_of(system)
-        varied: Any = VariedScenario(loop.scenario, loop.changes, samples, times, trajectories)
+        varied: Any = VariedScenario(loop.scenario, loop.changes, times, trajectories)
     else:
-        _refuse("is for a scenario; a diagram has timepts", samples=samples, times=times)
+        _refuse("is for a scenario; a diagram has timepts", times=times)
         varied = VariedDiagram(system, varies, timepts, trajectories=trajectories, **of_diagram)
     check_varies(varied, varies)
     if design is None:

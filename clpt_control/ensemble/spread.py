@@ -172,11 +172,11 @@ def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> np.ndarray:
     cycles = np.arange(1, data.sizes["cycle"] + 1)
     rms = percentiles(data, "clpe_rms")
     if np.isfinite(rms).any():
-        _cycle_bands(top, cycles, rms)
+        _bands(top, cycles, rms, BLUE)
         top.set_xticks(cycles if len(cycles) <= 20 else cycles[:: len(cycles) // 10])
         top.set(xlabel="cycle of the waypoints", ylabel=f"CLPE rms ({units})")
         top.set_xlim(0, len(cycles) + 1)
-        _logarithmic(top)
+        top.set_yscale("log")
         top.legend(frameon=False, fontsize=8)
     else:
         _nothing(top, "no run has come to the end of a cycle")
@@ -187,7 +187,7 @@ def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> np.ndarray:
         _nothing(bottom, "neither flow parameters nor gains have a known truth")
         return axes
     bands, time = percentiles(data, name), data["mark"].values
-    _bands(bottom, time, bands)
+    _bands(bottom, time, bands, RED)
     what = name.removesuffix("_error").replace("_", " ")
     bottom.set_title(f"Largest error of a {what}", **TITLE)
     bottom.set(
@@ -196,7 +196,7 @@ def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> np.ndarray:
         xlim=(time[0], time[-1]) if len(time) > 1 else None,
     )
     if np.nanmin(bands, initial=1.0) > 0:
-        _logarithmic(bottom)
+        bottom.set_yscale("log")
     bottom.legend(frameon=False, fontsize=8)
     return axes
 
@@ -206,29 +206,11 @@ def _nothing(ax: Any, why: str) -> None:
     ax.set_axis_off()
 
 
-def _logarithmic(ax: Any) -> None:
-    from matplotlib.ticker import LogLocator, NullFormatter
-
-    ax.set_yscale("log")
-    low, high = ax.get_ylim()
-    ax.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5) if high < 200 * low else (1,)))
-    ax.yaxis.set_major_formatter("{x:g}")
-    ax.yaxis.set_minor_formatter(NullFormatter())
-
-
-def _bands(ax: Any, x: np.ndarray, bands: np.ndarray) -> None:
+def _bands(ax: Any, x: np.ndarray, bands: np.ndarray, color: str) -> None:
     low, quarter, middle, three, high = bands
-    marker = "o" if len(x) < 5 else None
-    ax.fill_between(x, low, high, color=RED, alpha=0.18, linewidth=0, label="5 to 95 %")
-    ax.fill_between(x, quarter, three, color=RED, alpha=0.35, linewidth=0, label="25 to 75 %")
-    ax.plot(x, middle, color=RED, linewidth=1.5, marker=marker, markersize=4, label="median")
+    marker = "o" if len(x) < 12 else None
+    ax.fill_between(x, low, high, color=color, alpha=0.18, linewidth=0, label="5 to 95 %")
+    ax.fill_between(x, quarter, three, color=color, alpha=0.35, linewidth=0, label="25 to 75 %")
+    ax.plot(x, middle, color=color, linewidth=1.5, marker=marker, markersize=4, label="median")
     for edge in (low, high):
-        ax.plot(x, edge, color=RED, linewidth=0.6, linestyle="--", marker=marker, markersize=2)
-
-
-def _cycle_bands(ax: Any, cycles: np.ndarray, bands: np.ndarray) -> None:
-    """Draw a box for each cycle: what happens in between is no line."""
-    low, quarter, middle, three, high = bands
-    ax.vlines(cycles, low, high, color=BLUE, linewidth=1.2, label="5 to 95 %")
-    ax.bar(cycles, three - quarter, 0.5, quarter, color=BLUE, alpha=0.35, label="25 to 75 %")
-    ax.hlines(middle, cycles - 0.25, cycles + 0.25, color=BLUE, linewidth=2.2, label="median")
+        ax.plot(x, edge, color=color, linewidth=0.6, linestyle="--", marker=marker, markersize=2)

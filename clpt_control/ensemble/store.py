@@ -5,39 +5,34 @@ of its summaries last, in `done`.  A chunk without a checksum, or with one that
 does not fit, is run again; so an ensemble may be killed at any time and started
 again.  The folder itself appears whole or not at all.
 
-Scenario, keys, members, samples and times determine the arrays of an ensemble.  A store that holds
-others, or more, is refused before anything is written into it or displayed.
+All but what chunks fill, the attributes, layouts and coordinates, has a digest.  A store that is
+not as it was made, or holds more, is refused before anything is written into it or displayed.
 """
 
+import hashlib
 import json
 import shutil
 import warnings
 import zlib
-from collections.abc import Iterable, Iterator, Mapping
-from contextlib import contextmanager, nullcontext
+from collections.abc import Iterable, Mapping
+from contextlib import nullcontext, suppress
 from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from ..diagrams.parts import UNCHANGED
-from ..errors import ClptError, DataError, needed
+from ..errors import DataError, needed
 from ..files import beside
 from ..files.reading import SLASH, renamed, zarr_store
-from ..html import shortened
-from ..scenario.experiment import Scenario
-from ..scenario.file import tables_of
-from .drawn_values import check_varies, read_varies
 from .members import Values
-from .of_scenarios import VariedScenario
-from .summaries import STATUS, Arrays, StoredArray
+from .summaries import Arrays, StoredArray
 
 if TYPE_CHECKING:
     import xarray
 
-ARGUMENTS, CODE, DONE = "ensemble", "code", "done"
-REPEATED = ("scenario", "vary", "design", "seed", "samples")  # arguments that are attributes too
+ARGUMENTS, CODE, DIGESTS, DONE = "ensemble", "code", "digests", "done"
+REPEATED = ("scenario", "vary", "design", "seed")  # arguments that are attributes too
 SOFTWARE = ("clpt-control", "llvmlite", "numpy", "scipy", "zarr")
 
 
@@ -49,7 +44,7 @@ class Store:
         self.arguments: dict[str, Any] = json.loads(group.attrs[ARGUMENTS])
         self.members, self.chunk = self.arguments["members"], self.arguments["chunk"]
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # of what is no array: `check_store` names it
+            warnings.simplefilter("ignore")  # of what is no array: the digest has its name
             self.names = {name for name, _ in group.members()}
             self.arrays = {name.replace(SLASH, "/"): one for name, one in group.arrays()}
         dims = {name: one.metadata.dimension_names or () for name, one in self.arrays.items()}
@@ -87,6 +82,18 @@ class Store:
         for name in self.summaries:
             check = zlib.crc32(arrays[name].tobytes(), check)
         return check + 1
+
+    def digests(self) -> dict[str, str]:
+        """Return a hash of the attributes, and of each array but for what chunks fill."""
+        attributes = {name: one for name, one in self.group.attrs.items() if name != DIGESTS}
+        parts: dict[str, Any] = {"zarr.json": sorted(attributes.items())}
+        for name in sorted(self.names):
+            parts[name] = one = self.group[name]
+            with suppress(Exception):  # a damaged file can raise anything
+                filled = name.replace(SLASH, "/") in (*self.per_member, DONE)
+                numbers = None if filled else zlib.crc32(one[:].tobytes())
+                parts[name] = one.metadata.to_dict(), numbers
+        return {k: hashlib.sha256(repr(one).encode()).hexdigest()[:16] for k, one in parts.items()}
 
     def missing(self) -> list[int]:
         """List the chunks without a checksum, or with one that does not fit."""
@@ -162,7 +169,6 @@ def begun_or_made(
         return create_store(path, arguments, arrays, attrs)
     store = open_store(path)
     check_same(store, arguments)
-    check_store(store, arrays)
     if store.group.attrs[CODE] != code and store.missing():
         raise DataError(
             f"{path}: was begun by other versions of the code ({store.group.attrs['software']})"
@@ -205,6 +211,7 @@ def create_store(
             )
             if one.values is not None and one.values.size:
                 array[:] = one.values
+        group.attrs[DIGESTS] = Store(zarr.open_group(part), None).digests()
     return Store(zarr.open_group(place, mode="r+"), path)
 
 
@@ -226,64 +233,30 @@ def open_store(path: Path, mode: Literal["r", "r+"] = "r+") -> Store:
     files = zarr_store(path, read_only=mode == "r")
     try:
         store = Store(zarr.open_group(files, mode=mode), path)
-        whole = DONE in store.group and "status" in store.per_member
+        made: dict[str, str] = store.group.attrs[DIGESTS]
+        now = store.digests()
+        wrong = [name for name in sorted({*made, *now}) if made.get(name) != now.get(name)]
     except Exception:  # a damaged file can raise anything
-        whole = False
-    if not whole:
-        raise DataError(f"{path}: is no ensemble or is damaged; give another name or remove it")
+        raise DataError(
+            f"{path}: is no ensemble or is damaged; give another name or remove it"
+        ) from None
+    if wrong and wrong[0] not in made:
+        raise DataError(f"{path}: holds {wrong[0]}, which is no part of it; take it out")
+    if wrong:
+        raise DataError(
+            f"{path}: is damaged, or of another version: its {wrong[0]} is not as it was "
+            "made; move it away and run the ensemble again"
+        )
     return store
 
 
 def check_same(store: Store, arguments: Mapping[str, Any]) -> None:
     """Refuse a store of another ensemble."""
     for name, value in arguments.items():
-        stored = store.arguments.get(name)
-        if stored == value:
-            continue
-        what = f"{name} = {_short(stored)}, not {_short(value)}"
-        if name in ("scenario", "diagram"):
-            what = f"another {name}"
-        raise DataError(f"{store.path}: holds an ensemble of {what}; give another --out")
-
-
-def _short(value: Any) -> str:
-    return shortened(", ".join(map(str, value)) if isinstance(value, list) else value, 60)
-
-
-def check_store(store: Store, arrays: Arrays) -> None:
-    """Refuse a store that is not as `create_store` makes it of these arrays."""
-    right = create_store(None, store.arguments, arrays, {})
-    if foreign := store.names - right.names:
-        raise DataError(f"{store.path}: holds {min(foreign)}, which is no part of it; take it out")
-    for name in (*arrays, DONE):
-        wrong = ""
-        try:
-            layout, wanted = (one.arrays[name].metadata.to_dict() for one in (store, right))
-            wrong = next((what for what in wanted if layout[what] != wanted[what]), "")
-            wrong = wrong.replace("_", " ")
-            values = None if name == DONE else arrays[name].values
-            if not wrong and values is not None and np.any(store.arrays[name][:] != values):
-                wrong = "values"
-        except Exception:  # a damaged file can raise anything
-            wrong = "files"
-        if wrong and (made_by := store.group.attrs.get("software")) != software():
+        if store.arguments.get(name) != value:
             raise DataError(
-                f"{store.path}: {name} has other {wrong} than this version writes; it was written "
-                f"by {made_by!s:.200}: read it with that, or run it again"
+                f"{store.path}: holds an ensemble of another {name}; give another --out"
             )
-        if wrong:
-            raise DataError(
-                f"{store.path}: is damaged: {name} has lost its {wrong}; move it away and run the "
-                "ensemble again"
-            )
-
-
-@contextmanager
-def _damaged(path: Path, what: str) -> Iterator[None]:
-    try:
-        yield
-    except Exception:  # a damaged file can raise anything
-        raise DataError(f"{path}: is damaged: {what}; run the ensemble again") from None
 
 
 def open_ensemble(path: Path) -> "xarray.Dataset":
@@ -291,41 +264,18 @@ def open_ensemble(path: Path) -> "xarray.Dataset":
     store = open_store(path, mode="r")
     if "diagram" in store.arguments:
         raise DataError(f"{path}: is an ensemble of a diagram, not of a scenario, and has no page")
-    with _damaged(path, "what was asked of it does not fit what it holds"):
-        arrays = _arrays_of_arguments(store)
-    check_store(store, arrays)
-    with _damaged(path, "a part of it cannot be read"):
-        data = store.dataset()
+    data, chunk = store.dataset(), -1
+    try:
         for array in data.variables.values():
             if "time" not in array.dims:
                 array.load()
         done = store.group[DONE][:]
-    for chunk in np.flatnonzero(done).tolist():
-        rows = store.rows(chunk)
-        read = {name: data[name].values[rows] for name in store.summaries}
-        if store.checksum(read) != done[chunk]:
-            raise DataError(f"{path}: is damaged: chunk {chunk} is not as it was written")
-    if not np.isin(data["status"], range(len(STATUS))).all():
-        raise DataError(f"{path}: is damaged: status holds numbers that no end of a run has")
+        for chunk in np.flatnonzero(done).tolist():
+            rows = store.rows(chunk)
+            read = {name: data[name].values[rows] for name in store.summaries}
+            if store.checksum(read) != done[chunk]:
+                raise ValueError
+    except Exception:  # a damaged file can raise anything
+        what = "a part of it cannot be read" if chunk < 0 else f"chunk {chunk} is not as written"
+        raise DataError(f"{path}: is damaged: {what}; run the ensemble again") from None
     return data
-
-
-def _arrays_of_arguments(store: Store) -> Arrays:
-    """Return the arrays of a store's arguments; raise anything where these do not fit it."""
-    arguments, group = store.arguments, store.group
-    scenario = Scenario.model_validate(tables_of(arguments["scenario"], ""), context={"name": ""})
-    rest = (arguments[name] for name in ("samples", "times", "trajectories"))
-    keys, varies = arguments["keys"], read_varies(arguments["vary"])
-    varied = VariedScenario(scenario, UNCHANGED, *rest)
-    varied.own = {text.split()[0] for text in (arguments["law"] or "").split("; ") if text}
-    check_varies(varied, varies)
-    values = {key: group[key][:] for key in keys}
-    fits = [one.key for one in varies] == keys
-    fits &= all(group.attrs[name] == arguments[name] for name in REPEATED)
-    fits &= group[DONE].shape == (-(-store.members // store.chunk),)
-    for key, one in values.items():
-        shape = store.members, *varied.values[key].shape
-        fits &= one.shape == shape and bool(np.isfinite(one).all())
-    if not fits:
-        raise ClptError
-    return varied.arrays(values)

@@ -29,9 +29,7 @@ from ..simulation.loops import units_of_ports
 from ..simulation.pieces import nearest, samples_for_means, starts_of_rounds
 from .members import Ensemble, Members, States, Values
 
-FEWEST = 20  # samples a cycle
-MOST_TIMES = 10**8  # samples of a run
-MOST_SAMPLES = 20_000  # a member, unless they are given; at least a tenth of those of `clpt run`
+MOST_SAMPLES = 20_000  # a member, but at least a tenth of those of `clpt run`
 MARKS = 41  # times of errors, unless they are given
 TRAJECTORIES = ("position", "predicted_position", "alpha", "feedback_gain", "feedforward_gain")
 STATUS = tuple(ENDS)[: numbering.STIFF]  # a member goes on by itself where it is stiff
@@ -53,20 +51,13 @@ class SampleTimes(NamedTuple):
     own: np.ndarray  # the scenario's own, for trajectories; empty without them
 
 
-def samples_per_cycle(scenario: Scenario, samples: int | None) -> int:
+def samples_per_cycle(scenario: Scenario) -> int:
     """Return the number of samples a cycle, or a run that is shorter, for mean squares.
 
     As in `clpt run` where a run has 20,000 at most; fewer in others, but at least a tenth.
     """
-    cycles = max(1.0, scenario.run.duration / scenario.cycle)
-    if samples is None:
-        usual = samples_for_means(scenario)
-        return min(usual, max(usual // 10, int(MOST_SAMPLES / cycles)))
-    if samples < FEWEST:
-        raise ScenarioError(f"samples = {samples}: must be a whole number, at least {FEWEST}")
-    if samples * cycles > MOST_TIMES:
-        raise ScenarioError(f"samples = {samples}: more than {MOST_TIMES:.0e} in a run; take fewer")
-    return samples
+    usual, cycles = samples_for_means(scenario), max(1.0, scenario.run.duration / scenario.cycle)
+    return min(usual, max(usual // 10, int(MOST_SAMPLES / cycles)))
 
 
 def marks_of(scenario: Scenario, times: Sequence[float] | None) -> tuple[float, ...]:
@@ -80,12 +71,10 @@ def marks_of(scenario: Scenario, times: Sequence[float] | None) -> tuple[float, 
     return tuple(sorted({float(time) for time in times} | {end}))
 
 
-def sample_times_of(
-    scenario: Scenario, samples: int, marks: Sequence[float], trajectories: bool
-) -> SampleTimes:
+def sample_times_of(scenario: Scenario, marks: Sequence[float], trajectories: bool) -> SampleTimes:
     """Return all times of samples; those that differ by rounding are one."""
     end, cycle = scenario.run.duration, scenario.cycle
-    fine = sample_times(end, min(cycle, end) / samples)
+    fine = sample_times(end, min(cycle, end) / samples_per_cycle(scenario))
     own = sample_times(end, scenario.run.output_step) if trajectories else np.zeros(0)
     wanted = fine, np.array(marks, dtype=float), own
     every = np.sort(np.concatenate(wanted))
@@ -117,7 +106,7 @@ class Arrays(dict[str, StoredArray]):
         """Add an array that summaries fill, the first dimension the member."""
         dims = tuple(dims)
         shape = (self.members, *(self.sizes[dim] for dim in dims))
-        self[name] = StoredArray(("member", *dims), shape, dtype, {"long_name": long_name, **attrs})
+        self._put(name, ("member", *dims), shape, dtype, {"long_name": long_name, **attrs})
 
     def add_members(self, **of_time: str) -> None:
         """Add the number of each member, how it ended, and when."""
@@ -131,7 +120,12 @@ class Arrays(dict[str, StoredArray]):
         self, name: str, dims: tuple[str, ...], numbers: np.ndarray, **attrs: Any
     ) -> None:
         """Add an array with its values."""
-        self[name] = StoredArray(dims, numbers.shape, numbers.dtype, attrs, numbers)
+        self._put(name, dims, numbers.shape, numbers.dtype, attrs, numbers)
+
+    def _put(self, name: str, *array: Any) -> None:
+        if name in self:
+            raise ScenarioError(f"{name} is twice a name of the result; rename what is called so")
+        self[name] = StoredArray(*array)
 
 
 def ends_of(run: States, times: np.ndarray) -> Values:

@@ -198,7 +198,7 @@ def _failed(data: Dataset, request: Request, status: np.ndarray) -> list[Section
 def _again(data: Dataset, request: Request) -> Section:
     words = [f"--vary '{one}'" for one in request["vary"]]
     begin = f"clpt ensemble scenario.toml --members {request['members']}"
-    end = f"--design {request['design']} --seed {request['seed']} --samples {request['samples']}"
+    end = f"--design {request['design']} --seed {request['seed']}"
     command = " ".join([begin, *words, end, "--out ensemble.zarr"])
     how = "Save the scenario above as <code>scenario.toml</code>, and type:"
     commands = [command, "clpt report ensemble.zarr -o report.html"]

@@ -21,8 +21,8 @@ from ..blocks.laws.table import LAWS
 from ..equations.block import Block
 from ..equations.sampled import Sampled
 from ..errors import ScenarioError
+from ..html import facts, fragment, shortened
 from . import tables
-from .display import scenario_html, scenario_line
 from .learning import Learning
 from .quantities import QUANTITIES
 from .tidal_periods import period
@@ -74,36 +74,27 @@ class Scenario(tables.Table):
                 f"learning.hedging = {str(self.learning.hedging).lower()}: is allowed only with "
                 "vehicle.max_speed, which it tells the learner of; remove the key or give the limit"
             )
-        row, fixes = self.learning.row, self.localization
-        if fixes is None or fixes.interval == 0:
-            if row.at_fixes:
+        row, fixes, sample = self.learning.row, self.localization, self.learning.sample
+        if row.at_fixes != (fixes is not None and fixes.interval > 0):
+            yield (
+                f'learning.law = "{row.name}": {AT_FIXES} learns at fixes, and needs '
+                "localization.interval above 0, the time from one to the next; other laws read the "
+                "position at all times, with the interval 0 or left out"
+            )
+        late = {} if fixes is None else {"localization.interval": fixes.interval + fixes.latency}
+        late |= {} if sample is None else {"learning.sample": sample}
+        for key, time in late.items():
+            if time > self.run.duration:
                 yield (
-                    f'learning.law = "{row.name}": learns at fixes; give localization.interval, '
-                    "the time from one fix to the next, above 0"
-                )
-        else:
-            if not row.at_fixes:
-                yield (
-                    f'localization.interval = {fixes.interval}: law = "{row.name}" reads the '
-                    f'position at all times; take learning.law = "{AT_FIXES}", or interval = 0'
-                )
-            if fixes.interval + fixes.latency > self.run.duration:
-                late = f" and latency = {fixes.latency}" if fixes.latency else ""
-                yield (
-                    f"localization.interval = {fixes.interval}{late}: no fix arrives within "
-                    f"run.duration, {self.run.duration}; must be at most that"
+                    f"{key}: nothing is learned before t = {time}, and run.duration is "
+                    f"{self.run.duration}; must be at most that"
                 )
         disturbance = self.flow.disturbance
         spans = {"reference.dwell": self.reference.dwell}
         if disturbance is not None and disturbance.kind in ("square", "noise"):
             spans["flow.disturbance.period"] = disturbance.period or 1.0
-        if self.learning.sample is not None:
-            spans["learning.sample"] = self.learning.sample
-            if self.learning.sample > self.run.duration:
-                yield (
-                    f"learning.sample = {self.learning.sample}: the law runs at no time after t = "
-                    f"0; must be at most run.duration, {self.run.duration}"
-                )
+        if sample is not None:
+            spans["learning.sample"] = sample
         if fixes is not None:
             spans |= fixes.spans
         N, samples = self.basis.N, self.run.duration / self.run.output_step
@@ -139,8 +130,19 @@ class Scenario(tables.Table):
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Scenario) and self.__dict__ == other.__dict__
 
-    __repr__ = __str__ = scenario_line
-    _repr_html_ = scenario_html
+    def __repr__(self) -> str:
+        points = len(self.waypoints)
+        return (
+            f"<Scenario {shortened(self.title, 60)!r}: {self.learning.law}, {self.basis.N} flow "
+            f"functions, {points} waypoint{'s' * (points > 1)}, {self.run.duration:g} "
+            f"{self.units.time}>"
+        )
+
+    __str__ = __repr__
+
+    def _repr_html_(self) -> str:
+        keys = ((key, value) for key, value, given in self.every_key() if given)
+        return fragment("Scenario", self.title, facts(keys))
 
     @property
     def periods(self) -> np.ndarray:

@@ -205,23 +205,21 @@ def run_text(path: str | Path) -> str:
     """Return the TOML text that a run's file carries, of a scenario or a team."""
     with open_netcdf(Path(path)) as data:
         check_form(data.attrs, path)
-        text, whole = data.attrs.get(TEAM, data.attrs.get("scenario")), EQUATIONS in data.attrs
-        if text is None and whole:
-            raise DataError(
-                f"{path}: carries no scenario, it is a diagram's run; clpt.load_diagram reads the "
-                "diagram"
-            )
+        text = data.attrs.get(TEAM, data.attrs.get("scenario"))
         if text is None:
             why = data.attrs.get(NOT_REPEATED)
             why = "" if why is None else f", nor equations: {why}"
-            raise DataError(f"{path}: carries no scenario{why}; `clpt run` writes runs that do")
+            raise DataError(
+                f"{path}: carries no scenario{why}; `clpt run` writes runs that do, and "
+                "clpt.load_diagram reads the diagram of a run that has its equations"
+            )
         for name, (what, cure) in BEYOND.items():
             if name in data.attrs:
-                so = f"it cannot be repeated; give the scenario itself, and {cure}"
-                if whole:
-                    so = "its scenario alone does not repeat it; clpt.load_diagram reads the whole "
-                    so += "loop, which does"
-                raise DataError(f"{path}: was run with {what}, {data.attrs[name]}, so {so}")
+                raise DataError(
+                    f"{path}: was run with {what}, {data.attrs[name]}, so its scenario alone does "
+                    "not repeat it; clpt.load_diagram reads the whole loop where the file has its "
+                    f"equations; else give the scenario itself, and {cure}"
+                )
         return str(text)
 
 

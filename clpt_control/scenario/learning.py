@@ -104,58 +104,36 @@ class Learning(OwnTables):
         return Gains(alpha, K, Gamma, one=self.gains is None and self.adapt_gains)
 
     def _mistakes(self) -> Iterator[str]:
-        own = f'law = "{self.law}"'
-        if self.row.alpha_is_constant:
-            if self.theta_estimate is None and self.row.given_estimate:
-                yield f"learning.theta_estimate: is required by {own}"
-            if self.parameters is not None:
-                yield f"learning.parameters: {own} keeps alpha = alpha_M; remove the key"
-        elif self.theta_estimate is not None:
-            allowed = [f'"{law.name}"' for law in LAWS.values() if law.alpha_is_constant]
-            yield (
-                f"learning.theta_estimate: is allowed only with law = {' or '.join(allowed)}; "
-                "remove the key"
-            )
-        for law in LAWS.values():
-            if law.name != self.law and getattr(self, law.table, None) is not None:
-                yield (
-                    f'learning.{law.table}: belongs to law = "{law.name}", not to {own}; remove '
-                    "the table"
-                )
-        idle = ("gain", "gains", "adapt_gains", "hedging", "feedback", "feedforward")
-        if self.row.at_fixes:
-            for key in idle:
-                if key in self.model_fields_set:
-                    yield (
-                        f"learning.{key}: {own} adapts by no gain and holds the gains of the "
-                        "vehicle; remove the key"
-                    )
-            if self.sample is not None:
-                yield f"learning.sample: {own} runs at fixes alone; remove the key"
-            return
-        needed = ["parameters"] if self.row.alpha_by_gain else []
-        needed += ["feedback", "feedforward"] if self.adapt_gains else []
-        if self.gain == 0 and self.row.settings:
+        own, row = f'law = "{self.law}"', self.row
+        given = [key for key in type(self).model_fields if key in self.model_fields_set]
+        given = [key for key in given if getattr(self, key) is not None]
+        idle = {law.table for law in LAWS.values() if law.name != self.law}
+        idle.add("parameters" if row.alpha_is_constant else "theta_estimate")
+        adapted = ["parameters"] if row.alpha_by_gain else []
+        adapted += ["feedback", "feedforward"] if self.adapt_gains else []
+        required = ["theta_estimate"] if row.given_estimate else []
+        if row.at_fixes:
+            idle |= {"gain", "gains", "adapt_gains", "hedging", "sample", "feedback", "feedforward"}
+        else:
+            required += ["gain"] if adapted and row.gain is None and self.gains is None else []
+            required += [] if self.adapt_gains else ["feedback", "feedforward"]
+        for key in given:
+            if key in idle:
+                yield f"learning.{key}: {own} has no use for it; remove the key"
+        for key in required:
+            if key not in given:
+                held = "" if self.adapt_gains else " with adapt_gains = false"
+                yield f"learning.{key}: is required by {own}{held}"
+        if self.gain == 0 and row.settings:
             yield (
                 "learning.gain: 0 learns nothing with the paper's laws, learned-flow and "
                 f"known-flow; {own} learns by its own table too; give a positive number"
             )
         if self.gain is not None and self.gains is not None:
             yield "learning.gains: give either gain or gains, one of the two"
-        if self.gains is None:
-            if self.gain is None and self.row.gain is None and needed:
-                yield f"learning.gain: is required by {own}"
-        else:
-            for key in LearningGains.model_fields:
-                is_set = getattr(self.gains, key) is not None
-                if key in needed and not is_set:
-                    yield f"learning.gains.{key}: is required; or give one gain for all"
-                if is_set and key not in needed:
-                    why = "alpha does not adapt by it" if key == "parameters" else "it is held"
-                    yield f"learning.gains.{key}: {why} here; remove the key"
-        for key in ("feedback", "feedforward"):
-            if not self.adapt_gains and key not in self.model_fields_set:
+        for key, value in self.gains or ():
+            if (value is not None) != (key in adapted):
                 yield (
-                    f"learning.{key}: is required with adapt_gains = false, which holds it; to "
-                    f"hold the vehicle's own give the value of vehicle.{key}"
+                    f"learning.gains.{key}: {own} adapts {', '.join(adapted) or 'nothing'} here; "
+                    "give a gain for each of these, and no other"
                 )

@@ -4,7 +4,7 @@ A run comes from a file, which may be damaged, or from a user, who may have chan
 """
 
 import re
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -100,18 +100,15 @@ def check_run(run: "xarray.Dataset", system: Scenario | Team, *names: str) -> No
     for name, dims in DIMS.items():
         if "vehicle" in sizes and name not in SHARED:
             dims = ("vehicle", *dims)
-        if name not in run.variables:
-            if name not in names:
-                continue
+        if name not in {*run.variables, *names}:
+            continue
+        one: Any = run.variables.get(name)
+        whole = one is not None and one.dims == dims
+        if not whole or any(n != sizes.get(dim, n) for dim, n in one.sizes.items()):
+            over = ", ".join(f"{dim} {sizes.get(dim, '')}".strip() for dim in dims)
             raise DataError(
-                f"the run has no {name} over {', '.join(dims)}; clpt.simulate(scenario) makes runs"
-            )
-        one = run[name]
-        if one.dims != dims or any(one.sizes[k] != n for k, n in sizes.items() if k in dims):
-            shape = ", ".join(f"{dim} {size}" for dim, size in one.sizes.items()) or "a number"
-            raise DataError(
-                f"the run has no {name} over {', '.join(dims)} of its scenario, but {shape}; "
-                "clpt.simulate(scenario) makes runs"
+                f"the run has no {name} over {over}, as its scenario has; clpt.simulate(scenario) "
+                "makes runs"
             )
         if not one.size:
             raise DataError("the run has no sample; there is nothing to show")

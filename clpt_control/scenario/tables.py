@@ -8,10 +8,11 @@ mistakes, whether a table is made by a call or from nested dicts.
 import difflib
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Annotated, Any, Literal, Self, get_args
+from typing import Annotated, Any, Literal, Self
 
 import pydantic
 from pydantic import Field, Strict
+from pydantic_core import PydanticCustomError
 
 from ..blocks.laws.law import Fixes
 from ..errors import ScenarioError
@@ -21,15 +22,15 @@ from .tidal_periods import period
 
 
 @contextmanager
-def _one_sentence(table: Any, name: str) -> Iterator[None]:
+def _one_sentence(name: str) -> Iterator[None]:
     """Raise a ScenarioError that begins with `name` in place of pydantic's error."""
     try:
         yield
     except pydantic.ValidationError as error:
         problems = error.errors()
-        first = min(problems, key=lambda problem: problem["type"] != "extra_forbidden")
+        first = min(problems, key=lambda problem: problem["type"] != "unknown_key")
         more = f" (and {len(problems) - 1} more)" if len(problems) > 1 else ""
-        raise ScenarioError(f"{name}: {sentence(first, table)}{more}") from None
+        raise ScenarioError(f"{name}: {sentence(first)}{more}") from None
 
 
 class Table(pydantic.BaseModel):
@@ -38,10 +39,24 @@ class Table(pydantic.BaseModel):
     model_config = pydantic.ConfigDict(extra="forbid", frozen=True)
 
     def __init__(self, **values: Any) -> None:
-        with _one_sentence(type(self), type(self).__name__.lower()):
+        with _one_sentence(type(self).__name__.lower()):
             super().__init__(**values)
 
     __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]  # not of inner tables
+
+    @pydantic.model_validator(mode="before")
+    @classmethod
+    def _keys_are_known(cls, values: Any) -> Any:
+        for key, value in values.items() if isinstance(values, dict) else ():
+            if key not in cls.model_fields:
+                inner = value if isinstance(value, dict) else ()
+                other = next(filter(None, (key_hint(f"{key}.{name}") for name in inner)), "")
+                close = difflib.get_close_matches(str(key), cls.model_fields, n=1)
+                hint = f"; did you mean {close[0]}? Allowed" if close else "; allowed"
+                allowed = f"{hint} here: {', '.join(cls.model_fields)}"
+                more = {"key": str(key), "allowed": allowed, "other": other}
+                raise PydanticCustomError("unknown_key", "unknown key", more)
+        return values
 
     def _mistakes(self) -> Iterator[str]:
         """Yield a sentence for each way in which keys do not fit together."""
@@ -65,11 +80,11 @@ class Table(pydantic.BaseModel):
     @classmethod
     def model_validate(cls, obj: Any, **options: Any) -> Self:
         """Make a table of nested dicts; ``context["name"]`` is its name in errors."""
-        with _one_sentence(cls, (options.get("context") or {}).get("name", cls.__name__.lower())):
+        with _one_sentence((options.get("context") or {}).get("name", cls.__name__.lower())):
             return super().model_validate(obj, **options)
 
 
-def sentence(problem: Any, table: type[Table]) -> str:
+def sentence(problem: Any) -> str:
     """Return a sentence on an entry of pydantic's errors: what is wrong with one key."""
     tags = ("circle", "waypoints") if problem["loc"][:1] == ("reference",) else ()
     where = [part for part in problem["loc"] if part not in tags]
@@ -80,8 +95,9 @@ def sentence(problem: Any, table: type[Table]) -> str:
     kind = problem["type"]
     if kind == "missing":
         return f"missing key {key}"
-    if kind == "extra_forbidden":
-        return _unknown(key, problem, list(_inner(table, problem["loc"][:-1]).model_fields))
+    if kind == "unknown_key":
+        more = problem["ctx"]
+        return more["other"] or f"unknown key {key}{'.' * bool(key)}{more['key']}{more['allowed']}"
     if kind == "union_tag_not_found":
         return f'{key}.kind: is required; must be "circle" or "waypoints"'
     if kind == "union_tag_invalid":
@@ -96,32 +112,6 @@ def sentence(problem: Any, table: type[Table]) -> str:
         message = "must be a table of keys"
     value = shortened(" ".join(repr(problem["input"]).split()), 60)
     return f"{key} = {value}: {message}" if key else f"{value}: {message}"
-
-
-def _unknown(key: str, problem: Any, allowed: list[str]) -> str:
-    value = problem["input"]
-    for name in (f"{key}.{inner}" for inner in value) if isinstance(value, dict) else ():
-        if other := key_hint(name):
-            return other
-    close = difflib.get_close_matches(str(problem["loc"][-1]), allowed, n=1)
-    hint = f"; did you mean {close[0]}? Allowed" if close else "; allowed"
-    return f"unknown key {key}{hint} here: {', '.join(allowed)}"
-
-
-def _inner(table: type[Table], location: tuple[Any, ...]) -> type[Table]:
-    """Return the table at a place in another one."""
-    for part in location:
-        if part in table.model_fields:  # no number, name of a vehicle or kind of reference
-            allowed = _tables(table.model_fields[part].annotation)
-            named = [one for one in allowed if one.__name__.lower() in location]
-            table = (named or allowed)[0]
-    return table
-
-
-def _tables(annotation: Any) -> list[type[Table]]:
-    if isinstance(annotation, type) and issubclass(annotation, Table):
-        return [annotation]
-    return [table for inner in get_args(annotation) for table in _tables(inner)]
 
 
 # --- numbers, and the tables ---------------------------------------------------------------------
@@ -275,30 +265,23 @@ class Localization(Table):
         return Fixes(self.interval, self.latency, self.noise) if self.interval > 0 else None
 
     def _mistakes(self) -> Iterator[str]:
-        if self.interval == 0:
-            if self.noise_period is None:
-                yield (
-                    "localization.noise_period: is required where interval is 0; give how long a "
-                    "value of the noise is held, or an interval above 0 for fixes"
-                )
-            for key in ("dropouts", "latency"):
-                if getattr(self, key) > 0:
-                    yield (
-                        f"localization.{key} = {getattr(self, key)}: is of fixes; give an interval "
-                        "above 0, or remove the key"
-                    )
-        elif self.noise_period is not None:
+        if (self.interval == 0) != (self.noise_period is not None):
             yield (
-                f"localization.noise_period = {self.noise_period}: is allowed only with interval = "
-                "0; each fix has a noise of its own"
+                "localization.noise_period: how long a value of the noise is held; is required "
+                "with interval = 0, and allowed only with interval = 0: each fix has its own noise"
             )
-        else:
-            few = SHORT * self.interval
-            if self.latency != 0 and not few <= self.latency <= self.interval - few:
+        for key in ("dropouts", "latency") if self.interval == 0 else ():
+            if getattr(self, key) > 0:
                 yield (
-                    f"localization.latency = {self.latency}: must be 0 or below the interval, "
-                    f"{self.interval}, and not within {few:.1g} of either"
+                    f"localization.{key} = {getattr(self, key)}: is of fixes; give an interval "
+                    "above 0, or remove the key"
                 )
+        few = SHORT * self.interval
+        if self.latency != 0 and not few <= self.latency <= self.interval - few:
+            yield (
+                f"localization.latency = {self.latency}: must be 0 or below the interval, "
+                f"{self.interval}, and not within {few:.1g} of either"
+            )
 
 
 class Run(Table):

@@ -26,8 +26,8 @@ from pydantic import Field, Strict, model_validator
 
 from ..arguments import brief, public
 from ..errors import DataError, ScenarioError
+from ..html import facts, fragment, shortened
 from . import file
-from .display import team_html, team_line
 from .experiment import Nested, Scenario, checked_scenario, scenario_tables
 from .tables import Run, Table
 
@@ -35,6 +35,7 @@ TEAM_LAW = "learned-flow"
 OWN = ("vehicle", "reference", "localization", "learning")  # tables that a member may have
 OWN_STARTS = ("position", "feedback", "feedforward", "parameters")  # its keys of [learning]
 FEWEST, MOST = 2, 100  # vehicles
+APART = 1e-6  # a connectivity that is rounding; of 100 vehicles in a row it is 1e-3
 
 
 class Team(Table):
@@ -61,13 +62,8 @@ class Team(Table):
     @model_validator(mode="before")
     @classmethod
     def _all_are_neighbours(cls, values: Any) -> Any:
-        edges, members = values.get("edges"), values.get("members")
-        if edges is None:
-            return {**values, "edges": tuple(combinations(members or (), 2))}
-        for k, edge in enumerate(edges if isinstance(edges, list | tuple) else [edges]):
-            pair = isinstance(edge, list | tuple) and len(edge) == 2
-            if not pair or not all(isinstance(name, str) for name in edge):
-                raise ValueError(f"edges[{k}] = {brief(edge)}: must be the names of two vehicles")
+        if isinstance(values, dict) and values.get("edges") is None:
+            return {**values, "edges": tuple(combinations(values.get("members") or (), 2))}
         return values
 
     def _mistakes(self) -> Iterator[str]:
@@ -113,18 +109,18 @@ class Team(Table):
             if len(set(edge)) < 2 or set(edge) in pairs:
                 yield f"edges[{k}] = {list(edge)}: must join two vehicles, each pair once"
             pairs.add(frozenset(edge))
-        from scipy.sparse.csgraph import connected_components
+        if not self.connectivity > APART:
+            yield "edges: no path joins all vehicles; join each to the others, or run it alone"
 
-        _, groups = connected_components(self._laplacian)
-        for name, group in zip(names, groups, strict=True):
-            if group != groups[0]:
-                yield (
-                    f"edges: no path joins {name} to {names[0]}; join every vehicle to the others, "
-                    "or run it alone"
-                )
+    def __repr__(self) -> str:
+        names = shortened(", ".join(self.members), 60)
+        return f"<Team of {len(self.members)}: {names}; coupling {self.coupling:g}>"
 
-    __repr__ = __str__ = team_line
-    _repr_html_ = team_html
+    __str__ = __repr__
+
+    def _repr_html_(self) -> str:
+        graph = [("coupling", self.coupling), ("connectivity", f"{self.connectivity:.3g}")]
+        return fragment("Team", self.first.title, facts([*graph, *self.members.items()]))
 
     @public
     def neighbours(self, name: str) -> list[str]:
@@ -218,7 +214,7 @@ def team_from_text(text: str, name: str, folder: Path | None) -> Team:
     vehicles = _table(team.pop("members", None), f"{name}: team.members")
     members = {
         member: checked_scenario(
-            _merged(common, _table(own, f"{name}: team.members.{member}"), f"{name}, {member}"),
+            _merged(common, _table(own, f"{name}: team.members.{member}")),
             f"{name}, {member}",
             folder,
         )
@@ -246,27 +242,15 @@ def _own(scenario: Scenario, title: str) -> Nested:
     return {**named, **own, **({"learning": starts} if starts else {})}
 
 
-def _merged(common: Nested, own: Nested, name: str) -> Nested:
+def _merged(common: Nested, own: Nested) -> Nested:
     """Return the keys of all vehicles, replaced by those of one where it has them."""
     tables = dict(common)
     for table, values in own.items():
-        if table not in ("title", *OWN):
-            raise ScenarioError(
-                f"{name}: {table} is no table of a vehicle's own, which are {', '.join(OWN)}; what "
-                "the team shares stands at the top"
-            )
-        for key in values if table == "learning" and isinstance(values, dict) else ():
-            if key not in OWN_STARTS:
-                raise ScenarioError(
-                    f"{name}: learning.{key} is shared by the team and stands at the top; a "
-                    f"vehicle's own are {', '.join(OWN_STARTS)}"
-                )
         before = tables.get(table)
         whole = table == "reference" and isinstance(values, dict) and "kind" in values
         if isinstance(values, dict) and isinstance(before, dict) and not whole:
-            tables[table] = {**before, **values}
-        else:
-            tables[table] = values
+            values = {**before, **values}
+        tables[table] = values
     return tables
 
 

@@ -100,7 +100,9 @@ def test_a_block_of_ones_own_may_make_the_estimate():
 
 
 def test_alpha_and_its_start_are_those_of_the_known_flow_law():
-    with pytest.raises(ScenarioError, match=r'"kalman-flow" keeps alpha = alpha_M; remove'):
+    with pytest.raises(
+        ScenarioError, match=r'parameters: law = "kalman-flow" has no use for it; remove'
+    ):
         filtered(10.0).with_values({"learning.parameters": THETA})
     start = filtered(10.0).with_values({"model.parameters": 0.5 * THETA})
     run = clpt.simulate(start)

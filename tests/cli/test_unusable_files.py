@@ -19,8 +19,8 @@ FIELD = {"parameters": None, "field": "field.nc"}
 RUN_DAMAGES = {
     "no time": (lambda run: run.drop_vars("time"), "has no time over time"),
     "a number": (lambda run: run.assign(predicted_position=0.0), "has no predicted_position over"),
-    "other axes": (lambda run: run.isel(axis=[0]), "axis 1"),
-    "other functions": (lambda run: run.isel(basis=[0, 1]), "basis 2"),
+    "other axes": (lambda run: run.isel(axis=[0]), "over time, axis 2"),
+    "other functions": (lambda run: run.isel(basis=[0, 1]), "axis 2, basis 3"),
     "turned": (lambda run: run.transpose("axis", ...), "has no position over time, axis"),
     "far times": (lambda run: run.assign_coords(time=run.time + 1e15), "must lie in 0 to"),
     "early times": (lambda run: run.assign_coords(time=run.time - 9), "must lie in 0 to"),

@@ -111,7 +111,10 @@ def mermaid_nodes(text):
 def mermaid_arrows(text):
     nodes = mermaid_nodes(text)
     found = re.findall(r'^    (\w+) -->\|"(.*)"\| (\w+)$', text, re.M)
-    return {(nodes[a], nodes[b]): set(label.split(", ")) for a, label, b in found}
+    arrows = {}
+    for a, label, b in found:
+        arrows.setdefault((nodes[a], nodes[b]), set()).update(label.split(", "))
+    return arrows
 
 
 # --- Mermaid ----------------------------------------------------------------------------

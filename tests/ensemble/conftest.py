@@ -21,4 +21,4 @@ def quick(scenario):
 @pytest.fixture(scope="module")
 def whole(scenario):
     """One thread, one chunk, trajectories: what all other ways must give."""
-    return run_ensemble(scenario, VARY, 40, seed=3, threads=1, samples=100, trajectories=True)
+    return run_ensemble(scenario, VARY, 40, seed=3, threads=1, trajectories=True)

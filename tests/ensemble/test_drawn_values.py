@@ -80,7 +80,7 @@ def test_every_key_that_may_vary_can(quick):
     disturbed = quick.with_values({"flow.disturbance": square})
     for key, base in variable_values(disturbed).items():
         level = (base * 1.01 + 0.001).tolist()
-        data = run_ensemble(disturbed, f"{key}={json.dumps([level])}", 1, samples=20)
+        data = run_ensemble(disturbed, f"{key}={json.dumps([level])}", 1)
         assert data["status"].values.tolist() == [1], key
         one = clpt_control.simulate(disturbed.with_values({key: level}))
         end = float(np.abs(one.flow_parameters_estimate - one.flow_parameters)[-1].max())
@@ -130,7 +130,7 @@ def test_reference_numbers(reference, name):
 
 def test_a_member_that_fails_costs_itself_alone(quick):
     vary = "vehicle.position=[[0, 0], [1e200, 0], [0, 0]]"
-    data = run_ensemble(quick, vary, 3, "grid", samples=50)
+    data = run_ensemble(quick, vary, 3, "grid")
     status = data["status"].values
     assert status[0] == status[2] == 1
     assert status[1] in (2, 3)

@@ -1,7 +1,5 @@
 """Tuning: the answer stays unseen, the fast or the robust law is taken where it is obvious."""
 
-from functools import partial
-
 import numpy as np
 import pytest
 
@@ -56,8 +54,7 @@ def test_CLPE_of_a_candidate_does_not_hang_on_its_samples(paper, monkeypatch):
     unknown = unknown_of(strong, None, None, 0)
     one = Candidate("learned-flow", 0.8, False, None, {})
     usual = score_of(unknown, one, 2, 0).clpe_rms
-    fine = partial(clpt_control.run_ensemble, samples=20_000)
-    monkeypatch.setattr("clpt_control.ensemble.tune.run_ensemble", fine)
+    monkeypatch.setattr("clpt_control.ensemble.summaries.samples_per_cycle", lambda one: 20_000)
     assert usual == pytest.approx(score_of(unknown, one, 2, 0).clpe_rms, rel=0.02)
 
 
@@ -81,11 +78,7 @@ def test_what_is_drawn_is_drawn_about_the_belief(paper):
     np.testing.assert_array_equal(belief(modelled), [[1, 2, 3], [0, 0, 4]])
     noisy = paper.with_values({"localization": {"noise": 0.02, "noise_period": 1}})
     unknown = unknown_of(noisy, 0.5, 0.2, 4)
-    assert [one.key for one in unknown.varies] == [
-        "flow.parameters",
-        "flow.disturbance.seed",
-        "localization.seed",
-    ]
+    assert [*unknown.varies] == ["flow.parameters", "flow.disturbance.seed", "localization.seed"]
     assert (unknown.prior, unknown.noise) == (0.5, 0.02)
     assert unknown.unmodelled == pytest.approx(0.2)
 
@@ -109,7 +102,7 @@ def test_every_law_that_learns_is_a_candidate(paper, name):
 
 def test_laws_that_cannot_be_tuned_are_skipped_with_the_reason():
     tried, skipped = laws_to_try(())
-    assert skipped["known-flow"] == "is given the flow and does not learn it"
+    assert "is given the flow" in skipped["known-flow"]
     assert set(skipped) == {law.name for law in LAWS.values() if law.given_estimate or law.at_fixes}
     assert [law.name for law in tried] == [name for name in LAWS if name not in skipped]
 

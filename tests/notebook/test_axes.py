@@ -135,7 +135,7 @@ def test_what_is_no_run_is_one_sentence(made):
         (made["team"], "team's; clpt.simulation.team_plot"),
         (made["run"].drop_attrs(), "carries no scenario"),
         (made["run"].drop_vars("position"), "has no position over time, axis"),
-        (made["run"].isel(time=-1), "has no time over time of its scenario, but a number"),
+        (made["run"].isel(time=-1), "has no time over time, as its scenario has"),
     ):
         with pytest.raises(clpt.ClptError, match=said):
             clpt.simulation.track_plot(given)
@@ -143,7 +143,7 @@ def test_what_is_no_run_is_one_sentence(made):
         with pytest.raises(clpt.ClptError):
             plot(made["run"])
     for name in ("alpha", "flow_parameters_estimate", "clpe"):
-        with pytest.raises(clpt.DataError, match=f"the run has no {name} over vehicle, time"):
+        with pytest.raises(clpt.DataError, match=f"the run has no {name} over vehicle 2, time"):
             clpt.simulation.team_plot(made["team"].drop_vars(name))
 
 

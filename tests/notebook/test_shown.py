@@ -101,8 +101,8 @@ def test_names_are_shown_as_they_are(made):
 
 def test_a_scenario_shows_the_keys_it_was_given(made):
     html = made["Scenario"]._repr_html_()
-    assert "learning.gain = 0.8" in html
-    assert "run.duration = 60" in html
+    assert "learning.gain</th><td>0.8<" in html
+    assert "run.duration</th><td>60" in html
     assert str(made["Scenario"]) == repr(made["Scenario"])
 
 

@@ -26,9 +26,7 @@ def test_a_damaged_ensemble_is_a_sentence(tmp_path, name):
     out, page = tmp_path / "e.zarr", tmp_path / "e.html"
     clpt.run_ensemble(SHORT, VARY, 2, out=out)
     (out / name).write_bytes((out / name).read_bytes()[:5])
-    with pytest.raises(
-        DataError, match=r"is damaged: (a part of it cannot be read|member has lost its files)"
-    ):
+    with pytest.raises(DataError, match=r"is damaged"):
         clpt.report(out, page)
     assert not page.exists()
 

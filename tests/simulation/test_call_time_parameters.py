@@ -53,7 +53,7 @@ def test_what_no_key_holds_is_refused_when_run_again(params, tmp_path):
     assert not np.array_equal(run.alpha, clpt.simulate(PAPER).alpha)
     clpt.save_run(run, tmp_path / "run.nc")
     (name,) = params
-    with pytest.raises(DataError, match=rf"{name}.*cannot be repeated"):
+    with pytest.raises(DataError, match=rf"{name}.*does not repeat it"):
         clpt.load_scenario(tmp_path / "run.nc")
     assert_equal(clpt.load_run(tmp_path / "run.nc"), run)
 

@@ -161,8 +161,8 @@ def test_the_papers_flow_is_learned_at_fixes(values, bounds):
 
 REFUSED = {
     "localization.interval": ({"learning.law": "learned-flow", "learning.gain": 0.8}, "fix-reg"),
-    "learning.law": ({"localization": None}, "learns at fixes; give localization.interval"),
-    "learning.gain": ({"learning.gain": 0.8}, "adapts by no gain"),
+    "learning.law": ({"localization": None}, "learns at fixes, and needs localization.interval"),
+    "learning.gain": ({"learning.gain": 0.8}, "has no use for it"),
     "learning.feedback": ({"learning.feedback": [1.0, 1.0]}, "remove the key"),
     "learning.hedging": ({"learning.hedging": True, "vehicle.max_speed": 1.5}, "remove the key"),
     "localization.dropouts": ({"localization.dropouts": 1.0}, "less than 1"),

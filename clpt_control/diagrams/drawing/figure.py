@@ -24,7 +24,7 @@ from ...figures import inline_svg, literal
 from ...files import check_name, write_file
 from ...html import fragment, paragraphs, shortened
 from ..wiring import Node, Part, wiring_of
-from .layers import arrange, arrows, gather, ports
+from .layers import Net, arrange, gather, ports
 from .routing import Routed, route, strokes
 
 NAME, NOTE, PORT = 8.0, 6.5, 7.0  # sizes of text, points
@@ -185,19 +185,16 @@ def mermaid(diagram: control.NonlinearIOSystem) -> str:
         in2 -->|"z"| b1
     """
     wiring = wiring_of(diagram)
-    outside = {port: f"in{k}" for k, port in enumerate(ports(diagram.input_labels))}
-    inside = {node.name: f"b{k}" for k, node in enumerate(wiring.nodes)}
+    keys = {f"in:{port}": f"in{k}" for k, port in enumerate(ports(diagram.input_labels))}
     lines = ["flowchart LR"]
-    lines += [f'    {key}(["{_quoted(port)}"])' for port, key in outside.items()]
+    lines += [f'    {key}(["{_quoted(name[3:])}"])' for name, key in keys.items()]
+    keys |= {node.name: f"b{k}" for k, node in enumerate(wiring.nodes)}
     for node in wiring.nodes:
         signals = _quoted(", ".join(ports(node.system.output_labels)))
-        lines.append(f'    {inside[node.name]}["{_quoted(node.name)}<br/>{signals}"]')
-    carried: dict[tuple[str, str], list[str]] = {}
-    for arrow in arrows(diagram, wiring):
-        start = outside[arrow.source] if arrow.external else inside[arrow.source]
-        carried.setdefault((start, inside[arrow.target]), []).append(arrow.factor + arrow.port)
-    for (start, end), names in carried.items():
-        lines.append(f'    {start} -->|"{_quoted(", ".join(names))}"| {end}')
+        lines.append(f'    {keys[node.name]}["{_quoted(node.name)}<br/>{signals}"]')
+    for net in gather(diagram, wiring):
+        for target, text in net.targets.items():
+            lines.append(f'    {keys[net.source]} -->|"{_quoted(text)}"| {keys[target]}')
     return "\n".join(lines) + "\n"
 
 
@@ -234,7 +231,7 @@ def block_figure(diagram: Part) -> Any:
     return figure
 
 
-def _key(nets: list[Any], nodes: dict[str, Node]) -> str:
+def _key(nets: list[Net], nodes: dict[str, Node]) -> str:
     systems = [node.system for node in nodes.values()]
     parts = []
     if any(system.nstates for system in systems):
@@ -246,17 +243,15 @@ def _key(nets: list[Any], nodes: dict[str, Node]) -> str:
     return ("\u00a0" * 6).join(parts)  # spaces that HTML keeps
 
 
-def _draw_arrows(axes: Any, routed: Routed, nets: list[Any]) -> None:
+def _draw_arrows(axes: Any, routed: Routed, nets: list[Net]) -> None:
     from matplotlib.lines import Line2D
     from matplotlib.patches import Circle, Polygon
 
     for (k, target), path in strokes(routed.paths, nets).items():
-        net = nets[k]
-        back = target in net.back
-        (x0, y0), (x1, y1) = routed.paths[k, target][0], path[-1]
+        net, (x0, y0), (x1, y1) = nets[k], routed.paths[k, target][0], path[-1]
         xs, ys = zip(*path[:-1], (x1 - 3, y1), strict=True)
         line = Line2D(xs, ys, lw=0.8, color="black", zorder=1, solid_joinstyle="miter")
-        if back:
+        if target in net.back:
             line.set_dashes((5, 2.2))
         line.set_gid(f"arrow:{net.source}:{net.text}:{target}".replace(" ", ""))
         axes.add_line(line)
@@ -294,7 +289,7 @@ def _draw_block(axes: Any, box: Any, name: str, system: Part) -> None:
         axes.text(box.x + box.width / 2, y, line, size=size, weight=weight, **place)
 
 
-def layout(diagram: Part) -> tuple[Routed, list[Any], dict[str, Node]]:
+def layout(diagram: Part) -> tuple[Routed, list[Net], dict[str, Node]]:
     """Return boxes and arrows in points, the nets they carry, and the blocks by name."""
     wiring = wiring_of(diagram)
     nets = gather(diagram, wiring)
@@ -316,16 +311,10 @@ def equation_numbers(system: Part) -> str:
         for found in re.findall(r"(?<!V of )Eqs?\.\s*((?:\(\d+\)(?:\s*(?:,|-|–|and)\s*)?)+)", text):
             for first, last in re.findall(r"\((\d+)\)(?:\s*[-–]\s*\((\d+)\))?", found):
                 numbers |= set(range(int(first), int(last or first) + 1))
-    runs: list[list[int]] = []
-    for number in sorted(numbers):
-        if runs and number == runs[-1][-1] + 1:
-            runs[-1].append(number)
-        else:
-            runs.append([number])
-    parts = []
-    for run in runs:
-        parts += [f"({run[0]})–({run[-1]})"] if len(run) > 2 else [f"({n})" for n in run]
-    return f"Eq{'s' * (len(numbers) > 1)}. {', '.join(parts)}" if parts else ""
+    listed = [f"({number})" for number in sorted(numbers)]
+    if len(numbers) > 2 and max(numbers) - min(numbers) == len(numbers) - 1:
+        listed = [f"{listed[0]}–{listed[-1]}"]
+    return f"Eq{'s' * (len(numbers) > 1)}. {', '.join(listed)}" if numbers else ""
 
 
 def lines_of(name: str) -> list[str]:

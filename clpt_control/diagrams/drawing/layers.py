@@ -1,82 +1,25 @@
-"""Where a block stands: its column, its order there, and how high; Sugiyama's method.
+"""What is joined to what, and where each block stands: its layer and its order there.
 
-Arrows that would close a circle are feedback and set aside; the rest give each
-block a layer by its longest path; a net that skips layers leaves a passage in
-each; sweeps over the barycentres order every layer so that few nets cross.
-
-Then arrows climb and fall as little as that order allows, a linear program: those of passages count
-more, as a long line that is straight is read at a glance.  All heights lie on one grid, so that
-arrows are either straight or visibly bent.
+Sugiyama's method.  Arrows that would close a circle are feedback and set aside; the rest give each
+block a layer by its longest path; a net that skips layers leaves a passage in each; sweeps over the
+barycentres order every layer so that few nets cross.  Feedback then gets passages too, above or
+below all that stands in the layers that it goes back over, the longest outermost.
 """
 
-import math
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from itertools import pairwise
+from itertools import chain
 from statistics import mean
-from typing import NamedTuple
 
 from ...equations.ports import port_of
-from ..wiring import Node, Part, Wiring, units_of
+from ..wiring import Part, Wiring, units_of
 
-GRID, PITCH, GAP = 7.0, 14.0, 14.0  # points; of heights, of ports, between boxes
-WEIGHTS = 1.0, 2.0, 8.0  # of an arrow with so many passages at its ends
-NEAR = 0.01  # of the distance from the middle
-
-
-# --- an arrow joins the block, or the outside, that makes a port to a block that takes it.  Where
-# only some signals of a port are taken, they are named ------------------------------------------
-
-
-class Arrow(NamedTuple):
-    """What one block takes of one port."""
-
-    source: str  # name of the block that makes the port; of the port if external
-    target: str  # name of the block that takes it
-    port: str  # the port, such as ``"phi_x"``, or some of its signals, ``"y[1]"``
-    gain: float  # factor on each signal
-    external: bool  # true where the port is an input of the diagram
-
-    @property
-    def factor(self) -> str:
-        """Return the gain as it stands before the port, nothing where it is 1."""
-        return "" if self.gain == 1 else f"{self.gain:g} "
-
-
-def ports(labels: list[str]) -> list[str]:
-    """Return the ports of signal labels, each once, in order."""
-    return list(dict.fromkeys(map(port_of, labels)))
-
-
-def arrows(diagram: Part, wiring: Wiring) -> list[Arrow]:
-    """Return one arrow for each source, target, port and gain, nested diagrams included."""
-    made = [(n.name, label) for n in wiring.nodes for label in n.system.output_labels]
-    given = [(port_of(label), label) for label in diagram.input_labels]
-    return [arrow for node in wiring.nodes for arrow in _into(node, made, given)]
-
-
-def _into(node: Node, made: list[tuple[str, str]], given: list[tuple[str, str]]) -> list[Arrow]:
-    """Return the arrows into a node; where a port is not taken whole, its signals are named."""
-    taken: dict[tuple[bool, str, str, float], list[str]] = {}
-    for wire in sorted(node.wires):
-        origins = given if wire.external else made
-        for source, label in origins[wire.source : wire.source + wire.size]:
-            key = (wire.external, source, port_of(label), wire.gain)
-            taken.setdefault(key, []).append(label)
-    result = []
-    for (external, source, port, gain), signals in taken.items():
-        origins = given if external else made
-        whole = {label for owner, label in origins if owner == source and port_of(label) == port}
-        names = [port] if whole == set(signals) else dict.fromkeys(signals)
-        result += [Arrow(source, node.name, name, gain, external) for name in names]
-    return result
-
-
-# --- nets, and the layers of blocks -------------------------------------------------------------
+SWEEPS = 5  # over the layers; the last one from the left
 
 
 @dataclass
 class Net:
-    """Signals of one block that feed the same blocks."""
+    """Signals of one block, or an input of the diagram, that feed the same blocks."""
 
     source: str  # block name, or ``"in:port"`` for an input of the diagram
     text: str  # the ports carried, such as ``"K, Gamma"``
@@ -94,50 +37,89 @@ class Net:
         return not self.source.startswith("in:") and (len(self.targets) != 1 or bool(self.back))
 
 
-class Hop(NamedTuple):
-    """A net on its way behind one layer: from a box or a passage to some in the next layer."""
+@dataclass
+class Turn:
+    """A net in the channel behind a layer: from a box or a passage to others, on one vertical."""
 
+    net: int
+    back: bool  # whether it is feedback
     start: str
     ends: list[str]
+    lefts: list[float] = field(default_factory=list)  # heights that it joins at its left side
+    rights: list[float] = field(default_factory=list)
+    x: float = 0.0
+
+    @property
+    def low(self) -> float:
+        """Return the least height that it joins."""
+        return min(self.lefts + self.rights)
+
+    @property
+    def high(self) -> float:
+        """Return the largest height that it joins."""
+        return max(self.lefts + self.rights)
 
 
 @dataclass
 class Layered:
     """Blocks, inputs and passages in ordered layers."""
 
-    nets: list[Net]  # what is connected
-    rank: dict[str, int]  # block or input -> number of its layer
+    nets: list[Net]
+    rank: dict[str, int]  # block, input or passage -> number of its layer
     layers: list[list[str]]  # left to right, top to bottom; a passage is "pass:NET:LAYER"
-    hops: dict[tuple[int, int], Hop]  # layer and number of the net -> its way behind that layer
+    channels: dict[int, list[Turn]]  # layer, or -1 before all -> what nets do behind it
 
-    def links(self, layer: int) -> list[tuple[str, str]]:
-        """Return which boxes are joined behind a layer."""
-        hops = [hop for (at, _), hop in self.hops.items() if at == layer]
-        return [(hop.start, end) for hop in hops for end in hop.ends]
+    def lead(self, k: int, targets: Iterable[str], way: Sequence[int], to: int) -> Iterator[str]:
+        """Lead a net through channels to targets; yield its passages, in layer c + `to` each.
+
+        `to` is 1 onward and 0 of feedback.
+        """
+        start = self.nets[k].source
+        for c in way:
+            turn = Turn(k, not to, start, [t for t in targets if self.rank[t] == c + 1])
+            self.channels[c].append(turn)
+            if c != way[-1]:
+                start = f"pass:{k}:{c + to}"
+                self.rank[start] = c + to
+                turn.ends.append(start)
+                yield start
+
+
+def ports(labels: Iterable[str]) -> list[str]:
+    """Return the ports of signal labels, each once, in order."""
+    return list(dict.fromkeys(map(port_of, labels)))
 
 
 def gather(diagram: Part, wiring: Wiring) -> list[Net]:
-    """Return nets: ports of one block that feed the same blocks, or nothing."""
-    reached: dict[tuple[str, str], dict[str, str]] = {
-        (node.name, port): {} for node in wiring.nodes for port in ports(node.system.output_labels)
-    }
-    for arrow in arrows(diagram, wiring):
-        source = f"in:{arrow.source}" if arrow.external else arrow.source
-        targets = reached.setdefault((source, arrow.port), {})
-        before = f"{targets[arrow.target]}, " if arrow.target in targets else ""
-        targets[arrow.target] = before + arrow.factor
-    made, given = (iter(one) for one in units_of(wiring))
-    units = {
-        (n.name, p): next(made) for n in wiring.nodes for p in map(port_of, n.system.output_labels)
-    }
-    units |= {(f"in:{p}", p): next(given) for p in map(port_of, diagram.input_labels)}
-    partly = {(source, port_of(port)) for source, port in reached if "[" in port}
+    """Return nets: ports of one block that feed the same blocks, or nothing.
+
+    Where only some signals of a port are taken, they are named.
+    """
+    made = [(n.name, label) for n in wiring.nodes for label in n.system.output_labels]
+    given = [(f"in:{port_of(label)}", label) for label in diagram.input_labels]
+    units, whole = dict[tuple[str, str], str](), dict[tuple[str, str], list[str]]()
+    for (source, label), unit in zip(made + given, chain(*units_of(wiring)), strict=True):
+        units.setdefault((source, port_of(label)), f" ({unit})" if unit else "")
+        whole.setdefault((source, port_of(label)), []).append(label)
+    fed: dict[tuple[str, str, str], dict[str, str]] = {}  # source, port, name -> target -> gains
+    for node in wiring.nodes:
+        taken: dict[tuple[str, str, float], list[str]] = {}
+        for external, origins in ((False, made), (True, given)):
+            for _, k, gain in node.fed(external):
+                source, label = origins[k]
+                taken.setdefault((source, port_of(label), gain), []).append(label)
+        for (source, port, gain), labels in taken.items():
+            names = [port] if set(labels) == set(whole[source, port]) else dict.fromkeys(labels)
+            for name in names:
+                targets = fed.setdefault((source, port, name), {})
+                before = f"{targets[node.name]}, " if node.name in targets else ""
+                targets[node.name] = before + ("" if gain == 1 else f"{gain:g} ")
+    idle = [one for one in whole if not any(key[:2] == one for key in fed)]
+    fed |= {(source, port, port): {} for source, port in idle if not source.startswith("in:")}
     together: dict[tuple[str, tuple[tuple[str, str], ...]], list[str]] = {}
-    for (source, port), targets in reached.items():
-        if targets or (source, port) not in partly:
-            unit = units.get((source, port_of(port)))
-            name = f"{port} ({unit})" if unit else port
-            together.setdefault((source, tuple(targets.items())), []).append(name)
+    for (source, port, name), targets in fed.items():
+        key = source, tuple(targets.items())
+        together.setdefault(key, []).append(name + units[source, port])
     return [
         Net(source, ", ".join(names), {t: ", ".join(gain + n for n in names) for t, gain in ends})
         for (source, ends), names in together.items()
@@ -148,30 +130,37 @@ def arrange(nets: list[Net], wiring: Wiring) -> Layered:
     """Return blocks in ordered layers, sources at the left; feedback is marked in the nets."""
     names = [net.source for net in nets if net.source.startswith("in:")]
     names = list(dict.fromkeys(names)) + [node.name for node in wiring.nodes]
-    _mark_feedback(nets, wiring, names)
+    _mark_feedback(nets, {node.name for node in wiring.nodes if node.system.nstates}, names)
     rank = _ranks(nets, names)
-    layers: list[list[str]] = [[] for _ in range(max(rank.values()) + 1)]
-    for name in names:
-        layers[rank[name]].append(name)
-    hops = {}
-    for layer in range(len(layers)):
-        for k, net in enumerate(nets):
-            start, last = rank[net.source], max((rank[t] for t in net.onward), default=-1)
-            if start <= layer < last:
-                ends = [t for t in net.onward if rank[t] == layer + 1]
-                passes = [f"pass:{k}:{layer + 1}"] if last > layer + 1 else []
-                layers[layer + 1] += passes
-                here = net.source if start == layer else f"pass:{k}:{layer}"
-                hops[layer, k] = Hop(here, ends + passes)
-    layered = Layered(nets, rank, layers, hops)
-    _order_layers(layered)
+    layers = [[name for name in names if rank[name] == k] for k in range(max(rank.values()) + 1)]
+    layered = Layered(nets, rank, layers, {c: [] for c in range(-1, len(layers))})
+    for k, net in enumerate(nets):
+        first = rank[net.source]
+        last = max((rank[target] for target in net.onward), default=first)
+        for passage in layered.lead(k, net.onward, range(first, last), 1):
+            layers[rank[passage]].append(passage)
+    joined = layered.channels.items()
+    links = {c: [(turn.start, end) for turn in turns for end in turn.ends] for c, turns in joined}
+    _order_layers(layers, links)
+    lengths = {
+        k: rank[net.source] - min(map(rank.__getitem__, net.back))
+        for k, net in enumerate(nets)
+        if net.back
+    }
+    share = {name: (k + 0.5) / len(one) for one in layered.layers for k, name in enumerate(one)}
+    for k in sorted(lengths, key=lengths.__getitem__):
+        net, last = nets[k], rank[nets[k].source]
+        above = mean([share[name] for name in (net.source, *net.back)]) < 0.5
+        way = range(last, last - lengths[k] - 2, -1)
+        for passage in layered.lead(k, net.back, way, 0):
+            own = layered.layers[rank[passage]]
+            own.insert(0 if above else len(own), passage)
     return layered
 
 
-def _mark_feedback(nets: list[Net], wiring: Wiring, names: list[str]) -> None:
+def _mark_feedback(nets: list[Net], with_states: set[str], names: list[str]) -> None:
     """Mark arrows that close a circle, those out of states last."""
     reached = {name: {name} for name in names}  # from each
-    with_states = {node.name for node in wiring.nodes if node.system.nstates}
     met = _depth_first(nets, names)
     for net in sorted(nets, key=lambda net: (net.source in with_states, met.index(net.source))):
         for target in net.targets:
@@ -198,151 +187,25 @@ def _depth_first(nets: list[Net], names: list[str]) -> list[str]:
 
 
 def _ranks(nets: list[Net], names: list[str]) -> dict[str, int]:
-    """Return longest paths; a name with more nets out than in moves to what it feeds."""
+    """Return longest paths."""
     rank = dict.fromkeys(names, 0)
-    onward = [(net.source, target) for net in nets for target in net.onward]
     for _ in names:
-        for name, target in onward:
-            rank[target] = max(rank[target], rank[name] + 1)
-    for name in sorted(names, key=lambda name: -rank[name]):
-        right = min((rank[target] for source, target in onward if source == name), default=0) - 1
-        comes = sum(name in net.onward for net in nets)
-        goes = sum(bool(net.onward) for net in nets if net.source == name)
-        if right > rank[name] and goes > comes and not name.startswith("in:"):
-            rank[name] = right
+        for net in nets:
+            for target in net.onward:
+                rank[target] = max(rank[target], rank[net.source] + 1)
     return rank
 
 
-def _order_layers(layered: Layered) -> None:
-    """Sweep over the layers to and fro, and keep the order with the fewest crossings."""
-    layers, best = layered.layers, [list(names) for names in layered.layers]
-    fewest = _crossings(layered)
-    for sweep in range(24):
+def _order_layers(layers: list[list[str]], links: dict[int, list[tuple[str, str]]]) -> None:
+    """Sweep over the layers to and fro: each name near the middle of what it is joined to."""
+    for sweep in range(SWEEPS):
         down = sweep % 2 == 0
         steps = range(1, len(layers)) if down else range(len(layers) - 2, -1, -1)
         for layer in steps:
-            near: dict[str, list[int]] = {name: [] for name in layers[layer]}
             place = {name: k for one in layers for k, name in enumerate(one)}
-            for start, end in layered.links(layer - 1 if down else layer):
+            near: dict[str, list[int]] = {name: [] for name in layers[layer]}
+            for start, end in links[layer - 1 if down else layer]:
                 name, other = (end, start) if down else (start, end)
                 near[name].append(place[other])
             middle = {name: mean(at or [place[name]]) for name, at in near.items()}
             layers[layer].sort(key=middle.__getitem__)
-        if (crossings := _crossings(layered)) < fewest:
-            fewest, best = crossings, [list(names) for names in layers]
-    layered.layers = best
-
-
-def _crossings(layered: Layered) -> int:
-    place = {name: k for one in layered.layers for k, name in enumerate(one)}
-    total = 0
-    for layer in range(len(layered.layers) - 1):
-        pairs = [(place[a], place[b]) for a, b in layered.links(layer)]
-        total += sum(a < c and b > d for a, b in pairs for c, d in pairs)
-    return total
-
-
-# --- how high ------------------------------------------------------------------------------------
-
-
-@dataclass
-class Box:
-    """A block, an input of the diagram, or a passage for a net."""
-
-    width: float  # a passage has no size
-    height: float
-    x: float = 0.0  # left edge
-    y: float = 0.0  # centre
-    ins: list[int] = field(default_factory=list)  # nets at its left side, from top to bottom
-    outs: list[int] = field(default_factory=list)  # nets at its right side
-
-    def port(self, net: int, out: bool) -> float:
-        """Return the height at which a net meets the box."""
-        side = self.outs if out else self.ins
-        if net not in side:
-            return self.y
-        return self.y + (side.index(net) - (len(side) - 1) / 2) * PITCH
-
-
-Sizes = dict[str, tuple[float, float]]  # of boxes by name, points
-Boxes = dict[str, Box]
-
-
-def place(layered: Layered, sizes: Sizes) -> tuple[Boxes, dict[int, bool]]:
-    """Return boxes at their heights, ports in order, and which feedback returns above them."""
-    boxes = _boxes(layered, sizes)
-    above: dict[int, bool] = {}
-    for _ in range(3):
-        _level(layered, boxes)
-        above = _returns_above(layered, boxes)
-        _sort_ports(layered, boxes, above)
-    _level(layered, boxes)
-    return boxes, above
-
-
-def _boxes(layered: Layered, sizes: Sizes) -> Boxes:
-    """Return boxes with all their ports, of the size of their text or more."""
-    boxes = {name: Box(*sizes.get(name, (0.0, 0.0))) for layer in layered.layers for name in layer}
-    for k, net in enumerate(layered.nets):
-        boxes[net.source].outs.append(k)
-        for target in net.targets:
-            boxes[target].ins.append(k)
-    for name, box in boxes.items():
-        if not name.startswith(("in:", "pass:")):
-            rows = max(len(box.ins), len(box.outs))
-            box.height = max(box.height, rows * PITCH)
-    return boxes
-
-
-def _level(layered: Layered, boxes: Boxes) -> None:
-    """Move the boxes to heights at which arrows climb and fall least, and else near the middle."""
-    from scipy.optimize import linprog
-    from scipy.sparse import coo_array
-
-    number = {name: k for k, name in enumerate(boxes)}
-    middle = len(number)  # a height of its own
-    climbs = [(k, middle, 0.0, NEAR) for k in number.values()]  # from, to, at which ports, weight
-    for (_, k), (start, ends) in layered.hops.items():
-        out = boxes[start].port(k, True) - boxes[start].y
-        for end in ends:
-            at = boxes[end].port(k, False) - boxes[end].y - out
-            weight = WEIGHTS[start.startswith("pass:") + end.startswith("pass:")]
-            climbs.append((number[start], number[end], at / GRID, weight))
-    rows: list[tuple[dict[int, int], float]] = []  # coefficients, and what they are at most
-    for names in layered.layers:
-        for upper, lower in pairwise(names):
-            room = (boxes[upper].height + boxes[lower].height) / 2 + GAP
-            rows.append(({number[upper]: 1, number[lower]: -1}, -math.ceil(room / GRID)))
-    for own, (a, b, at, _) in enumerate(climbs, middle + 1):
-        rows += [({b: 1, a: -1, own: -1}, -at), ({b: -1, a: 1, own: -1}, at)]
-    left = [(row, k, one) for row, (own, _) in enumerate(rows) for k, one in own.items()]
-    where, which, values = zip(*left, strict=True)
-    matrix = coo_array((values, (where, which))).tocsr()
-    costs = [0.0] * (middle + 1) + [weight for *_, weight in climbs]
-    heights = linprog(costs, matrix, [most for _, most in rows]).x
-    for box, y in zip(boxes.values(), heights, strict=False):
-        box.y = GRID * round(y)
-
-
-def _returns_above(layered: Layered, boxes: Boxes) -> dict[int, bool]:
-    """Return for each net with feedback whether its lane is above the boxes."""
-    middle = mean([box.y for name, box in boxes.items() if not name.startswith("pass:")])
-    return {
-        k: mean([boxes[name].y for name in (net.source, *net.back)]) < middle
-        for k, net in enumerate(layered.nets)
-        if net.back
-    }
-
-
-def _sort_ports(layered: Layered, boxes: Boxes, above: dict[int, bool]) -> None:
-    """Sort ports by where their nets come from and go; feedback to its lane's side."""
-    came: dict[tuple[str, int], float] = {}
-    went: dict[int, float] = {}
-    for (_, k), (start, ends) in layered.hops.items():
-        came |= {(end, k): boxes[start].port(k, True) for end in ends}
-        if start == layered.nets[k].source:
-            went[k] = mean([boxes[end].port(k, False) for end in ends])
-    for name, box in boxes.items():
-        far = {k: -math.inf if above.get(k) else math.inf for k in (*box.ins, *box.outs)}
-        box.ins.sort(key=lambda k: (came.get((name, k), far[k]), k))
-        box.outs.sort(key=lambda k: (went.get(k, far[k]), k))
