@@ -15,8 +15,7 @@ from ..html import Result
 from ..scenario.experiment import Scenario
 from ..scenario.file import TEAM
 from ..scenario.team import Team
-from ..simulation.pieces import clpe_of_samples
-from ..simulation.summary import SUMMARY, errors, team_summary
+from ..simulation.summary import SUMMARY, summary_of
 from ..theory.excitation.excitation_report import excitation_report
 from ..theory.excitation.pooled import team_excitation_report
 from ..units import percent
@@ -67,20 +66,14 @@ def number(value: float) -> str:
 
 def numbers_of(run: Dataset, system: Scenario | Team) -> Numbers:
     """Return a run's figures by the names of `run_and_report`; `of_samples` if they are less."""
-    if isinstance(system, Team):
-        return {"of_samples": True, **team_summary(system, run, run)}
-    try:
-        summary = Figures.model_validate_json(str(run.attrs.get(SUMMARY, "")), strict=True)
-    except ValidationError:  # none, or damaged
-        summary = None
-    end = float(run.time[-1])
-    if summary is not None and summary.end == end:
-        numbers = {"of_samples": False, **summary.model_dump(exclude_unset=True)}
-    else:
-        numbers = {"of_samples": True, "end": end, **clpe_of_samples(system, run)}
-    if f"{end:g}" not in numbers.get("max_gain_error", {}):
-        for key, late in errors(system, run, {f"{end:g}": run.isel(time=-1)}).items():
-            numbers[key] = {**numbers.get(key, {}), **late}
+    numbers = {"of_samples": True, **summary_of(system, run)}
+    if isinstance(system, Scenario):
+        try:
+            own = Figures.model_validate_json(str(run.attrs.get(SUMMARY, "")), strict=True)
+        except ValidationError:  # none, or damaged
+            return numbers
+        if own.end == numbers["end"]:
+            return {**numbers, **own.model_dump(exclude_unset=True), "of_samples": False}
     return numbers
 
 
