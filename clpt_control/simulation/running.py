@@ -32,7 +32,7 @@ from .flows import faster_flow, speeds_of
 from .frame import Frame
 from .loops import LoopOf, paper_blocks
 from .run_file import CONDITIONS, RunRecord
-from .starts import into_keys, stacked_state, state_columns, state_labels, state_of
+from .starts import stacked_state, state_columns, state_labels, state_of
 from .team_loops import team_blocks
 
 if TYPE_CHECKING:
@@ -104,25 +104,18 @@ class SystemRun:
 
 
 class ScenarioRun(SystemRun):
-    """A scenario's closed loop; call-time values replace those of the scenario's keys."""
+    """A scenario's closed loop."""
 
-    def __init__(
-        self,
-        scenario: Scenario,
-        engine: str | None = None,
-        params: Mapping[str, Any] | None = None,
-        initial_state: Any = None,
-    ):
-        self.scenario, left = into_keys(scenario, params, initial_state)
-        self.parts = paper_blocks(self.scenario)
-        super().__init__("the closed loop", wiring_of_blocks(self.parts), left, engine)
+    def __init__(self, scenario: Scenario, engine: str | None = None):
+        self.scenario, self.parts = scenario, paper_blocks(scenario)
+        super().__init__("the closed loop", wiring_of_blocks(self.parts), None, engine)
         self.start = state_of(self.scenario, self.parts)
 
     @cached_property
     def frame(self) -> Frame:
         """The Dataset of its runs."""
-        signals, beyond = self.signals(self.labels), beyond_scenario_of(self.params)
-        return run_frame(self.scenario, signals, beyond, states=state_labels(self.parts))
+        signals, states = self.signals(self.labels), state_labels(self.parts)
+        return run_frame(self.scenario, signals, states=states)
 
 
 class TeamRun(SystemRun):
