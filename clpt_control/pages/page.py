@@ -1,6 +1,6 @@
 """The parts of a page to send, and its HTML.
 
-Sentences come first, then numbers, then sections: results beside their figures.  Figures stay
+A sentence comes first, then sections: results beside their figures.  Figures stay
 figures until the page is written, so that they can be files of their own too.  The last section
 tells which versions made the page, and how to make it again.
 """
@@ -44,22 +44,13 @@ class Section(NamedTuple):
     more: str = ""
 
 
-class Card(NamedTuple):
-    """A number that matters: what, how much, and what to compare it with."""
-
-    what: str
-    value: str
-    below: str
-
-
 class Page(NamedTuple):
-    """A page: its kind, its title, what was asked and found, warnings, numbers and sections."""
+    """A page: its kind, its title, what it is of, warnings and sections."""
 
     kind: str
     title: str
     sentences: Sequence[str]
     warnings: Sequence[str]
-    cards: Sequence[Card]
     sections: Sequence[Section]
 
     @property
@@ -87,8 +78,7 @@ def page_html(page: Page) -> str:
         [
             f'<header><p class="soft">{safe(page.kind)}</p><h1>{safe(page.title)}</h1>',
             f'<div class="lead">{paragraphs(page.sentences)}</div>',
-            paragraphs(page.warnings, "alarm"),
-            f'<div class="cards">{"".join(map(_card, page.cards))}</div></header>',
+            f"{paragraphs(page.warnings, 'alarm')}</header>",
             f'<nav aria-label="Contents"><ul>{links}</ul></nav><main>',
             *map(_section, page.sections),
             '</main><footer class="soft">',
@@ -96,13 +86,6 @@ def page_html(page: Page) -> str:
         ]
     )
     return document(page.title, body, "report.css")
-
-
-def _card(card: Card) -> str:
-    return (
-        f'<div class="card"><p class="soft">{safe(card.what)}</p><b>{safe(card.value)}</b>'
-        f"<small>{safe(card.below)}</small></div>"
-    )
 
 
 def _section(section: Section) -> str:

@@ -22,28 +22,12 @@ from ..simulation.team_loops import team_loop
 from ..simulation.team_plots import team_plot
 from ..theory.excitation.excitation_report import excitation_plot
 from .page import Drawn, Section, drawn
-from .results import Numbers, excitation_of, excitation_result, is_team, number, run_result
+from .results import excitation_of, excitation_result, is_team
 
 PLACES = 9  # arrows on a side
 MOST_SAMPLES = 6000  # in a figure
 MOST_DRAWN = 3  # vehicles in a drawing of the loop
 ONE_SAMPLE = Result(sentences=["The run has one sample: nothing can be drawn over time"])
-
-
-def team_section(run: Dataset, numbers: Numbers) -> Section:
-    """Return a team's figure and what each vehicle achieved."""
-    figures = []
-    result = run_result(numbers, "What the vehicles achieved", len(numbers["vehicles"]))
-    if run.sizes["time"] > 1:
-        few, thin = samples_to_draw(run)
-        caption = (
-            "Tracks and waypoints over the flow at the start; the size of each prediction error; "
-            "the largest error of what each vehicle learned." + thin
-        )
-        figures = [drawn("team", 7.6, caption, team_plot, few)]
-    else:
-        result = result._replace(sentences=ONE_SAMPLE.sentences)
-    return Section("team", "Tracks, errors, what was learned", result, figures)
 
 
 def loop_section(system: Scenario | Team, own: str | None) -> list[Section]:
@@ -86,52 +70,48 @@ def excitation_section(run: Dataset, why: str) -> Section:
     return Section("excitation", heading, result, figures)
 
 
-def figure_sections(run: Dataset, scenario: Scenario, numbers: Numbers) -> list[Section]:
-    """Return what is drawn along the run."""
-    heading, learning = "Prediction error", _learned(run, scenario)
+def figure_sections(run: Dataset, system: Scenario | Team) -> list[Section]:
+    """Return what is drawn along the run, and what was learned."""
+    learning = [] if isinstance(system, Team) else [_learned(run, system)]
     if run.sizes["time"] < 2:
-        return [Section("clpe", heading, ONE_SAMPLE), learning]
+        return [Section("track", "Track and errors", ONE_SAMPLE), *learning]
     few, thin = samples_to_draw(run)
+
+    def figure(name: str, height: float, caption: str, plot: Any, *more: Any) -> Drawn:
+        return drawn(name, height, caption + thin, plot, few, *more)
+
+    if isinstance(system, Team):
+        caption = (
+            "Tracks and waypoints over the flow at the start; the size of each prediction error; "
+            "the largest error of what each vehicle learned."
+        )
+        return [
+            Section("track", "Track and errors", figures=[figure("team", 7.6, caption, team_plot)])
+        ]
     unknown = unknown_parts(run)
-    known = not {"true_flow", "basis_x"} & unknown
-    where = f"Where it was to be, the track{', and the true flow at the start' * known}.{thin}"
-    flows = "The true flow and what was learned of it" if known else "The learned flow"
-    flows += " by the end. Where the vehicle never was, what is learned is a guess."
-    unit = scenario.units
-    errors = (
-        "The prediction error over the first two rounds; below, its size over the whole run, and "
-        f"its root mean square at each waypoint ({scenario.reference.dwell:g} {unit.time}), "
-        "logarithmic."
-    )
-    if not len(waypoints_of(run, scenario)):
-        errors = "The prediction error over time; below, its size, logarithmic."
-    rms, rounds = numbers["clpe_rms_per_cycle"], Result()
-    if rms:
-        title = f"CLPE, root mean square in each round ({unit.length})"
-        rows = [[str(k), number(value)] for k, value in enumerate(rms, 1)]
-        rounds = Result(title, ["round", "rms"], rows)
-    figures = []
-    for axis in (1, 2):
-        caption = (
-            f"What was learned of the flow to the {DIRECTIONS[axis - 1]}, and the gains of that "
-            f"axis.{thin}"
-        )
-        figures.append(drawn(f"learning-{axis}", 4.9, caption, learning_plot, few, axis))
-    if "lyapunov" in few and np.any(few.lyapunov.values > 0):
-        V = run.lyapunov.values
-        caption = (
-            f"V, a weighted sum of all squared errors: {number(V[0])} at the start, "
-            f"{number(V[-1])} at the end.{thin}"
-        )
-        figures.append(drawn("lyapunov", 2.8, caption, lyapunov_plot, few, unit))
-    track = [drawn("track", 4.9, where, track_plot, few)]
+    track = [figure("track", 4.9, "Where it was to be, and the track.", track_plot)]
     if "basis_x" not in unknown:
-        track.append(drawn("flows", 4.9, flows, flows_plot, few, scenario))
-    clpe = drawn("clpe", 4.9, errors + thin, clpe_plot, few)
+        caption = (
+            "The true flow, where it is known, and what was learned of it by the end. Where the "
+            "vehicle never was, what is learned is a guess."
+        )
+        track.append(figure("flows", 4.9, caption, flows_plot, system))
+    caption = (
+        "The prediction error, at first; below, its size over the whole run, and its root mean "
+        "square at each waypoint, logarithmic."
+    )
+    clpe = [figure("clpe", 4.9, caption, clpe_plot)]
+    figures = []
+    for axis, direction in enumerate(DIRECTIONS, 1):
+        caption = f"What was learned of the flow to the {direction}, and the gains of that axis."
+        figures.append(figure(f"learning-{axis}", 4.9, caption, learning_plot, axis))
+    if "lyapunov" in few and np.any(few.lyapunov.values > 0):
+        caption = "V, a weighted sum of all squared errors."
+        figures.append(figure("lyapunov", 2.8, caption, lyapunov_plot, system.units))
     return [
         Section("track", "Track and flow", figures=track),
-        Section("clpe", heading, rounds, [clpe]),
-        learning._replace(figures=figures),
+        Section("clpe", "Prediction error", figures=clpe),
+        learning[0]._replace(figures=figures),
     ]
 
 

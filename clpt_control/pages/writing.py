@@ -57,7 +57,7 @@ def report(
     Returns
     -------
     dict
-        ``file``, ``bytes``, ``kind``, ``title``, ``sentences`` (what was asked and found) and
+        ``file``, ``bytes``, ``kind``, ``title``, ``sentences`` (of what it is) and
         ``figures``, the files written.
 
     Raises

@@ -88,49 +88,50 @@ def run_and_report(
     at = nearest(reached, own[own < reached[-1]] if stopped else own)
     run = dense.isel(time=[*at, -1] if stopped else at)
     fine = dense.isel(time=nearest(reached, even))
-    summary = summary_of(system, run, fine, dense)
+    summary = {**ending_of(system, run), **figures_of(system, run, fine, dense)}
     run.attrs[SUMMARY] = json.dumps(summary)
     return RunReport(run, fine, summary)
 
 
-def summary_of(
+def ending_of(system: Scenario | Team, run: "Dataset") -> dict[str, Any]:
+    """Return what a run is, where it ended and how, ready for JSON."""
+    units = (system.first if isinstance(system, Team) else system).units
+    return {
+        "title": run.attrs.get("title", ""),
+        "units": {"length": units.length, "time": units.time},
+        "status": run.attrs.get("status", "finished"),
+        "message": str(run.attrs.get("message", "no reason is recorded")),
+        "end": float(run.time[-1]),
+        "solver": {k.removeprefix(OF): int(v) for k, v in run.attrs.items() if k.startswith(OF)},
+    }
+
+
+def figures_of(
     system: Scenario | Team, run: "Dataset", fine: Any = None, dense: Any = None
 ) -> dict[str, Any]:
-    """Return the figures of a run, a team's by vehicle, with how it ended, ready for JSON.
+    """Return the figures of a run, a team's by vehicle, ready for JSON.
 
     Mean squares and speeds are those of `fine`, whose samples are even, errors those of `dense`,
     which has samples at the times of errors.
     """
     fine, dense = run if fine is None else fine, run if dense is None else dense
     at = _at_times(dense)
-    units = (system.first if isinstance(system, Team) else system).units
-    figures: dict[str, Any] = {}
-    if isinstance(system, Team):
-        for name, scenario in system.members.items():
-            runs = (one.sel(vehicle=name) for one in (run, fine))
-            own_at = {key: one.sel(vehicle=name) for key, one in at.items()}
-            for key, value in _achieved(scenario, *runs, own_at).items():
-                figures.setdefault(key, {})[name] = value
-        del figures["clpe_rms_per_cycle"]  # rounds of several vehicles are no rounds of the team
-        apart = {k: one.alpha.max("vehicle") - one.alpha.min("vehicle") for k, one in at.items()}
-        of_the_team = {
-            "vehicles": list(system.members),
-            "coupling": system.coupling,
-            "connectivity": system.connectivity,
-            "max_disagreement": {key: float(one.max()) for key, one in apart.items()},
-        }
-        figures = of_the_team | figures
-    else:
-        figures = _achieved(system, run, fine, at)
-    return {
-        "title": run.attrs.get("title", ""),
-        "units": {"length": units.length, "time": units.time},
-        "status": run.attrs.get("status", ""),
-        "message": run.attrs.get("message", "no reason is recorded"),
-        "end": float(run.time[-1]),
-        **figures,
-        "solver": {k.removeprefix(OF): int(v) for k, v in run.attrs.items() if k.startswith(OF)},
+    if isinstance(system, Scenario):
+        return _achieved(system, run, fine, at)
+    apart = {k: one.alpha.max("vehicle") - one.alpha.min("vehicle") for k, one in at.items()}
+    figures: dict[str, Any] = {
+        "vehicles": list(system.members),
+        "coupling": system.coupling,
+        "connectivity": system.connectivity,
+        "max_disagreement": {key: float(one.max()) for key, one in apart.items()},
     }
+    for name, scenario in system.members.items():
+        runs = (one.sel(vehicle=name) for one in (run, fine))
+        own_at = {key: one.sel(vehicle=name) for key, one in at.items()}
+        for key, value in _achieved(scenario, *runs, own_at).items():
+            figures.setdefault(key, {})[name] = value
+    del figures["clpe_rms_per_cycle"]  # rounds of several vehicles are no rounds of the team
+    return figures
 
 
 def _at_times(run: "Dataset") -> "dict[str, Dataset]":

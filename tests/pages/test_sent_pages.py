@@ -21,7 +21,7 @@ from clpt_control.pages.writing import page_of, report
 from clpt_control.simulation.summary import run_and_report
 
 EVIL = "</title></style><script>alert(1)</script><img src=x onerror='alert(2)'>\"&amp;"
-SECTIONS = ["loop", "track", "clpe", "learning", "excitation", "scenario", "again"]
+SECTIONS = ["achieved", "loop", "track", "clpe", "learning", "excitation", "scenario", "again"]
 SHORT = clpt.paper_scenario().with_values({"run.duration": 40, "title": "Two waypoints"})
 
 
@@ -94,15 +94,14 @@ def test_a_run_has_its_page(page):
     assert ids == SECTIONS
     assert [tag for tag, _ in read.tags].count("svg") == 8
     text = " ".join(read.texts)
-    assert "2 waypoints" not in text
-    assert "10 waypoints in turn, 20 s at each, for 40 s (0.2 rounds)" in text
+    assert "10 waypoints, 20 s at each, for 40 s in a flow of 3 functions" in text
     assert "gain = 0.8" in text
     assert len(page) < 1_000_000
 
 
 def test_each_figure_of_a_run_has_words_of_its_own(run):
     captions = {one.name: one.caption for one in page_of(run).figures if one.caption}
-    assert captions["clpe"].startswith("The prediction error over ")
+    assert captions["clpe"].startswith("The prediction error, ")
     assert captions["lyapunov"].startswith("V, a weighted sum")
     assert len(captions) == len(set(captions.values()))
 
@@ -198,22 +197,20 @@ def found():
 
 def test_figures_of_clpt_run_are_those_of_the_page(found):
     text = words(found.run)
-    assert f"{found.summary['clpe_rms']:.3g} m over the run" in text
+    assert f"['CLPE rms, whole run (m)', '{found.summary['clpe_rms']:.3g}']" in text
     assert "of the file" not in text
     assert "samples of the file" in words(found.run.isel(time=slice(10)))
 
 
 def test_a_share_of_a_current_near_all_of_it_is_not_all(found):
-    """0.9996 of it is 99.96 %, in a sentence and a card of a page, and in the table of a run."""
+    """0.9996 of it is 99.96 %, in the table of a run on a page and on a terminal."""
     shares = {"track": 0.9996, "box": -0.5, "window": [30.0, 40.0]}
     summary = found.summary | {"explained_variance": shares}
-    run = found.run.assign_attrs(summary=json.dumps(summary))
-    text = words(run)
-    assert "99.96 % of the current's variance" in text
-    assert "99.96 %" in [card.value for card in page_of(run).cards]
-    assert "explains -50 % of the current's variance over all of the current's box, worse" in text
     rows = run_result(summary, "").rows
     assert ["share of the flow's variance learned, track", "99.96 %"] in rows
+    assert rows[-1][1] == "-50 %; negative: worse than the mean current"
+    text = words(found.run.assign_attrs(summary=json.dumps(summary)))
+    assert all(str(row) in text for row in rows[1:])
 
 
 def test_part_of_a_run_has_no_first_round():
@@ -223,8 +220,8 @@ def test_part_of_a_run_has_no_first_round():
     text = words(part)
     off = (part.position - part.predicted_position).values
     rms = np.sqrt(np.mean(np.sum(off**2, axis=1)))
-    assert "round of the waypoints" not in text
-    assert f"{rms:.3g} m over what is shown" in text
+    assert "CLPE rms per cycle" not in text
+    assert f"['CLPE rms, whole run (m)', '{rms:.3g}']" in text
     one = words(run.isel(time=[7]))
     assert "What is shown is t = 7 s of the run alone." in one
     assert "over the one sample of the file" in one
