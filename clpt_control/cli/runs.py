@@ -321,15 +321,7 @@ def report(
 
 def animate(
     run: Path = arg("RUN", "A run's NetCDF."),
-    out: Path = opt(
-        "FILE",
-        "The film: .gif, or .mp4 where ffmpeg is installed.",
-        "-o",
-        "--out",
-        default=Path("run.gif"),
-    ),
-    start: float | None = opt("TIME", "First time shown; default: the run's."),
-    end: float | None = opt("TIME", "Last time shown; default: the run's."),
+    out: Path = opt("FILE", "The film, .gif.", "-o", "--out", default=Path("run.gif")),
     seconds: float = opt("SECONDS", "How long the film lasts.", default=12.0),
     fps: float = opt("NUMBER", "Frames a second.", default=12.5),
     width: int = opt("PIXELS", "Pixels.", default=560),
@@ -342,5 +334,5 @@ def animate(
         clpt animate run.nc -o run.gif
     """
     data = clpt.load_run(run)
-    clpt.animate(data, out, start=start, end=end, seconds=seconds, fps=fps, width=width)
+    clpt.animate(data, out, seconds=seconds, fps=fps, width=width)
     say(f"{out}: written")

@@ -1,4 +1,4 @@
-"""A run as a moving picture: GIF by Pillow, MP4 by ffmpeg.
+"""A run as a moving picture, a GIF.
 
 Places between samples lie on straight lines, as the track is drawn; the flows are those of
 `flow_velocity` at the times themselves.
@@ -13,14 +13,14 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from ..arguments import public
-from ..errors import ClptError, DataError
+from ..errors import ClptError
 from ..figures import BLUE, GREEN, GREY, ORANGE, RED, SAME, TITLE, legend_below, new_figure
-from ..files import beside, check_writable
+from ..files import check_writable, write_file
 from ..html import fragment
 from ..progress import progress_bar
 from ..progress.interrupt import check
 from ..scenario.experiment import Scenario
-from ..scenario.recorded_run import is_response, waypoints_of
+from ..scenario.recorded_run import waypoints_of
 from .charts import arrow_grid, scenario_with
 from .flows import flow_to_draw
 
@@ -28,11 +28,9 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
 
-ENDINGS = (".gif", ".mp4")
-MOST = 3000  # frames
-MOST_PIXELS = 5e8  # pixels that a GIF's frames have together, at most
-NARROW, WIDE = 200, 2000  # pixels
-SHADES = 5  # of each colour towards white, in a GIF
+LIMITS = {"seconds": (0.1, 600.0), "fps": (1.0, 50.0), "width": (200, 2000)}
+MOST_PIXELS = 5e8  # pixels that all frames have together, at most
+SHADES = 5  # of each colour towards white
 
 
 class Movie:
@@ -55,8 +53,6 @@ def animate(
     run: "xarray.Dataset",
     path: str | Path | None = None,
     *,
-    start: float | None = None,
-    end: float | None = None,
     seconds: float = 12.0,
     fps: float = 12.5,
     width: int = 560,
@@ -71,13 +67,11 @@ def animate(
     run : xarray.Dataset
         As `simulate` gives it, or `load_run`.
     path : str or path, optional
-        Ends in ``.gif``, or in ``.mp4`` where ffmpeg is installed.
-    start, end : float, optional
-        What of the run is shown, units.time; by default all.
+        Ends in ``.gif``.
     seconds : float, optional
         How long the film lasts.
     fps : float, optional
-        Frames a second; a GIF has whole hundredths of a second for each frame.
+        Frames a second; each lasts whole hundredths of a second.
     width : int, optional
         Pixels.
 
@@ -91,7 +85,7 @@ def animate(
     DataError
         If the run lacks a signal, or the file cannot be written.
     ClptError
-        If an option is not allowed, or ffmpeg is missing.
+        If an option is not allowed.
 
     Examples
     --------
@@ -100,90 +94,57 @@ def animate(
     >>> clpt.animate(run, seconds=0.4, width=200).frames
     5
     """
-    suffix = checked_suffix(path, seconds, fps, width)
-    pause = round(100 / fps) / 100 if suffix == ".gif" else 1 / fps
-    times = np.linspace(*_span(run, start, end), max(2, round(seconds / pause)))
+    check_options(path, seconds=seconds, fps=fps, width=width)
+    pause = round(100 / fps) / 100
+    scenario_with(run, *SIGNALS)
+    times = np.linspace(*run.time.values[[0, -1]], max(2, round(seconds / pause)))
     film = film_of(run, times)
     from matplotlib import rc_context
 
     with rc_context(SAME), progress_bar("drawing", len(times), "frames") as report:
-        figure, frames = draw_frames(film, 2 * (width // 2))
-        if path is None:
-            content = BytesIO()
-            _write_gif(content, figure, _checked(frames, report), pause)
-            return Movie(content.getvalue(), len(times), len(times) * pause)
-        with beside(path) as part:
-            write = _write_gif if suffix == ".gif" else _write_mp4
-            write(part, figure, _checked(frames, report), pause)
+        figure, frames = draw_frames(film, width)
+        content = _gif(figure, frames, pause, report)
+    if path is None:
+        return Movie(content, len(times), len(times) * pause)
+    write_file(path, content)
     return None
 
 
-def checked_suffix(path: str | Path | None, seconds: float, fps: float, width: int) -> str:
-    """Return the kind of film; refuse what cannot be filmed, before work begins."""
-    suffix = ".gif" if path is None else Path(path).suffix.lower()
+def check_options(path: str | Path | None, **options: float) -> None:
+    """Refuse what cannot be filmed, before work begins."""
     if path is not None:
-        check_writable(path, "a film", ENDINGS)
-        if suffix == ".mp4":
-            from matplotlib.animation import FFMpegWriter
-
-            if not FFMpegWriter.isAvailable():
-                raise ClptError(f"{path}: needs ffmpeg, which is not installed; a .gif needs none")
-    for name, value, low, high in (
-        ("seconds", seconds, 0.1, 600),
-        ("fps", fps, 1, 50),
-        ("width", width, NARROW, WIDE),
-    ):
-        if not low <= value <= high:
-            raise ClptError(f"{name} = {value!r:.60}: must be a number from {low:g} to {high:g}")
-    if seconds * fps > MOST:
-        raise ClptError(f"seconds x fps = {seconds * fps:.0f} frames; at most {MOST} are made")
-    if suffix == ".gif" and (size := seconds * fps * width**2) > MOST_PIXELS:
+        check_writable(path, "a film", (".gif",))
+    for name, (low, high) in LIMITS.items():
+        if not low <= options[name] <= high:
+            raise ClptError(
+                f"{name} = {options[name]!r:.60}: must be a number from {low:g} to {high:g}"
+            )
+    count, width = options["seconds"] * options["fps"], options["width"]
+    if (size := count * width**2) > MOST_PIXELS:
         raise ClptError(
-            f"a GIF of {seconds * fps:.0f} frames of {width} pixels would take {size / 1e9:.1f} "
-            "GB of memory: make it shorter or narrower, or an .mp4"
+            f"a GIF of {count:.0f} frames of {width} pixels would take {size / 1e9:.1f} GB of "
+            "memory: make it shorter or narrower"
         )
-    return suffix
 
 
-def _span(run: "xarray.Dataset", start: float | None, end: float | None) -> tuple[float, float]:
-    """Return the first and the last time shown."""
-    if is_response(run):
-        raise DataError(
-            "the run is of a diagram, which has no track to film; run.clpt.plot() draws its signals"
-        )
-    scenario = scenario_with(run, *SIGNALS)
-    first, last = float(run.time[0]), float(run.time[-1])
-    begin, finish = first if start is None else start, last if end is None else end
-    if not first <= begin < finish <= last:
-        raise DataError(
-            f"start = {begin:g}, end = {finish:g}: must lie one after the other within the run, "
-            f"{first:g} to {last:g} {scenario.units.time}"
-        )
-    return begin, finish
-
-
-def _checked(frames: Iterator[int], report: Any) -> Iterator[int]:
-    for k in frames:
-        check()
-        report(k)
-        yield k
-
-
-def _write_gif(file: Any, figure: "Figure", frames: Iterator[int], pause: float) -> None:
-    """Write frames that share their colours; all but what changes is left out."""
+def _gif(figure: "Figure", frames: Iterator[int], pause: float, report: Any) -> bytes:
+    """Return frames that share their colours as a GIF; all but what changes is left out."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from PIL import Image
 
-    canvas, images = FigureCanvasAgg(figure), list[Any]()
+    canvas, images, content = FigureCanvasAgg(figure), list[Any](), BytesIO()
     palette = Image.new("P", (1, 1))
     palette.putpalette(_palette())
-    for _ in frames:
+    for k in frames:
+        check()
+        report(k)
         canvas.draw()
         image = Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
         images.append(image.quantize(palette=palette, dither=Image.Dither.NONE))
     first, *rest = images
     options = {"duration": round(1000 * pause), "loop": 0, "disposal": 1, "optimize": False}
-    first.save(file, format="GIF", save_all=True, append_images=rest, **options)
+    first.save(content, format="GIF", save_all=True, append_images=rest, **options)
+    return content.getvalue()
 
 
 def _palette() -> list[int]:
@@ -193,16 +154,6 @@ def _palette() -> list[int]:
     share = np.linspace(0, 1, SHADES, endpoint=False)[:, None]
     shades = [share + (1 - share) * to_rgb(colour) for colour in (*INKS, "black")]
     return [int(part) for part in np.rint(255 * np.vstack([*shades, np.ones((1, 3))])).ravel()]
-
-
-def _write_mp4(file: Path, figure: "Figure", frames: Iterator[int], pause: float) -> None:
-    from matplotlib.animation import FFMpegWriter
-
-    fps: Any = 1 / pause  # need not be whole
-    writer = FFMpegWriter(fps=fps, codec="h264", extra_args=["-f", "mp4"])
-    with writer.saving(figure, str(file), figure.dpi):
-        for _ in frames:
-            writer.grab_frame()
 
 
 # --- what is shown at each time, and the figure that shows it -------------------------------------
@@ -272,9 +223,8 @@ def draw_frames(film: Film, width: int) -> "tuple[Figure, Iterator[int]]":
     shape = (high - low)[1] / (high - low)[0]
     dpi = width / INCHES
     high_inches = np.clip(shape, 0.4, 1.6) * (INCHES - 0.9) + 2.6
-    height = 2 * round(high_inches * dpi / 2) / dpi  # an even number of pixels, for MP4
-    rows = (height - 1.9, 1.1)
-    figure, (chart, below) = new_figure(INCHES, height, nrows=2, height_ratios=rows)
+    rows = (high_inches - 1.9, 1.1)
+    figure, (chart, below) = new_figure(INCHES, high_inches, nrows=2, height_ratios=rows)
     figure.set_dpi(dpi)
     moving = _chart(chart, film, step)
     moving |= _trace(below, film)

@@ -20,7 +20,7 @@ def run():
 
 def test_a_film_has_its_frames(run, tmp_path):
     file = tmp_path / "run.gif"
-    clpt.animate(run, file, seconds=1.0, fps=10, width=301, start=2.0, end=30)
+    clpt.animate(run, file, seconds=1.0, fps=10, width=300)
     with Image.open(file) as film:
         assert film.n_frames == 10
         assert film.width == 300
@@ -72,20 +72,15 @@ def test_arrows_stand_within_a_field(tmp_path):
     np.testing.assert_allclose(film.true, 0.1)
 
 
-def test_refusals(run, tmp_path, monkeypatch):
-    monkeypatch.setenv("PATH", "")  # no ffmpeg
+def test_refusals(run, tmp_path):
     team = clpt.Team(members={"a": SCENARIO, "b": SCENARIO}, coupling=0.5)
     for given, options, said in (
-        (run, {"path": tmp_path / "run.avi"}, r"must end in .gif or .mp4"),
-        (run, {"path": tmp_path / "run.mp4"}, "needs ffmpeg, which is not installed"),
+        (run, {"path": tmp_path / "run.avi"}, r"must end in .gif"),
         (run, {"path": tmp_path / "no" / "run.gif"}, "does not exist"),
         (run, {"seconds": float("nan")}, "seconds = nan: must be a number"),
         (run, {"fps": "many"}, "fps = 'many': must be a number"),
         (run, {"width": 10}, "width = 10: must be a number from 200"),
-        (run, {"seconds": 600, "fps": 50}, "at most 3000 are made"),
         (run, {"seconds": 100, "fps": 20, "width": 1000}, "would take 2.0 GB of memory"),
-        (run, {"start": 30, "end": 20}, "must lie one after the other within the run"),
-        (run, {"end": 50}, "within the run, 0 to 40 s"),
         (run.drop_vars("reference"), {}, "the run has no reference over time, axis"),
         (clpt.simulate(team), {}, "the run is a team's"),
         (SCENARIO, {}, "must be an xarray.Dataset"),
@@ -107,4 +102,4 @@ def test_the_command(clpt, refused, run, tmp_path):
     with Image.open(out) as film:
         assert film.n_frames == 4
     said = refused("animate", tmp_path / "run.nc", "-o", tmp_path / "film.doc")
-    assert "must end in .gif or .mp4" in said
+    assert "must end in .gif" in said
