@@ -230,7 +230,6 @@ class _Fitting:
             raise ArgumentError(f"data: {self.there.sum()} numbers for {len(self.names)} unknowns")
         self.begin, self.low, self.high = self._bounds(begin)
         self.noise = noise
-        self.moving = False  # whether a jump moves with what is fitted
         self.runs = 0
         self.last: tuple[np.ndarray, RunWithDerivatives] | None = None
 
@@ -259,7 +258,6 @@ class _Fitting:
             self.runs += 1
             try:
                 result = self.ready.run(values)
-                result = self.ready.confirmed(values, result) if self.moving else result
             except SimulationError as error:
                 said = ", ".join(f"{n} = {v:.6g}" for n, v in zip(self.names, values, strict=True))
                 raise SimulationError(f"at {said}: {error}; begin closer, or give bounds") from None
@@ -291,15 +289,12 @@ class _Fitting:
         noise = self._given_noise() if self.noise is not None else np.where(size > 0, size, 1.0)
         values, least = self.begin, 1e-9 * noise
         for _ in range(ROUNDS):
-            while True:
-                result = least_squares(
-                    self.residuals, values, self.jacobian, (self.low, self.high), x_scale="jac",
-                    ftol=CLOSE, xtol=CLOSE, gtol=CLOSE, args=(noise,),
-                )  # fmt: skip
-                values = result.x
-                if self.moving or not self.ready.confirmed(values, self.run(values)).moved:
-                    break
-                self.moving, self.last = True, None
+            result = least_squares(
+                self.residuals, values, self.jacobian, (self.low, self.high), x_scale="jac",
+                ftol=CLOSE, xtol=CLOSE, gtol=CLOSE, args=(noise,),
+            )  # fmt: skip
+            values = result.x
+            self.ready.confirm(values, self.run(values))
             if self.noise is not None:
                 break
             residuals = np.zeros(self.there.shape)
