@@ -96,10 +96,7 @@ def figure_sections(run: Dataset, system: Scenario | Team) -> list[Section]:
             "vehicle never was, what is learned is a guess."
         )
         track.append(figure("flows", 4.9, caption, flows_plot, system))
-    caption = (
-        "The prediction error, at first; below, its size over the whole run, and its root mean "
-        "square at each waypoint, logarithmic."
-    )
+    caption = "The prediction error, at first; below, its size over the whole run, logarithmic."
     clpe = [figure("clpe", 4.9, caption, clpe_plot)]
     figures = []
     for axis, direction in enumerate(DIRECTIONS, 1):
