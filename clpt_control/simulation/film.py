@@ -97,7 +97,8 @@ def animate(
     check_options(path, seconds=seconds, fps=fps, width=width)
     pause = round(100 / fps) / 100
     scenario_with(run, *SIGNALS)
-    times = np.linspace(*run.time.values[[0, -1]], max(2, round(seconds / pause)))
+    first, last = map(float, run.time.values[[0, -1]])
+    times = np.linspace(first, last, max(2, round(seconds / pause)))
     film = film_of(run, times)
     from matplotlib import rc_context
 

@@ -126,9 +126,9 @@ def figures_of(
         "max_disagreement": {key: float(one.max()) for key, one in apart.items()},
     }
     for name, scenario in system.members.items():
-        runs = (one.sel(vehicle=name) for one in (run, fine))
+        own, own_fine = (one.sel(vehicle=name) for one in (run, fine))
         own_at = {key: one.sel(vehicle=name) for key, one in at.items()}
-        for key, value in _achieved(scenario, *runs, own_at).items():
+        for key, value in _achieved(scenario, own, own_fine, own_at).items():
             figures.setdefault(key, {})[name] = value
     del figures["clpe_rms_per_cycle"]  # rounds of several vehicles are no rounds of the team
     return figures
