@@ -85,7 +85,6 @@ def application() -> "typer.Typer":
     from .measurements import estimate, fit, tides
     from .printing import Command, HelpPage, clpt, help_of
     from .replay import replay
-    from .replay_report import WithPlaces
     from .runs import animate, diagram, ensemble, export, init, paper, report, run, tune
     from .tracks import certify, design, excitation
 
@@ -106,8 +105,7 @@ def application() -> "typer.Typer":
     }
     for title, commands in groups.items():
         for command in commands:
-            kind = WithPlaces if command is replay else Command
-            app.command(cls=kind, help=help_of(command), rich_help_panel=title)(command)
+            app.command(cls=Command, help=help_of(command), rich_help_panel=title)(command)
     return app
 
 
