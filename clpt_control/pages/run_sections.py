@@ -7,15 +7,14 @@ from xarray import Dataset
 
 from ..diagrams.drawing.figure import block_figure
 from ..errors import ClptError
-from ..figures import BLUE, GREY, RED, TITLE, figure_of, new_figure
+from ..figures import figure_of, new_figure
 from ..html import Result
 from ..scenario.experiment import Scenario
 from ..scenario.file import OWN_LAW
-from ..scenario.recorded_run import unknown_parts, waypoints_of
-from ..scenario.tables import Units
+from ..scenario.recorded_run import unknown_parts
 from ..scenario.team import Team
-from ..simulation.charts import square_chart, track_plot
-from ..simulation.flows import flow_to_draw, flow_velocity
+from ..simulation.charts import track_plot
+from ..simulation.film import draw_samples
 from ..simulation.loops import closed_loop
 from ..simulation.plots import DIRECTIONS, clpe_plot, learning_plot
 from ..simulation.team_loops import team_loop
@@ -24,7 +23,6 @@ from ..theory.excitation.excitation_report import excitation_plot
 from .page import Drawn, Section, drawn
 from .results import excitation_of, excitation_result, is_team
 
-PLACES = 9  # arrows on a side
 MOST_SAMPLES = 6000  # in a figure
 MOST_DRAWN = 3  # vehicles in a drawing of the loop
 ONE_SAMPLE = Result(sentences=["The run has one sample: nothing can be drawn over time"])
@@ -90,21 +88,18 @@ def figure_sections(run: Dataset, system: Scenario | Team) -> list[Section]:
         ]
     unknown = unknown_parts(run)
     track = [figure("track", 4.9, "Where it was to be, and the track.", track_plot)]
-    if "basis_x" not in unknown:
+    if "basis_x" not in unknown and "reference" in run:
         caption = (
             "The true flow, where it is known, and what was learned of it by the end. Where the "
             "vehicle never was, what is learned is a guess."
         )
-        track.append(figure("flows", 4.9, caption, flows_plot, system))
+        track.append(figure("flows", 4.9, caption, end_plot))
     caption = "The prediction error, at first; below, its size over the whole run, logarithmic."
     clpe = [figure("clpe", 4.9, caption, clpe_plot)]
     figures = []
     for axis, direction in enumerate(DIRECTIONS, 1):
         caption = f"What was learned of the flow to the {direction}, and the gains of that axis."
         figures.append(figure(f"learning-{axis}", 4.9, caption, learning_plot, axis))
-    if "lyapunov" in few and np.any(few.lyapunov.values > 0):
-        caption = "V, a weighted sum of all squared errors."
-        figures.append(figure("lyapunov", 2.8, caption, lyapunov_plot, system.units))
     return [
         Section("track", "Track and flow", figures=track),
         Section("clpe", "Prediction error", figures=clpe),
@@ -144,35 +139,10 @@ def _row(name: str, learned: float, true: float) -> list[str]:
     return [name, f"{learned:.4g}", *known]
 
 
-def flows_plot(run: Dataset, scenario: Scenario) -> Any:
-    """Draw the true flow and the learned one at the end of a run, at the same places."""
-    _, ax = new_figure(4.8, 4.8)
-    time, path = float(run.time[-1]), run.position.values
-    grid = square_chart(ax, scenario, np.concatenate([waypoints_of(run, scenario), path]), PLACES)
-    learned = flow_velocity(scenario, grid, time, run.flow_parameters_estimate.values[-1])
-    true = flow_to_draw(run, scenario, grid, time)
-    most = np.nanmax(np.hypot(*np.concatenate([true, learned]).T)) or 1.0
-    size = {"angles": "xy", "scale_units": "xy", "scale": most * PLACES / np.ptp(ax.get_xlim())}
-    ax.plot(*path.T, color=GREY, linewidth=0.4, alpha=0.6, label="track")
-    if true.any():
-        ax.quiver(*grid.T, *true.T, color=BLUE, alpha=0.45, width=0.009, label="true", **size)
-    if learned.any():
-        ax.quiver(*grid.T, *learned.T, color=RED, width=0.003, label="learned", **size)
-    unit = scenario.units
-    title = f"Flow at t = {time:g} {unit.time}, at most {most:.2g} {unit.length}/{unit.time}"
-    ax.set_title(title, **TITLE)
-    ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=3, fontsize=8, frameon=False)
-    return ax
-
-
-def lyapunov_plot(run: Dataset, units: Units) -> Any:
-    """Draw the Lyapunov candidate V along a run, logarithmic."""
-    _, ax = new_figure(4.8, 2.6)
-    V = run.lyapunov.values
-    ax.semilogy(run.time.values, np.where(V > 0, V, np.nan), color=BLUE, linewidth=1.2)
-    ax.set_xlim(float(run.time[0]), float(run.time[-1]))
-    ax.set(xlabel=f"time ({units.time})", ylabel=f"$V$ ({units.length}$^2$)")
-    ax.set_title("Lyapunov candidate of the law's proof", **TITLE)
+def end_plot(run: Dataset) -> Any:
+    """Draw the end of a run: vehicle, prediction, the true flow and the learned one."""
+    _, ax = new_figure()
+    next(draw_samples(ax, run, np.array([run.sizes["time"] - 1])))
     return ax
 
 

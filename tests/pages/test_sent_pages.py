@@ -92,7 +92,7 @@ def test_a_run_has_its_page(page):
     read = checked(page)
     ids = [names["id"] for tag, names in read.tags if tag == "h2"]
     assert ids == SECTIONS
-    assert [tag for tag, _ in read.tags].count("svg") == 8
+    assert [tag for tag, _ in read.tags].count("svg") == 7
     text = " ".join(read.texts)
     assert "10 waypoints, 20 s at each, for 40 s in a flow of 3 functions" in text
     assert "gain = 0.8" in text
@@ -102,7 +102,6 @@ def test_a_run_has_its_page(page):
 def test_each_figure_of_a_run_has_words_of_its_own(run):
     captions = {one.name: one.caption for one in page_of(run).figures if one.caption}
     assert captions["clpe"].startswith("The prediction error, ")
-    assert captions["lyapunov"].startswith("V, a weighted sum")
     assert len(captions) == len(set(captions.values()))
 
 
@@ -241,14 +240,6 @@ def test_part_of_a_run_has_no_first_round():
 def test_damaged_figures_of_a_run_are_not_believed(damage, found):
     summary = damage(json.loads(found.run.attrs["summary"]))
     assert "samples of the file" in words(found.run.assign_attrs(summary=json.dumps(summary)))
-
-
-def test_units_that_are_gone_are_those_of_the_scenario(run):
-    bare = run.copy()
-    for name in ("time", "lyapunov"):
-        bare[name] = bare[name].drop_attrs()
-    (drawn,) = (one for one in page_of(bare).figures if one.name == "lyapunov")
-    assert "Lyapunov" in inline_svg(drawn.figure, drawn.name, "")
 
 
 def test_a_team_has_its_page(tmp_path):
