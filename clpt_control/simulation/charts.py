@@ -71,27 +71,32 @@ def track_plot(
     ax = axes_for(ax, 5.6, 5.2)
     with told_apart(ax, label, color):
         grid = square_chart(ax, scenario, np.concatenate([points, path]), 13)
-        ax.plot(*path.T, color=BLUE, linewidth=1.1, label="track")
-        if "predicted_position" in run:
-            predicted: dict[str, Any] = {"color": BLUE, "linewidth": 0.8, "linestyle": "--"}
-            ax.plot(*run.predicted_position.values.T, label="prediction", **predicted)
+        draw_track(ax, run, points)
         named = ["Waypoints", "track"] if len(points) else ["Track"]
-        if len(points):
-            ax.plot(*points.T, "o", color=RED, markersize=6, mfc="none", label="waypoints")
-        elif "reference" in run:
-            desired: dict[str, Any] = {"color": RED, "linewidth": 0.9, "linestyle": "--"}
-            ax.plot(*run.reference.values.T, label="desired position", **desired)
         if label is None:
             for k, point in enumerate(points if len(points) <= 40 else (), 1):
                 ax.annotate(str(k), point, xytext=(5, 5), textcoords="offset points", fontsize=8)
             ax.plot(*path[0], "s", color="black", markersize=5, label="start")
-            named += ["flow at t = 0"] * _flow_at_the_start(ax, run, scenario, grid)
+            named += ["flow at t = 0"] * draw_first_flow(ax, run, scenario, grid)
         ax.set_title(", ".join(named), **TITLE)
         legend_below(ax, 4)
     return ax
 
 
-def _flow_at_the_start(ax: Any, run: "xarray.Dataset", scenario: Scenario, grid: Any) -> bool:
+def draw_track(ax: Any, run: "xarray.Dataset", points: np.ndarray) -> None:
+    """Draw where a vehicle was, where it thought to be, and its waypoints or what it followed."""
+    ax.plot(*run.position.values.T, color=BLUE, linewidth=1.1, label="track")
+    if "predicted_position" in run:
+        predicted: dict[str, Any] = {"color": BLUE, "linewidth": 0.8, "linestyle": "--"}
+        ax.plot(*run.predicted_position.values.T, label="prediction", **predicted)
+    if len(points):
+        ax.plot(*points.T, "o", color=RED, markersize=6, mfc="none", label="waypoints")
+    elif "reference" in run:
+        desired: dict[str, Any] = {"color": RED, "linewidth": 0.9, "linestyle": "--"}
+        ax.plot(*run.reference.values.T, label="desired position", **desired)
+
+
+def draw_first_flow(ax: Any, run: "xarray.Dataset", scenario: Scenario, grid: Any) -> bool:
     """Draw the flow at the start; return whether there is any."""
     from .flows import flow_to_draw
 
