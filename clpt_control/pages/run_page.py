@@ -61,7 +61,7 @@ def run_page(run: Dataset, system: Scenario | Team, title: str) -> Page:
             *run_sections.figure_sections(run, system),
             run_sections.excitation_section(run, unmeasured),
             Section("scenario", "Scenario", more=ALL + folded("The scenario, TOML", text)),
-            _again(run, scenario, paper),
+            _again(run, scenario),
         ],
     )
 
@@ -76,23 +76,16 @@ def _ended(run: Dataset) -> list[str]:
 
 def _warnings(run: Dataset, scenario: Scenario, numbers: Numbers) -> list[str]:
     """Return what a reader must know before the figures."""
-    changed, parts = run.attrs.get(CHANGED), run.attrs.get(OWN_PARTS)
     sentences = []
     first, last = float(run.time[0]), float(run.time[-1])
     if not _ended(run) and (first > 0 or last < scenario.run.duration * (1 - 1e-9)):
         unit = scenario.units.time
-        covered = f"covers t = {first:g} to {last:g} {unit} of the run"
-        alone = f"is t = {last:g} {unit} of the run alone"
-        sentences.append(f"What is shown {alone if first == last else covered}.")
-    if changed:
+        sentences.append(f"What is shown is t = {first:g} to {last:g} {unit} of the run.")
+    kinds = [name for name in (CHANGED, OWN_PARTS) if name in run.attrs]
+    if beyond := [f"{IN_PYTHON[name]}, {run.attrs[name]}" for name in kinds]:
         sentences.append(
-            "The run had parameters that its scenario does not hold, so that waypoints and the "
-            f"true flow may be others than drawn: {changed}."
-        )
-    if parts:
-        sentences.append(
-            f"The run is of a diagram with parts given in Python, {parts}: what it followed, the "
-            "true flow and the law may be others than the scenario says."
+            f"The run had what its scenario does not hold: {'; '.join(beyond)}. Waypoints, the "
+            "true flow and the law may be others than drawn."
         )
     if "measured_position" in run:
         sentences.append(
@@ -100,35 +93,24 @@ def _warnings(run: Dataset, scenario: Scenario, numbers: Numbers) -> list[str]:
             "squares are of the true one."
         )
     if numbers["of_samples"]:
-        count = run.sizes["time"]
-        samples = "one sample" if count == 1 else f"{count} samples"
-        sentences.append(f"Mean squares here are over the {samples} of the file.")
+        sentences.append(f"Mean squares here are over the {run.sizes['time']} samples of the file.")
     return sentences
 
 
-def _again(run: Dataset, scenario: Scenario | None, paper: bool = False) -> Section:
+def _again(run: Dataset, scenario: Scenario | None) -> Section:
     """Return how a run is made again: from its file's equations, from its scenario, or not."""
-    missing, commands = [what for name, what in IN_PYTHON.items() if name in run.attrs], list[str]()
-    if (missing or scenario is None) and equations_text(run)[0]:
-        how = "The file holds the equations that ran, with inputs, start and method. Type:"
-        commands = ["clpt run run.nc --out again.nc", "clpt report again.nc -o report.html"]
-    elif missing:
-        how = f"The run cannot be made again from its file alone: its {' and '.join(missing)}"
-        how = f"{how} were given in Python."
-    elif scenario is None:
-        how = "The run cannot be made again from its file."
-    elif paper:
-        how = "The scenario comes with clpt-control; type:"
-        commands = ["clpt paper --out paper", "clpt report paper/run.nc -o report.html"]
-    else:
-        how = "Save the scenario above as <code>scenario.toml</code>, and type:"
-        if scenario.flow.field is not None:
-            field = f"<code>{safe(scenario.flow.field)}</code>"
-            how = f"With the file of the current, {field}, where the scenario says. {how}"
-        commands = [
-            "clpt run scenario.toml --out run.nc --figures figures",
-            "clpt report run.nc -o report.html",
-        ]
+    file, commands = "scenario.toml", list[str]()
+    how = "Save the scenario above as <code>scenario.toml</code>, and type:"
+    if scenario is None or run.attrs.keys() & IN_PYTHON:
+        file = "run.nc" if equations_text(run)[0] else ""
+        how = "The run cannot be made again from its file alone."
+        if file:
+            how = "The file holds the equations that ran, with inputs, start and method. Type:"
+    elif scenario.flow.field is not None:
+        field = f"<code>{safe(scenario.flow.field)}</code>"
+        how = f"With the file of the current, {field}, where the scenario says. {how}"
+    if file:
+        commands = [f"clpt run {file} --out again.nc", "clpt report again.nc -o report.html"]
     return again_section(how, commands, run.attrs)
 
 

@@ -101,10 +101,10 @@ def fit_parameters(
     ----------
     system : Scenario or control.InputOutputSystem
         As `sensitivity` takes it.
-    data : xarray.Dataset, control.TimeResponseData or mapping
-        Measured outputs: variables over ``time``, a response with its inputs, or arrays by port or
-        signal, samples first, at `timepts`. NaN is no measurement. Variables and arrays with the
-        names of the inputs are these, where `inputs` are not given.
+    data : xarray.Dataset or mapping
+        Measured outputs: variables over ``time``, or arrays by port or signal, samples first, at
+        `timepts`. NaN is no measurement. Variables and arrays with the names of the inputs are
+        these, where `inputs` are not given.
     parameters : mapping
         By name, as `sensitivity` takes them in `to`: where to begin, ``{"m": 1.0}``, or that and
         bounds, ``{"m": (1.0, 0.1, 10.0)}``.
@@ -155,13 +155,6 @@ def fit_parameters(
 
 def _read(data: Any, times: Any, inputs: Any) -> tuple[np.ndarray, dict[str, np.ndarray], Any]:
     """Return times, measured arrays by name, samples first, and inputs."""
-    if isinstance(data, control.TimeResponseData):
-        if data.ntraces > 1:
-            raise ArgumentError("data: a response of several traces; give one of them")
-        times, y = data.time, np.asarray(data.y).reshape(data.noutputs, -1)
-        if inputs is None and data.ninputs:
-            inputs = np.asarray(data.u).reshape(data.ninputs, -1)
-        return times, dict(zip(data.output_labels, y, strict=True)), inputs
     if hasattr(data, "data_vars"):
         if "time" not in data.dims:
             raise ArgumentError("data: has no dimension `time`")
@@ -169,9 +162,7 @@ def _read(data: Any, times: Any, inputs: Any) -> tuple[np.ndarray, dict[str, np.
         arrays = {name: one.transpose("time", ...).values for name, one in variables.items()}
         return checked_times("data.time", data.time.values), arrays, inputs
     if not isinstance(data, Mapping):
-        raise ArgumentError(
-            "data: must be an xarray.Dataset, a control.TimeResponseData, or arrays by name"
-        )
+        raise ArgumentError("data: must be an xarray.Dataset, or arrays by name")
     if times is None:
         raise ArgumentError("timepts: is required with arrays")
     arrays = {name: numbers(f"data: {name}", values) for name, values in data.items()}

@@ -33,7 +33,6 @@ from ..diagrams.varied import (
 )
 from ..diagrams.wiring import Wiring
 from ..equations.arrays import Unread
-from ..equations.ports import ports_of
 from ..errors import SimulationError, Uncompiled
 from ..native.ending import Solution
 from ..native.engines import run_compared
@@ -250,7 +249,7 @@ def sensitivity(
     timepts : array_like
         Times of the samples, increasing.
     of : str or sequence of str, optional
-        Output ports, ``"e"``, or signals, ``"e[0]"``; ``"states"`` are all states. All without.
+        Output ports, ``"e"``; ``"states"`` are all states. All without.
     to : str or sequence of str, optional
         Parameters by their call-time names, ``"adaptation.gain"``, of an array all elements or
         one, ``"plant.A[0,1]"``; states of the start by their labels, or ``"x0"`` for all.
@@ -308,16 +307,8 @@ def dataset_of(
             one.attrs["units"] = f"{unit} per unit of the parameter"
     if of is None:
         return data
-    chosen = {}
-    for name in [of] if isinstance(of, str) else of:
-        port = name.rpartition("[")[0]
-        if name in data:
-            chosen[name] = data[name]
-        elif name in ready.labels and port in data:
-            place = ports_of(ready.labels)[port].index(ready.labels.index(name))
-            at = dict.fromkeys(data[port].dims[1:-1], place)
-            chosen[name] = data[port].isel(at, drop=True)
-        else:
-            known = ", ".join(map(str, data.data_vars))
-            raise SimulationError(f"of = {name!r}: must be among {known}, or a signal of them")
-    return xarray.Dataset(chosen, attrs=data.attrs)
+    names = [of] if isinstance(of, str) else [*of]
+    if unknown := [name for name in names if name not in data.data_vars]:
+        known = ", ".join(map(str, data.data_vars))
+        raise SimulationError(f"of = {unknown[0]!r}: must be among {known}")
+    return data[names]

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..arguments import public
-from ..figures import COLOURS, GREY, TITLE, axes_for, figure_of, legend_below
+from ..figures import COLOURS, GREY, TITLE, axes_for, figure_of
 from ..scenario.file import TEAM
 from ..scenario.recorded_run import check_run
 from ..scenario.team import team_of_run
@@ -63,24 +63,26 @@ def team_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     known = "flow_parameters" in run
     wrong = run.flow_parameters_estimate - (run.flow_parameters if known else 0.0)
     errors = abs(wrong).max(("axis", "basis"))
+    apart = (run.alpha.max("vehicle") - run.alpha.min("vehicle")).max(("axis", "basis")).values
+    bottom.semilogy(time, _positive(apart), ":", color=GREY, label="disagreement")
     for k, name in enumerate(team.members):
         own = run.sel(vehicle=name)
         with told_apart(axes, name, COLOURS[k % len(COLOURS)]):
             draw_track(chart, own, points[k])
             top.semilogy(time, _positive(np.hypot(*own.clpe.values.T)), label="|e|", linewidth=0.7)
-            bottom.semilogy(time, _positive(errors.sel(vehicle=name).values), label="largest")
-    apart = (run.alpha.max("vehicle") - run.alpha.min("vehicle")).max(("axis", "basis")).values
-    bottom.semilogy(time, _positive(apart), ":", color=GREY, label="largest disagreement")
+            bottom.semilogy(
+                time,
+                _positive(errors.sel(vehicle=name).values),
+                label="error" if known else "parameter",
+            )
     chart.set_title("Waypoints, tracks, flow at t = 0", **TITLE)
     top.set(ylabel=f"|CLPE| ({units.length})")
     top.set_title("Prediction errors", **TITLE)
     bottom.set(xlabel=f"time ({units.time})", ylabel=f"size ({units.length}/{units.time})")
     learned = "error of a flow parameter" if known else "flow parameter"
     bottom.set_title(f"Largest {learned} of each vehicle", **TITLE)
-    legend_below(chart, 6)
     for ax in (top, bottom):
         ax.set_xlim(time[0], time[-1])
-        ax.legend(frameon=False, fontsize=8, ncols=4)
     return axes
 
 

@@ -182,11 +182,11 @@ def test_what_cannot_be_repeated_is_not_said_to_be(run):
     steered = clpt.closed_loop(SHORT, external=("zc",))
     times, start = np.linspace(0, 40, 41), clpt.initial_state(SHORT)
     steps = words(clpt.simulate(steered, times, inputs=[3, 0], initial_state=start))
-    assert "may be others than the scenario says" in steps
+    assert "may be others than drawn" in steps
     assert "The file holds the equations that ran, with inputs" in steps
     assert "clpt run scenario.toml" not in steps
     assert "Eigenvalues" not in steps
-    assert "parameters that its scenario does not hold" in changed
+    assert "what its scenario does not hold: parameters, {" in changed
 
 
 @pytest.fixture(scope="module")
@@ -222,8 +222,8 @@ def test_part_of_a_run_has_no_first_round():
     assert "CLPE rms per cycle" not in text
     assert f"['CLPE rms, whole run (m)', '{rms:.3g}']" in text
     one = words(run.isel(time=[7]))
-    assert "What is shown is t = 7 s of the run alone." in one
-    assert "over the one sample of the file" in one
+    assert "What is shown is t = 7 to 7 s of the run." in one
+    assert "over the 1 samples of the file" in one
 
 
 @pytest.mark.parametrize(

@@ -183,9 +183,9 @@ def test_outputs_are_chosen_and_named():
     units = clpt.sensitivity(clpt.connect([scaled]), times, "x", "a.k").x.attrs["units"]
     assert units == "m per unit of the parameter"
     scenario = clpt.paper_scenario()
-    found = clpt.sensitivity(scenario, times, of=["e[1]"], to=["adaptation.gain", "vehicle_x"])
+    found = clpt.sensitivity(scenario, times, of=["e"], to=["adaptation.gain", "vehicle_x"])
     assert [*found.parameter.values[1:]] == ["x0.vehicle_x[0]", "x0.vehicle_x[1]"]
-    assert found["e[1]"].dims == ("time", "parameter")
+    assert found.e.dims == ("time", "e_index", "parameter")
 
 
 def stepping():
