@@ -4,6 +4,7 @@ A run carries its figures, or they are those of its samples: nothing is run agai
 `clpt paper` leave mean squares over many samples a cycle in the run.
 """
 
+from collections.abc import Iterator
 from typing import Annotated, Any
 
 from pydantic import AfterValidator, BaseModel, Field, ValidationError
@@ -20,7 +21,6 @@ from ..units import percent
 
 MOST_VEHICLES = 8  # in the table; the summary has all
 MOST_CYCLES = 10
-MOST_EIGENVALUES = 20  # in the table; the report has all
 
 
 Numbers = dict[str, Any]  # figures of a run by name, as `run_and_report` has them
@@ -158,53 +158,46 @@ def excitation_result(report: Numbers) -> Result:
     """Return the excitation of a track, or of the tracks of a team, each alone and together."""
     end, unit = report["start"] + report["window"], report["time_unit"]
     title = f"Excitation from {report['start']:g} to {end:g} {unit}, {report['trajectory']}"
-    if "vehicles" in report:
-        columns = ["", "axis", "smallest eigenvalue", "largest", "can be learned"]
-        return Result(title, columns, *_of_a_team(report))
-    rows = []
-    for axis, values in report["eigenvalues"].items():
-        cells = [f"{value:.4g}" for value in values]
-        if len(cells) > MOST_EIGENVALUES:
-            cells = [*cells[:6], "...", *cells[-3:], f"({len(values)} in all)"]
-        rows.append([f"{axis}: eigenvalues", ", ".join(cells)])
-        if axis in report["ceilings"]:
-            rows.append([f"{axis}: ceiling of the smallest", f"{report['ceilings'][axis]:.4g}"])
-        parts = sorted(report["least_excited"][axis].items(), key=lambda part: -abs(part[1]))[:8]
-        listed = ", ".join(f"{name} {share:+z.2f}" for name, share in parts)
-        rows.append([f"{axis}: least excited direction", listed])
+    team = "vehicles" in report
+    each = {**report["vehicles"], "team": report["team"]} if team else {"": report}
+    columns = ["", "smallest eigenvalue", "largest", "can be learned"]
+    columns += [] if team else ["ceiling of the smallest", "least excited direction"]
+    rows, sentences = [], [f"measured: {report['measured']}"] if team else []
+    for name, one in each.items():
+        for axis, values in one["eigenvalues"].items():
+            learned = f"{one['dimension'][axis]} of {len(values)}"
+            row = [f"{name} {axis}".strip(), f"{values[0]:.4g}", f"{values[-1]:.4g}", learned]
+            if not team:
+                ceiling = report["ceilings"].get(axis)
+                parts = sorted(one["least_excited"][axis].items(), key=lambda part: -abs(part[1]))
+                listed = ", ".join(f"{what} {share:+z.2f}" for what, share in parts[:8])
+                row += ["-" if ceiling is None else f"{ceiling:.4g}", listed]
+            rows.append(row)
+        who = {"": "", "team": "the team: "}.get(name, f"{name} alone: ")
+        sentences += [who + said for said in one["not_learnable"]]
+    return Result(title, columns, rows, sentences if team else [*sentences, *_how_fast(report)])
+
+
+def _how_fast(report: Numbers) -> Iterator[str]:
+    """Yield how fast errors fall, and how sure that is."""
     if report["contraction"] is None:
-        rows.append(["contraction of V", report["not_certified"]])
+        yield f"contraction of V: {report['not_certified']}"
     else:
         time = report["time_to_tenth"]
-        within = "never" if time is None else f"{time:.6g} {unit}, in windows like this one"
-        rows += [
-            ["contraction of V, exact, at worst", f"{report['contraction']:.6g}"],
-            ["guaranteed drop of V, rho", f"{report['rho']:.3g}"],
-            ["errors fall to a tenth within", within],
-        ]
+        within = "never" if time is None else f"within {time:.6g} {report['time_unit']}"
+        yield (
+            f"contraction of V, exact, at worst {report['contraction']:.6g}; guaranteed drop rho "
+            f"{report['rho']:.3g}; in windows like this one errors fall to a tenth {within}"
+        )
+    if report["disturbed"]:
+        yield "V and errors fall so but for what the disturbance adds to them"
     if "accuracy" in report:
         change = report["accuracy"]
         said = "not known: the samples are too far apart; a smaller run.output_step says more"
         said = said if change is None else f"{change:.2g} relative"
-        rows.append(["accuracy of the eigenvalues", said])
-    sentences = list(report["not_learnable"])
-    if report["disturbed"]:
-        sentences.append("V and errors fall so but for what the disturbance adds to them")
+        yield f"accuracy of the eigenvalues: {said}"
     if report["ceilings"]:
-        sentences.append(
+        yield (
             "the ceiling of an axis is int (x' + KD e)^2 dt / (|theta - alpha_M|^2 + KD^2 + "
             "GammaD^2): a vehicle that waits teaches nothing"
         )
-    return Result(title, ["", ""], rows, sentences)
-
-
-def _of_a_team(report: Numbers) -> tuple[list[list[str]], list[str]]:
-    """Return a row for each axis of each vehicle and of the team, and sentences."""
-    rows, sentences = [], [f"measured: {report['measured']}"]
-    for name, one in [*report["vehicles"].items(), ("team", report["team"])]:
-        for axis, values in one["eigenvalues"].items():
-            count = f"{one['dimension'][axis]} of {len(values)}"
-            rows.append([name, axis, f"{values[0]:.4g}", f"{values[-1]:.4g}", count])
-        who = "the team" if one is report["team"] else f"{name} alone"
-        sentences += [f"{who}: {sentence}" for sentence in one["not_learnable"]]
-    return rows, sentences

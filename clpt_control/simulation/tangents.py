@@ -307,8 +307,8 @@ def dataset_of(
             one.attrs["units"] = f"{unit} per unit of the parameter"
     if of is None:
         return data
-    names = [of] if isinstance(of, str) else [*of]
-    if unknown := [name for name in names if name not in data.data_vars]:
+    wanted = [of] if isinstance(of, str) else [*of]
+    if unknown := [name for name in wanted if name not in data.data_vars]:
         known = ", ".join(map(str, data.data_vars))
         raise SimulationError(f"of = {unknown[0]!r}: must be among {known}")
-    return data[names]
+    return data[wanted]
