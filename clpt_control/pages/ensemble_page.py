@@ -97,13 +97,9 @@ def _cells(column: list[float] | None) -> list[str]:
 def _varied(data: Dataset, request: Request) -> Section:
     rows = []
     for key, text in zip(request["keys"], request["vary"], strict=True):
-        values = data[key].values.reshape(request["members"], -1)
-        count = values.shape[1]
-        low, middle, high = np.percentile(values, (0, 50, 100))
-        of = f"{count} numbers" if count > 1 else "one number"
-        cells = [f"{value:.4g}" for value in (low, middle, high)]
-        rows.append([key, text.removeprefix(key), of, *cells])
-    columns = ["key", "asked for", "each member has", "least", "median", "most"]
+        cells = [f"{one:.4g}" for one in np.percentile(data[key], (0, 50, 100))]
+        rows.append([key, text.removeprefix(key), *cells])
+    columns = ["key", "asked for", "least", "median", "most"]
     return Section("varied", "What varied", Result("Values of all members", columns, rows))
 
 

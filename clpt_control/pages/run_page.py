@@ -1,13 +1,9 @@
 """The page of a run: of one vehicle or a team, of the paper's with its claims; of any diagram."""
 
-from typing import Any
-
 from xarray import Dataset
 
 from ..diagrams.drawing.figure import MOST, block_figure
 from ..diagrams.interconnection import Diagram
-from ..diagrams.on_symbols import readable_equations
-from ..errors import ClptError
 from ..html import Result, folded, listing, safe
 from ..scenario.experiment import Scenario
 from ..scenario.file import CHANGED, NOT_REPEATED, OWN_LAW, OWN_PARTS, TEAM, paper_scenario
@@ -16,7 +12,6 @@ from ..scenario.team import Team
 from ..simulation.comparing import named, ports_along, response_plot, signals_of
 from ..simulation.run_file import diagram_of_text, equations_text
 from ..simulation.summary import claims
-from ..theory.proving.array_loop import no_value
 from . import results, run_sections
 from .page import Drawn, Page, Section, again_section, drawn
 from .results import Numbers
@@ -26,7 +21,6 @@ IN_PYTHON = {OWN_LAW: "law", CHANGED: "parameters", OWN_PARTS: "parts"}
 ALL = "<p>All that was asked, as a file for <code>clpt run</code>:</p>"
 EACH = 5  # ports of a figure
 MOST_SIGNALS = 60  # in the table
-SHORT = 12, 200  # lines of equations, and letters of each
 
 
 def run_page(run: Dataset, system: Scenario | Team, title: str) -> Page:
@@ -118,7 +112,7 @@ def _again(run: Dataset, scenario: Scenario | None) -> Section:
 
 
 def diagram_page(run: Dataset, title: str) -> Page:
-    """Return the page of a diagram's run: its loop, its equations if short, each port over time."""
+    """Return the page of a diagram's run: its loop, each port over time."""
     text, why = equations_text(run)
     found, warnings = response_result(run), _ended(run)
     sections = [
@@ -166,30 +160,12 @@ def response_result(run: Dataset) -> Result:
 
 
 def _loop(diagram: Diagram) -> list[Section]:
-    """Return the diagram as it was recorded, drawn, and its equations where they are short."""
-    sections = []
-    if len(diagram.syslist) <= MOST:
-        caption = "The diagram that ran; a thick frame is a block with states."
-        figure = Drawn("loop", block_figure(diagram), caption, wide=True)
-        sections.append(Section("loop", "The loop", figures=[figure]))
-    if lines := _equations(diagram):
-        sections.append(Section("equations", "Equations", more=listing("\n".join(lines))))
-    return sections
-
-
-def _equations(diagram: Any) -> list[str]:
-    """Return the equations of a diagram where they are short; nothing of what SymPy cannot read."""
-    lines, letters = SHORT
-    if (diagram.nstates or 0) + (diagram.noutputs or 0) > 2 * lines:
+    """Return the diagram as it was recorded, drawn; nothing of one that is too large."""
+    if len(diagram.syslist) > MOST:
         return []
-    try:
-        made = readable_equations(diagram, watch=no_value)  # which refuses what is long
-    except ClptError:
-        return []
-    found, values = repr(made).splitlines(), made.values.items()
-    if values:
-        found.append("with " + ", ".join(f"{name} = {float(value):g}" for name, value in values))
-    return found if len(found) <= lines and max(map(len, found), default=0) <= letters else []
+    caption = "The diagram that ran; a thick frame is a block with states."
+    figure = Drawn("loop", block_figure(diagram), caption, wide=True)
+    return [Section("loop", "The loop", figures=[figure])]
 
 
 def _over_time(run: Dataset) -> Section:
