@@ -46,10 +46,6 @@ class Fit:
         that is met.
     params, initial_state
         To hand to `simulate`.
-    samples : int
-        Numbers that were fitted.
-    runs : int
-        Runs that it took.
 
     Examples
     --------
@@ -67,8 +63,6 @@ class Fit:
     unidentified: tuple[str, ...] = ()
     params: dict[str, Any] = field(default_factory=dict)
     initial_state: Any = None
-    samples: int = 0
-    runs: int = 0
 
     def __repr__(self) -> str:
         lines = [
@@ -221,7 +215,6 @@ class _Fitting:
             raise ArgumentError(f"data: {self.there.sum()} numbers for {len(self.names)} unknowns")
         self.begin, self.low, self.high = self._bounds(begin)
         self.noise = noise
-        self.runs = 0
         self.last: tuple[np.ndarray, RunWithDerivatives] | None = None
 
     def _bounds(self, parameters: Mapping[str, Any]) -> list[np.ndarray]:
@@ -246,7 +239,6 @@ class _Fitting:
     def run(self, values: np.ndarray) -> RunWithDerivatives:
         """Return the run at these values, of the last ones again."""
         if self.last is None or not np.array_equal(values, self.last[0]):
-            self.runs += 1
             try:
                 result = self.ready.run(values)
             except SimulationError as error:
@@ -347,7 +339,7 @@ class _Fitting:
             (*(_sentence(free_names, one) for one in directions[~identified]),
              *(f"{name} lies on a bound" for name in self.names if name not in free_names)),
             {name: one if one.ndim else float(one) for name, one in params.items()},
-            start, len(residuals), self.runs
+            start,
         )  # fmt: skip
 
 

@@ -10,7 +10,6 @@ crossing, which S lacks.  Where functions may jump, the same run is taken a litt
 differences confirm S, or it is refused.
 """
 
-import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -20,7 +19,6 @@ import numpy as np
 
 from ..arguments import nearest, public
 from ..diagrams.varied import (
-    ALONG,
     Place,
     VariedWiring,
     may_jump,
@@ -76,12 +74,8 @@ def varied_places(
     starts[START] = Place(states=tuple(range(len(states))))
     for name in [names] if isinstance(names, str) else names:
         place = starts.get(name) or place_of(name, known, parameters)
-        if place is None and f"{START}.{name}" in starts:
-            raise SimulationError(
-                f"{name}: is a parameter and a state; {START}.{name} is the state"
-            )
-        if place is None:
-            several = sorted({*known, START})
+        if place is None:  # unknown, or a parameter and a state: x0.NAME is the state
+            several = sorted({*known, *starts})
             close = nearest(name, several)
             raise SimulationError(
                 f"{name}: must be among {', '.join(several)}, or an element, counted from 0"
@@ -176,15 +170,7 @@ class Sensitive:
         starts = [(1 + j, k) for j, place in enumerate(self.places.values()) for k in place.states]
         x[self.varied.states[tuple(np.array(starts, dtype=int).reshape(-1, 2).T)]] = 1.0
         runner, solver = self.runner.with_parameters(given), {**self.solver, **solver}
-        try:
-            solution, why = run_compared(runner, x, self.times, inputs=self.inputs, **solver)
-        except SimulationError as error:
-            if not re.search(rf"derivative of {ALONG}\S+ of block", str(error)):
-                raise
-            raise SimulationError(
-                f"{error}; {ALONG}x is the derivative of x along what is varied, which a root or a "
-                "power may not have at 0: begin beside it"
-            ) from None
+        solution, why = run_compared(runner, x, self.times, inputs=self.inputs, **solver)
         if why:
             raise SimulationError(f"{self.name}: its derivative is not known: {why}")
         every = runner.signals(solution, self.inputs)[:, self.varied.signals].transpose(0, 2, 1)

@@ -365,9 +365,7 @@ def test_a_power_of_a_magnitude_that_begins_at_zero():
         for b in (0.6001, 0.5999)
     )
     np.testing.assert_allclose(found, (more - less) / 2e-4, atol=1e-6)
-    with pytest.raises(
-        clpt.SimulationError, match=r"d_x is the derivative of x .* begin beside it"
-    ):
+    with pytest.raises(clpt.SimulationError, match=r"derivative of d_x.* of block s"):
         clpt.sensitivity(system, times, of="states", to=["x0"])
 
 
