@@ -38,14 +38,10 @@ def step_of_means(scenario: Scenario, most: int = MOST) -> float:
     return step if end <= step * most * (1 + 1e-9) else APART * end / most
 
 
-def union(first: np.ndarray, more: np.ndarray) -> np.ndarray:
-    """Return sorted times of both; where two differ by rounding, the one of `first`."""
-    if not len(first):
-        return more
-    after = np.searchsorted(first, more)
-    sides = [first[np.clip(after - k, 0, len(first) - 1)] for k in (0, 1)]
-    distance = np.abs(np.array(sides) - more).min(axis=0)
-    return np.union1d(first, more[distance > 1e-9 * max(1.0, float(first[-1]))])
+def union(*several: np.ndarray) -> np.ndarray:
+    """Return the sorted times of all; of those that differ by rounding the first."""
+    every = np.sort(np.concatenate(several))
+    return every[np.append(True, np.diff(every) > 1e-9 * max(1.0, float(every[-1])))]
 
 
 def nearest(times: np.ndarray, wanted: np.ndarray) -> np.ndarray:

@@ -62,10 +62,6 @@ class SystemRun:
         blocks = [node.system for node in self.wiring.nodes]
         return [label for block in blocks for label in whole_labels(block.output_labels)]
 
-    def columns(self, port: str) -> list[int]:
-        """Return the columns of a port in all signals."""
-        return [k for k, label in enumerate(self.labels) if label.partition("[")[0] == port]
-
     @property
     def parameters(self) -> dict[str, Any]:
         """The parameters of each block, by name."""

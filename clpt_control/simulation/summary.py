@@ -83,7 +83,7 @@ def run_and_report(
     members = [*system.members.values()] if isinstance(system, Team) else [system]
     even = sample_times(end, min(step_of_means(one, MOST // len(members)) for one in members))
     own, marks = sample_times(end, step), np.array([t for t in TIMES if t <= end], dtype=float)
-    dense = simulate(system, union(union(own, marks), even), progress=progress)
+    dense = simulate(system, union(own, marks, even), progress=progress)
     reached, stopped = dense.time.values, dense.attrs["status"] == "stopped"
     at = nearest(reached, own[own < reached[-1]] if stopped else own)
     run = dense.isel(time=[*at, -1] if stopped else at)
