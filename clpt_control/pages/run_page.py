@@ -78,8 +78,8 @@ def _warnings(run: Dataset, scenario: Scenario, numbers: Numbers) -> list[str]:
     kinds = [name for name in (CHANGED, OWN_PARTS) if name in run.attrs]
     if beyond := [f"{IN_PYTHON[name]}, {run.attrs[name]}" for name in kinds]:
         sentences.append(
-            f"The run had what its scenario does not hold: {'; '.join(beyond)}. Waypoints, the "
-            "true flow and the law may be others than drawn."
+            f"The run had what its scenario does not hold: {'; '.join(beyond)}. What it followed, "
+            "the true flow and the law may be others than drawn."
         )
     if "measured_position" in run:
         sentences.append(

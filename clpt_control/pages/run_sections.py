@@ -10,7 +10,6 @@ from ..errors import ClptError
 from ..figures import figure_of, new_figure
 from ..html import Result
 from ..scenario.experiment import Scenario
-from ..scenario.file import OWN_LAW
 from ..scenario.recorded_run import unknown_parts
 from ..scenario.team import Team
 from ..simulation.charts import track_plot
@@ -30,20 +29,14 @@ ONE_SAMPLE = Result(sentences=["The run has one sample: nothing can be drawn ove
 
 def loop_section(system: Scenario | Team, own: str | None) -> list[Section]:
     """Return the diagram that ran; nothing of a team that is too large to be drawn."""
-    sentence = f"The law that ran, {own}, was given in Python and takes the place of adaptation"
-    if isinstance(system, Team):
-        if len(system.members) > MOST_DRAWN:
-            return []
-        caption = "The team's loop: the blocks of each vehicle, and the pull of its neighbours."
-        figure = block_figure(team_loop(system))
-    else:
-        caption = (
-            "The closed loop as it ran: the vehicle above, the prediction and what it learns "
-            "below. The number under a name is the equation of the paper."
-        )
-        figure = block_figure(closed_loop(system))
-    result = Result(sentences=[sentence] if own else [])
-    return [Section("loop", "The loop", result, [Drawn("loop", figure, caption, wide=True)])]
+    if isinstance(system, Team) and len(system.members) > MOST_DRAWN:
+        return []
+    loop = team_loop(system) if isinstance(system, Team) else closed_loop(system)
+    caption = "The loop as it ran. The number under a name is the equation of the paper."
+    if own:
+        caption += f" The law, {own}, was given in Python and takes the place of adaptation."
+    figure = Drawn("loop", block_figure(loop), caption, wide=True)
+    return [Section("loop", "The loop", figures=[figure])]
 
 
 def excitation_section(run: Dataset, why: str) -> Section:
@@ -108,35 +101,30 @@ def figure_sections(run: Dataset, system: Scenario | Team) -> list[Section]:
 
 
 def _learned(run: Dataset, scenario: Scenario) -> Section:
-    """Return what was learned, without its figures."""
-    unit, last, row = scenario.units, run.isel(time=-1), scenario.learning.row
-    estimate = last.flow_parameters_estimate.values
-    unknown = np.full_like(estimate, np.nan)
-    true = run.flow_parameters.values if "flow_parameters" in run else unknown
-    per = f"{unit.length}/{unit.time}"
-    rows = [
-        _row(f"theta_{i + 1}[{k + 1}] ({per})", estimate[i, k], true[i, k])
-        for i, k in np.ndindex(estimate.shape)
-    ]
-    gain = 1.0 if "vehicle_controller" not in unknown_parts(run) else np.nan
-    rows += [
-        _row(f"{symbol}_{i + 1} (1/{unit.time})", last[name].values[i], gain * right[i])
-        for name, symbol, right in (
-            ("feedback_gain", "K", scenario.vehicle.feedback),
-            ("feedforward_gain", "Gamma", scenario.vehicle.feedforward),
-        )
-        for i in range(2)
-    ]
+    """Return what was learned beside the truth, without its figures."""
+    unit, last, car = scenario.units, run.isel(time=-1), scenario.vehicle
+    theta = run.flow_parameters.values if "flow_parameters" in run else None
+    gains_known = "vehicle_controller" not in unknown_parts(run)
+    rows = []
+    for i in range(2):
+        estimates = last.flow_parameters_estimate.values[i]
+        numbers = [
+            (f"theta_{i + 1}[{k + 1}] ({unit.length}/{unit.time})", one, theta, (i, k))
+            for k, one in enumerate(estimates)
+        ]
+        for name, symbol, true in (
+            ("feedback_gain", "K", car.feedback),
+            ("feedforward_gain", "Gamma", car.feedforward),
+        ):
+            known = np.array(true) if gains_known else None
+            numbers.append((f"{symbol}_{i + 1} (1/{unit.time})", last[name].values[i], known, (i,)))
+        rows += [
+            [name, f"{one:.4g}", "not known" if true is None else f"{true[at]:.4g}"]
+            for name, one, true, at in numbers
+        ]
     title = f"Learned by t = {float(last.time):g} {unit.time}"
-    promise = f"What {row.name} promises, where its theorem holds: {row.promise}"
-    sentences = [] if run.attrs.get(OWN_LAW) else [promise]
-    result = Result(title, ["", "learned", "true", "error"], rows, sentences)
+    result = Result(title, ["", "learned", "true"], rows)
     return Section("learning", "What was learned", result)
-
-
-def _row(name: str, learned: float, true: float) -> list[str]:
-    known = [f"{true:.4g}", f"{learned - true:+z.2g}"] if np.isfinite(true) else ["not known", "-"]
-    return [name, f"{learned:.4g}", *known]
 
 
 def end_plot(run: Dataset) -> Any:

@@ -110,18 +110,16 @@ def draw_first_flow(ax: Any, run: "xarray.Dataset", scenario: Scenario, grid: An
 
 
 def square_chart(ax: Any, scenario: Scenario, places: np.ndarray, count: int) -> np.ndarray:
-    """Make axes a square about places; return where arrows of the flow begin, `count` a side."""
+    """Make axes a square about places; return where arrows of the flow begin, `count` a side.
+
+    They lie within the field of a measured current.
+    """
     unit = scenario.units.length
     low, high = places.min(0), places.max(0)
     middle, half = (low + high) / 2, 0.62 * (max(high - low) or 1.0)
     low, high = middle - half, middle + half
     ax.set(xlabel=f"$x_1$, east ({unit})", ylabel=f"$x_2$, north ({unit})", aspect="equal")
     ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
-    return arrow_grid(scenario, low, high, count)
-
-
-def arrow_grid(scenario: Scenario, low: np.ndarray, high: np.ndarray, count: int) -> np.ndarray:
-    """Return places (n, 2) in a box, `count` along its longer side, within the flow's field."""
     if scenario.field_path is not None:
         from ..currents.plane import read_field
 

@@ -284,7 +284,7 @@ def test_figures_have_the_formats_that_are_asked_for(run, clpt, tmp_path):
 NO_PAGE = {  # name -> (content, words of the line)
     "empty.nc": (b"", "is nothing that clpt"),
     "bytes.nc": (bytes(range(256)) * 9, "is nothing that clpt"),
-    "mine.toml": (b"[run]\n", "is a scenario"),
+    "mine.toml": (b"[run]\n", "`clpt run` runs a scenario"),
     "list.json": (b"[1]", "is nothing that clpt"),
     "other.json": (b'{"clpe_rms": 1}', "is JSON, but not what"),
     "nan.json": (b'{"each_dive": [NaN]}', "NaN is no number of JSON"),
