@@ -31,7 +31,6 @@ from .printing import (
     say,
 )
 
-MOST_CYCLES = 4  # rows of an ensemble's table
 MOST_SHOWN = 15  # candidates in the table; --json has all
 RUN = "run it with `clpt run {} --out run.nc`"
 FIT = "fit it with `clpt fit {} --out mine.toml`"
@@ -233,7 +232,7 @@ def ensemble(
         )
     summary = clpt.ensemble.ensemble_summary(data)
     draw_figure(figure, clpt.ensemble.ensemble_plot, data)
-    found = ensemble_result(data, summary, experiment.title or str(scenario), MOST_CYCLES)
+    found = ensemble_result(data, summary, experiment.title or str(scenario))
     finish([found], summary, as_json, out)
 
 

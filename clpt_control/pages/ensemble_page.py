@@ -12,7 +12,7 @@ from ..units import percent
 from .page import Page, Section, again_section, drawn
 from .results import Numbers
 
-MOST_ROUNDS = 12
+MOST_ROUNDS = 8
 Request = dict[str, Any]  # what was asked of `run_ensemble`
 
 
@@ -57,17 +57,17 @@ def _spread(data: Dataset, summary: Numbers, done: int) -> Section:
         "Above, the CLPE in each round of the waypoints; below, the largest error of what was "
         "learned: the median run, half of all runs, and nine in ten."
     )
-    result = ensemble_result(data, summary, "Percentiles over the members", MOST_ROUNDS)
+    result = ensemble_result(data, summary, "Percentiles over the members")
     figure = drawn("ensemble", 5.4, caption, ensemble_plot, data)
     return Section("spread", heading, result, [figure])
 
 
-def ensemble_result(data: Dataset, summary: Numbers, name: str, most: int) -> Result:
-    """Return percentiles over the members; of more cycles than `most`, the first and the last."""
+def ensemble_result(data: Dataset, summary: Numbers, name: str) -> Result:
+    """Return percentiles over the members; of many cycles the first and the last."""
     length, time = data["clpe_rms"].attrs["units"], data["mark"].attrs["units"]
     rows, cycles = [], summary["clpe_rms_per_cycle"]
     for k, column in enumerate(cycles, 1):
-        if k < most or k == len(cycles):
+        if k < MOST_ROUNDS or k == len(cycles):
             rows.append([f"CLPE rms, cycle {k} ({length})", *_cells(column)])
     rows.append([f"CLPE rms, whole run ({length})", *_cells(summary["clpe_rms"])])
     end = f"t = {float(data['mark'][-1]):g} {time}"

@@ -19,7 +19,6 @@ from ..theory.excitation.excitation_report import excitation_report
 from ..theory.excitation.pooled import team_excitation_report
 from ..units import percent
 
-MOST_VEHICLES = 8  # in the table; the summary has all
 MOST_CYCLES = 10
 
 
@@ -90,8 +89,8 @@ def asked(system: Scenario | Team, law: str, waypoints: int) -> str:
     )
 
 
-def run_result(summary: Numbers, title: str, most: int = MOST_VEHICLES) -> Result:
-    """Return what a vehicle achieved in its run, or each of a team's, up to the most."""
+def run_result(summary: Numbers, title: str) -> Result:
+    """Return what a vehicle achieved in its run, or each of a team's."""
     length, time = summary["units"]["length"], summary["units"]["time"]
     rows = [["status", summary["message"]]]
     if "vehicles" not in summary:
@@ -102,11 +101,9 @@ def run_result(summary: Numbers, title: str, most: int = MOST_VEHICLES) -> Resul
     end, apart = list(summary["max_disagreement"].items())[-1]
     rows.append([f"largest disagreement ({length}/{time})", f"{apart:.3g} at t = {end} {time}"])
     by_vehicle = {key: of for key, of in summary.items() if isinstance(of, dict)}
-    for name in summary["vehicles"][:most]:
+    for name in summary["vehicles"]:
         numbers = {key: of[name] for key, of in by_vehicle.items() if name in of}
         rows += [[f"{name}: {what}", value] for what, value in _achieved(numbers, length, time)]
-    if left := summary["vehicles"][most:]:
-        rows.append(["...", f"{len(left)} more vehicles in --json"])
     return Result(title, ["", ""], rows)
 
 

@@ -36,8 +36,7 @@ def run_page(run: Dataset, system: Scenario | Team, title: str) -> Page:
     if not waypoints:  # there are no rounds
         numbers = {**numbers, "clpe_rms_per_cycle": []}
     law = f"{own}, given in Python," if own else scenario.learning.law
-    most = len(numbers.get("vehicles", ()))
-    achieved = results.run_result(numbers, "What came of the run", most)
+    achieved = results.run_result(numbers, "What came of the run")
     sections = [Section("achieved", achieved.title, achieved)]
     if paper and not numbers["of_samples"]:  # else the run does not carry its figures
         judged = results.claims_result(claims(numbers))
