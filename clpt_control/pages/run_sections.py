@@ -108,7 +108,7 @@ def _learned(run: Dataset, scenario: Scenario) -> Section:
     rows = []
     for i in range(2):
         estimates = last.flow_parameters_estimate.values[i]
-        numbers = [
+        numbers: list[tuple[str, float, Any, tuple[int, ...]]] = [
             (f"theta_{i + 1}[{k + 1}] ({unit.length}/{unit.time})", one, theta, (i, k))
             for k, one in enumerate(estimates)
         ]

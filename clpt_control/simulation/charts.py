@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.axes import Axes
 
+LEAST = 1e-16  # shown of what falls to zero, on a logarithmic axis
+
 
 def scenario_with(run: "xarray.Dataset", *names: str) -> Scenario:
     """Return the scenario of a run that has some variables along its time."""
@@ -131,6 +133,11 @@ def square_chart(ax: Any, scenario: Scenario, places: np.ndarray, count: int) ->
     step = max(high - low) / count
     sides = [np.arange(a + step / 2, b, step) for a, b in zip(low, high, strict=True)]
     return np.stack(np.meshgrid(*sides), -1).reshape(-1, 2)
+
+
+def positive(values: np.ndarray) -> np.ndarray:
+    """Return what a logarithmic axis can show."""
+    return np.where(values > LEAST, values, np.nan)
 
 
 @contextmanager

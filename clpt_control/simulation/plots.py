@@ -11,14 +11,13 @@ from ..arguments import public
 from ..errors import ClptError
 from ..figures import BLUE, GREY, TITLE, axes_for, line_style
 from ..scenario.recorded_run import unknown_parts, waypoints_of
-from .charts import scenario_with, told_apart, track_plot
+from .charts import positive, scenario_with, told_apart, track_plot
 
 if TYPE_CHECKING:
     import xarray
 
 DIRECTIONS = "east", "north"  # of x1 and x2
 MANY = 100  # samples an interval, for its mean square
-LEAST = 1e-12  # shown of a size, on a logarithmic axis
 OVERVIEW = [["track", "clpe"], ["track", "size"], ["east", "north"], ["gains 1", "gains 2"]]
 
 
@@ -70,16 +69,17 @@ def clpe_plot(
         top.set_title("CLPE", **TITLE)
         size = np.hypot(*e.T)
         shade: dict[str, Any] = {"color": BLUE, "linewidth": 0.5, "alpha": 0.5 if count else 1}
-        bottom.semilogy(time, np.where(size > LEAST, size, np.nan), label="|e|", **shade)
+        bottom.semilogy(time, positive(size), label="|e|", **shade)
         if count:
             number = np.floor(time / dwell + 1e-9).astype(int)
             counts = np.bincount(number)
             rms = np.sqrt(np.bincount(number, size**2) / np.where(counts > 0, counts, np.nan))
             few = len(size) < MANY * len(counts)  # the pictures of a long run have fewer samples
             name = f"rms of each {dwell:g} {units.time}{', of the samples shown' * few}"
-            rms = np.where(rms > LEAST, rms, np.nan)
             steps = dwell * np.arange(len(counts))
-            bottom.step(steps, rms, where="post", color="black", linewidth=1.2, label=name)
+            bottom.step(
+                steps, positive(rms), where="post", color="black", linewidth=1.2, label=name
+            )
         bottom.set(xlabel=f"time ({units.time})", ylabel=f"|CLPE| ({units.length})")
         bottom.set_xlim(0, time[-1])
         for one in axes:

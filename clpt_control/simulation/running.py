@@ -27,9 +27,9 @@ from ..native.schedule import read_inputs
 from ..scenario.experiment import MOST_BYTES, Scenario
 from ..scenario.file import EQUATIONS, OWN_PARTS, REFERENCE, TEAM
 from ..scenario.team import Team, team_to_text
-from .dataset import Signals, beyond_scenario_of, diagram_frame, run_frame, with_states
+from .dataset import Signals, beyond_scenario_of, diagram_frame, run_frame
 from .flows import faster_flow, speeds_of
-from .frame import Frame
+from .frame import STATE, STATES, Frame
 from .loops import LoopOf, paper_blocks
 from .run_file import CONDITIONS, RunRecord
 from .starts import stacked_state, state_columns, state_labels, state_of
@@ -166,7 +166,8 @@ class TeamRun(SystemRun):
                 if sentence := faster_flow(speeds, scenario.units):
                     whole.attrs["message"] += f"; {name}: {sentence}"
         whole.encoding["folder"] = str(team.first._folder)
-        return with_states(whole, state_labels(self.parts), solution)
+        whole = whole.assign_coords(state=("state", state_labels(self.parts), STATE))
+        return whole.assign(states=(("time", "state"), solution.x, STATES))
 
 
 class DiagramRun(SystemRun):

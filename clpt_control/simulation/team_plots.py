@@ -11,14 +11,12 @@ from ..figures import COLOURS, GREY, TITLE, axes_for, figure_of
 from ..scenario.file import TEAM
 from ..scenario.recorded_run import check_run
 from ..scenario.team import team_of_run
-from .charts import draw_first_flow, draw_track, square_chart, told_apart, track_plot
+from .charts import draw_first_flow, draw_track, positive, square_chart, told_apart, track_plot
 from .comparing import response_plot
 from .plots import clpe_plot, learning_plot
 
 if TYPE_CHECKING:
     import xarray
-
-LEAST = 1e-16  # shown of what falls to zero
 
 
 @public
@@ -64,15 +62,15 @@ def team_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     wrong = run.flow_parameters_estimate - (run.flow_parameters if known else 0.0)
     errors = abs(wrong).max(("axis", "basis"))
     apart = (run.alpha.max("vehicle") - run.alpha.min("vehicle")).max(("axis", "basis")).values
-    bottom.semilogy(time, _positive(apart), ":", color=GREY, label="disagreement")
+    bottom.semilogy(time, positive(apart), ":", color=GREY, label="disagreement")
     for k, name in enumerate(team.members):
         own = run.sel(vehicle=name)
         with told_apart(axes, name, COLOURS[k % len(COLOURS)]):
             draw_track(chart, own, points[k])
-            top.semilogy(time, _positive(np.hypot(*own.clpe.values.T)), label="|e|", linewidth=0.7)
+            top.semilogy(time, positive(np.hypot(*own.clpe.values.T)), label="|e|", linewidth=0.7)
             bottom.semilogy(
                 time,
-                _positive(errors.sel(vehicle=name).values),
+                positive(errors.sel(vehicle=name).values),
                 label="error" if known else "parameter",
             )
     chart.set_title("Waypoints, tracks, flow at t = 0", **TITLE)
@@ -84,11 +82,6 @@ def team_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     for ax in (top, bottom):
         ax.set_xlim(time[0], time[-1])
     return axes
-
-
-def _positive(values: np.ndarray) -> np.ndarray:
-    """Return what a logarithmic axis can show."""
-    return np.where(values > LEAST, values, np.nan)
 
 
 def run_figures(
