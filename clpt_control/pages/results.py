@@ -167,7 +167,7 @@ def excitation_result(report: Numbers) -> Result:
             if not team:
                 ceiling = report["ceilings"].get(axis)
                 parts = sorted(one["least_excited"][axis].items(), key=lambda part: -abs(part[1]))
-                listed = ", ".join(f"{what} {share:+z.2f}" for what, share in parts[:8])
+                listed = ", ".join(f"{what} {share:+z.2f}" for what, share in parts[:4])
                 row += ["-" if ceiling is None else f"{ceiling:.4g}", listed]
             rows.append(row)
         who = {"": "", "team": "the team: "}.get(name, f"{name} alone: ")
