@@ -83,9 +83,8 @@ def application() -> "typer.Typer":
 
     from .laws_and_proofs import laws, prove, refute
     from .measurements import estimate, fit, tides
-    from .printing import Command, HelpPage, clpt
+    from .printing import Command, HelpPage, clpt, help_of
     from .replay import replay
-    from .replay_report import WithPlaces
     from .runs import animate, diagram, ensemble, export, init, paper, report, run, tune
     from .tracks import certify, design, excitation
 
@@ -96,7 +95,7 @@ def application() -> "typer.Typer":
         rich_markup_mode=None,
         pretty_exceptions_enable=False,
     )
-    app.callback()(clpt)
+    app.callback(help=help_of(clpt))(clpt)
     groups = {  # in the order of a user's day
         "One experiment": (paper, init, run, diagram, export),
         "Many runs": (ensemble, tune),
@@ -106,8 +105,7 @@ def application() -> "typer.Typer":
     }
     for title, commands in groups.items():
         for command in commands:
-            kind = WithPlaces if command is replay else Command
-            app.command(cls=kind, rich_help_panel=title)(command)
+            app.command(cls=Command, help=help_of(command), rich_help_panel=title)(command)
     return app
 
 

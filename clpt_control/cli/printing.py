@@ -13,7 +13,6 @@ import sys
 from collections.abc import Callable, Iterable, Sequence
 from importlib import resources
 from pathlib import Path
-from textwrap import dedent
 from typing import Annotated, Any
 
 import typer
@@ -29,7 +28,7 @@ PACKAGES = ("control", "numpy", "scipy", "llvmlite", "xarray", "sympy")
 
 
 class Command(TyperCommand):
-    """A command whose help is written as above."""
+    """A command whose values are named by shell words."""
 
     def collect_usage_pieces(self, ctx: Any) -> list[str]:
         """Return arguments, then options that are required, as they are typed."""
@@ -39,66 +38,36 @@ class Command(TyperCommand):
         words = [f"{p.metavar}" if p.required else f"[{p.metavar}]" for p in places]
         return [*words, *(f"{p.opts[0]} {p.metavar}" for p in needed), "[OPTIONS]"]
 
-    def format_help_text(self, ctx: Any, formatter: Any) -> None:
-        """Write what the docstring says before its example."""
-        formatter.write_paragraph()
-        with formatter.indentation():
-            formatter.write_text(_split(self.help)[0])
-
     def format_options(self, ctx: Any, formatter: Any) -> None:
-        """Write arguments, options and the example."""
-        rows: dict[str, list] = {"Arguments": [], "Options": []}
+        """Write arguments and options."""
+        rows: dict[str, list] = {"argument": [], "option": []}
         for param in self.get_params(ctx):
-            if (record := param.get_help_record(ctx)) is None:
-                continue
-            if param.param_type_name == "argument":
-                rows["Arguments"].append((param.metavar, record[1]))
-            else:
-                rows["Options"].append(record)
+            words, about = param.get_help_record(ctx) or ("", "")
+            is_argument = param.param_type_name == "argument"
+            rows[param.param_type_name].append((param.metavar if is_argument else words, about))
         for title, lines in rows.items():
             if lines:
-                with formatter.section(title):
+                with formatter.section(f"{title.title()}s"):
                     formatter.write_dl(lines)
-        _write_lines(formatter, "Example", _split(self.help)[1])
 
 
 class HelpPage(TyperGroup):
     """All commands, under the titles of their groups."""
 
-    def format_help_text(self, ctx: Any, formatter: Any) -> None:
-        """Write what clpt is, and how to start."""
-        about, start = _split(self.help)
-        formatter.write_paragraph()
-        with formatter.indentation():
-            formatter.write_text(about)
-        _write_lines(formatter, "To start", start)
-
-    def format_options(self, ctx: Any, formatter: Any) -> None:
-        """Write the commands in their order, then the options."""
+    def format_commands(self, ctx: Any, formatter: Any) -> None:
+        """Write the commands in their order, a line each."""
         groups: dict[str, list] = {}
         for name, command in self.commands.items():
-            title = command.rich_help_panel or "Commands"  # type: ignore[attr-defined]
-            groups.setdefault(title, []).append((name, _split(command.help)[0].split("\n")[0]))
-        longest = max(map(len, self.commands))
+            row = name, command.get_short_help_str(70)
+            groups.setdefault(command.rich_help_panel, []).append(row)  # type: ignore[attr-defined]
         for title, rows in groups.items():
             with formatter.section(title):
-                formatter.write_dl([(name.ljust(longest), line) for name, line in rows])
-        options = [param.get_help_record(ctx) for param in self.get_params(ctx)]
-        with formatter.section("Options"):
-            formatter.write_dl([record for record in options if record is not None])
+                formatter.write_dl(rows)
 
 
-def _split(text: str | None) -> tuple[str, list[str]]:
-    """Return a docstring before its example, and the example's lines."""
-    about, _, example = inspect.cleandoc(text or "").partition("\nExample:\n")
-    return about.strip(), dedent(example).splitlines()
-
-
-def _write_lines(formatter: Any, title: str, lines: list[str]) -> None:
-    if lines:
-        with formatter.section(title):
-            for line in lines:
-                formatter.write(f"  {line}\n")
+def help_of(command: Callable[..., Any]) -> str:
+    """Return a docstring as help, in which the lines of an example stay as they are."""
+    return re.sub(r"\n(\w[\w ]*:\n)", r"\n\b\n\1", inspect.getdoc(command) or "")
 
 
 def _print_version(wanted: bool) -> None:
@@ -123,7 +92,7 @@ def clpt(
 ) -> None:
     """Adaptive learning for controlled Lagrangian particle tracking.
 
-    Example:
+    To start:
         clpt paper                        section IV: its figures and claims
         clpt init mine.toml               a scenario of your own to change
         clpt run mine.toml --out run.nc   run it

@@ -56,10 +56,8 @@ def replay(
         "Plan of the next dive: hours, m east, m north through the water.",
         "--next",
     ),
-    aim: list[str] | None = opt(
-        "LAT LON",
-        "Waypoint to aim at, degrees: the heading that the current carries there. Give "
-        "it again for those that follow.",
+    aim: tuple[float, float] | None = opt(
+        "LAT LON", "Waypoint to aim at, degrees: the heading that the current carries there."
     ),
     route: Path | None = opt(
         "FILE",
@@ -138,7 +136,7 @@ def replay(
     way, areas = (None, None) if route is None else read_route(route)
     ahead = replay_report.Ahead(
         () if plan is None else (3600 * plan[0], plan[1:]),
-        [replay_report.waypoint(text) for text in aim or ()] if way is None else way,
+        ([] if aim is None else [aim]) if way is None else way,
         speed,
         None if hours is None else 3600 * hours,
         variation,

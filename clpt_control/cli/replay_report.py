@@ -5,7 +5,6 @@ the order of their rank while they fit; those of rank 0 always stand.
 A folder that is followed is watched for new files of dives.
 """
 
-import re
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
@@ -13,17 +12,14 @@ from math import isfinite
 from pathlib import Path
 from typing import Any
 
-import typer
-
 import clpt_control as clpt
 
 from ..errors import ScenarioError
 from ..files import write_together
 from ..html import Result
 from ..progress import interrupt, progress_bar, tell
-from .printing import LONG, Command, Report, terminal_width
+from .printing import LONG, Report, terminal_width
 
-PAIR = re.compile(r"\s*[-+.\d]+\s+[-+.\d]+\s*")  # both numbers quoted as one word
 EDGES, EDGE = 3, 1  # letters around a cell, and of the table's own edge
 ROWS = {
     "clpe_rms": "after the first dive",
@@ -32,42 +28,6 @@ ROWS = {
 }
 LONGEST = 86400.0  # s between looks
 Take = Callable[[Any, Any], tuple[Any, list]]  # dives and what was unread -> replay, skipped
-
-
-class WithPlaces(Command):
-    """A command whose option `--aim LAT LON` may be given more than once."""
-
-    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
-        """Read the two words after each `--aim` as one."""
-        return super().parse_args(ctx, waypoints_merged(args))
-
-
-def waypoints_merged(args: Sequence[str]) -> list[str]:
-    """Return words in which a waypoint is one word.
-
-    >>> waypoints_merged(["a.nc", "--aim", "-43.1", "8.5", "--json"])
-    ['a.nc', '--aim=-43.1,8.5', '--json']
-    """
-    words, rest = [], list(args)
-    while rest:
-        word = rest.pop(0)
-        if word == "--aim" and rest and "," not in rest[0] and not PAIR.fullmatch(rest[0]):
-            word = "--aim=" + ",".join(rest[:2])
-            rest = rest[2:]
-        words.append(word)
-    return words
-
-
-def waypoint(text: str) -> tuple[float, float]:
-    """Return the place that an option gives, degrees."""
-    try:
-        lat, lon = map(float, text.replace(",", " ").split())
-    except ValueError:
-        raise typer.BadParameter(
-            f"--aim {text.replace(',', ' ')}: must be a latitude and a longitude in decimal "
-            "degrees, such as --aim -43.05 8.40"
-        ) from None
-    return lat, lon
 
 
 @dataclass

@@ -31,7 +31,6 @@ from .printing import (
     say,
 )
 
-MOST_CYCLES = 4  # rows of an ensemble's table
 MOST_SHOWN = 15  # candidates in the table; --json has all
 RUN = "run it with `clpt run {} --out run.nc`"
 FIT = "fit it with `clpt fit {} --out mine.toml`"
@@ -231,7 +230,7 @@ def ensemble(
         )
     summary = clpt.ensemble.ensemble_summary(data)
     draw_figure(figure, clpt.ensemble.ensemble_plot, data)
-    found = ensemble_result(data, summary, experiment.title or str(scenario), MOST_CYCLES)
+    found = ensemble_result(data, summary, experiment.title or str(scenario))
     finish([found], summary, as_json, out)
 
 
@@ -319,15 +318,7 @@ def report(
 
 def animate(
     run: Path = arg("RUN", "A run's NetCDF."),
-    out: Path = opt(
-        "FILE",
-        "The film: .gif, or .mp4 where ffmpeg is installed.",
-        "-o",
-        "--out",
-        default=Path("run.gif"),
-    ),
-    start: float | None = opt("TIME", "First time shown; default: the run's."),
-    end: float | None = opt("TIME", "Last time shown; default: the run's."),
+    out: Path = opt("FILE", "The film, .gif.", "-o", "--out", default=Path("run.gif")),
     seconds: float = opt("SECONDS", "How long the film lasts.", default=12.0),
     fps: float = opt("NUMBER", "Frames a second.", default=12.5),
     width: int = opt("PIXELS", "Pixels.", default=560),
@@ -340,5 +331,5 @@ def animate(
         clpt animate run.nc -o run.gif
     """
     data = clpt.load_run(run)
-    clpt.animate(data, out, start=start, end=end, seconds=seconds, fps=fps, width=width)
+    clpt.animate(data, out, seconds=seconds, fps=fps, width=width)
     say(f"{out}: written")

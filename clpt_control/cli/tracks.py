@@ -149,36 +149,41 @@ def design(
     finish([_result(found.report)], found.report, as_json, *results)
 
 
+DESIGNED = {  # what of a track is said, by key
+    "smallest_eigenvalue": "smallest eigenvalue",
+    "ceiling": "its ceiling where the vehicle moves so",
+    "of_the_run": "of the run with {law} (clpt excitation)",
+    "closed_length": "closed length ({length})",
+    "largest_speed": "largest speed through the water ({length}/{time})",
+    "positions": "x1 from, to; x2 from, to ({length})",
+    "learning_time": "time until no flow parameter is off by {level:.3g} {length}/{time} ({time})",
+    "error_at_end": "largest flow-parameter error at the end ({length}/{time})",
+    "explained_variance": "share of the flow's variance learned, along the track, over box",
+    "clpe_rms_last_quarter": "CLPE rms, last quarter ({length})",
+    "waypoints": "waypoints ({length})",
+}
+
+
 def _result(report: Report) -> Result:
-    end = report["start"] + report["window"]
-    title = (
-        f"Smallest eigenvalue of the joint Gramian over {report['start']:g} to {end:g} "
-        f"{report['units']['time']}, along {report['trajectory']}"
-    )
-    return Result(title, ["", "before", "after"], _rows(report), _sentences(report))
-
-
-def _rows(report: Report) -> list[list[str]]:
-    length, time = report["units"]["length"], report["units"]["time"]
-    names = [
-        ("smallest_eigenvalue", "smallest eigenvalue"),
-        ("ceiling", "its ceiling where the vehicle moves so"),
-        ("of_the_run", f"of the run with {report['law']} (clpt excitation)"),
-        ("closed_length", f"closed length ({length})"),
-        ("largest_speed", f"largest speed through the water ({length}/{time})"),
-        ("positions", f"x1 from, to; x2 from, to ({length})"),
-        ("learning_time", f"learning time ({time})"),
-        ("error_at_end", f"largest flow-parameter error at the end ({length}/{time})"),
-        ("explained_variance", "share of the flow's variance learned, along the track, over box"),
-        ("clpe_rms_last_quarter", f"CLPE rms, last quarter ({length})"),
-        ("waypoints", f"waypoints ({length})"),
+    """Return the old track beside the new one."""
+    units, tracks = report["units"], (report["before"], report["after"])
+    words = {**units, "law": report["law"], "level": tracks[1].get("level")}
+    rows = [
+        [name.format(**words), *(_cell(key, track[key]) for track in tracks)]
+        for key, name in DESIGNED.items()
+        if key in tracks[1] and (key != "ceiling" or tracks[1][key] is not None)
     ]
-    rows = []
-    for key, name in names:
-        if key in report["after"] and (key != "ceiling" or report["after"][key] is not None):
-            cells = [_cell(key, report[track][key]) for track in ("before", "after")]
-            rows.append([name, *cells])
-    return rows
+    title = (
+        f"Smallest eigenvalue of the joint Gramian over {report['start']:g} to "
+        f"{report['start'] + report['window']:g} {units['time']}, along {report['trajectory']}"
+    )
+    said = f"the best of {report['tracks_tried']} tracks"
+    if report["own_track_kept"]:
+        said = (
+            f"no better one of {report['tracks_tried']} tracks was found within these limits, so "
+            "it stays as it is; give more generations, or allow more length, speed or area"
+        )
+    return Result(title, ["", "before", "after"], rows, [said])
 
 
 def _cell(key: str, value: Any) -> str:
@@ -189,41 +194,3 @@ def _cell(key: str, value: Any) -> str:
     if key == "positions":
         return "; ".join(cell_text(pair) for pair in value)
     return cell_text(list(value.values()) if isinstance(value, dict) else value)
-
-
-def _sentences(report: Report) -> list[str]:
-    before, after, ratio = report["before"], report["after"], report["ratio"]
-    times = "" if ratio is None else f", {ratio:.3g} times"
-    law = report["law"] if report["goal"] == "law" else None
-    sentences = [
-        f"the smallest eigenvalue {'is' if law else 'rose from'} "
-        f"{before['smallest_eigenvalue']:.4g} {'before and' if law else 'to'} "
-        f"{after['smallest_eigenvalue']:.4g}{' after' if law else times}, the best "
-        f"{f'for {law} ' if law else ''}of {report['tracks_tried']} tracks"
-    ]
-    if report["own_track_kept"] or (law is None and ratio is not None and ratio <= 1):
-        better = f"on which {law} learns sooner" if law else "better"
-        sentences = [
-            f"no track {better} was found within these limits, so it stays as it is; give more "
-            "generations, or allow more length, speed or area"
-        ]
-    if after["of_the_run"] < before["of_the_run"]:
-        sentences.append(
-            f"along the run with {report['law']} it fell: there the learner's own errors excite"
-        )
-    if "level" in after:
-        if law is None and slower(before["learning_time"], after["learning_time"]):
-            sentences.append(
-                f"{report['law']} is no faster there: the eigenvalue says what the track shows; "
-                "--for law asks what this law makes of it"
-            )
-        sentences.append(
-            f"the learning time ends where every flow parameter stays within {after['level']:.3g} "
-            f"{report['units']['length']}/{report['units']['time']} of the truth"
-        )
-    return sentences
-
-
-def slower(before: float | None, after: float | None) -> bool:
-    """Return whether a learning time did not shorten; None is never."""
-    return after is None or (before is not None and after >= before)

@@ -23,10 +23,10 @@ from ..native.ending import ENDS
 from ..scenario.experiment import Scenario
 from ..scenario.quantities import QUANTITIES
 from ..simulation.dataset import VARIABLES
-from ..simulation.flows import SpeedTimer
+from ..simulation.flows import speed_figures
 from ..simulation.integrate import sample_times
 from ..simulation.loops import units_of_ports
-from ..simulation.pieces import nearest, samples_for_means, starts_of_rounds
+from ..simulation.mean_squares import nearest, samples_for_means, starts_of_rounds
 from .members import Ensemble, Members, States, Values
 
 MOST_SAMPLES = 20_000  # a member, but at least a tenth of those of `clpt run`
@@ -247,9 +247,9 @@ def _speeds(
         reached = int(run.reached[m])
         if reached < 2:
             continue
-        timer, signals = SpeedTimer(float(limit)), ensemble.signals(members, run, m)
-        timer.add(times[:reached], *(signals[:, ports[port]] for port in ("v_c", "flow_x")))
-        figures = timer.figures()
+        signals = ensemble.signals(members, run, m)
+        velocities = (signals[:, ports[port]] for port in ("v_c", "flow_x"))
+        figures = speed_figures(float(limit), times[:reached], *velocities)
         faster = figures["faster_flow"] or {"share": 0.0, "longest": 0.0}
         row[:] = figures["share_at_limit"], faster["share"], faster["longest"]
     return dict(zip(SPEEDS, speeds.T.copy(), strict=True))

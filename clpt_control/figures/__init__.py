@@ -12,12 +12,11 @@ name, so that a page may hold many.
 """
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from contextvars import ContextVar
 from io import BytesIO
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
-from xml.etree import ElementTree
 
 import numpy as np
 
@@ -43,10 +42,7 @@ SAME: dict[Any, Any] = {  # whatever the user's matplotlibrc says
 }
 DATES: dict[str, dict[str, Any]] = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}
 
-XLINK = "{http://www.w3.org/1999/xlink}"
 NUMBER = re.compile(r"-?\d+\.\d+")
-REFERENCE = re.compile(r"url\(#(.+?)\)")
-REFERRED = re.compile(r"(?:url\(#|xlink:href=\"#)([^)\"]+)")
 THEME = {  # colour -> the page's
     "#000000": "currentColor",
     "#ffffff": "var(--paper)",
@@ -61,11 +57,14 @@ THEME = {  # colour -> the page's
     PURPLE: "var(--purple)",
     COLOURS[-1]: "var(--sky)",
 }
-THEMED = {colour.lower(): name for colour, name in THEME.items()}
 ENLARGED = 1.45  # px per point, where there is room
 HUGE = 1500.0  # px; a wider one is moved sideways on every screen
-DROPPED = {"font-family", "stroke-miterlimit", "white-space"}
-ROOT = {"stroke-linejoin": "round", "stroke-linecap": "butt", "fill": "currentColor"}
+DROPPED = re.compile(  # of matplotlib's: what it tells of itself, names of groups, fonts, line ends
+    r"<metadata>.*?</metadata>|<defs>\s*<style.*?</defs>|(?<=<g) id=\"[^\"]*\"|"
+    r"(?:font-family|white-space|stroke-miterlimit): [^;\"]*;? ?|(?<=>)\s+(?=<)",
+    re.DOTALL,
+)
+ROOT = 'stroke-linejoin="round" stroke-linecap="butt" fill="currentColor"'
 
 _for_a_file: ContextVar[bool] = ContextVar("for_a_file", default=False)
 _not_displayed: list[Any] = []  # the last figure of pyplot's where no backend shows it
@@ -221,60 +220,25 @@ def inline_svg(figure: "Figure", name: str, words: str) -> str:
     """Return a figure as an element of a page; a screen reader reads the `words`."""
     content = BytesIO()
     save_figure(figure, content, "svg", transparent=True)
-    text = plain(content.getvalue().decode())
-    referenced, root = {*REFERRED.findall(text)}, ElementTree.fromstring(text)
-    for parent in root.iter():
-        for child in list(parent):
-            if child.tag.rpartition("}")[2] in ("metadata", "style"):
-                parent.remove(child)
-    for element in root.iter():
-        element.tag = element.tag.rpartition("}")[2]
-        _restyle(element)
-        _rename(element, name, referenced)
-    box = root.attrib["viewBox"]
-    width, height = (f"{ENLARGED * float(size):.0f}" for size in box.split()[2:])
-    root.attrib.clear()
-    if float(width) > HUGE:
-        root.set("class", "huge")
-    root.attrib.update({"viewBox": box, "width": width, "height": height, **ROOT})
-    root[:] = list(_without_groups(root))
-    text = ElementTree.tostring(root, "unicode", short_empty_elements=True)
-    text = re.sub(r">\s+<", "><", text)
-    return text.replace("<svg", f'<svg role="img" aria-label="{safe(words)}"', 1)
+    text = re.sub(DROPPED, "", plain(content.getvalue().decode()))
+    head, _, text = text.partition("<svg")[2].partition(">")
+    box = head.partition('viewBox="')[2].partition('"')[0]
+    width, height = (ENLARGED * float(size) for size in box.split()[2:])
+    text = re.sub(r'(id="|url\(#)', rf"\1{name}-", text).replace('xlink:href="#', f'href="#{name}-')
+    text = re.sub(r' (?:d|x|y|transform|points)="[^"]*"', _with_short_numbers, text)
+    text = re.sub(r'style="([^"]*)"', _as_attributes, text)
+    for colour, of_page in THEME.items():
+        text = text.replace(colour.lower(), of_page)
+    kind = ' class="huge"' if width > HUGE else ""
+    size = f'viewBox="{box}" width="{width:.0f}" height="{height:.0f}"'
+    return f'<svg role="img" aria-label="{safe(words)}"{kind} {size} {ROOT}>{text.strip()}'
 
 
-def _restyle(element: ElementTree.Element) -> None:
-    """Write a style attribute as attributes, in the page's colours and with few digits."""
-    for rule in element.attrib.pop("style", "").split(";"):
-        key, _, value = (part.strip() for part in rule.partition(":"))
-        if key and key not in DROPPED:
-            element.set(key, THEMED.get(value.lower(), value))
-    for key in ("d", "x", "y", "transform", "points", "stroke-dasharray"):
-        if (numbers := element.get(key)) is not None:
-            element.set(key, " ".join(NUMBER.sub(_short, numbers).split()))
+def _as_attributes(style: re.Match[str]) -> str:
+    rules = (rule.partition(":") for rule in style[1].split(";") if rule.strip())
+    return " ".join(f'{key.strip()}="{value.strip()}"' for key, _, value in rules)
 
 
-def _short(number: re.Match[str]) -> str:
-    return f"{float(number[0]):.2f}".rstrip("0").rstrip(".")
-
-
-def _rename(element: ElementTree.Element, name: str, wanted: set[str]) -> None:
-    """Begin identifiers with a name; drop those to which nothing refers."""
-    own = element.attrib.pop("id", None)
-    if own in wanted:
-        element.set("id", f"{name}-{own}")
-    if (target := element.attrib.pop(f"{XLINK}href", None)) is not None:
-        element.set("href", f"#{name}-{target[1:]}")
-    for key, value in element.attrib.items():
-        element.set(key, REFERENCE.sub(rf"url(#{name}-\1)", value))
-
-
-def _without_groups(element: ElementTree.Element) -> Iterator[ElementTree.Element]:
-    """Yield the elements within an element, without groups that have no attributes."""
-    for child in element:
-        inner = list(_without_groups(child))
-        if child.tag == "g" and not child.attrib:
-            yield from inner
-        elif child.tag != "defs" or inner:
-            child[:] = inner
-            yield child
+def _with_short_numbers(attribute: re.Match[str]) -> str:
+    short = NUMBER.sub(lambda one: f"{float(one[0]):.2f}".rstrip("0").rstrip("."), attribute[0])
+    return " " + " ".join(short.split())

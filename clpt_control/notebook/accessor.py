@@ -3,11 +3,9 @@
 Their attributes tell which of them a dataset is.
 
 A run is a wide table too, one column a signal, units in its header.  It is written as CSV, or for
-MATLAB with a matrix for each port, whose columns are its signals.  It does not need pandas.
+MATLAB with a matrix for each port, whose columns are its signals.
 """
 
-import csv
-import io
 import re
 from os import PathLike
 from pathlib import Path
@@ -20,39 +18,37 @@ from ..arguments import check_holds, public
 from ..equations.ports import ports_of
 from ..errors import DataError
 from ..files import beside, check_writable, write_file
-from ..html import facts, fragment, shortened
 from ..scenario.file import BEYOND
 from ..simulation.comparing import named, ports_along, signals_of
 
 if TYPE_CHECKING:
+    import pandas
     import xarray
 
     from ..scenario import Scenario, Team
 
 
 class Kind(NamedTuple):
-    """What a dataset is: an attribute that says so, the plot that shows most, its parts."""
+    """What a dataset is: an attribute that says so, and the plot that shows most."""
 
     attribute: str
     room: Any
     whole: str
-    parts: tuple[str, ...] = ()
 
 
 KINDS = {
     "team": Kind("team", simulation, "team_plot"),
     "ensemble": Kind("ensemble", ensemble, "ensemble_plot"),
-    "run": Kind("scenario", simulation, "run_plot", ("track", "clpe", "learning", "excitation")),
-    "replay": Kind("estimator", replay, "replay_plot", ("map", "clpe", "current")),
+    "run": Kind("scenario", simulation, "run_plot"),
+    "replay": Kind("estimator", replay, "replay_plot"),
     "diagram": Kind("engine", simulation, "response_plot"),
 }
-LONGEST = 63  # letters of a name in MATLAB
+LONGEST = 60  # letters of a name in MATLAB, of which 63 count
 WORDS = {  # that name nothing in MATLAB
     *("break", "case", "catch", "classdef", "continue", "else", "elseif", "end", "for"),
     *("function", "global", "if", "otherwise", "parfor", "persistent", "return", "spmd"),
     *("switch", "try", "while"),
 }
-SHOWN = 5  # rows that a notebook is shown
 
 
 def _kind(data: "xarray.Dataset") -> str:
@@ -72,82 +68,56 @@ def kind_of(data: "xarray.Dataset") -> str:
 # --- as a table ----------------------------------------------------------------------------------
 
 
-class SignalTable:
-    """A run as a table: `columns` are the names with units, `values` the numbers (times, columns).
+def signal_table(run: "xarray.Dataset") -> "pandas.DataFrame":
+    """Return a run as a table, one column a signal, which is named with its unit.
 
     >>> import clpt_control as clpt
     >>> run = clpt.simulate(clpt.paper_scenario().with_values({"run.duration": 5}))
-    >>> found = run[["clpe"]].clpt.table()
-    >>> found.columns, found.values.shape
+    >>> found = signal_table(run[["clpe"]])
+    >>> [*found.columns], found.shape
     (['time (s)', 'clpe axis 1 (m)', 'clpe axis 2 (m)'], (6, 3))
     """
+    from pandas import DataFrame
 
-    def __init__(self, run: "xarray.Dataset"):
-        ports = [run[name] for name in ports_along(run)]
-        if "time" not in run.dims or not ports:
-            raise DataError("the dataset has no signal along time, of which a table could be made")
-        self._title = str(run.attrs.get("title", ""))
-        self._ports = [(run.time, {"time": run.time.values})]
-        self._ports += [(one, signals_of(one)) for one in ports]
-        self.columns = [
-            named(name, one.attrs.get("units")) for one, signals in self._ports for name in signals
-        ]
-        self.values = np.column_stack([v for _, signals in self._ports for v in signals.values()])
+    ports = [run[name] for name in ports_along(run)]
+    if "time" not in run.dims or not ports:
+        raise DataError("the dataset has no signal along time, of which a table could be made")
+    columns = [(named("time", run.time.attrs.get("units")), run.time.values)]
+    for port in ports:
+        unit = port.attrs.get("units")
+        columns += [(named(name, unit), values) for name, values in signals_of(port).items()]
+    names, values = zip(*columns, strict=True)
+    return DataFrame(np.column_stack(values), columns=[*names])
 
-    def __repr__(self) -> str:
-        times, count = self.values.shape
-        columns = shortened(", ".join(self.columns), 100)
-        return f"<SignalTable of {times} time{'s'[: times != 1]} and {count} columns: {columns}>"
 
-    def _repr_html_(self) -> str:
-        rows = [[f"{one:.6g}" for one in row] for row in self.values[:SHOWN]]
-        more = len(self.values) - SHOWN
-        rows += [[f"... {more} more", *[""] * (len(self.columns) - 1)]] if more > 0 else []
-        return fragment("Table", self._title, facts(rows, self.columns))
+def write_mat(run: "xarray.Dataset", path: Path) -> None:
+    """Write a file for MATLAB: ``time``, a matrix for each port, ``units`` and ``signals``.
 
-    def to_csv(self, path: str | Path) -> None:
-        """Write a CSV file: a header with units, then a row for each time, every digit kept."""
-        text = io.StringIO()
-        writer = csv.writer(text, lineterminator="\n")
-        writer.writerow(self.columns)
-        writer.writerows(self.values.tolist())
-        write_file(path, text.getvalue())
+    Names are those of the ports, where MATLAB allows them.
+    """
+    from scipy.io import savemat
 
-    def to_mat(self, path: str | Path) -> None:
-        """Write a file for MATLAB: ``time``, a matrix for each port, ``units`` and ``signals``.
-
-        Names are those of the ports, where MATLAB allows them.
-        """
-        from scipy.io import savemat
-
-        arrays: dict[str, Any] = {"title": self._title, "units": {}, "signals": {}}
-        for port, signals in self._ports:
-            name = _valid(str(port.name), arrays)
-            arrays[name] = np.column_stack([*signals.values()])
-            arrays["units"][name] = str(port.attrs.get("units", ""))
-            arrays["signals"][name] = np.array([*signals], dtype=object)
-        check_writable(path)
-        with beside(path) as made:
-            savemat(made, arrays, appendmat=False, long_field_names=True)
-
-    def write(self, path: str | Path) -> None:
-        """Write the table as the ending of the file says, ``.csv`` or ``.mat``."""
-        check_writable(path, "a table", (".csv", ".mat"))
-        (self.to_csv if Path(path).suffix.lower() == ".csv" else self.to_mat)(path)
+    arrays: dict[str, Any] = {"title": str(run.attrs.get("title", "")), "units": {}, "signals": {}}
+    for port in ("time", *ports_along(run)):
+        signals = signals_of(run[port]) if port != "time" else {"time": run.time.values}
+        name = _valid(port, arrays)
+        arrays[name] = np.column_stack([*signals.values()])
+        arrays["units"][name] = str(run[port].attrs.get("units", ""))
+        arrays["signals"][name] = np.array([*signals], dtype=object)
+    with beside(path) as made:
+        savemat(made, arrays, appendmat=False, long_field_names=True)
 
 
 def _valid(name: str, taken: Any) -> str:
     """Return a name that MATLAB allows, and that is not taken.
 
-    >>> _valid("K", []), _valid("2nd flow", []), _valid("end", []), _valid("e", ["e", "e_2"])
-    ('K', 'x_2nd_flow', 'x_end', 'e_3')
+    >>> _valid("K", []), _valid("2nd flow", []), _valid("end", []), _valid("e", ["e"])
+    ('K', 'x_2nd_flow', 'x_end', 'e_')
     """
-    word = re.sub(r"[^A-Za-z0-9_]", "_", name)
+    word = re.sub(r"\W", "_", name, flags=re.ASCII)[:LONGEST]
     word = word if word[:1].isalpha() and word not in WORDS else f"x_{word}"
-    first, k = word[:LONGEST], 2
-    word = first
     while word in taken:
-        word, k = f"{first[: LONGEST - len(str(k)) - 1]}_{k}", k + 1
+        word += "_"
     return word
 
 
@@ -223,37 +193,22 @@ class ClptAccessor:
         return pages.report(self._data, path, **options)
 
     @public
-    def table(self, path: str | PathLike[str] | None = None) -> SignalTable:
+    def table(self, path: str | PathLike[str] | None = None) -> "pandas.DataFrame":
         """Return a run as a table, one column a signal; with a path it is written, .csv or .mat."""
-        table = SignalTable(self._data)
+        table = signal_table(self._data)
         if path is not None:
-            table.write(Path(path))
+            path = Path(path)
+            check_writable(path, "a table", (".csv", ".mat"))
+            if path.suffix.lower() == ".mat":
+                write_mat(self._data, path)
+            else:
+                write_file(path, table.to_csv(index=False, lineterminator="\n"))
         return table
 
     def __repr__(self) -> str:
-        return f"<clpt of a dataset: {_what(self._data)}>"
-
-    def _repr_html_(self) -> str:
-        methods = facts([("can", ", ".join(_methods(self._data)))])
-        return fragment("clpt", _what(self._data), methods)
-
-
-def _what(data: "xarray.Dataset") -> str:
-    kind = _kind(data)
-    return f"{kind} {data.attrs.get('title', '')}".strip() if kind else "none of clpt's"
-
-
-def _methods(data: "xarray.Dataset") -> list[str]:
-    if not (kind := _kind(data)):
-        return ["nothing"]
-    if kind == "ensemble" and "scenario" not in data.attrs:
-        return ["what xarray can, such as unstack() and plot"]
-    film = ["animate()"] if kind == "run" else []
-    state = ["state_at(t)"] if "states" in data.variables else []
-    state += ["linearize(t)"] if kind == "run" else []
-    parts = (f"plot.{name}()" for name in KINDS[kind].parts)
-    table = ["table()"] if kind in ("run", "team", "diagram") else []
-    return ["plot()", *parts, *film, *state, *table, "report(FILE)"]
+        kind = _kind(self._data)
+        what = f"{kind} {self._data.attrs.get('title', '')}".strip() if kind else "none of clpt's"
+        return f"<clpt of a dataset: {what}>"
 
 
 class Plots:

@@ -1,6 +1,6 @@
 """The parts of a page to send, and its HTML.
 
-Sentences come first, then numbers, then sections: results beside their figures.  Figures stay
+A sentence comes first, then sections: results beside their figures.  Figures stay
 figures until the page is written, so that they can be files of their own too.  The last section
 tells which versions made the page, and how to make it again.
 """
@@ -13,16 +13,14 @@ from textwrap import fill
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..figures import TITLE, figure_of, inline_svg
-from ..html import Result, document, folded, listing, paragraphs, safe, table
+from ..html import Result, document, listing, paragraphs, safe, table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 PACKAGES = ("clpt-control", "control", "numpy", "scipy", "llvmlite", "xarray", "matplotlib")
-RECORDED = {"engine": "engine", "message": "ended"}  # attributes of a run
 WIDTH = 4.8  # inches, of a figure that a telephone shows with letters of their size
 LETTERS = 50  # of a title's line there
-MOST_ROWS, MOST_SAID = 24, 400  # of a table beside figures, and letters of sentences, unfolded
 
 
 class Drawn(NamedTuple):
@@ -44,22 +42,13 @@ class Section(NamedTuple):
     more: str = ""
 
 
-class Card(NamedTuple):
-    """A number that matters: what, how much, and what to compare it with."""
-
-    what: str
-    value: str
-    below: str
-
-
 class Page(NamedTuple):
-    """A page: its kind, its title, what was asked and found, warnings, numbers and sections."""
+    """A page: its kind, its title, what it is of, warnings and sections."""
 
     kind: str
     title: str
     sentences: Sequence[str]
     warnings: Sequence[str]
-    cards: Sequence[Card]
     sections: Sequence[Section]
 
     @property
@@ -87,8 +76,7 @@ def page_html(page: Page) -> str:
         [
             f'<header><p class="soft">{safe(page.kind)}</p><h1>{safe(page.title)}</h1>',
             f'<div class="lead">{paragraphs(page.sentences)}</div>',
-            paragraphs(page.warnings, "alarm"),
-            f'<div class="cards">{"".join(map(_card, page.cards))}</div></header>',
+            f"{paragraphs(page.warnings, 'alarm')}</header>",
             f'<nav aria-label="Contents"><ul>{links}</ul></nav><main>',
             *map(_section, page.sections),
             '</main><footer class="soft">',
@@ -98,26 +86,15 @@ def page_html(page: Page) -> str:
     return document(page.title, body, "report.css")
 
 
-def _card(card: Card) -> str:
-    return (
-        f'<div class="card"><p class="soft">{safe(card.what)}</p><b>{safe(card.value)}</b>'
-        f"<small>{safe(card.below)}</small></div>"
-    )
-
-
 def _section(section: Section) -> str:
     result, name = section.result, section.name
     wide = [_figure(one) for one in section.figures if one.wide]
     beside = [_figure(one) for one in section.figures if not one.wide]
     table_html = table(*result[:3]) if result.columns else ""
-    if len(result.rows) > MOST_ROWS and beside:
-        table_html = folded(f"All {len(result.rows)} values", table_html)
     if beside:
         table_html = f"<div>{table_html}</div>" if table_html else ""
         table_html = f'<div class="figures">{"".join(beside)}{table_html}</div>'
     sentences = paragraphs([f"{one.removesuffix('.')}." for one in result.sentences])
-    if len(sentences) > MOST_SAID:
-        sentences = folded(f"{len(result.sentences)} remarks", sentences)
     return (
         f'<section aria-labelledby="{name}"><h2 id="{name}">{safe(section.heading)}</h2>'
         + "\n".join([section.more, table_html, sentences, *wide])
@@ -136,14 +113,10 @@ def _figure(drawn: Drawn) -> str:
 def again_section(how: str, commands: Sequence[str], attrs: Mapping[Any, Any]) -> Section:
     """Return how to make a page again, and what the attributes record of versions and solver."""
     here = ", ".join(f"{name} {version(name)}" for name in PACKAGES)
-    rows = [
-        ["run with", str(attrs.get("software") or "not recorded")],
-        ["page made with", f"Python {platform.python_version()}, {here}"],
-        *([what, str(attrs[name])] for name, what in RECORDED.items() if name in attrs),
-    ]
-    solver = {str(name): value for name, value in attrs.items() if str(name).startswith("solver_")}
-    if solver:
-        counts = (f"{value} {name.removeprefix('solver_')}" for name, value in solver.items())
-        rows.append(["solver", ", ".join(counts)])
+    recorded = {name: attrs[name] for name in ("software", "engine", "method", "message")
+                if name in attrs}  # fmt: skip
+    recorded |= {name: own for name, own in attrs.items() if str(name).startswith("solver_")}
+    rows = [[str(name).replace("_", " "), str(own)] for name, own in recorded.items()]
+    rows.append(["page made with", f"Python {platform.python_version()}, {here}"])
     more = f"<p>{how}</p>{listing(chr(10).join(commands)) if commands else ''}"
     return Section("again", "Make it again", Result("Versions", ["", ""], rows), more=more)

@@ -1,13 +1,9 @@
 """The page of a run: of one vehicle or a team, of the paper's with its claims; of any diagram."""
 
-from typing import Any
-
 from xarray import Dataset
 
 from ..diagrams.drawing.figure import MOST, block_figure
 from ..diagrams.interconnection import Diagram
-from ..diagrams.on_symbols import readable_equations
-from ..errors import ClptError
 from ..html import Result, folded, listing, safe
 from ..scenario.experiment import Scenario
 from ..scenario.file import CHANGED, NOT_REPEATED, OWN_LAW, OWN_PARTS, TEAM, paper_scenario
@@ -16,19 +12,15 @@ from ..scenario.team import Team
 from ..simulation.comparing import named, ports_along, response_plot, signals_of
 from ..simulation.run_file import diagram_of_text, equations_text
 from ..simulation.summary import claims
-from ..theory.proving.array_loop import no_value
-from ..units import percent
 from . import results, run_sections
-from .page import Card, Drawn, Page, Section, again_section, drawn
-from .results import Numbers, number
+from .page import Drawn, Page, Section, again_section, drawn
+from .results import Numbers
 
 KINDS = ("Run of a scenario", "Run of a diagram")
 IN_PYTHON = {OWN_LAW: "law", CHANGED: "parameters", OWN_PARTS: "parts"}
 ALL = "<p>All that was asked, as a file for <code>clpt run</code>:</p>"
 EACH = 5  # ports of a figure
 MOST_SIGNALS = 60  # in the table
-MOST_SAID = 4  # signals in a sentence
-SHORT = 12, 200  # lines of equations, and letters of each
 
 
 def run_page(run: Dataset, system: Scenario | Team, title: str) -> Page:
@@ -38,42 +30,31 @@ def run_page(run: Dataset, system: Scenario | Team, title: str) -> Page:
     paper = system == paper_scenario() and not (own or changed or parts)
     text = listing(str(run.attrs.get(TEAM, run.attrs.get("scenario"))))
     if isinstance(system, Team):
-        kind, scenario, alone = "Run of a team", system.first, results.of_the_worst(numbers)
-        sentences = [
-            results.asked_of_team(system),
-            results.found_of_clpes(numbers, scenario.units.length),
-        ]
-        per = f"1/{scenario.units.time}"
-        below = f"coupling {system.coupling:g} {per}; below, of the worst"
-        cards = [Card("Vehicles", str(len(system.members)), below)]
-        sections = [run_sections.team_section(run, numbers)]
+        kind, scenario, waypoints = "Run of a team", system.first, 1
     else:
-        kind, scenario, alone = KINDS[parts is not None], system, numbers
-        law = f"{own}, given in Python," if own else scenario.learning.law
-        count = len(waypoints_of(run, system))
-        if not count:  # there are no rounds
-            numbers = alone = {**numbers, "clpe_rms_per_cycle": []}
-        begin = "Asked, as far as the scenario says" if parts else "Asked"
-        question = results.asked(scenario, law, count, begin)
-        sentences = [question, results.found_of_clpe(numbers, scenario.units.length)]
-        cards, sections = [], run_sections.figure_sections(run, scenario, numbers)
-    if not parts:
-        sections = [*run_sections.loop_section(system, own), *sections]
+        kind, scenario, waypoints = KINDS[parts is not None], system, len(waypoints_of(run, system))
+    if not waypoints:  # there are no rounds
+        numbers = {**numbers, "clpe_rms_per_cycle": []}
+    law = f"{own}, given in Python," if own else scenario.learning.law
+    achieved = results.run_result(numbers, "What came of the run")
+    sections = [Section("achieved", achieved.title, achieved)]
     if paper and not numbers["of_samples"]:  # else the run does not carry its figures
         judged = results.claims_result(claims(numbers))
-        sections = [Section("claims", judged.title, judged), *sections]
+        sections.append(Section("claims", judged.title, judged))
+    if not parts:
+        sections += run_sections.loop_section(system, own)
     unmeasured = "the run had what its scenario does not hold" if changed or parts else ""
     return Page(
         "Section IV of the paper" if paper else kind,
         title,
-        [*sentences, results.found_of_flow(alone, scenario)],
+        [results.asked(system, law, waypoints)],
         [*_ended(run), *_warnings(run, scenario, numbers)],
-        [*cards, *_cards(alone, scenario)],
         [
             *sections,
+            *run_sections.figure_sections(run, system),
             run_sections.excitation_section(run, unmeasured),
             Section("scenario", "Scenario", more=ALL + folded("The scenario, TOML", text)),
-            _again(run, scenario, paper),
+            _again(run, scenario),
         ],
     )
 
@@ -88,23 +69,16 @@ def _ended(run: Dataset) -> list[str]:
 
 def _warnings(run: Dataset, scenario: Scenario, numbers: Numbers) -> list[str]:
     """Return what a reader must know before the figures."""
-    changed, parts = run.attrs.get(CHANGED), run.attrs.get(OWN_PARTS)
     sentences = []
     first, last = float(run.time[0]), float(run.time[-1])
     if not _ended(run) and (first > 0 or last < scenario.run.duration * (1 - 1e-9)):
         unit = scenario.units.time
-        covered = f"covers t = {first:g} to {last:g} {unit} of the run"
-        alone = f"is t = {last:g} {unit} of the run alone"
-        sentences.append(f"What is shown {alone if first == last else covered}.")
-    if changed:
+        sentences.append(f"What is shown is t = {first:g} to {last:g} {unit} of the run.")
+    kinds = [name for name in (CHANGED, OWN_PARTS) if name in run.attrs]
+    if beyond := [f"{IN_PYTHON[name]}, {run.attrs[name]}" for name in kinds]:
         sentences.append(
-            "The run had parameters that its scenario does not hold, so that waypoints and the "
-            f"true flow may be others than drawn: {changed}."
-        )
-    if parts:
-        sentences.append(
-            f"The run is of a diagram with parts given in Python, {parts}: what it followed, the "
-            "true flow and the law may be others than the scenario says."
+            f"The run had what its scenario does not hold: {'; '.join(beyond)}. What it followed, "
+            "the true flow and the law may be others than drawn."
         )
     if "measured_position" in run:
         sentences.append(
@@ -112,60 +86,24 @@ def _warnings(run: Dataset, scenario: Scenario, numbers: Numbers) -> list[str]:
             "squares are of the true one."
         )
     if numbers["of_samples"]:
-        count = run.sizes["time"]
-        samples = "one sample" if count == 1 else f"{count} samples"
-        sentences.append(f"Mean squares here are over the {samples} of the file.")
+        sentences.append(f"Mean squares here are over the {run.sizes['time']} samples of the file.")
     return sentences
 
 
-def _cards(numbers: Numbers, scenario: Scenario) -> list[Card]:
-    unit, rms = scenario.units, numbers["clpe_rms_per_cycle"]
-    cards = []
-    if len(rms) > 1:
-        below = f"in the first round {number(rms[0])} {unit.length}"
-        cards.append(Card("CLPE rms, last round", f"{number(rms[-1])} {unit.length}", below))
-    else:
-        late = f"over the last quarter {number(numbers['clpe_rms_last_quarter'])} {unit.length}"
-        whole = f"{number(numbers['clpe_rms'])} {unit.length}"
-        cards.append(Card(f"CLPE rms, {results.span_of_means(numbers)}", whole, late))
-    for what, per, errors in results.errors_by_time(numbers, unit.length, unit.time):
-        below = f"at t = {numbers['end']:g} {unit.time}"
-        after = [time for time in errors if scenario.cycle <= float(time) < numbers["end"]]
-        if after:
-            below += f"; at t = {after[0]} {unit.time}: {number(errors[after[0]])}"
-        cards.append(
-            Card(f"Largest error of a {what}", f"{number(results.at_end(errors))} {per}", below)
-        )
-    for place, share, worse in results.shares_of(numbers):
-        said = "none" if share is None else percent(share)
-        why = "; it hardly changes there" if share is None else f"{worse and '; '}{worse}"
-        cards.append(Card("Current's variance explained", said, results.SHARES[place] + why))
-    return cards
-
-
-def _again(run: Dataset, scenario: Scenario | None, paper: bool = False) -> Section:
+def _again(run: Dataset, scenario: Scenario | None) -> Section:
     """Return how a run is made again: from its file's equations, from its scenario, or not."""
-    missing, commands = [what for name, what in IN_PYTHON.items() if name in run.attrs], list[str]()
-    if (missing or scenario is None) and equations_text(run)[0]:
-        how = "The file holds the equations that ran, with inputs, start and method. Type:"
-        commands = ["clpt run run.nc --out again.nc", "clpt report again.nc -o report.html"]
-    elif missing:
-        how = f"The run cannot be made again from its file alone: its {' and '.join(missing)}"
-        how = f"{how} were given in Python."
-    elif scenario is None:
-        how = "The run cannot be made again from its file."
-    elif paper:
-        how = "The scenario comes with clpt-control; type:"
-        commands = ["clpt paper --out paper", "clpt report paper/run.nc -o report.html"]
-    else:
-        how = "Save the scenario above as <code>scenario.toml</code>, and type:"
-        if scenario.flow.field is not None:
-            field = f"<code>{safe(scenario.flow.field)}</code>"
-            how = f"With the file of the current, {field}, where the scenario says. {how}"
-        commands = [
-            "clpt run scenario.toml --out run.nc --figures figures",
-            "clpt report run.nc -o report.html",
-        ]
+    file, commands = "scenario.toml", list[str]()
+    how = "Save the scenario above as <code>scenario.toml</code>, and type:"
+    if scenario is None or run.attrs.keys() & IN_PYTHON:
+        file = "run.nc" if equations_text(run)[0] else ""
+        how = "The run cannot be made again from its file alone."
+        if file:
+            how = "The file holds the equations that ran, with inputs, start and method. Type:"
+    elif scenario.flow.field is not None:
+        field = f"<code>{safe(scenario.flow.field)}</code>"
+        how = f"With the file of the current, {field}, where the scenario says. {how}"
+    if file:
+        commands = [f"clpt run {file} --out again.nc", "clpt report again.nc -o report.html"]
     return again_section(how, commands, run.attrs)
 
 
@@ -173,39 +111,21 @@ def _again(run: Dataset, scenario: Scenario | None, paper: bool = False) -> Sect
 
 
 def diagram_page(run: Dataset, title: str) -> Page:
-    """Return the page of a diagram's run: its loop, its equations if short, each port over time."""
+    """Return the page of a diagram's run: its loop, each port over time."""
     text, why = equations_text(run)
-    signals, found, warnings = extent_of(run), response_result(run), _ended(run)
-    cards = [
-        Card("Samples", str(run.sizes["time"]), f"{span_of(run)}, of {len(signals)} signals"),
-        Card("Ended", str(run.attrs.get("status", "-")), str(run.attrs.get("method", ""))),
-    ]
+    found, warnings = response_result(run), _ended(run)
     sections = [
         _over_time(run),
         Section("signals", "Where they began and ended", found),
         _again(run, None),
     ]
     if text:
-        diagram = diagram_of_text(text)
-        states = f"{diagram.nstates or 0} states"
-        cards.insert(0, Card("Blocks", str(len(diagram.syslist)), states))
-        sections = [*_loop(diagram), *sections]
+        sections = [*_loop(diagram_of_text(text)), *sections]
     else:
         why = why or run.attrs.get(NOT_REPEATED, "")
         warnings.append(f"The run cannot be made again from its file{f': {why}' if why else ''}.")
-    last = [f"{name} = {number(own['last'])}" for name, own in signals.items()]
-    more = f", of {len(last)} signals" if len(last) > MOST_SAID else ""
-    return Page(
-        KINDS[1],
-        title,
-        [
-            f"Asked: what the signals of a diagram do, {span_of(run)}.",
-            f"Found: at the end {', '.join(last[:MOST_SAID])}{more}.",
-        ],
-        warnings,
-        cards,
-        sections,
-    )
+    lead = f"What the signals of a diagram do, {span_of(run)}, at {run.sizes['time']} samples."
+    return Page(KINDS[1], title, [lead], warnings, sections)
 
 
 def span_of(run: Dataset) -> str:
@@ -239,30 +159,12 @@ def response_result(run: Dataset) -> Result:
 
 
 def _loop(diagram: Diagram) -> list[Section]:
-    """Return the diagram as it was recorded, drawn, and its equations where they are short."""
-    sections = []
-    if len(diagram.syslist) <= MOST:
-        caption = "The diagram that ran; a thick frame is a block with states."
-        figure = Drawn("loop", block_figure(diagram), caption, wide=True)
-        sections.append(Section("loop", "The loop", figures=[figure]))
-    if lines := _equations(diagram):
-        sections.append(Section("equations", "Equations", more=listing("\n".join(lines))))
-    return sections
-
-
-def _equations(diagram: Any) -> list[str]:
-    """Return the equations of a diagram where they are short; nothing of what SymPy cannot read."""
-    lines, letters = SHORT
-    if (diagram.nstates or 0) + (diagram.noutputs or 0) > 2 * lines:
+    """Return the diagram as it was recorded, drawn; nothing of one that is too large."""
+    if len(diagram.syslist) > MOST:
         return []
-    try:
-        made = readable_equations(diagram, watch=no_value)  # which refuses what is long
-    except ClptError:
-        return []
-    found, values = repr(made).splitlines(), made.values.items()
-    if values:
-        found.append("with " + ", ".join(f"{name} = {float(value):g}" for name, value in values))
-    return found if len(found) <= lines and max(map(len, found), default=0) <= letters else []
+    caption = "The diagram that ran; a thick frame is a block with states."
+    figure = Drawn("loop", block_figure(diagram), caption, wide=True)
+    return [Section("loop", "The loop", figures=[figure])]
 
 
 def _over_time(run: Dataset) -> Section:

@@ -57,7 +57,7 @@ def report(
     Returns
     -------
     dict
-        ``file``, ``bytes``, ``kind``, ``title``, ``sentences`` (what was asked and found) and
+        ``file``, ``bytes``, ``kind``, ``title``, ``sentences`` (of what it is) and
         ``figures``, the files written.
 
     Raises
@@ -156,10 +156,9 @@ def read(path: Path) -> Any:
         return _netcdf(path)
     text = text_of(raw, path, f"is nothing that clpt writes; {KNOWN}")
     if not text.lstrip().startswith("{"):
-        what = "is nothing that clpt report reads"
-        if path.suffix == ".toml":
-            what = "is a scenario, or text; `clpt run` runs a scenario"
-        raise DataError(f"{path}: {what}; {KNOWN}")
+        raise DataError(
+            f"{path}: is nothing that clpt report reads; `clpt run` runs a scenario; {KNOWN}"
+        )
     try:
         return json.loads(text, parse_constant=_no_number)
     except (ValueError, RecursionError) as error:
@@ -175,10 +174,7 @@ def _folder(path: Path) -> "xarray.Dataset":
         from ..ensemble.store import open_ensemble
 
         return open_ensemble(path)
-    inside = [path / name for name in ("run.nc", "replay.nc") if (path / name).is_file()]
-    raise DataError(
-        f"{path}: is a folder without an ensemble; " + (f"give {inside[0]}" if inside else KNOWN)
-    )
+    raise DataError(f"{path}: is a folder without an ensemble; {KNOWN}")
 
 
 def _netcdf(path: Path) -> Any:

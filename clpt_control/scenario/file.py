@@ -20,7 +20,7 @@ from ..files import write_file
 from ..files.reading import open_netcdf, read_bytes
 from .experiment import Nested, Scenario, checked_scenario, scenario_tables
 
-CHANGED = "parameters_changed"  # attribute of a run: parameters that no key holds
+CHANGED = "parameters_changed"  # attribute of a run: parameters given at call time
 TEAM = "team"  # attribute of a team's run, in place of its scenario: the team as TOML text
 OWN_LAW = "own_law"  # attribute of a run: the name of a law given in Python
 OWN_PARTS = "own_parts"  # attribute of a run: what else of its diagram was given in Python
@@ -32,10 +32,7 @@ LARGEST = 2 * 10**7  # bytes of a scenario; TOML takes some seconds to read them
 LATEST = 1  # format that is written; all up to it are read
 IN_PYTHON = "the rest to closed_loop(replace=..., insert=...)"
 BEYOND = {  # attribute of a run -> what its scenario does not hold, and what repeats it in Python
-    CHANGED: (
-        "parameters that no key of a scenario holds",
-        "the parameters to simulate(params=...)",
-    ),
+    CHANGED: ("parameters given at call time", "the parameters to simulate(params=...)"),
     OWN_LAW: ("a law given in Python", IN_PYTHON),
     OWN_PARTS: ("parts given in Python", IN_PYTHON),
 }

@@ -3,6 +3,8 @@
 Nothing here integrates.
 """
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,6 +19,8 @@ from ..scenario.recorded_run import check_run, waypoints_of
 if TYPE_CHECKING:
     import xarray
     from matplotlib.axes import Axes
+
+LEAST = 1e-16  # shown of what falls to zero, on a logarithmic axis
 
 
 def scenario_with(run: "xarray.Dataset", *names: str) -> Scenario:
@@ -66,72 +70,58 @@ def track_plot(
     """
     scenario = scenario_with(run, "position")
     points, path = waypoints_of(run, scenario), run.position.values
-    known = {"color": BLUE, **coloured(color)}
     ax = axes_for(ax, 5.6, 5.2)
-    if label:
-        return _track_among(ax, scenario, points, run, label, color)
+    with told_apart(ax, label, color):
+        grid = square_chart(ax, scenario, np.concatenate([points, path]), 13)
+        draw_track(ax, run, points)
+        named = ["Waypoints", "track"] if len(points) else ["Track"]
+        if label is None:
+            for k, point in enumerate(points if len(points) <= 40 else (), 1):
+                ax.annotate(str(k), point, xytext=(5, 5), textcoords="offset points", fontsize=8)
+            ax.plot(*path[0], "s", color="black", markersize=5, label="start")
+            named += ["flow at t = 0"] * draw_first_flow(ax, run, scenario, grid)
+        ax.set_title(", ".join(named), **TITLE)
+        legend_below(ax, 4)
+    return ax
+
+
+def draw_track(ax: Any, run: "xarray.Dataset", points: np.ndarray) -> None:
+    """Draw where a vehicle was, where it thought to be, and its waypoints or what it followed."""
+    ax.plot(*run.position.values.T, color=BLUE, linewidth=1.1, label="track")
+    if "predicted_position" in run:
+        predicted: dict[str, Any] = {"color": BLUE, "linewidth": 0.8, "linestyle": "--"}
+        ax.plot(*run.predicted_position.values.T, label="prediction", **predicted)
+    if len(points):
+        ax.plot(*points.T, "o", color=RED, markersize=6, mfc="none", label="waypoints")
+    elif "reference" in run:
+        desired: dict[str, Any] = {"color": RED, "linewidth": 0.9, "linestyle": "--"}
+        ax.plot(*run.reference.values.T, label="desired position", **desired)
+
+
+def draw_first_flow(ax: Any, run: "xarray.Dataset", scenario: Scenario, grid: Any) -> bool:
+    """Draw the flow at the start; return whether there is any."""
     from .flows import flow_to_draw
 
-    unit = scenario.units.length
-    grid = square_chart(ax, scenario, np.concatenate([points, path]), 13)
     flow = flow_to_draw(run, scenario, grid, 0.0)
     size = float(f"{np.hypot(*flow.T).max():.1g}")
     if size > 0:  # where all is at rest there are no arrows
         arrows = ax.quiver(*grid.T, *flow.T, color=GREY, alpha=0.6, width=0.0035)
-        key = f"{size:g} {unit}/{scenario.units.time}"
+        key = f"{size:g} {scenario.units.length}/{scenario.units.time}"
         ax.quiverkey(arrows, 0.88, 1.02, size, key, labelpos="E")
-    first = run.time.values <= (scenario.cycle if len(points) else np.inf)
-    said = "track, first cycle" if len(points) else "track"
-    ax.plot(*path[first].T, linewidth=1.4, label=said, **known)
-    if (~first).any():
-        ax.plot(*path[~first].T, linewidth=0.5, alpha=0.4, label="later cycles", **known)
-    if len(points):
-        ax.plot(*points.T, "o", color=RED, markersize=6, label="waypoints")
-    elif "reference" in run:
-        desired: dict[str, Any] = {"color": RED, "linewidth": 0.9, "linestyle": "--"}
-        ax.plot(*run.reference.values.T, label="desired position", **desired)
-    if len(points) <= 40:
-        for k, point in enumerate(points, 1):
-            ax.annotate(str(k), point, xytext=(5, 5), textcoords="offset points", fontsize=8)
-    ax.plot(*path[0], "s", color="black", markersize=5, label="start")
-    named = "Waypoints, track" if len(points) else "Track"
-    ax.set_title(named + ", and flow at t = 0" * (size > 0), **TITLE)
-    legend_below(ax, 4)
-    return ax
-
-
-def _track_among(
-    ax: Any, scenario: Scenario, points: np.ndarray, run: Any, label: str, color: Any
-) -> Any:
-    """Draw a track, the predicted one and waypoints beside those of other runs."""
-    path, earlier = run.position.values, ax.lines
-    predicted = run.predicted_position.values if "predicted_position" in run else path[:0]
-    places = [points, path, predicted, *(line.get_xydata() for line in earlier)]
-    square_chart(ax, scenario, np.concatenate(places), 2)
-    line = {**coloured(color), "linewidth": 1.1, "markevery": max(1, len(path) // 8)}
-    line["color"] = ax.plot(*path.T, label=label, **line)[0].get_color()
-    ax.plot(*predicted.T, linestyle="--", **line | {"linewidth": 0.8, "marker": ""})
-    rings = {"color": line["color"], "markersize": 6 + 3 * (len(ax.lines) // 3)}
-    ax.plot(*points.T, "o", markerfacecolor="none", **rings)
-    named = "Tracks, predicted ones dashed" if len(predicted) else "Tracks"
-    ax.set_title(f"{named}, waypoints as rings" if len(points) else named, **TITLE)
-    legend_below(ax, 4)
-    return ax
+    return size > 0
 
 
 def square_chart(ax: Any, scenario: Scenario, places: np.ndarray, count: int) -> np.ndarray:
-    """Make axes a square about places; return where arrows of the flow begin, `count` a side."""
+    """Make axes a square about places; return where arrows of the flow begin, `count` a side.
+
+    They lie within the field of a measured current.
+    """
     unit = scenario.units.length
     low, high = places.min(0), places.max(0)
     middle, half = (low + high) / 2, 0.62 * (max(high - low) or 1.0)
     low, high = middle - half, middle + half
     ax.set(xlabel=f"$x_1$, east ({unit})", ylabel=f"$x_2$, north ({unit})", aspect="equal")
     ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
-    return arrow_grid(scenario, low, high, count)
-
-
-def arrow_grid(scenario: Scenario, low: np.ndarray, high: np.ndarray, count: int) -> np.ndarray:
-    """Return places (n, 2) in a box, `count` along its longer side, within the flow's field."""
     if scenario.field_path is not None:
         from ..currents.plane import read_field
 
@@ -145,12 +135,39 @@ def arrow_grid(scenario: Scenario, low: np.ndarray, high: np.ndarray, count: int
     return np.stack(np.meshgrid(*sides), -1).reshape(-1, 2)
 
 
-def coloured(color: str | None) -> dict[str, Any]:
-    """Return the colour of a run's lines, where it has one of its own, and the mark beside it."""
+def positive(values: np.ndarray) -> np.ndarray:
+    """Return what a logarithmic axis can show."""
+    return np.where(values > LEAST, values, np.nan)
+
+
+@contextmanager
+def told_apart(axes: Any, label: str | None, color: str | None) -> Iterator[None]:
+    """Draw a run on axes: in its colour and marks, if it has one, its label before those of lines.
+
+    Axes on which there are several runs reach over all of them, and have their legend beside them,
+    where it hides no line.
+    """
     from matplotlib.colors import is_color_like
 
     if color is not None and not is_color_like(color):
         raise ClptError(f"color = {color!r:.60}: must be a colour of matplotlib, 'C1' or '#0072b2'")
     marks = dict(zip(COLOURS, ("", *"osD^v"), strict=True))  # tell runs apart in black and white
-    marked = {"marker": marks.get(str(color), ""), "markersize": 3.5, "markevery": 0.3}
-    return {} if color is None else {"color": color, **marked}
+    several = np.ravel(np.asarray(axes, dtype=object))
+    before = [(len(ax.lines), ax.get_xlim(), ax.get_ylim()) for ax in several]
+    yield
+    for ax, (count, x, y) in zip(several, before, strict=True):
+        for line in ax.lines[count:]:
+            named = line.get_label()[0] != "_"
+            if color is not None:
+                line.set_color(color)
+            if color in marks and named and line.get_marker() in ("", "None"):
+                line.set(marker=marks[color], markersize=3.5, markevery=0.3)
+            if label is not None and named:
+                line.set_label(f"{label}: {line.get_label()}")
+        if label is not None and count and not ax.get_autoscalex_on():
+            ax.set_xlim(min(x[0], ax.get_xlim()[0]), max(x[1], ax.get_xlim()[1]))
+        if label is not None and count and not ax.get_autoscaley_on():
+            ax.set_ylim(min(y[0], ax.get_ylim()[0]), max(y[1], ax.get_ylim()[1]))
+        if label is not None and (lines := len(ax.get_legend_handles_labels()[0])):
+            place = {"loc": "upper left", "bbox_to_anchor": (1, 1.05), "frameon": False}
+            ax.legend(fontsize=7, ncols=1 + (lines - 1) // 6, **place)

@@ -8,14 +8,15 @@ import numpy as np
 from ..arguments import public
 from ..errors import ClptError, DataError
 from ..figures import COLOURS, axes_for, line_style, literal
-from .charts import coloured, track_plot
+from .charts import told_apart, track_plot
 from .frame import INDEX
-from .plots import among, clpe_plot, learning_plot, run_plot, say_lines
+from .plots import clpe_plot, learning_plot, run_plot
 
 if TYPE_CHECKING:
     import xarray
 
 PORTS = 16  # of a picture of any diagram
+MOST_NAMED = 6  # signals of a port in a legend
 STATES = "states"
 
 
@@ -63,16 +64,15 @@ def response_plot(
             f"some, as run[{ports[:2]}]"
         )
     axes = axes_for(ax, 6.4, 1.2 + 1.3 * len(ports), nrows=len(ports), sharex=True)
-    of_run = coloured(color)
-    for one, port in zip(np.ravel(axes), ports, strict=True):
-        signals = signals_of(run[port])
-        for k, (name, column) in enumerate(signals.items()):
-            line = {**line_style(k), **of_run}
-            said = literal(among(label, name))
-            one.plot(run.time.values, column, label=said, linewidth=1.1, **line)
-        one.set_ylabel(literal(named(port, run[port].attrs.get("units"))))
-        if (len(signals) > 1 or label is not None) and len(signals) <= 6:
-            say_lines(one, label, fontsize=8, loc="upper right", ncols=6)
+    with told_apart(axes, None if label is None else literal(label), color):
+        for one, port in zip(np.ravel(axes), ports, strict=True):
+            signals = signals_of(run[port])
+            for k, (name, column) in enumerate(signals.items()):
+                said = literal(name) if len(signals) <= MOST_NAMED else None
+                one.plot(run.time.values, column, label=said, linewidth=1.1, **line_style(k))
+            one.set_ylabel(literal(named(port, run[port].attrs.get("units"))))
+            if 1 < len(signals) <= MOST_NAMED:
+                one.legend(frameon=False, fontsize=8, loc="upper right", ncols=6)
     one.set_xlabel(literal(named("time", run.time.attrs.get("units"))))
     return axes
 

@@ -21,13 +21,12 @@ from ..diagrams.wiring import Params
 from ..equations.at_many import on_arrays
 from ..equations.block import Block
 from ..equations.ports import ports_of
-from ..native.ending import Solution
 from ..scenario.experiment import Scenario
 from ..scenario.file import CHANGED, OWN_LAW, own_parts, scenario_to_text
-from .frame import STATE, STATES, Frame, Labels, Series, columns, port_variables
+from .frame import Frame, Labels, Series, columns, port_variables
 
 if TYPE_CHECKING:
-    import xarray
+    pass
 
 VARIABLES = {  # name -> (port, long name, unit of length or none, powers of 1/time)
     "position": ("x", "true position", 1, 0),
@@ -184,14 +183,6 @@ def diagram_frame(name: str, labels: Labels, units: Labels, states: Labels) -> F
     by_port = {port: units[places[0]] for port, places in ports.items()}
     variables, axes = port_variables(ports, {}, ("time", "state", "states"), by_port)
     return Frame(variables, axes, {"title": f"Response of {name}"}, states=states)
-
-
-def with_states(
-    run: "xarray.Dataset", labels: Sequence[str], solution: Solution
-) -> "xarray.Dataset":
-    """Return a run with the states of its diagram, as `state_at` reads them."""
-    coordinate = {"state": ("state", list(labels), STATE)}
-    return run.assign_coords(coordinate).assign(states=(("time", "state"), solution.x, STATES))
 
 
 def beyond_scenario_of(params: Params, attributes: Mapping[str, str] = {}) -> dict[str, str]:

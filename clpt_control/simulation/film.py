@@ -1,38 +1,34 @@
-"""A run as a moving picture: GIF by Pillow, MP4 by ffmpeg.
+"""A run as a moving picture, a GIF.
 
-Places between samples lie on straight lines, as the track is drawn; the flows are those of
-`flow_velocity` at the times themselves.
+Each frame is a sample of the run, with the flows of `flow_velocity` at its time.
 """
 
 from base64 import b64encode
 from collections.abc import Iterator
 from io import BytesIO
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..arguments import public
-from ..errors import ClptError, DataError
+from ..errors import ClptError
 from ..figures import BLUE, GREEN, GREY, ORANGE, RED, SAME, TITLE, legend_below, new_figure
-from ..files import beside, check_writable
+from ..files import check_writable, write_file
 from ..html import fragment
 from ..progress import progress_bar
 from ..progress.interrupt import check
-from ..scenario.experiment import Scenario
-from ..scenario.recorded_run import is_response, waypoints_of
-from .charts import arrow_grid, scenario_with
+from ..scenario.recorded_run import waypoints_of
+from .charts import scenario_with, square_chart
 from .flows import flow_to_draw
 
 if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
 
-ENDINGS = (".gif", ".mp4")
-MOST = 3000  # frames
-MOST_PIXELS = 5e8  # pixels that a GIF's frames have together, at most
-NARROW, WIDE = 200, 2000  # pixels
-SHADES = 5  # of each colour towards white, in a GIF
+LIMITS = {"seconds": (0.1, 600.0), "fps": (1.0, 50.0), "width": (200, 2000)}
+MOST_PIXELS = 5e8  # pixels that all frames have together, at most
+SHADES = 5  # of each colour towards white
 
 
 class Movie:
@@ -55,29 +51,24 @@ def animate(
     run: "xarray.Dataset",
     path: str | Path | None = None,
     *,
-    start: float | None = None,
-    end: float | None = None,
     seconds: float = 12.0,
     fps: float = 12.5,
     width: int = 560,
 ) -> Movie | None:
     """Make a moving picture of a run.
 
-    Vehicle and prediction, the true and the learned flow as arrows, and CLPE over time; frames
-    are even in time.
+    Vehicle and prediction, and the true and the learned flow as arrows; frames are even in time.
 
     Parameters
     ----------
     run : xarray.Dataset
         As `simulate` gives it, or `load_run`.
     path : str or path, optional
-        Ends in ``.gif``, or in ``.mp4`` where ffmpeg is installed.
-    start, end : float, optional
-        What of the run is shown, units.time; by default all.
+        Ends in ``.gif``.
     seconds : float, optional
         How long the film lasts.
     fps : float, optional
-        Frames a second; a GIF has whole hundredths of a second for each frame.
+        Frames a second; each lasts whole hundredths of a second.
     width : int, optional
         Pixels.
 
@@ -91,7 +82,7 @@ def animate(
     DataError
         If the run lacks a signal, or the file cannot be written.
     ClptError
-        If an option is not allowed, or ffmpeg is missing.
+        If an option is not allowed.
 
     Examples
     --------
@@ -100,90 +91,62 @@ def animate(
     >>> clpt.animate(run, seconds=0.4, width=200).frames
     5
     """
-    suffix = checked_suffix(path, seconds, fps, width)
-    pause = round(100 / fps) / 100 if suffix == ".gif" else 1 / fps
-    times = np.linspace(*_span(run, start, end), max(2, round(seconds / pause)))
-    film = film_of(run, times)
+    check_options(path, seconds=seconds, fps=fps, width=width)
+    pause = round(100 / fps) / 100
+    scenario_with(run, *SIGNALS)
+    t = run.time.values
+    times = np.linspace(float(t[0]), float(t[-1]), max(2, round(seconds / pause)))
+    at = np.clip(np.searchsorted(t, times * (1 + 1e-12), side="right") - 1, 0, None)
     from matplotlib import rc_context
 
-    with rc_context(SAME), progress_bar("drawing", len(times), "frames") as report:
-        figure, frames = draw_frames(film, 2 * (width // 2))
-        if path is None:
-            content = BytesIO()
-            _write_gif(content, figure, _checked(frames, report), pause)
-            return Movie(content.getvalue(), len(times), len(times) * pause)
-        with beside(path) as part:
-            write = _write_gif if suffix == ".gif" else _write_mp4
-            write(part, figure, _checked(frames, report), pause)
+    with rc_context(SAME), progress_bar("drawing", len(at), "frames") as report:
+        figure, ax = new_figure(INCHES, INCHES + 0.6)
+        figure.set_dpi(width / INCHES)
+        content = _gif(figure, draw_samples(ax, run, at), pause, report)
+    if path is None:
+        return Movie(content, len(at), len(at) * pause)
+    write_file(path, content)
     return None
 
 
-def checked_suffix(path: str | Path | None, seconds: float, fps: float, width: int) -> str:
-    """Return the kind of film; refuse what cannot be filmed, before work begins."""
-    suffix = ".gif" if path is None else Path(path).suffix.lower()
+def check_options(path: str | Path | None, **options: float) -> None:
+    """Refuse what cannot be filmed, before work begins."""
     if path is not None:
-        check_writable(path, "a film", ENDINGS)
-        if suffix == ".mp4":
-            from matplotlib.animation import FFMpegWriter
-
-            if not FFMpegWriter.isAvailable():
-                raise ClptError(f"{path}: needs ffmpeg, which is not installed; a .gif needs none")
-    for name, value, low, high in (
-        ("seconds", seconds, 0.1, 600),
-        ("fps", fps, 1, 50),
-        ("width", width, NARROW, WIDE),
-    ):
-        if not low <= value <= high:
-            raise ClptError(f"{name} = {value!r:.60}: must be a number from {low:g} to {high:g}")
-    if seconds * fps > MOST:
-        raise ClptError(f"seconds x fps = {seconds * fps:.0f} frames; at most {MOST} are made")
-    if suffix == ".gif" and (size := seconds * fps * width**2) > MOST_PIXELS:
+        check_writable(path, "a film", (".gif",))
+    for name, (low, high) in LIMITS.items():
+        if not low <= options[name] <= high:
+            raise ClptError(
+                f"{name} = {options[name]!r:.60}: must be a number from {low:g} to {high:g}"
+            )
+    count, width = options["seconds"] * options["fps"], options["width"]
+    if (size := count * width**2) > MOST_PIXELS:
         raise ClptError(
-            f"a GIF of {seconds * fps:.0f} frames of {width} pixels would take {size / 1e9:.1f} "
-            "GB of memory: make it shorter or narrower, or an .mp4"
+            f"a GIF of {count:.0f} frames of {width} pixels would take {size / 1e9:.1f} GB of "
+            "memory: make it shorter or narrower"
         )
-    return suffix
 
 
-def _span(run: "xarray.Dataset", start: float | None, end: float | None) -> tuple[float, float]:
-    """Return the first and the last time shown."""
-    if is_response(run):
-        raise DataError(
-            "the run is of a diagram, which has no track to film; run.clpt.plot() draws its signals"
-        )
-    scenario = scenario_with(run, *SIGNALS)
-    first, last = float(run.time[0]), float(run.time[-1])
-    begin, finish = first if start is None else start, last if end is None else end
-    if not first <= begin < finish <= last:
-        raise DataError(
-            f"start = {begin:g}, end = {finish:g}: must lie one after the other within the run, "
-            f"{first:g} to {last:g} {scenario.units.time}"
-        )
-    return begin, finish
-
-
-def _checked(frames: Iterator[int], report: Any) -> Iterator[int]:
-    for k in frames:
-        check()
-        report(k)
-        yield k
-
-
-def _write_gif(file: Any, figure: "Figure", frames: Iterator[int], pause: float) -> None:
-    """Write frames that share their colours; all but what changes is left out."""
+def _gif(figure: "Figure", frames: Iterator[int], pause: float, report: Any) -> bytes:
+    """Return frames that share their colours as a GIF; all but what changes is left out."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from PIL import Image
 
-    canvas, images = FigureCanvasAgg(figure), list[Any]()
+    canvas, images, content = FigureCanvasAgg(figure), list[Any](), BytesIO()
     palette = Image.new("P", (1, 1))
     palette.putpalette(_palette())
-    for _ in frames:
+    for k in frames:
+        if not k:  # then nothing moves from frame to frame
+            figure.draw_without_rendering()
+            figure.set_layout_engine("none")
+        check()
+        report(k)
         canvas.draw()
         image = Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
         images.append(image.quantize(palette=palette, dither=Image.Dither.NONE))
     first, *rest = images
     options = {"duration": round(1000 * pause), "loop": 0, "disposal": 1, "optimize": False}
-    first.save(file, format="GIF", save_all=True, append_images=rest, **options)
+    first.save(content, format="GIF", save_all=True, append_images=rest, **options)
+    return content.getvalue()
 
 
 def _palette() -> list[int]:
@@ -195,156 +158,58 @@ def _palette() -> list[int]:
     return [int(part) for part in np.rint(255 * np.vstack([*shades, np.ones((1, 3))])).ravel()]
 
 
-def _write_mp4(file: Path, figure: "Figure", frames: Iterator[int], pause: float) -> None:
-    from matplotlib.animation import FFMpegWriter
-
-    fps: Any = 1 / pause  # need not be whole
-    writer = FFMpegWriter(fps=fps, codec="h264", extra_args=["-f", "mp4"])
-    with writer.saving(figure, str(file), figure.dpi):
-        for _ in frames:
-            writer.grab_frame()
-
-
-# --- what is shown at each time, and the figure that shows it -------------------------------------
-
+# --- what is shown at each time -------------------------------------------------------------------
 
 SIGNALS = ("position", "predicted_position", "clpe", "reference", "flow_parameters_estimate")
-ARROWS = 9  # along the longer side
+ARROWS = 9  # on a side
 FAINT = "#AAAAAA"
 INKS = (BLUE, GREEN, RED, ORANGE, FAINT)  # and black
 LENGTH, LONGEST = 1.8, 2.4  # steps of the grid: the longest true arrow, any learned one
-LEAST = 1e-6  # of the largest |e|: below it nothing is told apart
 INCHES = 5.6  # inches
 
 
-class Film(NamedTuple):
-    """A run at the times of the frames: places (n, 2), flows (n, arrows, 2)."""
-
-    scenario: Scenario
-    run: "xarray.Dataset"
-    times: np.ndarray
-    x: np.ndarray
-    z: np.ndarray
-    zc: np.ndarray
-    grid: np.ndarray  # (arrows, 2)
-    true: np.ndarray
-    learned: np.ndarray
-
-    @property
-    def longest(self) -> tuple[str, float]:
-        """The flow that scales the arrows, the true one where there is any, and its most."""
-        kind, flow = ("true", self.true) if self.true.any() else ("learned", self.learned)
-        return kind, float(np.hypot(*flow.reshape(-1, 2).T).max())
-
-
-def film_of(run: "xarray.Dataset", times: np.ndarray) -> Film:
-    """Return what is shown at each time."""
+def draw_samples(ax: Any, run: "xarray.Dataset", at: np.ndarray) -> Iterator[int]:
+    """Draw samples of a run on axes, one after the other: vehicle, prediction and both flows."""
     scenario = scenario_with(run, *SIGNALS)
-    t = run.time.values
-
-    def at(name: str) -> np.ndarray:
-        values = run[name].values.reshape(len(t), -1)
-        return np.column_stack([np.interp(times, t, column) for column in values.T])
-
-    x, z, theta = at("position"), at("predicted_position"), at("flow_parameters_estimate")
-    zc = run.reference.values[np.searchsorted(t, times, side="right") - 1]
-    grid, n = _grid(scenario, run), len(times)
-    places, moments = np.tile(grid, (n, 1)), np.repeat(times, len(grid))
-    each = np.repeat(theta.reshape(n, 2, -1), len(grid), axis=0)
-    true = flow_to_draw(run, scenario, places, moments).reshape(n, -1, 2)
-    learned = flow_to_draw(run, scenario, places, moments, each).reshape(n, -1, 2)
-    return Film(scenario, run, times, x, z, zc, grid, true, learned)
-
-
-def _grid(scenario: Scenario, run: "xarray.Dataset") -> np.ndarray:
-    """Return the places of the arrows: over waypoints and track, within the true flow's field."""
-    places = np.vstack([run.position.values, waypoints_of(run, scenario)])
-    low, high = places.min(0), places.max(0)
-    rim = 0.12 * max(*(high - low), 1e-9)
-    return arrow_grid(scenario, low - rim, high + rim, ARROWS)
-
-
-def draw_frames(film: Film, width: int) -> "tuple[Figure, Iterator[int]]":
-    """Return a figure so many pixels wide, and an iterator that turns it to frame after frame."""
-    low, high = film.grid.min(0), film.grid.max(0)
-    step = max(high - low) / (ARROWS - 1)
-    low, high = low - 0.75 * step, high + 0.75 * step
-    shape = (high - low)[1] / (high - low)[0]
-    dpi = width / INCHES
-    high_inches = np.clip(shape, 0.4, 1.6) * (INCHES - 0.9) + 2.6
-    height = 2 * round(high_inches * dpi / 2) / dpi  # an even number of pixels, for MP4
-    rows = (height - 1.9, 1.1)
-    figure, (chart, below) = new_figure(INCHES, height, nrows=2, height_ratios=rows)
-    figure.set_dpi(dpi)
-    moving = _chart(chart, film, step)
-    moving |= _trace(below, film)
-    chart.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
-    legend_below(chart, 3, 30.0)
-    figure.draw_without_rendering()
-    figure.set_layout_engine("none")  # nothing moves from frame to frame
-    return figure, _frames(film, moving, step)
-
-
-def _chart(ax: Any, film: Film, step: float) -> dict[str, Any]:
-    """Draw the chart at the first time; return what moves."""
-    units = film.scenario.units
-    points = waypoints_of(film.run, film.scenario)
-    ax.plot(*points.T, "o", color="black", ms=5, mfc="none")
-    arrows: dict[str, Any] = {"angles": "xy", "scale_units": "xy", "scale": 1, "minlength": 0}
-    arrows |= {"headwidth": 3.2, "headlength": 3.6, "headaxislength": 3.2}
-    nothing = np.zeros(film.grid.shape).T
-    desired = "waypoint, now" if len(points) else "desired"
-    moving = {
-        "true": ax.quiver(*film.grid.T, *nothing, color=FAINT, width=0.008, **arrows),
-        "learned": ax.quiver(*film.grid.T, *nothing, color=ORANGE, width=0.0042, **arrows),
-        "track": ax.plot([], [], color=BLUE, lw=1.0, alpha=0.7)[0],
-        "zc": ax.plot([], [], "o", color="black", ms=5, label=desired)[0],
-        "x": ax.plot([], [], "o", color=BLUE, ms=8, label="vehicle")[0],
-        "z": ax.plot([], [], "D", color=GREEN, ms=8, mfc="none", mew=1.8, label="prediction")[0],
-        "e": ax.plot([], [], color=RED, lw=1.6, label="CLPE")[0],
-        "title": ax.set_title("", **TITLE),
-    }
-    kind, longest = film.longest
-    if kind == "true":
-        ax.plot([], [], color=FAINT, lw=4, label="true flow")
-    ax.plot([], [], color=ORANGE, lw=2, label="learned flow")
-    ax.set(xlabel=f"$x_1$ ({units.length})", ylabel=f"$x_2$ ({units.length})")
+    units, t, path = scenario.units, run.time.values, run.position.values
+    points = waypoints_of(run, scenario)
+    places = np.concatenate([points, path])
+    grid = square_chart(ax, scenario, places, ARROWS)
+    every, moments = np.tile(grid, (len(at), 1)), np.repeat(t[at], len(grid))
+    theta = np.repeat(run.flow_parameters_estimate.values[at], len(grid), axis=0)
+    true, learned = (
+        flow_to_draw(run, scenario, every, moments, *of).reshape(len(at), -1, 2)
+        for of in ((), (theta,))
+    )
+    kind, flow = ("true", true) if true.any() else ("learned", learned)
+    longest = float(np.hypot(*flow.reshape(-1, 2).T).max())
+    unit = LENGTH * np.ptp(ax.get_xlim()) / ARROWS / (longest or 1.0)  # of a chart, of a speed
+    arrows: dict[str, Any] = {"angles": "xy", "scale_units": "xy", "scale": 1 / unit}
+    arrows |= {"minlength": 0, "headwidth": 3.2, "headlength": 3.6, "headaxislength": 3.2}
     note = f"longest {kind} arrow {longest:.2g} {units.length}/{units.time}"
     ax.set_title(note if longest else "", loc="right", fontsize=8, color=GREY)
-    return moving
-
-
-def _trace(ax: Any, film: Film) -> dict[str, Any]:
-    """Draw |e| over the film's time; return what moves."""
-    samples, ends = film.run.time.values, film.times[[0, -1]]
-    t = np.union1d(samples[(samples > ends[0]) & (samples < ends[1])], ends)
-    size = np.hypot(*(np.interp(t, samples, one) for one in film.run.clpe.values.T))
-    ax.semilogy(t, np.where(size > LEAST * size.max(), size, np.nan), color=RED, lw=0.8)
-    units = film.scenario.units
-    ax.set(xlabel=f"time ({units.time})", ylabel=f"|CLPE| ({units.length})")
-    ax.set_xlim(film.times[0], film.times[-1])
-    return {"now": ax.axvline(film.times[0], color="black", lw=1.0)}
-
-
-def _frames(film: Film, moving: dict[str, Any], step: float) -> Iterator[int]:
-    t, units = film.run.time.values, film.scenario.units
-    longest = max(film.longest[1], 1e-300)
-    digits = max(0, int(np.ceil(-np.log10(max(np.ptp(film.times), 1e-9) / len(film.times)))))
-    for k, now in enumerate(film.times):
-        for name in ("true", "learned"):
-            moving[name].set_UVC(*_on_chart(getattr(film, name)[k], longest, step).T)
-        before = (t >= film.times[0]) & (t <= now)
-        moving["track"].set_data(*np.vstack([film.run.position.values[before], film.x[k]]).T)
-        moving["e"].set_data(*np.vstack([film.x[k], film.z[k]]).T)
-        for name in ("x", "z", "zc"):
-            moving[name].set_data(*getattr(film, name)[k][:, None])
-        moving["now"].set_xdata([now, now])
-        moving["title"].set_text(f"t = {now:.{digits}f} {units.time}")
-        yield k
-
-
-def _on_chart(flow: np.ndarray, longest: float, step: float) -> np.ndarray:
-    """Return arrows on the chart, the `longest` `LENGTH` steps, none over `LONGEST`."""
-    arrows = flow / longest * LENGTH * step
-    size = np.maximum(np.hypot(*arrows.T) / (LONGEST * step), 1.0)
-    return arrows / size[:, None]
+    ax.plot(*points.T, "o", color="black", ms=5, mfc="none")
+    for j, k in enumerate(at):
+        moving: list[Any] = []
+        if true.any():
+            of = {"color": FAINT, "width": 0.008, "label": "true flow", **arrows}
+            moving.append(ax.quiver(*grid.T, *true[j].T, **of))
+        if learned.any():
+            size = np.hypot(*learned[j].T) / (longest * LONGEST / LENGTH)
+            bounded = learned[j] / np.maximum(size, 1.0)[:, None]
+            of = {"color": ORANGE, "width": 0.0042, "label": "learned flow", **arrows}
+            moving.append(ax.quiver(*grid.T, *bounded.T, **of))
+        x, z, zc = path[k], run.predicted_position.values[k], run.reference.values[k]
+        now = "waypoint, now" if len(points) else "desired"
+        prediction = {"color": GREEN, "ms": 8, "mfc": "none", "mew": 1.8, "label": "prediction"}
+        moving += ax.plot(*path[: k + 1].T, color=BLUE, lw=1.0, alpha=0.7)
+        moving += ax.plot(*zc, "o", color="black", ms=5, label=now)
+        moving += ax.plot(*np.transpose([x, z]), color=RED, lw=1.6, label="CLPE")
+        moving += ax.plot(*x, "o", color=BLUE, ms=8, label="vehicle")
+        moving += ax.plot(*z, "D", **prediction)
+        ax.set_title(f"t = {t[k]:g} {units.time}", **TITLE)
+        if j == 0:
+            legend_below(ax, 3, 30.0)
+        yield j
+        for one in moving if j + 1 < len(at) else ():
+            one.remove()

@@ -46,10 +46,6 @@ class Fit:
         that is met.
     params, initial_state
         To hand to `simulate`.
-    samples : int
-        Numbers that were fitted.
-    runs : int
-        Runs that it took.
 
     Examples
     --------
@@ -67,8 +63,6 @@ class Fit:
     unidentified: tuple[str, ...] = ()
     params: dict[str, Any] = field(default_factory=dict)
     initial_state: Any = None
-    samples: int = 0
-    runs: int = 0
 
     def __repr__(self) -> str:
         lines = [
@@ -101,10 +95,10 @@ def fit_parameters(
     ----------
     system : Scenario or control.InputOutputSystem
         As `sensitivity` takes it.
-    data : xarray.Dataset, control.TimeResponseData or mapping
-        Measured outputs: variables over ``time``, a response with its inputs, or arrays by port or
-        signal, samples first, at `timepts`. NaN is no measurement. Variables and arrays with the
-        names of the inputs are these, where `inputs` are not given.
+    data : xarray.Dataset or mapping
+        Measured outputs: variables over ``time``, or arrays by port or signal, samples first, at
+        `timepts`. NaN is no measurement. Variables and arrays with the names of the inputs are
+        these, where `inputs` are not given.
     parameters : mapping
         By name, as `sensitivity` takes them in `to`: where to begin, ``{"m": 1.0}``, or that and
         bounds, ``{"m": (1.0, 0.1, 10.0)}``.
@@ -155,13 +149,6 @@ def fit_parameters(
 
 def _read(data: Any, times: Any, inputs: Any) -> tuple[np.ndarray, dict[str, np.ndarray], Any]:
     """Return times, measured arrays by name, samples first, and inputs."""
-    if isinstance(data, control.TimeResponseData):
-        if data.ntraces > 1:
-            raise ArgumentError("data: a response of several traces; give one of them")
-        times, y = data.time, np.asarray(data.y).reshape(data.noutputs, -1)
-        if inputs is None and data.ninputs:
-            inputs = np.asarray(data.u).reshape(data.ninputs, -1)
-        return times, dict(zip(data.output_labels, y, strict=True)), inputs
     if hasattr(data, "data_vars"):
         if "time" not in data.dims:
             raise ArgumentError("data: has no dimension `time`")
@@ -169,9 +156,7 @@ def _read(data: Any, times: Any, inputs: Any) -> tuple[np.ndarray, dict[str, np.
         arrays = {name: one.transpose("time", ...).values for name, one in variables.items()}
         return checked_times("data.time", data.time.values), arrays, inputs
     if not isinstance(data, Mapping):
-        raise ArgumentError(
-            "data: must be an xarray.Dataset, a control.TimeResponseData, or arrays by name"
-        )
+        raise ArgumentError("data: must be an xarray.Dataset, or arrays by name")
     if times is None:
         raise ArgumentError("timepts: is required with arrays")
     arrays = {name: numbers(f"data: {name}", values) for name, values in data.items()}
@@ -230,8 +215,6 @@ class _Fitting:
             raise ArgumentError(f"data: {self.there.sum()} numbers for {len(self.names)} unknowns")
         self.begin, self.low, self.high = self._bounds(begin)
         self.noise = noise
-        self.moving = False  # whether a jump moves with what is fitted
-        self.runs = 0
         self.last: tuple[np.ndarray, RunWithDerivatives] | None = None
 
     def _bounds(self, parameters: Mapping[str, Any]) -> list[np.ndarray]:
@@ -256,10 +239,8 @@ class _Fitting:
     def run(self, values: np.ndarray) -> RunWithDerivatives:
         """Return the run at these values, of the last ones again."""
         if self.last is None or not np.array_equal(values, self.last[0]):
-            self.runs += 1
             try:
                 result = self.ready.run(values)
-                result = self.ready.confirmed(values, result) if self.moving else result
             except SimulationError as error:
                 said = ", ".join(f"{n} = {v:.6g}" for n, v in zip(self.names, values, strict=True))
                 raise SimulationError(f"at {said}: {error}; begin closer, or give bounds") from None
@@ -291,15 +272,12 @@ class _Fitting:
         noise = self._given_noise() if self.noise is not None else np.where(size > 0, size, 1.0)
         values, least = self.begin, 1e-9 * noise
         for _ in range(ROUNDS):
-            while True:
-                result = least_squares(
-                    self.residuals, values, self.jacobian, (self.low, self.high), x_scale="jac",
-                    ftol=CLOSE, xtol=CLOSE, gtol=CLOSE, args=(noise,),
-                )  # fmt: skip
-                values = result.x
-                if self.moving or not self.ready.confirmed(values, self.run(values)).moved:
-                    break
-                self.moving, self.last = True, None
+            result = least_squares(
+                self.residuals, values, self.jacobian, (self.low, self.high), x_scale="jac",
+                ftol=CLOSE, xtol=CLOSE, gtol=CLOSE, args=(noise,),
+            )  # fmt: skip
+            values = result.x
+            self.ready.confirm(values, self.run(values))
             if self.noise is not None:
                 break
             residuals = np.zeros(self.there.shape)
@@ -361,7 +339,7 @@ class _Fitting:
             (*(_sentence(free_names, one) for one in directions[~identified]),
              *(f"{name} lies on a bound" for name in self.names if name not in free_names)),
             {name: one if one.ndim else float(one) for name, one in params.items()},
-            start, len(residuals), self.runs
+            start,
         )  # fmt: skip
 
 

@@ -169,39 +169,23 @@ def explained_variance(
 # hold its place there.  Each sample counts until the next one. -----------------------------------
 
 
-class SpeedTimer:
-    """Counts time at the limit and in a faster flow, samples given in order, in parts."""
+def speed_figures(
+    max_speed: float, times: np.ndarray, commanded: np.ndarray, flow: np.ndarray
+) -> dict[str, Any]:
+    """Return shares of the time, ready for JSON, of samples (n,), velocity and flow (n, 2)."""
+    at_limit, faster = (np.hypot(*one.T) > max_speed for one in (commanded, flow))
+    spans, whole = np.diff(times, append=times[-1]), float(times[-1] - times[0])
 
-    def __init__(self, max_speed: float):
-        self.max_speed, self.end = max_speed, 0.0
-        self.changes: list[np.ndarray] = []  # times from which on
-        self.flags: list[np.ndarray] = []  # (n, 2): whether it is at the limit, in a faster flow
-        self._last: np.ndarray | None = None
+    def share(of: np.ndarray) -> float:
+        return float(spans @ of) / whole if whole else float(of[-1])
 
-    def add(self, times: np.ndarray, commanded: np.ndarray, flow: np.ndarray) -> None:
-        """Take samples that follow those before: (n,), commanded velocity and flow (n, 2)."""
-        over = np.stack([np.hypot(*one.T) > self.max_speed for one in (commanded, flow)], axis=1)
-        before = ~over[:1] if self._last is None else self._last
-        changes = np.any(np.diff(over, axis=0, prepend=before), axis=1)
-        self.changes.append(times[changes])
-        self.flags.append(over[changes])
-        self._last, self.end = over[-1:], float(times[-1])
-
-    def figures(self) -> dict[str, Any]:
-        """Return the figures, ready for JSON; times in units.time, shares of the time watched."""
-        times = np.concatenate([*self.changes, [self.end]])
-        at_limit, faster = np.concatenate([np.zeros((0, 2), bool), *self.flags]).T
-        spans, whole = np.diff(times), float(times[-1] - times[0])
-
-        def share(of: np.ndarray) -> float:
-            return float(spans @ of) / whole if whole else float(of[-1:].any())
-
-        stretches = np.diff(times[np.diff(np.pad(faster, 1)).nonzero()[0]])[::2]
-        flow = None
-        if len(stretches):
-            first = float(times[np.argmax(faster)])
-            flow = {"first": first, "longest": float(stretches.max()), "share": share(faster)}
-        return {"max_speed": self.max_speed, "share_at_limit": share(at_limit), "faster_flow": flow}
+    edges = np.append(times, times[-1])[np.diff(np.pad(faster, 1)).nonzero()[0]]
+    flow_faster = None
+    if len(edges):
+        longest = float(np.diff(edges)[::2].max())
+        flow_faster = {"first": float(edges[0]), "longest": longest, "share": share(faster)}
+    figures = {"max_speed": max_speed, "share_at_limit": share(at_limit)}
+    return {**figures, "faster_flow": flow_faster}
 
 
 def faster_flow(figures: dict[str, Any], units: Units) -> str:
@@ -218,9 +202,8 @@ def faster_flow(figures: dict[str, Any], units: Units) -> str:
 
 def speeds_of(run: "xarray.Dataset", max_speed: float) -> dict[str, Any]:
     """Return the figures of a run at its own samples."""
-    timer = SpeedTimer(max_speed)
-    timer.add(run.time.values, run.commanded_velocity.values, run.true_flow.values)
-    return timer.figures()
+    velocities = run.commanded_velocity.values, run.true_flow.values
+    return speed_figures(max_speed, run.time.values, *velocities)
 
 
 def note_speeds(run: "xarray.Dataset", figures: dict[str, Any], units: Units) -> None:

@@ -31,7 +31,6 @@ from ..html import plain
 from ..progress import note
 from ..scenario.experiment import Scenario
 from .export import FIXED, CFile, in_c
-from .running import signal_units
 
 FUNCTIONS = Template((resources.files("clpt_control.data") / "fmi3.c").read_text("utf-8"))
 FLAGS = ("-std=c99", "-O2", "-shared", "-fPIC", "-fvisibility=hidden")
@@ -162,16 +161,15 @@ def _binary(name: str, text: str) -> dict[str, bytes]:
 def _variables(file: CFile) -> Iterator[tuple[str, str, dict[str, str]]]:
     """Yield kind, name and own attributes of each variable, in the order of value references."""
     x, u, y = (file.labels[letter] for letter in "xuy")
-    units = [{"unit": unit} if unit else {} for unit in signal_units(file.wiring)]
     yield "time", "time", {}
     for label, start in zip(x, file.start, strict=True):
         yield "state", f"state.{label}", {"start": repr(float(start))}
     for k, label in enumerate(x):
         yield "rate", f"der(state.{label})", {"derivative": f"{1 + k}"}
-    for label, unit in zip(u, units[len(y) :], strict=True):
-        yield "input", label, {"start": "0.0", **unit}
-    for label, unit in zip(y, units, strict=False):
-        yield "output", label, unit
+    for label in u:
+        yield "input", label, {"start": "0.0"}
+    for label in y:
+        yield "output", label, {}
     for label, value in zip(*file.parameters(), strict=True):
         kind = "constant" if FIXED in label else "parameter"
         start = repr(float(value)).replace("inf", "INF")  # as XML says it
@@ -189,10 +187,6 @@ def _description(file: CFile, token: str) -> Element:
     )
     SubElement(root, "ModelExchange", modelIdentifier=file.name)
     rows = [*_variables(file)]
-    if units := sorted({own["unit"] for *_, own in rows if "unit" in own}):
-        defined = SubElement(root, "UnitDefinitions")
-        for unit in units:
-            SubElement(defined, "Unit", name=unit)
     variables, taken = SubElement(root, "ModelVariables"), set[str]()
     for place, (kind, name, own) in enumerate(rows):
         name = _name(name)

@@ -51,7 +51,6 @@ class Frame:
         self.axes = {name: _index(name, *one) for name, one in self.axes.items()}
         if self.states is not None:
             self.axes["state"] = _index("state", np.array(self.states, dtype=object), STATE)
-        self._last: tuple[np.ndarray, Any] | None = None  # times, and their index
 
     def filled(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
         """Return a Dataset of a run's signals and states; each has attributes of its own."""
@@ -63,7 +62,7 @@ class Frame:
         }
         if self.states is not None:
             variables["states"] = Variable(("time", "state"), solution.x, STATES, fastpath=True)
-        axes = {"time": self._times(solution.t), **self.axes}
+        axes = {"time": _index("time", solution.t.copy(), self.since), **self.axes}
         variables |= {
             name: type(one)(one.dims, one._data, one.attrs, fastpath=True)  # a copy, but quicker
             for name, (_, one) in axes.items()
@@ -78,15 +77,6 @@ class Frame:
         if self.folder is not None:
             run.encoding["folder"] = self.folder
         return run
-
-    def _times(self, times: np.ndarray) -> tuple[Any, Any]:
-        """Return the index of times; a run at the times of the last one shares its index."""
-        last = self._last  # threads may share it
-        if last is None or not np.array_equal(last[0], times):
-            own = times.copy()
-            own.flags.writeable = False  # several Datasets share them
-            last = self._last = own, _index("time", own, self.since)
-        return last[1]
 
 
 def _index(name: str, values: Any, attributes: Any) -> tuple[Any, Any]:

@@ -63,8 +63,8 @@ def simulate(
     initial_state : array_like, optional
         State of a diagram at ``timepts[0]``, of a scenario at t = 0; without, the scenario's own at
         t = 0, and zero for a diagram that knows none. A list holds numbers and arrays that follow
-        each other; one that ends with 0, ``[x0, 0]``, is filled with zeros. A team takes neither
-        this nor `params`.
+        each other; one that ends with 0, ``[x0, 0]``, is filled with zeros. A scenario with this
+        or `params` runs as its `closed_loop`; a team takes neither.
     params : mapping, optional
         Call-time parameters, ``{"adaptation.gain": 2.0}``.
     rtol, atol : float, optional
@@ -114,35 +114,38 @@ def simulate(
     """
     how: dict[str, Any] = {"rtol": rtol, "atol": atol, "method": method and checked_method(method)}
     limits: dict[str, Any] = {"max_step": max_step, "first_step": first_step, "progress": progress}
+    before = 0  # samples before those asked for
     if isinstance(system, Scenario | Team):
         if stop is not None:
             raise SimulationError("stop: is for a diagram; simulate closed_loop(scenario) with it")
         if inputs is not None:
             raise SimulationError("a scenario has no inputs; simulate closed_loop(..., external=)")
-        changes = {"initial_state": initial_state, "params": params}
-        changes = {name: one for name, one in changes.items() if one is not None}
-        if isinstance(system, Team) and changes:
-            raise SimulationError(
-                f"{next(iter(changes))}: a team has its own; change its scenarios, or simulate "
-                "team_loop(team)"
-            )
-        times, skipped = _from_zero(system, timepts)
-        key = None if changes else _key(system, *how.values(), engine)
+        timepts, before = _from_zero(system, timepts)
+        if initial_state is not None or params:
+            if isinstance(system, Team):
+                raise SimulationError(
+                    "initial_state, params: a team has its own; change its scenarios, or simulate "
+                    "team_loop(team)"
+                )
+            system = closed_loop(system)
+    if isinstance(system, Scenario | Team):
+        key = _key(system, *how.values(), engine)
         system = with_solver(system, how)
         run_type: Any = TeamRun if isinstance(system, Team) else ScenarioRun
-        with ready(key, lambda: run_type(system, engine, **changes)) as run:
-            result = run.run(times, **system.run.solver, **limits)
+        with ready(key, lambda: run_type(system, engine)) as run:
+            result = run.run(timepts, **system.run.solver, **limits)
     else:
         overrides = any(one is not None for one in (inputs, initial_state, stop, *how.values()))
         diagram, times, skipped, inputs, start, options = request_of(
             system, timepts, inputs, initial_state, **how, **limits
         )
+        before += skipped
         asked = sizes_of_run(diagram, inputs, start, times), callable(inputs), engine
         key = diagram_key(diagram, params, *asked) if stop is None else None
         with ready(key, lambda: DiagramRun(diagram, params, *asked, stop)) as run:
             result = run.run(times, inputs, start, **options)
             result.attrs |= run.beyond_scenario if overrides or not run.is_unchanged else {}
-    result = result.isel(time=slice(skipped, None)) if skipped else result
+    result = result.isel(time=slice(before, None)) if before else result
     if run.max_speed is not None and {"commanded_velocity", "true_flow"} <= set(result):
         note_speeds(result, speeds_of(result, run.max_speed), run.scenario.units)
     return result

@@ -11,7 +11,7 @@ from ..arguments import public
 from ..errors import ClptError
 from ..figures import BLUE, GREY, TITLE, axes_for, line_style
 from ..scenario.recorded_run import unknown_parts, waypoints_of
-from .charts import coloured, scenario_with, track_plot
+from .charts import positive, scenario_with, told_apart, track_plot
 
 if TYPE_CHECKING:
     import xarray
@@ -62,34 +62,28 @@ def clpe_plot(
     dwell, cycle = scenario.reference.dwell, scenario.cycle
     time, e = run.time.values, run.clpe.values
     early = time <= (2 * cycle if count else np.inf)
-    of_run = coloured(color)
-    for i in range(2):
-        line = {**line_style(i), **of_run}
-        top.plot(time[early], e[early, i], label=among(label, f"$e_{i + 1}$"), lw=1.1, **line)
-    last = max(time[early], default=2 * cycle)
-    top.set(ylabel=f"CLPE ({units.length})", xlim=(0, _wider(top, last, label)))
-    say_lines(top, label, fontsize=8)
-    top.set_title("CLPE", **TITLE)
-    size, lowest = np.hypot(*e.T), bottom.get_ylim()[0] if bottom.lines else np.inf
-    positive = np.maximum(size, 1e-12)
-    name = "|e|" if label is None else None if count else label
-    alpha = 0.5 if label is None else 0.25  # behind the steps of the waypoints
-    shade: dict[str, Any] = {"color": color or BLUE, "alpha": alpha if count else 1}
-    bottom.semilogy(time, positive, label=name, linewidth=0.5, **shade)
-    if count:
-        number = np.floor(time / dwell + 1e-9).astype(int)
-        counts = np.bincount(number)
-        rms = np.sqrt(np.bincount(number, size**2) / np.where(counts > 0, counts, np.nan))
-        few = len(size) < MANY * len(counts)  # the pictures of a long run have fewer samples
-        name = f"rms of each {dwell:g} {units.time}, a waypoint{', of the samples shown' * few}"
-        shade = {"color": "black", "linewidth": 1.2, "label": label or name, **of_run}
-        bottom.step(dwell * np.arange(len(counts)), np.maximum(rms, 1e-12), where="post", **shade)
-    bottom.set(xlabel=f"time ({units.time})", ylabel=f"|CLPE| ({units.length})")
-    bottom.set_xlim(0, _wider(bottom, time[-1], label))
-    if size.max() > 0:
-        least = max(1e-12, np.nanmin(np.where(size > 0, size, np.nan)) / 2)
-        bottom.set_ylim(bottom=least if label is None else min(least, lowest))
-    say_lines(bottom, label, name, fontsize=8)
+    with told_apart(axes, label, color):
+        for i in range(2):
+            top.plot(time[early], e[early, i], label=f"$e_{i + 1}$", lw=1.1, **line_style(i))
+        top.set(ylabel=f"CLPE ({units.length})", xlim=(0, max(time[early], default=2 * cycle)))
+        top.set_title("CLPE", **TITLE)
+        size = np.hypot(*e.T)
+        shade: dict[str, Any] = {"color": BLUE, "linewidth": 0.5, "alpha": 0.5 if count else 1}
+        bottom.semilogy(time, positive(size), label="|e|", **shade)
+        if count:
+            number = np.floor(time / dwell + 1e-9).astype(int)
+            counts = np.bincount(number)
+            rms = np.sqrt(np.bincount(number, size**2) / np.where(counts > 0, counts, np.nan))
+            few = len(size) < MANY * len(counts)  # the pictures of a long run have fewer samples
+            name = f"rms of each {dwell:g} {units.time}{', of the samples shown' * few}"
+            steps = dwell * np.arange(len(counts))
+            bottom.step(
+                steps, positive(rms), where="post", color="black", linewidth=1.2, label=name
+            )
+        bottom.set(xlabel=f"time ({units.time})", ylabel=f"|CLPE| ({units.length})")
+        bottom.set_xlim(0, time[-1])
+        for one in axes:
+            one.legend(frameon=False, fontsize=8)
     if count and not (top.child_axes or bottom.child_axes):
         for one in axes:
             above = one.secondary_xaxis("top", functions=(lambda t: t / cycle, lambda n: n * cycle))
@@ -97,28 +91,6 @@ def clpe_plot(
             above.tick_params(labelsize=7, colors=GREY)
         top.child_axes[0].set_xlabel("cycles", fontsize=7, color=GREY, loc="right")
     return axes
-
-
-def among(label: str | None, signal: str) -> str:
-    """Return what a line is called: its signal, behind the label of its run where there is one."""
-    return signal if label is None else f"{label}: {signal}"
-
-
-def say_lines(ax: Any, label: str | None, what: str | None = None, **place: Any) -> None:
-    """Put a legend into axes; of several runs beside them, where it hides no line, under `what`."""
-    if label is not None:
-        columns = 1 + (len(ax.get_legend_handles_labels()[0]) - 1) // 6
-        place = {"fontsize": 8, "ncols": columns, "loc": "upper left", "bbox_to_anchor": (1, 1.05)}
-        if what != label:
-            place |= {"title": (what or "").replace(", ", ",\n"), "title_fontsize": 7}
-    ax.legend(frameon=False, **place)
-
-
-def _wider(ax: Any, last: float, label: str | None) -> float:
-    """Return where axes end: with this run, or with the longest of those on them."""
-    lines = [line.get_xdata() for line in ax.lines if line.get_label()[0] != "_"]
-    ends = [max(one) for one in lines if label is not None and len(one)]
-    return max([float(last), *ends])
 
 
 @public
@@ -170,42 +142,41 @@ def learning_plot(
     top, bottom = axes
     time, i, units = run.time.values, axis - 1, scenario.units
     estimate = run.flow_parameters_estimate.values[:, i]
-    few, of_run = estimate.shape[1] <= 6, coloured(color)
+    few = estimate.shape[1] <= 6
     theta = run.flow_parameters.values if "flow_parameters" in run else None
-    for k, column in enumerate(estimate.T):
-        line, symbol = {**line_style(k), **of_run}, rf"$\hat\theta_{axis}^{{{k + 1}}}$"
-        name = among(label, symbol) if few else label if k == 0 else None
-        top.plot(time, column, linewidth=1.2 if few else 0.6, label=name, **line)
-        if theta is not None:
-            top.axhline(theta[i][k], color=line["color"], linewidth=0.7, alpha=0.7)
-    truth = ", true values thin" if theta is not None else ""
     row, estimated = scenario.learning.row, "estimate = $-\\alpha$"
     if row.alpha_is_constant:
         estimated = "given estimate" if row.given_estimate else "estimate of the filter"
-    top.set_title(f"Flow to the {DIRECTIONS[i]}, {estimated}{truth}", **TITLE)
-    top.set_ylabel(f"flow parameter ({units.length}/{units.time})")
     gains_known = "vehicle_controller" not in unknown_parts(run)
-    for k, (gain, symbol) in enumerate((("feedback", "K"), ("feedforward", r"\Gamma"))):
-        line, known = {**line_style(k), **of_run}, getattr(scenario.vehicle, gain)
-        values, name = run[f"{gain}_gain"].values[:, i], among(label, f"${symbol}_{axis}$")
-        bottom.plot(time, values, label=name, linewidth=1.2, **line)
-        if gains_known:
-            bottom.axhline(known[i], color=line["color"], linewidth=0.7, alpha=0.7)
-    truth = ", true values thin" if gains_known else ""
-    bottom.set_title(f"Gains{truth}", **TITLE)
-    bottom.set(xlabel=f"time ({units.time})", ylabel=f"gain (1/{units.time})")
-    cycle = scenario.cycle if len(waypoints_of(run, scenario)) else np.inf
-    for one in axes:
-        one.set_xlim(time[0], end := _wider(one, time[-1], label))
-        if end > 2 * cycle:
-            one.set_xscale("symlog", linthresh=cycle)
-            ticks = [cycle * k / 4 for k in range(4)] + [cycle * 2**k for k in range(5)]
-            one.set_xticks([t for t in ticks if t <= end], [f"{t:g}" for t in ticks if t <= end])
-            one.minorticks_off()
-            bottom.set_xlabel(f"time ({units.time}), logarithmic after one cycle")
-    if few or label is not None:
-        say_lines(top, label, fontsize=9, ncols=3)
-    say_lines(bottom, label, fontsize=9, ncols=2)
+    with told_apart(axes, label, color):
+        for k, column in enumerate(estimate.T):
+            line, symbol = line_style(k), rf"$\hat\theta_{axis}^{{{k + 1}}}$"
+            name = symbol if few else "estimates" if k == 0 else None
+            top.plot(time, column, linewidth=1.2 if few else 0.6, label=name, **line)
+            if theta is not None:
+                top.axhline(theta[i][k], color=line["color"], linewidth=0.7, alpha=0.7)
+        truth = ", true values thin" if theta is not None else ""
+        top.set_title(f"Flow to the {DIRECTIONS[i]}, {estimated}{truth}", **TITLE)
+        top.set_ylabel(f"flow parameter ({units.length}/{units.time})")
+        for k, (gain, symbol) in enumerate((("feedback", "K"), ("feedforward", r"\Gamma"))):
+            line, known = line_style(k), getattr(scenario.vehicle, gain)
+            values = run[f"{gain}_gain"].values[:, i]
+            bottom.plot(time, values, label=f"${symbol}_{axis}$", linewidth=1.2, **line)
+            if gains_known:
+                bottom.axhline(known[i], color=line["color"], linewidth=0.7, alpha=0.7)
+        bottom.set_title(f"Gains{', true values thin' if gains_known else ''}", **TITLE)
+        bottom.set(xlabel=f"time ({units.time})", ylabel=f"gain (1/{units.time})")
+        cycle = scenario.cycle if len(waypoints_of(run, scenario)) else np.inf
+        for one in axes:
+            one.set_xlim(time[0], end := time[-1])
+            one.legend(frameon=False, fontsize=9, ncols=3)
+            if end > 2 * cycle:
+                one.set_xscale("symlog", linthresh=cycle)
+                ticks = [cycle * k / 4 for k in range(4)] + [cycle * 2**k for k in range(5)]
+                ticks = [t for t in ticks if t <= end]
+                one.set_xticks(ticks, [f"{t:g}" for t in ticks])
+                one.minorticks_off()
+                bottom.set_xlabel(f"time ({units.time}), logarithmic after one cycle")
     return axes
 
 

@@ -27,12 +27,12 @@ from ..native.schedule import read_inputs
 from ..scenario.experiment import MOST_BYTES, Scenario
 from ..scenario.file import EQUATIONS, OWN_PARTS, REFERENCE, TEAM
 from ..scenario.team import Team, team_to_text
-from .dataset import Signals, beyond_scenario_of, diagram_frame, run_frame, with_states
+from .dataset import Signals, beyond_scenario_of, diagram_frame, run_frame
 from .flows import faster_flow, speeds_of
-from .frame import Frame
+from .frame import STATE, STATES, Frame
 from .loops import LoopOf, paper_blocks
 from .run_file import CONDITIONS, RunRecord
-from .starts import into_keys, stacked_state, state_columns, state_labels, state_of
+from .starts import stacked_state, state_columns, state_labels, state_of
 from .team_loops import team_blocks
 
 if TYPE_CHECKING:
@@ -61,10 +61,6 @@ class SystemRun:
         """The labels of all signals."""
         blocks = [node.system for node in self.wiring.nodes]
         return [label for block in blocks for label in whole_labels(block.output_labels)]
-
-    def columns(self, port: str) -> list[int]:
-        """Return the columns of a port in all signals."""
-        return [k for k, label in enumerate(self.labels) if label.partition("[")[0] == port]
 
     @property
     def parameters(self) -> dict[str, Any]:
@@ -104,25 +100,18 @@ class SystemRun:
 
 
 class ScenarioRun(SystemRun):
-    """A scenario's closed loop; call-time values replace those of the scenario's keys."""
+    """A scenario's closed loop."""
 
-    def __init__(
-        self,
-        scenario: Scenario,
-        engine: str | None = None,
-        params: Mapping[str, Any] | None = None,
-        initial_state: Any = None,
-    ):
-        self.scenario, left = into_keys(scenario, params, initial_state)
-        self.parts = paper_blocks(self.scenario)
-        super().__init__("the closed loop", wiring_of_blocks(self.parts), left, engine)
+    def __init__(self, scenario: Scenario, engine: str | None = None):
+        self.scenario, self.parts = scenario, paper_blocks(scenario)
+        super().__init__("the closed loop", wiring_of_blocks(self.parts), None, engine)
         self.start = state_of(self.scenario, self.parts)
 
     @cached_property
     def frame(self) -> Frame:
         """The Dataset of its runs."""
-        signals, beyond = self.signals(self.labels), beyond_scenario_of(self.params)
-        return run_frame(self.scenario, signals, beyond, states=state_labels(self.parts))
+        signals, states = self.signals(self.labels), state_labels(self.parts)
+        return run_frame(self.scenario, signals, states=states)
 
 
 class TeamRun(SystemRun):
@@ -177,7 +166,8 @@ class TeamRun(SystemRun):
                 if sentence := faster_flow(speeds, scenario.units):
                     whole.attrs["message"] += f"; {name}: {sentence}"
         whole.encoding["folder"] = str(team.first._folder)
-        return with_states(whole, state_labels(self.parts), solution)
+        whole = whole.assign_coords(state=("state", state_labels(self.parts), STATE))
+        return whole.assign(states=(("time", "state"), solution.x, STATES))
 
 
 class DiagramRun(SystemRun):

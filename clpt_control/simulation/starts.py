@@ -10,14 +10,14 @@ from ..arguments import numbers, public
 from ..blocks.localization import TRUE
 from ..diagrams.interconnection import Diagram
 from ..diagrams.parts import output_ports
-from ..diagrams.wiring import Params, Part, leaves
+from ..diagrams.wiring import Part, leaves
 from ..equations.block import Block
 from ..equations.system import is_linear
-from ..errors import BlockError, DataError, DiagramError, ScenarioError, SimulationError
+from ..errors import DataError, DiagramError
 from ..native.schedule import checked_state
 from ..progress import warn
 from ..scenario.experiment import Scenario
-from ..scenario.quantities import STARTS, keys_of, parameters_of_keys
+from ..scenario.quantities import STARTS
 from ..scenario.team import Team
 from .loops import paper_blocks
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     import xarray
 
 
-def stacked_state(name: str, state: Any, count: int, padded: bool = True) -> np.ndarray:
+def stacked_state(name: str, state: Any, count: int) -> np.ndarray:
     """Return `count` states as python-control takes them.
 
     A list, ``[x0, 0]``, holds numbers and arrays one after the other; a last zero is repeated.
@@ -35,20 +35,11 @@ def stacked_state(name: str, state: Any, count: int, padded: bool = True) -> np.
     else:
         state = numbers(name, state)
         state = state.ravel() if state.ndim else state
-    if 0 < np.size(state) < count and np.ndim(state) == 1 and (padded or state[-1] == 0):
+    if 0 < np.size(state) < count and np.ndim(state) == 1:
         if state[-1] != 0:
             warn(f"{name} is too short: filled with zeros")
         state = np.pad(numbers(name, state), (0, count - len(state)))
     return checked_state(name, state, (count,))
-
-
-def starting_values(scenario: Scenario) -> dict[str, np.ndarray]:
-    """Return the states at t = 0 by the scenario's keys for them."""
-    values = {key: attrgetter(key)(scenario) for key in STARTS}
-    values["learning.parameters"] = scenario.learning_parameters
-    if scenario.learning.row.alpha_is_constant:  # alpha is no state
-        del values["learning.parameters"]
-    return {key: np.asarray(value, dtype=float) for key, value in values.items()}
 
 
 def state_labels(parts: Iterable[Part]) -> list[str]:
@@ -91,10 +82,11 @@ def state_of(scenario: Scenario, parts: Iterable[Part], law: Part | None = None)
     columns = state_columns(parts)
     of_law = scenario.learning.row.starts(scenario.known_to_law) if law is None else {}
     state = np.zeros(sum(part.nstates or 0 for part in parts))
-    for key, value in starting_values(scenario).items():
-        if STARTS[key] in columns:
-            state[columns[STARTS[key]]] = value.ravel()
-    for port, value in of_law.items():
+    keys = {port: attrgetter(key)(scenario) for key, port in STARTS.items()}
+    keys["alpha"] = scenario.learning_parameters
+    if scenario.learning.row.alpha_is_constant:  # it is no state
+        del keys["alpha"]
+    for port, value in {**keys, **of_law}.items():
         if port in columns:
             state[columns[port]] = np.ravel(value)
     return state
@@ -169,9 +161,6 @@ def state_at(run: "xarray.Dataset", t: float) -> np.ndarray:
     return np.array(run.states.values[k], dtype=float)
 
 
-# --- call-time values replace those of a scenario's keys ------------------------------------------
-
-
 def with_solver(system: Any, solver: Mapping[str, Any]) -> Any:
     """Return a scenario or a team with tolerances and method, where these are not None."""
     values = {f"run.{key}": value for key, value in solver.items() if value is not None}
@@ -179,54 +168,3 @@ def with_solver(system: Any, solver: Mapping[str, Any]) -> Any:
         members = {name: one.with_values(values) for name, one in system.members.items()}
         return Team(members=members, edges=system.edges, coupling=system.coupling)
     return system.with_values(values) if values else system
-
-
-def _with_value(scenario: Scenario, name: str, value: Any) -> Scenario:
-    """Return a scenario with a call-time value in its key; refuse one that no scenario may have."""
-    if value is None:
-        raise BlockError(f"params: {name} = None: must be a number or an array")
-    not_adapted = name.endswith((".gain_K", ".gain_Gamma")) and np.array_equal(value, 0.0)
-    changed = scenario
-    for key in () if not_adapted else keys_of(scenario, name):
-        try:
-            changed = scenario.with_values({key: value})
-        except ScenarioError as error:
-            raise BlockError(
-                f"params: {name}, the scenario's {str(error).partition(': ')[2]}; simulate the "
-                "diagram, closed_loop(scenario), to try what no scenario may have"
-            ) from None
-    return changed
-
-
-def into_keys(scenario: Scenario, params: Params, x0: Any) -> tuple[Scenario, dict[str, Any]]:
-    """Return a scenario with call-time values in its keys, and the values that have no key."""
-    left = dict(params or {})
-    if x0 is None and not left:
-        return scenario, left
-    parts = paper_blocks(scenario)
-    known = {f"{block.name}.{field}" for block in parts for field in block.parameters._fields}
-    by_key = parameters_of_keys(scenario, known).values()
-    alone = {names[0] for names in by_key if len(names) == 1}
-    for name in [name for name in left if name in known]:
-        changed = _with_value(scenario, name, left[name])
-        if name in alone:
-            scenario = changed
-            del left[name]
-    if x0 is not None:
-        columns = state_columns(parts)
-        keys = {STARTS[key]: (key, v.shape) for key, v in starting_values(scenario).items()}
-        count = sum(part.nstates or 0 for part in parts)
-        state = stacked_state("initial_state", x0, count, padded=False)
-        ports = columns.keys() & keys.keys()
-        scenario = scenario.with_values(
-            {keys[port][0]: state[columns[port]].reshape(keys[port][1]) for port in ports}
-        )
-        usual = state_of(scenario, paper_blocks(scenario))
-        wrong = np.flatnonzero(state != usual)
-        if len(wrong):
-            raise SimulationError(
-                f"initial_state: no key of a scenario holds {state_labels(parts)[wrong[0]]}, which "
-                f"starts at {usual[wrong[0]]:g}; simulate closed_loop(scenario) to start it "
-                "elsewhere"
-            )
-    return scenario, left

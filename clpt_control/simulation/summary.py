@@ -4,8 +4,8 @@
     parameter error        max |alpha + theta|, and max |gain - true gain|
     disagreement           of a team: max |alpha_i - alpha_j| over all pairs
 
-Mean squares are those of `pieces`, a team's over at most `MOST_OF_TEAM` samples.
-Errors and disagreement are given at some times (`TIMES`) and at the end.
+Mean squares are those of `mean_squares`.  Errors and disagreement are given at some times (`TIMES`)
+and at the end.
 The claims are the paper's sentences about figures 2 to 4, each with its criterion, what was
 measured, and a verdict.
 """
@@ -20,26 +20,24 @@ from ..arguments import check_holds, public
 from ..errors import DataError
 from ..scenario.experiment import Scenario
 from ..scenario.recorded_run import unknown_parts
-from ..scenario.tables import Units
 from ..scenario.team import Team
-from .flows import explained_variance, note_speeds, speeds_of
+from .flows import explained_variance, speeds_of
 from .integrate import sample_times, simulate
-from .pieces import Grid, clpe_of_samples, nearest, run_in_pieces, step_of_means, union
+from .mean_squares import MOST, clpe_of_samples, nearest, step_of_means, union
 
 if TYPE_CHECKING:
-    import xarray
+    from xarray import Dataset
 
 SUMMARY = "summary"  # attribute of a run: its summary as JSON
 OF = "solver_"  # begins the attributes that say how much the solver did
 TIMES = (10, 20, 100, 200, 500, 1000, 2000)
-MOST_OF_TEAM = 20_000  # samples
 
 
 class RunReport(NamedTuple):
     """A run with what it achieved: `run` at its own samples, `fine` evenly for pictures."""
 
-    run: "xarray.Dataset"
-    fine: "xarray.Dataset"
+    run: "Dataset"
+    fine: "Dataset"
     summary: dict[str, Any]
 
 
@@ -81,109 +79,89 @@ def run_and_report(
     >>> list(run_and_report(scenario).summary["max_gain_error"])
     ['10', '20']
     """
-    end = system.run.duration
-    own = sample_times(end, system.run.output_step)
-    times = union(own, np.array([t for t in TIMES if t <= end], dtype=float))
-    if isinstance(system, Team):
-        finest = min(step_of_means(one) for one in system.members.values())
-        even = sample_times(end, max(finest, end / MOST_OF_TEAM))
-        dense = simulate(system, union(times, even), progress=progress)
-        fine = dense.isel(time=nearest(dense.time.values, even))
-        return RunReport(_at_own_samples(dense, own), fine, team_summary(system, fine, dense))
-    grid = Grid.to(end, step_of_means(system))
-    dense, clpe, timer = run_in_pieces(system, times, grid, progress)
-    if timer is not None:
-        note_speeds(dense, timer.figures(), system.units)
-    run = _at_own_samples(dense, own)
-    pictured = np.append(np.arange(0, grid.last, grid.every), grid.last)
-    fine = dense.isel(time=nearest(dense.time.values, grid.times(pictured)))
-    figures = {**clpe, **errors(system, run, at_times(dense))}
-    if timer is not None:
-        figures["speed"] = timer.figures()
-    summary = _summary(dense, system.units, figures)
+    end, step = system.run.duration, system.run.output_step
+    members = [*system.members.values()] if isinstance(system, Team) else [system]
+    even = sample_times(end, min(step_of_means(one, MOST // len(members)) for one in members))
+    own, marks = sample_times(end, step), np.array([t for t in TIMES if t <= end], dtype=float)
+    dense = simulate(system, union(own, marks, even), progress=progress)
+    reached, stopped = dense.time.values, dense.attrs["status"] == "stopped"
+    at = nearest(reached, own[own < reached[-1]] if stopped else own)
+    run = dense.isel(time=[*at, -1] if stopped else at)
+    fine = dense.isel(time=nearest(reached, even))
+    summary = {**ending_of(system, run), **figures_of(system, run, fine, dense)}
     run.attrs[SUMMARY] = json.dumps(summary)
     return RunReport(run, fine, summary)
 
 
-def _at_own_samples(dense: "xarray.Dataset", own: np.ndarray) -> "xarray.Dataset":
-    """Return a run at times of its own; one that stopped is there to where it stopped."""
-    reached = dense.time.values
-    at = nearest(reached, own)
-    if dense.attrs["status"] == "stopped":
-        at = np.append(nearest(reached, own[own < reached[-1]]), -1)
-    run = dense.isel(time=at)
-    run.encoding.update(dense.encoding)
-    return run
-
-
-def _summary(run: "xarray.Dataset", units: Units, figures: dict[str, Any]) -> dict[str, Any]:
-    """Return a run's figures with what it is and how it ended, ready for JSON."""
-    solver = {k.removeprefix(OF): int(v) for k, v in run.attrs.items() if k.startswith(OF)}
+def ending_of(system: Scenario | Team, run: "Dataset") -> dict[str, Any]:
+    """Return what a run is, where it ended and how, ready for JSON."""
+    units = (system.first if isinstance(system, Team) else system).units
     return {
-        "title": run.attrs["title"],
+        "title": run.attrs.get("title", ""),
         "units": {"length": units.length, "time": units.time},
-        "status": run.attrs["status"],
-        "message": run.attrs["message"],
+        "status": run.attrs.get("status", "finished"),
+        "message": str(run.attrs.get("message", "no reason is recorded")),
         "end": float(run.time[-1]),
-        **figures,
-        "solver": solver,
+        "solver": {k.removeprefix(OF): int(v) for k, v in run.attrs.items() if k.startswith(OF)},
     }
 
 
-def at_times(run: "xarray.Dataset") -> "dict[str, xarray.Dataset]":
-    """Return a run at the times of its errors, by time, the end the last."""
-    last = float(run.time[-1])
-    times = [*(float(t) for t in TIMES if t < last), last]
-    return {f"{t:g}": run.sel(time=t, method="nearest") for t in times}
-
-
-def errors(
-    scenario: Scenario, run: "xarray.Dataset", at: "dict[str, xarray.Dataset]"
+def figures_of(
+    system: Scenario | Team, run: "Dataset", fine: Any = None, dense: Any = None
 ) -> dict[str, Any]:
-    """Return how far a vehicle is from the truth; `at` are samples of its run by time."""
-    figures: dict[str, Any] = {}
-    if "flow_parameters" in run:
-        wrong = {k: one.flow_parameters_estimate - run.flow_parameters for k, one in at.items()}
-        figures["max_flow_parameter_error"] = {k: float(abs(v).max()) for k, v in wrong.items()}
-    car = scenario.vehicle
-    gains = {"feedback_gain": car.feedback, "feedforward_gain": car.feedforward}
-    if "vehicle_controller" not in unknown_parts(run):
-        figures["max_gain_error"] = {
-            key: max(
-                float(np.abs(one[name] - np.array(true)).max()) for name, true in gains.items()
-            )
-            for key, one in at.items()
-        }
-    if scenario.flow.field is not None and "true_flow" not in unknown_parts(run):
-        figures["explained_variance"] = explained_variance(scenario, run)
+    """Return the figures of a run, a team's by vehicle, ready for JSON.
+
+    Mean squares and speeds are those of `fine`, whose samples are even, errors those of `dense`,
+    which has samples at the times of errors.
+    """
+    fine, dense = run if fine is None else fine, run if dense is None else dense
+    at = _at_times(dense)
+    if isinstance(system, Scenario):
+        return _achieved(system, run, fine, at)
+    apart = {k: one.alpha.max("vehicle") - one.alpha.min("vehicle") for k, one in at.items()}
+    figures: dict[str, Any] = {
+        "vehicles": list(system.members),
+        "coupling": system.coupling,
+        "connectivity": system.connectivity,
+        "max_disagreement": {key: float(one.max()) for key, one in apart.items()},
+    }
+    for name, scenario in system.members.items():
+        own, own_fine = (one.sel(vehicle=name) for one in (run, fine))
+        own_at = {key: one.sel(vehicle=name) for key, one in at.items()}
+        for key, value in _achieved(scenario, own, own_fine, own_at).items():
+            figures.setdefault(key, {})[name] = value
+    del figures["clpe_rms_per_cycle"]  # rounds of several vehicles are no rounds of the team
     return figures
 
 
-def team_summary(team: Team, run: "xarray.Dataset", dense: "xarray.Dataset") -> dict[str, Any]:
-    """Return the figures of a team's run, by vehicle; errors are those of its `dense` samples.
+def _at_times(run: "Dataset") -> "dict[str, Dataset]":
+    """Return those samples of a run at which errors are given, by time, the end the last."""
+    times = run.time.values
+    at = {t: int(np.abs(times - t).argmin()) for t in TIMES if t < times[-1]}
+    there = [(t, k) for t, k in at.items() if abs(times[k] - t) <= 1e-9 * t]
+    return {f"{t:g}": run.isel(time=k) for t, k in [*there, (float(times[-1]), -1)]}
 
-    Mean squares and speeds are those of `run`, whose samples are even.
-    """
-    at = at_times(dense)
-    figures: dict[str, Any] = {}
-    for name, scenario in team.members.items():
-        vehicle_run = run.sel(vehicle=name)
-        of_vehicle = clpe_of_samples(scenario, vehicle_run)
-        del of_vehicle["clpe_rms_per_cycle"]  # rounds of several vehicles are no rounds of the team
-        own_at = {key: one.sel(vehicle=name) for key, one in at.items()}
-        of_vehicle |= errors(scenario, vehicle_run, own_at)
-        if (limit := scenario.vehicle.max_speed) is not None:
-            of_vehicle["speed"] = speeds_of(vehicle_run, limit)
-        for key, value in of_vehicle.items():
-            figures.setdefault(key, {})[name] = value
-    apart = {key: one.alpha.max("vehicle") - one.alpha.min("vehicle") for key, one in at.items()}
-    of_the_team = {
-        "vehicles": list(team.members),
-        "coupling": team.coupling,
-        "connectivity": team.connectivity,
-        "max_disagreement": {key: float(one.max()) for key, one in apart.items()},
-    }
-    return _summary(run, team.first.units, {**of_the_team, **figures})
+
+def _achieved(
+    scenario: Scenario, run: "Dataset", fine: "Dataset", at: "dict[str, Dataset]"
+) -> dict[str, Any]:
+    """Return what one vehicle achieved; `at` are samples of its run by time."""
+    figures, unknown = clpe_of_samples(scenario, fine), unknown_parts(run)
+    if "flow_parameters" in run:
+        wrong = {k: one.flow_parameters_estimate - run.flow_parameters for k, one in at.items()}
+        figures["max_flow_parameter_error"] = {k: float(abs(v).max()) for k, v in wrong.items()}
+    if "vehicle_controller" not in unknown:
+        car = scenario.vehicle
+        true = {"feedback_gain": car.feedback, "feedforward_gain": car.feedforward}
+        figures["max_gain_error"] = {
+            key: max(float(np.abs(one[name] - gain).max()) for name, gain in true.items())
+            for key, one in at.items()
+        }
+    if scenario.flow.field is not None and "true_flow" not in unknown:
+        figures["explained_variance"] = explained_variance(scenario, run)
+    if scenario.vehicle.max_speed is not None and "commanded_velocity" in run:
+        figures["speed"] = speeds_of(fine, scenario.vehicle.max_speed)
+    return figures
 
 
 @public

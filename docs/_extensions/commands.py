@@ -28,7 +28,7 @@ class Commands(SphinxDirective):
 def section(command, context) -> str:
     """Markdown of a command: its usage, what it does, arguments and options, an example."""
     usage = f"{context.info_name} {' '.join(command.collect_usage_pieces(context))}"
-    about, _, example = inspect.cleandoc(command.help or "").partition("\nExample:\n")
+    about, _, example = inspect.cleandoc(command.help or "").partition("\n\b\nExample:\n")
     parts = [f"## {context.info_name}", f"```text\n{usage}\n```", plain(about, "\n\n")]
     for parameter in command.get_params(context):
         record = parameter.get_help_record(context)

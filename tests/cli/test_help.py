@@ -26,9 +26,9 @@ def test_the_page_lists_every_command_in_one_line(clpt, words):
     assert (outcome.status, outcome.err) == (0, "")
     lines = outcome.out.splitlines()
     for name in COMMANDS:
-        (line,) = [line for line in lines if re.match(rf"  {name}  ", line)]
+        (line,) = [line for line in lines if re.match(rf"  {name} +[A-Z]", line)]
         assert line.endswith("."), line  # not cut, not broken
-    assert [line for line in lines if line.startswith("  clpt init mine.toml")]
+    assert [line for line in lines if "  clpt init mine.toml" in line]
 
 
 @pytest.mark.parametrize("name", [None, *COMMANDS])
@@ -45,9 +45,9 @@ def test_help_is_of_shell_words_and_80_columns(clpt, name, monkeypatch):
 
 
 @pytest.mark.parametrize("name", COMMANDS)
-def test_help_ends_in_an_example_of_the_command(clpt, name):
+def test_help_has_an_example_of_the_command(clpt, name):
     text = clpt(name, "--help").out
-    example = text.split("\nExample:\n")[1].replace("\\\n", " ").split()
+    example = text.split("\n  Example:\n")[1].split("\n\n")[0].replace("\\\n", " ").split()
     assert example[:2] == ["clpt", name]
     options = re.findall(r"^  (-\S+?)[ ,]", text, re.M) + re.findall(r" (--[\w-]+)", text)
     assert {word for word in example if re.match("--?[a-z]", word)} - set(options) == set()

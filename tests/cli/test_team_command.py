@@ -105,7 +105,7 @@ def test_excitation_finds_the_eigenvalue_of_the_design(printed):
 def test_the_table_says_what_was_reached(clpt):
     outcome = clpt("design", "paper.toml", "--out", "new.toml", *QUICK)
     assert outcome.status == 0, outcome.err
-    for part in ("before", "after", "smallest eigenvalue", "learning time", "closed length"):
+    for part in ("before", "after", "smallest eigenvalue", "time until", "closed length"):
         assert part in outcome.out
     assert outcome.err == ""
 

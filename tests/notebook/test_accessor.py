@@ -36,7 +36,6 @@ def test_a_run_and_its_file_as_xarray_opens_it(tmp_path):
             for part in ("track", "clpe", "learning", "excitation"):
                 assert np.size(getattr(one.clpt.plot, part)())
             assert one.clpt.state_at(10.0).tolist() == clpt.state_at(run, 10.0).tolist()
-            assert "animate()" in one.clpt._repr_html_()
         made = opened.isel(time=[-1]).clpt.report(tmp_path / "page.html")
     assert made["kind"] == "Run of a scenario"
 
@@ -93,7 +92,6 @@ def test_teams_ensembles_and_replays(tmp_path):
 def test_what_is_not_ours_is_one_sentence():
     foreign = xarray.Dataset({"a": 1})
     assert repr(foreign.clpt) == "<clpt of a dataset: none of clpt's>"
-    assert "nothing" in foreign.clpt._repr_html_()
     for ask in (
         lambda: foreign.clpt.plot(),
         lambda: foreign.clpt.scenario,

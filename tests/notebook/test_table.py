@@ -31,16 +31,16 @@ def test_a_csv_file_is_the_run_to_the_last_digit(tmp_path):
     table = run.clpt.table(tmp_path / "run.csv")
     with (tmp_path / "run.csv").open(newline="") as file:
         head, *rows = csv.reader(file)
-    assert head == table.columns == ["time", "h[0] (m)", "h[1] (m)", "q (m3/s)"]
+    assert head == [*table.columns] == ["time", "h[0] (m)", "h[1] (m)", "q (m3/s)"]
     read = np.array(rows, dtype=float)
-    assert read.tobytes() == table.values.tobytes()
+    np.testing.assert_array_equal(read, table)
     own = [run.time, run.h.sel(h_index=0), run.h.sel(h_index=1), run.q]
     np.testing.assert_array_equal(read.T, own)
 
 
 def test_a_mat_file_has_a_matrix_for_each_port(tmp_path):
     run = run_of_a_diagram(units={"h": "m"})
-    run.clpt.table().to_mat(tmp_path / "run.mat")
+    run.clpt.table(tmp_path / "run.mat")
     read = loadmat(tmp_path / "run.mat", simplify_cells=True)
     assert {name for name in read if name[0] != "_"} == {
         *("time", "h", "q", "units", "signals", "title")
@@ -64,11 +64,11 @@ def test_a_run_of_a_scenario_and_of_a_team(tmp_path):
     read = loadmat(tmp_path / "run.mat", simplify_cells=True)
     np.testing.assert_array_equal(read["alpha"], run.alpha.values.reshape(len(run.time), -1))
     assert read["signals"]["alpha"][4] == "alpha axis 2 basis 2"
-    assert table.columns[:3] == ["time (s)", "position axis 1 (m)", "position axis 2 (m)"]
+    assert [*table.columns[:3]] == ["time (s)", "position axis 1 (m)", "position axis 2 (m)"]
     assert "flow_parameters" not in read  # which are no signals
     team = clpt.Team(members={"a": SCENARIO, "b": SCENARIO}, coupling=0.5)
     both = clpt.simulate(team)
-    columns = both.clpt.table().columns
+    columns = [*both.clpt.table().columns]
     at = columns.index("position vehicle b axis 1 (m)")
     own = both.position.sel(vehicle="b", axis=1)
     np.testing.assert_array_equal(both.clpt.table().values[:, at], own)
@@ -92,13 +92,11 @@ def test_ports_that_would_have_one_name_have_two(tmp_path):
     run.clpt.table(tmp_path / "run.mat")
     read = loadmat(tmp_path / "run.mat")
     np.testing.assert_array_equal(read["a_b"], run["a b"])
-    np.testing.assert_array_equal(read["a_b_2"][:, 0], run["a_b"])
+    np.testing.assert_array_equal(read["a_b_"][:, 0], run["a_b"])
 
 
-def test_it_shows_itself_and_refuses_in_a_sentence(tmp_path):
+def test_it_refuses_in_a_sentence(tmp_path):
     run = run_of_a_diagram()
-    assert "11 times and 4 columns: time, h[0]" in repr(run.clpt.table())
-    assert "... 6 more" in run.clpt.table()._repr_html_()
     for path in (tmp_path / "run.xls", tmp_path / "nowhere/run.csv", tmp_path / "nowhere/run.mat"):
         with pytest.raises(clpt.DataError) as caught:
             run.clpt.table(path)
@@ -114,5 +112,5 @@ def test_columns_of_members_name_what_varied():
     times = np.linspace(0.0, 1.0, 3)
     data = clpt.run_ensemble(lag, {"u": [1, 2]}, timepts=times, trajectories=True)
     table = data.clpt.table()
-    assert table.columns == ["time", "y u 1.0", "y u 2.0"]
+    assert [*table.columns] == ["time", "y u 1.0", "y u 2.0"]
     np.testing.assert_allclose(table.values[:, 2], 2.0 * (1.0 - np.exp(-times)), atol=1e-6)

@@ -221,6 +221,7 @@ def test_runs_of_scenarios_are_told_apart(plot, count):
         colours = {line.get_color() for line in ax.lines}
         assert {COLOURS[0], COLOURS[1]} <= colours
         named = [one for one in ax.lines if one.get_label()[0] != "_"]  # marked, in black and white
+        named = [one for one in named if one.get_linestyle() != "None"]
         marks = {line.get_color(): line.get_marker() for line in named}
         assert marks[COLOURS[0]] != marks[COLOURS[1]]
         told = [text.get_text() for text in ax.get_legend().get_texts()]
@@ -228,8 +229,10 @@ def test_runs_of_scenarios_are_told_apart(plot, count):
     if plot == "learning":
         assert axes[0].get_xlim()[1] == 80.0
     if plot == "track":
-        np.testing.assert_array_equal(axes.lines[0].get_xydata(), runs["0.8"].position)
-        for run, line in zip(runs.values(), axes.lines[1::3], strict=True):
+        for run, track, line in zip(
+            runs.values(), *(axes.lines[k::3] for k in (0, 1)), strict=True
+        ):
+            np.testing.assert_array_equal(track.get_xydata(), run.position)
             np.testing.assert_array_equal(line.get_xydata(), run.predicted_position)
             assert line.get_linestyle() == "--"
         reach = max(abs(one.position).max() for one in runs.values())
@@ -251,7 +254,7 @@ def test_a_plot_of_a_run_takes_label_and_color():
     run = clpt.simulate(SCENARIO)
     ax = run.clpt.plot.track(label="mine", color="black")
     assert ax.lines[0].get_color() == "black"
-    assert legends(ax) == ["mine"]
+    assert legends(ax)[0] == "mine: track"
     assert run.clpt.plot.track().lines[0].get_color() == COLOURS[0]
 
 
@@ -309,8 +312,8 @@ def test_no_waypoint_is_told_of_a_reference_of_ones_own(tmp_path):
     zc = np.array([2 * np.cos(times / 20), np.sin(times / 10)])
     for run in (clpt.simulate(made, times), clpt.simulate(outside, times, zc)):
         ax = run.clpt.plot.track()
-        assert legends(ax) == ["track", "desired position", "start"]
-        np.testing.assert_allclose(ax.lines[1].get_xydata(), zc.T, atol=1e-12)
+        assert legends(ax) == ["track", "prediction", "desired position", "start"]
+        np.testing.assert_allclose(ax.lines[2].get_xydata(), zc.T, atol=1e-12)
         words = [*legends(ax), ax.get_title(loc="left")]
         for one in run.clpt.plot.clpe():
             words += [*legends(one), one.get_title(loc="left"), one.get_xlabel()]

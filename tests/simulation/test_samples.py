@@ -14,7 +14,7 @@ from clpt_control.equations import Block
 from clpt_control.errors import SimulationError
 from clpt_control.native.python_diagram import PythonDiagram
 from clpt_control.scenario.tables import Units
-from clpt_control.simulation.flows import SpeedTimer, faster_flow, speeds_of
+from clpt_control.simulation.flows import faster_flow, speed_figures, speeds_of
 from clpt_control.simulation.integrate import sample_times
 
 
@@ -132,23 +132,12 @@ def test_samples_that_miss_a_jump_by_rounding_are_right_limits(engine):
     np.testing.assert_allclose(run.time.values, hour * np.arange(41), rtol=1e-12)
 
 
-def watched(flags, cuts=()):
-    """Figures of samples a second apart, taken in parts that begin at the cuts."""
-    timer, flags = SpeedTimer(1.0), np.asarray(flags)
-    for part in np.split(np.arange(len(flags)), sorted(cuts)):
-        if len(part):
-            speeds = np.column_stack([np.where(flags[part], 2.0, 0.5), np.zeros(len(part))])
-            timer.add(part.astype(float), speeds[:, ::-1], speeds)
-    return timer.figures()
-
-
 @seed(2)
 @settings(max_examples=200, deadline=None)
-@given(flags=st.lists(st.booleans(), min_size=2, max_size=30), data=st.data())
-def test_parts_give_what_the_whole_gives(flags, data):
-    cuts = data.draw(st.lists(st.integers(1, len(flags) - 1), max_size=4))
-    found = watched(flags, cuts)
-    assert found == watched(flags)
+@given(flags=st.lists(st.booleans(), min_size=2, max_size=30))
+def test_each_sample_counts_until_the_next(flags):
+    speeds = np.column_stack([np.where(flags, 2.0, 0.5), np.zeros(len(flags))])
+    found = speed_figures(1.0, np.arange(len(flags), dtype=float), speeds[:, ::-1], speeds)
     spans = "".join("x" if flag else " " for flag in flags[:-1])
     assert found["share_at_limit"] == pytest.approx(spans.count("x") / len(spans))
     if not any(flags):

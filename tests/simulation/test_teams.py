@@ -168,7 +168,7 @@ def test_one_vehicle_may_have_a_limit_of_speed():
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        ({"initial_state": [1.0]}, "initial_state: a team has its own; change its"),
+        ({"initial_state": [1.0]}, "initial_state, params: a team has its own"),
         ({"inputs": [1.0]}, "a scenario has no inputs"),
         ({"params": {"a/adaptation.gain": 1.0}}, r"params: a team has its own.*team_loop\(team\)"),
         ({"rtol": -1.0}, "rtol"),

@@ -1,6 +1,7 @@
 """Excitation: the paper's numbers, named parameters, recorded runs, closed forms."""
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -108,8 +109,8 @@ def test_what_samples_far_apart_do_not_say_is_not_known(paper, step):
     exact = excitation_report(scenario, 200.0, 200.0)["eigenvalues"]["x1"]
     assert np.max(np.abs(np.divide(report["eigenvalues"]["x1"], exact) - 1)) > 0.25
     assert report["accuracy"] is None
-    rows = dict(excitation_result(report).rows)
-    assert rows["accuracy of the eigenvalues"].startswith("not known: the samples are too far")
+    *_, said, _ = excitation_result(report).sentences
+    assert said.startswith("accuracy of the eigenvalues: not known: the samples are too far")
 
 
 def test_a_run_is_read_from_its_file(paper, tmp_path):
@@ -262,7 +263,8 @@ def test_of_many_eigenvalues_the_command_shows_some(clpt, tmp_path, paper):
     )
     clpt_package.save_scenario(scenario, tmp_path / "many.toml")
     outcome = clpt("excitation", tmp_path / "many.toml", "--window", "20")
-    assert outcome.out.count(", ..., ") == 2
+    assert outcome.status == 0
+    assert re.search(r"\d+ of 22", outcome.out)
 
 
 def test_the_eigenvalue_has_a_ceiling_that_is_how_far_the_vehicle_moves(paper, true_paper):

@@ -23,7 +23,7 @@ from ...html import facts, fragment
 from ...scenario.experiment import Scenario
 from ...simulation.flows import explained_variance
 from ...simulation.integrate import sample_times, simulate
-from ...simulation.pieces import clpe_of_samples, step_of_means
+from ...simulation.mean_squares import clpe_of_samples, step_of_means
 from ..excitation.certificates import gains_of_w
 from ..excitation.gramian import gramian, started_true
 from ..excitation.regressor import checked_window
