@@ -95,9 +95,6 @@ def design(
     area: Four | None = opt(
         "X1FROM X1TO X2FROM X2TO", "Where it may drive; default: where it drives now."
     ),
-    box: Four | None = opt("LAT0 LAT1 LON0 LON1", "The area in degrees, in a measured current."),
-    count: int | None = opt("COUNT", "Waypoints; default: as many as now."),
-    dwell: float | None = opt("TIME", "Time at each; default: as now."),
     window: Window = None,
     start: Start = None,
     level: float | None = opt("ERROR", "Error that ends the learning time; default: a tenth."),
@@ -129,9 +126,6 @@ def design(
             length=length,
             max_speed=max_speed,
             area=area,
-            box=box,
-            count=count,
-            dwell=dwell,
             window=window,
             start=start,
             level=level,

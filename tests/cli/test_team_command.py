@@ -113,8 +113,8 @@ def test_the_table_says_what_was_reached(clpt):
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (("--length", "-1"), "length = -1: must be a positive number of m"),
-        (("--area", "1", "2", "1", "2"), "the vehicle starts outside of it"),
+        (("--length", "-1"), "length = -1: must be a positive number"),
+        (("--area", "1", "2", "1", "2"), "with vehicle.position in it"),
         (("--figure", "new.gif"), "must end in .png, .pdf or .svg"),
         (("--out", "new.nc"), "must end in .toml"),
     ],

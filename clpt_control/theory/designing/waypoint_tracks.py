@@ -154,20 +154,18 @@ class Tracks:
         return Extremes(speed.max(axis=2), x.min(axis=2), x.max(axis=2), share)
 
 
+def with_waypoints(scenario: Scenario, points: np.ndarray) -> Scenario:
+    """Return the scenario with other waypoints, each held as long as its own."""
+    dwell = scenario.reference.dwell
+    reference = {"kind": "waypoints", "points": np.asarray(points).tolist(), "dwell": dwell}
+    return scenario.with_values({"reference": reference})
+
+
 def vehicle_alone(scenario: Scenario) -> Scenario:
     """Return the scenario with nothing that is random, waypoints as a list, and any learner.
 
     The learner is not run, not even one by which the vehicle steers, since e = 0.
     """
-    return scenario.with_values(
-        {
-            "flow.disturbance": None,
-            "localization": None,
-            "learning": {"law": ANY.name, "gain": 1.0},
-            "reference": {
-                "kind": "waypoints",
-                "points": scenario.waypoints.tolist(),
-                "dwell": scenario.reference.dwell,
-            },
-        }
-    )
+    learner = {"law": ANY.name, "gain": 1.0}
+    calm = {"flow.disturbance": None, "localization": None, "learning": learner}
+    return with_waypoints(scenario.with_values(calm), scenario.waypoints)
