@@ -40,14 +40,15 @@ def excitation(
     Example:
         clpt excitation mine.toml --figure excitation.png
     """
-    from ..pages.results import excitation_of, excitation_result, is_team
+    from ..pages.results import excitation_result, is_team
     from ..scenario.team import load_either
+    from ..theory.excitation.excitation_report import excitation_report
 
     source = clpt.load_run(scenario) if scenario.suffix == ".nc" else load_either(scenario)
     if figure is not None and is_team(source):
         raise ClptError("--figure: is for one vehicle; leave it out for a team")
     check_out(figure, "a figure")
-    report = excitation_of(source, window, start)
+    report = excitation_report(source, window, start)
     draw_figure(figure, clpt.theory.excitation_plot, source, report["window"], report["start"])
     finish([excitation_result(report)], report, as_json, figure)
 

@@ -17,8 +17,6 @@ from ..scenario.file import TEAM
 from ..scenario.team import Team
 from ..simulation.pieces import clpe_of_samples
 from ..simulation.summary import SUMMARY, errors, team_summary
-from ..theory.excitation.excitation_report import excitation_report
-from ..theory.excitation.pooled import team_excitation_report
 from ..units import percent
 
 LEAST_SHARE = 0.01  # percent, that is said
@@ -283,11 +281,6 @@ def claims_result(found: list[dict[str, str]]) -> Result:
 def is_team(source: Any) -> bool:
     """Return whether a scenario or a run is of several vehicles."""
     return isinstance(source, Team) or TEAM in getattr(source, "attrs", {})
-
-
-def excitation_of(source: Any, window: float | None = None, start: float | None = None) -> Any:
-    """Return what a scenario, a team or a run of one can teach over one window, for JSON."""
-    return (team_excitation_report if is_team(source) else excitation_report)(source, window, start)
 
 
 def excitation_result(report: Numbers) -> Result:

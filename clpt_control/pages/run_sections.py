@@ -20,9 +20,9 @@ from ..simulation.loops import closed_loop
 from ..simulation.plots import DIRECTIONS, clpe_plot, learning_plot
 from ..simulation.team_loops import team_loop
 from ..simulation.team_plots import team_plot
-from ..theory.excitation.excitation_report import excitation_plot
+from ..theory.excitation.excitation_report import excitation_plot, excitation_report
 from .page import Drawn, Section, drawn
-from .results import Numbers, excitation_of, excitation_result, is_team, number, run_result
+from .results import Numbers, excitation_result, is_team, number, run_result
 
 PLACES = 9  # arrows on a side
 MOST_SAMPLES = 6000  # in a figure
@@ -71,7 +71,7 @@ def excitation_section(run: Dataset, why: str) -> Section:
     try:
         if why:
             raise ClptError(why)
-        report = excitation_of(run)
+        report = excitation_report(run)
         result = excitation_result(report)
         if not team:
             figure = figure_of(excitation_plot, run, report["window"], report["start"])

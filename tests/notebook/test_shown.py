@@ -34,8 +34,7 @@ def made():
         "Replay": replay,
         "ConformanceReport": clpt.conformance.check_block(block),
         "Verdict": clpt.theory.prove(LAW.of(1, gain=-0.5), points=200),
-        "Excitation": clpt.theory.gramian(scenario, 20.0),
-        "TeamExcitation": clpt.theory.team_gramian(team, 20.0),
+        "Excitation": clpt.theory.gramian(team, 20.0),
         "Certificate": clpt.theory.certificate(scenario, 20.0),
         "Movie": clpt.animate(clpt.simulate(scenario), seconds=0.2, width=200),
     }
@@ -43,7 +42,7 @@ def made():
 
 NAMES = (
     "Scenario Team Block Diagram Drawing Replay ConformanceReport Verdict Excitation "
-    "TeamExcitation Certificate Movie"
+    "Certificate Movie"
 )
 
 

@@ -19,7 +19,6 @@ from clpt_control.theory.excitation.error_matrices import (
     propagate,
     regressors,
 )
-from clpt_control.theory.excitation.gramian import started_true
 from clpt_control.theory.excitation.regressor import joint_regressor
 
 NODES = 12
@@ -60,8 +59,7 @@ def test_rho_never_exceeds_the_exact_drop(group, size):
     assert found["rho"].shape == (2, EACH)
     assert np.all(found["rho"] > 0)
     assert np.all(found["rho"] <= found["drop"])
-    np.testing.assert_allclose(1 - found["contraction"], found["drop"], atol=2e-9)
-    assert np.all(found["contraction"] <= 1 + 1e-9)
+    assert np.all(found["drop"] <= 1 + 1e-9)
 
 
 def test_the_guarantee_is_not_idle():
@@ -77,7 +75,7 @@ def test_the_worst_direction_attains_the_contraction():
     _, _, rows = np.linalg.svd(scaled)
     worst = rows[..., 0, :]
     after = np.einsum("...pq,...q->...p", scaled, worst)
-    np.testing.assert_allclose(np.sum(after**2, -1), found["contraction"], rtol=1e-10)
+    np.testing.assert_allclose(np.sum(after**2, -1), 1 - found["drop"], rtol=1e-8)
 
 
 def test_collocation_agrees_with_scipy():
@@ -100,25 +98,30 @@ def test_collocation_agrees_with_scipy():
     np.testing.assert_allclose(end[1], truth.y[:, -1].reshape(4, 4), atol=1e-9)
 
 
-@pytest.mark.parametrize("recorded", [False, True])
-def test_pieces_are_cut_shorter_where_errors_turn_often(recorded, monkeypatch):
-    scenario = started_true(clpt.paper_scenario())
-    scenario = scenario.with_values({"run.duration": 20, "run.output_step": 0.05})
-    source = clpt.simulate(scenario) if recorded else scenario
-    whole = certificates.certificate(source, 20.0, 0.0)
-    asked = []
-    read = certificates.joint_regressor
+def test_pieces_are_cut_shorter_where_errors_turn_often(true_paper, monkeypatch):
+    whole = certificates.certificate(true_paper, 60.0, 0.0)
     monkeypatch.setattr(certificates, "TURN", 0.5)
-    monkeypatch.setattr(
-        certificates, "joint_regressor", lambda *given: asked.append(read(*given)) or asked[-1]
-    )
-    finer = certificates.certificate(source, 20.0, 0.0)
-    along, cut = asked
-    turn = np.sqrt(0.8 * np.max(np.sum(along.w**2, -1)))
-    assert len(cut.cuts) > len(along.cuts)
-    assert np.max(np.diff(cut.cuts)) * turn < 0.5 * (1 + 1e-9)
-    assert (cut.cuts[0], cut.cuts[-1]) == (along.cuts[0], along.cuts[-1])
+    finer = certificates.certificate(true_paper, 60.0, 0.0)
     assert finer.drop == pytest.approx(whole.drop, rel=1e-6)
+    assert finer.drop != whole.drop
+
+
+def test_w_on_cut_pieces_is_the_polynomial_through_its_nodes():
+    starts, ends = np.array([0.0, 0.4]), np.array([0.4, 1.0])
+
+    def places(a, b):
+        return a[:, None] + (b - a)[:, None] * (1 + NODE) / 2
+
+    def w(t):
+        return np.stack([np.sin(3 * t), 20 * np.cos(5 * t)], axis=-1)
+
+    weights = (ends - starts)[:, None] * WEIGHT / 2
+    found, finer = certificates.finely(w(places(starts, ends)), weights)
+    parts = len(finer) // 2
+    assert parts > 1
+    cuts = np.concatenate([np.linspace(0.0, 0.4, parts + 1)[:-1], np.linspace(0.4, 1, parts + 1)])
+    np.testing.assert_allclose(found, w(places(cuts[:-1], cuts[1:])), atol=1e-6)
+    np.testing.assert_allclose(finer.sum(axis=1), np.diff(cuts))
 
 
 def collocated(A, length):
@@ -154,7 +157,6 @@ def test_more_parameters_than_samples_are_guaranteed_nothing():
     found = window_drops(regressors(phi, z, zc), weights, [1.0, 1.0], 0.8)
     assert np.all(found["rho"] == 0)
     assert np.all(found["drop"] == 0)
-    assert found["contraction"] == pytest.approx(1.0)
 
 
 def test_the_axes_do_not_meet_and_the_matrices_are_the_diagram_s():

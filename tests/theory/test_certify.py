@@ -158,7 +158,7 @@ def test_the_time_is_the_first_from_which_the_bound_holds():
         ({"vehicle.max_speed": 1.0, "learning.hedging": False}, "hedging"),
         ({"learning.adapt_gains": False}, "learning.feedback is held and is not"),
         ({"flow.disturbance": {"kind": "noise", "amplitude": [1, 1], "period": 1}}, "has no bound"),
-        ({"reference.radius": 1e20}, "e and eta may turn too often to follow, in .* of the run"),
+        ({"reference.radius": 1e20}, "too many to follow"),
     ],
     ids=str,
 )

@@ -176,7 +176,7 @@ def design_track(
     >>> scenario = clpt.paper_scenario().with_values({"run.duration": 80, "reference.count": 2})
     >>> given = {"goal": "kappa", "window": 20, "generations": 1}  # soon found
     >>> found = clpt.theory.design_track(scenario, **given)
-    >>> found.report["ratio"] >= 1, len(found.scenario.waypoints)
+    >>> found.report["after"]["smallest_eigenvalue"] > 0, len(found.scenario.waypoints)
     (True, 2)
     """
     if goal not in GOALS:

@@ -74,7 +74,7 @@ def _track(ax: "Axes", design: Design, k: int) -> None:
     path = one.run.position.values[inside]
     ax.plot(*path.T, color=BLUE, linewidth=1.0, label="vehicle, in the window")
     ranks: dict[str, Any] = {"c": np.arange(len(points)), "cmap": "viridis", "zorder": 3}
-    ax.scatter(*points.T, s=36, label="waypoints, the first dark", **ranks)
+    ax.scatter(points[:, 0], points[:, 1], label="waypoints, the first dark", **ranks)
     ax.plot(*one.run.position.values[0], "s", color="black", markersize=5, label="start")
     name = "old" if k == 0 else "new"
     ax.set_title(

@@ -27,8 +27,8 @@ from ...native.native_diagram import NativeDiagram
 from ...scenario.experiment import Scenario
 from ...simulation.loops import LoopOf, remaining_parts
 from ...simulation.starts import state_of
-from ..excitation.certificates import TURN, smallest_eigenvalue, worst_drop
-from ..excitation.regressor import quadrature, w_along
+from ..excitation.certificates import smallest_eigenvalue, worst_drop
+from ..excitation.regressor import quadrature, w_along, waypoint_in
 
 ANY = next(law for law in LAWS.values() if not (law.at_fixes or law.given_estimate))
 ATOL = 1e-2  # absolute tolerance over the relative one
@@ -70,21 +70,14 @@ class Tracks:
         self.callee = self.native.callee(self.native.lanes(LANES))
         self.schedule = self.native.schedule((0.0, end))
         self.start = state_of(self.scenario, self.blocks)
-        self.gains, edges = gains, None
-        if gains is not None:  # pieces within which e and eta do not turn too often
-            largest = self.scenario.basis.N + 2 * np.max(self.scenario.waypoints**2)
-            edges = np.arange(window[1], sum(window), TURN / np.sqrt(gains.max() * largest))
-        cuts, self.nodes, self.weights = quadrature(self.scenario, window[1], sum(window), edges)
+        self.gains = gains
+        cuts, self.nodes, self.weights = quadrature(self.scenario, window[1], sum(window))
         edges, _, _ = quadrature(self.scenario, 0.0, end)
         self.looks = edges[:-1, None] + np.diff(edges)[:, None] * np.linspace(0.0, 1.0, looks)
         times = np.concatenate([[0.0], self.nodes.ravel(), self.looks.ravel(), [end]])
         self.times, self.place = np.unique(times, return_inverse=True)
-        self.waypoint_of_node, self.waypoint_of_look = map(self._waypoint, (cuts, edges))
-
-    def _waypoint(self, cuts: np.ndarray) -> np.ndarray:
-        """Return which waypoint the vehicle holds in each piece, (pieces,)."""
-        dwell, count = self.scenario.reference.dwell, len(self.scenario.waypoints)
-        return np.floor((cuts[:-1] + cuts[1:]) / 2 / dwell).astype(int) % count
+        self.waypoint_of_node = waypoint_in(self.scenario, cuts)
+        self.waypoint_of_look = waypoint_in(self.scenario, edges)
 
     def __call__(self, points: np.ndarray) -> tuple[np.ndarray, Extremes]:
         """Return kappa_1 or the drop of V, (2, m), and the extremes of tracks (m, n, 2)."""

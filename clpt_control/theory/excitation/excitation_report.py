@@ -17,9 +17,10 @@ from ...arguments import public
 from ...errors import ScenarioError
 from ...figures import BLUE, GREY, RED, TITLE, axes_for
 from ...scenario.experiment import Scenario
+from ...scenario.team import Team
 from .certificates import certificate, time_to_tenth
 from .gramian import Excitation, gramian, sliding_excitation
-from .regressor import Source, joint_regressor, thinned
+from .regressor import AnySource, Source, joint_regressor, system_of, thinned
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -31,9 +32,9 @@ LOWEST = 1e-30  # eigenvalues below this share of the largest are drawn there
 
 
 def excitation_report(
-    source: Source, window: float | None = None, start: float | None = None
+    source: AnySource, window: float | None = None, start: float | None = None
 ) -> dict[str, Any]:
-    """Return what a scenario's run or a recorded run can teach over one window.
+    """Return what a scenario's run, a team's, or a recorded one can teach over one window.
 
     ``window``, ``start``, ``time_unit``, ``trajectory``; by axis ``eigenvalues`` (ascending),
     ``ceilings`` (of the smallest eigenvalue), ``least_excited`` and ``dimension`` (of what can be
@@ -45,7 +46,12 @@ def excitation_report(
     run ``accuracy`` is the largest relative change of an eigenvalue when every second sample is
     left out, which is above the error; None where that is more than `ROUGHEST`, or no sample can be
     left out: the error is not known.
+
+    Of a team ``measured`` says of which parameters; ``vehicles`` by name and ``team`` have
+    ``eigenvalues``, ``dimension`` and ``not_learnable``, ``smallest`` the smallest eigenvalues.
     """
+    if isinstance(source, Team) or isinstance(system_of(source), Team):
+        return _of_a_team(gramian(source, window, start))
     along = joint_regressor(source, window, start)
     found = gramian(along)
     more = {"ceilings": found.ceilings, "least_excited": found.least_excited}
@@ -70,6 +76,19 @@ def excitation_report(
         known = thin.sizes["time"] < source.sizes["time"] and change <= ROUGHEST
         report["accuracy"] = change if known else None
     return report
+
+
+def _of_a_team(found: Excitation) -> dict[str, Any]:
+    every = {**found.vehicles, "team": found}
+    adapt = any("Gamma" in name for name in found.names["x1"])
+    own = " and each vehicle's own K and Gamma" if adapt else " K and Gamma are held"
+    return {
+        **found.span,
+        "measured": f"the flow parameters, which all share{',' if adapt else ';'}{own}",
+        "smallest": {name: one.smallest for name, one in every.items()},
+        "vehicles": {name: one.report for name, one in found.vehicles.items()},
+        "team": found.report,
+    }
 
 
 @public
