@@ -167,6 +167,10 @@ def test_what_is_not_certified_is_said(values, said):
         certify(PAPER.with_values(values))
 
 
+def test_the_radius_is_that_of_the_scenarios_own_start():
+    assert certify(PAPER).radius == pytest.approx(4.63125)
+
+
 def test_numbers_that_are_none_are_refused():
     for radius, error in ((-1.0, None), (0.0, None), (1.0, 0.0), (np.inf, None), (1.0, 1e308)):
         with pytest.raises(clpt.ScenarioError, match="must be a positive number"):

@@ -191,7 +191,7 @@ def certify(
                 "not end; hold the vehicle's own"
             )
     drops = _drops(scenario, window)
-    R = radius or float(simulate(scenario, [0.0]).lyapunov[0])
+    R = radius or float(simulate(scenario, [0.0, window]).lyapunov[0])
     error = 0.01 * np.sqrt(2 * R) if error is None else float(error)
     d = largest_disturbance(scenario)
     k, D = min(car.feedback), d * np.sqrt(window)
