@@ -64,7 +64,7 @@ def row(*cells: str) -> str:
 def figure(found: Any, path: Path) -> None:
     """Draw |e| and the printed bound; below, around the peak."""
     picture, (top, bottom) = new_figure(6.4, 5.2, nrows=2)
-    times, size = found.times[found.late], found.size[found.late]
+    times, size = found.times, found.size
     peak, span = times[np.argmax(size)], (times[-1] - times[0]) / 30
     near = (times >= peak - span / 2) & (times <= peak + span / 2)
     for ax, shown, width in ((top, slice(None), 0.4), (bottom, near, 1.2)):
