@@ -205,20 +205,18 @@ def never_positive(e: sympy.Expr, fixed: set, ways: tuple = (None,), facts: tupl
 # --- states that V does not hold ----------------------------------------------------------------
 
 
-def states_beside(forms: list[sympy.Expr], eq: Equations, values: dict) -> tuple[str, Step]:
+def states_beside(forms: list[sympy.Expr], eq: Equations) -> tuple[str, Step]:
     """Return what a verdict adds of the states that V does not hold, and the step.
-
-    It holds for all parameters of their signs, but for those that have `values`.
 
     A form in one state holds it; where each has several, the one that moves most simply is not
     held, and the forms hold the others beside it.  Inputs are bounded; a form that grows with time
     holds nothing.
     """
     still = {f: sympy.Dummy(real=True) for port in eq.inputs.values() for f in port.flat}
-    motion = {s: rate.xreplace(values).xreplace(still) for s, rate in eq.motion.items()}
+    motion = {s: rate.xreplace(still) for s, rate in eq.motion.items()}
     turning = {w: sympy.Dummy(real=True) for r in motion.values() for w in r.atoms(*TURNS)}
     fixed = set(eq.values)
-    forms = [form.xreplace(values).xreplace(still) for form in forms]
+    forms = [form.xreplace(still) for form in forms]
     for k, form in enumerate(one.as_coeff_Mul()[1] for one in forms):
         if isinstance(form, sympy.sin):  # its angle up to whole turns, which is all that moves it
             forms[k] = form.args[0]
@@ -244,7 +242,7 @@ def states_beside(forms: list[sympy.Expr], eq: Equations, values: dict) -> tuple
     plain = [motion[s].xreplace(at) for s in free]
     rates = sympy.Matrix([sympy.expand(rate) for rate in plain])
     after = [change for jump in eq.jumps.values() for change in jump.items()]
-    jumps = [new.xreplace(values).xreplace(at) for s, new in after if s in free and new != s]
+    jumps = [new.xreplace(at) for s, new in after if s in free and new != s]
     J = rates.jacobian(free)
     rest = rates - J * sympy.Matrix(free)
     if not (jumps or J.free_symbols - fixed or rest.has(TIME, *free)) and hurwitz(J):

@@ -39,9 +39,9 @@ def _watched(owner: str, kind: str, arguments: tuple) -> str | None:
 
 
 class SystemWithV:
-    """A diagram with a V of one's own, both on symbols."""
+    """A diagram with a V of one's own, on symbols, or with parameters as their numbers."""
 
-    def __init__(self, system: Any, V: Any, claim: Any, at: Any):
+    def __init__(self, system: Any, V: Any, claim: Any, at: Any, numbers: bool = False):
         self.system = system
         self.eq: Equations = readable_equations(system, watch=_watched)
         if self.eq.discrete:
@@ -68,14 +68,16 @@ class SystemWithV:
         self.V, labels = self.expression(V), {V, f"{V}[0]"} if isinstance(V, str) else set()
         self.name = next((one for one in system.output_labels if one in labels), "")
         self.claim = None if claim is None else self.expression(claim)
+        fixed = self.eq.pinned or (numbers and self.eq.values)
+        self.as_they_are = ", with the parameters as they are" if fixed else ""
+        if numbers:
+            values = self.eq.values
+            self.eq, self.fixed = readable_equations(system, Numbers, watch=_watched), set()
+            self.V = self.V.xreplace(values)
+            self.claim = self.claim and self.claim.xreplace(values)
         self.rate = along(self.V, {TIME: sympy.Integer(1), **self.eq.motion})
         self.rest = None if at is None else self.place(at)
-        undefined = self.eq.undefined or missing(self.V)
-        self.valued = bool(undefined)  # whether the parameters' own values are used
-        if undefined:
-            undefined = readable_equations(system, Numbers, watch=_watched).undefined
-            undefined = undefined or missing(self.V.xreplace(self.eq.values))
-        self.undefined = "".join(undefined[:1])
+        self.undefined = "".join((self.eq.undefined or missing(self.V))[:1])
 
     def expression(self, source: Any) -> sympy.Expr:
         """Return a name, a function of signals or an expression in states and inputs."""
@@ -143,19 +145,16 @@ class SystemWithV:
         moved = {s: s + v for s, v in (self.rest or {}).items()}
         back = {s: s - v for s, v in (self.rest or {}).items()}
         zero = dict.fromkeys(self.states, 0)
-        for at in ({}, self.eq.values):
-            V = self.V.xreplace(at).xreplace({s: v.xreplace(at) for s, v in moved.items()})
-            found = squares(V, self.fixed)
-            if found and self.rest is not None:
-                found = found if all(vanishes(f.subs(zero)) for f in found.forms) else None
-            if found and found.forms:
-                forms = [f.xreplace(back) for f in found.forms]
-                names = ", ".join(dict.fromkeys(map(str, map(self.in_signals, forms))))
-                self.valued |= bool(at)
-                return exact(f"V is positive definite in {names}", True), forms
-            known = set(self.states) <= V.free_symbols <= {*self.states, *self.fixed}
-            if not known or not _is_smooth(V, zero):
-                continue
+        V = self.V.xreplace(moved)
+        found = squares(V, self.fixed)
+        if found and self.rest is not None:
+            found = found if all(vanishes(f.subs(zero)) for f in found.forms) else None
+        if found and found.forms:
+            forms = [f.xreplace(back) for f in found.forms]
+            names = ", ".join(dict.fromkeys(map(str, map(self.in_signals, forms))))
+            return exact(f"V is positive definite in {names}", True), forms
+        known = set(self.states) <= V.free_symbols <= {*self.states, *self.fixed}
+        if known and _is_smooth(V, zero):
             H = sympy.hessian(V, self.states).subs(zero)
             slopes = [sympy.diff(V, s).subs(zero) for s in self.states]
             finite = not any(one.has(sympy.zoo, sympy.nan, sympy.oo) for one in (H, *slopes))
@@ -166,12 +165,7 @@ class SystemWithV:
 
     def never_positive(self, expression: sympy.Expr) -> bool:
         """Return whether an expression is known never to be positive, for t >= 0."""
-        expression = tidied(expression)
-        for at in ({}, self.eq.values):
-            if never_positive(tidied(expression.xreplace(at)), self.fixed):
-                self.valued |= bool(at)
-                return True
-        return False
+        return never_positive(tidied(expression), self.fixed)
 
     def falls(self) -> bool:
         """Return whether V' is known never to be positive, as it stands, reduced, or by states."""
@@ -239,7 +233,7 @@ class SystemWithV:
 
     def readable_rate(self) -> sympy.Expr:
         """Return V' factored, or as a sum of squares, whichever is shorter, in signals."""
-        rate = tidied(self.rate.xreplace(self.eq.values if self.valued else {}))
+        rate = tidied(self.rate)
         total = squares(-rate, self.fixed)
         ways = [rate, factored(rate)]
         if total and not total.constant.free_symbols - self.fixed:
@@ -263,7 +257,7 @@ class SystemWithV:
 
     def depends_on(self) -> list[str]:
         """Return the inputs that V' depends on."""
-        rate = tidied(self.rate.xreplace(self.eq.values if self.valued else {}))
+        rate = tidied(self.rate)
         return [str(f.func) for f in self.inputs if rate.has(f)]
 
 
