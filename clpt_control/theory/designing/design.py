@@ -19,7 +19,6 @@ import numpy as np
 
 from ...arguments import Count, Seed, public
 from ...errors import ScenarioError
-from ...html import facts, fragment
 from ...scenario.experiment import Scenario
 from ...simulation.flows import explained_variance
 from ...simulation.integrate import sample_times, simulate
@@ -99,19 +98,6 @@ class Design:
     def __repr__(self) -> str:
         before, after = (self.report[k]["smallest_eigenvalue"] for k in ("before", "after"))
         return f"<Design of {len(self.scenario.waypoints)} waypoints: {before:.3g} to {after:.3g}>"
-
-    def _repr_html_(self) -> str:
-        before, after = self.report["before"], self.report["after"]
-        rows = [
-            (label, f"{before[key]:.4g}", f"{after[key]:.4g}")
-            for label, key in (
-                ("smallest eigenvalue", "smallest_eigenvalue"),
-                (f"closed polygon ({self.report['units']['length']})", "closed_length"),
-                ("largest speed through the water", "largest_speed"),
-            )
-        ]
-        name = f"of {len(self.scenario.waypoints)} waypoints"
-        return fragment("Design", name, facts(rows, ("", "before", "after")))
 
 
 @public

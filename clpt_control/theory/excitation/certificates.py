@@ -30,7 +30,6 @@ import numpy as np
 
 from ...arguments import public
 from ...errors import ScenarioError
-from ...html import facts, fragment
 from ...scenario.experiment import Scenario
 from .error_matrices import propagate
 from .regressor import Regressor, Source, joint_regressor
@@ -53,19 +52,9 @@ class Certificate:
 
     def __repr__(self) -> str:
         worst = f"V falls to {self.contraction:.6g} of itself at worst"
-        return f"<Certificate: {worst}, {self._when()}>"
-
-    def _repr_html_(self) -> str:
-        columns = ("", "V(t+T)/V(t) at worst", "drop of V, exact", "guaranteed, rho")
-        rows = [
-            (a, f"{1 - drop:.6g}", f"{drop:.4g}", f"{self.rhos[a]:.4g}")
-            for a, drop in self.drops.items()
-        ]
-        return fragment("Certificate", self._when(), facts(rows, columns))
-
-    def _when(self) -> str:
         when = f"t = {self.start:g} to {self.start + self.window:g}"
-        return f"{when}, but for what the disturbance adds" if self.disturbed else when
+        but = ", but for what the disturbance adds" if self.disturbed else ""
+        return f"<Certificate: {worst}, {when}{but}>"
 
     @property
     def contraction(self) -> float:

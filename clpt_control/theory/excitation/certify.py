@@ -40,7 +40,6 @@ from scipy.optimize import brentq
 
 from ...arguments import public
 from ...errors import ScenarioError
-from ...html import facts, fragment
 from ...scenario.experiment import Scenario
 from ...simulation.integrate import simulate
 from ...units import at_most
@@ -77,11 +76,6 @@ class Bounds:
 
     def __repr__(self) -> str:
         return f"<Bounds: for V(0) <= {self.radius:g}, {self.said}>"
-
-    def _repr_html_(self) -> str:
-        every = zip(self.time, self.V, self.clpe, strict=True)
-        rows = [(f"{t:.4g}", at_most(V), at_most(e)) for t, V, e in every]
-        return fragment("Bounds", self.said, facts(rows, ("time", "V at most", "CLPE at most")))
 
     @property
     def said(self) -> str:
