@@ -8,7 +8,6 @@ excited direction of one window by parameter name, and how much of each paramete
 identifiable subspace.
 """
 
-from textwrap import fill, shorten
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -26,7 +25,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 MOST_BARS = 12  # of many parameters, those with the largest components
-LETTERS = 110  # of a line below the axes
 ROUGHEST = 0.1  # change of an eigenvalue by which its error is judged
 LOWEST = 1e-30  # eigenvalues below this share of the largest are drawn there
 
@@ -135,19 +133,12 @@ def excitation_plot(
         _direction(axes[1, column], at, axis)
     axes[0, 0].set_ylabel(r"eigenvalue of $\int w w^T dt$")
     axes[1, 0].set_ylabel("component")
-    handles, labels = axes[0, 0].get_legend_handles_labels()
-    place = {"loc": "lower left", "bbox_to_anchor": (0, 1.1)}
-    axes[0, 0].legend(handles[::-1], labels[::-1], fontsize=8, frameon=False, ncols=2, **place)
+    axes[0, 0].legend(fontsize=8, frameon=False, ncols=3, loc="lower left", bbox_to_anchor=(0, 1.1))
     axes[1, 1].legend(fontsize=8, frameon=False, loc="lower left")
     for one in axes[1]:
         one.set_ylim(-1.6, 1.15)
         one.set_axisbelow(True)
         one.set_yticks([-1, -0.5, 0, 0.5, 1])
-    missing = at.not_learnable
-    if missing:
-        text = "; ".join(missing[:4]) + (f"; and {len(missing) - 4} more" if missing[4:] else "")
-        text = fill(shorten(text, 3 * LETTERS, placeholder=" ..."), LETTERS)
-        axes[1, 0].set_xlabel(text, fontsize=8, color=RED, loc="left")
     return axes
 
 
@@ -155,15 +146,10 @@ def _eigenvalues(
     ax: "Axes", starts: np.ndarray, values: np.ndarray, at: Excitation, axis: str
 ) -> None:
     values = np.maximum(values, LOWEST * values.max())
-    mark = "." if len(starts) < 3 else None
-    lines: dict[int, tuple[Any, ...]] = {
-        k: (GREY, "-", 0.7, "between" if k == 1 else None) for k in range(1, values.shape[1] - 1)
-    }
-    lines[-1] = (RED, "--", 1.3, r"$\kappa_2$, largest")
-    lines[0] = (BLUE, "-", 1.8, r"$\kappa_1$, smallest")
-    for k, (color, style, width, label) in lines.items():
-        how: dict[str, Any] = {"color": color, "linewidth": width, "marker": mark, "label": label}
-        ax.semilogy(starts, values[:, k], style, **how)
+    ax.semilogy(starts, values[:, 1:-1], ".-", color=GREY, linewidth=0.7, markersize=1)
+    rows = ((-1, RED, r"$\kappa_2$, largest"), (0, BLUE, r"$\kappa_1$, smallest"))
+    for k, color, label in rows:
+        ax.semilogy(starts, values[:, k], ".-", color=color, markersize=3, label=label)
     ax.axvline(at.start, color="black", linestyle=":", linewidth=1.0, label="window below")
     ax.set_xlabel(f"start of the window ({at.time_unit})")
     ax.set_title(f"{axis}: window of {at.window:g} {at.time_unit}", **TITLE)
@@ -176,24 +162,13 @@ def _direction(ax: "Axes", at: Excitation, axis: str) -> None:
     shares = np.linalg.norm(at.identifiable[axis], axis=1)
     drawn = np.sort(np.argsort(-np.abs(components))[:MOST_BARS])
     places = np.arange(len(drawn))
-    bars: dict[str, Any] = {"width": 0.55, "color": BLUE, "edgecolor": "black", "linewidth": 0.6}
-    ax.bar(places, components[drawn], label="least excited direction", **bars)
-    marks: dict[str, Any] = {"markersize": 5, "color": RED, "markerfacecolor": "white"}
-    ax.plot(places, shares[drawn], "D", label="learnable share", **marks)
+    ax.bar(places, components[drawn], width=0.55, color=BLUE, label="least excited direction")
+    ax.plot(places, shares[drawn], "D", color=RED, markersize=5, label="learnable share")
     ax.axhline(0, color="black", linewidth=0.7)
-    ax.set_xticks(places, [_symbol(names[k]) for k in drawn], fontsize=9)
+    ax.set_xticks(places, [names[k] for k in drawn], fontsize=8, rotation=60)
     some = "" if len(drawn) == len(names) else f"\n{len(drawn)} of {len(names)} parameters"
     ax.set_title(
         rf"{axis}: $\kappa_1$ = {at.eigenvalues[axis][0]:.3g}, "
         f"{at.start:.4g} to {at.start + at.window:.4g} {at.time_unit}{some}",
         **TITLE,
     )
-
-
-def _symbol(name: str) -> str:
-    """Write theta_1[2] as the paper does, with the function above."""
-    symbol, _, rest = name.partition("_")
-    row, _, function = rest.partition("[")
-    letters = {"theta": r"\theta", "Gamma": r"\Gamma"}
-    above = f"^{{{function[:-1]}}}" if function else ""
-    return f"${letters.get(symbol, symbol)}_{row}{above}$"
