@@ -10,7 +10,7 @@ Scalar counterexamples to Eqs. (16) and (33), run exactly.
 
     d/dt [e, eta] = A(w) [e, eta] + [Delta, 0]            Eqs. (28) and (32)
 
-One axis, one basis function w = phi, z = zc = 0.  A is read off the blocks.  While w and
+One axis, one basis function w = phi, z = zc = 0.  While w and
 Delta stand still, the matrix exponential of [[A, Delta], [0, 0]] carries the state on without
 error of integration.  Delta may as well be the residual (theta - theta_hat) phi of Eq. (16).
 

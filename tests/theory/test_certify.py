@@ -12,7 +12,7 @@ from clpt_control.theory.excitation.error_matrices import error_matrices
 PAPER = clpt.paper_scenario().with_values({"run.duration": 400})
 
 
-def test_steps_2_and_3_are_true_of_the_running_blocks():
+def test_steps_2_and_3_are_true_of_the_error_matrices():
     rng, gain = np.random.default_rng(1), 0.7
     phi, x, zc, KD = rng.normal(size=3), rng.normal(size=2), rng.normal(size=2), [1.3, 0.6]
     S = np.diag([1.0, *[gain**-0.5] * 5])

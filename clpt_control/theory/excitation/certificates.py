@@ -45,7 +45,6 @@ class Certificate:
     start: float  # of the window, units.time
     window: float  # its length
     trajectory: str  # that w was taken from: w holds z, which depends on the learner
-    transition: dict[str, np.ndarray]  # axis -> Phi(t+T, t) of (e_i, eta_i)
     drops: dict[str, float]  # axis -> exact 1 - V(t+T)/V(t) at worst, with all its digits
     rhos: dict[str, float]  # axis -> the guaranteed drop
     disturbed: bool = False  # whether Delta, or a flow beside theta phi, adds to V' as well
@@ -64,12 +63,12 @@ class Certificate:
     @property
     def drop(self) -> float:
         """Exact 1 - V(t+T)/V(t) at worst, over both axes."""
-        return float(min(self.drops.values()))
+        return min(self.drops.values())
 
     @property
     def rho(self) -> float:
         """Guaranteed: V(t+T) <= (1 - rho) V(t)."""
-        return float(min(self.rhos.values()))
+        return min(self.rhos.values())
 
 
 def smallest_eigenvalue(rows: np.ndarray, weights: np.ndarray) -> np.ndarray:
@@ -127,41 +126,32 @@ def worst_drop(w: np.ndarray, k: np.ndarray, gains: np.ndarray, weights: np.ndar
 
 def window_drops(
     w: np.ndarray, weights: np.ndarray, KD: np.ndarray, gain: float
-) -> dict[str, np.ndarray]:
-    """Return drop, rho, each (2, ...), and transition (2, ..., n, n), axis first.
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the drop of V over a window, exact and guaranteed, each (2, ...), axis first.
 
     w (2, ..., pieces, nodes, n), of what adapts, stands at Gauss-Legendre nodes with weights
     (pieces, nodes).
     """
     k = np.asarray(KD, dtype=float).reshape(2, *[1] * (w.ndim - 4))
-    root = np.sqrt(gain)
-    w, weights = finely(root * w, weights)
-    lengths = weights.sum(1)
-    inside, transition = propagate(w, k, 1.0, lengths)
-    filtered, _ = propagate(w / root, k, 0.0, lengths)
-    q = np.sum(w**2, axis=-1).max((-1, -2)) * lengths.sum() / k
-    S = np.concatenate([[1.0], np.full(w.shape[-1], 1 / root)])
-    return {
-        "drop": 2 * k * smallest_eigenvalue(inside, weights),
-        "rho": k * min(1.0, gain) * smallest_eigenvalue(filtered, weights) / (1 + q**2),
-        "transition": transition * (S / S[:, None]),
-    }
+    drop = worst_drop(w, k, np.full(w.shape[-1], gain), weights)
+    lengths = weights.sum(axis=1)
+    filtered, _ = propagate(w, k, 0.0, lengths)
+    q = gain * np.sum(w**2, axis=-1).max((-1, -2)) * lengths.sum() / k
+    return drop, k * min(1.0, gain) * smallest_eigenvalue(filtered, weights) / (1 + q**2)
 
 
 def refuse_unproved(scenario: Scenario) -> None:
     """Refuse what adds to V' beside the theorems' own terms."""
     learning, fixes = scenario.learning, scenario.localization
+    limited = scenario.vehicle.max_speed is not None
     refused = {
-        "localization.noise is read with the position and adds to V'; without it V falls as "
-        "certified": fixes is not None and fixes.noise > 0,
-        "learning.gain = 0 learns nothing, so V need not fall": learning.gain == 0,
-        "learning.sample makes the law run at samples, between which V' is not what the theorems "
-        "say; without it V falls as certified": learning.sample is not None,
-        "learning.hedging = false, so what the vehicle cannot fly adds to V'; with hedging V falls "
-        "as certified": scenario.vehicle.max_speed is not None and not scenario.hedged,
+        "localization.noise": fixes is not None and fixes.noise > 0,
+        "learning.gain = 0": learning.gain == 0,
+        "learning.sample": learning.sample is not None,
+        "learning.hedging = false": limited and not scenario.hedged,
     }
     if why := next((why for why, holds in refused.items() if holds), ""):
-        raise ScenarioError(f"no certificate: {why}")
+        raise ScenarioError(f"no certificate: {why} changes V' of the theorems; leave it out")
 
 
 @public
@@ -184,8 +174,7 @@ def certificate(
     -------
     Certificate
         For that trajectory: `contraction`, the exact V(t+T)/V(t) at worst, `drop`, 1 less that
-        with all its digits, and `rho`, a guaranteed drop; by axis `transition`, Phi(t+T, t) of
-        (e_i, eta_i), whose eigenvalues are Floquet multipliers where w has the period T. With a
+        with all its digits, and `rho`, a guaranteed drop. With a
         disturbance (`disturbed`) all of it is said of the learner without; see `ultimate_bound`.
 
     Raises
@@ -215,10 +204,10 @@ def certificate(
     adapted = slice(scenario.basis.N if scenario.learning.row.given_estimate else 0, None)
     w, KD = along.w[..., adapted], np.array(scenario.vehicle.feedback)
     found = window_drops(w, along.weights, KD, gains.parameters)
-    drops, rhos, transition = (dict(zip(("x1", "x2"), one, strict=True)) for one in found.values())
+    drops, rhos = (dict(zip(("x1", "x2"), one.tolist(), strict=True)) for one in found)
     first, last = along.cuts[[0, -1]].tolist()
     disturbed = scenario.flow.disturbance is not None or scenario.flow.field is not None
-    return Certificate(first, last - first, along.trajectory, transition, drops, rhos, disturbed)
+    return Certificate(first, last - first, along.trajectory, drops, rhos, disturbed)
 
 
 @public

@@ -18,7 +18,7 @@ from ...figures import BLUE, GREY, RED, TITLE, axes_for
 from ...scenario.experiment import Scenario
 from ...scenario.team import Team
 from .certificates import certificate, time_to_tenth
-from .gramian import Excitation, gramian, sliding_excitation
+from .gramian import NOT_LEARNABLE, Excitation, gramian, sliding_excitation
 from .regressor import AnySource, Source, joint_regressor, system_of, thinned
 
 if TYPE_CHECKING:
@@ -66,7 +66,7 @@ def excitation_report(
     if not isinstance(source, Scenario):
         thin = thinned(source)
         rough = gramian(thin, found.window, found.start)
-        floor = {a: found.tolerance * values[-1] for a, values in found.eigenvalues.items()}
+        floor = {a: NOT_LEARNABLE * values[-1] for a, values in found.eigenvalues.items()}
         change = max(
             float(np.max(np.abs(rough.eigenvalues[a] - values) / np.maximum(values, floor[a])))
             for a, values in found.eigenvalues.items()

@@ -66,7 +66,6 @@ class Excitation:
     time_unit: str
     names: dict[str, list[str]]  # axis -> names of its N + 2 parameters
     factors: dict[str, np.ndarray]  # axis -> R, shape (N + 2, N + 2)
-    tolerance: float = NOT_LEARNABLE  # eigenvalues up to this share of the largest: not excited
     truth: dict[str, np.ndarray] = field(default_factory=dict)  # axis -> c; none with a field
     vehicles: dict[str, "Excitation"] = field(default_factory=dict)  # of a team, each alone
 
@@ -183,7 +182,7 @@ class Excitation:
         return {axis: np.linalg.svd(R) for axis, R in self.factors.items()}
 
     def _idle(self) -> dict[str, np.ndarray]:
-        return {a: values <= self.tolerance * values[-1] for a, values in self.eigenvalues.items()}
+        return {a: values <= NOT_LEARNABLE * values[-1] for a, values in self.eigenvalues.items()}
 
 
 EXCITATION_COLUMNS = (
@@ -270,10 +269,7 @@ def started_true(scenario: Scenario) -> Scenario:
 
 @public
 def gramian(
-    source: AnySource | Regressor,
-    window: float | None = None,
-    start: float | None = None,
-    tolerance: float = NOT_LEARNABLE,
+    source: AnySource | Regressor, window: float | None = None, start: float | None = None
 ) -> Excitation:
     """Measure the joint regressor's Gramian over one window.
 
@@ -285,8 +281,6 @@ def gramian(
         Length of the window, units.time; one cycle of the waypoints, a team's longest.
     start : float, optional
         Start of the window; the second cycle, or as late as fits.
-    tolerance : float, optional
-        Eigenvalues up to this share of the largest are not excited.
 
     Returns
     -------
@@ -318,13 +312,11 @@ def gramian(
     N, names = one.scenario.basis.N, parameter_names(one.scenario.basis.N)
     if "" in along:
         truth = {} if one.python_parts else _truth(one.scenario)
-        return _excitation(one, names, piece_factors(one), tolerance, truth)
+        return _excitation(one, names, piece_factors(one), truth)
     adapted = slice(None if one.scenario.learning.adapt_gains else N)
     names = {axis: own[adapted] for axis, own in names.items()}
     pieces = {name: piece_factors(own)[..., adapted] for name, own in along.items()}
-    vehicles = {
-        name: _excitation(along[name], names, own, tolerance) for name, own in pieces.items()
-    }
+    vehicles = {name: _excitation(along[name], names, own) for name, own in pieces.items()}
     gains, wide = len(names["x1"]) - N, list[np.ndarray]()
     for k, own in enumerate(pieces.values()):  # its gains in their columns among all vehicles'
         wide.append(np.zeros((*own.shape[:-1], N + gains * len(along))))
@@ -335,17 +327,17 @@ def gramian(
         for axis, own in names.items()
     }
     pooled = [np.concatenate([own[axis] for own in wide]) for axis in range(2)]
-    return _excitation(one, names, pooled, tolerance, vehicles=vehicles)
+    return _excitation(one, names, pooled, vehicles=vehicles)
 
 
 def _excitation(
-    along: Regressor, names: dict[str, list[str]], pieces: Any, tolerance: float, *more: Any, **also
+    along: Regressor, names: dict[str, list[str]], pieces: Any, *more: Any, **also
 ) -> Excitation:
     """Return the excitation of parameters by axis, of factors of pieces (2, ..., rows, n)."""
     first, last = along.cuts[[0, -1]].tolist()
     factors = dict(zip(names, map(whole_factor, pieces), strict=True))
     where = first, last - first, along.trajectory, along.scenario.units.time
-    return Excitation(*where, names, factors, tolerance, *more, **also)
+    return Excitation(*where, names, factors, *more, **also)
 
 
 def not_learned(source: Source) -> str:
