@@ -226,7 +226,7 @@ def _drops(scenario: Scenario, window: float) -> np.ndarray:
     refuse_turns(window * np.sqrt(gains.max() * largest))
     count = int(np.floor(scenario.run.duration / window * (1 + 1e-12)))
     ends = window * np.arange(count + 1)
-    along = joint_regressor(scenario, float(ends[-1]), 0.0, ends[1:-1], "position")
+    along = joint_regressor(scenario, float(ends[-1]), 0.0, ends[1:-1], predicted="position")
     cuts = np.searchsorted(along.cuts, ends - 1e-9 * window)
     return np.array(
         [

@@ -76,10 +76,14 @@ class Excitation:
         return f"<Excitation {self._when()}: can be learned {learnable}>"
 
     def _repr_html_(self) -> str:
-        own = "of the team" if self.vehicles else ""
-        pieces = [facts(excitation_rows({**self.vehicles, own: self}), EXCITATION_COLUMNS)]
-        pieces += [paragraphs(self.not_learnable), paragraphs([f"Measured: {self.trajectory}."])]
-        return fragment("Excitation", self._when(), *pieces)
+        rows = [
+            (f"{name} {axis}", f"{values[0]:.4g}", f"{values[-1]:.4g}", one.dimension[axis])
+            for name, one in {**self.vehicles, "": self}.items()
+            for axis, values in one.eigenvalues.items()
+        ]
+        table = facts(rows, ("", "smallest eigenvalue", "largest", "can be learned"))
+        said = [*self.not_learnable, f"Measured: {self.trajectory}."]
+        return fragment("Excitation", self._when(), table, paragraphs(said))
 
     @property
     def report(self) -> dict[str, Any]:
@@ -183,28 +187,6 @@ class Excitation:
 
     def _idle(self) -> dict[str, np.ndarray]:
         return {a: values <= NOT_LEARNABLE * values[-1] for a, values in self.eigenvalues.items()}
-
-
-EXCITATION_COLUMNS = (
-    "",
-    "smallest eigenvalue",
-    "largest",
-    "can be learned",
-    "least excited direction",
-)
-
-
-def excitation_rows(every: dict[str, Excitation]) -> list[tuple[str, ...]]:
-    """Return a row for each axis of each excitation, by name."""
-    rows: list[tuple[str, ...]] = []
-    for name, one in every.items():
-        for axis, values in one.eigenvalues.items():
-            least = sorted(one.least_excited[axis].items(), key=lambda part: -abs(part[1]))[:4]
-            direction = ", ".join(f"{part} {share:+z.2f}" for part, share in least)
-            learnable = f"{one.dimension[axis]} of {len(values)}"
-            sizes = f"{values[0]:.4g}", f"{values[-1]:.4g}"
-            rows.append((f"{name} {axis}".strip(), *sizes, learnable, direction))
-    return rows
 
 
 def parameter_names(N: int) -> dict[str, list[str]]:

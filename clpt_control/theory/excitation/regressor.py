@@ -14,7 +14,7 @@ shows what changes when every second sample is left out.
 from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING, NamedTuple, Union
+from typing import TYPE_CHECKING, Any, NamedTuple, Union
 
 import numpy as np
 
@@ -184,18 +184,9 @@ def checked_window(
     return window, start
 
 
-def joint_regressor(
-    source: Source,
-    window: float | None = None,
-    start: float | None = None,
-    edges: np.ndarray | None = None,
-    predicted: str = "predicted_position",
-) -> Regressor:
-    """Return w = [phi(x), z_i, zc_i] of Eq. (31) over a window of one vehicle.
-
-    A scenario is run from its own initial values; a run is read.  Pieces end at `edges` too.
-    """
-    found = joint_regressors(source, window, start, edges, predicted)
+def joint_regressor(source: Source, *where: Any, **how: Any) -> Regressor:
+    """Return w of one vehicle, as `joint_regressors` has it."""
+    found = joint_regressors(source, *where, **how)
     if "" not in found:
         raise DataError("the run is a team's; clpt.theory.gramian measures a team")
     return found[""]
@@ -208,8 +199,10 @@ def joint_regressors(
     edges: np.ndarray | None = None,
     predicted: str = "predicted_position",
 ) -> dict[str, Regressor]:
-    """Return w of each vehicle; z is the variable `predicted` of a run.
+    """Return w = [phi(x), z_i, zc_i] of Eq. (31) over a window, of each vehicle.
 
+    A scenario is run from its own initial values; a run is read.  Pieces end at `edges` too, and z
+    is the variable `predicted` of a run.
     Pieces are cut in four where w turns too often in them: there its last Legendre coefficients
     are not small, as the learner swings within a dwell.
     """
