@@ -11,7 +11,7 @@ says, V' there is that along the rates that python-control itself gives.
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import chain
+from itertools import product
 from typing import Any
 
 import control
@@ -56,22 +56,22 @@ class FailureSearch(PointSearch):
 
     def rises_at(self) -> Failure | None:
         """Return a point at which the running blocks have V' > 0, and V' there."""
-        rate = tidied(self.case.rate)
-        for still in (True, False)[: 1 if self.case.depends_on() else 2]:
-            for point in self.highest(rate, still):
-                (value,), (size,), _ = self.rates_at(point, point.x[None])
-                if value > SURE * size:
-                    return point, float(value)
-        return None
+        still = (True,) if self.case.depends_on() else (True, False)
+        return self.rate_beside(sympy.S.Zero, (1,), still)
 
     def not_as_claimed(self) -> Failure | None:
         """Return a point at which V' of the running blocks is not as claimed, and V' there."""
-        residual = tidied(self.case.rate - self.case.claim)
-        for point in chain(self.highest(residual, False), self.highest(-residual, False)):
-            (value,), (size,), _ = self.rates_at(point, point.x[None])
-            right = self.value_at(self.case.claim, point)
-            if abs(value - right) > SURE * max(size, abs(right)):
-                return point, float(value)
+        return self.rate_beside(self.case.claim, (1, -1), (False,))
+
+    def rate_beside(self, claim: sympy.Expr, signs: tuple, stills: tuple) -> Failure | None:
+        """Return a point at which V' of the running blocks lies beside a claim, and V' there."""
+        residual = tidied(self.case.rate - claim)
+        for sign, still in product(signs, stills):
+            for point in self.highest(sign * residual, still):
+                (value,), (size,), _ = self.rates_at(point, point.x[None])
+                right = self.value_at(claim, point)
+                if sign * (value - right) > SURE * max(size, abs(right)):
+                    return point, float(value)
         return None
 
     def no_least(self) -> Failure | None:

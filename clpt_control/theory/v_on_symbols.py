@@ -48,14 +48,11 @@ class SystemWithV:
             raise DiagramError(f"{system.name}: is of discrete time, in which nothing has a rate")
         if not self.eq.motion:
             raise DiagramError(f"{system.name}: has no states, so V' says nothing")
-        if "t" in {**self.eq.states, **self.eq.inputs, **self.eq.fields}:
-            raise DiagramError(f"{system.name}: has a t, as time is called; rename it")
-        ports = {**self.eq.signals, **self.eq.inputs}
-        for name in {*NUMBERS_OF, "Abs"} & ports.keys():
-            if any(str(one.func) == name for one in ports[name].flat):
-                raise DiagramError(
-                    f"{system.name}: has a signal {name}, as a function is called; rename it"
-                )
+        named = {**self.eq.signals, **self.eq.states, **self.eq.inputs, **self.eq.fields}
+        for name in sorted({"t", "Abs", *NUMBERS_OF} & named.keys()):
+            raise DiagramError(
+                f"{system.name}: has a {name}, as time or a function is called; rename it"
+            )
         for s, rate in self.eq.motion.items():
             if rate.xreplace(self.eq.values).has(*NO_VALUE):
                 raise DiagramError(

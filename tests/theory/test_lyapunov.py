@@ -214,14 +214,14 @@ def test_mistakes_are_one_sentence():
     for names in ({"states": ["t"]}, {"inputs": ["t"]}, {"params": {"t": 2.0}}):
         known = {"inputs": 0, "states": ["x"], "params": {}} | names
         late = control.nlsys(lambda t, x, u, p: -x * p.get("t", 1.0), **known)
-        with pytest.raises(clpt.DiagramError, match="as time is called"):
+        with pytest.raises(clpt.DiagramError, match="has a t, as time or a function is called"):
             lyapunov(late, 0 * x)
     for name in ("sign", "inside", "clip", "Abs"):
         pulled = control.nlsys(
             lambda t, x, u, p: [x[0] * (u[0] - 1e6)], inputs=[name], states=["x"]
         )
         with pytest.raises(
-            clpt.DiagramError, match=f"has a signal {name}, as a function is called"
+            clpt.DiagramError, match=f"has a {name}, as time or a function is called"
         ):
             lyapunov(pulled, half)
     divided = system(lambda x, k: [-x / k], params={"k": 0.0})
