@@ -91,15 +91,13 @@ def _completed(p: sympy.Expr, moving: list, left: list[int]) -> Squares | None:
     poly = sympy.Poly(p, *symbols)
     if any(poly.degree(s) % 2 for s in symbols):  # which has no least value
         return None
-    even, high = Squares(poly.coeff_monomial(1), [], []), Squares(sympy.Integer(0), [], [])
+    high = Squares(sympy.S.Zero, [], [])
     for powers, c in poly.terms():
-        if any(powers) and not any(n % 2 for n in powers) and (_positive(c) or c.is_nonnegative):
+        even, holds = any(powers) and not any(n % 2 for n in powers), _positive(c)
+        if even and (holds or c.is_nonnegative) and (sum(powers) > 2 or not holds):
             root = sympy.Mul(*(s ** (n // 2) for s, n in zip(symbols, powers, strict=True)))
-            for one in [even, high] if sum(powers) > 2 else [even]:
-                one.terms.append(c * root**2)
-                one.forms.extend([root.as_base_exp()[0]] * _positive(c))
-    if len(even.terms) == sum(any(powers) for powers in poly.monoms()):
-        return even
+            high.terms.append(c * root**2)
+            high.forms.extend([root.as_base_exp()[0]] * holds)
     for s in symbols:
         a, b, c = (p.coeff(s, n) for n in (2, 1, 0))
         if poly.degree(s) != 2 or a.has(*symbols) or not _positive(a) or left[0] <= 0:
@@ -111,24 +109,12 @@ def _completed(p: sympy.Expr, moving: list, left: list[int]) -> Squares | None:
         rest = _completed(below, moving, left)
         if rest is not None:
             return Squares(rest.constant, [a * form**2, *rest.terms], [form, *rest.forms])
-    if len(symbols) == 1 and (poly.domain.is_QQ or poly.domain.is_ZZ):
-        return _of_one(poly, symbols[0])
-    rest = (
-        _completed(sympy.expand(p - sympy.Add(*high.terms)), moving, left) if high.terms else None
-    )
-    if rest is not None:  # high powers beside a form that is complete without them
-        return Squares(rest.constant, high.terms + rest.terms, high.forms + rest.forms)
-    return None
-
-
-def _of_one(poly: sympy.Poly, s: sympy.Symbol) -> Squares | None:
-    """Return a polynomial of one symbol with numbers, which has no real root of odd order."""
-    _, factors = poly.sqf_list()
-    real = [(f, n) for f, n in factors if f.count_roots()]
-    if poly.LC() < 0 or poly.degree() % 2 or any(n % 2 for _, n in real):
+    if not high.terms:
         return None
-    apart = all(f.monic().as_expr() == s for f, _ in real)
-    return Squares(sympy.Integer(0), [poly.as_expr()], [s if real and apart else poly.as_expr()])
+    rest = _completed(sympy.expand(p - sympy.Add(*high.terms)), moving, left)
+    if rest is None:
+        return None
+    return Squares(rest.constant, high.terms + rest.terms, high.forms + rest.forms)
 
 
 def _positive(a: sympy.Expr) -> bool:

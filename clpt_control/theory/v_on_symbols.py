@@ -101,14 +101,12 @@ class SystemWithV:
                 "write V as a function of signals, with np.where, or work it out"
             )
         found = found.xreplace({q: rational(float(q)) for q in found.atoms(sympy.Float)})
-        own = TIME, *self.states, *self.fixed
-        known = {s.name: s for s in own} | {str(f.func): f for f in self.inputs}
-        for s in found.free_symbols - {*own} - self.intervals:
-            if s.name not in known:
-                raise DiagramError(
-                    f"{self.system.name}: has no {s}; it has {', '.join(map(str, known))}"
-                )
-            found = found.subs(s, known[s.name])
+        own = {TIME, *self.states, *self.fixed, *self.intervals}
+        if unknown := found.free_symbols - own:
+            raise DiagramError(
+                f"{self.system.name}: has no {unknown.pop()} as clpt.equations has symbols; it has "
+                f"{', '.join(map(str, [*self.states, *self.fixed, *self.inputs]))}"
+            )
         return found
 
     def place(self, at: Mapping[str, float] | Sequence[float]) -> dict[Any, sympy.Expr]:

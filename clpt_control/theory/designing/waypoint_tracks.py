@@ -20,7 +20,6 @@ from ...blocks.laws.law import LEARNED
 from ...blocks.laws.table import LAWS
 from ...diagrams.interconnection import wiring_of_blocks
 from ...equations.at_many import evaluate
-from ...errors import ScenarioError
 from ...native.batch import Batch
 from ...native.machine import LANES
 from ...native.native_diagram import NativeDiagram
@@ -110,14 +109,10 @@ class Tracks:
     def _parameters(self, points: np.ndarray) -> np.ndarray:
         P = np.tile(self.native.parameters(), (len(points), 1))
         names = [block.name for block in self.blocks]
-        for i, field in enumerate(("x1", "x2")):
+        for i, field in enumerate(("x1", "x2")):  # a table, of more waypoints than are designed
             array, place = self.native.layout.slots[names.index("reference"), field]
             if array == "P":
                 P[:, place : place + points.shape[1]] = points[:, :, i]
-            elif not np.array_equal(points[:, :, i], [self.scenario.waypoints[:, i]] * len(P)):
-                raise ScenarioError(
-                    f"reference: has {points.shape[1]} waypoints, too many for tracks to differ in"
-                )
         return P
 
     def _least(self, x: np.ndarray, points: np.ndarray) -> np.ndarray:

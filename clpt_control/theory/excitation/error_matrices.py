@@ -80,13 +80,9 @@ def collocation(nodes: int) -> tuple[np.ndarray, np.ndarray]:
     """Return the Gauss method's a (nodes, nodes) and b (nodes,) on a step of length 1."""
     legendre = np.polynomial.legendre
     c, weight = legendre.leggauss(nodes)
-    P = legendre.legvander(c, nodes)
-    integrals = np.empty((nodes, nodes))  # of P_j from -1 to each node
-    integrals[:, 0] = c + 1
-    for j in range(1, nodes):
-        integrals[:, j] = (P[:, j + 1] - P[:, j - 1]) / (2 * j + 1)
-    coefficients = (np.arange(nodes)[:, None] + 0.5) * P[:, :nodes].T * weight
-    return integrals @ coefficients / 2, weight / 2
+    integrals = legendre.legval(c, legendre.legint(np.eye(nodes), lbnd=-1))  # of P_j to each node
+    a = integrals.T @ np.linalg.inv(legendre.legvander(c, nodes - 1))
+    return a / 2, weight / 2
 
 
 def propagate(
