@@ -8,9 +8,7 @@ parameters of that axis can be told apart on this track; w holds z, which
 depends on the learner, so a Gramian belongs to the trajectory it came from.
 
 A Gramian is kept as a triangular factor R, Gramian = R^T R, R from the QR factors of
-sqrt(weight) w^T.  Factors of pieces stack and factor again to that of the whole, so a sliding
-window adds pieces and never subtracts, and an eigenvalue of 1e-21 keeps its digits beside one
-of 1e3.
+sqrt(weight) w^T: so an eigenvalue of 1e-21 keeps its digits beside one of 1e3.
 
 There is a ceiling.  With c_i = (theta_i - alpha_M_i, -KD_i, GammaD_i) Eqs. (1), (3), (7) say
 
@@ -197,19 +195,15 @@ def parameter_names(N: int) -> dict[str, list[str]]:
     }
 
 
-def piece_factors(regressor: Regressor) -> np.ndarray:
-    """Return the factor of each piece's Gramian, shape (2, pieces, rows, N + 2)."""
-    return _triangle(np.sqrt(regressor.weights)[..., None] * regressor.w)
+def weighted(along: Regressor) -> np.ndarray:
+    """Return the rows of which the Gramian of each axis is made, (2, pieces, nodes, N + 2)."""
+    return np.sqrt(along.weights)[..., None] * along.w
 
 
-def whole_factor(pieces: np.ndarray) -> np.ndarray:
-    """Return the factor (n, n) of a window from those of its pieces, (pieces, rows, n)."""
-    n = pieces.shape[-1]
-    return _triangle(np.concatenate([np.zeros((n, n)), *pieces]))
-
-
-def _triangle(rows: np.ndarray) -> np.ndarray:
-    return np.asarray(np.linalg.qr(rows, mode="r"))
+def factor(rows: np.ndarray) -> np.ndarray:
+    """Return R (n, n), R^T R the Gramian of rows (..., n)."""
+    n = rows.shape[-1]
+    return np.asarray(np.linalg.qr(np.vstack([np.zeros((n, n)), rows.reshape(-1, n)]), mode="r"))
 
 
 @public
@@ -294,13 +288,13 @@ def gramian(
     N, names = one.scenario.basis.N, parameter_names(one.scenario.basis.N)
     if "" in along:
         truth = {} if one.python_parts else _truth(one.scenario)
-        return _excitation(one, names, piece_factors(one), truth)
+        return _excitation(one, names, weighted(one), truth)
     adapted = slice(None if one.scenario.learning.adapt_gains else N)
     names = {axis: own[adapted] for axis, own in names.items()}
-    pieces = {name: piece_factors(own)[..., adapted] for name, own in along.items()}
-    vehicles = {name: _excitation(along[name], names, own) for name, own in pieces.items()}
+    rows = {name: weighted(own)[..., adapted] for name, own in along.items()}
+    vehicles = {name: _excitation(along[name], names, own) for name, own in rows.items()}
     gains, wide = len(names["x1"]) - N, list[np.ndarray]()
-    for k, own in enumerate(pieces.values()):  # its gains in their columns among all vehicles'
+    for k, own in enumerate(rows.values()):  # its gains in their columns among all vehicles'
         wide.append(np.zeros((*own.shape[:-1], N + gains * len(along))))
         wide[k][..., :N] = own[..., :N]
         wide[k][..., N + gains * k : N + gains * (k + 1)] = own[..., N:]
@@ -313,11 +307,11 @@ def gramian(
 
 
 def _excitation(
-    along: Regressor, names: dict[str, list[str]], pieces: Any, *more: Any, **also
+    along: Regressor, names: dict[str, list[str]], rows: Any, *more: Any, **also
 ) -> Excitation:
-    """Return the excitation of parameters by axis, of factors of pieces (2, ..., rows, n)."""
+    """Return the excitation of parameters by axis, of the rows of Gramians (2, ..., n)."""
     first, last = along.cuts[[0, -1]].tolist()
-    factors = dict(zip(names, map(whole_factor, pieces), strict=True))
+    factors = dict(zip(names, map(factor, rows), strict=True))
     where = first, last - first, along.trajectory, along.scenario.units.time
     return Excitation(*where, names, factors, *more, **also)
 
@@ -361,7 +355,7 @@ def sliding_excitation(
     left = np.searchsorted(along.cuts, starts - 1e-9 * window)
     right = np.searchsorted(along.cuts, starts + window * (1 - 1e-9))
     found = {}
-    for axis, pieces in zip(("x1", "x2"), piece_factors(along), strict=True):
-        whole = [whole_factor(pieces[a:b]) for a, b in zip(left, right, strict=True)]
+    for axis, pieces in zip(("x1", "x2"), weighted(along), strict=True):
+        whole = [factor(pieces[a:b]) for a, b in zip(left, right, strict=True)]
         found[axis] = np.linalg.svd(whole, compute_uv=False)[:, ::-1] ** 2
     return starts, found
