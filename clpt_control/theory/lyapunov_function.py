@@ -105,8 +105,8 @@ class Lyapunov:
     status : str
         ``"proved"``: V holds the states and V' <= 0. With what is beside it: ``"proved but for
         z"``, where V does not hold z, which may grow; ``"proved as long as z exists"``;
-        ``"proved near the rest"``, where V is bounded; ``"proved where d = 0"``, of an input that
-        V' depends on; ``"proved between jumps"``; ``"proved in a region"``: V' < 0 below `level`.
+        ``"proved where d = 0"``, of an input that V' depends on; ``"proved between jumps"``;
+        ``"proved in a region"``: V' < 0 below `level`.
         ``"refuted"``: there is a `point` at which V' > 0, V' is not as claimed, or V is no least
         value. ``"open"``: none of these is known.
     claim : str
@@ -179,9 +179,9 @@ def _proved(case: SystemWithV, search: FailureSearch, count: int) -> Lyapunov:
 
     if failed := first_failure(steps):
         return result("open", f"V' = {short(rate)}; {failed}")
-    apart, others = states_beside(forms, case.eq) if forms else NEAR
+    apart, others = states_beside(forms, case.eq)
     steps += [running := search.running(count), others]
-    jump, rise = _at_jumps(case, search, near=forms is None)
+    jump, rise = _at_jumps(case, search)
     steps += [jump] if case.eq.jumps else []
     if rise is not None:
         return result("refuted at a jump", jump.claim, rise)
@@ -213,16 +213,11 @@ def _refuted(case: SystemWithV, search: FailureSearch, found: Lyapunov) -> Lyapu
     return replace(found, steps=steps)
 
 
-NEAR = "near the rest", exact("V holds every state near the rest", True)
-
-
-def _at_jumps(case: SystemWithV, search: FailureSearch, near: bool) -> tuple[Step, Failure | None]:
+def _at_jumps(case: SystemWithV, search: FailureSearch) -> tuple[Step, Failure | None]:
     """Return the step that V rises at no jump, and a point at which it does."""
     claim = f"V does not rise where states of {' and '.join(case.eq.jumps)} jump"
     for after in case.eq.jumps_at_once():
         rise = tidied(case.V.xreplace(after) - case.V)
-        if near:  # it may jump to where V says nothing
-            return exact(claim, False, "not shown"), None
         if not case.never_positive(rise):
             at_times = rise.has(TIME, *case.intervals)  # at few of which it jumps
             found = None if at_times else search.where(rise, 1)

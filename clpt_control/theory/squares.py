@@ -136,14 +136,8 @@ def _rising(g: sympy.Expr, s: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr] | N
     if g.atoms(AppliedUndef) or g.has(TIME):
         return None
     bend = factored(sympy.diff(slope, s))
-    if not least.is_finite or not vanishes(slope.subs(s, 0)) or bend == 0:
-        return None
-    if bend.is_nonnegative:  # so g rises without bound
-        return least, s
-    rises = nonpositive(-s * slope, {s})
-    if rises and sympy.limit(g, s, sympy.oo) == sympy.oo:
-        return (least, s) if sympy.limit(g, s, -sympy.oo) == sympy.oo else None
-    return None
+    bends = least.is_finite and vanishes(slope.subs(s, 0)) and bend != 0 and bend.is_nonnegative
+    return (least, s) if bends else None  # so that g rises without bound
 
 
 def positive_definite(V: sympy.Expr, states: list) -> bool:

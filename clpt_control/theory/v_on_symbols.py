@@ -25,7 +25,7 @@ from .proving.proof import Step, exact, short
 from .proving.signs import factored, tidied, vanishes
 from .proving.symbolic_loop import NO_VALUE
 from .proving.symbols import undefined
-from .proving.words import NUMBERS_OF, along, is_continuous, is_smooth, meets_smoothly
+from .proving.words import NUMBERS_OF, along, is_continuous, meets_smoothly
 from .squares import never_positive, squares
 
 MOST_TURNS = 360  # pi/360 is a share of pi
@@ -128,11 +128,8 @@ class SystemWithV:
 
     # --- signs ----------------------------------------------------------------------------
 
-    def definite(self) -> tuple[Step, list[sympy.Expr] | None]:
-        """Return the step that V is positive definite, and the forms that it holds.
-
-        The forms are None where V is positive definite only near the rest.
-        """
+    def definite(self) -> tuple[Step, list[sympy.Expr]]:
+        """Return the step that V is positive definite, and the forms that it holds."""
         parts = self.V, *self.eq.motion.values()
         bends = not meets_smoothly(self.V) and not all(map(is_continuous, parts))
         if bends or self.V.free_symbols & self.intervals:
@@ -148,14 +145,6 @@ class SystemWithV:
             forms = [f.xreplace(back) for f in found.forms]
             names = ", ".join(dict.fromkeys(map(str, map(self.in_signals, forms))))
             return exact(f"V is positive definite in {names}", True), forms
-        known = set(self.states) <= V.free_symbols <= {*self.states, *self.fixed}
-        if known and _is_smooth(V, zero):
-            H = sympy.hessian(V, self.states).subs(zero)
-            slopes = [sympy.diff(V, s).subs(zero) for s in self.states]
-            finite = not any(one.has(sympy.zoo, sympy.nan, sympy.oo) for one in (H, *slopes))
-            still = finite and all(map(vanishes, slopes)) and not H.free_symbols - self.fixed
-            if still and H.is_positive_definite:
-                return exact("V is positive definite near the rest", True), None
         return exact("V is positive definite", False, "not shown"), []
 
     def never_positive(self, expression: sympy.Expr) -> bool:
@@ -249,12 +238,6 @@ def reduced(rate: sympy.Expr) -> sympy.Expr:
         return rate
     p, q = map(tidied, sympy.fraction(sympy.together(tidied(rate))))
     return sympy.cancel(p / q)
-
-
-def _is_smooth(V: sympy.Expr, at: dict) -> bool:
-    """Return whether an expression is known to have all derivatives at a place."""
-    powers = [p for p in V.atoms(sympy.Pow) if not (p.exp.is_Integer and p.exp.is_positive)]
-    return is_smooth(V) and all(p.base.subs(at).is_nonzero for p in powers)
 
 
 def missing(V: sympy.Expr) -> list[str]:

@@ -70,7 +70,6 @@ RIGHT = {
     "a chain of soft dampers": lambda v, w, q: chain(lambda z: z / np.sqrt(1 + z**2), v, w, q),
     "a rate of which rounding is left": lambda x: [x * (-1.65 * np.maximum(x, -0.7) - 1.65 * 0.7)],
     "a divisor below zero": lambda x: [x * (3 + np.cos(x)) / (np.sin(x) - 2)],
-    "V that is linear far off": (lambda x: [-x], lambda s: s.x**2 / (1 + np.abs(s.x))),
     "log cosh": (lambda x: [-np.tanh(x)], lambda s: np.log(np.cosh(s.x))),
     "sliding": lambda x: [-np.sign(x)],
     "gain of a higher wave": lambda t, x: [-(2 + np.sin(3 * t)) * x],
@@ -207,6 +206,12 @@ OPEN = {  # no point shows it, or none is looked for
         lambda x, y: [y, -x],
         lambda s: (np.arctan2(s.y, s.x) + 4) ** 2 + s.x**2 + s.y**2,
     ),
+    "V that is linear far off": (lambda x: [-x], lambda s: s.x**2 / (1 + np.abs(s.x))),
+    "V that is bounded": (lambda x: [-x], lambda s: np.tanh(s.x**2)),
+    "V that lets go far off": (
+        lambda x, y: [-6 * x / (1 + x**2) ** 2 + 2 * y, -2 * (x + y) / (1 + x**2) ** 2],
+        lambda s: s.x**2 / (1 + s.x**2) + s.y**2,
+    ),
     "V that fades": (lambda x: [x / 2], sympy.exp(-2 * t) * x**2),
     "V that sinks with time": (lambda x: [0 * x], x**2 - t),
     "V whose least is far away": (
@@ -266,12 +271,6 @@ BESIDE = {  # V' <= 0 is right, and more is to be said
         "proved but for a",
         lambda a, b: [np.sin(b - a), np.sin(a - b)],
         lambda s: 1 - np.cos(s.a - s.b),
-    ),
-    "V that is bounded": ("proved near the rest", lambda x: [-x], lambda s: np.tanh(s.x**2)),
-    "V that lets go far off": (
-        "proved near the rest",
-        lambda x, y: [-6 * x / (1 + x**2) ** 2 + 2 * y, -2 * (x + y) / (1 + x**2) ** 2],
-        lambda s: s.x**2 / (1 + s.x**2) + s.y**2,
     ),
     "an angle that ends": (
         "proved as long as th exist",

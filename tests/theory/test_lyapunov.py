@@ -69,10 +69,10 @@ def test_a_wrong_one_is_not_proved(name):
 
 
 def test_of_an_arm_the_rate_is_its_friction():
-    """The masses divide the rates by 2 - cos(q2)^2, which is never zero."""
+    """The masses divide the rates by 2 - cos(q2)^2, which is never zero; V is no sum of squares."""
     found = lyapunov(system(arm), of_the_arm)
     v1, v2 = sympy.symbols("v1 v2", real=True)
-    assert (found.status, found.rate) == ("proved near the rest", -(v1**2) - v2**2)
+    assert (found.status, found.rate) == ("open", -(v1**2) - v2**2)
 
 
 def test_a_point_of_refutation_is_one_of_the_running_blocks():
