@@ -172,8 +172,11 @@ def test_the_radius_is_that_of_the_scenarios_own_start():
 
 
 def test_numbers_that_are_none_are_refused():
-    for radius, error in ((-1.0, None), (0.0, None), (1.0, 0.0), (np.inf, None), (1.0, 1e308)):
-        with pytest.raises(clpt.ScenarioError, match="must be a positive number"):
+    for radius, error in ((-1.0, None), (0.0, None), (1.0, 0.0), (np.inf, None)):
+        with pytest.raises(clpt.ArgumentError, match="must be a number, positive and finite"):
+            certify(PAPER, radius, error=error)
+    for radius, error in ((1.0, 1e308), (1e308, None)):
+        with pytest.raises(clpt.ScenarioError, match=r"must be at most 1e\+12"):
             certify(PAPER, radius, error=error)
 
 

@@ -248,14 +248,14 @@ def test_what_is_searched_for_is_what_v_falls_by(paper, change):
     ("limits", "said"),
     [
         ({"goal": "speed"}, "goal 'speed': must be one of law, kappa"),
-        ({"length": 0.0}, "length = 0: must be a positive number"),
+        ({"length": 0.0}, "length = 0.0: must be a number, positive and finite"),
         ({"length": float("nan")}, "length = nan: must be"),
-        ({"max_speed": -1.0}, "max_speed = -1: must be a positive number"),
+        ({"max_speed": -1.0}, "max_speed = -1.0: must be a number, positive"),
         ({"area": (1.0, 1.0, 0.0, 2.0)}, "each pair increasing"),
         ({"area": (1.0, 2.0, 1.0, 2.0)}, "with vehicle.position in it"),
         ({"window": 500.0}, "must be positive and lie within the run"),
         ({"generations": 0}, "generations = 0"),
-        ({"level": 0.0}, "level = 0"),
+        ({"level": 0.0}, "level = 0.0"),
         ({"seed": -1}, "seed = -1"),
         pytest.param(
             {"max_speed": 0.05, "generations": 1, "window": 60.0},

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ...arguments import Count, Seed, public
+from ...arguments import Count, Positive, Seed, public
 from ...errors import ScenarioError
 from ...scenario.experiment import Scenario
 from ...simulation.flows import explained_variance
@@ -27,12 +27,13 @@ from ..excitation.certificates import gains_of_w
 from ..excitation.gramian import gramian, started_true
 from ..excitation.regressor import checked_window
 from .search import CLOSE, best_waypoints
-from .track_limits import Box, Limits, check_numbers, closed_length, corners
+from .track_limits import Box, Limits, closed_length, corners
 from .waypoint_tracks import Extremes, Tracks, vehicle_alone, with_waypoints
 
 if TYPE_CHECKING:
     import xarray
 
+MOST_WAYPOINTS = 200
 LOOKS, MOST = 50, 20_000  # samples a waypoint for a smooth picture, and in all
 TENTH = 0.1  # of the first error: the level without another
 
@@ -104,13 +105,13 @@ class Design:
 def design_track(
     scenario: Scenario,
     *,
-    length: float | None = None,
-    max_speed: float | None = None,
+    length: Positive | None = None,
+    max_speed: Positive | None = None,
     area: Box | None = None,
     goal: str = "law",
     window: float | None = None,
     start: float | None = None,
-    level: float | None = None,
+    level: Positive | None = None,
     seed: Seed = 0,
     generations: Count = 60,
     progress: Callable[[float], None] | None = None,
@@ -167,7 +168,11 @@ def design_track(
     """
     if goal not in GOALS:
         raise ScenarioError(f"goal {goal!r}: must be one of {', '.join(GOALS)}")
-    check_numbers(scenario, length=length, max_speed=max_speed, level=level)
+    own, law = scenario.waypoints, goal == "law"
+    if len(own) > MOST_WAYPOINTS:
+        raise ScenarioError(
+            f"reference: has {len(own)} waypoints; at most {MOST_WAYPOINTS} are designed"
+        )
     span = checked_window(scenario, window, start)
     before = _look(scenario, span)
     reached = float(before[1].share[0])
@@ -177,7 +182,6 @@ def design_track(
             f"{scenario.units.time}, but {reached * scenario.run.duration:.4g}: shorten "
             "run.duration, or move its waypoints so that it stays within flow.field"
         )
-    own, law = scenario.waypoints, goal == "law"
     low, high = corners(scenario, area, before[1])
     longest = float(closed_length(own)) if length is None else float(length)
     report = progress or (lambda share: None)

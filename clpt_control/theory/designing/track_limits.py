@@ -17,7 +17,6 @@ from ...scenario.experiment import Scenario
 from .waypoint_tracks import Extremes
 
 MARGIN = 1e-3  # of a limit, kept free between the times at which it is looked at
-MOST_WAYPOINTS = 200
 WIDER = 0.01  # than what the scenario's own track fills, where no area is given
 Box = tuple[float, float, float, float]
 
@@ -91,12 +90,3 @@ def corners(
     high = np.maximum(points.max(axis=0), extremes.high[0].max(axis=0))
     more = WIDER * np.maximum(high - low, 1e-9 + 1e-9 * np.abs(high))
     return low - more, high + more
-
-
-def check_numbers(scenario: Scenario, **numbers: float | None) -> None:
-    """Refuse numbers that no track can have, and too many waypoints."""
-    for name, value in numbers.items():
-        if value is not None and not 0 < value < np.inf:
-            raise ScenarioError(f"{name} = {value:g}: must be a positive number")
-    if (n := len(scenario.waypoints)) > MOST_WAYPOINTS:
-        raise ScenarioError(f"reference: has {n} waypoints; at most {MOST_WAYPOINTS} are designed")

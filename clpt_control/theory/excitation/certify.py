@@ -38,7 +38,7 @@ from typing import Any
 import numpy as np
 from scipy.optimize import brentq
 
-from ...arguments import public
+from ...arguments import Positive, public
 from ...errors import ScenarioError
 from ...scenario.experiment import Scenario
 from ...simulation.integrate import simulate
@@ -123,9 +123,9 @@ def settled(c: float, k: float, gain: float, D: float) -> float:
 @public
 def certify(
     scenario: Scenario,
-    radius: float | None = None,
+    radius: Positive | None = None,
     *,
-    error: float | None = None,
+    error: Positive | None = None,
     window: float | None = None,
 ) -> Bounds:
     """Bound V, CLPE and the flow parameters' errors for every start.
@@ -171,11 +171,8 @@ def certify(
         raise ScenarioError(
             'no certificate: flow.disturbance.kind = "noise" is normal, so |Delta| has no bound'
         )
-    for name, value in (("radius", radius), ("error", error)):
-        if value is not None and not 0 < value <= LARGEST:
-            raise ScenarioError(
-                f"{name} = {value:g}: must be a positive number, at most {LARGEST:g}"
-            )
+    if max(radius or 0.0, error or 0.0) > LARGEST:
+        raise ScenarioError(f"radius, error: must be at most {LARGEST:g}")
     window, _ = checked_window(scenario, window, 0.0)
     gains, car = scenario.learning.used_gains, scenario.vehicle
     for name in ("feedback", "feedforward"):
