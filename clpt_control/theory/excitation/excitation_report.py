@@ -24,7 +24,6 @@ from .regressor import AnySource, Source, joint_regressor, system_of, thinned
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-MOST_BARS = 12  # of many parameters, those with the largest components
 ROUGHEST = 0.1  # change of an eigenvalue by which its error is judged
 LOWEST = 1e-30  # eigenvalues below this share of the largest are drawn there
 
@@ -52,8 +51,7 @@ def excitation_report(
         return _of_a_team(gramian(source, window, start))
     along = joint_regressor(source, window, start)
     found = gramian(along)
-    more = {"ceilings": found.ceilings, "least_excited": found.least_excited}
-    report: dict[str, Any] = {**found.span, **found.report, **more}
+    report: dict[str, Any] = found.report
     report |= dict.fromkeys(("rho", "contraction", "drop", "disturbed", "time_to_tenth"))
     try:
         certified = certificate(along)
@@ -81,7 +79,7 @@ def _of_a_team(found: Excitation) -> dict[str, Any]:
     adapt = any("Gamma" in name for name in found.names["x1"])
     own = " and each vehicle's own K and Gamma" if adapt else " K and Gamma are held"
     return {
-        **found.span,
+        **found.report,
         "measured": f"the flow parameters, which all share{',' if adapt else ';'}{own}",
         "smallest": {name: one.smallest for name, one in every.items()},
         "vehicles": {name: one.report for name, one in found.vehicles.items()},
@@ -157,18 +155,13 @@ def _eigenvalues(
 
 def _direction(ax: "Axes", at: Excitation, axis: str) -> None:
     least = at.least_excited[axis]
-    names = list(least)
-    components = np.array([least[name] for name in names])
     shares = np.linalg.norm(at.identifiable[axis], axis=1)
-    drawn = np.sort(np.argsort(-np.abs(components))[:MOST_BARS])
-    places = np.arange(len(drawn))
-    ax.bar(places, components[drawn], width=0.55, color=BLUE, label="least excited direction")
-    ax.plot(places, shares[drawn], "D", color=RED, markersize=5, label="learnable share")
+    ax.bar([*least], [*least.values()], width=0.55, color=BLUE, label="least excited direction")
+    ax.plot([*least], shares, "D", color=RED, markersize=5, label="learnable share")
     ax.axhline(0, color="black", linewidth=0.7)
-    ax.set_xticks(places, [names[k] for k in drawn], fontsize=8, rotation=60)
-    some = "" if len(drawn) == len(names) else f"\n{len(drawn)} of {len(names)} parameters"
+    ax.tick_params(axis="x", labelsize=8, rotation=90)
     ax.set_title(
         rf"{axis}: $\kappa_1$ = {at.eigenvalues[axis][0]:.3g}, "
-        f"{at.start:.4g} to {at.start + at.window:.4g} {at.time_unit}{some}",
+        f"{at.start:.4g} to {at.start + at.window:.4g} {at.time_unit}",
         **TITLE,
     )

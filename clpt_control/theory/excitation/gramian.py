@@ -86,17 +86,10 @@ class Excitation:
     @property
     def report(self) -> dict[str, Any]:
         """What JSON says of it."""
-        return {
-            "eigenvalues": {axis: values.tolist() for axis, values in self.eigenvalues.items()},
-            "dimension": self.dimension,
-            "not_learnable": self.not_learnable,
-        }
-
-    @property
-    def span(self) -> dict[str, Any]:
-        """Where and when it was measured, for JSON."""
-        names = ("window", "start", "time_unit", "trajectory")
-        return {name: getattr(self, name) for name in names}
+        names = ("window", "start", "time_unit", "trajectory", "ceilings", "least_excited")
+        found = {name: getattr(self, name) for name in (*names, "dimension", "not_learnable")}
+        eigenvalues = {axis: values.tolist() for axis, values in self.eigenvalues.items()}
+        return found | {"eigenvalues": eigenvalues}
 
     def _when(self) -> str:
         return f"from {self.start:g} to {self.start + self.window:g} {self.time_unit}"
