@@ -20,7 +20,6 @@ from .proving.symbolic_loop import positive_somewhere
 from .proving.words import along, decided, degree, interval, is_input, meets_smoothly
 
 TURNS = (sympy.sin, sympy.cos)
-MOST = 24  # squares that are completed beside one for each symbol, in all orders that are tried
 
 
 class Squares(NamedTuple):
@@ -76,14 +75,14 @@ def squares(V: sympy.Expr, fixed: set, words_are_free: bool = True) -> Squares |
         plain = [term for term in form_of if term.is_polynomial(*moving)]
         low += plain
         form_of = {term: form for term, form in form_of.items() if term not in plain}
-    whole = _completed(sympy.expand(sympy.Add(*low)), moving, [MOST + len(moving)])
+    whole = _completed(sympy.expand(sympy.Add(*low)), moving)
     if whole is None:
         return None
     both = [*form_of, *more, *whole.terms], [*form_of.values(), *whole.forms]
     return Squares(whole.constant, *([one.xreplace(back) for one in terms] for terms in both))
 
 
-def _completed(p: sympy.Expr, moving: list, left: list[int]) -> Squares | None:
+def _completed(p: sympy.Expr, moving: list) -> Squares | None:
     """Complete the squares of a polynomial, in one order of its symbols or another."""
     symbols = [s for s in moving if p.has(s)]
     if not symbols:
@@ -100,18 +99,18 @@ def _completed(p: sympy.Expr, moving: list, left: list[int]) -> Squares | None:
             high.forms.extend([root.as_base_exp()[0]] * holds)
     for s in symbols:
         a, b, c = (p.coeff(s, n) for n in (2, 1, 0))
-        if poly.degree(s) != 2 or a.has(*symbols) or not _positive(a) or left[0] <= 0:
+        if poly.degree(s) != 2 or a.has(*symbols) or not _positive(a):
             continue
-        left[0] -= 1
         form = s + sympy.expand(b / (2 * a))
         below = c - b**2 / (4 * a)
         below = sympy.expand(below if a.is_number else sympy.cancel(below))
-        rest = _completed(below, moving, left)
+        rest = _completed(below, moving)
         if rest is not None:
             return Squares(rest.constant, [a * form**2, *rest.terms], [form, *rest.forms])
+        break
     if not high.terms:
         return None
-    rest = _completed(sympy.expand(p - sympy.Add(*high.terms)), moving, left)
+    rest = _completed(sympy.expand(p - sympy.Add(*high.terms)), moving)
     if rest is None:
         return None
     return Squares(rest.constant, high.terms + rest.terms, high.forms + rest.forms)

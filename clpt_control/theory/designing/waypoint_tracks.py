@@ -17,7 +17,6 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...blocks.laws.law import LEARNED
-from ...blocks.laws.table import LAWS
 from ...diagrams.interconnection import wiring_of_blocks
 from ...equations.at_many import evaluate
 from ...native.batch import Batch
@@ -29,7 +28,6 @@ from ...simulation.starts import state_of
 from ..excitation.certificates import smallest_eigenvalue, worst_drop
 from ..excitation.regressor import quadrature, w_along, waypoint_in
 
-ANY = next(law for law in LAWS.values() if not (law.at_fixes or law.given_estimate))
 ATOL = 1e-2  # absolute tolerance over the relative one
 LEARNER = ("z", "e", *LEARNED)  # the vehicle alone is what feeds none of them
 BYTES = 100_000_000  # of one array of tracks that are taken together
@@ -154,6 +152,6 @@ def vehicle_alone(scenario: Scenario) -> Scenario:
 
     The learner is not run, not even one by which the vehicle steers, since e = 0.
     """
-    learner = {"law": ANY.name, "gain": 1.0}
+    learner = {"law": "learned-flow", "gain": 1.0}
     calm = {"flow.disturbance": None, "localization": None, "learning": learner}
     return with_waypoints(scenario.with_values(calm), scenario.waypoints)
