@@ -73,7 +73,7 @@ def certify(
     numbers = zip(found.time, found.V, found.clpe, found.flow_error, strict=True)
     rows = [[f"{t:.6g}", *(at_most(one, 6) for one in row)] for t, *row in numbers]
     title = f"For every start with V(0) <= {found.radius:.6g}, windows of {found.window:g} {time}"
-    most = f"{at_most(found.largest_clpe)} {length}{found.known_until}"
+    most = f"{at_most(found.clpe[0])} {length}{found.known_until}"
     sentences = [found.said, f"CLPE is never above {most}"]
     if found.disturbance > 0:
         end = "is not shown to end below a bound"

@@ -53,9 +53,8 @@ class Search:
     seconds: float
 
     def __repr__(self) -> str:
-        nearest = max(self.closest.items(), key=lambda one: one[1], default=("", 0.0))
-        said = self.broken or f"nearest to a limit: {nearest[0]}, {nearest[1]:.3g} of it"
-        return f"<Search of {self.law}: {self.status} in {self.runs} runs; {said}>"
+        said = f"; {self.broken}" if self.broken else ""
+        return f"<Search of {self.law}: {self.status} in {self.runs} runs{said}>"
 
 
 @public

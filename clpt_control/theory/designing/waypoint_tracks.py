@@ -30,7 +30,7 @@ from ..excitation.regressor import quadrature, w_along, waypoint_in
 
 ATOL = 1e-2  # absolute tolerance over the relative one
 LEARNER = ("z", "e", *LEARNED)  # the vehicle alone is what feeds none of them
-BYTES = 100_000_000  # of one array of tracks that are taken together
+BYTES = 20_000_000  # of one array of tracks that are taken together
 
 
 class Extremes(NamedTuple):

@@ -62,7 +62,6 @@ class Bounds:
     V: np.ndarray  # at most, then and until the next
     clpe: np.ndarray  # |e| at most from then on, length; with a disturbance, within the run
     flow_error: np.ndarray  # |theta_k + alpha_k| likewise, length per time
-    largest_clpe: float  # likewise, from the start on, length
     ultimate: float | None  # limsup |e| at most, length, in windows like the weakest; None: nothing
     disturbance: float  # largest |Delta| of the scenario, length per time
     error: float  # the CLPE that is to be reached, length
@@ -207,7 +206,6 @@ def certify(
         np.array(V),
         np.sqrt(2 * at_most),
         np.sqrt(2 * gains.parameters * at_most),
-        float(np.sqrt(2 * at_most[0])),
         float(np.sqrt(2 * end)) if np.isfinite(end) else None,
         d,
         error,
