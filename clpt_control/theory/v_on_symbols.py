@@ -156,27 +156,7 @@ class SystemWithV:
         if self.never_positive(self.rate):
             return True
         self.rate = reduced(self.rate)
-        if self.never_positive(self.rate) or self._falls_by_state():
-            return True
-        rate = self._in_sums(self.rate)
-        return rate != self.rate and self.never_positive(rate)
-
-    def _in_sums(self, e: sympy.Expr) -> sympy.Expr:
-        """Return an expression in sums of states that functions in it are of, and other states.
-
-        They are a linear change of states: of v - w and w, tanh(v - w) is a function of one.
-        """
-        parts = {a for f in e.atoms(sympy.Function, sympy.Pow) for a in f.args if a.is_Add}
-        slopes = [[sympy.diff(a, s) for s in self.states] for a in sorted(parts, key=str)]
-        M = sympy.zeros(0, len(self.states))
-        for row in [*slopes, *sympy.eye(len(self.states)).tolist()]:
-            more = M.col_join(sympy.Matrix([row]))
-            if all(slope.is_Rational for slope in row) and more.rank() == more.rows:
-                M = more
-        if M.is_Identity:
-            return e
-        z = sympy.Matrix([sympy.Dummy(str(s), real=True) for s in self.states])
-        return e.xreplace(dict(zip(self.states, M.inv() * z, strict=True)))
+        return self.never_positive(self.rate) or self._falls_by_state()
 
     def _falls_by_state(self) -> bool:
         """Return whether V' falls without the terms of rates that go down V, as friction does.

@@ -36,7 +36,7 @@ def test_the_excitation_of_a_team(clpt, printed):
     assert found["smallest"]["west"] < 1e-6 > found["smallest"]["east"]
     assert found["smallest"]["team"] > 1
     assert found["team"]["dimension"] == {"x1": 6, "x2": 6}
-    assert "held" in found["measured"]
+    assert "which all share" in found["measured"]
     shown = clpt("excitation", FILE, "--window", 300, "--start", 0)
     assert "west alone: theta_1[5] is not learnable on this track" in shown.out
     assert "the team:" not in shown.out

@@ -66,8 +66,6 @@ RIGHT = {
     ),
     "two pendulums on one shaft": (lambda a, b, v, w: shaft(a, b, v, w, 1), of_the_shaft),
     "a chain of diodes": lambda v, w, q: chain(lambda z: np.exp(40 * z) - 1, v, w, q),
-    "a chain of hinges": lambda v, w, q: chain(lambda z: 2 * z + np.sin(z), v, w, q),
-    "a chain of soft dampers": lambda v, w, q: chain(lambda z: z / np.sqrt(1 + z**2), v, w, q),
     "a rate of which rounding is left": lambda x: [x * (-1.65 * np.maximum(x, -0.7) - 1.65 * 0.7)],
     "a divisor below zero": lambda x: [x * (3 + np.cos(x)) / (np.sin(x) - 2)],
     "log cosh": (lambda x: [-np.tanh(x)], lambda s: np.log(np.cosh(s.x))),
@@ -206,6 +204,8 @@ OPEN = {  # no point shows it, or none is looked for
         lambda x, y: [y, -x],
         lambda s: (np.arctan2(s.y, s.x) + 4) ** 2 + s.x**2 + s.y**2,
     ),
+    "a chain of hinges": lambda v, w, q: chain(lambda z: 2 * z + np.sin(z), v, w, q),
+    "a chain of soft dampers": lambda v, w, q: chain(lambda z: z / np.sqrt(1 + z**2), v, w, q),
     "V that is linear far off": (lambda x: [-x], lambda s: s.x**2 / (1 + np.abs(s.x))),
     "V that is bounded": (lambda x: [-x], lambda s: np.tanh(s.x**2)),
     "V that lets go far off": (

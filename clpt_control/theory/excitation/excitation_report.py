@@ -76,11 +76,9 @@ def excitation_report(
 
 def _of_a_team(found: Excitation) -> dict[str, Any]:
     every = {**found.vehicles, "team": found}
-    adapt = any("Gamma" in name for name in found.names["x1"])
-    own = " and each vehicle's own K and Gamma" if adapt else " K and Gamma are held"
     return {
         **found.report,
-        "measured": f"the flow parameters, which all share{',' if adapt else ';'}{own}",
+        "measured": "the flow parameters, which all share, and each one's gains where they adapt",
         "smallest": {name: one.smallest for name, one in every.items()},
         "vehicles": {name: one.report for name, one in found.vehicles.items()},
         "team": found.report,
