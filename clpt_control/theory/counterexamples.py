@@ -62,8 +62,6 @@ class PrintedBound:
     times: np.ndarray  # (nt,)
     size: np.ndarray  # |e|, length, (nt,)
     drive: np.ndarray  # the size of what drives e, length per time, (nt,)
-    length: str = "m"
-    time: str = "s"
 
     def __repr__(self) -> str:
         return f"<PrintedBound {self.equation}: largest |e| is {self.ratio:.4g} of what is printed>"
@@ -82,11 +80,6 @@ class PrintedBound:
     def ratio(self) -> float:
         """peak / claimed: above 1 the printed bound is violated."""
         return self.peak / self.claimed
-
-    @property
-    def fails_above(self) -> float:
-        """The printed bound fails for beta (mu) between this and k."""
-        return self.k / self.ratio
 
     @property
     def rms(self) -> float:
@@ -156,8 +149,6 @@ def printed_bound(scenario: Scenario, run: "xarray.Dataset", start: float) -> Pr
         run.time.values[late],
         np.hypot(*run.clpe.values[late].T),
         np.hypot(*drive_along(scenario, run)[late].T),
-        scenario.units.length,
-        scenario.units.time,
     )
 
 

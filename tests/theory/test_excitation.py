@@ -117,7 +117,7 @@ def test_a_run_is_read_from_its_file(paper, tmp_path):
     report = excitation_report(clpt_package.load_run(tmp_path / "run.nc"), 200.0, 200.0)
     exact = excitation_report(paper, 200.0, 200.0)
     assert report["trajectory"] == "recorded run, sampled each 0.5 s"
-    assert exact["trajectory"] == "simulated from the scenario's initial values"
+    assert exact["trajectory"] == "simulated from the initial values"
     deviation = max(
         np.max(np.abs(np.divide(report["eigenvalues"][axis], exact["eigenvalues"][axis]) - 1))
         for axis in ("x1", "x2")

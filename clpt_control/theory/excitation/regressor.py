@@ -14,7 +14,7 @@ shows what changes when every second sample is left out.
 from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, NamedTuple, Union
+from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
 
@@ -114,15 +114,8 @@ class Regressor:
     python_parts: str = ""  # what a recorded run has that its scenario does not hold
 
 
-class Nodes(NamedTuple):
-    """A quadrature: cuts (pieces + 1,), Gauss-Legendre nodes and weights (pieces, NODES).
-
-    No node lies on a switch.
-    """
-
-    cuts: np.ndarray
-    times: np.ndarray
-    weights: np.ndarray
+# A quadrature: cuts (pieces + 1,), Gauss-Legendre nodes and weights (pieces, NODES)
+Nodes = tuple[np.ndarray, np.ndarray, np.ndarray]
 
 
 def quadrature(
@@ -130,8 +123,8 @@ def quadrature(
 ) -> Nodes:
     """Return cuts (pieces + 1,), Gauss-Legendre nodes and weights (pieces, NODES).
 
-    Pieces end at each switch and at `edges`, and are no longer than half a period of the
-    fastest tide and ten time constants of the vehicle.
+    No node lies on a switch: pieces end at each and at `edges`, and are no longer than half a
+    period of the fastest tide and ten time constants of the vehicle.
     """
     dwell = scenario.reference.dwell
     tides = scenario.periods[np.isfinite(scenario.periods)] / 2
@@ -155,7 +148,7 @@ def quadrature(
     cuts = np.append(np.concatenate(pieces), end)
     node, weight = np.polynomial.legendre.leggauss(NODES)
     half = np.diff(cuts)[:, None] / 2
-    return Nodes(cuts, cuts[:-1, None] + half * (1 + node), half * weight)
+    return cuts, cuts[:-1, None] + half * (1 + node), half * weight
 
 
 def waypoint_in(scenario: Scenario, cuts: np.ndarray) -> np.ndarray:
@@ -233,10 +226,9 @@ def _along(
     """Return w of each vehicle at its nodes, to which a scenario is run."""
     found, parts = dict[str, Regressor](), ""
     if simulated := isinstance(source, Scenario | Team):
-        times = np.unique(np.concatenate([one.times.ravel() for one in nodes.values()]))
+        times = np.unique(np.concatenate([own.ravel() for _, own, _ in nodes.values()]))
         run = simulate(system, times)
-        whose = "scenario" if isinstance(system, Scenario) else "team"
-        trajectory = f"simulated from the {whose}'s initial values"
+        trajectory = "simulated from the initial values"
         if run.sizes["time"] < times.size or run.attrs["status"] != "finished":
             raise ScenarioError(
                 f"window up to {times[-1]:g}: the run ended before: {run.attrs['message']}"
@@ -246,12 +238,11 @@ def _along(
         kinds = {OWN_LAW: "the law", OWN_PARTS: "parts given in Python,", CHANGED: "parameters"}
         parts = " and ".join(f"{kinds[a]} {run.attrs[a]}" for a in kinds if a in run.attrs)
     for name, scenario in members_of(system).items():
-        own, dwell = nodes[name], scenario.reference.dwell
+        (cuts, at, weights), dwell = nodes[name], scenario.reference.dwell
         of_vehicle = run.sel(vehicle=name) if name else run
         x, z = (of_vehicle[place].values for place in places)
         if simulated:
-            at = np.searchsorted(run.time.values, own.times)
-            x, z = x[at], z[at]
+            x, z = (one[np.searchsorted(run.time.values, at)] for one in (x, z))
         else:
             trajectory = f"recorded run, sampled each {step:g} {scenario.units.time}"
             if scenario.localization is not None and scenario.localization.interval > 0:
@@ -259,10 +250,10 @@ def _along(
                     "localization.interval: z of a recorded run jumps at fixes, and is not known "
                     "between samples; give the scenario in place of the run"
                 )
-            x, z = (positions_between(run.time.values, one, dwell, own.times) for one in (x, z))
-        zc = scenario.waypoints[waypoint_in(scenario, own.cuts)]
-        w = w_along(scenario, own.times, x, z, np.broadcast_to(zc[:, None], z.shape))
-        found[name] = Regressor(scenario, trajectory, own.cuts, own.weights, w, parts)
+            x, z = (positions_between(run.time.values, one, dwell, at) for one in (x, z))
+        zc = scenario.waypoints[waypoint_in(scenario, cuts)]
+        w = w_along(scenario, at, x, z, np.broadcast_to(zc[:, None], z.shape))
+        found[name] = Regressor(scenario, trajectory, cuts, weights, w, parts)
     return found
 
 
