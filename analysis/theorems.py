@@ -64,7 +64,7 @@ def row(*cells: str) -> str:
 def figure(found: Any, path: Path) -> None:
     """Draw |e| and the printed bound; below, around the peak."""
     picture, (top, bottom) = new_figure(6.4, 5.2, nrows=2)
-    times, size = found.times[found.late], found.size[found.late]
+    times, size = found.times, found.size
     peak, span = times[np.argmax(size)], (times[-1] - times[0]) / 30
     near = (times >= peak - span / 2) & (times <= peak + span / 2)
     for ax, shown, width in ((top, slice(None), 0.4), (bottom, near, 1.2)):
@@ -76,15 +76,15 @@ def figure(found: Any, path: Path) -> None:
             linewidth=1.4,
             label=f"Eq. {found.equation} allows, at most",
         )
-        ax.set_ylabel(f"|e| ({found.length})")
+        ax.set_ylabel("|e| (m)")
         ax.set_ylim(0, 1.15 * found.peak)
     label = f"peak, {found.ratio:.3g} of the bound"
     bottom.plot(peak, found.peak, "o", color="black", markersize=4, label=label)
     top.set_xlim(times[0], times[-1])
-    bottom.set(xlabel=f"time ({found.time})", xlim=(times[near][0], times[near][-1]))
+    bottom.set(xlabel="time (s)", xlim=(times[near][0], times[near][-1]))
     verdict = (
-        rf"is no ultimate bound: |e| exceeds it for every $\beta$ from {found.fails_above:.2g} "
-        f"to {found.k:g} per {found.time}"
+        rf"is no ultimate bound: |e| exceeds it for every $\beta$ from {found.k / found.ratio:.2g} "
+        f"to {found.k:g} per s"
         if found.ratio > 1
         else "is not violated here"
     )

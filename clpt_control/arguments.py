@@ -27,8 +27,9 @@ from .errors import ArgumentError
 Public = TypeVar("Public", bound=Callable)
 Kinds = tuple[Any, ...]  # an argument may be of any of them
 OrNaN = Annotated[float, "NaN where it is not known"]
-Seed = Annotated[int, 0]  # or more
-Count = Annotated[int, 1]
+Seed = Annotated[int, "0 or more"]
+Count = Annotated[int, "1 or more"]
+Positive = Annotated[float, "positive and finite"]
 LISTS = (Sequence, Iterable, list)
 PLAIN = (str, bytes, bool, int, float, complex, list, tuple, set, dict)
 SIMPLE = {float, int, str, bool, NoneType}
@@ -171,8 +172,10 @@ def _is(value: Any, kind: Any) -> bool:
     if own is Any:
         return True
     if kind in (Seed, Count):
-        least = get_args(kind)[1]
+        least = 0 if kind == Seed else 1
         return isinstance(value, Integral) and not isinstance(value, bool) and int(value) >= least
+    if kind == Positive:
+        return _is(value, float) and 0 < value < np.inf
     if own in (float, int):
         return isinstance(value, Real if own is float else Integral) and not isinstance(value, bool)
     if own is np.ndarray:  # of numbers
@@ -234,8 +237,8 @@ def words(kinds: Kinds) -> str:
 
 
 def _noun(kind: Any) -> str:
-    if kind in (Seed, Count):
-        return f"a whole number, {get_args(kind)[1]} or more"
+    if kind in (Seed, Count, Positive):
+        return f"{NOUNS[get_args(kind)[0].__name__]}, {get_args(kind)[1]}"
     own, inner = _parts(kind)
     name = own if isinstance(own, str) else getattr(own, "__name__", str(own))
     if inner and name not in NOUNS:

@@ -31,14 +31,15 @@ def main(path="team.png"):
     speed = f"{units.length}/{units.time}"
     run = clpt.simulate(team)
     alone = {name: clpt.simulate(scenario) for name, scenario in team.members.items()}
-    smallest = clpt.theory.team_gramian(team, end, 0.0).smallest()
+    found = clpt.theory.gramian(team, end, 0.0)
     for name, own in alone.items():
+        smallest = found.vehicles[name].smallest
         print(
-            f"{name} alone: smallest eigenvalue {smallest[name]:.1e}, largest error of a flow "
+            f"{name} alone: smallest eigenvalue {smallest:.1e}, largest error of a flow "
             f"parameter {float(largest_error(own)[-1]):.2g} {speed}"
         )
     together = float(largest_error(run)[:, -1].max())
-    least = f"smallest eigenvalue {smallest['team']:.3g}"
+    least = f"smallest eigenvalue {found.smallest:.3g}"
     print(f"the team: {least}, largest error {together:.1e} {speed}")
     drawn = figure(team, run, alone)
     drawn.savefig(Path(path))

@@ -179,7 +179,6 @@ def right(tmp_path_factory):
         "learning_plot": {"axis": 1},
         "sample_times": {"duration": 1.0, "step": 0.5},
         "team_plot": {"run": clpt.simulate(TEAM, [0.0, 1.0])},
-        "team_gramian": {"source": TEAM, "window": 1.0},
         "error_matrices": {"phi": np.zeros((2, 3)), "z": np.zeros((2, 2)), "KD": np.ones(2)}
         | {"zc": np.zeros((2, 2)), "gain": 1.0},
         "ultimate_bound": {"window": 1.0, "largest_disturbance": 1.0, "drop": 0.5},
@@ -274,8 +273,8 @@ def allowed(function, argument, label):
         ),
         (
             lambda: clpt.theory.gramian(Path("run.nc")),
-            "gramian: source = 'run.nc': must be a Scenario, an xarray.Dataset or a Regressor; "
-            "clpt.load_scenario('mine.toml') reads a scenario's file",
+            "gramian: source = 'run.nc': must be a Scenario, a Team, an xarray.Dataset or a "
+            "Regressor; clpt.load_scenario('mine.toml') reads a scenario's file",
         ),
     ],
 )

@@ -10,7 +10,7 @@ All vehicles swim in one flow, so that each alpha_i belongs at -theta.  With V_i
     V' = -sum_i e_i^T KD_i e_i - (kappa/gamma) sum |alpha_i - alpha_j|^2    over the edges (i, j)
 
 CLPE goes to zero and the neighbours agree; alpha_i goes to -theta where the team as a whole
-excites, see `theory.excitation.pooled`.  With e = 0 the disagreement alone is left:
+excites, see `theory.excitation.gramian`.  With e = 0 the disagreement alone is left:
 alpha' = -kappa L alpha with the graph's Laplacian L, so it falls as exp(-kappa lambda_2 t) or
 faster.
 Source: the gradient law of section III with the consensus of Olfati-Saber, Fax and Murray 2007,

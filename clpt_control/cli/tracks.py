@@ -40,14 +40,15 @@ def excitation(
     Example:
         clpt excitation mine.toml --figure excitation.png
     """
-    from ..pages.results import excitation_of, excitation_result, is_team
+    from ..pages.results import excitation_result, is_team
     from ..scenario.team import load_either
+    from ..theory.excitation.excitation_report import excitation_report
 
     source = clpt.load_run(scenario) if scenario.suffix == ".nc" else load_either(scenario)
     if figure is not None and is_team(source):
         raise ClptError("--figure: is for one vehicle; leave it out for a team")
     check_out(figure, "a figure")
-    report = excitation_of(source, window, start)
+    report = excitation_report(source, window, start)
     draw_figure(figure, clpt.theory.excitation_plot, source, report["window"], report["start"])
     finish([excitation_result(report)], report, as_json, figure)
 
@@ -72,7 +73,7 @@ def certify(
     numbers = zip(found.time, found.V, found.clpe, found.flow_error, strict=True)
     rows = [[f"{t:.6g}", *(at_most(one, 6) for one in row)] for t, *row in numbers]
     title = f"For every start with V(0) <= {found.radius:.6g}, windows of {found.window:g} {time}"
-    most = f"{at_most(found.largest_clpe)} {length}{found.known_until}"
+    most = f"{at_most(found.clpe[0])} {length}{found.known_until}"
     sentences = [found.said, f"CLPE is never above {most}"]
     if found.disturbance > 0:
         end = "is not shown to end below a bound"
@@ -95,9 +96,6 @@ def design(
     area: Four | None = opt(
         "X1FROM X1TO X2FROM X2TO", "Where it may drive; default: where it drives now."
     ),
-    box: Four | None = opt("LAT0 LAT1 LON0 LON1", "The area in degrees, in a measured current."),
-    count: int | None = opt("COUNT", "Waypoints; default: as many as now."),
-    dwell: float | None = opt("TIME", "Time at each; default: as now."),
     window: Window = None,
     start: Start = None,
     level: float | None = opt("ERROR", "Error that ends the learning time; default: a tenth."),
@@ -129,9 +127,6 @@ def design(
             length=length,
             max_speed=max_speed,
             area=area,
-            box=box,
-            count=count,
-            dwell=dwell,
             window=window,
             start=start,
             level=level,

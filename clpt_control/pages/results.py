@@ -15,8 +15,6 @@ from ..scenario.experiment import Scenario
 from ..scenario.file import TEAM
 from ..scenario.team import Team
 from ..simulation.summary import SUMMARY, ending_of, figures_of
-from ..theory.excitation.excitation_report import excitation_report
-from ..theory.excitation.pooled import team_excitation_report
 from ..units import percent
 
 MOST_CYCLES = 10
@@ -144,11 +142,6 @@ def claims_result(found: list[dict[str, str]]) -> Result:
 def is_team(source: Any) -> bool:
     """Return whether a scenario or a run is of several vehicles."""
     return isinstance(source, Team) or TEAM in getattr(source, "attrs", {})
-
-
-def excitation_of(source: Any, window: float | None = None, start: float | None = None) -> Any:
-    """Return what a scenario, a team or a run of one can teach over one window, for JSON."""
-    return (team_excitation_report if is_team(source) else excitation_report)(source, window, start)
 
 
 def excitation_result(report: Numbers) -> Result:

@@ -18,9 +18,9 @@ from ..simulation.loops import closed_loop
 from ..simulation.plots import DIRECTIONS, clpe_plot, learning_plot
 from ..simulation.team_loops import team_loop
 from ..simulation.team_plots import team_plot
-from ..theory.excitation.excitation_report import excitation_plot
+from ..theory.excitation.excitation_report import excitation_plot, excitation_report
 from .page import Drawn, Section, drawn
-from .results import excitation_of, excitation_result, is_team
+from .results import excitation_result, is_team
 
 MOST_SAMPLES = 6000  # in a figure
 MOST_DRAWN = 3  # vehicles in a drawing of the loop
@@ -46,7 +46,7 @@ def excitation_section(run: Dataset, why: str) -> Section:
     try:
         if why:
             raise ClptError(why)
-        report = excitation_of(run)
+        report = excitation_report(run)
         result = excitation_result(report)
         if not team:
             figure = figure_of(excitation_plot, run, report["window"], report["start"])

@@ -6,7 +6,6 @@ from .excitation.certify import certify
 from .excitation.error_matrices import error_matrices
 from .excitation.excitation_report import excitation_plot
 from .excitation.gramian import gramian, started_true
-from .excitation.pooled import team_gramian
 from .lyapunov_function import Lyapunov, lyapunov
 from .proving.misprints import misprints
 from .proving.own_law import prove
@@ -33,6 +32,5 @@ __all__ = [
     "prove",
     "refute",
     "started_true",
-    "team_gramian",
     "ultimate_bound",
 ]

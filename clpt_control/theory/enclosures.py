@@ -66,8 +66,6 @@ def _operation(e: sympy.Expr, known: dict[Any, Interval]) -> Interval:
         return _outward(np.cosh(low), np.cosh(high))
     if isinstance(e, sympy.sin | sympy.cos):
         return _sine(e.func, *of[0])
-    if isinstance(e, sympy.tan):
-        return _enclosed(sympy.sin(e.args[0]) / sympy.cos(e.args[0]), known)
     if name == "Abs":
         return _size(*of[0])
     if name in STEPS:
@@ -78,8 +76,7 @@ def _operation(e: sympy.Expr, known: dict[Any, Interval]) -> Interval:
         return 1.0 * compare(a[0], b[1]), 1.0 * compare(a[1], b[0])
     if name == "inside":
         u, a, b = of
-        surely = (a[1] < u[0]) & (u[1] < b[0])
-        return 1.0 * surely, 1.0 * ((a[0] < u[1]) & (u[0] < b[1]))
+        return 1.0 * ((a[1] < u[0]) & (u[1] < b[0])), 1.0 * ((a[0] < u[1]) & (u[0] < b[1]))
     if name == "not_":
         return 1.0 - of[0][1], 1.0 - of[0][0]
     if name == "where":

@@ -10,8 +10,8 @@ says, V' there is that along the rates that python-control itself gives.
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
-from itertools import chain
+from dataclasses import dataclass, replace
+from itertools import product
 from typing import Any
 
 import control
@@ -45,7 +45,7 @@ class FailureSearch(PointSearch):
         """Return the step that the running blocks give the same V', and V where it is an output."""
 
         def same() -> tuple[bool, str]:
-            V, rate = (one.xreplace(self.case.eq.values) for one in (self.case.V, self.case.rate))
+            V, rate = (one.xreplace(self.eq.values) for one in (self.V, self.case.rate))
             t, x, u = at = self.draw(points, region is not None, widest=4.0)  # exp is too large
             if region is not None:
                 x[:] = self.random.uniform(region.low, region.high, x.T.shape).T
@@ -56,22 +56,22 @@ class FailureSearch(PointSearch):
 
     def rises_at(self) -> Failure | None:
         """Return a point at which the running blocks have V' > 0, and V' there."""
-        rate = tidied(self.case.rate)
-        for still in (True, False)[: 1 if self.case.depends_on() else 2]:
-            for point in self.highest(rate, still):
-                (value,), (size,), _ = self.rates_at(point, point.x[None])
-                if value > SURE * size:
-                    return point, float(value)
-        return None
+        still = (True,) if self.case.depends_on() else (True, False)
+        return self.rate_beside(sympy.S.Zero, (1,), still)
 
     def not_as_claimed(self) -> Failure | None:
         """Return a point at which V' of the running blocks is not as claimed, and V' there."""
-        residual = tidied(self.case.rate - self.case.claim)
-        for point in chain(self.highest(residual, False), self.highest(-residual, False)):
-            (value,), (size,), _ = self.rates_at(point, point.x[None])
-            right = self.value_at(self.case.claim, point)
-            if abs(value - right) > SURE * max(size, abs(right)):
-                return point, float(value)
+        return self.rate_beside(self.case.claim, (1, -1), (False,))
+
+    def rate_beside(self, claim: sympy.Expr, signs: tuple, stills: tuple) -> Failure | None:
+        """Return a point at which V' of the running blocks lies beside a claim, and V' there."""
+        residual = tidied(self.case.rate - claim)
+        for sign, still in product(signs, stills):
+            for point in self.highest(sign * residual, still):
+                (value,), (size,), _ = self.rates_at(point, point.x[None])
+                right = self.value_at(claim, point)
+                if sign * (value - right) > SURE * max(size, abs(right)):
+                    return point, float(value)
         return None
 
     def no_least(self) -> Failure | None:
@@ -105,16 +105,14 @@ class Lyapunov:
     status : str
         ``"proved"``: V holds the states and V' <= 0. With what is beside it: ``"proved but for
         z"``, where V does not hold z, which may grow; ``"proved as long as z exists"``;
-        ``"proved near the rest"``, where V is bounded; ``"proved where d = 0"``, of an input that
-        V' depends on; ``"proved between jumps"``; ``"proved in a region"``: V' < 0 below `level`.
+        ``"proved where d = 0"``, of an input that V' depends on; ``"proved between jumps"``;
+        ``"proved in a region"``: V' < 0 below `level`.
         ``"refuted"``: there is a `point` at which V' > 0, V' is not as claimed, or V is no least
         value. ``"open"``: none of these is known.
     claim : str
         What is shown of V', or where it fails.
     V, rate : sympy.Expr
         V, and V' in the diagram's own signals.
-    where : str
-        Where V' <= 0, if that is one condition.
     inputs : tuple of str
         Inputs that V' depends on.
     steps : tuple of Step
@@ -140,7 +138,6 @@ class Lyapunov:
     claim: str
     V: sympy.Expr
     rate: sympy.Expr
-    where: str = ""
     inputs: tuple[str, ...] = ()
     steps: tuple[Step, ...] = ()
     point: Point | None = None
@@ -154,78 +151,73 @@ class Lyapunov:
         return fragment("Lyapunov", f"{self.status}: {self.claim}", as_html(self.steps))
 
 
-def _verdict(case: SystemWithV, search: FailureSearch, count: int) -> Lyapunov:
-    """Return what is known of a V."""
+def _proved(case: SystemWithV, search: FailureSearch, count: int) -> Lyapunov:
+    """Return what is shown of a V, or where that ends."""
     V = case.in_signals(case.V)
     claim = "V and the equations have a value everywhere"
-    valued = exact(claim, not case.undefined, case.undefined)
     definite, forms = case.definite()
-    steps, where, zero = [valued, definite], "", {}
-    falls = case.falls()
-    identity = case.claim is None or _as_claimed(case, steps)
-    inputs = case.depends_on()
+    falls, inputs = case.falls(), case.depends_on()
+    zero: dict[Any, Any] = {}
     if not falls and inputs:
-        zero = {f: sympy.Integer(0) for f in case.inputs if str(f.func) in inputs}
-        zero |= {sympy.Derivative(f, TIME): sympy.Integer(0) for f in zero}
+        zero = {f: sympy.S.Zero for f in case.inputs if str(f.func) in inputs}
+        zero |= {sympy.Derivative(f, TIME): sympy.S.Zero for f in zero}
         zero = zero if case.never_positive(case.rate.xreplace(zero)) else {}
     rate = case.readable_rate()
     at = f" where {' = '.join(inputs)} = 0" if zero else ""
-    steps.append(exact(f"V' = {short(rate)} <= 0{at}", falls or bool(zero)))
+    steps = [
+        exact(claim, not case.undefined, case.undefined),
+        definite,
+        exact(f"V' = {short(rate)} <= 0{at}", falls or bool(zero)),
+    ]
+    if case.claim is not None:
+        residual = tidied(case.rate - case.claim)
+        left = "" if vanishes(residual) else f"left over: {short(residual)}"
+        steps.append(exact(f"V' = {short(case.in_signals(case.claim))}", not left, left))
 
     def result(status: str, claim: str, at: Failure | tuple[None, None] = (None, None)) -> Lyapunov:
-        return Lyapunov(status, claim, V, rate, where, tuple(inputs), tuple(steps), *at)
+        return Lyapunov(status, claim, V, rate, tuple(inputs), tuple(steps), *at)
 
-    below = "V falls without end" if case.rest is None else "V is below its value at rest"
-    tried = [] if falls or zero else [("V' > 0", search.rises_at)]
-    tried += [] if identity else [("V' is not as claimed", search.not_as_claimed)]
-    tried += [] if definite.holds else [(below, search.no_least)]
-    for fails, look in tried:
-        found = look()
-        steps.append(Step(f"{fails} at a point", found is not None, "counterexample", "", False))
-        if found is not None:
-            where = case.where() if fails == "V' > 0" else ""
-            only = f"; V' <= 0 where {where}" if where else ""
-            claim = f"V' = {short(rate)}; {fails}: {found[1]:.3g} at `point`{only}"
-            return result("refuted", claim, found)
-    if not all(step.holds for step in steps):
-        return result("open", f"V' = {short(rate)}; {first_failure(steps)}")
-    ways: tuple[dict, ...] = ({}, case.eq.values)
-    of_any, beside = (forms and states_beside(forms, case.eq, at) for at in ways)
-    case.valued |= of_any != beside
-    apart, others = beside or NEAR
+    if failed := first_failure(steps):
+        return result("open", f"V' = {short(rate)}; {failed}")
+    apart, others = states_beside(forms, case.eq)
     steps += [running := search.running(count), others]
-    jump, rise = _at_jumps(case, search, near=forms is None)
+    jump, rise = _at_jumps(case, search)
     steps += [jump] if case.eq.jumps else []
     if rise is not None:
         return result("refuted at a jump", jump.claim, rise)
     if not running.holds:
         return result("open", first_failure(steps))
     status = " ".join(filter(None, ["proved" + at, apart, "" if jump.holds else "between jumps"]))
-    valued_too = ", with the parameters as they are" if case.valued or case.eq.pinned else ""
-    return result(status, f"V' = {short(rate)} <= 0{at}{valued_too}; {definite.claim}")
+    return result(status, f"V' = {short(rate)} <= 0{at}{case.as_they_are}; {definite.claim}")
 
 
-def _as_claimed(case: SystemWithV, steps: list[Step]) -> bool:
-    """Add the step that V' is as claimed; return whether it is."""
-    residual = tidied(case.rate - case.claim)
-    identity = vanishes(residual)
-    if not identity and vanishes(tidied(residual.xreplace(case.eq.values))):
-        identity = case.valued = True
-    left = "" if identity else f"left over: {short(residual)}"
-    steps.append(exact(f"V' = {short(case.in_signals(case.claim))}", identity, left))
-    return identity
+def _refuted(case: SystemWithV, search: FailureSearch, found: Lyapunov) -> Lyapunov:
+    """Return what is found of a V, refuted by a point where it is open and there is one."""
+    _, definite, falls, *claimed = found.steps
+    below = "V falls without end" if case.rest is None else "V is below its value at rest"
+    tried = [
+        ("V' > 0", search.rises_at, falls.holds),
+        ("V' is not as claimed", search.not_as_claimed, case.claim is None or claimed[0].holds),
+        (below, search.no_least, definite.holds),
+    ]
+    rate, steps = case.readable_rate(), found.steps
+    for fails, look, holds in tried:
+        if holds:
+            continue
+        at = look()
+        steps += (Step(f"{fails} at a point", at is not None, "counterexample", "", False),)
+        if at is not None:
+            claim = f"V' = {short(rate)}; {fails}: {at[1]:.3g} at `point`"
+            of = replace(found, status="refuted", claim=claim, rate=rate, steps=steps)
+            return replace(of, V=case.in_signals(case.V), point=at[0], value=at[1])
+    return replace(found, steps=steps)
 
 
-NEAR = "near the rest", exact("V holds every state near the rest", True)
-
-
-def _at_jumps(case: SystemWithV, search: FailureSearch, near: bool) -> tuple[Step, Failure | None]:
+def _at_jumps(case: SystemWithV, search: FailureSearch) -> tuple[Step, Failure | None]:
     """Return the step that V rises at no jump, and a point at which it does."""
     claim = f"V does not rise where states of {' and '.join(case.eq.jumps)} jump"
     for after in case.eq.jumps_at_once():
         rise = tidied(case.V.xreplace(after) - case.V)
-        if near:  # it may jump to where V says nothing
-            return exact(claim, False, "not shown"), None
         if not case.never_positive(rise):
             at_times = rise.has(TIME, *case.intervals)  # at few of which it jumps
             found = None if at_times else search.where(rise, 1)
@@ -242,8 +234,7 @@ def _in_region(case: SystemWithV, search: FailureSearch, within: Any, count: int
     inputs = [str(f.func) for f in case.inputs]
     at = f" where {' = '.join(inputs)} = 0" if inputs else ""
     below = f"where V{less} < {level:g} in the box" if level else "near the rest"
-    now = ", with the parameters as they are" if case.eq.values else ""
-    claim = f"V' < 0 {below}, but at the rest{now}"
+    claim = f"V' < 0 {below}, but at the rest{case.as_they_are}"
     steps = (
         exact("V and the equations have a value everywhere", not case.undefined, case.undefined),
         Step(claim, level > 0.0, "enclosed"),
@@ -253,8 +244,8 @@ def _in_region(case: SystemWithV, search: FailureSearch, within: Any, count: int
     if failed:
         return Lyapunov("open", f"V' = {short(rate)}; {failed}", V, rate, steps=steps)
     claim += ": what begins there comes to rest"
-    where = f"V{less} < {level:g}", tuple(inputs)
-    return Lyapunov(f"proved in a region{at}", claim, V, rate, *where, steps, level=level)
+    status = f"proved in a region{at}"
+    return Lyapunov(status, claim, V, rate, tuple(inputs), steps, level=level)
 
 
 def _best_candidate(
@@ -335,11 +326,18 @@ def lyapunov(
     """
 
     def judged(V: Any) -> Lyapunov:
-        case = SystemWithV(system, V, claim, at)
+        case = SystemWithV(system, V, claim, at, bool(within))
         search = FailureSearch(case, seed)
-        return (
-            _in_region(case, search, within, points) if within else _verdict(case, search, points)
-        )
+        if within:
+            return _in_region(case, search, within, points)
+        found = _proved(case, search, points)
+        if found.status == "proved" or not case.eq.values:
+            return _refuted(case, search, found)
+        valued = SystemWithV(system, V, claim, at, numbers=True)
+        of_values = _proved(valued, FailureSearch(valued, seed), points)
+        if found.status.startswith("proved") and of_values.status != "proved":
+            return found
+        return _refuted(case, search, of_values)
 
     if claim is not None and (V is None or within):
         why = "in a box V' < 0 is judged" if within else "it is of a V that is given"

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from ..arguments import Seed, public
+from ..arguments import Positive, Seed, public
 from ..blocks.laws.table import LAWS
 from ..errors import ScenarioError, SimulationError
 from ..scenario.experiment import Scenario
@@ -53,16 +53,15 @@ class Search:
     seconds: float
 
     def __repr__(self) -> str:
-        nearest = max(self.closest.items(), key=lambda one: one[1], default=("", 0.0))
-        said = self.broken or f"nearest to a limit: {nearest[0]}, {nearest[1]:.3g} of it"
-        return f"<Search of {self.law}: {self.status} in {self.runs} runs; {said}>"
+        said = f"; {self.broken}" if self.broken else ""
+        return f"<Search of {self.law}: {self.status} in {self.runs} runs{said}>"
 
 
 @public
 def refute(
     law: str,
     *,
-    budget: float = 60.0,
+    budget: Positive = 60.0,
     seed: Seed = 0,
     progress: Callable[[float], None] | None = None,
 ) -> Search:
@@ -101,8 +100,6 @@ def refute(
     """
     if law not in LAWS:
         raise ScenarioError(f"law: '{law}' is no law; `clpt laws` lists them")
-    if not 0 < budget < np.inf:
-        raise ScenarioError(f"budget = {budget}: must be a positive number of seconds")
     random, began, runs = np.random.default_rng(seed), time.monotonic(), 0
     best: dict[str, tuple[float, np.ndarray]] = {}
     found: Scenario | None = None

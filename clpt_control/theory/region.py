@@ -56,8 +56,7 @@ class Region:
         zero = dict.fromkeys(case.inputs, sympy.S.Zero)
         zero |= {sympy.Derivative(f, TIME): sympy.S.Zero for f in zero}
         V, rate, *self.motion = (
-            decided(e.xreplace(case.eq.values).xreplace(zero))
-            for e in (case.V, case.rate, *case.eq.motion.values())
+            decided(e.xreplace(zero)) for e in (case.V, case.rate, *case.eq.motion.values())
         )
         moving = sympy.Tuple(V, *self.motion).free_symbols - {*self.states}
         if moving or case.eq.jumps:

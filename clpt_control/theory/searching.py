@@ -4,8 +4,9 @@
 
 h_k are the functions of one state that stand in the rates: sin, tanh, odd powers.  V' is linear in
 the coefficients, and so is the condition that V and -V' are diagonally dominant sums of squares: a
-linear program.  What it finds is rounded such that what cancels in V' cancels exactly.  Where it
-finds nothing, V is that of the linear part, A^T P + P A = -I.
+linear program, of few terms that hold as many states as they can.  What it finds is rounded such
+that what cancels in V' cancels exactly.  Where it finds nothing that is proved, V is that of the
+linear part, A^T P + P A = -I.
 
 Source: Ahmadi, A. A., Majumdar, A. (2019), DSOS and SDSOS optimization, SIAM Journal on Applied
 Algebra and Geometry 3(2), 193-230; Khalil, H. K. (2002), Nonlinear Systems, Theorem 4.6.
@@ -14,7 +15,7 @@ Algebra and Geometry 3(2), 193-230; Khalil, H. K. (2002), Nonlinear Systems, The
 from collections import defaultdict
 from collections.abc import Iterator
 from fractions import Fraction
-from itertools import chain, combinations, combinations_with_replacement, product
+from itertools import chain, combinations, combinations_with_replacement
 
 import numpy as np
 import scipy.optimize
@@ -30,7 +31,7 @@ from .v_on_symbols import SystemWithV
 
 MOST = 16  # states
 SHARE = 10**4  # the largest denominator of a coefficient
-LARGEST = 100.0  # of the sum of the coefficients
+HELD = 100.0  # what a held state weighs beside a coefficient
 
 Rates = dict[sympy.Symbol, sympy.Expr]
 Monomial = tuple[int, ...]
@@ -53,34 +54,9 @@ def candidates(case: SystemWithV) -> Iterator[sympy.Expr]:
             f"{case.system.name}: has {len(rates)} states; a V is searched for of at most {MOST}: "
             "give one"
         )
-    found = chain(
-        _of_program(rates, _ahead(rates, case.inputs)), _of_linear_part(rates, case.inputs)
-    )
+    found = chain(_of_program(rates), _of_linear_part(rates, case.inputs))
     for V in dict.fromkeys(found):
         yield V.xreplace({s: s - rest[s] for s in rest})
-
-
-def _ahead(rates: Rates, inputs: list) -> set:
-    """Return states that inputs and linear equations alone move, as a reference model's.
-
-    Of states that move one another so, the first: what follows them is not ahead.
-    """
-    movers, known = dict[sympy.Symbol, set](), [*rates, *inputs]
-    for s in rates:
-        reached, more = movers.setdefault(s, set()), {s}
-        while more - reached:
-            reached |= more
-            more = set().union(*(rates[q].free_symbols & rates.keys() for q in reached))
-
-    def is_linear(rate: sympy.Expr) -> bool:
-        return rate.is_polynomial(*known) and sympy.Poly(rate, *known).is_linear
-
-    return {
-        s
-        for s, group in movers.items()
-        if all(movers[q] == group and is_linear(rates[q]) for q in group)
-        and any(rates[q].has(*inputs) for q in group if inputs)
-    }
 
 
 def _of_linear_part(rates: Rates, inputs: list) -> Iterator[sympy.Expr]:
@@ -136,13 +112,14 @@ def _roots(monomials: dict, gens: list) -> dict[Monomial, Monomial | None]:
     return found
 
 
-def _of_program(rates: Rates, ahead: set) -> Iterator[sympy.Expr]:
-    """Yield V of few terms, then V of a wide margin.
+def _of_program(rates: Rates) -> Iterator[sympy.Expr]:
+    """Yield the V of few terms that holds as many states as it can.
 
-    Unknown are the coefficients of V, the cross terms of -V', the sizes of both, and the margin.
-    V is to hold every state; or else only to have a square of every state that is not ahead.
+    Unknown are the coefficients c of V and the cross terms q of -V', each the difference of two
+    numbers that are not negative, and how far V holds each state: beside half of its cross terms,
+    or else by a square alone.
     """
-    terms = _terms(rates)
+    terms, states = _terms(rates), [*rates]
     slopes = [sympy.expand(along(term, dict(rates))) for term in terms]
     whole = {  # exp(1e8 x) is no power of exp(x)
         e: sympy.Dummy(str(e), positive=True) for e in sympy.Tuple(*slopes).atoms(sympy.exp)
@@ -151,56 +128,53 @@ def _of_program(rates: Rates, ahead: set) -> Iterator[sympy.Expr]:
     gens = sorted({*rates}.union(*(sympy.Poly(one).gens for one in slopes if one)), key=str)
     falls = defaultdict[Monomial, dict](dict)  # -V', monomial by monomial: term -> its share
     for k, slope in enumerate(slopes):
-        for powers, c in sympy.Poly(slope, *gens).terms() if slope else ():
-            falls[powers][k] = -c
-    if not all(c.is_Rational for row in falls.values() for c in row.values()):
+        for powers, share in sympy.Poly(slope, *gens).terms() if slope else ():
+            falls[powers][k] = -share
+    if not all(share.is_Rational for row in falls.values() for share in row.values()):
         return
     roots = _roots(falls, gens)
-    products, squares = defaultdict[Monomial, dict](dict), defaultdict[Monomial, dict](dict)
-    n, m = len(terms), 0  # terms, and products that two squares can make up for
+    crossed = list[tuple[Monomial, ...]]()  # a product, and the two that make up for it
     for (a, root), (b, other) in combinations(roots.items(), 2):
         both = tuple(map(int.__add__, root or (), other or ()))
         if both in falls and both not in roots:
-            products[both][n + m] = -1
-            for powers in (a, b):
-                squares[powers][m] = 0.5
-            m += 1
-    exact = [row for one, row in falls.items() if one not in roots and one not in products]
+            crossed.append((both, a, b))
+    products = {both for both, *_ in crossed}
 
-    size, margin, places = n + m, 2 * (n + m), [*terms.values()]
-    made_up = [falls[powers] | crossed for powers, crossed in products.items()]
-    below = list[tuple[dict, float]]()
-    below += [({k: one, size + k: -1}, 0.0) for k in range(n + m) for one in (1, -1)]
-    for powers in roots:  # each square of -V' beside half of the cross terms that it is in
-        row = {k: -c for k, c in falls[powers].items()}
-        row |= {size + n + q: half for q, half in squares[powers].items()}
-        below.append(({**row, margin: 1}, 0.0))
-    below.append(({size + k: 1 for k in range(n)}, LARGEST))
-    every, some = list[tuple[dict, float]](), list[tuple[dict, float]]()
-    for s in rates:  # and each of V
-        square = {k: -1.0 for k in range(n) if places[k] == (s, s)}
-        whole = {k: -1.0 for k in range(n) if places[k] == (s,)}
-        cross = {size + k: 0.5 for k in range(n) if s in places[k] and len({*places[k]}) == 2}
-        below += [({**square, **cross}, 0.0), *(({k: -1}, 0.0) for k in whole)]
-        every.append(({**square, **cross, **whole}, -0.5))
-        some += [({**square, **whole}, -0.5)] * (s not in ahead)
+    row = {
+        powers: k for k, powers in enumerate([*roots, *(one for one in falls if one not in roots)])
+    }
+    squares, n, total = len(roots), len(terms), len(terms) + len(crossed)
+    shares = scipy.sparse.lil_array((len(falls), total))  # -V' less the cross terms, of c and q
+    made_up = scipy.sparse.lil_array((squares, total))  # of their sizes
+    for powers, own in falls.items():
+        for k, share in own.items():
+            shares[row[powers], k] = float(share)
+    for k, (both, *two) in enumerate(crossed, n):
+        shares[row[both], k] = -1.0
+        made_up[[row[one] for one in two], k] = 0.5
+    alone, beside = np.zeros((2, len(states), total))
+    for k, places in enumerate(terms.values()):
+        one, share = (alone, 1.0) if len({*places}) == 1 else (beside, 0.5)
+        one[[states.index(s) for s in places], k] = share
 
-    def matrix(rows: list[dict]) -> scipy.sparse.csr_array:
-        at = [k for k, row in enumerate(rows) for _ in row]
-        columns = [column for row in rows for column in row]
-        values = [float(value) for row in rows for value in row.values()]
-        return scipy.sparse.csr_array((values, (at, columns)), (len(rows), margin + 1))
-
-    few, wide = matrix([{size + k: 1 for k in range(n)}, {margin: -1}]).toarray()
-    equal = matrix(exact + made_up)
-    goals = (few, 0.0), (wide, 1.0)
-    for held, (goal, most) in product((every, some), goals):
-        upper, limits = matrix([row for row, _ in below + held]), [end for _, end in below + held]
-        within = [(None, None)] * size + [(0, None)] * size + [(0, most)]
-        found = scipy.optimize.linprog(goal, upper, limits, equal, np.zeros(equal.shape[0]), within)
-        if found.status == 0:
-            c = _rounded(found.x[:n], exact)
-            yield sympy.Add(*(share * term for share, term in zip(c, terms, strict=True)))
+    stacked, side_by_side = scipy.sparse.vstack, scipy.sparse.hstack
+    shares, holds = shares.tocsr(), 2 * len(states)
+    signed = stacked([-shares[:squares], -alone, -alone])
+    sizes = stacked([made_up, beside, 0 * beside])
+    equal, none = shares[squares:], np.zeros((len(falls) - squares, holds))
+    small = np.repeat([1.0, 0.0], [n, total - n])
+    found = scipy.optimize.linprog(
+        np.concatenate([small, small, np.repeat([-HELD, -(HELD**2)], len(states))]),
+        side_by_side([sizes + signed, sizes - signed, np.eye(squares + holds, holds, -squares)]),
+        np.zeros(squares + holds),
+        side_by_side([equal, -equal, none]),
+        np.zeros(len(none)),
+        [(0, None)] * (2 * total) + [(0, 0.5)] * holds,
+    )
+    if found.status == 0:
+        exact = [own for one, own in falls.items() if one not in {*roots, *products}]
+        c = _rounded(found.x[:n] - found.x[total:][:n], exact)
+        yield sympy.Add(*(share * term for share, term in zip(c, terms, strict=True)))
 
 
 def _rounded(values: np.ndarray, exact: list[dict[int, sympy.Expr]]) -> list[sympy.Expr]:

@@ -20,7 +20,6 @@ from .proving.symbolic_loop import positive_somewhere
 from .proving.words import along, decided, degree, interval, is_input, meets_smoothly
 
 TURNS = (sympy.sin, sympy.cos)
-MOST = 24  # squares that are completed beside one for each symbol, in all orders that are tried
 
 
 class Squares(NamedTuple):
@@ -76,14 +75,14 @@ def squares(V: sympy.Expr, fixed: set, words_are_free: bool = True) -> Squares |
         plain = [term for term in form_of if term.is_polynomial(*moving)]
         low += plain
         form_of = {term: form for term, form in form_of.items() if term not in plain}
-    whole = _completed(sympy.expand(sympy.Add(*low)), moving, [MOST + len(moving)])
+    whole = _completed(sympy.expand(sympy.Add(*low)), moving)
     if whole is None:
         return None
     both = [*form_of, *more, *whole.terms], [*form_of.values(), *whole.forms]
     return Squares(whole.constant, *([one.xreplace(back) for one in terms] for terms in both))
 
 
-def _completed(p: sympy.Expr, moving: list, left: list[int]) -> Squares | None:
+def _completed(p: sympy.Expr, moving: list) -> Squares | None:
     """Complete the squares of a polynomial, in one order of its symbols or another."""
     symbols = [s for s in moving if p.has(s)]
     if not symbols:
@@ -91,44 +90,30 @@ def _completed(p: sympy.Expr, moving: list, left: list[int]) -> Squares | None:
     poly = sympy.Poly(p, *symbols)
     if any(poly.degree(s) % 2 for s in symbols):  # which has no least value
         return None
-    even, high = Squares(poly.coeff_monomial(1), [], []), Squares(sympy.Integer(0), [], [])
+    high = Squares(sympy.S.Zero, [], [])
     for powers, c in poly.terms():
-        if any(powers) and not any(n % 2 for n in powers) and (_positive(c) or c.is_nonnegative):
+        even, holds = any(powers) and not any(n % 2 for n in powers), _positive(c)
+        if even and (holds or c.is_nonnegative) and (sum(powers) > 2 or not holds):
             root = sympy.Mul(*(s ** (n // 2) for s, n in zip(symbols, powers, strict=True)))
-            for one in [even, high] if sum(powers) > 2 else [even]:
-                one.terms.append(c * root**2)
-                one.forms.extend([root.as_base_exp()[0]] * _positive(c))
-    if len(even.terms) == sum(any(powers) for powers in poly.monoms()):
-        return even
+            high.terms.append(c * root**2)
+            high.forms.extend([root.as_base_exp()[0]] * holds)
     for s in symbols:
         a, b, c = (p.coeff(s, n) for n in (2, 1, 0))
-        if poly.degree(s) != 2 or a.has(*symbols) or not _positive(a) or left[0] <= 0:
+        if poly.degree(s) != 2 or a.has(*symbols) or not _positive(a):
             continue
-        left[0] -= 1
         form = s + sympy.expand(b / (2 * a))
         below = c - b**2 / (4 * a)
         below = sympy.expand(below if a.is_number else sympy.cancel(below))
-        rest = _completed(below, moving, left)
+        rest = _completed(below, moving)
         if rest is not None:
             return Squares(rest.constant, [a * form**2, *rest.terms], [form, *rest.forms])
-    if len(symbols) == 1 and (poly.domain.is_QQ or poly.domain.is_ZZ):
-        return _of_one(poly, symbols[0])
-    rest = (
-        _completed(sympy.expand(p - sympy.Add(*high.terms)), moving, left) if high.terms else None
-    )
-    if rest is not None:  # high powers beside a form that is complete without them
-        return Squares(rest.constant, high.terms + rest.terms, high.forms + rest.forms)
-    return None
-
-
-def _of_one(poly: sympy.Poly, s: sympy.Symbol) -> Squares | None:
-    """Return a polynomial of one symbol with numbers, which has no real root of odd order."""
-    _, factors = poly.sqf_list()
-    real = [(f, n) for f, n in factors if f.count_roots()]
-    if poly.LC() < 0 or poly.degree() % 2 or any(n % 2 for _, n in real):
+        break
+    if not high.terms:
         return None
-    apart = all(f.monic().as_expr() == s for f, _ in real)
-    return Squares(sympy.Integer(0), [poly.as_expr()], [s if real and apart else poly.as_expr()])
+    rest = _completed(sympy.expand(p - sympy.Add(*high.terms)), moving)
+    if rest is None:
+        return None
+    return Squares(rest.constant, high.terms + rest.terms, high.forms + rest.forms)
 
 
 def _positive(a: sympy.Expr) -> bool:
@@ -150,14 +135,8 @@ def _rising(g: sympy.Expr, s: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr] | N
     if g.atoms(AppliedUndef) or g.has(TIME):
         return None
     bend = factored(sympy.diff(slope, s))
-    if not least.is_finite or not vanishes(slope.subs(s, 0)) or bend == 0:
-        return None
-    if bend.is_nonnegative:  # so g rises without bound
-        return least, s
-    rises = nonpositive(-s * slope, {s})
-    if rises and sympy.limit(g, s, sympy.oo) == sympy.oo:
-        return (least, s) if sympy.limit(g, s, -sympy.oo) == sympy.oo else None
-    return None
+    bends = least.is_finite and vanishes(slope.subs(s, 0)) and bend != 0 and bend.is_nonnegative
+    return (least, s) if bends else None  # so that g rises without bound
 
 
 def positive_definite(V: sympy.Expr, states: list) -> bool:
@@ -205,20 +184,18 @@ def never_positive(e: sympy.Expr, fixed: set, ways: tuple = (None,), facts: tupl
 # --- states that V does not hold ----------------------------------------------------------------
 
 
-def states_beside(forms: list[sympy.Expr], eq: Equations, values: dict) -> tuple[str, Step]:
+def states_beside(forms: list[sympy.Expr], eq: Equations) -> tuple[str, Step]:
     """Return what a verdict adds of the states that V does not hold, and the step.
-
-    It holds for all parameters of their signs, but for those that have `values`.
 
     A form in one state holds it; where each has several, the one that moves most simply is not
     held, and the forms hold the others beside it.  Inputs are bounded; a form that grows with time
     holds nothing.
     """
     still = {f: sympy.Dummy(real=True) for port in eq.inputs.values() for f in port.flat}
-    motion = {s: rate.xreplace(values).xreplace(still) for s, rate in eq.motion.items()}
+    motion = {s: rate.xreplace(still) for s, rate in eq.motion.items()}
     turning = {w: sympy.Dummy(real=True) for r in motion.values() for w in r.atoms(*TURNS)}
     fixed = set(eq.values)
-    forms = [form.xreplace(values).xreplace(still) for form in forms]
+    forms = [form.xreplace(still) for form in forms]
     for k, form in enumerate(one.as_coeff_Mul()[1] for one in forms):
         if isinstance(form, sympy.sin):  # its angle up to whole turns, which is all that moves it
             forms[k] = form.args[0]
@@ -244,7 +221,7 @@ def states_beside(forms: list[sympy.Expr], eq: Equations, values: dict) -> tuple
     plain = [motion[s].xreplace(at) for s in free]
     rates = sympy.Matrix([sympy.expand(rate) for rate in plain])
     after = [change for jump in eq.jumps.values() for change in jump.items()]
-    jumps = [new.xreplace(values).xreplace(at) for s, new in after if s in free and new != s]
+    jumps = [new.xreplace(at) for s, new in after if s in free and new != s]
     J = rates.jacobian(free)
     rest = rates - J * sympy.Matrix(free)
     if not (jumps or J.free_symbols - fixed or rest.has(TIME, *free)) and hurwitz(J):

@@ -22,10 +22,10 @@ from ..equations.symbolic import expressions, rational
 from ..errors import DiagramError
 from .proving.array_loop import no_value
 from .proving.proof import Step, exact, short
-from .proving.signs import MOST_FACTORED, factored, tidied, vanishes
+from .proving.signs import factored, tidied, vanishes
 from .proving.symbolic_loop import NO_VALUE
 from .proving.symbols import undefined
-from .proving.words import NUMBERS_OF, along, is_continuous, is_smooth, meets_smoothly
+from .proving.words import NUMBERS_OF, along, is_continuous, meets_smoothly
 from .squares import never_positive, squares
 
 MOST_TURNS = 360  # pi/360 is a share of pi
@@ -39,23 +39,20 @@ def _watched(owner: str, kind: str, arguments: tuple) -> str | None:
 
 
 class SystemWithV:
-    """A diagram with a V of one's own, both on symbols."""
+    """A diagram with a V of one's own, on symbols, or with parameters as their numbers."""
 
-    def __init__(self, system: Any, V: Any, claim: Any, at: Any):
+    def __init__(self, system: Any, V: Any, claim: Any, at: Any, numbers: bool = False):
         self.system = system
         self.eq: Equations = readable_equations(system, watch=_watched)
         if self.eq.discrete:
             raise DiagramError(f"{system.name}: is of discrete time, in which nothing has a rate")
         if not self.eq.motion:
             raise DiagramError(f"{system.name}: has no states, so V' says nothing")
-        if "t" in {**self.eq.states, **self.eq.inputs, **self.eq.fields}:
-            raise DiagramError(f"{system.name}: has a t, as time is called; rename it")
-        ports = {**self.eq.signals, **self.eq.inputs}
-        for name in {*NUMBERS_OF, "Abs"} & ports.keys():
-            if any(str(one.func) == name for one in ports[name].flat):
-                raise DiagramError(
-                    f"{system.name}: has a signal {name}, as a function is called; rename it"
-                )
+        named = {**self.eq.signals, **self.eq.states, **self.eq.inputs, **self.eq.fields}
+        for name in sorted({"t", "Abs", *NUMBERS_OF} & named.keys()):
+            raise DiagramError(
+                f"{system.name}: has a {name}, as time or a function is called; rename it"
+            )
         for s, rate in self.eq.motion.items():
             if rate.xreplace(self.eq.values).has(*NO_VALUE):
                 raise DiagramError(
@@ -68,14 +65,16 @@ class SystemWithV:
         self.V, labels = self.expression(V), {V, f"{V}[0]"} if isinstance(V, str) else set()
         self.name = next((one for one in system.output_labels if one in labels), "")
         self.claim = None if claim is None else self.expression(claim)
+        fixed = self.eq.pinned or (numbers and self.eq.values)
+        self.as_they_are = ", with the parameters as they are" if fixed else ""
+        if numbers:
+            values = self.eq.values
+            self.eq, self.fixed = readable_equations(system, Numbers, watch=_watched), set()
+            self.V = self.V.xreplace(values)
+            self.claim = self.claim and self.claim.xreplace(values)
         self.rate = along(self.V, {TIME: sympy.Integer(1), **self.eq.motion})
         self.rest = None if at is None else self.place(at)
-        undefined = self.eq.undefined or missing(self.V)
-        self.valued = bool(undefined)  # whether the parameters' own values are used
-        if undefined:
-            undefined = readable_equations(system, Numbers, watch=_watched).undefined
-            undefined = undefined or missing(self.V.xreplace(self.eq.values))
-        self.undefined = "".join(undefined[:1])
+        self.undefined = "".join((self.eq.undefined or missing(self.V))[:1])
 
     def expression(self, source: Any) -> sympy.Expr:
         """Return a name, a function of signals or an expression in states and inputs."""
@@ -102,14 +101,12 @@ class SystemWithV:
                 "write V as a function of signals, with np.where, or work it out"
             )
         found = found.xreplace({q: rational(float(q)) for q in found.atoms(sympy.Float)})
-        own = TIME, *self.states, *self.fixed
-        known = {s.name: s for s in own} | {str(f.func): f for f in self.inputs}
-        for s in found.free_symbols - {*own} - self.intervals:
-            if s.name not in known:
-                raise DiagramError(
-                    f"{self.system.name}: has no {s}; it has {', '.join(map(str, known))}"
-                )
-            found = found.subs(s, known[s.name])
+        own = {TIME, *self.states, *self.fixed, *self.intervals}
+        if unknown := found.free_symbols - own:
+            raise DiagramError(
+                f"{self.system.name}: has no {unknown.pop()} as clpt.equations has symbols; it has "
+                f"{', '.join(map(str, [*self.states, *self.fixed, *self.inputs]))}"
+            )
         return found
 
     def place(self, at: Mapping[str, float] | Sequence[float]) -> dict[Any, sympy.Expr]:
@@ -131,11 +128,8 @@ class SystemWithV:
 
     # --- signs ----------------------------------------------------------------------------
 
-    def definite(self) -> tuple[Step, list[sympy.Expr] | None]:
-        """Return the step that V is positive definite, and the forms that it holds.
-
-        The forms are None where V is positive definite only near the rest.
-        """
+    def definite(self) -> tuple[Step, list[sympy.Expr]]:
+        """Return the step that V is positive definite, and the forms that it holds."""
         parts = self.V, *self.eq.motion.values()
         bends = not meets_smoothly(self.V) and not all(map(is_continuous, parts))
         if bends or self.V.free_symbols & self.intervals:
@@ -143,62 +137,26 @@ class SystemWithV:
         moved = {s: s + v for s, v in (self.rest or {}).items()}
         back = {s: s - v for s, v in (self.rest or {}).items()}
         zero = dict.fromkeys(self.states, 0)
-        for at in ({}, self.eq.values):
-            V = self.V.xreplace(at).xreplace({s: v.xreplace(at) for s, v in moved.items()})
-            found = squares(V, self.fixed)
-            if found and self.rest is not None:
-                found = found if all(vanishes(f.subs(zero)) for f in found.forms) else None
-            if found and found.forms:
-                forms = [f.xreplace(back) for f in found.forms]
-                names = ", ".join(dict.fromkeys(map(str, map(self.in_signals, forms))))
-                self.valued |= bool(at)
-                return exact(f"V is positive definite in {names}", True), forms
-            known = set(self.states) <= V.free_symbols <= {*self.states, *self.fixed}
-            if not known or not _is_smooth(V, zero):
-                continue
-            H = sympy.hessian(V, self.states).subs(zero)
-            slopes = [sympy.diff(V, s).subs(zero) for s in self.states]
-            finite = not any(one.has(sympy.zoo, sympy.nan, sympy.oo) for one in (H, *slopes))
-            still = finite and all(map(vanishes, slopes)) and not H.free_symbols - self.fixed
-            if still and H.is_positive_definite:
-                return exact("V is positive definite near the rest", True), None
+        V = self.V.xreplace(moved)
+        found = squares(V, self.fixed)
+        if found and self.rest is not None:
+            found = found if all(vanishes(f.subs(zero)) for f in found.forms) else None
+        if found and found.forms:
+            forms = [f.xreplace(back) for f in found.forms]
+            names = ", ".join(dict.fromkeys(map(str, map(self.in_signals, forms))))
+            return exact(f"V is positive definite in {names}", True), forms
         return exact("V is positive definite", False, "not shown"), []
 
     def never_positive(self, expression: sympy.Expr) -> bool:
         """Return whether an expression is known never to be positive, for t >= 0."""
-        expression = tidied(expression)
-        for at in ({}, self.eq.values):
-            if never_positive(tidied(expression.xreplace(at)), self.fixed):
-                self.valued |= bool(at)
-                return True
-        return False
+        return never_positive(tidied(expression), self.fixed)
 
     def falls(self) -> bool:
         """Return whether V' is known never to be positive, as it stands, reduced, or by states."""
         if self.never_positive(self.rate):
             return True
         self.rate = reduced(self.rate)
-        if self.never_positive(self.rate) or self._falls_by_state():
-            return True
-        rate = self._in_sums(self.rate)
-        return rate != self.rate and self.never_positive(rate)
-
-    def _in_sums(self, e: sympy.Expr) -> sympy.Expr:
-        """Return an expression in sums of states that functions in it are of, and other states.
-
-        They are a linear change of states: of v - w and w, tanh(v - w) is a function of one.
-        """
-        parts = {a for f in e.atoms(sympy.Function, sympy.Pow) for a in f.args if a.is_Add}
-        slopes = [[sympy.diff(a, s) for s in self.states] for a in sorted(parts, key=str)]
-        M = sympy.zeros(0, len(self.states))
-        for row in [*slopes, *sympy.eye(len(self.states)).tolist()]:
-            more = M.col_join(sympy.Matrix([row]))
-            if all(slope.is_Rational for slope in row) and more.rank() == more.rows:
-                M = more
-        if M.is_Identity:
-            return e
-        z = sympy.Matrix([sympy.Dummy(str(s), real=True) for s in self.states])
-        return e.xreplace(dict(zip(self.states, M.inv() * z, strict=True)))
+        return self.never_positive(self.rate) or self._falls_by_state()
 
     def _falls_by_state(self) -> bool:
         """Return whether V' falls without the terms of rates that go down V, as friction does.
@@ -239,7 +197,7 @@ class SystemWithV:
 
     def readable_rate(self) -> sympy.Expr:
         """Return V' factored, or as a sum of squares, whichever is shorter, in signals."""
-        rate = tidied(self.rate.xreplace(self.eq.values if self.valued else {}))
+        rate = tidied(self.rate)
         total = squares(-rate, self.fixed)
         ways = [rate, factored(rate)]
         if total and not total.constant.free_symbols - self.fixed:
@@ -247,23 +205,9 @@ class SystemWithV:
             ways.append(sympy.Add(*terms) - total.constant)
         return min(map(self.in_signals, ways), key=sympy.count_ops)
 
-    def where(self) -> str:
-        """Return the one condition under which V' <= 0, or nothing."""
-        rate = tidied(self.rate)
-        if len(sympy.Add.make_args(rate)) > MOST_FACTORED:
-            return ""
-        parts = sympy.fraction(factored(sympy.together(-rate)))
-        powers = [one.as_base_exp() for part in parts for one in sympy.Mul.make_args(part)]
-        odd = (f for f, n in powers if not (n.is_even or f.is_nonnegative or f.is_number))
-        unknown = sympy.Mul(*odd)
-        sign = factored(-rate / unknown)
-        unknown, sign = (-unknown, -sign) if sign.is_nonpositive else (unknown, sign)
-        known = sign.is_nonnegative and unknown.free_symbols - self.fixed
-        return f"{self.in_signals(unknown)} >= 0" if known else ""
-
     def depends_on(self) -> list[str]:
         """Return the inputs that V' depends on."""
-        rate = tidied(self.rate.xreplace(self.eq.values if self.valued else {}))
+        rate = tidied(self.rate)
         return [str(f.func) for f in self.inputs if rate.has(f)]
 
 
@@ -274,12 +218,6 @@ def reduced(rate: sympy.Expr) -> sympy.Expr:
         return rate
     p, q = map(tidied, sympy.fraction(sympy.together(tidied(rate))))
     return sympy.cancel(p / q)
-
-
-def _is_smooth(V: sympy.Expr, at: dict) -> bool:
-    """Return whether an expression is known to have all derivatives at a place."""
-    powers = [p for p in V.atoms(sympy.Pow) if not (p.exp.is_Integer and p.exp.is_positive)]
-    return is_smooth(V) and all(p.base.subs(at).is_nonzero for p in powers)
 
 
 def missing(V: sympy.Expr) -> list[str]:

@@ -12,7 +12,6 @@ from analysis.mean_square import mean_square_bound, mean_square_sides
 from analysis.worst_disturbance import influences, peak_gains, regressor_matrices, worst_disturbance
 from clpt_control.gliders import read_dives, usable
 from clpt_control.theory.counterexamples import (
-    Piece,
     drive_along,
     exact_run,
     scalar_matrix,
@@ -116,7 +115,7 @@ def random_runs(rng, count):
         A = error_matrices(phi, z, zc, [k, k], gain)[0]
         duration = rng.uniform(0.1, 2)
         each = zip(A, drive, state, strict=True)
-        runs = [exact_run([Piece(duration, *one, 100)], own) for *one, own in each]
+        runs = [exact_run([(duration, *one, 100)], own) for *one, own in each]
         piece_times, reached = runs[0][0], np.stack([run for _, run in runs], axis=1)
         times.append(end + piece_times)
         states.append(reached)
@@ -148,7 +147,7 @@ def test_the_mean_square_bound_holds_for_random_disturbances():
 def test_the_mean_square_bound_is_tight():
     """Slow adaptation, Delta held: int e^2 comes as near as one likes; twice is too much."""
     A = scalar_matrix(1.0, gain=1e-9)
-    times, states = exact_run([Piece(200.0, A, np.array([1.0, 0.0]), 4000)], np.zeros(2))
+    times, states = exact_run([(200.0, A, np.array([1.0, 0.0]), 4000)], np.zeros(2))
     delta = np.ones((len(times), 1))
     assert 0.98 < mean_square_sides(times, states[:, :1], delta, 0.0, 1.0).tightness < 1
     assert not mean_square_sides(times, 1.1 * states[:, :1], delta, 0.0, 1.0).holds

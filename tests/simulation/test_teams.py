@@ -132,11 +132,10 @@ def test_none_sees_the_whole_flow_yet_the_team_learns_it():
         assert max(float(values[0]) for values in joint.values()) < 1e-6
         alone = clpt.simulate(scenario, [0.0, end]).flow_parameters_estimate[-1]
         assert float(abs(alone - theta).max()) > 0.5
-    together = clpt.theory.team_gramian(of, end, 0.0)
-    smallest = together.smallest()
-    assert max(smallest["west"], smallest["east"]) < 1e-6
-    assert smallest["team"] > 1.0
-    assert together.team.not_learnable == []
+    together = clpt.theory.gramian(of, end, 0.0)
+    assert max(together.vehicles[name].smallest for name in ("west", "east")) < 1e-6
+    assert together.smallest > 1.0
+    assert together.not_learnable == []
 
 
 def test_a_team_is_a_diagram_of_python_control():

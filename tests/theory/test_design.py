@@ -18,13 +18,7 @@ from clpt_control.theory import design_track as design_for
 from clpt_control.theory.designing import search
 from clpt_control.theory.designing.design import learned, linear_gains, time_below
 from clpt_control.theory.designing.plot import design_plot
-from clpt_control.theory.designing.track_limits import (
-    area_of_degrees,
-    around,
-    closed_length,
-    field_area,
-    shortened,
-)
+from clpt_control.theory.designing.track_limits import closed_length, shortened
 from clpt_control.theory.designing.waypoint_tracks import Tracks, vehicle_alone
 from clpt_control.theory.excitation.gramian import gramian, started_true
 from clpt_control.theory.excitation.regressor import joint_regressor, w_along
@@ -116,8 +110,9 @@ def speeds(scenario, times):
 
 def test_limits_are_kept_over_the_whole_run(paper, quickly):
     area = (-4.0, 4.5, -3.5, 4.5)
-    limits = {"length": 12.0, "max_speed": 2.6, "area": area, "count": 6, "dwell": 15.0}
-    found = quickly(paper, window=90, start=60, seed=3, **limits)
+    six = paper.with_values({"reference.count": 6, "reference.dwell": 15.0})
+    limits = {"length": 12.0, "max_speed": 2.6, "area": area}
+    found = quickly(six, window=90, start=60, seed=3, **limits)
     made, after = found.scenario, found.report["after"]
     assert made.waypoints.shape == (6, 2)
     assert made.reference.dwell == 15.0
@@ -253,18 +248,14 @@ def test_what_is_searched_for_is_what_v_falls_by(paper, change):
     ("limits", "said"),
     [
         ({"goal": "speed"}, "goal 'speed': must be one of law, kappa"),
-        ({"length": 0.0}, "length = 0: must be a positive number of m"),
+        ({"length": 0.0}, "length = 0.0: must be a number, positive and finite"),
         ({"length": float("nan")}, "length = nan: must be"),
-        ({"max_speed": -1.0}, "max_speed = -1: must be a positive number of m/s"),
-        ({"dwell": 0.0}, "dwell = 0"),
-        ({"count": 1}, "count = 1: must be a whole number, 2 to 200"),
+        ({"max_speed": -1.0}, "max_speed = -1.0: must be a number, positive"),
         ({"area": (1.0, 1.0, 0.0, 2.0)}, "each pair increasing"),
-        ({"area": (1.0, 2.0, 1.0, 2.0)}, r"the vehicle starts outside of it, at \(0, 0\)"),
-        ({"box": (40.0, 41.0, -70.0, -69.0)}, "the scenario has no field"),
-        ({"area": (-1.0, 1.0, -1.0, 1.0), "box": (40.0, 41.0, -70.0, -69.0)}, "one of the two"),
+        ({"area": (1.0, 2.0, 1.0, 2.0)}, "with vehicle.position in it"),
         ({"window": 500.0}, "must be positive and lie within the run"),
         ({"generations": 0}, "generations = 0"),
-        ({"level": 0.0}, "level = 0"),
+        ({"level": 0.0}, "level = 0.0"),
         ({"seed": -1}, "seed = -1"),
         pytest.param(
             {"max_speed": 0.05, "generations": 1, "window": 60.0},
@@ -288,14 +279,12 @@ def test_a_track_of_more_waypoints_than_lanes_hold_apart_is_watched(paper):
     tracks = Tracks(scenario, (10.0, 10.0), 30.0, 3, 1e-8)
     least, _ = tracks(scenario.waypoints[None])
     assert np.all(least > 0)
-    with pytest.raises(ScenarioError, match="has 600 waypoints, too many for tracks to differ in"):
-        tracks(1.1 * scenario.waypoints[None])
 
 
-def test_of_very_many_waypoints_a_number_is_asked_for(paper):
+def test_of_very_many_waypoints_no_track_is_designed(paper):
     points = [[0.01 * k, 0.0] for k in range(201)]
     scenario = paper.with_values({"reference": {"kind": "waypoints", "dwell": 1, "points": points}})
-    with pytest.raises(ScenarioError, match="has 201 waypoints; give count, 2 to 200"):
+    with pytest.raises(ScenarioError, match="has 201 waypoints; at most 200 are designed"):
         design_track(scenario)
 
 
@@ -321,7 +310,6 @@ def test_lengths_and_polygons():
     np.testing.assert_allclose(small, 0.5 + 0.5 * (square - 0.5), atol=1e-12)
     assert closed_length(small) <= 2.0
     np.testing.assert_array_equal(shortened(square, 5.0), square)
-    np.testing.assert_allclose(around(square, 8)[1::2], [[0.5, 0], [1, 0.5], [0.5, 1], [0, 0.5]])
     assert closed_length(shortened(np.zeros((3, 2)), 1.0)) == 0
 
 
@@ -345,25 +333,19 @@ def test_a_track_in_a_measured_current(facts, tmp_path):
     field = facts.parents[1] / "clpt_control/data/maracoos_hfr_2019-01-01.nc"
     fit = fit_scenario(field, (40.9, 41.55, -69.9, -69.0), rows=1, columns=2, width_km=30.0)
     scenario = save_fit(fit, tmp_path / "shoals.toml").with_values({"run.output_step": 0.5})
-    whole = field_area(scenario)
-    inner = area_of_degrees(scenario, (41.0, 41.4, -69.8, -69.2))
-    assert whole[0] < inner[0] < inner[1] < whole[1]
-    assert inner[3] - inner[2] == pytest.approx(0.4 * 111.1, rel=2e-3)
-    found = design_track(scenario, generations=3, max_speed=9.0, box=(41.0, 41.4, -69.8, -69.2))
-    assert found.report["limits"]["area"] == inner
+    found = design_track(scenario, generations=3, max_speed=9.0)
+    area = found.report["limits"]["area"]
     assert found.report["ratio"] >= 1
     assert set(found.report["after"]["explained_variance"]) == {"track", "box"}
     places = found.tracks[1].run.position.values
-    assert places[:, 0].min() >= inner[0]
-    assert places[:, 1].max() <= inner[3]
+    assert places[:, 0].min() >= area[0]
+    assert places[:, 1].max() <= area[3]
     write_file(tmp_path / "both.png", figure_of(design_plot, found))
-    with pytest.raises(ScenarioError, match="reaches out of the scenario's field"):
+    with pytest.raises(ScenarioError, match="within the scenario's field"):
         design_track(scenario, area=(-1e3, 1e3, -1.0, 1.0))
     far = scenario.with_values({"reference.radius": 60.0})
     with pytest.raises(ScenarioError, match="own vehicle does not reach the end, 23 h, but "):
         design_track(far)
-    with pytest.raises(ScenarioError, match="must be LAT0 LAT1 LON0 LON1"):
-        design_track(scenario, box=(41.4, 41.0, -69.8, -69.2))
 
 
 def test_CLPE_of_a_design_is_that_of_clpt_run():

@@ -11,7 +11,7 @@ from clpt_control.blocks.laws.paper import learned_flow
 from clpt_control.blocks.laws.regressions import gain_rates
 from clpt_control.blocks.laws.remembering import CONTINUOUS
 from clpt_control.blocks.laws.table import LAWS
-from clpt_control.errors import ScenarioError
+from clpt_control.errors import ClptError
 from clpt_control.theory.promises import (
     CHECKS,
     CONDITIONS,
@@ -173,7 +173,7 @@ def test_the_same_seed_finds_the_same(monkeypatch):
 
 @pytest.mark.parametrize(("law", "budget"), [("no-law", 1.0), ("sigma", 0.0), ("sigma", np.inf)])
 def test_what_cannot_be_searched_is_refused(law, budget):
-    with pytest.raises(ScenarioError, match=r"law: 'no-law'|budget"):
+    with pytest.raises(ClptError, match=r"law: 'no-law'|budget"):
         refute(law, budget=budget)
 
 

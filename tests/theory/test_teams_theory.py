@@ -52,13 +52,13 @@ def test_two_that_stand_still_have_a_gramian_by_hand():
         )
         for name, place in zip("ab", places, strict=True)
     }
-    found = clpt.theory.team_gramian(team(**members), T, 1.0)
+    found = clpt.theory.gramian(team(**members), T, 1.0)
     for axis in ("x1", "x2"):
-        pooled = found.team.eigenvalues[axis]
+        pooled = found.eigenvalues[axis]
         np.testing.assert_allclose(pooled, [T * (1 - q) ** 2, T * (1 + q) ** 2], rtol=1e-12)
         for one in found.vehicles.values():
             np.testing.assert_allclose(one.eigenvalues[axis], [0, T * (1 + q**2)], atol=1e-12)
-    assert found.team.not_learnable == []
+    assert found.not_learnable == []
     assert found.vehicles["a"].dimension == {"x1": 1, "x2": 1}
 
 
@@ -67,40 +67,39 @@ def test_the_pooled_gramian_is_the_sum_with_gains_of_their_own(rough, monkeypatc
     monkeypatch.setattr(regressor, "ROUGH", rough)
     of = team(0.0, ROW, **DIFFERENT)  # uncoupled, each as its own scenario runs
     N, window, start = 3, 6.0, 2.0
-    found = clpt.theory.team_gramian(of, window, start)
-    assert found.gains_adapt
-    assert found.team.names["x1"][N:] == [f"{g}_1 of {v}" for v in "abc" for g in ("K", "Gamma")]
+    found = clpt.theory.gramian(of, window, start)
+    assert found.names["x1"][N:] == [f"{g}_1 of {v}" for v in "abc" for g in ("K", "Gamma")]
     for axis in ("x1", "x2"):
         whole = np.zeros((N + 6, N + 6))
         for k, scenario in enumerate(of.members.values()):
             own = clpt.theory.gramian(scenario, window, start).gramians[axis]
             at = [*range(N), N + 2 * k, N + 2 * k + 1]
             whole[np.ix_(at, at)] += own
-        np.testing.assert_allclose(found.team.gramians[axis], whole, rtol=0, atol=1e-6)
+        np.testing.assert_allclose(found.gramians[axis], whole, rtol=0, atol=1e-6)
     run = clpt.simulate(of, np.arange(0.0, 12.01, 0.05))
-    read = clpt.theory.team_gramian(run, window, start)
-    for name, value in read.smallest().items():
-        assert value == pytest.approx(found.smallest()[name], rel=1e-2)
+    read = clpt.theory.gramian(run, window, start)
+    assert read.smallest == pytest.approx(found.smallest, rel=1e-2)
+    for name, one in read.vehicles.items():
+        assert one.smallest == pytest.approx(found.vehicles[name].smallest, rel=1e-2)
 
 
 @pytest.mark.parametrize(
     ("source", "arguments", "said"),
     [
-        (3, (), "must be a Team or an xarray.Dataset"),
-        (clpt.paper_scenario(), (), "must be a Team or an xarray.Dataset"),
+        (3, (), "must be a Scenario, a Team, an xarray.Dataset or a Regressor"),
         (team(a=vehicle(), b=vehicle()), (50.0,), "window 50 from 0: must be positive and lie"),
         (team(a=vehicle(), b=vehicle()), (-1.0, 0.0), "window -1 from 0: must be positive"),
     ],
-    ids=["number", "scenario", "too long", "negative"],
+    ids=["number", "too long", "negative"],
 )
 def test_what_has_no_pooled_gramian(source, arguments, said):
     with pytest.raises(clpt.ClptError, match=said):
-        clpt.theory.team_gramian(source, *arguments)
+        clpt.theory.gramian(source, *arguments)
 
 
-def test_the_measure_of_one_vehicle_takes_no_team():
+def test_the_certificate_of_one_vehicle_takes_no_team():
     of = team(a=vehicle(), b=vehicle())
     with pytest.raises(clpt.ArgumentError, match="a Team: must be a Scenario"):
-        clpt.theory.gramian(of)
-    with pytest.raises(clpt.DataError, match="team_gramian measures a team"):
-        clpt.theory.gramian(clpt.simulate(of, [0.0, 1.0, 2.0]))
+        clpt.theory.certificate(of)
+    with pytest.raises(clpt.DataError, match="gramian measures a team"):
+        clpt.theory.certificate(clpt.simulate(of, [0.0, 1.0, 2.0]))

@@ -17,9 +17,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ...arguments import Seed, public
+from ...arguments import Count, Positive, Seed, public
 from ...errors import ScenarioError
-from ...html import facts, fragment
 from ...scenario.experiment import Scenario
 from ...simulation.flows import explained_variance
 from ...simulation.integrate import sample_times, simulate
@@ -28,22 +27,13 @@ from ..excitation.certificates import gains_of_w
 from ..excitation.gramian import gramian, started_true
 from ..excitation.regressor import checked_window
 from .search import CLOSE, best_waypoints
-from .track_limits import (
-    Box,
-    Limits,
-    area_of_degrees,
-    around,
-    check_area,
-    check_numbers,
-    closed_length,
-    field_area,
-    filled_area,
-)
-from .waypoint_tracks import Extremes, Tracks, vehicle_alone
+from .track_limits import Box, Limits, closed_length, corners
+from .waypoint_tracks import Extremes, Tracks, vehicle_alone, with_waypoints
 
 if TYPE_CHECKING:
     import xarray
 
+MOST_WAYPOINTS = 200
 LOOKS, MOST = 50, 20_000  # samples a waypoint for a smooth picture, and in all
 TENTH = 0.1  # of the first error: the level without another
 
@@ -95,7 +85,6 @@ def time_below(times: np.ndarray, values: np.ndarray, level: float) -> float | N
 
 
 GOALS = ("law", "kappa")
-MOST_GENERATIONS = 100_000
 TRAJECTORY = "the vehicle alone in the scenario's flow, without CLPE (e = 0, z = x) and disturbance"
 
 
@@ -111,36 +100,20 @@ class Design:
         before, after = (self.report[k]["smallest_eigenvalue"] for k in ("before", "after"))
         return f"<Design of {len(self.scenario.waypoints)} waypoints: {before:.3g} to {after:.3g}>"
 
-    def _repr_html_(self) -> str:
-        before, after = self.report["before"], self.report["after"]
-        rows = [
-            (label, f"{before[key]:.4g}", f"{after[key]:.4g}")
-            for label, key in (
-                ("smallest eigenvalue", "smallest_eigenvalue"),
-                (f"closed polygon ({self.report['units']['length']})", "closed_length"),
-                ("largest speed through the water", "largest_speed"),
-            )
-        ]
-        name = f"of {len(self.scenario.waypoints)} waypoints"
-        return fragment("Design", name, facts(rows, ("", "before", "after")))
-
 
 @public
 def design_track(
     scenario: Scenario,
     *,
-    length: float | None = None,
-    max_speed: float | None = None,
+    length: Positive | None = None,
+    max_speed: Positive | None = None,
     area: Box | None = None,
-    box: tuple[float, float, float, float] | None = None,
     goal: str = "law",
-    count: int | None = None,
-    dwell: float | None = None,
     window: float | None = None,
     start: float | None = None,
-    level: float | None = None,
+    level: Positive | None = None,
     seed: Seed = 0,
-    generations: int = 60,
+    generations: Count = 60,
     progress: Callable[[float], None] | None = None,
 ) -> Design:
     """Find waypoints from which most can be learned, within limits.
@@ -160,15 +133,9 @@ def design_track(
     area : tuple of float, optional
         Box for waypoints and vehicle: x1 from and to, x2 from and to. Without, the field's, or
         what the scenario's own track fills.
-    box : tuple of float, optional
-        In place of area LAT0 LAT1 LON0 LON1, degrees, for a scenario with a field.
     goal : str
         ``"law"``: the scenario's own law learns soonest; its track is kept where none is better.
         ``"kappa"``: the smallest eigenvalue, whatever the law makes of it.
-    count : int, optional
-        Number of waypoints; that of the scenario.
-    dwell : float, optional
-        Time at each, units.time; that of the scenario.
     window, start : float, optional
         Of the Gramian, units.time; by default the second cycle, or as late as fits.
     level : float, optional
@@ -193,27 +160,20 @@ def design_track(
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 80})
-    >>> given = {"goal": "kappa", "count": 2, "window": 20, "generations": 1}  # soon found
+    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 80, "reference.count": 2})
+    >>> given = {"goal": "kappa", "window": 20, "generations": 1}  # soon found
     >>> found = clpt.theory.design_track(scenario, **given)
-    >>> found.report["ratio"] >= 1, len(found.scenario.waypoints)
+    >>> found.report["after"]["smallest_eigenvalue"] > 0, len(found.scenario.waypoints)
     (True, 2)
     """
     if goal not in GOALS:
         raise ScenarioError(f"goal {goal!r}: must be one of {', '.join(GOALS)}")
-    check_numbers(scenario, count, length=length, max_speed=max_speed, dwell=dwell, level=level)
-    if not 1 <= generations <= MOST_GENERATIONS:
+    own, law = scenario.waypoints, goal == "law"
+    if len(own) > MOST_WAYPOINTS:
         raise ScenarioError(
-            f"generations = {generations}: must be a whole number, 1 to {MOST_GENERATIONS}"
+            f"reference: has {len(own)} waypoints; at most {MOST_WAYPOINTS} are designed"
         )
-    if area is not None and box is not None:
-        raise ScenarioError("area: give either area or box, one of the two")
     span = checked_window(scenario, window, start)
-    field = field_area(scenario)
-    if box is not None:
-        area = area_of_degrees(scenario, box)
-    if area is not None:
-        check_area(scenario, area, field)
     before = _look(scenario, span)
     reached = float(before[1].share[0])
     if reached < 1:
@@ -222,17 +182,19 @@ def design_track(
             f"{scenario.units.time}, but {reached * scenario.run.duration:.4g}: shorten "
             "run.duration, or move its waypoints so that it stays within flow.field"
         )
-    points_before = scenario.waypoints
-    limits = Limits(
-        float(closed_length(points_before)) if length is None else float(length),
-        max_speed,
-        area or field or filled_area(points_before, before[1]),
-    )
+    low, high = corners(scenario, area, before[1])
+    longest = float(closed_length(own)) if length is None else float(length)
     report = progress or (lambda share: None)
-    planned = with_waypoints(scenario, around(points_before, count or len(points_before)), dwell)
-    gains = linear_gains(scenario) if goal == "law" else None
-    best, runs = best_waypoints(planned, limits, span, seed, generations, report, gains)
-    tracks = [with_waypoints(scenario, one, dwell) for one in best[: None if goal == "law" else 1]]
+    best, runs = best_waypoints(
+        scenario,
+        Limits(longest, max_speed, low, high),
+        span,
+        seed,
+        generations,
+        report,
+        linear_gains(scenario) if law else None,
+    )
+    tracks = [with_waypoints(scenario, one) for one in best[: None if law else 1]]
     ran = (
         learned(scenario, level),
         min((learned(one, level) for one in tracks), key=lambda one: one.cost),
@@ -245,20 +207,22 @@ def design_track(
         "units": scenario.units.model_dump(),
         "law": scenario.learning.law,
         "goal": goal,
-        "own_track_kept": designed.reference.dwell == scenario.reference.dwell
-        and np.array_equal(points, points_before),
+        "own_track_kept": np.array_equal(points, own),
         "window": span[0],
         "start": span[1],
         "trajectory": TRAJECTORY,
-        "limits": limits._asdict() | {"count": len(points), "dwell": designed.reference.dwell},
+        "limits": {
+            "length": longest,
+            "max_speed": max_speed,
+            "area": np.transpose([low, high]).ravel().tolist(),
+        },
         "seed": seed,
         "tracks_tried": runs,
         "before": _reported(scenario, before, span, ran[0]),
         "after": _reported(designed, after, span, ran[1]),
     }
-    for name, key in (("ratio", "smallest_eigenvalue"), ("ratio_of_run", "of_the_run")):
-        first, last = summary["before"][key], summary["after"][key]
-        summary[name] = last / first if first > 0 else None
+    first, last = (summary[key]["smallest_eigenvalue"] for key in ("before", "after"))
+    summary["ratio"] = last / first if first > 0 else None
     return Design(designed, summary, ran)
 
 
@@ -274,13 +238,6 @@ def _look(scenario: Scenario, span: tuple[float, float]) -> tuple[float, Extreme
     tracks = Tracks(scenario, span, scenario.run.duration, *CLOSE)
     least, extremes = tracks(scenario.waypoints[None])
     return float(least.min()), extremes
-
-
-def with_waypoints(scenario: Scenario, points: np.ndarray, dwell: float | None) -> Scenario:
-    """Return the scenario with other waypoints."""
-    dwell = scenario.reference.dwell if dwell is None else float(dwell)
-    reference = {"kind": "waypoints", "points": np.asarray(points).tolist(), "dwell": dwell}
-    return scenario.with_values({"reference": reference})
 
 
 def _reported(

@@ -8,12 +8,14 @@ beyond.  kappa_1 has a ridge where both axes have the same smallest eigenvalue, 
 SLSQP (Kraft 1988) for the largest s with log kappa of each axis >= s and each slack >= 0;
 derivatives are differences, again in lanes.
 
-The search goes in rounds: evolve once, climb, look closely, climb again where a limit is not kept.
-The first round watches speed and area up to the window's end, the others over the whole run and
-under limits that are tighter by what the last climb was beyond.  The track to begin with competes.
+The search goes in rounds: climb, look closely, climb again where a limit is not kept.  The first
+round evolves before, and watches speed and area up to the window's end, the others over the whole
+run and under limits that are tighter by what the last climb was beyond.  The track to begin with
+competes.
 """
 
 from collections.abc import Callable
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -35,16 +37,15 @@ WAY = 33  # places looked at between the start and the end of a climb
 
 
 class TrackSearch:
-    """Tracks of `count` waypoints within limits, as points of a unit cube."""
+    """Tracks of as many waypoints as a scenario has, within limits, as points of a unit cube."""
 
-    def __init__(self, tracks: Tracks, limits: Limits, count: int):
-        self.tracks, self.limits, self.count = tracks, limits, count
-        area = np.array(limits.area)
-        self.low, self.size = area[::2], area[1::2] - area[::2]
+    def __init__(self, tracks: Tracks, limits: Limits):
+        self.tracks, self.limits = tracks, limits
+        self.low, self.size = limits.low, limits.high - limits.low
 
     def points(self, u: np.ndarray) -> np.ndarray:
         """Return the waypoints (m, n, 2) of unknowns (m, 2 n)."""
-        places = self.low + self.size * np.clip(u, 0.0, 1.0).reshape(len(u), self.count, 2)
+        places = self.low + self.size * np.clip(u, 0.0, 1.0).reshape(len(u), -1, 2)
         return shortened(places, self.limits.length)
 
     def unknowns(self, points: np.ndarray) -> np.ndarray:
@@ -61,19 +62,14 @@ class TrackSearch:
         from scipy.optimize import differential_evolution
 
         rng = np.random.default_rng(seed)
-        m = 8 * -(-max(32, 8 * self.count) // 8)
+        m = max(32, 4 * len(first))
         near = first + NEAR * rng.standard_normal((m // 2, len(first)))
-        population = np.vstack([near, rng.random((m - len(near), len(first)))])
-        population[0] = first
-        done = 0
+        population = np.vstack([first, near[1:], rng.random((m - len(near), len(first)))])
 
         def cost(u: np.ndarray) -> np.ndarray:
-            nonlocal done
             check()
-            found = self.cost(u.T)
-            report(done)
-            done += 1
-            return found
+            report(self.tracks.runs / (m * (generations + 1)))
+            return self.cost(u.T)
 
         ended = differential_evolution(
             cost,
@@ -101,37 +97,31 @@ class TrackSearch:
         """Return unknowns uphill of u: the best on the way that keep to the limits."""
         from scipy.optimize import minimize
 
-        cached: dict[bytes, tuple[np.ndarray, np.ndarray]] = {}
-
-        def values(y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-            key = y[:-1].tobytes()
-            if key not in cached:
-                check()
-                cached.clear()
-                steps = STEP * np.eye(len(u))
-                least, extremes = self.tracks(self.points(np.vstack([y[:-1], y[:-1] + steps])))
-                rows = np.vstack([np.log(np.maximum(least, LEAST)), self.limits.slack(extremes)])
-                cached[key] = rows[:, 0], (rows[:, 1:] - rows[:, :1]) / STEP
-            return cached[key]
+        @lru_cache(maxsize=1)  # SLSQP asks for values and slopes one after the other
+        def values(of: bytes) -> tuple[np.ndarray, np.ndarray]:
+            check()
+            y, steps = np.frombuffer(of), STEP * np.eye(len(u))
+            least, extremes = self.tracks(self.points(np.vstack([y, y + steps])))
+            rows = np.vstack([np.log(np.maximum(least, LEAST)), self.limits.slack(extremes)])
+            return rows[:, 0], (rows[:, 1:] - rows[:, :1]) / STEP
 
         def above(y: np.ndarray) -> np.ndarray:
-            found = values(y)[0].copy()
+            found = values(y[:-1].tobytes())[0].copy()
             found[:2] -= y[-1]
             found[2:] -= INSIDE
             return found
 
         def slopes(y: np.ndarray) -> np.ndarray:
-            found = values(y)[1]
+            found = values(y[:-1].tobytes())[1]
             return np.column_stack([found, np.where(np.arange(len(found)) < 2, -1.0, 0.0)])
 
-        start = np.append(u, 0.0)
-        start[-1] = values(start)[0][:2].min()
-        if not np.isfinite(values(start)[0]).all():
+        start = values(u.tobytes())[0]
+        if not np.isfinite(start).all():
             return u
         towards: Any = np.append(np.zeros(len(u)), -1.0)
         ended = minimize(
             lambda y: -y[-1],
-            start,
+            np.append(u, start[:2].min()),
             jac=lambda y: towards,
             method="SLSQP",
             bounds=[(0.0, 1.0)] * len(u) + [(None, None)],
@@ -160,25 +150,17 @@ def best_waypoints(
 
     The best have the largest kappa_1, or drop of V where the `gains` of a linear law are given.
     """
-    speeds, runs, free = limits.max_speed is not None, 0, MARGIN
-    end, whole = span[0] + span[1], scenario.run.duration
+    speeds, end, whole = limits.max_speed is not None, sum(span), scenario.run.duration
     close = Tracks(scenario, span, whole, *CLOSE, speeds, gains)
-    points = shortened(scenario.waypoints, limits.length)
+    points, runs, free = shortened(scenario.waypoints, limits.length), 0, MARGIN
     candidates = [_looked_at(close, limits, points)]  # the track to begin with competes
     for iteration in range(ROUNDS):
         tracks = Tracks(scenario, span, whole if iteration else end, *COARSE, speeds, gains)
-        search = TrackSearch(tracks, limits.tighter(free), len(points))
-        again = iteration == ROUNDS - 1 and not any(one.least >= 0 for one in candidates)
-        if iteration == 0 or again:
-            first = search.unknowns(shortened(scenario.waypoints, limits.length))
-
-            def share(done: float, base: float = 0.5 * (iteration > 0)) -> None:
-                report(base + 0.4 * done / (generations + 1))
-
-            starts = search.evolve(first, generations, seed, share)
+        search = TrackSearch(tracks, limits.tighter(free))
+        starts = search.unknowns(points)[None]
+        if iteration == 0:
+            starts = search.evolve(starts[0], generations, seed, lambda done: report(0.4 * done))
             candidates += [_looked_at(close, limits, one) for one in search.points(starts)]
-        else:
-            starts = search.unknowns(points)[None]
         ends = np.array([search.climb(u) for u in starts])
         order = np.argsort(search.cost(ends), kind="stable")
         points = search.points(ends)[order[0]]
@@ -192,7 +174,12 @@ def best_waypoints(
             free = min(0.3, free + max(MARGIN, 1.1 * last.beyond))
     candidates.sort(key=lambda one: -one.least)
     if candidates[0].least < 0:
-        raise ScenarioError(_none(scenario, limits, min(one.beyond for one in candidates)))
+        nearest = 100 * min(one.beyond for one in candidates)
+        raise ScenarioError(
+            "no track was found that keeps to the limits in this flow all the time; the nearest "
+            f"is {nearest:.2g} % beyond; allow more speed or a larger area, or give more "
+            "generations"
+        )
     return [one.points for one in candidates if one.least >= 0], runs
 
 
@@ -208,17 +195,5 @@ def _looked_at(close: Tracks, limits: Limits, points: np.ndarray) -> _Candidate:
     """Return waypoints with their kappa_1 and their excess, closely watched."""
     least, extremes = close(points[None])
     beyond = float(limits.excess(extremes)[0])
-    low, high = np.array(limits.area[::2]), np.array(limits.area[1::2])
-    out = bool(np.any((points < low) | (points > high)))
+    out = bool(np.any((points < limits.low) | (points > limits.high)))
     return _Candidate(points, -1.0 if beyond > 0 or out else float(least.min()), beyond)
-
-
-def _none(scenario: Scenario, limits: Limits, nearest: float) -> str:
-    """Return in a sentence that no track keeps to the limits."""
-    unit, time = scenario.units.length, scenario.units.time
-    speed = f"max_speed = {limits.max_speed:g} {unit}/{time} and " if limits.max_speed else ""
-    return (
-        f"{speed}area = {', '.join(f'{edge:g}' for edge in limits.area)} {unit}: no track was "
-        f"found that keeps to them in this flow all the time; the nearest is {100 * nearest:.2g} % "
-        "beyond; allow more speed or a larger area, or give more generations"
-    )

@@ -17,23 +17,20 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...blocks.laws.law import LEARNED
-from ...blocks.laws.table import LAWS
 from ...diagrams.interconnection import wiring_of_blocks
 from ...equations.at_many import evaluate
-from ...errors import ScenarioError
 from ...native.batch import Batch
 from ...native.machine import LANES
 from ...native.native_diagram import NativeDiagram
 from ...scenario.experiment import Scenario
 from ...simulation.loops import LoopOf, remaining_parts
 from ...simulation.starts import state_of
-from ..excitation.certificates import TURN, smallest_eigenvalue, worst_drop
-from ..excitation.regressor import quadrature, w_along
+from ..excitation.certificates import smallest_eigenvalue, worst_drop
+from ..excitation.regressor import quadrature, w_along, waypoint_in
 
-ANY = next(law for law in LAWS.values() if not (law.at_fixes or law.given_estimate))
 ATOL = 1e-2  # absolute tolerance over the relative one
 LEARNER = ("z", "e", *LEARNED)  # the vehicle alone is what feeds none of them
-BYTES = 100_000_000  # of one array of tracks that are taken together
+BYTES = 20_000_000  # of one array of tracks that are taken together
 
 
 class Extremes(NamedTuple):
@@ -70,21 +67,14 @@ class Tracks:
         self.callee = self.native.callee(self.native.lanes(LANES))
         self.schedule = self.native.schedule((0.0, end))
         self.start = state_of(self.scenario, self.blocks)
-        self.gains, edges = gains, None
-        if gains is not None:  # pieces within which e and eta do not turn too often
-            largest = self.scenario.basis.N + 2 * np.max(self.scenario.waypoints**2)
-            edges = np.arange(window[1], sum(window), TURN / np.sqrt(gains.max() * largest))
-        cuts, self.nodes, self.weights = quadrature(self.scenario, window[1], sum(window), edges)
+        self.gains = gains
+        cuts, self.nodes, self.weights = quadrature(self.scenario, window[1], sum(window))
         edges, _, _ = quadrature(self.scenario, 0.0, end)
         self.looks = edges[:-1, None] + np.diff(edges)[:, None] * np.linspace(0.0, 1.0, looks)
         times = np.concatenate([[0.0], self.nodes.ravel(), self.looks.ravel(), [end]])
         self.times, self.place = np.unique(times, return_inverse=True)
-        self.waypoint_of_node, self.waypoint_of_look = map(self._waypoint, (cuts, edges))
-
-    def _waypoint(self, cuts: np.ndarray) -> np.ndarray:
-        """Return which waypoint the vehicle holds in each piece, (pieces,)."""
-        dwell, count = self.scenario.reference.dwell, len(self.scenario.waypoints)
-        return np.floor((cuts[:-1] + cuts[1:]) / 2 / dwell).astype(int) % count
+        self.waypoint_of_node = waypoint_in(self.scenario, cuts)
+        self.waypoint_of_look = waypoint_in(self.scenario, edges)
 
     def __call__(self, points: np.ndarray) -> tuple[np.ndarray, Extremes]:
         """Return kappa_1 or the drop of V, (2, m), and the extremes of tracks (m, n, 2)."""
@@ -117,14 +107,10 @@ class Tracks:
     def _parameters(self, points: np.ndarray) -> np.ndarray:
         P = np.tile(self.native.parameters(), (len(points), 1))
         names = [block.name for block in self.blocks]
-        for i, field in enumerate(("x1", "x2")):
+        for i, field in enumerate(("x1", "x2")):  # a table, of more waypoints than are designed
             array, place = self.native.layout.slots[names.index("reference"), field]
             if array == "P":
                 P[:, place : place + points.shape[1]] = points[:, :, i]
-            elif not np.array_equal(points[:, :, i], [self.scenario.waypoints[:, i]] * len(P)):
-                raise ScenarioError(
-                    f"reference: has {points.shape[1]} waypoints, too many for tracks to differ in"
-                )
         return P
 
     def _least(self, x: np.ndarray, points: np.ndarray) -> np.ndarray:
@@ -154,20 +140,18 @@ class Tracks:
         return Extremes(speed.max(axis=2), x.min(axis=2), x.max(axis=2), share)
 
 
+def with_waypoints(scenario: Scenario, points: np.ndarray) -> Scenario:
+    """Return the scenario with other waypoints, each held as long as its own."""
+    dwell = scenario.reference.dwell
+    reference = {"kind": "waypoints", "points": np.asarray(points).tolist(), "dwell": dwell}
+    return scenario.with_values({"reference": reference})
+
+
 def vehicle_alone(scenario: Scenario) -> Scenario:
     """Return the scenario with nothing that is random, waypoints as a list, and any learner.
 
     The learner is not run, not even one by which the vehicle steers, since e = 0.
     """
-    return scenario.with_values(
-        {
-            "flow.disturbance": None,
-            "localization": None,
-            "learning": {"law": ANY.name, "gain": 1.0},
-            "reference": {
-                "kind": "waypoints",
-                "points": scenario.waypoints.tolist(),
-                "dwell": scenario.reference.dwell,
-            },
-        }
-    )
+    learner = {"law": "learned-flow", "gain": 1.0}
+    calm = {"flow.disturbance": None, "localization": None, "learning": learner}
+    return with_waypoints(scenario.with_values(calm), scenario.waypoints)

@@ -30,7 +30,6 @@ import numpy as np
 
 from ...arguments import public
 from ...errors import ScenarioError
-from ...html import facts, fragment
 from ...scenario.experiment import Scenario
 from .error_matrices import propagate
 from .regressor import Regressor, Source, joint_regressor
@@ -46,32 +45,20 @@ class Certificate:
     start: float  # of the window, units.time
     window: float  # its length
     trajectory: str  # that w was taken from: w holds z, which depends on the learner
-    transition: dict[str, np.ndarray]  # axis -> Phi(t+T, t) of (e_i, eta_i)
-    contractions: dict[str, float]  # axis -> exact V(t+T)/V(t) at worst
-    drops: dict[str, float]  # axis -> 1 less that, with all its digits
+    drops: dict[str, float]  # axis -> exact 1 - V(t+T)/V(t) at worst, with all its digits
     rhos: dict[str, float]  # axis -> the guaranteed drop
     disturbed: bool = False  # whether Delta, or a flow beside theta phi, adds to V' as well
 
     def __repr__(self) -> str:
         worst = f"V falls to {self.contraction:.6g} of itself at worst"
-        return f"<Certificate: {worst}, {self._when()}>"
-
-    def _repr_html_(self) -> str:
-        columns = ("", "V(t+T)/V(t) at worst", "drop of V, exact", "guaranteed, rho")
-        rows = [
-            (a, f"{c:.6g}", f"{self.drops[a]:.4g}", f"{self.rhos[a]:.4g}")
-            for a, c in self.contractions.items()
-        ]
-        return fragment("Certificate", self._when(), facts(rows, columns))
-
-    def _when(self) -> str:
         when = f"t = {self.start:g} to {self.start + self.window:g}"
-        return f"{when}, but for what the disturbance adds" if self.disturbed else when
+        but = ", but for what the disturbance adds" if self.disturbed else ""
+        return f"<Certificate: {worst}, {when}{but}>"
 
     @property
     def contraction(self) -> float:
         """Exact V(t+T)/V(t) at worst, over both axes."""
-        return max(self.contractions.values())
+        return 1 - self.drop
 
     @property
     def drop(self) -> float:
@@ -100,6 +87,31 @@ def gains_of_w(scenario: Scenario) -> np.ndarray:
     return np.array([*[flow] * scenario.basis.N, gains.feedback, gains.feedforward])
 
 
+def refuse_turns(turns: float) -> None:
+    """Refuse a window in which e and eta turn so many radians that they cannot be followed."""
+    if turns > MOST * TURN:
+        raise ScenarioError(
+            f"e and eta turn {turns:.3g} rad in a window, too many to follow; give a shorter one, "
+            "waypoints nearer to 0, or smaller gains"
+        )
+
+
+def finely(w: np.ndarray, weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return w (..., pieces, nodes, n) and weights of pieces in which e and eta turn at most TURN.
+
+    A gain of 1 is in w.  Pieces are cut evenly; w is the polynomial through its nodes.
+    """
+    turns = np.sqrt(np.max(np.sum(w**2, axis=-1), initial=0.0)) * weights.sum(axis=1)
+    refuse_turns(turns.sum())
+    parts, (pieces, nodes) = int(np.ceil(max(1.0, turns.max() / TURN))), weights.shape
+    node = np.polynomial.legendre.leggauss(nodes)[0]
+    basis = np.polynomial.legendre.legvander
+    fine = (2 * np.arange(parts)[:, None] + 1 + node) / parts - 1
+    between = basis(fine, nodes - 1) @ np.linalg.inv(basis(node, nodes - 1))
+    w = (between @ w[..., None, :, :]).reshape(*w.shape[:-3], pieces * parts, nodes, w.shape[-1])
+    return w, np.repeat(weights / parts, parts, axis=0)
+
+
 def worst_drop(w: np.ndarray, k: np.ndarray, gains: np.ndarray, weights: np.ndarray) -> np.ndarray:
     """Return the drop of V over a window by a linear law with a gain for each of w (..., n).
 
@@ -107,49 +119,39 @@ def worst_drop(w: np.ndarray, k: np.ndarray, gains: np.ndarray, weights: np.ndar
     what has no gain does not adapt.
     """
     adapted = gains > 0
-    rows, _ = propagate(np.sqrt(gains[adapted]) * w[..., adapted], k, 1.0, weights.sum(axis=1))
+    w, weights = finely(np.sqrt(gains[adapted]) * w[..., adapted], weights)
+    rows, _ = propagate(w, k, 1.0, weights.sum(axis=1))
     return 2 * k * smallest_eigenvalue(rows, weights)
 
 
 def window_drops(
     w: np.ndarray, weights: np.ndarray, KD: np.ndarray, gain: float
-) -> dict[str, np.ndarray]:
-    """Return contraction, drop, rho, each (2, ...), and transition (2, ..., n, n), axis first.
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the drop of V over a window, exact and guaranteed, each (2, ...), axis first.
 
     w (2, ..., pieces, nodes, n), of what adapts, stands at Gauss-Legendre nodes with weights
     (pieces, nodes).
     """
-    lengths = weights.sum(1)
     k = np.asarray(KD, dtype=float).reshape(2, *[1] * (w.ndim - 4))
-    scale = np.concatenate([[1.0], np.full(w.shape[-1], gain**-0.5)])  # the diagonal of S
-    inside, transition = propagate(w, k, gain, lengths)
+    drop = worst_drop(w, k, np.full(w.shape[-1], gain), weights)
+    lengths = weights.sum(axis=1)
     filtered, _ = propagate(w, k, 0.0, lengths)
-
-    size = np.sum(w**2, axis=-1)
-    q = gain * size.max((-1, -2)) * lengths.sum() / k
-    norm = np.linalg.norm(transition * (scale[:, None] / scale), 2, axis=(-2, -1))
-    return {
-        "contraction": np.minimum(norm**2, 1.0),  # V never grows: V' = -k e^2
-        "drop": 2 * k * smallest_eigenvalue(inside / scale, weights),
-        "rho": k * min(1.0, gain) * smallest_eigenvalue(filtered, weights) / (1 + q**2),
-        "transition": transition,
-    }
+    q = gain * np.sum(w**2, axis=-1).max((-1, -2)) * lengths.sum() / k
+    return drop, k * min(1.0, gain) * smallest_eigenvalue(filtered, weights) / (1 + q**2)
 
 
 def refuse_unproved(scenario: Scenario) -> None:
     """Refuse what adds to V' beside the theorems' own terms."""
     learning, fixes = scenario.learning, scenario.localization
+    limited = scenario.vehicle.max_speed is not None
     refused = {
-        "localization.noise is read with the position and adds to V'; without it V falls as "
-        "certified": fixes is not None and fixes.noise > 0,
-        "learning.gain = 0 learns nothing, so V need not fall": learning.gain == 0,
-        "learning.sample makes the law run at samples, between which V' is not what the theorems "
-        "say; without it V falls as certified": learning.sample is not None,
-        "learning.hedging = false, so what the vehicle cannot fly adds to V'; with hedging V falls "
-        "as certified": scenario.vehicle.max_speed is not None and not scenario.hedged,
+        "localization.noise": fixes is not None and fixes.noise > 0,
+        "learning.gain = 0": learning.gain == 0,
+        "learning.sample": learning.sample is not None,
+        "learning.hedging = false": limited and not scenario.hedged,
     }
     if why := next((why for why, holds in refused.items() if holds), ""):
-        raise ScenarioError(f"no certificate: {why}")
+        raise ScenarioError(f"no certificate: {why} changes V' of the theorems; leave it out")
 
 
 @public
@@ -172,8 +174,7 @@ def certificate(
     -------
     Certificate
         For that trajectory: `contraction`, the exact V(t+T)/V(t) at worst, `drop`, 1 less that
-        with all its digits, and `rho`, a guaranteed drop; by axis `transition`, Phi(t+T, t) of
-        (e_i, eta_i), whose eigenvalues are Floquet multipliers where w has the period T. With a
+        with all its digits, and `rho`, a guaranteed drop. With a
         disturbance (`disturbed`) all of it is said of the learner without; see `ultimate_bound`.
 
     Raises
@@ -200,26 +201,13 @@ def certificate(
             f"{along.python_parts or f'the law {law}'}" + ("" if gains.one else " with a gain each")
         )
     refuse_unproved(scenario)
-    gain = gains.parameters
-    turn = np.sqrt(gain * np.max(np.sum(along.w**2, -1)))
-    first, last = along.cuts[[0, -1]].tolist()
-    span = last - first
-    if np.max(np.diff(along.cuts)) * turn > TURN:
-        if span * turn / TURN > MOST:
-            raise ScenarioError(
-                f"window {span:g}: e and eta turn {span * turn:.3g} rad in it, too many to follow; "
-                f"a window up to {MOST * TURN / turn:.3g} {scenario.units.time} can be certified"
-            )
-        along = joint_regressor(along.source, span, first, np.arange(first, last, TURN / turn))
     adapted = slice(scenario.basis.N if scenario.learning.row.given_estimate else 0, None)
     w, KD = along.w[..., adapted], np.array(scenario.vehicle.feedback)
-    found = window_drops(w, along.weights, KD, gain)
-    transition = dict(zip(("x1", "x2"), found.pop("transition"), strict=True))
-    each = (dict(zip(transition, one.tolist(), strict=True)) for one in found.values())
-    contractions, drops, rhos = each
+    found = window_drops(w, along.weights, KD, gains.parameters)
+    drops, rhos = (dict(zip(("x1", "x2"), one.tolist(), strict=True)) for one in found)
+    first, last = along.cuts[[0, -1]].tolist()
     disturbed = scenario.flow.disturbance is not None or scenario.flow.field is not None
-    known = first, span, along.trajectory, transition
-    return Certificate(*known, contractions, drops, rhos, disturbed)
+    return Certificate(first, last - first, along.trajectory, drops, rhos, disturbed)
 
 
 @public

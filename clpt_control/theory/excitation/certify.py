@@ -38,14 +38,14 @@ from typing import Any
 import numpy as np
 from scipy.optimize import brentq
 
-from ...arguments import public
+from ...arguments import Positive, public
 from ...errors import ScenarioError
-from ...html import facts, fragment
 from ...scenario.experiment import Scenario
+from ...simulation.integrate import simulate
 from ...units import at_most
 from ..promises import bounded, largest_disturbance
-from .certificates import TURN, gains_of_w, refuse_unproved, worst_drop
-from .regressor import MOST_PIECES, checked_window, finished_run, quadrature, w_along
+from .certificates import gains_of_w, refuse_turns, refuse_unproved, worst_drop
+from .regressor import checked_window, joint_regressor
 
 MOST_WINDOWS = 1_000_000
 LARGEST = 1e12  # V that is looked for, and error
@@ -62,7 +62,6 @@ class Bounds:
     V: np.ndarray  # at most, then and until the next
     clpe: np.ndarray  # |e| at most from then on, length; with a disturbance, within the run
     flow_error: np.ndarray  # |theta_k + alpha_k| likewise, length per time
-    largest_clpe: float  # likewise, from the start on, length
     ultimate: float | None  # limsup |e| at most, length, in windows like the weakest; None: nothing
     disturbance: float  # largest |Delta| of the scenario, length per time
     error: float  # the CLPE that is to be reached, length
@@ -76,11 +75,6 @@ class Bounds:
 
     def __repr__(self) -> str:
         return f"<Bounds: for V(0) <= {self.radius:g}, {self.said}>"
-
-    def _repr_html_(self) -> str:
-        every = zip(self.time, self.V, self.clpe, strict=True)
-        rows = [(f"{t:.4g}", at_most(V), at_most(e)) for t, V, e in every]
-        return fragment("Bounds", self.said, facts(rows, ("time", "V at most", "CLPE at most")))
 
     @property
     def said(self) -> str:
@@ -128,9 +122,9 @@ def settled(c: float, k: float, gain: float, D: float) -> float:
 @public
 def certify(
     scenario: Scenario,
-    radius: float | None = None,
+    radius: Positive | None = None,
     *,
-    error: float | None = None,
+    error: Positive | None = None,
     window: float | None = None,
 ) -> Bounds:
     """Bound V, CLPE and the flow parameters' errors for every start.
@@ -176,11 +170,8 @@ def certify(
         raise ScenarioError(
             'no certificate: flow.disturbance.kind = "noise" is normal, so |Delta| has no bound'
         )
-    for name, value in (("radius", radius), ("error", error)):
-        if value is not None and not 0 < value <= LARGEST:
-            raise ScenarioError(
-                f"{name} = {value:g}: must be a positive number, at most {LARGEST:g}"
-            )
+    if max(radius or 0.0, error or 0.0) > LARGEST:
+        raise ScenarioError(f"radius, error: must be at most {LARGEST:g}")
     window, _ = checked_window(scenario, window, 0.0)
     gains, car = scenario.learning.used_gains, scenario.vehicle
     for name in ("feedback", "feedforward"):
@@ -189,8 +180,8 @@ def certify(
                 f"no certificate: learning.{name} is held and is not vehicle.{name}, so CLPE does "
                 "not end; hold the vehicle's own"
             )
-    drops, start = _drops(scenario, window)
-    R = float(start if radius is None else radius)
+    drops = _drops(scenario, window)
+    R = radius or float(simulate(scenario, [0.0, window]).lyapunov[0])
     error = 0.01 * np.sqrt(2 * R) if error is None else float(error)
     d = largest_disturbance(scenario)
     k, D = min(car.feedback), d * np.sqrt(window)
@@ -215,7 +206,6 @@ def certify(
         np.array(V),
         np.sqrt(2 * at_most),
         np.sqrt(2 * gains.parameters * at_most),
-        float(np.sqrt(2 * at_most[0])),
         float(np.sqrt(2 * end)) if np.isfinite(end) else None,
         d,
         error,
@@ -224,26 +214,18 @@ def certify(
     )
 
 
-def _drops(scenario: Scenario, window: float) -> tuple[np.ndarray, float]:
-    """Return delta of each whole window of the run, (windows, 2), and V(0) of its own start."""
-    gains = gains_of_w(scenario)
+def _drops(scenario: Scenario, window: float) -> np.ndarray:
+    """Return delta of each whole window of the run, (windows, 2)."""
+    k, gains = np.array(scenario.vehicle.feedback), gains_of_w(scenario)
+    largest = scenario.basis.N + 4 * np.max(scenario.waypoints**2)
+    refuse_turns(window * np.sqrt(gains.max() * largest))
     count = int(np.floor(scenario.run.duration / window * (1 + 1e-12)))
     ends = window * np.arange(count + 1)
-    largest = scenario.basis.N + 4 * np.max(scenario.waypoints**2)
-    piece = TURN / np.sqrt(gains.max() * largest)
-    if (pieces := ends[-1] / piece) > MOST_PIECES:
-        raise ScenarioError(
-            f"no bound: e and eta may turn too often to follow, in {pieces:.0e} pieces of the run, "
-            f"at most {MOST_PIECES:.0e} are allowed; give waypoints nearer to 0, or smaller gains"
-        )
-    fine = np.arange(0.0, ends[-1], piece)
-    nodes = quadrature(scenario, 0.0, float(ends[-1]), np.sort([*ends[1:-1], *fine[1:]]))
-    run = finished_run(scenario, np.append(0.0, nodes.times.ravel()))
-    x, zc = (
-        run[name].values[1:].reshape(*nodes.times.shape, 2) for name in ("position", "reference")
+    along = joint_regressor(scenario, float(ends[-1]), 0.0, ends[1:-1], predicted="position")
+    cuts = np.searchsorted(along.cuts, ends - 1e-9 * window)
+    return np.array(
+        [
+            worst_drop(along.w[:, a:b], k, gains, along.weights[a:b])
+            for a, b in pairwise(cuts.tolist())
+        ]
     )
-    w = w_along(scenario, nodes.times, x, x, zc)
-    k = np.array(scenario.vehicle.feedback)
-    cuts = np.searchsorted(nodes.cuts, ends - 1e-9 * window)
-    drops = [worst_drop(w[:, a:b], k, gains, nodes.weights[a:b]) for a, b in pairwise(cuts)]
-    return np.array(drops), float(run.lyapunov.values[0])

@@ -3,9 +3,8 @@
     [e_i, eta_i]' = A_i(t) [e_i, eta_i],    A_i = [[-k, w^T], [-gamma w, 0]],    k = KD_i
     eta_i = [theta_i + alpha_i, K_i - KD_i, GammaD_i - Gamma_i],    w of Eq. (31)
 
-A is read off `error_system` and `parameter_system`: their functions are linear in (e, eta), so
-a call on a unit vector yields a column, and one on e = (1, 1) yields w.  The two axes do not
-meet.  Phi is found by collocation at the Gauss-Legendre nodes of each piece of length h, the
+It is what the blocks `error_system` and `parameter_system` are, whose two axes do not meet; a test
+asks that.  Phi is found by collocation at the Gauss-Legendre nodes of each piece of length h, the
 implicit Runge-Kutta method of order 2 NODES.  Within a piece eta moves along the w at the nodes,
 the rows of W, so that only e at the nodes, E, is to be solved for; with G = W W^T and the
 method's a, b, entries of a and G multiplied one by one in a*G,
@@ -15,14 +14,11 @@ method's a, b, entries of a and G multiplied one by one in a*G,
     eta -> eta - gamma h sum_j b_j w_j E_j
 """
 
-from collections.abc import Callable
 from functools import cache
 
 import numpy as np
 
 from ...arguments import numbers, public
-from ...blocks.clpe import error_system, parameter_system
-from ...equations.at_many import on_arrays
 from ...errors import ArgumentError
 
 
@@ -30,7 +26,7 @@ from ...errors import ArgumentError
 def error_matrices(
     phi: np.ndarray, z: np.ndarray, zc: np.ndarray, KD: np.ndarray, gain: float
 ) -> np.ndarray:
-    """Read A(t) of Eq. (28), axis by axis, off the blocks.
+    """Return A(t) of Eq. (28), axis by axis.
 
     Parameters
     ----------
@@ -66,51 +62,17 @@ def error_matrices(
             raise ArgumentError(
                 f"{name}: has shape {value.shape}; must be {(*shape, 2)}, as phi is"
             )
-    rates = _error_rates(phi, z, zc, KD, gain)
-    A = np.empty((2, *shape, N + 3, N + 3))
-    for axis, states in enumerate(axis_states(N)):
-        for column, state in enumerate(states):
-            unit = np.zeros((2 * N + 6, *shape))
-            unit[state] = 1.0
-            A[axis, ..., column] = np.moveaxis(rates(unit)[states], 0, -1)
+    w = regressors(phi, z, zc)
+    A = np.zeros((*w.shape[:-1], N + 3, N + 3))
+    A[..., 0, 0] = -KD.reshape(2, *[1] * len(shape))
+    A[..., 0, 1:] = w
+    A[..., 1:, 0] = -gain * w
     return A + 0.0  # without -0
 
 
 def regressors(phi: np.ndarray, z: np.ndarray, zc: np.ndarray) -> np.ndarray:
-    """Return w of Eq. (31) off the blocks, eta' = -w e for gamma = 1: (2, ..., N + 2)."""
-    N, shape = phi.shape[-1], phi.shape[:-1]
-    unit = np.zeros((2 * N + 6, *shape))
-    unit[:2] = 1.0
-    rates = _error_rates(phi, z, zc, np.ones(2), 1.0)(unit)
-    return -np.stack([np.moveaxis(rates[states[1:]], 0, -1) for states in axis_states(N)])
-
-
-def _error_rates(
-    phi: np.ndarray, z: np.ndarray, zc: np.ndarray, KD: np.ndarray, gain: float
-) -> Callable[[np.ndarray], np.ndarray]:
-    """Return the blocks' function (e, eta) -> (e, eta)', both (2N + 6, ...)."""
-    N = phi.shape[-1]
-    blocks = error_system(N, KD), parameter_system(N, float(gain))
-    inputs = {name: np.moveaxis(v, -1, 0) for name, v in (("phi_x", phi), ("z", z), ("zc", zc))}
-
-    def rates(X: np.ndarray) -> np.ndarray:
-        parts = np.split(X, np.cumsum([2, 2 * N, 2]))
-        ports = {**inputs, **dict(zip(("e", "eta", "eta_3", "eta_4"), parts, strict=True))}
-        derivatives = []
-        for block in blocks:
-            x, u = (
-                np.concatenate([ports[port] for port in names])
-                for names in (block.state_ports, block.input_ports)
-            )
-            derivatives.append(on_arrays(block, "update", 0.0, x, u))
-        return np.concatenate(derivatives)
-
-    return rates
-
-
-def axis_states(N: int) -> list[list[int]]:
-    """Return the places in (e, eta) of e_i and that axis's N + 2 of eta, i = 0, 1."""
-    return [[i, *range(2 + i * N, 2 + (i + 1) * N), 2 + 2 * N + i, 4 + 2 * N + i] for i in range(2)]
+    """Return w of Eq. (31), axis first, (2, ..., N + 2)."""
+    return np.stack([np.concatenate([phi, z[..., [i]], zc[..., [i]]], axis=-1) for i in (0, 1)])
 
 
 @cache
@@ -118,13 +80,9 @@ def collocation(nodes: int) -> tuple[np.ndarray, np.ndarray]:
     """Return the Gauss method's a (nodes, nodes) and b (nodes,) on a step of length 1."""
     legendre = np.polynomial.legendre
     c, weight = legendre.leggauss(nodes)
-    P = legendre.legvander(c, nodes)
-    integrals = np.empty((nodes, nodes))  # of P_j from -1 to each node
-    integrals[:, 0] = c + 1
-    for j in range(1, nodes):
-        integrals[:, j] = (P[:, j + 1] - P[:, j - 1]) / (2 * j + 1)
-    coefficients = (np.arange(nodes)[:, None] + 0.5) * P[:, :nodes].T * weight
-    return integrals @ coefficients / 2, weight / 2
+    integrals = legendre.legval(c, legendre.legint(np.eye(nodes), lbnd=-1))  # of P_j to each node
+    a = integrals.T @ np.linalg.inv(legendre.legvander(c, nodes - 1))
+    return a / 2, weight / 2
 
 
 def propagate(

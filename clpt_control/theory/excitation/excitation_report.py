@@ -8,7 +8,6 @@ excited direction of one window by parameter name, and how much of each paramete
 identifiable subspace.
 """
 
-from textwrap import fill, shorten
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,23 +16,22 @@ from ...arguments import public
 from ...errors import ScenarioError
 from ...figures import BLUE, GREY, RED, TITLE, axes_for
 from ...scenario.experiment import Scenario
+from ...scenario.team import Team
 from .certificates import certificate, time_to_tenth
-from .gramian import Excitation, gramian, sliding_excitation
-from .regressor import Source, joint_regressor, thinned
+from .gramian import NOT_LEARNABLE, Excitation, gramian, sliding_excitation
+from .regressor import AnySource, Source, joint_regressor, system_of, thinned
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-MOST_BARS = 12  # of many parameters, those with the largest components
-LETTERS = 110  # of a line below the axes
 ROUGHEST = 0.1  # change of an eigenvalue by which its error is judged
 LOWEST = 1e-30  # eigenvalues below this share of the largest are drawn there
 
 
 def excitation_report(
-    source: Source, window: float | None = None, start: float | None = None
+    source: AnySource, window: float | None = None, start: float | None = None
 ) -> dict[str, Any]:
-    """Return what a scenario's run or a recorded run can teach over one window.
+    """Return what a scenario's run, a team's, or a recorded one can teach over one window.
 
     ``window``, ``start``, ``time_unit``, ``trajectory``; by axis ``eigenvalues`` (ascending),
     ``ceilings`` (of the smallest eigenvalue), ``least_excited`` and ``dimension`` (of what can be
@@ -45,11 +43,15 @@ def excitation_report(
     run ``accuracy`` is the largest relative change of an eigenvalue when every second sample is
     left out, which is above the error; None where that is more than `ROUGHEST`, or no sample can be
     left out: the error is not known.
+
+    Of a team ``measured`` says of which parameters; ``vehicles`` by name and ``team`` have
+    ``eigenvalues``, ``dimension`` and ``not_learnable``, ``smallest`` the smallest eigenvalues.
     """
+    if isinstance(source, Team) or isinstance(system_of(source), Team):
+        return _of_a_team(gramian(source, window, start))
     along = joint_regressor(source, window, start)
     found = gramian(along)
-    more = {"ceilings": found.ceilings, "least_excited": found.least_excited}
-    report: dict[str, Any] = {**found.span, **found.report, **more}
+    report: dict[str, Any] = found.report
     report |= dict.fromkeys(("rho", "contraction", "drop", "disturbed", "time_to_tenth"))
     try:
         certified = certificate(along)
@@ -62,7 +64,7 @@ def excitation_report(
     if not isinstance(source, Scenario):
         thin = thinned(source)
         rough = gramian(thin, found.window, found.start)
-        floor = {a: found.tolerance * values[-1] for a, values in found.eigenvalues.items()}
+        floor = {a: NOT_LEARNABLE * values[-1] for a, values in found.eigenvalues.items()}
         change = max(
             float(np.max(np.abs(rough.eigenvalues[a] - values) / np.maximum(values, floor[a])))
             for a, values in found.eigenvalues.items()
@@ -70,6 +72,17 @@ def excitation_report(
         known = thin.sizes["time"] < source.sizes["time"] and change <= ROUGHEST
         report["accuracy"] = change if known else None
     return report
+
+
+def _of_a_team(found: Excitation) -> dict[str, Any]:
+    every = {**found.vehicles, "team": found}
+    return {
+        **found.report,
+        "measured": "the flow parameters, which all share, and each one's gains where they adapt",
+        "smallest": {name: one.smallest for name, one in every.items()},
+        "vehicles": {name: one.report for name, one in found.vehicles.items()},
+        "team": found.report,
+    }
 
 
 @public
@@ -116,19 +129,12 @@ def excitation_plot(
         _direction(axes[1, column], at, axis)
     axes[0, 0].set_ylabel(r"eigenvalue of $\int w w^T dt$")
     axes[1, 0].set_ylabel("component")
-    handles, labels = axes[0, 0].get_legend_handles_labels()
-    place = {"loc": "lower left", "bbox_to_anchor": (0, 1.1)}
-    axes[0, 0].legend(handles[::-1], labels[::-1], fontsize=8, frameon=False, ncols=2, **place)
+    axes[0, 0].legend(fontsize=8, frameon=False, ncols=3, loc="lower left", bbox_to_anchor=(0, 1.1))
     axes[1, 1].legend(fontsize=8, frameon=False, loc="lower left")
     for one in axes[1]:
         one.set_ylim(-1.6, 1.15)
         one.set_axisbelow(True)
         one.set_yticks([-1, -0.5, 0, 0.5, 1])
-    missing = at.not_learnable
-    if missing:
-        text = "; ".join(missing[:4]) + (f"; and {len(missing) - 4} more" if missing[4:] else "")
-        text = fill(shorten(text, 3 * LETTERS, placeholder=" ..."), LETTERS)
-        axes[1, 0].set_xlabel(text, fontsize=8, color=RED, loc="left")
     return axes
 
 
@@ -136,15 +142,10 @@ def _eigenvalues(
     ax: "Axes", starts: np.ndarray, values: np.ndarray, at: Excitation, axis: str
 ) -> None:
     values = np.maximum(values, LOWEST * values.max())
-    mark = "." if len(starts) < 3 else None
-    lines: dict[int, tuple[Any, ...]] = {
-        k: (GREY, "-", 0.7, "between" if k == 1 else None) for k in range(1, values.shape[1] - 1)
-    }
-    lines[-1] = (RED, "--", 1.3, r"$\kappa_2$, largest")
-    lines[0] = (BLUE, "-", 1.8, r"$\kappa_1$, smallest")
-    for k, (color, style, width, label) in lines.items():
-        how: dict[str, Any] = {"color": color, "linewidth": width, "marker": mark, "label": label}
-        ax.semilogy(starts, values[:, k], style, **how)
+    ax.semilogy(starts, values[:, 1:-1], ".-", color=GREY, linewidth=0.7, markersize=1)
+    rows = ((-1, RED, r"$\kappa_2$, largest"), (0, BLUE, r"$\kappa_1$, smallest"))
+    for k, color, label in rows:
+        ax.semilogy(starts, values[:, k], ".-", color=color, markersize=3, label=label)
     ax.axvline(at.start, color="black", linestyle=":", linewidth=1.0, label="window below")
     ax.set_xlabel(f"start of the window ({at.time_unit})")
     ax.set_title(f"{axis}: window of {at.window:g} {at.time_unit}", **TITLE)
@@ -152,29 +153,13 @@ def _eigenvalues(
 
 def _direction(ax: "Axes", at: Excitation, axis: str) -> None:
     least = at.least_excited[axis]
-    names = list(least)
-    components = np.array([least[name] for name in names])
     shares = np.linalg.norm(at.identifiable[axis], axis=1)
-    drawn = np.sort(np.argsort(-np.abs(components))[:MOST_BARS])
-    places = np.arange(len(drawn))
-    bars: dict[str, Any] = {"width": 0.55, "color": BLUE, "edgecolor": "black", "linewidth": 0.6}
-    ax.bar(places, components[drawn], label="least excited direction", **bars)
-    marks: dict[str, Any] = {"markersize": 5, "color": RED, "markerfacecolor": "white"}
-    ax.plot(places, shares[drawn], "D", label="learnable share", **marks)
+    ax.bar([*least], [*least.values()], width=0.55, color=BLUE, label="least excited direction")
+    ax.plot([*least], shares, "D", color=RED, markersize=5, label="learnable share")
     ax.axhline(0, color="black", linewidth=0.7)
-    ax.set_xticks(places, [_symbol(names[k]) for k in drawn], fontsize=9)
-    some = "" if len(drawn) == len(names) else f"\n{len(drawn)} of {len(names)} parameters"
+    ax.tick_params(axis="x", labelsize=8, rotation=90)
     ax.set_title(
         rf"{axis}: $\kappa_1$ = {at.eigenvalues[axis][0]:.3g}, "
-        f"{at.start:.4g} to {at.start + at.window:.4g} {at.time_unit}{some}",
+        f"{at.start:.4g} to {at.start + at.window:.4g} {at.time_unit}",
         **TITLE,
     )
-
-
-def _symbol(name: str) -> str:
-    """Write theta_1[2] as the paper does, with the function above."""
-    symbol, _, rest = name.partition("_")
-    row, _, function = rest.partition("[")
-    letters = {"theta": r"\theta", "Gamma": r"\Gamma"}
-    above = f"^{{{function[:-1]}}}" if function else ""
-    return f"${letters.get(symbol, symbol)}_{row}{above}$"

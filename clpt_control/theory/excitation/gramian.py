@@ -8,9 +8,7 @@ parameters of that axis can be told apart on this track; w holds z, which
 depends on the learner, so a Gramian belongs to the trajectory it came from.
 
 A Gramian is kept as a triangular factor R, Gramian = R^T R, R from the QR factors of
-sqrt(weight) w^T.  Factors of pieces stack and factor again to that of the whole, so a sliding
-window adds pieces and never subtracts, and an eigenvalue of 1e-21 keeps its digits beside one
-of 1e3.
+sqrt(weight) w^T: so an eigenvalue of 1e-21 keeps its digits beside one of 1e3.
 
 There is a ceiling.  With c_i = (theta_i - alpha_M_i, -KD_i, GammaD_i) Eqs. (1), (3), (7) say
 
@@ -18,13 +16,20 @@ There is a ceiling.  With c_i = (theta_i - alpha_M_i, -KD_i, GammaD_i) Eqs. (1),
 
 which where e = 0 is how far the vehicle moves: one that waits teaches nothing.
 
+Of a team all vehicles share the flow parameters of an axis; K_i and Gamma_i are each vehicle's own:
+
+    G = sum_m int w_m w_m^T dt,    w_m = [phi(x_m), 0, ..., z_i, zc_i of m, ..., 0]
+
+so that its flow part is sum_m int phi(x_m) phi(x_m)^T dt.  Where the gains are held only the flow
+part counts, of each vehicle and of the team.
+
 Persistent excitation asks for kappa_1 > 0 for all t; `sliding_excitation` takes a window along a
 run, and where the smallest eigenvalue falls to zero, the track stops teaching.
 """
 
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
+from textwrap import shorten
 from typing import Any
 
 import numpy as np
@@ -33,10 +38,18 @@ from ...arguments import public
 from ...errors import ClptError, ScenarioError
 from ...html import facts, fragment, paragraphs
 from ...scenario.experiment import Scenario
-from .regressor import Regressor, Source, joint_regressor, scenario_of, span_of
+from .regressor import (
+    AnySource,
+    Regressor,
+    Source,
+    joint_regressor,
+    joint_regressors,
+    span_of,
+    system_of,
+)
 
 NOT_LEARNABLE = 1e-9  # eigenvalues below this share of the largest say: not learnable
-NAMED = 4  # parameters in one sentence
+LETTERS = 250  # of one sentence
 MOST = 100  # functions of a basis whose track is judged beside other work
 INVOLVED = 0.05  # a parameter belongs to a subspace if its unit vector has this length in it
 
@@ -51,8 +64,8 @@ class Excitation:
     time_unit: str
     names: dict[str, list[str]]  # axis -> names of its N + 2 parameters
     factors: dict[str, np.ndarray]  # axis -> R, shape (N + 2, N + 2)
-    tolerance: float = NOT_LEARNABLE  # eigenvalues up to this share of the largest: not excited
     truth: dict[str, np.ndarray] = field(default_factory=dict)  # axis -> c; none with a field
+    vehicles: dict[str, "Excitation"] = field(default_factory=dict)  # of a team, each alone
 
     def __repr__(self) -> str:
         learnable = ", ".join(
@@ -61,24 +74,22 @@ class Excitation:
         return f"<Excitation {self._when()}: can be learned {learnable}>"
 
     def _repr_html_(self) -> str:
-        pieces = [facts(excitation_rows({"": self}), EXCITATION_COLUMNS)]
-        pieces += [paragraphs(self.not_learnable), paragraphs([f"Measured: {self.trajectory}."])]
-        return fragment("Excitation", self._when(), *pieces)
+        rows = [
+            (f"{name} {axis}", f"{values[0]:.4g}", f"{values[-1]:.4g}", one.dimension[axis])
+            for name, one in {**self.vehicles, "": self}.items()
+            for axis, values in one.eigenvalues.items()
+        ]
+        table = facts(rows, ("", "smallest eigenvalue", "largest", "can be learned"))
+        said = [*self.not_learnable, f"Measured: {self.trajectory}."]
+        return fragment("Excitation", self._when(), table, paragraphs(said))
 
     @property
     def report(self) -> dict[str, Any]:
         """What JSON says of it."""
-        return {
-            "eigenvalues": {axis: values.tolist() for axis, values in self.eigenvalues.items()},
-            "dimension": self.dimension,
-            "not_learnable": self.not_learnable,
-        }
-
-    @property
-    def span(self) -> dict[str, Any]:
-        """Where and when it was measured, for JSON."""
-        names = ("window", "start", "time_unit", "trajectory")
-        return {name: getattr(self, name) for name in names}
+        names = ("window", "start", "time_unit", "trajectory", "ceilings", "least_excited")
+        found = {name: getattr(self, name) for name in (*names, "dimension", "not_learnable")}
+        eigenvalues = {axis: values.tolist() for axis, values in self.eigenvalues.items()}
+        return found | {"eigenvalues": eigenvalues}
 
     def _when(self) -> str:
         return f"from {self.start:g} to {self.start + self.window:g} {self.time_unit}"
@@ -92,6 +103,11 @@ class Excitation:
     def eigenvalues(self) -> dict[str, np.ndarray]:
         """Eigenvalues of each axis, from kappa_1 to kappa_2."""
         return {axis: sizes[::-1] ** 2 for axis, (_, sizes, _) in self._spectra.items()}
+
+    @property
+    def smallest(self) -> float:
+        """The smallest eigenvalue over both axes."""
+        return min(float(values[0]) for values in self.eigenvalues.values())
 
     @property
     def directions(self) -> dict[str, np.ndarray]:
@@ -133,9 +149,11 @@ class Excitation:
         combinations only are named together.
         """
         sentences = []
-        for alone, mixed in self._not_learnable_names():
-            sentences += [f"{name} is not learnable on this track" for name in alone]
-            if mixed:
+        for axis, idle in self._idle().items():
+            lean = np.linalg.norm(self.directions[axis][:, idle], axis=1)
+            alone, names = lean > np.sqrt(1 - INVOLVED**2), np.array(self.names[axis])
+            sentences += [f"{name} is not learnable on this track" for name in names[alone]]
+            if mixed := names[(lean > INVOLVED) & ~alone].tolist():
                 listed = ", ".join(mixed[:-1]) + f" and {mixed[-1]}" if mixed[1:] else mixed[0]
                 sentences.append(f"{listed} are not learnable one by one on this track")
         return sentences
@@ -143,55 +161,23 @@ class Excitation:
     @property
     def in_one_sentence(self) -> str:
         """What cannot be learned on this track, in one sentence; "" where all can."""
-        names = [name for each in self._not_learnable_names() for kind in each for name in kind]
-        if not names:
+        if not self.not_learnable:
             return ""
         counts = [
             f"{n} of {len(self.names[axis])} along {axis}" for axis, n in self.dimension.items()
         ]
-        more = f" and {len(names) - NAMED} more" if len(names) > NAMED else ""
-        return (
-            f"of the combinations of parameters this track teaches {', '.join(counts)}; not "
-            f"learnable one by one: {', '.join(names[:NAMED])}{more} (`clpt excitation` names all)"
+        whole = (
+            f"of the combinations of parameters this track teaches {', '.join(counts)}: "
+            f"{'; '.join(self.not_learnable)}"
         )
-
-    def _not_learnable_names(self) -> Iterator[tuple[list[str], list[str]]]:
-        """Yield the names of each axis that are not excited, and those in combinations alone."""
-        for axis, idle in self._idle().items():
-            lean = np.linalg.norm(self.directions[axis][:, idle], axis=1)
-            alone = lean > np.sqrt(1 - INVOLVED**2)
-            mixed = (lean > INVOLVED) & ~alone
-            names = np.array(self.names[axis])
-            yield names[alone].tolist(), names[mixed].tolist()
+        return shorten(whole, LETTERS, placeholder=" ... (`clpt excitation` names all)")
 
     @cached_property
     def _spectra(self) -> dict[str, Any]:
         return {axis: np.linalg.svd(R) for axis, R in self.factors.items()}
 
     def _idle(self) -> dict[str, np.ndarray]:
-        return {a: values <= self.tolerance * values[-1] for a, values in self.eigenvalues.items()}
-
-
-EXCITATION_COLUMNS = (
-    "",
-    "smallest eigenvalue",
-    "largest",
-    "can be learned",
-    "least excited direction",
-)
-
-
-def excitation_rows(every: dict[str, Excitation]) -> list[tuple[str, ...]]:
-    """Return a row for each axis of each excitation, by name."""
-    rows: list[tuple[str, ...]] = []
-    for name, one in every.items():
-        for axis, values in one.eigenvalues.items():
-            least = sorted(one.least_excited[axis].items(), key=lambda part: -abs(part[1]))[:4]
-            direction = ", ".join(f"{part} {share:+z.2f}" for part, share in least)
-            learnable = f"{one.dimension[axis]} of {len(values)}"
-            sizes = f"{values[0]:.4g}", f"{values[-1]:.4g}"
-            rows.append((f"{name} {axis}".strip(), *sizes, learnable, direction))
-    return rows
+        return {a: values <= NOT_LEARNABLE * values[-1] for a, values in self.eigenvalues.items()}
 
 
 def parameter_names(N: int) -> dict[str, list[str]]:
@@ -202,19 +188,15 @@ def parameter_names(N: int) -> dict[str, list[str]]:
     }
 
 
-def piece_factors(regressor: Regressor) -> np.ndarray:
-    """Return the factor of each piece's Gramian, shape (2, pieces, rows, N + 2)."""
-    return _triangle(np.sqrt(regressor.weights)[..., None] * regressor.w)
+def weighted(along: Regressor) -> np.ndarray:
+    """Return the rows of which the Gramian of each axis is made, (2, pieces, nodes, N + 2)."""
+    return np.sqrt(along.weights)[..., None] * along.w
 
 
-def whole_factor(pieces: np.ndarray) -> np.ndarray:
-    """Return the factor (n, n) of a window from those of its pieces, (pieces, rows, n)."""
-    n = pieces.shape[-1]
-    return _triangle(np.concatenate([np.zeros((n, n)), *pieces]))
-
-
-def _triangle(rows: np.ndarray) -> np.ndarray:
-    return np.asarray(np.linalg.qr(rows, mode="r"))
+def factor(rows: np.ndarray) -> np.ndarray:
+    """Return R (n, n), R^T R the Gramian of rows (..., n)."""
+    n = rows.shape[-1]
+    return np.asarray(np.linalg.qr(np.vstack([np.zeros((n, n)), rows.reshape(-1, n)]), mode="r"))
 
 
 @public
@@ -256,30 +238,26 @@ def started_true(scenario: Scenario) -> Scenario:
 
 @public
 def gramian(
-    source: Source | Regressor,
-    window: float | None = None,
-    start: float | None = None,
-    tolerance: float = NOT_LEARNABLE,
+    source: AnySource | Regressor, window: float | None = None, start: float | None = None
 ) -> Excitation:
     """Measure the joint regressor's Gramian over one window.
 
     Parameters
     ----------
-    source : Scenario, xarray.Dataset or Regressor
-        A scenario is run from its own initial values; a run is read.
+    source : Scenario, Team, xarray.Dataset or Regressor
+        A scenario or a team is run from its own initial values; a run is read.
     window : float, optional
-        Length of the window, units.time; one cycle of the waypoints.
+        Length of the window, units.time; one cycle of the waypoints, a team's longest.
     start : float, optional
         Start of the window; the second cycle, or as late as fits.
-    tolerance : float, optional
-        Eigenvalues up to this share of the largest are not excited.
 
     Returns
     -------
     Excitation
         By axis, ``"x1"`` and ``"x2"``: `gramians` of w = [phi(x), z_i, zc_i], Definition 3.1,
         `eigenvalues` (ascending), `least_excited` (parameter name -> component), `identifiable`
-        and its `dimension`; `not_learnable` are sentences.
+        and its `dimension`; `not_learnable` are sentences. Of a team it is the pooled Gramian;
+        `vehicles`, by name, has each alone. Where its gains are held, of the flow parameters.
 
     Raises
     ------
@@ -296,33 +274,52 @@ def gramian(
     >>> [round(float(values[0]), 3) for values in found.eigenvalues.values()]
     [4.333, 4.669]
     """
-    along = source if isinstance(source, Regressor) else joint_regressor(source, window, start)
-    truth = {} if along.python_parts else _truth(along.scenario)
-    names = parameter_names(along.scenario.basis.N)
-    return excitation_of(along, names, piece_factors(along), tolerance, truth)
+    along = (
+        {"": source} if isinstance(source, Regressor) else joint_regressors(source, window, start)
+    )
+    one = next(iter(along.values()))
+    N, names = one.scenario.basis.N, parameter_names(one.scenario.basis.N)
+    if "" in along:
+        truth = {} if one.python_parts else _truth(one.scenario)
+        return _excitation(one, names, weighted(one), truth)
+    adapted = slice(None if one.scenario.learning.adapt_gains else N)
+    names = {axis: own[adapted] for axis, own in names.items()}
+    rows = {name: weighted(own)[..., adapted] for name, own in along.items()}
+    vehicles = {name: _excitation(along[name], names, own) for name, own in rows.items()}
+    gains, wide = len(names["x1"]) - N, list[np.ndarray]()
+    for k, own in enumerate(rows.values()):  # its gains in their columns among all vehicles'
+        wide.append(np.zeros((*own.shape[:-1], N + gains * len(along))))
+        wide[k][..., :N] = own[..., :N]
+        wide[k][..., N + gains * k : N + gains * (k + 1)] = own[..., N:]
+    names = {
+        axis: own[:N] + [f"{gain} of {name}" for name in along for gain in own[N:]]
+        for axis, own in names.items()
+    }
+    pooled = [np.concatenate([own[axis] for own in wide]) for axis in range(2)]
+    return _excitation(one, names, pooled, vehicles=vehicles)
 
 
-def excitation_of(
-    along: Regressor, names: dict[str, list[str]], pieces: Any, tolerance: float, truth: Any = None
+def _excitation(
+    along: Regressor, names: dict[str, list[str]], rows: Any, *more: Any, **also
 ) -> Excitation:
-    """Return the excitation of parameters by axis, of factors of pieces (2, ..., rows, n)."""
+    """Return the excitation of parameters by axis, of the rows of Gramians (2, ..., n)."""
     first, last = along.cuts[[0, -1]].tolist()
-    factors = dict(zip(names, map(whole_factor, pieces), strict=True))
+    factors = dict(zip(names, map(factor, rows), strict=True))
     where = first, last - first, along.trajectory, along.scenario.units.time
-    return Excitation(*where, names, factors, tolerance, truth or {})
+    return Excitation(*where, names, factors, *more, **also)
 
 
 def not_learned(source: Source) -> str:
     """Return in one sentence what a cycle of the track cannot teach; "" where it teaches all.
 
-    It is empty too where that is not known: of a recorded run with fixes, of a learner that leaves
-    its field, and of more than 100 functions, whose Gramian would take longer than the run.
+    It is empty too of a team, and where that is not known: of a recorded run with fixes, of a
+    learner that leaves its field, of more than 100 functions, which take longer than the run.
     """
     try:
-        scenario, (first, last) = scenario_of(source), span_of(source)
-        if scenario.basis.N > MOST:
+        system = system_of(source)
+        if not isinstance(system, Scenario) or system.basis.N > MOST:
             return ""
-        return gramian(source, min(scenario.cycle, last - first)).in_one_sentence
+        return gramian(source).in_one_sentence
     except ClptError:
         return ""
 
@@ -351,7 +348,7 @@ def sliding_excitation(
     left = np.searchsorted(along.cuts, starts - 1e-9 * window)
     right = np.searchsorted(along.cuts, starts + window * (1 - 1e-9))
     found = {}
-    for axis, pieces in zip(("x1", "x2"), piece_factors(along), strict=True):
-        whole = [whole_factor(pieces[a:b]) for a, b in zip(left, right, strict=True)]
+    for axis, pieces in zip(("x1", "x2"), weighted(along), strict=True):
+        whole = [factor(pieces[a:b]) for a, b in zip(left, right, strict=True)]
         found[axis] = np.linalg.svd(whole, compute_uv=False)[:, ::-1] ** 2
     return starts, found

@@ -11,21 +11,20 @@ started at zero, where the learner oscillates, within 16 % and 2e-5.  For any ru
 shows what changes when every second sample is left out.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, NamedTuple, Union
+from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
 
-from ...blocks.reference import reference
 from ...equations.at_many import evaluate
 from ...equations.declaration import multiples
 from ...errors import DataError, ScenarioError
 from ...scenario.experiment import Scenario
-from ...scenario.file import CHANGED, OWN_LAW, OWN_PARTS, TEAM, scenario_of_run
+from ...scenario.file import CHANGED, OWN_LAW, OWN_PARTS
 from ...scenario.recorded_run import check_run, unknown_parts
-from ...scenario.team import Team
+from ...scenario.team import Team, system_of_run
 from ...simulation.integrate import simulate
 from .error_matrices import regressors
 
@@ -34,28 +33,33 @@ if TYPE_CHECKING:
 
 DEGREE = 5
 OF_W = {"reference", "basis_x"}  # blocks that make w beside x and z
+PLACES = ("position", "predicted_position")
 Source = Union[Scenario, "xarray.Dataset"]
+AnySource = Union[Scenario, Team, "xarray.Dataset"]  # of one vehicle or several
 
 
-def scenario_of(source: Source) -> Scenario:
-    """Return a scenario, or that which a run carries in its attributes."""
-    if isinstance(source, Scenario):
+def system_of(source: AnySource) -> Scenario | Team:
+    """Return a scenario or team, or that which a run carries in its attributes."""
+    if isinstance(source, Scenario | Team):
         return source
-    if TEAM in source.attrs:
-        raise DataError("the run is a team's; clpt.theory.team_gramian measures a team")
-    scenario = scenario_of_run(source)
-    check_run(source, scenario, "time")
+    system = system_of_run(source)
+    check_run(source, system, "time", *PLACES)
     if unknown := OF_W & unknown_parts(source):
         raise DataError(
             f"the run was made with a {unknown.pop()} that its scenario does not hold, so the "
             "regressor along it is not known; give a run of the scenario's own"
         )
-    return scenario
+    return system
 
 
-def span_of(source: Source) -> tuple[float, float]:
+def members_of(system: Scenario | Team) -> Mapping[str, Scenario]:
+    """Return the scenario of each vehicle by name; "" is that of one alone."""
+    return {"": system} if isinstance(system, Scenario) else system.members
+
+
+def span_of(source: AnySource) -> tuple[float, float]:
     """Return the first and last time of a run; a scenario's starts at 0."""
-    if isinstance(source, Scenario):
+    if isinstance(source, Scenario | Team):
         return 0.0, float(source.run.duration)
     if source.sizes.get("time", 0) < 2:
         raise DataError("the dataset is no run: it needs two times or more")
@@ -70,34 +74,23 @@ def thinned(run: "xarray.Dataset") -> "xarray.Dataset":
     return thin
 
 
-def positions_between(
-    run: "xarray.Dataset", name: str, scenario: Scenario, times: np.ndarray
-) -> np.ndarray:
-    """Return a position of a run between its samples, (pieces, nodes, 2).
+def positions_between(t: np.ndarray, x: np.ndarray, dwell: float, times: np.ndarray) -> np.ndarray:
+    """Return positions x (nt, 2) between their samples t, (pieces, nodes, 2).
 
     Each row of the times lies within one dwell, whose samples a spline joins.
     """
     from scipy.interpolate import make_interp_spline
 
-    check_run(run, scenario, name)
-    if scenario.localization is not None and scenario.localization.interval > 0:
-        raise DataError(
-            "localization.interval: z of a recorded run jumps at fixes, and is not known between "
-            "samples; give the scenario in place of the run"
-        )
-    t, values = run.time.values, run[name].values
-    dwell = scenario.reference.dwell
     number = np.floor(times.mean(1) / dwell).astype(int)
     found = np.empty((*times.shape, 2))
     for j in np.unique(number):
         near = 1e-9 * dwell
         inside = np.flatnonzero((t >= j * dwell - near) & (t <= (j + 1) * dwell + near))
         if len(inside) < 2:  # fewer samples than switches: what can be done with them
-            middle = int(np.searchsorted(t, (j + 0.5) * dwell))
-            inside = np.arange(max(0, middle - 1), min(len(t), middle + 1))
-            inside = inside if len(inside) == 2 else np.arange(len(t) - 2, len(t))
+            last = int(np.clip(np.searchsorted(t, (j + 0.5) * dwell), 1, len(t) - 1))
+            inside = np.array([last - 1, last])
         k = min(DEGREE, len(inside) - 1)
-        spline = make_interp_spline(t[inside], values[inside], k - (k + 1) % 2)
+        spline = make_interp_spline(t[inside], x[inside], k - (k + 1) % 2)
         found[number == j] = spline(times[number == j])
     return found
 
@@ -113,7 +106,6 @@ TRANSIENT = 10.0  # longest piece in time constants 1/KD
 class Regressor:
     """w at the nodes of a quadrature."""
 
-    source: Any  # the scenario or the run that w was read of
     scenario: Scenario  # for names, gains and the law
     trajectory: str  # how it was made; w holds z, which depends on the learner
     cuts: np.ndarray  # (pieces + 1,), edges of the pieces, units.time; every switch is one
@@ -122,15 +114,8 @@ class Regressor:
     python_parts: str = ""  # what a recorded run has that its scenario does not hold
 
 
-class Nodes(NamedTuple):
-    """A quadrature: cuts (pieces + 1,), Gauss-Legendre nodes and weights (pieces, NODES).
-
-    No node lies on a switch.
-    """
-
-    cuts: np.ndarray
-    times: np.ndarray
-    weights: np.ndarray
+# A quadrature: cuts (pieces + 1,), Gauss-Legendre nodes and weights (pieces, NODES)
+Nodes = tuple[np.ndarray, np.ndarray, np.ndarray]
 
 
 def quadrature(
@@ -138,8 +123,8 @@ def quadrature(
 ) -> Nodes:
     """Return cuts (pieces + 1,), Gauss-Legendre nodes and weights (pieces, NODES).
 
-    Pieces end at each switch and at `edges`, and are no longer than half a period of the
-    fastest tide and ten time constants of the vehicle.
+    No node lies on a switch: pieces end at each and at `edges`, and are no longer than half a
+    period of the fastest tide and ten time constants of the vehicle.
     """
     dwell = scenario.reference.dwell
     tides = scenario.periods[np.isfinite(scenario.periods)] / 2
@@ -163,16 +148,22 @@ def quadrature(
     cuts = np.append(np.concatenate(pieces), end)
     node, weight = np.polynomial.legendre.leggauss(NODES)
     half = np.diff(cuts)[:, None] / 2
-    return Nodes(cuts, cuts[:-1, None] + half * (1 + node), half * weight)
+    return cuts, cuts[:-1, None] + half * (1 + node), half * weight
+
+
+def waypoint_in(scenario: Scenario, cuts: np.ndarray) -> np.ndarray:
+    """Return which waypoint the vehicle holds in each piece between cuts, (pieces,)."""
+    dwell, count = scenario.reference.dwell, len(scenario.waypoints)
+    return np.floor((cuts[:-1] + cuts[1:]) / 2 / dwell).astype(int) % count
 
 
 def checked_window(
-    source: Source, window: float | None, start: float | None, cycle: float | None = None
+    source: AnySource, window: float | None, start: float | None
 ) -> tuple[float, float]:
     """Return the window's length and start; by default the second cycle, or as late as fits."""
-    scenario = scenario_of(source)
     first, last = span_of(source)
-    cycle = scenario.cycle if cycle is None else cycle
+    members = members_of(system_of(source)).values()
+    cycle, time = max(one.cycle for one in members), next(iter(members)).units.time
     window = float(min(cycle, last - first) if window is None else window)
     if start is None:
         start = max(first, min(first + cycle, last - window))
@@ -181,104 +172,89 @@ def checked_window(
     if not (least < window < np.inf and start >= first and start + window <= last * (1 + 1e-12)):
         raise ScenarioError(
             f"window {window:g} from {start:g}: must be positive and lie within the run, "
-            f"{first:g} to {last:g} {scenario.units.time}; at least {least:.0e} long"
+            f"{first:g} to {last:g} {time}; at least {least:.0e} long"
         )
     return window, start
 
 
-def joint_regressor(
-    source: Source,
+def joint_regressor(source: Source, *where: Any, **how: Any) -> Regressor:
+    """Return w of one vehicle, as `joint_regressors` has it."""
+    found = joint_regressors(source, *where, **how)
+    if "" not in found:
+        raise DataError("the run is a team's; clpt.theory.gramian measures a team")
+    return found[""]
+
+
+def joint_regressors(
+    source: AnySource,
     window: float | None = None,
     start: float | None = None,
     edges: np.ndarray | None = None,
-) -> Regressor:
-    """Return w = [phi(x), z_i, zc_i] of Eq. (31) over a window.
+    predicted: str = "predicted_position",
+) -> dict[str, Regressor]:
+    """Return w = [phi(x), z_i, zc_i] of Eq. (31) over a window, of each vehicle.
 
-    A scenario is run from its own initial values; a run is read.  Pieces end at `edges` too.
+    A scenario is run from its own initial values; a run is read.  Pieces end at `edges` too, and z
+    is the variable `predicted` of a run.
+    Pieces are cut in four where w turns too often in them: there its last Legendre coefficients
+    are not small, as the learner swings within a dwell.
     """
-    scenario = scenario_of(source)
+    system = system_of(source)
     window, start = checked_window(source, window, start)
-
-    def read(edges: np.ndarray | None) -> list[Regressor]:
-        if isinstance(source, Scenario):
-            return along_runs(source, {"": scenario}, start, start + window, edges)
-        return [_of_recorded(source, scenario, quadrature(scenario, start, start + window, edges))]
-
-    (found,) = resolved(read, edges)
-    return found
-
-
-def along_runs(
-    system: "Scenario | Team",
-    members: Mapping[str, Scenario],
-    start: float,
-    end: float,
-    edges: np.ndarray | None,
-) -> list[Regressor]:
-    """Return w of each vehicle along a run of all, sampled at the nodes of each."""
-    nodes = [quadrature(one, start, end, edges) for one in members.values()]
-    run = finished_run(system, np.unique(np.concatenate([one.times.ravel() for one in nodes])))
-    whose = "scenario" if isinstance(system, Scenario) else "team"
-    trajectory, found = f"simulated from the {whose}'s initial values", []
-    for (name, scenario), own in zip(members.items(), nodes, strict=True):
-        places = run.sel(vehicle=name) if "vehicle" in run.dims else run
-        places = places.isel(time=np.searchsorted(run.time, own.times.ravel()))
-        x, z, zc = (
-            places[kind].values.reshape(*own.times.shape, 2)
-            for kind in ("position", "predicted_position", "reference")
-        )
-        w = w_along(scenario, own.times, x, z, zc)
-        found.append(Regressor(system, scenario, trajectory, own.cuts, own.weights, w))
-    return found
-
-
-def resolved(
-    read: Callable[[np.ndarray | None], list[Regressor]], edges: np.ndarray | None = None
-) -> list[Regressor]:
-    """Return what is read at pieces, which are cut in four where w turns too often in them.
-
-    There its last Legendre coefficients are not small: the learner swings within a dwell.
-    """
     node, weight = np.polynomial.legendre.leggauss(NODES)
     last = (np.polynomial.legendre.legvander(node, NODES - 1) * weight[:, None])[:, -2:] * NODES
     for _ in range(ROUNDS):
-        found = read(edges)
+        nodes = {
+            name: quadrature(one, start, start + window, edges)
+            for name, one in members_of(system).items()
+        }
+        found = _along(source, system, nodes, (PLACES[0], predicted))
         ends = []
-        for one in found:
+        for one in found.values():
             tails = np.abs(np.swapaxes(one.w, -1, -2) @ last).max(axis=-1)
             rough = np.any(tails > ROUGH * np.abs(one.w).max(axis=(1, 2))[:, None], axis=(0, 2))
             ends.append(np.linspace(one.cuts[:-1][rough], one.cuts[1:][rough], 5)[1:-1].ravel())
         if not any(map(len, ends)):
             break
-        edges = np.concatenate([*ends, *(one.cuts for one in found)])
+        edges = np.concatenate([*ends, *(one.cuts for one in found.values())])
     return found
 
 
-def _of_recorded(run: "xarray.Dataset", scenario: Scenario, nodes: Nodes) -> Regressor:
-    """Return w along a recorded run, read between its samples."""
-    x, z = (
-        positions_between(run, name, scenario, nodes.times)
-        for name in ("position", "predicted_position")
-    )
-    desired = reference(scenario.waypoints, scenario.reference.dwell)
-    waypoints = np.array([desired.output(t, [], []) for t in nodes.times.mean(1)])
-    zc = np.broadcast_to(waypoints[:, None], z.shape)
-    step = np.median(np.diff(run.time.values))
-    trajectory = f"recorded run, sampled each {step:g} {scenario.units.time}"
-    kinds = {OWN_LAW: "the law", OWN_PARTS: "parts given in Python,", CHANGED: "parameters"}
-    python_parts = " and ".join(f"{kinds[a]} {run.attrs[a]}" for a in kinds if a in run.attrs)
-    w = w_along(scenario, nodes.times, x, z, zc)
-    return Regressor(run, scenario, trajectory, nodes.cuts, nodes.weights, w, python_parts)
-
-
-def finished_run(source: "Scenario | Team", times: np.ndarray) -> "xarray.Dataset":
-    """Return a run at the nodes of a quadrature; refuse one that ended before the last."""
-    run = simulate(source, times)
-    if run.sizes["time"] < times.size or run.attrs["status"] != "finished":
-        raise ScenarioError(
-            f"window up to {times[-1]:g}: the run ended before: {run.attrs['message']}"
-        )
-    return run
+def _along(
+    source: AnySource, system: Scenario | Team, nodes: dict[str, Nodes], places: tuple[str, ...]
+) -> dict[str, Regressor]:
+    """Return w of each vehicle at its nodes, to which a scenario is run."""
+    found, parts = dict[str, Regressor](), ""
+    if simulated := isinstance(source, Scenario | Team):
+        times = np.unique(np.concatenate([own.ravel() for _, own, _ in nodes.values()]))
+        run = simulate(system, times)
+        trajectory = "simulated from the initial values"
+        if run.sizes["time"] < times.size or run.attrs["status"] != "finished":
+            raise ScenarioError(
+                f"window up to {times[-1]:g}: the run ended before: {run.attrs['message']}"
+            )
+    else:
+        run, step = source, np.median(np.diff(source.time.values))
+        kinds = {OWN_LAW: "the law", OWN_PARTS: "parts given in Python,", CHANGED: "parameters"}
+        parts = " and ".join(f"{kinds[a]} {run.attrs[a]}" for a in kinds if a in run.attrs)
+    for name, scenario in members_of(system).items():
+        (cuts, at, weights), dwell = nodes[name], scenario.reference.dwell
+        of_vehicle = run.sel(vehicle=name) if name else run
+        x, z = (of_vehicle[place].values for place in places)
+        if simulated:
+            x, z = (one[np.searchsorted(run.time.values, at)] for one in (x, z))
+        else:
+            trajectory = f"recorded run, sampled each {step:g} {scenario.units.time}"
+            if scenario.localization is not None and scenario.localization.interval > 0:
+                raise DataError(
+                    "localization.interval: z of a recorded run jumps at fixes, and is not known "
+                    "between samples; give the scenario in place of the run"
+                )
+            x, z = (positions_between(run.time.values, one, dwell, at) for one in (x, z))
+        zc = scenario.waypoints[waypoint_in(scenario, cuts)]
+        w = w_along(scenario, at, x, z, np.broadcast_to(zc[:, None], z.shape))
+        found[name] = Regressor(scenario, trajectory, cuts, weights, w, parts)
+    return found
 
 
 def w_along(
