@@ -186,9 +186,9 @@ def replay(
         gliders = clpt.gliders
         dives = (gliders.sample_dives(), []) if sample else gliders.read_dives(files or [])
         result, skipped = take(*dives)
-        summary, goal = replay_report.summary_with_next(result, skipped, ahead)
+        summary = replay_report.summary_with_next(result, skipped, ahead)
         if out is not None:
-            written = replay_report.write(result, summary, make_folder(out), goal, kinds)
+            written = replay_report.write(summary, make_folder(out), kinds)
     finish(replay_report.results(summary), summary, as_json, *written)
 
 

@@ -1,6 +1,5 @@
 """Figures of a replay with one dive at least: misses, learned current, and all with the map."""
 
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +12,7 @@ from matplotlib.ticker import MaxNLocator
 from ..arguments import public
 from ..figures import BLUE, GREEN, GREY, ORANGE, RED, TITLE, axes_for, figure_of, legend_below
 from ..files import write_together
-from .facts import Source, learns_speed, plot_data
+from .facts import Source, found_of
 from .outcome import rms_of
 from .replay import Replay
 from .surfacing import NextDive
@@ -60,7 +59,7 @@ def dive_clpe_plot(replay: Source, *, dates: bool = False, ax: Axes | None = Non
     >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
     >>> ax = clpt.replay.dive_clpe_plot(replay)
     """
-    found = plot_data(replay)[1]
+    found = found_of(replay)["each_dive"]
     ax = axes_for(ax, 6.8, 4.0)
     x = _along(found, dates)
     clpe = [row["clpe"] for row in found]
@@ -110,8 +109,8 @@ def current_plot(replay: Source, *, dates: bool = False, ax: Any = None) -> np.n
     >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
     >>> east, north, speed = clpt.replay.current_plot(replay)
     """
-    found = plot_data(replay)[1]
-    learned = learns_speed(found)
+    found = found_of(replay)["each_dive"]
+    learned = found[0]["speed_factor"] is not None
     axes = axes_for(ax, 6.8, 6.4 if learned else 4.6, nrows=2 + learned, sharex=True)
     x = _along(found, dates)
     for one, axis in zip(axes, ("east", "north"), strict=False):
@@ -159,7 +158,9 @@ def replay_plot(replay: Source, *, ax: Any = None) -> np.ndarray:
     >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
     >>> axes = clpt.replay.replay_plot(replay)
     """
-    speed = [["map", "speed"]] if learns_speed(plot_data(replay)[1]) else []
+    replay = found_of(replay)
+    learned = replay["each_dive"][0]["speed_factor"] is not None
+    speed = [["map", "speed"]] if learned else []
     mosaic = [["map", "clpe"], ["map", "clpe"], ["map", "east"], ["map", "north"], *speed]
     axes = axes_for(ax, 12.0, 9.5, mosaic=mosaic)
     map_plot(replay, ax=axes[0])
@@ -168,15 +169,10 @@ def replay_plot(replay: Source, *, ax: Any = None) -> np.ndarray:
     return axes
 
 
-def replay_figures(
-    replay: Source, ahead: NextDive | None = None, legs: Sequence[dict[str, Any]] = ()
-) -> "dict[str, Figure]":
-    """Draw all figures, by name; `legs` are as `Aim.as_dict` has them."""
-    return {
-        "map": figure_of(map_plot, replay, ahead, legs),
-        "clpe": figure_of(dive_clpe_plot, replay),
-        "current": figure_of(current_plot, replay),
-    }
+def replay_figures(found: dict[str, Any]) -> "dict[str, Figure]":
+    """Draw all figures of what `clpt replay --json` prints, by name."""
+    plots: dict[str, Any] = {"map": map_plot, "clpe": dive_clpe_plot, "current": current_plot}
+    return {name: figure_of(plot, found) for name, plot in plots.items()}
 
 
 @public
@@ -213,7 +209,8 @@ def save_replay_figures(replay: Replay, folder: Path, ahead: NextDive | None = N
     >>> [path.name for path in files]
     ['map.png', 'clpe.png', 'current.png']
     """
-    figures = {Path(folder) / f"{name}.png": f for name, f in replay_figures(replay, ahead).items()}
+    each = replay_figures(found_of(replay, ahead))
+    figures = {Path(folder) / f"{name}.png": figure for name, figure in each.items()}
     write_together(figures)
     return list(figures)
 

@@ -13,9 +13,9 @@ from matplotlib.axes import Axes
 from matplotlib.patheffects import withStroke
 
 from ..arguments import public
-from ..figures import BLUE, GREEN, ORANGE, PURPLE, RED, TITLE, axes_for, legend_below
+from ..figures import BLUE, GREEN, ORANGE, PURPLE, RED, TITLE, axes_for, legend_below, literal
 from .chart import LAST, Chart, bar_of, drawn_dives, grid_label, layers_ahead, with_room
-from .facts import Source, plot_data
+from .facts import Source, found_of
 from .places import Place, clock
 from .surfacing import NextDive
 
@@ -38,13 +38,7 @@ DRAWN: tuple[tuple[str, str, float, float, dict[str, Any]], ...] = (
 
 
 @public
-def map_plot(
-    replay: Source,
-    ahead: NextDive | None = None,
-    legs: Sequence[dict[str, Any]] = (),
-    *,
-    ax: Axes | None = None,
-) -> Axes:
+def map_plot(replay: Source, ahead: NextDive | None = None, *, ax: Axes | None = None) -> Axes:
     """Draw a replay's fixes, forecasts and where it aims.
 
     Parameters
@@ -52,9 +46,7 @@ def map_plot(
     replay : Replay or xarray.Dataset
         With one dive at least; the dataset as `replay_dataset` gives it.
     ahead : NextDive, optional
-        The next surfacing, a star.
-    legs : sequence of dict, optional
-        Where to aim, as `Aim.as_dict` has them; the first is drawn.
+        The next surfacing, a star; by default as the replay expects it.
     ax : Axes, optional
         Where to draw; by default a new figure of pyplot's.
 
@@ -76,8 +68,8 @@ def map_plot(
     >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
     >>> ax = clpt.replay.map_plot(replay, clpt.replay.next_dive(replay))
     """
-    vehicle, found = plot_data(replay)
-    rest = layers_ahead(None if ahead is None else ahead.as_dict(), legs[:1])
+    whole = found_of(replay, ahead)
+    found, rest = whole["each_dive"], layers_ahead(whole["next_dive"], whole["aim"][:1])
     of: dict[str, list[list[Place]]] = defaultdict(list)
     for layer in (*chain(*(each.values() for each in drawn_dives(found))), *rest):
         of[layer.kind].append(layer.places)
@@ -106,7 +98,7 @@ def map_plot(
     _scale_bar(ax, chart)
     last_row = found[-1]
     when = clock(last_row["end"])
-    title = f"{vehicle}: dive {last_row['dive']} surfaced {when}"
+    title = f"{literal(whole['vehicle'])}: dive {last_row['dive']} surfaced {when}"
     ax.set_title(title, **TITLE)
     legend_below(ax, 3)
     return ax
