@@ -1,8 +1,8 @@
 """A replay for other programs: GeoJSON, KML, and the aim as a vehicle takes it.
 
 GeoJSON (RFC 7946) and KML 2.2 (OGC 07-147r2) are made of what `clpt replay --json` prints.  Places
-are WGS84, longitude first; rings turn counter-clockwise; nothing crosses 180 degrees.  A text of a
-file loses characters that XML does not have.
+are WGS84, longitude first, counted on where a line or a ring crosses 180 degrees; rings turn
+counter-clockwise.  A text of a file loses characters that XML does not have.
 
 The aim is a file to upload, or lines to type.  Places are degrees and minutes in one number,
 ddmm.mmmm, south and west negative.
@@ -26,11 +26,11 @@ import json
 from math import cos, radians, sin
 from typing import Any
 
-from ..geodesy import place_from
+from ..geodesy import near, place_from
 from ..gliders.slocum import HOLDS
 from ..html import safe
 from .aim import ARRIVED
-from .chart import Layer, drawn_dives, layers_ahead, line_pieces, place_in, ring_pieces
+from .chart import Layer, drawn_dives, layers_ahead, place_in
 from .places import compass, east_of, minutes
 from .wording import REACHED
 
@@ -62,11 +62,10 @@ SHAPES = {  # of KML, around coordinates
 }
 
 
-def _pieces(layer: Layer) -> list[list[list[float]]]:
-    """Return longitudes and latitudes of a layer, cut at 180 degrees."""
-    cut = ring_pieces if layer.shape == "Polygon" else line_pieces
-    pieces = cut(layer.places)
-    return [[[round(lon, DIGITS), round(lat, DIGITS)] for lat, lon in piece] for piece in pieces]
+def _points(layer: Layer) -> list[list[float]]:
+    """Return longitudes and latitudes of a layer; the first longitude is in -180..180."""
+    first = east_of(layer.places[0][1])
+    return [[round(near(lon, first), DIGITS), round(lat, DIGITS)] for lat, lon in layer.places]
 
 
 def next_geojson(found: dict[str, Any]) -> str:
@@ -84,14 +83,11 @@ def _feature(layer: Layer) -> dict[str, Any]:
     if layer.shape == "Point":
         more = {"description": layer.words} if layer.kind == "next" else {}
         more |= {key: value for key, value in layer.of.items() if value is not None}
-    pieces: list[Any] = _pieces(layer)
-    shapes = {"Point": [piece[0] for piece in pieces], "Polygon": [[piece] for piece in pieces]}
-    each = shapes.get(layer.shape, pieces)
-    several = len(each) > 1
-    kind, coordinates = (f"Multi{layer.shape}", each) if several else (layer.shape, each[0])
+    points: Any = _points(layer)
+    coordinates = {"Point": points[0], "Polygon": [points]}.get(layer.shape, points)
     return {
         "type": "Feature",
-        "geometry": {"type": kind, "coordinates": coordinates},
+        "geometry": {"type": layer.shape, "coordinates": coordinates},
         "properties": {"name": NAMES[layer.kind][0], **more},
     }
 
@@ -126,7 +122,7 @@ def track_kml(found: dict[str, Any], name: str) -> str:
 
 
 def _placemark(name: str, style: str, layer: Layer, hidden: bool = False) -> str:
-    """Return a place, line or ring as KML, in pieces where it crosses 180 degrees."""
+    """Return a place, line or ring as KML."""
     texts = [f"<name>{safe(name)}</name>", "<visibility>0</visibility>" if hidden else ""]
     if layer.words:
         texts.append(f"<description>{safe(layer.words)}</description>")
@@ -134,13 +130,8 @@ def _placemark(name: str, style: str, layer: Layer, hidden: bool = False) -> str
         texts.append(f"<TimeStamp><when>{safe(layer.when)}</when></TimeStamp>")
     texts.append(f"<styleUrl>#{style}</styleUrl>")
     begin, end = SHAPES[layer.shape]
-    shapes = [
-        f"{begin}<coordinates>{' '.join(f'{x},{y}' for x, y in piece)}</coordinates>{end}"
-        for piece in _pieces(layer)
-    ]
-    if len(shapes) > 1:
-        shapes = ["<MultiGeometry>", *shapes, "</MultiGeometry>"]
-    return f"<Placemark>{''.join(texts + shapes)}</Placemark>"
+    points = " ".join(f"{x},{y}" for x, y in _points(layer))
+    return f"<Placemark>{''.join(texts)}{begin}<coordinates>{points}</coordinates>{end}</Placemark>"
 
 
 FAR = 20_000.0  # m along the heading, as Seaglider has it
