@@ -115,7 +115,7 @@ DAMAGES = {
     "latitude NaN": (changed(put("log_gps_lat", 2, nan)), "no fix after"),
     "longitude NaN": (changed(put("log_gps_lon", 1, nan)), "no fix before"),
     "time NaN": (changed(put("log_gps_time", 1, nan)), "no fix before"),
-    "latitude 91": (changed(put("log_gps_lat", 2, 91.0)), "after the dive has the latitude 91"),
+    "latitude 91": (changed(put("log_gps_lat", 2, 91.0)), "no fix after"),
     "latitude a fill value": (changed(put("log_gps_lat", 1, 9.97e36)), "no fix before"),
     "all fixes NaN": (changed(put("log_gps_lat", slice(None), nan)), "no fix"),
     "times swapped": (changed(swap_times), "swapped"),
