@@ -151,17 +151,10 @@ def grid_label(angle: float, names: str, step: float) -> str:
     return f"{whole}°{letter}" if step >= 60 else f"{whole}°{minutes}'{letter}"
 
 
-def with_room(
-    points: np.ndarray, tried: Iterable[int], room: tuple[float, float], before: Sequence[int] = ()
-) -> list[int]:
-    """Return which of those that are tried have room for a number, in their order.
-
-    It is clear of others, points of shape (n, 2), those `before` among them.
-    """
+def with_room(points: np.ndarray, tried: Iterable[int], room: tuple[float, float]) -> list[int]:
+    """Return which of those that are tried have room for a number beside points, (n, 2)."""
     cells = np.floor(points / room).astype(int).tolist()
     there: dict[tuple[int, int], list[int]] = defaultdict(list)
-    for k in before:
-        there[tuple(cells[k])].append(k)
     found = []
     for k in tried:
         i, j = cells[k]

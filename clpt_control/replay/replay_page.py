@@ -11,10 +11,21 @@ from typing import Any
 from ..figures import figure_of, inline_svg
 from ..html import document, listing, paragraphs, safe
 from . import cells, places, wording
-from .page_map import replay_map
+from .chart import words_of_dive
 from .plots import current_plot, dive_clpe_plot
+from .track_map import map_svg
 
 ALARM = ' class="alarm"'
+KEYS = "".join(  # of the map
+    f'<span class="key {style}">{name}</span>'
+    for style, name in (
+        ("track", "fix to fix"),
+        ("miss", "miss, from x, the dead-reckoned end"),
+        ("ring", "+ forecast, 90 %"),
+        ("next", "next surfacing, 90 %"),
+        ("made", "aimed: way made good, 90 %"),
+    )
+)
 LOUD = ("OUT", "SPEED", "overdue", "cannot be read")  # beginnings of cells that are alarms
 AGAIN = 60  # s, until a page of a folder that is followed is loaded again
 NARROW = 5.8  # inches of a chart, whose letters a telephone shows
@@ -36,9 +47,8 @@ def replay_page(found: dict[str, Any], again: bool = False, title: str | None = 
             f"<h1>{safe(title or f'{vehicle}: where it comes up next')}</h1>",
             f'<div class="cards"{mark}>{"".join(_cards(found))}</div>',
             paragraphs(wording.coming(found)),
-            f'<div class="body"><div><div class="map">{replay_map(found)}',
-            f'<div class="buttons"></div></div>{_keys(found)}',
-            '<p id="said" class="soft"></p></div>',
+            f'<div class="body"><div><div class="map">{map_svg(found)}',
+            f'<div class="buttons"></div></div>{KEYS}<p id="said" class="soft"></p></div>',
             f"<div>{_charts(found)}</div></div>",
             *_paste(found),
             *_table(found),
@@ -124,28 +134,13 @@ def _charts(found: dict[str, Any]) -> str:
     return "\n".join(charts)
 
 
-def _keys(found: dict[str, Any]) -> str:
-    """Return the legend of the map."""
-    keys = [("c", "fix to fix"), ("miss", "miss, from x, the dead-reckoned end")]
-    keys += [("ring", "+ forecast, 90 %"), ("next", "next surfacing, 90 %")]
-    if found["aim"]:
-        keys += [("aim", "to the waypoint"), ("made", "aimed: way made good, 90 %")]
-    if "route" in found:
-        keys.append(("area", "to stay out of"))
-    return (
-        '<p class="keys">'
-        + " ".join(f'<span class="key {style}">{safe(name)}</span>' for style, name in keys)
-        + "</p>"
-    )
-
-
 def _table(found: dict[str, Any]) -> list[str]:
     """Return the table, the last dive first."""
     title = "Dives, the last one first: miss (CLPE, m) one dive ahead, currents in m/s"
-    rows = [cells.cells(row) for row in found["each_dive"][::-1]]
-    return cell_table(
-        title, rows, cells.RANKS, [f' data-dive="{safe(row["dive"])}"' for row in rows]
-    )
+    rows = found["each_dive"]
+    words = [f"dive {row['dive']}: {words_of_dive(row)}" for row in rows]
+    marks = [f' id="map-dive{k}" title="{safe(one)}"' for k, one in enumerate(words)]
+    return cell_table(title, [*map(cells.cells, rows[::-1])], cells.RANKS, marks[::-1])
 
 
 def cell_table(
