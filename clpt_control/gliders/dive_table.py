@@ -62,14 +62,11 @@ def _check_header(header: list[str], name: str | Path) -> None:
     """Refuse a header without a required column, or with a column twice."""
     line = ",".join(header)
     missing = [column for column in REQUIRED if column not in header]
-    small = {cell.lower() for cell in header}
-    if set(CURRENT) <= set(header) and not small & set(THROUGH_WATER):
+    if set(CURRENT) <= set(header) and not set(header) & set(THROUGH_WATER):
         missing = [column for column in missing if column not in THROUGH_WATER]
     marks = other_marks(line, REQUIRED[0])
     if missing and marks:
         raise DataError(f"{name}: {marks}")
-    if missing and not set(missing) - small:
-        raise DataError(f"{name}: no column {', '.join(missing)} in lower case; write it so")
     if missing == list(REQUIRED):
         raise DataError(
             f"{name}: neither NetCDF nor a table of dives; such a table begins with "

@@ -23,7 +23,7 @@ import numpy as np
 from ..arguments import public
 from ..currents.constituents import YEARS
 from ..geodesy import distance, is_place
-from .dives import NUMBERS, Dive, Skipped, changes_noted, is_fix, noted
+from .dives import NUMBERS, Dive, Skipped, is_fix, noted
 
 LEAST_DURATION = 1000.0  # s: shelf gliders dive for half an hour, trials for minutes
 FASTEST = 5.0  # m/s: no current and no glider is faster, so a fix or a sum is wrong
@@ -34,6 +34,7 @@ SMALLER = {"milliseconds": 1e3, "microseconds": 1e6, "nanoseconds": 1e9}  # in o
 OVERLAP = 60.0  # s that neighbours may share by rounding
 MISSION = 1000  # dives: a larger step in the numbers is another mission
 SHARE = 0.5  # of the shorter neighbour's time: a missing dive takes more; some number surfacings
+OWN = "replay each on its own"
 ASTRAY = 50e3  # m that a fix may be off, however short the time
 
 
@@ -83,7 +84,7 @@ def usable(
         latest = max(latest, dive.t_gpse)
         fit.append(dive)
     ordered = sorted(fit, key=_by_time)
-    used = ordered[:1]
+    used, name = ordered[:1], ordered[0].vehicle if ordered else None
     for dive in ordered[1:]:
         before = used[-1]
         why = _overlap(dive, before) or _too_far(dive, before)
@@ -93,8 +94,11 @@ def usable(
         missing = dive.number - before.number - 1
         if 0 < missing < MISSION and not follows(dive, before):
             dive = noted(dive, f"{missing} dive(s) missing after dive {before.number}")
+        if dive.vehicle and name and dive.vehicle.casefold() != name.casefold():
+            dive = noted(dive, f"is of {dive.vehicle}, those before of {name}: {OWN}")
+        name = dive.vehicle or name
         used.append(dive)
-    return changes_noted(used), skipped
+    return used, skipped
 
 
 def follows(dive: Dive, before: Dive) -> bool:
@@ -193,5 +197,5 @@ def _too_far(dive: Dive, before: Dive) -> str:
         return ""
     return (
         f"starts {apart / 1000:.0f} km from where dive {before.number} ended "
-        f"{max(since, 0.0) / 3600:.1f} h before; another vehicle? replay each on its own"
+        f"{max(since, 0.0) / 3600:.1f} h before; another vehicle? {OWN}"
     )

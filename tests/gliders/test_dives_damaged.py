@@ -204,7 +204,7 @@ def test_what_was_named_must_exist(tmp_path):
         read_dives(tmp_path)
     (tmp_path / "a.nc").write_bytes(b"")
     (tmp_path / "b.nc").write_bytes(b"")
-    with pytest.raises(DataError, match="none of 2 files"):
+    with pytest.raises(DataError, match="2 files: no dive"):
         read_dives(tmp_path)
 
 

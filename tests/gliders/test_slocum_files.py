@@ -157,7 +157,7 @@ def test_a_dockservers_folder_is_read_as_it_is(rosie):
 def test_files_that_are_skipped_alike_are_one_line(rosie):
     for path in (rosie / "cac").iterdir():
         path.unlink()
-    with pytest.raises(DataError, match=r"none of 11 files .*6b016a2e.* \(one of \d+ files\)"):
+    with pytest.raises(DataError, match=r"11 files: no dive; .*6b016a2e.* \(one of \d+ files\)"):
         read_dives(rosie / "sbd")
 
 
