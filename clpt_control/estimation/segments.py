@@ -264,19 +264,14 @@ def run_segments(run: xarray.Dataset, scenario: Scenario, every: float | None) -
 
 def run_scenario(run: xarray.Dataset) -> Scenario:
     """Return the scenario that a run carries."""
-    from ..scenario.file import CHANGED, OWN_PARTS, scenario_of_run
+    from ..scenario.file import BEYOND, CHANGED, OWN_PARTS, scenario_of_run
 
-    attributes = run.attrs
-    if CHANGED in attributes:
-        raise DataError(
-            f"the run was made with parameters that its scenario does not hold, "
-            f"{attributes[CHANGED]}, so its vehicle is not known; estimate from a run without them"
-        )
-    if OWN_PARTS in attributes:
-        raise DataError(
-            f"the run was made with parts given in Python, {attributes[OWN_PARTS]}, so its vehicle "
-            "is not known; estimate from a run without them"
-        )
+    for one in (CHANGED, OWN_PARTS):
+        if one in run.attrs:
+            raise DataError(
+                f"the run was made with {BEYOND[one][0]}, {run.attrs[one]}, so its vehicle is not "
+                "known; estimate from a run without them"
+            )
     scenario = scenario_of_run(run)
     if run.sizes.get("time", 0) < 2:
         raise DataError("the run has fewer than two samples; run it with a smaller output_step")

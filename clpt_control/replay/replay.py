@@ -86,8 +86,9 @@ class Replay:
     def __post_init__(self) -> None:
         """Start without any dive."""
         self._learner = make_estimator(self.estimator, self.model)
-        bank = self._learner if isinstance(self._learner, KalmanBank) else None
-        self._watch = SpeedFactorWatch(self.model, bank) if self.model.learn_speed else None
+        self._watch = None  # of a bank that learns the speed
+        if isinstance(self._learner, KalmanBank) and self.model.learn_speed:
+            self._watch = SpeedFactorWatch(self._learner)
         self.habits = Habits()
         self._fed: list[Dive] = []
         self._before = self._learner, self._watch, self.habits  # the last dive
