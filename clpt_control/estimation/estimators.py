@@ -150,8 +150,9 @@ class Estimator(ABC):
         """Return model, F, mean and covariance before its end; what is new comes last."""
         model = self.model.reached(dive)
         F = self.transition(model, self.since(dive), dive.lat_gps2)
-        prior = self.prior_sd(model)[:, :, None] ** 2 * np.eye(F.shape[1])
-        n, new = self.mean.shape[1], (0, F.shape[1] - self.mean.shape[1])
+        n = HIDDEN + len(self.model.names)
+        new = 0, HIDDEN + len(model.names) - n
+        prior = self.prior_sd(model)[:, :, None] ** 2 * np.eye(n + new[1])
         mean = np.einsum("mij,mj->mi", F, np.pad(self.mean, ((0, 0), new)))
         gained = np.pad(self.covariance - prior[:, :n, :n], ((0, 0), new, new))
         return model, F, mean, prior + F @ gained @ F.transpose(0, 2, 1)

@@ -37,6 +37,7 @@ from ..progress.interrupt import check
 from .carried_dives import FlowModel, carried
 from .doubts import SpeedFactorWatch, doubt_one_fix
 from .habits import CHI_SQUARED, GIVEN, Guess, Habits, drift
+from .places import velocity
 from .step import FLOW_MODEL, MODELS, Step, check_next, estimates
 from .surfacing import NORMAL, NextDive, check_plan, unflown
 
@@ -100,17 +101,15 @@ class Replay:
         """Return the last dives as a table, the last one first."""
         rows = []
         for step in self.steps[: -LISTED - 1 : -1]:
-            east, north = step.current
-            clpe = [step.clpe[name] for name in self.models]
-            misses = ["" if size is None else f"{size:.0f}" for size in clpe]
-            factor = [f"{step.speed:.2f}"] if self.model.learn_speed else []
-            rows.append((step.dive.number, *misses, f"{east:z.2f}, {north:z.2f}", *factor))
+            clpe = (
+                "-" if (one := step.clpe[name]) is None else f"{one:.0f}" for name in self.models
+            )
+            current = velocity(*map(float, step.current))
+            rows.append((step.dive.number, *clpe, current, f"{step.speed:.2f}"))
         head = ["dive", *(f"CLPE (m), {name.replace('_', ' ')}" for name in self.models)]
-        head += ["current east, north (m/s)"]
-        head += ["factor on speed"] if self.model.learn_speed else []
-        last = [f"The last {LISTED} of {len(self.steps)} dives."] if self.steps[LISTED:] else []
-        pieces = facts(rows, head) if rows else "", paragraphs(last)
-        return fragment("Replay", f"of {_in_words(self)}", *pieces)
+        table = facts(rows, [*head, "current", "factor on speed"]) if rows else ""
+        more = [f"The last {LISTED} of {len(self.steps)} dives."] if self.steps[LISTED:] else []
+        return fragment("Replay", f"of {_in_words(self)}", table, paragraphs(more))
 
     @property
     def models(self) -> tuple[str, ...]:
