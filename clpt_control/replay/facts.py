@@ -5,11 +5,12 @@ CF conventions 1.11, appendix H.4: `dive` is the element dimension, `time`,
 `trajectory` bears `cf_role`.  Forecast places have their own coordinates.
 
 It holds what `clpt replay --json` prints, whole as the variable `summary`, and a variable for each
-number of the rows in it: `FACTS` has a line for each, its name there, units, words, and CF standard
-name.  Page, plots, tables and files for other programs are made of the same JSON.
+number of its rows: what is within a part of a row is PART_NAME, such as `clpe_adaptive`, `UNITS`
+are by names.  Page, plots, tables and files for other programs are made of the same JSON.
 """
 
 import json
+import re
 from collections.abc import Iterator
 from importlib.metadata import version
 from typing import Any
@@ -27,48 +28,26 @@ from .surfacing import ELLIPSE, NextDive
 EPOCH = "seconds since 1970-01-01 00:00:00 UTC"
 SUMMARY = "summary"  # variable: what `clpt replay --json` prints
 ALONG = {"coordinates": "time latitude longitude"}
-FACTS = f"""
-start_time | {EPOCH} | last fix before the dive
-start_latitude | degrees_north | latitude, last fix before the dive
-reckoned_latitude | degrees_north | latitude, end of the dive by dead reckoning
-forecast_latitude | degrees_north | latitude, surfacing as forecast
-start_longitude | degrees_east | longitude, last fix before the dive
-reckoned_longitude | degrees_east | longitude, end of the dive by dead reckoning
-forecast_longitude | degrees_east | longitude, surfacing as forecast
-clpe_no_flow | m | prediction error at the surfacing, flow: no flow
-clpe_previous_dive | m | prediction error at the surfacing, flow: previous dive
-clpe_adaptive | m | prediction error at the surfacing, flow: adaptive
-clpe_flow_model | m | prediction error at the surfacing, flow: flow model
-flow_model_east | m | displacement of the vehicle by the flow model, east
-flow_model_north | m | displacement of the vehicle by the flow model, north
-current_east | m s-1 | learned current over the dive, east | eastward_sea_water_velocity
-current_east_error | m s-1 | standard error of current_east
-current_north | m s-1 | learned current over the dive, north | northward_sea_water_velocity
-current_north_error | m s-1 | standard error of current_north
-current_speed | m s-1 | learned current over the dive | sea_water_speed
-current_direction | degree | where the learned current goes to, clockwise from north \
-    | sea_water_velocity_to_direction
-file_current_east | m s-1 | depth-averaged current of the vehicle's own file, east
-file_current_north | m s-1 | depth-averaged current of the vehicle's own file, north
-forecast_east | m | fix less dead reckoning as forecast, east
-forecast_variance_east | m2 | variance of forecast_east
-forecast_north | m | fix less dead reckoning as forecast, north
-forecast_variance_north | m2 | variance of forecast_north
-forecast_covariance | m2 | covariance of forecast_east and forecast_north
-speed_factor | 1 | factor on speed through water
-speed_factor_error | 1 | standard error of speed_factor
-compass | degree | compass error, clockwise
-compass_error | degree | standard error of compass
-drift_distance | m | drift at the surface before the dive
-drift_speed | m s-1 | speed of the drift at the surface
-drift_direction | degree | where the drift at the surface goes to, clockwise from north
-over_ground_speed | m s-1 | from fix to fix | platform_speed_wrt_ground
-over_ground_direction | degree | from fix to fix, clockwise from north | platform_course
-"""
-FLAGS = {  # what 0 and 1 mean, and words
-    "inside_90": ("outside inside", "whether the vehicle surfaced in the 90 % ellipse"),
-    "anomaly": ("none flagged", "whether the speed factor left its credible range"),
+UNITS = {  # pattern of a name: units; the first that matches counts
+    r".*latitude": "degrees_north",
+    r".*longitude": "degrees_east",
+    r".*(direction|bearing)|compass.*": "degree",
+    r".*(duration|time_90)": "s",
+    r"start_time": EPOCH,
+    r"(probability|speed_factor).*": "1",
+    r".*(variance|covariance).*": "m2",
+    r".*(current|speed).*": "m s-1",
+    r".*": "m",
 }
+STANDARD = {  # names of CF
+    "current_east": "eastward_sea_water_velocity",
+    "current_north": "northward_sea_water_velocity",
+    "current_speed": "sea_water_speed",
+    "current_direction": "sea_water_velocity_to_direction",
+    "over_ground_speed": "platform_speed_wrt_ground",
+    "over_ground_direction": "platform_course",
+}
+COORDINATES = ("dive", "end_time", "end_latitude", "end_longitude")
 Source = Replay | xarray.Dataset | dict[str, Any]
 
 
@@ -158,21 +137,25 @@ def dataset_of(found: dict[str, Any]) -> xarray.Dataset:
     if "flow_model" in found:
         data.attrs["flow_model"] = "{source}: {about}".format(**found["flow_model"])
     data["trajectory"] = ((), found["vehicle"], {"cf_role": "trajectory_id"})
-    lines = [[cell.strip() for cell in line.split("|")] for line in FACTS.strip().splitlines()]
-    lines += [[name, "1", "that the part is present"] for name in rows[0] if name[:5] == "proba"]
-    for name, units, words, *standard in lines:
-        each = np.array([row.get(name) for row in rows], float)
-        if np.isnan(each).all():
-            continue
-        more = {"standard_name": standard[0]} if standard else {}
-        if f"{name}_error" in rows[0]:
-            more["ancillary_variables"] = f"{name}_error"
-        data[name] = ("dive", each, {"units": units, "long_name": words, **more, **ALONG})
-    for name, (meanings, words) in FLAGS.items():
-        flags = {"flag_values": np.array([0, 1], np.int8), "flag_meanings": meanings}
-        raised = np.array([bool(row[name]) for row in found["each_dive"]], np.int8)
-        data[name] = ("dive", raised, {"long_name": words, **flags, **ALONG})
-    _next(data, found["next_dive"])
+    for name in dict.fromkeys(name for row in rows for name in row):
+        each = [row.get(name) for row in rows]
+        attributes = {"long_name": name.replace("_", " "), **ALONG}
+        if all(isinstance(one, bool) for one in each):
+            flags = {"flag_values": np.array([0, 1], np.int8), "flag_meanings": "no yes"}
+            data[name] = ("dive", np.array(each, np.int8), {**attributes, **flags})
+        elif name not in COORDINATES and any(isinstance(one, float) for one in each):
+            attributes["units"] = units_of(name)
+            if name in STANDARD:
+                attributes["standard_name"] = STANDARD[name]
+            if f"{name}_error" in rows[0]:
+                attributes["ancillary_variables"] = f"{name}_error"
+            data[name] = ("dive", np.array(each, float), attributes)
+    ahead = {key: found["next_dive"][key] for key in ("latitude", "longitude", *ELLIPSE)}
+    ahead["time"] = seconds_since_1970(found["next_dive"]["time"])
+    for name, value in ahead.items():
+        long_name = {"long_name": f"{name.replace('_', ' ')} of the next surfacing, as forecast"}
+        more = time if name == "time" else {"units": units_of(name)}
+        data[f"next_{name}"] = ((), value, {**more, **long_name})
     words = "all that was found, as JSON: what clpt replay --json prints"
     return data.assign({SUMMARY: ((), json.dumps(found, allow_nan=False), {"long_name": words})})
 
@@ -180,22 +163,17 @@ def dataset_of(found: dict[str, Any]) -> xarray.Dataset:
 def _flat(row: dict[str, Any]) -> Iterator[tuple[str, Any]]:
     """Yield what a row has, what is within a part of it as PART_NAME."""
     for name, value in row.items():
-        if isinstance(value, dict):
+        if name == "anomaly":
+            yield name, value is not None
+        elif isinstance(value, dict):
             yield from ((f"{name}_{inner}", one) for inner, one in value.items())
         else:
             yield name, value
 
 
-def _next(data: xarray.Dataset, ahead: dict[str, Any]) -> None:
-    """Add the next surfacing: when, where, and its 90 % ellipse."""
-    names = "time", "latitude", "longitude", *ELLIPSE
-    units = EPOCH, "degrees_north", "degrees_east", "m", "m", "degree"
-    for key, unit in zip(names, units, strict=True):
-        value = seconds_since_1970(ahead[key]) if key == "time" else ahead[key]
-        name = key.replace("_90", " of 90 %").replace("_", " ")
-        words = {"long_name": f"{name} of the next surfacing, as forecast", "units": unit}
-        data[f"next_{key}"] = ((), value, words)
-    data["next_time"].attrs["calendar"] = "standard"
+def units_of(name: str) -> str:
+    """Return the units of a number by its name."""
+    return next(units for pattern, units in UNITS.items() if re.fullmatch(pattern, name))
 
 
 def summary_in(data: xarray.Dataset, name: str) -> Any:

@@ -215,7 +215,7 @@ class Replay:
         late = np.hypot(guess.duration * np.sqrt(guess.scatter[2, 2]), habits.stay()[1])
         wide, long = (max(w, 1.0) if guess.basis == GIVEN else w for w in habits.width)
         return NextDive(
-            plan if plan.track is None else replace(plan, track=None),
+            plan,
             mean,
             covariance * guess.tails * wide**2,
             *place,
