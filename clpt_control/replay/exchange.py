@@ -27,7 +27,7 @@ from math import cos, radians, sin
 from typing import Any
 
 from ..geodesy import near, place_from
-from ..gliders.slocum import HOLDS
+from ..gliders.slocum import CORRECTS
 from ..html import safe
 from .aim import ARRIVED
 from .chart import Layer, drawn_dives, layers_ahead, place_in
@@ -153,7 +153,7 @@ def paste(found: dict[str, Any]) -> dict[str, str] | None:
     write = WRITERS.get(found["kind"])
     if write is None or not found["aim"] or found["aim"][0]["heading"] is None:
         return None
-    corrects = any(note.startswith(HOLDS) for note in found["each_dive"][-1]["notes"])
+    corrects = CORRECTS in found["each_dive"][-1]["notes"]
     name, lines = write(found["aim"], corrects)
     return {"file": name, "text": "\n".join(lines) + "\n"}
 

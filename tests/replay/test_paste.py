@@ -93,7 +93,7 @@ def test_a_slocum_that_does_not_correct_gets_a_waypoint_along_the_heading():
 
 
 def test_a_slocum_that_corrects_gets_the_waypoints_themselves():
-    found = found_of("Slocum", note=f"{slocum.HOLDS}, 0.120 m/s: taken off")
+    found = found_of("Slocum", note=slocum.CORRECTS)
     read = waypoints_of(found["paste"]["text"])
     assert read == [pytest.approx(place) for place in [TARGETS[0], (-42.0, 8.25), TARGETS[2]]]
 
