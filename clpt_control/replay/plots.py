@@ -7,7 +7,6 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.dates import AutoDateLocator, ConciseDateFormatter
 from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator
 
 from ..arguments import public
 from ..figures import BLUE, GREEN, GREY, ORANGE, RED, TITLE, axes_for, figure_of, legend_below
@@ -29,22 +28,20 @@ MARKS = 100  # of a line, about, at most
 
 
 @public
-def dive_clpe_plot(replay: Source, *, dates: bool = False, ax: Axes | None = None) -> Axes:
+def dive_clpe_plot(replay: Source, *, ax: Axes | None = None) -> Axes:
     """Draw the CLPE of each dive for each flow model.
 
     Parameters
     ----------
     replay : Replay or xarray.Dataset
         With one dive at least; the dataset as `replay_dataset` gives it.
-    dates : bool, optional
-        Whether x is when the vehicle surfaced, in place of the numbers of the dives.
     ax : Axes, optional
         Where to draw; by default a new figure of pyplot's.
 
     Returns
     -------
     Axes
-        CLPE in km against dives; speed anomalies are marked.
+        CLPE in km over time; speed anomalies are marked.
 
     Raises
     ------
@@ -61,7 +58,7 @@ def dive_clpe_plot(replay: Source, *, dates: bool = False, ax: Axes | None = Non
     """
     found = found_of(replay)["each_dive"]
     ax = axes_for(ax, 6.8, 4.0)
-    x = _along(found, dates)
+    x = _surfaced(found)
     clpe = [row["clpe"] for row in found]
     for model, rms in rms_of(clpe[1:], list(clpe[0])).items():
         colour, mark, style = LINES[model]
@@ -71,22 +68,20 @@ def dive_clpe_plot(replay: Source, *, dates: bool = False, ax: Axes | None = Non
     for k, here in enumerate(x[[bool(row["anomaly"]) for row in found]]):
         ax.axvline(here, color=RED, lw=1, label=None if k else "speed anomaly")
     ax.set(ylabel="miss (CLPE) at the surfacing (km)", ylim=(0, None))
-    _mark(ax, x, dates)
+    _mark(ax, x)
     ax.set_title("Prediction error, one dive ahead; rms after the first", **TITLE)
     legend_below(ax, 3)
     return ax
 
 
 @public
-def current_plot(replay: Source, *, dates: bool = False, ax: Any = None) -> np.ndarray:
+def current_plot(replay: Source, *, ax: Any = None) -> np.ndarray:
     """Draw the learned current of each dive, and the speed factor.
 
     Parameters
     ----------
     replay : Replay or xarray.Dataset
         With one dive at least; the dataset as `replay_dataset` gives it.
-    dates : bool, optional
-        Whether x is when the vehicle surfaced, in place of the numbers of the dives.
     ax : array of 3 Axes, optional
         Where to draw, two where no speed factor is learned; by default a new figure of pyplot's.
 
@@ -112,7 +107,7 @@ def current_plot(replay: Source, *, dates: bool = False, ax: Any = None) -> np.n
     found = found_of(replay)["each_dive"]
     learned = found[0]["speed_factor"] is not None
     axes = axes_for(ax, 6.8, 6.4 if learned else 4.6, nrows=2 + learned, sharex=True)
-    x = _along(found, dates)
+    x = _surfaced(found)
     for one, axis in zip(axes, ("east", "north"), strict=False):
         _band(one, x, found, f"current_{axis}", BLUE, "learned, 2 standard errors")
         of_file = _column(found, f"file_current_{axis}")
@@ -125,7 +120,7 @@ def current_plot(replay: Source, *, dates: bool = False, ax: Any = None) -> np.n
         _band(axes[2], x, found, "speed_factor", GREEN)
         axes[2].axhline(1, color="black", lw=0.5)
         axes[2].set_ylabel("factor on speed")
-    _mark(axes[-1], x, dates)
+    _mark(axes[-1], x)
     return axes
 
 
@@ -215,11 +210,9 @@ def save_replay_figures(replay: Replay, folder: Path, ahead: NextDive | None = N
     return list(figures)
 
 
-def _along(rows: list[dict[str, Any]], dates: bool) -> np.ndarray:
-    """Return where dives stand on x: their numbers, or when the vehicle surfaced."""
-    if dates:
-        return np.array([row["end"].removesuffix("Z") for row in rows], "datetime64[s]")
-    return np.array([row["dive"] for row in rows])
+def _surfaced(rows: list[dict[str, Any]]) -> np.ndarray:
+    """Return when the vehicle surfaced."""
+    return np.array([row["end"].removesuffix("Z") for row in rows], "datetime64[s]")
 
 
 def _column(rows: list[dict[str, Any]], key: str) -> np.ndarray:
@@ -240,14 +233,12 @@ def _fine(x: np.ndarray) -> dict[str, Any]:
     return {**size, "markevery": 1 + len(x) // MARKS}
 
 
-def _mark(ax: Axes, x: np.ndarray, dates: bool) -> None:
-    """Mark dates or whole numbers of dives, also where there is one."""
-    locator: Any = MaxNLocator(integer=True, min_n_ticks=1)
-    if dates:
-        locator = AutoDateLocator(maxticks=7)
-        ax.xaxis.set_major_formatter(ConciseDateFormatter(locator))
+def _mark(ax: Axes, x: np.ndarray) -> None:
+    """Mark dates, also where there is one."""
+    locator = AutoDateLocator(maxticks=7)
+    ax.xaxis.set_major_formatter(ConciseDateFormatter(locator))
     ax.xaxis.set_major_locator(locator)
-    ax.set_xlabel("surfaced (UTC)" if dates else "dive")
+    ax.set_xlabel("surfaced (UTC)")
     if len(x) == 1:
-        step: Any = np.timedelta64(1, "h") if dates else 1
-        ax.set_xlim(x[0] - step, x[0] + step)
+        hour: Any = np.timedelta64(1, "h")
+        ax.set_xlim(x[0] - hour, x[0] + hour)

@@ -127,7 +127,7 @@ def _charts(found: dict[str, Any]) -> str:
         ("clpe", dive_clpe_plot, 0.6, "Miss (CLPE) of each dive, one dive ahead"),
         ("learned", current_plot, 1.0, "Learned, with two standard errors"),
     ):
-        figure = figure_of(plot, found, dates=True)
+        figure = figure_of(plot, found)
         figure.set_size_inches(NARROW, NARROW * high)
         svg = inline_svg(figure, name, caption)
         charts.append(f"<figure>{svg}<figcaption>{caption}</figcaption></figure>")

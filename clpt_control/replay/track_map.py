@@ -214,24 +214,15 @@ def _beyond(ax: Axes, chart: Chart, number: int, aim: Layer) -> None:
 
 
 def _number(ax: Axes, points: np.ndarray, names: list[str], inch: float) -> None:
-    """Write numbers beside points, m, shape (2, n): away from the track, where they have room."""
-    count = len(names)
-    for k in with_room(points.T * inch, range(count - 1, -1, -1), ROOM):  # the last dive first
-        before, here, after = points[:, [max(k - 1, 0), k, min(k + 1, count - 1)]].T
-        way = after - before
-        side = np.array([-way[1], way[0]])
-        side *= -1 if side @ (2 * here - before - after) < 0 else 1  # out of the bend
-        away = np.array([12, 9]) * side / max(np.hypot(*side), 1e-9)
-        ax.annotate(
-            names[k],
-            tuple(here),
-            xytext=tuple(away) if np.any(away) else (8, 8),
-            fontsize=7,
-            textcoords="offset points",
-            ha="center",
-            va="center",
-            zorder=6,
-        )
+    """Write numbers beside points, m, shape (2, n), where they have room, the last dive first."""
+    for k in with_room(points.T * inch, range(len(names) - 1, -1, -1), ROOM):
+        beside: dict[str, Any] = {
+            "xytext": (5, 4),
+            "textcoords": "offset points",
+            "fontsize": 7,
+            "zorder": 6,
+        }
+        ax.annotate(names[k], tuple(points[:, k]), **beside)
 
 
 def _degrees(ax: Axes, chart: Chart) -> None:
