@@ -114,7 +114,6 @@ def test_text_of_dbd2asc_gives_the_same_dives(rosie):
     [
         ("sensors_per_cycle: ", "sensors_per_cycle: -", "sensors_per_cycle"),
         ("num_label_lines: 3", "num_label_lines: many", "num_label_lines"),
-        ("num_label_lines: 3", "num_label_lines: 0", "num_label_lines is 0"),
         ("encoding_ver: 2", "encoding_ver: 5", "encoding '5'"),
         ("num_ascii_tags: 14", "num_ascii_tags: 140", "too few lines"),
         ("m_present_time", "m_past_time", "no m_present_time"),
