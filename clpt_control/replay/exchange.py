@@ -36,21 +36,18 @@ from .wording import REACHED
 
 DIGITS = 6  # decimals of a degree: 0.1 m
 KML = "http://www.opengis.net/kml/2.2"
-STYLES = {  # colours as KML has them: alpha, blue, green, red
-    "track": "ffb27200",
-    "fix": "ffb27200",
-    "forecast": "ff739e00",
-    "next": "ffa779cc",
-    "aim": "ff009fe6",
-}
-NAMES = {  # kind of a layer: its name in GeoJSON; its name and style in KML
-    "last": ("last fix", "", ""),
-    "way": ("way to the next surfacing", "", ""),
-    "next": ("next surfacing", "next surfacing", "next"),
-    "ring next": ("90 % ellipse", "next surfacing, 90 %", "next"),
-    "target": ("waypoint", "waypoint", "aim"),
-    "made": ("way made good", "way made good", "aim"),
-    "ring aimed": ("90 % ellipse, aimed", "aimed, 90 %", "aim"),
+BLUE, GREEN, PURPLE, ORANGE = "ffb27200", "ff739e00", "ffa779cc", "ff009fe6"  # as KML has them
+NAMES = {  # kind of a layer: its name and its colour
+    "track": ("track", BLUE),
+    "fix": ("dive", BLUE),
+    "ring": ("dive", GREEN),
+    "last": ("last fix", BLUE),
+    "way": ("way to the next surfacing", PURPLE),
+    "next": ("next surfacing", PURPLE),
+    "ring next": ("90 % ellipse", PURPLE),
+    "target": ("waypoint", ORANGE),
+    "made": ("way made good", ORANGE),
+    "ring aimed": ("90 % ellipse, aimed", ORANGE),
 }
 SHAPES = {  # of KML, around coordinates
     "Point": ("<Point>", "</Point>"),
@@ -99,36 +96,37 @@ def track_kml(found: dict[str, Any], name: str) -> str:
     places = [dives[0]["track"].places[0], *(fix.places[0] for fix in fixes)]
     track = Layer("track", "LineString", places, {})
     ahead = layers_ahead(found["next_dive"], found.get("aim") or [])
-    marks = [(NAMES[layer.kind][1:], layer) for layer in ahead if layer.kind in NAMES]
     lines = [
         '<?xml version="1.0" encoding="UTF-8"?>',
         f'<kml xmlns="{KML}"><Document><name>{safe(name)}</name>',
         *(
-            f'<Style id="{key}"><IconStyle><color>{colour}</color><scale>0.8</scale></IconStyle>'
+            f'<Style id="{colour}"><IconStyle><color>{colour}</color><scale>0.8</scale></IconStyle>'
             f"<LineStyle><color>{colour}</color><width>2</width></LineStyle>"
             "<PolyStyle><fill>0</fill></PolyStyle></Style>"
-            for key, colour in STYLES.items()
+            for colour in (BLUE, GREEN, PURPLE, ORANGE)
         ),
-        _placemark("track", "track", track),
+        _placemark(track),
         "<Folder><name>surfacings</name>",
-        *(_placemark(f"dive {fix.of['dive']}", "fix", fix) for fix in fixes),
+        *map(_placemark, fixes),
         "</Folder><Folder><name>forecasts, 90 %</name><visibility>0</visibility>",
-        *(_placemark(f"dive {ring.of['dive']}", "forecast", ring, hidden=True) for ring in rings),
+        *map(_placemark, rings),
         "</Folder>",
-        *(_placemark(name, style, layer) for (name, style), layer in marks if style),
+        *(_placemark(layer) for layer in ahead if layer.kind in NAMES),
         "</Document></kml>",
     ]
     return "\n".join(lines) + "\n"
 
 
-def _placemark(name: str, style: str, layer: Layer, hidden: bool = False) -> str:
+def _placemark(layer: Layer) -> str:
     """Return a place, line or ring as KML."""
-    texts = [f"<name>{safe(name)}</name>", "<visibility>0</visibility>" if hidden else ""]
+    name, colour = NAMES[layer.kind]
+    texts = [f"<name>{name} {safe(layer.of['dive']) if name == 'dive' else ''}</name>"]
+    texts.append("<visibility>0</visibility>" if layer.kind == "ring" else "")
     if layer.words:
         texts.append(f"<description>{safe(layer.words)}</description>")
     if layer.when and layer.shape == "Point":
         texts.append(f"<TimeStamp><when>{safe(layer.when)}</when></TimeStamp>")
-    texts.append(f"<styleUrl>#{style}</styleUrl>")
+    texts.append(f"<styleUrl>#{colour}</styleUrl>")
     begin, end = SHAPES[layer.shape]
     points = " ".join(f"{x},{y}" for x, y in _points(layer))
     return f"<Placemark>{''.join(texts)}{begin}<coordinates>{points}</coordinates>{end}</Placemark>"
