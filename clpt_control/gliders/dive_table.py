@@ -14,7 +14,7 @@ comments, other columns are left alone, and the displacement between the fixes i
 never read.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from contextlib import suppress
 from math import isfinite, nan
 from pathlib import Path
@@ -93,8 +93,7 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
     found: dict[str, Any] = {}
     for column in (*REQUIRED[1:], *OPTIONAL):
         text = row.get(column, "")
-        readers = (float, seconds_since_1970) if column in TIMES else (float,)
-        value = _number(text, *readers)
+        value = _number(text, column in TIMES)
         if value is None and text:
             if column in (START[0], END[0]):
                 return Skipped(number, f"{where}: {column} is {text[:30]!r}; {AS_TIME}")
@@ -126,9 +125,9 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
     )
 
 
-def _number(text: str, *readers: Callable[[str], float]) -> float | None:
-    """Return the number that the first reader finds which can read a text, or None."""
-    for read in readers:
+def _number(text: str, is_time: bool) -> float | None:
+    """Return the number or the date, s since 1970, that a text is, or None."""
+    for read in (float, seconds_since_1970) if is_time else (float,):
         with suppress(ValueError):
             return read(text)
     return None

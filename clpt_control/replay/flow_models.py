@@ -88,11 +88,7 @@ def read_fitted(path: str | Path) -> Fitted:
             "start; write scenario and field anew with `clpt fit`"
         ) from None
     if theta.shape != (2, scenario.basis.N) or not np.all(np.isfinite(theta)):
-        raise DataError(
-            f"{path}: its basis has {scenario.basis.N} functions, the theta in "
-            f"{scenario.field_path.name} has the shape {theta.shape}; write both anew with "
-            "`clpt fit`"
-        )
+        raise DataError(f"{path}: does not fit its field; write both anew with `clpt fit`")
     about = f"fitted basis of {scenario.basis.N} functions, {tides}"
     return Fitted(scenario, theta, plane, start, (lat0, lat1, lon0, lon1), shown_name(path), about)
 
@@ -129,15 +125,11 @@ def read_flow_model(path: str | Path, units: str | None = None) -> FlowModel:
     """
     path = Path(path)
     kind = path.suffix.lower()
-    if kind not in (".toml", *SUFFIXES) and not path.is_dir():
+    if not path.exists() or (kind not in (".toml", *SUFFIXES) and not path.is_dir()):
         raise DataError(
-            f"{path}: is no flow model; must be a NetCDF file (.nc) of a current on time, latitude "
-            "and longitude, or the .toml file of a `clpt fit`"
-        )
-    if not path.exists():
-        raise DataError(
-            f"{path}: no such file; a flow model is a NetCDF file (.nc) of a current, or the .toml "
-            "file that `clpt fit` writes"
+            f"{path}: {'is no flow model' if path.exists() else 'no such file'}; must be a NetCDF "
+            "file (.nc) of a current on time, latitude and longitude, or the .toml file that "
+            "`clpt fit` writes"
         )
     if kind == ".toml" and units is not None:
         raise DataError(f"{path}: a fit has its units in the file; leave out units ({units})")

@@ -105,7 +105,7 @@ def test_the_command_with_a_flow_model(command, forecast, tmp_path):
     assert "model" in table.stdout
     assert "covered, after the first dive" in table.stdout
     assert f"covers {given['covered']} of 14 dives" in table.stdout
-    for name, says in (("state.toml", "state.toml"), ("model.txt", "is no flow model")):
+    for name, says in (("state.toml", "state.toml"), ("model.txt", "no such file")):
         assert says in str(command("--sample", "--flow-model", tmp_path / name).exception)
 
 
