@@ -283,8 +283,6 @@ class Gradient(Estimator):
 
     def __init__(self, model: FixModel) -> None:
         super().__init__(model, (model.priors.gradient,), np.ones((1, len(model.optional)), bool))
-        self.variance = self.priors.miss**2  # of a miss over its time
-        self.count = self.priors.miss_weight
 
     def transition(self, model: FixModel, dt: float, latitude: float) -> np.ndarray:
         """Return F over `dt` s, (1, n, n): the steady current is forgotten, too."""
@@ -292,22 +290,12 @@ class Gradient(Estimator):
         F[:, HIDDEN : HIDDEN + 2] *= np.exp(-dt / self.priors.gradient.memory)
         return F
 
-    def predict(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
-        """Forecast fix less dead reckoning of a dive: mean (2,), covariance (2, 2), m.
-
-        The variance is that of earlier misses, or of the law's own errors if that is larger.
-        """
-        mean, S = super().predict(dive)
-        return mean, max(self.variance * dive.duration**2, np.trace(S) / 2) * np.eye(2)
-
     def update(self, dive: Dive) -> None:
         """Learn from a dive that has ended."""
         mean, S = self.predict(dive)
-        far = float(np.sum((miss(dive) - mean) ** 2)) / S[0, 0]
-        trust = 1.0 - dive.doubt**2 / S[0, 0]
-        observed = 0.5 * min(far, FAR) * S[0, 0] / dive.duration**2
-        self.variance = (self.count * self.variance + trust * observed) / (self.count + trust)
-        self.count = min(self.count + 1, self.priors.miss_memory)
+        variance = np.trace(S) / 2
+        far = float(np.sum((miss(dive) - mean) ** 2)) / variance
+        trust = 1.0 - dive.doubt**2 / variance
         self.model, _, p, P = self.ahead(dive)
         H, R = with_hidden(self.model.regressor(dive, ended=True)), self.noise(dive)
         weight = self.prior_sd(self.model)[0][:, None] ** 2 * H.T
