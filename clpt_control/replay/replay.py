@@ -157,7 +157,8 @@ class Replay:
         Each is carried by the flow model.  Of a record that grows, dives that come first again
         are not learned again.
         """
-        if len(dives) < len(self._fed) or not all(map(_same, self._fed, dives)):
+        known = [(dive, dive.vehicle, dive.notes) for dive in self._fed]
+        if known != [(dive, dive.vehicle, dive.notes) for dive in dives[: len(known)]]:
             self.steps = []
             self.__post_init__()
         for dive in dives[len(self._fed) :]:
@@ -341,16 +342,6 @@ def check_tides(flow: Sequence[str], dives: Sequence[Dive]) -> None:
     if len(tides) > 1 and dives:
         hours = round((dives[-1].t_gpse - dives[0].t_gps2) / 3600, 1)
         check_separable(tides, hours, f"flow {','.join(flow)}")
-
-
-def _same(one: Dive, other: Dive) -> bool:
-    """Whether two dives are the same, tracks, names and notes with them."""
-    if (one, one.vehicle, one.notes) != (other, other.vehicle, other.notes):
-        return False
-    tracks = one.track or (), other.track or ()
-    return one.track is other.track or (
-        len(tracks[0]) == len(tracks[1]) and all(map(np.array_equal, *tracks))
-    )
 
 
 @public

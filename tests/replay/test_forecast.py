@@ -27,8 +27,7 @@ from clpt_control.gliders.dive_files import sample_dives
 from clpt_control.gliders.dives import make_dive
 from clpt_control.gliders.usable_dives import usable
 from clpt_control.replay.carried_dives import carried, why_uncovered
-from clpt_control.replay.flow_models import read_flow_model
-from clpt_control.replay.gridded_forecast import depth_mean
+from clpt_control.replay.flow_models import depth_mean, read_flow_model
 from clpt_control.replay.outcome import summary
 from clpt_control.replay.replay import replay_dives
 
