@@ -151,11 +151,9 @@ class FixModel:
         known = ("steady", *OTHERS, *SPEEDS)
         for name in self.flow:
             if name not in known:
-                similar = [k for k in known if k.casefold() == name.strip().casefold()]
                 raise ScenarioError(
-                    f"flow {','.join(self.flow) or 'empty'}: unknown constituent '{name}'"
-                    f"{' (did you mean ' + similar[0] + '?)' if similar else ''}: must be one of "
-                    f"{', '.join(known)}"
+                    f"flow {','.join(self.flow) or 'empty'}: unknown constituent '{name}': must be "
+                    f"one of {', '.join(known)}"
                 )
         if not self.flow or self.flow[0] != "steady" or len(set(self.flow)) < len(self.flow):
             raise ScenarioError(

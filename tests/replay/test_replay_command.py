@@ -184,8 +184,7 @@ def test_wordings(command, tmp_path):
     for words, says in (
         (("--flow", ""), "flow empty: unknown constituent '': must be one of steady, inertial"),
         (("--flow", "steady,"), "gaussians, model, M2"),
-        (("--flow", "steady,m2"), "unknown constituent 'm2' (did you mean M2?)"),
-        (("--flow", "Steady"), "did you mean steady?"),
+        (("--flow", "steady,m2"), "unknown constituent 'm2': must be one of"),
         (("--estimator", "best"), "estimator 'best': must be one of kalman, gradient"),
         (("--flow-model", tmp_path / "nope.toml"), "the .toml file that `clpt fit` writes"),
     ):
