@@ -105,7 +105,7 @@ def undrawn(monkeypatch):
     from matplotlib.figure import Figure
 
     monkeypatch.setattr(Figure, "savefig", lambda self, file, **_: Path(file).write_bytes(b"drawn"))
-    for page in ("replay.replay_page", "pages.page"):
+    for page in ("replay.replay_page", "replay.track_map", "pages.page"):
         monkeypatch.setattr(f"clpt_control.{page}.inline_svg", lambda *_: "")
 
 

@@ -55,7 +55,7 @@ def vehicle(
 
 def told(dives, *targets):
     """Return what `clpt replay --json` prints of dives, and of waypoints to aim at."""
-    return summary_with_next(replay_dives(dives), [], Ahead(targets=list(targets)))[0]
+    return summary_with_next(replay_dives(dives), [], Ahead(targets=list(targets)))
 
 
 def one_file_each(folder, dives):

@@ -114,7 +114,7 @@ OF_THE_ENGINE = (  # called at each step, and checked by no one
     *("Block.values", "Block.array_record", "Block.parameters_at", "Block.interval_at"),
     "Block.with_params",
     *("FixModel.regressor", "FixModel.noise", "FixModel.transition"),
-    *("FixModel.reached", "FixModel.matched"),
+    "FixModel.reached",
     *("NativeDiagram.schedule", "NativeDiagram.callee", "NativeDiagram.lanes"),
     *("NativeDiagram.parameters", "NativeDiagram.breaks", "NativeDiagram.with_parameters"),
     "NativeDiagram.switches_by",

@@ -61,7 +61,7 @@ def replay(
     ),
     route: Path | None = opt(
         "FILE",
-        "Waypoints to aim at in their order, GeoJSON or lines LAT LON: when each is made. Its "
+        "Waypoints to aim at in their order, GeoJSON: when each is made. Its "
         "polygons are areas to stay out of: how likely they are entered.",
     ),
     speed: float | None = opt("M/S", "Speed through water for --aim; else that of the last dives."),
@@ -184,9 +184,9 @@ def replay(
         gliders = clpt.gliders
         dives = (gliders.sample_dives(), []) if sample else gliders.read_dives(files or [])
         result, skipped = take(*dives)
-        summary, goal = replay_report.summary_with_next(result, skipped, ahead)
+        summary = replay_report.summary_with_next(result, skipped, ahead)
         if out is not None:
-            written = replay_report.write(result, summary, make_folder(out), goal, kinds)
+            written = replay_report.write(summary, make_folder(out), kinds)
     finish(replay_report.results(summary), summary, as_json, *written)
 
 

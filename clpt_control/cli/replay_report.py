@@ -121,31 +121,27 @@ def results(summary: Report) -> list[Result]:
     ]
 
 
-def write(
-    result: Any, found: Report, folder: Path, ahead: Any, kinds: Sequence[str], again: bool = False
-) -> list[Path]:
-    """Write a replay, and what `summary_with_next` says of it, into a folder, all or none.
+def write(found: Report, folder: Path, kinds: Sequence[str], again: bool = False) -> list[Path]:
+    """Write what `summary_with_next` says of a replay into a folder, all or none.
 
     The files, NetCDF, page, places and figures, are returned.  ``replay.nc`` is the first and is
     put in place last: where it is new, the others are.  The page loads itself `again` where it
     will be written anew.
     """
     from ..replay.exchange import next_geojson, track_kml
-    from ..replay.facts import with_summary
+    from ..replay.facts import dataset_of
     from ..replay.plots import replay_figures
     from ..replay.replay_page import replay_page
 
     results: dict[str, Any] = {
-        "replay.nc": with_summary(
-            clpt.replay.replay_dataset(result, found["vehicle"], ahead=ahead), found
-        ),
+        "replay.nc": dataset_of(found),
         "replay.html": replay_page(found, again),
         "next.geojson": next_geojson(found),
         "track.kml": track_kml(found, found["vehicle"]),
     }
     if found["paste"]:
         results[found["paste"]["file"]] = found["paste"]["text"]
-    figures = replay_figures(found, ahead, found["aim"]) if kinds else {}
+    figures = replay_figures(found) if kinds else {}
     for name, figure in figures.items():
         results |= {f"{name}.{kind}": figure for kind in kinds}
     placed = {folder / name: one for name, one in results.items()}
@@ -153,14 +149,14 @@ def write(
     return list(placed)
 
 
-def summary_with_next(result: Any, skipped: list, ahead: Ahead) -> tuple[Report, Any]:
-    """Return what `--json` prints, and the next dive: the summary, where it ends, aim and paste."""
+def summary_with_next(result: Any, skipped: list, ahead: Ahead) -> Report:
+    """Return what `--json` prints: the summary, where the next dive ends, aim and paste."""
     from ..replay.exchange import paste
     from ..replay.route import DRAWS, arrivals
 
     found = clpt.replay.summary(result, skipped) | {"next_dive": None, "aim": [], "paste": None}
     if not result.steps:
-        return found, None
+        return found
     legs = ahead.aims(result)
     aimed = legs and not ahead.plan
     goal = legs[0].ahead if aimed else clpt.replay.next_dive(result, *ahead.plan)
@@ -169,7 +165,7 @@ def summary_with_next(result: Any, skipped: list, ahead: Ahead) -> tuple[Report,
         with progress_bar("drawing the way", DRAWS) as report:
             way = ahead.targets, ahead.areas, ahead.speed, ahead.duration
             found["route"] = arrivals(result, *way, report)
-    return found | {"paste": paste(found)}, goal
+    return found | {"paste": paste(found)}
 
 
 def check_pace(every: float, patience: float) -> None:
@@ -235,12 +231,12 @@ def learn(
     from ..replay.wording import aim_sentence, when
 
     replay, skipped = take(*dives)
-    found, goal = summary_with_next(replay, skipped, ahead)
+    found = summary_with_next(replay, skipped, ahead)
     used = len(replay.steps)
     line = f"{files} new file{'s'[: files != 1]}, {used} dive{'s'[: used != 1]} used"
     if not used:
         return found, line
-    write(replay, found, out, goal, kinds, again=True)
+    write(found, out, kinds, again=True)
     step, to_come = replay.steps[-1], found["next_dive"]
     near = place(to_come["latitude"], to_come["longitude"])
     return found, (

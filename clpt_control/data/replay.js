@@ -1,13 +1,14 @@
 "use strict";
-// The map's zoom, its grid, the dive under the pointer, hours from now. The page reads well without.
+// The map's zoom, the dive under the pointer, hours from now. The page reads well without.
 const map = document.getElementById("map"), said = document.getElementById("said");
-const full = map.viewBox.baseVal, W = full.width, H = full.height, facts = map.dataset;
-const heights = facts.heights.split(" ").map(Number);
-const [west, east, south, north] = ["west", "east", "south", "north"].map((k) => +facts[k]);
+const full = { x: 0, y: 0, w: map.viewBox.baseVal.width, h: map.viewBox.baseVal.height };
+const [left, top_, wide, high] = map.dataset.box.split(" ").map(Number);
+const [south, north, west, east] = map.dataset.edges.split(" ").map(Number);
 const DEEPEST = 200, STEPS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 1800];
-let view = { x: 0, y: 0, w: W, h: H };
+let view = { ...full };
 
 const clamp = (v, low, high) => Math.min(Math.max(v, low), high);
+const zoomed = () => view.w < 0.99 * full.w;
 function part(name, attributes, parent, text) {
   const made = document.createElementNS(map.namespaceURI, name);
   for (const key in attributes) made.setAttribute(key, attributes[key]);
@@ -15,12 +16,9 @@ function part(name, attributes, parent, text) {
   parent.append(made);
   return made;
 }
-function yOf(lat) {
-  const at = ((lat - south) / (north - south)) * (heights.length - 1);
-  const k = clamp(Math.floor(at), 0, heights.length - 2);
-  return heights[k] + (at - k) * (heights[k + 1] - heights[k]);
-}
-const xOf = (lon) => ((lon - west) / (east - west)) * W;
+const mercator = (lat) => Math.asinh(Math.tan((lat * Math.PI) / 180));
+const yOf = (lat) => top_ + (high * (mercator(north) - mercator(lat))) / (mercator(north) - mercator(south));
+const xOf = (lon) => left + ((lon - west) / (east - west)) * wide;
 function named(angle, names, step) {
   if (names === "EW") angle = ((angle + 540) % 360 + 360) % 360 - 180;
   const digits = step >= 1 ? 0 : step >= 0.1 ? 1 : 2;
@@ -29,36 +27,48 @@ function named(angle, names, step) {
   const minutes = rest.toFixed(digits).padStart(digits ? digits + 3 : 2, "0");
   return whole + "°" + (step >= 60 ? "" : minutes + "'") + names[angle < 0 ? 1 : 0];
 }
-function label(x, y, dx, dy, text, parent) {
-  const group = part("g", { class: "m", transform: `translate(${x} ${y})` }, parent);
-  part("text", { class: "degrees", x: dx, y: dy }, group, text);
+// What is drawn anew at each zoom.
+const over = part("g", { class: "over" }, map);
+function label(x, y, text, kind) {
+  part("text", { class: kind, x: x, y: y, "font-size": 11 * pixel(), "stroke-width": 3 * pixel() }, over, text);
 }
 function grid() {
-  const group = document.getElementById("grid"), minutes = ((east - west) * 60 * view.w) / W;
-  const tall = ((north - south) * 60 * view.h) / H;
+  const minutes = ((east - west) * 60 * view.w) / wide, tall = ((north - south) * 60 * view.h) / high;
   const [up, along] = [tall, minutes].map((span) => STEPS.find((s) => s >= span / 5) || 1800);
-  group.replaceChildren();
   for (let k = Math.ceil((south * 60) / up); k * up <= north * 60; k++) {
     const y = yOf((k * up) / 60);
-    if (y < view.y || y > view.y + view.h) continue;
-    part("path", { class: "grid", d: `M${view.x} ${y}h${view.w}` }, group);
-    if (y < view.y + view.h - 24 * pixel()) label(view.x, y, 4, -4, named((k * up) / 60, "NS", up), group);
+    if (y < view.y || y > view.y + view.h - 24 * pixel()) continue;
+    part("path", { class: "grid", d: `M${view.x} ${y}h${view.w}` }, over);
+    label(view.x + 4 * pixel(), y - 4 * pixel(), named((k * up) / 60, "NS", up), "degrees");
   }
   for (let k = Math.ceil((west * 60) / along); k * along <= east * 60; k++) {
     const x = xOf((k * along) / 60);
     if (x < view.x || x > view.x + view.w) continue;
-    part("path", { class: "grid", d: `M${x} ${view.y}v${view.h}` }, group);
-    label(x, view.y + view.h, 4, -5, named((k * along) / 60, "EW", along), group);
+    part("path", { class: "grid", d: `M${x} ${view.y}v${view.h}` }, over);
+    label(x + 4 * pixel(), view.y + view.h - 5 * pixel(), named((k * along) / 60, "EW", along), "degrees");
   }
 }
 function scaleBar() {
-  const group = document.getElementById("scale"), most = 0.25 * view.w * facts.metres;
-  const power = 10 ** Math.floor(Math.log10(most));
-  const length = [5, 2, 1].find((m) => m * power <= most) * power, long = length / facts.metres;
+  const most = 0.25 * view.w * map.dataset.metres, power = 10 ** Math.floor(Math.log10(most));
+  const length = [5, 2, 1].find((m) => m * power <= most) * power, long = length / map.dataset.metres;
   const x = view.x + 0.97 * view.w - long, y = view.y + view.h - 24 * pixel();
-  group.replaceChildren();
-  part("path", { class: "scale", d: `M${x} ${y - 6 * pixel()}V${y}h${long}v${-6 * pixel()}` }, group);
-  label(x, y, 6, -8, length >= 1000 ? length / 1000 + " km" : length + " m", group);
+  part("path", { class: "scale", d: `M${x} ${y - 6 * pixel()}V${y}h${long}v${-6 * pixel()}` }, over);
+  label(x + 6 * pixel(), y - 8 * pixel(), length >= 1000 ? length / 1000 + " km" : length + " m", "");
+}
+for (const mark of map.querySelectorAll("use"))
+  mark.style.transformOrigin = `${mark.getAttribute("x")}px ${mark.getAttribute("y")}px`;
+const fixes = [...map.querySelectorAll("a")].map((link) => {
+  const box = link.getBBox(), row = document.querySelector(link.getAttribute("href"));
+  return { x: box.x + box.width / 2, y: box.y + box.height / 2, row: row };
+});
+function numbers() {
+  const here = fixes.filter(({ x, y }) => Math.abs(x - view.x - view.w / 2) < view.w / 2 && Math.abs(y - view.y - view.h / 2) < view.h / 2);
+  const taken = [];
+  for (const { x, y, row } of here.reverse()) {
+    if (taken.some((one) => Math.abs(one.x - x) < 34 * pixel() && Math.abs(one.y - y) < 15 * pixel())) continue;
+    taken.push({ x, y });
+    label(x + 7 * pixel(), y - 5 * pixel(), row.cells[0].textContent, "number");
+  }
 }
 function pixel() {
   const box = map.getBoundingClientRect();
@@ -66,48 +76,48 @@ function pixel() {
 }
 function draw() {
   map.setAttribute("viewBox", `${view.x} ${view.y} ${view.w} ${view.h}`);
-  map.style.setProperty("--k", pixel());
-  const level = Math.floor(Math.log2(1 / pixel() / 0.36) + 0.01);
-  for (const text of document.querySelectorAll("#numbers text"))
-    text.style.display = +text.getAttribute("class").slice(1) <= level ? "inline" : "none";
-  map.style.touchAction = view.w < 0.99 * W ? "none" : "pan-y";
+  map.style.setProperty("--k", view.w / full.w);
+  map.style.touchAction = zoomed() ? "none" : "pan-y";
+  map.classList.toggle("zoomed", zoomed());
+  over.replaceChildren();
+  if (!zoomed()) return;
   grid();
   scaleBar();
+  numbers();
 }
 function zoomBy(factor, x, y) {
-  const w = clamp(view.w / factor, W / DEEPEST, W), shrink = w / view.w;
-  view = { x: x - (x - view.x) * shrink, y: y - (y - view.y) * shrink, w: w, h: (w * H) / W };
+  const w = clamp(view.w / factor, full.w / DEEPEST, full.w), shrink = w / view.w;
+  view = { x: x - (x - view.x) * shrink, y: y - (y - view.y) * shrink, w: w, h: (w * full.h) / full.w };
   move(0, 0);
 }
 function move(dx, dy) {
-  view.x = clamp(view.x + dx, 0, W - view.w);
-  view.y = clamp(view.y + dy, 0, H - view.h);
+  view.x = clamp(view.x + dx, 0, full.w - view.w);
+  view.y = clamp(view.y + dy, 0, full.h - view.h);
   draw();
 }
 function unitsAt(event) {
   const point = new DOMPoint(event.clientX, event.clientY).matrixTransform(map.getScreenCTM().inverse());
   return [point.x, point.y];
 }
-function choose(number) {
+function choose(row) {
   for (const old of document.querySelectorAll(".on")) old.classList.remove("on");
-  if (number === null) return;
-  for (const found of document.querySelectorAll("[data-dive]"))
-    if (found.dataset.dive === number) {
-      found.classList.add("on");
-      const title = found.querySelector("title");
-      if (title) said.textContent = title.textContent;
-    }
+  if (row === null) return;
+  row.classList.add("on");
+  map.querySelector(`a[href="#${row.id}"]`).classList.add("on");
+  said.textContent = row.title;
 }
 function nearest(event) {
-  let best = null, least = 30;
-  for (const dive of document.querySelectorAll("#dives .dive")) {
-    const box = dive.querySelector("circle").getBoundingClientRect();
-    const far = Math.hypot(box.x + box.width / 2 - event.clientX, box.y + box.height / 2 - event.clientY);
-    if (far < least) [best, least] = [dive.dataset.dive, far];
+  const [x, y] = unitsAt(event);
+  let best = null, least = 30 * pixel();
+  for (const fix of fixes) {
+    const far = Math.hypot(fix.x - x, fix.y - y);
+    if (far < least) [best, least] = [fix.row, far];
   }
   return best;
 }
 const down = new Map();
+// A fix is a link for who has no script.
+map.addEventListener("click", (event) => event.preventDefault());
 map.addEventListener("wheel", (event) => {
   event.preventDefault();
   zoomBy(Math.exp(-event.deltaY / 400), ...unitsAt(event));
@@ -133,11 +143,13 @@ map.addEventListener("pointermove", (event) => {
 });
 for (const name of ["pointerup", "pointercancel", "pointerleave"])
   map.addEventListener(name, (event) => down.delete(event.pointerId));
+// The first zoom goes to the chart's middle, not to that of its legend.
+const middle = () => zoomed() ? [view.x + view.w / 2, view.y + view.h / 2] : [left + wide / 2, top_ + high / 2];
 const buttons = document.querySelector(".buttons");
 for (const [name, hint, act] of [
-  ["+", "zoom in", () => zoomBy(2, view.x + view.w / 2, view.y + view.h / 2)],
-  ["−", "zoom out", () => zoomBy(0.5, view.x + view.w / 2, view.y + view.h / 2)],
-  ["⤢", "whole map", () => { view = { x: 0, y: 0, w: W, h: H }; draw(); }],
+  ["+", "zoom in", () => zoomBy(2, ...middle())],
+  ["−", "zoom out", () => zoomBy(0.5, ...middle())],
+  ["⤢", "whole map", () => { view = { ...full }; draw(); }],
 ]) {
   const button = document.createElement("button");
   button.textContent = name;
@@ -145,9 +157,9 @@ for (const [name, hint, act] of [
   button.addEventListener("click", act);
   buttons.append(button);
 }
-for (const row of document.querySelectorAll("tr[data-dive]"))
+for (const row of document.querySelectorAll("tr[id]"))
   for (const name of ["pointerenter", "click"])
-    row.addEventListener(name, () => choose(row.dataset.dive));
+    row.addEventListener(name, () => choose(row));
 function hours() {
   for (const mark of document.querySelectorAll("[data-time]")) {
     const left = (Date.parse(mark.dataset.time) - Date.now()) / 3600000;
@@ -158,6 +170,6 @@ hours();
 setInterval(hours, 60000);
 const again = document.querySelector("[data-again]");
 // A zoomed map is being read, and stays.
-if (again) setInterval(() => { if (view.w === W) location.reload(); }, 1000 * again.dataset.again);
+if (again) setInterval(() => { if (!zoomed()) location.reload(); }, 1000 * again.dataset.again);
 addEventListener("resize", draw);
 draw();

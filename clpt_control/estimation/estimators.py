@@ -65,7 +65,7 @@ how far beyond it lies, and a fix that is doubted by the share of its variance t
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from itertools import product
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -81,13 +81,11 @@ HIDDEN = 4  # states before the parameters: the slow current and its slope
 class LastUpdate(NamedTuple):
     """The update of a bank by its last dive, which a watch reads.
 
-    `matched` is where the state before stands in the one that `F` (m, n, n) moved,
-    `H` (2, n) is the regressor, `innovation` (m, 2) the
+    `F` (m, n, n) moved the state, `H` (2, n) is the regressor, `innovation` (m, 2) the
     miss less what was expected, `inverse` (m, 2, 2) of its covariance, `rest`
     (m, n, n) is I - K H, `weights` and `mean` were before the dive.
     """
 
-    matched: list[np.ndarray]
     F: np.ndarray
     H: np.ndarray
     innovation: np.ndarray
@@ -148,21 +146,16 @@ class Estimator(ABC):
             F[:, s, v], F[:, s, s] = -left * g**2 * dt, left * (1 - g * dt)
         return F
 
-    def ahead(self, dive: Dive) -> tuple[FixModel, Any, Any, np.ndarray, np.ndarray]:
-        """Return model, where states stood and stand, F, mean and covariance before its end."""
+    def ahead(self, dive: Dive) -> tuple[FixModel, np.ndarray, np.ndarray, np.ndarray]:
+        """Return model, F, mean and covariance before its end; what is new comes last."""
         model = self.model.reached(dive)
         F = self.transition(model, self.since(dive), dive.lat_gps2)
-        hidden = np.arange(HIDDEN)
-        matched = [np.concatenate([hidden, HIDDEN + k]) for k in model.matched(self.model)]
-        old, new = matched
-        known, was = self.prior_sd(model) ** 2, self.prior_sd(self.model) ** 2
-        prior = known[:, :, None] * np.eye(known.shape[1])
-        mean, gained = np.zeros(known.shape), np.zeros(prior.shape)
-        mean[:, new] = self.mean[:, old]
-        more = self.covariance - was[:, :, None] * np.eye(was.shape[1])
-        gained[:, new[:, None], new] = more[:, old[:, None], old]
-        mean = np.einsum("mij,mj->mi", F, mean)
-        return model, matched, F, mean, prior + F @ gained @ F.transpose(0, 2, 1)
+        n = HIDDEN + len(self.model.names)
+        new = 0, HIDDEN + len(model.names) - n
+        prior = self.prior_sd(model)[:, :, None] ** 2 * np.eye(n + new[1])
+        mean = np.einsum("mij,mj->mi", F, np.pad(self.mean, ((0, 0), new)))
+        gained = np.pad(self.covariance - prior[:, :n, :n], ((0, 0), new, new))
+        return model, F, mean, prior + F @ gained @ F.transpose(0, 2, 1)
 
     def since(self, dive: Dive) -> float:
         """Return the time from the middle of the last dive to that of this one, s."""
@@ -174,7 +167,7 @@ class Estimator(ABC):
 
     def predict(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
         """Forecast fix less dead reckoning of a dive: mean (2,), covariance (2, 2), m."""
-        model, _, _, mean, P = self.ahead(dive)
+        model, _, mean, P = self.ahead(dive)
         H = with_hidden(model.regressor(dive))
         return mixed(mean @ H.T, H @ P @ H.T + self.noise(dive), self.weights)
 
@@ -223,7 +216,7 @@ class KalmanBank(Estimator):
     def update(self, dive: Dive) -> None:
         """Learn from a dive that has ended."""
         weights, before, dt = self.weights, self.mean, self.since(dive)
-        self.model, matched, F, mean, P = self.ahead(dive)
+        self.model, F, mean, P = self.ahead(dive)
         H, R = with_hidden(self.model.regressor(dive, ended=True)), self.noise(dive)
         innovation = miss(dive) - mean @ H.T
         S = H @ P @ H.T + R
@@ -242,7 +235,7 @@ class KalmanBank(Estimator):
         P, rest = corrected(P, H, R, gain)
         self.covariance = 0.5 * (P + P.transpose(0, 2, 1))
         self.time = mid_time(dive)
-        self.last_update = LastUpdate(matched, F, H, innovation, inverse, rest, weights, before)
+        self.last_update = LastUpdate(F, H, innovation, inverse, rest, weights, before)
 
     def parts(self) -> dict[str, float]:
         """Return the probability that each part is present."""
@@ -290,8 +283,6 @@ class Gradient(Estimator):
 
     def __init__(self, model: FixModel) -> None:
         super().__init__(model, (model.priors.gradient,), np.ones((1, len(model.optional)), bool))
-        self.variance = self.priors.miss**2  # of a miss over its time
-        self.count = self.priors.miss_weight
 
     def transition(self, model: FixModel, dt: float, latitude: float) -> np.ndarray:
         """Return F over `dt` s, (1, n, n): the steady current is forgotten, too."""
@@ -299,23 +290,13 @@ class Gradient(Estimator):
         F[:, HIDDEN : HIDDEN + 2] *= np.exp(-dt / self.priors.gradient.memory)
         return F
 
-    def predict(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
-        """Forecast fix less dead reckoning of a dive: mean (2,), covariance (2, 2), m.
-
-        The variance is that of earlier misses, or of the law's own errors if that is larger.
-        """
-        mean, S = super().predict(dive)
-        return mean, max(self.variance * dive.duration**2, np.trace(S) / 2) * np.eye(2)
-
     def update(self, dive: Dive) -> None:
         """Learn from a dive that has ended."""
         mean, S = self.predict(dive)
-        far = float(np.sum((miss(dive) - mean) ** 2)) / S[0, 0]
-        trust = 1.0 - dive.doubt**2 / S[0, 0]
-        observed = 0.5 * min(far, FAR) * S[0, 0] / dive.duration**2
-        self.variance = (self.count * self.variance + trust * observed) / (self.count + trust)
-        self.count = min(self.count + 1, self.priors.miss_memory)
-        self.model, _, _, p, P = self.ahead(dive)
+        variance = np.trace(S) / 2
+        far = float(np.sum((miss(dive) - mean) ** 2)) / variance
+        trust = 1.0 - dive.doubt**2 / variance
+        self.model, _, p, P = self.ahead(dive)
         H, R = with_hidden(self.model.regressor(dive, ended=True)), self.noise(dive)
         weight = self.prior_sd(self.model)[0][:, None] ** 2 * H.T
         mu = trust * self.priors.gain * FAR / max(far, FAR)

@@ -151,11 +151,9 @@ class FixModel:
         known = ("steady", *OTHERS, *SPEEDS)
         for name in self.flow:
             if name not in known:
-                similar = [k for k in known if k.casefold() == name.strip().casefold()]
                 raise ScenarioError(
-                    f"flow {','.join(self.flow) or 'empty'}: unknown constituent '{name}'"
-                    f"{' (did you mean ' + similar[0] + '?)' if similar else ''}: must be one of "
-                    f"{', '.join(known)}"
+                    f"flow {','.join(self.flow) or 'empty'}: unknown constituent '{name}': must be "
+                    f"one of {', '.join(known)}"
                 )
         if not self.flow or self.flow[0] != "steady" or len(set(self.flow)) < len(self.flow):
             raise ScenarioError(
@@ -215,20 +213,12 @@ class FixModel:
     def reached(self, dive: Dive) -> "FixModel":
         """Return the model with the places that a dive comes near.
 
-        Its end is not read.  New parameters come last, far places may be gone;
-        where nothing is new it is the model itself.
+        Its end is not read.  New parameters come last; where nothing is new it is the model itself.
         """
         if "gaussians" not in self.flow:
             return self
         places = near(self.places, dive, self.width)
         return self if places is self.places else replace(self, places=places)
-
-    def matched(self, before: "FixModel") -> tuple[np.ndarray, np.ndarray]:
-        """Return where parameters stood in a model before, and now."""
-        here = {name: k for k, name in enumerate(self.names)}
-        pairs = [(k, here[name]) for k, name in enumerate(before.names) if name in here]
-        old, new = np.array(pairs, int).T
-        return old, new
 
     def regressor(self, dive: Dive, ended: bool = False) -> np.ndarray:
         """Return H of y = H p for a dive, (2, n).

@@ -7,7 +7,7 @@ fix.  One joins the parameters when a track first comes near enough that
 H_c > `REACHED` T; before that it has its prior and nothing else, so that joining
 late changes little.
 
-On a long voyage only the `MOST` places nearest to its last track remain.
+There are at most `MOST`: beyond them a voyage goes on with the currents that are everywhere.
 
 Along a dive x(t) is the dead-reckoned track from the fix before it; when the
 dive has ended, the track bent evenly to the fix after it.
@@ -29,7 +29,7 @@ from .dive import Dive, miss, reckoned
 WIDTH = 20e3  # m, of a gaussian
 SPACING = 1.5  # widths
 REACHED = 0.1  # share of a dive's time
-MOST = 40  # places that are parameters; the farthest are forgotten
+MOST = 40  # places that are parameters
 SAMPLES = 25  # of a track
 
 
@@ -52,6 +52,8 @@ def near(places: Places | None, dive: Dive, width: float) -> Places:
     `width` (m) and the dive's start are the first lattice's; a dive's end is not read.
     """
     old = places or Places(dive.lat_gps2, dive.lon_gps2, width)
+    if len(old.cells) == MOST:
+        return old
     x = _along(old, dive, False)[1]
     pitch, reach = SPACING * old.width, old.width * math.sqrt(-2 * math.log(REACHED))
     long = np.ptp(x, axis=0).max()
@@ -71,10 +73,7 @@ def near(places: Places | None, dive: Dive, width: float) -> Places:
     fresh = [cell for cell in reached if cell not in old.cells]
     if places is not None and not fresh:
         return places
-    cells = [*old.cells, *fresh]
-    away = np.hypot(*(pitch * np.array(cells) - x.mean(axis=0)).T)
-    nearest = set(np.argsort(away, kind="stable")[:MOST].tolist())
-    return replace(old, cells=tuple(cell for k, cell in enumerate(cells) if k in nearest))
+    return replace(old, cells=(*old.cells, *fresh)[:MOST])
 
 
 def _along(places: Places, dive: Dive, ended: bool) -> tuple[np.ndarray, np.ndarray]:

@@ -72,17 +72,10 @@ def least_squares(phi: np.ndarray, flow: np.ndarray, names: Sequence[str]) -> Le
         weakest = np.abs(svd(phi, full_matrices=False)[2][-1])
         involved = np.flatnonzero(weakest > 0.3 * weakest.max())
         listed = ", ".join(names[k] for k in involved[:6]) + (", ..." if len(involved) > 6 else "")
-        strength = np.linalg.norm(phi, axis=0)
-        if np.all(strength[involved] < 1e-3 * strength.max()):
-            raise DataError(
-                f"the samples are too far from the places of {listed} to fit them: condition "
-                f"number {condition:.3g}, at most {WORST:g} is allowed; use a larger width, fewer "
-                "centers or a smaller box"
-            )
         raise DataError(
             f"the samples cannot separate the basis functions {listed}: condition number "
             f"{condition:.3g}, at most {WORST:g} is allowed; use a longer record, fewer "
-            "constituents, fewer centers or a smaller width"
+            "constituents or centers, a smaller box or another width"
         )
     residuals = flow - phi @ theta
     return LeastSquares(theta.T, residuals, explained_share(flow, flow - residuals), condition)

@@ -91,6 +91,3 @@ class Priors(NamedTuple):
     gain: float = 1.0  # mu, between 0 and 2 for stability
     # judgement: the gradient's one sea; a current that it forgets walks 0.04 m/s in six hours
     gradient: Sea = Sea(0.0, 28.125 * DAY, scatter=0.04)
-    miss: float = 0.1  # m/s, a miss over its time, before any dive
-    miss_weight: float = 4.0  # dives that this guess weighs
-    miss_memory: float = 20.0  # dives that are remembered of it

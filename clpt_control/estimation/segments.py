@@ -180,21 +180,14 @@ class RunTrack:
         apart = np.diff(inner, prepend=first) > self.near
         self.edges = np.array([first, *inner[apart], last])
         at = np.searchsorted(self.time, self.edges - self.near).clip(0, len(self.time) - 1)
-        if np.any(np.abs(self.time[at] - self.edges) > 1e3 * self.near):
+        beside = np.abs(self.time[at] - self.edges) > 1e3 * self.near
+        if beside.any() or np.diff(at).min() + 1 < LEAST:
             unit = scenario.units.time
-            spans = " and ".join(
-                f"the {w} each {span:g} {unit}" for w, span in self.periods.items()
-            )
+            each = (f"{w} each {span:g} {unit}" for w, span in self.periods.items())
+            spans = " and the ".join(each)
             raise ScenarioError(
-                f"run.output_step: there change {spans}, between two samples of the run; run it "
-                "with a step that divides that"
-            )
-        fewest = np.diff(at).min() + 1
-        if fewest < LEAST:
-            raise ScenarioError(
-                f"run.output_step: {fewest} samples between two changes of the "
-                f"{' or the '.join(self.periods)}; at least {LEAST} are needed, run it with a "
-                "smaller step"
+                f"run.output_step: there change the {spans}; run it with a "
+                f"step that divides that into {LEAST} samples at least"
             )
         every = np.concatenate([np.arange(a, b + 1) for a, b in pairwise(at)])
         began = np.repeat(at[:-1], np.diff(at) + 1)  # a piece ends with the noise it began with
@@ -237,15 +230,10 @@ def run_segments(run: xarray.Dataset, scenario: Scenario, every: float | None) -
         )
     track, fix = RunTrack(run, scenario), scenario.reference.dwell / 10 if every is None else every
     length = float(track.time[-1] - track.time[0])
-    if not 0 < fix <= length:
+    if not max(0.0, length / MOST_FIXES) < fix <= length:
         raise ScenarioError(
-            f"every = {fix:g}: must be positive and at most the run's length, {length:g} "
-            f"{scenario.units.time}"
-        )
-    if length / fix > MOST_FIXES:
-        raise ScenarioError(
-            f"every = {fix:g}: more than {MOST_FIXES:,} fixes in the run; must be at least "
-            f"{length / MOST_FIXES:g} {scenario.units.time}"
+            f"every = {fix:g}: must be at most the run's length, {length:g} {scenario.units.time}, "
+            f"and make {MOST_FIXES:,} fixes at most"
         )
     fixes = track.time[0] + fix * np.arange(int(np.floor(length / fix * (1 + 1e-12))) + 1)
     fine = fixes[:-1, None] + fix * SHARES
@@ -264,19 +252,14 @@ def run_segments(run: xarray.Dataset, scenario: Scenario, every: float | None) -
 
 def run_scenario(run: xarray.Dataset) -> Scenario:
     """Return the scenario that a run carries."""
-    from ..scenario.file import CHANGED, OWN_PARTS, scenario_of_run
+    from ..scenario.file import BEYOND, CHANGED, OWN_PARTS, scenario_of_run
 
-    attributes = run.attrs
-    if CHANGED in attributes:
-        raise DataError(
-            f"the run was made with parameters that its scenario does not hold, "
-            f"{attributes[CHANGED]}, so its vehicle is not known; estimate from a run without them"
-        )
-    if OWN_PARTS in attributes:
-        raise DataError(
-            f"the run was made with parts given in Python, {attributes[OWN_PARTS]}, so its vehicle "
-            "is not known; estimate from a run without them"
-        )
+    for one in (CHANGED, OWN_PARTS):
+        if one in run.attrs:
+            raise DataError(
+                f"the run was made with {BEYOND[one][0]}, {run.attrs[one]}, so its vehicle is not "
+                "known; estimate from a run without them"
+            )
     scenario = scenario_of_run(run)
     if run.sizes.get("time", 0) < 2:
         raise DataError("the run has fewer than two samples; run it with a smaller output_step")

@@ -96,8 +96,6 @@ def flow_estimate(
     every: float | None = None,
     prior: float | np.ndarray | None = None,
     noise: float | np.ndarray | None = None,
-    walk: float | np.ndarray | None = None,
-    start: np.ndarray | None = None,
 ) -> FlowEstimate:
     """Estimate the flow parameters theta from fix to fix.
 
@@ -120,11 +118,6 @@ def flow_estimate(
         (`Priors`), of a run 1e-4 R, or what its samples leave open where that is more, and
         2^(1/2) ``localization.noise``. What a run's miss has beyond 1e-4 R is of its two fixes,
         half of the variance each; its neighbours share them.
-    walk : float or array_like, shape (N,), optional
-        Of each theta, for the filter alone: speed per square root of time; by default 0 of a run,
-        and of dives 0.13 of the prior in six hours (`Priors`).
-    start : array_like, shape (2, N), optional
-        theta before any fix; by default alpha_M of a run, 0 of dives.
 
     Returns
     -------
@@ -150,8 +143,8 @@ def flow_estimate(
     """
     if method not in METHODS:
         raise ScenarioError(f"method {method!r}: must be one of {', '.join(METHODS)}")
-    origin, usual_prior, usual_start = None, Priors().current, None
-    usual_walk = 0.0  # of the prior
+    origin, usual_prior, start = None, Priors().current, None
+    walk = 0.0  # of the prior, by the root of time: of dives 0.13 in six hours
     if isinstance(data, Sequence):
         if not data:
             raise DataError("no dives are given; give one at least")
@@ -161,7 +154,7 @@ def flow_estimate(
         segments, sea = dive_segments(data, origin), Priors().gradient
         time = np.array([dive.duration for dive in data])
         usual_noise = np.hypot(Priors().fix, sea.scatter * time)
-        usual_walk = np.sqrt(2 / sea.memory)  # that of a current, scaled
+        walk = np.sqrt(2 / sea.memory)  # that of a current, scaled
     else:
         scenario = run_scenario(data)
         segments, known = run_segments(data, scenario, every), scenario.known_to_law
@@ -169,26 +162,20 @@ def flow_estimate(
         fix = 0.0 if scenario.localization is None else scenario.localization.noise
         usual_noise = np.full(len(segments.start), np.hypot(segments.alone, np.sqrt(2) * fix))
         if basis is None:
-            basis, usual_start = scenario.basis_block(), known.alpha_M
+            basis, start = scenario.basis_block(), known.alpha_M
     n, sizes = len(segments.start), list(basis.output_ports.values())
     if basis.state_ports or list(basis.input_ports.values()) != [2] or len(sizes) != 1:
         raise ScenarioError(f"{basis.name}: is no basis, a block x[2] -> phi_x[N] without states")
     N = sizes[0]
     sd = _numbers("prior", usual_prior if prior is None else prior, (N,))
     r = _numbers("noise", usual_noise if noise is None else noise, (n,))
-    if walk is not None and method != "kalman":
-        raise ScenarioError(f'walk: is for the method "kalman", not for "{method}"')
-    w = _numbers("walk", usual_walk * sd if walk is None else walk, (N,), zero=True)
-    usual = np.zeros((2, N)) if usual_start is None else usual_start
-    theta = usual if start is None else np.asarray(start, dtype=float)
-    if theta.shape != (2, N) or not np.all(np.isfinite(theta)):
-        raise ScenarioError(f"start: must be 2 rows of {N} finite numbers")
+    theta = np.zeros((2, N)) if start is None else np.asarray(start)
     if not all(np.all(np.isfinite(part)) for part in segments[:4]):
         raise DataError("a fix or the way through the water is not finite; leave it out")
     if not np.all(segments.duration > 0):
         raise DataError("a segment does not end after it begins; clpt.gliders.usable leaves it out")
     with np.errstate(all="ignore"):  # what is not finite is refused
-        steps, P, h = METHODS[method](segments, basis, theta, sd, r, w)
+        steps, P, h = METHODS[method](segments, basis, theta, sd, r, walk * sd)
         theta = steps[-1]
         scaled, left = whitened(segments, h, r), segments.miss - h @ theta.T
     if not all(np.all(np.isfinite(part)) for part in (theta, P, scaled)):
@@ -198,15 +185,14 @@ def flow_estimate(
     return FlowEstimate(theta, P, left, condition, steps, basis, origin)
 
 
-def _numbers(name: str, value: Any, shape: tuple[int], zero: bool = False) -> np.ndarray:
+def _numbers(name: str, value: Any, shape: tuple[int]) -> np.ndarray:
     """Return positive numbers, one or one each."""
     try:
         values = np.broadcast_to(np.asarray(value, dtype=float), shape)
     except ValueError:
         values = np.array([np.nan])
-    if not (np.all(np.isfinite(values)) and np.all(values >= 0 if zero else values > 0)):
-        allowed = "zero or positive" if zero else "positive"
-        raise ScenarioError(f"{name}: must be a {allowed} number, or {shape[0]} of them")
+    if not (np.all(np.isfinite(values)) and np.all(values > 0)):
+        raise ScenarioError(f"{name}: must be a positive number, or {shape[0]} of them")
     return values
 
 

@@ -193,10 +193,8 @@ def read_dives(paths: str | Path | Iterable[str | Path]) -> tuple[list[Dive], li
     skipped += alike(faults)
     if dives:
         return dives, skipped
-    if len(skipped) == 1 and not skipped[0].why.endswith(" files)"):
+    if len(skipped) == len(files) == 1:
         raise DataError(skipped[0].why)
-    if skipped and len(files) == 1:
-        raise DataError(f"{files[0]}: no line holds a dive; the first: {skipped[0].why}")
-    if skipped:
-        raise DataError(f"none of {len(files)} files holds a dive; the first: {skipped[0].why}")
-    raise DataError(f"{', '.join(map(str, files)) or 'no file'}: no dives")
+    first = skipped[0].why if skipped else "no dives"
+    where = files[0] if len(files) == 1 else f"{len(files)} files"
+    raise DataError(f"{where}: no dive; the first reason: {first}")

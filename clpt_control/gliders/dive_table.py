@@ -14,7 +14,7 @@ comments, other columns are left alone, and the displacement between the fixes i
 never read.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from contextlib import suppress
 from math import isfinite, nan
 from pathlib import Path
@@ -62,14 +62,11 @@ def _check_header(header: list[str], name: str | Path) -> None:
     """Refuse a header without a required column, or with a column twice."""
     line = ",".join(header)
     missing = [column for column in REQUIRED if column not in header]
-    small = {cell.lower() for cell in header}
-    if set(CURRENT) <= set(header) and not small & set(THROUGH_WATER):
+    if set(CURRENT) <= set(header) and not set(header) & set(THROUGH_WATER):
         missing = [column for column in missing if column not in THROUGH_WATER]
     marks = other_marks(line, REQUIRED[0])
     if missing and marks:
         raise DataError(f"{name}: {marks}")
-    if missing and not set(missing) - small:
-        raise DataError(f"{name}: no column {', '.join(missing)} in lower case; write it so")
     if missing == list(REQUIRED):
         raise DataError(
             f"{name}: neither NetCDF nor a table of dives; such a table begins with "
@@ -96,8 +93,7 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
     found: dict[str, Any] = {}
     for column in (*REQUIRED[1:], *OPTIONAL):
         text = row.get(column, "")
-        readers = (float, seconds_since_1970) if column in TIMES else (float,)
-        value = _number(text, *readers)
+        value = _number(text, column in TIMES)
         if value is None and text:
             if column in (START[0], END[0]):
                 return Skipped(number, f"{where}: {column} is {text[:30]!r}; {AS_TIME}")
@@ -129,9 +125,9 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
     )
 
 
-def _number(text: str, *readers: Callable[[str], float]) -> float | None:
-    """Return the number that the first reader finds which can read a text, or None."""
-    for read in readers:
+def _number(text: str, is_time: bool) -> float | None:
+    """Return the number or the date, s since 1970, that a text is, or None."""
+    for read in (float, seconds_since_1970) if is_time else (float,):
         with suppress(ValueError):
             return read(text)
     return None

@@ -152,18 +152,6 @@ def noted(dive: Dive, note: str) -> Dive:
     return dive if note in dive.notes else replace(dive, notes=(*dive.notes, note))
 
 
-def changes_noted(dives: list[Dive]) -> list[Dive]:
-    """Return dives, noted where one is of another vehicle than the last that bears a name."""
-    found, last = [], None
-    for dive in dives:
-        name = dive.vehicle
-        if name and last and name.casefold() != last.casefold():
-            dive = noted(dive, f"is of {name}, those before of {last}: replay each on its own")
-        last = name or last
-        found.append(dive)
-    return found
-
-
 def is_segment(path: Path) -> bool:
     """Whether a name is that of a segment.
 

@@ -37,21 +37,43 @@ from .samples import SURFACE, metres, metres_per_second, seconds, values
 from .usable_dives import DAY, SMALLER
 
 FIXES = ("TIME_GPS", "LATITUDE_GPS", "LONGITUDE_GPS")
-STEPS = ("EAST_DISPLACEMENT", "NORTH_DISPLACEMENT")
-STEPS_GSM = ("EAST_DISPLACEMENT_GSM", "NORTH_DISPLACEMENT_GSM")
+PLACES = ("TIME", "LATITUDE", "LONGITUDE")
 PLACE = ("lat", "lon")
 FLAG = "DEAD_RECKONING"  # 0 where a place is a fix
 HEADING = ("HEADING", "GLIDER_HEADING", "ENG_HEAD")
-SPEED = ("GLIDER_HORZ_VELO_MODEL", "HORZ_SPEED", "HORZ_SPEED_GSM", "HORZ_GLIDER_SPEED")
-EAST = ("DAVG_CURR_EAST", "UCUR", "DAC_EAST", "DEPTH_AVG_CURR_EAST", "WCUR_X")
-NORTH = ("DAVG_CURR_NORTH", "VCUR", "DAC_NORTH", "DEPTH_AVG_CURR_NORTH", "WCUR_Y")
-QUALITY = ("DAVG_CURR_EAST_QC", "DAVG_CURR_QC", "DEPTH_AVG_CURR_QC", "WCUR_QC")
-NUMBER = ("DIVE_NUMBER", "DIVE_NUM", "DIVENUM", "DIVE_NUM_CAST", "PROFILE_INDEX")
 FASTEST_CLIMB = 1.0  # m/s: no glider comes up faster
 NAMES = ("TIME{}", "LATITUDE{}", "LONGITUDE{}")
 END, START, MIDDLE = ("_GPS_END", "_GPS", "_UV")
-END_FLAG = "GPS_END_QC"
-DOUBTFUL = (3.0, 4.0)  # flags of a fix: questionable, bad
+
+
+def _degrees(data: xarray.Dataset, name: str) -> np.ndarray:
+    radians = said(data[name]).lower().startswith("rad")
+    return np.degrees(values(data, name)) if radians else values(data, name)
+
+
+QUANTITIES = {  # of a measurement: what files call it, and how it is read
+    "east": (("EAST_DISPLACEMENT", "EAST_DISPLACEMENT_GSM"), metres),
+    "north": (("NORTH_DISPLACEMENT", "NORTH_DISPLACEMENT_GSM"), metres),
+    "speed": (
+        ("GLIDER_HORZ_VELO_MODEL", "HORZ_SPEED", "HORZ_SPEED_GSM", "HORZ_GLIDER_SPEED"),
+        metres_per_second,
+    ),
+    "heading": (HEADING, _degrees),
+    "u": (
+        ("DAVG_CURR_EAST", "UCUR", "DAC_EAST", "DEPTH_AVG_CURR_EAST", "WCUR_X"),
+        metres_per_second,
+    ),
+    "v": (
+        ("DAVG_CURR_NORTH", "VCUR", "DAC_NORTH", "DEPTH_AVG_CURR_NORTH", "WCUR_Y"),
+        metres_per_second,
+    ),
+    "number": (("DIVE_NUMBER", "DIVE_NUM", "DIVENUM", "DIVE_NUM_CAST", "PROFILE_INDEX"), values),
+    "qc": (("DAVG_CURR_EAST_QC", "DAVG_CURR_QC", "DEPTH_AVG_CURR_QC", "WCUR_QC"), values),
+    "magvar": (("MAGNETIC_VARIATION",), values),
+    "depth": (("DEPTH", "GLIDER_DEPTH"), metres),
+    "depth_max": (("DEPTH_MAX",), metres),
+    "phase": (("PHASE",), values),
+}
 
 
 def is_known(data: xarray.Dataset) -> bool:
@@ -77,22 +99,8 @@ def columns_of(data: xarray.Dataset) -> pandas.DataFrame:
         if unit:
             fixes[0] = fixes[0] / SMALLER[unit]
             notes.append(f"{t_name} has no units and is read as {unit}, as its numbers are")
-    steps = next((pair for pair in (STEPS, STEPS_GSM) if set(pair) <= set(known)), STEPS)
-    of = {"time": time}
-    for key, candidates, read in (
-        ("east", steps[:1], metres),
-        ("north", steps[1:], metres),
-        ("speed", SPEED, metres_per_second),
-        ("heading", HEADING, _degrees),
-        ("u", EAST, metres_per_second),
-        ("v", NORTH, metres_per_second),
-        ("number", NUMBER, values),
-        ("qc", QUALITY, values),
-        ("magvar", ("MAGNETIC_VARIATION",), values),
-        ("depth", ("DEPTH", "GLIDER_DEPTH"), metres),
-        ("depth_max", ("DEPTH_MAX",), metres),
-        ("phase", ("PHASE",), values),
-    ):
+    of, steps = {"time": time}, ""
+    for key, (candidates, read) in QUANTITIES.items():
         of[key] = np.full(time.size, nan)
         for name in (known[one] for one in candidates if one in known):
             found = read(data, name).ravel()
@@ -100,38 +108,35 @@ def columns_of(data: xarray.Dataset) -> pandas.DataFrame:
                 found = np.full(time.size, found[0])
             if found.shape == time.shape and np.isfinite(found).any():
                 of[key] = found
+                steps = name if key == "east" else steps
                 break
     of_fixes = pandas.DataFrame(dict(zip(("t_fix", *PLACE), fixes, strict=True)))
     beside = time.shape == fixes[0].shape  # else fixes on a dimension of their own
     whole = pandas.concat([pandas.DataFrame(of), of_fixes], axis=1 if beside else 0)
     whole = whole.where(abs(whole) < 1e300).reset_index(drop=True)  # sums of larger are infinite
-    name = known.get(steps[0], steps[0])
-    whole.attrs = {"north": _frame(data, known), "steps": name, "notes": tuple(notes)}
+    whole.attrs = {"north": _frame(data, known), "steps": steps, "notes": tuple(notes)}
     return whole
 
 
 def _fix_columns(data: xarray.Dataset, known: dict[str, str]) -> tuple[list[np.ndarray], str]:
     """Return time (s), latitude and longitude of the fixes, and the name of that time."""
-    latitude = known.get("LATITUDE_GPS")
+    latitude, names, fixed = known.get("LATITUDE_GPS"), FIXES, np.array(True)
     bare = latitude is None or not np.isfinite(values(data, latitude)).any()
-    if bare and {"TIME", "LATITUDE", "LONGITUDE", FLAG} <= set(known):
-        fixed = values(data, known[FLAG]) == 0
-        columns = [values(data, known[name]) for name in ("LATITUDE", "LONGITUDE")]
-        time = seconds(data, known["TIME"])
-        if all(column.shape == fixed.shape == time.shape for column in columns):
-            return [time, *(np.where(fixed, column, nan) for column in columns)], "TIME"
-    t_name = next((name for name in ("TIME_GPS", "TIME") if name in known), "TIME_GPS")
-    missing = [name for name in (t_name, *FIXES[1:]) if name not in known]
+    if bare and {*PLACES, FLAG} <= set(known):
+        names, fixed = PLACES, values(data, known[FLAG]) == 0
+    elif "TIME_GPS" not in known and "TIME" in known:
+        names = ("TIME", *FIXES[1:])
+    missing = [name for name in names if name not in known]
     if missing:
         raise DataError(
             f"no variable {' and no '.join(missing)}; OG1 has the fixes there, which are "
             "needed, as is the displacement through the water; a CSV table of dives can give both"
         )
-    fixes = [seconds(data, known[t_name])]
-    fixes += [values(data, known[name]) for name in FIXES[1:]]
-    if any(fix.shape != fixes[0].shape or fix.ndim != 1 for fix in fixes):
-        raise DataError(f"{t_name}, {', '.join(FIXES[1:])} differ in length; must be one per fix")
-    return fixes, t_name
+    time = seconds(data, known[names[0]])
+    places = [np.where(fixed, values(data, known[name]), nan) for name in names[1:]]
+    if any(place.shape != time.shape or place.ndim != 1 for place in places):
+        raise DataError(f"{', '.join(names)} differ in length; must be one per fix")
+    return [time, *places], names[0]
 
 
 def unit_of_times(fixes: np.ndarray, time: np.ndarray) -> str:
@@ -168,11 +173,9 @@ def fixes_and_others(of: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
         afloat = ~deep | (when[rows] - time[rows] >= depth[rows] / FASTEST_CLIMB)
         wrong = rows[first & ~afloat]
         if wrong.size > first.sum() / 2:
-            others = f" and {wrong.size - 1} more rows" if wrong.size > 1 else ""
             raise DataError(
-                f"LATITUDE_GPS, LONGITUDE_GPS have a new fix {depth[wrong[0]]:.0f} m "
-                f"under water in row {wrong[0]}{others} (the first row is 0); fixes are made at "
-                "the surface: set both to NaN there"
+                f"LATITUDE_GPS, LONGITUDE_GPS have {wrong.size} new fixes under water, the first "
+                f"in row {wrong[0]} (from 0); fixes are made at the surface: set both to NaN there"
             )
         failed = np.concatenate([failed, when[wrong]])
         rows = rows[first & afloat]
@@ -183,11 +186,6 @@ def fixes_and_others(of: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
 def known_names(data: xarray.Dataset) -> dict[str, str]:
     """Return names in the file by their capitals; a name in capitals goes before others."""
     return {str(name).upper(): str(name) for name in sorted(map(str, data.variables), reverse=True)}
-
-
-def _degrees(data: xarray.Dataset, name: str) -> np.ndarray:
-    radians = said(data[name]).lower().startswith("rad")
-    return np.degrees(values(data, name)) if radians else values(data, name)
 
 
 def _frame(data: xarray.Dataset, known: dict[str, str]) -> str:
@@ -213,19 +211,14 @@ def segments_of(data: xarray.Dataset) -> list[tuple[Fix, Fix, list[str]]]:
             "TIME_GPS_END, LATITUDE_GPS_END, LONGITUDE_GPS_END have no fix; a dive needs "
             "one before and one after it"
         )
-    flags = values(data, known[END_FLAG]) if END_FLAG in known else np.empty(0)
-    if flags.shape != ends[0].shape:
-        flags = np.full(ends[0].shape, nan)
-    columns = pandas.DataFrame(np.vstack([ends, *others, flags]).T)
+    columns = pandas.DataFrame(np.vstack([ends, *others]).T)
     found = []
     for row in columns.groupby(0, as_index=False).first().to_numpy():  # what is there, of each end
-        end, start, middle, flag = row[:3], row[3:6], row[6:9], row[9]
+        end, start, middle = row[:3], row[3:6], row[6:9]
         notes = []
         if np.isnan(start).any() and not np.isnan(middle).any():
             start = 2 * middle - end
             notes.append("the fix before the dive computed from the segment's middle and its end")
-        if flag in DOUBTFUL:
-            notes.append(f"the file flags the fix after the dive {flag:g}")
         found.append((tuple(start.tolist()), tuple(end.tolist()), notes))
     return found
 

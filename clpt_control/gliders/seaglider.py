@@ -37,7 +37,6 @@ from .dives import NUMBERS, Three, dive_between, is_fix, planned_course, whole_n
 FIXES = ("log_gps_time", "log_gps_lat", "log_gps_lon")
 NAMES = ("GPS1", "GPS2", "GPSE")
 GOOD = (0.0, 1.0, 2.0)  # flags of a fix: no change, good, probably good
-POOR = 10.0  # hdop that is mentioned; a good one is about 1
 FAILED = 99.0  # hdop of a receiver that timed out
 DEPTHS = ("depth", "ctd_depth", "eng_depth")
 
@@ -56,43 +55,30 @@ def fixes_of(data: xarray.Dataset, first_sample: float) -> tuple[Three, list[str
     columns = [samples.seconds(data, FIXES[0]), *(samples.values(data, name) for name in FIXES[1:])]
     if any(column.shape != (3,) for column in columns):
         raise DataError(f"{columns[0].size} fixes in {FIXES[0]}; must be 3: GPS1, GPS2 and GPSE")
-    notes: list[str] = []
-    fixes = [_checked(data, k, columns, notes) for k in range(3)]
-    first: Fix | None
-    first, start, end = fixes
+    notes, of = [], np.array(columns)
+    hdop, flags = (_of_fixes(data, name) for name in ("log_gps_hdop", "log_gps_qc"))
+    for k, name in enumerate(NAMES):
+        flag = samples.scalar(data, f"{name}_qc") or flags[k]
+        if hdop[k] >= FAILED:
+            of[:, k] = nan
+            notes.append(f"{name} has a hdop of {hdop[k]:g}: the receiver found no fix")
+        elif k and isfinite(flag) and flag not in GOOD:
+            notes.append(f"the file flags {name} {flag:g}")
+    first, start, end = ((time, lat, lon) for time, lat, lon in of.T.tolist())
     if not (isfinite(first[0]) and is_fix(*first[1:])):
-        first = None
-    elif start[0] < first[0]:
-        late = f"GPS2 is {first[0] - start[0]:.0f} s older than GPS1"
-        if first[0] <= first_sample:
-            notes.append(f"{late}, so GPS1 is taken as the fix before the dive")
-            start = first
-        else:
-            notes.append(f"{late}, which is left out")
-        first = None
+        return (None, start, end), notes
+    if start[0] < first[0]:
+        taken = first[0] <= first_sample
+        which = "taken as the fix before the dive" if taken else "left out"
+        notes.append(f"GPS2 is {first[0] - start[0]:.0f} s older than GPS1, which is {which}")
+        return (None, first if taken else start, end), notes
     return (first, start, end), notes
 
 
-def _checked(data: xarray.Dataset, k: int, columns: list[np.ndarray], notes: list[str]) -> Fix:
-    time, lat, lon = (float(column[k]) for column in columns)
-    name = NAMES[k]
-    flag, hdop = samples.scalar(data, f"{name}_qc"), _of_fix(data, "log_gps_hdop", k)
-    if flag is None:
-        flag = _of_fix(data, "log_gps_qc", k)
-    if name != "GPS1" and isfinite(flag) and flag not in GOOD:
-        notes.append(f"the file flags {name} {flag:g}")
-    if hdop >= FAILED:
-        notes.append(f"{name} has a hdop of {hdop:g}: the receiver found no fix")
-        return nan, nan, nan
-    if hdop > POOR:
-        notes.append(f"{name} has a hdop of {hdop:g}: up to some {10 * hdop:.0f} m off")
-    return time, lat, lon
-
-
-def _of_fix(data: xarray.Dataset, name: str, k: int) -> float:
-    """Return the number of one of three fixes, NaN where there is none."""
+def _of_fixes(data: xarray.Dataset, name: str) -> np.ndarray:
+    """Return a number of each of three fixes, NaN where there are none."""
     found = samples.values(data, name) if name in data.variables else np.empty(0)
-    return float(found[k]) if found.shape == (3,) else nan
+    return found if found.shape == (3,) else np.full(3, nan)
 
 
 def is_known(data: xarray.Dataset) -> bool:
@@ -110,9 +96,8 @@ def dive_of(data: xarray.Dataset, path: Path) -> Dive:
     depths = (
         samples.deepest(samples.metres(data, name)) for name in DEPTHS if name in data.variables
     )
-    which, misnumbered = _number(data, path)
     return dive_between(
-        which,
+        _number(data, path),
         fixes,
         found,
         dac_east=samples.scalar(data, "depth_avg_curr_east"),
@@ -121,7 +106,7 @@ def dive_of(data: xarray.Dataset, path: Path) -> Dive:
         magvar=_variation(data),
         depth_max=next((depth for depth in depths if depth is not None), None),
         next_course=_next_course(data, fixes[2]),
-        notes=(*found.notes, *([why_not] if why_not else []), *doubts, *misnumbered),
+        notes=(*found.notes, *([why_not] if why_not else []), *doubts),
     )
 
 
@@ -131,31 +116,23 @@ def number_in_name(path: Path) -> int | None:
     return int(named[1]) if named else None
 
 
-def _number(data: xarray.Dataset, path: Path) -> tuple[int, list[str]]:
-    """Return the number of the dive and what was wrong with others."""
-    notes: list[str] = []
-    for name, value in (
-        ("dive_number", data.attrs.get("dive_number")),
-        ("log_DIVE", samples.scalar(data, "log_DIVE")),
-        ("name", number_in_name(path)),
-    ):
+def _number(data: xarray.Dataset, path: Path) -> int:
+    """Return the number of the dive."""
+    own, log = data.attrs.get("dive_number"), samples.scalar(data, "log_DIVE")
+    for value in (own, log, number_in_name(path)):
         whole = whole_number(value)
         if whole is not None:
-            return whole, [f"{note}; taken from {name}" for note in notes]
-        if value is not None:
-            notes.append(f"{name} is {str(value)[:20]!r}, no whole number below {NUMBERS}")
-    raise DataError(
-        f"{notes[0] if notes else 'no attribute dive_number'}, and the name is not such as "
-        "p5420304.nc"
-    )
+            return whole
+    given = "no attribute dive_number"
+    if own is not None:
+        given = f"dive_number is {str(own)[:20]!r}, no whole number below {NUMBERS}"
+    raise DataError(f"{given}, and the name is not such as p5420304.nc")
 
 
 def _variation(data: xarray.Dataset) -> float | None:
     """Return the magnetic variation, that of GPS2 where the file has one per fix."""
     found = samples.scalar(data, "magnetic_variation")
-    if found is None:
-        found = _of_fix(data, "log_gps_magvar", 1)
-    return known(found)
+    return known(_of_fixes(data, "log_gps_magvar").tolist()[1]) if found is None else found
 
 
 def _next_course(data: xarray.Dataset, end: Fix) -> float | None:
@@ -183,9 +160,7 @@ def _times(data: xarray.Dataset, like: str) -> tuple[np.ndarray | None, str]:
         time = samples.seconds(data, name)
         if time.size and np.all(np.isfinite(time)) and np.all(np.diff(time) > 0):
             return time, ""
-    if not same:
-        return None, f"no track: no times with the dimension of {like}"
-    return None, f"no track: the times {same[0]} are not finite or not in order"
+    return None, f"no track: no times in order with the dimension of {like}"
 
 
 def _dead_reckoning(

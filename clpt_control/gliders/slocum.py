@@ -18,13 +18,10 @@ The places of m_lat, m_lon are relative to the fix before the dive, to which the
 them; those of m_x_lmc, m_y_lmc to theirs when it dived.
 
 The glider's own current w (m_water_vx, m_water_vy after the dive, on magnetic axes) is its
-miss over the time under water.  A glider may add w0, of the dive before, to its dead
-reckoning (u_use_current_correction); w tells whether it did: without it
-
-    miss = (displacement between the fixes - dr)/duration = w,   with it w - w0,
-
-and then w0 times the time under water is taken off dr.  Dead reckoning that still contradicts
-w is not used: dr is the displacement between the fixes less w times the duration.
+miss over the time under water.  A glider may add w of the dive before to its dead reckoning
+(u_use_current_correction), and then that times the time under water is taken off.  Dead reckoning
+that contradicts w is not used: dr is the displacement between the fixes less w times the duration.
+Where neither is known a dive that may hold a current is not used.
 
 The plan of the next dive is the way to the waypoint c_wpt_lat, c_wpt_lon (ddmm.mmm), else
 c_heading (rad from magnetic north), as last logged.
@@ -53,8 +50,8 @@ from .slocum_file import FIX, LOCAL, PLACE, PLAN, WATER, Segment, read_segment
 from .slocum_file import MAGIC as MAGIC
 
 SHORT = 60.0  # s of a dive's end without a place that are left alone
-HOLDS = "the glider's dead reckoning holds the current of the dive before"
-CLEAR = 0.03  # m/s: from here on w tells whether a current was added
+CORRECTS = "the glider corrects for the current itself (u_use_current_correction)"
+CLEAR = 0.03  # m/s that w may be off
 OWN_CURRENT = 1800.0  # s after the fix in which the glider has worked its current out
 
 
@@ -121,56 +118,34 @@ def _places(of: pandas.DataFrame, start: Fix, wet: np.ndarray, east_of_north: fl
     return np.array([times[rows], *places])
 
 
-def was_added(miss: np.ndarray, before: np.ndarray, now: np.ndarray, used: float) -> bool:
-    """Whether a dead reckoning with a miss, m/s, holds the current of the dive before.
-
-    The own current `now` decides where it can tell, else what the glider says of itself.
-
-    >>> before, now = np.array([0.08, 0.06]), np.array([-0.05, 0.10])
-    >>> was_added(now - before, before, now, 0.0), was_added(now - before, before, now + nan, 0.0)
-    (True, False)
-    """
-    without, with_it = np.hypot(*(miss - now)), np.hypot(*(miss + before - now))
-    size, better = np.hypot(*before), min(without, with_it)
-    if np.isfinite(size + better) and (size > CLEAR or size > 4 * better):
-        return bool(with_it < without)
-    return used == 1
-
-
 def reconciled(
-    path: np.ndarray,
-    dived: float,
-    gps: np.ndarray,
-    duration: float,
-    before: np.ndarray,
-    now: np.ndarray,
-    used: float,
+    path: np.ndarray, dived: float, gps: np.ndarray, duration: float, own: np.ndarray, used: float
 ) -> tuple[np.ndarray | None, np.ndarray, str]:
     """Return a path through the water that agrees with the own current, its end, and a note.
 
-    A path (time since the fix, east, north; the vehicle dived at `dived`) that holds the current
-    of the dive before loses it; one that still contradicts `now`, or may hold a current that is
-    not known, is None.
+    `own` has the current of the dive before and of this one, `used` whether the glider says that it
+    added the former, which is taken off then from when it `dived`, s after the fix. A path that
+    contradicts the latter, or may hold the former, is None.
     """
-    note, known = "", bool(np.isfinite(now).all())
+    (before, now), note = own, ""
     size = float(np.hypot(*before))
-    if was_added((gps - path[1:, -1]) / duration, before, now, used):
-        note = f"{HOLDS}, "
-        if np.isfinite(size):
-            under = np.clip(path[0] - dived, 0.0, None)
-            path = np.vstack([path[:1], path[1:] - np.outer(before, under)])
-            note += f"{size:.3f} m/s: taken off"
-        elif not known:
-            return None, np.full(2, nan), note + "which no file says: not used"
-    elif np.isnan(used) and not known:
-        note = "no file says whether the glider's dead reckoning holds a current of its own"
-        if size > CLEAR:
-            return None, np.full(2, nan), f"{note}, {size:.3f} m/s: not used"
-    off = float(np.hypot(*((gps - path[1:, -1]) / duration - now)))
-    if off > CLEAR:
+    if used == 1 and np.isfinite(size):
+        under = np.clip(path[0] - dived, 0.0, None)
+        path = np.vstack([path[:1], path[1:] - np.outer(before, under)])
+        note = f"the current of the dive before, {size:.3f} m/s, is taken off"
+    end = path[1:, -1]
+    if np.isfinite(now).all():
+        off = float(np.hypot(*((gps - end) / duration - now)))
+        if off <= CLEAR:
+            return path, end, note
         note = f"dead reckoning contradicts the glider's own current by {1e3 * off:.0f} mm/s"
         return None, gps - now * duration, f"{note}: not used, that current is"
-    return path, path[1:, -1], note
+    if used == 0 or note:
+        return path, end, note
+    note = "no file says whether the glider's dead reckoning holds a current of its own"
+    if used == 1 or size > CLEAR:
+        return None, np.full(2, nan), f"{note}: not used"
+    return path, end, note
 
 
 def dives_of(path: Path) -> list[Dive]:
@@ -206,12 +181,13 @@ def _dive(of: pandas.DataFrame, segment: Segment, fixes: Three) -> Dive:
     notes += [why or hole] if why or hole else []
     if large:
         path = None
-    before, now = own_currents(of, wet[0], end[0], east_of_north)
+    own = own_currents(of, wet[0], end[0], east_of_north)
+    used = of.u_use_current_correction[: end[0]].ffill().iloc[-1]
+    notes += [CORRECTS] if used == 1 else []
     total = np.full(2, nan)
     if path is not None:
         gps = np.array(displacement(*start[1:], *end[1:]))
-        used = of.u_use_current_correction[: end[0]].ffill().iloc[-1]
-        path, total, note = reconciled(path, wet[0] - start[0], gps, duration, before, now, used)
+        path, total, note = reconciled(path, wet[0] - start[0], gps, duration, own, used)
         notes += [note] if note else []
     track = None
     if path is not None:
@@ -220,8 +196,8 @@ def _dive(of: pandas.DataFrame, segment: Segment, fixes: Three) -> Dive:
         segment.number,
         fixes,
         ThroughWater((float(total[0]), float(total[1])), track),
-        dac_east=now[0],
-        dac_north=now[1],
+        dac_east=own[1, 0],
+        dac_north=own[1, 1],
         magvar=east_of_north,
         depth_max=deepest(depth),
         next_course=_next_course(of, end, east_of_north),

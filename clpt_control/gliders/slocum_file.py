@@ -15,6 +15,7 @@ and up to four folders up, and in the folder that the environment variable `CLPT
 
 import os
 import re
+from contextlib import suppress
 from functools import lru_cache
 from io import BytesIO
 from math import nan
@@ -130,7 +131,6 @@ def _length(packed: bytes, at: int, length: int) -> tuple[int, int]:
 
 def _header(raw: bytes, path: Path) -> tuple[dict[str, str], int]:
     """Return the tags of the header and where it ends."""
-    damaged = f"{path}: the header of the Slocum file is damaged or cut short"
     tags: dict[str, str] = {}
     at = 0
     for line in BytesIO(raw):
@@ -141,16 +141,14 @@ def _header(raw: bytes, path: Path) -> tuple[dict[str, str], int]:
         at += len(line)
         if tags.get("num_ascii_tags") == str(len(tags)):
             break
-    if "dbd_label" not in tags or not raw[:at].isascii():
-        raise DataError(damaged)
-    is_text = tags["dbd_label"].startswith(TEXT)
-    counts = {name: tags.get(name, "") for name in (OF_TEXT if is_text else WHOLE)}
-    lacking = [name for name, count in counts.items() if not count.isdecimal()]
-    if lacking or tags.get("num_ascii_tags") != str(len(tags)):
-        raise DataError(f"{damaged}: {', '.join(lacking) or 'too few lines'}")
-    for name in [*counts][:2]:
-        if not 0 < int(counts[name]) < 10**5:
-            raise DataError(f"{damaged}: {name} is {counts[name]}")
+    is_text = tags.get("dbd_label", "").startswith(TEXT)
+    counts = OF_TEXT if is_text else WHOLE
+    lacking = [name for name in counts if not re.fullmatch("[0-9]{1,5}", tags.get(name, ""))]
+    if lacking or tags.get("num_ascii_tags") != str(len(tags)) or not raw[:at].isascii():
+        raise DataError(
+            f"{path}: the header of the Slocum file is damaged or cut short: "
+            f"{', '.join(lacking) or 'too few lines'}"
+        )
     if tags.get("encoding_ver") != ("2" if is_text else "5"):
         raise DataError(
             f"{path}: is a Slocum file of encoding {tags.get('encoding_ver')!r}; must be 5, "
@@ -207,20 +205,17 @@ def _list_of(path: Path, check_sum: str) -> tuple[Path, bytes]:
 @lru_cache(maxsize=64)
 def _listed(listed: bytes, total: int, path: Path) -> list[tuple[str, int]]:
     """Return name and bytes of each sensor of a cycle, in their order."""
-    sensors: dict[int, tuple[str, int]] = {}
-    lines = [line.split() for line in listed.splitlines() if line.strip()]
-    for words in lines[:total]:
-        try:
-            place, size = int(words[3]), int(words[4])
-        except (IndexError, ValueError):
-            break
-        if len(words) < 7 or words[0] != b"s:" or size not in (1, 2, 4, 8):
-            break
-        if place >= 0:
-            sensors[place] = words[5].decode("ascii", "replace"), size
-    else:
-        if len(lines) >= total and sorted(sensors) == list(range(len(sensors))):
-            return [sensors[place] for place in range(len(sensors))]
+    rows = [line.split() for line in listed.splitlines() if line.strip()][:total]
+    with suppress(IndexError, KeyError, ValueError):
+        each = [(words[0], int(words[3]), int(words[4]), words[5], words[6]) for words in rows]
+        sensors = {
+            place: (name.decode("ascii", "replace"), size)
+            for mark, place, size, name, _ in each
+            if mark == b"s:" and place >= 0 and KINDS[size]
+        }
+        found = [sensors[place] for place in range(len(sensors))]
+        if len(rows) == total and all(mark == b"s:" for mark, *_ in each):
+            return found
     raise NotYet(
         f"{path}: is no list of {total} sensors of a Slocum; get it again from the glider or its "
         "dockserver"

@@ -2,22 +2,19 @@
 
 A dive needs both fixes, a time and a place each, in their order, and a finite
 displacement through the water; no speed that follows from them may be above 5 m/s.
-Times are those of the years 1970 to 2200 (`constituents.YEARS`, where tides end too): what
-lies outside is most often in another unit, which is named where it would bring the
-time there.
+Times are those of the years 1970 to 2200 (`constituents.YEARS`, where tides end too).
 
-Between two dives a vehicle drifts at the surface, or makes dives that are not known,
-from the fix at the end of the one (GPSE) to the last fix before the other (GPS2), at
-most
+Between two dives a vehicle drifts at the surface, or makes dives that are not known.  A dive that
+starts further than
 
-    max(5 m/s * time between them, `ASTRAY`);
+    max(5 m/s * time between them, `ASTRAY`)
 
-more says that one of the fixes is wrong or that the dives are of two vehicles.  What
-is further than 5 m/s allow and than `NEAR` is noted, and so is a dive whose file names
-another vehicle than those before.
+from both fixes of the one before is of another vehicle.  What is less far, and yet further than it
+can be, tells of a wrong fix, which costs no dive: a replay judges it (`replay.doubts`).
 """
 
 from collections.abc import Iterable
+from dataclasses import replace
 from datetime import UTC, datetime
 from math import hypot, isfinite
 
@@ -26,20 +23,19 @@ import numpy as np
 from ..arguments import public
 from ..currents.constituents import YEARS
 from ..geodesy import distance, is_place
-from .dives import NUMBERS, Dive, Skipped, changes_noted, noted
+from .dives import NUMBERS, Dive, Skipped, is_fix, noted
 
 LEAST_DURATION = 1000.0  # s: shelf gliders dive for half an hour, trials for minutes
 FASTEST = 5.0  # m/s: no current and no glider is faster, so a fix or a sum is wrong
 LATEST = datetime(YEARS[1], 1, 1, tzinfo=UTC).timestamp()  # s since 1970
-DAY, YEAR = 86400.0, 365.25 * 86400.0  # s
-DAYS = 1e6  # times below are days, since 1970 or the year 0, or of January 1970
+DAY = 86400.0  # s
 FILLS = (999.0, 9999.0, 99999.0)
 SMALLER = {"milliseconds": 1e3, "microseconds": 1e6, "nanoseconds": 1e9}  # in one second
 OVERLAP = 60.0  # s that neighbours may share by rounding
 MISSION = 1000  # dives: a larger step in the numbers is another mission
 SHARE = 0.5  # of the shorter neighbour's time: a missing dive takes more; some number surfacings
-NEAR, ASTRAY = 5e3, 50e3  # m: what is noted, and refused, however short the time
-ANOTHER = "another vehicle? replay each on its own"
+OWN = "replay each on its own"
+ASTRAY = 50e3  # m that a fix may be off, however short the time
 
 
 @public
@@ -51,11 +47,8 @@ def usable(
     A dive is used when it has both fixes in their order and in the years 1970
     to 2200, finite dead reckoning, lasts longer than `least_duration`, needs no
     speed above 5 m/s, does not overlap one that ended before it, and starts where
-    a vehicle can have got to from the end of the used dive before.  Where the
-    latter is not so for two dives running that follow one another, the fix of the
-    used one is taken as wrong: the first of the two stays left out, and dives
-    are used from the second on.  Whether a dive is used depends on earlier ends
-    only, so a later dive never changes it.
+    a vehicle can have got to from a fix of the used dive before.  Whether a dive is
+    used depends on earlier ends only, so a later dive never changes it.
 
     Parameters
     ----------
@@ -87,35 +80,25 @@ def usable(
             skipped.append(Skipped(dive.number, "; ".join((why, *dive.notes))))
             continue
         if dive.t_gpse < latest:
-            years = (latest - dive.t_gpse) / YEAR
-            back = f": {years:.0f} years before it, was a clock set back?" if years > 1 else ""
-            dive = noted(dive, f"came after a later dive, sorted by time{back}")
+            dive = noted(dive, "came after a later dive, sorted by time")
         latest = max(latest, dive.t_gpse)
         fit.append(dive)
     ordered = sorted(fit, key=_by_time)
-    used = ordered[:1]
-    stray: Dive | None = None  # the last one, if it starts too far from the used one
+    used, name = ordered[:1], ordered[0].vehicle if ordered else None
     for dive in ordered[1:]:
         before = used[-1]
-        why = _overlap(dive, before)
+        why = _overlap(dive, before) or _too_far(dive, before)
         if why:
             skipped.append(Skipped(dive.number, why))
             continue
-        why = _too_far(dive, before)
-        if why and (stray is None or _overlap(dive, stray) or _too_far(dive, stray)):
-            skipped.append(Skipped(dive.number, f"{why}; {ANOTHER}"))
-            stray = dive
-            continue
-        if why and stray is not None:
-            dive = noted(dive, f"{why}, but follows dive {stray.number}, which was left out: used")
-        elif odd := _too_far(dive, before, NEAR):
-            dive = noted(dive, odd)
-        stray = None
         missing = dive.number - before.number - 1
         if 0 < missing < MISSION and not follows(dive, before):
             dive = noted(dive, f"{missing} dive(s) missing after dive {before.number}")
+        if dive.vehicle and name and dive.vehicle.casefold() != name.casefold():
+            dive = noted(dive, f"is of {dive.vehicle}, those before of {name}: {OWN}")
+        name = dive.vehicle or name
         used.append(dive)
-    return changes_noted(used), skipped
+    return used, skipped
 
 
 def follows(dive: Dive, before: Dive) -> bool:
@@ -139,12 +122,8 @@ def _fault(dive: Dive, least_duration: float) -> str:
     if dive.dr_east == dive.dr_north and abs(dive.dr_east) in FILLS:
         return f"the displacement through the water is {dive.dr_east:g} m twice, a fill value"
     if not dive.duration > least_duration:
-        days = dive.t_gpse < DAYS and dive.duration * DAY > least_duration
-        lasts = f"{dive.duration:.0f}" if dive.duration > 10 else f"{dive.duration:.2g}"
-        return (
-            f"lasts {lasts} s; must last longer than {least_duration:g} s (--least-duration)"
-            f"{': its times look like days, give seconds since 1970' if days else ''}"
-        )
+        least = f"{least_duration:g} s (--least-duration)"
+        return f"lasts {dive.duration:.4g} s; must last longer than {least}"
     for name, length in (
         ("between the fixes", hypot(dive.gps_east, dive.gps_north)),
         ("through the water", hypot(dive.dr_east, dive.dr_north)),
@@ -159,28 +138,14 @@ def _fault(dive: Dive, least_duration: float) -> str:
 
 def _fix_fault(name: str, time: float, lat: float, lon: float) -> str:
     """Return what is wrong with one fix, empty where it is good."""
-    if isfinite(time) and isfinite(lat) and isfinite(lon):
-        if minutes := _in_minutes(lat, lon):
-            return f"the fix {name} the dive is at latitude {lat:g}, longitude {lon:g}: {minutes}"
-        if 90.0 < abs(lat) <= 360.0 and abs(lon) <= 360.0:
-            swapped = ": swapped with the longitude?" if abs(lon) <= 90.0 else ""
-            return (
-                f"the fix {name} the dive has the latitude {lat:g}, which is none; "
-                f"must be -90 to 90{swapped}"
-            )
-        if abs(lat) <= 90.0 and 360.0 < abs(lon) <= 720.0:
-            return f"the fix {name} the dive has the longitude {lon:g}; must be -360 to 360"
-    if not (isfinite(time) and is_place(lat, lon)):
+    if minutes := _in_minutes(lat, lon):
+        return f"the fix {name} the dive is at latitude {lat:g}, longitude {lon:g}: {minutes}"
+    if not (isfinite(time) and is_fix(lat, lon)):
         return f"no fix {name} the dive (time {time:g}, latitude {lat:g}, longitude {lon:g})"
-    if lat == lon == 0.0:
-        return f"no fix {name} the dive: 0 N 0 E is what a receiver without a fix gives"
     if 0.0 <= time < LATEST:
         return ""
-    unit = next((unit for unit, size in SMALLER.items() if 0.0 < time / size < LATEST), "")
-    return (
-        f"the fix {name} the dive is at {time:.10g} s since 1970; must be from 1970 to {YEARS[1]}"
-        f"{f': it looks like {unit}, give seconds' if unit else ''}"
-    )
+    years = f"must be from 1970 to {YEARS[1]}"
+    return f"the fix {name} the dive is at {time:.10g} s since 1970; {years}"
 
 
 def _in_minutes(lat: float, lon: float) -> str:
@@ -213,38 +178,24 @@ def _overlap(dive: Dive, before: Dive) -> str:
     """Return how a dive overlaps one that is used and ended before it, empty where not."""
     if dive.t_gps2 >= before.t_gpse - OVERLAP:
         return ""
-    starts = distance(dive.lat_gps2, dive.lon_gps2, before.lat_gps2, before.lon_gps2)
-    if (dive.t_gps2, dive.t_gpse) != (before.t_gps2, before.t_gpse):
-        other = starts > max(FASTEST * abs(dive.t_gps2 - before.t_gps2), ASTRAY)
-        return (
-            f"overlaps dive {before.number}, which is used: starts "
-            f"{before.t_gpse - dive.t_gps2:.0f} s before that ends"
-            f"{f' and {starts / 1000:.0f} km from where it started; {ANOTHER}' if other else ''}"
-        )
-    ends = distance(dive.lat_gpse, dive.lon_gpse, before.lat_gpse, before.lon_gpse)
-    apart = max(starts, ends)
-    if apart > 0:
-        return f"duplicate of dive {before.number}, which is used, with other fixes ({_far(apart)})"
-    apart = hypot(dive.dr_east - before.dr_east, dive.dr_north - before.dr_north)
-    if apart > 0:
-        return (
-            f"duplicate of dive {before.number}, which is used, with another displacement through "
-            f"the water ({_far(apart)})"
-        )
-    return f"duplicate: has the times of dive {before.number}, which is used"
-
-
-def _too_far(dive: Dive, before: Dive, least: float | None = None) -> str:
-    """Return how far from the end of the one before a dive starts, empty where it can."""
-    since = dive.t_gps2 - before.t_gpse
-    apart = distance(before.lat_gpse, before.lon_gpse, dive.lat_gps2, dive.lon_gps2)
-    if apart <= max(FASTEST * since, ASTRAY if least is None else least):
-        return ""
+    if (dive.t_gps2, dive.t_gpse) == (before.t_gps2, before.t_gpse):
+        others = "" if replace(dive, number=before.number) == before else ", with other numbers"
+        return f"duplicate of dive {before.number}, which is used{others}"
     return (
-        f"starts {apart / 1000:.0f} km from where dive {before.number} ended "
-        f"{max(since, 0.0) / 3600:.1f} h before"
+        f"overlaps dive {before.number}, which is used: starts "
+        f"{before.t_gpse - dive.t_gps2:.0f} s before that ends"
     )
 
 
-def _far(length: float) -> str:
-    return f"{length:.3g} m apart" if length < 1000 else f"{length / 1000:.3g} km apart"
+def _too_far(dive: Dive, before: Dive) -> str:
+    """Return how far from both fixes of the one before a dive starts, empty where it can."""
+    since = dive.t_gps2 - before.t_gpse
+    start = dive.lat_gps2, dive.lon_gps2
+    apart = distance(before.lat_gpse, before.lon_gpse, *start)
+    most = max(FASTEST * since, ASTRAY)
+    if min(apart, distance(before.lat_gps2, before.lon_gps2, *start)) <= most:
+        return ""
+    return (
+        f"starts {apart / 1000:.0f} km from where dive {before.number} ended "
+        f"{max(since, 0.0) / 3600:.1f} h before; another vehicle? {OWN}"
+    )

@@ -30,7 +30,7 @@ import numpy as np
 from ..arguments import public
 from ..errors import ScenarioError
 from ..geodesy import displacement, distance, is_place, near
-from ..gliders.dives import Dive, Fix
+from ..gliders.dives import Fix
 from ..gliders.samples import variation as igrf
 from ..gliders.usable_dives import FASTEST
 from ..units import known
@@ -40,7 +40,7 @@ from .surfacing import ELLIPSE, LONGEST, NextDive, ellipse
 from .wording import AGAINST, REACHED, UNDER_WAY, aim_sentence
 
 SHORTEST = 1.0  # s, of a dive that is aimed
-YEAR = 365 * 86400.0  # s
+YEAR = 365 * 24.0  # hours
 DIVES = 5  # the last ones, of which speed and duration are the medians
 ARRIVED = 1000.0  # m; a vehicle this close to a waypoint goes on to the next one
 ITERATIONS, CLOSE = 20, 1.0  # of d and c, and m by which the last may change c
@@ -51,97 +51,54 @@ class Aim:
     """How to steer a dive to a waypoint: lengths in m, angles in degrees from true north.
 
     `ahead` is the dive as forecast when it is steered so; `bearing` and `distance` are of the
-    waypoint from its start, `heading` what to command, None to stay in place. `through_water` of
-    the `full` way that speed and time allow is to be flown, as the vehicle reckons it; `dives` is
-    how many such dives it takes, None where the waypoint cannot be made; `current` east and north
-    and `speed` through the water are what is expected, m/s; `stay` is how long the vehicle stays up
-    between two dives, s.
+    waypoint from its start, `heading` what to command, None to stay in place, `crab` heading less
+    bearing. `through_water` of the `through_water_full` that speed and time allow is to be flown,
+    as the vehicle reckons it; `made_good` is how much nearer to the waypoint the dive should end,
+    `left` how far from it. `dives` is how many such dives it takes, `hours` how long with the stays
+    between them, None where the waypoint cannot be made; `current` east and north and
+    `speed_expected` through the water are what is expected, m/s. The magnetic variation is None
+    where it is not known.
     """
 
-    target: Place
     ahead: NextDive
+    target: Place
     distance: float
     bearing: float | None
     heading: float | None
+    crab: float | None
+    speed: float
+    speed_expected: float
+    current: tuple[float, float]
     through_water: float
-    full: float
+    through_water_full: float
+    made_good: float
+    course_made_good: float | None
+    left: float
     state: str
     dives: float | None
-    current: tuple[float, float]
-    speed: float
-    stay: float
-    variation: float | None = None
+    hours: float | None
+    magnetic_variation: float | None = None
+    heading_magnetic: float | None = None
 
     def __repr__(self) -> str:
         return f"<Aim: {aim_sentence(self.as_dict())}>"
 
-    @property
-    def crab(self) -> float | None:
-        """Return heading less bearing, degrees, -180 to 180."""
-        if self.heading is None or self.bearing is None:
-            return None
-        return near(self.heading - self.bearing, 0.0)
-
-    @property
-    def way(self) -> tuple[float, float]:
-        """Return the expected way over ground, m east and north."""
-        plan, (east, north) = self.ahead.plan, self.ahead.forecast
-        return plan.dr_east + float(east), plan.dr_north + float(north)
-
-    @property
-    def seconds(self) -> float | None:
-        """Return how long it takes, the stays between the dives with it; None where it cannot."""
-        if self.dives is None:
-            return None
-        return self.dives * self.ahead.plan.duration + (ceil(self.dives) - 1) * self.stay
-
-    @property
-    def made_good(self) -> float:
-        """Return how much nearer to the waypoint the dive should end, m."""
-        return self.distance - self.left
-
-    @property
-    def left(self) -> float:
-        """Return how far from the waypoint the dive should end, m."""
-        return distance(self.ahead.latitude, self.ahead.longitude, *self.target)
-
-    @property
-    def magnetic(self) -> float | None:
-        """Return the heading by a magnetic compass; None where its variation is not known."""
-        if self.heading is None or self.variation is None:
-            return None
-        return (self.heading - self.variation) % 360.0
-
     def as_dict(self) -> dict[str, Any]:
         """Return all by name, for JSON; `expected_miss` is rms, from where the dive should end."""
-        plan = self.ahead.plan
+        plan, found = self.ahead.plan, dict(vars(self))
+        del found["ahead"], found["target"]
         return {
             **placed("", *self.target),
             "place": in_minutes(*self.target),
             **placed("from_", plan.lat_gps2, plan.lon_gps2),
             "start": utc(plan.t_gps2),
-            "distance": self.distance,
-            "bearing": self.bearing,
-            "heading": self.heading,
-            "magnetic_variation": self.variation,
-            "heading_magnetic": self.magnetic,
-            "crab": self.crab,
-            "speed": self.full / plan.duration,
-            "speed_expected": self.speed,
-            **vector("current_", *self.current),
             "duration": plan.duration,
-            "through_water": self.through_water,
-            "through_water_full": self.full,
-            "made_good": self.made_good,
-            "course_made_good": direction(*self.way),
-            "left": self.left,
-            "state": self.state,
-            "dives": self.dives,
-            "hours": None if self.seconds is None else self.seconds / 3600,
             "end": utc(plan.t_gpse),
             **placed("end_", self.ahead.latitude, self.ahead.longitude),
+            **vector("current_", *found.pop("current")),
             "expected_miss": sqrt(float(np.trace(self.ahead.covariance))),
             **dict(zip(ELLIPSE, ellipse(self.ahead.covariance), strict=True)),
+            **found,
         }
 
 
@@ -237,10 +194,17 @@ def aims(
     legs: list[Aim] = []
     for target in targets:
         leg = aim(replay, at, target, V, T)
-        legs.append(replace(leg, variation=_variation(last, at, variation)))
-        if leg.seconds is None or leg.seconds > YEAR:
+        stated = (known(one) for one in (variation, last.magvar))
+        east = next((one for one in stated if one is not None), None)
+        east = known(igrf(*at)) if east is None else east
+        if leg.heading is not None and east is not None:
+            magnetic = (leg.heading - east) % 360.0
+            leg = replace(leg, magnetic_variation=east, heading_magnetic=magnetic)
+        legs.append(leg)
+        if leg.hours is None or leg.hours > YEAR:
             break
-        at = (at[0] + max(leg.seconds, leg.ahead.plan.duration) + leg.stay, *target)
+        took = max(3600.0 * leg.hours, leg.ahead.plan.duration)
+        at = (at[0] + took + replay.habits.stay()[0], *target)
     return legs
 
 
@@ -257,14 +221,6 @@ def usual(replay: Replay, speed: float | None, duration: float | None) -> tuple[
     T = float(median(dive.duration for dive in dives)) if duration is None else duration
     check_speed(V, T)
     return V, T
-
-
-def _variation(last: Dive, start: Fix, stated: float | None) -> float | None:
-    """Return the magnetic variation at the start of a leg, degrees east; None where not known."""
-    for said in (stated, last.magvar):
-        if known(said) is not None:
-            return said
-    return known(igrf(*start))
 
 
 def check_speed(V: float, T: float) -> None:
@@ -296,6 +252,25 @@ def aim(replay: Replay, start: Fix, target: Place, V: float, T: float, shorten: 
         middle = float(g @ c) / (float(c @ c) - s * s)  # of two roots, both below 1
         return aim(replay, start, target, V, T * middle, shorten=False)
     plan = ahead.plan  # as it was forecast, whether or not c came to rest
-    way, current = (plan.dr_east, plan.dr_north), (float(c[0]) / T, float(c[1]) / T)
-    headed = hypot(*g), direction(*map(float, g)), direction(*way), hypot(*way)
-    return Aim(target, ahead, *headed, full, state, tau, current, s / T, replay.habits.stay()[0])
+    way, bearing = (plan.dr_east, plan.dr_north), direction(*map(float, g))
+    heading, left = direction(*way), distance(ahead.latitude, ahead.longitude, *target)
+    stay = replay.habits.stay()[0]
+    return Aim(
+        ahead,
+        target,
+        distance=hypot(*g),
+        bearing=bearing,
+        heading=heading,
+        crab=None if heading is None or bearing is None else near(heading - bearing, 0.0),
+        speed=V,
+        speed_expected=s / T,
+        current=(float(c[0]) / T, float(c[1]) / T),
+        through_water=hypot(*way),
+        through_water_full=full,
+        made_good=hypot(*g) - left,
+        course_made_good=direction(*map(float, way + ahead.forecast)),
+        left=left,
+        state=state,
+        dives=tau,
+        hours=None if tau is None else (tau * plan.duration + (ceil(tau) - 1) * stay) / 3600,
+    )

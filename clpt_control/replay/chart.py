@@ -1,4 +1,4 @@
-"""Places on charts: layers of a replay, whole or cut at 180 degrees east, and Mercator charts.
+"""Places on charts: layers of a replay, and Mercator charts.
 
 What is drawn of a replay are layers, made of what `clpt replay --json` prints.  A layer
 is a point, a line or a ring, by the name of a GeoJSON geometry; its kind says what it is.  Four
@@ -9,7 +9,6 @@ The ring of a forecast, with half axes a and b and the bearing B of the long one
     centre + a cos(s) (sin B, cos B) + b sin(s) (-cos B, sin B),   s = 0 .. 2 pi,
 
 east and north at the start of the dive, where its covariance is resolved: counter-clockwise.
-What crosses 180 degrees is cut there (RFC 7946, sections 3.1.6 and 3.1.9).
 
 A chart of small extent is Mercator on WGS84, in metres of its middle latitude.
 Meridians and parallels are straight and angles are true (J. P. Snyder, "Map projections - a working
@@ -20,7 +19,7 @@ that no chart is cut at 180 degrees.
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
-from itertools import pairwise, product
+from itertools import product
 from math import ceil, cos, floor, pi, radians, sin
 from typing import Any, NamedTuple
 
@@ -35,7 +34,6 @@ from .wording import within
 DIVE, NEXT, AIMED = ("start_", "forecast_"), ("from_", ""), ("from_", "end_")  # start, centre
 CORNERS = 48
 LAST = 12  # dives whose ellipses are always drawn
-HALF = 180.0
 STEPS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 1800)  # minutes
 LENGTHS = tuple(m * 10**n for n in range(1, 7) for m in (1, 2, 5))  # m, of scale bars
 MOST = 89.5  # degrees; a Mercator chart has no pole
@@ -65,59 +63,6 @@ def _ring(begin: Place, end: Place, long: float, short: float, bearing: float) -
         away = along * sine - across * cosine, along * cosine + across * sine
         places.append(place_from(*begin, east + away[0], north + away[1]))
     return [*places, places[0]]
-
-
-def unbroken(places: Sequence[Place]) -> list[Place]:
-    """Return places with each longitude counted on from the one before; the first in -180..180."""
-    found: list[Place] = []
-    for lat, lon in places:
-        found.append((lat, near(lon, found[-1][1] if found else 0.0)))
-    return found
-
-
-def line_pieces(places: Sequence[Place]) -> list[list[Place]]:
-    """Return a line, cut where it crosses 180 degrees; longitudes are in -180..180.
-
-    >>> line_pieces([(0.0, 179.0), (1.0, -179.0)])
-    [[(0.0, 179.0), (0.5, 180.0)], [(0.5, -180.0), (1.0, -179.0)]]
-    """
-    whole = unbroken(places)
-    pieces = [[(whole[0][0], near(whole[0][1], 0.0))]]
-    for (lat1, lon1), (lat2, lon2) in pairwise(whole):
-        last = pieces[-1][-1][1]
-        end = last + lon2 - lon1
-        if abs(end) > HALF:
-            edge = HALF if end > 0 else -HALF
-            lat = lat1 + (lat2 - lat1) * (edge - last) / (end - last)
-            pieces[-1].append((lat, edge))
-            pieces.append([(lat, -edge)])
-            end -= 2 * edge
-        pieces[-1].append((lat2, end))
-    return [piece for piece in pieces if len(set(piece)) > 1] or pieces[:1]
-
-
-def ring_pieces(ring: Sequence[Place]) -> list[list[Place]]:
-    """Return a closed convex ring, cut along 180 degrees into one or two."""
-    whole = unbroken(ring)[:-1]
-    pieces = []
-    for turns in (-360.0, 0.0, 360.0):
-        part = [(lat, lon + turns) for lat, lon in whole]
-        part = _clipped(_clipped(part, HALF, 1.0), -HALF, -1.0)
-        if len(part) > 2:
-            pieces.append([*part, part[0]])
-    return pieces
-
-
-def _clipped(ring: list[Place], edge: float, sign: float) -> list[Place]:
-    """Return what a meridian leaves of a ring: sign * (longitude - edge) <= 0."""
-    clipped: list[Place] = []
-    for (lat1, lon1), (lat2, lon2) in zip(ring, [*ring[1:], *ring[:1]], strict=True):
-        inside, next_inside = sign * (lon1 - edge) <= 0, sign * (lon2 - edge) <= 0
-        if inside:
-            clipped.append((lat1, lon1))
-        if inside != next_inside and edge not in (lon1, lon2):
-            clipped.append((lat1 + (lat2 - lat1) * (edge - lon1) / (lon2 - lon1), edge))
-    return clipped
 
 
 class Chart:
@@ -206,17 +151,10 @@ def grid_label(angle: float, names: str, step: float) -> str:
     return f"{whole}°{letter}" if step >= 60 else f"{whole}°{minutes}'{letter}"
 
 
-def with_room(
-    points: np.ndarray, tried: Iterable[int], room: tuple[float, float], before: Sequence[int] = ()
-) -> list[int]:
-    """Return which of those that are tried have room for a number, in their order.
-
-    It is clear of others, points of shape (n, 2), those `before` among them.
-    """
+def with_room(points: np.ndarray, tried: Iterable[int], room: tuple[float, float]) -> list[int]:
+    """Return which of those that are tried have room for a number beside points, (n, 2)."""
     cells = np.floor(points / room).astype(int).tolist()
     there: dict[tuple[int, int], list[int]] = defaultdict(list)
-    for k in before:
-        there[tuple(cells[k])].append(k)
     found = []
     for k in tried:
         i, j = cells[k]

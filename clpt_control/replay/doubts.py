@@ -144,19 +144,16 @@ class Anomaly(NamedTuple):
 class SpeedFactorWatch:
     """Watches the speed factor dive by dive, by a bank of a model that learns the speed.
 
-    The bank must see each dive before `step` does; by default it is one of its own.
+    The bank must see each dive before `step` does.
     """
 
-    def __init__(self, model: FixModel, bank: KalmanBank | None = None) -> None:
-        self.has_own_bank = bank is None
-        self.bank = KalmanBank(model) if bank is None else bank
+    def __init__(self, bank: KalmanBank) -> None:
+        self.bank = bank
         self.windows: list[dict[str, Any]] = []
         self.count = 0
 
     def step(self, dive: Dive) -> Anomaly | None:
         """Return the anomaly of the speed at a dive that has ended, None where there is none."""
-        if self.has_own_bank:
-            self.bank.update(dive)
         update = self.bank.last_update
         assert update is not None
         F, H = update.F, update.H
@@ -164,11 +161,9 @@ class SpeedFactorWatch:
         speed = HIDDEN + self.bank.model.names.index("speed")
         start = np.zeros((n, 3))
         start[speed, 0] = start[HIDDEN, 1] = start[HIDDEN + 1, 2] = 1.0
-        old, new = update.matched
         for window in self.windows:  # places reached since then have no part in it
-            e = np.zeros((m, n, 3))
-            e[:, new] = window["e"][:, old]
-            window["e"] = F @ e
+            new = n - window["e"].shape[1]
+            window["e"] = F @ np.pad(window["e"], ((0, 0), (0, new), (0, 0)))
         fresh = {
             "since": dive.number,
             "e": np.repeat(start[None], m, axis=0),
@@ -197,10 +192,7 @@ class SpeedFactorWatch:
         if not each:
             return None
         self.windows = []
-        best = max(each, key=lambda a: a.likelihood_ratio)
-        if self.has_own_bank and best.certain:
-            self.bank.forget_speed()
-        return best
+        return max(each, key=lambda a: a.likelihood_ratio)
 
     def _anomaly(self, dive: Dive, window: dict[str, Any]) -> Anomaly | None:
         w, A, b = window["weights"], window["A"], window["b"]

@@ -1,8 +1,8 @@
 """A replay for other programs: GeoJSON, KML, and the aim as a vehicle takes it.
 
 GeoJSON (RFC 7946) and KML 2.2 (OGC 07-147r2) are made of what `clpt replay --json` prints.  Places
-are WGS84, longitude first; rings turn counter-clockwise; nothing crosses 180 degrees.  A text of a
-file loses characters that XML does not have.
+are WGS84, longitude first, counted on where a line or a ring crosses 180 degrees; rings turn
+counter-clockwise.  A text of a file loses characters that XML does not have.
 
 The aim is a file to upload, or lines to type.  Places are degrees and minutes in one number,
 ddmm.mmmm, south and west negative.
@@ -26,31 +26,28 @@ import json
 from math import cos, radians, sin
 from typing import Any
 
-from ..geodesy import place_from
-from ..gliders.slocum import HOLDS
+from ..geodesy import near, place_from
+from ..gliders.slocum import CORRECTS
 from ..html import safe
 from .aim import ARRIVED
-from .chart import Layer, drawn_dives, layers_ahead, line_pieces, place_in, ring_pieces
+from .chart import Layer, drawn_dives, layers_ahead, place_in
 from .places import compass, east_of, minutes
 from .wording import REACHED
 
 DIGITS = 6  # decimals of a degree: 0.1 m
 KML = "http://www.opengis.net/kml/2.2"
-STYLES = {  # colours as KML has them: alpha, blue, green, red
-    "track": "ffb27200",
-    "fix": "ffb27200",
-    "forecast": "ff739e00",
-    "next": "ffa779cc",
-    "aim": "ff009fe6",
-}
-NAMES = {  # kind of a layer: its name in GeoJSON; its name and style in KML
-    "last": ("last fix", "", ""),
-    "way": ("way to the next surfacing", "", ""),
-    "next": ("next surfacing", "next surfacing", "next"),
-    "ring next": ("90 % ellipse", "next surfacing, 90 %", "next"),
-    "target": ("waypoint", "waypoint", "aim"),
-    "made": ("way made good", "way made good", "aim"),
-    "ring aimed": ("90 % ellipse, aimed", "aimed, 90 %", "aim"),
+BLUE, GREEN, PURPLE, ORANGE = "ffb27200", "ff739e00", "ffa779cc", "ff009fe6"  # as KML has them
+NAMES = {  # kind of a layer: its name and its colour
+    "track": ("track", BLUE),
+    "fix": ("dive", BLUE),
+    "ring": ("dive", GREEN),
+    "last": ("last fix", BLUE),
+    "way": ("way to the next surfacing", PURPLE),
+    "next": ("next surfacing", PURPLE),
+    "ring next": ("90 % ellipse", PURPLE),
+    "target": ("waypoint", ORANGE),
+    "made": ("way made good", ORANGE),
+    "ring aimed": ("90 % ellipse, aimed", ORANGE),
 }
 SHAPES = {  # of KML, around coordinates
     "Point": ("<Point>", "</Point>"),
@@ -62,11 +59,10 @@ SHAPES = {  # of KML, around coordinates
 }
 
 
-def _pieces(layer: Layer) -> list[list[list[float]]]:
-    """Return longitudes and latitudes of a layer, cut at 180 degrees."""
-    cut = ring_pieces if layer.shape == "Polygon" else line_pieces
-    pieces = cut(layer.places)
-    return [[[round(lon, DIGITS), round(lat, DIGITS)] for lat, lon in piece] for piece in pieces]
+def _points(layer: Layer) -> list[list[float]]:
+    """Return longitudes and latitudes of a layer; the first longitude is in -180..180."""
+    first = east_of(layer.places[0][1])
+    return [[round(near(lon, first), DIGITS), round(lat, DIGITS)] for lat, lon in layer.places]
 
 
 def next_geojson(found: dict[str, Any]) -> str:
@@ -84,14 +80,11 @@ def _feature(layer: Layer) -> dict[str, Any]:
     if layer.shape == "Point":
         more = {"description": layer.words} if layer.kind == "next" else {}
         more |= {key: value for key, value in layer.of.items() if value is not None}
-    pieces: list[Any] = _pieces(layer)
-    shapes = {"Point": [piece[0] for piece in pieces], "Polygon": [[piece] for piece in pieces]}
-    each = shapes.get(layer.shape, pieces)
-    several = len(each) > 1
-    kind, coordinates = (f"Multi{layer.shape}", each) if several else (layer.shape, each[0])
+    points: Any = _points(layer)
+    coordinates = {"Point": points[0], "Polygon": [points]}.get(layer.shape, points)
     return {
         "type": "Feature",
-        "geometry": {"type": kind, "coordinates": coordinates},
+        "geometry": {"type": layer.shape, "coordinates": coordinates},
         "properties": {"name": NAMES[layer.kind][0], **more},
     }
 
@@ -103,44 +96,40 @@ def track_kml(found: dict[str, Any], name: str) -> str:
     places = [dives[0]["track"].places[0], *(fix.places[0] for fix in fixes)]
     track = Layer("track", "LineString", places, {})
     ahead = layers_ahead(found["next_dive"], found.get("aim") or [])
-    marks = [(NAMES[layer.kind][1:], layer) for layer in ahead if layer.kind in NAMES]
     lines = [
         '<?xml version="1.0" encoding="UTF-8"?>',
         f'<kml xmlns="{KML}"><Document><name>{safe(name)}</name>',
         *(
-            f'<Style id="{key}"><IconStyle><color>{colour}</color><scale>0.8</scale></IconStyle>'
+            f'<Style id="{colour}"><IconStyle><color>{colour}</color><scale>0.8</scale></IconStyle>'
             f"<LineStyle><color>{colour}</color><width>2</width></LineStyle>"
             "<PolyStyle><fill>0</fill></PolyStyle></Style>"
-            for key, colour in STYLES.items()
+            for colour in (BLUE, GREEN, PURPLE, ORANGE)
         ),
-        _placemark("track", "track", track),
+        _placemark(track),
         "<Folder><name>surfacings</name>",
-        *(_placemark(f"dive {fix.of['dive']}", "fix", fix) for fix in fixes),
+        *map(_placemark, fixes),
         "</Folder><Folder><name>forecasts, 90 %</name><visibility>0</visibility>",
-        *(_placemark(f"dive {ring.of['dive']}", "forecast", ring, hidden=True) for ring in rings),
+        *map(_placemark, rings),
         "</Folder>",
-        *(_placemark(name, style, layer) for (name, style), layer in marks if style),
+        *(_placemark(layer) for layer in ahead if layer.kind in NAMES),
         "</Document></kml>",
     ]
     return "\n".join(lines) + "\n"
 
 
-def _placemark(name: str, style: str, layer: Layer, hidden: bool = False) -> str:
-    """Return a place, line or ring as KML, in pieces where it crosses 180 degrees."""
-    texts = [f"<name>{safe(name)}</name>", "<visibility>0</visibility>" if hidden else ""]
+def _placemark(layer: Layer) -> str:
+    """Return a place, line or ring as KML."""
+    name, colour = NAMES[layer.kind]
+    texts = [f"<name>{name} {safe(layer.of['dive']) if name == 'dive' else ''}</name>"]
+    texts.append("<visibility>0</visibility>" if layer.kind == "ring" else "")
     if layer.words:
         texts.append(f"<description>{safe(layer.words)}</description>")
     if layer.when and layer.shape == "Point":
         texts.append(f"<TimeStamp><when>{safe(layer.when)}</when></TimeStamp>")
-    texts.append(f"<styleUrl>#{style}</styleUrl>")
+    texts.append(f"<styleUrl>#{colour}</styleUrl>")
     begin, end = SHAPES[layer.shape]
-    shapes = [
-        f"{begin}<coordinates>{' '.join(f'{x},{y}' for x, y in piece)}</coordinates>{end}"
-        for piece in _pieces(layer)
-    ]
-    if len(shapes) > 1:
-        shapes = ["<MultiGeometry>", *shapes, "</MultiGeometry>"]
-    return f"<Placemark>{''.join(texts + shapes)}</Placemark>"
+    points = " ".join(f"{x},{y}" for x, y in _points(layer))
+    return f"<Placemark>{''.join(texts)}{begin}<coordinates>{points}</coordinates>{end}</Placemark>"
 
 
 FAR = 20_000.0  # m along the heading, as Seaglider has it
@@ -162,7 +151,7 @@ def paste(found: dict[str, Any]) -> dict[str, str] | None:
     write = WRITERS.get(found["kind"])
     if write is None or not found["aim"] or found["aim"][0]["heading"] is None:
         return None
-    corrects = any(note.startswith(HOLDS) for note in found["each_dive"][-1]["notes"])
+    corrects = CORRECTS in found["each_dive"][-1]["notes"]
     name, lines = write(found["aim"], corrects)
     return {"file": name, "text": "\n".join(lines) + "\n"}
 

@@ -1,4 +1,17 @@
-"""Files of flow models: a gridded forecast (`gridded_forecast`), or a fitted basis.
+"""Files of flow models (`carried_dives`): a gridded forecast, or a fitted basis.
+
+Of a gridded forecast a glider feels its water column.  A dive samples it down to its greatest
+depth D, so the flow is averaged over it, by trapezoids through the levels that have data,
+
+    F = (1 / D) int_0^D u dz,    u linear between levels, constant above the first,
+
+as far down as there are data; D is `Dive.depth_max`, or 1000 m where it is not
+known.  D is the one number of a dive that is read though it is measured during the
+dive: a pilot knows the depth that was planned, which it stands for.
+
+u is linear between latitudes, longitudes and times, and nowhere extrapolated:
+outside the area, before the first step, after the last, where a corner of the cell
+has no data and in a gap of the steps (`missing_steps`) there is no model.
 
 A fitted basis is that of a scenario that `clpt fit` wrote,
 
@@ -12,12 +25,15 @@ within the box alone.
 
 import json
 from dataclasses import dataclass
+from math import isfinite
 from pathlib import Path
 
 import numpy as np
+from scipy.integrate import trapezoid
+from scipy.interpolate import RegularGridInterpolator
 
 from ..arguments import public
-from ..currents.grid_file import SUFFIXES
+from ..currents.grid_file import AROUND, DEEPEST, SUFFIXES, missing_steps, read_currents
 from ..currents.plane import LocalPlane
 from ..errors import DataError
 from ..files.reading import open_netcdf, shown_name
@@ -26,7 +42,93 @@ from ..scenario.experiment import Scenario
 from ..scenario.file import load_scenario
 from ..units import METRES, SECONDS, seconds_since_1970
 from .carried_dives import Flow, FlowModel, Uncovered
-from .gridded_forecast import Forecast
+
+OUTSIDE = "outside the forecast's area"
+
+
+def depth_mean(depth: np.ndarray, profile: np.ndarray, deepest: float) -> complex:
+    """Average a profile, u + iv at levels, from the surface to a depth, m.
+
+    The mean ends at the deepest level with data, if that is higher, and is NaN where no
+    level above the end has any.  Levels `depth`, m, increase from the surface.
+
+    >>> depth_mean(np.array([0.0, 100.0, 400.0]), np.array([0.4, 0.3, 0.0]), 200.0).real.round(9)
+    np.float64(0.3)
+    """
+    known = np.isfinite(profile)
+    z, u = depth[known], profile[known]
+    if not z.size or z[0] > max(deepest, depth[0]):
+        return complex(np.nan)
+    end = min(deepest, z[-1])
+    if not end > 0:
+        return complex(u[0])
+    levels = np.array([0.0, *z[(z > 0) & (z < end)], end])
+    return complex(trapezoid(np.interp(levels, z, u), levels) / end)
+
+
+class Forecast(FlowModel):
+    """A current on time, latitude, longitude and perhaps depth, of a NetCDF file."""
+
+    def __init__(self, path: Path, units: str | None) -> None:
+        column = read_currents(path, column=True, units=units)
+        self.source, levels = column.source, len(column.depth)
+        about = f"gridded, averaged over a dive's depth, {levels} levels"
+        if levels == 1:
+            where = "surface" if column.depth[0] < 1 else f"{column.depth[0]:g} m deep"
+            where = "of unknown depth" if np.isnan(column.depth[0]) else where
+            about = f"gridded, one level only ({where}), not what a glider feels over its depths"
+        if column.land:
+            about += f"; {column.land} cells of nothing but zeros are taken as land"
+        self.about, self.depth = about, column.depth
+        self.time = column.dates.astype(float) / 1e3  # s since 1970 UTC
+        self.gaps = missing_steps(self.time) > 0
+        self.lat, self.lon = column.lat, column.lon
+        values = np.moveaxis(column.u + 1j * column.v, 1, -1)
+        if self.lon[0] + 360.0 - self.lon[-1] < AROUND * np.median(np.diff(self.lon)):
+            self.lon = np.append(self.lon, self.lon[0] + 360.0)  # around the Earth
+            values = np.concatenate([values, values[:, :, :1]], axis=2)
+        self.flow = RegularGridInterpolator(
+            (self.time, self.lat, self.lon), values, bounds_error=False, fill_value=np.nan
+        )
+
+    def along(self, dive: Dive) -> Flow:
+        """Return the flow for one dive, averaged over its depths.
+
+        `Uncovered` is raised where the dive begins outside the area, is not within the
+        steps or reaches into a gap of them.
+        """
+        time = self.time
+        if not self._inside(dive.lat_gps2, dive.lon_gps2):
+            raise Uncovered(OUTSIDE)
+        if not dive.t_gps2 >= time[0]:
+            raise Uncovered("begins before the forecast's first step")
+        if not dive.t_gpse <= time[-1]:
+            raise Uncovered("ends after the forecast's last step")
+        ends = zip(time[:-1], time[1:], self.gaps, strict=True)
+        if any(gap and a < dive.t_gpse and dive.t_gps2 < b for a, b, gap in ends):
+            raise Uncovered("in a gap of the forecast's steps")
+        plane = LocalPlane(dive.lat_gps2, dive.lon_gps2)
+        deepest = dive.depth_max
+        if deepest is None or not (isfinite(deepest) and deepest > 0):
+            deepest = DEEPEST
+
+        def flow(t: float, east: float, north: float) -> tuple[float, float]:
+            lat, lon = map(float, plane.to_earth(east / 1000, north / 1000))
+            (profile,) = self.flow([[dive.t_gps2 + t, lat, self._unwrapped(lon)]])
+            mean = depth_mean(self.depth, profile, deepest)
+            if not np.isfinite(mean):
+                raise Uncovered("in a gap of the forecast" if self._inside(lat, lon) else OUTSIDE)
+            u1, u2 = plane.rotate(lat, lon, mean.real, mean.imag)
+            return float(u1), float(u2)
+
+        return flow
+
+    def _unwrapped(self, lon: float) -> float:
+        """Return a longitude as the file counts, at or after its first."""
+        return float(self.lon[0] + (lon - self.lon[0]) % 360.0)
+
+    def _inside(self, lat: float, lon: float) -> bool:
+        return bool(self.lat[0] <= lat <= self.lat[-1] and self._unwrapped(lon) <= self.lon[-1])
 
 
 @dataclass(frozen=True, repr=False)
@@ -88,11 +190,7 @@ def read_fitted(path: str | Path) -> Fitted:
             "start; write scenario and field anew with `clpt fit`"
         ) from None
     if theta.shape != (2, scenario.basis.N) or not np.all(np.isfinite(theta)):
-        raise DataError(
-            f"{path}: its basis has {scenario.basis.N} functions, the theta in "
-            f"{scenario.field_path.name} has the shape {theta.shape}; write both anew with "
-            "`clpt fit`"
-        )
+        raise DataError(f"{path}: does not fit its field; write both anew with `clpt fit`")
     about = f"fitted basis of {scenario.basis.N} functions, {tides}"
     return Fitted(scenario, theta, plane, start, (lat0, lat1, lon0, lon1), shown_name(path), about)
 
@@ -129,15 +227,11 @@ def read_flow_model(path: str | Path, units: str | None = None) -> FlowModel:
     """
     path = Path(path)
     kind = path.suffix.lower()
-    if kind not in (".toml", *SUFFIXES) and not path.is_dir():
+    if not path.exists() or (kind not in (".toml", *SUFFIXES) and not path.is_dir()):
         raise DataError(
-            f"{path}: is no flow model; must be a NetCDF file (.nc) of a current on time, latitude "
-            "and longitude, or the .toml file of a `clpt fit`"
-        )
-    if not path.exists():
-        raise DataError(
-            f"{path}: no such file; a flow model is a NetCDF file (.nc) of a current, or the .toml "
-            "file that `clpt fit` writes"
+            f"{path}: {'is no flow model' if path.exists() else 'no such file'}; must be a NetCDF "
+            "file (.nc) of a current on time, latitude and longitude, or the .toml file that "
+            "`clpt fit` writes"
         )
     if kind == ".toml" and units is not None:
         raise DataError(f"{path}: a fit has its units in the file; leave out units ({units})")

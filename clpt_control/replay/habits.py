@@ -1,8 +1,8 @@
 """How a vehicle dives, and how far its headlines can be trusted.
 
-Its last dives, and the plan in its files, tell of the next one.  The next dive is guessed in three
-ways: `PLANNED`, along the course that the last file holds, `REPEATED`, as the last dive went, and
-`ANYWHERE`, within the reach of the last dives.  A guess has a direction, a length L and a duration
+Its last dives, and the plan in its files, tell of the next one.  It is guessed `PLANNED`, along the
+course that the last file holds, as long and as quick as the last dives were, or `REPEATED`, as
+the last dive went: by what has scattered less.  A guess has a direction, a length L and a duration
 T.  What comes is, in its measure,
 
     z = (along / L, to its left / L, log(duration / T)).
@@ -13,10 +13,8 @@ c, S0 that counts as much as k dives for the one and n for the other:
     m = (k c + sum z) / (k + N)
     S = (n S0 + k c c^T + sum z z^T - (k + N) m m^T) / (n + N) (1 + 1 / (k + N))
 
-The guesses are mixed by how well each has forecast the dives before, as the filters of
-`estimators` are, by Student's density; the place is that of the likelier one of the first
-two, about which all scatter.  So few dives say little, and 90 % of what comes
-lies within  n' (0.1^(-2/n') - 1)  of its covariance, n' = n + N (normal: 2 ln 10).
+So few dives say little, and 90 % of what comes lies within  n' (0.1^(-2/n') - 1)  of its
+covariance, n' = n + N (normal: 2 ln 10).
 
 How often a headline holds is counted.  The width of the next one is that of the last one
 
@@ -35,26 +33,22 @@ known, from the first fix of the surfacing (GPS1), if the file has it.  Ways are
 """
 
 from collections.abc import Sequence
-from math import exp, hypot, isfinite, log, radians
+from math import cos, exp, hypot, isfinite, log, radians, sin
+from operator import itemgetter
 from statistics import median
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..estimation.estimators import mixed
 from ..geodesy import displacement
 from ..gliders.dives import Dive
 from .places import direction
 
-PLANNED, REPEATED, ANYWHERE, GIVEN = "planned", "repeated", "anywhere", "given"
-PRIORS = {  # c, and standard deviations of S0
-    PLANNED: ((1.0, 0.0, 0.0), (0.25, 0.25, 0.2)),
-    REPEATED: ((1.0, 0.0, 0.0), (0.25, 0.3, 0.2)),
-    ANYWHERE: ((0.0, 0.0, 0.0), (0.7, 0.7, 0.2)),
-}
+PLANNED, REPEATED, GIVEN = "planned", "repeated", "given"
+CENTRE = np.array([1.0, 0.0, 0.0])  # c
+SPREAD = {PLANNED: (0.25, 0.25, 0.2), REPEATED: (0.25, 0.3, 0.2)}  # standard deviations of S0
 MEANS, SPREADS = 2.0, 3.0  # dives that a prior counts as: k and n
 FADING = 0.95  # of what a dive counts, at the next one
-TAILS = 4.0  # degrees of freedom of the density by which guesses are weighed
 OFF_SPEED, OFF_COURSE = 0.1, 0.17  # of a given dive: standard deviations, share and rad
 STAY, DRIFT = 600.0, 200.0  # s, m: standard deviations before any dive
 LEAST = 1.0  # m of a guess
@@ -99,7 +93,7 @@ class Guess(NamedTuple):
     """A dive to come: way through the water (2,), m, duration, s, and what both scatter by.
 
     `scatter` (3, 3) is the covariance of east, north (m) and the logarithm of the duration,
-    `freedom` how many dives it stands on, `basis` which of the guesses is the likeliest.
+    `freedom` how many dives it stands on, `basis` which guess it is.
     """
 
     way: np.ndarray
@@ -115,19 +109,18 @@ class Guess(NamedTuple):
 
 
 class Evidence(NamedTuple):
-    """What the dives so far say of one guess: N, sum z, sum z z^T, and the log of its odds."""
+    """What the dives so far say of one guess: N, sum z, sum z z^T."""
 
-    dives: float
-    total: np.ndarray
-    square: np.ndarray
-    odds: float
+    dives: float = 0.0
+    total: np.ndarray = np.zeros(3)
+    square: np.ndarray = np.zeros((3, 3))
 
     def moments(self, name: str) -> tuple[np.ndarray, np.ndarray]:
         """Return m (3,) and S (3, 3)."""
-        c, sd = np.array(PRIORS[name])
         k = MEANS + self.dives
-        m = (MEANS * c + self.total) / k
-        scatter = SPREADS * np.diag(sd**2) + self.square + MEANS * np.outer(c, c)
+        m = (MEANS * CENTRE + self.total) / k
+        scatter = SPREADS * np.diag(SPREAD[name]) ** 2 + self.square
+        scatter = scatter + MEANS * np.outer(CENTRE, CENTRE)
         return m, (scatter - k * np.outer(m, m)) / (SPREADS + self.dives) * (1.0 + 1.0 / k)
 
 
@@ -140,54 +133,35 @@ class Habits:
 
     def __init__(self) -> None:
         self.last: Dive | None = None
-        self.evidence = dict.fromkeys(PRIORS, Evidence(0.0, np.zeros(3), np.zeros((3, 3)), 0.0))
+        self.evidence = dict.fromkeys(SPREAD, Evidence())
         self.means, self.drifts = np.zeros(3), np.zeros(4)
         self.stays: list[float] = []
         self.width: tuple[float, ...] = (1.0, 1.0)
 
     def _frames(self, last: Dive) -> dict[str, tuple[np.ndarray, float]]:
         """Return, for each guess, the matrix from z to m, (3, 3), and the log of its duration."""
-        ahead, length = _direction((last.dr_east, last.dr_north))
-        usual, usually = self.means[1:] / self.means[0]  # length, log duration
-        usual = max(usual, LEAST)
-        found = {
-            REPEATED: (_frame(ahead, length), log(last.duration)),
-            ANYWHERE: (_frame(ahead, usual), usually),
-        }
+        found = {REPEATED: (_frame(last.dr_east, last.dr_north), log(last.duration))}
         if last.next_course is not None and isfinite(last.next_course):
-            course = radians(last.next_course)
-            found[PLANNED] = _frame(np.array([np.sin(course), np.cos(course)]), usual), usually
+            usual, usually = self.means[1:] / self.means[0]  # length, log duration
+            course, length = radians(last.next_course), max(usual, LEAST)
+            found[PLANNED] = _frame(length * sin(course), length * cos(course)), usually
         return found
-
-    def _guesses(self, last: Dive) -> tuple[np.ndarray, ...]:
-        """Return names, means (m, 3), covariances (m, 3, 3) and log weights (m,)."""
-        frames = self._frames(last)
-        means, scatters = [], []
-        for name, (B, log_time) in frames.items():
-            m, S = self.evidence[name].moments(name)
-            means.append(B @ m + (0.0, 0.0, log_time))
-            scatters.append(B @ S @ B.T)
-        odds = np.array([self.evidence[name].odds for name in frames])
-        weights = odds - np.logaddexp.reduce(odds)
-        return np.array(list(frames)), np.array(means), np.array(scatters), weights
 
     def guess(self) -> Guess:
         """Return the next dive, of one dive at least."""
         assert self.last is not None
-        names, means, scatters, weights = self._guesses(self.last)
-        weights = np.exp(weights)
-        basis = max((PLANNED, REPEATED), key=lambda name: weights[names == name].sum())
-        way = means[names == basis][0, :2]
-        mean, scatter = mixed(means, scatters, weights)
-        away = np.array([*(mean[:2] - way), 0.0])
-        freedom = SPREADS + weights @ [self.evidence[name].dives for name in names]
-        scatter = scatter + np.outer(away, away)
-        return Guess(way, exp(mean[2]), scatter, float(freedom), basis)
+        found = []
+        for name, (B, log_time) in self._frames(self.last).items():
+            m, S = self.evidence[name].moments(name)
+            mean, scatter, dives = B @ m, B @ S @ B.T, self.evidence[name].dives
+            guess = Guess(mean[:2], exp(mean[2] + log_time), scatter, SPREADS + dives, name)
+            found.append((float(np.trace(scatter[:2, :2])), guess))
+        return min(found, key=itemgetter(0))[1]
 
     def guess_of(self, way: tuple[float, float], duration: float) -> Guess:
         """Return a dive of a given way (m) and duration (s), with what both scatter by."""
-        late = min(self.evidence[name].moments(name)[1][2, 2] for name in (REPEATED, ANYWHERE))
-        B = _frame(*_direction(way))
+        late = self.evidence[REPEATED].moments(REPEATED)[1][2, 2] / 2  # of one dive, not of two
+        B = _frame(*way)
         S = np.diag([OFF_SPEED**2 + late, OFF_COURSE**2, late])
         S[0, 2] = S[2, 0] = late
         return Guess(
@@ -214,7 +188,13 @@ class Habits:
         """
         came = np.array([dive.dr_east, dive.dr_north, log(dive.duration)])
         if self.last is not None:
-            self.evidence = self._evidence(self.last, came)
+            for name, (B, log_time) in self._frames(self.last).items():
+                z, was = np.linalg.solve(B, came - (0.0, 0.0, log_time)), self.evidence[name]
+                total, square = FADING * was.total + z, FADING * was.square + np.outer(z, z)
+                self.evidence = {
+                    **self.evidence,
+                    name: Evidence(FADING * was.dives + 1.0, total, square),
+                }
         if way is not None:
             size = way.east**2 + way.north**2
             self.drifts = FADING * self.drifts + (1.0, way.east, way.north, size)
@@ -225,35 +205,12 @@ class Habits:
         self.means = FADING * self.means + (1.0, hypot(*came[:2]), came[2])
         self.last = dive
 
-    def _evidence(self, last: Dive, came: np.ndarray) -> dict[str, Evidence]:
-        """Return the evidence with a dive that came: east, north, log duration."""
-        names, means, scatters, weights = self._guesses(last)
-        frames, found, densities = self._frames(last), dict(self.evidence), []
-        for name, mean, scatter in zip(names, means, scatters, strict=True):
-            B, log_time = frames[name]
-            z = np.linalg.solve(B, came - (0.0, 0.0, log_time))
-            was = found[name]
-            square = FADING * was.square + np.outer(z, z)
-            dives, total = FADING * was.dives + 1.0, FADING * was.total + z
-            found[name] = Evidence(dives, total, square, was.odds)
-            far = (came - mean) @ np.linalg.solve(scatter, came - mean)
-            spread = np.linalg.slogdet(scatter)[1]
-            densities.append(-0.5 * (spread + (TAILS + 3.0) * np.log1p(far / (TAILS - 2.0))))
-        usual = np.logaddexp.reduce(weights + densities)  # of the guesses that were made
-        for name, density in zip(names, densities, strict=True):
-            odds = found[name].odds + float(density - usual)
-            found[name] = found[name]._replace(odds=odds)
-        return {name: one._replace(odds=FADING * one.odds) for name, one in found.items()}
 
+def _frame(east: float, north: float) -> np.ndarray:
+    """Return the matrix from (along, to the left, log duration) to (m east, m north, the same).
 
-def _direction(way: Sequence[float]) -> tuple[np.ndarray, float]:
-    """Return the direction (2,) and the length of a way, at least `LEAST`."""
-    length = hypot(*way)
-    return (np.array(way) / length, length) if length > LEAST else (np.array([0.0, 1.0]), LEAST)
-
-
-def _frame(ahead: np.ndarray, length: float) -> np.ndarray:
-    """Return the matrix from (along, to the left, log duration) to (m east, m north, the same)."""
-    B = np.eye(3)
-    B[:2, :2] = length * np.array([[ahead[0], -ahead[1]], [ahead[1], ahead[0]]])
-    return B
+    Along a way, m, which is taken as `LEAST` to the north where it is shorter.
+    """
+    if hypot(east, north) <= LEAST:
+        east, north = 0.0, LEAST
+    return np.array([[east, -north, 0.0], [north, east, 0.0], [0.0, 0.0, 1.0]])

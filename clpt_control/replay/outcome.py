@@ -51,28 +51,6 @@ def rows(replay: Replay) -> list[dict[str, Any]]:
     return [dict(step.row) for step in replay.steps]
 
 
-def flat_rows(replay: Replay) -> list[dict[str, Any]]:
-    """Return the row of each dive with what files and plots have in addition, on one level."""
-    found = rows(replay)
-    for row, step in zip(found, replay.steps, strict=True):
-        dive, covariance = step.dive, step.covariance
-        row |= {"start_time": dive.t_gps2, "forecast_covariance": covariance[0, 1]}
-        for k, axis in enumerate(("east", "north")):
-            row[f"file_current_{axis}"] = getattr(dive, f"dac_{axis}")
-            row[f"forecast_variance_{axis}"] = covariance[k, k]
-            if replay.flow_model is not None:
-                row[f"flow_model_{axis}"] = getattr(dive, f"model_{axis}")
-        for key in ("distance", "speed", "direction"):
-            row[f"drift_{key}"] = row["drift"] and row["drift"][key]
-            row[f"over_ground_{key}"] = row["over_ground"][key]
-        row |= {f"clpe_{name}": size for name, size in row["clpe"].items()}
-        row |= {f"probability_{part}": p for part, p in step.parts.items()}
-        if not replay.model.learn_speed:
-            for key in SPEED:
-                del row[key]
-    return found
-
-
 def _row(step: Step, models: tuple[str, ...]) -> dict[str, Any]:
     dive = step.dive
     start = dive.lat_gps2, dive.lon_gps2
@@ -83,6 +61,8 @@ def _row(step: Step, models: tuple[str, ...]) -> dict[str, Any]:
         "dive": dive.number,
         "start": utc(dive.t_gps2),
         "end": utc(dive.t_gpse),
+        "start_time": dive.t_gps2,
+        "end_time": dive.t_gpse,
         "duration": dive.duration,
         **placed("start_", *start),
         **placed("end_", dive.lat_gpse, dive.lon_gpse),
@@ -90,6 +70,12 @@ def _row(step: Step, models: tuple[str, ...]) -> dict[str, Any]:
         **placed("forecast_", *forecast),
         **vector("dr_", dive.dr_east, dive.dr_north),
         **vector("forecast_", *step.forecast),
+        **vector("forecast_variance_", *np.diag(step.covariance)),
+        "forecast_covariance": float(step.covariance[0, 1]),
+        "flow_model_east": dive.model_east,
+        "flow_model_north": dive.model_north,
+        "file_current_east": dive.dac_east,
+        "file_current_north": dive.dac_north,
         "clpe": {name: step.clpe[name] for name in models},
         **dict(zip(ELLIPSE, ellipse(step.covariance), strict=True)),
         "inside_90": step.inside,
@@ -106,6 +92,7 @@ def _row(step: Step, models: tuple[str, ...]) -> dict[str, Any]:
         "over_ground": Way(dive.gps_east, dive.gps_north, dive.duration).as_dict(),
         "headline": None if step.headline is None else _headline(step.headline, step.headline_held),
         "anomaly": None if step.anomaly is None else step.anomaly._asdict(),
+        "probability": step.parts,
         "depth_max": dive.depth_max,
         "notes": list(dive.notes),
     }
@@ -266,6 +253,10 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
     return {
         "vehicle": (last.dive.vehicle if last else "") or "glider",
         "kind": last.dive.kind if last else None,
+        "estimator": replay.estimator,
+        "flow": list(replay.model.flow),
+        "learn_speed": replay.model.learn_speed,
+        "gaussian_width": replay.model.width,
         "dives": len(steps) + len(skipped),
         "used": len(steps),
         "clpe_rms": clpe_rms(replay, 1),

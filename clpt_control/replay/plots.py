@@ -1,6 +1,5 @@
 """Figures of a replay with one dive at least: misses, learned current, and all with the map."""
 
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -8,12 +7,11 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.dates import AutoDateLocator, ConciseDateFormatter
 from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator
 
 from ..arguments import public
 from ..figures import BLUE, GREEN, GREY, ORANGE, RED, TITLE, axes_for, figure_of, legend_below
 from ..files import write_together
-from .facts import Source, learns_speed, plot_data
+from .facts import Source, found_of
 from .outcome import rms_of
 from .replay import Replay
 from .surfacing import NextDive
@@ -30,22 +28,20 @@ MARKS = 100  # of a line, about, at most
 
 
 @public
-def dive_clpe_plot(replay: Source, *, dates: bool = False, ax: Axes | None = None) -> Axes:
+def dive_clpe_plot(replay: Source, *, ax: Axes | None = None) -> Axes:
     """Draw the CLPE of each dive for each flow model.
 
     Parameters
     ----------
     replay : Replay or xarray.Dataset
         With one dive at least; the dataset as `replay_dataset` gives it.
-    dates : bool, optional
-        Whether x is when the vehicle surfaced, in place of the numbers of the dives.
     ax : Axes, optional
         Where to draw; by default a new figure of pyplot's.
 
     Returns
     -------
     Axes
-        CLPE in km against dives; speed anomalies are marked.
+        CLPE in km over time; speed anomalies are marked.
 
     Raises
     ------
@@ -60,9 +56,9 @@ def dive_clpe_plot(replay: Source, *, dates: bool = False, ax: Axes | None = Non
     >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
     >>> ax = clpt.replay.dive_clpe_plot(replay)
     """
-    found = plot_data(replay)[1]
+    found = found_of(replay)["each_dive"]
     ax = axes_for(ax, 6.8, 4.0)
-    x = _along(found, dates)
+    x = _surfaced(found)
     clpe = [row["clpe"] for row in found]
     for model, rms in rms_of(clpe[1:], list(clpe[0])).items():
         colour, mark, style = LINES[model]
@@ -72,22 +68,20 @@ def dive_clpe_plot(replay: Source, *, dates: bool = False, ax: Axes | None = Non
     for k, here in enumerate(x[[bool(row["anomaly"]) for row in found]]):
         ax.axvline(here, color=RED, lw=1, label=None if k else "speed anomaly")
     ax.set(ylabel="miss (CLPE) at the surfacing (km)", ylim=(0, None))
-    _mark(ax, x, dates)
+    _mark(ax, x)
     ax.set_title("Prediction error, one dive ahead; rms after the first", **TITLE)
     legend_below(ax, 3)
     return ax
 
 
 @public
-def current_plot(replay: Source, *, dates: bool = False, ax: Any = None) -> np.ndarray:
+def current_plot(replay: Source, *, ax: Any = None) -> np.ndarray:
     """Draw the learned current of each dive, and the speed factor.
 
     Parameters
     ----------
     replay : Replay or xarray.Dataset
         With one dive at least; the dataset as `replay_dataset` gives it.
-    dates : bool, optional
-        Whether x is when the vehicle surfaced, in place of the numbers of the dives.
     ax : array of 3 Axes, optional
         Where to draw, two where no speed factor is learned; by default a new figure of pyplot's.
 
@@ -110,10 +104,10 @@ def current_plot(replay: Source, *, dates: bool = False, ax: Any = None) -> np.n
     >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
     >>> east, north, speed = clpt.replay.current_plot(replay)
     """
-    found = plot_data(replay)[1]
-    learned = learns_speed(found)
+    found = found_of(replay)["each_dive"]
+    learned = found[0]["speed_factor"] is not None
     axes = axes_for(ax, 6.8, 6.4 if learned else 4.6, nrows=2 + learned, sharex=True)
-    x = _along(found, dates)
+    x = _surfaced(found)
     for one, axis in zip(axes, ("east", "north"), strict=False):
         _band(one, x, found, f"current_{axis}", BLUE, "learned, 2 standard errors")
         of_file = _column(found, f"file_current_{axis}")
@@ -126,7 +120,7 @@ def current_plot(replay: Source, *, dates: bool = False, ax: Any = None) -> np.n
         _band(axes[2], x, found, "speed_factor", GREEN)
         axes[2].axhline(1, color="black", lw=0.5)
         axes[2].set_ylabel("factor on speed")
-    _mark(axes[-1], x, dates)
+    _mark(axes[-1], x)
     return axes
 
 
@@ -159,7 +153,9 @@ def replay_plot(replay: Source, *, ax: Any = None) -> np.ndarray:
     >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
     >>> axes = clpt.replay.replay_plot(replay)
     """
-    speed = [["map", "speed"]] if learns_speed(plot_data(replay)[1]) else []
+    replay = found_of(replay)
+    learned = replay["each_dive"][0]["speed_factor"] is not None
+    speed = [["map", "speed"]] if learned else []
     mosaic = [["map", "clpe"], ["map", "clpe"], ["map", "east"], ["map", "north"], *speed]
     axes = axes_for(ax, 12.0, 9.5, mosaic=mosaic)
     map_plot(replay, ax=axes[0])
@@ -168,15 +164,10 @@ def replay_plot(replay: Source, *, ax: Any = None) -> np.ndarray:
     return axes
 
 
-def replay_figures(
-    replay: Source, ahead: NextDive | None = None, legs: Sequence[dict[str, Any]] = ()
-) -> "dict[str, Figure]":
-    """Draw all figures, by name; `legs` are as `Aim.as_dict` has them."""
-    return {
-        "map": figure_of(map_plot, replay, ahead, legs),
-        "clpe": figure_of(dive_clpe_plot, replay),
-        "current": figure_of(current_plot, replay),
-    }
+def replay_figures(found: dict[str, Any]) -> "dict[str, Figure]":
+    """Draw all figures of what `clpt replay --json` prints, by name."""
+    plots: dict[str, Any] = {"map": map_plot, "clpe": dive_clpe_plot, "current": current_plot}
+    return {name: figure_of(plot, found) for name, plot in plots.items()}
 
 
 @public
@@ -213,16 +204,15 @@ def save_replay_figures(replay: Replay, folder: Path, ahead: NextDive | None = N
     >>> [path.name for path in files]
     ['map.png', 'clpe.png', 'current.png']
     """
-    figures = {Path(folder) / f"{name}.png": f for name, f in replay_figures(replay, ahead).items()}
+    each = replay_figures(found_of(replay, ahead))
+    figures = {Path(folder) / f"{name}.png": figure for name, figure in each.items()}
     write_together(figures)
     return list(figures)
 
 
-def _along(rows: list[dict[str, Any]], dates: bool) -> np.ndarray:
-    """Return where dives stand on x: their numbers, or when the vehicle surfaced."""
-    if dates:
-        return np.array([row["end"].removesuffix("Z") for row in rows], "datetime64[s]")
-    return np.array([row["dive"] for row in rows])
+def _surfaced(rows: list[dict[str, Any]]) -> np.ndarray:
+    """Return when the vehicle surfaced."""
+    return np.array([row["end"].removesuffix("Z") for row in rows], "datetime64[s]")
 
 
 def _column(rows: list[dict[str, Any]], key: str) -> np.ndarray:
@@ -243,14 +233,12 @@ def _fine(x: np.ndarray) -> dict[str, Any]:
     return {**size, "markevery": 1 + len(x) // MARKS}
 
 
-def _mark(ax: Axes, x: np.ndarray, dates: bool) -> None:
-    """Mark dates or whole numbers of dives, also where there is one."""
-    locator: Any = MaxNLocator(integer=True, min_n_ticks=1)
-    if dates:
-        locator = AutoDateLocator(maxticks=7)
-        ax.xaxis.set_major_formatter(ConciseDateFormatter(locator))
+def _mark(ax: Axes, x: np.ndarray) -> None:
+    """Mark dates, also where there is one."""
+    locator = AutoDateLocator(maxticks=7)
+    ax.xaxis.set_major_formatter(ConciseDateFormatter(locator))
     ax.xaxis.set_major_locator(locator)
-    ax.set_xlabel("surfaced (UTC)" if dates else "dive")
+    ax.set_xlabel("surfaced (UTC)")
     if len(x) == 1:
-        step: Any = np.timedelta64(1, "h") if dates else 1
-        ax.set_xlim(x[0] - step, x[0] + step)
+        hour: Any = np.timedelta64(1, "h")
+        ax.set_xlim(x[0] - hour, x[0] + hour)

@@ -37,6 +37,7 @@ from ..progress.interrupt import check
 from .carried_dives import FlowModel, carried
 from .doubts import SpeedFactorWatch, doubt_one_fix
 from .habits import CHI_SQUARED, GIVEN, Guess, Habits, drift
+from .places import velocity
 from .step import FLOW_MODEL, MODELS, Step, check_next, estimates
 from .surfacing import NORMAL, NextDive, check_plan, unflown
 
@@ -86,8 +87,9 @@ class Replay:
     def __post_init__(self) -> None:
         """Start without any dive."""
         self._learner = make_estimator(self.estimator, self.model)
-        bank = self._learner if isinstance(self._learner, KalmanBank) else None
-        self._watch = SpeedFactorWatch(self.model, bank) if self.model.learn_speed else None
+        self._watch = None  # of a bank that learns the speed
+        if isinstance(self._learner, KalmanBank) and self.model.learn_speed:
+            self._watch = SpeedFactorWatch(self._learner)
         self.habits = Habits()
         self._fed: list[Dive] = []
         self._before = self._learner, self._watch, self.habits  # the last dive
@@ -99,17 +101,15 @@ class Replay:
         """Return the last dives as a table, the last one first."""
         rows = []
         for step in self.steps[: -LISTED - 1 : -1]:
-            east, north = step.current
-            clpe = [step.clpe[name] for name in self.models]
-            misses = ["" if size is None else f"{size:.0f}" for size in clpe]
-            factor = [f"{step.speed:.2f}"] if self.model.learn_speed else []
-            rows.append((step.dive.number, *misses, f"{east:z.2f}, {north:z.2f}", *factor))
+            clpe = (
+                "-" if (one := step.clpe[name]) is None else f"{one:.0f}" for name in self.models
+            )
+            current = velocity(*map(float, step.current))
+            rows.append((step.dive.number, *clpe, current, f"{step.speed:.2f}"))
         head = ["dive", *(f"CLPE (m), {name.replace('_', ' ')}" for name in self.models)]
-        head += ["current east, north (m/s)"]
-        head += ["factor on speed"] if self.model.learn_speed else []
-        last = [f"The last {LISTED} of {len(self.steps)} dives."] if self.steps[LISTED:] else []
-        pieces = facts(rows, head) if rows else "", paragraphs(last)
-        return fragment("Replay", f"of {_in_words(self)}", *pieces)
+        table = facts(rows, [*head, "current", "factor on speed"]) if rows else ""
+        more = [f"The last {LISTED} of {len(self.steps)} dives."] if self.steps[LISTED:] else []
+        return fragment("Replay", f"of {_in_words(self)}", table, paragraphs(more))
 
     @property
     def models(self) -> tuple[str, ...]:
@@ -157,7 +157,8 @@ class Replay:
         Each is carried by the flow model.  Of a record that grows, dives that come first again
         are not learned again.
         """
-        if len(dives) < len(self._fed) or not all(map(_same, self._fed, dives)):
+        known = [(dive, dive.vehicle, dive.notes) for dive in self._fed]
+        if known != [(dive, dive.vehicle, dive.notes) for dive in dives[: len(known)]]:
             self.steps = []
             self.__post_init__()
         for dive in dives[len(self._fed) :]:
@@ -215,7 +216,7 @@ class Replay:
         late = np.hypot(guess.duration * np.sqrt(guess.scatter[2, 2]), habits.stay()[1])
         wide, long = (max(w, 1.0) if guess.basis == GIVEN else w for w in habits.width)
         return NextDive(
-            plan if plan.track is None else replace(plan, track=None),
+            plan,
             mean,
             covariance * guess.tails * wide**2,
             *place,
@@ -341,16 +342,6 @@ def check_tides(flow: Sequence[str], dives: Sequence[Dive]) -> None:
     if len(tides) > 1 and dives:
         hours = round((dives[-1].t_gpse - dives[0].t_gps2) / 3600, 1)
         check_separable(tides, hours, f"flow {','.join(flow)}")
-
-
-def _same(one: Dive, other: Dive) -> bool:
-    """Whether two dives are the same, tracks, names and notes with them."""
-    if (one, one.vehicle, one.notes) != (other, other.vehicle, other.notes):
-        return False
-    tracks = one.track or (), other.track or ()
-    return one.track is other.track or (
-        len(tracks[0]) == len(tracks[1]) and all(map(np.array_equal, *tracks))
-    )
 
 
 @public

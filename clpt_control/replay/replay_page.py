@@ -11,10 +11,21 @@ from typing import Any
 from ..figures import figure_of, inline_svg
 from ..html import document, listing, paragraphs, safe
 from . import cells, places, wording
-from .page_map import replay_map
+from .chart import words_of_dive
 from .plots import current_plot, dive_clpe_plot
+from .track_map import map_svg
 
 ALARM = ' class="alarm"'
+KEYS = "".join(  # of the map
+    f'<span class="key {style}">{name}</span>'
+    for style, name in (
+        ("track", "fix to fix"),
+        ("miss", "miss, from x, the dead-reckoned end"),
+        ("ring", "+ forecast, 90 %"),
+        ("next", "next surfacing, 90 %"),
+        ("made", "aimed: way made good, 90 %"),
+    )
+)
 LOUD = ("OUT", "SPEED", "overdue", "cannot be read")  # beginnings of cells that are alarms
 AGAIN = 60  # s, until a page of a folder that is followed is loaded again
 NARROW = 5.8  # inches of a chart, whose letters a telephone shows
@@ -36,9 +47,8 @@ def replay_page(found: dict[str, Any], again: bool = False, title: str | None = 
             f"<h1>{safe(title or f'{vehicle}: where it comes up next')}</h1>",
             f'<div class="cards"{mark}>{"".join(_cards(found))}</div>',
             paragraphs(wording.coming(found)),
-            f'<div class="body"><div><div class="map">{replay_map(found)}',
-            f'<div class="buttons"></div></div>{_keys(found)}',
-            '<p id="said" class="soft"></p></div>',
+            f'<div class="body"><div><div class="map">{map_svg(found)}',
+            f'<div class="buttons"></div></div>{KEYS}<p id="said" class="soft"></p></div>',
             f"<div>{_charts(found)}</div></div>",
             *_paste(found),
             *_table(found),
@@ -49,59 +59,46 @@ def replay_page(found: dict[str, Any], again: bool = False, title: str | None = 
     return document(name, body, "replay.css", "replay.js", head)
 
 
-def _card(title: str, value: str, below: str, style: str = "") -> str:
+def _card(title: str, value: str, below: str, style: str = "", time: str = "") -> str:
+    """Return a card; hours to a time are counted on by the script."""
+    mark = f' data-time="{safe(time)}"' if time else ""
     return (
         f'<section class="card {style}"><h2>{safe(title)}</h2><b>{safe(value)}</b>'
-        f"<small>{below}</small></section>"
+        f"<small{mark}>{safe(below)}</small></section>"
     )
 
 
 def _cards(found: dict[str, Any]) -> list[str]:
     """Return the headline: when, where, aim, current, speed, how good, marks."""
     ahead, last = found["next_dive"], found["each_dive"][-1]
-    time = places.clock(ahead["time"])
+    time = f"{places.clock(ahead['time'])} {wording.within(ahead)}"
+    since, first = wording.from_now(ahead["hours_from_now"]), "first"
     if ahead["now_is"] == "clock":
-        since = f'<span data-time="{safe(ahead["time"])}">{ahead["hours_from_now"]:+z.1f} h</span>'
-        since += f"; written {safe(ahead['now'][11:16])} UTC"
+        title = f"Next surfacing (written {ahead['now'][11:16]} UTC)"
+        cards = [_card(title, time, since, first, ahead["time"])]
     else:
-        since = f"{ahead['hours_from_now']:.1f} h after the {safe(ahead['now_is'])}"
-    since = f"{safe(wording.within(ahead))}, {since}"
-    cards = [
-        _card("Next surfacing", time, since, "first"),
-        _card(
-            "Where",
-            ahead["place"],
-            f"{safe(places.in_degrees(ahead['latitude'], ahead['longitude']))}; 90 % within "
-            f"{cells.half_axes(ahead)} m; {safe(wording.record_sentence(found['headlines']))}",
-            "first",
-        ),
-        *(_aim(leg) for leg in found["aim"][:1]),
-    ]
+        cards = [_card("Next surfacing", time, f"{since} from the {ahead['now_is']}", first)]
+    where = places.in_degrees(ahead["latitude"], ahead["longitude"])
+    near = f"90 % within {cells.half_axes(ahead)} m"
+    record = wording.record_sentence(found["headlines"])
+    cards.append(_card("Where", ahead["place"], f"{where}; {near}; {record}", first))
+    for leg in found["aim"][:1]:
+        way = f"to {leg['place']}; {leg['made_good']:.0f} m made good, {leg['state']}"
+        cards.append(_card("Aim", wording.heading_words(leg), way, first))
     error = max(last["current_east_error"], last["current_north_error"])
     current = places.velocity(last["current_east"], last["current_north"])
     cards.append(_card(f"Current, dive {last['dive']}", current, f"+- {error:.2f} m/s"))
     if last["speed_factor"] is not None:
         value = f"{last['speed_factor']:.2f} +- {last['speed_factor_error']:.2f}"
         cards.append(_card("Factor on speed", value, "1: as fast as its files say"))
-    miss = f"{last['clpe']['adaptive']:.0f} m"
     before = f"previous dive's current: {last['clpe']['previous_dive']:.0f} m"
-    inside = "" if last["inside_90"] else "; outside the 90 % ellipse"
-    cards.append(_card(f"Miss, dive {last['dive']}", miss, before + inside))
+    before += "" if last["inside_90"] else "; outside the 90 % ellipse"
+    cards.append(_card(f"Miss, dive {last['dive']}", f"{last['clpe']['adaptive']:.0f} m", before))
     for anomaly in found["anomalies"][-1:]:
         change = f"changed by {anomaly['change']:+z.2f} since dive {anomaly['since']}"
-        cards.append(
-            _card(f"Mark of dive {anomaly['dive']}", cells.speed_mark(anomaly), change, "alarm")
-        )
+        title = f"Mark of dive {anomaly['dive']}"
+        cards.append(_card(title, cells.speed_mark(anomaly), change, "alarm"))
     return cards
-
-
-def _aim(leg: dict[str, Any]) -> str:
-    heading, magnetic = leg["heading"], leg["heading_magnetic"]
-    value = "stay" if heading is None else f"heading {places.compass(heading)}"
-    if magnetic is not None:
-        value += f" (mag {places.compass(magnetic)})"
-    below = f"to {safe(leg['place'])}; {leg['made_good']:.0f} m made good, {safe(leg['state'])}"
-    return _card("Aim", value, below, "first")
 
 
 def _paste(found: dict[str, Any]) -> list[str]:
@@ -117,35 +114,20 @@ def _charts(found: dict[str, Any]) -> str:
         ("clpe", dive_clpe_plot, 0.6, "Miss (CLPE) of each dive, one dive ahead"),
         ("learned", current_plot, 1.0, "Learned, with two standard errors"),
     ):
-        figure = figure_of(plot, found, dates=True)
+        figure = figure_of(plot, found)
         figure.set_size_inches(NARROW, NARROW * high)
         svg = inline_svg(figure, name, caption)
         charts.append(f"<figure>{svg}<figcaption>{caption}</figcaption></figure>")
     return "\n".join(charts)
 
 
-def _keys(found: dict[str, Any]) -> str:
-    """Return the legend of the map."""
-    keys = [("c", "fix to fix"), ("miss", "miss, from x, the dead-reckoned end")]
-    keys += [("ring", "+ forecast, 90 %"), ("next", "next surfacing, 90 %")]
-    if found["aim"]:
-        keys += [("aim", "to the waypoint"), ("made", "aimed: way made good, 90 %")]
-    if "route" in found:
-        keys.append(("area", "to stay out of"))
-    return (
-        '<p class="keys">'
-        + " ".join(f'<span class="key {style}">{safe(name)}</span>' for style, name in keys)
-        + "</p>"
-    )
-
-
 def _table(found: dict[str, Any]) -> list[str]:
     """Return the table, the last dive first."""
     title = "Dives, the last one first: miss (CLPE, m) one dive ahead, currents in m/s"
-    rows = [cells.cells(row) for row in found["each_dive"][::-1]]
-    return cell_table(
-        title, rows, cells.RANKS, [f' data-dive="{safe(row["dive"])}"' for row in rows]
-    )
+    rows = found["each_dive"]
+    words = [f"dive {row['dive']}: {words_of_dive(row)}" for row in rows]
+    marks = [f' id="map-dive{k}" title="{safe(one)}"' for k, one in enumerate(words)]
+    return cell_table(title, [*map(cells.cells, rows[::-1])], cells.RANKS, marks[::-1])
 
 
 def cell_table(

@@ -105,19 +105,10 @@ class NextDive:
 
 
 def unflown(last: Dive, start: Fix, guess: Guess) -> Dive:
-    """Return a dive without an end, its track that of the last one, rotated and stretched."""
+    """Return a dive without an end, straight and at constant speed."""
     east, north = map(float, guess.way)
-    track = None
-    if last.track is not None and hypot(last.dr_east, last.dr_north) > 0:
-        time, *through_water = last.track
-        ratio = complex(east, north) / complex(last.dr_east, last.dr_north)
-        way = ratio * (through_water[0] + 1j * through_water[1])
-        track = time * (guess.duration / last.duration), way.real, way.imag
-    end = start[0] + guess.duration
-    no = (nan, nan, nan, nan)
-    return Dive(
-        last.number + 1, *start, end, *no, east, north, depth_max=last.depth_max, track=track
-    )
+    end, no = start[0] + guess.duration, (nan, nan, nan, nan)
+    return Dive(last.number + 1, *start, end, *no, east, north, depth_max=last.depth_max)
 
 
 def check_plan(duration: float, through_water: tuple[float, float]) -> None:
@@ -125,11 +116,9 @@ def check_plan(duration: float, through_water: tuple[float, float]) -> None:
     east, north = through_water
     size = hypot(east, north)
     plan = f"next dive of {duration / 3600:g} hours and {east:g} m east, {north:g} m north"
-    if not (isfinite(duration) and duration > 0 and isfinite(size)):
-        raise ScenarioError(f"{plan}: must be finite, its duration above 0")
-    if duration > LONGEST:
+    if not (0 < duration <= LONGEST and isfinite(size)):
         raise ScenarioError(
-            f"{plan}: must last at most {LONGEST / 3600:g} hours (30 days); give hours, not seconds"
+            f"{plan}: must be finite, its duration above 0 and at most {LONGEST / 3600:g} hours"
         )
     if size > FASTEST * duration:
         raise ScenarioError(

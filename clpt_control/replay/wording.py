@@ -67,36 +67,36 @@ def when(ahead: dict[str, Any]) -> str:
     return words if ahead["now_is"] == "clock" else f"{words} from the {ahead['now_is']}"
 
 
+def heading_words(leg: dict[str, Any]) -> str:
+    """Return what to command, of `Aim.as_dict`."""
+    if leg["heading"] is None:
+        return "stay"
+    magnetic = leg["heading_magnetic"]
+    known = "" if magnetic is None else f" (magnetic {compass(magnetic)})"
+    return f"heading {compass(leg['heading'])}{known}"
+
+
 def aim_sentence(leg: dict[str, Any]) -> str:
     """Return the sentence on `Aim.as_dict`."""
-    bears = "here"
+    text, made = f"aim at {place(leg['latitude'], leg['longitude'])}, ", leg["made_good"]
     if leg["bearing"] is not None:
-        bears = f"{leg['distance'] / 1000:.1f} km to {compass(leg['bearing'])}"
-    text = f"aim at {place(leg['latitude'], leg['longitude'])}, {bears}: "
-    against = leg["state"] == AGAINST
-    if against:
+        text += f"{leg['distance'] / 1000:.1f} km to {compass(leg['bearing'])}: "
+    if leg["state"] == AGAINST:
         current = velocity(leg["current_east"], leg["current_north"])
-        text += (
-            f"cannot be made against the current, {current}, at {leg['speed_expected']:.2f} m/s; "
-            "best "
-        )
-    if leg["heading"] is None:
-        text += "stay"
-    else:
-        text += f"heading {compass(leg['heading'])}"
-        if leg["heading_magnetic"] is not None:
-            text += f" (magnetic {compass(leg['heading_magnetic'])})"
-        if leg["crab"] is not None:
-            text += f", crab {leg['crab']:+z.0f}"
+        speed = f"{leg['speed_expected']:.2f} m/s"
+        text += f"cannot be made against the current, {current}, at {speed}; best "
+    text += heading_words(leg)
+    if leg["crab"] is not None:
+        text += f", crab {leg['crab']:+z.0f}"
     full = f"{leg['through_water_full']:.0f} m"
     if leg["state"] == REACHED:
-        end = clock(leg["end"])
-        text += f", {leg['through_water']:.0f} of {full} through the water; there at {end}"
+        way = f"{leg['through_water']:.0f} of {full} through the water"
+        text += f", {way}; there at {clock(leg['end'])}"
     else:
-        made = leg["made_good"]
         text += f", {made:.0f} m made good of {full}" if made >= 0 else f", {-made:.0f} m are lost"
         text += f", then {leg['left'] / 1000:.1f} km"
-        text += "" if against else f"; there in {leg['dives']:.1f} dives, {leg['hours']:.0f} h"
+    if leg["state"] == UNDER_WAY:
+        text += f"; there in {leg['dives']:.1f} dives, {leg['hours']:.0f} h"
     return f"{text}; expected miss {leg['expected_miss']:.0f} m, 90 % within {half_axes(leg)} m"
 
 

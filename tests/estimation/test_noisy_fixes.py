@@ -118,7 +118,7 @@ def test_a_run_that_is_read_with_noise_says_how_well_it_tells():
     beside = clpt.simulate(
         PAPER.with_values({**NOISY, "localization": {"noise": 0.02, "noise_period": 0.25}})
     )
-    with pytest.raises(clpt.ScenarioError, match=r"the noise each 0\.25 s, between two samples"):
+    with pytest.raises(clpt.ScenarioError, match=r"the noise each 0\.25 s; run it with a step"):
         estimate(beside)
     with pytest.raises(clpt.DataError, match="the run has no measured_position over time, axis"):
         estimate(noisy[0.01].drop_vars("measured_position"))

@@ -115,7 +115,7 @@ DAMAGES = {
     "latitude NaN": (changed(put("log_gps_lat", 2, nan)), "no fix after"),
     "longitude NaN": (changed(put("log_gps_lon", 1, nan)), "no fix before"),
     "time NaN": (changed(put("log_gps_time", 1, nan)), "no fix before"),
-    "latitude 91": (changed(put("log_gps_lat", 2, 91.0)), "after the dive has the latitude 91"),
+    "latitude 91": (changed(put("log_gps_lat", 2, 91.0)), "no fix after"),
     "latitude a fill value": (changed(put("log_gps_lat", 1, 9.97e36)), "no fix before"),
     "all fixes NaN": (changed(put("log_gps_lat", slice(None), nan)), "no fix"),
     "times swapped": (changed(swap_times), "swapped"),
@@ -204,7 +204,7 @@ def test_what_was_named_must_exist(tmp_path):
         read_dives(tmp_path)
     (tmp_path / "a.nc").write_bytes(b"")
     (tmp_path / "b.nc").write_bytes(b"")
-    with pytest.raises(DataError, match="none of 2 files"):
+    with pytest.raises(DataError, match="2 files: no dive"):
         read_dives(tmp_path)
 
 

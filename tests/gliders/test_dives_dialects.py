@@ -72,7 +72,7 @@ def test_the_track_has_the_times_of_its_displacement(tmp_path):
     dive = dives_in(basestation3(tmp_path / "b.nc", ctd_time=late))[0]
     assert dive.track is None
     assert dive.dr_east == pytest.approx(SWUM[0])
-    assert dive.notes == ("no track: the times ctd_time are not finite or not in order",)
+    assert dive.notes == ("no track: no times in order with the dimension of east_displacement",)
     dive = dives_in(basestation(tmp_path / "c.nc", drop=("ctd_time",)))[0]
     assert dive.track[0][1] == pytest.approx(60.0, abs=1e-6)
 

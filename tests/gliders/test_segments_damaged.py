@@ -108,7 +108,7 @@ def test_a_damaged_segment_among_good_ones(rosie, name):
 )
 def test_a_damaged_list_is_named(rosie, content):
     (rosie / "cac" / "6b016a2e.cac").write_bytes(content)
-    with pytest.raises(DataError, match=r"6b016a2e\.cac|state bytes|none of 5 files|damaged"):
+    with pytest.raises(DataError, match=r"6b016a2e\.cac|state bytes|5 files: no dive|damaged"):
         read_dives(rosie / "sbd")
 
 

@@ -80,7 +80,7 @@ def test_what_has_no_table_says_itself_in_one_line():
         "NativeDiagram: 1 blocks, 1 states": clpt.native.compile(clpt.parts.lag(1.0)),
     }
     dives = clpt.replay.replay_dives(clpt.gliders.sample_dives())
-    things["NextDive: up 2016-02-03 14:03 UTC +- "] = clpt.replay.next_dive(dives)
+    things["NextDive: up 2016-02-03 14:21 UTC +- "] = clpt.replay.next_dive(dives)
     things["Aim: aim at 42 48.00 S 8 24.00 E"] = clpt.replay.aims(dives, [(-42.8, 8.4)])[0]
     for said, thing in things.items():
         assert repr(thing).startswith(f"<{said}"), repr(thing)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from synthetic_vehicle import vehicle
 
-from clpt_control.estimation.estimators import ESTIMATORS
+from clpt_control.estimation.estimators import ESTIMATORS, KalmanBank
 from clpt_control.estimation.fix_model import FixModel
 from clpt_control.geodesy import displacement, place_from
 from clpt_control.gliders import make_dive, read_dives, usable
@@ -172,12 +172,24 @@ def test_a_seaexplorer_keeps_its_forecasts_through_a_wild_fix(facts, tmp_path):
     assert clpe_rms(replay)["adaptive"] == pytest.approx(clpe_rms(without)["adaptive"], abs=15)
 
 
+def flags(dives):
+    """The anomalies of dives that a bank learns."""
+    bank = KalmanBank(FixModel())
+    watch = SpeedFactorWatch(bank)
+    found = []
+    for dive in dives:
+        bank.update(dive)
+        if anomaly := watch.step(dive):
+            found.append(anomaly)
+            if anomaly.certain:
+                bank.forget_speed()
+    return found
+
+
 @pytest.mark.parametrize("case", [{}, {"noise": 0.01}, {"walk": 0.01}, {"flow": "M2"}])
 def test_lost_speed_is_flagged(case):
     for seed in range(5):
-        watch = SpeedFactorWatch(FixModel())
-        found = [a for a in map(watch.step, vehicle(seed, 24, fault=20, **case)) if a]
-        late = [a for a in found if a.dive >= 20]
+        late = [a for a in flags(vehicle(seed, 24, fault=20, **case)) if a.dive >= 20]
         assert late[0].dive in (20, 21, 22)
         assert late[0].change == pytest.approx(-0.15, abs=0.08)
         assert "evidence" in str(late[0])
@@ -185,19 +197,14 @@ def test_lost_speed_is_flagged(case):
 
 @pytest.mark.parametrize("case", [{}, {"noise": 0.02}, {"walk": 0.03}, {"flow": "inertial"}])
 def test_healthy_vehicles_are_left_alone(case):
-    flags = 0
-    for seed in range(4):
-        watch = SpeedFactorWatch(FixModel())
-        flags += sum(watch.step(dive) is not None for dive in vehicle(50 + seed, 100, **case))
-    assert flags <= 4  # in 400 dives
+    assert sum(len(flags(vehicle(50 + seed, 100, **case))) for seed in range(4)) <= 4  # of 400
 
 
 def test_a_vehicle_that_does_not_swim_says_nothing_of_speed():
     drifting = [replace(d, dr_east=0.0, dr_north=0.0) for d in vehicle(1, 30, noise=0.02)]
     moved = [*vehicle(1, 14, noise=0.02), *drifting[14:]]
     for dives in (drifting, moved):
-        watch = SpeedFactorWatch(FixModel())
-        found = [a for a in map(watch.step, dives) if a]
+        found = flags(dives)
         assert all(
             np.isfinite([a.change, a.standard_error, a.likelihood_ratio]).all() for a in found
         )
@@ -212,14 +219,11 @@ def test_on_one_heading_the_flag_says_that_it_may_be_a_current():
         )
         for d in dives[20:]
     ]
-    watch = SpeedFactorWatch(FixModel())
-    found = [a for a in map(watch.step, [*dives[:20], *against]) if a]
+    found = flags([*dives[:20], *against])
     assert found
     assert not found[0].certain
     assert "a current from ahead looks the same" in str(found[0])
-    certain = SpeedFactorWatch(FixModel())
-    flags = [a for a in map(certain.step, vehicle(1, 24, fault=20)) if a]
-    assert flags[0].certain
+    assert flags(vehicle(1, 24, fault=20))[0].certain
 
 
 def test_a_front_across_the_track_is_no_lost_speed():
@@ -235,5 +239,4 @@ def test_a_front_across_the_track_is_no_lost_speed():
             )
             for d in dives[20:22]
         ]
-        watch = SpeedFactorWatch(FixModel())
-        assert not [a for a in map(watch.step, [*dives[:20], *beyond]) if a and a.dive >= 20]
+        assert not [a for a in flags([*dives[:20], *beyond]) if a.dive >= 20]

@@ -93,7 +93,7 @@ def test_a_slocum_that_does_not_correct_gets_a_waypoint_along_the_heading():
 
 
 def test_a_slocum_that_corrects_gets_the_waypoints_themselves():
-    found = found_of("Slocum", note=f"{slocum.HOLDS}, 0.120 m/s: taken off")
+    found = found_of("Slocum", note=slocum.CORRECTS)
     read = waypoints_of(found["paste"]["text"])
     assert read == [pytest.approx(place) for place in [TARGETS[0], (-42.0, 8.25), TARGETS[2]]]
 
@@ -112,8 +112,8 @@ def test_without_a_known_vehicle_or_a_waypoint_there_is_nothing_to_paste(kind, t
 @pytest.mark.usefixtures("undrawn")
 def test_the_file_lies_beside_the_page_which_shows_it(tmp_path):
     replay = replay_dives(sample_dives())
-    found, ahead = summary_with_next(replay, [], Ahead(targets=TARGETS[:1]))
-    written = write(replay, found, tmp_path, ahead, ())
+    found = summary_with_next(replay, [], Ahead(targets=TARGETS[:1]))
+    written = write(found, tmp_path, ())
     assert tmp_path / "targets" in written
     text = (tmp_path / "targets").read_text()
     assert text in (tmp_path / "replay.html").read_text()

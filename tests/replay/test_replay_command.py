@@ -105,7 +105,7 @@ def test_the_command_with_a_flow_model(command, forecast, tmp_path):
     assert "model" in table.stdout
     assert "covered, after the first dive" in table.stdout
     assert f"covers {given['covered']} of 14 dives" in table.stdout
-    for name, says in (("state.toml", "state.toml"), ("model.txt", "is no flow model")):
+    for name, says in (("state.toml", "state.toml"), ("model.txt", "no such file")):
         assert says in str(command("--sample", "--flow-model", tmp_path / name).exception)
 
 
@@ -158,7 +158,7 @@ def test_a_plan_of_the_next_dive(command):
         (("5", "1e300", "0"), "at most 5 m/s can be"),
         (("5", "1e308", "1e308"), "at most 5 m/s can be"),
         (("5", "1e8", "0"), "5 hours and 1e+08 m east, 0 m north: is 5556 m/s"),
-        (("14400", "0", "3000"), "at most 720 hours (30 days); give hours, not seconds"),
+        (("14400", "0", "3000"), "at most 720 hours"),
         (("1e200", "0", "0"), "at most 720 hours"),
         (("1e306", "0", "0"), "must be finite"),
     ):
@@ -184,8 +184,7 @@ def test_wordings(command, tmp_path):
     for words, says in (
         (("--flow", ""), "flow empty: unknown constituent '': must be one of steady, inertial"),
         (("--flow", "steady,"), "gaussians, model, M2"),
-        (("--flow", "steady,m2"), "unknown constituent 'm2' (did you mean M2?)"),
-        (("--flow", "Steady"), "did you mean steady?"),
+        (("--flow", "steady,m2"), "unknown constituent 'm2': must be one of"),
         (("--estimator", "best"), "estimator 'best': must be one of kalman, gradient"),
         (("--flow-model", tmp_path / "nope.toml"), "the .toml file that `clpt fit` writes"),
     ):
@@ -199,7 +198,6 @@ def test_a_huge_number_of_a_dive_is_written(tmp_path):
     from clpt_control.replay.replay import replay_dives
 
     dives = sample_dives()[:2]
-    assert replay_dataset(replay_dives(dives)).dive.dtype == np.int32
     huge = [dives[0], replace(dives[1], number=2**40)]
     assert replay_dataset(replay_dives(huge)).dive.values.tolist() == [304, 2**40]
 

@@ -63,7 +63,8 @@ def test_the_table_keeps_what_matters(width, sg542, capsys, monkeypatch):
 
 def test_the_next_dive_has_a_row(command):
     titles, rows = rows_of(command("--sample").stdout)
-    assert rows[-1][:2] == ["next", "02-03 14:03"]
+    ahead = json.loads(command("--sample", "--json").stdout)["next_dive"]
+    assert rows[-1][:2] == ["next", ahead["time"][5:16].replace("T", " ")]
     assert len(rows) == 15
     assert " x " in rows[-1][titles.index("90 % ellipse (m, deg)")]
     assert rows[-1][titles.index("adaptive")] == ""

@@ -140,9 +140,9 @@ def test_the_dataset_says_when_and_where():
     data = replay_dataset(replay, ahead=ahead)
     rows = summary(replay)["each_dive"]
     for key, inner, name in (
-        ("drift", "distance", "surface_drift"),
-        ("over_ground", "speed", "speed_over_ground"),
-        ("over_ground", "direction", "course_over_ground"),
+        ("drift", "distance", "drift_distance"),
+        ("over_ground", "speed", "over_ground_speed"),
+        ("over_ground", "direction", "over_ground_direction"),
     ):
         assert data[name].values.tolist() == [row[key][inner] for row in rows]
     assert data.current_direction.values.tolist() == [row["current_direction"] for row in rows]
