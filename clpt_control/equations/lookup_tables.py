@@ -15,7 +15,7 @@ import numpy as np
 from ..arguments import brief, public
 from ..errors import ArgumentError
 from .arrays import Array, Tape, Unread, numbers_of, operand
-from .elementwise import boxed, elementwise, lifted, where
+from .elementwise import boxed, elementwise, lifted, total, where
 from .record import picked
 
 
@@ -107,8 +107,7 @@ MOST = 64  # simplices, or points in more than one dimension
 def place_in(points: Any, x: Array, side: str = "right") -> Any:
     """Return how many of the sorted points are not above x, as np.searchsorted does."""
     at_least = elementwise("ge" if side == "right" else "gt", x[..., None], lifted(x._tape, points))
-    ones = elementwise("where", at_least, 1.0, 0.0)
-    return x._tape.add("sum", (ones._ref,), x.shape, x.ndim)
+    return total(at_least, x.ndim)
 
 
 def line(xs: np.ndarray, ys: np.ndarray, x: Array, side: str = "right") -> Any:

@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 
 from . import linear_algebra, lookup_tables, stacks, views
-from .arrays import HOOKS, Array, Tape, Unread, active, objects
-from .elementwise import boxed, counts, filled, is_truth, lifted, stacked, where
+from .arrays import HOOKS, Array, Tape, Unread, objects
+from .elementwise import boxed, chosen, filled, is_truth, is_whole, lifted, stacked, where
+from .number_types import of_python
 from .ufuncs import accumulated, check_doubles, reduced, rounded
 from .views import depends, into, of_numbers, on_objects, on_values, refuse, tape_of
 
@@ -120,7 +121,7 @@ def clip(a: Any, a_min: Any = None, a_max: Any = None, *, min: Any = None, max: 
 
 
 @implements(np.where, arrays=0)
-def chosen(condition: Any, *values: Any) -> Any:
+def placed(condition: Any, *values: Any) -> Any:
     """Return np.where(condition, a, b)."""
     if not values:
         return refuse("np.where without values, which counts,")
@@ -133,7 +134,7 @@ def selected(conditions: Any, values: Any, default: Any = 0) -> Any:
     """Return np.select: the value of the first condition that holds."""
     result = default
     for condition, value in zip(reversed(conditions), reversed(values), strict=True):
-        result = chosen(condition, value, result)
+        result = placed(condition, value, result)
     return result
 
 
@@ -184,7 +185,7 @@ def in_order(values: list[Any], swaps: Callable = np.greater) -> list[Any]:
         for k in range(end):
             a, b = ordered[k], ordered[k + 1]
             swap = swaps(a, b)
-            ordered[k], ordered[k + 1] = where(swap, b, a), where(swap, a, b)
+            ordered[k], ordered[k + 1] = chosen(swap, b, a), chosen(swap, a, b)
     return ordered
 
 
@@ -219,7 +220,7 @@ def along(join: Callable, ufunc: Any) -> Callable:
 
 def alike(a: Array, value: float, dtype: Any = None, **named: Any) -> Any:
     """Return a number everywhere in an array of the shape and kind of another."""
-    if counts(a) and dtype is None:
+    if is_whole(a) is not False and dtype is None:
         return refuse("an array like one of truth values or whole numbers")
     check_doubles(dtype)
     return filled(a._tape, value, a.shape)
@@ -308,11 +309,13 @@ for real, made in SHARES.items():
     implements(real)(made)
 
 
-def floats(value: Any) -> Any:
-    """Return a number, or numbers in lists, that Python has as its own floats."""
-    if (tape := active()) is not None:
-        tape.has_floats = True
-    return value
+def as_list(a: Array) -> Any:
+    """Return elements in lists, which Python has as its own numbers."""
+    elements = objects(a)
+    own = np.empty(elements.shape, dtype=object)
+    for place, one in np.ndenumerate(elements):
+        own[place] = of_python(one, is_whole(one))
+    return own.tolist()
 
 
 def astype(a: Array, *kind: Any, **more: Any) -> Any:
@@ -327,8 +330,8 @@ METHODS: dict[str, Callable] = {  # that are not NumPy's functions
     "flatten": lambda a, order="C": views.copied(np.ravel(a, order)),
     **dict.fromkeys(("__copy__", "__deepcopy__"), views.copied),
     "astype": astype,
-    "item": lambda a, *at: floats(a[at] if at else objects(a).ravel()[0]),
-    "tolist": lambda a: floats(objects(a).tolist()),
+    "item": lambda a, *at: as_list(a[at] if at else objects(a).ravel()[0]),
+    "tolist": as_list,
     "fill": lambda a, value: a.__setitem__(..., value),
     "sort": lambda a, *more: a.__setitem__(..., np.sort(a, *more)),
     "is_integer": lambda a: np.floor(a) == a,

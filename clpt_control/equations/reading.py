@@ -17,7 +17,7 @@ import numpy as np
 
 from ..errors import BlockError
 from .answers import AnsweringTape, Borrowed, Holding, Outside, Ports, located
-from .arrays import Array, Joined, Tape, Unread, objects, operand, reading_on
+from .arrays import Array, Tape, Unread, objects, operand, reading_on
 from .copies import Copies, borrowed
 from .declaration import Parameters
 from .elementwise import as_number, filled, lifted, where
@@ -80,7 +80,7 @@ def read(*arguments: Any, **more: Any) -> Read:
             state = states[min(len(reads), len(states) - 1)]
             try:
                 reads.append(_Ways(request, spaces, snapshot, state, asked).read())
-            except (Borrowed, Holding, Joined) as missing:
+            except (Borrowed, Holding) as missing:
                 if isinstance(missing, Borrowed):
                     spaces.append(missing.space)
                 else:
@@ -119,7 +119,6 @@ class _Ways:
         self.snapshot, self.state = snapshot, state  # in which a way left all
         holding = Holding in asked
         self.tape = AnsweringTape(request.parameters, spaces, holding)
-        self.tape.joins = Joined not in asked
         self.copies = Copies(self.tape, snapshot, holding)
         self.ways: list[tuple[dict[int, bool], list[Any]]] = []
 
@@ -136,7 +135,7 @@ class _Ways:
             for space in self.snapshot.asking.values():
                 if not any(space is one for one in self.spaces):
                     raise Borrowed(space)
-            tape.last_asked = None
+            tape.last_asked = tape.texts = None
             self.snapshot.begin(self.state, self._unknown)
             x, u = Ports(tape, "x", request.states, named), Ports(tape, "u", request.inputs, named)
             p = request.wrap(dict(fields)) if request.wrap else Parameters(**fields)
@@ -172,7 +171,9 @@ class _Ways:
                 if returned is None and tape.answers:
                     raise ValueError("returns nothing")
                 outputs = _by_port(tape, request.role, returned, request.out)
-        except (Borrowed, Holding, Joined, BlockError):
+                if tape.texts is not None:
+                    raise tape.texts
+        except (Borrowed, Holding, BlockError):
             raise
         except RecursionError:
             raise Unread(f"{request.name} calls itself without end") from None

@@ -20,13 +20,12 @@ import numpy as np
 
 from .arrays import Array, Tape, Unread, active, objects, single, whole
 from .elementwise import (
-    READ,
+    all_of,
     boxed,
     chosen,
-    counts,
     elementwise,
-    in_a_try,
     is_of_python,
+    is_whole,
     lifted,
     refuse_in_a_try,
     where,
@@ -90,23 +89,20 @@ def remainder(a: Any, b: Any) -> Any:
     return rest - b * np.rint(rest / b)
 
 
+def rounded_off(total: Any, value: Any, new: Any) -> Any:
+    """Return what rounding took from total + value."""
+    first = np.fabs(total) >= np.fabs(value)
+    return where(first, (total - new) + value, (value - new) + total)
+
+
 def exact_total(values: Any) -> Any:
     """Return math.fsum: a sum, and what rounding took from it."""
     total: Any = 0.0
     lost: Any = 0.0
     for value in values:
         new = total + value
-        first = np.fabs(total) >= np.fabs(value)
-        lost = lost + where(first, (total - new) + value, (value - new) + total)
-        total = new
+        total, lost = new, lost + rounded_off(total, value, new)
     return total + lost
-
-
-DOMAINS: dict[str, Callable] = {  # outside, `math` raises
-    "sqrt": lambda a: a < 0,
-    **dict.fromkeys(("log", "log2", "log10"), lambda a, *base: a <= 0),
-    **dict.fromkeys(("asin", "acos"), lambda a: np.fabs(a) > 1),
-}
 
 
 MATH: dict[str, Callable] = {
@@ -121,23 +117,20 @@ MATH: dict[str, Callable] = {
     "prod": lambda a, start=1: functools.reduce(lambda v, w: v * w, a, start),
     "ldexp": lambda a, k: a * 2.0**k,
 }
-RAISING = frozenset(  # beyond what DOMAINS asks
-    {"exp", "exp2", "expm1", "sinh", "cosh", "pow", "fmod", "remainder", "log1p", "ldexp", "acosh"}
-    | {"atanh"}
+SAFE = frozenset(  # which raise nothing, whatever the number
+    {"sin", "cos", "tan", "atan", "atan2", "tanh", "asinh", "fabs", "erf", "erfc", "copysign"}
+    | {"hypot", "dist", "isclose", "isnan", "isinf", "isfinite", "degrees", "radians", "fmin"}
+    | {"floor", "ceil", "trunc", "prod", "fsum"}
 )
 
 
 def of_math(name: str, tape: Tape, *arguments: Any, **more: Any) -> Any:
     """Write down a function of `math`."""
     numbers = tuple(map(single, arguments))
-    tape.has_floats = True
-    if name in RAISING:
+    if name not in SAFE:
         refuse_in_a_try(*numbers)
-    if name in DOMAINS and in_a_try() and DOMAINS[name](*numbers):
-        raise ValueError("math domain error")
     new = MATH[name](*numbers, **more)
-    kept = isinstance(new, Array) and name == "prod" and new._whole
-    return of_python(new, True if name in ("floor", "ceil", "trunc") else kept)
+    return of_python(new, name in ("floor", "ceil", "trunc") or (name == "prod" and is_whole(new)))
 
 
 OF_MATH = [StandIn(getattr(math, name), functools.partial(of_math, name)) for name in MATH]
@@ -167,24 +160,26 @@ def ordered(values: list) -> list[Any]:
 def compensated(values: Iterable[Any], start: Any = 0) -> Any:
     """Return Python's sum: of its own floats, since 3.12, with what rounding took from it.
 
-    Of whole numbers among them since 3.14.
+    Of whole numbers among them since 3.14; a number of NumPy ends it.
     """
     values = list(values)
     if tape_of((start, *values)) is None:
         return sum(values, start)
-    total, lost, all_own = start, None, is_of_python(start)
+    total, own = start, is_of_python(start)
+    lost: Any = 0.0
     for value in values:
-        new, rest, all_own = total + value, lost, where(all_own, is_of_python(value), False)
-        counted = counts(total) or (counts(value) and sys.version_info < (3, 14))
-        own = not counted and all_own
-        if own is not False:
-            first = np.fabs(total) >= np.fabs(value)
-            rest = where(first, (total - new) + value, (value - new) + total)
-            rest = rest if lost is None else lost + rest
-        if own is not True and lost is not None:
+        own = all_of([own, is_of_python(value)])
+        whole = where(is_whole(total), True, sys.version_info < (3, 14) and is_whole(value))
+        new = total + value
+        if isinstance(lost, Array) or lost:
             new = where(own, new, with_rest(total, lost) + value)
-        total, lost = new, None if own is False else where(own, rest, 0.0)
-    return total if lost is None else with_rest(total, lost)
+        if own is False:
+            lost = 0.0
+        else:
+            rest = lost + rounded_off(total, value, total + value)
+            lost = where(own, where(whole, lost, rest), 0.0)
+        total = new
+    return with_rest(total, lost) if isinstance(lost, Array) or lost else total
 
 
 def with_rest(total: Any, lost: Any) -> Any:
@@ -246,7 +241,7 @@ def same_array(tape: Any, value: Any, dtype: Any = None, **more: Any) -> Any:
 def full(tape: Tape, shape: Any, value: Any, dtype: Any) -> Any:
     """Return np.full of a signal."""
     new = lifted(tape, np.zeros(whole(shape))) + lifted(tape, value)
-    new._whole = counts(value)
+    new._whole = is_whole(value)
     return boxed(tape, new if dtype is None else converted(new, dtype))
 
 
@@ -272,7 +267,7 @@ def vectorized(real: np.vectorize) -> StandIn:
         results = np.empty(arrays[0].size, dtype=object)
         for k, values in enumerate(zip(*(one.ravel() for one in arrays), strict=True)):
             results[k] = real.pyfunc(*values, **more)
-        kinds = {*map(counts, results)}
+        kinds = {*map(is_whole, results)}
         if real.otypes is None and len(kinds) > 1:
             raise Unread("np.vectorize makes all like the first, an int; write 1.0 for 1")
         return lifted(tape, results).reshape(arrays[0].shape)
@@ -372,4 +367,4 @@ def imported(name: str, *arguments: Any, **more: Any) -> Any:
     return stand_in(builtins.__import__(name, *arguments, **more))
 
 
-BUILTINS: dict[str, Any] = {**vars(builtins), **SHADOWS, "__import__": imported, READ: True}
+BUILTINS: dict[str, Any] = {**vars(builtins), **SHADOWS, "__import__": imported}

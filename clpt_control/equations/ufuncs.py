@@ -7,8 +7,17 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import HOOKS, Array, Tape, Unread, is_of_numpy, objects
-from .elementwise import as_condition, as_number, elementwise, is_truth, lifted, total, where
+from .arrays import HOOKS, Array, Tape, Unread, objects
+from .elementwise import (
+    as_condition,
+    as_number,
+    elementwise,
+    is_of_python,
+    is_truth,
+    lifted,
+    total,
+    where,
+)
 from .record import UFUNCS
 from .views import (
     converted,
@@ -174,7 +183,7 @@ BITWISE: dict[Any, Callable] = {  # of truth values
     np.bitwise_and: partial(elementwise, "and"),
     np.bitwise_or: partial(elementwise, "or"),
     np.bitwise_xor: partial(elementwise, "ne"),
-    np.invert: lambda a: elementwise("not", a) if a.shape or is_of_numpy(a) else refuse("~"),
+    np.invert: lambda a: refuse("~") if is_of_python(a) else elementwise("not", a),
 }
 TAKING_TRUTHS = frozenset(
     {"logical_xor", "isnan", "isfinite", "isinf", "fmin", "fmax", "square", "conjugate", "rint"}

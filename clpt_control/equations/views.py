@@ -14,16 +14,15 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import HOOKS, Array, Tape, Unread, numbers_of, objects, operand, whole
+from .arrays import HOOKS, Array, Tape, Unread, moves, numbers_of, objects, operand, whole
 from .elementwise import (
-    OF_WHOLE,
     TRUTH,
     Masked,
     as_number,
     boxed,
     constant,
-    counts,
     in_a_try,
+    is_whole,
     lifted,
     of_numpy,
 )
@@ -94,7 +93,7 @@ def on_values(tape: Tape, function: Callable, inputs: Any, more: dict, refused: 
             raise refused
         given = None if type(ref) is float else tape.parameter(ref)
         numbers = tape.numbers(ref) if given is None else np.asarray(given)
-        return numbers.astype(int) if counts(one) or is_whole(tape, ref) else numbers
+        return numbers.astype(int) if is_whole(one) else numbers
 
     arguments = arrays_as(inputs, value)
     result = function(*arguments, **arrays_as(more, value))
@@ -172,7 +171,7 @@ def item(array: Array, index: tuple) -> Any:
         return new
     if isinstance(new, Array):
         new._whole = counted
-    return new if isinstance(new, Array) or counted is None else np.int64(new)
+    return new if isinstance(new, Array) or counted is not True else np.int64(new)
 
 
 def part(a: Any, function: Callable[[np.ndarray], Any]) -> Any:
@@ -281,24 +280,10 @@ def _picked(array: Array, k: Any, *rest: Any) -> Any:
             return array[(k._tape.numbers(k._ref) != 0.0, *rest)]
         same = not rest and k.shape == array.shape
         return Masked(array, k) if same else refuse("taking elements by a condition")
-    if not rest and array.ndim == 1 and isinstance(array.shape[0], int) and not k.shape:
-        counts = is_whole(k._tape, k._ref)
-        if counts and k._tape.free[k._node] and array._written() is None and not in_a_try():
-            return array._tape.add("pick", (operand(array), k._ref), ())
+    in_a_row = not rest and array.ndim == 1 and isinstance(array.shape[0], int) and not k.shape
+    if in_a_row and k._whole is True and moves(k) and array._written() is None and not in_a_try():
+        return array._tape.add("pick", (operand(array), k._ref), ())
     return array[whole((k, *rest))]
-
-
-def is_whole(tape: Tape, ref: Ref, deep: int = 8) -> bool:
-    """Return whether a number is a whole one by what it is made of."""
-    if type(ref) is float:
-        return ref.is_integer()
-    kind, arguments, _, at = tape.operations[ref]
-    if kind in ("trunc", "floor", "ceil", "pick"):
-        return True
-    if kind == "constant":
-        return bool(np.all(np.frombuffer(at) % 1.0 == 0.0))
-    parts = arguments[1:] if kind == "where" else arguments if kind in OF_WHOLE else ()
-    return bool(parts and deep) and all(is_whole(tape, one, deep - 1) for one in parts)
 
 
 def tape_viewed(tape: Tape, node: int, mapped: tuple, shape: Shape) -> Any:

@@ -65,7 +65,7 @@ def joined(function: FunctionType) -> Callable:
     @functools.wraps(function)
     def helper(*arguments: Any, **more: Any) -> Any:
         tape: Any = active()
-        if tape is None or not tape.joins or not all(map(_is_plain, (*arguments, *more.values()))):
+        if tape is None or not all(map(_is_plain, (*arguments, *more.values()))):
             return function(*arguments, **more)
         before, ways = (tape.answers, tape.way), list[tuple[dict[int, bool], Any]]()
         try:

@@ -223,7 +223,6 @@ REFUSED = {  # with how many numbers each returns
     lambda t, x, u, p: np.clip(x, -0.5, 0.5, where=x > 0.0, out=x.copy()): 3,
     lambda t, x, u, p: [np.mean(x, where=[True, True, False])]: 1,
     lambda t, x, u, p: [round(p["k"], 1) * x[0]]: 1,
-    lambda t, x, u, p: [1.0 if ~(float(x[0]) > 0) else 2.0]: 1,
     lambda t, x, u, p: np.max(np.outer(x, u), 0, np.zeros(2)): 2,
 }
 

@@ -68,6 +68,12 @@ class Lever:
     def arm(self, a):
         return math.sin(a)
 
+    def root(self, a):
+        try:
+            return math.sqrt(a)
+        except ValueError:
+            return 0.0
+
 
 class Bolt:
     """Remembers in slots."""
@@ -158,7 +164,7 @@ def is_put_into_another(t, x, u, p):
     return y
 
 
-def catches_where_an_array_divides(t, x, u, p):
+def is_divided_in_an_array(t, x, u, p):
     kept = np.zeros(2)
     kept[:] = [float(x[0]), float(x[1])]
     try:
@@ -167,16 +173,35 @@ def catches_where_an_array_divides(t, x, u, p):
         return [99.0]
 
 
-def is_caught_where_python_divides(t, x, u, p):
+def is_printed(t, x, u, p):
+    print("here")
+    return x
+
+
+def catches_where_python_divides(t, x, u, p):
     s, whole = math.sin(x[0]), math.floor(x[1])
     try:
         return [s * math.cos(u[0]) / s, 1.0 / float(s), 7 % whole, 7 // whole]
     except ZeroDivisionError:
-        print("no attitude here")
         return [99.0, x[1], x[2], 1.0]
 
 
-def catches_where_numpy_divides(t, x, u, p):
+def catches_what_math_refuses(t, x, u, p):
+    try:
+        return [math.sqrt(x[0])]
+    except ValueError:
+        return [-1.0]
+
+
+def catches_in_a_method(t, x, u, p):
+    return [LEVER.root(x[0])]
+
+
+def asks_a_text(t, x, u, p):
+    return [RATIOS.get(f"{x[0]:.0f}", 2.0)]
+
+
+def is_divided_by_numpy(t, x, u, p):
     try:
         return [np.array([1.0, 2.0])[0] / math.sin(x[0])]
     except ZeroDivisionError:
@@ -416,6 +441,7 @@ ONE_LINE_REFUSED = {  # what would be another number
         x
     ),
     "rounds as python": lambda t, x, u, p: [round(float(u[1]), 1)],
+    "inverts a truth of Python": lambda t, x, u, p: [1.0 if ~(float(x[0]) > 0) else 2.0],
     # what Python asks
     "seeks in a set": lambda t, x, u, p: [1.0 if int(x[0]) in {0, 1} else 0.0],
     "counts others": lambda t, x, u, p: [len(set(x))],
@@ -441,7 +467,9 @@ def test_numbers_of_every_kind_are_as_python_has_them(name):
 
 
 def test_nothing_is_printed_while_a_function_is_read(capsys):
-    block_of(is_caught_where_python_divides, PARAMS).array_record("output")
+    block = block_of(is_printed, PARAMS)
+    capsys.readouterr()
+    block.array_record("output")
     assert capsys.readouterr().out == ""
 
 

@@ -58,13 +58,6 @@ def says_try(t, x, u, p):
         pass
 
 
-def says_except(t, x, u, p):
-    try:
-        return math.sqrt(u[0])
-    except ValueError:
-        return -math.sqrt(-u[0])
-
-
 def says_divided(t, x, u, p):
     low, *_, high = sorted([u[0], u[1], 0.3])
     whole, rest = divmod(u[2], 2.0)

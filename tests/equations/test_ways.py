@@ -37,7 +37,7 @@ def thrust(n):
 def raising(v):
     if v < 0:
         raise ValueError("no root")
-    return math.sqrt(v)
+    return np.sqrt(v)
 
 
 def gear(v):
@@ -83,7 +83,7 @@ def in_an_array(values):
     return found
 
 
-RATIOS, NAMES = [1.0, 2.5, 4.0], {"1": 2.0, "-1": 3.0}
+RATIOS = [1.0, 2.5, 4.0]
 FUNCTIONS = {
     "limits": lambda t, x, u, p: [limited(v) for v in u],
     "by name": lambda t, x, u, p: [limited(v, high=0.5) for v in u],
@@ -101,7 +101,6 @@ FUNCTIONS = {
     "whole": lambda t, x, u, p: in_an_array([whole_at_its_ends(10 * v) for v in u]),
     "whole, made float": lambda t, x, u, p: in_an_array([1.0 * whole_at_its_ends(v) for v in u]),
     "max": lambda t, x, u, p: in_an_array([max(0, v) for v in u]),
-    "a text": lambda t, x, u, p: [NAMES.get(str(whole_at_its_ends(v)), 0.5) for v in u],
     "a type": lambda t, x, u, p: [float(type(whole_at_its_ends(v)) is int) for v in u],
 }
 
