@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 from math import prod
 from traceback import walk_tb
 from types import FrameType
-from typing import Any, NoReturn
+from typing import Any
 
 import numpy as np
 
@@ -28,10 +28,6 @@ class Borrowed(Exception):
     def __init__(self, space: dict[str, Any]):
         super().__init__(space.get("__name__", ""))
         self.space = space
-
-
-class Holding(Exception):
-    """What objects and lists hold must have stand-ins: they ask for a number."""
 
 
 class Outside(Exception):
@@ -70,12 +66,9 @@ class Params(dict):
 class AnsweringTape(Tape):
     """A tape that answers questions as this way through the function takes them."""
 
-    def __init__(
-        self, parameters: Mapping[str, Any], spaces: list[dict[str, Any]], holding: bool
-    ) -> None:
+    def __init__(self, parameters: Mapping[str, Any], spaces: list[dict[str, Any]]) -> None:
         super().__init__()
         self.parameters, self.spaces = parameters, spaces
-        self.holding = holding  # whether what objects and lists hold has stand-ins
         self.pinned: set[str] = set()  # parameters whose value Python asked for
         self.way: list[bool] = []
         self.answers: dict[int, bool] = {}
@@ -91,7 +84,7 @@ class AnsweringTape(Tape):
                 return known
             k = len(self.answers)
             if k >= MOST_QUESTIONS:
-                self.refuse(
+                raise Unread(
                     f"asks more than {MOST_QUESTIONS} questions that depend on signals; write "
                     "np.where, and no `while` on a signal"
                 )
@@ -128,25 +121,18 @@ class AnsweringTape(Tape):
         frame, word = _asking_frame()
         space, library = frame.f_globals, _module(frame).partition(".")[0]
         if library in LIBRARIES:
-            self.refuse(
+            raise Unread(
                 f"{library} ({frame.f_code.co_name}, line {frame.f_lineno}) asks for the value of "
                 "a signal; write what it computes in NumPy"
             )
         if space.get("__builtins__") is BUILTINS or any(space is one for one in self.spaces):
-            self.refuse(
+            raise Unread(
                 f"NumPy's {word} asks for the value of a signal; write "
                 + ("np.array, and @ for *" if "matrix" in word else "what it computes")
                 if word
                 else "needs the value of a signal; write NumPy, and fill arrays where they are made"
             )
         self.stopped = Borrowed(space)
-        raise self.stopped
-
-    def refuse(self, sentence: str) -> NoReturn:
-        """Refuse to answer; before, try what stand-ins in objects and lists make of it."""
-        if self.holding:
-            raise Unread(sentence)
-        self.stopped = Holding(sentence)
         raise self.stopped
 
     def known(self, ref: Ref) -> np.ndarray:
@@ -176,7 +162,7 @@ class AnsweringTape(Tape):
         count = self.rows.get(ref, MOST_PLACES)
         for k in (*range(count + 1), *range(-1, -count - 1, -1)):
             if k == MOST_PLACES:
-                self.refuse(
+                raise Unread(
                     "counts with a signal; let a number of the run choose by np.where or lookup"
                 )
             self.last_asked = ref, k

@@ -78,7 +78,7 @@ def type_of(*arguments: Any, **more: Any) -> Any:
 
 
 # what numbers are to Python, by whether they are whole, and whether they are its own
-EXAMPLES = {(0, 0): np.float64(0.0), (0, 1): 0.0, (1, 0): np.int64(0), (1, 1): 0}
+EXAMPLES: dict[Any, Any] = {(0, 0): np.float64(0.0), (0, 1): 0.0, (1, 0): np.int64(0), (1, 1): 0}
 
 
 def _answer(value: Array, ask: Callable[[Any], Any]) -> Any:

@@ -5,8 +5,8 @@
 A question (``if u[0] > 0``) is answered both ways: the function runs again with the other
 answer, and what the ways return is joined by `where`.  A way that raises is NaN.  A signal that
 Python counts with is asked which whole number it is, up to the first IndexError.  What is read
-twice, and from each state in which a way left what the function reaches (`kept`), must be the same:
-else a state or chance hides in the function.  The package's own functions are read once.
+twice, and from each state in which a way filled what the function reaches (`kept`), must be the
+same: else a state or chance hides in the function.  The package's own functions are read once.
 """
 
 from collections.abc import Callable, Mapping
@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..errors import BlockError
-from .answers import AnsweringTape, Borrowed, Holding, Outside, Ports, located
+from .answers import AnsweringTape, Borrowed, Outside, Ports, located
 from .arrays import Array, Tape, Unread, objects, operand, reading_on
 from .copies import Copies, borrowed
 from .declaration import Parameters
@@ -71,7 +71,6 @@ def read(*arguments: Any, **more: Any) -> Read:
     """
     request = Request(*arguments, **more)
     spaces: list[dict[str, Any]] = []
-    asked: set[type] = set()
     reads: list[Read] = []
     snapshot = Snapshot(() if request.known else OF_ALL)
     try:
@@ -79,12 +78,9 @@ def read(*arguments: Any, **more: Any) -> Read:
             states = [{}, *snapshot.left.values()]
             state = states[min(len(reads), len(states) - 1)]
             try:
-                reads.append(_Ways(request, spaces, snapshot, state, asked).read())
-            except (Borrowed, Holding) as missing:
-                if isinstance(missing, Borrowed):
-                    spaces.append(missing.space)
-                else:
-                    asked.add(type(missing))
+                reads.append(_Ways(request, spaces, snapshot, state).read())
+            except Borrowed as missing:
+                spaces.append(missing.space)
                 reads.clear()
                 snapshot.restore()
                 snapshot.left.clear()
@@ -108,18 +104,12 @@ class _Ways:
     """All ways through a function, one after the other."""
 
     def __init__(
-        self,
-        request: Request,
-        spaces: list[dict],
-        snapshot: Snapshot,
-        state: dict,
-        asked: set[type],
+        self, request: Request, spaces: list[dict], snapshot: Snapshot, state: dict
     ) -> None:
         self.request, self.spaces = request, spaces
         self.snapshot, self.state = snapshot, state  # in which a way left all
-        holding = Holding in asked
-        self.tape = AnsweringTape(request.parameters, spaces, holding)
-        self.copies = Copies(self.tape, snapshot, holding)
+        self.tape = AnsweringTape(request.parameters, spaces)
+        self.copies = Copies(self.tape, snapshot)
         self.ways: list[tuple[dict[int, bool], list[Any]]] = []
 
     def read(self) -> Read:
@@ -136,13 +126,13 @@ class _Ways:
                 if not any(space is one for one in self.spaces):
                     raise Borrowed(space)
             tape.last_asked = tape.texts = None
-            self.snapshot.begin(self.state, self._unknown)
+            self.snapshot.begin(self.state)
             x, u = Ports(tape, "x", request.states, named), Ports(tape, "u", request.inputs, named)
             p = request.wrap(dict(fields)) if request.wrap else Parameters(**fields)
             outputs = self._way(lambda: copied(t, x, u, p))  # noqa: B023
             self.ways.append((tape.answers, outputs))
-            self.snapshot.restore()
-            self.copies.check()
+            self.snapshot.note(request.name)
+            self.copies.check(request.name)
             if isinstance(p, dict) and any(v is not fields.get(k, p) for k, v in dict.items(p)):
                 raise Unread(f"{request.name} changes its params; make what it keeps a state")
             if len(self.ways) > MOST_WAYS:
@@ -150,10 +140,6 @@ class _Ways:
         refs = [operand(one) for one in merged(tape, self.ways, where)]
         record = compact(tape.operations, refs, request.out.values())
         return Read(record, frozenset(tape.pinned), frozenset(self.copies.texts))
-
-    def _unknown(self, name: Any) -> Array:
-        """Return what stands for what the first reading changed."""
-        return self.tape.add("leaf", (), (), ("t", f"changed {name}"))
 
     def _leaf(self, name: str) -> Array:
         leaf = self.tape.add("leaf", (), self.request.shapes[name], ("p", name))
@@ -173,7 +159,7 @@ class _Ways:
                 outputs = _by_port(tape, request.role, returned, request.out)
                 if tape.texts is not None:
                     raise tape.texts
-        except (Borrowed, Holding, BlockError):
+        except (Borrowed, BlockError):
             raise
         except RecursionError:
             raise Unread(f"{request.name} calls itself without end") from None

@@ -158,6 +158,24 @@ class Keys:
         )
 
 
+class _Constants(Keys):
+    """Makes keys of what nobody changes: numbers, texts, and functions of these alone."""
+
+    def of(self, value: Any) -> Any:
+        constant = type(value) in (*DIGITS, float, np.float64, tuple, FunctionType)
+        if not constant and not is_fixed(value):
+            raise Unkeyed
+        return super().of(value)
+
+
+def is_plain(function: FunctionType) -> bool:
+    """Return whether a function cannot change, and reaches nothing that can."""
+    try:
+        return bool(_Constants().of(function))
+    except Unkeyed:
+        return False
+
+
 def _of_python(name: str, own: Any) -> bool:
     """Return whether an attribute is what Python itself holds in a class or module."""
     special = name.startswith("__") and name.endswith("__")

@@ -9,14 +9,13 @@ so eight thrusters with three ways each are 24 ways, and not 3^8.
 
 import functools
 from collections.abc import Callable, Iterator
-from types import CellType, FunctionType, NoneType
+from types import FunctionType, NoneType
 from typing import Any
 
 import numpy as np
 
 from .arrays import Array, Tape, Unread, active, key_of, operand
 from .elementwise import chosen
-from .unchanged import is_fixed, named
 
 MOST_OF_HELPER, MOST_RUNS = 32, 10_000
 NUMBERS = (int, float, np.float64)
@@ -110,18 +109,3 @@ def _is_number(value: Any) -> bool:
 
 def _is_plain(value: Any) -> bool:
     return type(value) in PLAIN or _is_number(value)
-
-
-def is_plain(value: Any, above: tuple[Any, ...] = ()) -> bool:
-    """Return whether a value, such as a function, cannot change and reaches nothing that can."""
-    if type(value) is tuple:
-        return all(is_plain(one, above) for one in value)
-    if type(value) is not FunctionType or value in above:
-        return type(value) in (*PLAIN, FunctionType) or is_fixed(value)
-    names, space = named(value.__code__), value.__globals__
-    cells = value.__closure__ or ()
-    if names is None or vars(value) or any(cell == CellType() for cell in cells):
-        return False
-    reached = [*(space[name] for name in names if name in space), *(c.cell_contents for c in cells)]
-    reached += [value.__defaults__, *(value.__kwdefaults__ or {}).values()]
-    return all(is_plain(one, (*above, value)) for one in reached)
