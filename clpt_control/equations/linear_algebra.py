@@ -1,6 +1,6 @@
 """NumPy's products, norms and linear equations, of arrays of the record.
 
-    A x = b by elimination, det A as the product of its pivots, A = L L^T
+    A x = b by elimination, det A as the product of its pivots
 
 Pivots are chosen by `where`, as np.linalg.solve chooses them by size.
 """
@@ -11,10 +11,10 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import Array, Unread
-from .elementwise import elementwise, lifted, refuse_in_a_try, where
+from .arrays import Unread
+from .elementwise import elementwise, refuse_in_a_try, where
 from .ufuncs import matmul
-from .views import on_objects, refuse
+from .views import on_objects
 
 MOST_ROWS = 24  # of linear equations
 
@@ -32,34 +32,11 @@ def outer(a: Any, b: Any) -> Any:
     return elementwise("mul", a[:, None], b[None, :])
 
 
-def cross(
-    a: Any, b: Any, axisa: int = -1, axisb: int = -1, axisc: int = -1, axis: Any = None
-) -> Any:
-    """Return the vector product, in one order of operations for all versions of NumPy."""
-    at, of, to = (axisa, axisb, axisc) if axis is None else (axis, axis, axis)
-    a, b = np.moveaxis(a, at, 0), np.moveaxis(b, of, 0)
-    if len(a) != 3 or len(b) != 3:
-        raise Unread("np.cross of vectors that are not of three numbers")
-    parts = [a[i - 2] * b[i - 1] - a[i - 1] * b[i - 2] for i in range(3)]
-    return np.moveaxis(np.stack(parts), 0, to)
-
-
 def norm(a: Any, ord: Any = None, axis: Any = None, keepdims: Any = False) -> Any:
-    """Return a norm of a vector, or of rows or columns."""
-    vector = a.ndim == 1 or isinstance(axis, int)
-    if ord in (None, "fro") or (ord == 2 and vector):
+    """Return the root of a sum of squares; other norms are NumPy's own, of each element."""
+    if ord in (None, "fro") or (ord == 2 and (a.ndim == 1 or isinstance(axis, int))):
         return np.sqrt(np.sum(elementwise("mul", a, a), axis, keepdims=keepdims))
-    if not vector or not isinstance(ord, int | float):
-        return refuse(f"a norm of order {ord}")
-    if ord in (np.inf, -np.inf):
-        return (np.max if ord > 0 else np.min)(np.fabs(a), axis, keepdims=keepdims)
-    size = np.sum(np.fabs(a) ** ord if ord != 1 else np.fabs(a), axis, keepdims=keepdims)
-    return size ** (1.0 / ord) if ord != 1 else size
-
-
-def diag(a: Array, k: int = 0) -> Any:
-    """Return the diagonal of a matrix, or the matrix of a diagonal."""
-    return np.diagonal(a, k) if a.ndim == 2 else on_objects(a._tape, np.diag, (a, k), {})
+    return on_objects(a._tape, np.linalg.norm, (a, ord, axis, keepdims), {})
 
 
 # --- linear equations: elimination, with pivots by `where` -----------------------------------
@@ -109,16 +86,3 @@ def determinant(A: Any) -> Any:
     rows = _rows(A)
     sign = _eliminated(rows, lambda a: where(a == 0.0, 1.0, a))  # below it all are 0
     return reduce(lambda v, w: v * w, (rows[k][k] for k in range(len(rows)))) * sign
-
-
-def cholesky(A: Any, upper: bool = False) -> Any:
-    """Return the triangle L of A = L L^T, or L^T; of A its lower triangle counts, or its upper."""
-    A, n = (A.T if upper else A), len(_rows(A))
-    refuse_in_a_try(A)  # where it has none
-    L: list[list[Any]] = [[0.0] * n for _ in range(n)]
-    for i in range(n):
-        for j in range(i + 1):
-            rest = reduce(lambda v, k: v - L[i][k] * L[j][k], range(j), A[i, j])
-            L[i][j] = np.sqrt(rest) if i == j else rest / L[j][j]
-    triangle = lifted(A._tape, np.array(L, dtype=object))
-    return triangle.T if upper else triangle

@@ -75,37 +75,29 @@ def average(a: Any, axis: Any = None, weights: Any = None, **more: Any) -> Any:
     """Return np.average, each number by its weight."""
     if weights is None:
         return mean(a, axis, **more)
-    if more or (axis is not None and np.shape(weights) != a.shape):
+    if more or np.shape(weights) != a.shape:
         return refuse("np.average with weights along an axis")
-    return np.sum(a * weights) / np.sum(weights)
+    return np.sum(a * weights, axis) / np.sum(weights, axis)
 
 
 @implements(np.gradient)
-def gradient(f: Any, *spacing: Any, axis: Any = None, edge_order: int = 1) -> Any:
-    """Return np.gradient, by a step or by places, along one axis or each."""
-    axes = range(f.ndim) if axis is None else np.atleast_1d(axis).tolist()
-    steps = spacing * len(axes) if len(spacing) == 1 else spacing or (1.0,) * len(axes)
-    if edge_order != 1 or len(steps) != len(axes):
-        return refuse("np.gradient of another order")
-    slopes = [_slope(f, *along) for along in zip(axes, steps, strict=True)]
-    return slopes[0] if len(slopes) == 1 else tuple(slopes)
-
-
-def _slope(f: Any, axis: int, step: Any) -> Any:
-    f, step = np.moveaxis(f, axis, 0), step if isinstance(step, Array) else np.asarray(step, float)
-    h: Any = np.diff(step).reshape(-1, *[1] * (f.ndim - 1)) if step.ndim else step
-    if step.ndim and not isinstance(h, Array) and np.all(h == h[0]):
-        h = h[0]
+def gradient(f: Any, *steps: Any, axis: Any = None, edge_order: int = 1) -> Any:
+    """Return np.gradient along one axis, by a step or by places."""
+    along = 0 if axis is None and f.ndim == 1 else axis
+    if not isinstance(along, int) or len(steps) > 1 or edge_order != 1:
+        return refuse("np.gradient along several axes, or of another order")
+    f, h = np.moveaxis(f, along, 0), steps[0] if steps else 1.0
+    if np.ndim(h):
+        h = np.diff(np.asarray(h, float)).reshape(-1, *[1] * (f.ndim - 1))
+        h = h if np.any(h != h[0]) else h[0]
     if np.ndim(h) == f.ndim:
-        back, on = h[:-1], h[1:]
+        back, on, first, last = h[:-1], h[1:], h[0], h[-1]
         before, ahead = -on / (back * (back + on)), back / (on * (back + on))
-        here = (on - back) / (back * on)
-        inner = before * f[:-2] + here * f[1:-1] + ahead * f[2:]
-        first, last = h[0], h[-1]
+        inner = before * f[:-2] + (on - back) / (back * on) * f[1:-1] + ahead * f[2:]
     else:
         inner, first, last = (f[2:] - f[:-2]) / (2.0 * h), h, h
-    ends = (f[1:2] - f[:1]) / first, (f[-1:] - f[-2:-1]) / last
-    return np.moveaxis(np.concatenate([ends[0], inner, ends[1]]), 0, axis)
+    slopes = [(f[1:2] - f[:1]) / first, inner, (f[-1:] - f[-2:-1]) / last]
+    return np.moveaxis(np.concatenate(slopes), 0, along)
 
 
 # --- limits and choices -----------------------------------------------------------------------
@@ -138,39 +130,11 @@ def selected(conditions: Any, values: Any, default: Any = 0) -> Any:
     return result
 
 
-@implements(np.piecewise, arrays=0)
-def piecewise(x: Any, conditions: Any, functions: Any, *more: Any, **named: Any) -> Any:
-    """Return np.piecewise: what the function of the last condition that holds gives."""
-    values = [f(x, *more, **named) if callable(f) else f for f in functions]
-    default = values.pop() if len(values) > len(conditions) else 0.0
-    return views.converted(selected(conditions[::-1], values[::-1], default))
-
-
 @implements(np.isclose, arrays=2)
 def close(a: Any, b: Any, rtol: float = 1e-5, atol: float = 1e-8, equal_nan: bool = False) -> Any:
     """Return whether numbers are about the same, as np.isclose does."""
     near = (np.fabs(a - b) <= atol + rtol * np.fabs(b)) & (np.fabs(b) < np.inf) | (a == b)
     return near | ((a != a) & (b != b)) if equal_nan else near
-
-
-@implements(np.polyval, arrays=0)
-def polynomial(coefficients: Any, x: Any) -> Any:
-    """Return np.polyval, by Horner's rule."""
-    value = np.zeros_like(x)
-    for one in coefficients:
-        value = value * x + one
-    return value
-
-
-@implements(np.nan_to_num)
-def nan_to_num(
-    a: Any, copy: bool = True, nan: float = 0.0, posinf: Any = None, neginf: Any = None
-) -> Any:
-    """Return np.nan_to_num(a)."""
-    most, out = np.finfo(float).max, None if copy else a
-    a = where(a != a, nan, a)
-    a = where(a == np.inf, most if posinf is None else posinf, a)
-    return into(out, where(a == -np.inf, -most if neginf is None else neginf, a))
 
 
 def after(a: Any, b: Any) -> Any:
@@ -231,12 +195,9 @@ implements(np.vdot, arrays=2)(lambda a, b: linear_algebra.dot(np.ravel(a), np.ra
 for unread in (np.shares_memory, np.may_share_memory, np.ix_):
     implements(unread, arrays=0)(lambda *_, name=unread.__name__: refuse(f"np.{name}"))
 implements(np.outer, arrays=2)(linear_algebra.outer)
-implements(np.cross, arrays=2)(linear_algebra.cross)
 implements(np.linalg.norm)(linear_algebra.norm)
-implements(np.diag)(linear_algebra.diag)
 implements(np.linalg.solve, arrays=2)(linear_algebra.solve)
 implements(np.linalg.det)(linear_algebra.determinant)
-implements(np.linalg.cholesky)(linear_algebra.cholesky)
 implements(np.sum)(along(reduced, np.add))
 implements(np.prod)(along(reduced, np.multiply))
 implements(np.max, np.amax)(along(reduced, np.maximum))

@@ -90,10 +90,8 @@ ARRAYS = """
     np.ix_([0], [1])[0][0, 0] + u[0] ; np.average(u) ; np.average(np.outer(u, v), axis=1)[2] ;
     np.gradient(u)[1] ; np.gradient(u, 0.5)[2] ; np.gradient(u, [0.0, 1.0, 3.0])[1] ;
     np.gradient(u, np.linspace(0, 1, 3))[1] ; np.gradient(u, np.array([1, 2, 4]))[0] ;
-    np.gradient(np.outer(u, v), 0.1)[1][2, 1] ; np.gradient(np.outer(u, v), 0.1, axis=0)[1, 2] ;
-    np.gradient(np.outer(u, v), [0.0, 1.0, 3.0], axis=-1)[1, 1] ; np.gradient(v, u + 9 * v)[1] ;
-    np.linalg.cholesky(np.outer(u, u) + np.eye(3))[2, 1] ;
-    np.linalg.cholesky(np.outer(u, u) + np.eye(3))[0, 1] + u[0] ;
+    np.gradient(np.outer(u, v), 0.1, axis=0)[1, 2] ;
+    np.gradient(np.outer(u, v), [0.0, 1.0, 3.0], axis=-1)[1, 1] ;
     np.kron(np.outer(u, v), np.eye(3))[4, 7] ; np.kron(np.outer(u, v), np.outer(v, u))[2, 7] ;
     np.vdot(np.outer(u, v), np.outer(v, v)) ; np.any(u[0]) ; np.all(u[:1]) ; any([u[1]]) ;
     np.dot(np.outer(u, v), CUBE)[2, 1, 2] ; np.dot(u[0] * CUBE, CUBE)[1, 2, 0, 1] ;
@@ -114,6 +112,8 @@ def test_a_function_of_arrays_is_read_as_it_computes(call):
 NOT_KNOWN = [
     *("np.roots(u)[0].real", "1.0 * np.shares_memory(u, u)"),
     *("1.0 * np.ix_(u > 0)[0][0]", "1.0 * np.deg2rad(u > 0)[0]"),
+    *("np.gradient(np.outer(u, u))[0][0, 0]", "np.gradient(u, u + 9.0)[0]"),
+    "np.linalg.cholesky(np.outer(u, u) + np.eye(3))[0, 1]",
 ]
 
 
