@@ -19,7 +19,6 @@ import numpy as np
 
 from ..arguments import brief, public
 from ..errors import BlockError
-from ..html import facts, fragment, shortened
 
 UNIT = re.compile(r"([A-Za-z_]+)(?:\^|\*\*)?(-?\d+)?")  # and its power
 MOST_JUMPS = 2 * 10**7  # times of jumps that are listed
@@ -61,12 +60,6 @@ class Guard(NamedTuple):
         """Return the sentence, with the advice where a run fails."""
         advised = self.policy == "raise" and self.advice
         return self.sentence(t, u, p) + (f"; {self.advice}" if advised else "")
-
-
-def check_guard(name: str, guard: Guard | None) -> None:
-    """Refuse a policy other than "raise" and "stop"."""
-    if guard is not None and guard.policy not in ("raise", "stop"):
-        raise BlockError(f'{name}: a guard\'s policy {guard.policy!r} must be "raise" or "stop"')
 
 
 def check_names(name: str, *ports: Mapping[str, Any]) -> None:
@@ -255,7 +248,7 @@ def checked_parameters(name: str, parameters: Any, like: Any = None) -> Paramete
     return Parameters(**values)
 
 
-# --- in a line, and in a notebook --------------------------------------------------------------
+# --- in a line ---------------------------------------------------------------------------------
 
 
 MOST = 8  # ports of a line
@@ -284,26 +277,3 @@ def docs_of(block: Any) -> list[str]:
     block = getattr(block, "inner", block)
     own = (getattr(block, f"{role}_function", None) for role in ("update", "output", "jump"))
     return [f.__doc__ for f in (getattr(f, "func", f) for f in own) if f and f.__doc__]
-
-
-def block_html(block: Any) -> str:
-    """Return a block as a table."""
-    rows = [
-        ("equations", " ".join("".join(docs_of(block)[:1]).split("\n\n")[0].split())),
-        ("inputs", ports_line(block.input_ports)),
-        ("outputs", ports_line(block.output_ports)),
-        ("states", ports_line(block.state_ports)),
-    ]
-    values = block.parameters._asdict().items()
-    rows += [(f"{block.name}.{name}", _value(value)) for name, value in values]
-    return fragment("Block", block.name, facts(rows))
-
-
-def _value(value: Any) -> str:
-    """Return a parameter: a number, or the first numbers of an array and its shape."""
-    whole = np.asarray(value)
-    if whole.ndim == 0:
-        return f"{value:g}" if isinstance(value, float) else str(value)
-    first = ", ".join(f"{number:g}" for number in whole.ravel()[:12])
-    dots = ", ..." if whole.size > 12 else ""
-    return shortened(f"[{first}{dots}], shape {whole.shape}")

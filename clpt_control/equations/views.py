@@ -6,7 +6,7 @@ of a view, of a stack or of numbers is made at once.
 At times they are NumPy's own: as numbers where they depend on nothing, else as objects.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
 from math import prod
 from operator import itemgetter, mul
@@ -31,13 +31,25 @@ from .record import MOST_NUMBERS, Ref, Shape, viewed
 # --- as NumPy's own ----------------------------------------------------------------------------
 
 
-def depends(value: Any) -> bool:
-    """Return whether arguments hold a signal or a parameter."""
+def arrays_in(value: Any) -> Iterator[Array]:
+    """Yield the arrays of the record among arguments, in what holds them too."""
     if isinstance(value, Array):
-        return numbers_of(value) is None
-    if isinstance(value, list | tuple):
-        return any(map(depends, value))
-    return isinstance(value, np.ndarray) and value.dtype == object
+        yield value
+    elif isinstance(value, list | tuple | dict) or (
+        isinstance(value, np.ndarray) and value.dtype == object and value.ndim
+    ):
+        for one in value.values() if isinstance(value, dict) else value:
+            yield from arrays_in(one)
+
+
+def tape_of(values: Any) -> Any:
+    """Return the tape of the first array of the record among values, or None."""
+    return next((one._tape for one in arrays_in(values)), None)
+
+
+def depends(values: Any) -> bool:
+    """Return whether arguments hold a signal or a parameter."""
+    return any(numbers_of(one) is None for one in arrays_in(values))
 
 
 def arrays_as(value: Any, to: Callable[[Array], Any]) -> Any:
@@ -49,13 +61,17 @@ def arrays_as(value: Any, to: Callable[[Array], Any]) -> Any:
     return type(value)(arrays_as(v, to) for v in value) if type(value) in (list, tuple) else value
 
 
+def _on_numbers(tape: Tape, function: Callable, inputs: Any, more: dict, number: Callable) -> Any:
+    """Run NumPy's own function on numbers; return None if it writes, or gives a part of them."""
+    given = arrays_as(inputs, number)
+    result = function(*given, **arrays_as(more, number))
+    return None if any(share(one, result) for one in given) else repacked(tape, result)
+
+
 def of_numbers(tape: Tape, function: Callable, inputs: Any, more: dict) -> Any:
     """Run NumPy's own function on arguments that depend on nothing."""
-    numbers = arrays_as(inputs, lambda one: np.array(numbers_of(one)))
-    result = function(*numbers, **arrays_as(more, numbers_of))
-    if result is None or any(share(one, result) for one in numbers):  # it writes, or is a part
-        return on_objects(tape, function, inputs, more)
-    return fresh(tape, result)
+    result = _on_numbers(tape, function, inputs, more, lambda one: np.array(numbers_of(one)))
+    return on_objects(tape, function, inputs, more) if result is None else result
 
 
 def share(a: Any, b: Any) -> bool:
@@ -95,12 +111,10 @@ def on_values(tape: Tape, function: Callable, inputs: Any, more: dict, refused: 
         numbers = tape.numbers(ref) if given is None else np.asarray(given)
         return numbers.astype(int) if is_whole(one) else numbers
 
-    arguments = arrays_as(inputs, value)
-    result = function(*arguments, **arrays_as(more, value))
-    if result is None or any(share(one, result) for one in arguments):  # it writes, or is a part
+    if (result := _on_numbers(tape, function, inputs, more, value)) is None:
         raise refused
     tape.stopped = None
-    return repacked(tape, result)
+    return result
 
 
 def on_objects(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
@@ -136,20 +150,6 @@ def into(out: Any, value: Any) -> Any:
         raise Unread("writes signals into an array made elsewhere; make it where it is filled")
     out[...] = value
     return out
-
-
-def tape_of(values: Any) -> Any:
-    """Return the tape of the first array of the record among values, or None."""
-    for value in values:
-        if isinstance(value, Array):
-            return value._tape
-        if isinstance(value, list | tuple) or (
-            isinstance(value, np.ndarray) and value.dtype == object and value.ndim
-        ):
-            tape = tape_of(value)
-            if tape is not None:
-                return tape
-    return None
 
 
 # --- views -------------------------------------------------------------------------------------
