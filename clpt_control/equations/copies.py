@@ -18,13 +18,13 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import Array, Tape, Unread
-from .elementwise import Numbers, Row, is_row
+from .arrays import Tape, Unread
+from .elementwise import Row, boxed, constant, is_row
 from .kept import GONE, LOCK, Snapshot, same
 from .lookup_tables import is_table
+from .record import MOST_NUMBERS
 from .stand_ins import BUILTINS, SHADOWS, stand_in, vectorized
 from .unchanged import is_plain, names_in, texts_in
-from .views import fresh
 from .ways import joined
 
 LIBRARIES = ("numpy", "scipy", "matplotlib")  # run as they are
@@ -57,15 +57,13 @@ class Copies:
     def _stand_in_of(self, value: Any) -> Any:
         if isinstance(value, FunctionType):
             return self._function(value)
-        if type(value) is np.ndarray and value.dtype == float and value.size:
+        if type(value) is np.ndarray and value.dtype in (float, int) and value.size:
             return self._numbers(value)
         if is_table(value):
             return stand_in(value)
         if isinstance(value, Iterator) and not isinstance(value, IOBase):
             raise Unread("reads an iterator, which goes on at the next call; make it a list")
         self.snapshot.add(value)
-        if type(value) is np.ndarray and value.dtype == int:
-            return value.view(Numbers)
         if isinstance(value, MethodType):
             self.snapshot.add(value.__self__)
             for kind in type(value.__self__).__mro__:
@@ -114,9 +112,10 @@ class Copies:
 
     def _numbers(self, value: np.ndarray) -> Any:
         """Return numbers as an array of the record, which takes signals where NumPy's does not."""
-        numbers = fresh(self.tape, value)
-        if isinstance(numbers, Array):
-            numbers._fixed = True
+        if value.size >= MOST_NUMBERS:
+            return value
+        numbers = constant(self.tape, value) if value.ndim else boxed(self.tape, float(value))
+        numbers._fixed, numbers._whole = True, value.dtype == int
         return numbers
 
     def _function(self, function: FunctionType) -> Any:

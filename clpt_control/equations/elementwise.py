@@ -11,7 +11,6 @@ from types import CodeType
 from typing import Any
 
 import numpy as np
-from numpy.lib.mixins import NDArrayOperatorsMixin
 
 from .arrays import CONDITIONS, HOOKS, LOGICAL, Array, Tape, Unread, moves, objects, operand, whole
 from .record import Shape
@@ -40,26 +39,6 @@ def broadcast(*shapes: Shape) -> Shape:
     return tuple(found)
 
 
-class Masked(NDArrayOperatorsMixin):
-    """The elements of an array where a condition holds: ``x[x > 0] *= 2``."""
-
-    def __init__(self, full: Any, mask: "Array"):
-        self.full, self.mask = full, mask
-
-    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **more: Any) -> Any:
-        more.pop("out", None)
-        for one in inputs:
-            apart = one.mask._ref != self.mask._ref if isinstance(one, Masked) else np.ndim(one)
-            if apart or method != "__call__":
-                raise Unread("joins elements taken by a condition with others; write np.where")
-        own = [one.full if isinstance(one, Masked) else one for one in inputs]
-        return Masked(ufunc(*own, **more), self.mask)
-
-    def sum(self, axis: Any = None, dtype: Any = None, out: Any = None) -> Any:
-        """Return the sum of the elements."""
-        return np.sum(where(self.mask, self.full, 0.0), dtype=dtype)
-
-
 def put(array: Array, index: Any, value: Any) -> None:
     """Write into an array, element by element."""
     root = array._root
@@ -69,10 +48,6 @@ def put(array: Array, index: Any, value: Any) -> None:
     root._keep()
     store = array._written()
     assert store is not None
-    if isinstance(value, Masked):
-        if getattr(index, "_ref", None) != value.mask._ref:
-            raise Unread("puts elements taken by one condition where another holds")
-        value = value.full
     value = lifted(array._tape, value)
     if (cut := is_whole(root)) is not False:
         value = where(cut, np.trunc(value), value)
@@ -88,32 +63,18 @@ class Row(list):
     """A list of numbers, in which a whole number of a run is a place."""
 
     def __getitem__(self, place: Any) -> Any:
-        return at(self, place) if moves(place) else super().__getitem__(place)
-
-
-class Numbers(np.ndarray):
-    """An array of numbers, in which a whole number of a run is a place; `dot` takes signals."""
-
-    def __getitem__(self, place: Any) -> Any:
-        return at(self, place) if moves(place) else super().__getitem__(place)
-
-    def dot(self, other: Any, *out: Any) -> Any:
-        """Return np.dot(self, other)."""
-        return np.dot(self, other, *out)
+        if not moves(place):
+            return super().__getitem__(place)
+        found = lifted(place._tape, np.array(self, dtype=float))[place]
+        if isinstance(found, Array):
+            found._whole, found._of_python = all(map(is_whole, self)), True
+        return found
 
 
 def is_row(value: Any) -> bool:
     """Return whether a value is a list of numbers."""
     kinds = {float, int, np.float64, np.int64}
     return type(value) is list and len(value) > 1 and kinds.issuperset(map(type, value))
-
-
-def at(numbers: list | np.ndarray, place: Array) -> Any:
-    """Return what stands at a place that is a signal."""
-    found = lifted(place._tape, np.array(numbers, dtype=float))[place]
-    if isinstance(found, Array):
-        found._whole, found._of_python = all(map(is_whole, numbers)), type(numbers) is Row
-    return found
 
 
 def lifted(tape: Tape, value: Any) -> Any:
@@ -124,7 +85,7 @@ def lifted(tape: Tape, value: Any) -> Any:
         return value
     if isinstance(value, bool | int | float | np.bool_ | np.integer | np.floating):
         return float(value)
-    if isinstance(value, np.ndarray) and type(value) not in (np.ndarray, np.memmap, Numbers):
+    if isinstance(value, np.ndarray) and type(value) not in (np.ndarray, np.memmap):
         raise Unread(f"calculating with a {type(value).__name__}; write np.asarray of it")
     try:
         if isinstance(value, np.ndarray) and value.dtype != object:

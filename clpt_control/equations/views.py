@@ -15,17 +15,7 @@ from typing import Any
 import numpy as np
 
 from .arrays import HOOKS, Array, Tape, Unread, moves, numbers_of, objects, operand, whole
-from .elementwise import (
-    TRUTH,
-    Masked,
-    as_number,
-    boxed,
-    constant,
-    in_a_try,
-    is_whole,
-    lifted,
-    of_numpy,
-)
+from .elementwise import TRUTH, as_number, boxed, constant, in_a_try, is_whole, lifted, of_numpy
 from .record import MOST_NUMBERS, Ref, Shape, viewed
 
 # --- as NumPy's own ----------------------------------------------------------------------------
@@ -70,7 +60,11 @@ def _on_numbers(tape: Tape, function: Callable, inputs: Any, more: dict, number:
 
 def of_numbers(tape: Tape, function: Callable, inputs: Any, more: dict) -> Any:
     """Run NumPy's own function on arguments that depend on nothing."""
-    result = _on_numbers(tape, function, inputs, more, lambda one: np.array(numbers_of(one)))
+
+    def number(one: Array) -> np.ndarray:
+        return np.array(numbers_of(one), dtype=int if one._whole is True else float)
+
+    result = _on_numbers(tape, function, inputs, more, number)
     return on_objects(tape, function, inputs, more) if result is None else result
 
 
@@ -276,10 +270,9 @@ def _places(shape: Shape) -> list[np.ndarray]:
 def _picked(array: Array, k: Any, *rest: Any) -> Any:
     """Return elements at places that are signals."""
     if isinstance(k, Array) and k._is_condition:
-        if not k._tape.free[k._node]:
-            return array[(k._tape.numbers(k._ref) != 0.0, *rest)]
-        same = not rest and k.shape == array.shape
-        return Masked(array, k) if same else refuse("taking elements by a condition")
+        if moves(k):
+            return refuse("elements taken by a condition, which np.where chooses,")
+        return array[(k._tape.numbers(k._ref) != 0.0, *rest)]
     in_a_row = not rest and array.ndim == 1 and isinstance(array.shape[0], int) and not k.shape
     if in_a_row and k._whole is True and moves(k) and array._written() is None and not in_a_try():
         return array._tape.add("pick", (operand(array), k._ref), ())

@@ -54,12 +54,6 @@ SCATTERED = LinearNDInterpolator([[0, 0], [1, 0], [0, 1], [1, 1], [0.4, 0.6]], [
 STEPPED = RegularGridInterpolator(GRID, HEIGHTS, "nearest", bounds_error=False)
 
 
-def doubled_above(row):
-    row[row > 0] *= 2.0
-    row[row < -1] = row[row < -1] + 0.5
-    return row
-
-
 class Lever:
     """Remembers in attributes."""
 
@@ -367,8 +361,6 @@ ONE_LINE = {  # as Python has them
         np.linalg.det(np.outer(x, x)),
         np.linalg.det(np.array([[0.0, x[0]], [0.0, u[0]]])),
     ],
-    "summed where": lambda t, x, u, p: [np.sum(x[x > 0]), x[x < 0].sum()],
-    "changed where": lambda t, x, u, p: doubled_above(np.array(x)),
     "side by side": lambda t, x, u, p: [*np.r_[x, 1.0, u[:1]], *np.c_[x, x[::-1]].ravel()],
     "by methods of ufuncs": lambda t, x, u, p: [
         *np.subtract.outer(x, u).ravel(),
@@ -444,6 +436,7 @@ ONE_LINE_REFUSED = {  # what would be another number
     "inverts a truth of Python": lambda t, x, u, p: [1.0 if ~(float(x[0]) > 0) else 2.0],
     # what Python asks
     "seeks in a set": lambda t, x, u, p: [1.0 if int(x[0]) in {0, 1} else 0.0],
+    "sums where": lambda t, x, u, p: [np.sum(x[x > 0])],
     "counts others": lambda t, x, u, p: [len(set(x))],
     "reads in the order of memory": lambda t, x, u, p: np.outer(x, u).T.ravel(order="K"),
     "interpolates backwards": lambda t, x, u, p: [
