@@ -111,7 +111,7 @@ class Snapshot:
                 now.get(name, GONE) is one or one is None for name, one in before.items()
             )
             if not empty or _holds_signals(now):
-                raise Unread(f"{name} changes what its next call may read; make it a state")
+                raise Unread(f"{name} keeps what its next call may read; make it a state")
         left = {place: now for place, (now, _) in changed.items()}
         self.left.setdefault(tuple((place, _key(now)) for place, now in left.items()), left)
 

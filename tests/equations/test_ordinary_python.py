@@ -105,11 +105,6 @@ def says_series(t, x, u, p):
     return np.concatenate([f(u) for f in SERIES] + [[SERIES[0].deriv()(u[1]), SERIES[1](u[0])]])
 
 
-def says_periods(t, x, u, p):
-    a = np.interp(9.0 * u, [3.0, 0.0, 1.0, 2.0], [-1.0, 0.0, 1.0, 0.5], period=-4.0)
-    return [*a, np.interp(40.0 * u[0], [10, 20, 300], [1, 2, 3], left=9.0, period=36)]
-
-
 class Motor:
     """An object with numbers."""
 

@@ -186,7 +186,7 @@ def test_a_reading_leaves_all_as_it_was():
 
     block, motor.last = static(logging), 5.0
     log.clear()
-    with pytest.raises(Unread, match="logging changes what its next call may read"):
+    with pytest.raises(Unread, match=r"logging (changes a list|keeps what)"):
         block.array_record("output")
     assert (log, motor.last) == ([], 5.0)
     with pytest.raises(Unread, match="changes the global 'COUNT'"):
