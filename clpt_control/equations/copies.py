@@ -10,7 +10,6 @@ module too.
 import functools
 from collections.abc import Iterator
 from contextlib import contextmanager
-from copy import copy
 from io import IOBase
 from operator import is_
 from types import CellType, FunctionType, MethodType
@@ -23,7 +22,7 @@ from .elementwise import Row, boxed, constant, is_row
 from .kept import GONE, LOCK, Snapshot, same
 from .lookup_tables import is_table
 from .record import MOST_NUMBERS
-from .stand_ins import BUILTINS, SHADOWS, stand_in, vectorized
+from .stand_ins import BUILTINS, SHADOWS, stand_in
 from .unchanged import is_plain, names_in, texts_in
 from .ways import joined
 
@@ -76,9 +75,7 @@ class Copies:
         if isinstance(value, functools._lru_cache_wrapper) or hasattr(value, "py_func"):
             return self.of(getattr(value, "py_func", None) or value.__wrapped__)
         if isinstance(value, np.vectorize):
-            alike = copy(value)
-            alike.pyfunc = self.of(value.pyfunc)
-            return vectorized(alike)
+            raise Unread("calls np.vectorize; write a loop")
         if is_row(value):
             return self._watched(Row(value))
         kind = type(value)

@@ -75,9 +75,7 @@ def average(a: Any, axis: Any = None, weights: Any = None, **more: Any) -> Any:
     """Return np.average, each number by its weight."""
     if weights is None:
         return mean(a, axis, **more)
-    if more or np.shape(weights) != a.shape:
-        return refuse("np.average with weights along an axis")
-    return np.sum(a * weights, axis) / np.sum(weights, axis)
+    return on_objects(a._tape, np.average, (a, axis, weights), more)
 
 
 @implements(np.gradient)
