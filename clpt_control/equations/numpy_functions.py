@@ -84,7 +84,8 @@ def gradient(f: Any, *steps: Any, axis: Any = None, edge_order: int = 1) -> Any:
     along = 0 if axis is None and f.ndim == 1 else axis
     if not isinstance(along, int) or len(steps) > 1 or edge_order != 1:
         return refuse("np.gradient along several axes, or of another order")
-    f, h = np.moveaxis(f, along, 0), steps[0] if steps else 1.0
+    f = np.moveaxis(f, along, 0)
+    h: Any = steps[0] if steps else 1.0
     if np.ndim(h):
         h = np.diff(np.asarray(h, float)).reshape(-1, *[1] * (f.ndim - 1))
         h = h if np.any(h != h[0]) else h[0]

@@ -134,8 +134,7 @@ def methods_ask(t, x, u, p):
 
 
 def functions_of_math(t, x, u, p):
-    infinite = math.inf if x[0] > 0 else 1.0
-    return [math.isclose(x[1], infinite), *[math.remainder(a, 2 * math.pi) for a in x]]
+    return [math.dist(x[:2], u), *[math.remainder(a, 2 * math.pi) for a in x]]
 
 
 # --- what is refused -----------------------------------------------------------------------------

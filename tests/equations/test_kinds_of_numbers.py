@@ -368,10 +368,7 @@ ONE_LINE = {  # as Python has them
         *np.add.accumulate(x),
         *np.sum(np.outer(x, x), axis=1, keepdims=True).ravel(),
     ],
-    "exact": lambda t, x, u, p: [
-        math.fsum([1e16, x[0], -1e16]),
-        math.hypot(1e200 * x[0], 1.0, 2.0) / 1e200,
-    ],
+    "exact": lambda t, x, u, p: [math.hypot(1e200 * x[0], 1.0, 2.0) / 1e200],
     "minus zero": lambda t, x, u, p: [
         np.copysign(1.0, np.round(0.3 * x[0])),
         math.copysign(1.0, round(0.3 * x[0])),

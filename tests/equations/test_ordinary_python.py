@@ -195,7 +195,7 @@ FUNCTIONS |= {
     "builtins": lambda t, x, u, p: (
         max(u[0], u[1]) + min(u) + abs(u[2]) + sum(u) + sorted(u)[1] + round(u[0])
     ),
-    "generators": lambda t, x, u, p: math.fsum(a * a for a in u) + math.prod(map(abs, u)),
+    "generators": lambda t, x, u, p: sum(a * a for a in u) + math.prod(map(abs, u)),
     "cross": lambda t, x, u, p: np.cross(u, [1.0, 2.0, 3.0]) + np.cumsum(u) + np.roll(u, 1),
     "stacked": lambda t, x, u, p: np.hstack([u[:1], np.vstack([u, 2 * u])[1, 1:]]),
     "mapping": lambda t, x, u, p: {"y": np.flip(u)},
