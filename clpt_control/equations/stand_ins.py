@@ -99,8 +99,8 @@ MATH: dict[str, Callable] = {
     "prod": lambda a, start=1: functools.reduce(lambda v, w: v * w, a, start),
 }
 RAISING = frozenset(  # where a number is out of range
-    "sqrt log log2 log10 asin acos exp exp2 expm1 sinh cosh pow fmod remainder log1p acosh "
-    "atanh".split()
+    {"sqrt", "log", "log2", "log10", "log1p", "asin", "acos", "acosh", "atanh", "exp", "exp2"}
+    | {"expm1", "sinh", "cosh", "pow", "fmod", "remainder"}
 )
 
 
