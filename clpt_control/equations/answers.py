@@ -121,19 +121,14 @@ class AnsweringTape(Tape):
         frame, word = _asking_frame()
         space, library = frame.f_globals, _module(frame).partition(".")[0]
         if library in LIBRARIES:
-            raise Unread(
-                f"{library} ({frame.f_code.co_name}, line {frame.f_lineno}) asks for the value of "
-                "a signal; write what it computes in NumPy"
-            )
-        if space.get("__builtins__") is BUILTINS or any(space is one for one in self.spaces):
-            raise Unread(
-                f"NumPy's {word} asks for the value of a signal; write "
-                + ("np.array, and @ for *" if "matrix" in word else "what it computes")
-                if word
-                else "needs the value of a signal; write NumPy, and fill arrays where they are made"
-            )
-        self.stopped = Borrowed(space)
-        raise self.stopped
+            word = f"{library} ({frame.f_code.co_name}, line {frame.f_lineno})"
+        elif space.get("__builtins__") is not BUILTINS and all(s is not space for s in self.spaces):
+            self.stopped = Borrowed(space)
+            raise self.stopped
+        raise Unread(
+            f"{word or 'Python'} asks for the value of a signal; write what it computes in NumPy, "
+            "and fill arrays where they are made"
+        )
 
     def known(self, ref: Ref) -> np.ndarray:
         """Return the value of what depends on parameters alone, which are then pinned."""
@@ -182,7 +177,7 @@ def _asking_frame() -> tuple[FrameType, str]:
     frame, word = sys._getframe(2), ""
     while frame.f_back is not None and _is_own(frame):
         if not _module(frame).startswith(__package__):
-            word = frame.f_code.co_qualname.removesuffix(".__new__")
+            word = "NumPy's " + frame.f_code.co_qualname.removesuffix(".__new__")
         frame = frame.f_back
     return frame, word
 

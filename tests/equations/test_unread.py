@@ -352,7 +352,7 @@ def test_a_mistake_is_told_where_the_block_is_made(function, words):
     ("function", "said"),
     [
         (lambda u: np.histogram(u)[0][:1], "histogram asks for the value of a signal; write what"),
-        (lambda u: (np.matrix(u) * np.matrix(u).T).A1, "matrix asks for .*; write np.array, and @"),
+        (lambda u: (np.matrix(u) * np.matrix(u).T).A1, "matrix asks for the value of a signal"),
     ],
 )
 def test_numpys_function_that_asks_is_named(function, said):
