@@ -120,30 +120,25 @@ def _zero(block: Block, drawn: list[Sample]) -> Iterator[str]:
 
 def _readings(block: Block, drawn: list[Sample]) -> Iterator[str]:
     """Every reading computes what Python computes."""
+    none = np.zeros(0)
     for name, reading in readings(block).items():
         for sample in drawn:
-            point = sample.t, sample.x, sample.u
-            ours = python_values(block, "output", sample)
-            rates = np.zeros(0)
-            if block.update_function is not None:
-                rates = python_values(block, "update", sample)
+            point, has = (sample.t, sample.x, sample.u), roles(block)
+            asked = [role for role in ("update", "output") if role in has]
+            ours = {role: python_values(block, role, sample) for role in asked}
             try:
-                theirs = reading(*point)
+                theirs = dict(zip(("update", "output"), reading(*point), strict=True))
+                if "jump" in has and name != "control":
+                    ours["jump"] = python_values(block, "jump", sample)
+                    theirs["jump"] = reading.jump(*point)
             except ClptError as error:
                 yield f"{block.name}: the reading '{name}' refuses: {error}"
                 break
-            if block.jump_function is not None and name != "control":
-                after = python_values(block, "jump", sample)
-                if differ(after, read := reading.jump(*point)):
-                    yield (
-                        f"{block.name}: Python jumps to {after}, the reading '{name}' to {read} "
-                        f"at {sample}"
-                    )
-                    break
-            if differ(rates, theirs[0]) or differ(ours, theirs[1]):
+            off = [role for role in theirs if differ(ours.get(role, none), theirs[role])]
+            if off:
                 yield (
-                    f"{block.name}: Python gives {rates} and {ours}, the reading '{name}' "
-                    f"{theirs[0]} and {theirs[1]} at {sample}"
+                    f"{block.name}.{off[0]}: Python gives {ours.get(off[0], none)}, the reading "
+                    f"'{name}' {theirs[off[0]]} at {sample}"
                 )
                 break
 

@@ -154,7 +154,7 @@ class Block(ReadBlock):
         )
         refuse(
             jump is not None and (breakpoints is None or not states),
-            "a jump sets states at the block's own breakpoints; give these and `states` with it",
+            "a jump sets states at the block's own breakpoints; give `breakpoints` and `states`",
         )
         refuse(not 0 <= dt < np.inf, f"dt = {dt}: must be a time, or 0 in continuous time")
         refuse(
