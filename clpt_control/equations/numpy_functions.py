@@ -10,7 +10,7 @@ import numpy as np
 
 from . import linear_algebra, lookup_tables, stacks, views
 from .arrays import HOOKS, Array, Tape, Unread, objects
-from .elementwise import boxed, chosen, filled, is_truth, is_whole, lifted, stacked, where
+from .elementwise import boxed, filled, is_truth, is_whole, lifted, where
 from .number_types import of_python
 from .ufuncs import accumulated, check_doubles, reduced, rounded
 from .views import depends, into, of_numbers, on_objects, on_values, refuse, tape_of
@@ -136,40 +136,6 @@ def close(a: Any, b: Any, rtol: float = 1e-5, atol: float = 1e-8, equal_nan: boo
     return near | ((a != a) & (b != b)) if equal_nan else near
 
 
-def after(a: Any, b: Any) -> Any:
-    """Return whether b comes before a, as NumPy sorts: what is no number comes last."""
-    return np.less(b, a) | (np.not_equal(a, a) & np.equal(b, b))
-
-
-def in_order(values: list[Any], swaps: Callable = np.greater) -> list[Any]:
-    """Return numbers sorted: neighbours change places where they must, until none does."""
-    ordered = list(values)
-    for end in range(len(ordered) - 1, 0, -1):
-        for k in range(end):
-            a, b = ordered[k], ordered[k + 1]
-            swap = swaps(a, b)
-            ordered[k], ordered[k + 1] = chosen(swap, b, a), chosen(swap, a, b)
-    return ordered
-
-
-@implements(np.sort)
-def sort(a: Any, axis: int = -1, **more: Any) -> Any:
-    """Return np.sort(a) of a vector."""
-    if a.ndim != 1 or a.size > 16:
-        return refuse("sorting more than 16 numbers, or rows,")
-    return stacked(a._tape, in_order(list(a._elements()), after))
-
-
-@implements(np.median)
-def median(a: Any, axis: Any = None, **more: Any) -> Any:
-    """Return the number in the middle, or the mean of the two there; NaN if any is."""
-    if more or (axis is not None and a.ndim > 1):
-        return refuse("np.median along an axis")
-    ordered = sort(np.ravel(a))
-    middle = mean(ordered[(a.size - 1) // 2 : a.size // 2 + 1])
-    return where(ordered[-1] != ordered[-1], np.nan, middle)
-
-
 def along(join: Callable, ufunc: Any) -> Callable:
     """Return what joins the elements of an array by a ufunc, all, or those along an axis."""
 
@@ -191,7 +157,7 @@ def alike(a: Array, value: float, dtype: Any = None, **named: Any) -> Any:
 
 implements(np.dot, arrays=2)(linear_algebra.dot)
 implements(np.vdot, arrays=2)(lambda a, b: linear_algebra.dot(np.ravel(a), np.ravel(b)))
-for unread in (np.shares_memory, np.may_share_memory, np.ix_):
+for unread in (np.shares_memory, np.may_share_memory, np.ix_, np.sort, np.median):
     implements(unread, arrays=0)(lambda *_, name=unread.__name__: refuse(f"np.{name}"))
 implements(np.outer, arrays=2)(linear_algebra.outer)
 implements(np.linalg.norm)(linear_algebra.norm)
@@ -293,11 +259,10 @@ METHODS: dict[str, Callable] = {  # that are not NumPy's functions
     "item": lambda a, *at: as_list(a[at] if at else objects(a).ravel()[0]),
     "tolist": as_list,
     "fill": lambda a, value: a.__setitem__(..., value),
-    "sort": lambda a, *more: a.__setitem__(..., np.sort(a, *more)),
     "is_integer": lambda a: np.floor(a) == a,
 }
 # other than NumPy's functions of these names
-OTHER = frozenset({"partition", "resize", "compress", "conj", "conjugate"})
+OTHER = frozenset({"sort", "partition", "resize", "compress", "conj", "conjugate"})
 
 
 def method(name: str) -> Callable | None:

@@ -32,7 +32,7 @@ from .elementwise import (
 )
 from .lookup_tables import function_of, is_table
 from .number_types import TYPES, has, is_a, of_python, real_of, type_of
-from .numpy_functions import apply_function, in_order
+from .numpy_functions import apply_function
 from .ufuncs import apply_ufunc
 from .views import converted, copied, fresh, share, tape_of
 
@@ -73,8 +73,6 @@ class StandIn:
 
 
 # --- `math` and built-in functions --------------------------------------------------
-
-MOST_SORTED = 16
 
 
 def remainder(a: Any, b: Any) -> Any:
@@ -132,11 +130,6 @@ def best(better: Callable, values: list) -> Any:
     return functools.reduce(lambda a, b: chosen(better(b, a), b, a), map(single, values))
 
 
-def ordered(values: list) -> list[Any]:
-    """Return values sorted, without a question where they are few."""
-    return in_order(values) if len(values) <= MOST_SORTED else sorted(values)
-
-
 def compensated(values: Iterable[Any], start: Any = 0) -> Any:
     """Return Python's sum: of its own floats, since 3.12, with what rounding took from it.
 
@@ -180,7 +173,6 @@ SHADOWS: dict[str, Any] = {  # built-in names that have stand-ins
     "min": of_values(min, functools.partial(best, np.less)),
     "any": of_values(any, lambda values: functools.reduce(np.logical_or, values, False)),
     "all": of_values(all, lambda values: functools.reduce(np.logical_and, values, True)),
-    "sorted": of_values(sorted, ordered),
     "isinstance": is_a,
     "hasattr": has,
     "type": type_of,

@@ -62,7 +62,7 @@ ARRAYS = """
     np.linalg.solve(np.outer(u, v) + np.eye(3), v)[1] ; np.linalg.inv(np.diag(u))[1, 1] ;
     np.linalg.solve(np.diag(u), [1.0, 2.0, 3.0])[2] ; np.einsum('i,i->', u, v) ;
     np.tensordot(u, v, 1) ; np.cross(u, v)[0] ; np.diff(u)[1] ; np.cumsum(u)[2] ;
-    np.cumprod(u)[2] ; np.sort(u)[1] ; np.flip(u)[0] ; np.roll(u, 1)[0] ; np.tile(u, 2)[4] ;
+    np.cumprod(u)[2] ; np.flip(u)[0] ; np.roll(u, 1)[0] ; np.tile(u, 2)[4] ;
     np.repeat(u, 2)[3] ; np.interp(u[0], [0.0, 1.0, 3.0], [1.0, -1.0, 5.0]) ;
     np.polyval([1.0, -2.0, 3.0], u[0]) ; np.select([u[0] > 1, u[0] > 0], [1.0, u[1]], 3.0) ;
     np.piecewise(u, [u < 1, u >= 1], [lambda a: a, lambda a: -a])[2] ; np.clip(u, 0.5, 1.0)[2] ;
@@ -113,6 +113,7 @@ NOT_KNOWN = [
     *("np.roots(u)[0].real", "1.0 * np.shares_memory(u, u)"),
     *("1.0 * np.ix_(u > 0)[0][0]", "1.0 * np.deg2rad(u > 0)[0]"),
     *("np.gradient(np.outer(u, u))[0][0, 0]", "np.gradient(u, u + 9.0)[0]"),
+    *("np.sort(u)[1]", "np.median(u)"),
     "np.linalg.cholesky(np.outer(u, u) + np.eye(3))[0, 1]",
 ]
 

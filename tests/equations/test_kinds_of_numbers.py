@@ -232,7 +232,7 @@ def puts_another_mask(t, x, u, p):
 
 def is_without_what_is_no_number(t, x, u, p):
     a = x[0] / x[1]
-    return [*np.sort([a, 1.0, u[0]]), np.fmin(a, 2.0), np.fmax(0.5, a), max(float("nan"), x[0])]
+    return [np.fmin(a, 2.0), np.fmax(0.5, a), max(float("nan"), x[0])]
 
 
 # --- what is kept --------------------------------------------------------------------------------
@@ -374,12 +374,6 @@ ONE_LINE = {  # as Python has them
         math.copysign(1.0, round(0.3 * x[0])),
     ],
     "beside another table": lambda t, x, u, p: [LEVER.arm(x[0])],
-    "the middle one": lambda t, x, u, p: [
-        np.median(x),
-        np.median([x[0], u[0], x[2], u[1]]),
-        np.median(np.outer(u, x)),
-        np.median([x[0], np.nan * x[1], x[2]]),
-    ],
     # tables
     "slopes of splines": lambda t, x, u, p: [
         *SPLINE(x),
