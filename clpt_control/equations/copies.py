@@ -9,7 +9,7 @@ module too.
 
 import functools
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from io import IOBase
 from operator import is_
 from types import CellType, FunctionType, MethodType
@@ -39,6 +39,7 @@ class Copies:
         self.tape, self.snapshot = tape, snapshot
         self._known: dict[int, tuple[Any, Any]] = {}  # a value, alive, and what stands for it
         self._spaces: dict[int, dict[str, Any]] = {}  # the copied names of each module
+        self._changes: dict[int, list[tuple[dict, str, Any, Any]]] = {}  # of modules and objects
         # names of modules, containers and cells, copied: as they began, and in words
         self._copied: dict[int, tuple[Any, Any, str]] = {}
         self.texts: set[Any] = set()  # in the functions, which may be names of params
@@ -91,13 +92,20 @@ class Copies:
             return value if all(map(is_, items.values(), value.values())) else self._watched(items)
         return stand_in(value)
 
-    def held(self, attributes: dict[str, Any]) -> dict[str, Any]:
-        """Return what stands for what an object holds: tables, numbers and what they lie in."""
-        return {
-            name: self.of(value)
-            for name, value in attributes.items()
-            if type(value) in (np.ndarray, list, tuple, dict) or is_table(value)
-        }
+    def changes(self, space: dict[str, Any], in_module: bool) -> list[tuple[dict, str, Any, Any]]:
+        """Return what stands for names of a module, or for tables and numbers that an object holds.
+
+        Each with the names, its own, what has it, and what takes its place.
+        """
+        if id(space) not in self._changes:
+            if in_module:
+                found = SHADOWS | {k: stand_in(v) for k, v in space.items() if k[:2] != "__"}
+            else:
+                held = (np.ndarray, list, tuple, dict)
+                found = {k: self.of(v) for k, v in space.items() if type(v) in held or is_table(v)}
+            pairs = [(space, name, space.get(name, GONE), new) for name, new in found.items()]
+            self._changes[id(space)] = [one for one in pairs if one[2] is not one[3]]
+        return self._changes[id(space)]
 
     def _watched(self, container: Any) -> Any:
         """Return a list or dict that `check` compares with what it holds now."""
@@ -165,35 +173,19 @@ class Copies:
             raise Unread(f"{name} changes {words}; make it a state, or a parameter")
 
 
-def of_module(space: dict[str, Any]) -> dict[str, Any]:
-    """Return what stands for the names of a module."""
-    found = SHADOWS | {name: stand_in(value) for name, value in space.items()}
-    return {
-        name: new
-        for name, new in found.items()
-        if new is not space.get(name, GONE) and not name.startswith("__")
-    }
-
-
 @contextmanager
 def borrowed(spaces: list[dict[str, Any]], copies: Copies) -> Iterator[None]:
     """Put stand-ins into modules and objects for as long as a function is read."""
-    objects = [*copies.snapshot.attributes.values()]
-    if not spaces and not objects:
-        yield
-        return
-    with LOCK:
-        undo: list[tuple[dict, str, Any, Any]] = []
+    borrowing = {id(one): (one, False) for one in copies.snapshot.attributes.values()}
+    borrowing |= {id(one): (one, True) for one in spaces}
+    changes = [one for of in borrowing.values() for one in copies.changes(*of)]
+    with LOCK if changes else nullcontext():
         try:
-            for space in [*spaces, *objects]:
-                in_module = any(space is one for one in spaces)
-                stand_ins = of_module(space) if in_module else copies.held(space)
-                for name, new in stand_ins.items():
-                    undo.append((space, name, space.get(name, GONE), new))
-                    space[name] = new
+            for space, name, _, new in changes:
+                space[name] = new
             yield
         finally:
-            for space, name, value, new in reversed(undo):
+            for space, name, value, new in changes:
                 if space.get(name) is not new:  # the function changed it
                     continue
                 if value is GONE:

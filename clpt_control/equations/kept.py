@@ -146,7 +146,8 @@ def _chance_of(one: Any) -> Any:
 def same(now: Any, before: Any) -> bool:
     """Return whether a thing keeps the very same."""
     if isinstance(now, dict):
-        return now.keys() == before.keys() and all(now[k] is before[k] for k in now)
+        alike = len(now) == len(before) and all(map(is_, now.values(), before.values()))
+        return alike and now.keys() == before.keys()
     if isinstance(now, list):
         return len(now) == len(before) and all(map(is_, now, before))
     return now == before
