@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 
+from .answers import LIBRARIES, joined
 from .arrays import Tape, Unread
 from .elementwise import Row, boxed, constant, is_row
 from .kept import GONE, LOCK, Snapshot, same
@@ -24,9 +25,7 @@ from .lookup_tables import is_table
 from .record import MOST_NUMBERS
 from .stand_ins import BUILTINS, SHADOWS, stand_in
 from .unchanged import is_plain, names_in, texts_in
-from .ways import joined
 
-LIBRARIES = ("numpy", "scipy", "matplotlib")  # run as they are
 # modules that read
 READERS = tuple(f"{__package__}.{name}" for name in ("arrays", "elementwise", "record", "views"))
 OF_WARNINGS = "__warningregistry__"  # which Python puts into the module that it warns of

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..errors import BlockError
-from .answers import AnsweringTape, Borrowed, Outside, Ports, located
+from .answers import AnsweringTape, Borrowed, Outside, Ports, each_way, located, merged
 from .arrays import Array, Tape, Unread, objects, operand, reading_on
 from .copies import Copies, borrowed
 from .declaration import Parameters
@@ -25,7 +25,6 @@ from .kept import OF_ALL, Snapshot
 from .ports import places
 from .record import Record, Shape, compact
 from .stand_ins import UNSEEDED
-from .ways import each_way, merged
 
 MOST_WAYS = 256
 MOST_READINGS = 16  # one for each state in which something is left
