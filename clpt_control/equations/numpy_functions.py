@@ -233,6 +233,8 @@ def along(join: Callable, ufunc: Any) -> Callable:
     """Return what joins the elements of an array by a ufunc, all, or those along an axis."""
 
     def joined(a: Any, axis: Any = None, dtype: Any = None, **more: Any) -> Any:
+        if "where" in more:
+            return refuse("joining some elements, which np.where chooses,")
         if not is_truth(a) or isinstance(dtype, Array):
             check_doubles(dtype)
         return join(ufunc, a, axis, **more)

@@ -77,8 +77,8 @@ ARRAYS = """
     np.count_nonzero(u > 0.5) + u[0] ; np.argmax(u) + u[0] ; np.nan_to_num(u)[1] ;
     np.triu([u, v])[0, 1] ; np.linalg.multi_dot([u, np.eye(3), v]) ; np.average(u, weights=v) ;
     np.convolve(u, v)[2] ; np.trapezoid(u, [0.0, 1.0, 3.0]) ; np.round(u[2], 1) ;
-    np.unwrap(u)[1] ; np.sum(u, where=[True, False, True]) ; np.max(u, initial=0.9) ;
-    np.min(u, where=u > 0.5, initial=5.0) ; np.prod(u, initial=2.0) ; np.flipud(u)[0] ;
+    np.unwrap(u)[1] ; np.max(u, initial=0.9) ;
+    np.min(u, initial=0.5) ; np.prod(u, initial=2.0) ; np.flipud(u)[0] ;
     np.fliplr([u, v])[1, 0] ; np.hsplit(u, 3)[1][0] ; np.expand_dims(u, 0)[0, 2] ;
     np.moveaxis([u, v], 0, 1)[2, 0] ; np.transpose([u, v], (1, 0))[2, 1] ; u.argmax() + u[0] ;
     np.interp(u[0] - 0.5, [0.0, 1.0, 2.0], u, left=7.0, right=8.0) ;
@@ -113,7 +113,7 @@ NOT_KNOWN = [
     *("np.roots(u)[0].real", "1.0 * np.shares_memory(u, u)"),
     *("1.0 * np.ix_(u > 0)[0][0]", "1.0 * np.deg2rad(u > 0)[0]"),
     *("np.gradient(np.outer(u, u))[0][0, 0]", "np.gradient(u, u + 9.0)[0]"),
-    *("np.sort(u)[1]", "np.median(u)"),
+    *("np.sort(u)[1]", "np.median(u)", "np.sum(u, where=[True, False, True])"),
     "np.linalg.cholesky(np.outer(u, u) + np.eye(3))[0, 1]",
 ]
 
