@@ -285,12 +285,12 @@ def of_simplices(f: Any) -> Callable:
     """Return scipy.interpolate.LinearNDInterpolator as a function of signals; NaN outside."""
     corners, tail = f.tri.simplices, tuple(f.values_shape)
     ys = np.asarray(f.values, dtype=float).reshape(len(f.values), *tail)
-    if len(corners) > MOST:
-        raise Unread(f"scipy's LinearNDInterpolator of more than {MOST} simplices")
+    if len(corners) > MOST or f.scale is not None:
+        raise Unread(f"scipy's LinearNDInterpolator of more than {MOST} simplices, or rescaled")
 
     def table(tape: Tape, *given: Any) -> Any:
         x = point(tape, *given)
-        values: Any = np.full(tail, np.nan) if tail else np.nan
+        values: Any = np.full(tail, f.fill_value) if tail else float(f.fill_value)
         for own, inverse in zip(corners[::-1], f.tri.transform[::-1], strict=True):
             shares = [row @ (x - inverse[-1]) for row in inverse[:-1]]
             shares.append(1.0 - reduce(add, shares))
@@ -305,8 +305,8 @@ def of_simplices(f: Any) -> Callable:
 def of_nearest(f: Any) -> Callable:
     """Return scipy.interpolate.NearestNDInterpolator as a function of signals."""
     points, ys = np.asarray(f.tree.data, dtype=float), np.asarray(f.values, dtype=float)
-    if len(points) > MOST:
-        raise Unread(f"scipy's NearestNDInterpolator of more than {MOST} points")
+    if len(points) > MOST or f.scale is not None:
+        raise Unread(f"scipy's NearestNDInterpolator of more than {MOST} points, or rescaled")
 
     def table(tape: Tape, *given: Any) -> Any:
         x = point(tape, *given)

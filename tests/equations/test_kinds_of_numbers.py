@@ -51,6 +51,9 @@ COLUMN = RegularGridInterpolator(
     [[0.0, 1.0], [-1.0, 1.0], [0.0, 3.0]], np.arange(8.0).reshape(2, 2, 2) ** 2, "linear", False
 )
 SCATTERED = LinearNDInterpolator([[0, 0], [1, 0], [0, 1], [1, 1], [0.4, 0.6]], [0.0, 1, 2, 5, 3])
+PLACES = [[0, 0], [10, 0], [0, 0.1], [10, 0.1], [4, 0.06]]
+RESCALED = LinearNDInterpolator(PLACES, [0.0, 1, 2, 5, 3], rescale=True)
+FLAT = LinearNDInterpolator(PLACES, [0.0, 1, 2, 5, 3], fill_value=-7.0)
 STEPPED = RegularGridInterpolator(GRID, HEIGHTS, "nearest", bounds_error=False)
 
 
@@ -400,10 +403,15 @@ ONE_LINE = {  # as Python has them
         *COAST((x, x[::-1])),
         COLUMN([x[0], u[1], x[1]])[0],
     ],
-    "a chart of scattered points": lambda t, x, u, p: [SCATTERED(x[0], u[0]), SCATTERED(x[:2])[0]],
+    "a chart of scattered points": lambda t, x, u, p: [
+        SCATTERED(x[0], u[0]),
+        SCATTERED(x[:2])[0],
+        FLAT(5.0 + x[0], 0.1 * abs(u[0])),
+    ],
 }
 ONE_LINE_REFUSED = {  # what would be another number
     "takes the nearest of a chart": lambda t, x, u, p: STEPPED(x[:2]),
+    "reads a rescaled chart": lambda t, x, u, p: RESCALED(x[0], u[0]),
     # truth values
     "adds arrays of truths": lambda t, x, u, p: (x > 0) + (x > 1),
     "adds stacked truths": lambda t, x, u, p: (
