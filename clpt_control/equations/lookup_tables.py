@@ -195,6 +195,8 @@ def of_interp1d(f: Any) -> Callable:
     ends: Any = (None, None)
     if not f._extrapolate:
         fill = f.fill_value if isinstance(f.fill_value, tuple) else (f.fill_value,) * 2
+        if any(np.size(one) > 1 for one in fill):
+            raise Unread("scipy's interp1d with a fill_value for each column")
         ends = [np.nan if f.bounds_error else float(np.ravel(one)[0]) for one in fill]
     if f._kind == "linear":
         return of_pieces(xs, np.stack(lines(xs, ys)), ends, "left")

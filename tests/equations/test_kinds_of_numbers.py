@@ -16,6 +16,7 @@ from scipy.interpolate import (
     InterpolatedUnivariateSpline,
     LinearNDInterpolator,
     RegularGridInterpolator,
+    interp1d,
     make_interp_spline,
 )
 
@@ -54,6 +55,7 @@ SCATTERED = LinearNDInterpolator([[0, 0], [1, 0], [0, 1], [1, 1], [0.4, 0.6]], [
 PLACES = [[0, 0], [10, 0], [0, 0.1], [10, 0.1], [4, 0.06]]
 RESCALED = LinearNDInterpolator(PLACES, [0.0, 1, 2, 5, 3], rescale=True)
 FLAT = LinearNDInterpolator(PLACES, [0.0, 1, 2, 5, 3], fill_value=-7.0)
+FILLED = interp1d([0, 1], [[0, 1], [2, 3]], axis=0, bounds_error=False, fill_value=[7.0, 9.0])
 STEPPED = RegularGridInterpolator(GRID, HEIGHTS, "nearest", bounds_error=False)
 
 
@@ -411,6 +413,7 @@ ONE_LINE = {  # as Python has them
 }
 ONE_LINE_REFUSED = {  # what would be another number
     "takes the nearest of a chart": lambda t, x, u, p: STEPPED(x[:2]),
+    "fills columns": lambda t, x, u, p: FILLED(x[0]),
     "reads a rescaled chart": lambda t, x, u, p: RESCALED(x[0], u[0]),
     # truth values
     "adds arrays of truths": lambda t, x, u, p: (x > 0) + (x > 1),
