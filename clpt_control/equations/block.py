@@ -163,7 +163,7 @@ class Block(ReadBlock):
         )
         refuse(
             guard is not None and guard.policy not in ("raise", "stop"),
-            'a guard\'s policy must be "raise" or "stop"',
+            f'a guard\'s policy {guard and guard.policy!r} must be "raise" or "stop"',
         )
         self.update_function, self.output_function, self.jump_function = update, output, jump
         self.opaque, self.breakpoints_function, self.guard = opaque, breakpoints, guard
