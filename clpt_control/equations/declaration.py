@@ -225,26 +225,21 @@ def checked_parameters(name: str, parameters: Any, like: Any = None) -> Paramete
     for field, value in named_values(name, parameters).items():
         if not isinstance(field, str) or not field.isidentifier() or field in TAKEN:
             raise BlockError(f"{name}: the parameter name {field!r} must be a Python name")
-        old = getattr(like, field) if like is not None else value
+        old = value if like is None else getattr(like, field)
         try:
-            shape = np.shape(old)
-        except ValueError:
-            raise BlockError(f"{name}.{field}: its rows differ in length; give an array") from None
-        try:
-            if isinstance(old, int | np.integer) and not isinstance(old, bool):
-                values[field] = int(value) if int(value) == value else None
-            elif not shape:
-                values[field] = np.float64(value)
-            else:
-                values[field] = np.array(value, dtype=float)
-                values[field].flags.writeable = False  # equations have no side effects
+            whole, shape = isinstance(old, int | np.integer), np.shape(old)
+            new: Any = np.array(value, dtype=float) if shape else np.float64(value)
+            if whole and not isinstance(old, bool):
+                new = int(value) if int(value) == value else np.nan
         except (TypeError, ValueError, OverflowError):
-            values[field] = None
-        if values[field] is None or np.shape(values[field]) != shape:
-            kind = f"an array of shape {shape}" if shape else type(old).__name__
-            raise BlockError(f"{name}.{field} = {value!r}: must be {kind}")
-        if not isinstance(values[field], int) and np.any(np.isnan(values[field])):
-            raise BlockError(f"{name}.{field} = {value!r}: NaN is not allowed")
+            shape, new = (), np.nan
+        if np.shape(new) != shape or np.any(np.not_equal(new, new)):
+            kind = "a whole number" if whole else "a number"
+            kind = f"an array of shape {shape}" if shape else kind
+            raise BlockError(f"{name}.{field} = {value!r}: must be {kind}, without NaN")
+        if shape:
+            new.flags.writeable = False  # equations have no side effects
+        values[field] = new
     return Parameters(**values)
 
 
