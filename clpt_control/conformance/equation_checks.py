@@ -111,9 +111,11 @@ def _readings(block: Block, drawn: list[Sample]) -> Iterator[str]:
         for sample in drawn:
             point, has = (sample.t, sample.x, sample.u), roles(block)
             asked = [role for role in ("update", "output") if role in has]
-            ours = {role: python_values(block, role, sample) for role in asked}
+            ours: dict[str, Any] = {role: python_values(block, role, sample) for role in asked}
             try:
-                theirs = dict(zip(("update", "output"), reading(*point), strict=True))
+                theirs: dict[str, Any] = dict(
+                    zip(("update", "output"), reading(*point), strict=True)
+                )
                 if "jump" in has and name != "control":
                     ours["jump"] = python_values(block, "jump", sample)
                     theirs["jump"] = reading.jump(*point)

@@ -301,6 +301,7 @@ def joined(function: FunctionType) -> Callable:
         if tape is None or not all(map(_is_plain, (*arguments, *more.values()))):
             return function(*arguments, **more)
         before, ways = (tape.answers, tape.way), list[tuple[dict[int, bool], Any]]()
+        texts = tape.texts
         try:
             for _ in each_way(tape):
                 result = function(*arguments, **more)
@@ -320,6 +321,7 @@ def joined(function: FunctionType) -> Callable:
                 raise
         finally:
             tape.answers, tape.way = before
+        tape.texts = texts
         return function(*arguments, **more)  # its ways are those of the function that calls it
 
     return helper

@@ -40,6 +40,12 @@ def raising(v):
     return np.sqrt(v)
 
 
+def checked(v):
+    if v < 0:
+        raise ValueError(f"no root of {v}")
+    return np.sqrt(v)
+
+
 def gear(v):
     if v < 0.2:
         return 0
@@ -91,6 +97,7 @@ FUNCTIONS = {
     "within": lambda t, x, u, p: [thrust(v) for v in u],
     "two numbers": lambda t, x, u, p: [a * b for a, b in map(halves, u)],
     "errors": lambda t, x, u, p: [caught(v) for v in u],
+    "errors in words": lambda t, x, u, p: [checked(abs(v)) for v in u],
     "places": lambda t, x, u, p: [RATIOS[gear(v)] * v for v in u],
     "counts": lambda t, x, u, p: [sum(u[: gear(abs(v))]) for v in u],
     "truths": lambda t, x, u, p: [1.0 if high(v) else v for v in u],
