@@ -130,6 +130,21 @@ def best(better: Callable, values: list) -> Any:
     return functools.reduce(lambda a, b: chosen(better(b, a), b, a), map(single, values))
 
 
+MOST_SORTED = 16
+
+
+def ordered(values: list[Any]) -> list[Any]:
+    """Return few values sorted: neighbours change places where they must, until none does."""
+    if len(values) > MOST_SORTED:
+        return sorted(values)
+    for end in range(len(values) - 1, 0, -1):
+        for k in range(end):
+            a, b = values[k], values[k + 1]
+            swap = np.greater(a, b)
+            values[k], values[k + 1] = chosen(swap, b, a), chosen(swap, a, b)
+    return values
+
+
 def compensated(values: Iterable[Any], start: Any = 0) -> Any:
     """Return Python's sum: of its own floats, since 3.12, with what rounding took from it.
 
@@ -173,6 +188,7 @@ SHADOWS: dict[str, Any] = {  # built-in names that have stand-ins
     "min": of_values(min, functools.partial(best, np.less)),
     "any": of_values(any, lambda values: functools.reduce(np.logical_or, values, False)),
     "all": of_values(all, lambda values: functools.reduce(np.logical_and, values, True)),
+    "sorted": of_values(sorted, ordered),
     "isinstance": is_a,
     "hasattr": has,
     "type": type_of,

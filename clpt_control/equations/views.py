@@ -34,6 +34,9 @@ def arrays_in(value: Any) -> Iterator[Array]:
 
 def tape_of(values: Any) -> Any:
     """Return the tape of the first array of the record among values, or None."""
+    for value in values:  # most often one of them
+        if isinstance(value, Array):
+            return value._tape
     return next((one._tape for one in arrays_in(values)), None)
 
 
