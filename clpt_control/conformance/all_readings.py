@@ -30,7 +30,7 @@ from ..equations.arrays import Unread
 from ..equations.at_many import leaf_values
 from ..equations.block import Block
 from ..equations.elements import Elements, Index
-from ..equations.record import Ref, Shape
+from ..equations.record import Shape
 from ..equations.symbolic import ON_NUMBERS, Symbols
 from ..errors import BlockError, DiagramError
 from ..native.machine import LANES
@@ -199,7 +199,6 @@ NAMES: dict[str, Callable[..., Any]] = {
     **ON_NUMBERS,
     **{f"{name}_": numbers.OPERATIONS[name] for name in PRECISE},
     **{name: numbers.OPERATIONS[name] for name in ("sin", "cos", "tan")},  # NaN beyond MOST_ANGLE
-    "picked": numbers.picked,
 }
 
 
@@ -246,18 +245,6 @@ class SymbolicFunction(Symbols):
         """Return what a helper computes."""
         return Elements.opaque(self, at, arguments, index)
 
-    def picked(self, ref: int, table: Ref, place: Any) -> Any:
-        """Return what stands in a row, which is one symbol where it is a parameter."""
-        kind, arguments, shape, at = self.operations[table]
-        view = None
-        if kind == "view":
-            view = at, numbers.bound(shape, self.sizes)
-            kind, arguments, shape, at = self.operations[arguments[0]]
-        if kind != "leaf" or at[0] != "p":
-            return super().picked(ref, table, place)
-        row = self._symbol("row", at[1], view)
-        return self._step(sympy.Function("picked", real=True)(row, place))
-
     def apply(self, ref: int, kind: str, arguments: tuple) -> Any:
         """Return what SymPy makes of an operation, as a symbol where it is long."""
         if kind in PRECISE:
@@ -275,15 +262,10 @@ class SymbolicFunction(Symbols):
 
     def __call__(self, leaf: Callable[[str, str], np.ndarray]) -> np.ndarray:
         """Return the value of each output; ``leaf("x", "alpha")`` is an array."""
-        values = []
-        for group, name, *more in self.leaves:
-            if group == "":
-                values.append(name)
-            elif group == "row":
-                row = leaf("p", name)
-                values.append(row if more[0] is None else numbers.viewed(row, *more[0]))
-            else:
-                values.append(np.asarray(leaf(group, name))[more[0]])
+        values = [
+            name if group == "" else np.asarray(leaf(group, name))[more[0]]
+            for group, name, *more in self.leaves
+        ]
         with np.errstate(all="ignore"):
             return np.array(
                 self._compiled(*(np.asarray(v, dtype=float)[()] for v in values)), dtype=float

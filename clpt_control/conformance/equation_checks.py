@@ -53,26 +53,12 @@ def roles(block: Block) -> list[str]:
     return ["output", *(role for role in ("update", "jump") if role in block._roles)]
 
 
-def called_roles(block: Block) -> list[str]:
-    """Return the roles that python-control calls."""
-    return [role for role in roles(block) if role != "jump"]
-
-
 def python_values(block: Block, role: str, sample: Sample) -> np.ndarray:
     """Return what Python computes for one sample, whose arguments are copied."""
     size = block.noutputs if role == "output" else block.nstates
-    return block.values(role, size, sample.t, sample.x.copy(), sample.u.copy(), copied(sample.p))
-
-
-def control_values(system: Any, role: str, sample: Sample) -> np.ndarray:
-    """Return what python-control gives when it calls a block or a diagram."""
-    call = system.output if role == "output" else system.dynamics
-    return call(sample.t, sample.x, sample.u)
-
-
-def copied(p: Any) -> Any:
-    """Return the same parameters with arrays of their own."""
-    return p._replace(**{f: v.copy() for f, v in p._asdict().items() if isinstance(v, np.ndarray)})
+    arrays = {f: v.copy() for f, v in sample.p._asdict().items() if isinstance(v, np.ndarray)}
+    p = sample.p._replace(**arrays)
+    return block.values(role, size, sample.t, sample.x.copy(), sample.u.copy(), p)
 
 
 def differ(a: np.ndarray, b: np.ndarray, tolerance: float = 1e-12) -> bool:
@@ -109,7 +95,7 @@ def _zero(block: Block, drawn: list[Sample]) -> Iterator[str]:
     """Equations are finite where states and inputs are zero."""
     x, u = np.zeros(block.nstates), np.zeros(block.ninputs)
     zero = Sample(0.0, x, u, block.parameters_at(0.0, block.parameters))
-    for role in called_roles(block):
+    for role in (role for role in roles(block) if role != "jump"):
         if not np.all(np.isfinite(python_values(block, role, zero))):
             yield (
                 f"{block.name}.{role} is not finite at zero states and inputs, with which "
@@ -120,30 +106,27 @@ def _zero(block: Block, drawn: list[Sample]) -> Iterator[str]:
 
 def _readings(block: Block, drawn: list[Sample]) -> Iterator[str]:
     """Every reading computes what Python computes."""
+    none = np.zeros(0)
     for name, reading in readings(block).items():
         for sample in drawn:
-            point = sample.t, sample.x, sample.u
-            ours = python_values(block, "output", sample)
-            rates = np.zeros(0)
-            if block.update_function is not None:
-                rates = python_values(block, "update", sample)
+            point, has = (sample.t, sample.x, sample.u), roles(block)
+            asked = [role for role in ("update", "output") if role in has]
+            ours: dict[str, Any] = {role: python_values(block, role, sample) for role in asked}
             try:
-                theirs = reading(*point)
+                theirs: dict[str, Any] = dict(
+                    zip(("update", "output"), reading(*point), strict=True)
+                )
+                if "jump" in has and name != "control":
+                    ours["jump"] = python_values(block, "jump", sample)
+                    theirs["jump"] = reading.jump(*point)
             except ClptError as error:
                 yield f"{block.name}: the reading '{name}' refuses: {error}"
                 break
-            if block.jump_function is not None and name != "control":
-                after = python_values(block, "jump", sample)
-                if differ(after, read := reading.jump(*point)):
-                    yield (
-                        f"{block.name}: Python jumps to {after}, the reading '{name}' to {read} "
-                        f"at {sample}"
-                    )
-                    break
-            if differ(rates, theirs[0]) or differ(ours, theirs[1]):
+            off = [role for role in theirs if differ(ours.get(role, none), theirs[role])]
+            if off:
                 yield (
-                    f"{block.name}: Python gives {rates} and {ours}, the reading '{name}' "
-                    f"{theirs[0]} and {theirs[1]} at {sample}"
+                    f"{block.name}.{off[0]}: Python gives {ours.get(off[0], none)}, the reading "
+                    f"'{name}' {theirs[off[0]]} at {sample}"
                 )
                 break
 

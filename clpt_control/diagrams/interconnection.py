@@ -110,8 +110,7 @@ def changed_parameters(blocks: Iterable[tuple[str, Any]], params: Params) -> lis
         keys = {space + field: field for space in paths_to(name) for field in fields}
         if isinstance(inner := getattr(system, "inner", None), System):  # which is sampled
             for_it = ["", *spaces_of(name)]
-            numbers = inner.number_names.items()
-            keys = {space + key: field for space in for_it for key, field in numbers} | keys
+            keys = {space + key: key for space in for_it for key in inner.number_names} | keys
         changes = {keys[key]: params[key] for key in keys if key in params}  # the longest counts
         found.append(system.with_values(changes))
         known |= set(keys)

@@ -273,7 +273,6 @@ def _fields_by_name(wiring: Wiring) -> dict[str, list[tuple[int, str]]]:
         own: Mapping[str, str] = {name: name for name in block.parameters._fields}
         inner = getattr(block, "inner", block)  # of one that is sampled
         if isinstance(inner, System):
-            own = inner.number_names
             above = ["", *spaces_around(node.name)]
             asked = {name: f for name, f in own.items() if inner.reads(name)}
         else:

@@ -1,22 +1,30 @@
-"""Arguments of a function while it is read: arrays without values, and answers to its questions.
+"""Arguments of a function while it is read, answers to its questions, and ways through it.
 
-Each way through a function is a row of answers; what depends on parameters alone has a value.
+Each way through a function is a row of answers; what depends on parameters alone has a value.  What
+ways give is joined by the questions.  A helper that is given numbers, and reaches nothing that can
+change, is joined where it is called:
+
+    limited(u) = where(u > 1, 1, where(u < -1, -1, u))
+
+so eight thrusters with three ways each are 24 ways, and not 3^8.
 """
 
+import functools
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from math import prod
 from traceback import walk_tb
-from types import FrameType
-from typing import Any, NoReturn
+from types import FrameType, FunctionType, NoneType
+from typing import Any
 
 import numpy as np
 
-from .arrays import Array, Tape, Unread
-from .copies import LIBRARIES
+from .arrays import Array, Tape, Unread, active, key_of, operand
+from .elementwise import chosen
 from .record import Ref, Shape, compact, reached
 from .stand_ins import BUILTINS
 
+LIBRARIES = ("numpy", "scipy", "matplotlib")  # run as they are
 MOST_QUESTIONS = 64  # on one way
 MOST_PLACES = 64  # which whole numbers a signal is asked for
 SIDES = {"gt": (1, True), "ge": (1, False), "lt": (-1, True), "le": (-1, False)}  # above, open
@@ -28,10 +36,6 @@ class Borrowed(Exception):
     def __init__(self, space: dict[str, Any]):
         super().__init__(space.get("__name__", ""))
         self.space = space
-
-
-class Holding(Exception):
-    """What objects and lists hold must have stand-ins: they ask for a number."""
 
 
 class Outside(Exception):
@@ -70,12 +74,9 @@ class Params(dict):
 class AnsweringTape(Tape):
     """A tape that answers questions as this way through the function takes them."""
 
-    def __init__(
-        self, parameters: Mapping[str, Any], spaces: list[dict[str, Any]], holding: bool
-    ) -> None:
+    def __init__(self, parameters: Mapping[str, Any], spaces: list[dict[str, Any]]) -> None:
         super().__init__()
         self.parameters, self.spaces = parameters, spaces
-        self.holding = holding  # whether what objects and lists hold has stand-ins
         self.pinned: set[str] = set()  # parameters whose value Python asked for
         self.way: list[bool] = []
         self.answers: dict[int, bool] = {}
@@ -91,7 +92,7 @@ class AnsweringTape(Tape):
                 return known
             k = len(self.answers)
             if k >= MOST_QUESTIONS:
-                self.refuse(
+                raise Unread(
                     f"asks more than {MOST_QUESTIONS} questions that depend on signals; write "
                     "np.where, and no `while` on a signal"
                 )
@@ -128,26 +129,14 @@ class AnsweringTape(Tape):
         frame, word = _asking_frame()
         space, library = frame.f_globals, _module(frame).partition(".")[0]
         if library in LIBRARIES:
-            self.refuse(
-                f"{library} ({frame.f_code.co_name}, line {frame.f_lineno}) asks for the value of "
-                "a signal; write what it computes in NumPy"
-            )
-        if space.get("__builtins__") is BUILTINS or any(space is one for one in self.spaces):
-            self.refuse(
-                f"NumPy's {word} asks for the value of a signal; write "
-                + ("np.array, and @ for *" if "matrix" in word else "what it computes")
-                if word
-                else "needs the value of a signal; write NumPy, and fill arrays where they are made"
-            )
-        self.stopped = Borrowed(space)
-        raise self.stopped
-
-    def refuse(self, sentence: str) -> NoReturn:
-        """Refuse to answer; before, try what stand-ins in objects and lists make of it."""
-        if self.holding:
-            raise Unread(sentence)
-        self.stopped = Holding(sentence)
-        raise self.stopped
+            word = f"{library} ({frame.f_code.co_name}, line {frame.f_lineno})"
+        elif space.get("__builtins__") is not BUILTINS and all(s is not space for s in self.spaces):
+            self.stopped = Borrowed(space)
+            raise self.stopped
+        raise Unread(
+            f"{word or 'Python'} asks for the value of a signal; write what it computes in NumPy, "
+            "and fill arrays where they are made"
+        )
 
     def known(self, ref: Ref) -> np.ndarray:
         """Return the value of what depends on parameters alone, which are then pinned."""
@@ -176,7 +165,7 @@ class AnsweringTape(Tape):
         count = self.rows.get(ref, MOST_PLACES)
         for k in (*range(count + 1), *range(-1, -count - 1, -1)):
             if k == MOST_PLACES:
-                self.refuse(
+                raise Unread(
                     "counts with a signal; let a number of the run choose by np.where or lookup"
                 )
             self.last_asked = ref, k
@@ -196,7 +185,7 @@ def _asking_frame() -> tuple[FrameType, str]:
     frame, word = sys._getframe(2), ""
     while frame.f_back is not None and _is_own(frame):
         if not _module(frame).startswith(__package__):
-            word = frame.f_code.co_qualname.removesuffix(".__new__")
+            word = "NumPy's " + frame.f_code.co_qualname.removesuffix(".__new__")
         frame = frame.f_back
     return frame, word
 
@@ -258,3 +247,101 @@ class Ports(Array):
 def _rows(array: Any) -> list[Array]:
     """Return the rows of an array of any number of axes."""
     return [array] if array.ndim == 1 else [row for part in array for row in _rows(part)]
+
+
+# --- ways -------------------------------------------------------------------------------------
+
+MOST_OF_HELPER, MOST_RUNS = 32, 10_000
+NUMBERS = (int, float, np.float64)
+PLAIN = (*NUMBERS, bool, str, NoneType)
+
+
+def each_way(tape: Any) -> Iterator[None]:
+    """Yield once for each way through what runs then, with the answers of this way."""
+    before = dict(tape.answers)
+    tape.way = [*before.values()]
+    while True:
+        tape.answers = dict(before)
+        yield
+        tape.runs += 1
+        if tape.runs > MOST_RUNS:
+            raise Unread(f"has helpers in helpers, of more than {MOST_RUNS} ways")
+        way = [*tape.answers.values()]
+        while len(way) > len(before) and not way[-1]:
+            way.pop()
+        if len(way) == len(before):
+            return
+        tape.way = [*way[:-1], False]
+
+
+def merged(
+    tape: Tape, ways: list[tuple[dict[int, bool], list[Any]]], choose: Callable, depth: int = 0
+) -> list[Any]:
+    """Join what ways return by the questions, from the one at `depth` on, that tell them apart."""
+    if len(ways) == 1:
+        return ways[0][1]
+    question = list(ways[0][0])[depth]
+    yes, no = ([way for way in ways if way[0].get(question) is one] for one in (True, False))
+    if not yes or not no or len(yes) + len(no) < len(ways):
+        raise Unread("asks otherwise from call to call; make what it keeps a state")
+    condition = Array(tape, question, ())
+    sides = (merged(tape, some, choose, depth + 1) for some in (yes, no))
+    return [
+        a if key_of(operand(a)) == key_of(operand(b)) else choose(condition, a, b)
+        for a, b in zip(*sides, strict=True)
+    ]
+
+
+def joined(function: FunctionType) -> Callable:
+    """Return a helper whose ways are joined where it is called, if they give numbers."""
+
+    @functools.wraps(function)
+    def helper(*arguments: Any, **more: Any) -> Any:
+        tape: Any = active()
+        if tape is None or not all(map(_is_plain, (*arguments, *more.values()))):
+            return function(*arguments, **more)
+        before, ways = (tape.answers, tape.way), list[tuple[dict[int, bool], Any]]()
+        texts = tape.texts
+        try:
+            for _ in each_way(tape):
+                result = function(*arguments, **more)
+                ways.append((tape.answers, result))
+                if len(ways) > MOST_OF_HELPER:
+                    break
+            else:
+                if len(ways) == 1:
+                    return result
+                several = type(result) is tuple
+                rows = [(own, [*one] if several else [one]) for own, one in ways]
+                if _are_numbers([row for _, row in rows]):
+                    parts = merged(tape, rows, chosen, len(before[0]))
+                    return tuple(parts) if several else parts[0]
+        except Exception:
+            if tape.stopped is not None:
+                raise
+        finally:
+            tape.answers, tape.way = before
+        tape.texts = texts
+        return function(*arguments, **more)  # its ways are those of the function that calls it
+
+    return helper
+
+
+def _are_numbers(rows: list[list[Any]]) -> bool:
+    """Return whether ways give numbers; whole ones alone may be places, of which one counts."""
+    if len({len(row) for row in rows}) > 1:
+        return False
+    return all(
+        all(map(_is_number, own)) and not all(type(one) is int for one in own)
+        for own in zip(*rows, strict=True)
+    )
+
+
+def _is_number(value: Any) -> bool:
+    if isinstance(value, Array):
+        return not (value.shape or value._boxed or value._is_condition)
+    return type(value) in NUMBERS
+
+
+def _is_plain(value: Any) -> bool:
+    return type(value) in PLAIN or _is_number(value)

@@ -31,14 +31,10 @@ HOOKS: dict[str, Any] = {}
 class Unread(Exception):
     """Why a function cannot be read: what it does, and what to write instead."""
 
-    def __init__(self, sentence: str):
+    def __init__(self, sentence: str, stops: bool = True):
         super().__init__(sentence)
-        if (tape := active()) is not None:
+        if stops and (tape := active()) is not None:
             tape.stopped = self  # a function may catch it
-
-
-class Joined(Exception):
-    """Whether a number that was chosen is whole hangs on the way, and is asked."""
 
 
 _ACTIVE = local()
@@ -66,9 +62,8 @@ class Tape:
         self.operations: list[Operation] = []
         self.stopped: Exception | None = None  # what ends the reading
         self.parameters: Mapping[str, Any] = {}  # as they were given
-        self.joins = True  # whether what Python chooses is one number, not one of each way
         self.runs = 0  # ways through a function and its helpers
-        self.has_floats = False  # whether some signals are Python's floats, not NumPy's
+        self.texts: Unread | None = None  # what to say where a text of a signal was made
         self.free: list[bool] = []  # of each: whether it depends on time, states or inputs
         self.truth: list[bool] = []  # of each: whether it holds truth values
         self.trees: list[int] = []  # of each, once asked for: how it is made
@@ -131,9 +126,10 @@ class Array(NDArrayOperatorsMixin):
         self._tape, self._node, self._shape = tape, node, shape
         self._fixed = False  # whether nothing may be written into it
         self._boxed = False  # whether, without axes, it is NumPy's array and no number
-        # whether what is written into it is cut to a whole number; None: as a way chooses
-        self._whole: bool | None = False
-        self._of_python = False  # whether it is surely one of Python's numbers, not of NumPy's
+        # whether what is written into it is cut to a whole number, and whether it is one of
+        # Python's numbers, not of NumPy's: truths, or conditions where that hangs on a choice
+        self._whole: Any = False
+        self._of_python: Any = False
         self._parent: Array | None = parent
         self._select = select  # takes this part of the parent's elements
         self._store: np.ndarray | None = None  # its elements, once one was written
@@ -191,13 +187,6 @@ class Array(NDArrayOperatorsMixin):
     def _is_condition(self) -> bool:
         """Whether it holds truth values."""
         return self._store is None and self._tape.truth[self._node]
-
-    def _decided(self) -> "Array":
-        """Return itself; read anew, way by way, where it hangs on the way whether it is whole."""
-        if self._whole is None:
-            self._tape.stopped = Joined()
-            raise self._tape.stopped
-        return self
 
     def _counted(self) -> tuple[int, ...]:
         """Return the shape in whole numbers; refuse an open size."""
@@ -286,9 +275,12 @@ class Array(NDArrayOperatorsMixin):
         return self._tape.whole(self)
 
     def __format__(self, spec: str) -> str:
-        ref = self._decided()._ref
+        ref = self._ref
         value = ref if type(ref) is float else self._tape.parameter(ref)
-        return repr(self) if value is None else format(value, spec)
+        if value is not None:
+            return format(value, spec)
+        self._tape.texts = Unread("makes a text of a signal", stops=False)  # of an error, it may
+        return repr(self)
 
     def __str__(self) -> str:
         return format(self, "")
@@ -301,7 +293,7 @@ class Array(NDArrayOperatorsMixin):
         return hash(self._tape.numbers(self._ref).item())
 
     def __round__(self, digits: Any = None) -> Any:
-        if digits and not is_of_numpy(self):
+        if digits and self._of_python is not False:
             raise Unread("rounds to digits, which Python does otherwise than np.round")
         if digits is not None:
             return np.round(self, digits)
@@ -317,11 +309,6 @@ def moves(value: Any) -> bool:
     """Return whether a value depends on time, states or inputs."""
     ref = value._ref if isinstance(value, Array) else 0.0
     return type(ref) is int and value._tape.free[ref]
-
-
-def is_of_numpy(number: Array) -> bool:
-    """Return whether a number is surely one of NumPy's, not of Python's."""
-    return moves(number) and not number._tape.has_floats
 
 
 def numbers_of(array: Array) -> np.ndarray | None:

@@ -24,9 +24,7 @@ from .declaration import (
     Each,
     Equations,
     Guard,
-    block_html,
     block_line,
-    check_guard,
     check_names,
     check_units,
     checked_parameters,
@@ -135,31 +133,38 @@ class Block(ReadBlock):
             "states": shapes_of(states),
         }
         check_names(name, *declared.values())
-        for port in (*declared["inputs"], *declared["states"]):
-            if hasattr(np.ndarray, port):
-                raise BlockError(
-                    f"{name}: the port '{port}' has a name that all arrays of NumPy have, so that "
-                    f"u.{port} would be another thing; call it otherwise"
-                )
-        if output is None and not states:
-            raise BlockError(f"{name}: a block without states needs `output`")
-        if (update is None) != (not states):
-            raise BlockError(f"{name}: `update` and `states` belong together; give both or none")
-        if output is None and outputs is not None and shapes_of(outputs) != declared["states"]:
-            raise BlockError(f"{name}: without `output` the outputs are the states; leave them out")
-        if jump is not None and (breakpoints is None or not states):
-            raise BlockError(
-                f"{name}: a jump sets states at the block's own breakpoints; give `breakpoints` "
-                "and `states` with it, or leave `jump` out"
-            )
-        if not 0 <= dt < np.inf:
-            raise BlockError(f"{name}: dt = {dt}: must be a time, or 0 in continuous time")
-        if dt and (breakpoints is not None or guard is not None):
-            raise BlockError(
-                f"{name}: a block of discrete time has no breakpoints and no guard; leave them out"
-            )
-        check_guard(name, guard)
         check_units(name, units or {}, *declared.values())
+
+        def refuse(so: Any, sentence: str) -> None:
+            if so:
+                raise BlockError(f"{name}: {sentence}")
+
+        for port in (*declared["inputs"], *declared["states"]):
+            refuse(
+                hasattr(np.ndarray, port),
+                f"the port '{port}' has a name that all arrays of NumPy have, so that u.{port} "
+                "would be another thing; call it otherwise",
+            )
+        own = output is None and outputs is not None
+        refuse(output is None and not states, "a block without states needs `output`")
+        refuse((update is None) != (not states), "`update` and `states` belong together")
+        refuse(
+            own and shapes_of(outputs) != declared["states"],
+            "without `output` the outputs are the states; leave them out",
+        )
+        refuse(
+            jump is not None and (breakpoints is None or not states),
+            "a jump sets states at the block's own breakpoints; give `breakpoints` and `states`",
+        )
+        refuse(not 0 <= dt < np.inf, f"dt = {dt}: must be a time, or 0 in continuous time")
+        refuse(
+            dt and (breakpoints is not None or guard is not None),
+            "a block of discrete time has no breakpoints and no guard; leave them out",
+        )
+        refuse(
+            guard is not None and guard.policy not in ("raise", "stop"),
+            f'a guard\'s policy {guard and guard.policy!r} must be "raise" or "stop"',
+        )
         self.update_function, self.output_function, self.jump_function = update, output, jump
         self.opaque, self.breakpoints_function, self.guard = opaque, breakpoints, guard
         self.name, self.units = name, dict(units or {})
@@ -168,10 +173,10 @@ class Block(ReadBlock):
         self._inner = {}
         self._sizes = dict(sizes or {})
         self.parameters = parameters
-        if breakpoints is not None and "interval" not in self.parameters._fields:
-            raise BlockError(
-                f"{name}: a block with breakpoints needs a parameter `interval = -1.0`"
-            )
+        refuse(
+            breakpoints is not None and "interval" not in self.parameters._fields,
+            "a block with breakpoints needs a parameter `interval = -1.0`",
+        )
         super().__init__(
             self.dynamics,
             self.output,
@@ -205,11 +210,10 @@ class Block(ReadBlock):
     def __repr__(self) -> str:
         return block_line(self)
 
-    def _repr_html_(self) -> str:
-        return block_html(self)
+    def _repr_html_(self) -> None:
+        """Return nothing, and no python-control's text either: a line says it."""
 
-    def _repr_markdown_(self) -> None:
-        """Return nothing: python-control's text would say the same again."""
+    _repr_markdown_ = _repr_html_
 
     def __getstate__(self) -> dict[str, Any]:
         left_out = (*READ, "_call_of_thread")

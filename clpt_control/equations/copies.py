@@ -1,16 +1,15 @@
 """Copies of functions, whose modules and built-in names are stand-ins.
 
 A function runs as it is written; only what its names stand for is replaced, in a copy of it and
-of the functions that it calls by name.  A helper that is reached through an object runs with its
-own names; where it asks for the number of a signal, `Borrowed` puts stand-ins into its module for
-the length of a reading, under a lock, and then puts the module's own names back.  Where an object
-or a list of numbers asks (``self.table[int(t)]``), `Holding` does so with what these hold.
+of the functions that it calls by name, and what the objects hold that it reaches (``self.table``):
+for the length of a way through it, under a lock.  A helper that is reached through an object runs
+with its own names; where it asks for the number of a signal, `Borrowed` puts stand-ins into its
+module too.
 """
 
 import functools
 from collections.abc import Iterator
-from contextlib import contextmanager
-from copy import copy
+from contextlib import contextmanager, nullcontext
 from io import IOBase
 from operator import is_
 from types import CellType, FunctionType, MethodType
@@ -18,31 +17,30 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import Array, Tape, Unread
-from .elementwise import Numbers, Row, is_row
-from .kept import LOCK, Snapshot, same
+from .answers import LIBRARIES, joined
+from .arrays import Tape, Unread
+from .elementwise import Row, boxed, constant, is_row
+from .kept import GONE, LOCK, Snapshot, same
 from .lookup_tables import is_table
-from .stand_ins import BUILTINS, SHADOWS, stand_in, vectorized
-from .unchanged import names_in, texts_in
-from .views import fresh
-from .ways import is_plain, joined
+from .record import MOST_NUMBERS
+from .stand_ins import BUILTINS, SHADOWS, stand_in
+from .unchanged import is_plain, names_in, texts_in
 
-LIBRARIES = ("numpy", "scipy", "matplotlib")  # run as they are
 # modules that read
 READERS = tuple(f"{__package__}.{name}" for name in ("arrays", "elementwise", "record", "views"))
-_NONE = object()
 OF_WARNINGS = "__warningregistry__"  # which Python puts into the module that it warns of
 
 
 class Copies:
     """The copies of one reading; `check` refuses a function that changed a name outside it."""
 
-    def __init__(self, tape: Tape, snapshot: Snapshot, holding: bool) -> None:
-        self.tape, self.snapshot, self.holding = tape, snapshot, holding
+    def __init__(self, tape: Tape, snapshot: Snapshot) -> None:
+        self.tape, self.snapshot = tape, snapshot
         self._known: dict[int, tuple[Any, Any]] = {}  # a value, alive, and what stands for it
-        self._spaces: dict[int, tuple[dict, dict]] = {}  # names of a module: copied, as they began
-        self._cells: list[tuple[CellType, Any, str]] = []
-        self._containers: list[tuple[Any, Any]] = []  # copied, as they began
+        self._spaces: dict[int, dict[str, Any]] = {}  # the copied names of each module
+        self._changes: dict[int, list[tuple[dict, str, Any, Any]]] = {}  # of modules and objects
+        # names of modules, containers and cells, copied: as they began, and in words
+        self._copied: dict[int, tuple[Any, Any, str]] = {}
         self.texts: set[Any] = set()  # in the functions, which may be names of params
 
     def of(self, value: Any) -> Any:
@@ -58,10 +56,8 @@ class Copies:
     def _stand_in_of(self, value: Any) -> Any:
         if isinstance(value, FunctionType):
             return self._function(value)
-        if type(value) is np.ndarray and value.dtype == float and value.size:
+        if type(value) is np.ndarray and value.dtype in (float, int) and value.size:
             return self._numbers(value)
-        if self.holding and type(value) is np.ndarray and value.dtype == int:
-            return value.view(Numbers)
         if is_table(value):
             return stand_in(value)
         if isinstance(value, Iterator) and not isinstance(value, IOBase):
@@ -79,10 +75,8 @@ class Copies:
         if isinstance(value, functools._lru_cache_wrapper) or hasattr(value, "py_func"):
             return self.of(getattr(value, "py_func", None) or value.__wrapped__)
         if isinstance(value, np.vectorize):
-            alike = copy(value)
-            alike.pyfunc = self.of(value.pyfunc)
-            return vectorized(alike)
-        if self.holding and is_row(value):
+            raise Unread("calls np.vectorize; write a loop")
+        if is_row(value):
             return self._watched(Row(value))
         kind = type(value)
         make = tuple if kind is tuple else getattr(kind, "_make", None)  # of a NamedTuple
@@ -97,24 +91,35 @@ class Copies:
             return value if all(map(is_, items.values(), value.values())) else self._watched(items)
         return stand_in(value)
 
-    def held(self, attributes: dict[str, Any]) -> dict[str, Any]:
-        """Return what stands for what an object holds: tables, numbers and what they lie in."""
-        return {
-            name: self.of(value)
-            for name, value in attributes.items()
-            if type(value) in (np.ndarray, list, tuple, dict) or is_table(value)
-        }
+    def changes(self, space: dict[str, Any], in_module: bool) -> list[tuple[dict, str, Any, Any]]:
+        """Return what stands for names of a module, or for tables and numbers that an object holds.
+
+        Each with the names, its own, what has it, and what takes its place.
+        """
+        if id(space) not in self._changes:
+            if in_module:
+                found = SHADOWS | {k: stand_in(v) for k, v in space.items() if k[:2] != "__"}
+            else:
+                held = (np.ndarray, list, tuple, dict)
+                found = {k: self.of(v) for k, v in space.items() if type(v) in held or is_table(v)}
+            pairs = [(space, name, space.get(name, GONE), new) for name, new in found.items()]
+            self._changes[id(space)] = [one for one in pairs if one[2] is not one[3]]
+        return self._changes[id(space)]
 
     def _watched(self, container: Any) -> Any:
         """Return a list or dict that `check` compares with what it holds now."""
-        self._containers.append((container, container.copy()))
-        return container
+        return self._copy(container, "an item of a dict" if type(container) is dict else "a list")
+
+    def _copy(self, copied: Any, words: str) -> Any:
+        self._copied[id(copied)] = copied, copied.copy(), words
+        return copied
 
     def _numbers(self, value: np.ndarray) -> Any:
         """Return numbers as an array of the record, which takes signals where NumPy's does not."""
-        numbers = fresh(self.tape, value)
-        if isinstance(numbers, Array):
-            numbers._fixed = True
+        if value.size >= MOST_NUMBERS:
+            return value
+        numbers = constant(self.tape, value) if value.ndim else boxed(self.tape, float(value))
+        numbers._fixed, numbers._whole = True, value.dtype == int
         return numbers
 
     def _function(self, function: FunctionType) -> Any:
@@ -130,7 +135,7 @@ class Copies:
         self._known[id(function)] = function, copy
         attributes = {name: v for name, v in vars(function).items() if not name.startswith("__")}
         vars(copy).update({name: self.of(value) for name, value in attributes.items()})
-        self._spaces[id(copy)] = vars(copy), dict(vars(copy))
+        self._copy(vars(copy), "an attribute")
         copy.__defaults__ = function.__defaults__ and tuple(map(self.of, function.__defaults__))
         if function.__kwdefaults__:
             copy.__kwdefaults__ = {k: self.of(v) for k, v in function.__kwdefaults__.items()}
@@ -138,7 +143,8 @@ class Copies:
         for cell, old, name in zip(cells, function.__closure__ or (), names, strict=True):
             try:
                 cell.cell_contents = self.of(old.cell_contents)
-                self._cells.append((cell, cell.cell_contents, name))
+                words = f"{name!r} of the function around it"
+                self._copied[id(cell)] = cell, [cell.cell_contents], words
             except ValueError:  # not bound yet
                 continue
         for name in names_in(function.__code__):
@@ -147,60 +153,41 @@ class Copies:
         return joined(copy) if is_plain(function) else copy
 
     def _space(self, names: dict[str, Any]) -> tuple[dict, dict]:
+        """Return the copied names of a module, and these as they began."""
         if id(names) not in self._spaces:
-            copied = {**names, "__builtins__": BUILTINS}
-            self._spaces[id(names)] = copied, dict(copied)
-        return self._spaces[id(names)]
+            own = {OF_WARNINGS: {}} | names | {"__builtins__": BUILTINS}
+            self._spaces[id(names)] = self._copy(own, "the global")
+        copied = self._spaces[id(names)]
+        return copied, self._copied[id(copied)][1]
 
-    def check(self) -> None:
-        """Refuse a function that changed a name outside it: what it keeps is a state."""
-        for space, first in self._spaces.values():
-            if len(space) == len(first) and all(map(is_, space.values(), first.values())):
+    def check(self, name: str) -> None:
+        """Refuse a function that changed what it does not make: what it keeps is a state."""
+        for thing, before, words in self._copied.values():
+            now = [thing.cell_contents] if isinstance(thing, CellType) else thing
+            if same(now, before):
                 continue
-            for name, value in space.items():
-                if value is not first.get(name, _NONE) and name != OF_WARNINGS:
-                    raise Unread(f"changes the global {name!r}; make it a state, or a parameter")
-        for now, before in self._containers:
-            if not same(now, before):
-                kind = "dict" if isinstance(now, dict) else "list"
-                raise Unread(f"changes a {kind} that it does not make; make it a state")
-        for cell, first, name in self._cells:
-            if cell.cell_contents is not first:
-                raise Unread(f"changes {name!r} of the function around it; make it a state")
-
-
-def of_module(space: dict[str, Any]) -> dict[str, Any]:
-    """Return what stands for the names of a module."""
-    found = SHADOWS | {name: stand_in(value) for name, value in space.items()}
-    return {
-        name: new
-        for name, new in found.items()
-        if new is not space.get(name, _NONE) and not name.startswith("__")
-    }
+            if isinstance(now, dict):
+                names = [k for k, one in now.items() if one is not before.get(k, GONE)]
+                words = f"{words} {[*names, 'that is gone'][0]!r}"
+            raise Unread(f"{name} changes {words}; make it a state, or a parameter")
 
 
 @contextmanager
 def borrowed(spaces: list[dict[str, Any]], copies: Copies) -> Iterator[None]:
     """Put stand-ins into modules and objects for as long as a function is read."""
-    objects = [*copies.snapshot.attributes.values()] if copies.holding else []
-    if not spaces and not objects:
-        yield
-        return
-    with LOCK:
-        undo: list[tuple[dict, str, Any, Any]] = []
+    borrowing = {id(one): (one, False) for one in copies.snapshot.attributes.values()}
+    borrowing |= {id(one): (one, True) for one in spaces}
+    changes = [one for of in borrowing.values() for one in copies.changes(*of)]
+    with LOCK if changes else nullcontext():
         try:
-            for space in [*spaces, *objects]:
-                in_module = any(space is one for one in spaces)
-                stand_ins = of_module(space) if in_module else copies.held(space)
-                for name, new in stand_ins.items():
-                    undo.append((space, name, space.get(name, _NONE), new))
-                    space[name] = new
+            for space, name, _, new in changes:
+                space[name] = new
             yield
         finally:
-            for space, name, value, new in reversed(undo):
+            for space, name, value, new in changes:
                 if space.get(name) is not new:  # the function changed it
                     continue
-                if value is _NONE:
+                if value is GONE:
                     del space[name]
                 else:
                     space[name] = value

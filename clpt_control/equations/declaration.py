@@ -19,7 +19,6 @@ import numpy as np
 
 from ..arguments import brief, public
 from ..errors import BlockError
-from ..html import facts, fragment, shortened
 
 UNIT = re.compile(r"([A-Za-z_]+)(?:\^|\*\*)?(-?\d+)?")  # and its power
 MOST_JUMPS = 2 * 10**7  # times of jumps that are listed
@@ -61,12 +60,6 @@ class Guard(NamedTuple):
         """Return the sentence, with the advice where a run fails."""
         advised = self.policy == "raise" and self.advice
         return self.sentence(t, u, p) + (f"; {self.advice}" if advised else "")
-
-
-def check_guard(name: str, guard: Guard | None) -> None:
-    """Refuse a policy other than "raise" and "stop"."""
-    if guard is not None and guard.policy not in ("raise", "stop"):
-        raise BlockError(f'{name}: a guard\'s policy {guard.policy!r} must be "raise" or "stop"')
 
 
 def check_names(name: str, *ports: Mapping[str, Any]) -> None:
@@ -232,30 +225,25 @@ def checked_parameters(name: str, parameters: Any, like: Any = None) -> Paramete
     for field, value in named_values(name, parameters).items():
         if not isinstance(field, str) or not field.isidentifier() or field in TAKEN:
             raise BlockError(f"{name}: the parameter name {field!r} must be a Python name")
-        old = getattr(like, field) if like is not None else value
+        old = value if like is None else getattr(like, field)
         try:
-            shape = np.shape(old)
-        except ValueError:
-            raise BlockError(f"{name}.{field}: its rows differ in length; give an array") from None
-        try:
-            if isinstance(old, int | np.integer) and not isinstance(old, bool):
-                values[field] = int(value) if int(value) == value else None
-            elif not shape:
-                values[field] = np.float64(value)
-            else:
-                values[field] = np.array(value, dtype=float)
-                values[field].flags.writeable = False  # equations have no side effects
+            whole, shape = isinstance(old, int | np.integer), np.shape(old)
+            new: Any = np.array(value, dtype=float) if shape else np.float64(value)
+            if whole and not isinstance(old, bool):
+                new = int(value) if int(value) == value else np.nan
         except (TypeError, ValueError, OverflowError):
-            values[field] = None
-        if values[field] is None or np.shape(values[field]) != shape:
-            kind = f"an array of shape {shape}" if shape else type(old).__name__
-            raise BlockError(f"{name}.{field} = {value!r}: must be {kind}")
-        if not isinstance(values[field], int) and np.any(np.isnan(values[field])):
-            raise BlockError(f"{name}.{field} = {value!r}: NaN is not allowed")
+            shape, new = (), np.nan
+        if np.shape(new) != shape or np.any(np.not_equal(new, new)):
+            kind = "a whole number" if whole else "a number"
+            kind = f"an array of shape {shape}" if shape else kind
+            raise BlockError(f"{name}.{field} = {value!r}: must be {kind}, without NaN")
+        if shape:
+            new.flags.writeable = False  # equations have no side effects
+        values[field] = new
     return Parameters(**values)
 
 
-# --- in a line, and in a notebook --------------------------------------------------------------
+# --- in a line ---------------------------------------------------------------------------------
 
 
 MOST = 8  # ports of a line
@@ -284,26 +272,3 @@ def docs_of(block: Any) -> list[str]:
     block = getattr(block, "inner", block)
     own = (getattr(block, f"{role}_function", None) for role in ("update", "output", "jump"))
     return [f.__doc__ for f in (getattr(f, "func", f) for f in own) if f and f.__doc__]
-
-
-def block_html(block: Any) -> str:
-    """Return a block as a table."""
-    rows = [
-        ("equations", " ".join("".join(docs_of(block)[:1]).split("\n\n")[0].split())),
-        ("inputs", ports_line(block.input_ports)),
-        ("outputs", ports_line(block.output_ports)),
-        ("states", ports_line(block.state_ports)),
-    ]
-    values = block.parameters._asdict().items()
-    rows += [(f"{block.name}.{name}", _value(value)) for name, value in values]
-    return fragment("Block", block.name, facts(rows))
-
-
-def _value(value: Any) -> str:
-    """Return a parameter: a number, or the first numbers of an array and its shape."""
-    whole = np.asarray(value)
-    if whole.ndim == 0:
-        return f"{value:g}" if isinstance(value, float) else str(value)
-    first = ", ".join(f"{number:g}" for number in whole.ravel()[:12])
-    dots = ", ..." if whole.size > 12 else ""
-    return shortened(f"[{first}{dots}], shape {whole.shape}")

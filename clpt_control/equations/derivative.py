@@ -8,8 +8,10 @@ the slope of one side.  What jumps (`where`, floor, sign, a place in a table) ha
 on each side, and none across: a direction that reaches its condition is refused if `smooth`.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from functools import reduce
 from math import pi, sqrt
+from operator import add
 from typing import Any
 
 import numpy as np
@@ -23,7 +25,7 @@ STEPS = COMPARISONS | JUMPS
 Slope = Callable[..., Any]
 
 # of one argument: d f(a)/da, given a and f(a)
-SLOPES: dict[str, Slope] = {
+OF_ONE: dict[str, Slope] = {
     "neg": lambda a, f: -1.0,
     "fabs": lambda a, f: np.where(a < 0.0, -1.0, 1.0),
     "exp": lambda a, f: f,
@@ -48,38 +50,23 @@ SLOPES: dict[str, Slope] = {
     "erf": lambda a, f: 2.0 / sqrt(pi) * np.exp(-a * a),
     "erfc": lambda a, f: -2.0 / sqrt(pi) * np.exp(-a * a),
 }
-# of two: the derivative, given a, b, f(a, b), a' and b'; None for what does not change
-PAIRS: dict[str, Slope] = {
-    "add": lambda a, b, f, da, db: _sum(da, db),
-    "sub": lambda a, b, f, da, db: _sum(da, None if db is None else -db),
-    "mul": lambda a, b, f, da, db: _sum(_times(da, b), _times(db, a)),
-    "div": lambda a, b, f, da, db: _sum(
-        _over(da, b), _times(db, -1.0 * f / b) if db is not None else None
-    ),
-    "pow": lambda a, b, f, da, db: _sum(
-        None if da is None else da * (b * a ** (b - 1.0)),
-        None if db is None else db * (f * np.log(a)),
-    ),
-    "hypot": lambda a, b, f, da, db: _over(_sum(_times(da, a), _times(db, b)), f),
-    "atan2": lambda a, b, f, da, db: _over(
-        _sum(_times(da, b), None if db is None else -(db * a)), a * a + b * b
-    ),
-    "mod": lambda a, b, f, da, db: _sum(da, None if db is None else -(db * np.floor(a / b))),
-    "minimum": lambda a, b, f, da, db: _chosen(a <= b, da, db),
-    "maximum": lambda a, b, f, da, db: _chosen(a >= b, da, db),
+# of each argument: a slope, given the arguments and f
+SLOPES: dict[str, Sequence[Slope]] = {
+    **{kind: [slope] for kind, slope in OF_ONE.items()},
+    "add": [lambda a, b, f: 1.0, lambda a, b, f: 1.0],
+    "sub": [lambda a, b, f: 1.0, lambda a, b, f: -1.0],
+    "mul": [lambda a, b, f: b, lambda a, b, f: a],
+    "div": [lambda a, b, f: 1.0 / b, lambda a, b, f: -1.0 * f / b],
+    "pow": [lambda a, b, f: b * a ** (b - 1.0), lambda a, b, f: f * np.log(a)],
+    "hypot": [lambda a, b, f: a / f, lambda a, b, f: b / f],
+    "atan2": [lambda a, b, f: b / (a * a + b * b), lambda a, b, f: -a / (a * a + b * b)],
+    "mod": [lambda a, b, f: 1.0, lambda a, b, f: -np.floor(a / b)],
 }
+CHOOSING = {"minimum": np.less_equal, "maximum": np.greater_equal}  # whose slope is one side's
 
 
-def _sum(a: Any, b: Any) -> Any:
-    return b if a is None else a if b is None else a + b
-
-
-def _times(a: Any, b: Any) -> Any:
-    return None if a is None else a * b
-
-
-def _over(a: Any, b: Any) -> Any:
-    return None if a is None else a / b
+def _times(factor: Any, slope: Any) -> Any:
+    return slope if type(factor) is float and factor == 1.0 else factor * slope
 
 
 def _chosen(condition: Any, a: Any, b: Any) -> Any:
@@ -116,11 +103,13 @@ class Direction:
         if kind in CONDITIONS or kind in JUMPS:
             return self._refused(kind) if self.smooth else None
         if kind in SLOPES:
-            return SLOPES[kind](*values, self.tape.value(k)) * slopes[0]
-        if kind in PAIRS:
             if kind == "mod" and self.smooth:
                 self._refused(kind)
-            return PAIRS[kind](*values, self.tape.value(k), *slopes)
+            given = *values, self.tape.value(k)
+            each = zip(SLOPES[kind], slopes, strict=True)
+            return reduce(add, [_times(of(*given), s) for of, s in each if s is not None])
+        if kind in CHOOSING:
+            return _chosen(CHOOSING[kind](*values), *slopes)
         if kind == "where":
             return _chosen(values[0], *slopes[1:])
         if kind in ("sum", "view", "fill", "stack", "join", "part"):

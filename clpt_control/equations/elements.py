@@ -94,7 +94,8 @@ class Elements:
         if kind == "sum":
             return self._sum(ref, arguments[0], at, index)
         if kind == "pick":
-            return self.picked(ref, arguments[0], self.at(arguments[1], index))
+            place = self.at(arguments[1], index)
+            return self.apply(ref, kind, (place, *self.all_of(arguments[0])))
         if kind == "opaque":
             return self.opaque(at, arguments, index)
         return self.apply(ref, kind, tuple([self.at(a, index) for a in arguments]))
@@ -105,10 +106,6 @@ class Elements:
         if not all(isinstance(n, int) for n in shape):
             raise Unread("every element of an array of unknown length")
         return [self.at(ref, place) for place in np.ndindex(*shape)]
-
-    def picked(self, ref: int, table: Ref, place: Any) -> Any:
-        """Return what stands in a row at a place."""
-        return self.apply(ref, "pick", (place, *self.all_of(table)))
 
     def _gathered(self, kind: str, arguments: tuple, index: Index) -> Any:
         k, *rest = index

@@ -6,12 +6,11 @@ Truth values and whole numbers are told apart from others, as NumPy does.
 import dis
 import sys
 from collections.abc import Iterable, Sequence
-from functools import lru_cache, reduce
+from functools import lru_cache
 from types import CodeType
 from typing import Any
 
 import numpy as np
-from numpy.lib.mixins import NDArrayOperatorsMixin
 
 from .arrays import CONDITIONS, HOOKS, LOGICAL, Array, Tape, Unread, moves, objects, operand, whole
 from .record import Shape
@@ -25,6 +24,8 @@ OF_WHOLE = frozenset(
 )
 OF_TRUTHS = {"mul": "and", "minimum": "and", "maximum": "or"}  # what NumPy makes of truth values
 RAISING = frozenset({"div", "floordiv", "mod", "pow"})  # where Python's floats raise
+# what Python writes with signs, which gives one of its own numbers of its own numbers
+OF_OPERATORS = CONDITIONS | RAISING | {"add", "sub", "mul", "neg", "fabs"}
 
 
 def broadcast(*shapes: Shape) -> Shape:
@@ -38,26 +39,6 @@ def broadcast(*shapes: Shape) -> Shape:
     return tuple(found)
 
 
-class Masked(NDArrayOperatorsMixin):
-    """The elements of an array where a condition holds: ``x[x > 0] *= 2``."""
-
-    def __init__(self, full: Any, mask: "Array"):
-        self.full, self.mask = full, mask
-
-    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **more: Any) -> Any:
-        more.pop("out", None)
-        for one in inputs:
-            apart = one.mask._ref != self.mask._ref if isinstance(one, Masked) else np.ndim(one)
-            if apart or method != "__call__":
-                raise Unread("joins elements taken by a condition with others; write np.where")
-        own = [one.full if isinstance(one, Masked) else one for one in inputs]
-        return Masked(ufunc(*own, **more), self.mask)
-
-    def sum(self, axis: Any = None, dtype: Any = None, out: Any = None) -> Any:
-        """Return the sum of the elements."""
-        return np.sum(where(self.mask, self.full, 0.0), dtype=dtype)
-
-
 def put(array: Array, index: Any, value: Any) -> None:
     """Write into an array, element by element."""
     root = array._root
@@ -67,13 +48,9 @@ def put(array: Array, index: Any, value: Any) -> None:
     root._keep()
     store = array._written()
     assert store is not None
-    if isinstance(value, Masked):
-        if getattr(index, "_ref", None) != value.mask._ref:
-            raise Unread("puts elements taken by one condition where another holds")
-        value = value.full
     value = lifted(array._tape, value)
-    if counts(root):
-        value = np.trunc(value)
+    if (cut := is_whole(root)) is not False:
+        value = where(cut, np.trunc(value), value)
     if isinstance(index, Array) and index._is_condition and not moves(index):
         index = np.asarray(index)
     elif isinstance(index, Array) and index._is_condition:
@@ -86,33 +63,18 @@ class Row(list):
     """A list of numbers, in which a whole number of a run is a place."""
 
     def __getitem__(self, place: Any) -> Any:
-        return at(self, place) if moves(place) else super().__getitem__(place)
-
-
-class Numbers(np.ndarray):
-    """An array of numbers, in which a whole number of a run is a place; `dot` takes signals."""
-
-    def __getitem__(self, place: Any) -> Any:
-        return at(self, place) if moves(place) else super().__getitem__(place)
-
-    def dot(self, other: Any, *out: Any) -> Any:
-        """Return np.dot(self, other)."""
-        return np.dot(self, other, *out)
+        if not moves(place):
+            return super().__getitem__(place)
+        found = lifted(place._tape, np.array(self, dtype=float))[place]
+        if isinstance(found, Array):
+            found._whole, found._of_python = all(map(is_whole, self)), True
+        return found
 
 
 def is_row(value: Any) -> bool:
     """Return whether a value is a list of numbers."""
     kinds = {float, int, np.float64, np.int64}
     return type(value) is list and len(value) > 1 and kinds.issuperset(map(type, value))
-
-
-def at(numbers: list | np.ndarray, place: Array) -> Any:
-    """Return what stands at a place that is a signal."""
-    found = lifted(place._tape, np.array(numbers, dtype=float))[place]
-    if isinstance(found, Array):
-        found._whole = all(map(counts, numbers))
-    place._tape.has_floats = True
-    return found
 
 
 def lifted(tape: Tape, value: Any) -> Any:
@@ -123,7 +85,7 @@ def lifted(tape: Tape, value: Any) -> Any:
         return value
     if isinstance(value, bool | int | float | np.bool_ | np.integer | np.floating):
         return float(value)
-    if isinstance(value, np.ndarray) and type(value) not in (np.ndarray, np.memmap, Numbers):
+    if isinstance(value, np.ndarray) and type(value) not in (np.ndarray, np.memmap):
         raise Unread(f"calculating with a {type(value).__name__}; write np.asarray of it")
     try:
         if isinstance(value, np.ndarray) and value.dtype != object:
@@ -138,7 +100,7 @@ def lifted(tape: Tape, value: Any) -> Any:
     if not parts:
         return constant(tape, np.asarray(value, dtype=float))
     new, of = stacked(tape, parts), zip(parts, value, strict=True)
-    new._whole = all_whole([part if isinstance(part, Array) else one for part, one in of])
+    new._whole = all_of(is_whole(part if isinstance(part, Array) else one) for part, one in of)
     return new
 
 
@@ -193,13 +155,9 @@ def elementwise(name: str, *arguments: Any) -> Any:
                 "things; write float(...), or np.logical_or"
             )
         name = OF_TRUTHS[name]
-    of_python = _made_of(name, arguments)
-    if name in RAISING and (tape.has_floats or not moves(arguments[-1])):
-        if of_python is True and name != "pow" and in_a_try() and moves(arguments[-1]):
-            if arguments[-1] == 0:
-                raise ZeroDivisionError("division by zero")
-        else:
-            refuse_in_a_try(arguments[-1])
+    of_python = name in OF_OPERATORS and all_of(map(is_of_python, arguments))
+    if name in RAISING and of_python is not False:
+        refuse_in_a_try(arguments[-1])
     for k, one in enumerate(arguments):
         convert = as_condition if name in LOGICAL or (name == "where" and not k) else as_number
         one = one if type(one) is float else convert(lifted(tape, one))
@@ -209,37 +167,34 @@ def elementwise(name: str, *arguments: Any) -> Any:
     shape = shapes.pop() if len(shapes) == 1 else broadcast(*shapes)
     new = tape.add(name, refs, shape)
     inverse = name == "pow" and not isinstance(arguments[1], Array) and np.any(arguments[1] < 0)
-    new._whole = name in OF_WHOLE and not inverse and all_whole(arguments[name == "where" :])
+    whole = name in OF_WHOLE and not inverse
+    new._whole = whole and all_of(map(is_whole, arguments[name == "where" :]))
     new._of_python = of_python
     return new
 
 
-def _made_of(name: str, arguments: Sequence[Any]) -> Any:
-    """Return whether all are Python's numbers, or what it hangs on: a choice and its kinds."""
-    kinds = [
-        one._of_python if isinstance(one, Array) else type(one) in (int, float)
-        for one in arguments[name == "where" :]
-    ]
-    if any(kind is False for kind in kinds) and (name != "where" or not any(kinds)):
-        return False
-    return all(kind is True for kind in kinds) or (arguments[0] if name == "where" else None, kinds)
+def all_of(kinds: Iterable[Any]) -> Any:
+    """Return whether all hold, of truths and conditions."""
+    found: Any = True
+    for kind in kinds:
+        if kind is False:
+            return False
+        if kind is not True:
+            found = kind if found is True else elementwise("and", found, kind)
+    return found
 
 
 def is_of_python(value: Any) -> Any:
-    """Return whether a number is Python's: a condition where that hangs on what was chosen."""
-    if not isinstance(value, Array):
-        return type(value) in (int, float)
-    return _decided(value._of_python)
+    """Return whether a number is Python's own: a truth, or the condition on which that hangs."""
+    return value._of_python if isinstance(value, Array) else type(value) in (int, float)
 
 
-def _decided(of_python: Any) -> Any:
-    if isinstance(of_python, bool):
-        return of_python
-    chosen, kinds = of_python
-    truths = [_decided(kind) for kind in kinds]
-    if chosen is None:
-        return reduce(lambda a, b: where(a, b, False), truths)
-    return where(chosen, *truths)
+def is_whole(value: Any) -> Any:
+    """Return whether NumPy has it as whole numbers, or truths: a truth, or a condition."""
+    if isinstance(value, Array):
+        return value._is_condition or value._whole
+    kind = getattr(getattr(value, "dtype", None), "kind", "f")
+    return isinstance(value, int) or kind in "iub"
 
 
 def of_numpy(number: Any) -> Any:
@@ -253,32 +208,13 @@ def of_numpy(number: Any) -> Any:
     return new
 
 
-def counts(value: Any) -> bool:
-    """Return whether NumPy has it as whole numbers, or as truth values."""
-    return bool(_whole(value._decided() if isinstance(value, Array) else value))
-
-
-def all_whole(values: Iterable[Any]) -> bool | None:
-    """Return whether all count; None where that hangs on what was chosen."""
-    kinds = {*map(_whole, values)}
-    return False if False in kinds else None if None in kinds else True
-
-
-def _whole(value: Any) -> bool | None:
-    if isinstance(value, Array):
-        return value._is_condition or value._whole
-    kind = getattr(getattr(value, "dtype", None), "kind", "f")
-    return isinstance(value, int) or kind in "iub"
-
-
 def chosen(condition: Any, a: Any, b: Any) -> Any:
-    """Return the number that Python chooses: a where a condition holds, else b."""
-    mixed = isinstance(condition, Array) and _whole(a) is not _whole(b)
-    if mixed and not condition._tape.joins:
-        return a if condition else b
+    """Return the number that Python chooses: a where a condition holds, else b, of its kind."""
     new = where(condition, a, b)
-    if mixed and not new.shape:
-        new._whole = None
+    if isinstance(condition, Array) and isinstance(new, Array) and not new._is_condition:
+        for kind, of in (("_whole", is_whole), ("_of_python", is_of_python)):
+            one, other = of(a), of(b)
+            setattr(new, kind, one if one is other else where(condition, one, other))
     return new
 
 
@@ -288,15 +224,15 @@ def refuse_in_a_try(*arguments: Any) -> None:
         raise Unread("may raise in a `try`; ask by `if` before")
 
 
-READ = "__read__"  # among the built-in names of a copy that is read
+READING = f"{__package__}.reading"  # where a function is called
+OWN = (__package__, "numpy")  # what these catch they raise again
 
 
 def in_a_try() -> bool:
     """Return whether a function that is read may catch what is raised now."""
     frame = sys._getframe(1)
-    while frame is not None and frame.f_globals.get("__name__") != f"{__package__}.reading":
-        names = frame.f_globals.get("__builtins__")
-        if isinstance(names, dict) and READ in names and _catches(frame.f_code):
+    while frame is not None and (module := frame.f_globals.get("__name__")) != READING:
+        if not (module or "").startswith(OWN) and _catches(frame.f_code):
             return True
         frame = frame.f_back  # type: ignore[assignment]
     return False
@@ -364,7 +300,7 @@ def _both(condition: Array, truth: Any) -> Array | None:
 
 def total(array: Array, axis: int) -> Any:
     """Return the sum over one axis."""
-    counted, array = _whole(array), as_number(array)
+    counted, array = is_whole(array), as_number(array)
     axis %= array.ndim
     shape = array.shape[:axis] + array.shape[axis + 1 :]
     new = array._tape.add("sum", (array._ref,), shape, axis)

@@ -1,10 +1,8 @@
 """What objects keep from one call of a function to the next.
 
-A function is read as all is, and again from each state in which a way through it left an object
-that it reaches.  There signals are unknown, leaves of their own, and so are numbers that took the
-place of others; all else is as the way left it.  If all these readings are the same, and no way
-leaves another state, what is kept does not matter: a cache, a log, what is written before it is
-read.  Else it is a state of the function, which its record would not hold.
+A way through a function may fill what was empty in an object that it reaches, as a cache: the
+function is read again from each state in which ways left all, and these readings must be the same.
+Whatever else it changes is a state of the function, or a log, which its record would not hold.
 
 Objects, containers, arrays, classes, the names of a user's modules and generators of chance are
 watched; each reading leaves them as they were.
@@ -25,21 +23,20 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import Array
+from .arrays import Array, Unread
 from .record import MOST_NUMBERS
 from .unchanged import names_in
+from .views import tape_of
 
 LOCK = threading.RLock()  # while stand-ins are in a module
 DEEP = 3  # objects within objects
 MOST = 200  # objects that are watched
 OWN = __package__.partition(".")[0]
-GROWN = 1000  # unknown numbers behind what was appended
-UNKNOWN = object()
+GONE = object()
 # which an array of the record answers otherwise than a number does, but to stand-ins
 ASKING = frozenset({"isinstance", "hasattr", "type", "isscalar", "float", "int"})
 CONTAINERS: Any = (list, deque, dict, set)
 SIMPLE = (int, float, complex, str, bytes, frozenset, np.generic, Enum, NoneType)
-NUMBERS = (int, float, complex, np.generic, np.ndarray)
 PLAIN = (int, float, str, bytes, tuple, Array, BuiltinFunctionType, NoneType)
 STATES: dict[type, tuple[Callable, Callable]] = {  # of chance: its state, and to put it back
     np.random.Generator: (
@@ -63,7 +60,7 @@ class Snapshot:
 
     def __init__(self, chance: Iterable[Any]) -> None:
         self._watched: dict[int, tuple[Any, Any]] = {}  # an object, and what it kept before
-        # by what tells it apart, each state: of every object that differs what it keeps
+        # by what tells it apart, each state: of every object that was filled what it keeps
         self.left: dict[Any, dict[int, Any]] = {}
         self.asking: dict[int, dict[str, Any]] = {}  # modules of functions that ask for a type
         self.attributes: dict[int, dict[str, Any]] = {}  # of users' objects
@@ -78,7 +75,7 @@ class Snapshot:
             return
         if isinstance(value, tuple(STATES)):
             self._chance.setdefault(id(value), (value, _chance_of(value)))
-        if (kept := _kept_by(value)) is None:
+        if (kept := kept_by(value)) is None:
             return
         self._watched[id(value)] = value, kept
         own = getattr(value, "__dict__", None)
@@ -95,17 +92,28 @@ class Snapshot:
         elif not isinstance(value, (*CONTAINERS, ModuleType, FunctionType)):
             self.add(type(value), deep)
 
-    def restore(self) -> None:
-        """Make all as it was; note the state in which a way left it."""
-        left, keys = dict[int, Any](), []
+    def restore(self) -> dict[int, Any]:
+        """Make all as it was; return what was otherwise, and how it was."""
+        found = {}
         for place, (value, before) in self._watched.items():
-            now = _kept_by(value)
+            now = kept_by(value)
             if not same(now, before):
-                left[place] = _unknown_in(now, before)
-                keys.append((place, _key(left[place], before)))
+                found[place] = now, before
                 _put(value, before)
-        if left:
-            self.left.setdefault(tuple(keys), left)
+        return found
+
+    def note(self, name: str) -> None:
+        """Make all as it was; note the state in which a way left it, if it only filled."""
+        if not (changed := self.restore()):
+            return
+        for now, before in changed.values():
+            empty = isinstance(now, dict) and all(
+                now.get(name, GONE) is one or one is None for name, one in before.items()
+            )
+            if not empty or _holds_signals(now):
+                raise Unread(f"{name} keeps what its next call may read; make it a state")
+        left = {place: now for place, (now, _) in changed.items()}
+        self.left.setdefault(tuple((place, _key(now)) for place, now in left.items()), left)
 
     def drew(self) -> bool:
         """Make generators of chance as they were; return whether one was drawn from."""
@@ -116,18 +124,18 @@ class Snapshot:
                 give(one, was)
         return bool(drawn)
 
-    def begin(self, state: dict[int, Any], leaf: Callable[[str], Any]) -> None:
-        """Put all as a way left it; numbers may then be any, and a list is longer."""
+    def begin(self, state: dict[int, Any]) -> None:
+        """Put all as a way left it."""
         for place, kept in state.items():
-            value, before = self._watched[place]
-            if isinstance(kept, dict):
-                kept = {
-                    name: leaf(f"{place} {name}") if one is UNKNOWN else one
-                    for name, one in kept.items()
-                }
-                for one in kept.values():
-                    self.add(one)
-            _put(value, [leaf(f"{place}")] * (len(before) + GROWN) if kept is UNKNOWN else kept)
+            for one in kept.values():
+                self.add(one)
+            _put(self._watched[place][0], kept)
+
+
+def _holds_signals(kept: dict[str, Any]) -> bool:
+    """Return whether what is kept by name holds values of a record, within containers too."""
+    held = [[*one.values()] if isinstance(one, dict) else one for one in kept.values()]
+    return tape_of([[*one] if isinstance(one, CONTAINERS) else one for one in held]) is not None
 
 
 def _chance_of(one: Any) -> Any:
@@ -138,32 +146,17 @@ def _chance_of(one: Any) -> Any:
 def same(now: Any, before: Any) -> bool:
     """Return whether a thing keeps the very same."""
     if isinstance(now, dict):
-        return now.keys() == before.keys() and all(now[k] is before[k] for k in now)
+        alike = len(now) == len(before) and all(map(is_, now.values(), before.values()))
+        return alike and now.keys() == before.keys()
     if isinstance(now, list):
         return len(now) == len(before) and all(map(is_, now, before))
     return now == before
 
 
-def _unknown_in(now: Any, before: Any) -> Any:
-    """Return what a way left: signals, and numbers in the place of others, are unknown."""
-    if isinstance(now, list):
-        return UNKNOWN if any(isinstance(one, (Array, *NUMBERS)) for one in now) else now
-    if not isinstance(now, dict):
-        return now
-    return {
-        name: UNKNOWN
-        if isinstance(one, Array)
-        or (isinstance(one, NUMBERS) and before.get(name) is not None and one is not before[name])
-        else one
-        for name, one in now.items()
-    }
-
-
-def _key(kept: Any, before: Any = None) -> Any:
+def _key(kept: Any) -> Any:
     """Return what tells apart what is kept; of an object its type does."""
     if isinstance(kept, dict):
-        was = before or {}
-        return tuple((name, one is was.get(name) or _key(one)) for name, one in kept.items())
+        return tuple((name, _key(one)) for name, one in kept.items())
     if isinstance(kept, list | tuple):
         return tuple(map(_key, kept))
     if isinstance(kept, np.ndarray):
@@ -171,7 +164,7 @@ def _key(kept: Any, before: Any = None) -> Any:
     return (type(kept), kept) if isinstance(kept, SIMPLE) else type(kept)
 
 
-def _kept_by(value: Any) -> Any:
+def kept_by(value: Any) -> Any:
     """Return what a thing keeps: a row, things by name, or what no signal is in; None: nothing."""
     if isinstance(value, list | deque):
         return [*value]
@@ -206,7 +199,7 @@ def _put(value: Any, kept: Any) -> None:
     else:
         owner, _ = _attributes(value)
         own, kind = getattr(owner, "__dict__", None), type if isinstance(owner, type) else object
-        gone = _kept_by(value).keys() - kept.keys()
+        gone = kept_by(value).keys() - kept.keys()
         if type(own) is dict:
             own.update(kept)
             for name in gone:
@@ -229,7 +222,7 @@ def _attributes(value: Any) -> tuple[Any, Iterable[str] | None]:
             return value, None
         if isinstance(value, FunctionType):
             module = sys.modules.get(name)
-            return module, module and names_in(value.__code__)
+            return module, module and vars(module).keys() & names_in(value.__code__)
         own = vars(value).items()
         return value, [k for k, one in own if k[:2] != "__" and not hasattr(one, "__get__")]
     slots = [vars(kind).get("__slots__", ()) for kind in type(value).__mro__]

@@ -15,7 +15,7 @@ import numpy as np
 from ..arguments import brief, public
 from ..errors import ArgumentError
 from .arrays import Array, Tape, Unread, numbers_of, operand
-from .elementwise import boxed, elementwise, lifted, where
+from .elementwise import boxed, elementwise, lifted, total, where
 from .record import picked
 
 
@@ -107,14 +107,19 @@ MOST = 64  # simplices, or points in more than one dimension
 def place_in(points: Any, x: Array, side: str = "right") -> Any:
     """Return how many of the sorted points are not above x, as np.searchsorted does."""
     at_least = elementwise("ge" if side == "right" else "gt", x[..., None], lifted(x._tape, points))
-    ones = elementwise("where", at_least, 1.0, 0.0)
-    return x._tape.add("sum", (ones._ref,), x.shape, x.ndim)
+    return total(at_least, x.ndim)
 
 
-def line(xs: np.ndarray, ys: np.ndarray, x: Array, side: str = "right") -> Any:
-    """Interpolate points at x by straight lines; the outer lines go on."""
+def pieces(xs: Any, rows: Any, x: Array, side: str = "right") -> Any:
+    """Return the polynomial of the piece that x lies in; the outer ones go on."""
     k = place_in(xs[1:-1], x, side)
-    return lookup(np.diff(ys) / np.diff(xs), k) * (x - lookup(xs, k)) + lookup(ys, k)
+    s = x - lookup(xs, k)
+    return reduce(lambda v, w: v * s + w, [lookup(row, k) for row in rows])
+
+
+def lines(xs: np.ndarray, ys: np.ndarray) -> list[np.ndarray]:
+    """Return the rows of straight lines between points."""
+    return [np.diff(ys, axis=0) / np.diff(xs).reshape(-1, *[1] * (ys.ndim - 1)), ys[:-1]]
 
 
 def searched(points: Any, x: Any, side: str = "left", **more: Any) -> Any:
@@ -135,18 +140,14 @@ def interpolated(
 ) -> Any:
     """Return np.interp(x, xp, fp)."""
     if period is not None:
-        period, left, right = abs(period), None, None
-        x, xp = x % period, np.asarray(xp, dtype=float) % period
-        order = np.argsort(xp)[np.arange(-1, len(xp) + 1) % len(xp)]
-        xp, fp = xp[order], np.asarray(fp, dtype=float)[order]
-        xp[0], xp[-1] = xp[0] - period, xp[-1] + period
+        raise Unread("np.interp with a period; take the rest of x by %")
     xp = increasing(xp, "np.interp")
     if isinstance(fp, Array) and numbers_of(fp) is None:
         units = np.eye(len(xp))
         values = sum(fp[k] * np.interp(x, xp, unit) for k, unit in enumerate(units))
     else:
         fp = np.asarray(fp, dtype=float)
-        between = line(xp, fp, x) if len(xp) > 1 else fp[0]
+        between = pieces(xp, lines(xp, fp), x) if len(xp) > 1 else fp[0]
         values = where(elementwise("ge", x, xp[-1]), fp[-1], between)
         left = fp[0] if left is None else left
     return outside(values, x, xp, left, right)
@@ -161,58 +162,63 @@ def outside(values: Any, x: Any, xs: np.ndarray, below: Any, above: Any) -> Any:
 
 # --- SciPy's ------------------------------------------------------------------------------------
 
-BETWEEN: dict[str, Callable] = {  # what interp1d of a kind gives between the points
-    "linear": lambda xs, ys, x: line(xs, ys, x, "left"),
-    "nearest": lambda xs, ys, x: lookup(ys, place_in((xs[1:] + xs[:-1]) / 2.0, x, "left")),
-    "next": lambda xs, ys, x: lookup(ys, place_in(xs[:-1], x, "left")),
-    "previous": lambda xs, ys, x: lookup(ys, place_in(xs[1:], x)),
-}
-BETWEEN["zero"] = BETWEEN["previous"]
 
-
-def of_interp1d(f: Any) -> Callable:
-    """Return scipy.interpolate.interp1d as a function of signals."""
-    xs, ys = np.asarray(f.x, dtype=float), np.moveaxis(np.asarray(f.y, dtype=float), f.axis, 0)
-    fills: Any = (None, None)
-    if not f._extrapolate:
-        ends = f.fill_value if isinstance(f.fill_value, tuple) else (f.fill_value,) * 2
-        fills = [np.nan if f.bounds_error else float(np.ravel(one)[0]) for one in ends]
+def of_pieces(
+    xs: np.ndarray, c: np.ndarray, ends: Any, side: str = "right", domain: Any = None
+) -> Callable:
+    """Return polynomials between points as a function of signals: c by power, piece, column."""
+    tail, edges = c.shape[2:], xs if domain is None else domain
+    columns = np.moveaxis(c.reshape(*c.shape[:2], -1), 2, 0)
 
     def table(tape: Tape, x: Any) -> Any:
         x = lifted(tape, x)
-        if f._kind == "spline":
-            splines = [type(f._spline)(f._spline.t, c, f._spline.k) for c in f._spline.c.T]
-            between = [of_spline(one)(tape, x) for one in splines]
-        else:
-            between = [BETWEEN[f._kind](xs, y, x) for y in ys.reshape(len(xs), -1).T]
-        values = [outside(one, x, xs, *fills) for one in between]
-        result = np.stack(values).T if ys.ndim > 1 else values[0]
-        return result.reshape((*x.shape, *ys.shape[1:])) if ys.ndim > 2 else result
+        values = [outside(pieces(xs, rows, x, side), x, edges, *ends) for rows in columns]
+        if not tail:
+            return values[0]
+        return np.moveaxis(np.stack(values), 0, -1).reshape((*x.shape, *tail))
 
     return table
 
 
+STEPS: dict[str, Callable] = {  # where interp1d of a kind steps from one value to the next
+    "nearest": lambda xs: (xs[1:] + xs[:-1]) / 2.0,
+    "next": lambda xs: xs[:-1],
+    **dict.fromkeys(("previous", "zero"), lambda xs: xs[1:]),
+}
+
+
+def of_interp1d(f: Any) -> Callable:
+    """Return scipy.interpolate.interp1d as a function of signals."""
+    from scipy.interpolate import PPoly
+
+    xs, ys = np.asarray(f.x, dtype=float), np.moveaxis(np.asarray(f.y, dtype=float), f.axis, 0)
+    ends: Any = (None, None)
+    if not f._extrapolate:
+        fill = f.fill_value if isinstance(f.fill_value, tuple) else (f.fill_value,) * 2
+        if any(np.size(one) > 1 for one in fill):
+            raise Unread("scipy's interp1d with a fill_value for each column")
+        ends = [np.nan if f.bounds_error else float(np.ravel(one)[0]) for one in fill]
+    if f._kind == "linear":
+        return of_pieces(xs, np.stack(lines(xs, ys)), ends, "left")
+    if f._kind == "spline":
+        of = [PPoly.from_spline((f._spline.t, c, f._spline.k)) for c in f._spline.c.T]
+        c = np.stack([one.c for one in of], axis=-1)
+        return of_pieces(of[0].x, c.reshape(*c.shape[:2], *ys.shape[1:]), ends, domain=xs)
+    side = "right" if f._kind in ("previous", "zero") else "left"
+    return of_pieces(np.array([0.0, *STEPS[f._kind](xs), 0.0]), ys[None], ends, side, xs)
+
+
 def of_polynomials(f: Any) -> Callable:
     """Return a piecewise polynomial of SciPy, such as CubicSpline, as a function of signals."""
-    xs, tail, periodic = np.asarray(f.x, dtype=float), f.c.shape[2:], f.extrapolate == "periodic"
+    xs = np.asarray(f.x, dtype=float)
     if f.c.dtype.kind != "f" or f.axis:
         raise Unread(f"scipy's {type(f).__name__} of complex numbers, or along another axis")
     ends = (None, None) if f.extrapolate else (np.nan, np.nan)
 
     def table(tape: Tape, x: Any, nu: int = 0) -> Any:
-        x = lifted(tape, x)
-        if periodic:
-            x = xs[0] + (x - xs[0]) % (xs[-1] - xs[0])
-        k = place_in(xs[1:-1], x)
-        s = x - lookup(xs, k)
-        rows = f.derivative(nu).c if nu else np.asarray(f.c)
-        values = []
-        for column in np.moveaxis(rows.reshape(*rows.shape[:2], -1), 2, 0):
-            value = reduce(lambda v, w: v * s + w, [lookup(row, k) for row in column])
-            values.append(outside(value, x, xs, *ends))
-        if not tail:
-            return values[0]
-        return np.moveaxis(np.stack(values), 0, -1).reshape((*x.shape, *tail))
+        if f.extrapolate == "periodic":
+            x = xs[0] + (lifted(tape, x) - xs[0]) % (xs[-1] - xs[0])
+        return of_pieces(xs, f.derivative(nu).c if nu else f.c, ends)(tape, x)
 
     return table
 
@@ -281,12 +287,12 @@ def of_simplices(f: Any) -> Callable:
     """Return scipy.interpolate.LinearNDInterpolator as a function of signals; NaN outside."""
     corners, tail = f.tri.simplices, tuple(f.values_shape)
     ys = np.asarray(f.values, dtype=float).reshape(len(f.values), *tail)
-    if len(corners) > MOST:
-        raise Unread(f"scipy's LinearNDInterpolator of more than {MOST} simplices")
+    if len(corners) > MOST or f.scale is not None:
+        raise Unread(f"scipy's LinearNDInterpolator of more than {MOST} simplices, or rescaled")
 
     def table(tape: Tape, *given: Any) -> Any:
         x = point(tape, *given)
-        values: Any = np.full(tail, np.nan) if tail else np.nan
+        values: Any = np.full(tail, f.fill_value) if tail else float(f.fill_value)
         for own, inverse in zip(corners[::-1], f.tri.transform[::-1], strict=True):
             shares = [row @ (x - inverse[-1]) for row in inverse[:-1]]
             shares.append(1.0 - reduce(add, shares))
@@ -301,8 +307,8 @@ def of_simplices(f: Any) -> Callable:
 def of_nearest(f: Any) -> Callable:
     """Return scipy.interpolate.NearestNDInterpolator as a function of signals."""
     points, ys = np.asarray(f.tree.data, dtype=float), np.asarray(f.values, dtype=float)
-    if len(points) > MOST:
-        raise Unread(f"scipy's NearestNDInterpolator of more than {MOST} points")
+    if len(points) > MOST or f.scale is not None:
+        raise Unread(f"scipy's NearestNDInterpolator of more than {MOST} points, or rescaled")
 
     def table(tape: Tape, *given: Any) -> Any:
         x = point(tape, *given)

@@ -1,18 +1,19 @@
 """What stands for the types of numbers, and answers for a signal what Python asks of a number.
 
 ``float(x[0])``, ``isinstance(x, float)``, ``type(x)``, ``hasattr(x, "shape")``: a signal is a float
-and a vector an array.  Where a number may be one of Python or of NumPy, whole or not, and the
-answers differ, the function is not read.
+and a vector an array.  Whether a number is Python's or NumPy's, whole or not, may hang on what was
+chosen; where the answers differ, that is a question as any other.
 """
 
 from collections.abc import Callable
+from itertools import product
 from typing import Any
 
 import numpy as np
 
-from .arrays import Array, Unread, is_of_numpy, moves, single
-from .elementwise import counts, elementwise
-from .views import converted, is_whole
+from .arrays import Array, single
+from .elementwise import as_number, is_of_python, is_whole
+from .views import converted
 
 
 class StandInType(type):
@@ -76,39 +77,33 @@ def type_of(*arguments: Any, **more: Any) -> Any:
     return TYPES.get(kind, kind)
 
 
+# what numbers are to Python, by whether they are whole, and whether they are its own
+EXAMPLES: dict[Any, Any] = {(0, 0): np.float64(0.0), (0, 1): 0.0, (1, 0): np.int64(0), (1, 1): 0}
+
+
 def _answer(value: Array, ask: Callable[[Any], Any]) -> Any:
-    """Return what is so of all that a value of a record may be to Python."""
-    answers = {ask(one) for one in _may_be(value)}
-    if len(answers) > 1:
-        raise Unread("asks whether a signal is a number of Python or of NumPy, whole or not")
-    return answers.pop()
-
-
-def _may_be(value: Array) -> list[Any]:
-    """Return examples: of a parameter as it was given, of others of NumPy or of Python."""
-    ref, tape = value._ref, value._tape
+    """Return what is so of an example of what a value of a record is to Python."""
+    ref = value._ref
     if value.shape or value._boxed:
-        return [np.zeros(0)]
-    if (given := ref if type(ref) is float else tape.parameter(ref)) is not None:
-        return [given]
+        return ask(np.zeros(0))
+    if (given := ref if type(ref) is float else value._tape.parameter(ref)) is not None:
+        return ask(given)
     if value._is_condition:
-        return [np.bool_(False)]
-    of_python = [] if is_of_numpy(value) else [0.0]
-    of_whole = any(isinstance(one, int) for one in tape.parameters.values())
-    counted = counts(value) or is_whole(tape, ref) or (of_whole and not moves(value))
-    return [np.float64(0.0), *of_python, *([0, np.int64(0)] if counted else [])]
+        return ask(np.bool_(False))
+    kinds = is_whole(value), is_of_python(value)
+    might = product(*((kind,) if isinstance(kind, bool) else (False, True) for kind in kinds))
+    answers = [ask(EXAMPLES[kind]) for kind in might]
+    return answers[0] if len({*answers}) == 1 else ask(EXAMPLES[bool(kinds[0]), bool(kinds[1])])
 
 
 def as_float(value: Array) -> Any:
     """Return float(value)."""
     if value.shape:
         raise TypeError("only 0-dimensional arrays can be converted to Python scalars")
-    value._tape.has_floats = True
-    number = elementwise("where", value, 1.0, 0.0) if value._is_condition else value[()]
-    return of_python(number)
+    return of_python(as_number(value[()]))
 
 
-def of_python(number: Any, whole: bool | None = False) -> Any:
+def of_python(number: Any, whole: Any = False) -> Any:
     """Return a number as one of Python's: a float, or a whole one."""
     if not isinstance(number, Array) or number.shape:
         return number

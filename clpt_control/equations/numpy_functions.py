@@ -1,17 +1,32 @@
 """What NumPy's functions and methods do with arrays of the record.
 
+    A x = b by elimination, det A as the product of its pivots
+
+Pivots are chosen by `where`, as np.linalg.solve chooses them by size.
+
 What is not here is tried on arrays of objects, element by element, by NumPy's own code.
 """
 
 from collections.abc import Callable
+from functools import reduce
 from typing import Any
 
 import numpy as np
 
-from . import linear_algebra, lookup_tables, stacks, views
-from .arrays import HOOKS, Array, Tape, Unread, active, objects
-from .elementwise import boxed, counts, filled, is_truth, lifted, stacked, where
-from .ufuncs import accumulated, check_doubles, reduced, rounded
+from . import lookup_tables, stacks, views
+from .arrays import HOOKS, Array, Tape, Unread, objects
+from .elementwise import (
+    boxed,
+    elementwise,
+    filled,
+    is_truth,
+    is_whole,
+    lifted,
+    refuse_in_a_try,
+    where,
+)
+from .number_types import of_python
+from .ufuncs import accumulated, check_doubles, matmul, reduced, rounded
 from .views import depends, into, of_numbers, on_objects, on_values, refuse, tape_of
 
 IMPLEMENTED: dict[Any, Callable] = {}  # NumPy's: what writes them down
@@ -74,37 +89,28 @@ def average(a: Any, axis: Any = None, weights: Any = None, **more: Any) -> Any:
     """Return np.average, each number by its weight."""
     if weights is None:
         return mean(a, axis, **more)
-    if more or (axis is not None and np.shape(weights) != a.shape):
-        return refuse("np.average with weights along an axis")
-    return np.sum(a * weights) / np.sum(weights)
+    return on_objects(a._tape, np.average, (a, axis, weights), more)
 
 
 @implements(np.gradient)
-def gradient(f: Any, *spacing: Any, axis: Any = None, edge_order: int = 1) -> Any:
-    """Return np.gradient, by a step or by places, along one axis or each."""
-    axes = range(f.ndim) if axis is None else np.atleast_1d(axis).tolist()
-    steps = spacing * len(axes) if len(spacing) == 1 else spacing or (1.0,) * len(axes)
-    if edge_order != 1 or len(steps) != len(axes):
-        return refuse("np.gradient of another order")
-    slopes = [_slope(f, *along) for along in zip(axes, steps, strict=True)]
-    return slopes[0] if len(slopes) == 1 else tuple(slopes)
-
-
-def _slope(f: Any, axis: int, step: Any) -> Any:
-    f, step = np.moveaxis(f, axis, 0), step if isinstance(step, Array) else np.asarray(step, float)
-    h: Any = np.diff(step).reshape(-1, *[1] * (f.ndim - 1)) if step.ndim else step
-    if step.ndim and not isinstance(h, Array) and np.all(h == h[0]):
-        h = h[0]
+def gradient(f: Any, *steps: Any, axis: Any = None, edge_order: int = 1) -> Any:
+    """Return np.gradient along one axis, by a step or by places."""
+    along = 0 if axis is None and f.ndim == 1 else axis
+    if not isinstance(along, int) or len(steps) > 1 or edge_order != 1:
+        return refuse("np.gradient along several axes, or of another order")
+    f = np.moveaxis(f, along, 0)
+    h: Any = steps[0] if steps else 1.0
+    if np.ndim(h):
+        h = np.diff(np.asarray(h, float)).reshape(-1, *[1] * (f.ndim - 1))
+        h = h if np.any(h != h[0]) else h[0]
     if np.ndim(h) == f.ndim:
-        back, on = h[:-1], h[1:]
+        back, on, first, last = h[:-1], h[1:], h[0], h[-1]
         before, ahead = -on / (back * (back + on)), back / (on * (back + on))
-        here = (on - back) / (back * on)
-        inner = before * f[:-2] + here * f[1:-1] + ahead * f[2:]
-        first, last = h[0], h[-1]
+        inner = before * f[:-2] + (on - back) / (back * on) * f[1:-1] + ahead * f[2:]
     else:
         inner, first, last = (f[2:] - f[:-2]) / (2.0 * h), h, h
-    ends = (f[1:2] - f[:1]) / first, (f[-1:] - f[-2:-1]) / last
-    return np.moveaxis(np.concatenate([ends[0], inner, ends[1]]), 0, axis)
+    slopes = [(f[1:2] - f[:1]) / first, inner, (f[-1:] - f[-2:-1]) / last]
+    return np.moveaxis(np.concatenate(slopes), 0, along)
 
 
 # --- limits and choices -----------------------------------------------------------------------
@@ -120,7 +126,7 @@ def clip(a: Any, a_min: Any = None, a_max: Any = None, *, min: Any = None, max: 
 
 
 @implements(np.where, arrays=0)
-def chosen(condition: Any, *values: Any) -> Any:
+def placed(condition: Any, *values: Any) -> Any:
     """Return np.where(condition, a, b)."""
     if not values:
         return refuse("np.where without values, which counts,")
@@ -133,16 +139,8 @@ def selected(conditions: Any, values: Any, default: Any = 0) -> Any:
     """Return np.select: the value of the first condition that holds."""
     result = default
     for condition, value in zip(reversed(conditions), reversed(values), strict=True):
-        result = chosen(condition, value, result)
+        result = placed(condition, value, result)
     return result
-
-
-@implements(np.piecewise, arrays=0)
-def piecewise(x: Any, conditions: Any, functions: Any, *more: Any, **named: Any) -> Any:
-    """Return np.piecewise: what the function of the last condition that holds gives."""
-    values = [f(x, *more, **named) if callable(f) else f for f in functions]
-    default = values.pop() if len(values) > len(conditions) else 0.0
-    return views.converted(selected(conditions[::-1], values[::-1], default))
 
 
 @implements(np.isclose, arrays=2)
@@ -152,64 +150,91 @@ def close(a: Any, b: Any, rtol: float = 1e-5, atol: float = 1e-8, equal_nan: boo
     return near | ((a != a) & (b != b)) if equal_nan else near
 
 
-@implements(np.polyval, arrays=0)
-def polynomial(coefficients: Any, x: Any) -> Any:
-    """Return np.polyval, by Horner's rule."""
-    value = np.zeros_like(x)
-    for one in coefficients:
-        value = value * x + one
-    return value
+# --- products, and linear equations: elimination, with pivots by `where` ----------------------
+
+MOST_ROWS = 24  # of linear equations
 
 
-@implements(np.nan_to_num)
-def nan_to_num(
-    a: Any, copy: bool = True, nan: float = 0.0, posinf: Any = None, neginf: Any = None
-) -> Any:
-    """Return np.nan_to_num(a)."""
-    most, out = np.finfo(float).max, None if copy else a
-    a = where(a != a, nan, a)
-    a = where(a == np.inf, most if posinf is None else posinf, a)
-    return into(out, where(a == -np.inf, -most if neginf is None else neginf, a))
+@implements(np.dot, arrays=2)
+def dot(a: Any, b: Any) -> Any:
+    """Return np.dot(a, b)."""
+    if np.ndim(a) and np.ndim(b) > 2:
+        return np.tensordot(a, b, (-1, -2))
+    return matmul(a, b) if np.ndim(a) and np.ndim(b) else elementwise("mul", a, b)
 
 
-def after(a: Any, b: Any) -> Any:
-    """Return whether b comes before a, as NumPy sorts: what is no number comes last."""
-    return np.less(b, a) | (np.not_equal(a, a) & np.equal(b, b))
+@implements(np.outer, arrays=2)
+def outer(a: Any, b: Any) -> Any:
+    """Return a b^T."""
+    a, b = (v if np.ndim(v) == 1 else np.reshape(v, -1) for v in (a, b))
+    return elementwise("mul", a[:, None], b[None, :])
 
 
-def in_order(values: list[Any], swaps: Callable = np.greater) -> list[Any]:
-    """Return numbers sorted: neighbours change places where they must, until none does."""
-    ordered = list(values)
-    for end in range(len(ordered) - 1, 0, -1):
-        for k in range(end):
-            a, b = ordered[k], ordered[k + 1]
-            swap = swaps(a, b)
-            ordered[k], ordered[k + 1] = where(swap, b, a), where(swap, a, b)
-    return ordered
+@implements(np.linalg.norm)
+def norm(a: Any, ord: Any = None, axis: Any = None, keepdims: Any = False) -> Any:
+    """Return the root of a sum of squares; other norms are NumPy's own, of each element."""
+    if ord in (None, "fro") or (ord == 2 and (a.ndim == 1 or isinstance(axis, int))):
+        return np.sqrt(np.sum(elementwise("mul", a, a), axis, keepdims=keepdims))
+    return on_objects(a._tape, np.linalg.norm, (a, ord, axis, keepdims), {})
 
 
-@implements(np.sort)
-def sort(a: Any, axis: int = -1, **more: Any) -> Any:
-    """Return np.sort(a) of a vector."""
-    if a.ndim != 1 or a.size > 16:
-        return refuse("sorting more than 16 numbers, or rows,")
-    return stacked(a._tape, in_order(list(a._elements()), after))
+def _rows(matrix: Any) -> list[Any]:
+    if len(matrix) > MOST_ROWS:
+        raise Unread(f"linear equations of more than {MOST_ROWS} rows with signals in their matrix")
+    return [matrix[k] for k in range(len(matrix))]
 
 
-@implements(np.median)
-def median(a: Any, axis: Any = None, **more: Any) -> Any:
-    """Return the number in the middle, or the mean of the two there; NaN if any is."""
-    if more or (axis is not None and a.ndim > 1):
-        return refuse("np.median along an axis")
-    ordered = sort(np.ravel(a))
-    middle = mean(ordered[(a.size - 1) // 2 : a.size // 2 + 1])
-    return where(ordered[-1] != ordered[-1], np.nan, middle)
+def _eliminated(rows: list[Any], pivot: Callable = lambda a: a) -> Any:
+    """Make rows triangular, in place; return whether they changed places an odd number of times."""
+    sign: Any = 1.0
+    n = len(rows)
+    refuse_in_a_try(*rows)  # where they have no solution
+    for k in range(n):
+        for i in range(k + 1, n):
+            larger = np.greater(np.fabs(rows[i][k]), np.fabs(rows[k][k]))
+            rows[k], rows[i] = where(larger, rows[i], rows[k]), where(larger, rows[k], rows[i])
+            sign = where(larger, -sign, sign)
+        for i in range(k + 1, n):
+            rows[i] = rows[i] - rows[k] * (rows[i][k] / pivot(rows[k][k]))
+    return sign
+
+
+@implements(np.linalg.solve, arrays=2)
+def solve(A: Any, b: Any) -> Any:
+    """Return the x of A x = b, as np.linalg.solve does."""
+    n = A.shape[0]
+    if A.ndim != 2 or A.shape != (n, n) or b.shape[0] != n:
+        raise ValueError("solve: A must be square, b as long")
+    right = b[:, None] if b.ndim == 1 else b
+    rows = [np.concatenate([row, right[k]]) for k, row in enumerate(_rows(A))]
+    _eliminated(rows)
+    solved: list[Any] = [None] * n
+    for k in range(n - 1, -1, -1):
+        rest = rows[k][n:]
+        for i in range(k + 1, n):
+            rest = rest - solved[i] * rows[k][i]
+        solved[k] = rest / rows[k][k]
+    x = np.stack(solved)
+    return x[:, 0] if b.ndim == 1 else x
+
+
+@implements(np.linalg.det)
+def determinant(A: Any) -> Any:
+    """Return the determinant: the product of the pivots."""
+    rows = _rows(A)
+    sign = _eliminated(rows, lambda a: where(a == 0.0, 1.0, a))  # below it all are 0
+    return reduce(lambda v, w: v * w, (rows[k][k] for k in range(len(rows)))) * sign
+
+
+# --- others ------------------------------------------------------------------------------------
 
 
 def along(join: Callable, ufunc: Any) -> Callable:
     """Return what joins the elements of an array by a ufunc, all, or those along an axis."""
 
     def joined(a: Any, axis: Any = None, dtype: Any = None, **more: Any) -> Any:
+        if "where" in more:
+            return refuse("joining some elements, which np.where chooses,")
         if not is_truth(a) or isinstance(dtype, Array):
             check_doubles(dtype)
         return join(ufunc, a, axis, **more)
@@ -219,23 +244,15 @@ def along(join: Callable, ufunc: Any) -> Callable:
 
 def alike(a: Array, value: float, dtype: Any = None, **named: Any) -> Any:
     """Return a number everywhere in an array of the shape and kind of another."""
-    if counts(a) and dtype is None:
+    if is_whole(a) is not False and dtype is None:
         return refuse("an array like one of truth values or whole numbers")
     check_doubles(dtype)
     return filled(a._tape, value, a.shape)
 
 
-implements(np.dot, arrays=2)(linear_algebra.dot)
-implements(np.vdot, arrays=2)(lambda a, b: linear_algebra.dot(np.ravel(a), np.ravel(b)))
-for unread in (np.shares_memory, np.may_share_memory, np.ix_):
+implements(np.vdot, arrays=2)(lambda a, b: dot(np.ravel(a), np.ravel(b)))
+for unread in (np.shares_memory, np.may_share_memory, np.ix_, np.sort, np.median):
     implements(unread, arrays=0)(lambda *_, name=unread.__name__: refuse(f"np.{name}"))
-implements(np.outer, arrays=2)(linear_algebra.outer)
-implements(np.cross, arrays=2)(linear_algebra.cross)
-implements(np.linalg.norm)(linear_algebra.norm)
-implements(np.diag)(linear_algebra.diag)
-implements(np.linalg.solve, arrays=2)(linear_algebra.solve)
-implements(np.linalg.det)(linear_algebra.determinant)
-implements(np.linalg.cholesky)(linear_algebra.cholesky)
 implements(np.sum)(along(reduced, np.add))
 implements(np.prod)(along(reduced, np.multiply))
 implements(np.max, np.amax)(along(reduced, np.maximum))
@@ -245,7 +262,7 @@ implements(np.all)(along(reduced, np.logical_and))
 implements(np.ptp)(lambda a, *more, **named: np.max(a, *more, **named) - np.min(a, *more, **named))
 implements(np.std)(lambda a, *more, **named: np.sqrt(np.var(a, *more, **named)))
 implements(np.trace)(lambda a, *more, **named: np.sum(np.diagonal(a, *more, **named)))
-implements(np.linalg.inv)(lambda A: linear_algebra.solve(A, np.eye(A.shape[0])))
+implements(np.linalg.inv)(lambda A: solve(A, np.eye(A.shape[0])))
 implements(np.cumsum)(along(accumulated, np.add))
 implements(np.cumprod)(along(accumulated, np.multiply))
 implements(np.allclose, arrays=2)(lambda *given, **more: np.all(close(*given, **more)))
@@ -308,11 +325,13 @@ for real, made in SHARES.items():
     implements(real)(made)
 
 
-def floats(value: Any) -> Any:
-    """Return a number, or numbers in lists, that Python has as its own floats."""
-    if (tape := active()) is not None:
-        tape.has_floats = True
-    return value
+def as_list(a: Array) -> Any:
+    """Return elements in lists, which Python has as its own numbers."""
+    elements = objects(a)
+    own = np.empty(elements.shape, dtype=object)
+    for place, one in np.ndenumerate(elements):
+        own[place] = of_python(one, is_whole(one))
+    return own.tolist()
 
 
 def astype(a: Array, *kind: Any, **more: Any) -> Any:
@@ -327,14 +346,13 @@ METHODS: dict[str, Callable] = {  # that are not NumPy's functions
     "flatten": lambda a, order="C": views.copied(np.ravel(a, order)),
     **dict.fromkeys(("__copy__", "__deepcopy__"), views.copied),
     "astype": astype,
-    "item": lambda a, *at: floats(a[at] if at else objects(a).ravel()[0]),
-    "tolist": lambda a: floats(objects(a).tolist()),
+    "item": lambda a, *at: as_list(a[at] if at else objects(a).ravel()[0]),
+    "tolist": as_list,
     "fill": lambda a, value: a.__setitem__(..., value),
-    "sort": lambda a, *more: a.__setitem__(..., np.sort(a, *more)),
     "is_integer": lambda a: np.floor(a) == a,
 }
 # other than NumPy's functions of these names
-OTHER = frozenset({"partition", "resize", "compress", "conj", "conjugate"})
+OTHER = frozenset({"sort", "partition", "resize", "compress", "conj", "conjugate"})
 
 
 def method(name: str) -> Callable | None:

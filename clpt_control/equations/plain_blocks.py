@@ -6,7 +6,6 @@ its array would read what lies there.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from functools import partial
 from math import prod
 from typing import Any
@@ -27,21 +26,11 @@ LARGEST = 10**7  # numbers of one value of a record
 MOST = 10**8  # of all values of a record together
 
 
-@dataclass(frozen=True)
-class Listed:
-    """Breakpoints that a function gave, up to a time."""
-
-    times: tuple[float, ...]
-    until: float
-
-    def __call__(self, p: Any, t0: float, t1: float) -> np.ndarray:
-        """Return the breakpoints in (t0, t1]."""
-        if t1 > self.until:
-            raise BlockError(
-                f"jumps are recorded up to t = {self.until:g}; t = {t1:g} is asked for"
-            )
-        times = np.array(self.times)
-        return times[(times > t0) & (times <= t1)]
+def _listed(times: np.ndarray, until: float, p: Any, t0: float, t1: float) -> np.ndarray:
+    """Return the breakpoints in (t0, t1] of those that a function gave, up to a time."""
+    if t1 > until:
+        raise BlockError(f"jumps are recorded up to t = {until:g}; t = {t1:g} is asked for")
+    return times[(times > t0) & (times <= t1)]
 
 
 class RecordedBlock(Block):
@@ -62,7 +51,8 @@ class RecordedBlock(Block):
         if jumps is not None and "period" in jumps:
             jumps = Each(**jumps)
         elif jumps is not None:
-            jumps = Listed(tuple(map(float, jumps["times"])), float(jumps["until"]))
+            times = np.array([float(t) for t in jumps["times"]])
+            jumps = partial(_listed, times, float(jumps["until"]))
         if "output" not in functions:
             shapes["outputs"] = None
         declared = {field: plain[field] for field in ("opaque", "units")}

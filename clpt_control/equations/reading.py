@@ -5,8 +5,8 @@
 A question (``if u[0] > 0``) is answered both ways: the function runs again with the other
 answer, and what the ways return is joined by `where`.  A way that raises is NaN.  A signal that
 Python counts with is asked which whole number it is, up to the first IndexError.  What is read
-twice, and from each state in which a way left what the function reaches (`kept`), must be the same:
-else a state or chance hides in the function.  The package's own functions are read once.
+twice, and from each state in which a way filled what the function reaches (`kept`), must be the
+same: else a state or chance hides in the function.  The package's own functions are read once.
 """
 
 from collections.abc import Callable, Mapping
@@ -16,8 +16,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..errors import BlockError
-from .answers import AnsweringTape, Borrowed, Holding, Outside, Ports, located
-from .arrays import Array, Joined, Tape, Unread, objects, operand, reading_on
+from .answers import AnsweringTape, Borrowed, Outside, Ports, each_way, located, merged
+from .arrays import Array, Tape, Unread, objects, operand, reading_on
 from .copies import Copies, borrowed
 from .declaration import Parameters
 from .elementwise import as_number, filled, lifted, where
@@ -25,7 +25,6 @@ from .kept import OF_ALL, Snapshot
 from .ports import places
 from .record import Record, Shape, compact
 from .stand_ins import UNSEEDED
-from .ways import each_way, merged
 
 MOST_WAYS = 256
 MOST_READINGS = 16  # one for each state in which something is left
@@ -71,7 +70,6 @@ def read(*arguments: Any, **more: Any) -> Read:
     """
     request = Request(*arguments, **more)
     spaces: list[dict[str, Any]] = []
-    asked: set[type] = set()
     reads: list[Read] = []
     snapshot = Snapshot(() if request.known else OF_ALL)
     try:
@@ -79,12 +77,9 @@ def read(*arguments: Any, **more: Any) -> Read:
             states = [{}, *snapshot.left.values()]
             state = states[min(len(reads), len(states) - 1)]
             try:
-                reads.append(_Ways(request, spaces, snapshot, state, asked).read())
-            except (Borrowed, Holding, Joined) as missing:
-                if isinstance(missing, Borrowed):
-                    spaces.append(missing.space)
-                else:
-                    asked.add(type(missing))
+                reads.append(_Ways(request, spaces, snapshot, state).read())
+            except Borrowed as missing:
+                spaces.append(missing.space)
                 reads.clear()
                 snapshot.restore()
                 snapshot.left.clear()
@@ -108,19 +103,12 @@ class _Ways:
     """All ways through a function, one after the other."""
 
     def __init__(
-        self,
-        request: Request,
-        spaces: list[dict],
-        snapshot: Snapshot,
-        state: dict,
-        asked: set[type],
+        self, request: Request, spaces: list[dict], snapshot: Snapshot, state: dict
     ) -> None:
         self.request, self.spaces = request, spaces
         self.snapshot, self.state = snapshot, state  # in which a way left all
-        holding = Holding in asked
-        self.tape = AnsweringTape(request.parameters, spaces, holding)
-        self.tape.joins = Joined not in asked
-        self.copies = Copies(self.tape, snapshot, holding)
+        self.tape = AnsweringTape(request.parameters, spaces)
+        self.copies = Copies(self.tape, snapshot)
         self.ways: list[tuple[dict[int, bool], list[Any]]] = []
 
     def read(self) -> Read:
@@ -133,17 +121,16 @@ class _Ways:
         }
         named = request.wrap is None  # else x and u are the function's own
         for _ in each_way(tape):
-            for space in self.snapshot.asking.values():
-                if not any(space is one for one in self.spaces):
-                    raise Borrowed(space)
-            tape.last_asked = None
-            self.snapshot.begin(self.state, self._unknown)
+            asking = self.snapshot.asking.values()
+            self.spaces += [one for one in asking if all(one is not s for s in self.spaces)]
+            tape.last_asked = tape.texts = None
+            self.snapshot.begin(self.state)
             x, u = Ports(tape, "x", request.states, named), Ports(tape, "u", request.inputs, named)
             p = request.wrap(dict(fields)) if request.wrap else Parameters(**fields)
             outputs = self._way(lambda: copied(t, x, u, p))  # noqa: B023
             self.ways.append((tape.answers, outputs))
-            self.snapshot.restore()
-            self.copies.check()
+            self.snapshot.note(request.name)
+            self.copies.check(request.name)
             if isinstance(p, dict) and any(v is not fields.get(k, p) for k, v in dict.items(p)):
                 raise Unread(f"{request.name} changes its params; make what it keeps a state")
             if len(self.ways) > MOST_WAYS:
@@ -151,10 +138,6 @@ class _Ways:
         refs = [operand(one) for one in merged(tape, self.ways, where)]
         record = compact(tape.operations, refs, request.out.values())
         return Read(record, frozenset(tape.pinned), frozenset(self.copies.texts))
-
-    def _unknown(self, name: Any) -> Array:
-        """Return what stands for what the first reading changed."""
-        return self.tape.add("leaf", (), (), ("t", f"changed {name}"))
 
     def _leaf(self, name: str) -> Array:
         leaf = self.tape.add("leaf", (), self.request.shapes[name], ("p", name))
@@ -172,7 +155,9 @@ class _Ways:
                 if returned is None and tape.answers:
                     raise ValueError("returns nothing")
                 outputs = _by_port(tape, request.role, returned, request.out)
-        except (Borrowed, Holding, Joined, BlockError):
+                if tape.texts is not None:
+                    raise tape.texts
+        except (Borrowed, BlockError):
             raise
         except RecursionError:
             raise Unread(f"{request.name} calls itself without end") from None

@@ -18,22 +18,21 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import Array, Tape, Unread, active, objects, single, whole
+from .arrays import Array, Tape, Unread, active, single, whole
 from .elementwise import (
-    READ,
+    all_of,
     boxed,
     chosen,
-    counts,
     elementwise,
-    in_a_try,
     is_of_python,
+    is_whole,
     lifted,
     refuse_in_a_try,
     where,
 )
 from .lookup_tables import function_of, is_table
 from .number_types import TYPES, has, is_a, of_python, real_of, type_of
-from .numpy_functions import apply_function, in_order
+from .numpy_functions import apply_function
 from .ufuncs import apply_ufunc
 from .views import converted, copied, fresh, share, tape_of
 
@@ -75,14 +74,6 @@ class StandIn:
 
 # --- `math` and built-in functions --------------------------------------------------
 
-MOST_SORTED = 16
-
-
-def about(a: Any, b: Any, *, rel_tol: float = 1e-9, abs_tol: float = 0.0) -> Any:
-    """Return math.isclose(a, b)."""
-    near = np.fabs(a - b) <= np.maximum(rel_tol * np.maximum(np.fabs(a), np.fabs(b)), abs_tol)
-    return (a == b) | (near & np.isfinite(a) & np.isfinite(b))
-
 
 def remainder(a: Any, b: Any) -> Any:
     """Return math.remainder(a, b), from the rest of two periods: without rounding."""
@@ -90,23 +81,10 @@ def remainder(a: Any, b: Any) -> Any:
     return rest - b * np.rint(rest / b)
 
 
-def exact_total(values: Any) -> Any:
-    """Return math.fsum: a sum, and what rounding took from it."""
-    total: Any = 0.0
-    lost: Any = 0.0
-    for value in values:
-        new = total + value
-        first = np.fabs(total) >= np.fabs(value)
-        lost = lost + where(first, (total - new) + value, (value - new) + total)
-        total = new
-    return total + lost
-
-
-DOMAINS: dict[str, Callable] = {  # outside, `math` raises
-    "sqrt": lambda a: a < 0,
-    **dict.fromkeys(("log", "log2", "log10"), lambda a, *base: a <= 0),
-    **dict.fromkeys(("asin", "acos"), lambda a: np.fabs(a) > 1),
-}
+def rounded_off(total: Any, value: Any, new: Any) -> Any:
+    """Return what rounding took from total + value."""
+    first = np.fabs(total) >= np.fabs(value)
+    return where(first, (total - new) + value, (value - new) + total)
 
 
 MATH: dict[str, Callable] = {
@@ -116,28 +94,21 @@ MATH: dict[str, Callable] = {
     "remainder": remainder,
     "hypot": lambda *a: np.hypot(*a) if len(a) == 2 else functools.reduce(np.hypot, a, 0.0),
     "dist": lambda a, b: functools.reduce(np.hypot, map(np.subtract, a, b), 0.0),
-    "isclose": about,
-    "fsum": exact_total,
     "prod": lambda a, start=1: functools.reduce(lambda v, w: v * w, a, start),
-    "ldexp": lambda a, k: a * 2.0**k,
 }
-RAISING = frozenset(  # beyond what DOMAINS asks
-    {"exp", "exp2", "expm1", "sinh", "cosh", "pow", "fmod", "remainder", "log1p", "ldexp", "acosh"}
-    | {"atanh"}
+RAISING = frozenset(  # where a number is out of range
+    {"sqrt", "log", "log2", "log10", "log1p", "asin", "acos", "acosh", "atanh", "exp", "exp2"}
+    | {"expm1", "sinh", "cosh", "pow", "fmod", "remainder"}
 )
 
 
 def of_math(name: str, tape: Tape, *arguments: Any, **more: Any) -> Any:
     """Write down a function of `math`."""
     numbers = tuple(map(single, arguments))
-    tape.has_floats = True
     if name in RAISING:
         refuse_in_a_try(*numbers)
-    if name in DOMAINS and in_a_try() and DOMAINS[name](*numbers):
-        raise ValueError("math domain error")
     new = MATH[name](*numbers, **more)
-    kept = isinstance(new, Array) and name == "prod" and new._whole
-    return of_python(new, True if name in ("floor", "ceil", "trunc") else kept)
+    return of_python(new, name in ("floor", "ceil", "trunc") or (name == "prod" and is_whole(new)))
 
 
 OF_MATH = [StandIn(getattr(math, name), functools.partial(of_math, name)) for name in MATH]
@@ -159,32 +130,44 @@ def best(better: Callable, values: list) -> Any:
     return functools.reduce(lambda a, b: chosen(better(b, a), b, a), map(single, values))
 
 
-def ordered(values: list) -> list[Any]:
-    """Return values sorted, without a question where they are few."""
-    return in_order(values) if len(values) <= MOST_SORTED else sorted(values)
+MOST_SORTED = 16
+
+
+def ordered(values: list[Any]) -> list[Any]:
+    """Return few values sorted: neighbours change places where they must, until none does."""
+    if len(values) > MOST_SORTED:
+        return sorted(values)
+    for end in range(len(values) - 1, 0, -1):
+        for k in range(end):
+            a, b = values[k], values[k + 1]
+            swap = np.greater(a, b)
+            values[k], values[k + 1] = chosen(swap, b, a), chosen(swap, a, b)
+    return values
 
 
 def compensated(values: Iterable[Any], start: Any = 0) -> Any:
     """Return Python's sum: of its own floats, since 3.12, with what rounding took from it.
 
-    Of whole numbers among them since 3.14.
+    Of whole numbers among them since 3.14; a number of NumPy ends it.
     """
     values = list(values)
     if tape_of((start, *values)) is None:
         return sum(values, start)
-    total, lost, all_own = start, None, is_of_python(start)
+    total, own = start, is_of_python(start)
+    lost: Any = 0.0
     for value in values:
-        new, rest, all_own = total + value, lost, where(all_own, is_of_python(value), False)
-        counted = counts(total) or (counts(value) and sys.version_info < (3, 14))
-        own = not counted and all_own
-        if own is not False:
-            first = np.fabs(total) >= np.fabs(value)
-            rest = where(first, (total - new) + value, (value - new) + total)
-            rest = rest if lost is None else lost + rest
-        if own is not True and lost is not None:
+        own = all_of([own, is_of_python(value)])
+        whole = where(is_whole(total), True, sys.version_info < (3, 14) and is_whole(value))
+        new = total + value
+        if isinstance(lost, Array) or lost:
             new = where(own, new, with_rest(total, lost) + value)
-        total, lost = new, None if own is False else where(own, rest, 0.0)
-    return total if lost is None else with_rest(total, lost)
+        if own is False:
+            lost = 0.0
+        else:
+            rest = lost + rounded_off(total, value, total + value)
+            lost = where(own, where(whole, lost, rest), 0.0)
+        total = new
+    return with_rest(total, lost) if isinstance(lost, Array) or lost else total
 
 
 def with_rest(total: Any, lost: Any) -> Any:
@@ -246,7 +229,7 @@ def same_array(tape: Any, value: Any, dtype: Any = None, **more: Any) -> Any:
 def full(tape: Tape, shape: Any, value: Any, dtype: Any) -> Any:
     """Return np.full of a signal."""
     new = lifted(tape, np.zeros(whole(shape))) + lifted(tape, value)
-    new._whole = counts(value)
+    new._whole = is_whole(value)
     return boxed(tape, new if dtype is None else converted(new, dtype))
 
 
@@ -260,24 +243,6 @@ MAKERS: dict[Any, Callable] = {
     },
     np.isscalar: lambda tape, a: isinstance(a, Array) and not (a.shape or a._boxed),
 }
-
-
-def vectorized(real: np.vectorize) -> StandIn:
-    """Return the stand-in of a function made by np.vectorize, which is run for each element."""
-
-    def function(tape: Tape, *arguments: Any, **more: Any) -> Any:
-        if real.signature or real.excluded:
-            raise Unread("calls np.vectorize with a signature, or what it excludes; write a loop")
-        arrays = np.broadcast_arrays(*(objects(lifted(tape, one)) for one in arguments))
-        results = np.empty(arrays[0].size, dtype=object)
-        for k, values in enumerate(zip(*(one.ravel() for one in arrays), strict=True)):
-            results[k] = real.pyfunc(*values, **more)
-        kinds = {*map(counts, results)}
-        if real.otypes is None and len(kinds) > 1:
-            raise Unread("np.vectorize makes all like the first, an int; write 1.0 for 1")
-        return lifted(tape, results).reshape(arrays[0].shape)
-
-    return StandIn(real, function)
 
 
 class Joiner:
@@ -331,17 +296,15 @@ def _refused(real: Callable, sentence: str) -> Callable:
 
 
 UNSEEDED = "draws by chance; draw before the run, or take it as an input"
-CLOCKS = ("time", "monotonic", "perf_counter", "process_time")
+CLOCKS = (
+    *(time.time, time.monotonic, time.perf_counter, time.process_time),
+    *(time.time_ns, time.monotonic_ns, time.perf_counter_ns, time.process_time_ns),
+)
 _KNOWN: dict[int, Any] = {
     **{id(real): Module(real) for real in (np, np.random, math, time)},
+    **{id(one): _refused(one, "asks a clock; t is the run's time") for one in CLOCKS},
     id(np.random.default_rng): _refused(np.random.default_rng, UNSEEDED),
-    **{
-        id(clock := getattr(time, name + end)): _refused(clock, "asks a clock; t is the run's time")
-        for name in CLOCKS
-        for end in ("", "_ns")
-    },
     id(np.errstate): errstate,
-    id(np.vectorize): lambda *arguments, **more: vectorized(np.vectorize(*arguments, **more)),
     id(np.r_): Joiner(np.r_, np.concatenate),
     id(np.c_): Joiner(np.c_, np.column_stack),
     **{id(real): made for real, made in TYPES.items()},
@@ -372,4 +335,4 @@ def imported(name: str, *arguments: Any, **more: Any) -> Any:
     return stand_in(builtins.__import__(name, *arguments, **more))
 
 
-BUILTINS: dict[str, Any] = {**vars(builtins), **SHADOWS, "__import__": imported, READ: True}
+BUILTINS: dict[str, Any] = {**vars(builtins), **SHADOWS, "__import__": imported}

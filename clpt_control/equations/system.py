@@ -26,7 +26,7 @@ from .answers import EVERY, Params
 from .arrays import Unread
 from .block import Block
 from .declaration import Parameters
-from .ports import flattened, sizes_of
+from .ports import flattened
 from .reading import Read, read
 from .record import MOST_NUMBERS, Record
 from .sampled import Sampled
@@ -69,9 +69,10 @@ class System(Block):
             "outputs": states if self.output_function is None else {"y": (q,)} if q else {},
             "states": states,
         }
-        self.number_names = _names(self._params)
+        # params that are numbers, which the block has as parameters
+        self.number_names = {key for key, value in self._params.items() if _is_number(key, value)}
         self.parameters = Parameters(
-            **{self.number_names[key]: _leaf(self._params[key]) for key in self.number_names}
+            **{key: _leaf(own) for key, own in self._params.items() if key in self.number_names}
         )
         self.nstates, self.ninputs, self.noutputs, self.dt = n, m, q, system.dt or 0
         for kind, count, letter in (("input", m, "u"), ("output", q, "y"), ("state", n, "x")):
@@ -92,7 +93,7 @@ class System(Block):
     def with_params(self, params: Mapping[str, Any] | None) -> Any:
         """Return the parameters with some changed; python-control passes unknown ones on."""
         known = {
-            self.number_names[key]: _leaf(value)
+            key: _leaf(value)
             for key, value in (params or {}).items()
             if key in self.number_names and value is not self._params[key]
         }
@@ -128,17 +129,11 @@ class System(Block):
         if p is self._parameters:
             return self._params
         changed = {
-            key: _as_given(getattr(p, name), self._params[key])
-            for key, name in self.number_names.items()
-            if getattr(p, name) is not getattr(self._parameters, name)
+            key: _as_given(value, self._params[key])
+            for key, value in p._asdict().items()
+            if value is not getattr(self._parameters, key)
         }
         return {**self._params, **changed}
-
-    # --- ports ------------------------------------------------------------------------------
-
-    def _ports(self, kind: str) -> dict[str, int]:
-        """Return one port of inputs and one of outputs, whatever the labels are."""
-        return sizes_of(getattr(self, f"{kind}_shapes"))
 
     # --- readings ---------------------------------------------------------------------------
 
@@ -153,9 +148,8 @@ class System(Block):
         except BlockError as error:  # which begins with the role
             return Unread(f"{self.name}.{error}")
         self._reads[role] = result.names, result.texts
-        self.read_with[role] = frozenset(self.number_names[key] for key in result.pinned), ""
-        names = self.number_names.items()
-        return result.record.renamed({("p", key): ("p", own) for key, own in names})
+        self.read_with[role] = result.pinned, ""
+        return result.record
 
     def _evaluate(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
         function, where = self._plan[role]
@@ -245,22 +239,13 @@ def _as_given(value: Any, like: Any) -> Any:
     return int(value) if whole else float(value)
 
 
-def _names(params: Mapping[str, Any]) -> dict[str, str]:
-    """Return the keys that hold numbers, each with the name of the block's parameter."""
-    names: dict[str, str] = {}
-    for k, (key, value) in enumerate(params.items()):
-        if _is_number(value):
-            fits = isinstance(key, str) and key.isidentifier() and not hasattr(Parameters, key)
-            fits &= key != "interval"  # which says when a block jumps
-            names[key] = key if fits else f"p{k}"
-    return names
-
-
-def _is_number(value: Any) -> bool:
-    """Return whether a value is a number, or an array of doubles, which signals may take part in.
+def _is_number(key: Any, value: Any) -> bool:
+    """Return whether a param is a number, or an array of doubles, which signals may take part in.
 
     Other arrays stay as they are: NumPy cuts what is written into whole numbers.
     """
+    if not isinstance(key, str) or hasattr(Parameters, key) or key == "interval":
+        return False
     if type(value) in (int, float, np.int64, np.float64):
         return not np.isnan(value)
     return (

@@ -7,8 +7,17 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import HOOKS, Array, Tape, Unread, is_of_numpy, objects
-from .elementwise import as_condition, as_number, elementwise, is_truth, lifted, total, where
+from .arrays import HOOKS, Array, Tape, Unread, objects
+from .elementwise import (
+    as_condition,
+    as_number,
+    elementwise,
+    is_of_python,
+    is_truth,
+    lifted,
+    total,
+    where,
+)
 from .record import UFUNCS
 from .views import (
     converted,
@@ -52,7 +61,7 @@ def check_doubles(dtype: Any) -> None:
 def _apply(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
     if method != "at" and not depends(inputs):
         return of_numbers(tape, getattr(ufunc, method), inputs, more)
-    if method == "reduce":
+    if method == "reduce" and "where" not in more:
         return reduced(ufunc, *inputs, **more)
     if method == "accumulate":
         return accumulated(ufunc, *inputs, **more)
@@ -76,16 +85,12 @@ def _apply(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
     return COMPOSED[name](*arguments) if name in COMPOSED else refuse(f"np.{name}")
 
 
-def reduced(
-    ufunc: Any, a: Any, axis: Any = 0, keepdims: Any = False, initial: Any = None, where: Any = True
-) -> Any:
+def reduced(ufunc: Any, a: Any, axis: Any = 0, keepdims: Any = False, initial: Any = None) -> Any:
     """Join the elements along an axis, or all, one after the other; a sum is one operation."""
     a = lifted(tape_of([a]), a)
     a = a if np.ndim(a) else copied(a)
     if ufunc in (np.logical_and, np.logical_or):
         a = as_condition(a)
-    if where is not True:
-        a = np.where(where, a, initial if ufunc.identity is None else ufunc.identity)
     axes = [axis] if isinstance(axis, int) else axis
     if axis is None and ufunc is np.add:
         axes = range(a.ndim)
@@ -174,7 +179,7 @@ BITWISE: dict[Any, Callable] = {  # of truth values
     np.bitwise_and: partial(elementwise, "and"),
     np.bitwise_or: partial(elementwise, "or"),
     np.bitwise_xor: partial(elementwise, "ne"),
-    np.invert: lambda a: elementwise("not", a) if a.shape or is_of_numpy(a) else refuse("~"),
+    np.invert: lambda a: refuse("~") if is_of_python(a) else elementwise("not", a),
 }
 TAKING_TRUTHS = frozenset(
     {"logical_xor", "isnan", "isfinite", "isinf", "fmin", "fmax", "square", "conjugate", "rint"}

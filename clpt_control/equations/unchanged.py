@@ -31,9 +31,6 @@ DIGITS = (int, bool, str, bytes, NoneType)
 READ = ("open", "input", "load", "loadtxt", "genfromtxt", "fromfile", "memmap", "random")
 OPENED = ("globals", "vars", "eval", "exec", "compile", "__import__", "__dict__", "__globals__")
 SEES = frozenset((*READ, *OPENED))  # names by which a function reaches more than it names
-MAKING = frozenset(  # by which a function makes another object, or reaches the class
-    ("type", "__class__", "__new__", "__init__", "super", "replace", "copy", "deepcopy")
-)
 UNUSED = ("__repr__", "__annotate__", "__annotate_func__")  # by what equations compute
 FIXED = {  # modules that nobody changes
     one.__name__: one for one in (math, cmath, copy, functools, itertools, operator, np, np.linalg)
@@ -118,27 +115,22 @@ class Keys:
         """Return the key of an object by what it holds, and by what its class does."""
         kind = type(value)
         if kind is type:
-            return self._class(value, makes=True)
+            return self._class(value)
         if kind in (SimpleNamespace, ModuleType) and len(vars(value)) < MANY:
             held = {k: own for k, own in vars(value).items() if not _of_python(k, own)}
             return kind, *self.named(held)
         return self._class(kind), *self.named(vars(value))
 
-    def _class(self, kind: type, makes: bool = False) -> Any:
-        """Return the key of a plain class; with how objects begin where something makes more."""
+    def _class(self, kind: type) -> Any:
+        """Return the key of a plain class, written in Python."""
         own = vars(kind)
-        rooted = "__weakref__" in own or not {*kind.__bases__} <= {object}  # written in Python
+        rooted = "__weakref__" in own or not {*kind.__bases__} <= {object}
         plain = type(kind) is type and kind.__new__ is object.__new__ and rooted
         if not plain or "__slots__" in own:
             raise Unkeyed  # its objects may hold what no attribute shows
         does = {k: _functions(one) for k, one in own.items() if not _of_python(k, one)}
-        for name, functions in does.items():
-            codes = [f.__code__ for f in functions if isinstance(f, FunctionType)]
-            makes |= isinstance(own[name], classmethod)
-            makes |= name != "__init__" and any(MAKING.intersection(names_in(c)) for c in codes)
-        bases = [self._class(one, makes) for one in kind.__bases__ if one is not object]
-        begins = {} if makes else {"__init__": ()}
-        return kind.__qualname__, *bases, *self.named(does | begins)
+        bases = [self._class(one) for one in kind.__bases__ if one is not object]
+        return kind.__qualname__, *bases, *self.named(does)
 
     def _function(self, function: FunctionType) -> Any:
         names = named(function.__code__)
@@ -156,6 +148,24 @@ class Keys:
             *cells,
             *[(name, self.of(space[name])) for name in names if name in space],
         )
+
+
+class _Constants(Keys):
+    """Makes keys of what nobody changes: numbers, texts, and functions of these alone."""
+
+    def of(self, value: Any) -> Any:
+        constant = type(value) in (*DIGITS, float, np.float64, tuple, FunctionType)
+        if not constant and not is_fixed(value):
+            raise Unkeyed
+        return super().of(value)
+
+
+def is_plain(function: FunctionType) -> bool:
+    """Return whether a function cannot change, and reaches nothing that can."""
+    try:
+        return bool(_Constants().of(function))
+    except Unkeyed:
+        return False
 
 
 def _of_python(name: str, own: Any) -> bool:

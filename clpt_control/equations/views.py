@@ -6,7 +6,7 @@ of a view, of a stack or of numbers is made at once.
 At times they are NumPy's own: as numbers where they depend on nothing, else as objects.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
 from math import prod
 from operator import itemgetter, mul
@@ -14,31 +14,35 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import HOOKS, Array, Tape, Unread, numbers_of, objects, operand, whole
-from .elementwise import (
-    OF_WHOLE,
-    TRUTH,
-    Masked,
-    as_number,
-    boxed,
-    constant,
-    counts,
-    in_a_try,
-    lifted,
-    of_numpy,
-)
+from .arrays import HOOKS, Array, Tape, Unread, moves, numbers_of, objects, operand, whole
+from .elementwise import TRUTH, as_number, boxed, constant, in_a_try, is_whole, lifted, of_numpy
 from .record import MOST_NUMBERS, Ref, Shape, viewed
 
 # --- as NumPy's own ----------------------------------------------------------------------------
 
 
-def depends(value: Any) -> bool:
-    """Return whether arguments hold a signal or a parameter."""
+def arrays_in(value: Any) -> Iterator[Array]:
+    """Yield the arrays of the record among arguments, in what holds them too."""
     if isinstance(value, Array):
-        return numbers_of(value) is None
-    if isinstance(value, list | tuple):
-        return any(map(depends, value))
-    return isinstance(value, np.ndarray) and value.dtype == object
+        yield value
+    elif isinstance(value, list | tuple | dict) or (
+        isinstance(value, np.ndarray) and value.dtype == object and value.ndim
+    ):
+        for one in value.values() if isinstance(value, dict) else value:
+            yield from arrays_in(one)
+
+
+def tape_of(values: Any) -> Any:
+    """Return the tape of the first array of the record among values, or None."""
+    for value in values:  # most often one of them
+        if isinstance(value, Array):
+            return value._tape
+    return next((one._tape for one in arrays_in(values)), None)
+
+
+def depends(values: Any) -> bool:
+    """Return whether arguments hold a signal or a parameter."""
+    return any(numbers_of(one) is None for one in arrays_in(values))
 
 
 def arrays_as(value: Any, to: Callable[[Array], Any]) -> Any:
@@ -50,13 +54,21 @@ def arrays_as(value: Any, to: Callable[[Array], Any]) -> Any:
     return type(value)(arrays_as(v, to) for v in value) if type(value) in (list, tuple) else value
 
 
+def _on_numbers(tape: Tape, function: Callable, inputs: Any, more: dict, number: Callable) -> Any:
+    """Run NumPy's own function on numbers; return None if it writes, or gives a part of them."""
+    given = arrays_as(inputs, number)
+    result = function(*given, **arrays_as(more, number))
+    return None if any(share(one, result) for one in given) else repacked(tape, result)
+
+
 def of_numbers(tape: Tape, function: Callable, inputs: Any, more: dict) -> Any:
     """Run NumPy's own function on arguments that depend on nothing."""
-    numbers = arrays_as(inputs, lambda one: np.array(numbers_of(one)))
-    result = function(*numbers, **arrays_as(more, numbers_of))
-    if result is None or any(share(one, result) for one in numbers):  # it writes, or is a part
-        return on_objects(tape, function, inputs, more)
-    return fresh(tape, result)
+
+    def number(one: Array) -> np.ndarray:
+        return np.array(numbers_of(one), dtype=int if one._whole is True else float)
+
+    result = _on_numbers(tape, function, inputs, more, number)
+    return on_objects(tape, function, inputs, more) if result is None else result
 
 
 def share(a: Any, b: Any) -> bool:
@@ -94,14 +106,12 @@ def on_values(tape: Tape, function: Callable, inputs: Any, more: dict, refused: 
             raise refused
         given = None if type(ref) is float else tape.parameter(ref)
         numbers = tape.numbers(ref) if given is None else np.asarray(given)
-        return numbers.astype(int) if counts(one) or is_whole(tape, ref) else numbers
+        return numbers.astype(int) if is_whole(one) else numbers
 
-    arguments = arrays_as(inputs, value)
-    result = function(*arguments, **arrays_as(more, value))
-    if result is None or any(share(one, result) for one in arguments):  # it writes, or is a part
+    if (result := _on_numbers(tape, function, inputs, more, value)) is None:
         raise refused
     tape.stopped = None
-    return repacked(tape, result)
+    return result
 
 
 def on_objects(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
@@ -139,20 +149,6 @@ def into(out: Any, value: Any) -> Any:
     return out
 
 
-def tape_of(values: Any) -> Any:
-    """Return the tape of the first array of the record among values, or None."""
-    for value in values:
-        if isinstance(value, Array):
-            return value._tape
-        if isinstance(value, list | tuple) or (
-            isinstance(value, np.ndarray) and value.dtype == object and value.ndim
-        ):
-            tape = tape_of(value)
-            if tape is not None:
-                return tape
-    return None
-
-
 # --- views -------------------------------------------------------------------------------------
 
 
@@ -172,7 +168,7 @@ def item(array: Array, index: tuple) -> Any:
         return new
     if isinstance(new, Array):
         new._whole = counted
-    return new if isinstance(new, Array) or counted is None else np.int64(new)
+    return new if isinstance(new, Array) or counted is not True else np.int64(new)
 
 
 def part(a: Any, function: Callable[[np.ndarray], Any]) -> Any:
@@ -277,28 +273,13 @@ def _places(shape: Shape) -> list[np.ndarray]:
 def _picked(array: Array, k: Any, *rest: Any) -> Any:
     """Return elements at places that are signals."""
     if isinstance(k, Array) and k._is_condition:
-        if not k._tape.free[k._node]:
-            return array[(k._tape.numbers(k._ref) != 0.0, *rest)]
-        same = not rest and k.shape == array.shape
-        return Masked(array, k) if same else refuse("taking elements by a condition")
-    if not rest and array.ndim == 1 and isinstance(array.shape[0], int) and not k.shape:
-        counts = is_whole(k._tape, k._ref)
-        if counts and k._tape.free[k._node] and array._written() is None and not in_a_try():
-            return array._tape.add("pick", (operand(array), k._ref), ())
+        if moves(k):
+            return refuse("elements taken by a condition, which np.where chooses,")
+        return array[(k._tape.numbers(k._ref) != 0.0, *rest)]
+    in_a_row = not rest and array.ndim == 1 and isinstance(array.shape[0], int) and not k.shape
+    if in_a_row and k._whole is True and moves(k) and array._written() is None and not in_a_try():
+        return array._tape.add("pick", (operand(array), k._ref), ())
     return array[whole((k, *rest))]
-
-
-def is_whole(tape: Tape, ref: Ref, deep: int = 8) -> bool:
-    """Return whether a number is a whole one by what it is made of."""
-    if type(ref) is float:
-        return ref.is_integer()
-    kind, arguments, _, at = tape.operations[ref]
-    if kind in ("trunc", "floor", "ceil", "pick"):
-        return True
-    if kind == "constant":
-        return bool(np.all(np.frombuffer(at) % 1.0 == 0.0))
-    parts = arguments[1:] if kind == "where" else arguments if kind in OF_WHOLE else ()
-    return bool(parts and deep) and all(is_whole(tape, one, deep - 1) for one in parts)
 
 
 def tape_viewed(tape: Tape, node: int, mapped: tuple, shape: Shape) -> Any:

@@ -37,7 +37,7 @@ pytestmark = IN_CHROMIUM
 def test_they_take_the_colours_of_the_page(ink, paper, tmp_path):
     scenario = clpt.paper_scenario().with_values({"run.duration": 40})
     loop = clpt.closed_loop(scenario)
-    things = scenario, loop, clpt.draw(loop), clpt.paper_blocks(scenario)[0]
+    things = scenario, loop, clpt.draw(loop)
     body = "".join(thing._repr_html_() for thing in things)
     page = tmp_path / "page.html"
     page.write_text(PAGE.format(ink=ink, paper=paper, body=body), "utf-8")

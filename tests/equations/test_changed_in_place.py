@@ -134,8 +134,7 @@ def methods_ask(t, x, u, p):
 
 
 def functions_of_math(t, x, u, p):
-    infinite = math.inf if x[0] > 0 else 1.0
-    return [math.isclose(x[1], infinite), *[math.remainder(a, 2 * math.pi) for a in x]]
+    return [math.dist(x[:2], u), *[math.remainder(a, 2 * math.pi) for a in x]]
 
 
 # --- what is refused -----------------------------------------------------------------------------
@@ -223,7 +222,6 @@ REFUSED = {  # with how many numbers each returns
     lambda t, x, u, p: np.clip(x, -0.5, 0.5, where=x > 0.0, out=x.copy()): 3,
     lambda t, x, u, p: [np.mean(x, where=[True, True, False])]: 1,
     lambda t, x, u, p: [round(p["k"], 1) * x[0]]: 1,
-    lambda t, x, u, p: [1.0 if ~(float(x[0]) > 0) else 2.0]: 1,
     lambda t, x, u, p: np.max(np.outer(x, u), 0, np.zeros(2)): 2,
 }
 

@@ -58,13 +58,6 @@ def says_try(t, x, u, p):
         pass
 
 
-def says_except(t, x, u, p):
-    try:
-        return math.sqrt(u[0])
-    except ValueError:
-        return -math.sqrt(-u[0])
-
-
 def says_divided(t, x, u, p):
     low, *_, high = sorted([u[0], u[1], 0.3])
     whole, rest = divmod(u[2], 2.0)
@@ -110,11 +103,6 @@ def says_splines(t, x, u, p):
 
 def says_series(t, x, u, p):
     return np.concatenate([f(u) for f in SERIES] + [[SERIES[0].deriv()(u[1]), SERIES[1](u[0])]])
-
-
-def says_periods(t, x, u, p):
-    a = np.interp(9.0 * u, [3.0, 0.0, 1.0, 2.0], [-1.0, 0.0, 1.0, 0.5], period=-4.0)
-    return [*a, np.interp(40.0 * u[0], [10, 20, 300], [1, 2, 3], left=9.0, period=36)]
 
 
 class Motor:
@@ -207,7 +195,7 @@ FUNCTIONS |= {
     "builtins": lambda t, x, u, p: (
         max(u[0], u[1]) + min(u) + abs(u[2]) + sum(u) + sorted(u)[1] + round(u[0])
     ),
-    "generators": lambda t, x, u, p: math.fsum(a * a for a in u) + math.prod(map(abs, u)),
+    "generators": lambda t, x, u, p: sum(a * a for a in u) + math.prod(map(abs, u)),
     "cross": lambda t, x, u, p: np.cross(u, [1.0, 2.0, 3.0]) + np.cumsum(u) + np.roll(u, 1),
     "stacked": lambda t, x, u, p: np.hstack([u[:1], np.vstack([u, 2 * u])[1, 1:]]),
     "mapping": lambda t, x, u, p: {"y": np.flip(u)},

@@ -184,10 +184,11 @@ def test_a_reading_leaves_all_as_it_was():
         motor.last = u[0]
         return motor.last
 
-    block = static(logging)
+    block, motor.last = static(logging), 5.0
     log.clear()
-    recorded(block, "output", 0.0, [], POINTS[0])
-    assert log == []
+    with pytest.raises(Unread, match=r"logging (changes a list|keeps what)"):
+        block.array_record("output")
+    assert (log, motor.last) == ([], 5.0)
     with pytest.raises(Unread, match="changes the global 'COUNT'"):
         read_alone(counting, 3)
     assert COUNT == 0

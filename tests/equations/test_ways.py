@@ -37,7 +37,13 @@ def thrust(n):
 def raising(v):
     if v < 0:
         raise ValueError("no root")
-    return math.sqrt(v)
+    return np.sqrt(v)
+
+
+def checked(v):
+    if v < 0:
+        raise ValueError(f"no root of {v}")
+    return np.sqrt(v)
 
 
 def gear(v):
@@ -83,7 +89,7 @@ def in_an_array(values):
     return found
 
 
-RATIOS, NAMES = [1.0, 2.5, 4.0], {"1": 2.0, "-1": 3.0}
+RATIOS = [1.0, 2.5, 4.0]
 FUNCTIONS = {
     "limits": lambda t, x, u, p: [limited(v) for v in u],
     "by name": lambda t, x, u, p: [limited(v, high=0.5) for v in u],
@@ -91,6 +97,7 @@ FUNCTIONS = {
     "within": lambda t, x, u, p: [thrust(v) for v in u],
     "two numbers": lambda t, x, u, p: [a * b for a, b in map(halves, u)],
     "errors": lambda t, x, u, p: [caught(v) for v in u],
+    "errors in words": lambda t, x, u, p: [checked(abs(v)) for v in u],
     "places": lambda t, x, u, p: [RATIOS[gear(v)] * v for v in u],
     "counts": lambda t, x, u, p: [sum(u[: gear(abs(v))]) for v in u],
     "truths": lambda t, x, u, p: [1.0 if high(v) else v for v in u],
@@ -101,7 +108,6 @@ FUNCTIONS = {
     "whole": lambda t, x, u, p: in_an_array([whole_at_its_ends(10 * v) for v in u]),
     "whole, made float": lambda t, x, u, p: in_an_array([1.0 * whole_at_its_ends(v) for v in u]),
     "max": lambda t, x, u, p: in_an_array([max(0, v) for v in u]),
-    "a text": lambda t, x, u, p: [NAMES.get(str(whole_at_its_ends(v)), 0.5) for v in u],
     "a type": lambda t, x, u, p: [float(type(whole_at_its_ends(v)) is int) for v in u],
 }
 

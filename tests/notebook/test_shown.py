@@ -39,7 +39,7 @@ def made():
     }
 
 
-NAMES = "Scenario Team Block Diagram Drawing Replay ConformanceReport Verdict Excitation Movie"
+NAMES = "Scenario Team Diagram Drawing Replay ConformanceReport Verdict Excitation Movie"
 
 
 @pytest.mark.parametrize("name", NAMES.split())
@@ -90,7 +90,6 @@ def test_what_has_no_table_says_itself_in_one_line():
 def test_names_are_shown_as_they_are(made):
     assert "&lt;b onload=&quot;x&quot;&gt;&amp;" in made["Scenario"]._repr_html_()
     assert "&lt;b onload=&quot;x&quot;&gt;&amp;" in made["Replay"]._repr_html_()
-    assert "b&lt;i&gt;" in made["Block"]._repr_html_()
     assert "d&lt;i&gt;" in made["Diagram"]._repr_html_()
 
 
