@@ -15,7 +15,7 @@ from ..equations.at_many import rows
 from ..equations.derivative import STEPS
 from ..equations.record import Operation, Record, Ref, compact, reached
 from ..progress import warn
-from .decisions import QUESTIONS, decides, operands
+from .decisions import LOCKED, QUESTIONS, operands
 
 LOOKS = 1_024, 4_096  # times between which one change is looked for: both find the same
 PARTS, DEEP = 8, 4  # where they do not, parts of the time are looked at by themselves
@@ -44,9 +44,9 @@ def timed_decisions(record: Any) -> dict[int, Record]:
     for k in sorted(reached(record.entries, [port.ref for port in record.rates])):
         kind, arguments, shape, _ = lines[k]
         timed = "t" in groups[k] and "X" not in groups[k]
-        if timed and (kind in STEPS or decides(lines, kind, arguments)):
+        if timed and kind in (STEPS | LOCKED):
             for name in (asked := QUESTIONS.get(kind, ())):
-                lines.append(Operation(name, operands(lines, kind, name, arguments), shape))
+                lines.append(Operation(name, operands(kind, name, arguments), shape))
             places = range(len(lines) - len(asked), len(lines)) if asked else [k]
             decisions.setdefault(record.owners[k], []).extend(places)
     return {owner: compact(lines, places) for owner, places in decisions.items()}

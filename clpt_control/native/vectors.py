@@ -15,8 +15,7 @@ from llvmlite import ir
 from ..equations.arrays import Tape, operand
 from ..equations.record import Operation
 from .components import OUT_OF_LINE
-from .elementary import FUNCTIONS, MAGIC
-from .machine import LANES, scales
+from .elementary import FUNCTIONS, LIBRARY
 
 DOUBLE, BIT, WORD, INT32 = ir.DoubleType(), ir.IntType(1), ir.IntType(64), ir.IntType(32)
 INLINE = frozenset({"exp", "sin", "cos"})  # always inlined
@@ -144,11 +143,6 @@ def _power_of_two(builder: ir.IRBuilder, k: Any) -> Any:
 
 def _times_power_of_two(builder: ir.IRBuilder, a: Any, k: Any, half: Any) -> Any:
     """2^k a, rounded once at the end; k and half of k have `MAGIC` added."""
-    if (width := width_of(a)) > 1 and scales():  # all places, rounded as usual
-        values = [a, builder.fsub(k, constant(MAGIC, width)), a, ir.Constant(ir.IntType(8), -1)]
-        values += [ir.Constant(INT32, 4)] if width == LANES else []
-        name, types = f"llvm.x86.avx512.mask.scalef.pd.{64 * width}", [one.type for one in values]
-        return builder.call(declared(builder.module, name, a.type, types), values)
     place, half = _word(52, a), _bits(builder, half)
     high = builder.shl(builder.sub(_bits(builder, k), half), place)
     near = _number(builder, builder.add(_bits(builder, a), high))
@@ -192,7 +186,7 @@ PRIMITIVES: dict[str, Primitive] = {
     **{name: _intrinsic(name) for name in ("fma", "fmuladd", "sqrt", "fabs", "copysign")},
     "round_down": _intrinsic("floor"),
     "round_to_zero": _intrinsic("trunc"),
-    **{name: _library(name) for name in ("erf", "erfc")},
+    **{name: _library(name) for name in LIBRARY},
     **{
         one.__name__.lstrip("_"): one
         for one in (_power_of_two, _times_power_of_two, _negated_where_odd, _exponent, _fraction)
