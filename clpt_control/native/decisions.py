@@ -64,6 +64,7 @@ class Decisions:
         self.least: list[Port] = []
         self.of: list[tuple] = []  # first place of each, and where it is made
         self.count = 0  # how many numbers are decided
+        self.timed = False  # whether time alone decides
         self._true: list[Port] = []  # distances, also of numbers that are held
 
     def lock(self, rates: list[Port], held: Sequence[int] = ()) -> list[Port]:
@@ -73,6 +74,8 @@ class Decisions:
         """
         record, locked, first = self.record, dict[int, Ref](), self.count
         moving: set[Ref] = set()  # entries that change within a step, with locked decisions
+        fed: set[Ref] = set()  # entries that depend on states, or on inputs
+        inputs = len(record.layout.P)
 
         def current(ref: Ref) -> Ref:
             return locked.get(ref, ref) if type(ref) is int else ref
@@ -80,9 +83,13 @@ class Decisions:
         for k in sorted(reached(record.entries, [port.ref for port in rates])):
             kind, exact, shape, at = record.entries[k]
             places = [a for a in exact if type(a) is int]
-            moves = bool(moving.intersection(places)) or (kind == "load" and at[0] in "Xt")
+            array, start = at if kind == "load" else ("", 0)
+            moves = array in ("X", "t") or bool(moving.intersection(places))
+            if array == "X" or (array == "P" and start >= inputs) or fed.intersection(places):
+                fed.add(k)
             arguments = tuple(map(current, exact))
             if k in record.decided_by and moves:
+                self.timed |= k not in fed
                 locked[k] = self._lock(k, arguments, [first + place for place in held])
                 moves = kind not in (*COMPARED, *WHOLE, "sign")
             elif not locked.keys().isdisjoint(places):

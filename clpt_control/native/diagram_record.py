@@ -27,7 +27,6 @@ from ..equations.block import Block
 from ..equations.ports import places
 from ..equations.record import Operation, Record, bound
 from .decisions import LOCKED, Decisions, Port
-from .switches import timed_decisions
 
 SHORT, NAMED = 16, 2  # an axis up to SHORT is unrolled, but from NAMED on where it has a name
 SIGNED = frozenset({"atan2", "pow", "floordiv", "mod"})  # distinguish -0.0 from 0.0, as divisors do
@@ -149,7 +148,6 @@ class DiagramRecord(RecordMerger):
         self.signals = self._rates()
         guarded = [k for k, node in enumerate(wiring.nodes) if node.system.guard is not None]
         self.margins = [m for k in guarded for m in self.run(k, "guard", self.fed(k))]
-        self.timed = {} if wiring.dt else timed_decisions(self)
         self.decisions = Decisions(self, layout.inputs(wiring.ninputs))
         if locking and not (wiring.dt or slides):
             self.rates = self.decisions.lock(self.rates)

@@ -12,7 +12,6 @@ import numpy as np
 from ..arguments import public
 from ..diagrams.wiring import Wiring
 from ..equations.arrays import Unread
-from ..equations.record import Record
 from ..errors import DiagramError, Uncompiled
 from . import numbering
 from .batch import Callee
@@ -25,7 +24,6 @@ from .plan import Program, program_of
 from .python_diagram import PythonDiagram
 from .schedule import Inputs
 from .sliding import Held, slide
-from .switches import times_of_change
 
 ABREAST = 256  # states of runs in lanes; more do not fit the first cache
 MANY, SHORTER = 1500, 3  # components of a long program, and how much shorter one of loops is
@@ -49,11 +47,11 @@ class Structure:
 class Code:
     """The program of a structure, and its machine code once it is asked for.
 
-    `timed` is what time alone decides, by block; `linear` is what an implicit method needs of it.
+    `linear` is what an implicit method needs of it.
     """
 
-    def __init__(self, program: Program, timed: dict[int, Record], linear: Jacobian | None = None):
-        self.program, self.timed, self.linear = program, timed, linear or Jacobian()
+    def __init__(self, program: Program, linear: Jacobian | None = None):
+        self.program, self.linear = program, linear or Jacobian()
         self._machines: dict[tuple[str, int], Machine] = {}
 
     @one_at_a_time
@@ -117,12 +115,12 @@ def _planned(structure: Structure, form: str | None, implicit: bool, held: Held 
         slide(record, held)
     room = wiring.nodes[-1].outputs.stop, layout.inputs(wiring.ninputs)
     if not implicit:
-        return Code(program_of(record, *room), record.timed)
+        return Code(program_of(record, *room))
     reach = reach_of(record, wiring.nodes[-1].states.stop)
     with suppress(Unread, Uncompiled):  # else rates are differentiated by differences
         program = program_of(record, *room, slopes_of(record, len(reach)))
-        return Code(program, record.timed, jacobian(reach, True))
-    return Code(program_of(record, *room), record.timed, jacobian(reach, False))
+        return Code(program, jacobian(reach, True))
+    return Code(program_of(record, *room), jacobian(reach, False))
 
 
 # --- ready to run ----------------------------------------------------------------------------
@@ -220,21 +218,6 @@ class NativeDiagram(PythonDiagram):
             return code_of(self.wiring, self.layout, self._form, True, self.held)
         return self.code
 
-    def breaks(self, t0: float, t1: float) -> Any:
-        """Return the times at which time alone decides."""
-        arrays, nodes = {"P": self.layout.P, "T": self.layout.T}, self.wiring.nodes
-        timed = self.code.timed.items()
-        times = [times_of_change(nodes[k].name, one, arrays, t0, t1) for k, one in timed]
-        return np.unique(np.concatenate([np.zeros(0), *times]))
-
-    def switches_by(self, k: int, name: str) -> bool:
-        """Return whether times of `breaks` depend on a block's field."""
-        array, start = self.layout.slots[k, name]
-        places = range(start, start + np.size(getattr(self.sweep.parameters[k], name)))
-        lines = [line for record in self.code.timed.values() for line in record.operations]
-        read = [line.at for line in lines if line.kind == "leaf"]
-        return any(own == array and first in places for own, (first, _) in read)
-
     def callee(
         self, lanes: int = 1, inputs: Inputs | None = None, method: int = numbering.DOP853
     ) -> Callee:
@@ -254,7 +237,8 @@ class NativeDiagram(PythonDiagram):
         own = [found.get(name, 0) for name in FUNCTIONS]
         shape = lanes, self.nstates, method, *watched, self.decided_at, program.decided
         sizes = program.parameters, program.room, self.layout.T
-        return with_formulas(Callee(self.engine, own, *shape, *sizes, code.linear, (code,)))
+        more = code.linear, program.timed, (code,)
+        return with_formulas(Callee(self.engine, own, *shape, *sizes, *more))
 
     def lanes(self, count: int) -> int:
         """Return how many runs are taken at once: eight where it pays."""

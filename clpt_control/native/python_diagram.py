@@ -83,10 +83,6 @@ class PythonDiagram:
         """Return P; in Python it says which blocks jump."""
         return np.zeros(len(self.jumps))
 
-    def breaks(self, t0: float, t1: float) -> Any:
-        """Return the times of decisions that depend on time alone; none in Python."""
-        return np.zeros(0)
-
     schedule = make_schedule
 
     def callee(
@@ -116,7 +112,9 @@ class PythonDiagram:
         linear = jacobian(full, False) if method == numbering.RODAS5P else Jacobian()
         sizes = places, self.nsignals, np.zeros(1)
         shape = 1, n, method, *self.watched(method), 0, 0
-        return with_formulas(Callee("python", addresses, *shape, *sizes, linear, (own,), raised))
+        return with_formulas(
+            Callee("python", addresses, *shape, *sizes, linear, code=(own,), raised=raised)
+        )
 
     def watched(self, method: int) -> tuple[int, int]:
         """Return 1 if guards are watched, and 1 if states jump; neither in discrete time."""

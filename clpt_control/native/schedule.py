@@ -196,19 +196,17 @@ def make_schedule(
 ) -> Schedule:
     """Return the pieces of a run of a diagram; it is `PythonDiagram.schedule`.
 
-    Rates bend at kinks of inputs, in Python at bends that are felt, and jump where blocks do and
-    where time alone decides, at `breaks`.  Behind
-    each block's `interval` lies what is `JUMPS` in a piece that begins with a jump of its states;
-    then come the straight lines of the inputs: time, values, slopes.  In discrete time each piece
-    begins at a sample.
+    Rates bend at kinks of inputs, in Python at bends that are felt, and jump where blocks do.
+    Behind each block's `interval` lies what is `JUMPS` in a piece that begins with a jump of its
+    states; then come the straight lines of the inputs: time, values, slopes.  In discrete time each
+    piece begins at a sample.
     """
     t0, t1 = float(times[0]), float(times[-1])
     sweep, compiled, kinks = diagram.sweep, diagram.ramp >= 0, np.zeros(0)
     if inputs is not None and inputs.samples is not None:
         kinks = inputs.kinks if compiled else inputs.sharp_bends(felt)
     jumps = moved_back(sweep.breakpoints(t0, t1 + rounding(t1)), np.asarray(times))
-    jumping = np.union1d(jumps, moved_to(jumps, diagram.breaks(t0, t1)))
-    edges = np.union1d(jumping, moved_to(jumps, kinks))
+    edges = np.union1d(jumps, moved_to(jumps, kinks))
     starts = np.concatenate([[t0], edges[(edges > t0) & (edges < t1)], [t1]])
     if sweep.wiring.dt:
         starts = np.unique(np.asarray(times)[np.searchsorted(times, starts)])
@@ -225,8 +223,8 @@ def make_schedule(
     for k in diagram.jumps:
         block = sweep.nodes[k].system
         samples = block.first_held is not None and block.samples_at(t0)
-        jumps = JUMPS * (np.diff(intervals_of(k)) != 0)
-        columns.append(np.append(BEGINS if samples else 0.0, jumps))
+        jumping = JUMPS * (np.diff(intervals_of(k)) != 0)
+        columns.append(np.append(BEGINS if samples else 0.0, jumping))
         begins = begins or samples
     places = [*diagram.intervals.values(), *diagram.jumps.values()]
     if compiled and inputs is not None and sweep.wiring.ninputs:
@@ -237,6 +235,6 @@ def make_schedule(
         columns += [at[k], *u[:, k], *slopes[:, k]]
         places += range(diagram.ramp, diagram.ramp + 1 + 2 * len(u))
     values = np.array(columns, dtype=float).reshape(len(columns), len(starts)).T.copy()
-    smooth = np.searchsorted(jumping, starts) == np.searchsorted(jumping, starts, side="right")
+    smooth = ~np.isin(starts, jumps)
     edges, at_places = np.append(starts[1:], np.inf), np.array(places, dtype=np.int64)
     return Schedule(edges, at_places, values, smooth.astype(np.int64), begins)
