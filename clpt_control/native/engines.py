@@ -110,8 +110,8 @@ def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs | None)
     same = _agrees(runner, pieces, solution.t[at], solution.x[at], inputs, signals[at])
     for k in np.array(at)[~same]:
         t = solution.t[k : k + 1]
-        for moved in beside(solution.x[k]):
-            if _agrees(runner, pieces, t, moved[None], inputs)[0]:
+        for apart, moved in zip(BESIDE, beside(solution.x[k]), strict=True):
+            if _agrees(runner, pieces, t + 1e-3 * apart, moved[None], inputs)[0]:
                 break
         else:
             runner.sweep.derivative(t[0], moved, None if inputs is None else inputs.at(t[0]))
