@@ -317,12 +317,8 @@ class PythonDiagram:
 
 ADAPTIVE = {name.lower(): k for k, name in NAMES.items() if k > numbering.RK4}
 METHODS = {"auto": numbering.DOP853, **ADAPTIVE}
-OPTIONS = {  # what is allowed, and why an option does not go with a fixed step
-    "step": ("positive", ""),
-    **dict.fromkeys(("rtol", "atol"), ("a number, 0 or more", "has no tolerance")),
-    **dict.fromkeys(("max_step", "first_step"), ("a number above 0", "is what it is")),
-    **{"method": ("", "has a method"), "progress": ("", "reports none")},
-}
+# the least that an option may be
+LEAST = {"rtol": 0.0, "atol": 0.0, **dict.fromkeys(("step", "max_step", "first_step"), 5e-324)}
 
 
 def checked_method(method: str | None) -> str:
@@ -349,22 +345,19 @@ def checked_steps(dt: Any, times: np.ndarray, **options: Any) -> tuple:
     Refuse values out of range, and options that do not go with a fixed step or discrete time.
     """
     given = {name: value for name, value in options.items() if value is not None}
-    method = checked_method(given.get("method"))
+    method, fixed = checked_method(given.get("method")), given.keys() & {"step"}
     if dt:
         check_spacing(times, dt)
-        if given.keys() - {"progress", "method"} or method != "auto":
-            *more, last = (name for name in options if name != "progress")
-            raise SimulationError(
-                f"{', '.join(more)} and {last}: a diagram of discrete time has none; leave them out"
-            )
-    for name, value in given.items():
-        allowed, alone = OPTIONS[name]
-        if "step" in given and alone:
-            raise SimulationError(f"step and {name}: a fixed step {alone}; leave one out")
-        if allowed:
-            size, least = numbers(name, value), 0.0 if name in ("rtol", "atol") else 5e-324
-            if size.ndim or not size >= least:
-                raise SimulationError(f"{name} = {value}: must be {allowed}")
+    if dt or fixed:
+        what = "a diagram of discrete time" if dt else "a fixed step"
+        others = given.keys() - ({"progress", "method"} if dt and method == "auto" else fixed)
+        if others:
+            raise SimulationError(f"{', '.join(sorted(others))}: {what} has none; leave it out")
+    for name, least in ((name, least) for name, least in LEAST.items() if name in given):
+        size = numbers(name, given[name])
+        if size.ndim or not size >= least:
+            allowed = "above 0" if least else "0 or more"
+            raise SimulationError(f"{name} = {given[name]}: must be a number, {allowed}")
     chosen = {"rtol": 1e-8, "atol": 1e-10, "first_step": 0.0, "max_step": given.get("step", np.inf)}
     chosen |= given
     if chosen["rtol"] == chosen["atol"] == 0.0:

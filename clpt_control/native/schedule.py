@@ -118,16 +118,11 @@ def stacked(inputs: Any, times: np.ndarray) -> Any:
     listed = isinstance(inputs, list | tuple) and any(hasattr(one, "__len__") for one in inputs)
     if not listed:
         return inputs
-    rows = []
+    rows, count = [], len(times)
     for one in inputs:
         values = numbers("inputs", one)
-        if values.ndim > 2 or (values.ndim == 2 and values.shape[1] != len(times)):
-            raise SimulationError(
-                f"inputs: a part of shape {values.shape} must have {len(times)} columns, one for "
-                "each of timepts"
-            )
-        sampled = values.ndim == 2 or values.shape == times.shape
-        rows.append(values if sampled else np.outer(values, np.ones(len(times))))
+        sampled = values.shape[-1:] == (count,) and values.ndim <= 2
+        rows.append(values if sampled else np.outer(values, np.ones(count)))
     return np.vstack(rows)
 
 
@@ -155,20 +150,15 @@ def read_inputs(inputs: Any, times: np.ndarray, count: int) -> Inputs:
     values = np.zeros(count) if inputs is None else numbers("inputs", inputs)
     if not np.isfinite(values).all():
         raise SimulationError("inputs: must be finite; fill the gaps before the run")
-    if values.ndim <= 1 and not (count == 1 and values.shape == times.shape and len(times) > 1):
-        if values.shape not in {(), (1,), (count,)}:
-            raise SimulationError(
-                f"inputs: shape {values.shape} does not fit {count} inputs at {len(times)} times"
-                + ("" if count else "; initial_state= is the start")
-            )
-        constant = np.broadcast_to(values, count).astype(float)
-        return Inputs((times[:1], constant[:, None]))
-    values = np.atleast_2d(values)
-    if values.shape != (count, len(times)):
+    samples = (count, len(times))
+    if values.shape == samples or (count == 1 and values.shape == times.shape):
+        return Inputs((times, values.reshape(samples)))
+    if values.shape not in {(), (1,), (count,)}:
         raise SimulationError(
-            f"inputs: shape {values.shape} must be ({count}, {len(times)}): inputs x timepts"
+            f"inputs: shape {values.shape} does not fit {count} inputs at {len(times)} times"
+            + ("" if count else "; initial_state= is the start")
         )
-    return Inputs((times, values))
+    return Inputs((times[:1], np.broadcast_to(values, count).astype(float)[:, None]))
 
 
 # --- pieces of time ---------------------------------------------------------------------------

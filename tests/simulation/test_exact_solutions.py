@@ -83,7 +83,7 @@ STEERED = clpt.closed_loop(PAPER, external=("zc",))
     ("system", "times", "inputs", "said"),
     [
         (STEERED, [0, 1, 2], [1.0, 2.0, 3.0, 4.0], "inputs"),
-        (STEERED, [0, 1, 2], np.zeros((2, 2)), r"inputs: shape \(2, 2\) must be \(2, 3\)"),
+        (STEERED, [0, 1, 2], np.zeros((2, 2)), r"inputs: shape \(2, 2\) does not fit 2"),
         (STEERED, [0, 1], [[0, np.nan], [0, 0]], "inputs: must be finite"),
         (STEERED, [0, 1], lambda t: [1.0, 2.0, 3.0], "inputs"),
         (PAPER, [0, 1], 1.0, "a scenario has no inputs"),
