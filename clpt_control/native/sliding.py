@@ -3,11 +3,11 @@
 On both sides of a switch g = 0 the rates lead back to it.  In the limit a run stays there, with
 the mean of the rates of both sides that does so (Filippov):
 
-    x' = f_0 + sum_m w_m (f_m - f_0),    g_i' = 0 for each switch i,    0 < w_m < 1
+    x' = f_0 + w (f_1 - f_0),    g' = 0,    w = g'_0/(g'_0 - g'_1),    0 < w < 1
 
-f_0 are the rates with all switches as they are on one side, f_m those with switch m as it is on
-the other; so w = g'_0/(g'_0 - g'_1) for one switch, with g'_m along f_m.  What several switches do
-must add up.  A run slides until a w leaves 0 ... 1, or to the next time at which rates jump.
+f_0 and f_1 are the rates with the switch as it is on either side, g'_0 and g'_1 the derivative of g
+along them.  Where a run that slides meets another switch, f_0 and f_1 there are rates that slide on
+the one before.  A run slides until a w leaves 0 ... 1, or to the next time at which rates jump.
 
 Source: Filippov, A. F. (1988), Differential Equations with Discontinuous Righthand Sides, Kluwer,
 section 4; Piiroinen, P. T., Kuznetsov, Y. A. (2008), An event-driven method to simulate Filippov
@@ -31,9 +31,8 @@ from .decisions import Port
 from .ending import edge, state_within
 from .schedule import Schedule
 
-MOST = 8  # switches at once
+MOST = 4  # switches at once
 MOST_IN_VAIN, GOING = 50, 1e-9  # parts one after the other that go on by less than a share of a run
-ADDS_UP = 1e-6  # relative: what several switches do is the sum of what each does
 
 
 class Held(NamedTuple):
@@ -45,15 +44,10 @@ class Held(NamedTuple):
 
 def slide(record: Any, held: Held) -> None:
     """Make the rates of a `DiagramRecord` those on switches; each w and 1 - w is a margin."""
-    value, several = record.tape.value, len(held.switches) > 1
-    copies = [
-        record.decisions.lock(record.rates, held.places)
-        for _ in range(1 + len(held.switches) + several)
-    ]
-    distances = [record.decisions.distance_of(place) for place in held.switches]
+    value, decisions = record.tape.value, record.decisions
 
     def slope(distance: int, rates: list[Port]) -> Any:
-        """Return g' along the rates of a copy."""
+        """Return g' along rates."""
         along: dict[int, Any] = {}
         for k in reached(record.entries, [distance]):
             kind, _, shape, at = record.entries[k]
@@ -64,42 +58,25 @@ def slide(record: Any, held: Held) -> None:
                     along[k] = value(record.part(port.ref, at[1] - port.first, shape))
         return Direction(record.tape, along).of(value(distance))
 
-    def total(numbers: Any, port: Port) -> Any:
-        """Return the sum of magnitudes."""
-        ref = operand(np.fabs(numbers))
-        for axis in reversed(range(len(port.shape))):
-            at = axis, port.shape[axis], port.long[axis]
-            ref = record.add("sum", (ref,), port.shape[:axis], at)
-        return value(ref)
-
-    sides = copies[: 1 + len(held.switches)]
-    slopes = [[slope(g, rates) for rates in sides] for g in distances]
-    A = [[one - first for one in others] for first, *others in slopes]
-    w = _solved(A, [-first for first, *_ in slopes])
-    record.rates, size, apart = [], 0.0, 0.0
-    for ports in zip(*copies, strict=True):
-        port, alike = ports[0], {one.ref for one in ports} == {ports[0].ref}
-        first, *others = (spread(record.tape, value(one.ref), port.shape) for one in ports)
-        changes = [] if alike else [one - first for one in others]
-        moved = sum((share * one for share, one in zip(w, changes, strict=False)), first)
-        record.rates.append(port._replace(ref=operand(moved)))
-        if several and not alike:  # the last copy has all switches on the other side
-            size = size + sum(total(one, port) for one in changes[:-1])
-            apart = apart + total(changes[-1] - sum(changes[:-1]), port)
-    margins = [one for share in w for one in (share, 1.0 - share)]
-    record.margins += map(operand, [*margins, *([ADDS_UP - apart / size] if several else [])])
-
-
-def _solved(A: list[list[Any]], b: list[Any]) -> list[Any]:
-    """Return the solution of A w = b, of values of a record."""
-    for c in range(len(b)):
-        if type(A[c][c]) is float and A[c][c] == 0.0:
+    def mean(g: int, rates: list[Port], others: list[Port]) -> list[Port]:
+        """Return the mean of the rates of two sides that stays on the switch."""
+        first, apart = slope(g, rates), slope(g, rates) - slope(g, others)
+        if type(apart) is float and apart == 0.0:
             raise Unread("a switch that its rates do not move")
-        for r in (r for r in range(len(b)) if r != c):
-            factor = A[r][c] / A[c][c]
-            A[r] = [one - factor * other for one, other in zip(A[r], A[c], strict=True)]
-            b[r] = b[r] - factor * b[c]
-    return [b[c] / A[c][c] for c in range(len(b))]
+        w, means = first / apart, list[Port]()
+        record.margins += [operand(w), operand(1.0 - w)]
+        for port, other in zip(rates, others, strict=True):
+            a, b = (spread(record.tape, value(one.ref), port.shape) for one in (port, other))
+            means.append(
+                port if port.ref == other.ref else port._replace(ref=operand(a + w * (b - a)))
+            )
+        return means
+
+    sides = [decisions.lock(record.rates, held.places) for _ in range(2 ** len(held.switches))]
+    for place in held.switches:
+        g = decisions.distance_of(place)
+        sides = [mean(g, *both) for both in zip(sides[::2], sides[1::2], strict=True)]
+    (record.rates,) = sides
 
 
 class Sliding(NamedTuple):
@@ -195,10 +172,11 @@ def _crossed(diagram: Any, batch: Batch, now: Sliding | None) -> Sliding | None:
         runner = diagram.sliding(held)
     except (Unread, Uncompiled):
         return None
-    every = [*sides, sides[0] + np.sum(sides[1:] - sides[0], axis=0)] if len(sides) > 2 else sides
+    chosen = np.arange(2 ** len(held.switches))[:, None] >> np.arange(len(held.switches)) & 1
+    every = sides[0] + chosen @ (sides[1:] - sides[0])
     own, new = len(diagram.layout.P), runner.parameters()
     new[:own], new[place - 1 : place] = batch.runs[1][0][:own], P[place - 1]
-    new[place : place + np.size(every)] = np.ravel(every)
+    new[place : place + every.size] = every.ravel()
     at = [batch.now], batch.Z[None, : diagram.nstates], pieces, new
     inside = runner.callee().evaluate(numbering.MARGIN, *at, 1)[0, 0] > 0.0
     return Sliding(runner, held, sides, new) if inside else None
