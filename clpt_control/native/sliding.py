@@ -60,16 +60,16 @@ def slide(record: Any, held: Held) -> None:
 
     def mean(g: int, rates: list[Port], others: list[Port]) -> list[Port]:
         """Return the mean of the rates of two sides that stays on the switch."""
-        first, apart = slope(g, rates), slope(g, rates) - slope(g, others)
+        first = slope(g, rates)
+        apart = first - slope(g, others)
         if type(apart) is float and apart == 0.0:
             raise Unread("a switch that its rates do not move")
         w, means = first / apart, list[Port]()
         record.margins += [operand(w), operand(1.0 - w)]
         for port, other in zip(rates, others, strict=True):
             a, b = (spread(record.tape, value(one.ref), port.shape) for one in (port, other))
-            means.append(
-                port if port.ref == other.ref else port._replace(ref=operand(a + w * (b - a)))
-            )
+            ref = port.ref if port.ref == other.ref else operand(a + w * (b - a))
+            means.append(port._replace(ref=ref))
         return means
 
     sides = [decisions.lock(record.rates, held.places) for _ in range(2 ** len(held.switches))]
