@@ -47,8 +47,8 @@ class Solution:
 
     `status` is ``"finished"``, or ``"stopped"`` if a guard ended the run; `message` is a sentence
     on it.  `statistics` are the numbers of steps, evaluations and restarts.  `engine` is
-    ``"native"`` or ``"python"``, `method` the method, and from which time on another one.  `ran` is
-    the diagram that ran, its inputs, the pieces of time, and all signals, once they were asked for.
+    ``"native"`` or ``"python"``, `method` the method, and from which time on another one.  `pieces`
+    are those of time, as the engine has them.
     """
 
     t: np.ndarray
@@ -58,7 +58,7 @@ class Solution:
     statistics: dict[str, int] = field(default_factory=dict)
     engine: str = "python"
     method: str = "none"
-    ran: tuple[Any, ...] = field(default=(None,) * 4, repr=False, compare=False)
+    pieces: Schedule | None = field(default=None, repr=False, compare=False)
 
 
 def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:

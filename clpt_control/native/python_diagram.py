@@ -222,9 +222,7 @@ class PythonDiagram:
                 return replace(across, method=f"{across.method}, switches not located")
         if slow:
             raise slow
-        solution = ended(self.sweep, batch, inputs)
-        solution.ran = self, inputs, pieces, None
-        return solution
+        return replace(ended(self.sweep, batch, inputs), pieces=pieces)
 
     def method_number(self, method: str = "auto", step: float | None = None) -> int:
         """Return the solver's number of a method."""
@@ -290,8 +288,9 @@ class PythonDiagram:
         times = solution.t
         if not len(times):  # stopped before the first
             return np.zeros((0, self.nsignals))
-        inputs = self._inputs(inputs, times)
-        _, out = self.along(solution, inputs)
+        inputs, P = self._inputs(inputs, times), self.parameters()
+        at = times, solution.x, self.pieces(solution, inputs), P
+        out = self.callee(1, inputs).evaluate(numbering.SIGNALS, *at, self.nsignals)
         bad = np.flatnonzero(~np.all(np.isfinite(out), axis=1))
         if len(bad):
             t, x = float(times[bad[0]]), solution.x[bad[0]]
@@ -303,16 +302,11 @@ class PythonDiagram:
             raise SimulationError(f"at t = {t:.9g}: {trouble}")
         return out
 
-    def along(self, solution: Solution, inputs: Inputs | None) -> tuple[Schedule, np.ndarray]:
-        """Return pieces of time and all block outputs, finite or not; they are computed once."""
-        diagram, its_inputs, pieces, signals = solution.ran
-        if diagram is not self or its_inputs is not inputs:
-            pieces, signals = self.schedule(solution.t, inputs), None
-        if signals is None:
-            evaluate, at = self.callee(1, inputs).evaluate, (solution.t, solution.x, pieces)
-            signals = evaluate(numbering.SIGNALS, *at, self.parameters(), self.nsignals)
-            solution.ran = self, inputs, pieces, signals
-        return pieces, signals
+    def pieces(self, solution: Solution, inputs: Inputs | None) -> Schedule:
+        """Return the pieces of time of a run."""
+        if solution.pieces is None or solution.engine != self.engine:
+            return self.schedule(solution.t, inputs)
+        return solution.pieces
 
 
 ADAPTIVE = {name.lower(): k for k, name in NAMES.items() if k > numbering.RK4}
