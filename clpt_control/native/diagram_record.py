@@ -133,9 +133,7 @@ class DiagramRecord(RecordMerger):
     name from `named` on.  Of one that `slides`, `sliding` locks the decisions.
     """
 
-    def __init__(
-        self, wiring: Wiring, layout: Layout, form: str | None = None, slides: bool = False
-    ):
+    def __init__(self, wiring: Wiring, layout: Layout, form: str | None = None):
         super().__init__(wiring, {0: wiring.ninputs})
         self.layout, (self.long, self.named, locking) = layout, FORMS[form]
         self.tape = Tape()
@@ -149,7 +147,7 @@ class DiagramRecord(RecordMerger):
         guarded = [k for k, node in enumerate(wiring.nodes) if node.system.guard is not None]
         self.margins = [m for k in guarded for m in self.run(k, "guard", self.fed(k))]
         self.decisions = Decisions(self, layout.inputs(wiring.ninputs))
-        if locking and not (wiring.dt or slides):
+        if locking and not wiring.dt:
             self.rates = self.decisions.lock(self.rates)
         self._jumped = {k: self._leap(k) for k in range(len(wiring.nodes))}
         self._sample()

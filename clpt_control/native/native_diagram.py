@@ -27,6 +27,7 @@ from .sliding import Held, slide
 
 ABREAST = 256  # states of runs in lanes; more do not fit the first cache
 MANY, SHORTER = 1500, 3  # components of a long program, and how much shorter one of loops is
+Form = str | Held | None
 FUNCTIONS = ("derivative", "prepare", "margin", "signals", "jump", "decide", "slope", "staged")
 
 
@@ -65,20 +66,14 @@ class Code:
         return [self._machines[name, lanes].addresses[name] for name in names]
 
 
-def code_of(
-    wiring: Wiring,
-    layout: Layout,
-    form: str | None = None,
-    implicit: bool = False,
-    held: Held | None = None,
-) -> Code:
+def code_of(wiring: Wiring, layout: Layout, form: Form = None, implicit: bool = False) -> Code:
     """Return the code of a diagram, the same for diagrams of one structure.
 
-    With `implicit` rates have slopes, for an implicit method; with `held` they are those on
-    switches.  `form` says whether all axes are ``"unrolled"`` or ``"looped"``, or decisions
-    ``"free"``.  An `Uncompiled` error says what cannot be compiled.
+    With `implicit` rates have slopes, for an implicit method.  `form` says whether all axes are
+    ``"unrolled"`` or ``"looped"``, or decisions ``"free"``, or held on switches.  An `Uncompiled`
+    error says what cannot be compiled.
     """
-    if form not in FORMS:
+    if form not in FORMS and not isinstance(form, Held):
         raise DiagramError(f"form = {form!r}: must be 'unrolled', 'looped' or 'free', or left out")
     blocks: list[Any] = [node.system for node in wiring.nodes]
     try:
@@ -90,29 +85,29 @@ def code_of(
     wires = tuple((node.states.start, node.outputs.start, node.wires) for node in wiring.nodes)
     order = wiring.order, *((block.feedthrough, block.first_held) for block in blocks)
     key = records, shapes, wires, order, bool(wiring.dt), layout.pattern, wiring.ninputs
-    return _code(Structure(key, wiring, layout), form, implicit, held)
+    return _code(Structure(key, wiring, layout), form, implicit)
 
 
 @once(64)
-def _code(structure: Structure, form: str | None, implicit: bool, held: Held | None) -> Code:
+def _code(structure: Structure, form: Form, implicit: bool) -> Code:
     """Return the code; that with short axes looped where it is far shorter, as of matrices."""
     try:
-        code = _planned(structure, form, implicit, held)
+        code = _planned(structure, form, implicit)
     except Uncompiled:
         if form is not None:
             raise
-        return _planned(structure, "looped", implicit, held)
+        return _planned(structure, "looped", implicit)
     if form is None and (size := len(code.program.components)) > MANY:
-        looped = _planned(structure, "looped", implicit, held)
+        looped = _planned(structure, "looped", implicit)
         return looped if SHORTER * len(looped.program.components) < size else code
     return code
 
 
-def _planned(structure: Structure, form: str | None, implicit: bool, held: Held | None) -> Code:
+def _planned(structure: Structure, form: Form, implicit: bool) -> Code:
     wiring, layout = structure.wiring, structure.layout
-    record = DiagramRecord(wiring, layout, form, held is not None)
-    if held is not None:
-        slide(record, held)
+    record = DiagramRecord(wiring, layout, "free" if isinstance(form, Held) else form)
+    if isinstance(form, Held):
+        slide(record, form)
     room = wiring.nodes[-1].outputs.stop, layout.inputs(wiring.ninputs)
     if not implicit:
         return Code(program_of(record, *room))
@@ -138,7 +133,7 @@ class NativeDiagram(PythonDiagram):
         Call-time parameters by qualified name.
     form : str, optional
         ``"unrolled"`` or ``"looped"``: all axes; short ones are unrolled without.  ``"free"``:
-        decisions are not locked for a step.
+        decisions are not locked for a step.  `Held`: on switches, whose decisions are held.
     apart : mapping, optional
         Blocks' fields that differ from run to run: those that always have equal values have the
         same here.
@@ -166,18 +161,17 @@ class NativeDiagram(PythonDiagram):
 
     engine, loose = "native", np.inf
     most = 500_000_000
-    held: Held | None = None  # decisions that stay, where it slides on switches
 
     def __init__(
         self,
         diagram: control.NonlinearIOSystem | Wiring,
         params: Mapping[str, Any] | None = None,
-        form: str | None = None,
+        form: Form = None,
         apart: Mapping[tuple[int, str], Any] = {},
     ):
         super().__init__(diagram, params)
         self.layout = lay_out(self.wiring, self.sweep.parameters, apart)
-        self._form, self.code = form, code_of(self.wiring, self.layout, form)
+        self.form, self.code = form, code_of(self.wiring, self.layout, form)
         self.intervals, self.jumps = self.layout.intervals, self.layout.jumps
         self.ramp = len(self.layout.P)  # place in P of the diagram's inputs
         self.decided_at = self.layout.inputs(self.wiring.ninputs) + 1  # and of what is decided
@@ -195,19 +189,11 @@ class NativeDiagram(PythonDiagram):
         other.layout = replace(self.layout, P=self.layout.packed(parameters))
         return other
 
-    def unlocked(self) -> Self:
-        """Return the diagram with decisions that change within a step."""
-        return self._in_form("free", None)
-
-    @public
-    def sliding(self, held: Held) -> Self:
-        """Return the diagram on switches, whose decisions are held."""
-        return self._in_form(self._form, held)
-
-    def _in_form(self, form: str | None, held: Held | None) -> Self:
+    def in_form(self, form: Form) -> Self:
+        """Return the diagram with decisions that are ``"free"``, or held on switches."""
         other = copy(self)
-        other.held, other._form, other._callees = held, form, {}
-        other.code = code_of(self.wiring, self.layout, form, False, held)
+        other.form, other._callees = form, {}
+        other.code = code_of(self.wiring, self.layout, form)
         return other
 
     def _code(self, method: int) -> Code:
@@ -215,7 +201,7 @@ class NativeDiagram(PythonDiagram):
         if method == numbering.RK4 and self.code.program.decided:
             return code_of(self.wiring, self.layout, "free")
         if method == numbering.RODAS5P:
-            return code_of(self.wiring, self.layout, self._form, True, self.held)
+            return code_of(self.wiring, self.layout, self.form, True)
         return self.code
 
     def callee(
@@ -228,7 +214,7 @@ class NativeDiagram(PythonDiagram):
 
     def _callee(self, lanes: int, method: int) -> Callee:
         code, (guarded, jumping) = self._code(method), self.watched(method)
-        program, watched = code.program, (max(guarded, int(self.held is not None)), jumping)
+        program, watched = code.program, (max(guarded, int(isinstance(self.form, Held))), jumping)
         used = dict(zip(("margin", "jump"), watched, strict=True))
         used |= {"decide": program.decided, "slope": "slope" in program.functions}
         used["staged"] = method == numbering.DOP853 and program.staged
