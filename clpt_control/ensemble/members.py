@@ -127,8 +127,7 @@ class Ensemble:
         for key, place in self.places.items():
             for one in place.fields:
                 apart[one] = (*apart.get(one, ()), key)
-        by_function = varied.inputs is not None and varied.inputs.samples is None
-        system = varied.wiring, varied.params, by_function
+        system = varied.wiring, varied.params
         runner = make_runner(*system, engine, varied.name, apart)
         for (k, name), keys in apart.items() if runner.engine == "native" else ():
             node = varied.wiring.nodes[k]

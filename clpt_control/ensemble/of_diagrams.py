@@ -81,8 +81,6 @@ class VariedDiagram(Varied):
             place = place_of(one.key, self.names, self.given)
             if place is not None:
                 self.places[one.key], self.values[one.key] = place, self._value(place)
-        if self.inputs.samples is None and any(place.inputs for place in self.places.values()):
-            raise ScenarioError("vary: an input cannot vary where inputs are a function")
         self._check_apart()
 
     def _undeclared(self, varies: Sequence[Vary], known: Collection[str]) -> dict[str, Any]:
@@ -192,8 +190,6 @@ class VariedDiagram(Varied):
                 f"out: {error}, so a folder cannot tell the diagram from others; give no out= "
                 "and save the result"
             ) from None
-        if self.inputs.samples is None:
-            raise DiagramError("out: inputs by a function cannot be told from others; give samples")
         parts += [(node.name, node.wires) for node in self.wiring.nodes]
         parts += [self.wiring.outputs, self.wiring.dt, self.outputs, self.options]
         arrays = [self.start, self.state_times, self.times, *self.inputs.samples]
@@ -219,7 +215,7 @@ class VariedDiagram(Varied):
         for key, value in values.items():
             place = self.places[key]
             put(place, value, given, start)
-            if place.inputs and inputs.samples is not None:
+            if place.inputs:
                 at, u = inputs.samples
                 u = u.copy()
                 u[list(place.inputs)] = np.reshape(value, (-1, 1))

@@ -130,7 +130,7 @@ class DiagramRecord(RecordMerger):
     Kinds are those of `equations.record`, with loads in place of leaves: `at` of a load is (array,
     first place); of a sum (axis, length, whether it loops); of a part the first place among all
     elements of its argument, row by row.  Axes loop from the length `long` on, where they have a
-    name from `named` on.  Of one that `slides`, `sliding` locks the decisions.
+    name from `named` on.
     """
 
     def __init__(self, wiring: Wiring, layout: Layout, form: str | None = None):

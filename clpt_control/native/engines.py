@@ -31,26 +31,19 @@ ENGINES = ("native", "python")
 def make_runner(
     wiring: Wiring,
     params: Mapping[str, Any] | None = None,
-    by_function: bool = False,
     engine: str | None = None,
     name: str = "the diagram",
     apart: Mapping[tuple[int, str], Any] = {},
 ) -> PythonDiagram:
     """Return a diagram ready to run, compiled if possible; `apart` as `lay_out` takes it.
 
-    A diagram that cannot be compiled runs in Python, with a warning that calls it by `name`.  One
-    whose inputs come `by_function` runs in Python too; ``engine="native"`` is then an error.
+    A diagram that cannot be compiled runs in Python, with a warning that calls it by `name`.
     """
     wanted = engine or os.environ.get(ENGINE) or "native"
     if wanted not in ENGINES:
         whose = "engine" if engine else f"the environment variable {ENGINE}"
         raise SimulationError(f"{whose} = '{wanted}': must be one of {', '.join(ENGINES)}")
-    by_function = by_function and bool(wiring.ninputs)
-    if engine == "native" and by_function:
-        raise SimulationError(
-            "inputs: machine code takes no function; give samples at timepts, or leave engine out"
-        )
-    if wanted == "native" and not by_function:
+    if wanted == "native":
         try:
             return NativeDiagram(wiring, params, apart=apart)
         except Uncompiled as error:

@@ -190,7 +190,7 @@ class NativeDiagram(PythonDiagram):
         return other
 
     def in_form(self, form: Form) -> Self:
-        """Return the diagram with decisions that are ``"free"``, or held on switches."""
+        """Return the diagram with free decisions, or on switches."""
         other = copy(self)
         other.form, other._callees = form, {}
         other.code = code_of(self.wiring, self.layout, form)

@@ -8,7 +8,6 @@ input; smaller bends, as of a sampled sine, are smooth to the tolerance.
 """
 
 from bisect import bisect_right
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -26,38 +25,31 @@ SHARP = 10.0  # a bend is sharp if it is so many times as large as most
 class Inputs:
     """The inputs of a diagram: ``at(t)`` of shape (ninputs,).
 
-    `samples` holds times and values (ninputs, nt), joined by straight lines; it is None for
-    `function`, the user's own.
+    `samples` holds times and values (ninputs, nt), joined by straight lines.
     """
 
-    samples: tuple[np.ndarray, np.ndarray] | None
-    function: Callable[[float], np.ndarray] | None = None
+    samples: tuple[np.ndarray, np.ndarray]
 
     def at(self, t: float) -> np.ndarray:
         """Return the inputs at a time."""
-        if self.function is not None:
-            return self.function(t)
         begins, rows, slopes = self._straight
         k = max(bisect_right(begins, t) - 1, 0)
         return rows[k] + (t - begins[k]) * slopes[k]
 
     @cached_property
     def _straight(self) -> tuple[list[float], np.ndarray, np.ndarray]:
-        assert self.samples is not None
         at, u = self.samples
         return at.tolist(), np.ascontiguousarray(u.T), np.ascontiguousarray(self.slopes.T)
 
     @cached_property
     def slopes(self) -> np.ndarray:
         """The slopes from each sample on, shape (ninputs, nt); 0 from the last one."""
-        assert self.samples is not None
         at, u = self.samples
         return np.diff(u, append=u[:, -1:]) / np.diff(at, append=np.inf)
 
     @property
     def kinks(self) -> np.ndarray:
         """Times at which the inputs bend; samples on one straight line, to the bit, are a piece."""
-        assert self.samples is not None
         (at, u), slopes = self.samples, self.slopes
         if len(at) < 3:
             return at
@@ -72,7 +64,6 @@ class Inputs:
 
         A bend that leaves the line before it by `least` of the largest value is sharp, too.
         """
-        assert self.samples is not None
         (at, u), slopes = self.samples, self.slopes[:, :-1]
         if len(at) < 3:
             return at[:0]
@@ -85,8 +76,6 @@ class Inputs:
 
     def along(self, times: np.ndarray) -> np.ndarray:
         """Return the inputs at times, shape (ninputs, nt)."""
-        if self.samples is None:
-            return np.array([self.at(t) for t in times]).reshape(len(times), -1).T
         at, u = self.samples
         return np.array([np.interp(times, at, row) for row in u]).reshape(len(u), len(times))
 
@@ -130,22 +119,12 @@ def read_inputs(inputs: Any, times: np.ndarray, count: int) -> Inputs:
     """Read `count` inputs in python-control's forms.
 
     Straight lines join values of shape (count, nt) at `times`.  A number, or one for each input, is
-    constant.  A list may hold both, ``[u1, 0]``.  A function is called with the time.
+    constant.  A list may hold both, ``[u1, 0]``.
     """
     if isinstance(inputs, Inputs):  # as read before
         return inputs
     if callable(inputs):
-
-        def given(t: float) -> np.ndarray:
-            u = np.atleast_1d(numbers("inputs", inputs(float(t))))
-            if u.shape != (count,):
-                raise SimulationError(
-                    f"inputs: the function gives shape {u.shape}, the diagram has {count} inputs"
-                )
-            return u
-
-        given(times[0])
-        return Inputs(None, given)
+        raise SimulationError("inputs: a function is none; connect a block whose output it is")
     inputs = stacked(inputs, times)
     values = np.zeros(count) if inputs is None else numbers("inputs", inputs)
     if not np.isfinite(values).all():
@@ -193,7 +172,7 @@ def make_schedule(
     """
     t0, t1 = float(times[0]), float(times[-1])
     sweep, compiled, kinks = diagram.sweep, diagram.ramp >= 0, np.zeros(0)
-    if inputs is not None and inputs.samples is not None:
+    if inputs is not None:
         kinks = inputs.kinks if compiled else inputs.sharp_bends(felt)
     jumps = moved_back(sweep.breakpoints(t0, t1 + rounding(t1)), np.asarray(times))
     edges = np.union1d(jumps, moved_to(jumps, kinks))
@@ -218,8 +197,6 @@ def make_schedule(
         begins = begins or samples
     places = [*diagram.intervals.values(), *diagram.jumps.values()]
     if compiled and inputs is not None and sweep.wiring.ninputs:
-        if inputs.samples is None:
-            raise SimulationError("inputs: machine code takes no function; give samples")
         (at, u), slopes = inputs.samples, inputs.slopes
         k = np.searchsorted(at[1:], starts, side="right")  # the line from at[k] on
         columns += [at[k], *u[:, k], *slopes[:, k]]

@@ -5,7 +5,6 @@ import re
 import control
 import numpy as np
 import pytest
-from responses import response
 
 import clpt_control as clpt
 from clpt_control.blocks import vehicle
@@ -96,15 +95,6 @@ def test_many_starts_are_checked_too(made):
         runner.run_many(np.zeros((3, 13)), [0.0, 1.0])
     with pytest.raises(SimulationError, match="rtol: a fixed step has none"):
         runner.run_many(np.zeros((3, 14)), [0.0, 1.0], step=0.1, rtol=1e-3)
-
-
-def test_machine_code_that_is_asked_for_takes_no_function_as_inputs():
-    loop = clpt.closed_loop(clpt.paper_scenario(), external=("zc",))
-    with pytest.raises(SimulationError, match="inputs: machine code takes no function"):
-        clpt.simulate(loop, [0.0, 1.0], lambda t: [t, 0.0], engine="native")
-    left = response(loop, [0.0, 1.0], lambda t: [t, 0.0])
-    given = response(loop, [0.0, 1.0], [[0.0, 1.0], [0.0, 0.0]], engine="native")
-    np.testing.assert_allclose(left.states, given.states, rtol=1e-9, atol=1e-9)
 
 
 MIXER = np.array([[1.0] * 6, [1.0, -1.0, 2.0, -2.0, 3.0, -3.0]])
