@@ -208,10 +208,7 @@ class Planner:
             name, arguments, lengths = self.all[c]
             if name == "load" or self.is_prepared(c):
                 strides = row_strides(lengths) if self.is_prepared(c) else arguments[2]
-                total: dict[int, int] = {}
                 for loop, stride in zip(loops, strides, strict=True):
-                    total[loop] = total.get(loop, 0) + stride
-                for loop, stride in total.items():
                     strided[loop] += stride not in (0, 1)
             elif name != "sum":
                 stack += [(a, tuple(loops[k] for k in axes)) for a, axes in self.arguments(c)]

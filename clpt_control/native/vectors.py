@@ -2,7 +2,7 @@
 
 Some thirty are primitives; the others are functions in NumPy (`elementary`), read on a tape.  Every
 primitive works number by number as IEEE defines it.  Nothing is reassociated or contracted, so a
-result depends on no neighbour and on no processor.
+result depends on no neighbour and on no processor.  Rare functions are the C library's.
 """
 
 from collections.abc import Callable, Sequence
