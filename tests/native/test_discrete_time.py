@@ -197,13 +197,6 @@ def test_params_at_call_time_are_those_of_python_control(engine):
     np.testing.assert_allclose(found, expected, atol=1e-12)
 
 
-def test_inputs_may_be_a_function():
-    system = loop()
-    expected = control.input_output_response(system, TIMES, np.sin(TIMES)).outputs
-    run = clpt.simulate(system, TIMES, lambda t: np.sin(t))
-    np.testing.assert_allclose(run.y, expected[0], atol=1e-12)
-
-
 def test_a_long_run_is_made_of_many_calls():
     times, seen = np.arange(400_001.0), []
     system = control.ss([[1.0]], [[1.0]], [[1.0]], 0, 1, name="sum")
