@@ -237,7 +237,7 @@ class Ensemble:
 
         stuck = np.flatnonzero(np.isin(result[1], STUCK))
         if self.native.code.program.decided and len(stuck):
-            put(stuck, run(self.native.in_form("free"), rows(stuck)))
+            put(stuck, run(self.native.unlocked(), rows(stuck)))
         for m in np.flatnonzero(result[1] == numbering.CHATTERS).tolist():
             one = members.P[m], members.x0[m], times, members.schedule(m)
             go_on(self.native, batch := alone(self.native, *one), alone)

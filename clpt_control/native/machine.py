@@ -74,6 +74,11 @@ def fuses() -> bool:
     return "+fma" in processor()[1] or "+neon" in processor()[1]
 
 
+def scales() -> bool:
+    """Whether several numbers times powers of two are one instruction."""
+    return "+avx512vl" in processor()[1]
+
+
 def target_machine() -> Any:
     """Return LLVM's description of the processor."""
     llvm.initialize_native_target()

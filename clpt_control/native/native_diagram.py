@@ -189,8 +189,16 @@ class NativeDiagram(PythonDiagram):
         other.layout = replace(self.layout, P=self.layout.packed(parameters))
         return other
 
-    def in_form(self, form: Form) -> Self:
-        """Return the diagram with free decisions, or on switches."""
+    def unlocked(self) -> Self:
+        """Return the diagram with decisions that change within a step."""
+        return self._in_form("free")
+
+    @public
+    def sliding(self, held: Held) -> Self:
+        """Return the diagram on switches, whose decisions are held."""
+        return self._in_form(held)
+
+    def _in_form(self, form: Form) -> Self:
         other = copy(self)
         other.form, other._callees = form, {}
         other.code = code_of(self.wiring, self.layout, form)

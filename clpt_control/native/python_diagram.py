@@ -218,7 +218,7 @@ class PythonDiagram:
             slow = error
         if callee.decided and (slow or batch.status[0] in STUCK):
             with suppress(SimulationError):  # then the error is that of the first run
-                across = self.in_form("free").run(x0, times, inputs=inputs, **options)
+                across = self.unlocked().run(x0, times, inputs=inputs, **options)
                 return replace(across, method=f"{across.method}, switches not located")
         if slow:
             raise slow
@@ -230,8 +230,8 @@ class PythonDiagram:
             return numbering.MAP
         return METHODS[method] if step is None else numbering.RK4
 
-    def in_form(self, form: Any) -> Self:
-        """Return the diagram with decisions that change within a step, if the form is ``"free"``.
+    def unlocked(self) -> Self:
+        """Return the diagram with decisions that change within a step.
 
         A root of a state that comes to rest at zero, -sqrt(max(x, 0)), or that begins there,
         sqrt(|x|), has no value beyond the switch, so steps with a locked decision cannot cross it.

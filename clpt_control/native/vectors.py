@@ -15,7 +15,8 @@ from llvmlite import ir
 from ..equations.arrays import Tape, operand
 from ..equations.record import Operation
 from .components import OUT_OF_LINE
-from .elementary import FUNCTIONS, LIBRARY
+from .elementary import FUNCTIONS, LIBRARY, MAGIC
+from .machine import LANES, scales
 
 DOUBLE, BIT, WORD, INT32 = ir.DoubleType(), ir.IntType(1), ir.IntType(64), ir.IntType(32)
 INLINE = frozenset({"exp", "sin", "cos"})  # always inlined
@@ -143,6 +144,11 @@ def _power_of_two(builder: ir.IRBuilder, k: Any) -> Any:
 
 def _times_power_of_two(builder: ir.IRBuilder, a: Any, k: Any, half: Any) -> Any:
     """2^k a, rounded once at the end; k and half of k have `MAGIC` added."""
+    if (width := width_of(a)) > 1 and scales():  # all places, rounded as usual
+        values = [a, builder.fsub(k, constant(MAGIC, width)), a, ir.Constant(ir.IntType(8), -1)]
+        values += [ir.Constant(INT32, 4)] if width == LANES else []
+        name, types = f"llvm.x86.avx512.mask.scalef.pd.{64 * width}", [one.type for one in values]
+        return builder.call(declared(builder.module, name, a.type, types), values)
     place, half = _word(52, a), _bits(builder, half)
     high = builder.shl(builder.sub(_bits(builder, k), half), place)
     near = _number(builder, builder.add(_bits(builder, a), high))
