@@ -117,13 +117,9 @@ class Ensemble:
         self.native = self._runner(engine)  # machine code, or Python
         self.compiled = self.native.engine == "native"
         self.lanes = self.native.lanes(LANES)
-        self.one_by_one = [key for key in self.places if self._made_one_by_one(key)]
+        one_by_one = varied.one_by_one if self.compiled else lambda key: True
+        self.one_by_one = [key for key in self.places if one_by_one(key)]
         self._lock = threading.Lock()
-
-    def _made_one_by_one(self, key: str) -> bool:
-        if not self.compiled or self.varied.one_by_one(key):
-            return True
-        return any(self.native.switches_by(k, name) for k, name in self.places[key].fields)
 
     def _runner(self, engine: str | None) -> Any:
         """Return what runs it; fields that a key varies have places of their own."""
@@ -131,8 +127,7 @@ class Ensemble:
         for key, place in self.places.items():
             for one in place.fields:
                 apart[one] = (*apart.get(one, ()), key)
-        by_function = varied.inputs is not None and varied.inputs.samples is None
-        system = varied.wiring, varied.params, by_function
+        system = varied.wiring, varied.params
         runner = make_runner(*system, engine, varied.name, apart)
         for (k, name), keys in apart.items() if runner.engine == "native" else ():
             node = varied.wiring.nodes[k]

@@ -80,8 +80,6 @@ class VariedDiagram(Varied):
             place = place_of(one.key, self.names, self.given)
             if place is not None:
                 self.places[one.key], self.values[one.key] = place, self._value(place)
-        if self.inputs.samples is None and any(place.inputs for place in self.places.values()):
-            raise ScenarioError("vary: an input cannot vary where inputs are a function")
         self._check_apart()
 
     def _undeclared(self, varies: Sequence[Vary], known: Collection[str]) -> dict[str, Any]:
@@ -166,8 +164,6 @@ class VariedDiagram(Varied):
     @property
     def identity(self) -> str:
         """A hash of all that makes the numbers, but for what varies."""
-        if self.inputs.samples is None:
-            raise DiagramError("out: inputs by a function cannot be told from others; give samples")
         arrays = self.start, self.state_times, self.times, *self.inputs.samples
         try:
             found = hash_of(self.wiring, self.given, self.outputs, self.options, *arrays)
@@ -196,7 +192,7 @@ class VariedDiagram(Varied):
         for key, value in values.items():
             place = self.places[key]
             put(place, value, given, start)
-            if place.inputs and inputs.samples is not None:
+            if place.inputs:
                 at, u = inputs.samples
                 u = u.copy()
                 u[list(place.inputs)] = np.reshape(value, (-1, 1))

@@ -28,6 +28,7 @@ GRAIN = 0.01  # of atol: a smaller difference passes no decision
 LATER = 64  # looks for stiffness that do not count, after a run was found not to be stiff
 # of step times eigenvalue: half of what is stable
 LARGE = {numbering.DOP853: 3.0, numbering.DOPRI5: 1.6}
+PARTS = 256  # of a run in which time alone decides: no step is longer
 ROUNDS = 60  # of the power method
 ANY = 2**62
 MEMBER_STEPS = 5_000_000  # tries of a run among many
@@ -49,6 +50,7 @@ class Callee(NamedTuple):
     room: int  # length of W
     tables: np.ndarray  # T, which is not empty
     linear: Jacobian = Jacobian()  # of Rodas5P
+    timed: bool = False  # whether time alone decides
     code: tuple = ()  # objects that must live for as long as addresses are used
     raised: Any = ()  # errors that functions of Python raised, a list
 
@@ -105,6 +107,8 @@ class Batch:
     ):
         self.callee, self.times = callee, np.ascontiguousarray(times)
         (m, n), lanes = starts.shape, callee.lanes
+        if callee.timed:
+            longest = min(longest, (times[-1] - times[0]) / PARTS)
         group = np.zeros(m, dtype=np.int64) if group is None else group
         self.runs = tuple(map(np.ascontiguousarray, (starts, parameters, group)))
         self.pieces, self.schedule = schedules, _stacked(schedules)

@@ -20,13 +20,13 @@ from ..equations.arrays import CONDITIONS
 from ..errors import Uncompiled
 from .decisions import Port
 from .diagram_record import Ref
-from .elementary import FUNCTIONS
+from .elementary import FUNCTIONS, LIBRARY
 
 MOST = 60_000  # components; a larger diagram runs in Python
 BOUND = -1
 SHORT_ONES = {"minimum", "maximum", "sign", "place", "floor", "trunc", "ceil"}
 OUT_OF_LINE = FUNCTIONS.keys() - SHORT_ONES  # a function each, printed once a module
-LONG = OUT_OF_LINE | {"div", "sqrt", "erf", "erfc", "lookup"}  # costly
+LONG = OUT_OF_LINE | {"div", "sqrt", "lookup", *LIBRARY}  # costly
 Symbol = tuple[int, int]
 Index = Any  # a whole number, or (symbol, start, step)
 Value = Any  # a constant, or (component, symbols)

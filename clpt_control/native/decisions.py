@@ -30,10 +30,8 @@ WHOLE = ("floor", "ceil", "trunc", "floordiv")
 QUESTIONS = {
     **{"minimum": ("lt",), "maximum": ("gt",), "sign": ("gt", "lt"), "fabs": ("ge",)},
     **{"mod": ("floordiv",), "pick": ("trunc",), "atan2": ("lt",)},
-    **dict.fromkeys(("asin", "acos", "atan"), ("floordiv",)),  # of FOLDS
 }
 LOCKED = frozenset({*COMPARED, *WHOLE, *QUESTIONS})
-FOLDS = {"asin": "sin", "acos": "cos", "atan": "tan"}  # inverses, which decide of these alone
 ROUNDING = 1e-12  # relative, of the numbers that are compared
 Ref = Any
 
@@ -47,19 +45,8 @@ class Port(NamedTuple):
     ref: Ref
 
 
-def decides(entries: Sequence[tuple], kind: str, arguments: Sequence[Ref]) -> bool:
-    """Return whether an operation decides; an inverse does where it undoes its function."""
-    if kind not in FOLDS:
-        return kind in LOCKED
-    return type(arguments[0]) is int and entries[arguments[0]][0] == FOLDS[kind]
-
-
-def operands(
-    entries: Sequence[tuple], kind: str, name: str, arguments: tuple[Ref, ...]
-) -> tuple[Ref, ...]:
+def operands(kind: str, name: str, arguments: tuple[Ref, ...]) -> tuple[Ref, ...]:
     """Return the arguments of an operation that a question is about."""
-    if kind in FOLDS:  # asin(sin a) is folded where a is a multiple of pi/2
-        return entries[arguments[0]][1][0], np.pi / 2
     if kind == "atan2":  # which jumps where the first is 0 and the second below
         return arguments[0], 0.0
     if name in COMPARED:
@@ -77,6 +64,7 @@ class Decisions:
         self.least: list[Port] = []
         self.of: list[tuple] = []  # first place of each, and where it is made
         self.count = 0  # how many numbers are decided
+        self.timed = False  # whether time alone decides
         self._true: list[Port] = []  # distances, also of numbers that are held
 
     def lock(self, rates: list[Port], held: Sequence[int] = ()) -> list[Port]:
@@ -86,6 +74,8 @@ class Decisions:
         """
         record, locked, first = self.record, dict[int, Ref](), self.count
         moving: set[Ref] = set()  # entries that change within a step, with locked decisions
+        fed: set[Ref] = set()  # entries that depend on states, or on inputs
+        inputs = len(record.layout.P)
 
         def current(ref: Ref) -> Ref:
             return locked.get(ref, ref) if type(ref) is int else ref
@@ -93,9 +83,13 @@ class Decisions:
         for k in sorted(reached(record.entries, [port.ref for port in rates])):
             kind, exact, shape, at = record.entries[k]
             places = [a for a in exact if type(a) is int]
-            moves = bool(moving.intersection(places)) or (kind == "load" and at[0] in "Xt")
+            array, start = at if kind == "load" else ("", 0)
+            moves = array in ("X", "t") or bool(moving.intersection(places))
+            if array == "X" or (array == "P" and start >= inputs) or fed.intersection(places):
+                fed.add(k)
             arguments = tuple(map(current, exact))
             if k in record.decided_by and moves:
+                self.timed |= k not in fed
                 locked[k] = self._lock(k, arguments, [first + place for place in held])
                 moves = kind not in (*COMPARED, *WHOLE, "sign")
             elif not locked.keys().isdisjoint(places):
@@ -118,11 +112,11 @@ class Decisions:
             return self.record.add(kind, refs, shape, None, owner)
 
         for name in QUESTIONS.get(kind, (kind,)):
-            now = add(name, *operands(self.record.entries, kind, name, exact))
+            now = add(name, *operands(kind, name, exact))
             if name in COMPARED:
                 now = add("where", now, 1.0, -1.0)
             H = self.record.load("P", self.grain + 1 + self.count, shape)
-            about = operands(self.record.entries, kind, name, arguments)
+            about = operands(kind, name, arguments)
             distance, least = self._distance(name, about, H, add)
             self._true.append(Port(self.count, shape, long, distance))
             stays = np.isin(np.arange(self.count, self.count + prod(shape)), held).astype(float)
@@ -151,15 +145,6 @@ class Decisions:
             turns = add("sub", now, add("where", answers[0], 1.0, 0.0))
             on = add("add", angle, add("mul", turns, 2.0 * np.pi))
             return add("where", add("and", behind, add("ne", turns, 0.0)), on, angle)
-        if kind in FOLDS:
-            (a, half), rises = about, float(kind != "acos")  # at 0; acos is folded there
-            n = add("floordiv", add("add", answers[0], rises), 2.0)
-            on = add("sub", a, add("mul", n, np.pi))
-            if kind != "atan":  # which jumps; the others come back
-                back = add("sub", (1.0 - rises) * np.pi, on)
-                on = add("where", add("eq", add("mod", n, 2.0), 1.0), back, on)
-            same = add("eq", add("floordiv", a, half), answers[0])
-            return add("where", same, add(kind, *arguments), on)
         if kind == "pick":
             return add("pick", arguments[0], answers[0])
         return add("where", answers[0], *arguments)

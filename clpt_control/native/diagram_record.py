@@ -13,9 +13,9 @@ is a straight line in time.  Behind the fields P holds where the lines begin, th
 their slopes.  What is prepared comes last.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from math import prod
+from math import pi, prod
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -26,11 +26,11 @@ from ..equations.arrays import Tape
 from ..equations.block import Block
 from ..equations.ports import places
 from ..equations.record import Operation, Record, bound
-from .decisions import Decisions, Port, decides
-from .switches import timed_decisions
+from .decisions import LOCKED, Decisions, Port
 
 SHORT, NAMED = 16, 2  # an axis up to SHORT is unrolled, but from NAMED on where it has a name
 SIGNED = frozenset({"atan2", "pow", "floordiv", "mod"})  # distinguish -0.0 from 0.0, as divisors do
+FOLDS = {"asin": "sin", "acos": "cos", "atan": "tan"}  # inverses, of which angles are folded
 WIRE = -1  # the owner of the operations of wires
 LARGE = 512  # numbers: a larger array is a table that runs share
 # the lengths from which on an axis without and with a name loops, and whether decisions are locked
@@ -130,12 +130,10 @@ class DiagramRecord(RecordMerger):
     Kinds are those of `equations.record`, with loads in place of leaves: `at` of a load is (array,
     first place); of a sum (axis, length, whether it loops); of a part the first place among all
     elements of its argument, row by row.  Axes loop from the length `long` on, where they have a
-    name from `named` on.  Of one that `slides`, `sliding` locks the decisions.
+    name from `named` on.
     """
 
-    def __init__(
-        self, wiring: Wiring, layout: Layout, form: str | None = None, slides: bool = False
-    ):
+    def __init__(self, wiring: Wiring, layout: Layout, form: str | None = None):
         super().__init__(wiring, {0: wiring.ninputs})
         self.layout, (self.long, self.named, locking) = layout, FORMS[form]
         self.tape = Tape()
@@ -148,9 +146,8 @@ class DiagramRecord(RecordMerger):
         self.signals = self._rates()
         guarded = [k for k, node in enumerate(wiring.nodes) if node.system.guard is not None]
         self.margins = [m for k in guarded for m in self.run(k, "guard", self.fed(k))]
-        self.timed = {} if wiring.dt else timed_decisions(self)
         self.decisions = Decisions(self, layout.inputs(wiring.ninputs))
-        if locking and not (wiring.dt or slides):
+        if locking and not wiring.dt:
             self.rates = self.decisions.lock(self.rates)
         self._jumped = {k: self._leap(k) for k in range(len(wiring.nodes))}
         self._sample()
@@ -252,12 +249,17 @@ class DiagramRecord(RecordMerger):
             length, long = self._axes(block, record.operations[arguments[0]].shape)
             at = at, length[at], long[at]
         lengths, long = self._axes(block, shape)
-        entry, smooth = self.add(kind, own, lengths, at, k), block.opaque and block.of_package
-        if (
-            decides(self.entries, kind, own) and not smooth and block.first_held is None
-        ):  # samples stay for a step
-            self.decided_by[entry] = long, (k, role, kind)
-        return entry
+        smooth = (block.opaque and block.of_package) or block.first_held is not None
+
+        def put(kind: str, *own: Ref) -> Ref:
+            entry = self.add(kind, own, lengths, at, k)
+            if kind in LOCKED and not smooth:  # samples stay for a step
+                self.decided_by[entry] = long, (k, role, kind)
+            return entry
+
+        if kind in FOLDS and type(own[0]) is int and self.entries[own[0]].kind == FOLDS[kind]:
+            return _folded(kind, self.entries[own[0]].arguments[0], put)
+        return put(kind, *own)
 
     def leaf(self, k: int, group: str, name: str, shape: tuple) -> Ref:
         """Return time, a parameter, or a state, after jumps where these are known."""
@@ -327,3 +329,13 @@ class DiagramRecord(RecordMerger):
         if entry.kind == "view" and len(entry.at) == 1 and entry.at[0][2] == 1:
             return self.part(entry.arguments[0], entry.at[0][1] + first, shape)
         return self.add("part", (ref,), shape, first)
+
+
+def _folded(kind: str, a: Ref, put: Callable[..., Ref]) -> Ref:
+    """Return asin(sin a), acos(cos a) or atan(tan a), whose kinks are those of |x| and a % b."""
+    turn, ahead = (pi if kind == "atan" else 2.0 * pi), (pi if kind == "acos" else 0.5 * pi)
+    angle = put("mod", put("add", a, ahead), turn)
+    if kind == "atan":
+        return put("sub", angle, 0.5 * pi)
+    away = put("fabs", put("sub", angle, pi))
+    return away if kind == "acos" else put("sub", 0.5 * pi, away)

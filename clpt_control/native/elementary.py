@@ -26,8 +26,7 @@ from ..equations.elementwise import elementwise, where
 
 MAGIC = 6755399441055744.0  # 1.5 * 2^52: added to a whole number, it stands in the low bits
 LN2, LN2_LOW = 0.6931471805599453, 2.3190468138462996e-17
-LOG2_E, LOG2_E_LOW = 1.4426950408889634, 2.0355273740931033e-17
-LOG10_E, LOG10_E_LOW = 0.4342944819032518, 1.098319650216765e-17
+LOG2_E = 1.4426950408889634
 TINY = 2.2250738585072014e-308
 
 # coefficients of the highest power first
@@ -122,26 +121,6 @@ def log(a):
     return _where_log_is(a, fma(k, LN2, f - fma(-k, LN2_LOW, less)))
 
 
-def log2(a):
-    """Return the logarithm to base 2, exact for powers of two."""
-    k, f, less = _split_log(a)
-    m = f - less
-    return _where_log_is(a, k + fma(m, LOG2_E, m * LOG2_E_LOW))
-
-
-def log10(a):
-    """Return the logarithm to base 10."""
-    value = log(a)
-    return fma(value, LOG10_E, value * LOG10_E_LOW)
-
-
-def log1p(a):
-    """Return log(1 + a), accurate near 0."""
-    u = 1.0 + a
-    value = log(u) + (a - (u - 1.0)) / u
-    return where((u == inf) | (u == 0.0), log(u), where(u == 1.0, a, value))
-
-
 def _precise_log(a):
     """Return (log a, what its rounding left out)."""
     k, f, less = _split_log(a)
@@ -170,50 +149,12 @@ def power(a, b):
     return where((b == 0.0) | (a == 1.0), 1.0, where(negative, nan, value))
 
 
-def sinh(a):
-    """Return the hyperbolic sine."""
-    size = abs(a)
-    less = expm1(size)
-    value = 0.5 * (less + less / (less + 1.0))
-    root = exp(0.5 * size)
-    return copysign(where(size > 700.0, 0.5 * root * root, value), a)
-
-
-def cosh(a):
-    """Return the hyperbolic cosine."""
-    size = abs(a)
-    root = exp(0.5 * size)
-    e = exp(size)
-    return where(size > 700.0, 0.5 * root * root, 0.5 * (e + 1.0 / e))
-
-
 def tanh(a):
     """Return the hyperbolic tangent."""
     size = abs(a)
     less = expm1(where(size > 20.0, 40.0, 2.0 * size))
     value = where(size > 20.0, 1.0, less / (less + 2.0))
     return where(a == a, copysign(value, a), a)
-
-
-def asinh(a):
-    """Return the inverse hyperbolic sine."""
-    size = abs(a)
-    square = size * size
-    near = log1p(size + square / (1.0 + np.sqrt(square + 1.0)))
-    return copysign(where(size > 1e150, log(size) + LN2, near), a)
-
-
-def acosh(a):
-    """Return the inverse hyperbolic cosine."""
-    less = a - 1.0
-    near = log1p(less + np.sqrt(less * (a + 1.0)))
-    return where(a > 1e150, log(a) + LN2, where(a >= 1.0, near, nan))
-
-
-def atanh(a):
-    """Return the inverse hyperbolic tangent."""
-    size = abs(a)
-    return copysign(0.5 * log1p(2.0 * size / (1.0 - size)), a)
 
 
 def hypot(a, b):
@@ -357,12 +298,13 @@ def place(index, count):
     return where((whole >= 0.0) & (whole < count), whole, -1.0)
 
 
+# rare ones, which the C library computes number by number
+LIBRARY = (*("erf", "erfc", "log1p", "log2", "log10"), *("sinh", "cosh", "asinh", "acosh", "atanh"))
 # adding 0.0 makes -0.0 what Python makes of whole numbers: 0.0
 FUNCTIONS: dict[str, Callable[..., Any]] = {
-    **{function.__name__: function for function in (exp, expm1, log, log1p, log2, log10)},
-    **{function.__name__: function for function in (sinh, cosh, tanh, asinh, acosh, atanh)},
+    **{function.__name__: function for function in (exp, expm1, log, tanh, hypot)},
     **{function.__name__: function for function in (sin, cos, tan, asin, acos, atan, atan2)},
-    **{function.__name__: function for function in (hypot, minimum, maximum, sign, place)},
+    **{function.__name__: function for function in (minimum, maximum, sign, place)},
     "pow": power,
     "mod": remainder,
     "floordiv": quotient,

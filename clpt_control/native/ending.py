@@ -4,7 +4,8 @@ When a run meets a guard, or a number that is not finite, the blocks are evaluat
 the signal: the sentence names block, signal and time.
 """
 
-from dataclasses import dataclass, field
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -46,8 +47,8 @@ class Solution:
 
     `status` is ``"finished"``, or ``"stopped"`` if a guard ended the run; `message` is a sentence
     on it.  `statistics` are the numbers of steps, evaluations and restarts.  `engine` is
-    ``"native"`` or ``"python"``, `method` the method, and from which time on another one.  `ran` is
-    the diagram that ran, its inputs, the pieces of time, and all signals, once they were asked for.
+    ``"native"`` or ``"python"``, `method` the method, and from which time on another one.  `pieces`
+    are those of time, as the engine has them.
     """
 
     t: np.ndarray
@@ -57,7 +58,7 @@ class Solution:
     statistics: dict[str, int] = field(default_factory=dict)
     engine: str = "python"
     method: str = "none"
-    ran: tuple[Any, ...] = field(default=(None,) * 4, repr=False, compare=False)
+    pieces: Schedule | None = field(default=None, repr=False, compare=False)
 
 
 def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
@@ -79,11 +80,8 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
         return solution
     if status == numbering.LEFT:
         t, x, policy, sentence = _crossing(sweep, last, inputs)
-        if policy == "raise":
-            raise SimulationError(sentence)
-        solution.status, solution.message = "stopped", f"stopped: {sentence}"
-        solution.t, solution.x = _until(last, solution, t, x, int(batch.reached[0]))
-        return solution
+        reached = _until(last, solution, t, x, int(batch.reached[0]))
+        return _stopped(solution, policy, sentence, *reached)
     reason = SENTENCES[status]
     if status == numbering.CHATTERS:
         reason = f"{_switch(sweep, last)} {reason}"
@@ -100,19 +98,21 @@ def without_states(sweep: Sweep, times: np.ndarray, inputs: Inputs | None, engin
         sweep.enter(t)
         return sweep.margin(t, solution.x[0], None if inputs is None else inputs.at(t))
 
-    k = next((k for k, t in enumerate(times) if sweep.guarded and guard(t)[0] < 0.0), None)
-    if k is None:
-        return solution
-    low, high = times[max(k - 1, 0)], times[k]
-    while low < (middle := 0.5 * (low + high)) < high:
-        low, high = (low, middle) if guard(middle)[0] < 0.0 else (middle, high)
-    _, policy, sentence = guard(high)
+    for k, t in enumerate(times if sweep.guarded else ()):
+        if guard(t)[0] < 0.0:
+            low, high = times[max(k - 1, 0)], t
+            while low < (middle := 0.5 * (low + high)) < high:
+                low, high = (low, middle) if guard(middle)[0] < 0.0 else (middle, high)
+            end = np.append(times[:k], high), np.zeros((k + 1, 0))
+            return _stopped(solution, *guard(high)[1:], *end)
+    return solution
+
+
+def _stopped(solution: Solution, policy: str, sentence: str, t: Any, x: Any) -> Solution:
+    """Return a solution up to where a guard was left, or raise its error."""
     if policy == "raise":
         raise SimulationError(sentence)
-    solution.t = np.append(times[:k], high)
-    solution.x = np.zeros((k + 1, 0))
-    solution.status, solution.message = "stopped", f"stopped: {sentence}"
-    return solution
+    return replace(solution, t=t, x=x, status="stopped", message=f"stopped: {sentence}")
 
 
 def _switch(sweep: Sweep, batch: Batch) -> str:
@@ -155,6 +155,16 @@ def state_within(batch: Batch, share: float) -> np.ndarray:
     return numbering.interpolate(batch.Z, n, 1, 0, np.arange(n), share)
 
 
+def edge(batch: Batch, margin: Callable[[float], float]) -> float:
+    """Return the share of that step at which a margin falls to zero."""
+    low, high = (float(batch.numbers[row, 0]) for row in (numbering.LOW, numbering.HIGH))
+    if margin(0.0) <= 0.0:
+        return 0.0
+    if margin(low) <= 0.0 or margin(high) >= 0.0:  # the edge itself was looked at
+        return low if margin(low) <= 0.0 else high
+    return float(brentq(margin, low, high, xtol=1e-15, rtol=1e-14))
+
+
 def _crossing(
     sweep: Sweep, batch: Batch, inputs: Inputs | None
 ) -> tuple[float, np.ndarray, str, str]:
@@ -166,11 +176,7 @@ def _crossing(
         u = None if inputs is None else inputs.at(t + share * h)
         return sweep.margin(t + share * h, state_within(batch, share), u)
 
-    share, beyond = (float(batch.numbers[row, 0]) for row in (numbering.LOW, numbering.HIGH))
-    if guard(0.0)[0] <= 0.0:
-        share = 0.0
-    elif guard(share)[0] > 0.0 > guard(beyond)[0]:  # else the edge itself was looked at
-        share = brentq(lambda at: guard(at)[0], share, beyond, xtol=1e-15, rtol=1e-14)
+    share = edge(batch, lambda share: guard(share)[0])
     return (t + share * h, state_within(batch, share), *guard(share)[1:])
 
 

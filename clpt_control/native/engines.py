@@ -31,26 +31,19 @@ ENGINES = ("native", "python")
 def make_runner(
     wiring: Wiring,
     params: Mapping[str, Any] | None = None,
-    by_function: bool = False,
     engine: str | None = None,
     name: str = "the diagram",
     apart: Mapping[tuple[int, str], Any] = {},
 ) -> PythonDiagram:
     """Return a diagram ready to run, compiled if possible; `apart` as `lay_out` takes it.
 
-    A diagram that cannot be compiled runs in Python, with a warning that calls it by `name`.  One
-    whose inputs come `by_function` runs in Python too; ``engine="native"`` is then an error.
+    A diagram that cannot be compiled runs in Python, with a warning that calls it by `name`.
     """
     wanted = engine or os.environ.get(ENGINE) or "native"
     if wanted not in ENGINES:
         whose = "engine" if engine else f"the environment variable {ENGINE}"
         raise SimulationError(f"{whose} = '{wanted}': must be one of {', '.join(ENGINES)}")
-    by_function = by_function and bool(wiring.ninputs)
-    if engine == "native" and by_function:
-        raise SimulationError(
-            "inputs: machine code takes no function; give samples at timepts, or leave engine out"
-        )
-    if wanted == "native" and not by_function:
+    if wanted == "native":
         try:
             return NativeDiagram(wiring, params, apart=apart)
         except Uncompiled as error:
@@ -106,12 +99,12 @@ def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs | None)
     n = len(solution.t)
     if not n or all(node.system.of_package for node in runner.wiring.nodes):
         return ""
-    at, (pieces, signals) = sorted({0, n // 3, 2 * n // 3, n - 1}), runner.along(solution, inputs)
-    same = _agrees(runner, pieces, solution.t[at], solution.x[at], inputs, signals[at])
+    at, pieces = sorted({0, n // 3, 2 * n // 3, n - 1}), runner.pieces(solution, inputs)
+    same = _agrees(runner, pieces, solution.t[at], solution.x[at], inputs)
     for k in np.array(at)[~same]:
         t = solution.t[k : k + 1]
-        for moved in beside(solution.x[k]):
-            if _agrees(runner, pieces, t, moved[None], inputs)[0]:
+        for apart, moved in zip(BESIDE, beside(solution.x[k]), strict=True):
+            if _agrees(runner, pieces, t + 1e-3 * apart, moved[None], inputs)[0]:
                 break
         else:
             runner.sweep.derivative(t[0], moved, None if inputs is None else inputs.at(t[0]))
@@ -127,24 +120,18 @@ def beside(x: np.ndarray) -> list[np.ndarray]:
 
 
 def _agrees(
-    runner: NativeDiagram,
-    pieces: Schedule,
-    times: Any,
-    x: np.ndarray,
-    inputs: Inputs | None,
-    signals: np.ndarray | None = None,
+    runner: NativeDiagram, pieces: Schedule, times: Any, x: np.ndarray, inputs: Inputs | None
 ) -> np.ndarray:
     """Return at which times and states Python and machine code give the same.
 
-    That is the same signals, the same rates, and the same states after all jumps; `signals` are
-    those of machine code, where they are known.
+    That is the same signals, the same rates, and the same states after all jumps.
     """
     sweep, P = runner.sweep, runner.parameters()
 
     def evaluated(role: int, count: int, own: Schedule = pieces) -> np.ndarray:
         return runner.callee(1, inputs).evaluate(role, times, x, own, P, count)
 
-    machine = [evaluated(numbering.SIGNALS, runner.nsignals) if signals is None else signals]
+    machine = [evaluated(numbering.SIGNALS, runner.nsignals)]
     if runner.nstates:
         machine.append(evaluated(numbering.DERIVATIVE, runner.nstates))
     if sweep.jumping:

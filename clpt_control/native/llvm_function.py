@@ -44,7 +44,7 @@ class Function:
                 table.initializer = ir.Constant(kind, numbers)
             self.arrays["K"] = self.builder.bitcast(module.globals["K"], pointer)
         self.lanes = lanes
-        self.wide = self.active = LANES  # iterations at once, and how many of them the mask leaves
+        self.active = LANES  # iterations of those at once that the mask leaves
 
     # --- arrays ---------------------------------------------------------------------------
 
@@ -75,8 +75,8 @@ class Function:
         if stride not in (None, 1):
             places = [first + k * stride for k in range(self.active)]
             ones = [builder.load(self.address(array, place, moves)) for place in places]
-            return gathered(builder, ones + ones[:1] * (self.wide - self.active))
-        address, width = self.address(array, first, moves), self.wide if stride else self.lanes
+            return gathered(builder, ones + ones[:1] * (LANES - self.active))
+        address, width = self.address(array, first, moves), LANES if stride else self.lanes
         if stride is None and self.columns(array) == 1:
             return splat(builder, builder.load(address), width)
         many = builder.bitcast(address, vector(width).as_pointer())
@@ -95,7 +95,7 @@ class Function:
                 builder.store(one, self.address(array, first + k * stride, moves))
             return
         address = builder.bitcast(self.address(array, first, moves), value.type.as_pointer())
-        if stride is None or self.active == self.wide:
+        if stride is None or self.active == LANES:
             builder.store(value, address, align=8)
             return
         arguments = [value, address, ir.Constant(INT32, 8), self.mask()]
@@ -103,32 +103,31 @@ class Function:
 
     def _masked(self, name: str, result: ir.Type, arguments: list[Any]) -> Any:
         """Read or write the active iterations."""
-        intrinsic = f"llvm.masked.{name}.v{self.wide}f64.p0v{self.wide}f64"
+        intrinsic = f"llvm.masked.{name}.v{LANES}f64.p0v{LANES}f64"
         types = [one.type for one in arguments]
         return self.builder.call(declared(self.builder.module, intrinsic, result, types), arguments)
 
     def mask(self) -> ir.Constant:
         """Return for each of the iterations at once whether it is active."""
-        bits = [int(k < self.active) for k in range(self.wide)]
-        return ir.Constant(vector(self.wide, BIT), bits)
+        bits = [int(k < self.active) for k in range(LANES)]
+        return ir.Constant(vector(LANES, BIT), bits)
 
     def add_to(self, total: Any, value: Any) -> Any:
         """Return a sum with one more value, of the active iterations."""
-        if self.active < self.wide:
-            value = self.builder.select(self.mask(), value, constant(0.0, self.wide))
+        if self.active < LANES:
+            value = self.builder.select(self.mask(), value, constant(0.0, LANES))
         return value if total is None else self.builder.fadd(total, value)
 
     # --- loops ----------------------------------------------------------------------------
 
     def vector_loop(self, count: int, unrolled: int, body: Body, sums: list) -> list:
         """Print a loop of several iterations at once; return the sums after it."""
-        width = self.wide
-        whole = count // width * width
-        sums = self.loop(range(0, whole, width), unrolled, body, sums)
+        whole = count // LANES * LANES
+        sums = self.loop(range(0, whole, LANES), unrolled, body, sums)
         if count > whole:
             self.active = count - whole
             sums = body(whole, sums)
-            self.active = width
+            self.active = LANES
         return sums
 
     def loop(self, indices: range, unrolled: int, body: Body, sums: list) -> list:

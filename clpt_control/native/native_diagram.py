@@ -12,7 +12,6 @@ import numpy as np
 from ..arguments import public
 from ..diagrams.wiring import Wiring
 from ..equations.arrays import Unread
-from ..equations.record import Record
 from ..errors import DiagramError, Uncompiled
 from . import numbering
 from .batch import Callee
@@ -25,10 +24,10 @@ from .plan import Program, program_of
 from .python_diagram import PythonDiagram
 from .schedule import Inputs
 from .sliding import Held, slide
-from .switches import times_of_change
 
 ABREAST = 256  # states of runs in lanes; more do not fit the first cache
 MANY, SHORTER = 1500, 3  # components of a long program, and how much shorter one of loops is
+Form = str | Held | None
 FUNCTIONS = ("derivative", "prepare", "margin", "signals", "jump", "decide", "slope", "staged")
 
 
@@ -49,11 +48,11 @@ class Structure:
 class Code:
     """The program of a structure, and its machine code once it is asked for.
 
-    `timed` is what time alone decides, by block; `linear` is what an implicit method needs of it.
+    `linear` is what an implicit method needs of it.
     """
 
-    def __init__(self, program: Program, timed: dict[int, Record], linear: Jacobian | None = None):
-        self.program, self.timed, self.linear = program, timed, linear or Jacobian()
+    def __init__(self, program: Program, linear: Jacobian | None = None):
+        self.program, self.linear = program, linear or Jacobian()
         self._machines: dict[tuple[str, int], Machine] = {}
 
     @one_at_a_time
@@ -67,20 +66,14 @@ class Code:
         return [self._machines[name, lanes].addresses[name] for name in names]
 
 
-def code_of(
-    wiring: Wiring,
-    layout: Layout,
-    form: str | None = None,
-    implicit: bool = False,
-    held: Held | None = None,
-) -> Code:
+def code_of(wiring: Wiring, layout: Layout, form: Form = None, implicit: bool = False) -> Code:
     """Return the code of a diagram, the same for diagrams of one structure.
 
-    With `implicit` rates have slopes, for an implicit method; with `held` they are those on
-    switches.  `form` says whether all axes are ``"unrolled"`` or ``"looped"``, or decisions
-    ``"free"``.  An `Uncompiled` error says what cannot be compiled.
+    With `implicit` rates have slopes, for an implicit method.  `form` says whether all axes are
+    ``"unrolled"`` or ``"looped"``, or decisions ``"free"``, or held on switches.  An `Uncompiled`
+    error says what cannot be compiled.
     """
-    if form not in FORMS:
+    if form not in FORMS and not isinstance(form, Held):
         raise DiagramError(f"form = {form!r}: must be 'unrolled', 'looped' or 'free', or left out")
     blocks: list[Any] = [node.system for node in wiring.nodes]
     try:
@@ -92,37 +85,37 @@ def code_of(
     wires = tuple((node.states.start, node.outputs.start, node.wires) for node in wiring.nodes)
     order = wiring.order, *((block.feedthrough, block.first_held) for block in blocks)
     key = records, shapes, wires, order, bool(wiring.dt), layout.pattern, wiring.ninputs
-    return _code(Structure(key, wiring, layout), form, implicit, held)
+    return _code(Structure(key, wiring, layout), form, implicit)
 
 
 @once(64)
-def _code(structure: Structure, form: str | None, implicit: bool, held: Held | None) -> Code:
+def _code(structure: Structure, form: Form, implicit: bool) -> Code:
     """Return the code; that with short axes looped where it is far shorter, as of matrices."""
     try:
-        code = _planned(structure, form, implicit, held)
+        code = _planned(structure, form, implicit)
     except Uncompiled:
         if form is not None:
             raise
-        return _planned(structure, "looped", implicit, held)
+        return _planned(structure, "looped", implicit)
     if form is None and (size := len(code.program.components)) > MANY:
-        looped = _planned(structure, "looped", implicit, held)
+        looped = _planned(structure, "looped", implicit)
         return looped if SHORTER * len(looped.program.components) < size else code
     return code
 
 
-def _planned(structure: Structure, form: str | None, implicit: bool, held: Held | None) -> Code:
+def _planned(structure: Structure, form: Form, implicit: bool) -> Code:
     wiring, layout = structure.wiring, structure.layout
-    record = DiagramRecord(wiring, layout, form, held is not None)
-    if held is not None:
-        slide(record, held)
+    record = DiagramRecord(wiring, layout, "free" if isinstance(form, Held) else form)
+    if isinstance(form, Held):
+        slide(record, form)
     room = wiring.nodes[-1].outputs.stop, layout.inputs(wiring.ninputs)
     if not implicit:
-        return Code(program_of(record, *room), record.timed)
+        return Code(program_of(record, *room))
     reach = reach_of(record, wiring.nodes[-1].states.stop)
     with suppress(Unread, Uncompiled):  # else rates are differentiated by differences
         program = program_of(record, *room, slopes_of(record, len(reach)))
-        return Code(program, record.timed, jacobian(reach, True))
-    return Code(program_of(record, *room), record.timed, jacobian(reach, False))
+        return Code(program, jacobian(reach, True))
+    return Code(program_of(record, *room), jacobian(reach, False))
 
 
 # --- ready to run ----------------------------------------------------------------------------
@@ -140,7 +133,7 @@ class NativeDiagram(PythonDiagram):
         Call-time parameters by qualified name.
     form : str, optional
         ``"unrolled"`` or ``"looped"``: all axes; short ones are unrolled without.  ``"free"``:
-        decisions are not locked for a step.
+        decisions are not locked for a step.  `Held`: on switches, whose decisions are held.
     apart : mapping, optional
         Blocks' fields that differ from run to run: those that always have equal values have the
         same here.
@@ -168,18 +161,17 @@ class NativeDiagram(PythonDiagram):
 
     engine, loose = "native", np.inf
     most = 500_000_000
-    held: Held | None = None  # decisions that stay, where it slides on switches
 
     def __init__(
         self,
         diagram: control.NonlinearIOSystem | Wiring,
         params: Mapping[str, Any] | None = None,
-        form: str | None = None,
+        form: Form = None,
         apart: Mapping[tuple[int, str], Any] = {},
     ):
         super().__init__(diagram, params)
         self.layout = lay_out(self.wiring, self.sweep.parameters, apart)
-        self._form, self.code = form, code_of(self.wiring, self.layout, form)
+        self.form, self.code = form, code_of(self.wiring, self.layout, form)
         self.intervals, self.jumps = self.layout.intervals, self.layout.jumps
         self.ramp = len(self.layout.P)  # place in P of the diagram's inputs
         self.decided_at = self.layout.inputs(self.wiring.ninputs) + 1  # and of what is decided
@@ -199,17 +191,17 @@ class NativeDiagram(PythonDiagram):
 
     def unlocked(self) -> Self:
         """Return the diagram with decisions that change within a step."""
-        return self._in_form("free", None)
+        return self._in_form("free")
 
     @public
     def sliding(self, held: Held) -> Self:
         """Return the diagram on switches, whose decisions are held."""
-        return self._in_form(self._form, held)
+        return self._in_form(held)
 
-    def _in_form(self, form: str | None, held: Held | None) -> Self:
+    def _in_form(self, form: Form) -> Self:
         other = copy(self)
-        other.held, other._form, other._callees = held, form, {}
-        other.code = code_of(self.wiring, self.layout, form, False, held)
+        other.form, other._callees = form, {}
+        other.code = code_of(self.wiring, self.layout, form)
         return other
 
     def _code(self, method: int) -> Code:
@@ -217,23 +209,8 @@ class NativeDiagram(PythonDiagram):
         if method == numbering.RK4 and self.code.program.decided:
             return code_of(self.wiring, self.layout, "free")
         if method == numbering.RODAS5P:
-            return code_of(self.wiring, self.layout, self._form, True, self.held)
+            return code_of(self.wiring, self.layout, self.form, True)
         return self.code
-
-    def breaks(self, t0: float, t1: float) -> Any:
-        """Return the times at which time alone decides."""
-        arrays, nodes = {"P": self.layout.P, "T": self.layout.T}, self.wiring.nodes
-        timed = self.code.timed.items()
-        times = [times_of_change(nodes[k].name, one, arrays, t0, t1) for k, one in timed]
-        return np.unique(np.concatenate([np.zeros(0), *times]))
-
-    def switches_by(self, k: int, name: str) -> bool:
-        """Return whether times of `breaks` depend on a block's field."""
-        array, start = self.layout.slots[k, name]
-        places = range(start, start + np.size(getattr(self.sweep.parameters[k], name)))
-        lines = [line for record in self.code.timed.values() for line in record.operations]
-        read = [line.at for line in lines if line.kind == "leaf"]
-        return any(own == array and first in places for own, (first, _) in read)
 
     def callee(
         self, lanes: int = 1, inputs: Inputs | None = None, method: int = numbering.DOP853
@@ -245,7 +222,7 @@ class NativeDiagram(PythonDiagram):
 
     def _callee(self, lanes: int, method: int) -> Callee:
         code, (guarded, jumping) = self._code(method), self.watched(method)
-        program, watched = code.program, (max(guarded, int(self.held is not None)), jumping)
+        program, watched = code.program, (max(guarded, int(isinstance(self.form, Held))), jumping)
         used = dict(zip(("margin", "jump"), watched, strict=True))
         used |= {"decide": program.decided, "slope": "slope" in program.functions}
         used["staged"] = method == numbering.DOP853 and program.staged
@@ -254,7 +231,8 @@ class NativeDiagram(PythonDiagram):
         own = [found.get(name, 0) for name in FUNCTIONS]
         shape = lanes, self.nstates, method, *watched, self.decided_at, program.decided
         sizes = program.parameters, program.room, self.layout.T
-        return with_formulas(Callee(self.engine, own, *shape, *sizes, code.linear, (code,)))
+        more = code.linear, program.timed, (code,)
+        return with_formulas(Callee(self.engine, own, *shape, *sizes, *more))
 
     def lanes(self, count: int) -> int:
         """Return how many runs are taken at once: eight where it pays."""

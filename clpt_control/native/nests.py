@@ -61,9 +61,6 @@ class _Nests(Function):
         self.begins: list[Any] = [None] * (len(nest.lengths) + 1)
         self.values: list[dict[Key, Any]] = [{} for _ in self.begins]
         self.vector = nest.vector if nest.lengths and self.lanes == 1 else -1
-        if self.vector >= 0:
-            few = nest.lengths[self.vector] <= LANES // 2
-            self.wide = self.active = LANES // 2 if few else LANES
         self.totals = [item for item in nest.items if item.summed]
         self.within(0, [])
         for item in nest.items:
@@ -85,7 +82,7 @@ class _Nests(Function):
         if depth > self.inner:
             return self.items(sums)
         # iterations that are masked add zeros
-        masked = depth == self.vector and self.now.lengths[depth] < self.wide
+        masked = depth == self.vector and self.now.lengths[depth] < LANES
         zero = None if masked else constant(0.0, self.width(self.vector >= 0))
         sums = self.print_loop(depth, [zero] * len(self.totals) if depth == self.inner else [])
         for total, value in zip(self.totals, sums, strict=False):
@@ -129,7 +126,7 @@ class _Nests(Function):
 
     def width(self, wide: bool) -> int:
         """Return how many numbers a value is."""
-        return self.wide if wide else self.lanes
+        return LANES if wide else self.lanes
 
     def value(self, key: Key) -> Any:
         """Return a value; print it if it is new."""

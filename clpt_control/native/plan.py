@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 from ..equations.arrays import CONDITIONS
 from ..equations.record import deep
 from .components import BOUND, Component, Components, Write, row_strides
+from .decisions import Decisions
 from .diagram_record import DiagramRecord, Port
 from .merged_sums import MergedSums
 
@@ -47,6 +48,7 @@ class Program(NamedTuple):
     room: int  # length of W
     decided: int  # how many numbers are decided
     deciding: tuple[tuple, ...]  # of each decision: its first number, and where it is made
+    timed: bool = False  # whether time alone decides
 
     @property
     def staged(self) -> bool:
@@ -74,16 +76,15 @@ class Planner:
         name, arguments, _ = self.all[c]
         return arguments[-1] if name in ("load", "table") else -1
 
-    def program(
-        self, writes: dict[str, list[Write]], decided: int, deciding: tuple[tuple, ...]
-    ) -> Program:
+    def program(self, writes: dict[str, list[Write]], decisions: Decisions) -> Program:
         """Return the program whose functions write these."""
         made = self.components
         functions = {name: self.nests(own) for name, own in writes.items()}
         self.preparing = True
         functions["prepare"] = self.nests(self.preparation)
-        constants, sizes = tuple(made.constants), (made.prepared, made.room, decided)
-        return Program(tuple(self.all), functions, self.prepared, constants, *sizes, deciding)
+        constants, sizes = tuple(made.constants), (made.prepared, made.room, decisions.count)
+        deciding = tuple(decisions.of), decisions.timed
+        return Program(tuple(self.all), functions, self.prepared, constants, *sizes, *deciding)
 
     # --- what is prepared -----------------------------------------------------------------
 
@@ -207,10 +208,7 @@ class Planner:
             name, arguments, lengths = self.all[c]
             if name == "load" or self.is_prepared(c):
                 strides = row_strides(lengths) if self.is_prepared(c) else arguments[2]
-                total: dict[int, int] = {}
                 for loop, stride in zip(loops, strides, strict=True):
-                    total[loop] = total.get(loop, 0) + stride
-                for loop, stride in total.items():
                     strided[loop] += stride not in (0, 1)
             elif name != "sum":
                 stack += [(a, tuple(loops[k] for k in axes)) for a, axes in self.arguments(c)]
@@ -246,7 +244,7 @@ def program_of(
         }
         if slopes is not None:
             writes["slope"] = made.writes(slopes, "D")
-    return Planner(made).program(writes, count, tuple(decisions.of))
+    return Planner(made).program(writes, decisions)
 
 
 def _least(made: Components) -> Write:

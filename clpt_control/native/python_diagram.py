@@ -83,10 +83,6 @@ class PythonDiagram:
         """Return P; in Python it says which blocks jump."""
         return np.zeros(len(self.jumps))
 
-    def breaks(self, t0: float, t1: float) -> Any:
-        """Return the times of decisions that depend on time alone; none in Python."""
-        return np.zeros(0)
-
     schedule = make_schedule
 
     def callee(
@@ -116,7 +112,9 @@ class PythonDiagram:
         linear = jacobian(full, False) if method == numbering.RODAS5P else Jacobian()
         sizes = places, self.nsignals, np.zeros(1)
         shape = 1, n, method, *self.watched(method), 0, 0
-        return with_formulas(Callee("python", addresses, *shape, *sizes, linear, (own,), raised))
+        return with_formulas(
+            Callee("python", addresses, *shape, *sizes, linear, code=(own,), raised=raised)
+        )
 
     def watched(self, method: int) -> tuple[int, int]:
         """Return 1 if guards are watched, and 1 if states jump; neither in discrete time."""
@@ -224,9 +222,7 @@ class PythonDiagram:
                 return replace(across, method=f"{across.method}, switches not located")
         if slow:
             raise slow
-        solution = ended(self.sweep, batch, inputs)
-        solution.ran = self, inputs, pieces, None
-        return solution
+        return replace(ended(self.sweep, batch, inputs), pieces=pieces)
 
     def method_number(self, method: str = "auto", step: float | None = None) -> int:
         """Return the solver's number of a method."""
@@ -292,8 +288,9 @@ class PythonDiagram:
         times = solution.t
         if not len(times):  # stopped before the first
             return np.zeros((0, self.nsignals))
-        inputs = self._inputs(inputs, times)
-        _, out = self.along(solution, inputs)
+        inputs, P = self._inputs(inputs, times), self.parameters()
+        at = times, solution.x, self.pieces(solution, inputs), P
+        out = self.callee(1, inputs).evaluate(numbering.SIGNALS, *at, self.nsignals)
         bad = np.flatnonzero(~np.all(np.isfinite(out), axis=1))
         if len(bad):
             t, x = float(times[bad[0]]), solution.x[bad[0]]
@@ -305,26 +302,17 @@ class PythonDiagram:
             raise SimulationError(f"at t = {t:.9g}: {trouble}")
         return out
 
-    def along(self, solution: Solution, inputs: Inputs | None) -> tuple[Schedule, np.ndarray]:
-        """Return pieces of time and all block outputs, finite or not; they are computed once."""
-        diagram, its_inputs, pieces, signals = solution.ran
-        if diagram is not self or its_inputs is not inputs:
-            pieces, signals = self.schedule(solution.t, inputs), None
-        if signals is None:
-            evaluate, at = self.callee(1, inputs).evaluate, (solution.t, solution.x, pieces)
-            signals = evaluate(numbering.SIGNALS, *at, self.parameters(), self.nsignals)
-            solution.ran = self, inputs, pieces, signals
-        return pieces, signals
+    def pieces(self, solution: Solution, inputs: Inputs | None) -> Schedule:
+        """Return the pieces of time of a run."""
+        if solution.pieces is None or solution.engine != self.engine:
+            return self.schedule(solution.t, inputs)
+        return solution.pieces
 
 
 ADAPTIVE = {name.lower(): k for k, name in NAMES.items() if k > numbering.RK4}
 METHODS = {"auto": numbering.DOP853, **ADAPTIVE}
-OPTIONS = {  # what is allowed, and why an option does not go with a fixed step
-    "step": ("positive", ""),
-    **dict.fromkeys(("rtol", "atol"), ("a number, 0 or more", "has no tolerance")),
-    **dict.fromkeys(("max_step", "first_step"), ("a number above 0", "is what it is")),
-    **{"method": ("", "has a method"), "progress": ("", "reports none")},
-}
+# the least that an option may be
+LEAST = {"rtol": 0.0, "atol": 0.0, **dict.fromkeys(("step", "max_step", "first_step"), 5e-324)}
 
 
 def checked_method(method: str | None) -> str:
@@ -351,22 +339,19 @@ def checked_steps(dt: Any, times: np.ndarray, **options: Any) -> tuple:
     Refuse values out of range, and options that do not go with a fixed step or discrete time.
     """
     given = {name: value for name, value in options.items() if value is not None}
-    method = checked_method(given.get("method"))
+    method, fixed = checked_method(given.get("method")), given.keys() & {"step"}
     if dt:
         check_spacing(times, dt)
-        if given.keys() - {"progress", "method"} or method != "auto":
-            *more, last = (name for name in options if name != "progress")
-            raise SimulationError(
-                f"{', '.join(more)} and {last}: a diagram of discrete time has none; leave them out"
-            )
-    for name, value in given.items():
-        allowed, alone = OPTIONS[name]
-        if "step" in given and alone:
-            raise SimulationError(f"step and {name}: a fixed step {alone}; leave one out")
-        if allowed:
-            size, least = numbers(name, value), 0.0 if name in ("rtol", "atol") else 5e-324
-            if size.ndim or not size >= least:
-                raise SimulationError(f"{name} = {value}: must be {allowed}")
+    if dt or fixed:
+        what = "a diagram of discrete time" if dt else "a fixed step"
+        others = given.keys() - ({"progress", "method"} if dt and method == "auto" else fixed)
+        if others:
+            raise SimulationError(f"{', '.join(sorted(others))}: {what} has none; leave it out")
+    for name, least in ((name, least) for name, least in LEAST.items() if name in given):
+        size = numbers(name, given[name])
+        if size.ndim or not size >= least:
+            allowed = "above 0" if least else "0 or more"
+            raise SimulationError(f"{name} = {given[name]}: must be a number, {allowed}")
     chosen = {"rtol": 1e-8, "atol": 1e-10, "first_step": 0.0, "max_step": given.get("step", np.inf)}
     chosen |= given
     if chosen["rtol"] == chosen["atol"] == 0.0:

@@ -8,7 +8,6 @@ input; smaller bends, as of a sampled sine, are smooth to the tolerance.
 """
 
 from bisect import bisect_right
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -26,38 +25,31 @@ SHARP = 10.0  # a bend is sharp if it is so many times as large as most
 class Inputs:
     """The inputs of a diagram: ``at(t)`` of shape (ninputs,).
 
-    `samples` holds times and values (ninputs, nt), joined by straight lines; it is None for
-    `function`, the user's own.
+    `samples` holds times and values (ninputs, nt), joined by straight lines.
     """
 
-    samples: tuple[np.ndarray, np.ndarray] | None
-    function: Callable[[float], np.ndarray] | None = None
+    samples: tuple[np.ndarray, np.ndarray]
 
     def at(self, t: float) -> np.ndarray:
         """Return the inputs at a time."""
-        if self.function is not None:
-            return self.function(t)
         begins, rows, slopes = self._straight
         k = max(bisect_right(begins, t) - 1, 0)
         return rows[k] + (t - begins[k]) * slopes[k]
 
     @cached_property
     def _straight(self) -> tuple[list[float], np.ndarray, np.ndarray]:
-        assert self.samples is not None
         at, u = self.samples
         return at.tolist(), np.ascontiguousarray(u.T), np.ascontiguousarray(self.slopes.T)
 
     @cached_property
     def slopes(self) -> np.ndarray:
         """The slopes from each sample on, shape (ninputs, nt); 0 from the last one."""
-        assert self.samples is not None
         at, u = self.samples
         return np.diff(u, append=u[:, -1:]) / np.diff(at, append=np.inf)
 
     @property
     def kinks(self) -> np.ndarray:
         """Times at which the inputs bend; samples on one straight line, to the bit, are a piece."""
-        assert self.samples is not None
         (at, u), slopes = self.samples, self.slopes
         if len(at) < 3:
             return at
@@ -72,7 +64,6 @@ class Inputs:
 
         A bend that leaves the line before it by `least` of the largest value is sharp, too.
         """
-        assert self.samples is not None
         (at, u), slopes = self.samples, self.slopes[:, :-1]
         if len(at) < 3:
             return at[:0]
@@ -85,8 +76,6 @@ class Inputs:
 
     def along(self, times: np.ndarray) -> np.ndarray:
         """Return the inputs at times, shape (ninputs, nt)."""
-        if self.samples is None:
-            return np.array([self.at(t) for t in times]).reshape(len(times), -1).T
         at, u = self.samples
         return np.array([np.interp(times, at, row) for row in u]).reshape(len(u), len(times))
 
@@ -118,16 +107,11 @@ def stacked(inputs: Any, times: np.ndarray) -> Any:
     listed = isinstance(inputs, list | tuple) and any(hasattr(one, "__len__") for one in inputs)
     if not listed:
         return inputs
-    rows = []
+    rows, count = [], len(times)
     for one in inputs:
         values = numbers("inputs", one)
-        if values.ndim > 2 or (values.ndim == 2 and values.shape[1] != len(times)):
-            raise SimulationError(
-                f"inputs: a part of shape {values.shape} must have {len(times)} columns, one for "
-                "each of timepts"
-            )
-        sampled = values.ndim == 2 or values.shape == times.shape
-        rows.append(values if sampled else np.outer(values, np.ones(len(times))))
+        sampled = values.shape[-1:] == (count,) and values.ndim <= 2
+        rows.append(values if sampled else np.outer(values, np.ones(count)))
     return np.vstack(rows)
 
 
@@ -135,40 +119,25 @@ def read_inputs(inputs: Any, times: np.ndarray, count: int) -> Inputs:
     """Read `count` inputs in python-control's forms.
 
     Straight lines join values of shape (count, nt) at `times`.  A number, or one for each input, is
-    constant.  A list may hold both, ``[u1, 0]``.  A function is called with the time.
+    constant.  A list may hold both, ``[u1, 0]``.
     """
     if isinstance(inputs, Inputs):  # as read before
         return inputs
     if callable(inputs):
-
-        def given(t: float) -> np.ndarray:
-            u = np.atleast_1d(numbers("inputs", inputs(float(t))))
-            if u.shape != (count,):
-                raise SimulationError(
-                    f"inputs: the function gives shape {u.shape}, the diagram has {count} inputs"
-                )
-            return u
-
-        given(times[0])
-        return Inputs(None, given)
+        raise SimulationError("inputs: a function is none; connect a block whose output it is")
     inputs = stacked(inputs, times)
     values = np.zeros(count) if inputs is None else numbers("inputs", inputs)
     if not np.isfinite(values).all():
         raise SimulationError("inputs: must be finite; fill the gaps before the run")
-    if values.ndim <= 1 and not (count == 1 and values.shape == times.shape and len(times) > 1):
-        if values.shape not in {(), (1,), (count,)}:
-            raise SimulationError(
-                f"inputs: shape {values.shape} does not fit {count} inputs at {len(times)} times"
-                + ("" if count else "; initial_state= is the start")
-            )
-        constant = np.broadcast_to(values, count).astype(float)
-        return Inputs((times[:1], constant[:, None]))
-    values = np.atleast_2d(values)
-    if values.shape != (count, len(times)):
+    samples = (count, len(times))
+    if values.shape == samples or (count == 1 and values.shape == times.shape):
+        return Inputs((times, values.reshape(samples)))
+    if values.shape not in {(), (1,), (count,)}:
         raise SimulationError(
-            f"inputs: shape {values.shape} must be ({count}, {len(times)}): inputs x timepts"
+            f"inputs: shape {values.shape} does not fit {count} inputs at {len(times)} times"
+            + ("" if count else "; initial_state= is the start")
         )
-    return Inputs((times, values))
+    return Inputs((times[:1], np.broadcast_to(values, count).astype(float)[:, None]))
 
 
 # --- pieces of time ---------------------------------------------------------------------------
@@ -196,19 +165,17 @@ def make_schedule(
 ) -> Schedule:
     """Return the pieces of a run of a diagram; it is `PythonDiagram.schedule`.
 
-    Rates bend at kinks of inputs, in Python at bends that are felt, and jump where blocks do and
-    where time alone decides, at `breaks`.  Behind
-    each block's `interval` lies what is `JUMPS` in a piece that begins with a jump of its states;
-    then come the straight lines of the inputs: time, values, slopes.  In discrete time each piece
-    begins at a sample.
+    Rates bend at kinks of inputs, in Python at bends that are felt, and jump where blocks do.
+    Behind each block's `interval` lies what is `JUMPS` in a piece that begins with a jump of its
+    states; then come the straight lines of the inputs: time, values, slopes.  In discrete time each
+    piece begins at a sample.
     """
     t0, t1 = float(times[0]), float(times[-1])
     sweep, compiled, kinks = diagram.sweep, diagram.ramp >= 0, np.zeros(0)
-    if inputs is not None and inputs.samples is not None:
+    if inputs is not None:
         kinks = inputs.kinks if compiled else inputs.sharp_bends(felt)
     jumps = moved_back(sweep.breakpoints(t0, t1 + rounding(t1)), np.asarray(times))
-    jumping = np.union1d(jumps, moved_to(jumps, diagram.breaks(t0, t1)))
-    edges = np.union1d(jumping, moved_to(jumps, kinks))
+    edges = np.union1d(jumps, moved_to(jumps, kinks))
     starts = np.concatenate([[t0], edges[(edges > t0) & (edges < t1)], [t1]])
     if sweep.wiring.dt:
         starts = np.unique(np.asarray(times)[np.searchsorted(times, starts)])
@@ -225,18 +192,16 @@ def make_schedule(
     for k in diagram.jumps:
         block = sweep.nodes[k].system
         samples = block.first_held is not None and block.samples_at(t0)
-        jumps = JUMPS * (np.diff(intervals_of(k)) != 0)
-        columns.append(np.append(BEGINS if samples else 0.0, jumps))
+        jumping = JUMPS * (np.diff(intervals_of(k)) != 0)
+        columns.append(np.append(BEGINS if samples else 0.0, jumping))
         begins = begins or samples
     places = [*diagram.intervals.values(), *diagram.jumps.values()]
     if compiled and inputs is not None and sweep.wiring.ninputs:
-        if inputs.samples is None:
-            raise SimulationError("inputs: machine code takes no function; give samples")
         (at, u), slopes = inputs.samples, inputs.slopes
         k = np.searchsorted(at[1:], starts, side="right")  # the line from at[k] on
         columns += [at[k], *u[:, k], *slopes[:, k]]
         places += range(diagram.ramp, diagram.ramp + 1 + 2 * len(u))
     values = np.array(columns, dtype=float).reshape(len(columns), len(starts)).T.copy()
-    smooth = np.searchsorted(jumping, starts) == np.searchsorted(jumping, starts, side="right")
+    smooth = ~np.isin(starts, jumps)
     edges, at_places = np.append(starts[1:], np.inf), np.array(places, dtype=np.int64)
     return Schedule(edges, at_places, values, smooth.astype(np.int64), begins)

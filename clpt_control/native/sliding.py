@@ -3,11 +3,11 @@
 On both sides of a switch g = 0 the rates lead back to it.  In the limit a run stays there, with
 the mean of the rates of both sides that does so (Filippov):
 
-    x' = f_0 + sum_m w_m (f_m - f_0),    g_i' = 0 for each switch i,    0 < w_m < 1
+    x' = f_0 + w (f_1 - f_0),    g' = 0,    w = g'_0/(g'_0 - g'_1),    0 < w < 1
 
-f_0 are the rates with all switches as they are on one side, f_m those with switch m as it is on
-the other; so w = g'_0/(g'_0 - g'_1) for one switch, with g'_m along f_m.  What several switches do
-must add up.  A run slides until a w leaves 0 ... 1, or to the next time at which rates jump.
+f_0 and f_1 are the rates with the switch as it is on either side, g'_0 and g'_1 the derivative of g
+along them.  Where a run that slides meets another switch, f_0 and f_1 there are rates that slide on
+the one before.  A run slides until a w leaves 0 ... 1, or to the next time at which rates jump.
 
 Source: Filippov, A. F. (1988), Differential Equations with Discontinuous Righthand Sides, Kluwer,
 section 4; Piiroinen, P. T., Kuznetsov, Y. A. (2008), An event-driven method to simulate Filippov
@@ -15,12 +15,10 @@ systems with accurate computing of sliding motions, ACM Trans. Math. Softw. 34(3
 """
 
 from collections.abc import Callable
-from contextlib import suppress
 from math import prod
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy.optimize import brentq
 
 from ..equations.arrays import Unread, operand
 from ..equations.derivative import Direction
@@ -30,14 +28,11 @@ from ..errors import Uncompiled
 from . import numbering
 from .batch import Batch
 from .decisions import Port
-from .ending import state_within
+from .ending import edge, state_within
 from .schedule import Schedule
 
-MOST = 8  # switches at once
-AHEAD = np.geomspace(1e-13, 1e-4, 28)  # of a run: how far it looks for the other side
-TOGETHER = 1e-3  # of that: switches that turn so close to one another are one
+MOST = 4  # switches at once
 MOST_IN_VAIN, GOING = 50, 1e-9  # parts one after the other that go on by less than a share of a run
-ADDS_UP = 1e-6  # relative: what several switches do is the sum of what each does
 
 
 class Held(NamedTuple):
@@ -49,15 +44,10 @@ class Held(NamedTuple):
 
 def slide(record: Any, held: Held) -> None:
     """Make the rates of a `DiagramRecord` those on switches; each w and 1 - w is a margin."""
-    value, several = record.tape.value, len(held.switches) > 1
-    copies = [
-        record.decisions.lock(record.rates, held.places)
-        for _ in range(1 + len(held.switches) + several)
-    ]
-    distances = [record.decisions.distance_of(place) for place in held.switches]
+    value, decisions = record.tape.value, record.decisions
 
     def slope(distance: int, rates: list[Port]) -> Any:
-        """Return g' along the rates of a copy."""
+        """Return g' along rates."""
         along: dict[int, Any] = {}
         for k in reached(record.entries, [distance]):
             kind, _, shape, at = record.entries[k]
@@ -68,42 +58,25 @@ def slide(record: Any, held: Held) -> None:
                     along[k] = value(record.part(port.ref, at[1] - port.first, shape))
         return Direction(record.tape, along).of(value(distance))
 
-    def total(numbers: Any, port: Port) -> Any:
-        """Return the sum of magnitudes."""
-        ref = operand(np.fabs(numbers))
-        for axis in reversed(range(len(port.shape))):
-            at = axis, port.shape[axis], port.long[axis]
-            ref = record.add("sum", (ref,), port.shape[:axis], at)
-        return value(ref)
-
-    sides = copies[: 1 + len(held.switches)]
-    slopes = [[slope(g, rates) for rates in sides] for g in distances]
-    A = [[one - first for one in others] for first, *others in slopes]
-    w = _solved(A, [-first for first, *_ in slopes])
-    record.rates, size, apart = [], 0.0, 0.0
-    for ports in zip(*copies, strict=True):
-        port, alike = ports[0], {one.ref for one in ports} == {ports[0].ref}
-        first, *others = (spread(record.tape, value(one.ref), port.shape) for one in ports)
-        changes = [] if alike else [one - first for one in others]
-        moved = sum((share * one for share, one in zip(w, changes, strict=False)), first)
-        record.rates.append(port._replace(ref=operand(moved)))
-        if several and not alike:  # the last copy has all switches on the other side
-            size = size + sum(total(one, port) for one in changes[:-1])
-            apart = apart + total(changes[-1] - sum(changes[:-1]), port)
-    margins = [one for share in w for one in (share, 1.0 - share)]
-    record.margins += map(operand, [*margins, *([ADDS_UP - apart / size] if several else [])])
-
-
-def _solved(A: list[list[Any]], b: list[Any]) -> list[Any]:
-    """Return the solution of A w = b, of values of a record."""
-    for c in range(len(b)):
-        if type(A[c][c]) is float and A[c][c] == 0.0:
+    def mean(g: int, rates: list[Port], others: list[Port]) -> list[Port]:
+        """Return the mean of the rates of two sides that stays on the switch."""
+        first = slope(g, rates)
+        apart = first - slope(g, others)
+        if type(apart) is float and apart == 0.0:
             raise Unread("a switch that its rates do not move")
-        for r in (r for r in range(len(b)) if r != c):
-            factor = A[r][c] / A[c][c]
-            A[r] = [one - factor * other for one, other in zip(A[r], A[c], strict=True)]
-            b[r] = b[r] - factor * b[c]
-    return [b[c] / A[c][c] for c in range(len(b))]
+        w, means = first / apart, list[Port]()
+        record.margins += [operand(w), operand(1.0 - w)]
+        for port, other in zip(rates, others, strict=True):
+            a, b = (spread(record.tape, value(one.ref), port.shape) for one in (port, other))
+            ref = port.ref if port.ref == other.ref else operand(a + w * (b - a))
+            means.append(port._replace(ref=ref))
+        return means
+
+    sides = [decisions.lock(record.rates, held.places) for _ in range(2 ** len(held.switches))]
+    for place in held.switches:
+        g = decisions.distance_of(place)
+        sides = [mean(g, *both) for both in zip(sides[::2], sides[1::2], strict=True)]
+    (record.rates,) = sides
 
 
 class Sliding(NamedTuple):
@@ -128,9 +101,8 @@ def go_on(diagram: Any, batch: Batch, begin: Begin) -> None:
         last = part.rests.get(0, part)
         t, x = last.now, last.Z[: batch.callee.nstates].copy()
         if last.status[0] == numbering.CHATTERS and in_vain < MOST_IN_VAIN:
-            if (found := _switch_ahead(diagram, last, now)) is None:
+            if (now := _crossed(diagram, last, now)) is None:
                 break
-            now, t, x = found
             batch.slides.append(t)
         elif now is not None and last.status[0] == numbering.LEFT:
             now, (t, x) = None, _left(last)
@@ -172,73 +144,39 @@ def _until_a_jump(pieces: Schedule) -> Schedule:
 def _left(batch: Batch) -> tuple[float, np.ndarray]:
     """Return when and where a w leaves 0 ... 1, or a guard is met, in the step not taken."""
     t, h = batch.now, float(batch.numbers[numbering.TAKEN, 0])
-    low, high = (float(batch.numbers[row, 0]) for row in (numbering.LOW, numbering.HIGH))
 
     def margin(share: float) -> float:
         x, own = state_within(batch, share)[None], (batch.pieces[0], batch.arrays[1])
         return float(batch.callee.evaluate(numbering.MARGIN, [t + share * h], x, *own, 1)[0, 0])
 
-    if margin(0.0) <= 0.0:
-        share = 0.0
-    else:
-        share = brentq(margin, low, high, xtol=1e-15) if margin(low) > 0.0 > margin(high) else high
+    share = edge(batch, margin)
     return t + share * h, state_within(batch, share)
 
 
-def _switch_ahead(
-    diagram: Any, batch: Batch, now: Sliding | None
-) -> tuple[Sliding, float, np.ndarray] | None:
-    """Return a run on the switch that a run crosses to and fro, with when and where it begins."""
-    t, n, d = batch.now, diagram.nstates, diagram.code.program.decided
-    pieces, place, runner = batch.pieces[0], diagram.decided_at, now.runner if now else diagram
-    own = batch.runs[1][0][: len(diagram.layout.P)]
-    x, known = batch.Z[:n].copy(), list(now.held.places) if now else []
-
-    def asked(role: int, of: Any, times: Any, states: Any, P: np.ndarray, count: int) -> Any:
-        return of.callee().evaluate(role, np.array(times), np.array(states), pieces, P, count)
-
-    def parameters(of: Any, sides: np.ndarray) -> np.ndarray:
-        P, all_turned = of.parameters(), sides[0] + np.sum(sides[1:] - sides[0], axis=0)
-        sides = np.vstack([sides, all_turned]) if len(sides) > 2 else sides
-        P[: len(own)], P[place : place + sides.size] = own, sides.ravel()
-        P[place - 1] = batch.arrays[1][place - 1]
-        return P
-
-    def forced(side: np.ndarray) -> np.ndarray:
-        """Return the rates on a side."""
-        P, callee = parameters(diagram, side[None]), diagram.callee()._replace(decided=0)
-        return callee.evaluate(numbering.DERIVATIVE, np.array([t]), x[None], pieces, P, n)[0]
-
-    here = asked(numbering.DECIDE, diagram, [t], [x], parameters(diagram, np.zeros((1, d))), d)[0]
-    sides, switches = (now.sides.copy(), now.held.switches) if now else (here[None].copy(), ())
+def _crossed(diagram: Any, batch: Batch, now: Sliding | None) -> Sliding | None:
+    """Return a run on the switch that a run has just crossed, which it does to and fro."""
+    d, place, pieces = diagram.code.program.decided, diagram.decided_at, batch.pieces[0]
+    _, P, _, _, D = batch.arrays
+    last = 3 * numbering.GLANCES * batch.callee.decided  # the look behind the switch
+    before, behind = P[place : place + d], D[last : last + d]
+    sides, known, switches = (now.sides.copy(), *now.held) if now else (before[None].copy(), (), ())
     free = np.setdiff1d(np.arange(d), known)
-    sides[:, free] = here[free]
-    f = asked(numbering.DERIVATIVE, runner, [t], [x], parameters(runner, sides), n)[0]
-    side, until = sides[0].copy(), pieces.edges[np.searchsorted(pieces.edges, t, "right")]
-    aheads = np.minimum(AHEAD * (batch.times[-1] - batch.times[0]), 0.5 * (until - t))
-    while len(switches) < MOST:
-        for h in aheads:
-            P = parameters(diagram, side[None])
-            both = asked(numbering.DECIDE, diagram, [t, t + h], [x, x + h * f], P, 2 * d)
-            near, far = both[:, d:]
-            passed = np.setdiff1d(np.flatnonzero((far < 0.0) & (far < near)), known)
-            if len(passed):
-                break
-        else:
-            return None
-        shares = np.maximum(near[passed] / (near[passed] - far[passed]), 0.0)
-        turned = passed[shares <= shares.min() + TOGETHER]
-        t, x = t + shares.min() * h, x + shares.min() * h * f
-        side[turned] = both[1, turned]
-        other = sides[0].copy()
-        other[turned] = side[turned]
-        sides, switches = np.vstack([sides, other]), (*switches, int(turned[0]))
-        known += turned.tolist()
-        held = Held(tuple(sorted(known)), switches)
-        with suppress(Unread, Uncompiled):
-            runner = diagram.sliding(held)
-            P = parameters(runner, sides)
-            if asked(numbering.MARGIN, runner, [t], [x], P, 1)[0, 0] > 0.0:
-                return Sliding(runner, held, sides, P), t, x
-        f = forced(side)
-    return None
+    turned = free[before[free] != behind[free]]
+    if not len(turned) or len(switches) == MOST:
+        return None
+    sides[:, free] = before[free]
+    sides = np.vstack([sides, sides[0]])
+    sides[-1, turned] = behind[turned]
+    held = Held(tuple(sorted([*known, *turned.tolist()])), (*switches, int(turned[0])))
+    try:
+        runner = diagram.sliding(held)
+    except (Unread, Uncompiled):
+        return None
+    chosen = np.arange(2 ** len(held.switches))[:, None] >> np.arange(len(held.switches)) & 1
+    every = sides[0] + chosen @ (sides[1:] - sides[0])
+    own, new = len(diagram.layout.P), runner.parameters()
+    new[:own], new[place - 1 : place] = batch.runs[1][0][:own], P[place - 1]
+    new[place : place + every.size] = every.ravel()
+    at = [batch.now], batch.Z[None, : diagram.nstates], pieces, new
+    inside = runner.callee().evaluate(numbering.MARGIN, *at, 1)[0, 0] > 0.0
+    return Sliding(runner, held, sides, new) if inside else None

@@ -2,7 +2,7 @@
 
 Some thirty are primitives; the others are functions in NumPy (`elementary`), read on a tape.  Every
 primitive works number by number as IEEE defines it.  Nothing is reassociated or contracted, so a
-result depends on no neighbour and on no processor.
+result depends on no neighbour and on no processor.  Rare functions are the C library's.
 """
 
 from collections.abc import Callable, Sequence
@@ -15,7 +15,7 @@ from llvmlite import ir
 from ..equations.arrays import Tape, operand
 from ..equations.record import Operation
 from .components import OUT_OF_LINE
-from .elementary import FUNCTIONS, MAGIC
+from .elementary import FUNCTIONS, LIBRARY, MAGIC
 from .machine import LANES, scales
 
 DOUBLE, BIT, WORD, INT32 = ir.DoubleType(), ir.IntType(1), ir.IntType(64), ir.IntType(32)
@@ -192,7 +192,7 @@ PRIMITIVES: dict[str, Primitive] = {
     **{name: _intrinsic(name) for name in ("fma", "fmuladd", "sqrt", "fabs", "copysign")},
     "round_down": _intrinsic("floor"),
     "round_to_zero": _intrinsic("trunc"),
-    **{name: _library(name) for name in ("erf", "erfc")},
+    **{name: _library(name) for name in LIBRARY},
     **{
         one.__name__.lstrip("_"): one
         for one in (_power_of_two, _times_power_of_two, _negated_where_odd, _exponent, _fraction)

@@ -56,10 +56,10 @@ def simulate(
     timepts : array_like, optional
         Times of the samples, increasing; a scenario and a team have their own
         (multiples of ``run.output_step``, and the end).
-    inputs : array_like or callable, optional
+    inputs : array_like, optional
         For a diagram: shape (ninputs, ntimes), joined by straight lines
         between `timepts`; a number or one number per input is held; a list
-        of both, ``[u1, 0]``; a callable gives the inputs at any time.
+        of both, ``[u1, 0]``. A function of time is a block, wired to the input.
     initial_state : array_like, optional
         State of a diagram at ``timepts[0]``, of a scenario at t = 0; without, the scenario's own at
         t = 0, and zero for a diagram that knows none. A list holds numbers and arrays that follow
@@ -72,9 +72,8 @@ def simulate(
     progress : callable, optional
         Called with the time reached.
     engine : str, optional
-        ``"native"``, machine code, which gives way to ``"python"`` for what
-        cannot be compiled and, unless asked for, for inputs by a function; the attribute
-        ``engine`` says what ran.
+        ``"native"``, machine code, which gives way to ``"python"`` for what cannot be compiled; the
+        attribute ``engine`` says what ran.
     stop : callable, optional
         For a diagram: ``stop(t, y, u)``, a number of its outputs y and inputs u; the run ends where
         it falls to 0. Of a truth value it ends where that is no longer true.
@@ -85,7 +84,7 @@ def simulate(
         ``"auto"`` for a diagram. The attribute ``method`` says what ran, and from when.
     max_step, first_step : float, optional
         The longest step, and the first that is tried. What happens for a short time and is not
-        announced, such as a pulse of an input by a function, may lie within a step.
+        announced may lie within a step.
 
     Returns
     -------
@@ -140,7 +139,7 @@ def simulate(
             system, timepts, inputs, initial_state, **how, **limits
         )
         before += skipped
-        asked = sizes_of_run(diagram, inputs, start, times), callable(inputs), engine
+        asked = sizes_of_run(diagram, inputs, start, times), engine
         key = diagram_key(diagram, params, *asked) if stop is None else None
         with ready(key, lambda: DiagramRun(diagram, params, *asked, stop)) as run:
             result = run.run(times, inputs, start, **options)
@@ -166,7 +165,7 @@ def sizes_of_run(diagram: Any, inputs: Any, x0: Any, times: np.ndarray) -> Sizes
         parts = x0 if isinstance(x0, list | tuple) else [0.0 if x0 is None else x0]
         states = sum(np.size(part) for part in parts)
     if diagram.ninputs is None:
-        shape = () if callable(inputs) else np.shape(np.asarray(stacked(inputs, times)))
+        shape = np.shape(np.asarray(stacked(inputs, times)))
         inputs_ = shape[0] if shape and shape != times.shape else 1
     return states, inputs_
 

@@ -162,7 +162,7 @@ class RunRecord:
     def __init__(self, run: Any, engine: str, inputs: Inputs, conditions: dict[str, Any]):
         self.run, self.engine = run, engine  # a `DiagramRun`, and what ran it
         self.conditions = conditions
-        self.inputs = inputs.samples and tuple(map(np.array, inputs.samples))  # copies
+        self.inputs = tuple(map(np.array, inputs.samples))  # copies
 
     def __deepcopy__(self, memo: Any) -> "RunRecord":
         return self
@@ -177,8 +177,6 @@ class RunRecord:
     def text(self) -> str:
         """The equations, inputs, start and method."""
         runner, times = self.run.runner, self.conditions["timepts"]
-        if self.inputs is None:
-            raise Unread("its inputs come by a function of Python; give samples at timepts")
         if self.engine != "native" or not isinstance(runner, NativeDiagram):
             raise Unread("it ran in Python, by functions that no file holds")
         given, ends = runner.sweep.parameters, map(float, times[[0, -1]])

@@ -50,11 +50,9 @@ class SystemRun:
     frame: Any  # the Dataset of its runs
     scenario: Any = None  # of one vehicle
 
-    def __init__(
-        self, name: str, wiring: Wiring, params: Any, engine: str | None, by_function: bool = False
-    ):
+    def __init__(self, name: str, wiring: Wiring, params: Any, engine: str | None):
         self.name, self.wiring, self.params = name, wiring, params
-        self.runner = make_runner(wiring, params, by_function, engine, name)
+        self.runner = make_runner(wiring, params, engine, name)
 
     @property
     def labels(self) -> list[str]:
@@ -178,7 +176,6 @@ class DiagramRun(SystemRun):
         diagram: control.NonlinearIOSystem,
         params: Mapping[str, Any] | None,
         sizes: tuple[int | None, int | None] = (None, None),
-        by_function: bool = False,
         engine: str | None = None,
         stop: Callable | None = None,
     ):
@@ -188,7 +185,7 @@ class DiagramRun(SystemRun):
         self.scenario = self.experiment and self.experiment.scenario
         wiring = wiring_of(diagram, params, sizes)
         wiring = wiring if stop is None else with_stop(wiring, stop)
-        super().__init__(diagram.name, wiring, params and dict(params), engine, by_function)
+        super().__init__(diagram.name, wiring, params and dict(params), engine)
         outputs, inputs, self.states = labels_of(diagram, self.wiring)
         ports = {"inputs": inputs, "outputs": outputs, "states": self.states}
         self.names = {"name": self.name, **ports}

@@ -117,8 +117,6 @@ class Sensitive:
             system, timepts, inputs, initial_state, **solver
         )
         self.name, self.times = system.name, times
-        if callable(inputs):
-            raise SimulationError("inputs: a sensitivity takes no function; give samples")
         try:
             run = compiled(system, params, sizes_of_run(system, inputs, start, times))
             self.wiring, self.states = run.wiring, run.states

@@ -56,7 +56,6 @@ MISTAKES = [
     ({"vary": "tau~norm(1, a)", "members": 3}, "is no distribution of scipy.stats with numbers"),
     ({"vary": {"tau": stats.norm([0, 1], 1)}, "members": 3}, "must be a list of values"),
     ({"vary": {"tau": [1.0, 2.0]}, "members": 3}, "this grid must have 2 members"),
-    ({"vary": {"u": [1.0]}, "inputs": lambda t: 1.0}, "an input cannot vary where inputs are a f"),
     ({"timepts": None}, "timepts: is required to run a diagram many times"),
     ({"timepts": [0.0]}, "timepts: must be at least two increasing times"),
     ({"times": [1.0]}, "times: is for a scenario; a diagram has timepts; leave it out"),

@@ -107,7 +107,6 @@ def jumped(seed):
         return False
     x, times = numbers.normal(size=diagram.nstates), np.array([0.0, 0.5, 1.0, 1.4, 2.0])
     # steps of one length are compared, so both end where time alone decides
-    times = np.union1d(times, engines[0].breaks(0.0, 2.0))
     wanted = run(python, 1, x, times)
     # beyond 2^50 an angle means nothing: NaN to what was read, a number to NumPy's own sin
     known = np.max(np.abs(wanted), axis=1, initial=0.0) < MOST_ANGLE

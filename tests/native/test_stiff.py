@@ -320,11 +320,11 @@ def test_the_first_step_is_the_one_asked_for():
     ("given", "sentence"),
     [
         ({"method": "radau"}, "method = 'radau': must be one of auto, dop853, dopri5, rodas5p"),
-        ({"method": "dop853", "step": 0.1}, "step and method"),
-        ({"max_step": 0.1, "step": 0.1}, "step and max_step"),
-        ({"max_step": 0.0}, "max_step = 0.0: must be a number above 0"),
-        ({"first_step": -1.0}, "first_step = -1.0: must be a number above 0"),
-        ({"first_step": float("nan")}, "first_step = nan: must be a number above 0"),
+        ({"method": "dop853", "step": 0.1}, "method: a fixed step has none"),
+        ({"max_step": 0.1, "step": 0.1}, "max_step: a fixed step has none"),
+        ({"max_step": 0.0}, "max_step = 0.0: must be a number, above 0"),
+        ({"first_step": -1.0}, "first_step = -1.0: must be a number, above 0"),
+        ({"first_step": float("nan")}, "first_step = nan: must be a number, above 0"),
     ],
 )
 def test_what_no_method_takes_is_refused(given, sentence):

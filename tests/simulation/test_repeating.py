@@ -258,7 +258,6 @@ def test_what_cannot_be_recorded_says_so(tmp_path):
     runs = {
         "of a block or port must not": clpt.simulate(unnamed, TIMES, 0.0, 1.0),
         "by functions that no file holds": odd,
-        "inputs come by a function": clpt.simulate(loop(), TIMES, lambda t: [1.0]),
         "another way than": xarray.Dataset(odd.variables, attrs=odd.attrs),
     }
     for why, run in runs.items():

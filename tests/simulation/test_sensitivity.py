@@ -344,7 +344,7 @@ PLANT = control.ss([[1.0]], [[1.0]], [[1.0]], 0, name="p")
         (ASKING, {"to": "plant.k"}, r"did you mean k\?"),
         (ASKING, {"to": "k", "of": "q"}, "must be among x, states"),
         (PLANT, {"to": "p.A[1,0]"}, "or an element, counted from 0"),
-        (mrac(), {"to": "gain", "inputs": lambda t: [t]}, "takes no function"),
+        (mrac(), {"to": "gain", "inputs": lambda t: [t]}, "inputs: a function is none"),
         (ODD, {}, r"lag: has no known derivative.*<lambda>"),
     ],
 )

@@ -39,14 +39,15 @@ def test_blow_up_is_a_sentence(engine):
     assert "\n" not in str(caught.value)
 
 
-def drift(outside, u=1.0, v=0.0, end=10.0):
+def drift(outside, u=1.0, v=0.0, end=10.0, *more, external=("v_x",)):
     """A vehicle that swims nowhere in a uniform current on x1 = -2 ... 2, x2 = -1 ... 1."""
     axes = [np.linspace(0, end, 5), np.linspace(-1, 1, 5), np.linspace(-2, 2, 9)]
     shape = tuple(len(axis) for axis in axes)
     grid = GriddedField(*axes, np.full(shape, u), np.full(shape, v))
     units = PAPER.units.model_copy(update={"length": "km", "time": "h"})
     return connect(
-        [field.gridded_flow(grid, outside, units=units), vehicle.vehicle()], external=["v_x"]
+        [field.gridded_flow(grid, outside, units=units), vehicle.vehicle(), *more],
+        external=external,
     )
 
 
@@ -96,13 +97,14 @@ def test_starting_outside():
 @pytest.mark.parametrize("farthest", [4.04, 2.02])
 def test_out_and_back_within_a_step_is_found(farthest):
     # x1 = a sin(pi t/10) against a current of 1: out at the first time where it is 2
-    def velocity(t):
-        return [-1.0 + farthest * math.pi / 10 * math.cos(math.pi * t / 10), 0.0]
+    def velocity(t, x, u, p):
+        return [-1.0 + farthest * math.pi / 10 * np.cos(math.pi * t / 10), 0.0]
 
-    run = response(drift("stop"), [0.0, 9.9], velocity, initial_state=[0.0, 0.0])
+    pushed = Block("pushed", output=velocity, outputs={"v_x": 2})
+    run = clpt.simulate(drift("stop", 1.0, 0.0, 10.0, pushed, external=()), [0.0, 9.9])
     leaves = 10 / math.pi * math.asin(2 / farthest)
     assert run.time[-1] == pytest.approx(leaves, abs=1e-6)
-    assert run.states[0, -1] == pytest.approx(2.0, abs=1e-8)
+    assert run.x[-1, 0] == pytest.approx(2.0, abs=1e-8)
 
 
 @pytest.mark.parametrize("of", [lambda s: s, clpt.closed_loop], ids=["scenario", "diagram"])
