@@ -61,7 +61,7 @@ def replay(
     ),
     route: Path | None = opt(
         "FILE",
-        "Waypoints to aim at in their order, GeoJSON: when each is made. Its "
+        "Waypoints to aim at in their order, GeoJSON or lines LAT LON: when each is made. Its "
         "polygons are areas to stay out of: how likely they are entered.",
     ),
     speed: float | None = opt("M/S", "Speed through water for --aim; else that of the last dives."),

@@ -52,8 +52,8 @@ def depth_mean(depth: np.ndarray, profile: np.ndarray, deepest: float) -> comple
     The mean ends at the deepest level with data, if that is higher, and is NaN where no
     level above the end has any.  Levels `depth`, m, increase from the surface.
 
-    >>> depth_mean(np.array([0.0, 100.0, 400.0]), np.array([0.4, 0.3, 0.0]), 200.0).real.round(9)
-    np.float64(0.3)
+    >>> round(depth_mean(np.array([0.0, 100.0, 400.0]), np.array([0.4, 0.3, 0.0]), 200.0).real, 9)
+    0.3
     """
     known = np.isfinite(profile)
     z, u = depth[known], profile[known]

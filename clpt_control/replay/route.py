@@ -12,7 +12,7 @@ within `DIVES` dives counts as later than all.  An area is entered where the str
 meets its outer ring, on the plane of longitude and latitude.
 
 A file of a route is GeoJSON (RFC 7946): points and lines are waypoints in their order, polygons
-areas to stay out of, with their property `name`.
+areas to stay out of, with their property `name`; or a text with a latitude and a longitude a line.
 """
 
 import json
@@ -44,16 +44,17 @@ Area = tuple[str, list[Place]]  # a name and a ring
 
 def read_route(path: File) -> tuple[list[Place], list[Area]]:
     """Return the waypoints in a file in their order, and the areas to stay out of."""
-    text = read_text(path, "is no text; must be GeoJSON", LARGEST)
+    text = read_text(path, "is no text; must be GeoJSON or lines of places", LARGEST)
     with naming(path):
         return _route(text)
 
 
 def _route(text: str) -> tuple[list[Place], list[Area]]:
     try:
-        found = list(_shapes(json.loads(text)))
-    except Exception as error:  # what is none can raise anything
-        raise DataError(f"is no GeoJSON of points, lines and polygons: {error}") from None
+        found = list(_shapes(json.loads(text)) if text.lstrip().startswith("{") else _lines(text))
+    except Exception as error:  # what is neither can raise anything
+        why = f"is neither GeoJSON nor a latitude and a longitude a line: {error}"
+        raise DataError(why) from None
     for lat, lon in (place for _, places in found for place in places):
         if not is_place(lat, lon):
             raise DataError(f"latitude {lat:g}, longitude {lon:g} is no place")
@@ -66,6 +67,13 @@ def _route(text: str) -> tuple[list[Place], list[Area]]:
     if (count := sum(len(ring) for _, ring in areas)) > MOST_PLACES:
         raise DataError(f"its areas have {count} places; at most {MOST_PLACES}: simplify them")
     return targets, areas
+
+
+def _lines(text: str) -> Iterator[Shape]:
+    for line in text.splitlines():
+        if words := line.replace(",", " ").split():
+            lat, lon = map(float, words)
+            yield None, [(lat, lon)]
 
 
 def _shapes(data: dict[str, Any], name: str = "area") -> Iterator[Shape]:

@@ -223,7 +223,9 @@ def disturbance_counterexample(
     samples: int = 50,
     progress: Callable[[float], None] | None = None,
 ) -> PrintedBound:
-    """Violate Eq. (33): the paper's system and a square wave of 0.05 m/s, 3.5 rad/s, on axis 1.
+    """Violate Eq. (33) on the paper's system by a square wave.
+
+    It has 0.05 m/s and 3.5 rad/s, on axis 1.
 
     Parameters
     ----------

@@ -257,8 +257,8 @@ def test_a_tide_takes_two_functions():
     ("change", "said"),
     [
         ({"method": "guess"}, "method 'guess': must be one of least-squares, kalman, tomography"),
-        ({"every": -1.0}, r"every = -1: must be at most the run's length, 200 s"),
-        ({"every": 300.0}, "every = 300: must be at most"),
+        ({"every": -1.0}, r"every = -1: must be positive, at most the run's length, 200 s"),
+        ({"every": 300.0}, "every = 300: must be positive, at most"),
         ({"prior": 0.0}, "prior: must be a positive number, or 3 of them"),
         ({"noise": [1.0, 2.0]}, "noise: must be a positive number, or 100 of them"),
         ({"basis": clpt.paper_blocks(PAPER)[0]}, "reference: is no basis"),
@@ -277,7 +277,7 @@ def test_runs_that_tell_too_little_are_refused(lap):
     faster = clpt.simulate(
         PAPER.with_values({"run.duration": 20}), params={"vehicle_controller.alpha_M": THETA}
     )
-    with pytest.raises(clpt.DataError, match="parameters that no key of a scenario holds"):
+    with pytest.raises(clpt.DataError, match="parameters given at call time"):
         estimate(faster)
     with pytest.raises(clpt.ScenarioError, match="into 5 samples at least"):
         estimate(lap.sel(time=slice(19.7, 60)))

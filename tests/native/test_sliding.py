@@ -179,8 +179,10 @@ def test_members_slide_as_runs_do():
     many = clpt.run_ensemble(falling, {"k": k}, timepts=[0.0, 1.0, 2.0], initial_state=[1.0])
     assert np.all(many.status == 1)
     np.testing.assert_allclose(many.y_final.values.ravel(), np.maximum(1 - 2 * k, 0), atol=1e-8)
-    by = clpt.sensitivity(falling, [0.0, 0.5, 2.0], "states", ["k", "x0"], None, [1.0]).states
-    np.testing.assert_allclose(by.values[:, 0], [[0.0, 1.0], [-0.5, 1.0], [0.0, 0.0]], atol=1e-6)
+    by = clpt.sensitivity(falling, [0.0, 0.5, 0.9], "states", ["k", "x0"], None, [1.0]).states
+    np.testing.assert_allclose(by.values[:, 0], [[0.0, 1.0], [-0.5, 1.0], [-0.9, 1.0]], atol=1e-6)
+    with pytest.raises(clpt.SimulationError, match="do not confirm its derivative by k"):
+        clpt.sensitivity(falling, [0.0, 0.5, 2.0], "states", ["k", "x0"], None, [1.0])
 
 
 def test_a_guard_ends_what_slides():
