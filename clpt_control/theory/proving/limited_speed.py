@@ -22,12 +22,18 @@ import sympy
 from ...blocks.laws.law import Law
 from ...blocks.laws.table import LAWS
 from ...blocks.vehicle import speed_limit
-from ...diagrams.interconnection import Diagram, connect
-from ...equations.arrays import Unread
+from ...diagrams.interconnection import connect
 from ..counterexamples import limited_speed_counterexample
 from .array_loop import ArrayLoop
 from .invariant_loop import InvariantLoop
-from .lemmas import definite_step, dissipation_step, learned_loop, wanted_rates, young_step
+from .lemmas import (
+    algebra_step,
+    definite_step,
+    dissipation_step,
+    learned_loop,
+    wanted_rates,
+    young_step,
+)
 from .proof import Proof, checked, theorem
 from .signs import left_over, vanishes
 from .symbolic_loop import symbolic_loop
@@ -51,7 +57,8 @@ def differs(law: Law) -> str:
     if difference := left_over(rate_of_V(free) - rate_of_V(hedged)):  # whatever v is flown
         return difference
     own = free.motion.keys() - {*free.states["x"].flat, *free.states["z"].flat}
-    for one, other in [(free.motion, hedged.motion), *zip(*(x.jumps.values() for x in loops))]:
+    jumps = (loop.jumps.values() for loop in loops)
+    for one, other in [(free.motion, hedged.motion), *zip(*jumps, strict=True)]:
         for s in own & one.keys():
             if not vanishes(one[s] - other[s].xreplace(flown)):
                 return f"{s} moves or jumps differently"
@@ -88,22 +95,6 @@ def commanded_back(loop: ArrayLoop) -> list[Any]:
     return [commanded, loop.rates["x"] - (loop.signals["flow_x"] + inputs["v_x"])]
 
 
-def pulls_back() -> bool:
-    """Return whether w^T v <= v_max (2 |b| - |w|) at the limit, v = v_max c/|c|, c = b - w."""
-    b, c = (sympy.Matrix(sympy.symbols(f"{one}_1:3", real=True)) for one in "bc")
-    pull = (b - c).dot(c) - (b.dot(c) - c.dot(c))  # |c| w^T v/v_max
-    lagrange = b.dot(b) * c.dot(c) - b.dot(c) ** 2 - b.row_join(c).det() ** 2
-    # so b^T c <= |b| |c|; and |c| >= |w| - |b|, the triangle of w = b - c
-    F, B, W, high = sympy.symbols("F B W v_max", positive=True)
-    rate = W * F + high * (2 * B - W)
-    return (
-        sympy.expand(pull) == 0
-        and sympy.expand(lagrange) == 0
-        and sympy.simplify(rate.subs(W, 2 * high * B / (high - F))) == 0
-        and sympy.diff(rate, W) == F - high
-    )
-
-
 def lost_without(loop: ArrayLoop) -> list[Any]:
     """Return what V' has beside -e^T KD e - e^T (v_c - v) without hedging."""
     missing = loop.signals["v_c"] - loop.inputs["v_x"]
@@ -128,10 +119,11 @@ def with_hedging() -> Proof:
             partial(learned_loop, "hedged"),
             commanded_back,
         ),
-        checked(
+        algebra_step(  # w^T v = v_max (b - c)^T c/|c|, b^T c <= |b| |c|, |c| >= |w| - |b|
             "w = KD x: (x^T KD x/2)' = w^T (F_R + v) <= |w| |F_R| + v_max (2 |b| - |w|) at the "
             "limit, so x is bounded where |F_R| < v_max",
-            pulls_back,
+            "(b1**2 + b2**2)*(c1**2 + c2**2) - (b1*c1 + b2*c2)**2 - (b1*c2 - b2*c1)**2",
+            "2*v*b/(v - F)*F + v*(2*b - 2*v*b/(v - F))",  # zero at |w| = 2 v_max |b|/(v_max - F)
         ),
     ]
     return theorem(

@@ -8,7 +8,6 @@ the statement that holds, with what of it is cited.
 from collections.abc import Callable
 
 import numpy as np
-import sympy
 
 from ...arguments import public
 from ...errors import ClptError
@@ -21,6 +20,7 @@ from ..counterexamples import (
     unlearned_counterexample,
 )
 from .lemmas import (
+    algebra_step,
     circle_step,
     convergence_steps,
     definite_step,
@@ -129,35 +129,22 @@ def theorem_3_3() -> Proof:
 
 def ultimate_steps() -> list[Step]:
     """Check the ultimate bound where the regressor excites."""
-
-    def grows() -> bool:
-        e, d = (sympy.Matrix(sympy.symbols(f"{one}_1:3", real=True)) for one in "ed")
-        rest, k = sympy.symbols("r k", positive=True)
-        V = e.dot(e) / 2 + rest  # rest: the parameter errors' share
-        room = 2 * V * d.dot(d) - e.dot(d) ** 2
-        squares = e.row_join(d).det() ** 2 + 2 * rest * d.dot(d)
-        return sympy.expand(room - squares) == 0 and bool((-k * e[0] ** 2).is_nonpositive)
-
-    def settles() -> bool:
-        q, v, TD = sympy.symbols("q v TD", positive=True)  # q = sqrt(1 - rho) < 1
-        fixed = TD / (1 - q)
-        return sympy.simplify((q * v + TD - fixed) - q * (v - fixed)) == 0
-
     return [
-        checked(
+        algebra_step(  # with 2 V = |e|^2 + r, r the parameter errors' share
             "v = sqrt(2 V) grows by |Delta| at most: v' v = V' <= e^T Delta and "
             "(e^T Delta)^2 <= 2 V |Delta|^2",
-            grows,
+            "(e1**2 + e2**2 + r)*(d1**2 + d2**2) - (e1*d1 + e2*d2)**2"
+            " - (e1*d2 - e2*d1)**2 - r*(d1**2 + d2**2)",
         ),
         cited(
             "over a window T with an exciting regressor V falls to (1 - rho) V, rho > 0, "
             "where Delta = 0",
             "Ioannou and Sun 1996, theorem 3.4.8",
         ),
-        checked(
+        algebra_step(  # q = sqrt(1 - rho) < 1, d = T D
             "v_{n+1} <= sqrt(1 - rho) v_n + T D comes down to T D/(1 - sqrt(1 - rho)), and "
             "within a window v grows by T D",
-            settles,
+            "(q*v + d - d/(1 - q)) - q*(v - d/(1 - q))",
         ),
     ]
 
