@@ -110,11 +110,9 @@ def team_steps() -> Iterator[Step]:
             lambda edges=edges: team_diagram(edges, N),  # type: ignore[misc]
             lambda loop, edges=edges: [rate_of_V(loop) - claimed_rate(loop, edges)],  # type: ignore[misc]
         )
-    row = GRAPHS["three in a row"]
 
     def read() -> tuple:
-        loop = symbolic_loop(diagram := team_diagram(row, N))
-        return diagram, loop, claimed_rate(loop, row)
+        return (diagram := team_diagram(GRAPHS["three in a row"], N)), symbolic_loop(diagram)
 
     yield running_step(read, POINTS, ", three in a row")
 

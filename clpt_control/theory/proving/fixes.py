@@ -139,4 +139,4 @@ def fix_steps(law: Law, points: int) -> list[Step]:
     }
     steps = [exact_step(cases, claim, check) for claim, check in claims.items()]
     last = cases[-1]
-    return [*steps, running_step(lambda: (last.diagram, last.loop, sympy.S.Zero), points)]
+    return [*steps, running_step(lambda: (last.diagram, last.loop), points)]

@@ -80,7 +80,7 @@ def invariant_steps(law: Law, points: int, single: InvariantLoop | None = None) 
     steps = [exact_step(cases, claim, check) for claim, check in claims.items()]
     steps += [young_step()] if law.error_left else []
     two = cases[len(cases) // 2]
-    return [*steps, running_step(lambda: (two.diagram, two.loop, two.untied_rate), points)]
+    return [*steps, running_step(lambda: (two.diagram, two.loop), points)]
 
 
 def jump_claims(law: Law) -> Claims:

@@ -250,10 +250,8 @@ class Case:
 
     def running(self) -> Step:
         """Return the step that the running blocks have the same V'."""
-        of_e = tidied(self.residual.xreplace(self.apart))  # in x and z it loses digits
-        fall = self.fall + of_e.xreplace(self.together)
         known: dict[str, Any] = {"seed": self.seed, "tied": self.tied, "fixed": self.fixed}
-        return running_step(lambda: (self.diagram, self.loop, fall), self.points, **known)
+        return running_step(lambda: (self.diagram, self.loop), self.points, **known)
 
     def every(self) -> Step:
         """Return the step that the same holds for every N."""

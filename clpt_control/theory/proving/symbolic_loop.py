@@ -4,7 +4,7 @@ The elements of its arrays are expressions each.  Random points and parameters h
 zeros and kinks; a parameter keeps its sign, and one that is zero stays zero.
 """
 
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import cache, cached_property
 from math import prod
 from typing import Any, NamedTuple
@@ -16,7 +16,6 @@ import sympy
 from ...diagrams.on_symbols import Equations, on_symbols
 from ...diagrams.symbol_names import TIME, Names
 from ...diagrams.wiring import Node, Wiring, wiring_of
-from ...equations.ports import split
 from ...equations.record import Shape
 from ...errors import DiagramError
 from .array_loop import no_value, refuse_pinned, refuse_unproved
@@ -95,9 +94,6 @@ def symbolic_loop(
     return SymbolicLoop(**vars(loop))
 
 
-LARGEST = 1e6  # of the kinks that are tried
-
-
 class Point(NamedTuple):
     """Where the blocks are called: ``diagram.dynamics(*point)``."""
 
@@ -119,75 +115,6 @@ def equated(ports: Mapping[str, np.ndarray], values: Mapping[str, Any]) -> dict[
         for port, own in values.items()
         for symbol, value in zip(ports[port].flat, np.ravel(own), strict=True)
     }
-
-
-class Draw:
-    """A source of random parameters and points for the blocks of a diagram."""
-
-    def __init__(self, wiring: Wiring, loop: SymbolicLoop, seed: int):
-        self.random, self.loop = np.random.default_rng(seed), loop
-        self.blocks = blocks = [node.system for node in wiring.nodes]
-        self.names = [block.name for block in blocks]
-        lines = [o for b in blocks for r in b.records.values() for o in r.operations]
-        numbers = {a for o in lines for a in o.arguments if type(a) is float and np.isfinite(a)}
-        values = [np.ravel(v) for b in blocks for v in b.parameters if not isinstance(v, int)]
-        kinks = np.concatenate([np.array(sorted(numbers)), np.zeros(1), *values])
-        kinks = kinks[np.abs(kinks) <= LARGEST]
-        self.kinks = np.concatenate([kinks, -kinks])
-
-    def parameters(self, fixed: Collection[str]) -> dict[Any, float]:
-        """Return symbol -> a number of its sign, of the size 10^-1.5 to 10^1.5.
-
-        The blocks in `fixed` keep their own.
-        """
-        values: dict[Any, float] = {}
-        for block in self.blocks:
-            known, symbols = self.loop.values, flat(self.loop.parameters[block.name])
-            own = {s: float(known[s]) for s in symbols if s in known}
-            if block.name not in fixed:
-                sizes = 10.0 ** self.random.uniform(-1.5, 1.5, len(own))
-                signs = self.random.choice([-1.0, 1.0], len(own))
-                for s, size, sign in zip(own, sizes.tolist(), signs.tolist(), strict=True):
-                    own[s] = size if s.is_positive else -size if s.is_negative else sign * size
-            values = own | values
-        return values
-
-    def params(self, values: Mapping[Any, float]) -> dict[str, Any]:
-        """Return the numbers of symbols as call-time parameters."""
-        params: dict[str, Any] = {}
-        for block in self.blocks:
-            for name, value in block.parameters._asdict().items():
-                if not isinstance(value, int) and name != "interval":
-                    symbols = np.asarray(getattr(self.loop.parameters[block.name], name))
-                    numbers = [float(values.get(s, s)) for s in symbols.flat]  # 0 is no symbol
-                    shaped = np.reshape(numbers, symbols.shape)
-                    params[f"{block.name}.{name}"] = shaped if np.ndim(value) else numbers[0]
-        return params
-
-    def points(self, count: int, n: int) -> np.ndarray:
-        """Return points of n numbers: wide ranges, zeros, kinks."""
-        random = self.random
-        points = random.standard_normal((count, n)) * 10.0 ** random.uniform(-2, 4, (count, 1))
-        points *= random.random((count, n)) > 0.1 * (random.random((count, 1)) < 0.5)
-        kinked = random.random((count, n)) < 0.15 * (random.random((count, 1)) < 0.3)
-        points[kinked] = random.choice(self.kinks, int(kinked.sum()))
-        return points
-
-    def at(self, values: Mapping[Any, float], t: Any, x: np.ndarray, u: np.ndarray) -> dict:
-        """Return symbol -> number, of parameters and of points."""
-        symbols = [*self.loop.motion, *(s for port in self.loop.inputs.values() for s in port.flat)]
-        return {**values, TIME: t, **dict(zip(symbols, [*x.T, *u.T], strict=True))}
-
-
-def equate_x_and_z(loop: SymbolicLoop, x: np.ndarray, random: np.random.Generator) -> None:
-    """Set x = z at some points: e = 0."""
-    places = {str(s): k for k, s in enumerate(loop.motion)}
-    for name, a in places.items():
-        kind = split(name)[1]
-        b = places.get(f"{name.removesuffix(kind)}z{kind[1:]}")
-        if kind in ("x_1", "x_2") and b is not None:
-            equal = random.random(len(x)) < 0.1
-            x[equal, a] = x[equal, b]
 
 
 def refuse_no_value(loop: SymbolicLoop, name: str) -> None:

@@ -245,11 +245,9 @@ def identity_steps(text: str, law: str, claim: Claim, points: int, **more: Any) 
     """
     diagram = cache(partial(theorem_loop, WIRED, law, **more))
 
-    def read() -> tuple:
-        loop = symbolic_loop(built := diagram())
-        return built, loop, claim(loop)
-
     return [
         zero_step(f"{text}, for every N", diagram, lambda loop: [rate_of_V(loop) - claim(loop)]),
-        running_step(read, points, f" ({text})", of=f"N = {WIRED}, "),
+        running_step(
+            lambda: (diagram(), symbolic_loop(diagram())), points, f" ({text})", f"N = {WIRED}, "
+        ),
     ]

@@ -19,8 +19,8 @@ from ...diagrams.interconnection import Diagram
 from ...html import facts, fragment
 from .law_case import Case
 from .leaks import Bounding
-from .point_search import SURE, PointSearch
 from .proof import Step, as_html, cited, exact, short
+from .running_rate import SURE, PointSearch
 from .symbolic_loop import Point
 
 FARTHER = (1.0, 10.0, 100.0)
