@@ -5,7 +5,7 @@ zeros and kinks; a parameter keeps its sign, and one that is zero stays zero.
 """
 
 from collections.abc import Callable, Iterable, Mapping
-from functools import cache, cached_property
+from functools import cache, partial
 from math import prod
 from typing import Any, NamedTuple
 
@@ -141,49 +141,34 @@ class Numbers:
         self.symbols = sorted(whole.free_symbols - {TIME}, key=str) + sorted(inputs, key=str)
         self.symbols += [TIME] if whole.has(TIME) else []
 
-    @cached_property
-    def lines(self) -> tuple[list[tuple[Callable[..., Any], list[int]]], list[int]]:
-        """What is made of which numbers, one after the other; the places of the expressions."""
-        places = {s: k for k, s in enumerate(self.symbols)}
-        lines: list[tuple[Callable[..., Any], list[int]]] = []
-
-        def place(e: sympy.Expr) -> int:
-            if e not in places:
-                of = [place(a) for a in e.args]
-                lines.append((_made_by(e), of))
-                places[e] = len(places)
-            return places[e]
-
-        return lines, [place(e) for e in self.expressions]
-
     def at(self, known: Mapping[Any, Any], count: int) -> np.ndarray:
         """Return the numbers of the expressions, (expressions, count), of those of symbols."""
-        (lines, places), numbers = self.lines, [known[s] for s in self.symbols]
+        numbers = {s: known[s] for s in self.symbols}
+
+        def number(e: sympy.Expr) -> Any:
+            if e not in numbers:
+                numbers[e] = _of_parts(e, [number(a) for a in e.args])
+            return numbers[e]
+
         with np.errstate(all="ignore"):
-            for make, of in lines:
-                numbers.append(make([numbers[k] for k in of]))
-            found = np.array([np.broadcast_to(numbers[k], count) for k in places])
+            found = np.array([np.broadcast_to(number(e), count) for e in self.expressions])
         if np.iscomplexobj(found):  # as of a root or a logarithm of SymPy's own
             found = np.where(found.imag == 0.0, found.real, np.nan)
         return found.astype(float)
 
 
-def _made_by(e: sympy.Expr) -> Callable[[list[Any]], Any]:
-    """Return what makes the number of an expression of those of its arguments."""
-    if e.is_Atom:
-        number = np.float64(e)
-        return lambda _: number
+def _of_parts(e: sympy.Expr, of: list[Any]) -> Any:
+    """Return the number of an expression of those of its arguments."""
     if e.is_Add or e.is_Mul:
-        return sum if e.is_Add else prod
-    if e.is_Pow:
-        return lambda of: of[0] ** of[1]
-    function = _function(e.func, len(e.args))
-    return lambda of: function(*of)
+        return sum(of) if e.is_Add else prod(of)
+    return of[0] ** of[1] if e.is_Pow else _function(e if e.is_Atom else e.func, len(of))(*of)
 
 
 @cache
 def _function(word: Any, count: int) -> Callable[..., Any]:
-    """Return a word of SymPy's, or of the records', as a function of arrays."""
+    """Return a word of SymPy's, or of the records', as a function of arrays, or a number."""
+    if not count:
+        return partial(np.float64, float(word))
     own = sympy.symbols(f"a_:{count}", real=True)
     return sympy.lambdify(own, word(*own), [NUMBERS_OF, "scipy", "numpy"])
 
