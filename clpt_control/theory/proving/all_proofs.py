@@ -61,13 +61,9 @@ def _of_law(law: Law) -> Proof:
     if law.at_fixes:  # V does not rise, but CLPE is only what fixes leave
         claim = f"V' = {law.V_rate}; |eta_k| <= (2 V(0) P_kk)^(1/2)/r"
         return where_all_hold("bounded", claim, fix_steps(law, POINTS))
-    if law.invariants is not None or law.error_left:
+    if law.invariants is not None:
         status, claim = "bounded", f"V' <= {law.V_rate}: {law.bound}"
-        if law.error_left:
-            claim = f"V' = {law.V_rate}: in the mean |e| <= |eta phi| over the least of KD"
-        elif law.makes_estimate:
-            claim = f"{MEAN}, and {law.V_rate}"
-        elif law.perturbation is None:
+        if law.perturbation is None:
             status, claim = "proved", f"V' <= {law.V_rate}, so CLPE goes to zero"
         return where_all_hold(status, claim, invariant_steps(law, POINTS))
     if law.given_estimate:

@@ -50,7 +50,8 @@ class InvariantLoop:
         p, truth = self.loop.parameters[block.name], truth_in(self.loop)
         assert law.invariants is not None
         self.relations = _solved(equated(self.states, law.invariants(self.states, p, truth)))
-        every = {**self.loop.inputs, **self.states}
+        rates = {f"{port}'": rate for port, rate in self.rates.items()}
+        every = {**self.loop.inputs, **self.states, **rates}
         self.parameters = p
         if blocks is None:
             self.tied = tied(self.loop, V, law.V, (block.parameters, p), (true, truth))
@@ -215,7 +216,7 @@ class InvariantLoop:
         `others` are symbols beside states and truths that may have any value.
         """
         expression = sympy.sympify(expression)
-        if expression.is_nonnegative or self.is_room(expression):
+        if self.masked(expression).is_nonnegative or self.is_room(expression):
             return True
         expanded = sympy.expand(self.reduced(expression).xreplace(self.free))
         matrices, parts = self.symmetric, []

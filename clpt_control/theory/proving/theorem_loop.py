@@ -148,7 +148,8 @@ def tied(loop: SymbolicLoop, V: Block, make: Callable[..., Block], *sources: tup
     """Return V's symbols -> the symbols of its sources that they stand for.
 
     A source is a tuple of numbers with names, as parameters and the truth are, and their symbols.
-    V is made anew of numbers that stand nowhere else: a number of V tells the symbol it stands for.
+    V is made anew of numbers that stand nowhere else: a number of V tells the symbol it stands for,
+    or its square.
     """
     random, marks, altered = np.random.default_rng(0), dict[float, Any](), []
     for numbers, symbols in sources:
@@ -158,7 +159,8 @@ def tied(loop: SymbolicLoop, V: Block, make: Callable[..., Block], *sources: tup
                 mark = np.asarray(value, dtype=float)
                 changed[field] = mark = mark * random.uniform(1.01, 1.1, mark.shape)
                 theirs = np.broadcast_to(np.asarray(getattr(symbols, field), object), mark.shape)
-                marks |= zip(mark.ravel().tolist(), theirs.ravel(), strict=True)
+                for n in (1, 2):
+                    marks |= zip(np.ravel(mark**n).tolist(), np.ravel(theirs**n), strict=True)
         altered.append(numbers._replace(**changed))
     values, mine = make(*altered).parameters, loop.parameters[V.name]
     tied_to: dict[Any, Any] = {}
