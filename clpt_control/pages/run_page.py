@@ -16,7 +16,7 @@ from ..scenario.team import Team
 from ..simulation.comparing import named, ports_along, response_plot, signals_of
 from ..simulation.run_file import diagram_of_text, equations_text
 from ..simulation.summary import claims
-from ..theory.proving.array_loop import no_value
+from ..theory.proving.symbolic_loop import no_value
 from ..units import percent
 from . import results, run_sections
 from .page import Card, Drawn, Page, Section, again_section, drawn

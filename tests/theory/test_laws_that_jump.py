@@ -12,10 +12,9 @@ from clpt_control.blocks.laws.table import LAWS
 from clpt_control.equations import Block
 from clpt_control.errors import DiagramError
 from clpt_control.theory.proving import fixes
-from clpt_control.theory.proving.array_loop import ArrayLoop
 from clpt_control.theory.proving.fixes import ARRIVE, AtFixes, fix_steps
 from clpt_control.theory.proving.own_law import prove
-from clpt_control.theory.proving.symbolic_loop import symbolic_loop
+from clpt_control.theory.proving.symbolic_loop import ArrayLoop, symbolic_loop
 from clpt_control.theory.proving.theorem_loop import AT_FIXES, theorem_loop
 
 pytestmark = pytest.mark.usefixtures("few_calls")

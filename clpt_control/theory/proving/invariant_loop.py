@@ -22,10 +22,9 @@ from ...simulation.loops import paper_blocks
 from ...simulation.starts import state_columns, state_of
 from ..promises import truth_of
 from ..squares import holds_all, squares
-from .array_loop import TIME
 from .proof import Step, short
 from .signs import as_factors, left_over, nonpositive, positive_maximum, vanishes
-from .symbolic_loop import SymbolicLoop, equated, flat, symbolic_loop
+from .symbolic_loop import TIME, SymbolicLoop, equated, flat, symbolic_loop
 from .theorem_loop import Hedging, law_and_V, law_loop, rate_of_V, theorem_scenario, tied, truth_in
 
 SIZES = (1, 2, 3)  # numbers of functions

@@ -15,12 +15,11 @@ from ...equations.block import Block
 from ...equations.elements import Index
 from ...equations.symbolic import base_and_term, reindexed
 from ..squares import never_positive, positive_definite
-from .array_loop import TIME, ArrayLoop
 from .leaks import Bound, listed
 from .proof import Step, checked, exact, short
 from .running_rate import running_step
 from .signs import Facts, dead_zone, rising_in, tidied, vanishes
-from .symbolic_loop import SymbolicLoop, flat, refuse_no_value, symbolic_loop
+from .symbolic_loop import TIME, ArrayLoop, SymbolicLoop, flat, refuse_no_value, symbolic_loop
 from .theorem_loop import decay, rate_of_V, theorem_loop, truth_in
 from .words import CLIP, along, faster_than_linear, interval
 

@@ -42,9 +42,9 @@ from ...diagrams.interconnection import Diagram
 from ...equations.arrays import operand
 from ...equations.derivative import Direction
 from ...simulation.loops import error_loop
-from .array_loop import ArrayLoop
 from .proof import Step, checked, cited
 from .signs import vanishes
+from .symbolic_loop import ArrayLoop
 from .theorem_loop import (
     WIRED,
     Hedging,

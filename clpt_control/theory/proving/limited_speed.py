@@ -24,7 +24,6 @@ from ...blocks.laws.table import LAWS
 from ...blocks.vehicle import speed_limit
 from ...diagrams.interconnection import connect
 from ..counterexamples import limited_speed_counterexample
-from .array_loop import ArrayLoop
 from .invariant_loop import InvariantLoop
 from .lemmas import (
     algebra_step,
@@ -36,7 +35,7 @@ from .lemmas import (
 )
 from .proof import Proof, checked, theorem
 from .signs import left_over, vanishes
-from .symbolic_loop import symbolic_loop
+from .symbolic_loop import ArrayLoop, symbolic_loop
 from .theorem_loop import decay, identity_steps, law_and_V, law_loop, rate_of_V, zero_step
 from .words import MAXIMUM
 

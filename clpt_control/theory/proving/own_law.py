@@ -28,13 +28,12 @@ from ...errors import DiagramError
 from ...scenario.experiment import Scenario
 from ...simulation.loops import loop_of
 from ..promises import truth_of
-from .array_loop import TIME
 from .invariant_loop import InvariantLoop
 from .invariants import invariant_steps
 from .law_case import Case
 from .proof import first_failure, worked_out
 from .signs import tidied
-from .symbolic_loop import SymbolicLoop, flat, refuse_no_value, symbolic_loop
+from .symbolic_loop import TIME, SymbolicLoop, flat, refuse_no_value, symbolic_loop
 from .symbols import paper_name
 from .theorem_loop import (
     mixed_candidate,

@@ -325,8 +325,8 @@ class PointSearch:
                     what = f"{self.states[held[row - 1]]}'" if row else "V"
                     apart = f"differs by {off[row, k]:.1e} of its terms"
                     apart = "is no number" if np.isnan(off[row, k]) else apart
-                    point_there = Point(*(one[k] for one in here), params)
-                    return False, f"{what} {apart} at {point_there}"
+                    t, x, u = (one[k] for one in here)
+                    return False, f"{what} {apart} at {Point(t, x, u, params)}"
                 worst = max(worst, float(off.max(initial=0.0)))
             points += len(point[0])
         return told > points / 10, f"{points} points, largest difference {worst:.0e}"

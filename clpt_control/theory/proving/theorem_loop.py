@@ -28,11 +28,10 @@ from ...scenario.experiment import Scenario
 from ...scenario.file import paper_scenario
 from ...simulation.loops import paper_blocks
 from ..promises import truth_of
-from .array_loop import ArrayLoop
 from .proof import Step, checked
 from .running_rate import running_step
 from .signs import left_over
-from .symbolic_loop import SymbolicLoop, symbolic_loop
+from .symbolic_loop import ArrayLoop, SymbolicLoop, symbolic_loop
 
 SOURCES = {
     "basis_x": "phi_x",
