@@ -44,7 +44,7 @@ class FailureSearch(PointSearch):
         """Return the step that the running blocks give the same V', and V where it is an output."""
 
         def same() -> tuple[bool, str]:
-            t, x, u = at = self.draw(points, region is not None, widest=4.0)  # exp is too large
+            t, x, u = at = self.wide(points, region is not None)
             if region is not None:
                 x[:] = self.random.uniform(region.low, region.high, x.T.shape).T
             draws: list[Drawn] = [({}, self.known(*at), t, x.T, u.T)]

@@ -18,7 +18,7 @@ from ..squares import never_positive, positive_definite
 from .leaks import Bound, listed
 from .proof import Step, checked, exact, short
 from .running_rate import running_step
-from .signs import Facts, dead_zone, rising_in, tidied, vanishes
+from .signs import dead_zone, rising_in, tidied, vanishes
 from .symbolic_loop import TIME, ArrayLoop, SymbolicLoop, flat, refuse_no_value, symbolic_loop
 from .theorem_loop import decay, rate_of_V, theorem_loop, truth_in
 from .words import CLIP, along, faster_than_linear, interval
@@ -36,7 +36,6 @@ class Case:
     refutes: bool  # whether V' > 0 refutes the law: V was fitted to it
     points: int
     seed: int
-    facts: Facts = ()
 
     def __post_init__(self) -> None:
         """Read V and V'."""
@@ -188,8 +187,7 @@ class Case:
         """
         residual, e = residual.xreplace(at or {}).xreplace(self.apart), {*self.e}
         others = residual.free_symbols - {TIME, *self.values, *self.loop.states["z"]} - e
-        facts = tuple(fact.xreplace(at or {}) for fact in self.facts)
-        return never_positive(residual, {*self.values}, (others, e, None), facts)
+        return never_positive(residual, {*self.values}, (others, e, None))
 
     def across_jumps(self) -> Step:
         """Return the step that V does not rise where states jump, whichever jump at once."""
@@ -235,8 +233,8 @@ class Case:
             return False, fall
         ways = [(dict[Any, sympy.Expr](), self.residual)]
         at_values = _or_zero(self.residual.xreplace(self.values))
-        if at_values != self.residual or self.facts:
-            ways.insert(at_values != 0 or self.residual == 0, (self.values, at_values))
+        if at_values != self.residual:
+            ways.insert(at_values != 0, (self.values, at_values))
         for share, part in (("", sympy.S.Zero), ("/2", sympy.S.Half)):
             for at, residual in ways:
                 if self.falls(residual + part * self.fall, at):

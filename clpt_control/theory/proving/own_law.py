@@ -123,7 +123,6 @@ def prove(
     V: Candidate | None = None,
     points: Count = 10_000,
     seed: Seed = 0,
-    given: Callable[..., list] | None = None,
     invariants: Callable[..., dict] | None = None,
     semidefinite: Sequence[str] = (),
     losses: Callable[..., list[tuple]] | None = None,
@@ -145,9 +144,6 @@ def prove(
         Random points at which the running blocks are called.
     seed : int, optional
         Of the random points.
-    given : callable, optional
-        ``given(states, parameters, truth)``, a list of what is not negative: the verdict holds
-        where that is so.
     invariants : callable, optional
         ``invariants(states, parameters, truth)``, state -> what it is in the others, where they
         begin so; V' is then -e^T KD e less `losses`, and V has to be given.
@@ -212,7 +208,7 @@ def prove(
     theorem_loop(N, "learned-flow", law_block=law_block)  # refuses what is no law
     with worked_out(law_block.name):
         if invariants is None:
-            return _verdict_by_V(law_block, V, given, N, points, seed)
+            return _verdict_by_V(law_block, V, N, points, seed)
         if V is None:
             raise DiagramError(f"{law_block.name}: a law whose states keep relations needs its V")
         part = {"invariants": invariants, "semidefinite": semidefinite, "losses": losses}
@@ -240,14 +236,7 @@ def _beside(scenario: Scenario) -> str:
     return next((what for what, has in adds.items() if has), "")
 
 
-def _verdict_by_V(
-    law: Block,
-    V: Candidate | None,
-    given: Callable[..., list] | None,
-    N: int,
-    points: int,
-    seed: int,
-) -> Verdict:
+def _verdict_by_V(law: Block, V: Candidate | None, N: int, points: int, seed: int) -> Verdict:
     scenario, refutes = theorem_scenario(N, "learned-flow"), False
     if V is None:
         alone = symbolic_loop(connect([law], external=list(law.input_ports)), jumps=True)
@@ -272,16 +261,7 @@ def _verdict_by_V(
         fields = (p.gain, p.gain_K, p.gain_Gamma) if inverse is None else (p.inverse,)
         theirs = [s for field in fields for s in np.ravel(field)]
         weights = {s: w.subs(names) for s, w in zip(theirs, inverse or gains, strict=True)}
-    case = Case(diagram, loop, candidate, law, weights, refutes, points, seed)
-    if given is not None:
-        facts = given({**loop.inputs, **loop.states}, loop.parameters[law.name], truth)
-        case.facts = tuple(sympy.expand(sympy.sympify(fact).xreplace(case.apart)) for fact in facts)
-        if case.falls(sympy.S.One, case.values):  # 1 <= 0 follows of it
-            raise DiagramError(
-                f"{law.name}: what is given excludes itself, so nothing follows of it"
-            )
-        case.refutes = False  # V' > 0 may be where they do not hold
-    return verdict_of(case)
+    return verdict_of(Case(diagram, loop, candidate, law, weights, refutes, points, seed))
 
 
 def _maker(V: Candidate) -> Callable[..., Block]:

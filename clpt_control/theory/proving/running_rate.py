@@ -206,6 +206,12 @@ class PointSearch:
         times = random.uniform(0, 20, count) * late * (random.random(count) > 0.1)
         return times, x + self.rest_at(x), u
 
+    def wide(self, count: int, still: bool = False) -> tuple:
+        """Return times, states and inputs of wider ranges, some of them so wide that powers end."""
+        t, x, u = self.draw(count, still, widest=4.0)  # exp is too large
+        x[:, ::10] *= 1000
+        return t, x, u
+
     def rest_at(self, x: np.ndarray) -> np.ndarray:
         """Return where states (n, ...) rest, those that others rest at as they are."""
         known = dict(zip(self.states, x, strict=True))
@@ -372,7 +378,7 @@ def running_step(
             values = search.parameters(fixed if done else loop.parameters.keys(), tied or {})
             params = search.call_time(values)
             search.blocks.set(params)
-            t, x, u = at = search.draw(min(PER_DRAW, points - done), still=False, widest=4.0)
+            t, x, u = at = search.wide(min(PER_DRAW, points - done))
             return params, values | search.known(*at), t, x.T, u.T
 
         holds, detail = search.compare(map(drawn, range(0, points, PER_DRAW)), THROUGH_CONTROL, {})
