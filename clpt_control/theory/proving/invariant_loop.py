@@ -107,11 +107,6 @@ class InvariantLoop:
         )
         return next(off, "")
 
-    @cached_property
-    def untied_rate(self) -> sympy.Expr:
-        """V', with symbols of its own for the gains in V."""
-        return rate_of_V(self.loop)
-
     def reduced(self, expression: Any) -> sympy.Expr:
         """Return an expression where the relations hold, words with kinks any numbers."""
         return self.masked(sympy.sympify(expression)).xreplace(self.relations)
@@ -128,7 +123,7 @@ class InvariantLoop:
 
     def left_over(self, claim: Callable[[SymbolicLoop], Any], beside: Any = 0) -> str:
         """Return what V' has beyond claim + beside, or where it has no value, or nothing."""
-        rest = self.reduced(self.untied_rate.xreplace(self.tied) - claim(self.loop) - beside)
+        rest = self.reduced(rate_of_V(self.loop).xreplace(self.tied) - claim(self.loop) - beside)
         return left_over(rest) or "".join(self.loop.undefined[:1])
 
     def broken(self, jump: Mapping[Any, Any] | None = None) -> str:

@@ -179,23 +179,16 @@ def prove(
     """
     if isinstance(law_block, Diagram) and law_block.origin is not None:
         loop = loop_of(law_block)
-        if loop.changes.in_words:
+        if beside := loop.changes.in_words or _beside(loop.scenario):
             raise DiagramError(
-                f"{law_block.name}: has parts of your own, {loop.changes.in_words}; a law is "
-                "judged in the paper's own diagram, with no other part replaced or inserted; "
-                f"{ANY}"
-            )
-        if beside := _beside(loop.scenario):
-            raise DiagramError(
-                f"{law_block.name}: has {beside}, so V' is not its law's alone; a law is judged "
-                f"without, give a loop that has none or the law as a Block; {ANY}"
+                f"{law_block.name}: has {beside}, so V' is not its law's alone; a law is judged in "
+                f"the paper's own diagram without, or give it as a Block; {ANY}"
             )
         law_block = loop.changes.law or loop.scenario.law_block
-    if isinstance(law_block, control.InputOutputSystem) and not isinstance(law_block, Block):
+    if not isinstance(law_block, Block):
         raise DiagramError(
             f"{law_block.name}: is a {type(law_block).__name__}; a law is judged in the paper's "
-            "own diagram, give it as a Block; other parts, replaced or inserted, are not judged; "
-            f"{ANY}"
+            f"own diagram, give it as a Block; {ANY}"
         )
     for field in law_block.parameters._fields:
         if paper_name(law_block.name, field) not in (None, "gamma"):

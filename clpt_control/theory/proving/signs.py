@@ -6,7 +6,7 @@ is never positive where it factors into squares with a minus, or is -s^T M s wit
 
 With words in it an expression is examined in the words' sectors, else piece by piece (`words`),
 each with the facts there: expressions that are not negative.  A fact that is linear in a symbol s
-takes s out, any other one its leading monomial.
+takes s out.
 """
 
 from functools import lru_cache

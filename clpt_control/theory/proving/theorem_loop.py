@@ -238,6 +238,11 @@ def zero_step(
     return checked(claim, holds)
 
 
+def falls_as_claimed(claim: str, diagram: Callable[[], Diagram], rate: Claim) -> Step:
+    """Check what V' is claimed to be, for every N."""
+    return zero_step(claim, diagram, lambda loop: [rate_of_V(loop) - rate(loop)])
+
+
 def identity_steps(text: str, law: str, claim: Claim, points: int, **more: Any) -> list[Step]:
     """Check V' exactly for every N, and at points of the running blocks.
 
@@ -245,9 +250,8 @@ def identity_steps(text: str, law: str, claim: Claim, points: int, **more: Any) 
     does not cancel, the other where.
     """
     diagram = cache(partial(theorem_loop, WIRED, law, **more))
-
     return [
-        zero_step(f"{text}, for every N", diagram, lambda loop: [rate_of_V(loop) - claim(loop)]),
+        falls_as_claimed(f"{text}, for every N", diagram, claim),
         running_step(
             lambda: (diagram(), symbolic_loop(diagram())), points, f" ({text})", f"N = {WIRED}, "
         ),
