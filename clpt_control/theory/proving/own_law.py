@@ -44,7 +44,6 @@ from .theorem_loop import (
     truth_in,
 )
 from .verdict import Verdict, verdict_of
-from .words import WHERE
 
 ANY = "clpt.theory.lyapunov(diagram, V) judges a V of your own on any diagram"
 Candidate = Block | Callable[..., Block]  # V, or what makes it of the truth, and of parameters
@@ -107,14 +106,10 @@ def _weighed_by_squares(rests: dict, known: set) -> bool:
 
 
 def _factor(rate: sympy.Expr, product: sympy.Expr, parameters: set) -> sympy.Expr:
-    """Return the factor of a product in a rate, or in what it is in one of two cases."""
-    terms = (term / product for term in sympy.Add.make_args(rate))
-    factor = sympy.Add(
-        *(q for q in terms if not q.atoms(AppliedUndef) and q.free_symbols <= parameters)
-    )
-    cases = (one for word in rate.atoms(WHERE) for one in word.args[1:])
-    inner = (_factor(tidied(one), product, parameters) for one in cases if factor == 0)
-    return next(filter(None, inner), factor)
+    """Return the factor of a product in a rate, made of parameters alone."""
+    terms = [term / product for term in sympy.Add.make_args(rate)]
+    known = (q for q in terms if not q.atoms(AppliedUndef) and q.free_symbols <= parameters)
+    return sympy.Add(*known)
 
 
 @public
