@@ -186,7 +186,7 @@ def hats(printed: bool) -> Any:
 
 
 def gaussian(printed: bool) -> Any:
-    """How log phi of Eq. (5) bends with distance."""
+    """Return how log phi of Eq. (5) bends with distance."""
     d, width = sympy.symbols("d sigma", positive=True)
     kernel, one = "exponential" if printed else "gaussian", (np.zeros((1, 2)), np.ones(1))
     block = flow.flow_basis("basis_x", "x", kernel, *one, np.zeros(1), np.zeros(1))

@@ -115,7 +115,7 @@ def prove_all(
     left, found = deque(statements), dict["Statement", "Outcome"]()
 
     def hand_over() -> None:
-        """Let the other process prove the last that is left, again and again."""
+        """Hand the last that is left to the other process, again and again."""
         assert pool is not None
         with suppress(IndexError):
             while one := left.pop():
