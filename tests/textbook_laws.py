@@ -59,16 +59,6 @@ def in_a_box(t, x, u, p):
     return rates | {"alpha": np.where(leaves, 0.0, rate)}
 
 
-def within(states, p, truth):
-    """theta lies in the box."""
-    return [*np.ravel(p.c - truth.theta), *np.ravel(p.c + truth.theta)]
-
-
-def little(states, p, truth):
-    """What is true is small enough for this leak."""
-    return [k - p.c * np.sum(truth.theta**2) for k in truth.KD]
-
-
 MAPPED = {"states": {"s": (2, "N"), "K": 2, "Gamma": 2}}
 
 
@@ -186,15 +176,11 @@ LAWS = {
         "bounded",
         V=of_e(lambda e, p: beyond(e, p.zone) ** 2 / 2, zone=EACH["zone"]),
     ),
-    "a box": shown(lambda: law(in_a_box, two(2.0)), given=within),
     "a cubic leak": shown(
         leak(lambda t, x, u, p: p.gain * p.c * x.alpha**2, ("alpha",), two(0.1)), "bounded"
     ),
     "a periodic leak": shown(
         leak(lambda t, x, u, p: p.gain * p.c * (1 + np.sin(t)), LEARNED, two(0.1)), "bounded"
-    ),
-    "a leak by |e|^2": shown(
-        leak(lambda t, x, u, p: p.gain * p.c * (u.e @ u.e), ("alpha",), two(0.1)), given=little
     ),
     "alpha = 2 s": shown(lambda: law(behind, GAIN, **through(lambda x, u, p: 2 * x.s))),
     "alpha = s + s^3": shown(

@@ -83,13 +83,12 @@ def prove(
     Example:
         clpt prove --theorem 3.2
     """
-    from ..theory.proving.cached_outcomes import CachedOutcomes
-    from ..theory.proving.two_processes import begin, prove_all, second_process
+    from ..theory.proving.outcomes import CachedOutcomes, make_ready, prove_all, second_process
 
     with second_process() as pool:
         cached = CachedOutcomes()
-        if theorem is None and (again or not cached.outcomes):
-            begin(pool)
+        if pool is not None and theorem is None and (again or not cached.outcomes):
+            pool.submit(make_ready)
         from ..theory.proving.all_proofs import statements
 
         wanted = statements(theorem)

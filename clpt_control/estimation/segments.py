@@ -232,8 +232,8 @@ def run_segments(run: xarray.Dataset, scenario: Scenario, every: float | None) -
     length = float(track.time[-1] - track.time[0])
     if not max(0.0, length / MOST_FIXES) < fix <= length:
         raise ScenarioError(
-            f"every = {fix:g}: must be positive, at most the run's length, {length:g} {scenario.units.time}, "
-            f"and make {MOST_FIXES:,} fixes at most"
+            f"every = {fix:g}: must be positive, at most the run's length, {length:g} "
+            f"{scenario.units.time}, and make {MOST_FIXES:,} fixes at most"
         )
     fixes = track.time[0] + fix * np.arange(int(np.floor(length / fix * (1 + 1e-12))) + 1)
     fine = fixes[:-1, None] + fix * SHARES

@@ -21,9 +21,8 @@ from ..arguments import Count, Seed, public
 from ..diagrams.symbol_names import TIME
 from ..errors import DiagramError
 from ..html import fragment
-from .proving.point_search import SURE, PointSearch
 from .proving.proof import Step, as_html, checked, exact, first_failure, short, worked_out
-from .proving.running_rate import Drawn, compared
+from .proving.running_rate import SURE, Drawn, PointSearch
 from .proving.signs import tidied, vanishes
 from .proving.symbolic_loop import Point
 from .region import Region
@@ -45,12 +44,11 @@ class FailureSearch(PointSearch):
         """Return the step that the running blocks give the same V', and V where it is an output."""
 
         def same() -> tuple[bool, str]:
-            V, rate = (one.xreplace(self.eq.values) for one in (self.V, self.case.rate))
-            t, x, u = at = self.draw(points, region is not None, widest=4.0)  # exp is too large
+            t, x, u = at = self.wide(points, region is not None)
             if region is not None:
                 x[:] = self.random.uniform(region.low, region.high, x.T.shape).T
             draws: list[Drawn] = [({}, self.known(*at), t, x.T, u.T)]
-            return compared(self.blocks, self.states, V, rate, draws, points)
+            return self.compare(draws, points, self.case.eq.values)
 
         return checked("the running blocks give the same V'", same, "sampled", False)
 

@@ -160,24 +160,23 @@ def holds_all(total: Squares, states: list) -> bool:
     return sympy.Matrix(linear).rank() == len(states)
 
 
-def never_positive(e: sympy.Expr, fixed: set, ways: tuple = (None,), facts: tuple = ()) -> bool:
-    """Return whether an expression is known never to be positive, t >= 0, no fact negative.
+def never_positive(e: sympy.Expr, fixed: set, ways: tuple = (None,)) -> bool:
+    """Return whether an expression is known never to be positive, t >= 0.
 
     Symbols that are `fixed` are parameters; `ways` are symbols by which terms are examined apart.
     Nothing is tried where it is positive at a random point.
     """
-    if terms_of(e) > MOST_TERMS or (not facts and positive_somewhere(e)):
+    if terms_of(e) > MOST_TERMS or positive_somewhere(e):
         return False
-    free = e.free_symbols.union(*(fact.free_symbols for fact in facts)) - {TIME, *fixed}
+    free = e.free_symbols - {TIME, *fixed}
     e = e.xreplace({TIME: sympy.Symbol("t", nonnegative=True)})
-    if vanishes(e) or any(nonpositive(e, free, facts, by) for by in ways):
+    if vanishes(e) or any(nonpositive(e, free, by=by) for by in ways):
         return True
-    if not facts:  # of which squares know nothing
-        terms = sympy.Add.make_args(e)
-        left = (f for f in terms if f.is_polynomial(*free) or not f.is_nonpositive)
-        totals = (squares(-one, fixed) for one in dict.fromkeys((e, sympy.Add(*left))))
-        if any(total and total.constant.is_nonnegative for total in totals):
-            return True
+    terms = sympy.Add.make_args(e)
+    left = (f for f in terms if f.is_polynomial(*free) or not f.is_nonpositive)
+    totals = (squares(-one, fixed) for one in dict.fromkeys((e, sympy.Add(*left))))
+    if any(total and total.constant.is_nonnegative for total in totals):
+        return True
     return any(interval(one)[1].is_nonpositive for one in (factored(e), sympy.factor_terms(e)))
 
 

@@ -20,10 +20,9 @@ from ..diagrams.symbol_names import TIME, Numbers, element_name
 from ..equations.block import Block
 from ..equations.symbolic import expressions, rational
 from ..errors import DiagramError
-from .proving.array_loop import no_value
 from .proving.proof import Step, exact, short
 from .proving.signs import factored, tidied, vanishes
-from .proving.symbolic_loop import NO_VALUE
+from .proving.symbolic_loop import NO_VALUE, no_value
 from .proving.symbols import undefined
 from .proving.words import NUMBERS_OF, along, is_continuous, meets_smoothly
 from .squares import never_positive, squares

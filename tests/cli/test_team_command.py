@@ -184,7 +184,7 @@ def test_mistakes_are_one_sentence(clpt, refused, run):
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (("--every", "1e-300"), "every = 1e-300: must be positive, at most the run's length, 240 s, and make 100,000 fixes"),
+        (("--every", "1e-300"), "every = 1e-300: must be positive, at most the run's length"),
         (("--noise", "1e-320"), "give a smaller prior or more noise"),
     ],
     ids=str,

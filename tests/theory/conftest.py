@@ -3,7 +3,7 @@
 import pytest
 
 import clpt_control
-from clpt_control.theory.proving import point_search, running_rate
+from clpt_control.theory.proving import running_rate
 
 
 @pytest.fixture(scope="session")
@@ -26,4 +26,4 @@ def few_calls(monkeypatch):
 @pytest.fixture
 def few_draws(monkeypatch):
     """A refuting point is looked for at few draws: refuted or open, both are not proved."""
-    monkeypatch.setattr(point_search, "SEARCHES", 2)
+    monkeypatch.setattr(running_rate, "SEARCHES", 2)

@@ -11,11 +11,10 @@ from processes import GUARD
 from clpt_control.blocks import vehicle
 from clpt_control.files import CACHE
 from clpt_control.native import machine
-from clpt_control.theory.proving import cached_outcomes
+from clpt_control.theory.proving import outcomes
 from clpt_control.theory.proving.all_proofs import Statement, statements
-from clpt_control.theory.proving.cached_outcomes import CachedOutcomes, digest
+from clpt_control.theory.proving.outcomes import CachedOutcomes, digest, prove_all, second_process
 from clpt_control.theory.proving.proof import Step, theorem
-from clpt_control.theory.proving.two_processes import prove_all, second_process
 
 SHORT = Statement("limited_speed", "without hedging")
 
@@ -46,7 +45,7 @@ def test_the_second_time_says_the_same_and_that_it_was_judged_before(clpt, monke
 def test_what_other_files_gave_is_not_read(monkeypatch, tmp_path):
     law = tmp_path / "package" / "law.py"
     law.parent.mkdir()
-    monkeypatch.setattr(cached_outcomes, "PACKAGE", law.parent)
+    monkeypatch.setattr(outcomes, "PACKAGE", law.parent)
     law.write_text("rate = -e * phi")
     CachedOutcomes().store({part: good(part) for part in statements()})
     assert set(CachedOutcomes().outcomes) == set(statements())
@@ -85,19 +84,17 @@ def good(part):
 
 def test_versions_processor_and_engine_are_part_of_the_name(monkeypatch):
     names = {digest()}
-    for name in cached_outcomes.REQUIRED:
+    for name in outcomes.REQUIRED:
         with monkeypatch.context() as patch:
-            patch.setattr(
-                cached_outcomes, "version", lambda one, name=name: "9" if one == name else "1"
-            )
+            patch.setattr(outcomes, "version", lambda one, name=name: "9" if one == name else "1")
             names.add(digest())
     monkeypatch.setattr(machine, "processor", lambda: ("another", ""))
     names.add(digest())
-    monkeypatch.setenv(cached_outcomes.ENGINE, "python")
+    monkeypatch.setenv(outcomes.ENGINE, "python")
     names.add(digest())
-    monkeypatch.setattr(cached_outcomes.platform, "python_version", lambda: "4.0")
+    monkeypatch.setattr(outcomes.platform, "python_version", lambda: "4.0")
     names.add(digest())
-    assert len(names) == len(cached_outcomes.REQUIRED) + 4
+    assert len(names) == len(outcomes.REQUIRED) + 4
 
 
 @pytest.mark.usefixtures("folder")
@@ -149,8 +146,8 @@ def test_a_process_that_ends_amid_its_work_ends_no_other(monkeypatch):
     before = set(threading.enumerate())
     with second_process() as pool:
         assert prove_all(wanted, pool=pool) == {one: one.name for one in wanted}
-        for thread in set(threading.enumerate()) - before:
-            thread.join(GUARD)
+    for thread in set(threading.enumerate()) - before:
+        thread.join(GUARD)
     assert sorted(asked) == sorted(wanted)
     assert raised == []
 

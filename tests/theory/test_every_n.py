@@ -9,8 +9,7 @@ from clpt_control.equations.arrays import Tape, Unread
 from clpt_control.equations.block import Block
 from clpt_control.equations.derivative import Direction
 from clpt_control.equations.symbolic import SUM, EveryN, base_and_term
-from clpt_control.theory.proving.array_loop import ArrayLoop
-from clpt_control.theory.proving.symbolic_loop import symbolic_loop
+from clpt_control.theory.proving.symbolic_loop import ArrayLoop, symbolic_loop
 from clpt_control.theory.proving.theorem_loop import theorem_loop, vanish
 
 

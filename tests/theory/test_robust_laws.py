@@ -78,7 +78,7 @@ def test_a_robust_law_is_bounded(name, N):
         "switching-sigma": "V comes down to",
         "e-modification": "V never rises above it",
         "projection": "|Gamma| <= 3.3, |K| <= 3.3 and |alpha| <= 2.2 for good",
-        "dead-zone": "V never rises, |e_i| comes to 1",
+        "dead-zone": "V never rises, |e_1| comes to 1",
     }
     assert said[name] in verdict.reached
     assert (verdict.level is None) == (name == "dead-zone")

@@ -10,11 +10,10 @@ from analysis.theorems import page
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.errors import DiagramError
 from clpt_control.theory.proving.all_proofs import GRAPHS, statements
-from clpt_control.theory.proving.cached_outcomes import CachedOutcomes
 from clpt_control.theory.proving.misprints import misprints
+from clpt_control.theory.proving.outcomes import CachedOutcomes, prove_all
 from clpt_control.theory.proving.proof import Step, checked, cited, proof_or_failure, theorem
 from clpt_control.theory.proving.theorems import audit
-from clpt_control.theory.proving.two_processes import prove_all
 
 
 @pytest.fixture(scope="module")

@@ -148,7 +148,11 @@ KALMAN_FLOW = Law(
     error_growth=error_growth,
     promises=(*promised("true exact", "mean square"), *promised("spanned exact", "estimate")),
     semidefinite=("P",),
-    V_rate="(d P^-1 d^T)' <= -|d phi_f|^2/r^2, d = theta_hat - theta",
+    perturbation=lambda s, p, truth: (
+        (s["x"] - s["z"]) @ ((truth.theta - s["theta_hat"]) @ s["phi_x"])
+    ),
+    V_rate="-e^T KD e + e^T eta phi, (eta P^-1 eta^T)' <= -|eta phi_f|^2/r^2, "
+    "eta = theta - theta_hat",
 ).with_parts(FILTERED_FLOW)
 
 LAWS = (LEARNED_FLOW, KNOWN_FLOW, KALMAN_FLOW)

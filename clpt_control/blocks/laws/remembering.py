@@ -255,6 +255,10 @@ DREM = Law(
     error_left="w",
     invariants=lambda s, p, truth: {"alpha": s["w"] * (truth.theta + p.alpha_0) - truth.theta},
     readout="readout",
+    perturbation=lambda s, p, truth: (s["x"] - s["z"]) @ ((truth.theta + s["alpha"]) @ s["phi_x"]),
+    losses=lambda s, p, truth: [  # f, |eta|^2/g^2
+        (-s["w'"][0] / s["w"][0], np.sum((truth.theta + s["alpha"]) ** 2), 1 / p.rate**2)
+    ],
     V_rate="-e^T KD e + e^T eta phi - f |eta|^2/g^2, eta = w eta(0), w' = -f w <= 0",
 ).with_parts(memory("Q", "b"), FILTERED_FLOW, {"states": {"w": State(1, 1.0)}})
 

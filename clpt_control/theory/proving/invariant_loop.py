@@ -22,10 +22,9 @@ from ...simulation.loops import paper_blocks
 from ...simulation.starts import state_columns, state_of
 from ..promises import truth_of
 from ..squares import holds_all, squares
-from .array_loop import TIME
 from .proof import Step, short
 from .signs import as_factors, left_over, nonpositive, positive_maximum, vanishes
-from .symbolic_loop import SymbolicLoop, equated, flat, symbolic_loop
+from .symbolic_loop import TIME, SymbolicLoop, equated, flat, symbolic_loop
 from .theorem_loop import Hedging, law_and_V, law_loop, rate_of_V, theorem_scenario, tied, truth_in
 
 SIZES = (1, 2, 3)  # numbers of functions
@@ -50,7 +49,8 @@ class InvariantLoop:
         p, truth = self.loop.parameters[block.name], truth_in(self.loop)
         assert law.invariants is not None
         self.relations = _solved(equated(self.states, law.invariants(self.states, p, truth)))
-        every = {**self.loop.inputs, **self.states}
+        rates = {f"{port}'": rate for port, rate in self.rates.items()}
+        every = {**self.loop.inputs, **self.states, **rates}
         self.parameters = p
         if blocks is None:
             self.tied = tied(self.loop, V, law.V, (block.parameters, p), (true, truth))
@@ -107,11 +107,6 @@ class InvariantLoop:
         )
         return next(off, "")
 
-    @cached_property
-    def untied_rate(self) -> sympy.Expr:
-        """V', with symbols of its own for the gains in V."""
-        return rate_of_V(self.loop)
-
     def reduced(self, expression: Any) -> sympy.Expr:
         """Return an expression where the relations hold, words with kinks any numbers."""
         return self.masked(sympy.sympify(expression)).xreplace(self.relations)
@@ -128,7 +123,7 @@ class InvariantLoop:
 
     def left_over(self, claim: Callable[[SymbolicLoop], Any], beside: Any = 0) -> str:
         """Return what V' has beyond claim + beside, or where it has no value, or nothing."""
-        rest = self.reduced(self.untied_rate.xreplace(self.tied) - claim(self.loop) - beside)
+        rest = self.reduced(rate_of_V(self.loop).xreplace(self.tied) - claim(self.loop) - beside)
         return left_over(rest) or "".join(self.loop.undefined[:1])
 
     def broken(self, jump: Mapping[Any, Any] | None = None) -> str:
@@ -215,7 +210,7 @@ class InvariantLoop:
         `others` are symbols beside states and truths that may have any value.
         """
         expression = sympy.sympify(expression)
-        if expression.is_nonnegative or self.is_room(expression):
+        if self.masked(expression).is_nonnegative or self.is_room(expression):
             return True
         expanded = sympy.expand(self.reduced(expression).xreplace(self.free))
         matrices, parts = self.symmetric, []

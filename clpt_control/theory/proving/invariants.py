@@ -8,23 +8,21 @@ that are not negative, and what is a `perturbation` beside.  Each is then shown:
     c^T M' c >= 0  where  M c = 0         M stays semidefinite (Nagumo)
     V' = -e^T KD e - losses + perturbation    where the relations hold, V and losses not negative
 
-A law without a perturbation is proved, one with is bounded by it.  All is exact for N = 1, 2, 3,
+A law without a perturbation is proved, one with e^T d, which bounds the mean square of e by that of
+d, is bounded by it.  All is exact for N = 1, 2, 3,
 and the running blocks give the same V'.  Where its states jump, at times that may be any, x and
 inputs being those right before:
 
     the relations before give the relations after,  M >= 0 gives M+ >= 0,  V+ <= V
 
 so that between and across jumps V falls.
-For a law that makes an estimate theta_hat = theta + d with its covariance M, the third is
+Of a law that makes an estimate theta_hat = theta + d with its covariance M it is shown as well that
 
-    V' = -e^T KD e + e^T (theta - theta_hat) phi          Theorem 3.1
     (d M^-1 d^T)' = error_growth <= 0                     so d never grows in this norm
 
 A law of which no parameter's error ever rises, eta = w eta(0), w' = -f w, f >= 0, takes no part of
-e into alpha'.  So V' has e^T eta phi left, which bounds the mean square of e by that of eta phi;
-its readout is theta where its condition holds:
-
-    V' = -e^T KD e + e^T eta phi - f |eta|^2/gamma,    |eta_ik| never rises
+e into alpha', so that V' is perturbed by e^T eta phi; its readout is theta where its condition
+holds.
 
 More is said of laws with a covariance P of least squares:
 
@@ -52,10 +50,10 @@ from ...blocks.laws.law import Law
 from . import invariant_loop
 from .invariant_loop import InvariantLoop
 from .lemmas import young_step
-from .proof import Step, exact_step, short
+from .proof import Step, exact_step
 from .running_rate import running_step
 from .signs import vanishes
-from .theorem_loop import KNOWN_ERROR, decay, decay_and_known_error
+from .theorem_loop import decay
 from .words import MAXIMUM, WHERE
 
 Claims = dict[str, Callable[[InvariantLoop], bool | str]]
@@ -64,111 +62,48 @@ Claims = dict[str, Callable[[InvariantLoop], bool | str]]
 def invariant_steps(law: Law, points: int, single: InvariantLoop | None = None) -> list[Step]:
     """Check a law whose row has invariants, for N = 1, 2, 3; or a single loop, of your own law."""
     cases = [single] if single else [InvariantLoop(law, N) for N in invariant_loop.SIZES]
-    start = InvariantLoop.off_at_zero if single else InvariantLoop.off_at_the_start
+    claims = claims_of(law, cases[0], bool(single)).items()
+    steps = [exact_step(cases, claim, check) for claim, check in claims]
+    steps += [young_step()] if law.perturbation else []
+    two = cases[len(cases) // 2]
+    return [*steps, running_step(lambda: (two.diagram, two.loop), points)]
+
+
+def claims_of(law: Law, case: InvariantLoop, own: bool) -> Claims:
+    """Return what is to be shown of a law, one's own or of the table."""
+    names = law.semidefinite
+    start = InvariantLoop.off_at_zero if own else InvariantLoop.off_at_the_start
+    sizes = f"N = {case.N} and the parameters as they are" if own else "N = 1, 2, 3"
     claims: Claims = {
-        f"what the law's states keep is kept{' where it begins so' * bool(single)}": (
+        f"what the law's states keep is kept{' where it begins so' * own}": (
             lambda case: case.broken() or start(case)
         )
     }
-    if law.error_left:
-        claims |= shrinking_claims(law)
-    else:
-        claims |= jump_claims(law) if cases[0].loop.jumps else {}
-        own = f"N = {single.N} and the parameters as they are" if single else "N = 1, 2, 3"
-        falls = partial(falling_claims, sizes=own)
-        claims |= estimate_claims(law) if law.makes_estimate else falls(law)
-    steps = [exact_step(cases, claim, check) for claim, check in claims.items()]
-    steps += [young_step()] if law.error_left else []
-    two = cases[len(cases) // 2]
-    return [*steps, running_step(lambda: (two.diagram, two.loop, two.untied_rate), points)]
-
-
-def jump_claims(law: Law) -> Claims:
-    """Return what is to be shown of invariants, semidefinite states and V where states jump."""
-    names = ", ".join(law.semidefinite)
-    return {
-        "and is kept where they jump": InvariantLoop.broken_at_a_jump,
-        f"{names} >= 0 is not left where they jump": InvariantLoop.semidefinite_after_a_jump,
-        "V does not rise where they jump": InvariantLoop.V_rises_by,
-    }
-
-
-def semidefinite_claims(law: Law) -> Claims:
-    """Return what is to be shown of semidefinite states between jumps."""
-    names = law.semidefinite
-    claim = f"c^T M' c >= 0 where M c = 0, so M >= 0 is not left: {', '.join(names)}"
-    left: Claims = {claim: lambda case: ", ".join(filterfalse(case.stays_semidefinite, names))}
-    return left if names else {}
-
-
-def falling_claims(law: Law, sizes: str) -> Claims:
-    """Return what is to be shown of V' of a law without an estimate."""
-    given = f"with {', '.join(law.semidefinite)} >= 0 " if law.semidefinite else ""
-    return {
-        **semidefinite_claims(law),
-        f"V' as claimed, {sizes}: {law.V_rate}": lambda case: case.left_over(decay, case.beside),
-        **(covariance_claims(law.perturbation is None) if law.weighted_error else {}),
-        f"{given}V and what V' loses are not negative": (
-            lambda case: all(map(case.not_negative, {case.V, *chain.from_iterable(case.losses)}))
-        ),
-    }
-
-
-def estimate_claims(law: Law) -> Claims:
-    """Return what is to be shown of a law that makes an estimate."""
-    return {
-        **semidefinite_claims(law),
-        f"{KNOWN_ERROR}, N = 1, 2, 3": (
-            lambda case: case.left_over(decay_and_known_error, case.beside)
-        ),
-        f"the error of the estimate never grows: {law.V_rate}": InvariantLoop.estimate_grows,
-    }
-
-
-def shrinking_claims(law: Law) -> Claims:
-    """Return what is to be shown of a law whose state w scales every parameter's error."""
-    w, read = law.error_left, {}
-    if law.readout:
-        read = {f"{law.readout} is theta where its condition holds, and -alpha elsewhere": _reads}
-    return {
-        f"eta = {w} eta(0) for every parameter": _scales_all_errors,
-        f"{w}' = -f {w}, f >= 0, so no parameter's error rises": _why_rising,
-        **read,
-        f"V' = {law.V_rate}, N = 1, 2, 3": lambda case: case.left_over(decay, driven(case)),
-        "V is not negative": lambda case: case.not_negative(case.V),
-    }
-
-
-def _why_rising(case: InvariantLoop) -> str:
-    """Return why w is not known to fall, or nothing."""
     if case.loop.jumps:
-        return "its states jump, and what its errors do there is not judged"
-    (w,), (rate,) = case.states[case.law.error_left], case.rates[case.law.error_left]
-    f = -case.masked(rate) / w  # each maximum(a, b) with a positive one a positive symbol
-    if f.has(w) or not f.is_nonnegative or vanishes(f):
-        return f"{case.law.error_left}' = {short(rate)}"
-    return ""
-
-
-def driven(case: InvariantLoop) -> sympy.Expr:
-    """Return e^T eta phi - f |eta|^2/gamma, gamma those of V."""
-    p, loop = case.loop.parameters, case.loop
-    eta = p["true_flow"].theta + case.states["alpha"]
-    w, rate = case.states[case.law.error_left][0], case.rates[case.law.error_left][0]
-    pushed = loop.signals["e"] @ (eta @ loop.inputs["phi_x"])
-    return pushed + rate / w * np.sum(eta**2 / p["lyapunov"].gain)
-
-
-def _scales_all_errors(case: InvariantLoop) -> bool:
-    """Return whether each alpha is w times a constant, less theta."""
-    (w,) = case.states[case.law.error_left]
-    theta = case.loop.parameters["true_flow"].theta
-    for alpha, own in zip(case.states["alpha"].flat, theta.flat, strict=True):
-        eta = sympy.expand(case.relations.get(alpha, alpha) + own)
-        first = sympy.cancel(eta / w)
-        if first == 0 or first.free_symbols & case.loop.motion.keys() or not first.has(own):
-            return False
-    return True
+        left = f"{', '.join(names)} >= 0 is not left where they jump"
+        claims["and is kept where they jump"] = InvariantLoop.broken_at_a_jump
+        claims[left] = InvariantLoop.semidefinite_after_a_jump
+        claims["V does not rise where they jump"] = InvariantLoop.V_rises_by
+    if names:
+        claims[f"c^T M' c >= 0 where M c = 0, so M >= 0 is not left: {', '.join(names)}"] = (
+            lambda case: ", ".join(filterfalse(case.stays_semidefinite, names))
+        )
+    claims[f"V' as claimed, {sizes}: {law.V_rate}"] = lambda case: case.left_over(
+        decay, case.beside
+    )
+    if law.weighted_error:
+        claims |= covariance_claims(law.perturbation is None)
+    if law.makes_estimate:
+        claims["the error of the estimate never grows: (d P^-1 d^T)' is as claimed"] = (
+            InvariantLoop.estimate_grows
+        )
+    if law.readout:
+        claims[f"{law.readout} is theta where its condition holds, and -alpha elsewhere"] = _reads
+    given = f"with {', '.join(names)} >= 0 " * bool(names)
+    claims[f"{given}V and what V' loses are not negative"] = lambda case: all(
+        map(case.not_negative, {case.V, *chain.from_iterable(case.losses)})
+    )
+    return claims
 
 
 def _reads(case: InvariantLoop) -> bool:

@@ -29,8 +29,8 @@ Waypoints on a circle, section IV:
 
     int zc zc^T dt = (n tau r^2 / 2) I            n >= 3 waypoints, one cycle
 
-A rotation R by 2 pi/n takes each waypoint to the next, so M = sum zc zc^T is R M R^T.  M R = R M
-with sin(2 pi/n) > 0, n >= 3, leaves M = m I, and 2 m = tr M = n r^2.
+zc zc^T = (r^2/2) (I + what turns twice as fast), and of n >= 3 places the latter is a geometric sum
+of q = exp(4 pi i/n), which is not 1 and whose n-th power is.
 """
 
 from typing import Any
@@ -42,8 +42,9 @@ from ...diagrams.interconnection import Diagram
 from ...equations.arrays import operand
 from ...equations.derivative import Direction
 from ...simulation.loops import error_loop
-from .array_loop import ArrayLoop
 from .proof import Step, checked, cited
+from .signs import vanishes
+from .symbolic_loop import ArrayLoop
 from .theorem_loop import (
     WIRED,
     Hedging,
@@ -102,15 +103,17 @@ def dissipation_step() -> Step:
     return zero_step("V' <= 0: -e^T KD e is negative definite in e for KD > 0", learned_loop, rest)
 
 
+def algebra_step(claim: str, *residuals: str, detail: str = "") -> Step:
+    """Check that expressions are zero, whatever numbers their letters are."""
+    return checked(claim, lambda: (all(map(vanishes, residuals)), detail))
+
+
 def young_step() -> Step:
     """Check e d <= k e^2/2 + d^2/(2k), for the mean square."""
-    k = sympy.Symbol("k", positive=True)
-    e, d = sympy.symbols("e d", real=True)
-    rest = k * e**2 / 2 + d**2 / (2 * k) - e * d
-    return checked(
+    return algebra_step(
         "-k e^2 + e d <= -k e^2/2 + d^2/(2k): what is left is (k/2)(e - d/k)^2; its integral "
         "bounds the mean square",
-        lambda: sympy.expand(rest - k * (e - d / k) ** 2 / 2) == 0,
+        "k*e**2/2 + d**2/(2*k) - e*d - k*(e - d/k)**2/2",
     )
 
 
@@ -146,11 +149,6 @@ def convergence_steps() -> list[Step]:
         slope = -2 * np.sum(KD * e * loop.derivative(e))
         return [loop.derivative(rate_of_V(loop)) - slope]
 
-    def squeezed() -> bool:
-        eps, B, s = sympy.symbols("epsilon B s", positive=True)
-        taken = sympy.integrate(eps - B * s, (s, 0, eps / B))
-        return sympy.simplify(taken - eps**2 / (2 * B)) == 0 and bool(taken.is_positive)
-
     residuals = {
         "Eq. (9): x' + KD x holds only phi and zc, so x is bounded": vehicle_stable,
         "z = x - e, so z is bounded where x and e are": lambda loop: [
@@ -163,10 +161,10 @@ def convergence_steps() -> list[Step]:
     }
     return [
         *(zero_step(claim, learned_loop, rest) for claim, rest in residuals.items()),
-        checked(
+        algebra_step(
             "where g = -V' reaches eps, V loses int_0^(eps/B) (eps - B s) ds = eps^2/(2B) > 0: "
             "that can happen finitely often only, so V' -> 0",
-            squeezed,
+            "integrate(eps - B*s, (s, 0, eps/B)) - eps**2/(2*B)",
         ),
     ]
 
@@ -207,27 +205,18 @@ def observability_steps() -> list[Step]:
         We = e @ Direction(parts.tape, directions).of(parts.rates["e"])
         return [sum(np.sum(parts.rates[name] * d) for name, d in along.items()) + gamma * We]
 
-    def filtered() -> bool:
-        """Return whether variation of constants solves one axis of the injected system."""
-        k, s, t, c = sympy.symbols("k s t c", positive=True)
-        w, eta, e0 = sympy.Function("w"), sympy.Symbol("eta"), sympy.Symbol("e_0")
-        response = sympy.Integral(sympy.exp(-k * (s - c)) * w(c), (c, t, s))
-        Y = sympy.exp(-k * (s - t)) * e0 + response * eta
-        rate = sympy.diff(Y, s)
-        return (
-            sympy.simplify((rate + k * Y - w(s) * eta).expand()) == 0 and Y.subs(s, t).doit() == e0
-        )
-
     return [
         checked("Eqs. (27)-(28) with z eta_3 are the closed loop's e' and eta'", same_dynamics),
         zero_step("(X^T P X)' = -e^T KD e with P = diag(I, I/gamma)/2", error_diagram, decays),
         zero_step(
             "L = [0; gamma W] gives A + L C = [[-KD, W^T], [0, 0]]", error_diagram, injection
         ),
-        checked(
+        algebra_step(
             "the injected output is [exp(-k(s-t)) I, filtered W^T] X: the observability "
             "Gramian is int R^T R with R that row",
-            filtered,
+            # Y = exp(-k (s - t)) e_0 + f eta has Y' = -k Y + w eta, where f' = -k f + w
+            "diff(exp(-k*(s - t))*e_0, s) + (-k*f + w)*eta + k*(exp(-k*(s - t))*e_0 + f*eta)"
+            " - w*eta",
         ),
         cited(
             "a filtered regressor is exciting where W is, output injection keeps observability, "
@@ -237,34 +226,24 @@ def observability_steps() -> list[Step]:
     ]
 
 
-def rotation_takes_each_point_to_the_next() -> bool:
-    """Return whether rotating by 2 pi/n takes each point to the next, the last to the first."""
-    n, rotation = sympy.Symbol("n", positive=True), sympy.rot_ccw_axis3
-    a, b = sympy.symbols("a b", real=True)
-    both = rotation(a + b).applyfunc(sympy.expand_trig)
-    return rotation(a) * rotation(b) == both and rotation(n * (2 * sympy.pi / n)) == sympy.eye(3)
-
-
-def only_multiples_of_one_commute() -> bool:
-    """Return whether M = [[a, b], [b, d]] with M R = R M is a multiple of I, n > 2."""
-    a, b, d, angle = sympy.symbols("a b d angle", real=True)
-    M, R = sympy.Matrix([[a, b], [b, d]]), sympy.rot_ccw_axis3(angle)[:2, :2]
-    moved = sympy.sin(angle) * sympy.Matrix([[-2 * b, a - d], [a - d, 2 * b]])
-    m = sympy.Symbol("m", integer=True, nonnegative=True)
-    step = 2 * sympy.pi / (m + 3)  # n = m + 3: between 0 and pi, where the sine is not zero
-    below_pi = sympy.factor(sympy.together(sympy.pi - step))
-    return sympy.expand(R * M - M * R - moved) == sympy.zeros(2) and bool(
-        step.is_positive and below_pi.is_positive
-    )
-
-
 def circle_step() -> Step:
     """Prove the Gramian (n tau r^2/2) I of points on a circle."""
-    return checked(
-        "n >= 3 waypoints on a circle excite: int zc zc^T dt = (n tau r^2/2) I over a cycle",
-        lambda: (
-            rotation_takes_each_point_to_the_next() and only_multiples_of_one_commute(),
-            "M = sum zc zc^T is the same turned by 2 pi/n, whose sine is not 0: M = m I; tr M = "
-            "n r^2",
-        ),
-    )
+
+    def excites() -> tuple[bool, str]:
+        n, m = (sympy.Symbol(name, integer=True, nonnegative=True) for name in "nm")
+        a, q = sympy.Symbol("a", real=True), sympy.Symbol("q")
+        zc = sympy.Matrix([sympy.cos(a), sympy.sin(a)])
+        c, s = sympy.cos(2 * a), sympy.sin(2 * a)
+        doubled = zc * zc.T - sympy.Matrix([[1 + c, s], [s, 1 - c]]) / 2
+        geometric = (q**n - 1) / (q - 1)
+        more = geometric.subs(n, n + 1) - geometric - q**n
+        closed = sympy.exp(4 * sympy.pi * sympy.I / (m + 3)) ** (m + 3) - 1
+        below_a_turn = sympy.factor(1 - 2 / (m + 3))  # so q is not 1
+        zero = *sympy.simplify(doubled), sympy.simplify(more), closed
+        return not any(zero) and bool(below_a_turn.is_positive), (
+            "zc zc^T = (r^2/2) (I + [[cos 2a, sin 2a], [sin 2a, -cos 2a]]), and sum exp(2 i a) is "
+            "(q^n - 1)/(q - 1) = 0 with q = exp(4 pi i/n)"
+        )
+
+    claim = "n >= 3 waypoints on a circle excite: int zc zc^T dt = (n tau r^2/2) I over a cycle"
+    return checked(claim, excites)

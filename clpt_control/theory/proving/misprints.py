@@ -1,7 +1,7 @@
 """The paper's misprints, each with a check that tells print from correction.
 
-A check takes `printed` and returns whether that form agrees with the blocks that run, for N = 2:
-it is false for the printed form and true for the corrected one.
+Its residual is what the printed form, or the corrected one, leaves of the blocks that run, for
+N = 2: it is zero for the corrected form alone.
 """
 
 from collections.abc import Callable
@@ -13,6 +13,7 @@ import numpy as np
 import sympy
 
 from ...blocks import flow
+from ...blocks.laws.law import LEARNED
 from ...equations.symbolic import expressions
 from ...simulation.loops import error_loop
 from .lemmas import errors, wanted_rates
@@ -20,8 +21,6 @@ from .proof import checked
 from .signs import vanishes
 from .symbolic_loop import SymbolicLoop, symbolic_loop
 from .theorem_loop import rate_of_V, theorem_loop, theorem_scenario
-
-Check = Callable[[bool], bool]
 
 
 @dataclass(frozen=True)
@@ -32,15 +31,16 @@ class Misprint:
     printed: str
     corrected: str
     check: str  # what tells them apart
-    holds: Check  # holds(printed): whether the check passes on that form
+    residual: Callable[[bool], Any]  # of the printed form or the corrected one; zero where it fits
+
+    def holds(self, printed: bool) -> bool:
+        """Return whether the check passes on the printed form, or the corrected one."""
+        return all(map(vanishes, np.ravel(np.array(self.residual(printed), dtype=object))))
 
     @property
     def confirmed(self) -> bool:
         """Whether the check fails on the print, passes corrected."""
         return checked("", lambda: not self.holds(True) and self.holds(False)).holds
-
-
-MISPRINTS: list[Misprint] = []
 
 
 def misprints() -> tuple[Misprint, ...]:
@@ -59,19 +59,12 @@ def misprints() -> tuple[Misprint, ...]:
     >>> found.equation, found.holds(True), found.holds(False)
     ('(18)', False, True)
     """
-    for read in (any_gains, paper_loop, _error_dynamics):
+    for read in (any_gains, paper_loop, error_dynamics):
         read.cache_clear()  # the blocks may have been changed
-    return tuple(MISPRINTS)
+    return MISPRINTS
 
 
-def misprint(equation: str, printed: str, corrected: str, check: str) -> Callable[[Check], Check]:
-    """Return a decorator that adds a check to the misprints."""
-
-    def add(holds: Check) -> Check:
-        MISPRINTS.append(Misprint(equation, printed, corrected, check, holds))
-        return holds
-
-    return add
+# --- what they are compared with ---------------------------------------------------------------
 
 
 @cache
@@ -80,7 +73,7 @@ def any_gains(law: str, disturbed: bool = False) -> SymbolicLoop:
     loop = symbolic_loop(theorem_loop(2, law, disturbed), ("injection",))
     free = {
         port: np.vectorize(lambda s: sympy.Symbol(f"{s}'", real=True))(loop.states[port])
-        for port in ("alpha", "K", "Gamma")
+        for port in LEARNED
         if port in loop.states
     }
     return replace(loop, rates=loop.rates | free)
@@ -93,7 +86,7 @@ def paper_loop(law: str) -> SymbolicLoop:
 
 
 @cache
-def _error_dynamics() -> tuple[sympy.Matrix, sympy.Matrix, sympy.Matrix, sympy.Symbol]:
+def error_dynamics() -> tuple[sympy.Matrix, sympy.Matrix, sympy.Matrix, sympy.Symbol]:
     """Return A of Eq. (28), in the order e, eta, the joint regressor W (8, 2), KD and gamma."""
     loop = symbolic_loop(error_loop(theorem_scenario(2, "learned-flow")))
     X, rates = sympy.Matrix([*loop.motion]), sympy.Matrix([*loop.motion.values()])
@@ -104,12 +97,13 @@ def _error_dynamics() -> tuple[sympy.Matrix, sympy.Matrix, sympy.Matrix, sympy.S
     return A, A[:2, 2:].T, KD, loop.parameters["parameter_system"].gain
 
 
-def _zero(values: Any) -> bool:
-    return all(map(vanishes, np.ravel(values)))
+def rate_of_e(loop: SymbolicLoop) -> np.ndarray:
+    """Return e' along the equations."""
+    return np.array([loop.derivative(e) for e in loop.signals["e"]])
 
 
-def brackets(loop: SymbolicLoop, before_K: Any, before_alpha: Any, flow: Any) -> sympy.Expr:
-    """Return e^T (flow - KD e - psi) + the errors, each times what a law makes zero."""
+def brackets(loop: SymbolicLoop, flow: Any, before_K: Any, before_alpha: Any = 0) -> sympy.Expr:
+    """Return V' less e^T (flow - KD e - psi) + the errors, each times what a law makes zero."""
     error, s, rates, phi = errors(loop), loop.states, loop.rates, loop.inputs["phi_x"]
     e, gamma, zc = error["e"], loop.parameters["adaptation"].gain, loop.inputs["zc"]
     form = e @ (flow - loop.parameters["vehicle_controller"].KD * e - loop.signals["psi"])
@@ -117,7 +111,7 @@ def brackets(loop: SymbolicLoop, before_K: Any, before_alpha: Any, flow: Any) ->
     form += error["eta_4"] @ (zc * e - rates["Gamma"] / gamma)
     if "eta" in error:
         form += np.sum(error["eta"] * (before_alpha * rates["alpha"] + np.outer(e, phi)))
-    return form
+    return rate_of_V(loop) - form
 
 
 def left_of_injection(loop: SymbolicLoop, printed: bool = False) -> np.ndarray:
@@ -127,178 +121,176 @@ def left_of_injection(loop: SymbolicLoop, printed: bool = False) -> np.ndarray:
     return -2 * alpha_M @ phi if printed else -(alpha_M + alpha) @ phi - (alpha_M - alpha) @ phi_z
 
 
-@misprint(
-    "(18)",
-    "(K - KD)^T (K' + z e)",
-    "(K - KD)^T (K'/gamma + z e)",
-    "V' of (17) along the loop, K' and Gamma' left free",
-)
-def equation_18(printed: bool) -> bool:
-    """Check V' of Eq. (18)."""
+# --- one by one --------------------------------------------------------------------------------
+
+
+def equation_18(printed: bool) -> Any:
+    """V' of Eq. (18)."""
     loop = any_gains("known-flow")
     p, gamma = loop.parameters, loop.parameters["adaptation"].gain
     flow = (p["true_flow"].theta - p["vehicle_controller"].alpha_M) @ loop.inputs["phi_x"]
-    return _zero(rate_of_V(loop) - brackets(loop, 1 if printed else 1 / gamma, 0, flow))
+    return brackets(loop, flow, 1 if printed else 1 / gamma)
 
 
-def _equation_25(printed_K: bool, printed_alpha: bool, printed_flow: bool, disturbed: bool) -> bool:
-    """Compare V' of the learned-flow law with Eq. (25) or (34), parts of it as printed."""
-    loop = any_gains("learned-flow", disturbed)
-    inverse = 1 / loop.parameters["adaptation"].gain
-    flow = left_of_injection(loop, printed_flow) + loop.inputs.get("delta", 0)
-    K, alpha = (1 if printed else inverse for printed in (printed_K, printed_alpha))
-    return _zero(rate_of_V(loop) - brackets(loop, K, alpha, flow))
+def equation_25(K: bool = False, alpha: bool = False, flow: bool = False, delta: bool = False):
+    """V' of the learned-flow law by Eq. (25) or, with Delta, (34), parts of it as printed."""
+    loop = any_gains("learned-flow", delta)
+    left = left_of_injection(loop, flow) + loop.inputs.get("delta", 0)
+    gamma = loop.parameters["adaptation"].gain
+    return brackets(loop, left, *(1 if printed else 1 / gamma for printed in (K, alpha)))
 
 
-misprint(
-    "(25)",
-    "K' + z e, and (theta + alpha) alpha'",
-    "K'/gamma + z e, and (theta + alpha) alpha'/gamma",
-    "V' of (24) along the loop, the law left free",
-)(lambda printed: _equation_25(printed, printed, False, disturbed=False))
-misprint(
-    "(25)",
-    "-2 e^T alpha_M phi",
-    "-e^T [(alpha_M + alpha) phi(x) + (alpha_M - alpha) phi(z)]",
-    "V' of (24) along the loop, the injection left free",
-)(lambda printed: _equation_25(False, False, printed, disturbed=False))
-
-
-@misprint(
-    "V'' after (26)",
-    "... - Psi - 2 alpha_M phi",
-    "... - Psi - (alpha_M + alpha) phi(x) - (alpha_M - alpha) phi(z)",
-    "e' of the loop, the injection left free",
-)
-def second_derivative(printed: bool) -> bool:
-    """Check e' as V'' after Eq. (26) has it."""
+def second_derivative(printed: bool) -> Any:
+    """e' as V'' after Eq. (26) has it."""
     loop = any_gains("learned-flow")
     beside = left_of_injection(loop, printed) - loop.signals["psi"]
-    return _zero(_rate_of_e(loop) - wanted_rates(loop)["e"] - beside)
+    return rate_of_e(loop) - wanted_rates(loop)["e"] - beside
 
 
-misprint(
-    "(34)",
-    "(K - KD)^T (K' + z e)",
-    "(K - KD)^T (K'/gamma + z e)",
-    "V' of (24) along the loop with Delta, the law left free",
-)(lambda printed: _equation_25(printed, False, False, disturbed=True))
-
-
-def _rate_of_e(loop: SymbolicLoop) -> np.ndarray:
-    return np.array([loop.derivative(e) for e in loop.signals["e"]])
-
-
-@misprint("(27)", "x eta_3", "z eta_3, as in (28) and (31)", "e' of the loop")
-def equation_27(printed: bool) -> bool:
-    """Check e' of Eq. (27)."""
+def equation_27(printed: bool) -> Any:
+    """e' of Eq. (27)."""
     loop = paper_loop("learned-flow")
-    return _zero(_rate_of_e(loop) - wanted_rates(loop, "x" if printed else "z")["e"])
+    return rate_of_e(loop) - wanted_rates(loop, "x" if printed else "z")["e"]
 
 
-@misprint(
-    "(28), lower rows of A",
-    "-gamma phi_1, -gamma phi_2, -gamma z, -gamma zc",
-    "-gamma phi_1^T, -gamma phi_2^T, -gamma z^T, -gamma zc^T",
-    "A of the error and parameter blocks, N = 2",
-)
-def equation_28_rows(printed: bool) -> bool:
-    """Check the lower rows of A, Eq. (28)."""
-    A, W, _, gamma = _error_dynamics()
+def equation_28_rows(printed: bool) -> Any:
+    """The lower rows of A, Eq. (28)."""
+    A, W, _, gamma = error_dynamics()
     blocks = [W[j : j + 2, :] for j in range(0, 8, 2)]
-    rows = [block.T if printed else block for block in blocks]
-    return A[2:, :2] == -gamma * sympy.Matrix.vstack(*rows)
+    return A[2:, :2] + gamma * sympy.Matrix.vstack(*(b.T if printed else b for b in blocks))
 
 
-@misprint(
-    "(28), P",
-    "blocks K_D^{-1}/2 and K_D^{-1}/(2 gamma)",
-    "diag(I, I/gamma)/2",
-    "A^T P + P A has no blocks but e e, for KD not a multiple of I (and the printed "
-    "blocks fit N = 2 alone)",
-)
-def equation_28_P(printed: bool) -> bool:
-    """Check P of Eq. (28)."""
-    A, _, KD, gamma = _error_dynamics()
-    P = sympy.diag(sympy.eye(2) / 2, sympy.eye(8) / (2 * gamma))
-    if printed:
-        P = sympy.diag(KD.inv() / 2, *[KD.inv() / (2 * gamma)] * 4)
-    Q = sympy.expand(A.T * P + P * A)
-    return Q[:2, 2:] == sympy.zeros(2, 8) and Q[2:, 2:] == sympy.zeros(8, 8)
+def equation_28_P(printed: bool) -> Any:
+    """All blocks of A^T P + P A but e e, P of Eq. (28)."""
+    A, _, KD, gamma = error_dynamics()
+    first, others = (KD.inv(), [KD.inv()] * 4) if printed else (sympy.eye(2), [sympy.eye(8)])
+    P = sympy.diag(first, *(one / gamma for one in others)) / 2
+    Q = A.T * P + P * A
+    return [*Q[:2, 2:], *Q[2:, 2:]]
 
 
-@misprint(
-    "L before (30)",
-    "L = [KD; gamma W], which removes -KD",
-    "L = [0; gamma W]",
-    "the first block of A + L C is -KD, as (31) has it",
-)
-def output_injection(printed: bool) -> bool:
-    """Check L before Eq. (30), C = [I, 0]."""
-    A, W, KD, gamma = _error_dynamics()
+def output_injection(printed: bool) -> Any:
+    """The first block of A + L C, L before Eq. (30), C = [I, 0]."""
+    A, W, KD, gamma = error_dynamics()
     L = (KD if printed else sympy.zeros(2, 2)).col_join(gamma * W)
-    C = sympy.eye(2).row_join(sympy.zeros(2, 8))
-    return sympy.expand((A + L * C)[:2, :2] + KD) == sympy.zeros(2, 2)
+    return (A + L * sympy.eye(2).row_join(sympy.zeros(2, 8)))[:2, :2] + KD
 
 
-@misprint(
-    "(12)-(16), Assumption 3.3",
-    "theta where theta_hat is meant",
-    "theta_hat in (13), theta - theta_hat in (16)",
-    "V' of (17) along the traced known-flow loop",
-)
-def hats(printed: bool) -> bool:
-    """Check which theta Eqs. (12)-(16) mean."""
+def hats(printed: bool) -> Any:
+    """V' by which theta Eqs. (12)-(16) mean."""
     loop = paper_loop("known-flow")
     p, e = loop.parameters, loop.signals["e"]
     known = p["true_flow"].theta if printed else p["injection"].theta_hat
     missed = (p["true_flow"].theta - known) @ loop.inputs["phi_x"]
-    return _zero(rate_of_V(loop) - e @ (missed - p["vehicle_controller"].KD * e))
+    return rate_of_V(loop) - e @ (missed - p["vehicle_controller"].KD * e)
 
 
-@misprint(
-    "(5)",
-    "exp of -|x - c|/(2 sigma), called Gaussian",
-    "exp(-|x - c|^2/(2 sigma^2)) is Gaussian; the printed exponent is ambiguous",
-    "log phi is quadratic in the distance",
-)
-def gaussian(printed: bool) -> bool:
-    """Check whether log phi of Eq. (5) is quadratic in distance."""
+def gaussian(printed: bool) -> Any:
+    """Return how log phi of Eq. (5) bends with distance."""
     d, width = sympy.symbols("d sigma", positive=True)
     kernel, one = "exponential" if printed else "gaussian", (np.zeros((1, 2)), np.ones(1))
     block = flow.flow_basis("basis_x", "x", kernel, *one, np.zeros(1), np.zeros(1))
     known = {("u", "x", (0,)): d, ("p", "widths", (0,)): width}  # all else is zero
     phi = expressions(block, "output", lambda at, shape, k: known.get((*at, k), 0))[0]
-    bend = sympy.simplify(sympy.diff(sympy.expand_log(sympy.log(phi), force=True), d, 2))
-    return bend != 0 and not bend.has(d)
+    return sympy.diff(sympy.expand_log(sympy.log(phi), force=True), d, 2) + 1 / width**2
 
 
-@misprint(
-    "figures 3 and 4",
-    "parameters converge to the true values",
-    "alpha converges to -theta; -alpha is plotted",
-    "V of (24) has its minimum there",
-)
-def converges_to(printed: bool) -> bool:
-    """Check where V of Eq. (24) has its minimum."""
+def converges_to(printed: bool) -> Any:
+    """The slopes of V of Eq. (24) where it shall have its minimum."""
     loop = paper_loop("learned-flow")
     alpha, theta = (np.ravel(a) for a in (loop.states["alpha"], loop.parameters["true_flow"].theta))
     place = dict(zip(alpha, theta if printed else -theta, strict=True))
-    return _zero([sympy.diff(loop.signals["V"][0], a).xreplace(place) for a in place])
+    return [sympy.diff(loop.signals["V"][0], a).xreplace(place) for a in place]
 
 
-@misprint(
-    "proof of 3.2",
-    "z is bounded because (8) is linear with sinusoidal inputs",
-    "z = x - e, with x bounded by (9) and e by V",
-    "dz'/dz of the loop is free of adapting gains; z = x - e",
-)
-def bounded_z(printed: bool) -> bool:
-    """Check the argument for bounded z, proof of Theorem 3.2."""
+def bounded_z(printed: bool) -> Any:
+    """What the argument for bounded z says is zero, proof of Theorem 3.2."""
     loop = paper_loop("learned-flow")
-    s = loop.states
+    s, rates = loop.states, zip(loop.rates["z"], loop.states["z"], strict=True)
     if not printed:
-        return _zero(s["z"] - (s["x"] - loop.signals["e"]))
-    adapting = {symbol for port in ("alpha", "K", "Gamma") for symbol in s[port].flat}
-    slopes = (sympy.diff(rate, z) for rate, z in zip(loop.rates["z"], s["z"], strict=True))
-    return not any(slope.free_symbols & adapting for slope in slopes)
+        return s["z"] - (s["x"] - loop.signals["e"])
+    return [rate.diff(z, a) for rate, z in rates for port in LEARNED for a in s[port].flat]
+
+
+BEFORE_K = "(K - KD)^T (K' + z e)", "(K - KD)^T (K'/gamma + z e)"
+MISPRINTS = (
+    Misprint("(18)", *BEFORE_K, "V' of (17) along the loop, K' and Gamma' left free", equation_18),
+    Misprint(
+        "(25)",
+        "K' + z e, and (theta + alpha) alpha'",
+        "K'/gamma + z e, and (theta + alpha) alpha'/gamma",
+        "V' of (24) along the loop, the law left free",
+        lambda printed: equation_25(K=printed, alpha=printed),
+    ),
+    Misprint(
+        "(25)",
+        "-2 e^T alpha_M phi",
+        "-e^T [(alpha_M + alpha) phi(x) + (alpha_M - alpha) phi(z)]",
+        "V' of (24) along the loop, the injection left free",
+        lambda printed: equation_25(flow=printed),
+    ),
+    Misprint(
+        "V'' after (26)",
+        "... - Psi - 2 alpha_M phi",
+        "... - Psi - (alpha_M + alpha) phi(x) - (alpha_M - alpha) phi(z)",
+        "e' of the loop, the injection left free",
+        second_derivative,
+    ),
+    Misprint(
+        "(34)",
+        *BEFORE_K,
+        "V' of (24) along the loop with Delta, the law left free",
+        lambda printed: equation_25(K=printed, delta=True),
+    ),
+    Misprint("(27)", "x eta_3", "z eta_3, as in (28) and (31)", "e' of the loop", equation_27),
+    Misprint(
+        "(28), lower rows of A",
+        "-gamma phi_1, -gamma phi_2, -gamma z, -gamma zc",
+        "-gamma phi_1^T, -gamma phi_2^T, -gamma z^T, -gamma zc^T",
+        "A of the error and parameter blocks, N = 2",
+        equation_28_rows,
+    ),
+    Misprint(
+        "(28), P",
+        "blocks K_D^{-1}/2 and K_D^{-1}/(2 gamma)",
+        "diag(I, I/gamma)/2",
+        "A^T P + P A has no blocks but e e, for KD not a multiple of I (and the printed "
+        "blocks fit N = 2 alone)",
+        equation_28_P,
+    ),
+    Misprint(
+        "L before (30)",
+        "L = [KD; gamma W], which removes -KD",
+        "L = [0; gamma W]",
+        "the first block of A + L C is -KD, as (31) has it",
+        output_injection,
+    ),
+    Misprint(
+        "(12)-(16), Assumption 3.3",
+        "theta where theta_hat is meant",
+        "theta_hat in (13), theta - theta_hat in (16)",
+        "V' of (17) along the traced known-flow loop",
+        hats,
+    ),
+    Misprint(
+        "(5)",
+        "exp of -|x - c|/(2 sigma), called Gaussian",
+        "exp(-|x - c|^2/(2 sigma^2)) is Gaussian; the printed exponent is ambiguous",
+        "log phi is quadratic in the distance",
+        gaussian,
+    ),
+    Misprint(
+        "figures 3 and 4",
+        "parameters converge to the true values",
+        "alpha converges to -theta; -alpha is plotted",
+        "V of (24) has its minimum there",
+        converges_to,
+    ),
+    Misprint(
+        "proof of 3.2",
+        "z is bounded because (8) is linear with sinusoidal inputs",
+        "z = x - e, with x bounded by (9) and e by V",
+        "dz'/dz of the loop is free of adapting gains; z = x - e",
+        bounded_z,
+    ),
+)

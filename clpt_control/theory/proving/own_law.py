@@ -28,13 +28,12 @@ from ...errors import DiagramError
 from ...scenario.experiment import Scenario
 from ...simulation.loops import loop_of
 from ..promises import truth_of
-from .array_loop import TIME
 from .invariant_loop import InvariantLoop
 from .invariants import invariant_steps
 from .law_case import Case
 from .proof import first_failure, worked_out
 from .signs import tidied
-from .symbolic_loop import SymbolicLoop, flat, refuse_no_value, symbolic_loop
+from .symbolic_loop import TIME, SymbolicLoop, flat, refuse_no_value, symbolic_loop
 from .symbols import paper_name
 from .theorem_loop import (
     mixed_candidate,
@@ -45,7 +44,6 @@ from .theorem_loop import (
     truth_in,
 )
 from .verdict import Verdict, verdict_of
-from .words import WHERE
 
 ANY = "clpt.theory.lyapunov(diagram, V) judges a V of your own on any diagram"
 Candidate = Block | Callable[..., Block]  # V, or what makes it of the truth, and of parameters
@@ -108,14 +106,10 @@ def _weighed_by_squares(rests: dict, known: set) -> bool:
 
 
 def _factor(rate: sympy.Expr, product: sympy.Expr, parameters: set) -> sympy.Expr:
-    """Return the factor of a product in a rate, or in what it is in one of two cases."""
-    terms = (term / product for term in sympy.Add.make_args(rate))
-    factor = sympy.Add(
-        *(q for q in terms if not q.atoms(AppliedUndef) and q.free_symbols <= parameters)
-    )
-    cases = (one for word in rate.atoms(WHERE) for one in word.args[1:])
-    inner = (_factor(tidied(one), product, parameters) for one in cases if factor == 0)
-    return next(filter(None, inner), factor)
+    """Return the factor of a product in a rate, made of parameters alone."""
+    terms = [term / product for term in sympy.Add.make_args(rate)]
+    known = (q for q in terms if not q.atoms(AppliedUndef) and q.free_symbols <= parameters)
+    return sympy.Add(*known)
 
 
 @public
@@ -124,7 +118,6 @@ def prove(
     V: Candidate | None = None,
     points: Count = 10_000,
     seed: Seed = 0,
-    given: Callable[..., list] | None = None,
     invariants: Callable[..., dict] | None = None,
     semidefinite: Sequence[str] = (),
     losses: Callable[..., list[tuple]] | None = None,
@@ -146,9 +139,6 @@ def prove(
         Random points at which the running blocks are called.
     seed : int, optional
         Of the random points.
-    given : callable, optional
-        ``given(states, parameters, truth)``, a list of what is not negative: the verdict holds
-        where that is so.
     invariants : callable, optional
         ``invariants(states, parameters, truth)``, state -> what it is in the others, where they
         begin so; V' is then -e^T KD e less `losses`, and V has to be given.
@@ -184,23 +174,16 @@ def prove(
     """
     if isinstance(law_block, Diagram) and law_block.origin is not None:
         loop = loop_of(law_block)
-        if loop.changes.in_words:
+        if beside := loop.changes.in_words or _beside(loop.scenario):
             raise DiagramError(
-                f"{law_block.name}: has parts of your own, {loop.changes.in_words}; a law is "
-                "judged in the paper's own diagram, with no other part replaced or inserted; "
-                f"{ANY}"
-            )
-        if beside := _beside(loop.scenario):
-            raise DiagramError(
-                f"{law_block.name}: has {beside}, so V' is not its law's alone; a law is judged "
-                f"without, give a loop that has none or the law as a Block; {ANY}"
+                f"{law_block.name}: has {beside}, so V' is not its law's alone; a law is judged in "
+                f"the paper's own diagram without, or give it as a Block; {ANY}"
             )
         law_block = loop.changes.law or loop.scenario.law_block
-    if isinstance(law_block, control.InputOutputSystem) and not isinstance(law_block, Block):
+    if not isinstance(law_block, Block):
         raise DiagramError(
             f"{law_block.name}: is a {type(law_block).__name__}; a law is judged in the paper's "
-            "own diagram, give it as a Block; other parts, replaced or inserted, are not judged; "
-            f"{ANY}"
+            f"own diagram, give it as a Block; {ANY}"
         )
     for field in law_block.parameters._fields:
         if paper_name(law_block.name, field) not in (None, "gamma"):
@@ -213,7 +196,7 @@ def prove(
     theorem_loop(N, "learned-flow", law_block=law_block)  # refuses what is no law
     with worked_out(law_block.name):
         if invariants is None:
-            return _verdict_by_V(law_block, V, given, N, points, seed)
+            return _verdict_by_V(law_block, V, N, points, seed)
         if V is None:
             raise DiagramError(f"{law_block.name}: a law whose states keep relations needs its V")
         part = {"invariants": invariants, "semidefinite": semidefinite, "losses": losses}
@@ -241,14 +224,7 @@ def _beside(scenario: Scenario) -> str:
     return next((what for what, has in adds.items() if has), "")
 
 
-def _verdict_by_V(
-    law: Block,
-    V: Candidate | None,
-    given: Callable[..., list] | None,
-    N: int,
-    points: int,
-    seed: int,
-) -> Verdict:
+def _verdict_by_V(law: Block, V: Candidate | None, N: int, points: int, seed: int) -> Verdict:
     scenario, refutes = theorem_scenario(N, "learned-flow"), False
     if V is None:
         alone = symbolic_loop(connect([law], external=list(law.input_ports)), jumps=True)
@@ -273,16 +249,7 @@ def _verdict_by_V(
         fields = (p.gain, p.gain_K, p.gain_Gamma) if inverse is None else (p.inverse,)
         theirs = [s for field in fields for s in np.ravel(field)]
         weights = {s: w.subs(names) for s, w in zip(theirs, inverse or gains, strict=True)}
-    case = Case(diagram, loop, candidate, law, weights, refutes, points, seed)
-    if given is not None:
-        facts = given({**loop.inputs, **loop.states}, loop.parameters[law.name], truth)
-        case.facts = tuple(sympy.expand(sympy.sympify(fact).xreplace(case.apart)) for fact in facts)
-        if case.falls(sympy.S.One, case.values):  # 1 <= 0 follows of it
-            raise DiagramError(
-                f"{law.name}: what is given excludes itself, so nothing follows of it"
-            )
-        case.refutes = False  # V' > 0 may be where they do not hold
-    return verdict_of(case)
+    return verdict_of(Case(diagram, loop, candidate, law, weights, refutes, points, seed))
 
 
 def _maker(V: Candidate) -> Callable[..., Block]:

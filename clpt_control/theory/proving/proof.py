@@ -150,6 +150,18 @@ def checked(claim: str, check: Callable[[], Any], how: How = "exact", every_N: b
     return Step(claim, bool(truth), how, str(detail), every_N)
 
 
+def counterexample(
+    claim: str, run: Callable[[], Any], shows: Callable[[Any], bool], said: str
+) -> Step:
+    """Check that a case, which is computed, shows what is claimed; it is said with its numbers."""
+
+    def check() -> tuple[bool, str]:
+        found = run()
+        return shows(found), said.format(found)
+
+    return checked(claim, check, "counterexample")
+
+
 def exact_step(cases: Iterable[Any], claim: str, check: Callable[[Any], bool | str]) -> Step:
     """Check a claim for each number of functions.
 

@@ -1,15 +1,20 @@
-"""V' of the blocks that run, at many points.
+"""V and rates of the blocks that run, at many points, and points at which a V fails.
 
-A proof is about expressions; this evaluates the equations themselves, with V's slopes from V on
-symbols:
+A proof is about expressions; this evaluates the equations themselves:
 
     V' = dV/dt + sum_i (dV/dx_i) x_i',    x_i' and V of the blocks that run
 
-The blocks' records, which machine code runs, are evaluated at all points at once; their functions
-at some points, through python-control.
+What is proved of V' on symbols is so of the running blocks where V, and the rates of the states
+that it holds, are the same: these are compared, each by itself.  The blocks' records, which machine
+code runs, are evaluated at all points at once; their functions at some points, through
+python-control.
+
+A point at which V fails is drawn about a rest, or the truth, and drawn again beside the best of
+them.  Whatever an expression says, V' there is that along the rates of the running blocks.
 """
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from functools import cached_property
 from typing import Any
 
 import control
@@ -17,6 +22,7 @@ import numpy as np
 import sympy
 
 from ...diagrams.interconnection import changed_parameters
+from ...diagrams.on_symbols import Equations
 from ...diagrams.symbol_names import TIME
 from ...diagrams.wiring import wiring_of
 from ...equations.at_many import on_arrays
@@ -24,7 +30,7 @@ from ...errors import DiagramError
 from ...native.sweep import Sweep
 from ...progress.interrupt import check
 from .proof import Step, checked
-from .symbolic_loop import Draw, Numbers, Point, equate_x_and_z
+from .symbolic_loop import Numbers, Point, flat
 from .words import along
 
 Found = tuple[np.ndarray, np.ndarray]  # rates (n, nx) and V (n,); NaN where there are none
@@ -103,9 +109,15 @@ class Running:
 PER_DRAW = 100  # points for each draw of the parameters
 THROUGH_CONTROL, CALLED = 20, 2  # points of the first draw, and of others, that it calls
 CLOSE = 1e-9
-ROUNDING = 16 * 2.0**-52 / CLOSE  # of states, below which a rate may be what is left of its terms
+ROUNDING = 16 * 2.0**-52 / CLOSE  # of states, below which a sum may be what is left of its terms
+LOST = sympy.Dummy("lost", positive=True)  # that share of the largest state
 HUGE, TINY = 1e100, 1e-300  # beyond, numbers say nothing
-UNEVEN = 1e13  # a ratio of V's weights beyond which the greater hides the lesser
+SEARCHES, PER_SEARCH, ROUNDS, BEST = 20, 500, 15, 5
+SURE = 1e-7  # of the size of its terms: a sign that is no rounding
+
+# points at which blocks are called: call-time parameters, ``{"block.field": value}``, symbol -> its
+# numbers, t (n,), x (n, states) and u (n, inputs)
+Drawn = tuple[dict[str, Any], dict[Any, Any], np.ndarray, np.ndarray, np.ndarray]
 
 
 def slopes_of(V: sympy.Expr, states: list) -> list[sympy.Expr]:
@@ -121,91 +133,226 @@ def rate_of(slopes: Any, rates: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         return terms.sum(axis=0), np.abs(terms).sum(axis=0)
 
 
-def near_least(slopes: np.ndarray, x: np.ndarray, random: np.random.Generator) -> np.ndarray:
-    """Return points (n, states) at which each error adds alike to V.
+class PointSearch:
+    """A search along a diagram's equations, about where its states rest, else 0.
 
-    Slopes of V (1 + states, states) are those at 0, and at 1 of each state.  Elsewhere an error of
-    small weight is lost in one of great weight.
+    `V` is on symbols, `name` that of the output which it is, "" of none; `rest` has numbers, or
+    other states, for states.
     """
-    H = slopes[1:] - slopes[0]
-    bent = np.diagonal(H)
-    weights = bent[bent > 0]
-    if not len(weights) or not np.all(np.isfinite(H)):
-        return x
-    if weights.max() > UNEVEN * weights.min():
-        raise DiagramError(
-            f"V has weights from {weights.min():.1e} to {weights.max():.1e}, and what is wrong "
-            "in the lesser cannot be seen; give gains that differ less"
-        )
-    sizes = np.where(bent > 0, 1.0 / np.sqrt(np.where(bent > 0, bent, 1.0)), 0.0)
-    scaled = sizes[:, None] * H * sizes
-    least = sizes * np.linalg.lstsq(scaled, -sizes * slopes[0], rcond=1e-9)[0]
-    wide = 10.0 ** random.uniform(-1, 1, (len(x), 1))
-    return least + wide * sizes * random.standard_normal(x.shape)
+
+    def __init__(
+        self,
+        system: control.NonlinearIOSystem,
+        eq: Equations,
+        V: sympy.Expr,
+        name: str,
+        rest: Mapping[Any, sympy.Expr],
+        seed: int,
+    ):
+        self.eq, self.V, self.rest = eq, V, rest
+        self.states = [*eq.motion]
+        self.inputs = [s for port in eq.inputs.values() for s in port.flat]
+        self.random, self.blocks = np.random.default_rng(seed), Running(system, name)
+        own = zip(self.blocks.wiring.nodes, eq.parameters.values(), strict=True)
+        self.jumping = {  # the symbol that says between which breakpoints a block is -> its place
+            p.interval: k
+            for k, (node, p) in enumerate(own)
+            if node.system.breakpoints_function is not None and "interval" in p._fields
+        }
+        made = [s for port in eq.signals.values() for s in port.flat]
+        self.sources = {  # the symbol of what an opaque block makes -> its place among signals
+            made[k]: k
+            for node in self.blocks.wiring.nodes
+            if node.system.opaque
+            for k in range(node.outputs.start, node.outputs.stop)
+        }
+
+    @cached_property
+    def slopes(self) -> Numbers:
+        """dV/dt and dV/dx."""
+        return self.numbers(*slopes_of(self.V, self.states))
+
+    def numbers(self, *expressions: sympy.Expr) -> Numbers:
+        """Return expressions as numbers at points, with the parameters as they are."""
+        found = Numbers(*(one.xreplace(self.eq.values) for one in expressions))
+        own = {TIME, *self.states, *self.inputs, *self.jumping, *self.sources}
+        if unknown := set(found.symbols) - own:
+            raise DiagramError(f"{unknown.pop()} has no number")
+        return found
+
+    def known(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> dict:
+        """Return symbol -> its numbers at points."""
+        known = dict(zip([TIME, *self.states, *self.inputs], [t, *x, *u], strict=True))
+        for symbol, k in self.jumping.items():
+            block, p = self.blocks.wiring.nodes[k].system, self.blocks.sweep.parameters[k]
+            known[symbol] = np.array([block.interval_at(one, p) for one in t])
+        if self.sources:
+            signals = self.blocks.signals(t, x.T, u.T)
+            known |= {symbol: signals[k] for symbol, k in self.sources.items()}
+        return known
+
+    def value_at(self, expression: sympy.Expr, point: Point) -> float:
+        """Return an expression at a point."""
+        at = self.known(np.array([point.t]), point.x[:, None], point.u[:, None])
+        return float(self.numbers(expression).at(at, 1)[0, 0])
+
+    def draw(self, count: int, still: bool, widest: float = 2.0) -> tuple:
+        """Return times, states and inputs of wide ranges, some of them zero."""
+        n, m, random = len(self.states), len(self.inputs), self.random
+        wide = 10.0 ** random.uniform(-2.5, widest, (2, count))
+        x = random.standard_normal((n, count)) * wide[0] * (random.random((n, count)) > 0.15)
+        u = random.standard_normal((m, count)) * wide[1] * (not still)
+        late = 10.0 ** (3 * random.random(count) * (random.random(count) < 0.3))
+        times = random.uniform(0, 20, count) * late * (random.random(count) > 0.1)
+        return times, x + self.rest_at(x), u
+
+    def wide(self, count: int, still: bool = False) -> tuple:
+        """Return times, states and inputs of wider ranges, some of them so wide that powers end."""
+        t, x, u = self.draw(count, still, widest=4.0)  # exp is too large
+        x[:, ::10] *= 1000
+        return t, x, u
+
+    def rest_at(self, x: np.ndarray) -> np.ndarray:
+        """Return where states (n, ...) rest, those that others rest at as they are."""
+        known = dict(zip(self.states, x, strict=True))
+        at = self.numbers(*(self.rest.get(s, sympy.S.Zero) for s in self.states))
+        return at.at(known, x.shape[1])
+
+    def farther(self, x: np.ndarray, times: tuple[float, ...]) -> np.ndarray:
+        """Return states (len(times), n) as many times as far from where they rest."""
+        rest = self.rest_at(x[:, None])[:, 0]
+        rest = np.where([s in self.rest for s in self.states], rest, x)
+        return rest + np.outer(times, x - rest)
+
+    def highest(self, expression: sympy.Expr, still: bool) -> Iterator[Point]:
+        """Yield points at which an expression is positive, beside the size of its terms."""
+        parts = sympy.Add.make_args(sympy.expand(expression))
+        try:
+            numbers = self.numbers(expression, *parts)
+        except DiagramError:  # what has no numbers, such as a source of time
+            return
+        for _ in range(SEARCHES):
+            check()
+            at, near = self.draw(PER_SEARCH, still), 1.0
+            for _ in range(ROUNDS):
+                value, *terms = numbers.at(self.known(*at), PER_SEARCH)
+                with np.errstate(all="ignore"):
+                    share = value / np.abs(terms).sum(axis=0)
+                share = np.where(np.isfinite(share), share, -np.inf)
+                best = np.argsort(-share)[:BEST]
+                if share[best[0]] > SURE:
+                    t, x, u = (one[..., best[0]] for one in at)
+                    yield Point(float(t), np.array(x), np.array(u), {})
+                    break
+                keep, near = np.resize(best, PER_SEARCH), 0.7 * near
+                at = tuple(self.beside(one[..., keep], near) for one in at)
+                at = np.abs(at[0]), at[1], at[2] * (not still)
+
+    def beside(self, values: np.ndarray, near: float) -> np.ndarray:
+        """Return numbers beside these, the first as they are."""
+        size = near * (np.abs(values) + 0.1 * np.max(np.abs(values), axis=0, initial=0.0) + 1e-3)
+        step = size * self.random.standard_normal(values.shape)
+        return values + step * (np.arange(values.shape[-1]) >= BEST)
+
+    def rates_at(self, point: Point, x: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return V' along the rates that python-control gives, the size of its terms, and V.
+
+        They are at a point with states (n, states) in the place of its own.
+        """
+        t, u = np.full(len(x), point.t), np.tile(point.u, (len(x), 1))
+        rates, V = self.blocks.by_control(t, x, u)
+        return *rate_of(self.slopes.at(self.known(t, x.T, u.T), len(x)), rates), V
+
+    # --- compared with symbols ------------------------------------------------------------------
+
+    def parameters(self, fixed: Collection[str], tied: Mapping[Any, sympy.Expr]) -> dict:
+        """Return symbol -> a number of its sign, of the size 10^-1.5 to 10^1.5.
+
+        The blocks in `fixed` have their own; a symbol in `tied` follows from the others.
+        """
+        values: dict[Any, float] = {}
+        for name, parameters in self.eq.parameters.items():
+            own = {
+                s: float(v) for s in flat(parameters) if (v := self.eq.values.get(s)) is not None
+            }
+            if name not in fixed:
+                sizes = 10.0 ** self.random.uniform(-1.5, 1.5, len(own))
+                signs = self.random.choice([-1.0, 1.0], len(own))
+                for s, size, sign in zip(own, sizes.tolist(), signs.tolist(), strict=True):
+                    own[s] = size if s.is_positive else -size if s.is_negative else sign * size
+            values = own | values
+        return values | {
+            s: values[e] if e in values else float(e.subs(values)) for s, e in tied.items()
+        }
+
+    def call_time(self, values: Mapping[Any, float]) -> dict[str, Any]:
+        """Return the numbers of symbols as call-time parameters."""
+        params: dict[str, Any] = {}
+        for node in self.blocks.wiring.nodes:
+            block = node.system
+            for name, value in block.parameters._asdict().items():
+                if not isinstance(value, int) and name != "interval":
+                    symbols = np.asarray(getattr(self.eq.parameters[block.name], name))
+                    numbers = [float(values.get(s, s)) for s in symbols.flat]  # 0 is no symbol
+                    shaped = np.reshape(numbers, symbols.shape)
+                    params[f"{block.name}.{name}"] = shaped if np.ndim(value) else numbers[0]
+        return params
+
+    def compare(
+        self, draws: Iterable[Drawn], first: int, at: Mapping[Any, Any]
+    ) -> tuple[bool, str]:
+        """Compare V, and the rates of the states that it holds, with those of running blocks.
+
+        At `first` points of the first draw python-control calls the blocks.
+        """
+        slopes = slopes_of(self.V, self.states)[1:]
+        held = [k for k, slope in enumerate(slopes) if slope != 0]
+        wanted = [e.xreplace(at) for e in (self.V, *(self.eq.motion[self.states[k]] for k in held))]
+        numbers = Numbers(*wanted, *map(size_of, wanted))
+        worst, points, told = 0.0, 0, 0
+        for params, known, *point in draws:
+            check()
+            self.blocks.set(params)
+            known[LOST] = ROUNDING * (1 + np.abs(point[1]).max(axis=1, initial=0.0))
+            right, size = np.split(numbers.at(known, len(point[0])), 2)
+            told += int(np.sum(np.all(np.abs(right) < HUGE, axis=0)))
+            some = CALLED if points else first
+            for evaluate, most in ((self.blocks.by_control, some), (self.blocks.by_records, None)):
+                here = [one[:most] for one in point]
+                rates, level = evaluate(*here)
+                found = np.vstack([level if self.blocks.V else right[0, :most], rates.T[held]])
+                off = _apart(right[:, :most], found, size[:, :most])
+                for row, k in np.argwhere(np.isnan(off)):  # large of inf - inf, not of inf/inf
+                    there = {s: np.broadcast_to(v, len(point[0]))[k] for s, v in known.items()}
+                    exact = wanted[row].evalf(subs=there)
+                    if exact.is_number and abs(exact) > HUGE:
+                        off[row, k] = 0.0
+                for row, k in np.argwhere(~(off <= CLOSE))[:1]:
+                    what = f"{self.states[held[row - 1]]}'" if row else "V"
+                    apart = f"differs by {off[row, k]:.1e} of its terms"
+                    apart = "is no number" if np.isnan(off[row, k]) else apart
+                    t, x, u = (one[k] for one in here)
+                    return False, f"{what} {apart} at {Point(t, x, u, params)}"
+                worst = max(worst, float(off.max(initial=0.0)))
+            points += len(point[0])
+        return told > points / 10, f"{points} points, largest difference {worst:.0e}"
 
 
-# points at which blocks are called: call-time parameters, ``{"block.field": value}``, symbol -> its
-# numbers, t (n,), x (n, states) and u (n, inputs)
-Drawn = tuple[dict[str, Any], dict[Any, Any], np.ndarray, np.ndarray, np.ndarray]
-
-
-def compared(
-    running: Running,
-    states: list[Any],
-    V: sympy.Expr,
-    wanted: sympy.Expr,
-    draws: Iterable[Drawn],
-    first: int,
-) -> tuple[bool, str]:
-    """Compare V and V' of the running blocks with V and what V' is to be, at points drawn.
-
-    V is compared where it is an output.  At `first` points of the first draw python-control calls
-    the blocks.
-    """
-    worst, points, told, parts = 0.0, 0, 0, sympy.Add.make_args(wanted)
-    numbers = Numbers(*parts, V, *slopes_of(V, states))
-    for params, known, *at in draws:
-        check()
-        running.set(params)
-        symbols = numbers.at(known, len(at[0]))
-        some = CALLED if points else first
-        for evaluate, most in ((running.by_control, some), (running.by_records, len(at[0]))):
-            here = [one[:most] for one in at]
-            rates, level = evaluate(*here)
-            terms, (of_V, *slopes) = np.split(symbols[:, :most], [len(parts)])
-            rate, size = rate_of(slopes, rates)
-            with np.errstate(all="ignore"):  # inf - inf
-                right, size = terms.sum(axis=0), np.maximum(size, np.abs(terms).sum(axis=0))
-                states_size = 1 + np.abs(here[1]).max(axis=1, initial=0.0)
-                size = np.maximum(size, ROUNDING * np.abs(slopes[1:]).sum(axis=0) * states_size)
-            level = level if running.V else of_V
-            off = np.maximum(_apart(right, rate, size), _apart(of_V, level, np.abs(of_V)))
-            beyond = _too_large(of_V, level)
-            for k in np.flatnonzero(np.isnan(rates).any(axis=1) & ~beyond):
-                there = {s: np.broadcast_to(v, len(at[0]))[k] for s, v in known.items()}
-                exact = wanted.evalf(subs=there)  # large of inf - inf, not of inf/inf
-                beyond[k] = bool(exact.is_number and abs(exact) > HUGE)
-                off[k] = np.nan
-            off = np.where(beyond, 0.0, off)
-            for k in np.flatnonzero(~(off <= CLOSE))[:1]:
-                t, x, u = (one[k] for one in here)
-                apart = f"differs by {off[k]:.1e} of V" if off[k] >= 0 else "is no number"
-                return False, f"{apart} at {Point(t, x, u, params)}"
-            worst = max(worst, float(off.max()))
-        points += len(at[0])
-        told += int(np.sum(np.abs(symbols[: len(parts) + 1]).max(axis=0) < HUGE))
-    return told > points / 10, f"{points} points, largest difference {worst:.0e} of V"
+def size_of(e: sympy.Expr) -> sympy.Expr:
+    """Return an expression with the sizes of all that is added in it, and what rounding may add."""
+    if e.is_Add:
+        return sympy.Add(LOST, *map(size_of, e.args))
+    if e.is_Mul or (e.is_Pow and e.exp.is_Integer and e.exp.is_positive):
+        return e.func(*map(size_of, e.args))
+    return sympy.Abs(e, evaluate=False)
 
 
 def _apart(wanted: np.ndarray, found: np.ndarray, size: np.ndarray) -> np.ndarray:
-    """Return the relative difference of numbers; 0 where both are too large to compare."""
+    """Return differences as shares of sizes, by row; 0 of what is too large, as where V is."""
     with np.errstate(all="ignore"):
-        off = np.abs(found - wanted) / np.maximum(np.maximum(size, np.abs(wanted)), TINY)
-    return np.where(_too_large(wanted, found), 0.0, off)
-
-
-def _too_large(wanted: np.ndarray, found: np.ndarray) -> np.ndarray:
-    return ~(np.abs(wanted) < HUGE) & ~(np.abs(found) < HUGE)
+        off = np.abs(found - wanted) / np.maximum(size, TINY)
+    large = ~(np.abs(wanted) < HUGE) & ~(np.abs(found) < HUGE)
+    return np.where(large & ~np.isnan(found) | large[0], 0.0, off)
 
 
 def running_step(
@@ -217,35 +364,24 @@ def running_step(
     tied: Mapping[Any, sympy.Expr] | None = None,
     fixed: tuple[str, ...] = (),
 ) -> Step:
-    """Check that running blocks give the V' wanted; `read` returns diagram, loop and that V'.
+    """Check that running blocks have the same V and rates; `read` returns a diagram and its loop.
 
-    The first 100 points have the blocks' own parameters, half of them near the least V; every later
-    100 have others.  Blocks in `fixed` keep theirs, and a symbol in `tied` follows from the others
-    by its expression.
+    The first 100 points have the blocks' own parameters, every later 100 have others.  Blocks in
+    `fixed` keep theirs, and a symbol in `tied` follows from the others by its expression.
     """
 
     def same() -> tuple[bool, str]:
-        diagram, loop, wanted = read()
-        V, states, running = loop.signals["V"][0], [*loop.motion], Running(diagram)
-        draw = Draw(running.wiring, loop, seed)
+        diagram, loop = read()
+        search = PointSearch(diagram, loop, loop.signals["V"][0], "V[0]", {}, seed)
 
         def drawn(done: int) -> Drawn:
-            values = draw.parameters(fixed if done else draw.names)
-            ties, size = (tied or {}).items(), min(PER_DRAW, points - done)
-            values |= {s: values[e] if e in values else float(e.subs(values)) for s, e in ties}
-            x, u = draw.points(size, diagram.nstates), draw.points(size, diagram.ninputs)
-            if not done and V.is_polynomial(*states):
-                n, half = len(states), size // 2
-                axes = np.vstack([np.zeros(n), np.eye(n)])
-                known = draw.at(values, 0.0, axes, np.zeros((n + 1, diagram.ninputs)))
-                slopes = Numbers(*slopes_of(V, states)[1:]).at(known, n + 1)
-                x[half:] = near_least(slopes.T, x[half:], draw.random)
-            equate_x_and_z(loop, x, draw.random)
-            t = draw.random.uniform(0.0, 100.0, size)
-            return draw.params(values), draw.at(values, t, x, u), t, x, u
+            values = search.parameters(fixed if done else loop.parameters.keys(), tied or {})
+            params = search.call_time(values)
+            search.blocks.set(params)
+            t, x, u = at = search.wide(min(PER_DRAW, points - done))
+            return params, values | search.known(*at), t, x.T, u.T
 
-        draws = map(drawn, range(0, points, PER_DRAW))
-        holds, detail = compared(running, states, V, wanted, draws, THROUGH_CONTROL)
+        holds, detail = search.compare(map(drawn, range(0, points, PER_DRAW)), THROUGH_CONTROL, {})
         return holds, of + detail
 
     return checked(f"the running blocks give the same V'{which}", same, "sampled", False)

@@ -6,7 +6,7 @@ is never positive where it factors into squares with a minus, or is -s^T M s wit
 
 With words in it an expression is examined in the words' sectors, else piece by piece (`words`),
 each with the facts there: expressions that are not negative.  A fact that is linear in a symbol s
-takes s out, any other one its leading monomial.
+takes s out.
 """
 
 from functools import lru_cache
@@ -368,14 +368,7 @@ def _less_facts(group: sympy.Expr, left: list, apart: set, fresh: frozenset) -> 
         new, *others = (sympy.expand(f.xreplace(out)) for f in (group, *left))
         if _less_facts(new, others, apart, fresh | {more}):
             return True
-    if alone:
-        return False
-    fact = left[0]
-    gens = [s for known in (fact.free_symbols & apart, fresh) for s in sorted(known, key=str)]
-    if not all(f.is_polynomial(*gens) for f in (group, *left)):
-        return _less_facts(group, left[1:], apart, fresh)
-    new, *others = (sympy.expand(sympy.reduced(f, [fact - more], *gens)[1]) for f in (group, *left))
-    return _less_facts(new, others[1:], apart, fresh | {more})
+    return False
 
 
 def positive_maximum(f: sympy.Expr) -> bool:

@@ -1,11 +1,14 @@
-"""The closed loop on symbols for its own N, and numbers for its symbols.
+"""A closed loop on the paper's symbols: for its own N, and as arrays for every N.
 
-The elements of its arrays are expressions each.  Random points and parameters have wide ranges,
-zeros and kinks; a parameter keeps its sign, and one that is zero stays zero.
+`SymbolicLoop` has the elements of arrays, expressions each.  `ArrayLoop` is what the theorems are
+written on: the blocks' records, joined at the diagram's own wires.  A claim about it is made of its
+signals, states, parameters and rates as NumPy's arrays are: ``-np.sum(KD * e**2)``; `elements`
+reads what comes of it, for every N where sizes are open.  Sources of time and tables are inputs of
+the diagram: what is proved then holds for all of them.
 """
 
-from collections.abc import Callable, Collection, Iterable, Mapping
-from functools import cache, cached_property
+from collections.abc import Callable, Iterable, Mapping
+from functools import cache, cached_property, partial
 from math import prod
 from typing import Any, NamedTuple
 
@@ -13,15 +16,20 @@ import control
 import numpy as np
 import sympy
 
+from ...diagrams.merged_record import merged_record
 from ...diagrams.on_symbols import Equations, on_symbols
-from ...diagrams.symbol_names import TIME, Names
+from ...diagrams.symbol_names import TIME
 from ...diagrams.wiring import Node, Wiring, wiring_of
-from ...equations.ports import split
+from ...equations.arrays import Tape, operand
+from ...equations.block import Block
+from ...equations.declaration import Parameters
+from ...equations.derivative import Direction
+from ...equations.elements import Index
 from ...equations.record import Shape
+from ...equations.symbolic import LONG, EveryN, extent
 from ...errors import DiagramError
-from .array_loop import no_value, refuse_pinned, refuse_unproved
 from .proof import Step, exact
-from .symbols import element_name, parameter_names, parameter_symbol, state_names
+from .symbols import PaperNames, element_name, parameter_symbol, undefined
 from .words import NUMBERS_OF, along, faster_than_linear, is_input
 
 TRIED = 500  # points at which a sign is looked at before it is proved
@@ -57,31 +65,6 @@ class SymbolicLoop(Equations):
         return exact(claim, not detail, detail)
 
 
-class PaperNames(Names):
-    """What the paper calls ports and parameters, as in the reading for every N."""
-
-    def __init__(self, wiring: Wiring, inputs: Iterable[str]):
-        blocks = [node.system for node in wiring.nodes]
-        self.fields, self.states = parameter_names(blocks), state_names(blocks)
-
-    def port(self, node: Node, group: str, kind: str) -> str:
-        """Return what a port or a parameter is called."""
-        known = {"state": self.states, "parameter": self.fields}.get(kind, {})
-        return known.get((node.system.name, group), group)
-
-    def block(self, node: Node) -> str:
-        """Return a block's own name."""
-        return node.system.name
-
-    def element(self, port: str, shape: Shape, declared: Shape, index: tuple) -> str:
-        """Return x_1, alpha_1[2]."""
-        return element_name(port, declared, index)
-
-    def parameter(self, node: Node, name: str, value: np.ndarray, index: tuple) -> sympy.Expr:
-        """Return a symbol of the sign that all values have."""
-        return parameter_symbol(self.port(node, name, "parameter"), value, index)
-
-
 def symbolic_loop(
     diagram: control.NonlinearIOSystem, opaque: Iterable[str] = (), jumps: bool = False
 ) -> SymbolicLoop:
@@ -93,9 +76,6 @@ def symbolic_loop(
     loop = on_symbols(diagram, PaperNames, opaque, no_value)
     refuse_pinned(loop.pinned)
     return SymbolicLoop(**vars(loop))
-
-
-LARGEST = 1e6  # of the kinks that are tried
 
 
 class Point(NamedTuple):
@@ -119,75 +99,6 @@ def equated(ports: Mapping[str, np.ndarray], values: Mapping[str, Any]) -> dict[
         for port, own in values.items()
         for symbol, value in zip(ports[port].flat, np.ravel(own), strict=True)
     }
-
-
-class Draw:
-    """A source of random parameters and points for the blocks of a diagram."""
-
-    def __init__(self, wiring: Wiring, loop: SymbolicLoop, seed: int):
-        self.random, self.loop = np.random.default_rng(seed), loop
-        self.blocks = blocks = [node.system for node in wiring.nodes]
-        self.names = [block.name for block in blocks]
-        lines = [o for b in blocks for r in b.records.values() for o in r.operations]
-        numbers = {a for o in lines for a in o.arguments if type(a) is float and np.isfinite(a)}
-        values = [np.ravel(v) for b in blocks for v in b.parameters if not isinstance(v, int)]
-        kinks = np.concatenate([np.array(sorted(numbers)), np.zeros(1), *values])
-        kinks = kinks[np.abs(kinks) <= LARGEST]
-        self.kinks = np.concatenate([kinks, -kinks])
-
-    def parameters(self, fixed: Collection[str]) -> dict[Any, float]:
-        """Return symbol -> a number of its sign, of the size 10^-1.5 to 10^1.5.
-
-        The blocks in `fixed` keep their own.
-        """
-        values: dict[Any, float] = {}
-        for block in self.blocks:
-            known, symbols = self.loop.values, flat(self.loop.parameters[block.name])
-            own = {s: float(known[s]) for s in symbols if s in known}
-            if block.name not in fixed:
-                sizes = 10.0 ** self.random.uniform(-1.5, 1.5, len(own))
-                signs = self.random.choice([-1.0, 1.0], len(own))
-                for s, size, sign in zip(own, sizes.tolist(), signs.tolist(), strict=True):
-                    own[s] = size if s.is_positive else -size if s.is_negative else sign * size
-            values = own | values
-        return values
-
-    def params(self, values: Mapping[Any, float]) -> dict[str, Any]:
-        """Return the numbers of symbols as call-time parameters."""
-        params: dict[str, Any] = {}
-        for block in self.blocks:
-            for name, value in block.parameters._asdict().items():
-                if not isinstance(value, int) and name != "interval":
-                    symbols = np.asarray(getattr(self.loop.parameters[block.name], name))
-                    numbers = [float(values.get(s, s)) for s in symbols.flat]  # 0 is no symbol
-                    shaped = np.reshape(numbers, symbols.shape)
-                    params[f"{block.name}.{name}"] = shaped if np.ndim(value) else numbers[0]
-        return params
-
-    def points(self, count: int, n: int) -> np.ndarray:
-        """Return points of n numbers: wide ranges, zeros, kinks."""
-        random = self.random
-        points = random.standard_normal((count, n)) * 10.0 ** random.uniform(-2, 4, (count, 1))
-        points *= random.random((count, n)) > 0.1 * (random.random((count, 1)) < 0.5)
-        kinked = random.random((count, n)) < 0.15 * (random.random((count, 1)) < 0.3)
-        points[kinked] = random.choice(self.kinks, int(kinked.sum()))
-        return points
-
-    def at(self, values: Mapping[Any, float], t: Any, x: np.ndarray, u: np.ndarray) -> dict:
-        """Return symbol -> number, of parameters and of points."""
-        symbols = [*self.loop.motion, *(s for port in self.loop.inputs.values() for s in port.flat)]
-        return {**values, TIME: t, **dict(zip(symbols, [*x.T, *u.T], strict=True))}
-
-
-def equate_x_and_z(loop: SymbolicLoop, x: np.ndarray, random: np.random.Generator) -> None:
-    """Set x = z at some points: e = 0."""
-    places = {str(s): k for k, s in enumerate(loop.motion)}
-    for name, a in places.items():
-        kind = split(name)[1]
-        b = places.get(f"{name.removesuffix(kind)}z{kind[1:]}")
-        if kind in ("x_1", "x_2") and b is not None:
-            equal = random.random(len(x)) < 0.1
-            x[equal, a] = x[equal, b]
 
 
 def refuse_no_value(loop: SymbolicLoop, name: str) -> None:
@@ -214,49 +125,34 @@ class Numbers:
         self.symbols = sorted(whole.free_symbols - {TIME}, key=str) + sorted(inputs, key=str)
         self.symbols += [TIME] if whole.has(TIME) else []
 
-    @cached_property
-    def lines(self) -> tuple[list[tuple[Callable[..., Any], list[int]]], list[int]]:
-        """What is made of which numbers, one after the other; the places of the expressions."""
-        places = {s: k for k, s in enumerate(self.symbols)}
-        lines: list[tuple[Callable[..., Any], list[int]]] = []
-
-        def place(e: sympy.Expr) -> int:
-            if e not in places:
-                of = [place(a) for a in e.args]
-                lines.append((_made_by(e), of))
-                places[e] = len(places)
-            return places[e]
-
-        return lines, [place(e) for e in self.expressions]
-
     def at(self, known: Mapping[Any, Any], count: int) -> np.ndarray:
         """Return the numbers of the expressions, (expressions, count), of those of symbols."""
-        (lines, places), numbers = self.lines, [known[s] for s in self.symbols]
+        numbers = {s: known[s] for s in self.symbols}
+
+        def number(e: sympy.Expr) -> Any:
+            if e not in numbers:
+                numbers[e] = _of_parts(e, [number(a) for a in e.args])
+            return numbers[e]
+
         with np.errstate(all="ignore"):
-            for make, of in lines:
-                numbers.append(make([numbers[k] for k in of]))
-            found = np.array([np.broadcast_to(numbers[k], count) for k in places])
+            found = np.array([np.broadcast_to(number(e), count) for e in self.expressions])
         if np.iscomplexobj(found):  # as of a root or a logarithm of SymPy's own
             found = np.where(found.imag == 0.0, found.real, np.nan)
         return found.astype(float)
 
 
-def _made_by(e: sympy.Expr) -> Callable[[list[Any]], Any]:
-    """Return what makes the number of an expression of those of its arguments."""
-    if e.is_Atom:
-        number = np.float64(e)
-        return lambda _: number
+def _of_parts(e: sympy.Expr, of: list[Any]) -> Any:
+    """Return the number of an expression of those of its arguments."""
     if e.is_Add or e.is_Mul:
-        return sum if e.is_Add else prod
-    if e.is_Pow:
-        return lambda of: of[0] ** of[1]
-    function = _function(e.func, len(e.args))
-    return lambda of: function(*of)
+        return sum(of) if e.is_Add else prod(of)
+    return of[0] ** of[1] if e.is_Pow else _function(e if e.is_Atom else e.func, len(of))(*of)
 
 
 @cache
 def _function(word: Any, count: int) -> Callable[..., Any]:
-    """Return a word of SymPy's, or of the records', as a function of arrays."""
+    """Return a word of SymPy's, or of the records', as a function of arrays, or a number."""
+    if not count:
+        return partial(np.float64, float(word))
     own = sympy.symbols(f"a_:{count}", real=True)
     return sympy.lambdify(own, word(*own), [NUMBERS_OF, "scipy", "numpy"])
 
@@ -280,3 +176,154 @@ def positive_somewhere(expression: sympy.Expr) -> bool:
     (values,) = numbers.at(dict(zip(numbers.symbols, drawn, strict=True)), TRIED)
     values = values[np.isfinite(values)]
     return bool(values.size and values.max() > SMALL * np.abs(values).max())
+
+
+# --- for every N -------------------------------------------------------------------------------
+
+
+DEEPEST = 30  # levels of an expression
+Known = Callable[[sympy.Expr, Index], Any]
+
+
+class ArrayLoop:
+    """A diagram's equations as arrays, by port.
+
+    A state that is no port of the diagram stands under ``"block:port"``.  Sizes that have names
+    stay open.  `known` gives what stands for a parameter's element.
+    """
+
+    def __init__(
+        self, diagram: control.NonlinearIOSystem, known: Known = lambda symbol, index: symbol
+    ):
+        wiring = wiring_of(diagram)
+        refuse_unproved(wiring, jumps=False)
+        self.tape, self.known, names = Tape(), known, PaperNames(wiring, ())
+        self.fields, self.names = names.fields, names.states
+        self.values: dict[str, Any] = {}  # of parameters
+        self.declared: dict[str, Shape] = {}
+        self.states: dict[str, Any] = {}
+        found = merged_record(diagram, wiring, self._leaf, self._input, tape=self.tape)
+        refuse_pinned(found.pinned)
+        self.inputs = found.inputs
+        self.signals = {port: value for (_, port), value in found.signals.items()}
+        of = {node.name: node.system.name for node in wiring.nodes}
+        self.rates = {
+            self.names[of[node], port]: value for (node, port), value in found.rates.items()
+        }
+        self.parameters: dict[str, Parameters] = {}  # block -> arrays
+        for one in wiring.nodes:
+            block = one.system
+            fields = {
+                field: value
+                if isinstance(value, int)
+                else self._parameter(block, field, found.fields[one.name][field])
+                for field, value in block.parameters._asdict().items()
+            }
+            self.parameters[block.name] = Parameters(**fields)
+        self.undefined_so_far: list[str] = []  # in what was read
+
+        def watch(place: int, name: str, arguments: tuple) -> None:
+            owner = found.owners.get(place)
+            if owner and (sentence := no_value(owner, name, arguments)):
+                self.undefined_so_far.append(f"{owner} {sentence}")
+
+        self.elements = EveryN(self.tape.operations, self._element, watch)
+
+    @property
+    def undefined(self) -> list[str]:
+        """Where there may be no value, in sentences; reads everything."""
+        for value in (*self.signals.values(), *self.rates.values()):
+            self.elements.of(value)
+        return self.undefined_so_far
+
+    def derivative(self, value: Any) -> Any:
+        """Return the time derivative along the equations, as an array.
+
+        That of an input is an input of its own.
+        """
+        return self._direction.of(value)
+
+    def read(self, value: Any) -> list[Any]:
+        """Return a value's elements on symbols, row by row."""
+        return list(np.ravel(self.elements.of(value)))
+
+    def direction(self, state: str) -> Any:
+        """Return a direction of a state, any one, as an array of its shape."""
+        return self.tape.add("leaf", (), self.states[state].shape, ("d", state))
+
+    @cached_property
+    def _direction(self) -> Direction:
+        along: dict[Any, Any] = {operand(s): self.rates[name] for name, s in self.states.items()}
+        for k, operation in enumerate(self.tape.operations):
+            if operation.kind == "leaf" and operation.at[0] == "u":
+                along[k] = self.tape.add("leaf", (), operation.shape, ("u'", operation.at[1]))
+            elif operation.kind == "leaf" and operation.at[0] == "t":
+                along[k] = 1.0
+        return Direction(self.tape, along, smooth=True)
+
+    # --- the leaves, by the paper's names ----------------------------------------------------
+
+    def _parameter(self, block: Block, parameter: str, shape: Shape) -> Any:
+        name = self.fields[block.name, parameter]
+        self.values[name] = getattr(block.parameters, parameter)
+        return self.tape.add("leaf", (), shape, ("p", name))
+
+    def _leaf(self, group: str, node: Node, name: str, shape: Shape) -> Any:
+        """Return a state or a parameter of a block."""
+        block = node.system
+        if group == "p":
+            return self._parameter(block, name, shape)
+        state = self.names[block.name, name]
+        self.declared[state] = block.declared["states"][name]
+        return self.states.setdefault(state, self.tape.add("leaf", (), shape, ("x", state)))
+
+    def _input(self, port: str, shape: Shape, declared: Shape) -> Any:
+        self.declared[port] = declared
+        return self.tape.add("leaf", (), shape, ("u", port))
+
+    def _element(self, at: tuple, shape: Shape, index: Index) -> Any:
+        """Return the symbol of an element, or what is known of it."""
+        group, name = at
+        if group == "t":
+            return TIME
+        if group == "p":
+            return self.known(parameter_symbol(name, self.values[name], index), index)
+        port = ("d " if group == "d" else "") + name + ("'" if group.endswith("'") else "")
+        return sympy.Symbol(element_name(port, self.declared[name], index), real=True)
+
+
+def no_value(owner: str, name: str, arguments: tuple) -> str | None:
+    """Return where an operation may have no value; refuse what is too long to be judged."""
+    sizes = [extent(a) for a in arguments if isinstance(a, sympy.Basic)]
+    if any(parts > LONG or levels > DEEPEST for parts, levels in sizes):
+        raise DiagramError(
+            f"{owner} has more than {LONG} parts or {DEEPEST} levels on "
+            "symbols, too long to prove anything of; make it simpler or its N smaller"
+        )
+    return undefined(name, arguments)
+
+
+def refuse_pinned(pinned: Iterable[tuple[str, str]]) -> None:
+    """Refuse parameters on whose values the equations depend, as by an `if`."""
+    for name, own in sorted(pinned):
+        raise DiagramError(
+            f"{name}: asks for the value of its parameter {own}, as an `if` does, so nothing would "
+            f"be proved of other values; write np.where, or give {own} as a whole number"
+        )
+
+
+def refuse_unproved(wiring: Wiring, jumps: bool) -> None:
+    """Refuse discrete time, blocks that sample, and jumps unless `jumps`: no proof is of them."""
+    blocks = [node.system for node in wiring.nodes]
+    name = next((block.name for block in blocks if block.first_held is not None or wiring.dt), None)
+    if name is not None:
+        raise DiagramError(
+            f"{name}: is of discrete time, and proofs speak of continuous time alone; prove the "
+            "design that it was sampled from"
+        )
+    for block in blocks if not jumps else ():
+        if block.jump_function is not None:
+            raise DiagramError(
+                f"{block.name}: its states jump, and this proof speaks of no jumps; prove the "
+                "block without its `jump`"
+            )

@@ -17,6 +17,8 @@ from typing import Any
 import numpy as np
 import sympy
 
+from ...diagrams.symbol_names import Names
+from ...diagrams.wiring import Node, Wiring
 from ...equations.block import Block
 from ...equations.elements import Index
 from ...equations.ports import named, split
@@ -47,16 +49,6 @@ def _indexed(name: str, index: Index, axis: bool) -> str:
     places = [place if isinstance(place, str) else str(place + 1) for place in index]
     first = f"_{places.pop(0)}" if axis and places else ""
     return name + first + "".join(f"[{place}]" for place in places)
-
-
-def state_names(blocks: Iterable[Block]) -> dict[tuple[str, str], str]:
-    """Return what each state is called: its port, or block:port."""
-    maker = {port: block.name for block in blocks for port in block.output_ports}
-    return {
-        (block.name, port): port if maker.get(port) == block.name else f"{block.name}:{port}"
-        for block in blocks
-        for port in block.state_ports
-    }
 
 
 def paper_name(block: str, field: str) -> str | None:
@@ -110,6 +102,39 @@ def _same(name: str, values: list) -> bool:
     if name in SCALARS:  # in whatever shape
         return all(np.all(np.asarray(value) == np.ravel(values[0])[0]) for value in values)
     return all(np.array_equal(value, values[0]) for value in values)
+
+
+class PaperNames(Names):
+    """What the paper calls ports and parameters, as in the reading for every N."""
+
+    def __init__(self, wiring: Wiring, inputs: Iterable[str]):
+        blocks = [node.system for node in wiring.nodes]
+        self.fields = parameter_names(blocks)
+        maker: dict[str, str] = {}
+        for block in blocks:
+            maker |= dict.fromkeys(block.output_ports, block.name)
+        self.states = {  # its port, or block:port
+            (b.name, port): port if maker.get(port) == b.name else f"{b.name}:{port}"
+            for b in blocks
+            for port in b.state_ports
+        }
+
+    def port(self, node: Node, group: str, kind: str) -> str:
+        """Return what a port or a parameter is called."""
+        known = {"state": self.states, "parameter": self.fields}.get(kind, {})
+        return known.get((node.system.name, group), group)
+
+    def block(self, node: Node) -> str:
+        """Return a block's own name."""
+        return node.system.name
+
+    def element(self, port: str, shape: Shape, declared: Shape, index: tuple) -> str:
+        """Return x_1, alpha_1[2]."""
+        return element_name(port, declared, index)
+
+    def parameter(self, node: Node, name: str, value: np.ndarray, index: tuple) -> sympy.Expr:
+        """Return a symbol of the sign that all values have."""
+        return parameter_symbol(self.port(node, name, "parameter"), value, index)
 
 
 MOST_EXP = 700  # of which exp is a number

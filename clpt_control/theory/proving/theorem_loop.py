@@ -28,11 +28,10 @@ from ...scenario.experiment import Scenario
 from ...scenario.file import paper_scenario
 from ...simulation.loops import paper_blocks
 from ..promises import truth_of
-from .array_loop import ArrayLoop
 from .proof import Step, checked
 from .running_rate import running_step
 from .signs import left_over
-from .symbolic_loop import SymbolicLoop, symbolic_loop
+from .symbolic_loop import ArrayLoop, SymbolicLoop, symbolic_loop
 
 SOURCES = {
     "basis_x": "phi_x",
@@ -148,7 +147,8 @@ def tied(loop: SymbolicLoop, V: Block, make: Callable[..., Block], *sources: tup
     """Return V's symbols -> the symbols of its sources that they stand for.
 
     A source is a tuple of numbers with names, as parameters and the truth are, and their symbols.
-    V is made anew of numbers that stand nowhere else: a number of V tells the symbol it stands for.
+    V is made anew of numbers that stand nowhere else: a number of V tells the symbol it stands for,
+    or its square.
     """
     random, marks, altered = np.random.default_rng(0), dict[float, Any](), []
     for numbers, symbols in sources:
@@ -158,7 +158,8 @@ def tied(loop: SymbolicLoop, V: Block, make: Callable[..., Block], *sources: tup
                 mark = np.asarray(value, dtype=float)
                 changed[field] = mark = mark * random.uniform(1.01, 1.1, mark.shape)
                 theirs = np.broadcast_to(np.asarray(getattr(symbols, field), object), mark.shape)
-                marks |= zip(mark.ravel().tolist(), theirs.ravel(), strict=True)
+                for n in (1, 2):
+                    marks |= zip(np.ravel(mark**n).tolist(), np.ravel(theirs**n), strict=True)
         altered.append(numbers._replace(**changed))
     values, mine = make(*altered).parameters, loop.parameters[V.name]
     tied_to: dict[Any, Any] = {}
@@ -237,6 +238,11 @@ def zero_step(
     return checked(claim, holds)
 
 
+def falls_as_claimed(claim: str, diagram: Callable[[], Diagram], rate: Claim) -> Step:
+    """Check what V' is claimed to be, for every N."""
+    return zero_step(claim, diagram, lambda loop: [rate_of_V(loop) - rate(loop)])
+
+
 def identity_steps(text: str, law: str, claim: Claim, points: int, **more: Any) -> list[Step]:
     """Check V' exactly for every N, and at points of the running blocks.
 
@@ -244,12 +250,9 @@ def identity_steps(text: str, law: str, claim: Claim, points: int, **more: Any) 
     does not cancel, the other where.
     """
     diagram = cache(partial(theorem_loop, WIRED, law, **more))
-
-    def read() -> tuple:
-        loop = symbolic_loop(built := diagram())
-        return built, loop, claim(loop)
-
     return [
-        zero_step(f"{text}, for every N", diagram, lambda loop: [rate_of_V(loop) - claim(loop)]),
-        running_step(read, points, f" ({text})", of=f"N = {WIRED}, "),
+        falls_as_claimed(f"{text}, for every N", diagram, claim),
+        running_step(
+            lambda: (diagram(), symbolic_loop(diagram())), points, f" ({text})", f"N = {WIRED}, "
+        ),
     ]

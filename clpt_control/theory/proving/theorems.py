@@ -6,13 +6,13 @@ the statement that holds, with what of it is cited.
 """
 
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
-import sympy
 
 from ...arguments import public
 from ...errors import ClptError
-from ...progress.interrupt import check
+from ...progress import interrupt
 from ..counterexamples import (
     burst_counterexample,
     disturbance_counterexample,
@@ -21,6 +21,7 @@ from ..counterexamples import (
     unlearned_counterexample,
 )
 from .lemmas import (
+    algebra_step,
     circle_step,
     convergence_steps,
     definite_step,
@@ -28,7 +29,7 @@ from .lemmas import (
     observability_steps,
     young_step,
 )
-from .proof import Proof, Step, checked, cited, proof_or_failure, theorem
+from .proof import Proof, Step, cited, counterexample, proof_or_failure, theorem
 from .theorem_loop import (
     KNOWN_ERROR,
     decay,
@@ -47,19 +48,15 @@ NO_DELTA = "the true flow is theta phi, without Delta"
 
 def theorem_3_1() -> Proof:
     """Judge Theorem 3.1: the known-flow law and its bound, Eq. (16)."""
-
-    def violated() -> tuple[bool, str]:
-        found = known_flow_counterexample(start=400.0, end=800.0, step=0.05)
-        return found.ratio > 1.05, f"max|e| = {found.ratio:.3f} of the largest drive over KD"
-
     steps = [
         *identity_steps(KNOWN_ERROR, "known-flow", decay_and_known_error, FEWER),
         definite_step("known-flow"),
         young_step(),
-        checked(
+        counterexample(
             "the paper's system with one wrong theta_hat leaves Eq. (16) for every mu < KD",
-            violated,
-            "counterexample",
+            partial(known_flow_counterexample, start=400.0, end=800.0, step=0.05),
+            lambda found: found.ratio > 1.05,
+            "max|e| = {0.ratio:.3f} of the largest drive over KD",
         ),
     ]
     return theorem(
@@ -94,22 +91,15 @@ def theorem_3_2() -> Proof:
 
 def theorem_3_3() -> Proof:
     """Judge Theorem 3.3: the parameters converge."""
-
-    def stands_still() -> tuple[bool, str]:
-        found = unlearned_counterexample(end=220.0)
-        still = found.kappa > 1.0 and found.moved < 1e-9 and found.error > 0.1
-        return still, (
-            f"zc excites (smallest eigenvalue {found.kappa:.0f}), yet theta[{found.function}] "
-            f"moves by {found.moved:.1e} and stays {found.error:.2f} off"
-        )
-
     steps = [
         *observability_steps(),
         circle_step(),
-        checked(
+        counterexample(
             "zc exciting is not enough: with the gaussian-sigma kernel a parameter stands still",
-            stands_still,
-            "counterexample",
+            partial(unlearned_counterexample, end=220.0),
+            lambda found: found.kappa > 1.0 and found.moved < 1e-9 and found.error > 0.1,
+            "zc excites (smallest eigenvalue {0.kappa:.0f}), yet theta[{0.function}] moves by "
+            "{0.moved:.1e} and stays {0.error:.2f} off",
         ),
     ]
     return theorem(
@@ -129,35 +119,22 @@ def theorem_3_3() -> Proof:
 
 def ultimate_steps() -> list[Step]:
     """Check the ultimate bound where the regressor excites."""
-
-    def grows() -> bool:
-        e, d = (sympy.Matrix(sympy.symbols(f"{one}_1:3", real=True)) for one in "ed")
-        rest, k = sympy.symbols("r k", positive=True)
-        V = e.dot(e) / 2 + rest  # rest: the parameter errors' share
-        room = 2 * V * d.dot(d) - e.dot(d) ** 2
-        squares = e.row_join(d).det() ** 2 + 2 * rest * d.dot(d)
-        return sympy.expand(room - squares) == 0 and bool((-k * e[0] ** 2).is_nonpositive)
-
-    def settles() -> bool:
-        q, v, TD = sympy.symbols("q v TD", positive=True)  # q = sqrt(1 - rho) < 1
-        fixed = TD / (1 - q)
-        return sympy.simplify((q * v + TD - fixed) - q * (v - fixed)) == 0
-
     return [
-        checked(
+        algebra_step(  # with 2 V = |e|^2 + r, r the parameter errors' share
             "v = sqrt(2 V) grows by |Delta| at most: v' v = V' <= e^T Delta and "
             "(e^T Delta)^2 <= 2 V |Delta|^2",
-            grows,
+            "(e1**2 + e2**2 + r)*(d1**2 + d2**2) - (e1*d1 + e2*d2)**2"
+            " - (e1*d2 - e2*d1)**2 - r*(d1**2 + d2**2)",
         ),
         cited(
             "over a window T with an exciting regressor V falls to (1 - rho) V, rho > 0, "
             "where Delta = 0",
             "Ioannou and Sun 1996, theorem 3.4.8",
         ),
-        checked(
+        algebra_step(  # q = sqrt(1 - rho) < 1, d = T D
             "v_{n+1} <= sqrt(1 - rho) v_n + T D comes down to T D/(1 - sqrt(1 - rho)), and "
             "within a window v grows by T D",
-            settles,
+            "(q*v + d - d/(1 - q)) - q*(v - d/(1 - q))",
         ),
     ]
 
@@ -165,43 +142,30 @@ def ultimate_steps() -> list[Step]:
 def theorem_3_4() -> Proof:
     """Judge Theorem 3.4: the bound (33) under a disturbance."""
     text = "V' = -e^T KD e + e^T Delta"
-
-    def paper_system() -> tuple[bool, str]:
-        found = disturbance_counterexample(start=60.0, end=120.0, samples=20)
-        mean = found.rms <= 1.0
-        return found.ratio > 1.05 and mean, (
-            f"max|e| = {found.ratio:.3f} Delta_max/KD, rms(e) = {found.rms:.3f} of its bound"
-        )
-
-    def scalar() -> tuple[bool, str]:
-        found = square_wave_counterexample()
-        return abs(found.peak * np.pi / 4 - 1) < 1e-2, f"limsup|e| = {found.peak:.4f}"
-
-    def drift_then_burst() -> tuple[bool, str]:
-        found = burst_counterexample()
-        return found.ratio > 2.0, f"|e| peaks at {found.peak:.3f} in each cycle"
-
     steps = [
         *identity_steps(text, "learned-flow", decay_and_disturbance, FEWER, disturbed=True),
         definite_step("learned-flow"),
         young_step(),
         *ultimate_steps(),
-        checked(
+        counterexample(
             "the paper's system, started true, with a square wave leaves Eq. (33) for every "
             "beta < KD within t = 60 to 120, and keeps the mean-square bound",
-            paper_system,
-            "counterexample",
+            partial(disturbance_counterexample, start=60.0, end=120.0, samples=20),
+            lambda found: found.ratio > 1.05 and found.rms <= 1.0,
+            "max|e| = {0.ratio:.3f} Delta_max/KD, rms(e) = {0.rms:.3f} of its bound",
         ),
-        checked(
+        counterexample(
             "phi = 1, k = 1, gamma = 100, a unit square wave at sqrt(gamma): limsup|e| = 4/pi",
-            scalar,
-            "counterexample",
+            square_wave_counterexample,
+            lambda found: abs(found.peak * np.pi / 4 - 1) < 1e-2,
+            "limsup|e| = {0.peak:.4f}",
         ),
-        checked(
+        counterexample(
             "k = gamma = Delta = 1, phi = 0.2 for a time of 250, then 1 for 20, again and again: "
             "phi is exciting, and |e| > 2 Delta/k comes back",
-            drift_then_burst,
-            "counterexample",
+            burst_counterexample,
+            lambda found: found.ratio > 2.0,
+            "|e| peaks at {0.peak:.3f} in each cycle",
         ),
     ]
     return theorem(
@@ -265,7 +229,7 @@ def audit(
     """
     proofs = {}
     for done, number in enumerate(numbers_of(theorem), 1):
-        check()
+        interrupt.check()
         proofs[number] = proof_or_failure("failed", THEOREMS[number])
         if progress is not None:
             progress(done)

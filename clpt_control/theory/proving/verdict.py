@@ -19,8 +19,8 @@ from ...diagrams.interconnection import Diagram
 from ...html import facts, fragment
 from .law_case import Case
 from .leaks import Bounding
-from .point_search import SURE, PointSearch
-from .proof import Step, as_html, cited, exact, short
+from .proof import Step, as_html, exact, short
+from .running_rate import SURE, PointSearch
 from .symbolic_loop import Point
 
 FARTHER = (1.0, 10.0, 100.0)
@@ -153,9 +153,6 @@ def verdict_of(case: Case) -> Verdict:
     left = "" if case.residual == 0 else f"left over: {short(case.residual)}"
     left = left if case.rises else "V is not known to rise with |e|"
     steps = [definite, total, exact(claim, falls, left)]
-    if case.facts:
-        facts = ", ".join(f"{short(fact, 40)} >= 0" for fact in case.facts)
-        steps.append(cited(f"given: {short(facts)}", "the one who asks"))
     bound = None
     if definite.holds and not (falls or zones):
         bound = Bounding(case).bound()

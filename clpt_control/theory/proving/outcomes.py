@@ -1,25 +1,34 @@
-"""The outcomes of proofs that were reached before, in the user's cache.
+"""Outcomes of proofs: those that were reached before, in the user's cache, and new ones.
 
 The file's name is a digest of all that an outcome depends on: the package's own files, in which the
 equations are, the versions of what they stand on, the processor and the engine, by which
 counterexamples are computed.  So the outcome of other equations is never read.  What proves is
 imported only where the file is there.
+
+New ones are proved by two processes: this one takes statements from the front, the other from
+behind, so that not both compile what the first ones run.
 """
 
+import gc
 import os
 import platform
-from contextlib import suppress
+from collections import deque
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, nullcontext, suppress
 from datetime import UTC, datetime
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
+from threading import Thread
 from typing import TYPE_CHECKING, Any
 
 from ...files import cache_folder, read_cached, write_cached
 from ...native.machine import ENGINE, code_name
+from ...progress import interrupt
+from ...progress.processes import Pool, processes
 from .proof import Proof
 
-if TYPE_CHECKING:
+if TYPE_CHECKING:  # the other process starts before all this is imported
     from .all_proofs import Outcome, Outcomes, Statement
 
 PACKAGE = Path(__file__).parents[2]
@@ -75,3 +84,56 @@ def digest() -> str:
     files = (f"{path.relative_to(PACKAGE)}\n{path.read_text('utf-8')}" for path in paths)
     versions = platform.python_version(), *map(version, REQUIRED)
     return code_name(*files, *versions, os.environ.get(ENGINE, ""))
+
+
+@contextmanager
+def second_process() -> Iterator[Pool | None]:
+    """Yield a pool of one process, where there is a core for it; no garbage is looked for."""
+    # 1,000 by default; SymPy reads it when it is imported
+    os.environ.setdefault("SYMPY_CACHE_SIZE", "100000")
+    gc.disable()  # a search takes a tenth of a second, and finds little: expressions stay
+    try:
+        with processes(1) if (os.cpu_count() or 1) > 1 else nullcontext() as pool:
+            yield pool
+    finally:
+        gc.freeze()  # else it is looked for among all of them now
+        gc.enable()
+
+
+def make_ready() -> None:
+    """Import what proves, which another process does while this one does so, too."""
+    gc.disable()
+    from . import all_proofs  # noqa: F401
+
+
+def prove_all(
+    statements: "list[Statement]",
+    report: Callable[[float], None] = lambda done: None,
+    pool: Pool | None = None,
+) -> "Outcomes":
+    """Prove statements, some of them in a pool; `report` is called with the number done."""
+    left, found = deque(statements), dict["Statement", "Outcome"]()
+
+    def hand_over() -> None:
+        """Hand the last that is left to the other process, again and again."""
+        assert pool is not None
+        with suppress(IndexError):
+            while one := left.pop():
+                try:
+                    found[one] = pool.submit(one.prove).result()
+                except Exception:  # the pool is broken, or this process says what is wrong
+                    left.append(one)
+                    break
+
+    if pool is not None and len(statements) > 2:
+        Thread(target=hand_over, daemon=True).start()
+    while len(found) < len(statements):
+        interrupt.check()
+        try:
+            one = left.popleft()
+        except IndexError:
+            interrupt.wait(0.05)
+        else:
+            found[one] = one.prove()
+        report(len(found))
+    return found
