@@ -226,8 +226,9 @@ def checked_parameters(name: str, parameters: Any, like: Any = None) -> Paramete
         if not isinstance(field, str) or not field.isidentifier() or field in TAKEN:
             raise BlockError(f"{name}: the parameter name {field!r} must be a Python name")
         old = value if like is None else getattr(like, field)
+        whole = isinstance(old, int | np.integer)
         try:
-            whole, shape = isinstance(old, int | np.integer), np.shape(old)
+            shape = np.shape(old)
             new: Any = np.array(value, dtype=float) if shape else np.float64(value)
             if whole and not isinstance(old, bool):
                 new = int(value) if int(value) == value else np.nan

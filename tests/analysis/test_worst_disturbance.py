@@ -48,14 +48,10 @@ def test_the_worst_disturbance_is_attained_by_the_closed_loop():
     predicted = peak_gains(A, step, [len(A)])[0]
     scenario = with_square_wave(paper, size, 3.5).with_values({"run.duration": end})
     loop = clpt.closed_loop(scenario, external=("delta",))
-
-    def delta(t):
-        return np.array([size * np.sign(influence[min(int(t / step + 0.5), len(A))]), 0.0])
-
     run = response(
         loop,
-        [0.0, end],
-        inputs=delta,
+        np.linspace(0.0, end, len(influence)),
+        inputs=[size * np.sign(influence), 0.0],
         rtol=1e-6,
         atol=1e-9,
         initial_state=clpt.initial_state(scenario),

@@ -251,12 +251,10 @@ def test_unknown_parameter_is_an_error(name):
             call()
 
 
-@pytest.mark.parametrize(
-    ("value", "kind"), [([1.0, 2.0], "float"), ("fast", "float"), (float("nan"), "NaN")]
-)
-def test_wrong_value_is_an_error(value, kind):
+@pytest.mark.parametrize("value", [[1.0, 2.0], "fast", float("nan")])
+def test_wrong_value_is_an_error(value):
     loop = clpt.closed_loop(PAPER)
-    with pytest.raises(BlockError, match=rf"adaptation\.gain = .*{kind}"):
+    with pytest.raises(BlockError, match=r"adaptation\.gain = .*: must be a number, without NaN"):
         loop.dynamics(0, np.zeros(14), [], params={"adaptation.gain": value})
 
 

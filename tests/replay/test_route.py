@@ -5,11 +5,12 @@ import math
 from datetime import datetime
 
 import pytest
+from html_reader import Reader
 from synthetic_vehicle import STEADY, vehicle
 
 from clpt_control.errors import DataError
 from clpt_control.geodesy import place_from
-from clpt_control.replay import map_plot, route
+from clpt_control.replay import route
 from clpt_control.replay.replay import replay_dives
 from clpt_control.replay.wording import route_sentences
 
@@ -103,6 +104,8 @@ MANY = {
 
 def test_routes_are_read(tmp_path):
     path = tmp_path / "route"
+    path.write_text("# two\n-42.8 8.4\n\n-42.7, 8.3  # the second\n")
+    assert route.read_route(path) == ([(-42.8, 8.4), (-42.7, 8.3)], [])
     shapes = [
         {"type": "Point", "coordinates": [8.4, -42.8, 0.0]},
         {"type": "Polygon", "coordinates": [SQUARE, SQUARE]},
@@ -130,21 +133,20 @@ def test_routes_are_read(tmp_path):
 @pytest.mark.parametrize(
     ("text", "says"),
     [
-        ("-42.8 8.4\n", "is no GeoJSON"),
-        ("{", "is no GeoJSON"),
-        ('{"type": "Point", "coordinates": [8, 942]}', "latitude 942, longitude 8 is no place"),
-        ('{"type": "Point", "coordinates": [NaN, 8]}', "is no place"),
+        ("", "has no waypoint"),
+        ("-42.8 8.4 7\n", "is neither GeoJSON nor a latitude"),
+        ("north south\n", "is neither GeoJSON nor a latitude"),
+        ("8.4 -942.8\n", "latitude 8.4, longitude -942.8 is no place"),
+        ("nan 8\n", "is no place"),
+        ("{", "is neither GeoJSON nor a latitude"),
         ('{"type": "Circle"}', "has no waypoint"),
-        ('{"type": "Point", "coordinates": 7}', "is no GeoJSON"),
+        ('{"type": "Point", "coordinates": 7}', "is neither GeoJSON"),
         (json.dumps({"type": "Polygon", "coordinates": [SQUARE]}), "has no waypoint"),
-        ("{" * 10**5, "is no GeoJSON"),
+        ("{" * 10**5, "is neither GeoJSON"),
         ('{"type": "LineString", "coordinates": [[[8.0, 40.0]]]}', "places are pairs"),
-        (f'{{"type": "Point", "coordinates": [{10**400}, 1]}}', "is no GeoJSON"),
+        (f'{{"type": "Point", "coordinates": [{10**400}, 1]}}', "is neither GeoJSON"),
         (json.dumps({"type": "Polygon", "coordinates": [SQUARE[:2]]}), "at least three corners"),
-        (
-            json.dumps({"type": "LineString", "coordinates": 101 * [[8, 40]]}),
-            "has 101 waypoints; at most 100, as so many dives are drawn",
-        ),
+        ("-42.8 8.4\n" * 101, "has 101 waypoints; at most 100, as so many dives are drawn"),
         (json.dumps(MANY), "its areas have 20001 places; at most 20000: simplify them"),
         (" " * 10**7 + "1", "is larger than 10 MB"),
     ],
@@ -172,6 +174,8 @@ def test_the_command_draws_the_way(command, tmp_path):
     assert found["route"]["waypoints"][0]["made"] > 0.5
     page = (tmp_path / "out" / "replay.html").read_text("utf-8")
     assert "route to 42 55.80 S" in page
-    (area,) = map_plot(found).patches
-    assert len(area.get_xy()) == 4
+    tags = Reader(page).tags
+    (area,) = (names["d"] for tag, names in tags if (tag, names.get("class")) == ("path", "area"))
+    assert area.count("L") == 3
+    assert area.endswith("Z")
     assert found["paste"]["file"] == "targets"

@@ -62,7 +62,7 @@ def test_what_no_key_holds_is_refused_when_run_again(params, tmp_path):
 @pytest.mark.parametrize(
     ("name", "value", "sentence"),
     [
-        ("adaptation.gain", None, r"adaptation\.gain = None: NaN is not allowed"),
+        ("adaptation.gain", None, r"adaptation\.gain = None: must be a number"),
         ("adaptation.gains", 1.0, r"unknown parameter 'adaptation\.gains'"),
         ("learning.gain", 1.0, r"its name at call time is adaptation\.gain"),
     ],

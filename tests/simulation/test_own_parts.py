@@ -163,7 +163,7 @@ def test_the_law_of_a_loop_is_proved():
     law = law_blocks.papers_law()
     assert prove(clpt.closed_loop(PAPER, law=law), points=100).status == "proved"
     assert prove(clpt.closed_loop(PAPER), points=100).status == "proved"
-    with pytest.raises(DiagramError, match="has parts of your own, v_x to vehicle: lag; a law is"):
+    with pytest.raises(DiagramError, match="has v_x to vehicle: lag, so V' is not its law's alone"):
         prove(clpt.closed_loop(PAPER, insert={("v_x", "vehicle"): LAG}))
 
 
