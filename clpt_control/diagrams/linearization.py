@@ -18,17 +18,19 @@ from scipy.linalg import orth
 
 from ..arguments import numbers, public
 from ..equations.arrays import Tape, Unread, operand
-from ..equations.derivative import Direction
+from ..equations.derivative import STEPS, Direction
 from ..equations.elementwise import lifted
 from ..equations.ports import ports_of
-from ..equations.record import Shape, compact, computed
+from ..equations.record import Shape, compact, computed, reached
 from ..errors import ArgumentError, DiagramError
 from ..progress import warn
 from .interconnection import changed_parameters
 from .merged_record import merged_record
 from .wiring import Node, Wiring, read_unsampled
 
-STEPS = 1e-6, -1e-6, 1e-8, -1e-8  # relative: what is left shrinks to 1e-4, at a kink to 1e-2
+BEND = STEPS | {"where", "minimum", "maximum", "fabs", "mod", "pick"}
+BEND |= {"asin", "acos", "atan", "atan2"}  # of a sine they fold
+BESIDE = 1e-6, -1e-6, 1e-8, -1e-8  # relative: what is left shrinks to 1e-4, at a kink to 1e-2
 SMOOTH, JUMP = 5e-3, 0.3  # what is left at the nearer step, of that at the farther one
 DRAWN = 3  # times so many directions as states and inputs
 ROUNDING = 1e-14  # relative, of a value and of what its slopes bring
@@ -113,16 +115,20 @@ class _About:
 
         What the slopes leave beside the point shrinks as the step does at a kink, and not at a
         jump; else as the square of the step.  A slope that is of neither side is refused too.
+        Where no operation may bend there is nothing to ask, and rounding is no jump.
         """
         size, own = 1.0 + np.abs(self.point)[:, None], [*values.values()]
+        lines = self.tape.operations
+        if BEND.isdisjoint(lines[k].kind for k in reached(lines, map(operand, own))):
+            return
         slopes, here = self.slopes(own), self.beside(own, np.zeros((n := len(self.every), 1)))
         known = np.all(np.isfinite(slopes), axis=1)  # others are refused where they matter
         slopes = np.where(known[:, None], slopes, 0.0)
         drawn = np.random.default_rng(0).standard_normal((n, DRAWN * n))
         ways = size * np.hstack([self.every, drawn])  # along each state and input, and all at once
-        moves = np.hstack([step * ways for step in STEPS])
+        moves = np.hstack([step * ways for step in BESIDE])
         left = np.abs(self.beside(own, moves) - here - slopes @ moves)
-        far, back, near, behind = np.split(left, len(STEPS), axis=1)
+        far, back, near, behind = np.split(left, len(BESIDE), axis=1)
         rounding = ROUNDING * (np.abs(here) + np.abs(slopes) @ size)
         wide, small = np.nan_to_num(np.maximum(far, back), nan=np.inf), np.maximum(near, behind)
         kink = SMOOTH * wide + rounding

@@ -71,7 +71,7 @@ def _route(text: str) -> tuple[list[Place], list[Area]]:
 
 def _lines(text: str) -> Iterator[Shape]:
     for line in text.splitlines():
-        if words := line.replace(",", " ").split():
+        if words := line.partition("#")[0].replace(",", " ").split():
             lat, lon = map(float, words)
             yield None, [(lat, lon)]
 

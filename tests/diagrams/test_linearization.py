@@ -205,3 +205,14 @@ def test_the_interval_is_that_of_the_time():
         breakpoints=lambda p, t0, t1: np.arange(np.floor(t0) + 1, np.floor(t1) + 1),
     )
     assert clpt.linearize(block, [1.0], t=3.5).A == -3.0
+
+
+def test_rounding_is_no_jump():
+    """A weight of 1e7 N beside a buoyancy of 1e7 N: the rate is exact to 1e-9 N alone."""
+
+    def rates(t, x, u, p):
+        return [x[1], (1e7 + 50.0 * x[1] - 1e7 + u[0]) / 1e6]
+
+    floating = control.nlsys(rates, inputs=1, outputs=2, states=2, name="floating")
+    found = clpt.linearize(floating, [0.0, 0.0], [0.0])
+    np.testing.assert_allclose(found.A, [[0.0, 1.0], [0.0, 5e-5]])
