@@ -73,7 +73,7 @@ def track_plot(
     ax = axes_for(ax, 5.6, 5.2)
     with told_apart(ax, label, color):
         grid = square_chart(ax, scenario, np.concatenate([points, path]), 13)
-        draw_track(ax, run, points)
+        draw_track(ax, run, points, scenario.cycle if len(points) else np.inf)
         named = ["Waypoints", "track"] if len(points) else ["Track"]
         if label is None:
             for k, point in enumerate(points if len(points) <= 40 else (), 1):
@@ -85,14 +85,18 @@ def track_plot(
     return ax
 
 
-def draw_track(ax: Any, run: "xarray.Dataset", points: np.ndarray) -> None:
-    """Draw where a vehicle was, where it thought to be, and its waypoints or what it followed."""
-    ax.plot(*run.position.values.T, color=BLUE, linewidth=1.1, label="track")
+def draw_track(ax: Any, run: "xarray.Dataset", points: np.ndarray, cycle: float = np.inf) -> None:
+    """Draw a track, pale after its first cycle, and waypoints or what the vehicle followed."""
+    path, first = run.position.values, run.time.values <= cycle
+    ax.plot(*path[first].T, color=BLUE, linewidth=1.2, label="track")
+    if not first.all():
+        ax.plot(*path[~first].T, color=BLUE, linewidth=0.5, alpha=0.4, label="later cycles")
     if "predicted_position" in run:
         predicted: dict[str, Any] = {"color": BLUE, "linewidth": 0.8, "linestyle": "--"}
-        ax.plot(*run.predicted_position.values.T, label="prediction", **predicted)
+        ax.plot(*run.predicted_position.values[first].T, label="prediction", **predicted)
     if len(points):
-        ax.plot(*points.T, "o", color=RED, markersize=6, mfc="none", label="waypoints")
+        rings: dict[str, Any] = {"markersize": 6, "mfc": "none", "mew": 1.5, "zorder": 3}
+        ax.plot(*points.T, "o", color=RED, label="waypoints", **rings)
     elif "reference" in run:
         desired: dict[str, Any] = {"color": RED, "linewidth": 0.9, "linestyle": "--"}
         ax.plot(*run.reference.values.T, label="desired position", **desired)
