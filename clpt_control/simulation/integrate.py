@@ -101,7 +101,7 @@ def simulate(
         If the run cannot go on (block, signal and time are named), or an
         argument is not allowed.
     BlockError
-        If a call-time parameter is unknown, or has a value that no scenario may have.
+        If a call-time parameter is unknown, or has a value that its block refuses.
 
     Examples
     --------

@@ -65,7 +65,7 @@ def _track(ax: "Axes", design: Design, k: int) -> None:
     found = report["before" if k == 0 else "after"]
     unit, (x1, x1_end, x2, x2_end) = one.scenario.units.length, report["limits"]["area"]
     dotted: dict[str, Any] = {"fill": False, "edgecolor": GREY, "linestyle": ":"}
-    ax.add_artist(Rectangle((x1, x2), x1_end - x1, x2_end - x2, label="area", **dotted))
+    ax.add_patch(Rectangle((x1, x2), x1_end - x1, x2_end - x2, label="area", **dotted))
     points = one.scenario.waypoints
     closed = np.vstack([points, points[:1]])
     ax.plot(*closed.T, "--", color=ORANGE, linewidth=1.0, label="closed polygon")
