@@ -37,6 +37,7 @@ from .symbolic_loop import TIME, SymbolicLoop, flat, refuse_no_value, symbolic_l
 from .symbols import paper_name
 from .theorem_loop import (
     mixed_candidate,
+    rate_of_V,
     theorem_candidate,
     theorem_loop,
     theorem_scenario,
@@ -205,10 +206,19 @@ def prove(
         blocks = law_block, lambda truth: make(truth, law_block.parameters)
         case = InvariantLoop(row := row.with_parts(part), N, blocks=blocks)
         steps, existing = invariant_steps(row, points, case), case.existing()
-        status = "open" if first_failure(steps) else "proved"
-        if status == "proved" and not existing.holds:
+        failed = first_failure(steps)
+        status = "open" if failed else "proved"
+        if not (failed or existing.holds):
             status = f"proved as long as {existing.claim.partition(':')[0]} exist"
-        return Verdict(status, -case.beside, (*steps, existing), case.diagram)
+        return Verdict(
+            status,
+            failed or f"V' = {row.V_rate}",
+            case.V,
+            rate_of_V(case.loop).xreplace(case.tied),
+            steps=(*steps, existing),
+            residual=case.beside,
+            diagram=case.diagram,
+        )
 
 
 def _beside(scenario: Scenario) -> str:
