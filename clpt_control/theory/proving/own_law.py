@@ -205,13 +205,11 @@ def prove(
         make = _maker(V)
         blocks = law_block, lambda truth: make(truth, law_block.parameters)
         case = InvariantLoop(row := row.with_parts(part), N, blocks=blocks)
-        steps, existing = invariant_steps(row, points, case), case.existing()
+        steps, (apart, existing) = invariant_steps(row, points, case), case.existing()
         failed = first_failure(steps)
-        status = "open" if failed else "proved"
-        if not (failed or existing.holds):
-            status = f"proved as long as {existing.claim.partition(':')[0]} exist"
+        known = "proved" if existing.holds else f"proved {apart}"
         return Verdict(
-            status,
+            "open" if failed else known,
             failed or f"V' = {row.V_rate}",
             case.V,
             rate_of_V(case.loop).xreplace(case.tied),

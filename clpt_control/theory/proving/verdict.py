@@ -71,7 +71,7 @@ def search_of(case: Case) -> PointSearch:
 
 @dataclass(frozen=True)
 class Verdict:
-    """What is known of V' under a law, or of a V of one's own along a diagram.
+    """What is known of V' under a law or along a diagram.
 
     Attributes
     ----------
@@ -185,9 +185,9 @@ def _complete(case: Case, status: str, claim: str, steps: list[Step], **more: An
         hidden = f"the law reads {port}, {HIDDEN[port]}, which no vehicle measures by itself"
         steps = [*steps, exact(hidden, True)]
     if known and case.others:
-        steps = [*steps, case.existing()]
-        if not steps[-1].holds:
-            status = f"{status} as long as {', '.join(case.others)} exist"
+        apart, existing = case.existing()
+        steps = [*steps, existing]
+        status = status if existing.holds else f"{status} {apart}"
     if case.loop.jumps:
         steps = [*steps, case.across_jumps()]
         if known and not steps[-1].holds:
