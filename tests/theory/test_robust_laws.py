@@ -46,9 +46,8 @@ def law_of(name, N=2, gain=0.5):
 
 
 def candidate_of(name, N=2):
-    """Return the law's V at the truth of the theorems' scenario."""
-    truth = truth_of(theorem_scenario(N, "learned-flow"))
-    return TABLE[name].V(law_of(name, N).parameters, truth)
+    """Return the law's V of the truth."""
+    return lambda truth: TABLE[name].V(law_of(name, N).parameters, truth)
 
 
 def judged_now(name, N):
