@@ -191,7 +191,6 @@ def right(tmp_path_factory):
         "Block.with_values": {"self": clpe()},
         "Equations.derivative": {"self": clpt.equations(loop)},
         "lyapunov": {"system": clpt.error_loop(SCENARIO), "V": "e"},
-        "Lyapunov": dict.fromkeys(("status", "claim"), "") | {"V": None, "rate": None},
         "Guard": {"distance": line, "policy": "stop", "sentence": line},
         "FlowEstimate.miss": {"self": clpt.estimation.flow_estimate(run, every=5.0)},
         "Replay": {"model": clpt.estimation.FixModel()},

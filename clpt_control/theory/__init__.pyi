@@ -6,7 +6,7 @@ from .excitation.certify import certify
 from .excitation.error_matrices import error_matrices
 from .excitation.excitation_report import excitation_plot
 from .excitation.gramian import gramian, started_true
-from .lyapunov_function import Lyapunov, lyapunov
+from .lyapunov_function import lyapunov
 from .proving.misprints import misprints
 from .proving.own_law import prove
 from .proving.theorems import audit
@@ -14,7 +14,6 @@ from .proving.verdict import Verdict
 from .refuting import Search, refute
 
 __all__ = [
-    "Lyapunov",
     "Search",
     "Verdict",
     "audit",

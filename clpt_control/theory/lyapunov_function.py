@@ -10,7 +10,7 @@ says, V' there is that along the rates that python-control itself gives.
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import product
 from typing import Any
 
@@ -20,11 +20,11 @@ import sympy
 from ..arguments import Count, Seed, public
 from ..diagrams.symbol_names import TIME
 from ..errors import DiagramError
-from ..html import fragment
-from .proving.proof import Step, as_html, checked, exact, first_failure, short, worked_out
+from .proving.proof import Step, checked, exact, first_failure, short, worked_out
 from .proving.running_rate import SURE, Drawn, PointSearch
 from .proving.signs import tidied, vanishes
 from .proving.symbolic_loop import Point
+from .proving.verdict import Verdict
 from .region import Region
 from .searching import candidates
 from .squares import states_beside
@@ -94,62 +94,7 @@ class FailureSearch(PointSearch):
         return None if point is None else (point, self.value_at(expression, point))
 
 
-@dataclass(frozen=True)
-class Lyapunov:
-    """What is known of V along a diagram.
-
-    Attributes
-    ----------
-    status : str
-        ``"proved"``: V holds the states and V' <= 0. With what is beside it: ``"proved but for
-        z"``, where V does not hold z, which may grow; ``"proved as long as z exists"``;
-        ``"proved where d = 0"``, of an input that V' depends on; ``"proved between jumps"``;
-        ``"proved in a region"``: V' < 0 below `level`.
-        ``"refuted"``: there is a `point` at which V' > 0, V' is not as claimed, or V is no least
-        value. ``"open"``: none of these is known.
-    claim : str
-        What is shown of V', or where it fails.
-    V, rate : sympy.Expr
-        V, and V' in the diagram's own signals.
-    inputs : tuple of str
-        Inputs that V' depends on.
-    steps : tuple of Step
-        What was tried, and how.
-    point : Point or None
-        Of a refutation: ``system.dynamics(*point)``.
-    value : float or None
-        What V', or what fails, is there.
-    level : float
-        Of a region: what begins in the box where V, less its value at rest, is below comes to rest.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> lag = clpt.Block("lag", update=lambda t, x, u, p: {"y": -p.k * x.y}, states={"y": 1},
-    ...                  parameters={"k": 2.0})
-    >>> found = clpt.theory.lyapunov(lag, lambda s: s.y**2 / 2)
-    >>> found.status, found.rate
-    ('proved', -k*y**2)
-    """
-
-    status: str
-    claim: str
-    V: sympy.Expr
-    rate: sympy.Expr
-    inputs: tuple[str, ...] = ()
-    steps: tuple[Step, ...] = ()
-    point: Point | None = None
-    value: float | None = None
-    level: float = 0.0
-
-    def __repr__(self) -> str:
-        return f"<Lyapunov {self.status}: {self.claim}>"
-
-    def _repr_html_(self) -> str:
-        return fragment("Lyapunov", f"{self.status}: {self.claim}", as_html(self.steps))
-
-
-def _proved(case: SystemWithV, search: FailureSearch, count: int) -> Lyapunov:
+def _proved(case: SystemWithV, search: FailureSearch, count: int) -> Verdict:
     """Return what is shown of a V, or where that ends."""
     V = case.in_signals(case.V)
     claim = "V and the equations have a value everywhere"
@@ -172,8 +117,8 @@ def _proved(case: SystemWithV, search: FailureSearch, count: int) -> Lyapunov:
         left = "" if vanishes(residual) else f"left over: {short(residual)}"
         steps.append(exact(f"V' = {short(case.in_signals(case.claim))}", not left, left))
 
-    def result(status: str, claim: str, at: Failure | tuple[None, None] = (None, None)) -> Lyapunov:
-        return Lyapunov(status, claim, V, rate, tuple(inputs), tuple(steps), *at)
+    def result(status: str, claim: str, at: Failure | tuple[None, None] = (None, None)) -> Verdict:
+        return Verdict(status, claim, V, rate, tuple(inputs), tuple(steps), *at)
 
     if failed := first_failure(steps):
         return result("open", f"V' = {short(rate)}; {failed}")
@@ -189,7 +134,7 @@ def _proved(case: SystemWithV, search: FailureSearch, count: int) -> Lyapunov:
     return result(status, f"V' = {short(rate)} <= 0{at}{case.as_they_are}; {definite.claim}")
 
 
-def _refuted(case: SystemWithV, search: FailureSearch, found: Lyapunov) -> Lyapunov:
+def _refuted(case: SystemWithV, search: FailureSearch, found: Verdict) -> Verdict:
     """Return what is found of a V, refuted by a point where it is open and there is one."""
     _, definite, falls, *claimed = found.steps
     below = "V falls without end" if case.rest is None else "V is below its value at rest"
@@ -224,7 +169,7 @@ def _at_jumps(case: SystemWithV, search: FailureSearch) -> tuple[Step, Failure |
     return exact(claim, True), None
 
 
-def _in_region(case: SystemWithV, search: FailureSearch, within: Any, count: int) -> Lyapunov:
+def _in_region(case: SystemWithV, search: FailureSearch, within: Any, count: int) -> Verdict:
     """Return in which part of a box V' < 0, with inputs of 0."""
     region = Region(case, within)
     level = region.level()
@@ -240,15 +185,15 @@ def _in_region(case: SystemWithV, search: FailureSearch, within: Any, count: int
     )
     failed, V, rate = first_failure(steps), case.in_signals(case.V), case.readable_rate()
     if failed:
-        return Lyapunov("open", f"V' = {short(rate)}; {failed}", V, rate, steps=steps)
+        return Verdict("open", f"V' = {short(rate)}; {failed}", V, rate, steps=steps)
     claim += ": what begins there comes to rest"
     status = f"proved in a region{at}"
-    return Lyapunov(status, claim, V, rate, tuple(inputs), steps, level=level)
+    return Verdict(status, claim, V, rate, tuple(inputs), steps, level=level)
 
 
 def _best_candidate(
-    system: control.NonlinearIOSystem, at: Any, judged: Callable[[sympy.Expr], Lyapunov]
-) -> Lyapunov:
+    system: control.NonlinearIOSystem, at: Any, judged: Callable[[sympy.Expr], Verdict]
+) -> Verdict:
     """Return the best of the functions that are searched for."""
     best, case = None, SystemWithV(system, sympy.S.Zero, None, at)
     for V in candidates(case):
@@ -258,7 +203,7 @@ def _best_candidate(
         if best is None and found.status.startswith("proved"):
             best = found
     none = "no V was found that is proved: give one, or a rest (at=) about which to search"
-    return best or Lyapunov("open", none, case.V, case.rate)
+    return best or Verdict("open", none, case.V, case.rate)
 
 
 @public
@@ -270,7 +215,7 @@ def lyapunov(
     points: Count = 200,
     seed: Seed = 0,
     within: Mapping[str, Sequence[float]] | None = None,
-) -> Lyapunov:
+) -> Verdict:
     """Judge a Lyapunov function of your own on any diagram.
 
     Parameters
@@ -298,7 +243,7 @@ def lyapunov(
 
     Returns
     -------
-    Lyapunov
+    Verdict
         `status`: ``"proved"``, or with where it is, ``"proved in a region"``; ``"refuted"`` at a
         `point`, or ``"open"``; `rate`, V' in your own signals, exact.
 
@@ -323,7 +268,7 @@ def lyapunov(
     omega**2/2 - 49*cos(theta)/5 + 49/5
     """
 
-    def judged(V: Any) -> Lyapunov:
+    def judged(V: Any) -> Verdict:
         case = SystemWithV(system, V, claim, at, bool(within))
         search = FailureSearch(case, seed)
         if within:

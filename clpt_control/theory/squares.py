@@ -6,7 +6,9 @@ Forms f are taken as the user wrote them, or squares are completed, symbol by sy
 form: where V does not rise, no f leaves a bound, but one of the kind sin(s/2), of 1 - cos(s).
 """
 
-from itertools import zip_longest
+from collections.abc import Mapping
+from itertools import chain, zip_longest
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import sympy
@@ -20,6 +22,7 @@ from .proving.symbolic_loop import positive_somewhere
 from .proving.words import along, decided, degree, interval, is_input, meets_smoothly
 
 TURNS = (sympy.sin, sympy.cos)
+NOTHING = MappingProxyType[Any, sympy.Expr]({})
 
 
 class Squares(NamedTuple):
@@ -183,15 +186,17 @@ def never_positive(e: sympy.Expr, fixed: set, ways: tuple = (None,)) -> bool:
 # --- states that V does not hold ----------------------------------------------------------------
 
 
-def states_beside(forms: list[sympy.Expr], eq: Equations) -> tuple[str, Step]:
+def states_beside(
+    forms: list[sympy.Expr], eq: Equations, known: Mapping[Any, sympy.Expr] = NOTHING
+) -> tuple[str, Step]:
     """Return what a verdict adds of the states that V does not hold, and the step.
 
     A form in one state holds it; where each has several, the one that moves most simply is not
     held, and the forms hold the others beside it.  Inputs are bounded; a form that grows with time
-    holds nothing.
+    holds nothing.  `known` is what symbols are.
     """
     still = {f: sympy.Dummy(real=True) for port in eq.inputs.values() for f in port.flat}
-    motion = {s: rate.xreplace(still) for s, rate in eq.motion.items()}
+    motion = {s: rate.xreplace(known).xreplace(still) for s, rate in eq.motion.items()}
     turning = {w: sympy.Dummy(real=True) for r in motion.values() for w in r.atoms(*TURNS)}
     fixed = set(eq.values)
     forms = [form.xreplace(still) for form in forms]
@@ -214,13 +219,15 @@ def states_beside(forms: list[sympy.Expr], eq: Equations) -> tuple[str, Step]:
             degrees = {s: degree(motion[s], (left + free).__contains__) for s in left}
             free.append(min(left, key=lambda s: (varies[s], degrees[s])))
             left.remove(free[-1])
-    names = ", ".join(map(str, free))
+    unheld = [(port, [s for s in own.flat if s in free]) for port, own in eq.states.items()]
+    whole = ([port] if len(of) == eq.states[port].size else of for port, of in unheld)
+    names = ", ".join(map(str, chain.from_iterable(whole)))
     if not free:
         return "", exact("V holds every state", True)
     plain = [motion[s].xreplace(at) for s in free]
     rates = sympy.Matrix([sympy.expand(rate) for rate in plain])
     after = [change for jump in eq.jumps.values() for change in jump.items()]
-    jumps = [new.xreplace(at) for s, new in after if s in free and new != s]
+    jumps = [new.xreplace(known).xreplace(at) for s, new in after if s in free and new != s]
     J = rates.jacobian(free)
     rest = rates - J * sympy.Matrix(free)
     if not (jumps or J.free_symbols - fixed or rest.has(TIME, *free)) and hurwitz(J):

@@ -75,7 +75,7 @@ def test_what_is_known_of_jumps_is_said(name):
 def test_V_may_fall_where_states_jump(change, holds):
     level = lambda t, x, u, p: {"V": (u.e @ u.e + u.m @ u.m) / 2}  # noqa: E731
     V = Block("lyapunov", output=level, inputs={"e": 2, "m": 1}, outputs={"V": 1})
-    assert prove(jumping(change), V, points=200).steps[-1].holds == holds
+    assert prove(jumping(change), lambda truth: V, points=200).steps[-1].holds == holds
 
 
 def test_a_wrong_law_is_refuted_all_the_same():

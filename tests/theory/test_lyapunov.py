@@ -231,7 +231,7 @@ def test_mistakes_are_one_sentence():
 
 def test_a_result_says_itself():
     found = lyapunov(pendulum(), energy)
-    assert repr(found).startswith("<Lyapunov proved: V' = -omega**2/10 <= 0; V is positive")
+    assert repr(found).startswith("<Verdict proved: V' = -omega**2/10 <= 0; V is positive")
     assert "sampled" in found._repr_html_()
 
 

@@ -35,7 +35,7 @@ def test_a_right_law_is_proved(name):
 def test_a_robust_law_is_bounded(name):
     verdict = prove(BOUNDED[name](), points=POINTS)
     assert verdict.status == "bounded"
-    assert "theta_1[1]**2" in verdict.reached
+    assert "theta_1[1]**2" in verdict.claim
 
 
 @pytest.mark.parametrize("name", REFUTED)
@@ -46,8 +46,8 @@ def test_a_wrong_law_is_refuted_at_a_point_that_anyone_can_call(name):
     rates = verdict.diagram.dynamics(t, x, u, params)
     h = 1e-4 * np.abs(x).max() / np.abs(rates).max()
     ahead, behind = (verdict.diagram.output(t, x + s * rates, u, params)[-1] for s in (h, -h))
-    assert (ahead - behind) / (2 * h) == pytest.approx(verdict.rate, rel=1e-5)
-    assert verdict.rate > 0
+    assert (ahead - behind) / (2 * h) == pytest.approx(verdict.value, rel=1e-5)
+    assert verdict.value > 0
 
 
 LONG = ("half a projection",)  # of several seconds: by `make test-slow`
@@ -69,17 +69,15 @@ def test_an_indefinite_V_proves_nothing():
     assert verdict.residual == 0
     assert verdict.status == "open"
     assert "positive definite" in next(s.claim for s in verdict.steps if not s.holds)
-    assert repr(verdict).startswith("<Verdict open: not shown: V is positive definite")
+    assert repr(verdict).startswith("<Verdict open: V is positive definite")
 
 
 def test_a_V_that_does_not_fit_refutes_no_law():
-    scenario = theorem_scenario(N, "learned-flow")
-    car = scenario.vehicle
-    truth = (scenario.flow.parameters, car.feedback, car.feedforward)
-    own = own_laws.paper()
+    def of(gain):
+        return lambda truth: lyapunov_candidate("learned-flow", weighted([gain] * 3, *truth))
+
     for gain, status in ((0.5, "proved"), (0.7, "open")):
-        V = lyapunov_candidate("learned-flow", weighted([gain] * 3, *truth))
-        assert prove(own, V, points=POINTS).status == status
+        assert prove(own_laws.paper(), of(gain), points=POINTS).status == status
 
 
 @pytest.mark.parametrize(
@@ -87,7 +85,7 @@ def test_a_V_that_does_not_fit_refutes_no_law():
 )
 def test_what_is_no_block_or_makes_no_V_is_refused(own, V):
     mine = own_laws.paper()
-    with pytest.raises(ClptError, match=r"must be a Block|V\[1\]( and nothing else)?$"):
+    with pytest.raises(ClptError, match=r"must be a (Block|function)|V\[1\]$"):
         prove(own or mine, V or mine)
 
 
@@ -179,7 +177,7 @@ def test_a_proof_says_whether_other_states_exist(name):
     rate, size, exists = OTHER_STATES[name]
     own = own_laws.beside(lambda x, u: {"s": rate(x, u)}, {"s": size})
     verdict = prove(own(), points=POINTS)
-    asked = next(step for step in verdict.steps if step.claim.startswith("s: not in V"))
+    asked = next(step for step in verdict.steps if step.claim.startswith("s: "))
     assert asked.holds == bool(exists)
     assert verdict.status == ("proved" if exists else "proved as long as s exist")
     assert verdict.for_every_N == (exists is True)

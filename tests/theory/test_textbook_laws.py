@@ -60,7 +60,7 @@ def test_a_state_beside_those_that_make_alpha_is_asked_for():
 
     states = {"s": (3, "N"), "K": 2, "Gamma": 2}
     own = law(update, GAIN, states=states, output=output, outputs=own_laws.LEARNED)
-    assert prove(own, points=POINTS).status == "proved as long as own:s exist"
+    assert prove(own, points=POINTS).status == "proved as long as own:s_3[1], own:s_3[2] exist"
 
 
 def test_no_law_is_told_the_truth_by_what_it_keeps():

@@ -31,7 +31,7 @@ from .invariants import invariant_steps
 from .limited_speed import LIMITED_SPEED
 from .misprints import misprints
 from .own_law import prove
-from .proof import Proof, Step, first_failure, proof_or_failure, where_all_hold
+from .proof import Proof, Step, proof_or_failure, where_all_hold
 from .running_rate import running_step
 from .symbolic_loop import symbolic_loop
 from .theorem_loop import (
@@ -71,11 +71,7 @@ def _of_law(law: Law) -> Proof:
         steps = identity_steps(KNOWN_ERROR, law.name, decay_and_known_error, POINTS)
         return where_all_hold("bounded", MEAN, steps)
     verdict = prove(law_and_V(law, N)[0], lambda truth, p: law.V(p, truth), points=POINTS)
-    sign = "=" if verdict.residual == 0 else "<="
-    claim = verdict.reached or f"V' {sign} -e^T KD e, so CLPE goes to zero"
-    if verdict.status not in ("proved", "bounded"):
-        claim = first_failure(verdict.steps) or "V' is not known to fall"
-    return Proof(verdict.status, claim, verdict.for_every_N, verdict.steps)
+    return Proof(verdict.status, verdict.claim, verdict.for_every_N, verdict.steps)
 
 
 GRAPHS = {

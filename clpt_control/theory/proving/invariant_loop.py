@@ -21,7 +21,7 @@ from ...equations.symbolic import extent
 from ...simulation.loops import paper_blocks
 from ...simulation.starts import state_columns, state_of
 from ..promises import truth_of
-from ..squares import holds_all, squares
+from ..squares import holds_all, squares, states_beside
 from .proof import Step, short
 from .signs import as_factors, left_over, nonpositive, positive_maximum, vanishes
 from .symbolic_loop import TIME, SymbolicLoop, equated, flat, symbolic_loop
@@ -228,8 +228,8 @@ class InvariantLoop:
         parts.append(shares.get((0,) * len(symbols), sympy.S.Zero))
         return all(nonpositive(-part, self.apart | others) for part in parts)
 
-    def existing(self) -> Step:
-        """Return the step that all states exist for all times.
+    def existing(self) -> tuple[str, Step]:
+        """Return what a verdict adds of states that V does not hold, and that all exist.
 
         V holds e and what is learned, of M that never shrinks with a multiple of I in its place:
         it began above one.  What relations make of the others, without dividing by what may come
@@ -251,10 +251,9 @@ class InvariantLoop:
         over = {s: value.free_symbols & free for s, value in self.relations.items()}
         made = {s for s, own in over.items() if not own or self.relations[s].is_polynomial(*own)}
         held = {*x, *z, *states, *made} if total and holds_all(total, states) else set[Any]()
-        others = [port for port, own in loop.states.items() if {*own.flat} - held]
-        step = loop.existing(others, self.relations)
+        apart, step = states_beside([*held], loop, self.relations)
         begun = f", where {' and '.join(grown)} > 0 at the start" if grown else ""
-        return replace(step, claim=f"{step.claim}{begun}")
+        return apart, replace(step, claim=f"{step.claim}{begun}")
 
     def is_room(self, expression: sympy.Expr) -> bool:
         """Return whether an expression is 1 - tr P/k_0, which never gets negative."""

@@ -14,7 +14,7 @@ from ...diagrams.interconnection import Diagram
 from ...equations.block import Block
 from ...equations.elements import Index
 from ...equations.symbolic import base_and_term, reindexed
-from ..squares import never_positive, positive_definite
+from ..squares import never_positive, positive_definite, states_beside
 from .leaks import Bound
 from .proof import Step, checked, exact, short
 from .running_rate import running_step
@@ -206,9 +206,10 @@ class Case:
         in_V, states = {*self.learned, *self.loop.states["z"]}, self.loop.states
         return [port for port in states if port != "x" and {*states[port].flat} - in_V]
 
-    def existing(self) -> Step:
-        """Return the step that the other states exist for all times."""
-        return self.loop.existing(self.others, self.values)
+    def existing(self) -> tuple[str, Step]:
+        """Return what a verdict adds of the other states, and the step that they exist."""
+        x, z = self.loop.states["x"], self.loop.states["z"]
+        return states_beside([*x, *z, *self.learned], self.loop, self.values)
 
     def settled(self) -> tuple[bool, str]:
         """Settle how V falls; return whether the rest of V' is not positive, and the fall in words.

@@ -19,7 +19,7 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from ...arguments import Count, Seed, public
-from ...blocks.laws.law import LEARNED, Law, Truth
+from ...blocks.laws.law import LEARNED, Law
 from ...diagrams.interconnection import Diagram, connect
 from ...diagrams.parts import functions_of
 from ...diagrams.wiring import read_anew
@@ -37,6 +37,7 @@ from .symbolic_loop import TIME, SymbolicLoop, flat, refuse_no_value, symbolic_l
 from .symbols import paper_name
 from .theorem_loop import (
     mixed_candidate,
+    rate_of_V,
     theorem_candidate,
     theorem_loop,
     theorem_scenario,
@@ -46,7 +47,7 @@ from .theorem_loop import (
 from .verdict import Verdict, verdict_of
 
 ANY = "clpt.theory.lyapunov(diagram, V) judges a V of your own on any diagram"
-Candidate = Block | Callable[..., Block]  # V, or what makes it of the truth, and of parameters
+Candidate = Callable[..., Block]  # makes V of the truth, and of the law's parameters
 
 
 def fitted_V(
@@ -130,10 +131,10 @@ def prove(
         With outputs alpha[2N], K[2], Gamma[2] and inputs among the diagram's ports, such
         as e[2], phi_x[N], z[2], zc[2]; or a `closed_loop` with such a law, and nothing else of
         your own, nor a disturbance, noise, held gains or a limit of the speed without hedging.
-    V : Block or callable, optional
-        A candidate with the output V[1], or ``V(truth)`` or ``V(truth, parameters)`` that makes
-        one of the truth, theta, KD and GammaD, and of the law's parameters; what it holds of
-        them is their symbol. By default Eq. (24), each error weighed by the gain with which the
+    V : callable, optional
+        ``V(truth)`` or ``V(truth, parameters)``, which makes a Block with the output V[1] of the
+        truth, theta, KD and GammaD, and of the law's parameters; what it holds of them is their
+        symbol. By default Eq. (24), each error weighed by the gain with which the
         law adapts it, or by the inverse of a matrix of gains.
     points : int, optional
         Random points at which the running blocks are called.
@@ -204,11 +205,18 @@ def prove(
         make = _maker(V)
         blocks = law_block, lambda truth: make(truth, law_block.parameters)
         case = InvariantLoop(row := row.with_parts(part), N, blocks=blocks)
-        steps, existing = invariant_steps(row, points, case), case.existing()
-        status = "open" if first_failure(steps) else "proved"
-        if status == "proved" and not existing.holds:
-            status = f"proved as long as {existing.claim.partition(':')[0]} exist"
-        return Verdict(status, -case.beside, (*steps, existing), case.diagram)
+        steps, (apart, existing) = invariant_steps(row, points, case), case.existing()
+        failed = first_failure(steps)
+        known = "proved" if existing.holds else f"proved {apart}"
+        return Verdict(
+            "open" if failed else known,
+            failed or f"V' = {row.V_rate}",
+            case.V,
+            rate_of_V(case.loop).xreplace(case.tied),
+            steps=(*steps, existing),
+            residual=case.beside,
+            diagram=case.diagram,
+        )
 
 
 def _beside(scenario: Scenario) -> str:
@@ -252,33 +260,23 @@ def _verdict_by_V(law: Block, V: Candidate | None, N: int, points: int, seed: in
     return verdict_of(Case(diagram, loop, candidate, law, weights, refutes, points, seed))
 
 
-def _maker(V: Candidate) -> Callable[..., Block]:
+def _maker(V: Candidate) -> Candidate:
     """Return a function that makes a candidate, under a name that no block of the paper has.
 
     It takes the truth and the law's parameters, for which not every candidate asks.
     """
-    if isinstance(V, control.InputOutputSystem) and not isinstance(V, Block):
-        raise DiagramError(f"{V.name}: a candidate is a Block with the output V[1]")
-
-    asked = 0 if isinstance(V, Block) else len(signature(V).parameters)
+    if isinstance(V, control.InputOutputSystem):
+        raise DiagramError(
+            f"{V.name}: is made, and would know one truth; give V(truth) or V(truth, parameters), "
+            "a function that makes a Block with the output V[1]"
+        )
+    asked = len(signature(V).parameters)
 
     def make(*sources: Any) -> Block:
-        block = _with_truth(V, sources[0]) if isinstance(V, Block) else V(*sources[:asked])
+        block = V(*sources[:asked])
         if not isinstance(block, Block) or block.output_ports != {"V": 1}:
             raise DiagramError(f"{block}: a candidate makes V[1] and nothing else")
         read_anew(block)
         return block.copy("candidate")
 
     return make
-
-
-def _with_truth(V: Block, truth: Truth) -> Block:
-    """Return a candidate whose fields theta, KD and GammaD, where it has any, hold the truth."""
-    known = {
-        name: value
-        for name, value in truth._asdict().items()
-        if np.shape(V.parameters.get(name)) == np.shape(value)
-    }
-    block = V.copy()
-    block.parameters = V.parameters._replace(**known)
-    return block

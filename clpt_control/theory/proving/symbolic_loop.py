@@ -28,9 +28,8 @@ from ...equations.elements import Index
 from ...equations.record import Shape
 from ...equations.symbolic import LONG, EveryN, extent
 from ...errors import DiagramError
-from .proof import Step, exact
 from .symbols import PaperNames, element_name, parameter_symbol, undefined
-from .words import NUMBERS_OF, along, faster_than_linear, is_input
+from .words import NUMBERS_OF, along, is_input
 
 TRIED = 500  # points at which a sign is looked at before it is proved
 SMALL = 1e-6  # of the largest value there; less may be rounding
@@ -46,23 +45,6 @@ class SymbolicLoop(Equations):
     def derivative(self, expression: Any) -> sympy.Expr:
         """Differentiate an expression along the equations, words with kinks as well."""
         return along(sympy.sympify(expression), {TIME: sympy.Integer(1), **self.motion})
-
-    def existing(self, others: list[str], known: Mapping[Any, sympy.Expr]) -> Step:
-        """Return the step that states, by port, exist for all times where all others are bounded.
-
-        `known` is what symbols are.
-        """
-        moves = {f"{port}'": self.rates[port] for port in others}
-        moves |= {
-            f"{s} after a jump": new
-            for jump in self.jumps.values()
-            for s, new in jump.items()
-            if any(s in self.states[port] for port in others)
-        }
-        at = {what: [m.xreplace(known) for m in np.ravel(one)] for what, one in moves.items()}
-        detail = faster_than_linear(at, {port: self.states[port] for port in others})
-        claim = f"{', '.join(others) or 'no state'}: not in V, may grow, and exist for all t"
-        return exact(claim, not detail, detail)
 
 
 def symbolic_loop(

@@ -16,10 +16,10 @@ import numpy as np
 import sympy
 
 from ...diagrams.interconnection import Diagram
-from ...html import facts, fragment
+from ...html import fragment
 from .law_case import Case
 from .leaks import Bounding
-from .proof import Step, as_html, exact, short
+from .proof import Step, as_html, exact, first_failure, short
 from .running_rate import SURE, PointSearch
 from .symbolic_loop import Point
 
@@ -71,37 +71,46 @@ def search_of(case: Case) -> PointSearch:
 
 @dataclass(frozen=True)
 class Verdict:
-    """What is known of V' under a law.
+    """What is known of V' under a law or along a diagram.
 
     Attributes
     ----------
     status : str
-        ``"proved"``: V' <= -e^T KD e, or -sum KD_i e_i dV/de_i, or half of it; ``"bounded"``:
-        the same and a bounded term, or e comes to dead zones of V; ``"refuted"``: the running
-        blocks give V' > 0 at `point`, however far from the
-        truth; ``"open"``: none of these is known. ``"proved between jumps"`` and ``"bounded
-        between jumps"`` where states jump, and V is not known not to rise there; ``"refuted at a
-        jump"`` where the running blocks' V rises from `point`, right before it, to `after`;
-        ``"proved as long as s exist"`` where a state that V does not hold may grow without end.
-    residual : sympy.Expr
-        V' less its fall, V' + e^T KD e, multiplied out.
+        Of a law ``"proved"``: V' <= -e^T KD e, or -sum KD_i e_i dV/de_i, or half of it;
+        ``"bounded"``: the same and a bounded term, or e comes to dead zones of V; ``"refuted"``:
+        the running blocks give V' > 0 at `point`, however far from the truth; ``"refuted at a
+        jump"``: V of the running blocks rises from `point`, right before it, to `after`.
+        Of a V ``"proved"``: V holds the states and V' <= 0; ``"proved in a region"``: V' < 0 below
+        `level`; ``"refuted"``: there is a `point` at which V' > 0, V' is not as claimed, or V is no
+        least value.
+        ``"open"``: none of these is known. With what is beside it: ``"proved but for z"``, where V
+        does not hold z, which may grow; ``"proved as long as z exist"``, where z may grow without
+        end; ``"proved where d = 0"``, of an input that V' depends on; ``"proved between jumps"``
+        where states jump, and V is not known not to rise there.
+    claim : str
+        What is shown of V', or the set that V or e comes to, or where it fails.
+    V, rate : sympy.Expr
+        V, and V'; of a diagram in its own signals.
+    inputs : tuple of str
+        Inputs that V' depends on.
     steps : tuple of Step
-        What was tried.
-    diagram : Diagram
+        What was tried, and how.
+    point : Point or None
+        Of a refutation: ``system.dynamics(*point)``, of a law ``diagram.dynamics(*point)``.
+    value : float or None
+        What V', or what fails, is there.
+    level : sympy.Expr, float or None
+        Of a region: what begins in the box where V, less its value at rest, is below comes to rest.
+        Of a law that is bounded: V of the set that it comes to, where there is one, in theta, KD,
+        GammaD and Delta_1, Delta_2, the largest disturbance of each axis.
+    residual : sympy.Expr
+        Of a law: V' less its fall, V' + e^T KD e, multiplied out.
+    diagram : Diagram or None
         The closed loop with the law, V its last output.
     for_every_N : bool
         Whether it is proved for every number of basis functions.
-    point : Point or None
-        Where V' > 0: ``diagram.dynamics(*point)`` and ``diagram.output(*point)``.
     after : Point or None
         Of a law refuted at a jump: where it jumps to.
-    rate : float or None
-        V' there, length squared per time.
-    reached : str
-        For ``"bounded"``: the set that V comes to, or the mean square of e.
-    level : sympy.Expr or None
-        V of that set, where there is one, in theta, KD, GammaD and Delta_1, Delta_2, the largest
-        disturbance of each axis.
 
     Examples
     --------
@@ -109,39 +118,29 @@ class Verdict:
     >>> from clpt_control.blocks.laws.table import LAWS
     >>> wrong = LAWS["learned-flow"].of(1, gain=-0.5)
     >>> verdict = clpt.theory.prove(wrong, points=200)
-    >>> verdict.status, verdict.rate > 0
+    >>> verdict.status, verdict.value > 0
     ('refuted', True)
     """
 
     status: str
-    residual: sympy.Expr
-    steps: tuple[Step, ...]
-    diagram: Diagram
-    for_every_N: bool = False
+    claim: str
+    V: sympy.Expr
+    rate: sympy.Expr
+    inputs: tuple[str, ...] = ()
+    steps: tuple[Step, ...] = ()
     point: Point | None = None
+    value: float | None = None
+    level: Any = None
+    residual: sympy.Expr = sympy.S.Zero
+    diagram: Diagram | None = None
+    for_every_N: bool = False
     after: Point | None = None
-    rate: float | None = None
-    reached: str = ""
-    level: sympy.Expr | None = None
 
     def __repr__(self) -> str:
-        return f"<Verdict {self.status}{self._detail()}>"
+        return f"<Verdict {self.status}: {self.claim}>"
 
     def _repr_html_(self) -> str:
-        known = {"reached": self.reached, "V there": self.level, "left over": self.residual}
-        more = [(name, short(value)) for name, value in known.items() if value not in (None, "", 0)]
-        name = f"{self.status}{self._detail()}"
-        return fragment("Verdict", name, as_html(self.steps), facts(more))
-
-    def _detail(self) -> str:
-        if self.rate is not None:
-            return f": V' = {self.rate:.3g} at `point`"
-        left = next((step for step in self.steps if not step.holds), None)
-        if self.status == "open" and left is not None:
-            return f": not shown: {left.claim}"
-        if self.reached:
-            return f": {self.reached}"
-        return ", for every number of basis functions" if self.for_every_N else ""
+        return fragment("Verdict", f"{self.status}: {self.claim}", as_html(self.steps))
 
 
 def verdict_of(case: Case) -> Verdict:
@@ -149,10 +148,10 @@ def verdict_of(case: Case) -> Verdict:
     definite, total = case.definite(), case.valued()
     (falls, fall), zones = case.settled(), any(case.zones)
     at = " and the parameters as they are" if case.fixed else ""
-    claim = f"V' {'=' if case.residual == 0 else '<='} {fall}, N = {case.N}{at}"
+    below = f"V' {'=' if case.residual == 0 else '<='} {fall}"
     left = "" if case.residual == 0 else f"left over: {short(case.residual)}"
     left = left if case.rises else "V is not known to rise with |e|"
-    steps = [definite, total, exact(claim, falls, left)]
+    steps = [definite, total, exact(f"{below}, N = {case.N}{at}", falls, left)]
     bound = None
     if definite.holds and not (falls or zones):
         bound = Bounding(case).bound()
@@ -162,37 +161,42 @@ def verdict_of(case: Case) -> Verdict:
         steps.append(running := case.running())
         if running.holds and bound is not None:
             steps.append(exact(bound.sentence, True))
-            return _complete(case, "bounded", steps, reached=bound.sentence, level=bound.level)
+            return _complete(case, "bounded", bound.sentence, steps, level=bound.level)
         if running.holds:
-            every = case.every()
-            return _complete(case, "proved", [*steps, every], for_every_N=every.holds)
+            steps.append(every := case.every())
+            claim = f"{below}, so CLPE goes to zero"
+            return _complete(case, "proved", claim, steps, for_every_N=every.holds)
+    failed = first_failure(steps)
     if definite.holds and case.refutes:
         found = refuting_point(case)
         claim = "the running blocks give V' > 0, ten and a hundred times as far off as well"
         detail = "no such point was found" if found is None else f"V' = {found[1]:.3g}"
         steps.append(Step(claim, found is not None, "counterexample", detail, False))
         if found is not None:
-            return _complete(case, "refuted", steps, point=found[0], rate=found[1])
-    return _complete(case, "open", steps)
+            where = {"point": found[0], "value": found[1]}
+            return _complete(case, "refuted", f"{detail} at `point`", steps, **where)
+    return _complete(case, "open", failed, steps)
 
 
-def _complete(case: Case, status: str, steps: list[Step], **more: Any) -> Verdict:
+def _complete(case: Case, status: str, claim: str, steps: list[Step], **more: Any) -> Verdict:
     """Return a verdict with the steps about its inputs, other states and jumps."""
     known = status in ("proved", "bounded")
     for port in (one for one in HIDDEN if one in case.law.input_ports):
-        claim = f"the law reads {port}, {HIDDEN[port]}, which no vehicle measures by itself"
-        steps = [*steps, exact(claim, True)]
+        hidden = f"the law reads {port}, {HIDDEN[port]}, which no vehicle measures by itself"
+        steps = [*steps, exact(hidden, True)]
     if known and case.others:
-        steps = [*steps, case.existing()]
-        if not steps[-1].holds:
-            status = f"{status} as long as {', '.join(case.others)} exist"
+        apart, existing = case.existing()
+        steps = [*steps, existing]
+        status = status if existing.holds else f"{status} {apart}"
     if case.loop.jumps:
         steps = [*steps, case.across_jumps()]
         if known and not steps[-1].holds:
             jump = rising_jump(case) if case.refutes else None
             status = f"{status} between jumps"
             if jump is not None:
+                rises = f"by {jump[2]:.3g}"
                 status, more = "refuted at a jump", {"point": jump[0], "after": jump[1]}
                 claim = "the running blocks' V rises at a jump, ten and a hundred times as far off"
-                steps += [Step(claim, True, "counterexample", f"by {jump[2]:.3g}", False)]
-    return Verdict(status, case.residual, tuple(steps), case.diagram, **more)
+                steps += [Step(claim, True, "counterexample", rises, False)]
+    law: dict[str, Any] = {"residual": case.residual, "diagram": case.diagram, **more}
+    return Verdict(status, claim, case.Vs, case.rate, steps=tuple(steps), **law)
