@@ -1,8 +1,10 @@
 """What objects keep from one call of a function to the next.
 
-A way through a function may fill what was empty in an object that it reaches, as a cache: the
-function is read again from each state in which ways left all, and these readings must be the same.
-Whatever else it changes is a state of the function, or a log, which its record would not hold.
+A function is read as all is, and again from each state in which a way through it left an object
+that it reaches.  There signals are unknown, leaves of their own, and so are numbers that took the
+place of others; all else is as the way left it.  If all these readings are the same, and no way
+leaves another state, what is kept does not matter: a cache, a log, what is written before it is
+read.  Else it is a state of the function, which its record would not hold.
 
 Objects, containers, arrays, classes, the names of a user's modules and generators of chance are
 watched; each reading leaves them as they were.
@@ -23,20 +25,21 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import Array, Unread
+from .arrays import Array
 from .record import MOST_NUMBERS
 from .unchanged import names_in
-from .views import tape_of
 
 LOCK = threading.RLock()  # while stand-ins are in a module
 DEEP = 3  # objects within objects
 MOST = 200  # objects that are watched
 OWN = __package__.partition(".")[0]
-GONE = object()
+GONE, UNKNOWN = object(), object()
+GROWN = 1000  # unknown numbers behind what was appended
 # which an array of the record answers otherwise than a number does, but to stand-ins
 ASKING = frozenset({"isinstance", "hasattr", "type", "isscalar", "float", "int"})
 CONTAINERS: Any = (list, deque, dict, set)
 SIMPLE = (int, float, complex, str, bytes, frozenset, np.generic, Enum, NoneType)
+NUMBERS = (int, float, complex, np.generic, np.ndarray)
 PLAIN = (int, float, str, bytes, tuple, Array, BuiltinFunctionType, NoneType)
 STATES: dict[type, tuple[Callable, Callable]] = {  # of chance: its state, and to put it back
     np.random.Generator: (
@@ -60,7 +63,7 @@ class Snapshot:
 
     def __init__(self, chance: Iterable[Any]) -> None:
         self._watched: dict[int, tuple[Any, Any]] = {}  # an object, and what it kept before
-        # by what tells it apart, each state: of every object that was filled what it keeps
+        # by what tells it apart, each state: of every object that differs what it keeps
         self.left: dict[Any, dict[int, Any]] = {}
         self.asking: dict[int, dict[str, Any]] = {}  # modules of functions that ask for a type
         self.attributes: dict[int, dict[str, Any]] = {}  # of users' objects
@@ -92,28 +95,17 @@ class Snapshot:
         elif not isinstance(value, (*CONTAINERS, ModuleType, FunctionType)):
             self.add(type(value), deep)
 
-    def restore(self) -> dict[int, Any]:
-        """Make all as it was; return what was otherwise, and how it was."""
-        found = {}
+    def restore(self) -> None:
+        """Make all as it was; note the state in which a way left it."""
+        left, keys = dict[int, Any](), []
         for place, (value, before) in self._watched.items():
             now = kept_by(value)
             if not same(now, before):
-                found[place] = now, before
+                left[place] = _unknown_in(now, before)
+                keys.append((place, _key(left[place], before)))
                 _put(value, before)
-        return found
-
-    def note(self, name: str) -> None:
-        """Make all as it was; note the state in which a way left it, if it only filled."""
-        if not (changed := self.restore()):
-            return
-        for now, before in changed.values():
-            empty = isinstance(now, dict) and all(
-                now.get(name, GONE) is one or one is None for name, one in before.items()
-            )
-            if not empty or _holds_signals(now):
-                raise Unread(f"{name} keeps what its next call may read; make it a state")
-        left = {place: now for place, (now, _) in changed.items()}
-        self.left.setdefault(tuple((place, _key(now)) for place, now in left.items()), left)
+        if left:
+            self.left.setdefault(tuple(keys), left)
 
     def drew(self) -> bool:
         """Make generators of chance as they were; return whether one was drawn from."""
@@ -124,18 +116,18 @@ class Snapshot:
                 give(one, was)
         return bool(drawn)
 
-    def begin(self, state: dict[int, Any]) -> None:
-        """Put all as a way left it."""
+    def begin(self, state: dict[int, Any], leaf: Callable[[str], Any]) -> None:
+        """Put all as a way left it; numbers may then be any, and a list is longer."""
         for place, kept in state.items():
-            for one in kept.values():
-                self.add(one)
-            _put(self._watched[place][0], kept)
-
-
-def _holds_signals(kept: dict[str, Any]) -> bool:
-    """Return whether what is kept by name holds values of a record, within containers too."""
-    held = [[*one.values()] if isinstance(one, dict) else one for one in kept.values()]
-    return tape_of([[*one] if isinstance(one, CONTAINERS) else one for one in held]) is not None
+            value, before = self._watched[place]
+            if isinstance(kept, dict):
+                kept = {
+                    name: leaf(f"{place} {name}") if one is UNKNOWN else one
+                    for name, one in kept.items()
+                }
+                for one in kept.values():
+                    self.add(one)
+            _put(value, [leaf(f"{place}")] * (len(before) + GROWN) if kept is UNKNOWN else kept)
 
 
 def _chance_of(one: Any) -> Any:
@@ -153,10 +145,26 @@ def same(now: Any, before: Any) -> bool:
     return now == before
 
 
-def _key(kept: Any) -> Any:
+def _unknown_in(now: Any, before: Any) -> Any:
+    """Return what a way left: signals, and numbers in the place of others, are unknown."""
+    if isinstance(now, list):
+        return UNKNOWN if any(isinstance(one, (Array, *NUMBERS)) for one in now) else now
+    if not isinstance(now, dict):
+        return now
+    return {
+        name: UNKNOWN
+        if isinstance(one, Array)
+        or (isinstance(one, NUMBERS) and before.get(name) is not None and one is not before[name])
+        else one
+        for name, one in now.items()
+    }
+
+
+def _key(kept: Any, before: Any = None) -> Any:
     """Return what tells apart what is kept; of an object its type does."""
     if isinstance(kept, dict):
-        return tuple((name, _key(one)) for name, one in kept.items())
+        was = before or {}
+        return tuple((name, one is was.get(name) or _key(one)) for name, one in kept.items())
     if isinstance(kept, list | tuple):
         return tuple(map(_key, kept))
     if isinstance(kept, np.ndarray):

@@ -5,7 +5,7 @@
 A question (``if u[0] > 0``) is answered both ways: the function runs again with the other
 answer, and what the ways return is joined by `where`.  A way that raises is NaN.  A signal that
 Python counts with is asked which whole number it is, up to the first IndexError.  What is read
-twice, and from each state in which a way filled what the function reaches (`kept`), must be the
+twice, and from each state in which a way left what the function reaches (`kept`), must be the
 same: else a state or chance hides in the function.  The package's own functions are read once.
 """
 
@@ -18,7 +18,7 @@ import numpy as np
 from ..errors import BlockError
 from .answers import AnsweringTape, Borrowed, Outside, Ports, each_way, located, merged
 from .arrays import Array, Tape, Unread, objects, operand, reading_on
-from .copies import Copies, borrowed
+from .copies import Copies, Grown, borrowed
 from .declaration import Parameters
 from .elementwise import as_number, filled, lifted, where
 from .kept import OF_ALL, Snapshot
@@ -70,6 +70,7 @@ def read(*arguments: Any, **more: Any) -> Read:
     """
     request = Request(*arguments, **more)
     spaces: list[dict[str, Any]] = []
+    grown: set[int] = set()
     reads: list[Read] = []
     snapshot = Snapshot(() if request.known else OF_ALL)
     try:
@@ -77,9 +78,12 @@ def read(*arguments: Any, **more: Any) -> Read:
             states = [{}, *snapshot.left.values()]
             state = states[min(len(reads), len(states) - 1)]
             try:
-                reads.append(_Ways(request, spaces, snapshot, state).read())
-            except Borrowed as missing:
-                spaces.append(missing.space)
+                reads.append(_Ways(request, spaces, snapshot, state, grown).read())
+            except (Borrowed, Grown) as missing:
+                if isinstance(missing, Grown):
+                    grown.add(missing.row)
+                else:
+                    spaces.append(missing.space)
                 reads.clear()
                 snapshot.restore()
                 snapshot.left.clear()
@@ -103,12 +107,12 @@ class _Ways:
     """All ways through a function, one after the other."""
 
     def __init__(
-        self, request: Request, spaces: list[dict], snapshot: Snapshot, state: dict
+        self, request: Request, spaces: list[dict], snapshot: Snapshot, state: dict, grown: set[int]
     ) -> None:
         self.request, self.spaces = request, spaces
         self.snapshot, self.state = snapshot, state  # in which a way left all
         self.tape = AnsweringTape(request.parameters, spaces)
-        self.copies = Copies(self.tape, snapshot)
+        self.copies = Copies(self.tape, snapshot, grown)
         self.ways: list[tuple[dict[int, bool], list[Any]]] = []
 
     def read(self) -> Read:
@@ -124,12 +128,12 @@ class _Ways:
             asking = self.snapshot.asking.values()
             self.spaces += [one for one in asking if all(one is not s for s in self.spaces)]
             tape.last_asked = tape.texts = None
-            self.snapshot.begin(self.state)
+            self.snapshot.begin(self.state, self._unknown)
             x, u = Ports(tape, "x", request.states, named), Ports(tape, "u", request.inputs, named)
             p = request.wrap(dict(fields)) if request.wrap else Parameters(**fields)
             outputs = self._way(lambda: copied(t, x, u, p))  # noqa: B023
             self.ways.append((tape.answers, outputs))
-            self.snapshot.note(request.name)
+            self.snapshot.restore()
             self.copies.check(request.name)
             if isinstance(p, dict) and any(v is not fields.get(k, p) for k, v in dict.items(p)):
                 raise Unread(f"{request.name} changes its params; make what it keeps a state")
@@ -138,6 +142,10 @@ class _Ways:
         refs = [operand(one) for one in merged(tape, self.ways, where)]
         record = compact(tape.operations, refs, request.out.values())
         return Read(record, frozenset(tape.pinned), frozenset(self.copies.texts))
+
+    def _unknown(self, name: Any) -> Array:
+        """Return what stands for what the first reading changed."""
+        return self.tape.add("leaf", (), (), ("t", f"changed {name}"))
 
     def _leaf(self, name: str) -> Array:
         leaf = self.tape.add("leaf", (), self.request.shapes[name], ("p", name))
