@@ -254,7 +254,7 @@ def test_what_cannot_be_read_runs_in_python_with_one_line():
 def test_a_function_that_keeps_is_called_once_for_each_sample():
     gap = control.friction_backlash_nonlinearity(0.4)
     worn = control.nlsys(None, lambda t, x, u, p: gap(u[0]), inputs=1, outputs=["y"], name="worn")
-    with pytest.warns(UserWarning, match="keeps what its next call may read"):
+    with pytest.warns(UserWarning, match="keeps what its next call reads"):
         run = clpt.simulate(worn, T, np.sin(3 * T))
     place, wanted = 0.0, []
     for u in np.sin(3 * T):  # the play, its gap 0.4
