@@ -5,7 +5,6 @@ In a scenario a quantity has a key, such as ``learning.gain``.  At call time, in
 paper writes gamma.
 """
 
-from collections.abc import Collection
 from typing import Any, NamedTuple
 
 from ..blocks.laws.law import Fixes, Gains, Setting
@@ -77,15 +76,6 @@ STARTS = {key: one.state for key, one in QUANTITIES.items() if one.state}  # as 
 
 
 # --- which parameters have a key's value ---------------------------------------------------------
-
-
-def parameters_of_keys(scenario: Any, known: Collection[str]) -> dict[str, list[str]]:
-    """Return by key which parameters of blocks, of those known, have its value and nothing else."""
-    elsewhere = keys_of_law(scenario)
-    return {
-        key: [name for name in _parameters(scenario, key) if name in known and key not in elsewhere]
-        for key in CALL_TIME_NAMES
-    }
 
 
 def _parameters(scenario: Any, key: str) -> list[str]:
