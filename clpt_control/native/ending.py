@@ -48,7 +48,7 @@ class Solution:
     `status` is ``"finished"``, or ``"stopped"`` if a guard ended the run; `message` is a sentence
     on it.  `statistics` are the numbers of steps, evaluations and restarts.  `engine` is
     ``"native"`` or ``"python"``, `method` the method, and from which time on another one.  `pieces`
-    are those of time, as the engine has them.
+    are those of time, as the engine has them; `signals` those that were computed on the way.
     """
 
     t: np.ndarray
@@ -59,6 +59,7 @@ class Solution:
     engine: str = "python"
     method: str = "none"
     pieces: Schedule | None = field(default=None, repr=False, compare=False)
+    signals: np.ndarray | None = field(default=None, repr=False, compare=False)
 
 
 def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
@@ -106,6 +107,28 @@ def without_states(sweep: Sweep, times: np.ndarray, inputs: Inputs | None, engin
             end = np.append(times[:k], high), np.zeros((k + 1, 0))
             return _stopped(solution, *guard(high)[1:], *end)
     return solution
+
+
+def in_discrete_time(
+    sweep: Sweep, x: np.ndarray, times: np.ndarray, inputs: Inputs | None, progress: Any
+) -> Solution:
+    """Return the solution of a diagram of discrete time in Python.
+
+    Outputs are computed beside each update, as python-control does: a function may read what
+    another one wrote.
+    """
+    states, signals = (np.empty((len(times), n)) for n in (sweep.nstates, len(sweep.signals)))
+    for k, t in enumerate(times):
+        u = None if inputs is None else inputs.at(t)
+        sweep.enter(t)
+        states[k], x, signals[k] = x, sweep.derivative(t, x, u), sweep.signals
+        if progress is not None:
+            progress(t)
+        if k + 1 < len(times) and not np.isfinite(x).all():
+            reason = sweep.first_trouble(t, states[k], u, ADVICE) or SENTENCES[numbering.NOT_FINITE]
+            raise SimulationError(f"the run stopped at t = {t:.9g}: {reason}")
+    steps = dict.fromkeys(("steps", "evaluations"), len(times) - 1)
+    return Solution(times, states, statistics=steps | {"restarts": 0}, signals=signals)
 
 
 def _stopped(solution: Solution, policy: str, sentence: str, t: Any, x: Any) -> Solution:

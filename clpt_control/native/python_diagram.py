@@ -23,7 +23,15 @@ from ..diagrams.wiring import Wiring, read_anew, wiring_of
 from ..errors import SimulationError
 from . import numbering
 from .batch import ANY, Batch, Callee, pace
-from .ending import NAMES, STUCK, Solution, ended, sampled_start, without_states
+from .ending import (
+    NAMES,
+    STUCK,
+    Solution,
+    ended,
+    in_discrete_time,
+    sampled_start,
+    without_states,
+)
 from .jacobian import Jacobian, jacobian
 from .machine import callback
 from .method import with_formulas
@@ -190,6 +198,8 @@ class PythonDiagram:
         inputs = self._inputs(inputs, times)
         if not self.nstates:
             return without_states(self.sweep, times, inputs, self.engine)
+        if self.wiring.dt and self.engine == "python":
+            return in_discrete_time(self.sweep, start, times, inputs, progress)
         by, auto = self.method_number(method, step), method == "auto" and step is None
         if auto and by == numbering.DOP853 and rtol >= self.loose:
             by = numbering.DOPRI5
@@ -288,9 +298,10 @@ class PythonDiagram:
         times = solution.t
         if not len(times):  # stopped before the first
             return np.zeros((0, self.nsignals))
-        inputs, P = self._inputs(inputs, times), self.parameters()
-        at = times, solution.x, self.pieces(solution, inputs), P
-        out = self.callee(1, inputs).evaluate(numbering.SIGNALS, *at, self.nsignals)
+        inputs, P, out = self._inputs(inputs, times), self.parameters(), solution.signals
+        if out is None:
+            at = times, solution.x, self.pieces(solution, inputs), P
+            out = self.callee(1, inputs).evaluate(numbering.SIGNALS, *at, self.nsignals)
         bad = np.flatnonzero(~np.all(np.isfinite(out), axis=1))
         if len(bad):
             t, x = float(times[bad[0]]), solution.x[bad[0]]

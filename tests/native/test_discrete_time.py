@@ -197,6 +197,30 @@ def test_params_at_call_time_are_those_of_python_control(engine):
     np.testing.assert_allclose(found, expected, atol=1e-12)
 
 
+def test_an_output_reads_what_the_update_wrote():
+    def held():  # as in python-control's notebook on discrete-time systems: samples each third step
+        step, y = 0, 0.0
+
+        def update(t, x, u, params):
+            nonlocal step
+            x = 0.9 * x + u if step == 0 else x
+            step = (step + 1) % 3
+            return x
+
+        def output(t, x, u, params):
+            nonlocal y
+            y = float(x[0]) if step == 0 else y
+            return y
+
+        return control.nlsys(update, output, inputs=1, outputs=1, states=1, dt=DT, name="held")
+
+    expected = control.input_output_response(held(), TIMES, drives(1)).outputs
+    assert np.ptp(expected) > 0.1
+    with pytest.warns(UserWarning, match="runs in Python"):
+        run = clpt.simulate(held(), TIMES, drives(1))
+    np.testing.assert_array_equal(run.y.values.ravel(), expected)
+
+
 def test_a_long_run_is_made_of_many_calls():
     times, seen = np.arange(400_001.0), []
     system = control.ss([[1.0]], [[1.0]], [[1.0]], 0, 1, name="sum")
