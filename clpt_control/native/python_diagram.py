@@ -23,15 +23,7 @@ from ..diagrams.wiring import Wiring, read_anew, wiring_of
 from ..errors import SimulationError
 from . import numbering
 from .batch import ANY, Batch, Callee, pace
-from .ending import (
-    NAMES,
-    STUCK,
-    Solution,
-    ended,
-    in_discrete_time,
-    sampled_start,
-    without_states,
-)
+from .ending import NAMES, STUCK, Solution, ended, in_discrete_time, sampled_start, without_states
 from .jacobian import Jacobian, jacobian
 from .machine import callback
 from .method import with_formulas
