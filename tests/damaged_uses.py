@@ -66,8 +66,8 @@ OPTIONS = (  # words, options whose values are damaged
     ("excitation run.nc", "--window --start"),
     ("certify s.toml", "--radius --error --window"),
     (
-        "design s.toml --out out.toml --generations 1",
-        "--length --max-speed --count --dwell --window --start --level --seed --generations",
+        "design s.toml --out out.toml",
+        "--length --max-speed --count --dwell --window --start --level --seed",
     ),
     (
         "ensemble s.toml --members 3 --vary learning.gain=0.2:2 --out out.zarr",

@@ -107,7 +107,6 @@ def design(
         words=("law", "kappa"),
     ),
     seed: int = opt("NUMBER", "Seed of the search.", default=0),
-    generations: int = opt("COUNT", "Generations of the search.", default=60),
     figure: Path | None = opt("FILE", ".png, .pdf or .svg: old and new track."),
     as_json: Json = False,
 ) -> None:
@@ -132,7 +131,6 @@ def design(
             level=level,
             goal=goal,
             seed=seed,
-            generations=generations,
             progress=report,
         )
     results: dict[Path, Any] = {out: scenario_to_text(found.scenario, out.parent)}
@@ -176,7 +174,7 @@ def _result(report: Report) -> Result:
     if report["own_track_kept"]:
         said = (
             f"no better one of {report['tracks_tried']} tracks was found within these limits, so "
-            "it stays as it is; give more generations, or allow more length, speed or area"
+            "it stays as it is; give another seed, or allow more length, speed or area"
         )
     return Result(title, ["", "before", "after"], rows, [said])
 

@@ -94,12 +94,17 @@ class FailureSearch(PointSearch):
         return None if point is None else (point, self.value_at(expression, point))
 
 
+def valued(case: SystemWithV) -> Step:
+    """Return the step that V and the equations have a value everywhere."""
+    claim = "V and the equations have a value everywhere"
+    return exact(claim, not case.undefined, "".join(case.undefined[:1]))
+
+
 def _proved(case: SystemWithV, search: FailureSearch, count: int) -> Verdict:
     """Return what is shown of a V, or where that ends."""
     V = case.in_signals(case.V)
-    claim = "V and the equations have a value everywhere"
     definite, forms = case.definite()
-    falls, inputs = case.falls(), case.depends_on()
+    falls, inputs = case.never_positive(case.rate), case.depends_on()
     zero: dict[Any, Any] = {}
     if not falls and inputs:
         zero = {f: sympy.S.Zero for f in case.inputs if str(f.func) in inputs}
@@ -107,11 +112,7 @@ def _proved(case: SystemWithV, search: FailureSearch, count: int) -> Verdict:
         zero = zero if case.never_positive(case.rate.xreplace(zero)) else {}
     rate = case.readable_rate()
     at = f" where {' = '.join(inputs)} = 0" if zero else ""
-    steps = [
-        exact(claim, not case.undefined, case.undefined),
-        definite,
-        exact(f"V' = {short(rate)} <= 0{at}", falls or bool(zero)),
-    ]
+    steps = [valued(case), definite, exact(f"V' = {short(rate)} <= 0{at}", falls or bool(zero))]
     if case.claim is not None:
         residual = tidied(case.rate - case.claim)
         left = "" if vanishes(residual) else f"left over: {short(residual)}"
@@ -178,11 +179,7 @@ def _in_region(case: SystemWithV, search: FailureSearch, within: Any, count: int
     at = f" where {' = '.join(inputs)} = 0" if inputs else ""
     below = f"where V{less} < {level:g} in the box" if level else "near the rest"
     claim = f"V' < 0 {below}, but at the rest{case.as_they_are}"
-    steps = (
-        exact("V and the equations have a value everywhere", not case.undefined, case.undefined),
-        Step(claim, level > 0.0, "enclosed"),
-        search.running(count, region),
-    )
+    steps = (valued(case), Step(claim, level > 0.0, "enclosed"), search.running(count, region))
     failed, V, rate = first_failure(steps), case.in_signals(case.V), case.readable_rate()
     if failed:
         return Verdict("open", f"V' = {short(rate)}; {failed}", V, rate, steps=steps)
@@ -209,9 +206,9 @@ def _best_candidate(
 @public
 def lyapunov(
     system: control.NonlinearIOSystem,
-    V: str | Callable | sympy.Expr | None = None,
-    claim: str | Callable | sympy.Expr | float | None = None,
-    at: Mapping[str, float] | Sequence[float] | None = None,
+    V: str | Callable | None = None,
+    claim: str | Callable | float | None = None,
+    at: Mapping[str, float] | None = None,
     points: Count = 200,
     seed: Seed = 0,
     within: Mapping[str, Sequence[float]] | None = None,
@@ -222,15 +219,14 @@ def lyapunov(
     ----------
     system : control.NonlinearIOSystem
         A diagram, a block or a system of python-control.
-    V : str, callable or sympy.Expr, optional
-        The name of an output; a function of signals, ``lambda s: s.e**2 / 2``, in NumPy, which may
-        ask for parameters and the time ``s.t`` too; or an expression in the symbols of
-        `clpt.equations`.  By default V is searched for, of squares, products of two states, and
-        integrals of functions of one state: `status` is then ``"open"`` where none that is found
-        is proved.
-    claim : str, callable or sympy.Expr, optional
+    V : str or callable, optional
+        The name of an output, or a function of signals, ``lambda s: s.e**2 / 2``, in NumPy, which
+        may ask for parameters and the time ``s.t`` too.  By default V is searched for, of squares,
+        products of two states, and integrals of functions of one state: `status` is then
+        ``"open"`` where none that is found is proved.
+    claim : str, callable or float, optional
         What V' is said to be, ``lambda s: -s.am * s.e**2``; that V' <= 0 is judged in any case.
-    at : mapping or array_like, optional
+    at : mapping, optional
         The rest state, ``{"theta": np.pi}``, other states 0: where V is to be least. By default V
         may be least anywhere, and is searched for about 0.
     points : int, optional

@@ -6,7 +6,7 @@ What is read is what runs; parameters are symbols of the signs that they have, a
 where that shows more.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from functools import cached_property
 from math import pi
 from typing import Any
@@ -14,16 +14,15 @@ from typing import Any
 import numpy as np
 import sympy
 
-from ..arguments import check_holds, numbers
+from ..arguments import check_holds
 from ..diagrams.on_symbols import Equations, readable_equations
-from ..diagrams.symbol_names import TIME, Numbers, element_name
+from ..diagrams.symbol_names import TIME, Names, Numbers, element_name
 from ..equations.block import Block
-from ..equations.symbolic import expressions, rational
+from ..equations.symbolic import Symbols, rational
 from ..errors import DiagramError
-from .proving.proof import Step, exact, short
+from .proving.proof import Step, exact
 from .proving.signs import factored, tidied, vanishes
 from .proving.symbolic_loop import NO_VALUE, no_value
-from .proving.symbols import undefined
 from .proving.words import NUMBERS_OF, along, is_continuous, meets_smoothly
 from .squares import never_positive, squares
 
@@ -41,8 +40,9 @@ class SystemWithV:
     """A diagram with a V of one's own, on symbols, or with parameters as their numbers."""
 
     def __init__(self, system: Any, V: Any, claim: Any, at: Any, numbers: bool = False):
-        self.system = system
-        self.eq: Equations = readable_equations(system, watch=_watched)
+        self.system, self.undefined = system, list[str]()  # where there may be no value
+        names = Numbers if numbers else Names
+        self.eq: Equations = readable_equations(system, names, watch=_watched)
         if self.eq.discrete:
             raise DiagramError(f"{system.name}: is of discrete time, in which nothing has a rate")
         if not self.eq.motion:
@@ -61,58 +61,48 @@ class SystemWithV:
         parameters = self.eq.parameters.values()
         self.intervals = {p.interval for p in parameters if "interval" in p._fields}
         self.inputs = [s for port in self.eq.inputs.values() for s in port.flat]
-        self.V, labels = self.expression(V), {V, f"{V}[0]"} if isinstance(V, str) else set()
+        labels = {V, f"{V}[0]"} if isinstance(V, str) else set()
         self.name = next((one for one in system.output_labels if one in labels), "")
         self.claim = None if claim is None else self.expression(claim)
-        fixed = self.eq.pinned or (numbers and self.eq.values)
+        self.undefined = [*self.eq.undefined]
+        self.V = self.expression(V)
+        fixed = self.eq.pinned or (numbers and self.eq.fields)
         self.as_they_are = ", with the parameters as they are" if fixed else ""
-        if numbers:
-            values = self.eq.values
-            self.eq, self.fixed = readable_equations(system, Numbers, watch=_watched), set()
-            self.V = self.V.xreplace(values)
-            self.claim = self.claim and self.claim.xreplace(values)
         self.rate = along(self.V, {TIME: sympy.Integer(1), **self.eq.motion})
         self.rest = None if at is None else self.place(at)
-        self.undefined = "".join((self.eq.undefined or missing(self.V))[:1])
 
     def expression(self, source: Any) -> sympy.Expr:
-        """Return a name, a function of signals or an expression in states and inputs."""
-        if callable(source) and not isinstance(source, sympy.Basic):
-            named = {
-                name: symbols
-                for dotted, symbols in self.eq.named.items()
-                if (name := dotted.replace(".", "_")).isidentifier()
-                and not hasattr(np.ndarray, name)
-            }
-            named["t"] = np.array(TIME)
-            ports = {name: symbols.shape for name, symbols in named.items()}
-            block = Block(
-                "V", output=lambda t, x, u, p: {"V": source(u)}, inputs=ports, outputs={"V": 1}
-            )
-            (found,) = expressions(block, "output", lambda at, shape, place: named[at[1]][place])
-        else:
+        """Return a name, a function of signals or what was found as an expression.
+
+        Where it may have no value is put down.
+        """
+        if not callable(source):
             found = sympy.sympify(self.eq[source] if isinstance(source, str) else source)
-        if not isinstance(found, sympy.Expr):
-            raise DiagramError(f"{self.system.name}: {short(source, 60)} is no single number")
-        for part in found.atoms(sympy.Piecewise, sympy.Integral, sympy.Sum):
-            raise DiagramError(
-                f"{self.system.name}: V has a {type(part).__name__} of SymPy, which is not read; "
-                "write V as a function of signals, with np.where, or work it out"
-            )
-        found = found.xreplace({q: rational(float(q)) for q in found.atoms(sympy.Float)})
-        own = {TIME, *self.states, *self.fixed, *self.intervals}
-        if unknown := found.free_symbols - own:
-            raise DiagramError(
-                f"{self.system.name}: has no {unknown.pop()} as clpt.equations has symbols; it has "
-                f"{', '.join(map(str, [*self.states, *self.fixed, *self.inputs]))}"
-            )
+            if not isinstance(found, sympy.Expr):
+                raise DiagramError(f"{self.system.name}: {source} is no single number")
+            return found
+        named = {
+            name: symbols
+            for dotted, symbols in self.eq.named.items()
+            if (name := dotted.replace(".", "_")).isidentifier() and not hasattr(np.ndarray, name)
+        }
+        named["t"] = np.array(TIME)
+        ports = {name: symbols.shape for name, symbols in named.items()}
+        block = Block(
+            "V", output=lambda t, x, u, p: {"V": source(u)}, inputs=ports, outputs={"V": 1}
+        )
+        record = block.array_record("output")
+
+        def watch(place: int, kind: str, arguments: tuple) -> None:
+            if sentence := _watched("V", kind, arguments):
+                self.undefined.append(f"V {sentence}")
+
+        leaf = lambda at, shape, place: named[at[1]][place]  # noqa: E731
+        (found,) = Symbols(record.operations, leaf, watch, block.sizes).outputs(record)
         return found
 
-    def place(self, at: Mapping[str, float] | Sequence[float]) -> dict[Any, sympy.Expr]:
+    def place(self, at: Mapping[str, float]) -> dict[Any, sympy.Expr]:
         """Return each state's value at a rest, a share of pi where a number is that."""
-        if not isinstance(at, Mapping):
-            values = numbers("at", at, len(self.states))
-            at = dict(zip(map(str, self.states), values, strict=True))
         found = dict.fromkeys(self.states, sympy.Integer(0))
         names = {str(s): s for s in self.states}
         check_holds("at", names, at, f"states are {', '.join(names)}")
@@ -150,31 +140,6 @@ class SystemWithV:
         """Return whether an expression is known never to be positive, for t >= 0."""
         return never_positive(tidied(expression), self.fixed)
 
-    def falls(self) -> bool:
-        """Return whether V' is known never to be positive, as it stands, reduced, or by states."""
-        if self.never_positive(self.rate):
-            return True
-        self.rate = reduced(self.rate)
-        return self.never_positive(self.rate) or self._falls_by_state()
-
-    def _falls_by_state(self) -> bool:
-        """Return whether V' falls without the terms of rates that go down V, as friction does.
-
-        They are -dV/dx_i times what is not negative.  The others may cancel, as forces that do no
-        work do.
-        """
-
-        def goes_down(f: sympy.Expr, slope: sympy.Expr) -> bool:
-            return self.never_positive(sympy.cancel(f / slope))
-
-        others = list[sympy.Expr]()
-        for s, f in {TIME: sympy.S.One, **self.eq.motion}.items():
-            slope = tidied(along(self.V, {s: sympy.S.One}))
-            if slope != 0 and not goes_down(f, slope):
-                terms = sympy.Add.make_args(f)
-                others += [slope * g for g in terms if g == f or not goes_down(g, slope)]
-        return self.never_positive(sympy.Add(*others))
-
     # --- in the user's words -------------------------------------------------------------------
 
     @cached_property
@@ -208,24 +173,3 @@ class SystemWithV:
         """Return the inputs that V' depends on."""
         rate = tidied(self.rate)
         return [str(f.func) for f in self.inputs if rate.has(f)]
-
-
-def reduced(rate: sympy.Expr) -> sympy.Expr:
-    """Return an expression whose divisors hold angles as one fraction, without common factors."""
-    below = sympy.Mul(*(p.base for p in rate.atoms(sympy.Pow) if p.exp.is_negative))
-    if not below.has(sympy.sin, sympy.cos):
-        return rate
-    p, q = map(tidied, sympy.fraction(sympy.together(tidied(rate))))
-    return sympy.cancel(p / q)
-
-
-def missing(V: sympy.Expr) -> list[str]:
-    """Return where V may have no value, in sentences."""
-    found = []
-    for one in sympy.preorder_traversal(V):
-        if one.is_Pow and not (one.exp.is_Integer and one.exp.is_nonnegative):
-            below = one.exp.is_Integer or one.exp.could_extract_minus_sign()
-            found += [undefined("div", (1, one.base)) if below else undefined("pow", one.args)]
-        elif isinstance(one, sympy.Function) and type(one).__name__ not in LARGE:
-            found.append(undefined(type(one).__name__, one.args))
-    return [f"V {one}" for one in found if one]

@@ -28,7 +28,7 @@ COMMANDS = [
     ("excitation", "s.toml", "--json"),
     ("excitation", "r.nc", "--json"),
     ("certify", "s.toml", "--json"),
-    ("design", "s.toml", "--out", "d.toml", "--generations", "2", "--json"),
+    ("design", "s.toml", "--out", "d.toml", "--json"),
     ("animate", "r.nc", "-o", "r.gif", "--seconds", "1"),
 ]
 OFTEN = "diagram"  # in `make test`; the others by `make test-processes`

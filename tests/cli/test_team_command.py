@@ -77,7 +77,7 @@ def test_a_law_given_in_python_is_run_again_from_its_record(printed):
     assert clpt_control.load_run("again.nc").equals(run)
 
 
-QUICK = ("--generations", "1", "--window", "60", "--start", "60", "--for", "kappa")
+QUICK = ("--window", "60", "--start", "60", "--for", "kappa")
 
 
 @pytest.fixture

@@ -25,7 +25,7 @@ def made():
         "ensemble": clpt.ensemble.run_ensemble(SCENARIO, "learning.gain=0.2:2.0", 3),
         "replay": clpt.replay.replay_dives(dives[:5]),
         "design": clpt.theory.design_track(
-            SCENARIO.with_values({"reference.count": 2}), goal="kappa", window=20, generations=1
+            SCENARIO.with_values({"reference.count": 2}), goal="kappa", window=20
         ),
     }
 

@@ -2,11 +2,8 @@
 
 import control
 import numpy as np
-import sympy
 
 import clpt_control as clpt
-
-t, x = sympy.symbols("t x", real=True)
 
 
 def system(rates, inputs=(), params=None, **named):
@@ -171,22 +168,6 @@ def sourced(source, rates=lambda x, u: {"x": -x.x, "y": -x.y + u.w}):
 def spinning(x, y, z):
     """Euler's equations of a body that turns, x, y, z about its axes, J = 1, 2, 3."""
     return [-y * z - 0.2 * x, (2 * z * x - 0.2 * y) / 2, (-x * y - 0.2 * z) / 3]
-
-
-def arm(q1, q2, v1, v2):
-    """Two links of mass and length 1, springs and friction in the joints, without gravity."""
-    c, s = np.cos(q2), np.sin(q2)
-    first = -2 * q1 - v1 + s * (2 * v1 * v2 + v2**2)
-    second = -2 * q2 - v2 - s * v1**2
-    M11, M12 = 3 + 2 * c, 1 + c
-    det = M11 - M12**2
-    return [v1, v2, (first - M12 * second) / det, (M11 * second - M12 * first) / det]
-
-
-def of_the_arm(s):
-    c = np.cos(s.q2)
-    moving = (3 + 2 * c) * s.v1**2 + 2 * (1 + c) * s.v1 * s.v2 + s.v2**2
-    return moving / 2 + s.q1**2 + s.q2**2
 
 
 def rubbed(x, y, sign, least=1.0):

@@ -36,7 +36,8 @@ def quickly():
     """Steps uphill are few: enough for all but the best track."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(search, "CLIMBS", 2)
-        yield lambda scenario, **more: design_track(scenario, **{"generations": 1, **more})
+        patch.setattr(search, "DRAWN", 16)
+        yield design_track
 
 
 @pytest.fixture(scope="module")
@@ -92,7 +93,7 @@ def test_the_best_track_between_two_places(two_places, limit):
             {"length": 1e3, "max_speed": 0.8, "area": (-9.0, 9.0, -9.0, 9.0)},
         ),
     }[limit]
-    found = design_track(two_places, window=80, start=80, generations=12, **given)
+    found = design_track(two_places, window=80, start=80, **given)
     reached = found.report["after"]["smallest_eigenvalue"]
     assert 0.99 * best < reached <= best * (1 + 1e-6)
     first, second = found.scenario.waypoints
@@ -162,7 +163,7 @@ def test_fixes_and_noise_leave_the_design_as_it_is(paper, short, quickly):
 
 @pytest.mark.slow
 def test_the_papers_track_can_be_2_3_times_better(paper):
-    found = design_track(paper, window=200, start=200, generations=40)
+    found = design_track(paper, window=200, start=200)
     after = found.report["after"]
     assert after["closed_length"] <= closed_length(paper.waypoints) * (1 + 1e-9)
     assert (len(found.scenario.waypoints), found.scenario.reference.dwell) == (10, 20.0)
@@ -182,7 +183,7 @@ def test_the_papers_track_can_be_2_3_times_better(paper):
 def test_a_track_for_a_law_is_one_on_which_it_learns_sooner(law, level, times):
     """The paper's law learned in 1046 s, and never on the track of the largest eigenvalue."""
     paper = clpt_package.paper_scenario().with_values({"learning.law": law})
-    found = design_for(paper, window=200, start=200, level=level, generations=15).report
+    found = design_for(paper, window=200, start=200, level=level).report
     before, after = (found[k]["learning_time"] for k in ("before", "after"))
     assert before == pytest.approx(times[0], abs=0.5)
     assert after <= times[1]
@@ -190,10 +191,11 @@ def test_a_track_for_a_law_is_one_on_which_it_learns_sooner(law, level, times):
 
 
 @pytest.mark.parametrize("law", ["learned-flow", pytest.param("sigma", marks=pytest.mark.slow)])
-def test_no_design_for_a_law_learns_later(paper, law):
-    """One generation finds little: then the scenario's own track stays, and that is said."""
+def test_no_design_for_a_law_learns_later(paper, law, monkeypatch):
+    """A short search finds little: then the scenario's own track stays, and that is said."""
+    monkeypatch.setattr(search, "DRAWN", 16)
     scenario = paper.with_values({"learning.law": law, "run.duration": 200})
-    found = design_for(scenario, generations=1, window=60.0, level=0.02)
+    found = design_for(scenario, window=60.0, level=0.02)
     first, last = found.tracks
     assert last.cost <= first.cost
     same = found.scenario.waypoints.tolist() == paper.waypoints.tolist()
@@ -254,11 +256,10 @@ def test_what_is_searched_for_is_what_v_falls_by(paper, change):
         ({"area": (1.0, 1.0, 0.0, 2.0)}, "each pair increasing"),
         ({"area": (1.0, 2.0, 1.0, 2.0)}, "with vehicle.position in it"),
         ({"window": 500.0}, "must be positive and lie within the run"),
-        ({"generations": 0}, "generations = 0"),
         ({"level": 0.0}, "level = 0.0"),
         ({"seed": -1}, "seed = -1"),
         pytest.param(
-            {"max_speed": 0.05, "generations": 1, "window": 60.0},
+            {"max_speed": 0.05, "window": 60.0},
             "no track was found that keeps",
             marks=pytest.mark.slow,
         ),
@@ -333,7 +334,7 @@ def test_a_track_in_a_measured_current(facts, tmp_path):
     field = facts.parents[1] / "clpt_control/data/maracoos_hfr_2019-01-01.nc"
     fit = fit_scenario(field, (40.9, 41.55, -69.9, -69.0), rows=1, columns=2, width_km=30.0)
     scenario = save_fit(fit, tmp_path / "shoals.toml").with_values({"run.output_step": 0.5})
-    found = design_track(scenario, generations=3, max_speed=9.0)
+    found = design_track(scenario, max_speed=9.0)
     area = found.report["limits"]["area"]
     assert found.report["ratio"] >= 1
     assert set(found.report["after"]["explained_variance"]) == {"track", "box"}

@@ -264,12 +264,12 @@ def test_what_holds_for_the_parameters_as_they_are_says_so():
         rates = own_laws.filled(u, p.gain, u.e)
         return rates | {"alpha": rates["alpha"] - np.outer(both, u.phi_x)}
 
-    for b, status, said in ((0.5, "proved", True), (2.0, "refuted", False)):
+    for b, status in ((0.5, "proved"), (2.0, "refuted")):
         parameters = {"gain": 0.5, "c": 1.0, "b": b}
         found = prove(law(composite, parameters, own_laws.FLOW, n=1), points=POINTS)
         (step,) = [step for step in found.steps if step.claim.startswith("V' <=")]
         assert found.status == status
-        assert ("and the parameters as they are" in step.claim) == said
+        assert "and the parameters as they are" in step.claim
 
 
 def test_the_level_of_a_V_that_weighs_e_is_reached():

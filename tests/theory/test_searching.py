@@ -148,7 +148,7 @@ def test_of_what_leaves_its_rest_nothing_is_proved(rates):
 def test_what_cannot_be_searched_for_is_refused():
     with pytest.raises(clpt.DiagramError, match=r"x' = 1 at the rest"):
         lyapunov(system(lambda x: [1 - x]))
-    assert lyapunov(system(lambda x: [1 - x]), at=[1.0]).status == "proved"
+    assert lyapunov(system(lambda x: [1 - x]), at={"x": 1.0}).status == "proved"
     with pytest.raises(clpt.DiagramError, match=r"x' has no value at the rest"):
         lyapunov(system(lambda x: [-1 / x]))
     with pytest.raises(clpt.DiagramError, match="leave the claim out: it is of a V that is given"):

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ...arguments import Count, Positive, Seed, public
+from ...arguments import Positive, Seed, public
 from ...errors import ScenarioError
 from ...scenario.experiment import Scenario
 from ...simulation.flows import explained_variance
@@ -113,7 +113,6 @@ def design_track(
     start: float | None = None,
     level: Positive | None = None,
     seed: Seed = 0,
-    generations: Count = 60,
     progress: Callable[[float], None] | None = None,
 ) -> Design:
     """Find waypoints from which most can be learned, within limits.
@@ -142,8 +141,6 @@ def design_track(
         Error of a flow parameter that ends the learning time; a tenth of the first.
     seed : int, optional
         Of the search; the same seed gives the same design.
-    generations : int, optional
-        Of the search.
     progress : callable, optional
         Called with the share of the work done.
 
@@ -161,7 +158,7 @@ def design_track(
     --------
     >>> import clpt_control as clpt
     >>> scenario = clpt.paper_scenario().with_values({"run.duration": 80, "reference.count": 2})
-    >>> given = {"goal": "kappa", "window": 20, "generations": 1}  # soon found
+    >>> given = {"goal": "kappa", "window": 20}
     >>> found = clpt.theory.design_track(scenario, **given)
     >>> found.report["after"]["smallest_eigenvalue"] > 0, len(found.scenario.waypoints)
     (True, 2)
@@ -190,7 +187,6 @@ def design_track(
         Limits(longest, max_speed, low, high),
         span,
         seed,
-        generations,
         report,
         linear_gains(scenario) if law else None,
     )

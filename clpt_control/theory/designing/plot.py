@@ -39,7 +39,7 @@ def design_plot(design: Design, *, ax: Any = None) -> np.ndarray:
     --------
     >>> import clpt_control as clpt
     >>> scenario = clpt.paper_scenario().with_values({"run.duration": 80, "reference.count": 2})
-    >>> given = {"goal": "kappa", "window": 20, "generations": 1}  # soon found
+    >>> given = {"goal": "kappa", "window": 20}
     >>> found = clpt.theory.design_track(scenario, **given)
     >>> old, new, error = clpt.theory.design_plot(found)
     """

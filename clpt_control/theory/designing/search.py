@@ -1,15 +1,15 @@
-"""The search: differential evolution over all tracks, then climbs on both axes at once.
+"""The search: many tracks drawn at random, then climbs from the best on both axes at once.
 
     maximise kappa_1(w_1 ... w_n),    unknowns in [0, 1]: places in the area's box
 
-Differential evolution (Storn and Price 1997) takes its whole population to the tracks' lanes
-at once.  A track beyond a limit costs more than any that keeps to it, the more the farther it is
+Half of the tracks are drawn near the first one; all go to the tracks' lanes at once.  A track
+beyond a limit costs more than any that keeps to it, the more the farther it is
 beyond.  kappa_1 has a ridge where both axes have the same smallest eigenvalue, so a climb asks
 SLSQP (Kraft 1988) for the largest s with log kappa of each axis >= s and each slack >= 0;
 derivatives are differences, again in lanes.
 
 The search goes in rounds: climb, look closely, climb again where a limit is not kept.  The first
-round evolves before, and watches speed and area up to the window's end, the others over the whole
+round draws before, and watches speed and area up to the window's end, the others over the whole
 run and under limits that are tighter by what the last climb was beyond.  The track to begin with
 competes.
 """
@@ -28,9 +28,10 @@ from .waypoint_tracks import Tracks
 
 BEYOND = 1e4  # cost of a limit that is not kept, more than -log of any eigenvalue
 LEAST = 1e-300
-NEAR = 0.15  # spread of the half of the population that begins near the first track
+DRAWN = 400  # tracks
+NEAR = 0.3  # spread of the half of them that is near the first track, share of the area's box
 STEP = 1e-6  # of the differences, share of the area's box
-STARTS = 4  # of climbs: evolution may not have found the highest hill
+STARTS = 4  # of climbs: the best track drawn may not lie on the highest hill
 CLIMBS = 60  # iterations of SLSQP
 INSIDE = 1e-5  # of each limit, that a climb leaves free
 WAY = 33  # places looked at between the start and the end of a climb
@@ -52,39 +53,12 @@ class TrackSearch:
         """Return the unknowns (2 n,) of waypoints (n, 2), moved into the area."""
         return np.clip((points - self.low) / self.size, 0.0, 1.0).ravel()
 
-    def evolve(
-        self, first: np.ndarray, generations: int, seed: int, report: Callable[[float], None]
-    ) -> np.ndarray:
-        """Return `STARTS` unknowns (k, 2 n) of differential evolution from a first track on.
-
-        The best of the last generation first, then others down to the middle of it.
-        """
-        from scipy.optimize import differential_evolution
-
+    def drawn(self, first: np.ndarray, seed: int) -> np.ndarray:
+        """Return the best unknowns (STARTS, 2 n) of a first track and others drawn at random."""
         rng = np.random.default_rng(seed)
-        m = max(32, 4 * len(first))
-        near = first + NEAR * rng.standard_normal((m // 2, len(first)))
-        population = np.vstack([first, near[1:], rng.random((m - len(near), len(first)))])
-
-        def cost(u: np.ndarray) -> np.ndarray:
-            check()
-            report(self.tracks.runs / (m * (generations + 1)))
-            return self.cost(u.T)
-
-        ended = differential_evolution(
-            cost,
-            [(0.0, 1.0)] * len(first),
-            init=np.clip(population, 0.0, 1.0),
-            maxiter=generations,
-            tol=0.0,
-            polish=False,
-            vectorized=True,
-            updating="deferred",
-            seed=rng,
-        )
-        rest = ended.population[np.argsort(ended.population_energies, kind="stable")]
-        places = np.linspace(0, len(rest) // 2, STARTS).astype(int)[1:]
-        return np.vstack([ended.x, rest[places]])
+        near = np.clip(first + NEAR * rng.standard_normal((DRAWN // 2, len(first))), 0.0, 1.0)
+        u = np.vstack([first, near, rng.random((DRAWN // 2, len(first)))])
+        return u[np.argsort(self.cost(u), kind="stable")[:STARTS]]
 
     def cost(self, u: np.ndarray) -> np.ndarray:
         """Return -log kappa_1 of unknowns (m, 2 n), or how far they go beyond a limit."""
@@ -142,7 +116,6 @@ def best_waypoints(
     limits: Limits,
     span: tuple[float, float],
     seed: int,
-    generations: int,
     report: Callable[[float], None],
     gains: np.ndarray | None = None,
 ) -> tuple[list[np.ndarray], int]:
@@ -159,15 +132,14 @@ def best_waypoints(
         search = TrackSearch(tracks, limits.tighter(free))
         starts = search.unknowns(points)[None]
         if iteration == 0:
-            starts = search.evolve(starts[0], generations, seed, lambda done: report(0.4 * done))
-            candidates += [_looked_at(close, limits, one) for one in search.points(starts)]
+            starts = search.drawn(starts[0], seed)
         ends = np.array([search.climb(u) for u in starts])
         order = np.argsort(search.cost(ends), kind="stable")
         points = search.points(ends)[order[0]]
         candidates += [_looked_at(close, limits, one) for one in search.points(ends)[order[::-1]]]
         last = candidates[-1]
         runs += tracks.runs
-        report(0.4 + 0.5 * (iteration + 1) / ROUNDS)
+        report(0.9 * (iteration + 1) / ROUNDS)
         if last.least >= 0 and (iteration or end == whole or last.least >= candidates[0].least):
             break
         if iteration:
@@ -177,8 +149,7 @@ def best_waypoints(
         nearest = 100 * min(one.beyond for one in candidates)
         raise ScenarioError(
             "no track was found that keeps to the limits in this flow all the time; the nearest "
-            f"is {nearest:.2g} % beyond; allow more speed or a larger area, or give more "
-            "generations"
+            f"is {nearest:.2g} % beyond; allow more speed or a larger area, or give another seed"
         )
     return [one.points for one in candidates if one.least >= 0], runs
 

@@ -59,14 +59,16 @@ from .words import MAXIMUM, WHERE
 Claims = dict[str, Callable[[InvariantLoop], bool | str]]
 
 
-def invariant_steps(law: Law, points: int, single: InvariantLoop | None = None) -> list[Step]:
+def invariant_steps(
+    law: Law, points: int, single: InvariantLoop | None = None, seed: int = 0
+) -> list[Step]:
     """Check a law whose row has invariants, for N = 1, 2, 3; or a single loop, of your own law."""
     cases = [single] if single else [InvariantLoop(law, N) for N in invariant_loop.SIZES]
     claims = claims_of(law, cases[0], bool(single)).items()
     steps = [exact_step(cases, claim, check) for claim, check in claims]
     steps += [young_step()] if law.perturbation else []
     two = cases[len(cases) // 2]
-    return [*steps, running_step(lambda: (two.diagram, two.loop), points)]
+    return [*steps, running_step(lambda: (two.diagram, two.loop), points, seed=seed)]
 
 
 def claims_of(law: Law, case: InvariantLoop, own: bool) -> Claims:

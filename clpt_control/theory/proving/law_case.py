@@ -1,10 +1,11 @@
 """A law with its V on symbols and running, and the steps of its proof.
 
-`verdict` puts them together.
+A law is judged with the parameters that it has: its numbers and those of V, exact, stand in V'.
+What V holds of the truth is the truth's symbols.  `verdict` puts the steps together.
 """
 
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import cached_property
 from typing import Any
 
 import sympy
@@ -32,28 +33,23 @@ class Case:
     loop: SymbolicLoop
     V: Block
     law: Block
-    weights: dict[Any, sympy.Expr]  # V's symbols -> what they are of the law's or of the truth's
+    tied: dict[Any, sympy.Expr]  # V's symbols -> what they are of the truth's
     refutes: bool  # whether V' > 0 refutes the law: V was fitted to it
     points: int
     seed: int
 
     def __post_init__(self) -> None:
         """Read V and V'."""
-        loop, law, weights = self.loop, self.law, self.weights
+        loop = self.loop
         refuse_no_value(loop, self.V.name)
-        self.N = len(loop.inputs["phi_x"])
-        self.tied = {s: weight for s, weight in weights.items() if s != weight}
-        self.names = law.name, self.V.name
+        self.N, self.names = len(loop.inputs["phi_x"]), (self.law.name, self.V.name)
+        self.tied = {s: truth for s, truth in self.tied.items() if s != truth}
         others = (p for name, p in loop.parameters.items() if name not in self.names)
         hidden = {s for p in others for s in flat(p)}
         self.values = {s: v for s, v in loop.values.items() if s not in hidden}
+        self.known = self.values | self.tied
         self.moving = {TIME, *loop.motion}
-        self.fixed: tuple[str, ...] = ()  # blocks whose parameters have their own values
-        V = loop.signals["V"][0].xreplace(weights)
-        alone = set(flat(loop.parameters[self.V.name])) - set(flat(loop.parameters[law.name]))
-        if V.free_symbols & alone & self.values.keys():  # V has numbers of its own
-            self.fix_values()
-        self.Vs = V.xreplace(self.weights)
+        self.Vs = loop.signals["V"][0].xreplace(self.known)
         self.e = sympy.symbols("e_1:3", real=True)
         x, z = loop.states["x"], loop.states["z"]
         self.apart = {a: e + b for a, e, b in zip(x, self.e, z, strict=True)}  # x = e + z
@@ -63,16 +59,9 @@ class Case:
             zone, V = dead_zone(V, e)
             self.zones.append(zone)
         self.V_of_D = V
-        of_law = rate_of_V(loop).xreplace(weights)  # V's own symbols, then those of the law
-        self.rate = tidied(of_law.xreplace(self.weights))
-        self.residual = _or_zero(self.rate - self.fall)
-
-    def fix_values(self) -> None:
-        """Put the values of the law and of V in place; V's symbols of the truth stay."""
-        self.fixed = self.names
-        weights = {s: e.xreplace(self.values) for s, e in self.weights.items()}
-        self.weights = self.values | weights
-        self.tied = {s: e for s, e in self.tied.items() if e.free_symbols - self.values.keys()}
+        self.rate = tidied(rate_of_V(loop).xreplace(self.known))
+        sums = tidied(self.rate - self.fall)
+        self.residual = sympy.S.Zero if sums.atoms(sympy.Pow) and vanishes(sums) else sums
 
     @cached_property
     def fall(self) -> sympy.Expr:
@@ -87,8 +76,9 @@ class Case:
         ports, states, truth = self.loop.signals, set(self.loop.motion), truth_in(self.loop)
         x, z = self.loop.states["x"], self.loop.states["z"]
         true = {"alpha": -truth.theta.ravel(), "K": truth.KD, "Gamma": truth.GammaD}
+        known = self.values | dict(zip(x, z, strict=True))
         errors = [
-            sympy.expand(output.xreplace(dict(zip(x, z, strict=True))) - true[port][k])
+            sympy.expand(output.xreplace(known) - true[port][k])
             for port in true
             for k, output in enumerate(ports[port].flat)
         ]
@@ -119,13 +109,11 @@ class Case:
             V, states = self.V_of_D, [*self.e, *self.learned]
             if any(s.name.endswith(".interval") for s in V.free_symbols):
                 return False  # V itself may jump
-            at = self.values
-            shift = {s: (s + true).xreplace(at) for s, true in list(self.truth.items())[2:]}
-            V = tidied(V.xreplace(at).xreplace(shift))
+            V = tidied(V.xreplace({s: s + true for s, true in list(self.truth.items())[2:]}))
             for s, error in mapped.items():  # alpha = s + s^3: V is least where its error is zero
                 rest, own = V.as_independent(s, as_Add=True)
-                share = sympy.cancel(sympy.diff(own, s) / error.xreplace(at))
-                rises = interval(sympy.diff(error.xreplace(at), s))[0]
+                share = sympy.cancel(sympy.diff(own, s) / error)
+                rises = interval(sympy.diff(error, s))[0]
                 if not (share.is_number and share.is_positive and rises.is_positive):
                     return False
                 V, states = rest, [one for one in states if one != s]
@@ -146,7 +134,7 @@ class Case:
 
         As e_i dV/de_i > 0 there, (Delta_i - KD_i e_i) dV/de_i <= 0 where |Delta_i| <= zone KD_i.
         """
-        zones = [f"{float(zone.xreplace(self.values)):.4g}" for zone in self.zones]
+        zones = [f"{float(zone):.4g}" for zone in self.zones]
         half = "/2" * fall.endswith("/2")
         below = " and ".join(f"|Delta_{i}| <= {d} KD_{i}{half}" for i, d in enumerate(zones, 1))
         most = f"-D^T KD D{half}" if fall.startswith("-D^T") else "0"
@@ -160,8 +148,7 @@ class Case:
 
     def has_decay(self) -> bool:
         """Return whether V' has -e^T KD e, or more of it."""
-        residual = self.residual.xreplace(self.values)
-        x = self.loop.states["x"]
+        residual, x = self.residual, self.loop.states["x"]
         if any(word.has(*x) for word in residual.atoms(AppliedUndef)):  # how it bends is not known
             return False
         return all(sympy.diff(residual, s, 2).is_nonpositive for s in x)
@@ -169,36 +156,31 @@ class Case:
     @cached_property
     def rises(self) -> bool:
         """Whether V rises with each |e_i|, beyond its zone, so that its fall is one."""
-        V = self.V_of_D.xreplace(self.values)
+        V = self.V_of_D
         return all(rising_in(tidied(e * along(V, {e: sympy.S.One})), e) for e in self.e)
 
-    def falls(self, residual: sympy.Expr, at: dict[Any, sympy.Expr] | None = None) -> bool:
-        """Return whether what V' has beyond its fall is known not to be positive.
-
-        It is so for all parameters of their signs, but for those that have values `at`.
-        """
-        residual, e = residual.xreplace(at or {}).xreplace(self.apart), {*self.e}
-        others = residual.free_symbols - {TIME, *self.values, *self.loop.states["z"]} - e
-        return never_positive(residual, {*self.values}, (others, e, None))
+    def falls(self, residual: sympy.Expr) -> bool:
+        """Return whether what V' has beyond its fall is known not to be positive."""
+        residual, e = residual.xreplace(self.apart), {*self.e}
+        others = residual.free_symbols - {TIME, *self.loop.states["z"]} - e
+        return never_positive(residual, set(), (others, e, None))
 
     def across_jumps(self) -> Step:
         """Return the step that V does not rise where states jump, whichever jump at once."""
 
-        def no_rise(at: dict[Any, sympy.Expr]) -> tuple[bool, str]:
+        def no_rise() -> tuple[bool, str]:
             V, parameters = self.Vs, self.loop.parameters.values()
             intervals = {p.interval for p in parameters if "interval" in p._fields}
             if V.free_symbols & intervals or V.atoms(AppliedUndef):
                 return False, "V itself depends on time"
             for after in self.loop.jumps_at_once():
-                rise = tidied(V.xreplace(after) - V).xreplace(at)
-                if not self.falls(rise, at):
+                rise = tidied((V.xreplace(after) - V).xreplace(self.values))
+                if not self.falls(rise):
                     return False, f"V changes by {short(rise)}"
             return True, ""
 
         claim = f"V does not rise where states of {' and '.join(self.loop.jumps)} jump"
-        ways = {claim: {}, f"{claim}, with the parameters as they are": self.values}
-        steps = [checked(way, partial(no_rise, at), every_N=False) for way, at in ways.items()]
-        return next((step for step in steps if step.holds), steps[0])
+        return checked(claim, no_rise, every_N=False)
 
     @property
     def others(self) -> list[str]:
@@ -214,7 +196,7 @@ class Case:
     def settled(self) -> tuple[bool, str]:
         """Settle how V falls; return whether the rest of V' is not positive, and the fall in words.
 
-        The parameters have their own values where that shows more; half of the fall may do.
+        Half of the fall may do.
         """
         KD, D = self.loop.parameters["vehicle_controller"].KD, zip(self.e, self.zones, strict=True)
         beyond = [e * (e - CLIP(e, -zone, zone) if zone else e) for e, zone in D]
@@ -224,23 +206,16 @@ class Case:
             fall = "-sum KD_i e_i dV/de_i"
         if not self.rises:
             return False, fall
-        ways = [(dict[Any, sympy.Expr](), self.residual)]
-        at_values = _or_zero(self.residual.xreplace(self.values))
-        if at_values != self.residual:
-            ways.insert(at_values != 0, (self.values, at_values))
         for share, part in (("", sympy.S.Zero), ("/2", sympy.S.Half)):
-            for at, residual in ways:
-                if self.falls(residual + part * self.fall, at):
-                    self.residual = residual + part * self.fall
-                    self.fall -= part * self.fall
-                    if at:  # for the values that they have
-                        self.fix_values()
-                    return True, fall + share
+            if self.falls(self.residual + part * self.fall):
+                self.residual += part * self.fall
+                self.fall -= part * self.fall
+                return True, fall + share
         return False, fall
 
     def running(self) -> Step:
         """Return the step that the running blocks have the same V'."""
-        known: dict[str, Any] = {"seed": self.seed, "tied": self.tied, "fixed": self.fixed}
+        known: dict[str, Any] = {"seed": self.seed, "tied": self.tied, "fixed": self.names}
         return running_step(lambda: (self.diagram, self.loop), self.points, **known)
 
     def every(self) -> Step:
@@ -258,20 +233,19 @@ class Case:
             if faster := faster_than_linear(moves, states):
                 return False, faster
             base, term = map(tidied, base_and_term(residual))
-            at = self.values if self.fixed else {}
-            if self.falls(base, at) and self.falls(term, at):
+            if self.falls(base) and self.falls(term):
                 return True, ""
             return False, f"left over: {short(base)}; summand {short(term)}"
 
         return checked("the same for every N", holds)
 
     def of_every_N(self, symbol: sympy.Expr, index: Index) -> sympy.Expr:
-        """Return a parameter's element for every N: V's gains are the law's, as for this N."""
+        """Return a parameter's element for every N: what it is of each function for this N."""
         generic = [one for one in index if isinstance(one, str)]
-        weight = self.weights.get(symbol, symbol)
+        weight = self.known.get(symbol, symbol)
         if weight == symbol and len(generic) == 1:
             names = [{generic[0]: str(k + 1)} for k in range(self.N)]
-            theirs = [self.weights.get(s, s) for s in (reindexed(symbol, name) for name in names)]
+            theirs = [self.known.get(s, s) for s in (reindexed(symbol, name) for name in names)]
             for gain in (
                 reindexed(theirs[0], {"1": generic[0]}),
                 theirs[0],
@@ -279,9 +253,3 @@ class Case:
                 if [reindexed(gain, name) for name in names] == theirs:
                     weight = gain
         return weight
-
-
-def _or_zero(expression: sympy.Expr) -> sympy.Expr:
-    """Return an expression multiplied out, zero where its divisions cancel."""
-    sums = tidied(expression)
-    return sympy.S.Zero if sums.atoms(sympy.Pow) and vanishes(sums) else sums

@@ -184,13 +184,11 @@ class Bounding:
 
     def __init__(self, case: Any):
         """Read what a `law_case.Case` has."""
-        at = case.values
-        self.rate, self.V = case.rate.xreplace(at), case.Vs.xreplace(at)
-        self.truth = {s: true.xreplace(at) for s, true in case.truth.items()}
+        self.rate, self.V, self.truth = case.rate, case.Vs, case.truth
         self.moving, self.decays = case.moving, case.has_decay()
-        self.rates = {s: rate.xreplace(at) for s, rate in case.loop.motion.items()}
+        self.rates = {s: rate.xreplace(case.values) for s, rate in case.loop.motion.items()}
         self.KD = list(case.loop.parameters["vehicle_controller"].KD)
-        self.leaks = leaks_of(case.residual.xreplace(at), self.truth, self.moving)
+        self.leaks = leaks_of(case.residual, self.truth, self.moving)
         H, self.k = sympy.hessian(self.V, list(self.truth)), sympy.Min(*self.KD)
         self.weights = {s: H[j, j] for j, s in enumerate(self.truth)}
         self.errors, learned = list(self.truth)[:2], list(self.truth)[2:]  # x, whose truth is z

@@ -10,16 +10,17 @@ the terms with e cancel; gains are read off the law's equations,
 """
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from inspect import signature
 from typing import Any
 
 import control
 import numpy as np
 import sympy
-from sympy.core.function import AppliedUndef
 
 from ...arguments import Count, Seed, public
-from ...blocks.laws.law import LEARNED, Law
+from ...blocks.laws.law import LEARNED, Law, Truth
+from ...blocks.lyapunov import lyapunov_candidate, weighted
 from ...diagrams.interconnection import Diagram, connect
 from ...diagrams.parts import functions_of
 from ...diagrams.wiring import read_anew
@@ -33,65 +34,60 @@ from .invariants import invariant_steps
 from .law_case import Case
 from .proof import first_failure, worked_out
 from .signs import tidied
-from .symbolic_loop import TIME, SymbolicLoop, flat, refuse_no_value, symbolic_loop
+from .symbolic_loop import TIME, refuse_no_value, symbolic_loop
 from .symbols import paper_name
-from .theorem_loop import (
-    mixed_candidate,
-    rate_of_V,
-    theorem_candidate,
-    theorem_loop,
-    theorem_scenario,
-    tied,
-    truth_in,
-)
+from .theorem_loop import mixed_candidate, rate_of_V, theorem_loop, theorem_scenario, tied, truth_in
 from .verdict import Verdict, verdict_of
 
 ANY = "clpt.theory.lyapunov(diagram, V) judges a V of your own on any diagram"
-Candidate = Callable[..., Block]  # makes V of the truth, and of the law's parameters
+Candidate = Callable[..., Block]  # makes V of the truth
 
 
-def fitted_V(
-    law: Block, N: int, loop: SymbolicLoop
-) -> tuple[list[sympy.Expr], bool, sympy.Matrix | None]:
-    """Return the gains with which a law adapts alpha, K and Gamma, of a loop of it alone.
+def fitted_V(law: Block, N: int) -> tuple[Candidate, list[sympy.Expr], bool]:
+    """Return what makes V fitted to a law, of the truth, its gains, and whether V' > 0 refutes.
 
-    With them stand whether V' > 0 refutes the law, and the inverse of a matrix of gains, in
-    numbers, or None.  The gains are the factors of -e phi, -e z and e zc in the rates of alpha, K
-    and Gamma, in the symbols of the law's parameters, without their sign; 1 where there is none.  V
-    refutes the law where each that is not held has a gain, and a V of squares can take what is
-    beside it; else V is a
-    guess, and refutes nothing.  Where these products drive each other's rates, by a matrix that is
-    symmetric and positive definite, V weighs the errors by its inverse.
+    The gains with which a law adapts alpha, K and Gamma are the factors of -e phi, -e z and e zc in
+    their rates, without their sign; 1 where there is none.  V refutes the law where each that is
+    not held has a gain, and a V of squares can take what is beside it; else V is a guess, and
+    refutes nothing.  Where these products drive each other's rates, by a matrix that is symmetric
+    and positive definite, V weighs the errors by its inverse.
     """
-    values = loop.values
+    loop = symbolic_loop(connect([law], external=list(law.input_ports)), jumps=True)
     refuse_no_value(loop, law.name)
     nothing = np.zeros(2 * N, dtype=object)
-    e, apart = np.array([sympy.Function(f"e_{i}", real=True)(TIME) for i in (1, 2)]), {}
+    e, known = np.array([sympy.Function(f"e_{i}", real=True)(TIME) for i in (1, 2)]), loop.values
     if {"x", "z"} <= set(loop.inputs):  # e may be written x - z
-        apart = dict(zip(loop.inputs["x"], e + loop.inputs["z"], strict=True))
+        known = known | dict(zip(loop.inputs["x"], e + loop.inputs["z"], strict=True))
     with_phi, with_z, with_zc = (loop.inputs.get(u, nothing) for u in ("phi_x", "z", "zc"))
     products = [*np.ravel(np.outer(e, with_phi[:N])), *(e * with_z[:2]), *(-e * with_zc[:2])]
     learned = [m for port in LEARNED for m in np.ravel(loop.signals.get(port, nothing))]
-    rates = [tidied(loop.derivative(sympy.sympify(m)).xreplace(apart)) for m in learned]
-    gains, rests, refutes = [], {}, True
+    rates = [tidied(loop.derivative(sympy.sympify(m)).xreplace(known)) for m in learned]
+    gains, rests, refutes = list[sympy.Expr](), {}, True
     for state, rate, product in zip(learned, rates, products, strict=True):
-        factor = -_factor(rate, product, set(values))
-        number = factor.xreplace(values)
-        refutes &= bool(number.is_nonzero or rate == 0)
-        gains.append(factor if number.is_positive else -factor if number else sympy.S.One)
+        factor = -_factor(rate, product)
+        refutes &= factor != 0 or rate == 0
+        gains.append(abs(factor) or sympy.S.One)
         rests[state] = sympy.expand(rate + factor * product) / gains[-1]
     inverse = None
     if any(rest.has(*e) for rest in rests.values()):
-        M = sympy.Matrix([[-_factor(rate, p, set(values)) for p in products] for rate in rates])
-        M = M.xreplace(values)
+        M = sympy.Matrix([[-_factor(rate, p) for p in products] for rate in rates])
         if M.is_symmetric() and not M.is_diagonal() and M.is_positive_definite:
             inverse = M.inv()
     inputs = [s for port, symbols in loop.inputs.items() if port != "e" for s in symbols.flat]
     still = {s: sympy.Dummy(real=True) for s in inputs}
     rests = {s: rest.xreplace(still) for s, rest in rests.items() if s.is_Symbol}
-    refutes = refutes and len(rests) == len(learned) and not inverse
-    refutes = refutes and _weighed_by_squares(rests, {*values, *still.values()})
-    return gains, refutes, inverse
+    refutes = refutes and len(rests) == len(learned) and inverse is None
+    refutes = refutes and _weighed_by_squares(rests, {*still.values()})
+    if inverse is not None:
+        return partial(mixed_candidate, np.array(inverse, dtype=float)), [*inverse], refutes
+    alpha, (K, Gamma) = np.reshape(gains[:-4], (2, N)), np.reshape(gains[-4:], (2, 2))
+    each = {"gain": alpha, "gain_K": K, "gain_Gamma": Gamma}
+    each = {field: own.astype(float) for field, own in each.items()}
+
+    def fitted(truth: Truth) -> Block:
+        return lyapunov_candidate("learned-flow", weighted([1.0] * 3, *truth)._replace(**each))
+
+    return fitted, gains, refutes
 
 
 def _weighed_by_squares(rests: dict, known: set) -> bool:
@@ -106,11 +102,10 @@ def _weighed_by_squares(rests: dict, known: set) -> bool:
     return all(sympy.expand(slope - slopes[b, a]) == 0 for (a, b), slope in slopes.items())
 
 
-def _factor(rate: sympy.Expr, product: sympy.Expr, parameters: set) -> sympy.Expr:
-    """Return the factor of a product in a rate, made of parameters alone."""
-    terms = [term / product for term in sympy.Add.make_args(rate)]
-    known = (q for q in terms if not q.atoms(AppliedUndef) and q.free_symbols <= parameters)
-    return sympy.Add(*known)
+def _factor(rate: sympy.Expr, product: sympy.Expr) -> sympy.Expr:
+    """Return the number by which a product stands in a rate."""
+    terms = (term / product for term in sympy.Add.make_args(rate))
+    return sympy.Add(*(q for q in terms if q.is_number))
 
 
 @public
@@ -196,16 +191,17 @@ def prove(
     N = functions_of(law_block)
     theorem_loop(N, "learned-flow", law_block=law_block)  # refuses what is no law
     with worked_out(law_block.name):
+        make, gains, refutes = _maker(V, law_block), list[sympy.Expr](), False
+        if V is None and invariants is None:  # one V that does not fall refutes no law
+            make, gains, refutes = fitted_V(law_block, N)
         if invariants is None:
-            return _verdict_by_V(law_block, V, N, points, seed)
+            return verdict_of(_case(law_block, make, gains, N, refutes, points, seed))
         if V is None:
             raise DiagramError(f"{law_block.name}: a law whose states keep relations needs its V")
         part = {"invariants": invariants, "semidefinite": semidefinite, "losses": losses}
         row = Law(law_block.name, rates=law_block.values, V_rate="-e^T KD e - losses")
-        make = _maker(V)
-        blocks = law_block, lambda truth: make(truth, law_block.parameters)
-        case = InvariantLoop(row := row.with_parts(part), N, blocks=blocks)
-        steps, (apart, existing) = invariant_steps(row, points, case), case.existing()
+        case = InvariantLoop(row := row.with_parts(part), N, blocks=(law_block, make))
+        steps, (apart, existing) = invariant_steps(row, points, case, seed), case.existing()
         failed = first_failure(steps)
         known = "proved" if existing.holds else f"proved {apart}"
         return Verdict(
@@ -232,48 +228,34 @@ def _beside(scenario: Scenario) -> str:
     return next((what for what, has in adds.items() if has), "")
 
 
-def _verdict_by_V(law: Block, V: Candidate | None, N: int, points: int, seed: int) -> Verdict:
-    scenario, refutes = theorem_scenario(N, "learned-flow"), False
-    if V is None:
-        alone = symbolic_loop(connect([law], external=list(law.input_ports)), jumps=True)
-        gains, refutes, inverse = fitted_V(law, N, alone)
-        numbers = [float(gain.subs(alone.values)) for gain in gains]
-        alpha, (K, Gamma) = np.reshape(numbers[:-4], (2, N)), np.reshape(numbers[-4:], (2, 2))
-        candidate = theorem_candidate(scenario, gain=alpha, gain_K=K, gain_Gamma=Gamma)
-        if inverse is not None:
-            candidate = mixed_candidate(np.array(inverse, dtype=float), truth_of(scenario))
-    else:  # one V that does not fall refutes no law
-        make, sources = _maker(V), (truth_of(scenario), law.parameters)
-        candidate = make(*sources)
+def _case(law: Block, make: Candidate, gains: list, N: int, *more: Any) -> Case:
+    true = truth_of(theorem_scenario(N, "learned-flow"))
+    candidate = make(true)
     diagram = theorem_loop(N, "learned-flow", law_block=law, candidate=candidate)
     loop = symbolic_loop(diagram, jumps=True)
-    truth = truth_in(loop)
-    if V is not None:
-        symbols = (truth, loop.parameters[law.name])
-        weights = tied(loop, candidate, make, *zip(sources, symbols, strict=True))
-    else:  # in the names of the whole diagram
-        here, there = (flat(one.parameters[law.name]) for one in (alone, loop))
-        names, p = dict(zip(here, there, strict=True)), loop.parameters[candidate.name]
-        fields = (p.gain, p.gain_K, p.gain_Gamma) if inverse is None else (p.inverse,)
-        theirs = [s for field in fields for s in np.ravel(field)]
-        weights = {s: w.subs(names) for s, w in zip(theirs, inverse or gains, strict=True)}
-    return verdict_of(Case(diagram, loop, candidate, law, weights, refutes, points, seed))
+    known = tied(loop, candidate, make, (true, truth_in(loop)))
+    if gains:  # as they are, not rounded
+        p = loop.parameters[candidate.name]
+        fields = ("inverse",) if "inverse" in p._fields else ("gain", "gain_K", "gain_Gamma")
+        theirs = [s for field in fields for s in np.ravel(getattr(p, field))]
+        known |= zip(theirs, gains, strict=True)
+    return Case(diagram, loop, candidate, law, known, *more)
 
 
-def _maker(V: Candidate) -> Candidate:
-    """Return a function that makes a candidate, under a name that no block of the paper has.
+def _maker(V: Candidate | None, law: Block) -> Candidate:
+    """Return a function that makes a candidate of the truth, under a name that no block has.
 
-    It takes the truth and the law's parameters, for which not every candidate asks.
+    A candidate may ask for the law's parameters, too.
     """
     if isinstance(V, control.InputOutputSystem):
         raise DiagramError(
             f"{V.name}: is made, and would know one truth; give V(truth) or V(truth, parameters), "
             "a function that makes a Block with the output V[1]"
         )
-    asked = len(signature(V).parameters)
 
-    def make(*sources: Any) -> Block:
-        block = V(*sources[:asked])
+    def make(truth: Truth) -> Block:
+        assert V is not None
+        block = V(*(truth, law.parameters)[: len(signature(V).parameters)])
         if not isinstance(block, Block) or block.output_ports != {"V": 1}:
             raise DiagramError(f"{block}: a candidate makes V[1] and nothing else")
         read_anew(block)

@@ -4,9 +4,8 @@ An expression is zero if as one fraction p/q, of polynomials over the rationals 
 words, p = 0 and q is not.  Roots and rounded numbers are left to SymPy's own rules.  An expression
 is never positive where it factors into squares with a minus, or is -s^T M s with M >= 0.
 
-With words in it an expression is examined in the words' sectors, else piece by piece (`words`),
-each with the facts there: expressions that are not negative.  A fact that is linear in a symbol s
-takes s out.
+With words in it an expression is examined in the words' sectors, else piece by piece (`words`): of
+each it is asked everywhere.
 """
 
 from functools import lru_cache
@@ -105,10 +104,9 @@ MOST_EXAMINED = 400  # of more no sign is known
 HIGHEST = 4  # higher powers are not factored
 FEW = 12  # terms; more with words in them are not factored
 MOST_FACTORED, LARGEST = 40, 10  # terms; numbers in an exponent of e
-MOST_WORDS, MOST_FACTS = 8, 16  # that are examined together
+MOST_WORDS = 8  # that are examined together
 
 EVEN = {sympy.cos: (sympy.sin, -1), sympy.cosh: (sympy.sinh, 1)}  # 1 - sin^2, 1 + sinh^2
-Facts = tuple[sympy.Expr, ...]  # what is not negative
 
 
 @lru_cache(maxsize=1000)
@@ -222,15 +220,13 @@ def rising_in(E: sympy.Expr, s: sympy.Symbol) -> bool:
     return rises
 
 
-def nonpositive(
-    expression: sympy.Expr, apart: set, facts: Facts = (), by: set | None = None
-) -> bool:
-    """Return whether an expression is known never to be positive where no fact is negative.
+def nonpositive(expression: sympy.Expr, apart: set, by: set | None = None) -> bool:
+    """Return whether an expression is known never to be positive.
 
     Terms that share no symbol of `apart`, the states and truths, or of `by`, are examined apart.
     """
     groups = groups_of(expression, apart if by is None else by)
-    return all(_negative(group, apart, facts) for group in groups)
+    return all(_negative(group, apart) for group in groups)
 
 
 def groups_of(expression: sympy.Expr, apart: set) -> list[sympy.Expr]:
@@ -254,7 +250,7 @@ def _without_squares(group: sympy.Expr) -> sympy.Expr:
     return sympy.expand(sympy.Mul(*rest))
 
 
-def _negative(group: sympy.Expr, apart: set, facts: Facts) -> bool:
+def _negative(group: sympy.Expr, apart: set) -> bool:
     if len(sympy.Add.make_args(group)) > MOST_EXAMINED:
         return False
     if group == 0:
@@ -265,11 +261,11 @@ def _negative(group: sympy.Expr, apart: set, facts: Facts) -> bool:
     simple = not words or len(sympy.Add.make_args(group)) <= FEW
     if low and simple:
         left = _without_squares(group)
-        if left.is_nonpositive or (left != group and nonpositive(left, apart, facts)):
+        if left.is_nonpositive or (left != group and nonpositive(left, apart)):
             return True
     if not words:
-        return _in_forms(group, apart) or (bool(facts) and _below(group, apart, facts))
-    return _in_sectors(group, words, apart, facts) or _in_pieces(group, words, apart, facts)
+        return _in_forms(group, apart)
+    return _in_sectors(group, words, apart) or _in_pieces(group, words, apart)
 
 
 def _in_forms(group: sympy.Expr, apart: set) -> bool:
@@ -283,13 +279,13 @@ def _in_forms(group: sympy.Expr, apart: set) -> bool:
         term = share * sympy.prod(s**n for s, n in zip(symbols, monomial, strict=True))
         degrees[sum(monomial)] = degrees.get(sum(monomial), sympy.S.Zero) + term
     if len(degrees) > 1:
-        return all(_negative(d, apart, ()) for d in degrees.values())
+        return all(_negative(d, apart) for d in degrees.values())
     H = sympy.Matrix([[whole.diff(a, b).as_expr() for a in symbols] for b in symbols])
     known = not H.free_symbols and not H.atoms(sympy.Function)
     return 2 in degrees and known and bool((-H).is_positive_semidefinite)
 
 
-def _in_sectors(group: sympy.Expr, words: set, apart: set, facts: Facts) -> bool:
+def _in_sectors(group: sympy.Expr, words: set, apart: set) -> bool:
     """Return whether an expression is not positive wherever its words lie in their sectors."""
     inner = {one for word in words for a in word.args for one in words_of(a)}
     outer = sorted(words - inner, key=str)
@@ -300,12 +296,12 @@ def _in_sectors(group: sympy.Expr, words: set, apart: set, facts: Facts) -> bool
     if not plain.is_polynomial(*q):
         return False
     return any(
-        _at_the_ends(plain, q, [sector_of(word, slope) for word in outer], apart, facts)
+        _at_the_ends(plain, q, [sector_of(word, slope) for word in outer], apart)
         for slope in (False, True)[: 1 + group.has(sympy.sin, sympy.exp)]
     )
 
 
-def _at_the_ends(plain: sympy.Expr, q: tuple, found: list, apart: set, facts: Facts) -> bool:
+def _at_the_ends(plain: sympy.Expr, q: tuple, found: list, apart: set) -> bool:
     """Return whether an expression, convex in each q, is not positive where q is at its ends."""
     if None in found:
         return False
@@ -324,50 +320,15 @@ def _at_the_ends(plain: sympy.Expr, q: tuple, found: list, apart: set, facts: Fa
         last = [sympy.diff(f, one) for f in ends] if sector.high == sympy.oo else None
         more = last or [f.xreplace({one: sector.high}) for f in ends]
         ends = [f.xreplace({one: sector.low}) for f in ends] + more
-    return all(nonpositive(sympy.expand(f), apart, facts) for f in set(ends))
+    return all(nonpositive(sympy.expand(f), apart) for f in set(ends))
 
 
-def _in_pieces(group: sympy.Expr, words: set, apart: set, facts: Facts) -> bool:
+def _in_pieces(group: sympy.Expr, words: set, apart: set) -> bool:
     """Return whether an expression is not positive in any piece of its words."""
-    if len(facts) > MOST_FACTS:
-        return False
-    for word in sorted(words, key=str):
+    for word in sorted(words, key=str) if len(words) <= MOST_WORDS else ():
         pieces = [] if any(map(words_of, word.args)) else pieces_of(word)
-        if not pieces:
-            continue
-        return all(
-            nonpositive(decided(group.xreplace(known)), apart, (*facts, *here))
-            for here, known in pieces
-        )
-    return False
-
-
-def _below(group: sympy.Expr, apart: set, facts: Facts) -> bool:
-    """Return whether an expression is not positive where facts are not negative."""
-    inputs = {f: sympy.Dummy(real=True) for f in group.atoms(AppliedUndef)}
-    group, *left = (sympy.expand(e.xreplace(inputs)) for e in (group, *facts))
-    return _less_facts(group, left, apart | set(inputs.values()), frozenset())
-
-
-def _less_facts(group: sympy.Expr, left: list, apart: set, fresh: frozenset) -> bool:
-    """Return the same, each fact taken out in turn: it is a symbol that is not negative."""
-    if any(fact.is_negative for fact in left):
-        return True
-    none = {-fact: sympy.S.Zero for fact in left if -fact in fresh}  # f >= 0 and -f >= 0
-    if none:
-        group, left = group.xreplace(none), [f.xreplace(none) for f in left if -f not in none]
-    left = [f for f in left if f.free_symbols & apart - fresh and f.is_polynomial(*apart)]
-    if not left or group == 0:
-        terms = sympy.Add.make_args(group)
-        return all(term.is_nonpositive for term in terms) or nonpositive(group, apart | fresh)
-    more = sympy.Dummy("more", nonnegative=True)
-    alone = [(f, s) for f in left for s in f.free_symbols & apart if sympy.diff(f, s).is_number]
-    first = min(alone, key=str)[1] if alone else None
-    for fact, s in [pair for pair in alone if pair[1] == first]:
-        out = {s: (more - fact.xreplace({s: sympy.S.Zero})) / sympy.diff(fact, s)}
-        new, *others = (sympy.expand(f.xreplace(out)) for f in (group, *left))
-        if _less_facts(new, others, apart, fresh | {more}):
-            return True
+        if pieces:
+            return all(nonpositive(decided(group.xreplace(at)), apart) for _, at in pieces)
     return False
 
 

@@ -118,8 +118,6 @@ class Numbers:
 
         with np.errstate(all="ignore"):
             found = np.array([np.broadcast_to(number(e), count) for e in self.expressions])
-        if np.iscomplexobj(found):  # as of a root or a logarithm of SymPy's own
-            found = np.where(found.imag == 0.0, found.real, np.nan)
         return found.astype(float)
 
 

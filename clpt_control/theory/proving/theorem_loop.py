@@ -122,13 +122,10 @@ def law_loop(law: Law, block: Block, V: Block, speed: Hedging = "no limit") -> D
     return theorem_loop(block.sizes["N"], known, law_block=block, candidate=V, speed=speed)
 
 
-def theorem_candidate(scenario: Scenario, **gains: Any) -> Block:
-    """Return V of Eq. (17) or (24) with the scenario's truth.
-
-    `gain` of alpha (2, N), `gain_K` and `gain_Gamma` (2,) take the place of the one gain.
-    """
+def theorem_candidate(scenario: Scenario) -> Block:
+    """Return V of Eq. (17) or (24) with the scenario's truth."""
     p = weighted([scenario.learning.used_gains.parameters] * 3, *truth_of(scenario))
-    return lyapunov_candidate(scenario.learning.law, p._replace(**gains))
+    return lyapunov_candidate(scenario.learning.law, p)
 
 
 def mixed_level(t, x, u, p):

@@ -147,11 +147,11 @@ def verdict_of(case: Case) -> Verdict:
     """Return the verdict on a law; V' > 0 refutes it only where V was fitted to it."""
     definite, total = case.definite(), case.valued()
     (falls, fall), zones = case.settled(), any(case.zones)
-    at = " and the parameters as they are" if case.fixed else ""
     below = f"V' {'=' if case.residual == 0 else '<='} {fall}"
     left = "" if case.residual == 0 else f"left over: {short(case.residual)}"
     left = left if case.rises else "V is not known to rise with |e|"
-    steps = [definite, total, exact(f"{below}, N = {case.N}{at}", falls, left)]
+    sizes = f"N = {case.N} and the parameters as they are"
+    steps = [definite, total, exact(f"{below}, {sizes}", falls, left)]
     bound = None
     if definite.holds and not (falls or zones):
         bound = Bounding(case).bound()
