@@ -19,7 +19,7 @@ import numpy as np
 
 from .answers import LIBRARIES, joined
 from .arrays import Tape, Unread
-from .elementwise import Row, boxed, constant, is_row
+from .elementwise import boxed, constant
 from .kept import GONE, LOCK, Snapshot, same
 from .lookup_tables import is_table
 from .record import MOST_NUMBERS
@@ -31,21 +31,11 @@ READERS = tuple(f"{__package__}.{name}" for name in ("arrays", "elementwise", "r
 OF_WARNINGS = "__warningregistry__"  # which Python puts into the module that it warns of
 
 
-class Grown(Exception):
-    """A function changes a list of numbers, such as a log, which then is watched as it is."""
-
-    def __init__(self, row: int):
-        super().__init__()
-        self.row = row
-
-
 class Copies:
     """The copies of one reading; `check` refuses a function that changed a name outside it."""
 
-    def __init__(self, tape: Tape, snapshot: Snapshot, grown: set[int]) -> None:
+    def __init__(self, tape: Tape, snapshot: Snapshot) -> None:
         self.tape, self.snapshot = tape, snapshot
-        self.grown = grown  # lists of numbers that the function changes
-        self._rows: dict[int, int] = {}  # copies of lists of numbers, and which list each is of
         self._known: dict[int, tuple[Any, Any]] = {}  # a value, alive, and what stands for it
         self._spaces: dict[int, dict[str, Any]] = {}  # the copied names of each module
         self._changes: dict[int, list[tuple[dict, str, Any, Any]]] = {}  # of modules and objects
@@ -86,10 +76,6 @@ class Copies:
             return self.of(getattr(value, "py_func", None) or value.__wrapped__)
         if isinstance(value, np.vectorize):
             raise Unread("calls np.vectorize; write a loop")
-        if is_row(value) and id(value) not in self.grown:
-            row = self._watched(Row(value))
-            self._rows[id(row)] = id(value)
-            return row
         kind = type(value)
         make = tuple if kind is tuple else getattr(kind, "_make", None)  # of a NamedTuple
         if (make or kind is list) and len(value) < 100:
@@ -178,8 +164,6 @@ class Copies:
             now = [thing.cell_contents] if isinstance(thing, CellType) else thing
             if same(now, before):
                 continue
-            if id(thing) in self._rows:
-                raise Grown(self._rows[id(thing)])
             if isinstance(now, dict):
                 names = [k for k, one in now.items() if one is not before.get(k, GONE)]
                 words = f"{words} {[*names, 'that is gone'][0]!r}"

@@ -59,24 +59,6 @@ def put(array: Array, index: Any, value: Any) -> None:
     store[index] = new if isinstance(store[index], np.ndarray) else new.item()
 
 
-class Row(list):
-    """A list of numbers, in which a whole number of a run is a place."""
-
-    def __getitem__(self, place: Any) -> Any:
-        if not moves(place):
-            return super().__getitem__(place)
-        found = lifted(place._tape, np.array(self, dtype=float))[place]
-        if isinstance(found, Array):
-            found._whole, found._of_python = all(map(is_whole, self)), True
-        return found
-
-
-def is_row(value: Any) -> bool:
-    """Return whether a value is a list of numbers."""
-    kinds = {float, int, np.float64, np.int64}
-    return type(value) is list and len(value) > 1 and kinds.issuperset(map(type, value))
-
-
 def lifted(tape: Tape, value: Any) -> Any:
     """Return a number as it is, and what NumPy makes arrays of as an array of the record."""
     if isinstance(value, Array):

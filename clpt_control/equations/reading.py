@@ -18,7 +18,7 @@ import numpy as np
 from ..errors import BlockError
 from .answers import AnsweringTape, Borrowed, Outside, Ports, each_way, located, merged
 from .arrays import Array, Tape, Unread, objects, operand, reading_on
-from .copies import Copies, Grown, borrowed
+from .copies import Copies, borrowed
 from .declaration import Parameters
 from .elementwise import as_number, filled, lifted, where
 from .kept import OF_ALL, Snapshot
@@ -70,7 +70,6 @@ def read(*arguments: Any, **more: Any) -> Read:
     """
     request = Request(*arguments, **more)
     spaces: list[dict[str, Any]] = []
-    grown: set[int] = set()
     reads: list[Read] = []
     snapshot = Snapshot(() if request.known else OF_ALL)
     try:
@@ -78,12 +77,9 @@ def read(*arguments: Any, **more: Any) -> Read:
             states = [{}, *snapshot.left.values()]
             state = states[min(len(reads), len(states) - 1)]
             try:
-                reads.append(_Ways(request, spaces, snapshot, state, grown).read())
-            except (Borrowed, Grown) as missing:
-                if isinstance(missing, Grown):
-                    grown.add(missing.row)
-                else:
-                    spaces.append(missing.space)
+                reads.append(_Ways(request, spaces, snapshot, state).read())
+            except Borrowed as missing:
+                spaces.append(missing.space)
                 reads.clear()
                 snapshot.restore()
                 snapshot.left.clear()
@@ -107,12 +103,12 @@ class _Ways:
     """All ways through a function, one after the other."""
 
     def __init__(
-        self, request: Request, spaces: list[dict], snapshot: Snapshot, state: dict, grown: set[int]
+        self, request: Request, spaces: list[dict], snapshot: Snapshot, state: dict
     ) -> None:
         self.request, self.spaces = request, spaces
         self.snapshot, self.state = snapshot, state  # in which a way left all
         self.tape = AnsweringTape(request.parameters, spaces)
-        self.copies = Copies(self.tape, snapshot, grown)
+        self.copies = Copies(self.tape, snapshot)
         self.ways: list[tuple[dict[int, bool], list[Any]]] = []
 
     def read(self) -> Read:
