@@ -127,9 +127,9 @@ class Array(NDArrayOperatorsMixin):
         self._fixed = False  # whether nothing may be written into it
         self._boxed = False  # whether, without axes, it is NumPy's array and no number
         # whether what is written into it is cut to a whole number, and whether it is one of
-        # Python's numbers, not of NumPy's: truths, or conditions where that hangs on a choice
-        self._whole: Any = False
-        self._of_python: Any = False
+        # Python's numbers, not of NumPy's; None where that hangs on a choice
+        self._whole: bool | None = False
+        self._of_python: bool | None = False
         self._parent: Array | None = parent
         self._select = select  # takes this part of the parent's elements
         self._store: np.ndarray | None = None  # its elements, once one was written

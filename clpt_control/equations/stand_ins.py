@@ -28,6 +28,7 @@ from .elementwise import (
     is_whole,
     lifted,
     refuse_in_a_try,
+    told,
     where,
 )
 from .lookup_tables import function_of, is_table
@@ -153,26 +154,17 @@ def compensated(values: Iterable[Any], start: Any = 0) -> Any:
     values = list(values)
     if tape_of((start, *values)) is None:
         return sum(values, start)
-    total, own = start, is_of_python(start)
-    lost: Any = 0.0
+    total, lost, count = start, 0.0, 0
     for value in values:
-        own = all_of([own, is_of_python(value)])
-        whole = where(is_whole(total), True, sys.version_info < (3, 14) and is_whole(value))
+        if not told(all_of([is_of_python(total), is_of_python(value)])):
+            break
         new = total + value
-        if isinstance(lost, Array) or lost:
-            new = where(own, new, with_rest(total, lost) + value)
-        if own is False:
-            lost = 0.0
-        else:
-            rest = lost + rounded_off(total, value, total + value)
-            lost = where(own, where(whole, lost, rest), 0.0)
-        total = new
-    return with_rest(total, lost) if isinstance(lost, Array) or lost else total
-
-
-def with_rest(total: Any, lost: Any) -> Any:
-    """Return a sum and what rounding took from it, unless that is no number."""
-    return where(np.isfinite(lost), total + lost, total)
+        exact = told(is_whole(total)) or (sys.version_info < (3, 14) and told(is_whole(value)))
+        lost = lost if exact else lost + rounded_off(total, value, new)
+        total, count = new, count + 1
+    if isinstance(lost, Array) or lost:
+        total = where(np.isfinite(lost), total + lost, total)
+    return sum(values[count:], total)
 
 
 def printed(*values: Any, **more: Any) -> None:

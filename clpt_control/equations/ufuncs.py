@@ -179,7 +179,7 @@ BITWISE: dict[Any, Callable] = {  # of truth values
     np.bitwise_and: partial(elementwise, "and"),
     np.bitwise_or: partial(elementwise, "or"),
     np.bitwise_xor: partial(elementwise, "ne"),
-    np.invert: lambda a: refuse("~") if is_of_python(a) else elementwise("not", a),
+    np.invert: lambda a: elementwise("not", a) if is_of_python(a) is False else refuse("~"),
 }
 TAKING_TRUTHS = frozenset(
     {"logical_xor", "isnan", "isfinite", "isinf", "fmin", "fmax", "square", "conjugate", "rint"}

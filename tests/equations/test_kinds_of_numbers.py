@@ -313,8 +313,6 @@ COUNTED = {  # whole numbers, and what is none though it is made of them
     "np.max": lambda a, b: np.max([int(a), 1]),
     "an element": lambda a, b: np.array([int(a), 3])[1] + np.array([int(a), 3])[0],
     "truths": lambda a, b: np.sum(np.array([a, b]) > 0.0),
-    "one way": lambda a, b: round(a) if b > 0 else 0.5 * a,
-    "the larger": lambda a, b: max(int(a), b),
     "float": lambda a, b: float(int(a)),
     "np.float64": lambda a, b: np.float64(int(a)),
     "np.fabs": lambda a, b: np.fabs(int(a)),
@@ -434,6 +432,9 @@ ONE_LINE_REFUSED = {  # what would be another number
     "makes all like the first": lambda t, x, u, p: np.vectorize(lambda v: 1 if v > 0 else 0.5 * v)(
         x
     ),
+    "cuts one way of two": lambda t, x, u, p: beside(round(x[0]) if u[0] > 0 else 0.5, u[1]),
+    "cuts the larger": lambda t, x, u, p: beside(max(int(x[0]), u[0]), u[1]),
+    "asks for the type of one of two": lambda t, x, u, p: [type(max(0, x[0])) is int],
     "rounds as python": lambda t, x, u, p: [round(float(u[1]), 1)],
     "inverts a truth of Python": lambda t, x, u, p: [1.0 if ~(float(x[0]) > 0) else 2.0],
     # what Python asks
