@@ -432,7 +432,6 @@ ONE_LINE_REFUSED = {  # what would be another number
     "makes all like the first": lambda t, x, u, p: np.vectorize(lambda v: 1 if v > 0 else 0.5 * v)(
         x
     ),
-    "cuts one way of two": lambda t, x, u, p: beside(round(x[0]) if u[0] > 0 else 0.5, u[1]),
     "cuts the larger": lambda t, x, u, p: beside(max(int(x[0]), u[0]), u[1]),
     "asks for the type of one of two": lambda t, x, u, p: [type(max(0, x[0])) is int],
     "rounds as python": lambda t, x, u, p: [round(float(u[1]), 1)],
