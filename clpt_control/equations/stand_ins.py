@@ -31,7 +31,7 @@ from .elementwise import (
     told,
     where,
 )
-from .lookup_tables import function_of, is_table
+from .lookup_tables import function_of
 from .number_types import TYPES, has, is_a, of_python, real_of, type_of
 from .numpy_functions import apply_function
 from .ufuncs import apply_ufunc
@@ -68,8 +68,6 @@ class StandIn:
             return StandIn(
                 attribute, lambda tape, *a, **more: apply_ufunc(tape, self.real, name, a, more)
             )
-        if is_table(self.real) and callable(attribute):  # as derivative() makes another
-            return lambda *arguments: stand_in(attribute(*arguments))
         return attribute
 
 

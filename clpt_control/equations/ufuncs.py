@@ -24,8 +24,9 @@ from .views import (
     copied,
     depends,
     into,
-    of_numbers,
-    on_values,
+    on_numbers,
+    on_objects,
+    on_parameters,
     refuse,
     repacked,
     tape_of,
@@ -45,8 +46,8 @@ def apply_ufunc(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) ->
         more.pop(unused, None)
     try:
         result = _apply(tape, ufunc, method, inputs, more)
-    except Unread as refused:
-        result = on_values(tape, getattr(ufunc, method), inputs, more, refused)
+    except Unread as why:
+        result = on_parameters(tape, getattr(ufunc, method), inputs, more, why)
     if condition is not True:
         result = np.where(condition, result, 0.0 if out is None else out)
     return into(out, result)
@@ -60,7 +61,8 @@ def check_doubles(dtype: Any) -> None:
 
 def _apply(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
     if method != "at" and not depends(inputs):
-        return of_numbers(tape, getattr(ufunc, method), inputs, more)
+        known = on_numbers(tape, getattr(ufunc, method), inputs, more)
+        return on_objects(tape, getattr(ufunc, method), inputs, more) if known is None else known
     if method == "reduce" and "where" not in more:
         return reduced(ufunc, *inputs, **more)
     if method == "accumulate":

@@ -8,9 +8,8 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-import scipy.interpolate
 from recorded import as_it_runs, static
-from scipy.interpolate import CubicSpline, interp1d, splev, splrep
+from scipy.interpolate import CubicSpline, interp1d
 
 TABLE = [1.0, 2.0]
 WHOLE = np.array([[0, 1, 3], [-2, -3, 1], [1, 1, 1]])
@@ -25,9 +24,6 @@ BENT = [
 ]
 SHORT = interp1d([0, 1, 2, 3], [[0, 2], [1, 0], [4, 1], [2, 3]], "cubic", axis=0, fill_value=7)
 FILLED = interp1d(KNOTS / 5, CURVE, kind=3, bounds_error=False, fill_value=(7.0, -2.0))
-COMB = splrep(KNOTS, CURVE)
-SERIES = [np.polynomial.Polynomial([1.0, -0.5, 0.25]), np.polynomial.Chebyshev([0, 1, 2], [-2, 3])]
-SERIES.append(np.polynomial.Legendre([0.5, 1.0, 0.0, 0.3]))
 RATE = 0.5
 POINTS = ([0.3, -0.7, 2.0], [-1.2, 0.4, -0.1], [1.0, 1.0, 1.0], [2.5, 0.5, 0.2], [0.0, 0.0, 0.0])
 
@@ -93,15 +89,7 @@ def says_delays(t, x, u, p):
 
 
 def says_curves(t, x, u, p):
-    return [*[f(u[0]) for f in BENT], *FILLED(u), *SHORT(abs(u[1])), splev(u[1], COMB)]
-
-
-def says_splines(t, x, u, p):
-    return [*scipy.interpolate.splev(u, COMB), splev(u[0], COMB, der=1)]
-
-
-def says_series(t, x, u, p):
-    return np.concatenate([f(u) for f in SERIES] + [[SERIES[0].deriv()(u[1]), SERIES[1](u[0])]])
+    return [*[f(u[0]) for f in BENT], *FILLED(u), *SHORT(abs(u[1]))]
 
 
 class Motor:
