@@ -77,15 +77,6 @@ def mean(a: Any, axis: Any = None, dtype: Any = None, keepdims: Any = False) -> 
     return total / (a.size // total.size)
 
 
-@implements(np.var)
-def variance(a: Any, axis: Any = None, dtype: Any = None, ddof: Any = 0, keepdims: Any = 0) -> Any:
-    """Return the mean square of what differs from the mean."""
-    check_doubles(dtype)
-    apart = a - mean(a, axis, keepdims=axis is not None)
-    total = np.sum(apart * apart, axis, keepdims=keepdims)
-    return total / (a.size // total.size - ddof)
-
-
 # --- limits and choices -----------------------------------------------------------------------
 
 
@@ -222,7 +213,6 @@ implements(np.min, np.amin)(along(reduced, np.minimum))
 implements(np.any)(along(reduced, np.logical_or))
 implements(np.all)(along(reduced, np.logical_and))
 implements(np.ptp)(lambda a, *more, **named: np.max(a, *more, **named) - np.min(a, *more, **named))
-implements(np.std)(lambda a, *more, **named: np.sqrt(np.var(a, *more, **named)))
 implements(np.trace)(lambda a, *more, **named: np.sum(np.diagonal(a, *more, **named)))
 implements(np.linalg.inv)(lambda A: solve(A, np.eye(A.shape[0])))
 implements(np.cumsum)(along(accumulated, np.add))
@@ -230,9 +220,6 @@ implements(np.cumprod)(along(accumulated, np.multiply))
 implements(np.allclose, arrays=2)(lambda *given, **more: np.all(close(*given, **more)))
 implements(np.interp)(lookup_tables.interpolated)
 implements(np.searchsorted, arrays=0)(lookup_tables.searched)
-implements(np.digitize, arrays=0)(
-    lambda x, points, right=False: lookup_tables.searched(points, x, "left" if right else "right")
-)
 implements(np.stack, arrays=0)(stacks.stack)
 implements(np.concatenate, arrays=0)(stacks.join)
 implements(np.round, np.around)(rounded)

@@ -74,24 +74,24 @@ class StandIn:
 # --- `math` and built-in functions --------------------------------------------------
 
 
-def remainder(a: Any, b: Any) -> Any:
-    """Return math.remainder(a, b), from the rest of two periods: without rounding."""
-    rest = np.fmod(a, 2.0 * b)
-    return rest - b * np.rint(rest / b)
-
-
 def rounded_off(total: Any, value: Any, new: Any) -> Any:
     """Return what rounding took from total + value."""
     first = np.fabs(total) >= np.fabs(value)
     return where(first, (total - new) + value, (value - new) + total)
 
 
+def remainder(a: Any, b: Any) -> Any:
+    """Return math.remainder(a, b), from the rest of two periods: without rounding."""
+    rest = np.fmod(a, 2.0 * b)
+    return rest - b * np.rint(rest / b)
+
+
 MATH: dict[str, Callable] = {
     **{name: f for name in vars(math) if isinstance(f := getattr(np, name, None), np.ufunc)},
     **{name: functools.partial(elementwise, name) for name in ("erf", "erfc")},
     "log": lambda a, base=None: np.log(a) if base is None else np.log(a) / np.log(base),
-    "remainder": remainder,
     "hypot": lambda *a: np.hypot(*a) if len(a) == 2 else functools.reduce(np.hypot, a, 0.0),
+    "remainder": remainder,
     "dist": lambda a, b: functools.reduce(np.hypot, map(np.subtract, a, b), 0.0),
     "prod": lambda a, start=1: functools.reduce(lambda v, w: v * w, a, start),
 }
@@ -129,21 +129,6 @@ def best(better: Callable, values: list) -> Any:
     return functools.reduce(lambda a, b: chosen(better(b, a), b, a), map(single, values))
 
 
-MOST_SORTED = 16
-
-
-def ordered(values: list[Any]) -> list[Any]:
-    """Return few values sorted: neighbours change places where they must, until none does."""
-    if len(values) > MOST_SORTED:
-        return sorted(values)
-    for end in range(len(values) - 1, 0, -1):
-        for k in range(end):
-            a, b = values[k], values[k + 1]
-            swap = np.greater(a, b)
-            values[k], values[k + 1] = chosen(swap, b, a), chosen(swap, a, b)
-    return values
-
-
 def compensated(values: Iterable[Any], start: Any = 0) -> Any:
     """Return Python's sum: of its own floats, since 3.12, with what rounding took from it.
 
@@ -178,7 +163,6 @@ SHADOWS: dict[str, Any] = {  # built-in names that have stand-ins
     "min": of_values(min, functools.partial(best, np.less)),
     "any": of_values(any, lambda values: functools.reduce(np.logical_or, values, False)),
     "all": of_values(all, lambda values: functools.reduce(np.logical_and, values, True)),
-    "sorted": of_values(sorted, ordered),
     "isinstance": is_a,
     "hasattr": has,
     "type": type_of,

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import HOOKS, Array, Tape, Unread, objects
+from .arrays import HOOKS, Array, Tape, Unread
 from .elementwise import (
     as_condition,
     as_number,
@@ -28,7 +28,6 @@ from .views import (
     on_objects,
     on_parameters,
     refuse,
-    repacked,
     tape_of,
 )
 
@@ -74,13 +73,8 @@ def _apply(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
     if ufunc in BITWISE and method == "__call__":
         return BITWISE[ufunc](*inputs) if all(map(is_truth, inputs)) else refuse("bits")
     arguments: list[Any] = [one if type(one) is int else lifted(tape, one) for one in inputs]
-    if method == "outer":
-        a, b = arguments
-        return ufunc(a[(..., *[None] * np.ndim(b))] if np.ndim(a) else a, b)
     if method != "__call__" or more:
         return refuse(f"np.{ufunc.__name__}.{method}")
-    if all(set(kind) <= set("O->") for kind in ufunc.types):  # by np.frompyfunc
-        return repacked(tape, ufunc(*map(objects, arguments)))
     name = ufunc.__name__
     if name not in TAKING_TRUTHS and all(map(is_truth, arguments)):
         refuse(f"np.{name} of truth values, in short floats,")
@@ -161,20 +155,10 @@ def copysign(a: Any, b: Any) -> Any:
     return where(signbit(b), -size, size) if isinstance(b, Array) else np.copysign(1.0, b) * size
 
 
-def ignoring_nan(name: str, a: Any, b: Any) -> Any:
-    """Return the one that is a number, or the smaller or larger of two."""
-    return where(np.not_equal(a, a), b, where(np.not_equal(b, b), a, elementwise(name, a, b)))
-
-
 def fmod(a: Any, b: Any) -> Any:
     """Return the rest of a / b, which has a's sign."""
     rest = elementwise("mod", np.fabs(a), np.fabs(b))
     return where(a < 0, -rest, rest)
-
-
-def logaddexp(a: Any, b: Any) -> Any:
-    """Return log(exp a + exp b)."""
-    return np.maximum(a, b) + np.log1p(np.exp(-np.fabs(a - b)))
 
 
 BITWISE: dict[Any, Callable] = {  # of truth values
@@ -184,7 +168,7 @@ BITWISE: dict[Any, Callable] = {  # of truth values
     np.invert: lambda a: elementwise("not", a) if is_of_python(a) is False else refuse("~"),
 }
 TAKING_TRUTHS = frozenset(
-    {"logical_xor", "isnan", "isfinite", "isinf", "fmin", "fmax", "square", "conjugate", "rint"}
+    {"logical_xor", "isnan", "isfinite", "isinf", "square", "conjugate", "rint"}
 )
 COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special too
     "vecdot": lambda a, b: total(a * b, -1),
@@ -192,8 +176,6 @@ COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special
     "square": lambda a: elementwise("mul", a, a),
     "reciprocal": lambda a: elementwise("div", 1.0, a),
     **dict.fromkeys(("positive", "conjugate"), copied),
-    "fmin": lambda a, b: ignoring_nan("minimum", a, b),
-    "fmax": lambda a, b: ignoring_nan("maximum", a, b),
     **dict.fromkeys(("deg2rad", "radians"), lambda a: elementwise("mul", a, np.pi / 180)),
     **dict.fromkeys(("rad2deg", "degrees"), lambda a: elementwise("mul", a, 180 / np.pi)),
     "fabs": lambda a: converted(elementwise("fabs", a)),
@@ -206,11 +188,9 @@ COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special
     "heaviside": lambda a, b: where(a > 0, 1.0, where(a < 0, 0.0, where(a == 0, b, a))),
     "logical_xor": lambda a, b: (a != 0) != (b != 0),
     "divmod": lambda a, b: (np.floor_divide(a, b), np.remainder(a, b)),
-    "modf": lambda a: (a - np.trunc(a), np.trunc(a)),
-    **{own.__name__: own for own in (copysign, fmod, logaddexp, signbit)},
+    **{own.__name__: own for own in (copysign, fmod, signbit)},
     **{name: partial(elementwise, name) for name in ("erf", "erfc")},
     "expit": lambda a: 1.0 / (1.0 + np.exp(-a)),
-    "log_expit": lambda a: -np.log1p(np.exp(-a)),
 }
 
 

@@ -122,14 +122,8 @@ def on_objects(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
         inputs[0][...] = arguments[0]
     elif result is None:
         refuse(f"np.{function.__name__} with names of what it writes into,")
-    for k, given in enumerate(inputs):
-        if isinstance(given, Array) and share(arguments[k], result):
-            if result is arguments[k] and k:  # it was written into
-                return into(given, repacked(tape, result))
-            if not given._is_condition:
-                given._root._keep()
-                before, after = arguments[:k], arguments[k + 1 :]
-                return part(given, lambda one: function(*before, one, *after, **more))  # noqa: B023
+    if any(share(one, result) for one in arguments):
+        refuse(f"np.{function.__name__} that gives a part")
     return repacked(tape, result)
 
 

@@ -62,21 +62,12 @@ def numbers_are_overwritten(t, x, u, p):
     return [*(y * x), *(z * x), *(A @ x), *w[:1]]
 
 
-def signals_are_written_by_place(t, x, u, p):
-    y = np.zeros(2)
-    np.take(x, [0, 2], None, y)
-    return y
-
-
 def parts_are_written(t, x, u, p):
-    A, B, C, d, e = np.outer(x, u), np.outer(x, u), np.zeros(3), np.outer(x, x), 2.0 * x
-    np.rot90(A)[0, 0] = 9.0
-    np.rollaxis(B, 1)[0, 1] = 8.0
-    np.atleast_3d(C)[0, 1, 0] = x[0]
-    np.einsum("ii->i", d)[0] = 4.0
-    rows, windows = (np.broadcast_to(e, (2, 3)), np.lib.stride_tricks.sliding_window_view(e, 2))
-    e[1] = 7.0
-    return [*A.ravel(), *B.ravel(), *C, *d.ravel(), *rows.ravel(), *windows.ravel()]
+    A, B, C = np.outer(x, u), np.outer(x, u), np.outer(x, x)
+    np.flipud(A)[0, 0] = 9.0
+    np.moveaxis(B, 0, 1)[0, 1] = 8.0
+    np.swapaxes(C, 0, 1)[1, 0] = x[0]
+    return [*A.ravel(), *B.ravel(), *C.ravel()]
 
 
 def copies_are_left_alone(t, x, u, p):
@@ -200,7 +191,6 @@ def limits_into_an_array(t, x, u, p):
 READ = [
     limits_into_an_array,
     numbers_are_overwritten,
-    signals_are_written_by_place,
     parts_are_written,
     copies_are_left_alone,
     arrays_without_axes,
@@ -218,7 +208,8 @@ REFUSED = {  # with how many numbers each returns
     writes_into_an_attribute: 3,
     catches_a_place_outside: 1,
     catches_a_parameter_of_zero: 1,
-    lambda t, x, u, p: np.digitize(x, [2.0, 1.0, 0.0]): 3,
+    lambda t, x, u, p: np.searchsorted([2.0, 1.0, 0.0], x): 3,
+    lambda t, x, u, p: np.rot90(np.outer(x, u))[0]: 3,
     lambda t, x, u, p: np.clip(x, -0.5, 0.5, where=x > 0.0, out=x.copy()): 3,
     lambda t, x, u, p: [np.mean(x, where=[True, True, False])]: 1,
     lambda t, x, u, p: [round(p["k"], 1) * x[0]]: 1,

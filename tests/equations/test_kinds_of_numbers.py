@@ -228,7 +228,7 @@ def puts_another_mask(t, x, u, p):
 
 def is_without_what_is_no_number(t, x, u, p):
     a = x[0] / x[1]
-    return [np.fmin(a, 2.0), np.fmax(0.5, a), max(float("nan"), x[0])]
+    return [a, max(float("nan"), x[0])]
 
 
 # --- what is kept --------------------------------------------------------------------------------
@@ -353,7 +353,6 @@ ONE_LINE = {  # as Python has them
     ],
     "side by side": lambda t, x, u, p: [*np.r_[x, 1.0, u[:1]], *np.c_[x, x[::-1]].ravel()],
     "by methods of ufuncs": lambda t, x, u, p: [
-        *np.subtract.outer(x, u).ravel(),
         np.maximum.reduce([x[0], u[0], x[2]]),
         *np.add.accumulate(x),
         *np.sum(np.outer(x, x), axis=1, keepdims=True).ravel(),
