@@ -12,7 +12,7 @@ from recorded import static
 from clpt_control.blocks import clpe, vehicle
 from clpt_control.blocks.laws.paper import LEARNED_FLOW as LAW
 from clpt_control.conformance import ConformanceReport, check_block, conformance, readings
-from clpt_control.conformance.equation_checks import roles
+from clpt_control.conformance.checks import roles
 from clpt_control.equations import Block
 from clpt_control.equations.system import linear
 from clpt_control.errors import ArgumentError, BlockError, ClptError
