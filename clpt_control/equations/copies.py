@@ -3,8 +3,7 @@
 A function runs as it is written; only what its names stand for is replaced, in a copy of it and
 of the functions that it calls by name, and what the objects hold that it reaches (``self.table``):
 for the length of a way through it, under a lock.  A helper that is reached through an object runs
-with its own names; where it asks for the number of a signal, `Borrowed` puts stand-ins into its
-module too.
+with its own names, so for that time its module holds stand-ins too.
 """
 
 import functools
@@ -171,11 +170,11 @@ class Copies:
 
 
 @contextmanager
-def borrowed(spaces: list[dict[str, Any]], copies: Copies) -> Iterator[None]:
+def borrowed(copies: Copies) -> Iterator[None]:
     """Put stand-ins into modules and objects for as long as a function is read."""
-    borrowing = {id(one): (one, False) for one in copies.snapshot.attributes.values()}
-    borrowing |= {id(one): (one, True) for one in spaces}
-    changes = [one for of in borrowing.values() for one in copies.changes(*of)]
+    borrowing = [(one, False) for one in copies.snapshot.attributes.values()]
+    borrowing += [(one, True) for one in copies.snapshot.spaces.values()]
+    changes = [one for of in borrowing for one in copies.changes(*of)]
     with LOCK if changes else nullcontext():
         try:
             for space, name, _, new in changes:

@@ -35,8 +35,6 @@ MOST = 200  # objects that are watched
 OWN = __package__.partition(".")[0]
 GONE, UNKNOWN = object(), object()
 GROWN = 1000  # unknown numbers behind what was appended
-# which an array of the record answers otherwise than a number does, but to stand-ins
-ASKING = frozenset({"isinstance", "hasattr", "type", "isscalar", "float", "int"})
 CONTAINERS: Any = (list, deque, dict, set)
 SIMPLE = (int, float, complex, str, bytes, frozenset, np.generic, Enum, NoneType)
 NUMBERS = (int, float, complex, np.generic, np.ndarray)
@@ -65,15 +63,15 @@ class Snapshot:
         self._watched: dict[int, tuple[Any, Any]] = {}  # an object, and what it kept before
         # by what tells it apart, each state: of every object that differs what it keeps
         self.left: dict[Any, dict[int, Any]] = {}
-        self.asking: dict[int, dict[str, Any]] = {}  # modules of functions that ask for a type
+        self.spaces: dict[int, dict[str, Any]] = {}  # modules of functions and classes
         self.attributes: dict[int, dict[str, Any]] = {}  # of users' objects
         self._chance = {id(one): (one, _chance_of(one)) for one in chance}
 
     def add(self, value: Any, deep: int = DEEP) -> None:
         """Watch an object, and those within it."""
         value = getattr(value, "__func__", getattr(value, "fget", value))  # of a method, property
-        if isinstance(value, FunctionType) and _is_asking(value):
-            self.asking[id(value.__globals__)] = value.__globals__
+        if isinstance(value, FunctionType):
+            self._borrow(value.__globals__)
         if isinstance(value, PLAIN) or id(value) in self._watched or len(self._watched) >= MOST:
             return
         if isinstance(value, tuple(STATES)):
@@ -81,6 +79,8 @@ class Snapshot:
         if (kept := kept_by(value)) is None:
             return
         self._watched[id(value)] = value, kept
+        for kind in () if isinstance(value, type) else type(value).__mro__:
+            self._borrow(vars(sys.modules.get(kind.__module__, sys)))
         own = getattr(value, "__dict__", None)
         plain = type(value) is SimpleNamespace
         if type(own) is dict and (plain or not _is_library(type(value).__module__.split(".")[0])):
@@ -94,6 +94,12 @@ class Snapshot:
                 self.add(one, deep - 1)
         elif not isinstance(value, (*CONTAINERS, ModuleType, FunctionType)):
             self.add(type(value), deep)
+
+    def _borrow(self, space: dict[str, Any]) -> None:
+        """Note the names of a module, into which stand-ins are put while its functions are read."""
+        root = space.get("__name__", "").partition(".")[0]
+        if root == "control" or not _is_library(root):
+            self.spaces[id(space)] = space
 
     def restore(self) -> None:
         """Make all as it was; note the state in which a way left it."""
@@ -236,12 +242,6 @@ def _attributes(value: Any) -> tuple[Any, Iterable[str] | None]:
     slots = [vars(kind).get("__slots__", ()) for kind in type(value).__mro__]
     names = [name for one in slots for name in ([one] if isinstance(one, str) else one)]
     return value, names or None
-
-
-def _is_asking(function: FunctionType) -> bool:
-    """Return whether a user's function asks what kind of number it is given."""
-    root = function.__globals__.get("__name__", "").partition(".")[0]
-    return bool(ASKING.intersection(names_in(function.__code__))) and not _is_library(root)
 
 
 @functools.lru_cache(maxsize=256)

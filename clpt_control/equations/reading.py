@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..errors import BlockError
-from .answers import AnsweringTape, Borrowed, Outside, Ports, each_way, located, merged
+from .answers import AnsweringTape, Outside, Ports, each_way, located, merged
 from .arrays import Array, Tape, Unread, objects, operand, reading_on
 from .copies import Copies, borrowed
 from .declaration import Parameters
@@ -69,21 +69,13 @@ def read(*arguments: Any, **more: Any) -> Read:
     It takes the fields of `Request`.  Raises `Unread` where it cannot be read.
     """
     request = Request(*arguments, **more)
-    spaces: list[dict[str, Any]] = []
     reads: list[Read] = []
     snapshot = Snapshot(() if request.known else OF_ALL)
     try:
         while len(reads) < max(1 if request.known else 2, 1 + len(snapshot.left)):
             states = [{}, *snapshot.left.values()]
             state = states[min(len(reads), len(states) - 1)]
-            try:
-                reads.append(_Ways(request, spaces, snapshot, state).read())
-            except Borrowed as missing:
-                spaces.append(missing.space)
-                reads.clear()
-                snapshot.restore()
-                snapshot.left.clear()
-                continue
+            reads.append(_Ways(request, snapshot, state).read())
             first, last = reads[0].record, reads[-1].record
             alike = last == first or str(last) == str(first)  # NaN differs from itself
             if not alike or len(snapshot.left) > MOST_READINGS:
@@ -102,12 +94,10 @@ def read(*arguments: Any, **more: Any) -> Read:
 class _Ways:
     """All ways through a function, one after the other."""
 
-    def __init__(
-        self, request: Request, spaces: list[dict], snapshot: Snapshot, state: dict
-    ) -> None:
-        self.request, self.spaces = request, spaces
+    def __init__(self, request: Request, snapshot: Snapshot, state: dict) -> None:
+        self.request = request
         self.snapshot, self.state = snapshot, state  # in which a way left all
-        self.tape = AnsweringTape(request.parameters, spaces)
+        self.tape = AnsweringTape(request.parameters)
         self.copies = Copies(self.tape, snapshot)
         self.ways: list[tuple[dict[int, bool], list[Any]]] = []
 
@@ -121,8 +111,6 @@ class _Ways:
         }
         named = request.wrap is None  # else x and u are the function's own
         for _ in each_way(tape):
-            asking = self.snapshot.asking.values()
-            self.spaces += [one for one in asking if all(one is not s for s in self.spaces)]
             tape.last_asked = tape.texts = None
             self.snapshot.begin(self.state, self._unknown)
             x, u = Ports(tape, "x", request.states, named), Ports(tape, "u", request.inputs, named)
@@ -154,14 +142,14 @@ class _Ways:
         """Return what one way gives, for each port; NaN where it raises."""
         tape, request, outputs, raised = self.tape, self.request, [], list[Exception]()
         try:
-            with borrowed(self.spaces, self.copies), reading_on(tape):
+            with borrowed(self.copies), reading_on(tape):
                 returned = run()
                 if returned is None and tape.answers:
                     raise ValueError("returns nothing")
                 outputs = _by_port(tape, request.role, returned, request.out)
                 if tape.texts is not None:
                     raise tape.texts
-        except (Borrowed, BlockError):
+        except BlockError:
             raise
         except RecursionError:
             raise Unread(f"{request.name} calls itself without end") from None
