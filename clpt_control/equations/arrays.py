@@ -60,7 +60,7 @@ class Tape:
 
     def __init__(self) -> None:
         self.operations: list[Operation] = []
-        self.stopped: Exception | None = None  # what ends the reading
+        self.stopped: Unread | None = None  # what ends the reading
         self.parameters: Mapping[str, Any] = {}  # as they were given
         self.runs = 0  # ways through a function and its helpers
         self.texts: Unread | None = None  # what to say where a text of a signal was made

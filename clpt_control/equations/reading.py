@@ -33,6 +33,7 @@ RAISED = (
     *(ArithmeticError, IndexError, ValueError, AssertionError),
     *(UnboundLocalError, StopIteration),
 )
+OF_WAYS = (*RAISED, RuntimeError, SystemError, Outside)
 
 
 class Read(NamedTuple):
@@ -151,25 +152,16 @@ class _Ways:
                     raise tape.texts
         except BlockError:
             raise
-        except RecursionError:
-            raise Unread(f"{request.name} calls itself without end") from None
-        except (*RAISED, RuntimeError, SystemError, Outside) as error:
+        except Exception as error:
             tape.ended(error)
             raised.append(error)
-            if not tape.answers and tape.stopped is None:
-                place = located(request.function, error)
-                raise Unread(f"{place}{type(error).__name__}: {error}") from None
-            outputs = [filled(tape, nan, shape) for shape in request.out.values()]
-        except Exception as error:
-            text = str(error) if isinstance(error, Unread) else f"{type(error).__name__}: {error}"
-            if isinstance(error, Unread) or tape.stopped is None:
+            of_way = tape.answers and isinstance(error, OF_WAYS)
+            if tape.stopped is None and (isinstance(error, RecursionError) or not of_way):
+                text = error if isinstance(error, Unread) else f"{type(error).__name__}: {error}"
                 raise Unread(f"{located(request.function, error)}{text}") from None
-            raised.append(error)
-        if isinstance(tape.stopped, Unread):  # and the function went on
-            place = located(request.function, tape.stopped, *raised)
-            raise Unread(f"{place}{tape.stopped}")
-        if tape.stopped is not None:
-            raise tape.stopped
+            outputs = [filled(tape, nan, shape) for shape in request.out.values()]
+        if tape.stopped is not None:  # a function may have gone on
+            raise Unread(f"{located(request.function, tape.stopped, *raised)}{tape.stopped}")
         return outputs
 
 
