@@ -1,4 +1,4 @@
-"""Truth values, whole numbers, short floats and what keeps them: as Python has them, or refused.
+"""Truth values, whole numbers, what is changed in place or kept: as Python has it, or refused.
 
 Each of these once gave another number than Python does, or an exception of the reader's own.
 """
@@ -30,6 +30,8 @@ POINTS = [
 SEEN = deque([0.0, 0.0], maxlen=2)
 RATIOS = {0: 4.0, 1: 2.0}
 SWITCH = False
+LOG = [np.array([1.0, 2.0])]
+MEMORY = {"last": np.zeros(3)}
 with warnings.catch_warnings(action="ignore"):
     SQUARE = np.asmatrix([[1.0, 2.0], [3.0, 4.0]])
 SPLINE = CubicSpline([-1.0, 0.0, 0.5, 2.0], [0.0, 1.0, -1.0, 2.0])
@@ -65,6 +67,26 @@ class Lever:
             return 0.0
 
 
+class Asking:
+    """Asks what it is given."""
+
+    table = np.array([0.0, 1.0, 3.0])
+
+    def doubled(self, a):
+        if isinstance(a, float):
+            return 2.0 * a
+        return np.sum(a) if isinstance(a, np.ndarray) else 0.0
+
+    def one(self, a):
+        return -a if np.isscalar(a) or not hasattr(a, "__len__") else 5.0
+
+    def matched(self, a):
+        match a:
+            case float():
+                return 3.0 * a
+        return 0.0
+
+
 class Bolt:
     """Remembers in slots."""
 
@@ -74,7 +96,7 @@ class Bolt:
         self.last = 0.0
 
 
-LEVER, BOLT = Lever(), Bolt()
+LEVER, BOLT, ASKING = Lever(), Bolt(), Asking()
 
 
 def block_of(function, params):
@@ -285,6 +307,133 @@ def keeps_in_params(t, x, u, p):
     return [x[0] - last]
 
 
+# --- what is changed in place ---------------------------------------------------------------------
+
+
+def is_numbers_are_overwritten(t, x, u, p):
+    y, z, A, w = np.zeros(3), np.zeros(3), np.zeros((3, 3)), np.array([1.0, np.nan])
+    y[0] = 1.0
+    np.copyto(y, [1.0, 2.0, 3.0])
+    z.put([1], [5.0])
+    np.fill_diagonal(A, 2.0)
+    np.add(y, 1.0, out=y)
+    w[w > p["zero"]] *= 2.0
+    return [*(y * x), *(z * x), *(A @ x), *w[:1]]
+
+
+def is_parts_are_written(t, x, u, p):
+    A, B, C = np.outer(x, u), np.outer(x, u), np.outer(x, x)
+    np.flipud(A)[0, 0] = 9.0
+    np.moveaxis(B, 0, 1)[0, 1] = 8.0
+    np.swapaxes(C, 0, 1)[1, 0] = x[0]
+    return [*A.ravel(), *B.ravel(), *C.ravel()]
+
+
+def is_copies_are_left_alone(t, x, u, p):
+    A, b, c = np.outer(x, u), 2.0 * x, 3.0 * x
+    flat, every_second = A.T.ravel(), b[::2].ravel()
+    A[0, 0], b[0] = 9.0, 9.0
+    plus, sums, product = +c, np.sum(c[None], axis=0), np.prod(c[None], axis=0)
+    largest, chosen = np.maximum.reduce(c[None]), np.where(True, c, 0.0)
+    for k, one in enumerate((plus, sums, product, largest, chosen)):
+        one[0] = k
+    return [*flat, *every_second, *c, *np.where(p["n"] == 3, 1.0, x)]
+
+
+def is_whole_numbers_are_cut(t, x, u, p):
+    rows = [
+        np.where(x > 0, 1, 0),
+        (x > 0) * 1,
+        np.select([x > 0, x > 1], [1, 2], 0),
+        np.full(3, p["n"]),
+        np.array([p["n"], 0, 1]),
+        np.where(x > 0, 1.0, 0.0),
+        np.full(3, float(p["n"])),
+    ]
+    for row in rows:
+        row[0] = 0.7 * x[1]
+    return np.concatenate(rows)
+
+
+def is_kinds_of_numbers(t, x, u, p):
+    k, half = 2, 0.5
+    return [
+        isinstance(p["n"], int),
+        isinstance(p["n"], float),
+        isinstance(p["k"], float),
+        type(p["n"]) is int,
+        type(k) is int,
+        type(half) is float,
+        isinstance(np.where(x[0] > 0, 1.0, 2.0), np.ndarray),
+        hasattr(p["k"], "shape"),
+    ]
+
+
+def is_methods_ask(t, x, u, p):
+    return [ASKING.doubled(x[0]), ASKING.doubled(x), ASKING.one(x[0]), ASKING.matched(x[1])]
+
+
+def is_functions_of_math(t, x, u, p):
+    return [math.dist(x[:2], u), *[math.remainder(a, 2 * math.pi) for a in x]]
+
+
+def keeps_in_a_list_beside_an_array(t, x, u, p):
+    LOG.append(0.0)
+    return [float(len(LOG))]
+
+
+def keeps_in_a_dict_beside_an_array(t, x, u, p):
+    rate = x - MEMORY["last"]
+    MEMORY["last"] = x.copy()
+    return rate
+
+
+def adds_at_places(t, x, u, p):
+    y = np.zeros(3)
+    np.add.at(y, [0, 0], 1.0)
+    return y * x
+
+
+def changes_a_shape(t, x, u, p):
+    y = np.outer(x, u)
+    y.shape = (2, 3)
+    return y @ x
+
+
+def sorts_in_part(t, x, u, p):
+    y = np.array([3.0, 1.0, 2.0])
+    y.partition(1)
+    return y * x
+
+
+def writes_into_an_attribute(t, x, u, p):
+    y = np.asarray(ASKING.table)
+    y[0] = x[0]
+    return ASKING.table
+
+
+def catches_a_place_outside(t, x, u, p):
+    try:
+        return [u[int(x[0])]]
+    except IndexError:
+        return [-2.0]
+
+
+def catches_a_parameter_of_zero(t, x, u, p):
+    try:
+        return [p["k"] / p["zero"] * x[0]]
+    except ZeroDivisionError:
+        return [5.0 * x[0]]
+
+
+def is_limits_into_an_array(t, x, u, p):
+    y, z, total = x.copy(), np.zeros(3), np.zeros(1)
+    y.clip(-0.5, 0.5, out=y)
+    x.cumsum(out=z)
+    x.sum(out=total, axis=0, keepdims=True)
+    return [*y, *z, *total, *np.maximum(x, 0.0, out=z)]
+
+
 def beside(number, cut):
     """An array of 0 and a number, into which another is written: cut, if both were whole."""
     y = np.array([0, number])
@@ -390,6 +539,12 @@ ONE_LINE_REFUSED = {  # what would be another number
     "takes the nearest of a chart": lambda t, x, u, p: STEPPED(x[:2]),
     "fills columns": lambda t, x, u, p: FILLED(x[0]),
     "reads a rescaled chart": lambda t, x, u, p: RESCALED(x[0], u[0]),
+    "searches what decreases": lambda t, x, u, p: np.searchsorted([2.0, 1.0, 0.0], x),
+    "gives a part": lambda t, x, u, p: np.rot90(np.outer(x, u))[0],
+    "limits some": lambda t, x, u, p: np.clip(x, -0.5, 0.5, where=x > 0.0, out=x.copy()),
+    "means some": lambda t, x, u, p: [np.mean(x, where=[True, True, False])],
+    "rounds a parameter": lambda t, x, u, p: [round(p["k"], 1) * x[0]],
+    "writes by place": lambda t, x, u, p: np.max(np.outer(x, u), 0, np.zeros(2)),
     # truth values
     "adds arrays of truths": lambda t, x, u, p: (x > 0) + (x > 1),
     "adds stacked truths": lambda t, x, u, p: (
@@ -424,6 +579,7 @@ ONE_LINE_REFUSED = {  # what would be another number
     "multiplies as a matrix": lambda t, x, u, p: np.asarray(SQUARE * np.diag(u)).ravel(),
 }
 PARAMS = {"n": 3, "A": np.array([3, -3]), "f": np.float32(0.1), "short": np.uint8([200, 3])}
+PARAMS |= {"zero": 0.0, "k": 1.15}
 FUNCTIONS = {
     name.replace("_", " "): f
     for name, f in dict(globals()).items()
