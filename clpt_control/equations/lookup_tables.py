@@ -1,4 +1,4 @@
-"""Words of equations: tables, and helpers that SymPy leaves undefined.
+"""Tables in equations.
 
 A table is a row of numbers read at a place (`lookup`), np.interp, or one of the interpolators of
 SciPy that python-control's gain schedules are made of.  A place in a table is how many of its inner
@@ -6,7 +6,7 @@ points are not above x; `pick` takes what stands there.
 """
 
 from collections.abc import Callable
-from functools import cache, reduce, wraps
+from functools import cache, reduce
 from operator import add, and_
 from typing import Any
 
@@ -50,52 +50,6 @@ def lookup(table: Any, index: Any) -> Any:
             ) from None
     table = lifted(tape, table)
     return tape.add("pick", [operand(table), operand(index)], getattr(index, "shape", ()))
-
-
-@public
-def opaque(function: Callable) -> Callable:
-    """Mark a helper that SymPy reads as an undefined function.
-
-    It is an undefined function of its arguments: theorems then hold for any
-    function in its place.
-
-    Parameters
-    ----------
-    function : callable
-        A helper called by a block's equations, with its arguments by position.
-
-    Returns
-    -------
-    callable
-        The same function, marked.
-
-    Examples
-    --------
-    >>> @opaque
-    ... def gust(t):
-    ...     return 0.1
-    >>> gust(3.0)
-    0.1
-    """
-
-    @wraps(function)
-    def marked(*arguments: Any) -> Any:
-        result = function(*arguments)
-        if (tape := next((a._tape for a in arguments if isinstance(a, Array)), None)) is None:
-            return result
-        refs = [operand(lifted(tape, a)) for a in arguments]
-        name = f"{function.__module__}.{function.__qualname__}"
-
-        def hidden(k: int, value: Any) -> Any:
-            value = lifted(tape, value)
-            shape = getattr(value, "shape", ())
-            return tape.add("opaque", [operand(value), *refs], shape, (name, k))
-
-        if isinstance(result, tuple):
-            return tuple(hidden(k, value) for k, value in enumerate(result))
-        return hidden(0, result)
-
-    return marked
 
 
 # --- np.interp ---------------------------------------------------------------------------------

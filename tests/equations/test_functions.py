@@ -1,4 +1,4 @@
-"""Functions of NumPy, tables and opaque helpers are read as they run."""
+"""Functions of NumPy and tables are read as they run."""
 
 import math
 
@@ -7,7 +7,7 @@ import pytest
 import sympy
 from recorded import as_it_runs, recorded, static
 
-from clpt_control.equations import evaluate, lookup, opaque
+from clpt_control.equations import evaluate, lookup
 from clpt_control.equations.arrays import Unread
 from clpt_control.equations.symbolic import expressions
 from clpt_control.errors import BlockError
@@ -198,45 +198,9 @@ def test_a_tables_index_is_any_number_to_sympy():
     assert found.args == (s, *row)
 
 
-@opaque
-def gust(t, height):
-    return np.sin(t) * height
-
-
-@opaque
-def both(a):
-    return a + 1.0, 2.0 * a
-
-
-def windy(t, x, u, p):
-    return 2.0 * gust(t, u[0])
-
-
-def two_at_once(t, x, u, p):
-    first, second = both(u[0])
-    return [first, second]
-
-
-def test_an_opaque_helper_is_an_undefined_function_to_sympy():
-    t, h = sympy.symbols("t h", real=True)
-    block = static(windy, 1)
-    (found,) = expressions(block, "output", lambda at, shape, index: t if at[0] == "t" else h)
-    (gusts,) = found.atoms(sympy.core.function.AppliedUndef)
-    assert "gust" in gusts.func.__name__
-    assert gusts.args == (t, h)
-    assert found == 2 * gusts
-    assert found.diff(h) != 0
-
-
-def test_an_opaque_helper_is_run_in_every_other_reading():
-    assert gust(math.pi / 2, 3.0) == 3.0
-    np.testing.assert_allclose(as_it_runs(static(windy, 1), "output", math.pi / 2, [], [3.0]), 6.0)
-    found = as_it_runs(static(two_at_once, 1, 2), "output", 0.0, [], [3.0])
-    np.testing.assert_array_equal(found, [4.0, 6.0])
-
-
 def test_a_static_block_at_many_times_and_inputs():
-    found = evaluate(static(windy, 1), [0.5, 1.0, 2.0], [[1.0], [2.0], [-3.0]])
+    windy = static(lambda t, x, u, p: 2.0 * np.sin(t) * u[0], 1)
+    found = evaluate(windy, [0.5, 1.0, 2.0], [[1.0], [2.0], [-3.0]])
     wanted = 2.0 * np.sin([0.5, 1.0, 2.0]) * [1.0, 2.0, -3.0]
     np.testing.assert_allclose(found[:, 0], wanted, rtol=1e-15)
     table = static(looked_up, 1, parameters={"values": [4.0, 5.0]})
