@@ -52,9 +52,6 @@ class Reading(NamedTuple):
         """Return state derivative and outputs."""
         return self.evaluate(t, x, u)
 
-    def __repr__(self) -> str:
-        return "<Reading: (t, x, u) -> state derivative, outputs>"
-
 
 @public
 def readings(

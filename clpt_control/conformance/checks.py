@@ -27,7 +27,6 @@ from ..diagrams.linearization import linearize
 from ..equations.block import Block
 from ..equations.declaration import powers
 from ..errors import BlockError, ClptError, DiagramError
-from ..html import facts, fragment, unfolding
 from .all_readings import readings
 
 FACTOR = 1.7  # by which a unit is made smaller
@@ -297,12 +296,6 @@ class ConformanceReport(NamedTuple):
 
     def __repr__(self) -> str:
         return f"<ConformanceReport {str(self).splitlines()[0]}>"
-
-    def _repr_html_(self) -> str:
-        said = "conforms" if self.ok else f"{len(self.failures)} failures"
-        rows = [("failure", failure) for failure in self.failures]
-        checked = unfolding(f"{len(self.checks)} checks", "\n".join(self.checks))
-        return fragment("Conformance", f"{self.block}: {said}", facts(rows), checked)
 
     def __str__(self) -> str:
         if self.ok:

@@ -249,7 +249,6 @@ class Array(NDArrayOperatorsMixin):
         return True if other is None or isinstance(other, str) else np.not_equal(self, other)
 
     real = property(lambda self: self)
-    imag = property(lambda self: np.zeros(self._counted())[()])
     flat = property(lambda self: iter(self._elements().ravel()))
     T = property(lambda self: self.transpose())
 
@@ -265,8 +264,6 @@ class Array(NDArrayOperatorsMixin):
 
     def __float__(self) -> float:
         return float(self._tape.numbers(self._ref).item())
-
-    __complex__ = __float__
 
     def __int__(self) -> int:
         return int(self._tape.numbers(self._ref).item())

@@ -39,17 +39,7 @@ CONTAINERS: Any = (list, deque, dict, set)
 SIMPLE = (int, float, complex, str, bytes, frozenset, np.generic, Enum, NoneType)
 NUMBERS = (int, float, complex, np.generic, np.ndarray)
 PLAIN = (int, float, str, bytes, tuple, Array, BuiltinFunctionType, NoneType)
-STATES: dict[type, tuple[Callable, Callable]] = {  # of chance: its state, and to put it back
-    np.random.Generator: (
-        lambda own: pickle.dumps(own.bit_generator.state),
-        lambda own, state: setattr(own.bit_generator, "state", pickle.loads(state)),
-    ),
-    np.random.RandomState: (
-        lambda own: pickle.dumps(own.get_state()),
-        lambda own, state: own.set_state(pickle.loads(state)),
-    ),
-    random.Random: (random.Random.getstate, random.Random.setstate),
-}
+CHANCE = (np.random.Generator, np.random.RandomState, random.Random)
 OF_ALL: tuple[Any, ...] = (  # whose numbers the functions of these modules draw
     vars(random)["random"].__self__,
     vars(np.random)["random"].__self__,
@@ -74,7 +64,7 @@ class Snapshot:
             self._borrow(value.__globals__)
         if isinstance(value, PLAIN) or id(value) in self._watched or len(self._watched) >= MOST:
             return
-        if isinstance(value, tuple(STATES)):
+        if isinstance(value, CHANCE):
             self._chance.setdefault(id(value), (value, _chance_of(value)))
         if (kept := kept_by(value)) is None:
             return
@@ -118,8 +108,7 @@ class Snapshot:
         drawn = [(one, was) for one, was in self._chance.values() if _chance_of(one) != was]
         for one, was in drawn:
             if one not in OF_ALL:  # from which other threads draw
-                give = next(give for kind, (_, give) in STATES.items() if isinstance(one, kind))
-                give(one, was)
+                getattr(one, "bit_generator", one).__setstate__(pickle.loads(was))
         return bool(drawn)
 
     def begin(self, state: dict[int, Any], leaf: Callable[[str], Any]) -> None:
@@ -138,7 +127,7 @@ class Snapshot:
 
 def _chance_of(one: Any) -> Any:
     """Return the state of a generator of chance."""
-    return next(state_of(one) for kind, (state_of, _) in STATES.items() if isinstance(one, kind))
+    return pickle.dumps(getattr(one, "bit_generator", one).__getstate__())
 
 
 def same(now: Any, before: Any) -> bool:

@@ -10,6 +10,7 @@ same: else a state or chance hides in the function.  The package's own functions
 """
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from math import nan, prod
 from typing import Any, NamedTuple
 
@@ -22,7 +23,7 @@ from .copies import Copies, borrowed
 from .declaration import Parameters
 from .elementwise import as_number, filled, lifted, where
 from .kept import OF_ALL, Snapshot
-from .ports import places
+from .ports import check_ports, places, shaped
 from .record import Record, Shape, compact
 from .stand_ins import UNSEEDED
 
@@ -175,9 +176,10 @@ def record_of_states(shapes: Mapping[str, Shape]) -> Record:
 def _by_port(tape: Tape, role: str, returned: Any, out: Mapping[str, Shape]) -> list[Any]:
     """Return what a function returned, for each port."""
     if isinstance(returned, Mapping):
-        if returned.keys() != out.keys():
-            raise BlockError(f"{role}: returns {list(returned)}; must return {list(out)}")
-        return [_shaped(tape, role, port, returned[port], shape) for port, shape in out.items()]
+        check_ports(role, returned, out)
+        values = {port: as_number(lifted(tape, one)) for port, one in returned.items()}
+        fill = partial(filled, tape)
+        return [shaped(role, port, values[port], shape, fill) for port, shape in out.items()]
     if len(out) == 1 and getattr(returned, "shape", None) == next(iter(out.values())):
         return [as_number(lifted(tape, returned))]
     parts = returned if isinstance(returned, list | tuple) else [returned]
@@ -189,16 +191,3 @@ def _by_port(tape: Tape, role: str, returned: Any, out: Mapping[str, Shape]) -> 
     for k, one in enumerate(numbers):
         flat[k] = as_number(lifted(tape, one))
     return [lifted(tape, flat[part].reshape(shape)) for part, shape in places(out).values()]
-
-
-def _shaped(tape: Tape, role: str, port: str, returned: Any, shape: Shape) -> Any:
-    value = as_number(lifted(tape, returned))
-    own = getattr(value, "shape", ())
-    if own == shape:
-        return value
-    if not own:
-        return filled(tape, value, shape)
-    known = all(isinstance(n, int) for n in (*own, *shape))
-    if known and len(own) == 1 and prod(own) == prod(shape):
-        return lifted(tape, objects(value).reshape(shape))
-    raise BlockError(f"{role}: returns {port} of shape {own}; must be {shape}")
