@@ -5,7 +5,7 @@ u = e[2], phi_x[N], z[2], zc[2]; states alpha[2N], K[2], Gamma[2], section III.
 
 import numpy as np
 
-from clpt_control.equations import Block, lookup, opaque
+from clpt_control.equations import Block, lookup
 
 N = 2
 LEARNED = {"alpha": (2, "N"), "K": 2, "Gamma": 2}
@@ -149,11 +149,6 @@ PRIVATE = {"states": {"x": 2, **LEARNED}, "outputs": LEARNED}
 MORE = {**LEARNED, "s": 1}
 
 
-@opaque
-def hidden(table, s):
-    return table[0] * s
-
-
 def each(t, x, u, p, r):
     """A gain for each function, K held apart."""
     alpha = -p.gains * np.outer(u.e, u.phi_x)
@@ -257,9 +252,6 @@ REFUTED = {
 NOT_PROVED = {  # wrong, or right but not known to be
     "parameters called K and z": changed(like_signals, ARRAYS),
     "two tables": pushed(two_tables, "K", ARRAYS),
-    "one opaque helper": pushed(
-        lambda x, u, p: hidden(p.K, u.z[0]) - hidden(p.z, u.z[0]), "K", ARRAYS
-    ),
     "a private state called x": changed(
         lambda t, x, u, p, r: r | {"x": -x.x, "alpha": r["alpha"] - 0.1 * (x.x - u.z)[:, None]},
         output=lambda t, x, u, p: {port: getattr(x, port) for port in LEARNED},

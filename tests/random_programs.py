@@ -305,7 +305,12 @@ class Writer:
         """An array that is changed by another name, or a copy that is not."""
         a, b, n = self.name(), self.name(), self.choice(sorted(self.vectors) or [3])
         seen = [f"{a}[::-1]", f"np.asarray({a})", f"{a}.reshape(1, -1)[0]", f"np.ravel({a}[::2])"]
-        seen += [f"+{a}", f"np.rot90({a}[None])[:, 0]", f"np.prod({a}[None], axis=0)", f"{a}[...]"]
+        seen += [
+            f"+{a}",
+            f"np.transpose({a}[None])[:, 0]",
+            f"np.prod({a}[None], axis=0)",
+            f"{a}[...]",
+        ]
         changes = [f"{b}[0] = {self.scalar(1)}", f"{b} += {self.leaf()}", f"{b}.put([0], 0.5)"]
         changes += [f"np.copyto({b}, {self.leaf()})", f"{a}[0], {b}[-1] = {b}[-1], {a}[0]"]
         start = self.choice([self.vector(n, 1), f"np.zeros({n})", f"np.linspace(0.0, 1.0, {n})"])

@@ -161,7 +161,6 @@ def right(tmp_path_factory):
         "simulate": {"system": loop, "timepts": [0.0, 1.0], "inputs": [3.0, 0.0]},
         "connect": {"blocks": [clpe()], "external": ["x", "z"]},
         "evaluate": {"timepts": [0.0, 1.0], "inputs": np.zeros((2, 4))},
-        "opaque": {"function": line},
         "lookup": {"table": [1.0, 2.0], "index": 1.0},
         "fit_tides": tides,
         "predict": {"fit": found, "time": HOURS[:3]},

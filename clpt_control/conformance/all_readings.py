@@ -29,7 +29,7 @@ from ..equations import record as numbers
 from ..equations.arrays import Unread
 from ..equations.at_many import leaf_values
 from ..equations.block import Block
-from ..equations.elements import Elements, Index
+from ..equations.elements import Index
 from ..equations.record import Shape
 from ..equations.symbolic import ON_NUMBERS, Symbols
 from ..errors import BlockError, DiagramError
@@ -51,9 +51,6 @@ class Reading(NamedTuple):
     def __call__(self, t: float, x: Any, u: Any) -> Values:
         """Return state derivative and outputs."""
         return self.evaluate(t, x, u)
-
-    def __repr__(self) -> str:
-        return "<Reading: (t, x, u) -> state derivative, outputs>"
 
 
 @public
@@ -240,10 +237,6 @@ class SymbolicFunction(Symbols):
         """Return a number; what SymPy would make more of is a symbol, as 0 * x."""
         known = value and isfinite(value)
         return sympy.Float(value) if known else self._symbol("", value, copysign(1.0, value))
-
-    def opaque(self, at: tuple, arguments: tuple, index: Index) -> Any:
-        """Return what a helper computes."""
-        return Elements.opaque(self, at, arguments, index)
 
     def apply(self, ref: int, kind: str, arguments: tuple) -> Any:
         """Return what SymPy makes of an operation, as a symbol where it is long."""

@@ -1,7 +1,7 @@
 from .at_many import evaluate
 from .block import Block
 from .declaration import Guard
-from .lookup_tables import lookup, opaque
+from .lookup_tables import lookup
 from .sampled import Sampled
 
-__all__ = ["Block", "Guard", "Sampled", "evaluate", "lookup", "opaque"]
+__all__ = ["Block", "Guard", "Sampled", "evaluate", "lookup"]

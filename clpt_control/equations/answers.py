@@ -22,20 +22,11 @@ import numpy as np
 from .arrays import Array, Tape, Unread, active, key_of, operand
 from .elementwise import chosen
 from .record import Ref, Shape, compact, reached
-from .stand_ins import BUILTINS
 
 LIBRARIES = ("numpy", "scipy", "matplotlib")  # run as they are
 MOST_QUESTIONS = 64  # on one way
 MOST_PLACES = 64  # which whole numbers a signal is asked for
 SIDES = {"gt": (1, True), "ge": (1, False), "lt": (-1, True), "le": (-1, False)}  # above, open
-
-
-class Borrowed(Exception):
-    """A helper that is reached through an object needs stand-ins in its module."""
-
-    def __init__(self, space: dict[str, Any]):
-        super().__init__(space.get("__name__", ""))
-        self.space = space
 
 
 class Outside(Exception):
@@ -74,9 +65,9 @@ class Params(dict):
 class AnsweringTape(Tape):
     """A tape that answers questions as this way through the function takes them."""
 
-    def __init__(self, parameters: Mapping[str, Any], spaces: list[dict[str, Any]]) -> None:
+    def __init__(self, parameters: Mapping[str, Any]) -> None:
         super().__init__()
-        self.parameters, self.spaces = parameters, spaces
+        self.parameters = parameters
         self.pinned: set[str] = set()  # parameters whose value Python asked for
         self.way: list[bool] = []
         self.answers: dict[int, bool] = {}
@@ -127,12 +118,8 @@ class AnsweringTape(Tape):
         if type(ref) is float or not self.free[ref]:
             return self.known(ref)
         frame, word = _asking_frame()
-        space, library = frame.f_globals, _module(frame).partition(".")[0]
-        if library in LIBRARIES:
+        if (library := _module(frame).partition(".")[0]) in LIBRARIES:
             word = f"{library} ({frame.f_code.co_name}, line {frame.f_lineno})"
-        elif space.get("__builtins__") is not BUILTINS and all(s is not space for s in self.spaces):
-            self.stopped = Borrowed(space)
-            raise self.stopped
         raise Unread(
             f"{word or 'Python'} asks for the value of a signal; write what it computes in NumPy, "
             "and fill arrays where they are made"

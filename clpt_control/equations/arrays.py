@@ -60,7 +60,7 @@ class Tape:
 
     def __init__(self) -> None:
         self.operations: list[Operation] = []
-        self.stopped: Exception | None = None  # what ends the reading
+        self.stopped: Unread | None = None  # what ends the reading
         self.parameters: Mapping[str, Any] = {}  # as they were given
         self.runs = 0  # ways through a function and its helpers
         self.texts: Unread | None = None  # what to say where a text of a signal was made
@@ -127,9 +127,9 @@ class Array(NDArrayOperatorsMixin):
         self._fixed = False  # whether nothing may be written into it
         self._boxed = False  # whether, without axes, it is NumPy's array and no number
         # whether what is written into it is cut to a whole number, and whether it is one of
-        # Python's numbers, not of NumPy's: truths, or conditions where that hangs on a choice
-        self._whole: Any = False
-        self._of_python: Any = False
+        # Python's numbers, not of NumPy's; None where that hangs on a choice
+        self._whole: bool | None = False
+        self._of_python: bool | None = False
         self._parent: Array | None = parent
         self._select = select  # takes this part of the parent's elements
         self._store: np.ndarray | None = None  # its elements, once one was written
@@ -249,7 +249,6 @@ class Array(NDArrayOperatorsMixin):
         return True if other is None or isinstance(other, str) else np.not_equal(self, other)
 
     real = property(lambda self: self)
-    imag = property(lambda self: np.zeros(self._counted())[()])
     flat = property(lambda self: iter(self._elements().ravel()))
     T = property(lambda self: self.transpose())
 
@@ -265,8 +264,6 @@ class Array(NDArrayOperatorsMixin):
 
     def __float__(self) -> float:
         return float(self._tape.numbers(self._ref).item())
-
-    __complex__ = __float__
 
     def __int__(self) -> int:
         return int(self._tape.numbers(self._ref).item())

@@ -3,8 +3,7 @@
 A function runs as it is written; only what its names stand for is replaced, in a copy of it and
 of the functions that it calls by name, and what the objects hold that it reaches (``self.table``):
 for the length of a way through it, under a lock.  A helper that is reached through an object runs
-with its own names; where it asks for the number of a signal, `Borrowed` puts stand-ins into its
-module too.
+with its own names, so for that time its module holds stand-ins too.
 """
 
 import functools
@@ -19,7 +18,7 @@ import numpy as np
 
 from .answers import LIBRARIES, joined
 from .arrays import Tape, Unread
-from .elementwise import Row, boxed, constant, is_row
+from .elementwise import boxed, constant
 from .kept import GONE, LOCK, Snapshot, same
 from .lookup_tables import is_table
 from .record import MOST_NUMBERS
@@ -31,21 +30,11 @@ READERS = tuple(f"{__package__}.{name}" for name in ("arrays", "elementwise", "r
 OF_WARNINGS = "__warningregistry__"  # which Python puts into the module that it warns of
 
 
-class Grown(Exception):
-    """A function changes a list of numbers, such as a log, which then is watched as it is."""
-
-    def __init__(self, row: int):
-        super().__init__()
-        self.row = row
-
-
 class Copies:
     """The copies of one reading; `check` refuses a function that changed a name outside it."""
 
-    def __init__(self, tape: Tape, snapshot: Snapshot, grown: set[int]) -> None:
+    def __init__(self, tape: Tape, snapshot: Snapshot) -> None:
         self.tape, self.snapshot = tape, snapshot
-        self.grown = grown  # lists of numbers that the function changes
-        self._rows: dict[int, int] = {}  # copies of lists of numbers, and which list each is of
         self._known: dict[int, tuple[Any, Any]] = {}  # a value, alive, and what stands for it
         self._spaces: dict[int, dict[str, Any]] = {}  # the copied names of each module
         self._changes: dict[int, list[tuple[dict, str, Any, Any]]] = {}  # of modules and objects
@@ -86,10 +75,6 @@ class Copies:
             return self.of(getattr(value, "py_func", None) or value.__wrapped__)
         if isinstance(value, np.vectorize):
             raise Unread("calls np.vectorize; write a loop")
-        if is_row(value) and id(value) not in self.grown:
-            row = self._watched(Row(value))
-            self._rows[id(row)] = id(value)
-            return row
         kind = type(value)
         make = tuple if kind is tuple else getattr(kind, "_make", None)  # of a NamedTuple
         if (make or kind is list) and len(value) < 100:
@@ -178,8 +163,6 @@ class Copies:
             now = [thing.cell_contents] if isinstance(thing, CellType) else thing
             if same(now, before):
                 continue
-            if id(thing) in self._rows:
-                raise Grown(self._rows[id(thing)])
             if isinstance(now, dict):
                 names = [k for k, one in now.items() if one is not before.get(k, GONE)]
                 words = f"{words} {[*names, 'that is gone'][0]!r}"
@@ -187,11 +170,11 @@ class Copies:
 
 
 @contextmanager
-def borrowed(spaces: list[dict[str, Any]], copies: Copies) -> Iterator[None]:
+def borrowed(copies: Copies) -> Iterator[None]:
     """Put stand-ins into modules and objects for as long as a function is read."""
-    borrowing = {id(one): (one, False) for one in copies.snapshot.attributes.values()}
-    borrowing |= {id(one): (one, True) for one in spaces}
-    changes = [one for of in borrowing.values() for one in copies.changes(*of)]
+    borrowing = [(one, False) for one in copies.snapshot.attributes.values()]
+    borrowing += [(one, True) for one in copies.snapshot.spaces.values()]
+    changes = [one for of in borrowing for one in copies.changes(*of)]
     with LOCK if changes else nullcontext():
         try:
             for space, name, _, new in changes:

@@ -121,8 +121,6 @@ class Direction:
             return self.tape.add(
                 kind, [self._argument(arguments[0], slopes[0]), arguments[1]], shape
             )
-        if kind == "opaque" and not self.smooth:
-            return slopes[0]
         return self._refused(kind)
 
     def _argument(self, ref: Ref, slope: Any) -> Ref:

@@ -41,10 +41,6 @@ class Elements:
         """Return what an operation makes of elements."""
         raise NotImplementedError
 
-    def opaque(self, at: tuple, arguments: tuple, index: Index) -> Any:
-        """Return an element of what an opaque helper computes."""
-        return self.at(arguments[0], index)
-
     def sum_over(self, array: Ref, axis: int, index: Index, size: str) -> Any:
         """Return a sum over an axis of unknown length."""
         raise Unread(f"a sum over the open size {size}")
@@ -96,8 +92,6 @@ class Elements:
         if kind == "pick":
             place = self.at(arguments[1], index)
             return self.apply(ref, kind, (place, *self.all_of(arguments[0])))
-        if kind == "opaque":
-            return self.opaque(at, arguments, index)
         return self.apply(ref, kind, tuple([self.at(a, index) for a in arguments]))
 
     def all_of(self, ref: Ref) -> list[Any]:

@@ -49,32 +49,14 @@ def put(array: Array, index: Any, value: Any) -> None:
     store = array._written()
     assert store is not None
     value = lifted(array._tape, value)
-    if (cut := is_whole(root)) is not False:
-        value = where(cut, np.trunc(value), value)
+    if told(is_whole(root)):
+        value = np.trunc(value)
     if isinstance(index, Array) and index._is_condition and not moves(index):
         index = np.asarray(index)
     elif isinstance(index, Array) and index._is_condition:
         index, value = ..., where(index, value, array)
     index, new = whole(index), objects(value)
     store[index] = new if isinstance(store[index], np.ndarray) else new.item()
-
-
-class Row(list):
-    """A list of numbers, in which a whole number of a run is a place."""
-
-    def __getitem__(self, place: Any) -> Any:
-        if not moves(place):
-            return super().__getitem__(place)
-        found = lifted(place._tape, np.array(self, dtype=float))[place]
-        if isinstance(found, Array):
-            found._whole, found._of_python = all(map(is_whole, self)), True
-        return found
-
-
-def is_row(value: Any) -> bool:
-    """Return whether a value is a list of numbers."""
-    kinds = {float, int, np.float64, np.int64}
-    return type(value) is list and len(value) > 1 and kinds.issuperset(map(type, value))
 
 
 def lifted(tape: Tape, value: Any) -> Any:
@@ -173,24 +155,26 @@ def elementwise(name: str, *arguments: Any) -> Any:
     return new
 
 
-def all_of(kinds: Iterable[Any]) -> Any:
-    """Return whether all hold, of truths and conditions."""
-    found: Any = True
-    for kind in kinds:
-        if kind is False:
-            return False
-        if kind is not True:
-            found = kind if found is True else elementwise("and", found, kind)
-    return found
+def all_of(kinds: Iterable[bool | None]) -> bool | None:
+    """Return whether all hold; None where that hangs on a choice."""
+    found = {*kinds}
+    return False if False in found else None if None in found else True
 
 
-def is_of_python(value: Any) -> Any:
-    """Return whether a number is Python's own: a truth, or the condition on which that hangs."""
+def told(kind: bool | None) -> bool:
+    """Return what kind of number a value is, where Python or NumPy goes by it."""
+    if kind is None:
+        raise Unread("what kind of number it is hangs on a choice; write float(...)")
+    return kind
+
+
+def is_of_python(value: Any) -> bool | None:
+    """Return whether a number is Python's own; None where that hangs on a choice."""
     return value._of_python if isinstance(value, Array) else type(value) in (int, float)
 
 
-def is_whole(value: Any) -> Any:
-    """Return whether NumPy has it as whole numbers, or truths: a truth, or a condition."""
+def is_whole(value: Any) -> bool | None:
+    """Return whether NumPy has it as whole numbers, or truths; None where it hangs on a choice."""
     if isinstance(value, Array):
         return value._is_condition or value._whole
     kind = getattr(getattr(value, "dtype", None), "kind", "f")
@@ -212,10 +196,14 @@ def chosen(condition: Any, a: Any, b: Any) -> Any:
     """Return the number that Python chooses: a where a condition holds, else b, of its kind."""
     new = where(condition, a, b)
     if isinstance(condition, Array) and isinstance(new, Array) and not new._is_condition:
-        for kind, of in (("_whole", is_whole), ("_of_python", is_of_python)):
-            one, other = of(a), of(b)
-            setattr(new, kind, one if one is other else where(condition, one, other))
+        new._whole = either(is_whole(a), is_whole(b))
+        new._of_python = either(is_of_python(a), is_of_python(b))
     return new
+
+
+def either(one: bool | None, other: bool | None) -> bool | None:
+    """Return a kind that two numbers have in common; None where they differ."""
+    return one if one is other else None
 
 
 def refuse_in_a_try(*arguments: Any) -> None:

@@ -35,23 +35,11 @@ MOST = 200  # objects that are watched
 OWN = __package__.partition(".")[0]
 GONE, UNKNOWN = object(), object()
 GROWN = 1000  # unknown numbers behind what was appended
-# which an array of the record answers otherwise than a number does, but to stand-ins
-ASKING = frozenset({"isinstance", "hasattr", "type", "isscalar", "float", "int"})
 CONTAINERS: Any = (list, deque, dict, set)
 SIMPLE = (int, float, complex, str, bytes, frozenset, np.generic, Enum, NoneType)
 NUMBERS = (int, float, complex, np.generic, np.ndarray)
 PLAIN = (int, float, str, bytes, tuple, Array, BuiltinFunctionType, NoneType)
-STATES: dict[type, tuple[Callable, Callable]] = {  # of chance: its state, and to put it back
-    np.random.Generator: (
-        lambda own: pickle.dumps(own.bit_generator.state),
-        lambda own, state: setattr(own.bit_generator, "state", pickle.loads(state)),
-    ),
-    np.random.RandomState: (
-        lambda own: pickle.dumps(own.get_state()),
-        lambda own, state: own.set_state(pickle.loads(state)),
-    ),
-    random.Random: (random.Random.getstate, random.Random.setstate),
-}
+CHANCE = (np.random.Generator, np.random.RandomState, random.Random)
 OF_ALL: tuple[Any, ...] = (  # whose numbers the functions of these modules draw
     vars(random)["random"].__self__,
     vars(np.random)["random"].__self__,
@@ -65,22 +53,24 @@ class Snapshot:
         self._watched: dict[int, tuple[Any, Any]] = {}  # an object, and what it kept before
         # by what tells it apart, each state: of every object that differs what it keeps
         self.left: dict[Any, dict[int, Any]] = {}
-        self.asking: dict[int, dict[str, Any]] = {}  # modules of functions that ask for a type
+        self.spaces: dict[int, dict[str, Any]] = {}  # modules of functions and classes
         self.attributes: dict[int, dict[str, Any]] = {}  # of users' objects
         self._chance = {id(one): (one, _chance_of(one)) for one in chance}
 
     def add(self, value: Any, deep: int = DEEP) -> None:
         """Watch an object, and those within it."""
         value = getattr(value, "__func__", getattr(value, "fget", value))  # of a method, property
-        if isinstance(value, FunctionType) and _is_asking(value):
-            self.asking[id(value.__globals__)] = value.__globals__
+        if isinstance(value, FunctionType):
+            self._borrow(value.__globals__)
         if isinstance(value, PLAIN) or id(value) in self._watched or len(self._watched) >= MOST:
             return
-        if isinstance(value, tuple(STATES)):
+        if isinstance(value, CHANCE):
             self._chance.setdefault(id(value), (value, _chance_of(value)))
         if (kept := kept_by(value)) is None:
             return
         self._watched[id(value)] = value, kept
+        for kind in () if isinstance(value, type) else type(value).__mro__:
+            self._borrow(vars(sys.modules.get(kind.__module__, sys)))
         own = getattr(value, "__dict__", None)
         plain = type(value) is SimpleNamespace
         if type(own) is dict and (plain or not _is_library(type(value).__module__.split(".")[0])):
@@ -94,6 +84,12 @@ class Snapshot:
                 self.add(one, deep - 1)
         elif not isinstance(value, (*CONTAINERS, ModuleType, FunctionType)):
             self.add(type(value), deep)
+
+    def _borrow(self, space: dict[str, Any]) -> None:
+        """Note the names of a module, into which stand-ins are put while its functions are read."""
+        root = space.get("__name__", "").partition(".")[0]
+        if root == "control" or not _is_library(root):
+            self.spaces[id(space)] = space
 
     def restore(self) -> None:
         """Make all as it was; note the state in which a way left it."""
@@ -112,8 +108,7 @@ class Snapshot:
         drawn = [(one, was) for one, was in self._chance.values() if _chance_of(one) != was]
         for one, was in drawn:
             if one not in OF_ALL:  # from which other threads draw
-                give = next(give for kind, (_, give) in STATES.items() if isinstance(one, kind))
-                give(one, was)
+                getattr(one, "bit_generator", one).__setstate__(pickle.loads(was))
         return bool(drawn)
 
     def begin(self, state: dict[int, Any], leaf: Callable[[str], Any]) -> None:
@@ -132,7 +127,7 @@ class Snapshot:
 
 def _chance_of(one: Any) -> Any:
     """Return the state of a generator of chance."""
-    return next(state_of(one) for kind, (state_of, _) in STATES.items() if isinstance(one, kind))
+    return pickle.dumps(getattr(one, "bit_generator", one).__getstate__())
 
 
 def same(now: Any, before: Any) -> bool:
@@ -236,12 +231,6 @@ def _attributes(value: Any) -> tuple[Any, Iterable[str] | None]:
     slots = [vars(kind).get("__slots__", ()) for kind in type(value).__mro__]
     names = [name for one in slots for name in ([one] if isinstance(one, str) else one)]
     return value, names or None
-
-
-def _is_asking(function: FunctionType) -> bool:
-    """Return whether a user's function asks what kind of number it is given."""
-    root = function.__globals__.get("__name__", "").partition(".")[0]
-    return bool(ASKING.intersection(names_in(function.__code__))) and not _is_library(root)
 
 
 @functools.lru_cache(maxsize=256)

@@ -1,4 +1,4 @@
-"""Words of equations: tables, and helpers that SymPy leaves undefined.
+"""Tables in equations.
 
 A table is a row of numbers read at a place (`lookup`), np.interp, or one of the interpolators of
 SciPy that python-control's gain schedules are made of.  A place in a table is how many of its inner
@@ -6,7 +6,7 @@ points are not above x; `pick` takes what stands there.
 """
 
 from collections.abc import Callable
-from functools import cache, reduce, wraps
+from functools import cache, reduce
 from operator import add, and_
 from typing import Any
 
@@ -50,52 +50,6 @@ def lookup(table: Any, index: Any) -> Any:
             ) from None
     table = lifted(tape, table)
     return tape.add("pick", [operand(table), operand(index)], getattr(index, "shape", ()))
-
-
-@public
-def opaque(function: Callable) -> Callable:
-    """Mark a helper that SymPy reads as an undefined function.
-
-    It is an undefined function of its arguments: theorems then hold for any
-    function in its place.
-
-    Parameters
-    ----------
-    function : callable
-        A helper called by a block's equations, with its arguments by position.
-
-    Returns
-    -------
-    callable
-        The same function, marked.
-
-    Examples
-    --------
-    >>> @opaque
-    ... def gust(t):
-    ...     return 0.1
-    >>> gust(3.0)
-    0.1
-    """
-
-    @wraps(function)
-    def marked(*arguments: Any) -> Any:
-        result = function(*arguments)
-        if (tape := next((a._tape for a in arguments if isinstance(a, Array)), None)) is None:
-            return result
-        refs = [operand(lifted(tape, a)) for a in arguments]
-        name = f"{function.__module__}.{function.__qualname__}"
-
-        def hidden(k: int, value: Any) -> Any:
-            value = lifted(tape, value)
-            shape = getattr(value, "shape", ())
-            return tape.add("opaque", [operand(value), *refs], shape, (name, k))
-
-        if isinstance(result, tuple):
-            return tuple(hidden(k, value) for k, value in enumerate(result))
-        return hidden(0, result)
-
-    return marked
 
 
 # --- np.interp ---------------------------------------------------------------------------------
@@ -223,30 +177,6 @@ def of_polynomials(f: Any) -> Callable:
     return table
 
 
-def of_spline(f: Any) -> Callable:
-    """Return SciPy's BSpline, or UnivariateSpline, as a function of signals."""
-    from scipy.interpolate import PPoly
-
-    if getattr(f, "ext", 0) or np.ndim(getattr(f, "c", ())) > 1:
-        raise Unread(f"scipy's {type(f).__name__} of several columns, or with ends of its own")
-    return of_polynomials(PPoly.from_spline(getattr(f, "_eval_args", f)))
-
-
-def splev(tape: Tape, x: Any, tck: Any, der: int = 0, ext: int = 0) -> Any:
-    """Return scipy.interpolate.splev(x, tck)."""
-    from scipy.interpolate import BSpline
-
-    if ext or not isinstance(tck, tuple) or np.ndim(tck[1]) > 1:
-        raise Unread("scipy's splev of several columns, or with ends of its own")
-    return of_spline(BSpline(*tck))(tape, x, der)
-
-
-def of_series(f: Any) -> Callable:
-    """Return a polynomial of np.polynomial as a function of signals."""
-    offset, scale = f.mapparms()
-    return lambda tape, x: f._val(offset + scale * lifted(tape, x), f.coef)
-
-
 def of_grid(f: Any) -> Callable:
     """Return scipy.interpolate.RegularGridInterpolator as a function of signals."""
     grid, ys = [np.asarray(one, dtype=float) for one in f.grid], np.asarray(f.values)
@@ -323,14 +253,9 @@ def of_nearest(f: Any) -> Callable:
 
 
 POLYNOMIALS = ("CubicSpline", "PchipInterpolator", "Akima1DInterpolator", "PPoly")
-SPLINES = ("BSpline", "UnivariateSpline", "InterpolatedUnivariateSpline")
-LIBRARIES = ("scipy.interpolate.", "numpy.polynomial.")
-SERIES = ("Polynomial", "Chebyshev", "Legendre", "Laguerre", "Hermite", "HermiteE")
 TABLES: dict[str, Callable[[Any], Callable]] = {
-    **dict.fromkeys(SERIES, of_series),
     "interp1d": of_interp1d,
     **dict.fromkeys(POLYNOMIALS, of_polynomials),
-    **dict.fromkeys(SPLINES, of_spline),
     "RegularGridInterpolator": of_grid,
     "LinearNDInterpolator": of_simplices,
     "NearestNDInterpolator": of_nearest,
@@ -338,15 +263,13 @@ TABLES: dict[str, Callable[[Any], Callable]] = {
 
 
 def is_table(value: Any) -> bool:
-    """Return whether a value is one of SciPy's interpolators, or a polynomial of NumPy's."""
+    """Return whether a value is one of SciPy's interpolators."""
     kind = type(value)
-    return kind.__name__ in TABLES and kind.__module__.startswith(LIBRARIES)
+    return kind.__name__ in TABLES and kind.__module__.startswith("scipy.interpolate.")
 
 
 def function_of(value: Any) -> Callable | None:
     """Return an interpolator as a function of signals; None for any other value."""
-    if getattr(value, "__name__", "") == "splev" and value.__module__.startswith(LIBRARIES):
-        return splev
     if not is_table(value):
         return None
     table = cache(lambda: TABLES[type(value).__name__](value))

@@ -2,7 +2,7 @@
 
 ``float(x[0])``, ``isinstance(x, float)``, ``type(x)``, ``hasattr(x, "shape")``: a signal is a float
 and a vector an array.  Whether a number is Python's or NumPy's, whole or not, may hang on what was
-chosen; where the answers differ, that is a question as any other.
+chosen; where the answers differ, the function is not read.
 """
 
 from collections.abc import Callable
@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from .arrays import Array, single
-from .elementwise import as_number, is_of_python, is_whole
+from .elementwise import as_number, is_of_python, is_whole, told
 from .views import converted
 
 
@@ -91,9 +91,10 @@ def _answer(value: Array, ask: Callable[[Any], Any]) -> Any:
     if value._is_condition:
         return ask(np.bool_(False))
     kinds = is_whole(value), is_of_python(value)
-    might = product(*((kind,) if isinstance(kind, bool) else (False, True) for kind in kinds))
-    answers = [ask(EXAMPLES[kind]) for kind in might]
-    return answers[0] if len({*answers}) == 1 else ask(EXAMPLES[bool(kinds[0]), bool(kinds[1])])
+    might = product(*((False, True) if kind is None else (kind,) for kind in kinds))
+    answers = {ask(EXAMPLES[kind]) for kind in might}
+    told(True if len(answers) == 1 else None)
+    return answers.pop()
 
 
 def as_float(value: Array) -> Any:

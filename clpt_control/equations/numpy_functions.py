@@ -1,6 +1,6 @@
 """What NumPy's functions and methods do with arrays of the record.
 
-    A x = b by elimination, det A as the product of its pivots
+    A x = b by elimination
 
 Pivots are chosen by `where`, as np.linalg.solve chooses them by size.
 
@@ -8,7 +8,6 @@ What is not here is tried on arrays of objects, element by element, by NumPy's o
 """
 
 from collections.abc import Callable
-from functools import reduce
 from typing import Any
 
 import numpy as np
@@ -27,7 +26,7 @@ from .elementwise import (
 )
 from .number_types import of_python
 from .ufuncs import accumulated, check_doubles, matmul, reduced, rounded
-from .views import depends, into, of_numbers, on_objects, on_values, refuse, tape_of
+from .views import depends, into, on_numbers, on_objects, on_parameters, refuse, tape_of
 
 IMPLEMENTED: dict[Any, Callable] = {}  # NumPy's: what writes them down
 BOXED = {  # whose results are arrays, also without axes
@@ -39,15 +38,18 @@ BOXED = {  # whose results are arrays, also without axes
 def apply_function(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
     """Write down one of NumPy's functions."""
     out = more.pop("out", None)
+    result = None
     if function not in SHARES and not depends((*inputs, *more.values())):
-        return into(out, of_numbers(tape, function, inputs, more))
-    if function in IMPLEMENTED:
+        result = on_numbers(tape, function, inputs, more)
+    elif function in IMPLEMENTED:
         result = IMPLEMENTED[function](*inputs, **more)
         return into(out, boxed(tape, result) if function in BOXED else result)
-    try:
-        return into(out, on_objects(tape, function, inputs, more))
-    except Unread as refused:
-        return into(out, on_values(tape, function, inputs, more, refused))
+    if result is None:
+        try:
+            result = on_objects(tape, function, inputs, more)
+        except Unread as why:
+            result = on_parameters(tape, function, inputs, more, why)
+    return into(out, result)
 
 
 def implements(*functions: Any, arrays: int = 1) -> Callable:
@@ -64,7 +66,7 @@ def implements(*functions: Any, arrays: int = 1) -> Callable:
     return register
 
 
-# --- sums and slopes --------------------------------------------------------------
+# --- means ------------------------------------------------------------------------
 
 
 @implements(np.mean)
@@ -73,44 +75,6 @@ def mean(a: Any, axis: Any = None, dtype: Any = None, keepdims: Any = False) -> 
     check_doubles(dtype)
     total = np.sum(a, axis, keepdims=keepdims)
     return total / (a.size // total.size)
-
-
-@implements(np.var)
-def variance(a: Any, axis: Any = None, dtype: Any = None, ddof: Any = 0, keepdims: Any = 0) -> Any:
-    """Return the mean square of what differs from the mean."""
-    check_doubles(dtype)
-    apart = a - mean(a, axis, keepdims=axis is not None)
-    total = np.sum(apart * apart, axis, keepdims=keepdims)
-    return total / (a.size // total.size - ddof)
-
-
-@implements(np.average)
-def average(a: Any, axis: Any = None, weights: Any = None, **more: Any) -> Any:
-    """Return np.average, each number by its weight."""
-    if weights is None:
-        return mean(a, axis, **more)
-    return on_objects(a._tape, np.average, (a, axis, weights), more)
-
-
-@implements(np.gradient)
-def gradient(f: Any, *steps: Any, axis: Any = None, edge_order: int = 1) -> Any:
-    """Return np.gradient along one axis, by a step or by places."""
-    along = 0 if axis is None and f.ndim == 1 else axis
-    if not isinstance(along, int) or len(steps) > 1 or edge_order != 1:
-        return refuse("np.gradient along several axes, or of another order")
-    f = np.moveaxis(f, along, 0)
-    h: Any = steps[0] if steps else 1.0
-    if np.ndim(h):
-        h = np.diff(np.asarray(h, float)).reshape(-1, *[1] * (f.ndim - 1))
-        h = h if np.any(h != h[0]) else h[0]
-    if np.ndim(h) == f.ndim:
-        back, on, first, last = h[:-1], h[1:], h[0], h[-1]
-        before, ahead = -on / (back * (back + on)), back / (on * (back + on))
-        inner = before * f[:-2] + (on - back) / (back * on) * f[1:-1] + ahead * f[2:]
-    else:
-        inner, first, last = (f[2:] - f[:-2]) / (2.0 * h), h, h
-    slopes = [(f[1:2] - f[:1]) / first, inner, (f[-1:] - f[-2:-1]) / last]
-    return np.moveaxis(np.concatenate(slopes), 0, along)
 
 
 # --- limits and choices -----------------------------------------------------------------------
@@ -184,19 +148,16 @@ def _rows(matrix: Any) -> list[Any]:
     return [matrix[k] for k in range(len(matrix))]
 
 
-def _eliminated(rows: list[Any], pivot: Callable = lambda a: a) -> Any:
-    """Make rows triangular, in place; return whether they changed places an odd number of times."""
-    sign: Any = 1.0
+def _eliminate(rows: list[Any]) -> None:
+    """Make rows triangular, in place."""
     n = len(rows)
     refuse_in_a_try(*rows)  # where they have no solution
     for k in range(n):
         for i in range(k + 1, n):
             larger = np.greater(np.fabs(rows[i][k]), np.fabs(rows[k][k]))
             rows[k], rows[i] = where(larger, rows[i], rows[k]), where(larger, rows[k], rows[i])
-            sign = where(larger, -sign, sign)
         for i in range(k + 1, n):
-            rows[i] = rows[i] - rows[k] * (rows[i][k] / pivot(rows[k][k]))
-    return sign
+            rows[i] = rows[i] - rows[k] * (rows[i][k] / rows[k][k])
 
 
 @implements(np.linalg.solve, arrays=2)
@@ -207,7 +168,7 @@ def solve(A: Any, b: Any) -> Any:
         raise ValueError("solve: A must be square, b as long")
     right = b[:, None] if b.ndim == 1 else b
     rows = [np.concatenate([row, right[k]]) for k, row in enumerate(_rows(A))]
-    _eliminated(rows)
+    _eliminate(rows)
     solved: list[Any] = [None] * n
     for k in range(n - 1, -1, -1):
         rest = rows[k][n:]
@@ -216,14 +177,6 @@ def solve(A: Any, b: Any) -> Any:
         solved[k] = rest / rows[k][k]
     x = np.stack(solved)
     return x[:, 0] if b.ndim == 1 else x
-
-
-@implements(np.linalg.det)
-def determinant(A: Any) -> Any:
-    """Return the determinant: the product of the pivots."""
-    rows = _rows(A)
-    sign = _eliminated(rows, lambda a: where(a == 0.0, 1.0, a))  # below it all are 0
-    return reduce(lambda v, w: v * w, (rows[k][k] for k in range(len(rows)))) * sign
 
 
 # --- others ------------------------------------------------------------------------------------
@@ -260,7 +213,6 @@ implements(np.min, np.amin)(along(reduced, np.minimum))
 implements(np.any)(along(reduced, np.logical_or))
 implements(np.all)(along(reduced, np.logical_and))
 implements(np.ptp)(lambda a, *more, **named: np.max(a, *more, **named) - np.min(a, *more, **named))
-implements(np.std)(lambda a, *more, **named: np.sqrt(np.var(a, *more, **named)))
 implements(np.trace)(lambda a, *more, **named: np.sum(np.diagonal(a, *more, **named)))
 implements(np.linalg.inv)(lambda A: solve(A, np.eye(A.shape[0])))
 implements(np.cumsum)(along(accumulated, np.add))
@@ -268,9 +220,6 @@ implements(np.cumprod)(along(accumulated, np.multiply))
 implements(np.allclose, arrays=2)(lambda *given, **more: np.all(close(*given, **more)))
 implements(np.interp)(lookup_tables.interpolated)
 implements(np.searchsorted, arrays=0)(lookup_tables.searched)
-implements(np.digitize, arrays=0)(
-    lambda x, points, right=False: lookup_tables.searched(points, x, "left" if right else "right")
-)
 implements(np.stack, arrays=0)(stacks.stack)
 implements(np.concatenate, arrays=0)(stacks.join)
 implements(np.round, np.around)(rounded)

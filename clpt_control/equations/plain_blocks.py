@@ -265,8 +265,6 @@ def _fits(
     if kind == "part":
         one = len(arguments) == 1 and arguments[0] and type(at) is int
         return bool(one) and 0 <= at <= prod(arguments[0]) - prod(shape)
-    if kind == "opaque":
-        return bool(arguments) and arguments[0] == shape and isinstance(hash(at), int)
     if at is not None:
         return False
     if kind == "fill":

@@ -7,7 +7,7 @@ vehicle; in a namespace its name and the names of its ports carry the vehicle's 
 makes `west/x[2]`, and its equations are the same.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from math import prod
 from typing import Any
 
@@ -90,14 +90,11 @@ def reused_vector(values: np.ndarray, where: dict[str, tuple[slice, Shape]]) -> 
 def flattened(name: str, returned: Any, where: dict[str, tuple[slice, Shape]], size: int) -> Any:
     """Return what a function returned, a mapping by port or numbers in order, as one vector."""
     if isinstance(returned, Mapping):
-        if returned.keys() != where.keys():
-            raise BlockError(f"{name}: returns {list(returned)}; must return {list(where)}")
+        check_ports(name, returned, where)
         out = np.empty(size)
         for port, (part, shape) in where.items():
             value = np.asarray(returned[port], dtype=float)
-            if value.shape != shape:
-                value = _shaped(name, port, value, shape)
-            out[part] = value.ravel()
+            out[part] = shaped(name, port, value, shape, lambda a, n: np.full(n, a)).ravel()
         return out
     if returned is None:
         raise BlockError(f"{name}: returns nothing; must return {list(where)}")
@@ -110,12 +107,23 @@ def flattened(name: str, returned: Any, where: dict[str, tuple[slice, Shape]], s
     return out
 
 
-def _shaped(name: str, port: str, value: np.ndarray, shape: Shape) -> np.ndarray:
-    if value.ndim == 0:
-        return np.full(shape, value)
-    if value.shape == (prod(shape),):
+def check_ports(name: str, returned: Mapping[str, Any], ports: Iterable[str]) -> None:
+    """Refuse a mapping that has other names than the ports."""
+    if returned.keys() != {*ports}:
+        raise BlockError(f"{name}: returns {list(returned)}; must return {[*ports]}")
+
+
+def shaped(name: str, port: str, value: Any, shape: Shape, filled: Callable) -> Any:
+    """Return a value in the shape of its port: a number everywhere, a row of numbers in order."""
+    own = getattr(value, "shape", ())
+    if own == shape:
+        return value
+    if not own:
+        return filled(value, shape)
+    known = all(isinstance(n, int) for n in (*own, *shape))
+    if known and own == (prod(shape),):
         return value.reshape(shape)
-    raise BlockError(f"{name}: returns {port} of shape {value.shape}; must be {shape}")
+    raise BlockError(f"{name}: returns {port} of shape {own}; must be {shape}")
 
 
 # --- labels --------------------------------------------------------------------------------------

@@ -10,19 +10,20 @@ same: else a state or chance hides in the function.  The package's own functions
 """
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from math import nan, prod
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from ..errors import BlockError
-from .answers import AnsweringTape, Borrowed, Outside, Ports, each_way, located, merged
+from .answers import AnsweringTape, Outside, Ports, each_way, located, merged
 from .arrays import Array, Tape, Unread, objects, operand, reading_on
-from .copies import Copies, Grown, borrowed
+from .copies import Copies, borrowed
 from .declaration import Parameters
 from .elementwise import as_number, filled, lifted, where
 from .kept import OF_ALL, Snapshot
-from .ports import places
+from .ports import check_ports, places, shaped
 from .record import Record, Shape, compact
 from .stand_ins import UNSEEDED
 
@@ -33,6 +34,7 @@ RAISED = (
     *(ArithmeticError, IndexError, ValueError, AssertionError),
     *(UnboundLocalError, StopIteration),
 )
+OF_WAYS = (*RAISED, RuntimeError, SystemError, Outside)
 
 
 class Read(NamedTuple):
@@ -69,25 +71,13 @@ def read(*arguments: Any, **more: Any) -> Read:
     It takes the fields of `Request`.  Raises `Unread` where it cannot be read.
     """
     request = Request(*arguments, **more)
-    spaces: list[dict[str, Any]] = []
-    grown: set[int] = set()
     reads: list[Read] = []
     snapshot = Snapshot(() if request.known else OF_ALL)
     try:
         while len(reads) < max(1 if request.known else 2, 1 + len(snapshot.left)):
             states = [{}, *snapshot.left.values()]
             state = states[min(len(reads), len(states) - 1)]
-            try:
-                reads.append(_Ways(request, spaces, snapshot, state, grown).read())
-            except (Borrowed, Grown) as missing:
-                if isinstance(missing, Grown):
-                    grown.add(missing.row)
-                else:
-                    spaces.append(missing.space)
-                reads.clear()
-                snapshot.restore()
-                snapshot.left.clear()
-                continue
+            reads.append(_Ways(request, snapshot, state).read())
             first, last = reads[0].record, reads[-1].record
             alike = last == first or str(last) == str(first)  # NaN differs from itself
             if not alike or len(snapshot.left) > MOST_READINGS:
@@ -106,13 +96,11 @@ def read(*arguments: Any, **more: Any) -> Read:
 class _Ways:
     """All ways through a function, one after the other."""
 
-    def __init__(
-        self, request: Request, spaces: list[dict], snapshot: Snapshot, state: dict, grown: set[int]
-    ) -> None:
-        self.request, self.spaces = request, spaces
+    def __init__(self, request: Request, snapshot: Snapshot, state: dict) -> None:
+        self.request = request
         self.snapshot, self.state = snapshot, state  # in which a way left all
-        self.tape = AnsweringTape(request.parameters, spaces)
-        self.copies = Copies(self.tape, snapshot, grown)
+        self.tape = AnsweringTape(request.parameters)
+        self.copies = Copies(self.tape, snapshot)
         self.ways: list[tuple[dict[int, bool], list[Any]]] = []
 
     def read(self) -> Read:
@@ -125,8 +113,6 @@ class _Ways:
         }
         named = request.wrap is None  # else x and u are the function's own
         for _ in each_way(tape):
-            asking = self.snapshot.asking.values()
-            self.spaces += [one for one in asking if all(one is not s for s in self.spaces)]
             tape.last_asked = tape.texts = None
             self.snapshot.begin(self.state, self._unknown)
             x, u = Ports(tape, "x", request.states, named), Ports(tape, "u", request.inputs, named)
@@ -158,34 +144,25 @@ class _Ways:
         """Return what one way gives, for each port; NaN where it raises."""
         tape, request, outputs, raised = self.tape, self.request, [], list[Exception]()
         try:
-            with borrowed(self.spaces, self.copies), reading_on(tape):
+            with borrowed(self.copies), reading_on(tape):
                 returned = run()
                 if returned is None and tape.answers:
                     raise ValueError("returns nothing")
                 outputs = _by_port(tape, request.role, returned, request.out)
                 if tape.texts is not None:
                     raise tape.texts
-        except (Borrowed, BlockError):
+        except BlockError:
             raise
-        except RecursionError:
-            raise Unread(f"{request.name} calls itself without end") from None
-        except (*RAISED, RuntimeError, SystemError, Outside) as error:
+        except Exception as error:
             tape.ended(error)
             raised.append(error)
-            if not tape.answers and tape.stopped is None:
-                place = located(request.function, error)
-                raise Unread(f"{place}{type(error).__name__}: {error}") from None
-            outputs = [filled(tape, nan, shape) for shape in request.out.values()]
-        except Exception as error:
-            text = str(error) if isinstance(error, Unread) else f"{type(error).__name__}: {error}"
-            if isinstance(error, Unread) or tape.stopped is None:
+            of_way = tape.answers and isinstance(error, OF_WAYS)
+            if tape.stopped is None and (isinstance(error, RecursionError) or not of_way):
+                text = error if isinstance(error, Unread) else f"{type(error).__name__}: {error}"
                 raise Unread(f"{located(request.function, error)}{text}") from None
-            raised.append(error)
-        if isinstance(tape.stopped, Unread):  # and the function went on
-            place = located(request.function, tape.stopped, *raised)
-            raise Unread(f"{place}{tape.stopped}")
-        if tape.stopped is not None:
-            raise tape.stopped
+            outputs = [filled(tape, nan, shape) for shape in request.out.values()]
+        if tape.stopped is not None:  # a function may have gone on
+            raise Unread(f"{located(request.function, tape.stopped, *raised)}{tape.stopped}")
         return outputs
 
 
@@ -199,9 +176,10 @@ def record_of_states(shapes: Mapping[str, Shape]) -> Record:
 def _by_port(tape: Tape, role: str, returned: Any, out: Mapping[str, Shape]) -> list[Any]:
     """Return what a function returned, for each port."""
     if isinstance(returned, Mapping):
-        if returned.keys() != out.keys():
-            raise BlockError(f"{role}: returns {list(returned)}; must return {list(out)}")
-        return [_shaped(tape, role, port, returned[port], shape) for port, shape in out.items()]
+        check_ports(role, returned, out)
+        values = {port: as_number(lifted(tape, one)) for port, one in returned.items()}
+        fill = partial(filled, tape)
+        return [shaped(role, port, values[port], shape, fill) for port, shape in out.items()]
     if len(out) == 1 and getattr(returned, "shape", None) == next(iter(out.values())):
         return [as_number(lifted(tape, returned))]
     parts = returned if isinstance(returned, list | tuple) else [returned]
@@ -213,16 +191,3 @@ def _by_port(tape: Tape, role: str, returned: Any, out: Mapping[str, Shape]) -> 
     for k, one in enumerate(numbers):
         flat[k] = as_number(lifted(tape, one))
     return [lifted(tape, flat[part].reshape(shape)) for part, shape in places(out).values()]
-
-
-def _shaped(tape: Tape, role: str, port: str, returned: Any, shape: Shape) -> Any:
-    value = as_number(lifted(tape, returned))
-    own = getattr(value, "shape", ())
-    if own == shape:
-        return value
-    if not own:
-        return filled(tape, value, shape)
-    known = all(isinstance(n, int) for n in (*own, *shape))
-    if known and len(own) == 1 and prod(own) == prod(shape):
-        return lifted(tape, objects(value).reshape(shape))
-    raise BlockError(f"{role}: returns {port} of shape {own}; must be {shape}")

@@ -22,7 +22,6 @@ as a number says, or as a name: ``"N"`` is a size that the record leaves open.
 | join | arrays | one behind the other, along the first axis |
 | part | array | first of the elements, row by row, that the shape takes |
 | pick | row of numbers, index | the number at a whole place; NaN outside |
-| opaque | value, arguments | name: SymPy reads a function of the arguments |
 
 `computed` is a record on NumPy's numbers, in the order in which it was written.
 """
@@ -247,7 +246,7 @@ def computed(
                 value = elements.reshape(*shape, -1)
             elif kind == "pick":
                 value = picked(args[0], args[1])
-            elif kind in ("opaque", "fill"):
+            elif kind == "fill":
                 value = args[0]
             else:
                 value = OPERATIONS[kind](*args)

@@ -28,9 +28,10 @@ from .elementwise import (
     is_whole,
     lifted,
     refuse_in_a_try,
+    told,
     where,
 )
-from .lookup_tables import function_of, is_table
+from .lookup_tables import function_of
 from .number_types import TYPES, has, is_a, of_python, real_of, type_of
 from .numpy_functions import apply_function
 from .ufuncs import apply_ufunc
@@ -67,18 +68,10 @@ class StandIn:
             return StandIn(
                 attribute, lambda tape, *a, **more: apply_ufunc(tape, self.real, name, a, more)
             )
-        if is_table(self.real) and callable(attribute):  # as derivative() makes another
-            return lambda *arguments: stand_in(attribute(*arguments))
         return attribute
 
 
 # --- `math` and built-in functions --------------------------------------------------
-
-
-def remainder(a: Any, b: Any) -> Any:
-    """Return math.remainder(a, b), from the rest of two periods: without rounding."""
-    rest = np.fmod(a, 2.0 * b)
-    return rest - b * np.rint(rest / b)
 
 
 def rounded_off(total: Any, value: Any, new: Any) -> Any:
@@ -87,12 +80,18 @@ def rounded_off(total: Any, value: Any, new: Any) -> Any:
     return where(first, (total - new) + value, (value - new) + total)
 
 
+def remainder(a: Any, b: Any) -> Any:
+    """Return math.remainder(a, b), from the rest of two periods: without rounding."""
+    rest = np.fmod(a, 2.0 * b)
+    return rest - b * np.rint(rest / b)
+
+
 MATH: dict[str, Callable] = {
     **{name: f for name in vars(math) if isinstance(f := getattr(np, name, None), np.ufunc)},
     **{name: functools.partial(elementwise, name) for name in ("erf", "erfc")},
     "log": lambda a, base=None: np.log(a) if base is None else np.log(a) / np.log(base),
-    "remainder": remainder,
     "hypot": lambda *a: np.hypot(*a) if len(a) == 2 else functools.reduce(np.hypot, a, 0.0),
+    "remainder": remainder,
     "dist": lambda a, b: functools.reduce(np.hypot, map(np.subtract, a, b), 0.0),
     "prod": lambda a, start=1: functools.reduce(lambda v, w: v * w, a, start),
 }
@@ -130,21 +129,6 @@ def best(better: Callable, values: list) -> Any:
     return functools.reduce(lambda a, b: chosen(better(b, a), b, a), map(single, values))
 
 
-MOST_SORTED = 16
-
-
-def ordered(values: list[Any]) -> list[Any]:
-    """Return few values sorted: neighbours change places where they must, until none does."""
-    if len(values) > MOST_SORTED:
-        return sorted(values)
-    for end in range(len(values) - 1, 0, -1):
-        for k in range(end):
-            a, b = values[k], values[k + 1]
-            swap = np.greater(a, b)
-            values[k], values[k + 1] = chosen(swap, b, a), chosen(swap, a, b)
-    return values
-
-
 def compensated(values: Iterable[Any], start: Any = 0) -> Any:
     """Return Python's sum: of its own floats, since 3.12, with what rounding took from it.
 
@@ -153,26 +137,17 @@ def compensated(values: Iterable[Any], start: Any = 0) -> Any:
     values = list(values)
     if tape_of((start, *values)) is None:
         return sum(values, start)
-    total, own = start, is_of_python(start)
-    lost: Any = 0.0
+    total, lost, count = start, 0.0, 0
     for value in values:
-        own = all_of([own, is_of_python(value)])
-        whole = where(is_whole(total), True, sys.version_info < (3, 14) and is_whole(value))
+        if not told(all_of([is_of_python(total), is_of_python(value)])):
+            break
         new = total + value
-        if isinstance(lost, Array) or lost:
-            new = where(own, new, with_rest(total, lost) + value)
-        if own is False:
-            lost = 0.0
-        else:
-            rest = lost + rounded_off(total, value, total + value)
-            lost = where(own, where(whole, lost, rest), 0.0)
-        total = new
-    return with_rest(total, lost) if isinstance(lost, Array) or lost else total
-
-
-def with_rest(total: Any, lost: Any) -> Any:
-    """Return a sum and what rounding took from it, unless that is no number."""
-    return where(np.isfinite(lost), total + lost, total)
+        exact = told(is_whole(total)) or (sys.version_info < (3, 14) and told(is_whole(value)))
+        lost = lost if exact else lost + rounded_off(total, value, new)
+        total, count = new, count + 1
+    if isinstance(lost, Array) or lost:
+        total = where(np.isfinite(lost), total + lost, total)
+    return sum(values[count:], total)
 
 
 def printed(*values: Any, **more: Any) -> None:
@@ -188,7 +163,6 @@ SHADOWS: dict[str, Any] = {  # built-in names that have stand-ins
     "min": of_values(min, functools.partial(best, np.less)),
     "any": of_values(any, lambda values: functools.reduce(np.logical_or, values, False)),
     "all": of_values(all, lambda values: functools.reduce(np.logical_and, values, True)),
-    "sorted": of_values(sorted, ordered),
     "isinstance": is_a,
     "hasattr": has,
     "type": type_of,

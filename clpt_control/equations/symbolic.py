@@ -1,8 +1,7 @@
 """The SymPy reading of a record, its elements as expressions: for one N, and for every N at once.
 
 Words with kinks, comparisons and remainders are undefined functions, so a proof holds
-for any functions in their place.  An opaque helper is an undefined function of its
-arguments.
+for any functions in their place.
 
     y_i = f(x_i, ..., sum_k g(x_k, ...))
 
@@ -142,11 +141,6 @@ class Symbols(Elements):
     def leaf(self, at: tuple[str, str], shape: Shape, index: Index) -> Any:
         """Return the symbol of an element of a leaf."""
         return sympy.sympify(self.leaf_symbol(at, shape, index))
-
-    def opaque(self, at: tuple, arguments: tuple, index: Index) -> Any:
-        """Return an undefined function of all that a helper is given, one for each place."""
-        name = "_".join([f"{at[0]}()", *(str(k) for k in (at[1], *index) if k)])
-        return sympy.Function(name, real=True)(*(e for a in arguments[1:] for e in self.all_of(a)))
 
     def apply(self, ref: int, kind: str, arguments: tuple) -> Any:
         """Return what SymPy makes of an operation."""

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import HOOKS, Array, Tape, Unread, objects
+from .arrays import HOOKS, Array, Tape, Unread
 from .elementwise import (
     as_condition,
     as_number,
@@ -24,10 +24,10 @@ from .views import (
     copied,
     depends,
     into,
-    of_numbers,
-    on_values,
+    on_numbers,
+    on_objects,
+    on_parameters,
     refuse,
-    repacked,
     tape_of,
 )
 
@@ -45,8 +45,8 @@ def apply_ufunc(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) ->
         more.pop(unused, None)
     try:
         result = _apply(tape, ufunc, method, inputs, more)
-    except Unread as refused:
-        result = on_values(tape, getattr(ufunc, method), inputs, more, refused)
+    except Unread as why:
+        result = on_parameters(tape, getattr(ufunc, method), inputs, more, why)
     if condition is not True:
         result = np.where(condition, result, 0.0 if out is None else out)
     return into(out, result)
@@ -60,7 +60,8 @@ def check_doubles(dtype: Any) -> None:
 
 def _apply(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
     if method != "at" and not depends(inputs):
-        return of_numbers(tape, getattr(ufunc, method), inputs, more)
+        known = on_numbers(tape, getattr(ufunc, method), inputs, more)
+        return on_objects(tape, getattr(ufunc, method), inputs, more) if known is None else known
     if method == "reduce" and "where" not in more:
         return reduced(ufunc, *inputs, **more)
     if method == "accumulate":
@@ -72,13 +73,8 @@ def _apply(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
     if ufunc in BITWISE and method == "__call__":
         return BITWISE[ufunc](*inputs) if all(map(is_truth, inputs)) else refuse("bits")
     arguments: list[Any] = [one if type(one) is int else lifted(tape, one) for one in inputs]
-    if method == "outer":
-        a, b = arguments
-        return ufunc(a[(..., *[None] * np.ndim(b))] if np.ndim(a) else a, b)
     if method != "__call__" or more:
         return refuse(f"np.{ufunc.__name__}.{method}")
-    if all(set(kind) <= set("O->") for kind in ufunc.types):  # by np.frompyfunc
-        return repacked(tape, ufunc(*map(objects, arguments)))
     name = ufunc.__name__
     if name not in TAKING_TRUTHS and all(map(is_truth, arguments)):
         refuse(f"np.{name} of truth values, in short floats,")
@@ -159,30 +155,20 @@ def copysign(a: Any, b: Any) -> Any:
     return where(signbit(b), -size, size) if isinstance(b, Array) else np.copysign(1.0, b) * size
 
 
-def ignoring_nan(name: str, a: Any, b: Any) -> Any:
-    """Return the one that is a number, or the smaller or larger of two."""
-    return where(np.not_equal(a, a), b, where(np.not_equal(b, b), a, elementwise(name, a, b)))
-
-
 def fmod(a: Any, b: Any) -> Any:
     """Return the rest of a / b, which has a's sign."""
     rest = elementwise("mod", np.fabs(a), np.fabs(b))
     return where(a < 0, -rest, rest)
 
 
-def logaddexp(a: Any, b: Any) -> Any:
-    """Return log(exp a + exp b)."""
-    return np.maximum(a, b) + np.log1p(np.exp(-np.fabs(a - b)))
-
-
 BITWISE: dict[Any, Callable] = {  # of truth values
     np.bitwise_and: partial(elementwise, "and"),
     np.bitwise_or: partial(elementwise, "or"),
     np.bitwise_xor: partial(elementwise, "ne"),
-    np.invert: lambda a: refuse("~") if is_of_python(a) else elementwise("not", a),
+    np.invert: lambda a: elementwise("not", a) if is_of_python(a) is False else refuse("~"),
 }
 TAKING_TRUTHS = frozenset(
-    {"logical_xor", "isnan", "isfinite", "isinf", "fmin", "fmax", "square", "conjugate", "rint"}
+    {"logical_xor", "isnan", "isfinite", "isinf", "square", "conjugate", "rint"}
 )
 COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special too
     "vecdot": lambda a, b: total(a * b, -1),
@@ -190,8 +176,6 @@ COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special
     "square": lambda a: elementwise("mul", a, a),
     "reciprocal": lambda a: elementwise("div", 1.0, a),
     **dict.fromkeys(("positive", "conjugate"), copied),
-    "fmin": lambda a, b: ignoring_nan("minimum", a, b),
-    "fmax": lambda a, b: ignoring_nan("maximum", a, b),
     **dict.fromkeys(("deg2rad", "radians"), lambda a: elementwise("mul", a, np.pi / 180)),
     **dict.fromkeys(("rad2deg", "degrees"), lambda a: elementwise("mul", a, 180 / np.pi)),
     "fabs": lambda a: converted(elementwise("fabs", a)),
@@ -204,11 +188,9 @@ COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special
     "heaviside": lambda a, b: where(a > 0, 1.0, where(a < 0, 0.0, where(a == 0, b, a))),
     "logical_xor": lambda a, b: (a != 0) != (b != 0),
     "divmod": lambda a, b: (np.floor_divide(a, b), np.remainder(a, b)),
-    "modf": lambda a: (a - np.trunc(a), np.trunc(a)),
-    **{own.__name__: own for own in (copysign, fmod, logaddexp, signbit)},
+    **{own.__name__: own for own in (copysign, fmod, signbit)},
     **{name: partial(elementwise, name) for name in ("erf", "erfc")},
     "expit": lambda a: 1.0 / (1.0 + np.exp(-a)),
-    "log_expit": lambda a: -np.log1p(np.exp(-a)),
 }
 
 

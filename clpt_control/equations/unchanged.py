@@ -36,8 +36,8 @@ FIXED = {  # modules that nobody changes
     one.__name__: one for one in (math, cmath, copy, functools, itertools, operator, np, np.linalg)
 }
 TABLE = (  # what an interpolator is made of
-    *("x", "y", "c", "t", "k", "points", "grid", "values", "method", "fill_value", "ext"),
-    *("extrapolate", "bounds_error", "_eval_args", "coef", "domain", "window"),
+    *("x", "y", "c", "points", "grid", "values", "method", "fill_value"),
+    *("extrapolate", "bounds_error"),
 )
 CALLED = (FunctionType, type(math.sin), type(np.sin), type(np.dot), type)
 

@@ -54,21 +54,23 @@ def arrays_as(value: Any, to: Callable[[Array], Any]) -> Any:
     return type(value)(arrays_as(v, to) for v in value) if type(value) in (list, tuple) else value
 
 
-def _on_numbers(tape: Tape, function: Callable, inputs: Any, more: dict, number: Callable) -> Any:
-    """Run NumPy's own function on numbers; return None if it writes, or gives a part of them."""
+def on_numbers(tape: Tape, function: Callable, inputs: Any, more: dict) -> Any:
+    """Run NumPy's own function on what depends on nothing or on parameters, which are then pinned.
+
+    Return None if it writes, gives a part of what it is given, or signals are among that.
+    """
+
+    def number(one: Array) -> np.ndarray:
+        ref = one._ref
+        given = None if type(ref) is float else tape.parameter(ref)
+        numbers = tape.numbers(ref) if given is None else np.asarray(given)
+        return numbers.astype(int) if is_whole(one) else numbers
+
+    if any(map(moves, arrays_in((*inputs, *more.values())))):
+        return None
     given = arrays_as(inputs, number)
     result = function(*given, **arrays_as(more, number))
     return None if any(share(one, result) for one in given) else repacked(tape, result)
-
-
-def of_numbers(tape: Tape, function: Callable, inputs: Any, more: dict) -> Any:
-    """Run NumPy's own function on arguments that depend on nothing."""
-
-    def number(one: Array) -> np.ndarray:
-        return np.array(numbers_of(one), dtype=int if one._whole is True else float)
-
-    result = _on_numbers(tape, function, inputs, more, number)
-    return on_objects(tape, function, inputs, more) if result is None else result
 
 
 def share(a: Any, b: Any) -> bool:
@@ -98,18 +100,10 @@ def repacked(tape: Tape, value: Any) -> Any:
     return fresh(tape, value)
 
 
-def on_values(tape: Tape, function: Callable, inputs: Any, more: dict, refused: Unread) -> Any:
-    """Run NumPy's own function on what parameters alone decide, which are then pinned."""
-
-    def value(one: Array) -> Any:
-        if type(ref := one._ref) is int and tape.free[ref]:
-            raise refused
-        given = None if type(ref) is float else tape.parameter(ref)
-        numbers = tape.numbers(ref) if given is None else np.asarray(given)
-        return numbers.astype(int) if is_whole(one) else numbers
-
-    if (result := _on_numbers(tape, function, inputs, more, value)) is None:
-        raise refused
+def on_parameters(tape: Tape, function: Callable, inputs: Any, more: dict, why: Unread) -> Any:
+    """Run NumPy's own function on what parameters alone decide; else say why it is not read."""
+    if (result := on_numbers(tape, function, inputs, more)) is None:
+        raise why
     tape.stopped = None
     return result
 
@@ -128,14 +122,8 @@ def on_objects(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
         inputs[0][...] = arguments[0]
     elif result is None:
         refuse(f"np.{function.__name__} with names of what it writes into,")
-    for k, given in enumerate(inputs):
-        if isinstance(given, Array) and share(arguments[k], result):
-            if result is arguments[k] and k:  # it was written into
-                return into(given, repacked(tape, result))
-            if not given._is_condition:
-                given._root._keep()
-                before, after = arguments[:k], arguments[k + 1 :]
-                return part(given, lambda one: function(*before, one, *after, **more))  # noqa: B023
+    if any(share(one, result) for one in arguments):
+        refuse(f"np.{function.__name__} that gives a part")
     return repacked(tape, result)
 
 

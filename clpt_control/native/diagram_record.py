@@ -241,8 +241,6 @@ class DiagramRecord(RecordMerger):
     def put(self, k: int, role: str, record: Record, operation: Operation, own: list[Ref]) -> Ref:
         """Write an operation of a block."""
         block, (kind, arguments, shape, at) = self.wiring.nodes[k].system, operation
-        if kind == "opaque":
-            return own[0]
         if kind == "part":
             return self.part(own[0], at, shape)
         if kind == "sum":

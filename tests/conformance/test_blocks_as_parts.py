@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from package_blocks import BLOCKS, EACH
 
-from clpt_control.conformance.equation_checks import differ, python_values, random_samples, roles
+from clpt_control.conformance.checks import differ, python_values, random_samples, roles
 from clpt_control.errors import BlockError
 
 

@@ -11,8 +11,8 @@ from recorded import static
 
 from clpt_control.blocks import clpe, vehicle
 from clpt_control.blocks.laws.paper import LEARNED_FLOW as LAW
-from clpt_control.conformance import ConformanceReport, check_block, conformance, readings
-from clpt_control.conformance.equation_checks import roles
+from clpt_control.conformance import check_block, conformance, readings
+from clpt_control.conformance.checks import roles
 from clpt_control.equations import Block
 from clpt_control.equations.system import linear
 from clpt_control.errors import ArgumentError, BlockError, ClptError
@@ -34,23 +34,13 @@ def test_docstrings_name_the_equation():
         assert re.search(r"\bEqs?\.|\b[Ss]ection\b|\b[A-Z]\w+ (19|20)\d\d\b", text), case
 
 
-def test_report_counts_its_checks():
+def test_a_report_counts_its_checks_and_repeats():
     report = check_block(clpe.clpe())
-    assert isinstance(report, ConformanceReport)
-    assert report.ok
-    assert report.failures == ()
-    assert f"conforms ({len(report.checks)} checks)" in str(report)
-    assert len(report.checks) == 6
-
-
-def test_only_a_block_can_be_asked():
+    assert (report.ok, report.failures, len(report.checks)) == (True, (), 6)
+    assert str(report) == "clpe: conforms (6 checks)"
+    assert check_block(static(root, 1), seed=3) == check_block(static(root, 1), seed=3)
     with pytest.raises(ArgumentError, match="block = 3: must be a Block"):
         check_block(3)
-
-
-def test_seed_repeats_the_report():
-    block = static(root, 1)
-    assert check_block(block, seed=3) == check_block(block, seed=3)
 
 
 # --- blocks of a user, each with one mistake ---------------------------------------------------
@@ -132,11 +122,6 @@ def failures(block):
     return "\n".join(report.failures)
 
 
-@pytest.mark.parametrize("output", [infinite_at_zero, raises_at_zero])
-def test_broken_output_is_told(output):
-    assert "not finite at zero" in failures(static(output, 1))
-
-
 @pytest.mark.parametrize(
     "make",
     [
@@ -200,18 +185,6 @@ def test_memory_is_told(monkeypatch):
     assert "must keep no memory" in failures(block)
 
 
-def test_a_function_that_cannot_be_imported_is_told():
-    def local(t, x, u, p):
-        """y = u, Eq. (1): u = u[1], y = y[1]."""
-        return u[0]
-
-    assert "mine: cannot be pickled" in failures(static(local, 1))
-
-
-def test_few_finite_samples_are_told():
-    assert "random inputs only" in failures(static(mostly_out_of_range, 1))
-
-
 def mostly_out_of_range(t, x, u, p):
     """y = sqrt(u - 9), Eq. (1): u = u[1], y = y[1]."""
     return np.sqrt(u[0] - 9.0)
@@ -228,15 +201,19 @@ def ticking(breakpoints):
     )
 
 
-@pytest.mark.parametrize(
-    ("breakpoints", "sentence"),
-    [
-        (outside, "breakpoints are not increasing"),
-        (from_the_start_of_the_span, "differ from those over both"),
-    ],
-)
-def test_wrong_breakpoints_are_told(breakpoints, sentence):
-    assert sentence in failures(ticking(breakpoints))
+BROKEN = {  # -> what is told
+    "not finite at zero": lambda: static(infinite_at_zero, 1),
+    "mine.output is not finite at zero": lambda: static(raises_at_zero, 1),
+    "random inputs only": lambda: static(mostly_out_of_range, 1),
+    "mine: cannot be pickled": lambda: static(lambda t, x, u, p: u[0], 1),
+    "breakpoints are not increasing": lambda: ticking(outside),
+    "differ from those over both": lambda: ticking(from_the_start_of_the_span),
+}
+
+
+@pytest.mark.parametrize("sentence", BROKEN)
+def test_what_is_broken_is_told(sentence):
+    assert sentence in failures(BROKEN[sentence]())
 
 
 # --- units ----------------------------------------------------------------------------------------

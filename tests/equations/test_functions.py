@@ -1,4 +1,4 @@
-"""Functions of NumPy, tables and opaque helpers are read as they run."""
+"""Functions of NumPy and tables are read as they run."""
 
 import math
 
@@ -7,7 +7,7 @@ import pytest
 import sympy
 from recorded import as_it_runs, recorded, static
 
-from clpt_control.equations import evaluate, lookup, opaque
+from clpt_control.equations import evaluate, lookup
 from clpt_control.equations.arrays import Unread
 from clpt_control.equations.symbolic import expressions
 from clpt_control.errors import BlockError
@@ -33,7 +33,9 @@ def calls(module, names):
 
 MATH = list(calls(math, sorted(n for n in dir(math) if n[0] != "_" and callable(getattr(math, n)))))
 UFUNCS = sorted(n for n in dir(np) if isinstance(getattr(np, n), np.ufunc) and n not in INTEGERS)
-NOT_READ = {"isclose", "fma", "nextafter", "ulp", "spacing", "gamma", "lgamma", "logaddexp2"}
+NOT_READ = {"isclose", "fma", "nextafter", "ulp", "spacing", "gamma", "lgamma"} | {
+    *("logaddexp", "logaddexp2", "fmin", "fmax")
+}
 
 
 @pytest.mark.parametrize("call", [*MATH, *calls(np, UFUNCS)])
@@ -49,16 +51,15 @@ def test_a_function_of_numbers_is_read_or_named(call):
 
 
 ARRAYS = """
-    np.sum(u) ; np.prod(u) ; np.mean(u) ; np.max(u) ; np.min(u) ; np.ptp(u) ; np.var(u) ;
+    np.sum(u) ; np.prod(u) ; np.mean(u) ; np.max(u) ; np.min(u) ; np.ptp(u) ;
     np.ptp([np.sin(k + u) for k in range(12)], axis=0)[1] ;
     np.clip([u[0], -u[1]], [0.0, -0.1], [u[1], 1.0])[1] ; np.maximum([u[0], v[1]], 0.5)[1] ;
     np.sin([u[0], 1.0])[0] ; np.arctan2([u[0], u[1]], (u[2], -1.0))[1] ;
     np.abs([[-u[0]], [1.0]])[0, 0] ;
     np.where(np.logical_and([u[0] > 0.5, u[1] > 0.5], True), 1.0, u[2])[1] ;
-    np.std(u) ; np.dot(u, v) ; np.vdot(u, v) ; np.inner(u, v) ; u @ v ;
+    np.dot(u, v) ; np.vdot(u, v) ; np.inner(u, v) ; u @ v ;
     np.outer(u, v)[1, 2] ; np.kron(u, v)[4] ; np.trace(np.outer(u, v)) ; np.linalg.norm(u) ;
     np.linalg.norm(u, 1) ; np.linalg.norm(u, np.inf) ;
-    np.linalg.det(np.outer(u, v) + np.eye(3)) ;
     np.linalg.solve(np.outer(u, v) + np.eye(3), v)[1] ; np.linalg.inv(np.diag(u))[1, 1] ;
     np.linalg.solve(np.diag(u), [1.0, 2.0, 3.0])[2] ; np.einsum('i,i->', u, v) ;
     np.tensordot(u, v, 1) ; np.cross(u, v)[0] ; np.diff(u)[1] ; np.cumsum(u)[2] ;
@@ -87,11 +88,7 @@ ARRAYS = """
     np.mean(np.outer(u, v), axis=(0, 1)) ; np.array([0.0, 1.0]).searchsorted(u[0]) + u[1] ;
     u.repeat(2)[3] ; np.stack([u, v], axis=1)[2, 1] ; np.sum(u, dtype=float) ;
     np.atleast_1d(u[0], u[1])[1][0] ; np.atleast_2d(u[:1], 7.0)[1][0, 0] + u[0] ;
-    np.ix_([0], [1])[0][0, 0] + u[0] ; np.average(u) ; np.average(np.outer(u, v), axis=1)[2] ;
-    np.gradient(u)[1] ; np.gradient(u, 0.5)[2] ; np.gradient(u, [0.0, 1.0, 3.0])[1] ;
-    np.gradient(u, np.linspace(0, 1, 3))[1] ; np.gradient(u, np.array([1, 2, 4]))[0] ;
-    np.gradient(np.outer(u, v), 0.1, axis=0)[1, 2] ;
-    np.gradient(np.outer(u, v), [0.0, 1.0, 3.0], axis=-1)[1, 1] ;
+    np.ix_([0], [1])[0][0, 0] + u[0] ;
     np.kron(np.outer(u, v), np.eye(3))[4, 7] ; np.kron(np.outer(u, v), np.outer(v, u))[2, 7] ;
     np.vdot(np.outer(u, v), np.outer(v, v)) ; np.any(u[0]) ; np.all(u[:1]) ; any([u[1]]) ;
     np.dot(np.outer(u, v), CUBE)[2, 1, 2] ; np.dot(u[0] * CUBE, CUBE)[1, 2, 0, 1] ;
@@ -112,7 +109,7 @@ def test_a_function_of_arrays_is_read_as_it_computes(call):
 NOT_KNOWN = [
     *("np.roots(u)[0].real", "1.0 * np.shares_memory(u, u)"),
     *("1.0 * np.ix_(u > 0)[0][0]", "1.0 * np.deg2rad(u > 0)[0]"),
-    *("np.gradient(np.outer(u, u))[0][0, 0]", "np.gradient(u, u + 9.0)[0]"),
+    *("np.gradient(u)[1]", "np.linalg.det(np.outer(u, u))", "np.std(u)"),
     *("np.sort(u)[1]", "np.median(u)", "np.sum(u, where=[True, False, True])"),
     "np.linalg.cholesky(np.outer(u, u) + np.eye(3))[0, 1]",
 ]
@@ -201,45 +198,9 @@ def test_a_tables_index_is_any_number_to_sympy():
     assert found.args == (s, *row)
 
 
-@opaque
-def gust(t, height):
-    return np.sin(t) * height
-
-
-@opaque
-def both(a):
-    return a + 1.0, 2.0 * a
-
-
-def windy(t, x, u, p):
-    return 2.0 * gust(t, u[0])
-
-
-def two_at_once(t, x, u, p):
-    first, second = both(u[0])
-    return [first, second]
-
-
-def test_an_opaque_helper_is_an_undefined_function_to_sympy():
-    t, h = sympy.symbols("t h", real=True)
-    block = static(windy, 1)
-    (found,) = expressions(block, "output", lambda at, shape, index: t if at[0] == "t" else h)
-    (gusts,) = found.atoms(sympy.core.function.AppliedUndef)
-    assert "gust" in gusts.func.__name__
-    assert gusts.args == (t, h)
-    assert found == 2 * gusts
-    assert found.diff(h) != 0
-
-
-def test_an_opaque_helper_is_run_in_every_other_reading():
-    assert gust(math.pi / 2, 3.0) == 3.0
-    np.testing.assert_allclose(as_it_runs(static(windy, 1), "output", math.pi / 2, [], [3.0]), 6.0)
-    found = as_it_runs(static(two_at_once, 1, 2), "output", 0.0, [], [3.0])
-    np.testing.assert_array_equal(found, [4.0, 6.0])
-
-
 def test_a_static_block_at_many_times_and_inputs():
-    found = evaluate(static(windy, 1), [0.5, 1.0, 2.0], [[1.0], [2.0], [-3.0]])
+    windy = static(lambda t, x, u, p: 2.0 * np.sin(t) * u[0], 1)
+    found = evaluate(windy, [0.5, 1.0, 2.0], [[1.0], [2.0], [-3.0]])
     wanted = 2.0 * np.sin([0.5, 1.0, 2.0]) * [1.0, 2.0, -3.0]
     np.testing.assert_allclose(found[:, 0], wanted, rtol=1e-15)
     table = static(looked_up, 1, parameters={"values": [4.0, 5.0]})

@@ -1,4 +1,4 @@
-"""Truth values, whole numbers, short floats and what keeps them: as Python has them, or refused.
+"""Truth values, whole numbers, what is changed in place or kept: as Python has it, or refused.
 
 Each of these once gave another number than Python does, or an exception of the reader's own.
 """
@@ -11,14 +11,7 @@ from collections.abc import Iterable, Sized
 import control
 import numpy as np
 import pytest
-from scipy.interpolate import (
-    CubicSpline,
-    InterpolatedUnivariateSpline,
-    LinearNDInterpolator,
-    RegularGridInterpolator,
-    interp1d,
-    make_interp_spline,
-)
+from scipy.interpolate import CubicSpline, LinearNDInterpolator, RegularGridInterpolator, interp1d
 
 import clpt_control as clpt
 from clpt_control.diagrams.wiring import wiring_of
@@ -37,13 +30,13 @@ POINTS = [
 SEEN = deque([0.0, 0.0], maxlen=2)
 RATIOS = {0: 4.0, 1: 2.0}
 SWITCH = False
+LOG = [np.array([1.0, 2.0])]
+MEMORY = {"last": np.zeros(3)}
 with warnings.catch_warnings(action="ignore"):
     SQUARE = np.asmatrix([[1.0, 2.0], [3.0, 4.0]])
 SPLINE = CubicSpline([-1.0, 0.0, 0.5, 2.0], [0.0, 1.0, -1.0, 2.0])
 TRACK = CubicSpline([-1.0, 0.0, 0.5, 2.0], [[0.0, 1.0], [1.0, 3.0], [-1.0, 2.0], [0.0, 1.0]])
 LAP = CubicSpline([0.0, 1.0, 1.5, 3.0], [[0.0, 1.0], [1, 3], [-1, 2], [0, 1]], bc_type="periodic")
-BASIS = make_interp_spline([-1.0, 0.0, 0.5, 1.0, 2.0], [0.0, 1.0, -1.0, 0.5, 2.0], k=3)
-FITTED = InterpolatedUnivariateSpline([-1.0, 0.0, 0.5, 1.0, 2.0], [0.0, 1.0, -1.0, 0.5, 2.0])
 GRID = [-1.0, 0.0, 0.5, 2.0], [-0.5, 1.0, 1.5]
 HEIGHTS = np.random.default_rng(0).standard_normal((4, 3))
 CHART = RegularGridInterpolator(GRID, HEIGHTS, bounds_error=False, fill_value=None)
@@ -74,6 +67,26 @@ class Lever:
             return 0.0
 
 
+class Asking:
+    """Asks what it is given."""
+
+    table = np.array([0.0, 1.0, 3.0])
+
+    def doubled(self, a):
+        if isinstance(a, float):
+            return 2.0 * a
+        return np.sum(a) if isinstance(a, np.ndarray) else 0.0
+
+    def one(self, a):
+        return -a if np.isscalar(a) or not hasattr(a, "__len__") else 5.0
+
+    def matched(self, a):
+        match a:
+            case float():
+                return 3.0 * a
+        return 0.0
+
+
 class Bolt:
     """Remembers in slots."""
 
@@ -83,7 +96,7 @@ class Bolt:
         self.last = 0.0
 
 
-LEVER, BOLT = Lever(), Bolt()
+LEVER, BOLT, ASKING = Lever(), Bolt(), Asking()
 
 
 def block_of(function, params):
@@ -237,7 +250,7 @@ def puts_another_mask(t, x, u, p):
 
 def is_without_what_is_no_number(t, x, u, p):
     a = x[0] / x[1]
-    return [np.fmin(a, 2.0), np.fmax(0.5, a), max(float("nan"), x[0])]
+    return [a, max(float("nan"), x[0])]
 
 
 # --- what is kept --------------------------------------------------------------------------------
@@ -294,6 +307,133 @@ def keeps_in_params(t, x, u, p):
     return [x[0] - last]
 
 
+# --- what is changed in place ---------------------------------------------------------------------
+
+
+def is_numbers_are_overwritten(t, x, u, p):
+    y, z, A, w = np.zeros(3), np.zeros(3), np.zeros((3, 3)), np.array([1.0, np.nan])
+    y[0] = 1.0
+    np.copyto(y, [1.0, 2.0, 3.0])
+    z.put([1], [5.0])
+    np.fill_diagonal(A, 2.0)
+    np.add(y, 1.0, out=y)
+    w[w > p["zero"]] *= 2.0
+    return [*(y * x), *(z * x), *(A @ x), *w[:1]]
+
+
+def is_parts_are_written(t, x, u, p):
+    A, B, C = np.outer(x, u), np.outer(x, u), np.outer(x, x)
+    np.flipud(A)[0, 0] = 9.0
+    np.moveaxis(B, 0, 1)[0, 1] = 8.0
+    np.swapaxes(C, 0, 1)[1, 0] = x[0]
+    return [*A.ravel(), *B.ravel(), *C.ravel()]
+
+
+def is_copies_are_left_alone(t, x, u, p):
+    A, b, c = np.outer(x, u), 2.0 * x, 3.0 * x
+    flat, every_second = A.T.ravel(), b[::2].ravel()
+    A[0, 0], b[0] = 9.0, 9.0
+    plus, sums, product = +c, np.sum(c[None], axis=0), np.prod(c[None], axis=0)
+    largest, chosen = np.maximum.reduce(c[None]), np.where(True, c, 0.0)
+    for k, one in enumerate((plus, sums, product, largest, chosen)):
+        one[0] = k
+    return [*flat, *every_second, *c, *np.where(p["n"] == 3, 1.0, x)]
+
+
+def is_whole_numbers_are_cut(t, x, u, p):
+    rows = [
+        np.where(x > 0, 1, 0),
+        (x > 0) * 1,
+        np.select([x > 0, x > 1], [1, 2], 0),
+        np.full(3, p["n"]),
+        np.array([p["n"], 0, 1]),
+        np.where(x > 0, 1.0, 0.0),
+        np.full(3, float(p["n"])),
+    ]
+    for row in rows:
+        row[0] = 0.7 * x[1]
+    return np.concatenate(rows)
+
+
+def is_kinds_of_numbers(t, x, u, p):
+    k, half = 2, 0.5
+    return [
+        isinstance(p["n"], int),
+        isinstance(p["n"], float),
+        isinstance(p["k"], float),
+        type(p["n"]) is int,
+        type(k) is int,
+        type(half) is float,
+        isinstance(np.where(x[0] > 0, 1.0, 2.0), np.ndarray),
+        hasattr(p["k"], "shape"),
+    ]
+
+
+def is_methods_ask(t, x, u, p):
+    return [ASKING.doubled(x[0]), ASKING.doubled(x), ASKING.one(x[0]), ASKING.matched(x[1])]
+
+
+def is_functions_of_math(t, x, u, p):
+    return [math.dist(x[:2], u), *[math.remainder(a, 2 * math.pi) for a in x]]
+
+
+def keeps_in_a_list_beside_an_array(t, x, u, p):
+    LOG.append(0.0)
+    return [float(len(LOG))]
+
+
+def keeps_in_a_dict_beside_an_array(t, x, u, p):
+    rate = x - MEMORY["last"]
+    MEMORY["last"] = x.copy()
+    return rate
+
+
+def adds_at_places(t, x, u, p):
+    y = np.zeros(3)
+    np.add.at(y, [0, 0], 1.0)
+    return y * x
+
+
+def changes_a_shape(t, x, u, p):
+    y = np.outer(x, u)
+    y.shape = (2, 3)
+    return y @ x
+
+
+def sorts_in_part(t, x, u, p):
+    y = np.array([3.0, 1.0, 2.0])
+    y.partition(1)
+    return y * x
+
+
+def writes_into_an_attribute(t, x, u, p):
+    y = np.asarray(ASKING.table)
+    y[0] = x[0]
+    return ASKING.table
+
+
+def catches_a_place_outside(t, x, u, p):
+    try:
+        return [u[int(x[0])]]
+    except IndexError:
+        return [-2.0]
+
+
+def catches_a_parameter_of_zero(t, x, u, p):
+    try:
+        return [p["k"] / p["zero"] * x[0]]
+    except ZeroDivisionError:
+        return [5.0 * x[0]]
+
+
+def is_limits_into_an_array(t, x, u, p):
+    y, z, total = x.copy(), np.zeros(3), np.zeros(1)
+    y.clip(-0.5, 0.5, out=y)
+    x.cumsum(out=z)
+    x.sum(out=total, axis=0, keepdims=True)
+    return [*y, *z, *total, *np.maximum(x, 0.0, out=z)]
+
+
 def beside(number, cut):
     """An array of 0 and a number, into which another is written: cut, if both were whole."""
     y = np.array([0, number])
@@ -313,8 +453,6 @@ COUNTED = {  # whole numbers, and what is none though it is made of them
     "np.max": lambda a, b: np.max([int(a), 1]),
     "an element": lambda a, b: np.array([int(a), 3])[1] + np.array([int(a), 3])[0],
     "truths": lambda a, b: np.sum(np.array([a, b]) > 0.0),
-    "one way": lambda a, b: round(a) if b > 0 else 0.5 * a,
-    "the larger": lambda a, b: max(int(a), b),
     "float": lambda a, b: float(int(a)),
     "np.float64": lambda a, b: np.float64(int(a)),
     "np.fabs": lambda a, b: np.fabs(int(a)),
@@ -362,13 +500,8 @@ ONE_LINE = {  # as Python has them
         isinstance(x[0], float),
         isinstance(x[0], int | list),
     ],
-    "without rank": lambda t, x, u, p: [
-        np.linalg.det(np.outer(x, x)),
-        np.linalg.det(np.array([[0.0, x[0]], [0.0, u[0]]])),
-    ],
     "side by side": lambda t, x, u, p: [*np.r_[x, 1.0, u[:1]], *np.c_[x, x[::-1]].ravel()],
     "by methods of ufuncs": lambda t, x, u, p: [
-        *np.subtract.outer(x, u).ravel(),
         np.maximum.reduce([x[0], u[0], x[2]]),
         *np.add.accumulate(x),
         *np.sum(np.outer(x, x), axis=1, keepdims=True).ravel(),
@@ -380,16 +513,7 @@ ONE_LINE = {  # as Python has them
     ],
     "beside another table": lambda t, x, u, p: [LEVER.arm(x[0])],
     # tables
-    "slopes of splines": lambda t, x, u, p: [
-        *SPLINE(x),
-        *SPLINE(x, 1),
-        SPLINE(x[0], nu=2),
-        *BASIS(x),
-        BASIS(u[0], 1),
-        *FITTED(x),
-        FITTED(u[0], 1),
-        SPLINE.derivative()(x[0]),
-    ],
+    "slopes of splines": lambda t, x, u, p: [*SPLINE(x), *SPLINE(x, 1), SPLINE(x[0], nu=2)],
     "a track": lambda t, x, u, p: [
         *TRACK(t),
         *TRACK(x[0], 1),
@@ -415,6 +539,12 @@ ONE_LINE_REFUSED = {  # what would be another number
     "takes the nearest of a chart": lambda t, x, u, p: STEPPED(x[:2]),
     "fills columns": lambda t, x, u, p: FILLED(x[0]),
     "reads a rescaled chart": lambda t, x, u, p: RESCALED(x[0], u[0]),
+    "searches what decreases": lambda t, x, u, p: np.searchsorted([2.0, 1.0, 0.0], x),
+    "gives a part": lambda t, x, u, p: np.rot90(np.outer(x, u))[0],
+    "limits some": lambda t, x, u, p: np.clip(x, -0.5, 0.5, where=x > 0.0, out=x.copy()),
+    "means some": lambda t, x, u, p: [np.mean(x, where=[True, True, False])],
+    "rounds a parameter": lambda t, x, u, p: [round(p["k"], 1) * x[0]],
+    "writes by place": lambda t, x, u, p: np.max(np.outer(x, u), 0, np.zeros(2)),
     # truth values
     "adds arrays of truths": lambda t, x, u, p: (x > 0) + (x > 1),
     "adds stacked truths": lambda t, x, u, p: (
@@ -434,6 +564,8 @@ ONE_LINE_REFUSED = {  # what would be another number
     "makes all like the first": lambda t, x, u, p: np.vectorize(lambda v: 1 if v > 0 else 0.5 * v)(
         x
     ),
+    "cuts the larger": lambda t, x, u, p: beside(max(int(x[0]), u[0]), u[1]),
+    "asks for the type of one of two": lambda t, x, u, p: [type(max(0, x[0])) is int],
     "rounds as python": lambda t, x, u, p: [round(float(u[1]), 1)],
     "inverts a truth of Python": lambda t, x, u, p: [1.0 if ~(float(x[0]) > 0) else 2.0],
     # what Python asks
@@ -447,6 +579,7 @@ ONE_LINE_REFUSED = {  # what would be another number
     "multiplies as a matrix": lambda t, x, u, p: np.asarray(SQUARE * np.diag(u)).ravel(),
 }
 PARAMS = {"n": 3, "A": np.array([3, -3]), "f": np.float32(0.1), "short": np.uint8([200, 3])}
+PARAMS |= {"zero": 0.0, "k": 1.15}
 FUNCTIONS = {
     name.replace("_", " "): f
     for name, f in dict(globals()).items()

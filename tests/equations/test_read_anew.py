@@ -166,7 +166,7 @@ def test_what_an_object_with_tables_keeps_is_a_state(name):
     with pytest.raises(Unread, match=r"make (what it keeps|it) a state|counts with"):
         read_alone(getattr(hull, name), 3 if name == "replaced" else 1)
     assert {name: id(value) for name, value in vars(hull).items()} == before
-    assert len(hull.slopes) == 100
+    assert len(hull.angles) == 3
     assert type(hull.drag) is interp1d
 
 

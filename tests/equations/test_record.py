@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from recorded import as_it_runs, static
 
 import clpt_control as clpt
+from clpt_control.conformance import readings
 from clpt_control.equations.at_many import on_arrays
 
 numbers = st.floats(-1e3, 1e3, allow_subnormal=False)
@@ -152,21 +153,8 @@ def test_an_argument_that_is_a_place_is_not_the_constant_of_that_number():
     assert static(of(1.0)).array_record("output") == records[2]
 
 
-def writes_what_is_asked(t, x, u, p):
-    y, z = u * 1.0, np.zeros(2)
-    np.clip(y, 1.5, u[2], out=y)
-    np.sum(y.reshape(2, 2), axis=0, out=z)
-    np.multiply(y[2:], z, out=y[:2])
-    np.negative(y, out=y, where=y > 3.0)
-    return y
-
-
-def writes_to_what_is_flipped(t, x, u, p):
-    y = np.zeros(4)
-    np.flip(y)[0] = u[1]
-    return y
-
-
-@pytest.mark.parametrize("function", [writes_what_is_asked, writes_to_what_is_flipped])
-def test_what_is_written_in_place_is_seen(function):
-    agrees(function, 4)
+def test_a_number_that_equals_the_place_of_a_value_is_not_it():
+    block = static(lambda t, x, u, p: 1.0 if u.b > 0 else u.a, {"a": (), "b": ()}, {"y": ()})
+    for b in (-1.0, 1.0):
+        asked = [ask(0.0, [], [5.0, b])[1] for ask in readings(block).values()]
+        assert asked == [1.0 if b > 0 else 5.0] * 7

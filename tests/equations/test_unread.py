@@ -350,20 +350,6 @@ def test_a_mistake_is_told_where_the_block_is_made(function, words):
     assert "\n" not in str(caught.value)
 
 
-@pytest.mark.filterwarnings("ignore:the matrix subclass")
-@pytest.mark.parametrize(
-    ("function", "said"),
-    [
-        (lambda u: np.histogram(u)[0][:1], "histogram asks for the value of a signal; write what"),
-        (lambda u: (np.matrix(u) * np.matrix(u).T).A1, "matrix asks for the value of a signal"),
-    ],
-)
-def test_numpys_function_that_asks_is_named(function, said):
-    block = static(lambda t, x, u, p: function(u), 3)
-    with pytest.raises(Unread, match=f"NumPy's {said}"):
-        block.array_record("output")
-
-
 def test_why_a_function_cannot_be_read_is_kept_as_its_record_is(monkeypatch):
     asked = []
 

@@ -105,10 +105,7 @@ FUNCTIONS = {
     "itself": lambda t, x, u, p: [powers(v, 3) for v in u],
     "asked before": lambda t, x, u, p: [limited(v) if v > 1.0 else 2 * limited(v) for v in u],
     "a cache": lambda t, x, u, p: [cached(float(v)) for v in u],
-    "whole": lambda t, x, u, p: in_an_array([whole_at_its_ends(10 * v) for v in u]),
     "whole, made float": lambda t, x, u, p: in_an_array([1.0 * whole_at_its_ends(v) for v in u]),
-    "max": lambda t, x, u, p: in_an_array([max(0, v) for v in u]),
-    "a type": lambda t, x, u, p: [float(type(whole_at_its_ends(v)) is int) for v in u],
 }
 
 
