@@ -30,7 +30,7 @@ from ..files import write_file
 from ..html import plain
 from ..progress import note
 from ..scenario.experiment import Scenario
-from .export import FIXED, CFile, in_c
+from .export import FIXED, CFile, as_lines, in_c
 
 FUNCTIONS = Template((resources.files("clpt_control.data") / "fmi3.c").read_text("utf-8"))
 FLAGS = ("-std=c99", "-O2", "-shared", "-fPIC", "-fvisibility=hidden")
@@ -101,9 +101,9 @@ def _packed(file: CFile) -> bytes:
             f"{file.run.name}: is no FMU for model exchange, whose importer integrates: its "
             "time is discrete; export_c has its step"
         )
-    plain = "".join(file.parts())
-    token = hashlib.sha256(plain.encode()).hexdigest()[:32]
-    text = plain + _functions(file, token)
+    text = file.text
+    token = hashlib.sha256(text.encode()).hexdigest()[:32]
+    text += _functions(file, token)
     held = {
         "modelDescription.xml": _document(_description(file, token)),
         "sources/buildDescription.xml": _document(_build(file.name)),
@@ -128,7 +128,7 @@ def _functions(file: CFile, token: str) -> str:
         ],
         "outputs": file.outputs(),
     }
-    body = {name: "".join(f"    {line}\n" for line in own) for name, own in lines.items()}
+    body = {name: as_lines(own) for name, own in lines.items()}
     sizes = {"count": file.kept, "room": file.room, "jumps": int(bool(file.layout.jumps))}
     return FUNCTIONS.substitute(name=file.name, token=token, **sizes, **body)
 
