@@ -8,6 +8,7 @@ from typing import NamedTuple
 import control
 import numpy as np
 import pytest
+from engines import ENGINES
 from responses import response
 
 import clpt_control as clpt
@@ -16,7 +17,6 @@ from clpt_control.equations import Block, Guard
 from clpt_control.errors import BlockError, SimulationError
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.numbering import JUMP
-from clpt_control.native.python_diagram import PythonDiagram
 
 
 class Clock(NamedTuple):
@@ -54,11 +54,6 @@ def saw(name="saw", jump=scale, parameters=None, **more):
     )
 
 
-ENGINES = {
-    "python": lambda d: PythonDiagram(d),
-    "scalar": lambda d: NativeDiagram(d, form="unrolled"),
-    "looped": lambda d: NativeDiagram(d, form="looped"),
-}
 every_engine = pytest.mark.parametrize("engine", ENGINES)
 every_step = pytest.mark.parametrize("step", [None, 0.1], ids=["DOP853", "RK4"])
 
@@ -116,9 +111,8 @@ def test_a_jump_before_time_0_is_refused_and_none_is_missed():
 
 @every_engine
 def test_a_given_interval_does_not_end(engine):
-    diagram = clpt.connect([saw()])
-    make = PythonDiagram if engine == "python" else NativeDiagram
-    found = make(diagram, {"saw.interval": 0.0}).run([0.0], [0.0, 2.5])
+    made = ENGINES[engine](clpt.connect([saw()]), {"saw.interval": 0.0})
+    found = made.run([0.0], [0.0, 2.5])
     np.testing.assert_allclose(found.x[-1], [2.5], atol=1e-12)
 
 

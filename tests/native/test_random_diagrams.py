@@ -6,6 +6,7 @@ from collections import Counter
 
 import numpy as np
 import pytest
+from engines import side_by_side
 from random_diagrams import random_diagram
 from rounding import rounding_of
 from sympy import Rational, sin
@@ -14,8 +15,6 @@ from clpt_control.conformance import readings
 from clpt_control.equations import Block
 from clpt_control.equations.record import MOST_ANGLE
 from clpt_control.errors import ClptError
-from clpt_control.native import numbering
-from clpt_control.native.batch import Batch
 from clpt_control.native.machine import LANES
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
@@ -87,11 +86,7 @@ def ask_all(seeds):
 def run(runner, lanes, x, times):
     """Return the states of one run, in lanes beside others."""
     starts = x * np.linspace(1.0, 1.1, LANES + 3 if lanes > 1 else 1)[:, None]
-    P = np.tile(runner.parameters(), (len(starts), 1))
-    callee, pieces = runner.callee(lanes, None, numbering.RK4), [runner.schedule(times)]
-    runs = Batch(callee, starts, P, times, pieces, None, 0.5)
-    runs.adaptive(0.0, 0.0)
-    return runs.out[0]
+    return side_by_side(runner, lanes, starts, times, 0.5).out[0]
 
 
 def jumped(seed):
