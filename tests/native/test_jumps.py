@@ -12,11 +12,9 @@ from engines import ENGINES
 from responses import response
 
 import clpt_control as clpt
-from clpt_control.conformance import readings
 from clpt_control.equations import Block, Guard
 from clpt_control.errors import BlockError, SimulationError
 from clpt_control.native.native_diagram import NativeDiagram
-from clpt_control.native.numbering import JUMP
 
 
 class Clock(NamedTuple):
@@ -239,12 +237,3 @@ def test_a_block_that_jumps_conforms_is_copied_and_pickled():
         "add",
         "stack",
     ]
-
-
-def test_a_diagram_without_jumps_has_no_such_code():
-    native = clpt.native.compile(clpt.connect([saw(jump=None)]))
-    callee = native.callee()
-    assert (callee.jumping, callee.functions[JUMP]) == (False, 0)
-    for name, ask in readings(saw(jump=None)).items():
-        if name != "control":
-            assert ask.jump(1.0, [2.0], []) == [2.0]

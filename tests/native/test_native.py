@@ -11,7 +11,7 @@ from clpt_control.blocks import vehicle
 from clpt_control.currents.plane import GriddedField
 from clpt_control.diagrams.interconnection import connect
 from clpt_control.equations import Block
-from clpt_control.errors import ClptError, DiagramError, SimulationError
+from clpt_control.errors import ClptError, SimulationError
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
 
@@ -79,13 +79,6 @@ def test_a_run_without_inputs_forgets_those_of_the_run_before(made):
     first = runner.run(np.zeros(14), [0.0, 1.0]).x
     runner.run(np.zeros(14), [0.0, 1.0], inputs=[5.0, 5.0])
     np.testing.assert_array_equal(runner.run(np.zeros(14), [0.0, 1.0]).x, first)
-
-
-def test_unknown_forms_of_machine_code_are_refused():
-    with pytest.raises(
-        DiagramError, match="form = 'rolled': must be 'unrolled', 'looped' or 'free'"
-    ):
-        NativeDiagram(clpt.closed_loop(clpt.paper_scenario()), form="rolled")
 
 
 @pytest.mark.parametrize("made", [NativeDiagram, PythonDiagram])
