@@ -123,14 +123,9 @@ def compare(
         plot = "run" if of_scenarios else "response"
     if plot not in COMPARED:
         raise ClptError(f"plot = {plot!r:.40}: must be one of {', '.join(COMPARED)}")
-    if plot == "response":
-        ports = [ports_along(run) for run in runs.values()]
-        common, every = set(ports[0]).intersection(*ports), set[str]().union(*ports)
-        if common != every:
-            some = [name for name in ports[0] if name in common][:2]
-            cure = f"choose some: run[{some}]" if some else "there is none that all have"
-            apart = ", ".join(sorted(every - common))
-            raise DataError(f"not all runs have the signals {apart}; {cure}")
+    if plot == "response" and len({tuple(ports_along(run)) for run in runs.values()}) > 1:
+        some = next(map(ports_along, runs.values()))[:1]
+        raise DataError(f"not all runs have the same signals: choose some, as run[{some}]")
     for colour, (name, run) in zip(COLOURS, runs.items(), strict=False):
         ax = COMPARED[plot](run, ax=ax, label=str(name), color=colour, **options)
     return ax

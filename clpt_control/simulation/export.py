@@ -33,8 +33,8 @@ Text = TypeVar("Text")
 FIXED = " fixed"
 LONGEST = 60  # letters of a name in C, of which 63 count
 ROUNDING = "1e-6"  # of a period, by which a time may be off a sample; in a step, half of it
-STEPS = (resources.files("clpt_control.data") / "steps.c").read_text("utf-8").split("//\n")
-RUNGE_KUTTA, DISCRETE, JUMP = map(Template, STEPS)  # ends of a step of each kind
+PARTS = (resources.files("clpt_control.data") / "diagram.c").read_text("utf-8").split("//\n")
+FILE, RUNGE_KUTTA, DISCRETE, JUMP, BEGINS = map(Template, PARTS)  # and ends of a step of each kind
 
 
 @public
@@ -77,7 +77,7 @@ def export_c(
     >>> [line for line in text.splitlines() if line.startswith("void lag_step")]
     ['void lag_step(double t, double dt, double *x, const double *u, const double *p) {']
     """
-    text = in_c(system, initial_state, params, lambda file: "".join(file.parts()))
+    text = in_c(system, initial_state, params, lambda file: file.text)
     if path is not None:
         write_file(path, text)
     return text
@@ -136,34 +136,32 @@ class CFile:
         u, y = _labels(ports[outputs:]), _labels(ports[:outputs])
         self.labels = {"x": _labels(run.states), "u": u, "y": y}
 
-    def parts(self) -> Iterator[str]:
-        """Yield the text."""
-        discrete = bool(self.wiring.dt)
-        named, values = self.parameters()
-        yield self.head(discrete)
-        for letter, labels in {**self.labels, "p": named}.items():
-            yield self.enum(letter, labels, len(values) if letter == "p" else len(labels))
-        for name, own in (("p0", values), ("x0", self.start)):
-            yield f"const double {self.name}_{name}[] = {{{_numbers(own)}}};\n"
-        yield "\n"
-        yield from self.program.shared(self.layout.T)
-        for name in self.program.functions:
-            yield "\n" + self.program.function(name)
-        yield "\n" + self.intervals()
-        made = f"    double kept[{self.kept}];\n    kept_(t, p, kept);\n"
-        n = max(1, len(self.start))
-        public = "double t, const double *x, const double *u, const double *p"
-        yield f"\nvoid {self.name}_outputs({public}, double *y) {{\n{made}"
-        yield f"    double w[{self.room}];\n    signals_(t, x, u, p, kept, w);\n"
-        yield "".join(f"    {line}\n" for line in self.outputs()) + "}\n"
-        yield f"\nvoid {self.name}_rates({public}, double *dx) {{\n{made}"
-        yield "    rates_(t, x, u, p, kept, dx);\n}\n"
-        yield f"\nvoid {self.name}_step(double t, double dt, double *x, const double *u, "
-        yield f"const double *p) {{\n{made if discrete else made.replace('(t,', '(t + 0.5 * dt,')}"
-        yield (DISCRETE if discrete else RUNGE_KUTTA).substitute(n=n, count=len(self.start))
-        if self.layout.jumps:
-            yield self.jumping()
-        yield "}\n"
+    @property
+    def text(self) -> str:
+        """The text."""
+        discrete, jumping = bool(self.wiring.dt), bool(self.layout.jumps)
+        (named, values), states = self.parameters(), len(self.start)
+        enums = [self.enum(letter, own, len(own)) for letter, own in self.labels.items()]
+        functions = [f"\n{self.program.function(name)}" for name in self.program.functions]
+        fields: dict[str, Any] = {
+            **{"name": self.name, "title": _comment(self.run.name), "within": "t + 0.5 * dt"},
+            **{"kept": self.kept, "room": self.room, "states": states, "n": max(1, states)},
+            "rates": "dx/dt",
+            "step": "one step of Runge and Kutta's method of order 4, inputs held",
+            "enums": "".join([*enums, self.enum("p", named, len(values))]),
+            **{"p0": _numbers(values), "x0": _numbers(self.start)},
+            "functions": "".join([*self.program.shared(self.layout.T), *functions]),
+            **{"intervals": as_lines(self.intervals()), "outputs": as_lines(self.outputs())},
+            **{"asked": as_lines(self.asked()), "begin": as_lines(self.sampling())},
+            "some": " + ".join(f"after[{self.place(k)}]" for k in self.layout.jumps),
+        }
+        if discrete:
+            step = "one step of the diagram's own time; dt is not used"
+            fields |= {"rates": "the next state", "step": step, "within": "t"}
+        ending = [DISCRETE if discrete else RUNGE_KUTTA, *([JUMP] if jumping else [])]
+        fields["ending"] = "".join(part.substitute(fields) for part in ending)
+        fields["begins"] = BEGINS.substitute(fields) if jumping else ""
+        return FILE.substitute(fields)
 
     def parameters(self) -> tuple[list[str], np.ndarray]:
         """Return the names of parameters by place, and their values."""
@@ -200,17 +198,14 @@ class CFile:
             yield f"y[{k}] = {' + '.join(parts) or '0.0'};"
         yield "(void)u; (void)y;"
 
-    def intervals(self) -> str:
-        """Return the function that says in which interval each block is."""
-        lines = [
-            f"kept[{j}] = floor(t / ({period}) + {ROUNDING});"
-            if period
-            else f"kept[{j}] = {c_number(float(self.given[k].interval))};"
-            for j, (k, period) in enumerate(self.periods())
-        ]
-        lines += [f"kept[{self.place(k)}] = 0.0;" for k in self.layout.jumps]
-        body = "".join(f"    {line}\n" for line in [*lines, "(void)t; (void)p; (void)kept;"])
-        return f"static void kept_(double t, const double *p, double *kept) {{\n{body}}}\n"
+    def intervals(self) -> Iterator[str]:
+        """Yield what says in which interval each block is."""
+        for j, (k, period) in enumerate(self.periods()):
+            fixed = c_number(float(self.given[k].interval))
+            reckoned = f"floor(t / ({period}) + {ROUNDING})" if period else fixed
+            yield f"kept[{j}] = {reckoned};"
+        for k in self.layout.jumps:
+            yield f"kept[{self.place(k)}] = 0.0;"
 
     def periods(self) -> Iterator[tuple[int, str]]:
         """Yield each block that has intervals, and its period; "" where its interval is fixed."""
@@ -242,47 +237,19 @@ class CFile:
             f"after[{self.place(k)}] = after[{at[k]}] != kept[{at[k]}];" for k in self.layout.jumps
         ]
 
-    def jumping(self) -> str:
-        """Return the end of a step, at which blocks jump, and the beginning of a run."""
-        n, step = max(1, len(self.start)), "".join(f"    {line}\n" for line in self.asked())
-        some = " + ".join(f"after[{self.place(k)}]" for k in self.layout.jumps)
-        begin = [
-            f"kept[{self.place(k)}] = fabs(t / {c_number(self.wiring.nodes[k].system.period)} - "
-            f"floor(t / {c_number(self.wiring.nodes[k].system.period)} + 0.5)) < {ROUNDING} ? -1.0 "
-            ": 0.0;"
-            for k in self.layout.jumps if self.wiring.nodes[k].system.first_held is not None
-        ]  # fmt: skip
-        return JUMP.substitute(
-            count=self.kept, n=n, asked=step, some=some, name=self.name, states=len(self.start),
-            begin="".join(f"    {line}\n" for line in begin),
-        )  # fmt: skip
+    def sampling(self) -> Iterator[str]:
+        """Yield what asks of each block, as a run begins, whether it samples."""
+        for k in self.layout.jumps:
+            block = self.wiring.nodes[k].system
+            if block.first_held is not None:
+                turns = f"t / {c_number(block.period)}"
+                off = f"fabs({turns} - floor({turns} + 0.5))"
+                yield f"kept[{self.place(k)}] = {off} < {ROUNDING} ? -1.0 : 0.0;"
 
-    def head(self, discrete: bool) -> str:
-        """Return what the file says of itself."""
-        own = self.name
-        step = "one step of Runge and Kutta's method of order 4, inputs held"
-        if discrete:
-            step = "one step of the diagram's own time; dt is not used"
-        lines = [
-            f"{_comment(self.run.name)}: made by clpt-control (export_c). C99, math.h alone.",
-            "",
-            f"double x[{own}_nx];  copy {own}_x0 into it; p: {own}_p0, or your own copy.",
-            f"{own}_outputs(t, x, u, p, y): all outputs.",
-            f"{own}_rates(t, x, u, p, dx): {'the next state' if discrete else 'dx/dt'}.",
-            f"{own}_step(t, dt, x, u, p): {step}.",
-        ]
-        if self.layout.jumps:
-            lines.append(
-                f"{own}_begin(t, x, u, p): call it before the first step, and where u is new:"
-            )
-            lines.append("what samples at that time takes u; a step ends with its own u.")
-        if self.layout.intervals:
-            lines.append("dt must divide the periods at which blocks sample or jump.")
-        if any(FIXED in label for label in self.parameters()[0]):
-            lines.append("A parameter that is fixed was asked for its value: it is in the code.")
-        lines.append("Where there are none of these, pass any array. Guards are not in this file.")
-        body = "".join(f" * {line}".rstrip() + "\n" for line in lines)
-        return f"/*\n{body} */\n#include <math.h>\n\n"
+
+def as_lines(lines: Iterable[str]) -> str:
+    """Return lines of a function."""
+    return "".join(f"    {line}\n" for line in lines)
 
 
 def _word(text: str) -> str:

@@ -28,7 +28,6 @@ if TYPE_CHECKING:
 
 LIMITS = {"seconds": (0.1, 600.0), "fps": (1.0, 50.0), "width": (200, 2000)}
 MOST_PIXELS = 5e8  # pixels that all frames have together, at most
-SHADES = 5  # of each colour towards white
 
 
 class Movie:
@@ -127,13 +126,11 @@ def check_options(path: str | Path | None, **options: float) -> None:
 
 
 def _gif(figure: "Figure", frames: Iterator[int], pause: float, report: Any) -> bytes:
-    """Return frames that share their colours as a GIF; all but what changes is left out."""
+    """Return frames as a GIF."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from PIL import Image
 
     canvas, images, content = FigureCanvasAgg(figure), list[Any](), BytesIO()
-    palette = Image.new("P", (1, 1))
-    palette.putpalette(_palette())
     for k in frames:
         if not k:  # then nothing moves from frame to frame
             figure.draw_without_rendering()
@@ -141,21 +138,12 @@ def _gif(figure: "Figure", frames: Iterator[int], pause: float, report: Any) -> 
         check()
         report(k)
         canvas.draw()
-        image = Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
-        images.append(image.quantize(palette=palette, dither=Image.Dither.NONE))
+        image = Image.fromarray(np.asarray(canvas.buffer_rgba()))
+        images.append(image.convert("P", palette=Image.Palette.ADAPTIVE))
     first, *rest = images
-    options = {"duration": round(1000 * pause), "loop": 0, "disposal": 1, "optimize": False}
-    first.save(content, format="GIF", save_all=True, append_images=rest, **options)
+    every: dict[str, Any] = {"duration": round(1000 * pause), "loop": 0}
+    first.save(content, format="GIF", save_all=True, append_images=rest, **every)
     return content.getvalue()
-
-
-def _palette() -> list[int]:
-    """Return red, green and blue of every colour that a frame may have."""
-    from matplotlib.colors import to_rgb
-
-    share = np.linspace(0, 1, SHADES, endpoint=False)[:, None]
-    shades = [share + (1 - share) * to_rgb(colour) for colour in (*INKS, "black")]
-    return [int(part) for part in np.rint(255 * np.vstack([*shades, np.ones((1, 3))])).ravel()]
 
 
 # --- what is shown at each time -------------------------------------------------------------------
@@ -163,7 +151,6 @@ def _palette() -> list[int]:
 SIGNALS = ("position", "predicted_position", "clpe", "reference", "flow_parameters_estimate")
 ARROWS = 9  # on a side
 FAINT = "#AAAAAA"
-INKS = (BLUE, GREEN, RED, ORANGE, FAINT)  # and black
 LENGTH, LONGEST = 1.8, 2.4  # steps of the grid: the longest true arrow, any learned one
 INCHES = 5.6  # inches
 

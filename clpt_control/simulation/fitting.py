@@ -2,6 +2,8 @@
 
     minimize  sum over samples of ((y(t; p) - measured) / noise)^2
 
+The noise of each output is estimated from what the fit leaves.
+
 SciPy's `least_squares` takes the steps, `sensitivity` is its Jacobian J.  The covariance of what is
 found is s^2 (J' J)^-1; a direction of parameters that J does not feel has none, and is told.
 """
@@ -40,7 +42,7 @@ class Fit:
     covariance : ndarray
         Of the estimates, in the order of `values`.
     noise : dict
-        Standard deviation of each output's noise, estimated or as given.
+        Standard deviation of each output's noise, as estimated.
     unidentified : tuple of str
         A sentence for each direction of parameters that the data do not tell, and for each bound
         that is met.
@@ -84,7 +86,6 @@ def fit_parameters(
     initial_state: Any = None,
     params: Mapping[str, Any] | None = None,
     *,
-    noise: float | Mapping[str, float] | None = None,
     rtol: float | None = None,
     atol: float | None = None,
     method: str | None = None,
@@ -97,8 +98,7 @@ def fit_parameters(
         As `sensitivity` takes it.
     data : xarray.Dataset or mapping
         Measured outputs: variables over ``time``, or arrays by port or signal, samples first, at
-        `timepts`. NaN is no measurement. Variables and arrays with the names of the inputs are
-        these, where `inputs` are not given.
+        `timepts`. NaN is no measurement.
     parameters : mapping
         By name, as `sensitivity` takes them in `to`: where to begin, ``{"m": 1.0}``, or that and
         bounds, ``{"m": (1.0, 0.1, 10.0)}``.
@@ -106,9 +106,6 @@ def fit_parameters(
         Times of arrays.
     inputs, initial_state, params, rtol, atol, method
         As `simulate` takes them, at the times of the data.
-    noise : float or mapping, optional
-        Standard deviation of the noise of the outputs, or of each by name. Without, that of each
-        output is estimated from what the fit leaves.
 
     Returns
     -------
@@ -132,61 +129,44 @@ def fit_parameters(
     >>> {name: round(value, 2) for name, value in found.values.items()}
     {'k': 1.7, 'x0.y': 3.0}
     """
-    times, measured, inputs = _read(data, timepts, inputs)
-    if inputs is None:
-        inputs = _inputs_among(measured, system)
+    times, measured = _read(data, timepts)
     solver = {"rtol": rtol, "atol": atol, "method": method}
     ready = Sensitive(system, times, list(parameters), inputs, initial_state, params, **solver)
-    if not ready.places:
-        raise ArgumentError("parameters: name at least one")
-    fitting = _Fitting(ready, measured, parameters, noise)
-    if isinstance(data, dict) and (unknown := measured.keys() - fitting.known):
+    fitting = _Fitting(ready, measured, parameters)
+    strange = measured.keys() - fitting.known if isinstance(data, dict) else set()
+    if inputs is None:
+        strange |= measured.keys() & fitting.inputs
+    if strange:
         raise ArgumentError(
-            f"data: {min(unknown)} is no output; they are {', '.join(ports_of(ready.labels))}"
+            f"data: {min(strange)} is no output; they are {', '.join(ports_of(ready.labels))}; "
+            "inputs= takes inputs"
         )
     return fitting.fit()
 
 
-def _read(data: Any, times: Any, inputs: Any) -> tuple[np.ndarray, dict[str, np.ndarray], Any]:
-    """Return times, measured arrays by name, samples first, and inputs."""
-    if hasattr(data, "data_vars"):
-        if "time" not in data.dims:
-            raise ArgumentError("data: has no dimension `time`")
+def _read(data: Any, times: Any) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+    """Return times, and measured arrays by name, samples first."""
+    if hasattr(data, "data_vars") and "time" in data.dims:
         variables = {str(name): one for name, one in data.data_vars.items() if "time" in one.dims}
         arrays = {name: one.transpose("time", ...).values for name, one in variables.items()}
-        return checked_times("data.time", data.time.values), arrays, inputs
-    if not isinstance(data, Mapping):
-        raise ArgumentError("data: must be an xarray.Dataset, or arrays by name")
+        return checked_times("data.time", data.time.values), arrays
+    if not isinstance(data, Mapping) or hasattr(data, "data_vars"):
+        raise ArgumentError(
+            "data: must be an xarray.Dataset with the dimension `time`, or arrays by name"
+        )
     if times is None:
         raise ArgumentError("timepts: is required with arrays")
     arrays = {name: numbers(f"data: {name}", values) for name, values in data.items()}
-    return checked_times("timepts", times), arrays, inputs
-
-
-def _inputs_among(measured: dict[str, np.ndarray], system: Any) -> Any:
-    """Take a system's inputs out of what was measured, where they are in it, named as in a run."""
-    outputs, inputs = (
-        ports_of(getattr(system, f"{kind}_labels", None) or ()) for kind in ("output", "input")
-    )
-    ports = {f"{port}_input" if port in outputs else port: at for port, at in inputs.items()}
-    missing, rows = ports.keys() - measured.keys(), dict[int, np.ndarray]()
-    if len(missing) == len(ports):
-        return None
-    if missing:
-        raise ArgumentError(f"data: has not the input {min(missing)}; give inputs=")
-    for port, places in ports.items():
-        values = np.atleast_1d(measured.pop(port))
-        rows |= zip(places, values.reshape(len(values), -1).T, strict=False)
-    return [rows[k] for k in sorted(rows)]
+    return checked_times("timepts", times), arrays
 
 
 class _Fitting:
     """A diagram, what was measured of it, and where a fit begins."""
 
-    def __init__(self, ready: Sensitive, measured: Mapping[str, Any], begin: Any, noise: Any):
+    def __init__(self, ready: Sensitive, measured: Mapping[str, Any], begin: Any):
         self.ready, self.names = ready, [*ready.places]
         ports = {one: [k] for k, one in enumerate(ready.labels)} | ports_of(ready.labels)
-        self.known = ports.keys()
+        self.known, self.inputs = ports.keys(), ports_of(ready.input_labels).keys()
         n, places, columns = len(ready.times) - ready.skipped, list[int](), list[np.ndarray]()
         self.outputs: list[str] = []
         for name, values in measured.items():
@@ -202,19 +182,15 @@ class _Fitting:
             places += ports[name]
             columns += list(values.reshape(n, -1).T)
             self.outputs += [ready.labels[k] if len(ports[name]) > 1 else name for k in ports[name]]
-        if not places and (known := [name for name in measured if name in ports]):
-            raise ArgumentError(f"data: all measurements of {', '.join(known)} are NaN or infinite")
         if not places:
             raise ArgumentError(
-                f"data: has none of the outputs {', '.join(ports_of(ready.labels))}; it has "
-                f"{', '.join(measured)}"
+                f"data: has no finite numbers of the outputs {', '.join(ports_of(ready.labels))}"
             )
         self.places, self.measured = places, np.array(columns).T
         self.there = np.isfinite(self.measured)
         if self.there.sum() <= len(self.names):
             raise ArgumentError(f"data: {self.there.sum()} numbers for {len(self.names)} unknowns")
         self.begin, self.low, self.high = self._bounds(begin)
-        self.noise = noise
         self.last: tuple[np.ndarray, RunWithDerivatives] | None = None
 
     def _bounds(self, parameters: Mapping[str, Any]) -> list[np.ndarray]:
@@ -269,8 +245,8 @@ class _Fitting:
 
         count, unknowns = self.there.sum(axis=0), len(self.names)
         size = np.nanstd(np.where(self.there, self.measured, np.nan), axis=0)
-        noise = self._given_noise() if self.noise is not None else np.where(size > 0, size, 1.0)
-        values, least = self.begin, 1e-9 * noise
+        values, noise = self.begin, np.where(size > 0, size, 1.0)
+        least = 1e-9 * noise
         for _ in range(ROUNDS):
             result = least_squares(
                 self.residuals, values, self.jacobian, (self.low, self.high), x_scale="jac",
@@ -278,8 +254,6 @@ class _Fitting:
             )  # fmt: skip
             values = result.x
             self.ready.confirm(values, self.run(values))
-            if self.noise is not None:
-                break
             residuals = np.zeros(self.there.shape)
             residuals[self.there] = self.residuals(values, np.ones(len(noise)))
             freedom = count * (1.0 - unknowns / count.sum())
@@ -288,26 +262,13 @@ class _Fitting:
                 break
         return self._found(values, noise, result.active_mask == 0)
 
-    def _given_noise(self) -> np.ndarray:
-        one = self.noise
-        by_output = one if isinstance(one, Mapping) else dict.fromkeys(self.outputs, one)
-        sizes = {
-            name: by_output.get(name, by_output.get(name.partition("[")[0]))
-            for name in self.outputs
-        }
-        if missing := [name for name, size in sizes.items() if not 0 < (size or 0) < np.inf]:
-            raise ArgumentError(
-                f"noise: does not say that of {', '.join(missing)}, a finite number above 0"
-            )
-        return np.array([*sizes.values()], dtype=float)
-
     def _found(self, values: np.ndarray, noise: np.ndarray, free: np.ndarray) -> Fit:
         """Return the estimates with what the Jacobian says of them."""
-        from scipy.stats import norm, t
+        from scipy.stats import t
 
         residuals, J = self.residuals(values, noise), self.jacobian(values, noise)
-        freedom, noise_known = len(residuals) - int(free.sum()), self.noise is not None
-        variance = 1.0 if noise_known else float(residuals @ residuals) / freedom
+        freedom = len(residuals) - int(free.sum())
+        variance = float(residuals @ residuals) / freedom
         value, begun = np.abs(values)[free], np.abs(self.begin)[free]
         scale = np.where(value > UNFELT * begun, value, begun)  # of a zero, that of its start
         scale[scale == 0.0] = 1.0
@@ -321,7 +282,7 @@ class _Fitting:
         covariance[np.ix_(free, free)] = inner
         errors = np.sqrt(np.diag(covariance))
         errors[np.flatnonzero(free)[lost]] = np.inf
-        times = norm.ppf(0.975) if noise_known else t.ppf(0.975, freedom)
+        times = t.ppf(0.975, freedom)
         free_names = [name for name, one in zip(self.names, free, strict=True) if one]
         start, blocks = self.ready.with_values(values)
         params = {

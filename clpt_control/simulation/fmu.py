@@ -20,7 +20,7 @@ from importlib import resources
 from pathlib import Path
 from string import Template
 from typing import Any
-from xml.etree.ElementTree import Element, SubElement, indent, tostring
+from xml.sax.saxutils import quoteattr
 
 import control
 
@@ -30,9 +30,13 @@ from ..files import write_file
 from ..html import plain
 from ..progress import note
 from ..scenario.experiment import Scenario
-from .export import FIXED, CFile, in_c
+from .export import FIXED, CFile, as_lines, in_c
 
-FUNCTIONS = Template((resources.files("clpt_control.data") / "fmi3.c").read_text("utf-8"))
+FUNCTIONS, DOCUMENTS = (
+    (resources.files("clpt_control.data") / f"fmi3.{kind}").read_text("utf-8")
+    for kind in ("c", "xml")
+)
+DESCRIPTION, BUILD = DOCUMENTS.split("<!-- sources/buildDescription.xml -->\n")
 FLAGS = ("-std=c99", "-O2", "-shared", "-fPIC", "-fvisibility=hidden")
 PROCESSORS = {"AMD64": "x86_64", "arm64": "aarch64"}
 ENDINGS = {"Linux": ".so", "Darwin": ".dylib", "Windows": ".dll"}
@@ -101,13 +105,14 @@ def _packed(file: CFile) -> bytes:
             f"{file.run.name}: is no FMU for model exchange, whose importer integrates: its "
             "time is discrete; export_c has its step"
         )
-    plain = "".join(file.parts())
-    token = hashlib.sha256(plain.encode()).hexdigest()[:32]
-    text = plain + _functions(file, token)
-    held = {
-        "modelDescription.xml": _document(_description(file, token)),
-        "sources/buildDescription.xml": _document(_build(file.name)),
-        f"sources/{file.name}.c": text.encode(),
+    text = file.text
+    token = hashlib.sha256(text.encode()).hexdigest()[:32]
+    text += _functions(file, token)
+    fields = {"name": file.name, "token": token, "title": quoteattr(_name(file.run.name))}
+    held: dict[str, str | bytes] = {
+        "modelDescription.xml": Template(DESCRIPTION).substitute(fields, **_variables(file)),
+        "sources/buildDescription.xml": Template(BUILD).substitute(fields),
+        f"sources/{file.name}.c": text,
         **_binary(file.name, text),
     }
     packed = io.BytesIO()
@@ -128,9 +133,9 @@ def _functions(file: CFile, token: str) -> str:
         ],
         "outputs": file.outputs(),
     }
-    body = {name: "".join(f"    {line}\n" for line in own) for name, own in lines.items()}
+    body = {name: as_lines(own) for name, own in lines.items()}
     sizes = {"count": file.kept, "room": file.room, "jumps": int(bool(file.layout.jumps))}
-    return FUNCTIONS.substitute(name=file.name, token=token, **sizes, **body)
+    return Template(FUNCTIONS).substitute(name=file.name, token=token, **sizes, **body)
 
 
 def _binary(name: str, text: str) -> dict[str, bytes]:
@@ -158,7 +163,28 @@ def _binary(name: str, text: str) -> dict[str, bytes]:
     return {}
 
 
-def _variables(file: CFile) -> Iterator[tuple[str, str, dict[str, str]]]:
+def _variables(file: CFile) -> dict[str, str]:
+    """Return what modelDescription.xml says of variables, and which of them depend on others."""
+    lines, kinds, taken = list[str](), list[str](), set[str]()
+    for place, (kind, name, own) in enumerate(_rows(file)):
+        name = _name(name)
+        while name in taken:
+            name += "_"
+        taken.add(name)
+        kinds.append(kind)
+        attributes = {"name": name, "valueReference": f"{place}", **KINDS[kind], **own}
+        pairs = " ".join(f"{key}={quoteattr(value)}" for key, value in attributes.items())
+        lines.append(f"    <Float64 {pairs}/>")
+    structure = [
+        f'    <{tag} valueReference="{place}"/>'
+        for tag, listed in STRUCTURE.items()
+        for place, kind in enumerate(kinds)
+        if kind in listed
+    ]
+    return {"variables": "\n".join(lines), "structure": "\n".join(structure)}
+
+
+def _rows(file: CFile) -> Iterator[tuple[str, str, dict[str, str]]]:
     """Yield kind, name and own attributes of each variable, in the order of value references."""
     x, u, y = (file.labels[letter] for letter in "xuy")
     yield "time", "time", {}
@@ -176,47 +202,6 @@ def _variables(file: CFile) -> Iterator[tuple[str, str, dict[str, str]]]:
         yield kind, label.replace(FIXED, ""), {"start": start}
 
 
-def _description(file: CFile, token: str) -> Element:
-    """Return modelDescription.xml: the variables, and which of them depend on others."""
-    root = Element(
-        "fmiModelDescription",
-        fmiVersion="3.0",
-        modelName=_name(file.run.name),
-        instantiationToken=token,
-        generationTool="clpt-control",
-    )
-    SubElement(root, "ModelExchange", modelIdentifier=file.name)
-    rows = [*_variables(file)]
-    variables, taken = SubElement(root, "ModelVariables"), set[str]()
-    for place, (kind, name, own) in enumerate(rows):
-        name = _name(name)
-        while name in taken:
-            name += "_"
-        taken.add(name)
-        attributes = {"name": name, "valueReference": f"{place}", **KINDS[kind], **own}
-        SubElement(variables, "Float64", attributes)
-    structure = SubElement(root, "ModelStructure")
-    for tag, kinds in STRUCTURE.items():
-        for place, (kind, *_) in enumerate(rows):
-            if kind in kinds:
-                SubElement(structure, tag, valueReference=f"{place}")
-    return root
-
-
 def _name(text: str) -> str:
     """Return a name in one line, of letters that XML may hold."""
     return " ".join(plain(text).split())
-
-
-def _build(name: str) -> Element:
-    """Return buildDescription.xml: how the source becomes a library."""
-    root = Element("fmiBuildDescription", fmiVersion="3.0")
-    build = SubElement(root, "BuildConfiguration", modelIdentifier=name)
-    files = SubElement(build, "SourceFileSet", language="C99")
-    SubElement(files, "SourceFile", name=f"{name}.c")
-    return root
-
-
-def _document(root: Element) -> bytes:
-    indent(root)
-    return tostring(root, "UTF-8", xml_declaration=True)

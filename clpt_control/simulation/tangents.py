@@ -125,8 +125,9 @@ class Sensitive:
             self.varied, self.runner = self._made()
         except (Uncompiled, Unread) as error:
             raise SimulationError(f"{self.name}: has no known derivative: {error}") from None
-        outputs = slice(len(self.wiring.outputs))
-        self.labels, self.units = run.signal_labels[outputs], signal_units(run.wiring)[outputs]
+        outputs = len(self.wiring.outputs)
+        self.labels, self.input_labels = run.signal_labels[:outputs], run.signal_labels[outputs:]
+        self.units = signal_units(run.wiring)[:outputs]
         self.inputs = read_inputs(inputs, times, run.wiring.ninputs)
         state = 0.0 if start is None else start
         self.start = stacked_state("initial_state", state, run.runner.nstates)

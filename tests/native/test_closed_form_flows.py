@@ -4,13 +4,11 @@ import math
 
 import numpy as np
 import pytest
+from engines import ENGINES, side_by_side
 
 from clpt_control.equations import Block
 from clpt_control.native import numbering
-from clpt_control.native.batch import Batch
 from clpt_control.native.machine import LANES
-from clpt_control.native.native_diagram import NativeDiagram
-from clpt_control.native.python_diagram import PythonDiagram
 
 N = 6  # copies of a flow, each with its rate
 RATES = np.linspace(0.5, 2.0, N)
@@ -79,28 +77,19 @@ FLOWS = {
     "oscillator": (oscillator, driven),
     "jump": (jump, jumped),
 }
-ENGINES = ("python", "scalar", "looped", "lanes")
 
 
 def states(engine, block, x0, step):
-    if engine == "python":
-        runner = PythonDiagram(block)
-    else:
-        runner = NativeDiagram(block, form="looped" if engine == "looped" else "unrolled")
-    count = LANES + 3 if engine == "lanes" else 1
-    P, starts = np.tile(runner.parameters(), (count, 1)), np.tile(x0, (count, 1))
-    method = numbering.DOP853 if step is None else numbering.RK4
-    callee = runner.callee(LANES if engine == "lanes" else 1, None, method)
-    pieces = [runner.schedule(TIMES)]
-    runs = Batch(callee, starts, P, TIMES, pieces, None, np.inf if step is None else step)
-    runs.adaptive(1e-11, 1e-12)
+    lanes, count = (LANES, LANES + 3) if engine == "lanes" else (1, 1)
+    runner = ENGINES.get(engine, ENGINES["unrolled"])(block)
+    runs = side_by_side(runner, lanes, np.tile(x0, (count, 1)), TIMES, step, rtol=1e-11)
     assert set(runs.status) == {numbering.FINISHED}
     np.testing.assert_array_equal(runs.out, runs.out[:1].repeat(count, 0))
     return runs.out[0]
 
 
 @pytest.mark.parametrize("method", ["DOP853", "RK4"])
-@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("engine", [*ENGINES, "lanes"])
 @pytest.mark.parametrize("flow", FLOWS)
 def test_flow(flow, engine, method):
     update, exact = FLOWS[flow]

@@ -166,15 +166,6 @@ def test_the_solver_is_made_for_other_processors(triple):
     assert len(target.emit_object(parsed)) > 10_000
 
 
-def test_numbers_of_arrays_are_those_that_the_solver_takes():
-    table = np.zeros((3, 2))
-    found = machine.flattened((1, 2.5, (table,)))
-    assert found == [1, 2.5, 0, 0, 6, 8, table.ctypes.data, 3, 2, 16, 8]
-    for wrong in (table[:, :1], table.astype(np.float32)):
-        with pytest.raises(TypeError, match="the solver takes no array"):
-            machine.flattened((wrong,))
-
-
 RUN = """
 import clpt_control as clpt
 scenario = clpt.paper_scenario().with_values({"run.duration": 20})

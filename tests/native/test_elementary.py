@@ -12,15 +12,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from llvmlite import ir
-from package_blocks import BLOCKS
 from processes import ran
 
 from clpt_control.equations.record import OPERATIONS
 from clpt_control.native.elementary import FUNCTIONS
 from clpt_control.native.llvm_function import Function
 from clpt_control.native.machine import Machine
-from clpt_control.native.native_diagram import NativeDiagram
-from clpt_control.native.nests import print_program
 from clpt_control.native.vectors import PRIMITIVES, calculate, width_of
 
 mpmath.mp.dps = 40
@@ -292,16 +289,6 @@ def test_remainders_of_special_numbers():
 
 
 # --- what code is made of ---------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("lanes", [1, COLUMNS])
-def test_a_basis_function_calls_no_library(lanes):
-    native = NativeDiagram(BLOCKS["basis_x-exponential-3"])
-    module = print_program(native.code.program, ("signals",), lanes)
-    declared = {f.name for f in module.functions if f.is_declaration}
-    wide = f"v{COLUMNS}f64" if lanes > 1 else ""
-    assert any(name.startswith("llvm.fma") and name.endswith(wide) for name in declared)
-    assert {name for name in declared if not name.startswith("llvm.")} == set()
 
 
 OTHER_PROCESSOR = """

@@ -6,6 +6,7 @@ import re
 import control
 import numpy as np
 import pytest
+from engines import ENGINES, side_by_side
 
 import clpt_control as clpt
 from clpt_control.diagrams.interconnection import connect
@@ -13,16 +14,8 @@ from clpt_control.equations import Block
 from clpt_control.equations.declaration import Guard
 from clpt_control.errors import ClptError, SimulationError
 from clpt_control.native import numbering
-from clpt_control.native.batch import Batch
 from clpt_control.native.machine import LANES
 from clpt_control.native.native_diagram import NativeDiagram
-from clpt_control.native.python_diagram import PythonDiagram
-
-ENGINES = {
-    "python": PythonDiagram,
-    "unrolled": lambda diagram: NativeDiagram(diagram, form="unrolled"),
-    "looped": lambda diagram: NativeDiagram(diagram, form="looped"),
-}
 
 
 def falls(t, x, u, p):
@@ -200,27 +193,19 @@ def said(sentence):
     return float(re.search(r"t = ([0-9.e+-]+)", sentence).group(1))
 
 
-@pytest.mark.parametrize(
-    "made", [PythonDiagram, NativeDiagram, lambda diagram: NativeDiagram(diagram, form="looped")]
-)
+@pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize("step", [None, 0.01])
-def test_every_engine_and_method_names_it(made, step):
+def test_every_engine_and_method_names_it(engine, step):
     with pytest.raises(SimulationError) as caught:
-        made(diagram()).run([0.0], [0.0, 1.0, 3.0], step=step)
+        ENGINES[engine](diagram()).run([0.0], [0.0, 1.0, 3.0], step=step)
     assert 1.0 <= said(str(caught.value)) <= 1.5 + 0.02
 
 
 @pytest.mark.parametrize("lanes", [1, LANES])
 @pytest.mark.parametrize("step", [None, 0.01])
 def test_beside_others_a_run_keeps_what_it_reached(lanes, step):
-    native = NativeDiagram(diagram())
     starts = np.linspace(0.0, 1.0, 5)[:, None]  # they end at 1.5, 1.25, ..., 0.5
-    P = np.tile(native.parameters(), (5, 1))
-    times = np.array([0.0, 0.4, 1.1])
-    callee = native.callee(lanes, None, numbering.DOP853 if step is None else numbering.RK4)
-    pieces, longest = [native.schedule((0.0, 1.1))], np.inf if step is None else step
-    runs = Batch(callee, starts, P, times, pieces, None, longest)
-    runs.adaptive(1e-8, 1e-10)
+    runs = side_by_side(NativeDiagram(diagram()), lanes, starts, np.array([0.0, 0.4, 1.1]), step)
     bad = (numbering.NOT_FINITE, numbering.TOO_SMALL)
     assert [status in bad for status in runs.status] == [False, False, True, True, True]
     assert list(runs.reached) == [3, 3, 2, 2, 2]

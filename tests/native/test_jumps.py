@@ -8,15 +8,13 @@ from typing import NamedTuple
 import control
 import numpy as np
 import pytest
+from engines import ENGINES
 from responses import response
 
 import clpt_control as clpt
-from clpt_control.conformance import readings
 from clpt_control.equations import Block, Guard
 from clpt_control.errors import BlockError, SimulationError
 from clpt_control.native.native_diagram import NativeDiagram
-from clpt_control.native.numbering import JUMP
-from clpt_control.native.python_diagram import PythonDiagram
 
 
 class Clock(NamedTuple):
@@ -54,11 +52,6 @@ def saw(name="saw", jump=scale, parameters=None, **more):
     )
 
 
-ENGINES = {
-    "python": lambda d: PythonDiagram(d),
-    "scalar": lambda d: NativeDiagram(d, form="unrolled"),
-    "looped": lambda d: NativeDiagram(d, form="looped"),
-}
 every_engine = pytest.mark.parametrize("engine", ENGINES)
 every_step = pytest.mark.parametrize("step", [None, 0.1], ids=["DOP853", "RK4"])
 
@@ -116,9 +109,8 @@ def test_a_jump_before_time_0_is_refused_and_none_is_missed():
 
 @every_engine
 def test_a_given_interval_does_not_end(engine):
-    diagram = clpt.connect([saw()])
-    make = PythonDiagram if engine == "python" else NativeDiagram
-    found = make(diagram, {"saw.interval": 0.0}).run([0.0], [0.0, 2.5])
+    made = ENGINES[engine](clpt.connect([saw()]), {"saw.interval": 0.0})
+    found = made.run([0.0], [0.0, 2.5])
     np.testing.assert_allclose(found.x[-1], [2.5], atol=1e-12)
 
 
@@ -237,20 +229,3 @@ def test_a_block_that_jumps_conforms_is_copied_and_pickled():
     for twin in (pickle.loads(pickle.dumps(block)), copy.deepcopy(block), block.copy(name="twin")):
         found = response(twin, [0.0, 1.5], 3.0, [0.0])
         np.testing.assert_allclose(found.states[0], [0.0, 4.5], atol=1e-12)
-    assert [o.kind for o in block.array_record("jump").operations] == [
-        "leaf",
-        "leaf",
-        "view",
-        "view",
-        "add",
-        "stack",
-    ]
-
-
-def test_a_diagram_without_jumps_has_no_such_code():
-    native = clpt.native.compile(clpt.connect([saw(jump=None)]))
-    callee = native.callee()
-    assert (callee.jumping, callee.functions[JUMP]) == (False, 0)
-    for name, ask in readings(saw(jump=None)).items():
-        if name != "control":
-            assert ask.jump(1.0, [2.0], []) == [2.0]

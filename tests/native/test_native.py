@@ -7,35 +7,9 @@ import numpy as np
 import pytest
 
 import clpt_control as clpt
-from clpt_control.blocks import vehicle
-from clpt_control.currents.plane import GriddedField
-from clpt_control.diagrams.interconnection import connect
-from clpt_control.equations import Block
-from clpt_control.errors import ClptError, DiagramError, SimulationError
+from clpt_control.errors import ClptError, SimulationError
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
-
-
-def field():
-    from clpt_control.blocks.field import gridded_flow
-
-    t, x2, x1 = np.linspace(0, 50, 6), np.linspace(-3, 3, 7), np.linspace(-2, 2, 5)
-    shape = (6, 7, 5)
-    grid = GriddedField(t, x2, x1, np.full(shape, 0.7), np.zeros(shape))
-    hold = Block("drive", output=still, inputs={"x": 2}, outputs={"v_x": 2})
-    return connect([gridded_flow(grid, "stop"), hold, vehicle.vehicle()])
-
-
-def still(t, x, u, p):
-    """v = 0, section II: u = x[2] (length), y = v_x[2] (length per time)."""
-    return 0.0 * u
-
-
-def test_a_run_of_a_fixed_step_stops_where_it_leaves_a_field():
-    for made in (NativeDiagram, PythonDiagram):
-        fixed = made(field()).run([0.0, 0.0], [0.0, 1.0, 2.0, 10.0], step=0.05)
-        np.testing.assert_allclose(fixed.t, [0, 1, 2, 2 / 0.7], rtol=1e-9)
-        np.testing.assert_allclose(fixed.x[:, 0], 0.7 * fixed.t, rtol=1e-9)
 
 
 def test_code_is_made_once_for_diagrams_that_differ_in_numbers():
@@ -79,13 +53,6 @@ def test_a_run_without_inputs_forgets_those_of_the_run_before(made):
     first = runner.run(np.zeros(14), [0.0, 1.0]).x
     runner.run(np.zeros(14), [0.0, 1.0], inputs=[5.0, 5.0])
     np.testing.assert_array_equal(runner.run(np.zeros(14), [0.0, 1.0]).x, first)
-
-
-def test_unknown_forms_of_machine_code_are_refused():
-    with pytest.raises(
-        DiagramError, match="form = 'rolled': must be 'unrolled', 'looped' or 'free'"
-    ):
-        NativeDiagram(clpt.closed_loop(clpt.paper_scenario()), form="rolled")
 
 
 @pytest.mark.parametrize("made", [NativeDiagram, PythonDiagram])

@@ -12,13 +12,7 @@ from sympy import Rational, sin
 
 from clpt_control.conformance import readings
 from clpt_control.equations import Block
-from clpt_control.equations.record import MOST_ANGLE
 from clpt_control.errors import ClptError
-from clpt_control.native import numbering
-from clpt_control.native.batch import Batch
-from clpt_control.native.machine import LANES
-from clpt_control.native.native_diagram import NativeDiagram
-from clpt_control.native.python_diagram import PythonDiagram
 
 IN_A_TEST, TESTS, SLOW_TESTS = 6, 3, 340
 POINTS = 3
@@ -84,46 +78,6 @@ def ask_all(seeds):
     assert refused.total() <= len(seeds) // 2, refused
 
 
-def run(runner, lanes, x, times):
-    """Return the states of one run, in lanes beside others."""
-    starts = x * np.linspace(1.0, 1.1, LANES + 3 if lanes > 1 else 1)[:, None]
-    P = np.tile(runner.parameters(), (len(starts), 1))
-    callee, pieces = runner.callee(lanes, None, numbering.RK4), [runner.schedule(times)]
-    runs = Batch(callee, starts, P, times, pieces, None, 0.5)
-    runs.adaptive(0.0, 0.0)
-    return runs.out[0]
-
-
-def jumped(seed):
-    """Run a diagram whose states jump in every engine; return whether there are any."""
-    draw, numbers = random.Random(seed), np.random.default_rng(seed)
-    try:
-        diagram = random_diagram(draw)
-        python = PythonDiagram(diagram)
-        if not python.sweep.jumping:
-            return False
-        engines = [NativeDiagram(diagram, form=form) for form in ("unrolled", "looped")]
-    except ClptError:
-        return False
-    x, times = numbers.normal(size=diagram.nstates), np.array([0.0, 0.5, 1.0, 1.4, 2.0])
-    # steps of one length are compared, so both end where time alone decides
-    wanted = run(python, 1, x, times)
-    # beyond 2^50 an angle means nothing: NaN to what was read, a number to NumPy's own sin
-    known = np.max(np.abs(wanted), axis=1, initial=0.0) < MOST_ANGLE
-    times, wanted = times[: np.argmin([*known, False])], wanted[: np.argmin([*known, False])]
-    finite = np.isfinite(wanted)
-    scale = max(1.0, np.abs(wanted[finite]).max(initial=0.0))
-    # a diagram may be so unstable that rounding shows: how much does Python's own run feel it?
-    felt = np.nan_to_num(np.abs(run(python, 1, x * (1 + 1e-13), times) - wanted))
-    allowed = (1e-7 * np.abs(wanted) + 1e-9 * scale + felt.max(axis=1, keepdims=True))[finite]
-    for engine, lanes in ((engines[0], 1), (engines[1], 1), (engines[0], LANES)):
-        found = run(engine, lanes, x, times)
-        said = f"seed {seed}, {engine is engines[0]}, {lanes}"
-        np.testing.assert_array_equal(np.isfinite(found), finite, err_msg=said)
-        assert np.all(np.abs(found[finite] - wanted[finite]) <= allowed), said
-    return True
-
-
 def long_sum(t, x, u, p):
     s = 0.0
     for _ in range(320):
@@ -150,15 +104,6 @@ def test_a_bound_on_rounding_sees_a_choice_that_rounding_makes():
 
 def chosen(t, x, u, p):
     return [np.where(3.0 * u[0] < 0.3, 0.0, 100.0), np.floor(u[0] + 0.9)]
-
-
-def test_random_diagrams_jump_alike():
-    assert sum(map(jumped, range(20_000, 20_030))) >= 5
-
-
-@pytest.mark.slow
-def test_many_random_diagrams_jump_alike():
-    assert sum(map(jumped, range(20_030, 20_400))) >= 60
 
 
 @pytest.mark.parametrize("part", range(TESTS))

@@ -4,6 +4,7 @@ import math
 from typing import NamedTuple
 
 import numpy as np
+from engines import side_by_side
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.linalg import expm
@@ -11,7 +12,6 @@ from scipy.linalg import expm
 import clpt_control as clpt
 from clpt_control.equations import Block
 from clpt_control.native import numbering
-from clpt_control.native.batch import Batch
 from clpt_control.native.machine import LANES
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
@@ -129,14 +129,11 @@ def test_every_engine_follows_matrix_exponentials(seed):
         packed = runner.layout.packed(own)
         row[: len(packed)] = packed
     schedules = [NativeDiagram(diagram_of(sizes, p, jumping)).schedule((0.0, END)) for p in members]
-    group = np.arange(len(members))
     for lanes in (1, LANES):
-        batch = Batch(runner.callee(lanes), starts, P, times, schedules, group)
-        batch.adaptive(1e-11, 1e-12)
+        batch = side_by_side(runner, lanes, starts, times, None, P, schedules, 1e-11)
         assert set(batch.status) == {numbering.FINISHED}
         for k, states in enumerate(wanted):
             close(batch.out[k], states, 1e-8, (seed, lanes, k))
-        own = slice(3, 4), runner.callee(lanes)
-        alone = Batch(own[1], starts[own[0]], P[own[0]], times, schedules, group[own[0]])
-        alone.adaptive(1e-11, 1e-12)
+        one = slice(3, 4)
+        alone = side_by_side(runner, lanes, starts[one], times, None, P[one], schedules[one], 1e-11)
         np.testing.assert_array_equal(alone.out[0], batch.out[3])

@@ -198,12 +198,6 @@ def test_a_guard_ends_what_slides():
     np.testing.assert_allclose(found.y.values.ravel()[-1], 0.75, atol=1e-8)
 
 
-def test_with_a_boundary_layer_it_runs():
-    found = run(lambda t, x, u, p: [-np.clip(x[0] / 0.01, -1.0, 1.0)], [0.5]).states.values[:, 0]
-    np.testing.assert_allclose(found[T <= 0.4], 0.5 - T[T <= 0.4], atol=1e-9)
-    assert abs(found[-1]) < 1e-9
-
-
 EMPTYING = {  # Torricelli: beyond the switch the rate has no value, or no slope
     "if": lambda t, x, u, p: [-p["k"] * np.sqrt(x[0])] if x[0] >= 0 else [0.0],
     "max": lambda t, x, u, p: [-p["k"] * np.sqrt(max(x[0], 0.0))],

@@ -14,7 +14,6 @@ from clpt_control.native import numbering, rosenbrock
 from clpt_control.native.batch import Batch
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
-from clpt_control.native.schedule import Inputs
 
 START, TIMES = np.array([1.0, 0.4]), np.linspace(0.0, 9.0, 91)
 
@@ -85,7 +84,6 @@ INPUTS = {
     "step": np.where(SAMPLES < 3.0, 0.0, 1.0),
     "saw": np.abs(SAMPLES % 2.0 - 1.0),
 }
-STOPS = {"constant": 0, "smooth": 0, "step": 2, "saw": 9}
 
 
 def pendulum(t, x, u, params):
@@ -99,14 +97,6 @@ def readable(t, x, u, params):
 def run(function, name, rtol, engine=None):
     system = control.nlsys(function, None, states=2, inputs=1, outputs=2, name="pendulum")
     return clpt.simulate(system, SAMPLES, INPUTS[name], [0.5, 0.0], rtol=rtol, engine=engine)
-
-
-@pytest.mark.parametrize("name", INPUTS)
-def test_a_run_stops_where_its_input_turns_sharply(name):
-    sharp = Inputs((SAMPLES, INPUTS[name][None])).sharp_bends(0.2)
-    assert len(sharp) == STOPS[name]
-    smooth = Inputs((SAMPLES, INPUTS["smooth"][None])).sharp_bends(2e-5)
-    assert len(smooth) > 190  # what is smooth to one tolerance is not to another
 
 
 @pytest.mark.filterwarnings("ignore:pendulum runs in Python")
@@ -162,29 +152,6 @@ def test_order_conditions_hold_up_to_order_five():
     np.testing.assert_allclose(gamma @ ones, rosenbrock.OF_TIME, atol=1e-13)
 
 
-def test_the_estimate_is_of_order_four_and_the_method_damps_what_is_stiff():
-    """Without the last stage it is a method of order 4; R(z) is 0 at infinity."""
-    alpha, gamma, b = table()
-    ones, beta = np.ones(S), alpha + gamma
-    lower = np.array([[*row, *[0.0] * (S - len(row))] for row in rosenbrock.C])
-    weights = np.array([*rosenbrock.weights(S - 1), 0.0])
-    fourth = weights @ np.linalg.inv(np.eye(S) / rosenbrock.GAMMA - lower)
-    for found, wanted in (
-        (fourth @ ones, 1),
-        (fourth @ beta @ ones, 1 / 2),
-        (fourth @ (alpha @ ones) ** 2, 1 / 3),
-        (fourth @ beta @ beta @ ones, 1 / 6),
-        (fourth @ (alpha @ ones) ** 3, 1 / 4),
-        (fourth @ beta @ beta @ beta @ ones, 1 / 24),
-    ):
-        assert found == pytest.approx(wanted, abs=1e-12)
-    at_infinity = 1.0 - b @ np.linalg.solve(beta, ones)
-    assert at_infinity == pytest.approx(0.0, abs=1e-12)
-    for z in 1j * np.logspace(-3, 4, 400):  # on the imaginary axis
-        stable = 1.0 + z * b @ np.linalg.solve(np.eye(S) - z * beta, ones)
-        assert abs(stable) <= 1.0 + 1e-12
-
-
 def swung(t, x, u, p):
     """A pendulum that is pushed."""
     return [x[1], -np.sin(x[0]) + np.cos(2.0 * t) * x[1]]
@@ -204,14 +171,6 @@ def test_runs_show_order_five(engine):
         assert found.statistics["steps"] == count
         errors.append(np.abs(found.x[-1] - exact[-1]).max())
     assert np.all(np.log2(np.divide(errors[:-1], errors[1:])) > 4.7)
-
-
-@pytest.mark.parametrize("rtol", [1e-6, 1e-7])
-def test_runs_in_python_are_of_order_five_where_they_are_loose(rtol):
-    found = PythonDiagram(Block("hunted", update=hunted, states={"s": 2})).run(
-        START, TIMES, rtol=rtol
-    )
-    assert found.method == ("DOPRI5" if rtol >= 1e-6 else "DOP853")
 
 
 def test_a_loose_run_in_python_goes_on_from_where_it_is_stiff():

@@ -14,7 +14,7 @@ from clpt_control.ensemble.of_scenarios import VariedScenario
 from clpt_control.equations import Block, Guard
 from clpt_control.errors import SimulationError
 from clpt_control.native import batch, numbering
-from clpt_control.native.batch import Batch, radius
+from clpt_control.native.batch import Batch
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
 
@@ -191,30 +191,9 @@ def test_a_slope_that_is_infinite_ends_no_run():
 # --- what is not stiff --------------------------------------------------------------------------
 
 
-def relay(t, x, u, p):
-    """A sliding mode: rates jump at s = 0, and are constant but for that."""
-    return [0.3 - np.sign(x[0])]
-
-
 def clipped(t, x, u, p):
     """A stiff spring that gives way."""
     return [x[1], -np.clip(1e9 * x[0], -50.0, 50.0) - 1e5 * x[1] + np.sin(t)]
-
-
-def test_a_discontinuity_is_not_taken_for_stiffness():
-    """An implicit method could do nothing about it."""
-    runner = NativeDiagram(Block("relay", update=relay, states={"s": 1}))
-    found = runner.run([0.01], [0.0, 1.0], rtol=1e-6, atol=1e-6)
-    assert found.method.startswith("DOP853, sliding on a switch")
-    assert abs(found.x[-1, 0]) < 1e-6
-
-
-def test_the_largest_eigenvalue_decides():
-    turned = np.linalg.qr(np.random.default_rng(0).normal(size=(5, 5)))[0]
-    matrix = turned @ np.diag([-1e5, 2.0, -3.0, 1e4, 0.0]) @ turned.T
-    assert radius(matrix) == pytest.approx(1e5, rel=1e-3)
-    assert radius(np.array([[0.0, 7.0], [-7.0, 0.0]])) == pytest.approx(7.0)  # of a pair
-    assert radius(np.zeros((3, 3))) == radius(np.full((2, 2), np.nan)) == 0.0
 
 
 def test_stiffness_beside_a_kink_is_found():

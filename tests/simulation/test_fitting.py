@@ -81,18 +81,12 @@ def test_errors_are_those_of_curve_fit():
     found = clpt.fit_parameters(decay(1.0), {"x": noisy}, {"k": 1.0, "x0.x": 1.0}, times)
     assert [*found.values.values()] == pytest.approx(own, rel=1e-6)
     assert found.covariance == pytest.approx(covariance, rel=1e-4)
-    known = clpt.fit_parameters(decay(1.0), {"x": noisy}, {"k": 1.0, "x": 1.0}, times, noise=0.05)
-    _, covariance = curve_fit(
-        lambda t, k, a: a * np.exp(-k * t), times, noisy, [1.0, 1.0], np.full(41, 0.05),
-        absolute_sigma=True,
-    )  # fmt: skip
-    assert known.covariance == pytest.approx(covariance, rel=1e-4)
 
 
 def test_data_come_in_two_forms():
     run = pushed()
     gaps = {"place": np.where(np.arange(101) % 3, run.place.values, np.nan)}
-    for data, times in ((run, None), (gaps, TIMES)):
+    for data, times in ((run[["place", "speed"]], None), (gaps, TIMES)):
         found = clpt.fit_parameters(mass(), data, BEGIN, times, FORCE, START)
         assert found.values == pytest.approx(TRUTH, rel=1e-5)
 
@@ -104,8 +98,6 @@ def test_outputs_of_unlike_noise_count_by_it():
     assert both.noise["place"] == pytest.approx(0.001, rel=0.2)
     assert both.noise["speed"] == pytest.approx(0.1, rel=0.2)
     assert both.errors["k"] <= 1.05 * fit({"place": data["place"]}).errors["k"]
-    given = fit(data, noise=noise)
-    assert given.values["k"] == pytest.approx(both.values["k"], abs=both.errors["k"])
 
 
 def test_what_the_data_do_not_tell_is_said():
@@ -127,28 +119,6 @@ def test_a_bound_that_is_met_has_no_error():
     assert found.unidentified == ("m lies on a bound",)
 
 
-@pytest.mark.parametrize("form", [dict, xarray.Dataset])
-def test_inputs_among_the_data_are_those_of_the_system(form):
-    data = pushed()[["force", "speed"]]
-    if form is dict:
-        data = {name: data[name].values for name in data}
-    found = fit(data, inputs=None)
-    assert found.values == pytest.approx(TRUTH, rel=1e-6)
-
-
-def test_an_input_named_as_an_output_is_that_of_the_run():
-    """A sensor whose input and output are both called y; a second input is missing."""
-    sensor = control.nlsys(
-        lambda t, x, u, p: [p["a"] * (u[0] + u[1] - x[0])],
-        inputs=["y", "bias"], outputs=["y"], states=["y"], params={"a": 2.0}, name="sensor",
-    )  # fmt: skip
-    run = clpt.simulate(sensor, TIMES, [FORCE[0], 0.2])
-    found = clpt.fit_parameters(sensor, run, {"a": 1.0})
-    assert found.values["a"] == pytest.approx(2.0, rel=1e-6)
-    with pytest.raises(clpt.ClptError, match="data: has not the input bias; give inputs="):
-        clpt.fit_parameters(sensor, run[["y", "y_input"]], {"a": 1.0})
-
-
 def test_times_of_a_calendar_are_refused():
     days = np.datetime64("2020-01-01", "ns") + np.arange(101) * np.timedelta64(1, "s")
     data = xarray.Dataset({"place": ("time", TIMES)}, {"time": days})
@@ -159,12 +129,12 @@ def test_times_of_a_calendar_are_refused():
 def test_a_start_at_rest_is_told():
     """The speed at the start is zero to the last digit, which is no relative change."""
     begin, data = {"x0.place": 0.1, "x0.speed": 0.1, "k": 4.0}, {"place": pushed().place}
-    found = clpt.fit_parameters(mass(**TRUTH), data, begin, TIMES, FORCE, noise=0.01)
+    found = clpt.fit_parameters(mass(**TRUTH), data, begin, TIMES, FORCE)
     assert not found.unidentified
     free = clpt.sensitivity(mass(**TRUTH), TIMES, "place", [*begin], FORCE, START)
-    J = free.place.values / 0.01
+    J, own = free.place.values, np.array([*found.errors.values()])
     errors = np.sqrt(np.diag(np.linalg.inv(J.T @ J)))
-    np.testing.assert_allclose([*found.errors.values()], errors, rtol=1e-6)
+    np.testing.assert_allclose(own / own[0], errors / errors[0], rtol=1e-4)
 
 
 def test_the_papers_gain_is_found_from_its_run():
@@ -178,8 +148,8 @@ def test_the_papers_gain_is_found_from_its_run():
 def test_mistakes_are_told():
     usual = {"data": measured(0), "begin": {"m": 1.0}}
     for given, said in (
-        ({"data": {"q": TIMES}}, "none of the outputs place, speed"),
-        ({"data": {"place": np.nan * TIMES}}, "all measurements of place are NaN or infinite"),
+        ({"data": {"q": TIMES}}, "no finite numbers of the outputs place, speed"),
+        ({"data": {"place": np.nan * TIMES}}, "no finite numbers of the outputs place"),
         ({"data": {"place": TIMES[:5]}}, "101 samples"),
         ({"data": [1.0]}, "must be an xarray"),
         ({"begin": {"q": 1.0}}, "must be among"),
@@ -193,10 +163,7 @@ def test_mistakes_are_told():
         ({"data": {"place": {"a": 1}}}, "place = .* must be an array of numbers"),
         ({"data": {"place": TIMES + 1j}}, "place = .* must be an array of numbers"),
         ({"data": {"place": TIMES, "sped": TIMES}}, "sped is no output; they are place, speed"),
-        ({"noise": -1.0}, "a finite number above 0"),
-        ({"noise": np.inf}, "a finite number above 0"),
-        ({"noise": {"speed": 1.0}}, "does not say that of place"),
-        ({"noise": 0.0}, "above 0"),
+        ({"data": pushed(), "inputs": None}, "force is no output; .* inputs= takes inputs"),
     ):
         with pytest.raises(clpt.ClptError, match=said):
             fit(**usual | given)

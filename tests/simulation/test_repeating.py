@@ -6,6 +6,7 @@ import pickle
 import random
 import sys
 import warnings
+from functools import partial
 
 import control
 import numpy as np
@@ -15,20 +16,13 @@ from damages import json_changed
 from processes import ran
 from random_diagrams import random_diagram
 from test_compare import gauge, lemniscate, loop
+from test_export import MODELS
 
 import clpt_control as clpt
 from clpt_control.simulation.run_file import diagram_of_text, equations_text
 
 TIMES = np.linspace(0.0, 4.0, 21)
 SCENARIO = clpt.paper_scenario().with_values({"run.duration": 20.0})
-
-
-def parts():
-    error = control.summing_junction(["r", "-y"], "e", name="error")
-    pi = control.tf([0.8, -0.6], [1, -1], 0.5, inputs="e", outputs="v", name="pi")
-    lag = control.ss(0.9, 0.1, 1, 0, 0.5, inputs="v", outputs="y", name="lag")
-    plant = control.ss(-0.2, 1, 1, 0, inputs="v", outputs="y", name="plant")
-    return error, pi, lag, plant
 
 
 def kicked(times):
@@ -47,7 +41,7 @@ def at_odd_times(p, t0, t1):
 
 
 def nested():
-    error, *_ = parts()
+    error = control.summing_junction(["r", "-y"], "e", name="error")
     c = control.ss(-1, 1, 1, 0, inputs="e", outputs="w", name="c")
     inner = clpt.connect([error, c], external=["r", "y"], name="inner")
     plant = control.ss(-0.3, 1, 1, 0, inputs="w", outputs="y", name="plant")
@@ -64,10 +58,6 @@ def two_of_one_name():
     return clpt.connect([*made, one], external=["a_in", "b_in"])
 
 
-def oscillator():
-    return control.ss([[0, 1], [-4, -0.4]], [[0], [1]], np.eye(2), 0, inputs=["f"], name="spring")
-
-
 def bounded(t, x, u, p):
     """A way that raises, and a question whether a number is none, are NaN in a record."""
     if x[0] > 1e3:
@@ -75,7 +65,14 @@ def bounded(t, x, u, p):
     return np.where(x == x, u - x, 0.0)
 
 
+def of_model(system, start, u, h):
+    """Return a run of a model whose C is compared."""
+    return clpt.simulate(system, h * np.arange(41), u or None, start)
+
+
+ELSEWHERE = "papers-loop", "names"  # which are asked below
 RUNS = {
+    **{name: partial(of_model, *one) for name, one in MODELS.items() if name not in ELSEWHERE},
     "NaN": lambda: clpt.simulate(control.nlsys(bounded, states=1, inputs=1, name="b"), TIMES, 1.0),
     "samples": lambda: clpt.simulate(loop(), TIMES, np.sin(TIMES)),
     "start": lambda: clpt.simulate(loop(), TIMES, 1.0, initial_state=[1.0, -2.0]),
@@ -84,27 +81,6 @@ RUNS = {
         loop(), TIMES, 1.0, rtol=1e-5, atol=1e-7, method="rodas5p", max_step=0.5, first_step=0.01
     ),
     "stop": lambda: clpt.simulate(loop(), TIMES, 1.0, stop=lambda t, y, u: 1.0 - y[0]),
-    "ss": lambda: clpt.simulate(oscillator(), TIMES, 1.0),
-    "tf": lambda: clpt.simulate(control.tf([1], [1, 2, 1], name="t"), TIMES, 1.0),
-    "nlsys": lambda: clpt.simulate(
-        control.nlsys(
-            lambda t, x, u, params: [-params["k"] * x[0] + np.sin(u[0])],
-            None,
-            states=1,
-            inputs=1,
-            outputs=1,
-            name="n",
-            params={"k": 2.0, "n": 3},
-        ),
-        TIMES,
-        1.0,
-    ),
-    "sampled": lambda: clpt.simulate(
-        clpt.connect([*parts()[:2], parts()[3]], external="r"), TIMES, 1.0
-    ),
-    "discrete": lambda: clpt.simulate(
-        clpt.connect(parts()[:3], external="r"), 0.5 * np.arange(9), 1.0
-    ),
     "nested": lambda: clpt.simulate(nested(), TIMES, np.cos(TIMES)),
     "names": lambda: clpt.simulate(two_of_one_name(), TIMES, [1.0, TIMES]),
     "periods": lambda: clpt.simulate(kicked(clpt.equations.declaration.Each(0.7)), TIMES),
@@ -313,7 +289,7 @@ def test_runs_that_are_copied_cut_or_pickled_keep_what_repeats_them(tmp_path):
 
 
 def test_changed_equations_are_one_sentence_or_a_diagram():
-    texts = [equations_text(RUNS[name]())[0] for name in ("parameters", "sampled", "times")]
+    texts = [equations_text(RUNS[name]())[0] for name in ("parameters", "sampled-tank", "times")]
     rng, refused = np.random.default_rng(3), 0
     for k in range(150):
         plain, said = json.loads(texts[k % 3]), ""
