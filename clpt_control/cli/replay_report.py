@@ -129,12 +129,12 @@ def write(found: Report, folder: Path, kinds: Sequence[str], again: bool = False
     will be written anew.
     """
     from ..replay.exchange import next_geojson, track_kml
-    from ..replay.facts import dataset_of
+    from ..replay.facts import replay_dataset
     from ..replay.plots import replay_figures
     from ..replay.replay_page import replay_page
 
     results: dict[str, Any] = {
-        "replay.nc": dataset_of(found),
+        "replay.nc": replay_dataset(found),
         "replay.html": replay_page(found, again),
         "next.geojson": next_geojson(found),
         "track.kml": track_kml(found, found["vehicle"]),

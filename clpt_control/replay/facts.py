@@ -23,7 +23,7 @@ from ..errors import DataError
 from ..units import seconds_since_1970
 from .outcome import summary
 from .replay import Replay, next_dive
-from .surfacing import ELLIPSE, NextDive
+from .surfacing import ELLIPSE
 
 EPOCH = "seconds since 1970-01-01 00:00:00 UTC"
 SUMMARY = "summary"  # variable: what `clpt replay --json` prints
@@ -51,41 +51,34 @@ COORDINATES = ("dive", "end_time", "end_latitude", "end_longitude")
 Source = Replay | xarray.Dataset | dict[str, Any]
 
 
-def found_of(source: Source, ahead: NextDive | None = None) -> dict[str, Any]:
+def found_of(source: Source) -> dict[str, Any]:
     """Return what `clpt replay --json` prints of a replay, or of the dataset or JSON of one.
 
-    With the next surfacing, `ahead` or as the replay expects it.  What has no dive is refused.
+    With the next surfacing as the replay expects it.  What has no dive is refused.
     """
+    found: Any = source
     if isinstance(source, Replay):
         if not source.steps:
             raise DataError("the replay has no dive yet; feed one, as Replay.step does")
-        ahead = ahead or next_dive(source)
-        return {**summary(source), "next_dive": ahead.as_dict(), "aim": []}
-    found: Any = source
-    if isinstance(source, xarray.Dataset) and SUMMARY in source:
+        found = {**summary(source), "next_dive": next_dive(source).as_dict(), "aim": []}
+    elif isinstance(source, xarray.Dataset) and SUMMARY in source:
         found = summary_in(source, "the dataset")
     if not (isinstance(found, dict) and found.get("each_dive")):
         raise DataError(
             f"{type(source).__name__}: is no replay; clpt.replay.replay_dives(dives) gives one, "
             "`clpt replay` writes its dataset, replay.nc"
         )
-    return found if ahead is None else {**found, "next_dive": ahead.as_dict()}
+    return found
 
 
 @public
-def replay_dataset(
-    replay: Replay, name: str = "glider", ahead: NextDive | None = None
-) -> xarray.Dataset:
+def replay_dataset(replay: Source) -> xarray.Dataset:
     """Return a replay as a dataset.
 
     Parameters
     ----------
-    replay : Replay
-        With one dive at least.
-    name : str, optional
-        Of the trajectory.
-    ahead : NextDive, optional
-        The next surfacing, which becomes scalars; by default as the replay expects it.
+    replay : Replay or dict
+        With one dive at least; the dict as `clpt replay --json` prints it.
 
     Returns
     -------
@@ -97,15 +90,11 @@ def replay_dataset(
     --------
     >>> import clpt_control as clpt
     >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
-    >>> data = clpt.replay.replay_dataset(replay, "SG542")
+    >>> data = clpt.replay.replay_dataset(replay)
     >>> data.sizes["dive"], data.clpe_adaptive.units
     (14, 'm')
     """
-    return dataset_of({**found_of(replay, ahead), "vehicle": name})
-
-
-def dataset_of(found: dict[str, Any]) -> xarray.Dataset:
-    """Return what `clpt replay --json` prints, with one dive at least, as a dataset."""
+    found = found_of(replay)
     rows = [dict(_flat(row)) for row in found["each_dive"]]
     time = {"units": EPOCH, "calendar": "standard", "standard_name": "time", "axis": "T"}
     north = {"units": "degrees_north", "standard_name": "latitude", "axis": "Y"}

@@ -137,7 +137,7 @@ def test_hours_from_the_clock_or_the_last_end(monkeypatch):
 def test_the_dataset_says_when_and_where():
     replay = replay_dives(sample_dives()[:5])
     ahead = next_dive(replay)
-    data = replay_dataset(replay, ahead=ahead)
+    data = replay_dataset(replay)
     rows = summary(replay)["each_dive"]
     for key, inner, name in (
         ("drift", "distance", "drift_distance"),
