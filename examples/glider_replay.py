@@ -31,7 +31,7 @@ def main(folder="out", *files):
             )
     last = replay.steps[-1]
     print(f"speed factor {last.speed:.3f} +- {last.speed_error:.3f}")
-    print(f"learned {', '.join(last.learned)}; held {', '.join(last.not_learned) or 'nothing'}")
+    print(f"not yet known: {', '.join(last.not_learned) or 'nothing'}")
     clpt.replay.replay_dataset(replay).to_netcdf(folder / "replay.nc")
     clpt.replay.replay_plot(replay)[0].figure.savefig(folder / "replay.png")
     for name in ("replay.nc", "replay.png"):

@@ -51,9 +51,8 @@ class NextDive:
 
     `plan` is a dive from where it should begin, without an end; `forecast` (2,), m, is of its fix
     less dead reckoning; `covariance` (2, 2), m^2, of the place, whose 90 % ellipse is as wide as
-    the record asks; the time holds 90 % within `time_90`, s; `flow_model_covers` is None where
-    there is none; `fix` is where and when the vehicle surfaced last; `basis` is what the dive is
-    guessed by.
+    the record asks; the time holds 90 % within `time_90`, s; `fix` is where and when the vehicle
+    surfaced last; `basis` is what the dive is guessed by.
     """
 
     plan: Dive
@@ -61,7 +60,6 @@ class NextDive:
     covariance: np.ndarray
     latitude: float
     longitude: float
-    flow_model_covers: bool | None = None
     fix: Fix = (nan, nan, nan)
     time_90: float = nan
     basis: str = REPEATED
@@ -99,7 +97,6 @@ class NextDive:
             **placed("", self.latitude, self.longitude),
             "place": in_minutes(self.latitude, self.longitude),
             **dict(zip(ELLIPSE, ellipse(self.covariance), strict=True)),
-            "flow_model_covers": self.flow_model_covers,
             "why_uncovered": why_uncovered(self.plan) or None,
         }
 

@@ -27,14 +27,14 @@ BASES = {  # what the next dive is guessed by
 
 def next_surfacing(ahead: dict[str, Any]) -> str:
     """Return the sentence on `NextDive.as_dict`."""
-    uncovered = ahead["flow_model_covers"] is False
+    uncovered = ahead["why_uncovered"]
     return (
         f"next surfacing {when(ahead)}, "
         f"after {ahead['duration'] / 3600:.2f} h and {ahead['dr_east']:+z.0f} m "
         f"east, {ahead['dr_north']:+z.0f} m north through the water ({BASES[ahead['basis']]}): "
         f"{place(ahead['latitude'], ahead['longitude'])}, 90 % within "
         f"{half_axes(ahead)} m"
-        + (f"; the flow model does not cover it: {ahead['why_uncovered']}" if uncovered else "")
+        + (f"; the flow model does not cover it: {uncovered}" if uncovered else "")
     )
 
 
@@ -141,7 +141,7 @@ def remarks(summary: dict[str, Any]) -> list[str]:
         if summary["parts"]:
             chances = ", ".join(f"{name} {p:.2f}" for name, p in summary["parts"].items())
             lines.append(f"probability that a part is present: {chances}")
-        lines.append(f"learned: {summary['said']['sentence']}")
+        lines.append(f"learned: {summary['said']}")
     if summary["held"]:
         lines.append(f"not yet known from these dives: {shortened(summary['held'])}")
     lines += by_reason(summary["notes"], "note")

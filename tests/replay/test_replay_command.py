@@ -163,7 +163,7 @@ def test_a_plan_of_the_next_dive(command):
         (("1e306", "0", "0"), "must be finite"),
     ):
         assert says in str(command("--sample", "--next", *words).exception)
-    assert ahead["flow_model_covers"] is ahead["why_uncovered"] is None
+    assert ahead["why_uncovered"] is None
 
 
 def test_nothing_is_minus_nothing(command):
@@ -174,7 +174,6 @@ def test_nothing_is_minus_nothing(command):
 def test_whether_the_flow_model_covers_the_plan_is_said(command, forecast):
     words = ("--sample", "--flow-model", forecast, "--least-duration", "15000")
     ahead = json.loads(command(*words, "--json").stdout)["next_dive"]
-    assert ahead["flow_model_covers"] is False
     assert "after the forecast's last step" in ahead["why_uncovered"]
     said = f"; the flow model does not cover it: {ahead['why_uncovered']}"
     assert said in command(*words).stdout
@@ -205,7 +204,7 @@ def test_a_huge_number_of_a_dive_is_written(tmp_path):
 def test_gaussians_from_the_command(command):
     words = ("--sample", "--flow", "steady,gaussians", "--width-km", "30")
     found = json.loads(command(*words, "--json").stdout)
-    assert any(name.startswith("gaussian[") for name in [*found["learned"], *found["held"]])
+    assert any(name.startswith("gaussian[") for name in found["held"])
     assert "of gaussians" in command(*words).stdout
     assert "needs --flow-model" in str(command("--sample", "--flow", "steady,model").exception)
     assert "width" in str(command("--sample", "--width-km", "0").exception)
