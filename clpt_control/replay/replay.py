@@ -21,6 +21,7 @@ them at once, bit for bit.
 import copy
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
+from math import hypot
 from typing import Any
 
 import numpy as np
@@ -40,7 +41,7 @@ from .doubts import SpeedFactorWatch, doubt_one_fix
 from .habits import CHI_SQUARED, GIVEN, Guess, Habits, drift
 from .places import velocity
 from .step import FLOW_MODEL, MODELS, Step, check_next, estimates
-from .surfacing import NORMAL, NextDive, check_plan, unflown
+from .surfacing import NORMAL, NextDive, check_flown, unflown
 
 LISTED = 10  # dives of a notebook's table
 
@@ -321,7 +322,7 @@ def next_dive(
     guess = replay.surfacing().plan
     T = guess.duration if duration is None else duration
     way = (guess.dr_east, guess.dr_north) if through_water is None else through_water
-    check_plan(T, way)
+    check_flown(hypot(*way) / T if T > 0 else 0.0, T)
     return replay.surfacing(replay.habits.guess_of(way, T))
 
 

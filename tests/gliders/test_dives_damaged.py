@@ -97,7 +97,7 @@ def flip(source, target):
 STEPS = ("east_displacement", "north_displacement")
 GSM = ("east_displacement_gsm", "north_displacement_gsm")
 DAMAGES = {
-    "one byte": (cut(0.0001), "neither NetCDF"),
+    "one byte": (cut(0.0001), "no column dive, "),
     "100 bytes": (written(b"CDF\x01" + bytes(96)), "no variables|damaged"),
     "header cut": (cut(0.02), "damaged|cut short"),
     "cut at 10 %": (cut(0.1), "damaged|cut short"),
@@ -107,9 +107,9 @@ DAMAGES = {
     "last byte gone": (cut(0.999995), "cut short"),
     "header overwritten": (flip, "damaged|cannot be read"),
     "empty": (written(b""), "empty"),
-    "text": (written(b"the modem dropped the line\nhere\n"), "neither NetCDF nor a table"),
+    "text": (written(b"the modem dropped the line\nhere\n"), "no column dive, "),
     "blank lines": (written(b"\n\n  \n"), "empty"),
-    "web page": (written(b"<html><body>404</body></html>"), "neither NetCDF nor a table"),
+    "web page": (written(b"<html><body>404</body></html>"), "no column dive, "),
     "noise": (written(bytes(range(128, 256)) * 40), "neither NetCDF"),
     "HDF5 of noise": (written(b"\x89HDF\r\n\x1a\n" + bytes(500)), "cannot be read as NetCDF"),
     "latitude NaN": (changed(put("log_gps_lat", 2, nan)), "no fix after"),

@@ -180,7 +180,7 @@ def test_a_file_that_becomes_a_pipe_once_it_was_asked_is_not_waited_for(
     assert follower.look() == ["dive304.csv", "dive305.csv", "dive306.csv"]
     found, why = numbers(follower)
     assert found == [304, 306]
-    assert "dive305.csv: is a pipe with a name; give a file" in why[0]
+    assert "dive305.csv: is no regular file; give one" in why[0]
 
 
 def test_what_cannot_be_opened_is_tried_again(inbox, tmp_path, monkeypatch):

@@ -153,14 +153,12 @@ def test_a_plan_of_the_next_dive(command):
     assert "next surfacing 2016-02-03 13:56 UTC +- " in said
     assert "min, in 4.1 h from the end of the last dive" in said
     for words, says in (
-        (("0", "0", "0"), "duration above 0"),
-        (("nan", "0", "0"), "must be finite"),
-        (("5", "1e300", "0"), "at most 5 m/s can be"),
-        (("5", "1e308", "1e308"), "at most 5 m/s can be"),
-        (("5", "1e8", "0"), "5 hours and 1e+08 m east, 0 m north: is 5556 m/s"),
-        (("14400", "0", "3000"), "at most 720 hours"),
-        (("1e200", "0", "0"), "at most 720 hours"),
-        (("1e306", "0", "0"), "must be finite"),
+        (("0", "0", "0"), "a dive of 0 hours"),
+        (("nan", "0", "0"), "a dive of nan hours"),
+        (("5", "1e300", "0"), "at most 5 m/s"),
+        (("5", "1e8", "0"), "a dive of 5 hours at 5556 m/s"),
+        (("14400", "0", "3000"), "to 720 hours"),
+        (("1e306", "0", "0"), "to 720 hours"),
     ):
         assert says in str(command("--sample", "--next", *words).exception)
     assert ahead["why_uncovered"] is None

@@ -76,7 +76,7 @@ def test_following_goes_on_where_it_cannot_aim(command, follow, tmp_path):
     one_file_each(tmp_path, still)
     aim = ("--aim", "-42.5", "8.0", "--json")
     done = follow(tmp_path, *aim)
-    assert "so far, --aim: by dead reckoning the last 2 dives went nowhere" in done.stderr
+    assert "so far, --aim: 0 m/s, given or of the last dives, leads nowhere" in done.stderr
     assert json.loads(done.stdout)["aim"] == []
     assert "give --speed" in str(command(*tmp_path.glob("*.csv"), *aim).exception)
 
@@ -164,8 +164,8 @@ def test_mistakes_in_aiming(command):
         (("--aim", "8"), "--aim"),
         (("--aim", "", ""), "--aim"),
         (("--speed", "0.2"), "give a waypoint"),
-        (("--aim", "40", "8", "--speed", "-1"), "above 0"),
-        (("--aim", "40", "8", "--hours", "1e9"), "at most 720 hours"),
+        (("--aim", "40", "8", "--speed", "-1"), "at -1 m/s"),
+        (("--aim", "40", "8", "--hours", "1e9"), "to 720 hours"),
     ):
         done = command("--sample", *words)
         assert done.exit_code != 0
