@@ -11,11 +11,11 @@ are by names.  Page, plots, tables and files for other programs are made of the 
 
 import json
 import re
-from collections.abc import Iterator
 from importlib.metadata import version
 from typing import Any
 
 import numpy as np
+import pandas
 import xarray
 
 from ..arguments import public
@@ -95,7 +95,8 @@ def replay_dataset(replay: Source) -> xarray.Dataset:
     (14, 'm')
     """
     found = found_of(replay)
-    rows = [dict(_flat(row)) for row in found["each_dive"]]
+    rows = [{**row, "anomaly": row["anomaly"] is not None} for row in found["each_dive"]]
+    table = pandas.json_normalize(rows, sep="_")
     time = {"units": EPOCH, "calendar": "standard", "standard_name": "time", "axis": "T"}
     north = {"units": "degrees_north", "standard_name": "latitude", "axis": "Y"}
     east = {"units": "degrees_east", "standard_name": "longitude", "axis": "X"}
@@ -107,7 +108,7 @@ def replay_dataset(replay: Source) -> xarray.Dataset:
     }
     data = xarray.Dataset(
         coords={
-            name: ("dive", [row[key] for row in rows], attributes)
+            name: ("dive", table[key].to_numpy(), attributes)
             for name, (key, attributes) in coords.items()
         },
         attrs={
@@ -126,19 +127,18 @@ def replay_dataset(replay: Source) -> xarray.Dataset:
     if "flow_model" in found:
         data.attrs["flow_model"] = "{source}: {about}".format(**found["flow_model"])
     data["trajectory"] = ((), found["vehicle"], {"cf_role": "trajectory_id"})
-    for name in dict.fromkeys(name for row in rows for name in row):
-        each = [row.get(name) for row in rows]
+    for name, each in table.drop(columns=[*COORDINATES]).items():
         attributes = {"long_name": name.replace("_", " "), **ALONG}
-        if all(isinstance(one, bool) for one in each):
+        if each.dtype == bool:
             flags = {"flag_values": np.array([0, 1], np.int8), "flag_meanings": "no yes"}
-            data[name] = ("dive", np.array(each, np.int8), {**attributes, **flags})
-        elif name not in COORDINATES and any(isinstance(one, float) for one in each):
+            data[name] = ("dive", each.to_numpy(np.int8), {**attributes, **flags})
+        elif each.dtype == float and each.notna().any():
             attributes["units"] = units_of(name)
             if name in STANDARD:
                 attributes["standard_name"] = STANDARD[name]
-            if f"{name}_error" in rows[0]:
+            if f"{name}_error" in table:
                 attributes["ancillary_variables"] = f"{name}_error"
-            data[name] = ("dive", np.array(each, float), attributes)
+            data[name] = ("dive", each.to_numpy(), attributes)
     ahead = {key: found["next_dive"][key] for key in ("latitude", "longitude", *ELLIPSE)}
     ahead["time"] = seconds_since_1970(found["next_dive"]["time"])
     for name, value in ahead.items():
@@ -147,17 +147,6 @@ def replay_dataset(replay: Source) -> xarray.Dataset:
         data[f"next_{name}"] = ((), value, {**more, **long_name})
     words = "all that was found, as JSON: what clpt replay --json prints"
     return data.assign({SUMMARY: ((), json.dumps(found, allow_nan=False), {"long_name": words})})
-
-
-def _flat(row: dict[str, Any]) -> Iterator[tuple[str, Any]]:
-    """Yield what a row has, what is within a part of it as PART_NAME."""
-    for name, value in row.items():
-        if name == "anomaly":
-            yield name, value is not None
-        elif isinstance(value, dict):
-            yield from ((f"{name}_{inner}", one) for inner, one in value.items())
-        else:
-            yield name, value
 
 
 def units_of(name: str) -> str:
