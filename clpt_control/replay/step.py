@@ -39,10 +39,10 @@ class Step:
     (2,) and `covariance` (2, 2) are of the fix less dead reckoning, m; `inside` says whether the
     vehicle surfaced in their 90 % ellipse. `current` (2,) is the learned flow over the dive, m/s,
     `speed` the factor, `compass` the error in degrees clockwise, each with its standard error.
-    `parts` has the probability that each part of the flow is present; the parameters `not_learned`
-    are hardly better known than before any dive. `headline` is the surfacing as forecast before the
-    dive, `headline_held` whether its place and its time held: None for the first dive, and where
-    dives between may be missing. `drift` is that before the dive.
+    `parts` has the probability that each part of the flow is present; the parameters `not_learned`,
+    beside gaussians, are hardly better known than before any dive. `headline` is the surfacing as
+    forecast before the dive, `headline_held` whether its place and its time held: None for the
+    first dive, and where dives between may be missing. `drift` is that before the dive.
     """
 
     dive: Dive
@@ -146,7 +146,11 @@ def estimates(learner: Estimator, dive: Dive) -> dict[str, Any]:
         "current": H @ p[flow],
         "current_error": np.sqrt(np.diag(H @ P[np.ix_(flow, flow)] @ H.T)),
         "parts": learner.parts(),
-        "not_learned": tuple(np.array(model.names)[left >= LEARNED].tolist()),
+        "not_learned": tuple(
+            name
+            for name, part, share in zip(model.names, model.parts, left, strict=True)
+            if share >= LEARNED and part != "gaussians"
+        ),
     }
     if model.learn_speed:
         k = model.names.index("speed")

@@ -143,23 +143,12 @@ def remarks(summary: dict[str, Any]) -> list[str]:
             lines.append(f"probability that a part is present: {chances}")
         lines.append(f"learned: {summary['said']}")
     if summary["held"]:
-        lines.append(f"not yet known from these dives: {shortened(summary['held'])}")
+        lines.append(f"not yet known from these dives: {', '.join(summary['held'])}")
     lines += by_reason(summary["notes"], "note")
     for entry in summary["skipped"]:
         name = "a file" if entry["dive"] is None else f"dive {entry['dive']}"
         lines.append(f"skipped {name}: {entry['why']}")
     return lines
-
-
-def shortened(names: list[str]) -> str:
-    """Return names of parameters on a line, gaussians by their number.
-
-    >>> shortened(["speed", "gaussian[0,0]_east", "gaussian[0,0]_north"])
-    'speed, 2 of gaussians'
-    """
-    plain = [name for name in names if not name.startswith("gaussian[")]
-    places = len(names) - len(plain)
-    return ", ".join([*plain, *([f"{places} of gaussians"] if places else [])])
 
 
 def coverage(model: dict[str, Any], used: int) -> list[str]:
