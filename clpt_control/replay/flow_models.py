@@ -72,9 +72,7 @@ class Forecast(FlowModel):
         self.source, levels = column.source, len(column.depth)
         about = f"gridded, averaged over a dive's depth, {levels} levels"
         if levels == 1:
-            where = "surface" if column.depth[0] < 1 else f"{column.depth[0]:g} m deep"
-            where = "of unknown depth" if np.isnan(column.depth[0]) else where
-            about = f"gridded, one level only ({where}), not what a glider feels over its depths"
+            about = "gridded, one level only, not what a glider feels over its depths"
         if column.land:
             about += f"; {column.land} cells of nothing but zeros are taken as land"
         self.about, self.depth = about, column.depth

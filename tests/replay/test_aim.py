@@ -67,18 +67,6 @@ def still(current=(0.0, 0.0), count=12, lat=40.0, lon=8.0, factor=1.0):
     return dives
 
 
-@pytest.mark.parametrize("angle", [0.0, 45.0, 130.0, 290.0])
-def test_without_a_current_the_heading_is_the_bearing(angle):
-    replay = replay_dives(still(), model=FixModel(("steady",), learn_speed=False))
-    last = replay.steps[-1].dive
-    way = 50e3 * np.array([math.sin(math.radians(angle)), math.cos(math.radians(angle))])
-    leg = aims(replay, [place_from(last.lat_gpse, last.lon_gpse, *way)])[0]
-    assert leg.bearing == pytest.approx(angle, abs=1e-6)
-    assert leg.crab == pytest.approx(0.0, abs=0.01)
-    assert leg.made_good == pytest.approx(3600, rel=1e-3)
-    assert leg.dives == pytest.approx(50e3 / 3600, rel=1e-3)
-
-
 def test_a_current_across_the_line_is_held_off():
     replay = replay_dives(still((0.1, 0.0)), model=FixModel(("steady",), learn_speed=False))
     leg = aims(replay, [(45.0, replay.steps[-1].dive.lon_gpse)])[0]

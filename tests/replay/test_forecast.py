@@ -39,7 +39,7 @@ def test_a_perfect_forecast_leaves_no_error(tmp_path):
     """A tide on a grid, a glider in it: CLPE is the error of interpolation, in the middle dives."""
     path = write(tmp_path / "tide.nc", *turning(HOURS, (len(LAT), len(LON))))
     model = read_flow_model(path)
-    assert "one level only (surface)" in model.about
+    assert "one level only" in model.about
     dives = []
     for k in range(6):
         dive = replace(dive_at(7.0 * k + 0.6, way=(3000.0 * (-1) ** k, 2000.0)), number=k)
@@ -182,26 +182,6 @@ def test_a_gap_of_the_steps_is_not_bridged(tmp_path):
     assert missing_steps(np.array([0.0, 6.0])).tolist() == [0]
     assert missing_steps(np.array([0.0, 6.0, 72.0])).tolist() == [0, 10]
     assert missing_steps(6 * np.array([0.0, 1, 2, 8, 15, 16, 17])).tolist() == [0, 0, 5, 6, 0, 0]
-
-
-def test_too_few_values_are_counted_in_words(tmp_path):
-    one = np.zeros((4, 1, len(LON)))
-    for path, said in (
-        (
-            write(tmp_path / "a.nc", one, one, lat=LAT[:1], hours=HOURS[:4]),
-            "lat has 1 of the 2 cells",
-        ),
-        (
-            write(tmp_path / "b.nc", one[:1], one[:1], hours=HOURS[:1], lat=LAT[:1]),
-            "has 1 of the 2 steps",
-        ),
-        (
-            write(tmp_path / "c.nc", one[:0], one[:0], hours=HOURS[:0], lat=LAT[:1]),
-            "has 0 of the 2 steps",
-        ),
-    ):
-        with pytest.raises(DataError, match=said):
-            read_currents(path, column=True)
 
 
 def test_measured_surface_current():

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 import xarray
 from made_fields import gridded_current
-from processes import CLPT, await_line, interrupt, started
 from synthetic_vehicle import one_file_each
 from test_follow_command import RESULTS
 
@@ -136,16 +135,6 @@ def test_results_of_following_lie_in_the_folder_by_default(follow, tmp_path):
     assert (tmp_path / "replay" / "replay.nc").exists()
 
 
-@pytest.mark.processes
-def test_an_interrupt_ends_following_with_its_results(tmp_path):
-    one_file_each(tmp_path, sample_dives()[:3])
-    with started([*CLPT, "replay", "--follow", tmp_path, "--json"]) as process:
-        await_line(process, process.stderr, "dives used")
-        said, _ = interrupt(process)
-    assert process.returncode == 0
-    assert json.loads(said)["used"] == 3
-
-
 def test_a_plan_of_the_next_dive(command):
     found = json.loads(command("--sample", "--next", "4", "0", "3000", "--json").stdout)
     ahead = found["next_dive"]
@@ -166,39 +155,12 @@ def test_a_plan_of_the_next_dive(command):
     assert ahead["why_uncovered"] is None
 
 
-def test_nothing_is_minus_nothing(command):
-    said = command("--sample", "--next", "4.5", "-0.3", "3000").stdout
-    assert "h and +0 m east, +3000 m north through the water" in said
-
-
 def test_whether_the_flow_model_covers_the_plan_is_said(command, forecast):
     words = ("--sample", "--flow-model", forecast, "--least-duration", "15000")
     ahead = json.loads(command(*words, "--json").stdout)["next_dive"]
     assert "outside the forecast's steps" in ahead["why_uncovered"]
     said = f"; the flow model does not cover it: {ahead['why_uncovered']}"
     assert said in command(*words).stdout
-
-
-def test_wordings(command, tmp_path):
-    for words, says in (
-        (("--flow", ""), "flow empty: unknown constituent '': must be one of steady, inertial"),
-        (("--flow", "steady,"), "gaussians, model, M2"),
-        (("--flow", "steady,m2"), "unknown constituent 'm2': must be one of"),
-        (("--estimator", "best"), "estimator 'best': must be one of kalman, gradient"),
-        (("--flow-model", tmp_path / "nope.toml"), "the .toml file that `clpt fit` writes"),
-    ):
-        assert says in str(command("--sample", *words).exception)
-
-
-def test_a_huge_number_of_a_dive_is_written(tmp_path):
-    from dataclasses import replace
-
-    from clpt_control.replay.facts import replay_dataset
-    from clpt_control.replay.replay import replay_dives
-
-    dives = sample_dives()[:2]
-    huge = [dives[0], replace(dives[1], number=2**40)]
-    assert replay_dataset(replay_dives(huge)).dive.values.tolist() == [304, 2**40]
 
 
 def test_gaussians_from_the_command(command):

@@ -81,27 +81,6 @@ def test_following_goes_on_where_it_cannot_aim(command, follow, tmp_path):
     assert "give --speed" in str(command(*tmp_path.glob("*.csv"), *aim).exception)
 
 
-def test_wider_is_more(sg542, monkeypatch):
-    from clpt_control.cli import replay_report
-    from clpt_control.replay.cells import RANKS, cells
-
-    rows, widths = [cells(row) for row in sg542["each_dive"]], iter(range(40, 260))
-    monkeypatch.setattr(replay_report, "terminal_width", lambda: next(widths))
-    counts = [len(replay_report.fitted("", rows, RANKS).columns) for _ in range(40, 260)]
-    assert counts[0] == 5
-    assert counts[-1] == len(rows[0])
-    assert counts[20] < counts[60] < counts[120] < counts[-1]
-
-
-def test_the_command_prints_as_wide_as_columns_says(command, monkeypatch):
-    for width in (60, 100):
-        monkeypatch.setenv("COLUMNS", str(width))
-        said = command("--sample").stdout
-        table = [line for line in said.splitlines() if line and line[0] in "┏┃┡│└"]
-        assert max(map(len, table)) <= width
-        assert said.count("(CLPE") == said.count("CLPE") == 1
-
-
 def test_what_is_learned_is_said_as_it_is():
     steady = replay_dives(vehicle(1, 2))
     said = learned_words(steady)
