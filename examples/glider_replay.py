@@ -4,7 +4,7 @@
 
 Without FILES the fourteen dives of Seaglider SG542 that ship with the package
 are used.  Each dive is forecast from earlier dives alone, by both estimators;
-FOLDER (default: out) gets the Kalman filters' NetCDF file and figures.
+FOLDER (default: out) gets the Kalman filters' NetCDF file and figure.
 """
 
 import sys
@@ -31,10 +31,11 @@ def main(folder="out", *files):
             )
     last = replay.steps[-1]
     print(f"speed factor {last.speed:.3f} +- {last.speed_error:.3f}")
-    print(f"learned {', '.join(last.learned)}; held {', '.join(last.not_learned) or 'nothing'}")
+    print(f"not yet known: {', '.join(last.not_learned) or 'nothing'}")
     clpt.replay.replay_dataset(replay).to_netcdf(folder / "replay.nc")
-    for path in (folder / "replay.nc", *clpt.replay.save_replay_figures(replay, folder)):
-        print(f"{path}: written")
+    clpt.replay.replay_plot(replay)[0].figure.savefig(folder / "replay.png")
+    for name in ("replay.nc", "replay.png"):
+        print(f"{folder / name}: written")
 
 
 if __name__ == "__main__":

@@ -106,7 +106,6 @@ LONG = (
     "export_fmu",
     "prove",
     "run_ensemble",
-    "save_replay_figures",
     "tune_law",
 )
 LISTS = ("conformance",)  # a sentence for each failure

@@ -8,7 +8,7 @@ A folder that is followed is watched for new files of dives.
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from math import isfinite
+from math import hypot, isfinite
 from pathlib import Path
 from typing import Any
 
@@ -49,17 +49,18 @@ class Ahead:
 
     def check(self) -> None:
         """Refuse what cannot be, before work begins."""
-        from ..replay.aim import check_speed, checked_target
-        from ..replay.surfacing import check_plan
+        from ..replay.aim import checked_target
+        from ..replay.surfacing import check_flown
 
         if self.plan:
-            check_plan(*self.plan)
+            time, way = self.plan
+            check_flown(hypot(*way) / time if time > 0 else 0.0, time)
         if not self.targets and (self.speed, self.duration) != (None, None):
             raise ScenarioError("--speed and --hours are for --aim LAT LON; give a waypoint")
         for target in self.targets:
             checked_target(*target)
         duration = 3600.0 if self.duration is None else self.duration
-        check_speed(1.0 if self.speed is None else self.speed, duration)
+        check_flown(1.0 if self.speed is None else self.speed, duration)
 
     def aims(self, replay: Any) -> list[Any]:
         """Return an `Aim` for each waypoint ahead; those that were come close to are dropped."""
@@ -129,12 +130,12 @@ def write(found: Report, folder: Path, kinds: Sequence[str], again: bool = False
     will be written anew.
     """
     from ..replay.exchange import next_geojson, track_kml
-    from ..replay.facts import dataset_of
+    from ..replay.facts import replay_dataset
     from ..replay.plots import replay_figures
     from ..replay.replay_page import replay_page
 
     results: dict[str, Any] = {
-        "replay.nc": dataset_of(found),
+        "replay.nc": replay_dataset(found),
         "replay.html": replay_page(found, again),
         "next.geojson": next_geojson(found),
         "track.kml": track_kml(found, found["vehicle"]),

@@ -16,8 +16,7 @@ function part(name, attributes, parent, text) {
   parent.append(made);
   return made;
 }
-const mercator = (lat) => Math.asinh(Math.tan((lat * Math.PI) / 180));
-const yOf = (lat) => top_ + (high * (mercator(north) - mercator(lat))) / (mercator(north) - mercator(south));
+const yOf = (lat) => top_ + ((north - lat) / (north - south)) * high;
 const xOf = (lon) => left + ((lon - west) / (east - west)) * wide;
 function named(angle, names, step) {
   if (names === "EW") angle = ((angle + 540) % 360 + 360) % 360 - 180;

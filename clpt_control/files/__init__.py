@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..errors import ClptError, DataError
 from ..progress.interrupt import check, folders, remove, unfinished
-from .reading import OPENED, SLASH, AnyPath, kind_of, netcdf_engine, opened, opened_name, renamed
+from .reading import OPENED, SLASH, AnyPath, netcdf_engine, opened, opened_name, renamed
 
 if TYPE_CHECKING:
     import xarray
@@ -87,7 +87,7 @@ def _place(path: AnyPath) -> tuple[Path, int | None]:
     except OSError as error:
         raise DataError(f"{path}: cannot be written: {error.strerror or error}") from None
     if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
-        raise DataError(f"{path}: is {kind_of(mode)}; give the name of a file")
+        raise DataError(f"{path}: is no regular file; give the name of one")
     return place, stat.S_IMODE(mode)
 
 

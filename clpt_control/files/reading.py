@@ -37,10 +37,6 @@ UTF_16 = (b"\xff\xfe", b"\xfe\xff")  # its byte order marks
 SLASH = (
     "\N{DIVISION SLASH}"  # in a file, for a / of a name, which NetCDF and Zarr take for a folder
 )
-NO_FILES = {  # what is no file, by the first letter that `ls -l` shows
-    **{"d": "a folder", "p": "a pipe with a name", "l": "a link", "s": "a socket"},
-    **dict.fromkeys("cb", "a device"),
-}
 
 
 @contextmanager
@@ -66,7 +62,7 @@ def _check(file: BinaryIO, path: AnyPath, most: float) -> None:
     if stat.S_ISFIFO(state.st_mode) and OPEN_PIPE.fullmatch(str(path)):
         os.set_blocking(file.fileno(), True)
     elif not stat.S_ISREG(state.st_mode):
-        raise DataError(f"{path}: is {kind_of(state.st_mode)}; give a file")
+        raise DataError(f"{path}: is no regular file; give one")
     if state.st_size > most:
         raise DataError(_too_large(path, most))
 
@@ -142,13 +138,8 @@ def zarr_store(folder: Path, read_only: bool = True) -> Any:
         for name in (*folders, *files):
             mode = os.lstat(path := Path(place, name)).st_mode
             if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
-                raise DataError(f"{path}: is {kind_of(mode)}; must be a file of {folder}")
+                raise DataError(f"{path}: is no regular file; {folder} must hold files alone")
     return LocalStore(_Inner(folder), read_only=read_only)
-
-
-def kind_of(mode: int) -> str:
-    """Return in words what has a mode that is no file's."""
-    return NO_FILES.get(stat.filemode(mode)[0], "no file")
 
 
 def read_text(path: AnyPath, no_text: str, most: int | None = None) -> str:

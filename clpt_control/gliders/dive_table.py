@@ -64,19 +64,11 @@ def _check_header(header: list[str], name: str | Path) -> None:
     missing = [column for column in REQUIRED if column not in header]
     if set(CURRENT) <= set(header) and not set(header) & set(THROUGH_WATER):
         missing = [column for column in missing if column not in THROUGH_WATER]
-    marks = other_marks(line, REQUIRED[0])
-    if missing and marks:
-        raise DataError(f"{name}: {marks}")
-    if missing == list(REQUIRED):
-        raise DataError(
-            f"{name}: neither NetCDF nor a table of dives; such a table begins with "
-            f"{','.join(REQUIRED)}, this file with {line[:40]!r}"
-        )
     if missing:
-        raise DataError(
-            f"{name}: no column {', '.join(missing)}; has {', '.join(header)[:300]}"
-            f"{OTHERWISE if set(missing) & set(THROUGH_WATER) else ''}"
-        )
+        marks = other_marks(line, REQUIRED[0])
+        begins = f"a table of dives begins with {','.join(REQUIRED)}{OTHERWISE}"
+        why = f"no column {', '.join(missing)}; has {', '.join(header)[:300]}; {begins}"
+        raise DataError(f"{name}: {marks or why}")
     double = [column for column in (*REQUIRED, *OPTIONAL) if header.count(column) > 1]
     if double:
         raise DataError(

@@ -33,6 +33,7 @@ from typing import Any
 import numpy as np
 import pandas
 
+from ..arguments import public
 from ..currents.cf import number
 from ..errors import DataError
 from ..estimation.dive import Dive as Dive
@@ -53,6 +54,7 @@ SLOCUM = re.compile(r"(?P<who>.*?)-?(?P<order>\d+-\d+-\d+-\d+|\d{8})(?P<kind>\.\
 SEAEXPLORER = re.compile(r"(?P<who>.*)(?P<kind>\.gli\.(?:sub|raw))\.(?P<order>\d+)(?:\.gz)?", re.I)
 
 
+@public
 @dataclass(frozen=True)
 class Skipped:
     """A dive that is not used, or a file or line that holds none: its number, if known, and why."""

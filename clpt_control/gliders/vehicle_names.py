@@ -3,11 +3,9 @@
 import re
 from typing import Any
 
+from .dives import SEAEXPLORER, SLOCUM
+
 LONGEST = 40  # letters; a longer one is no name
-FILES = (
-    re.compile(r"(.+?)-\d{4}-\d+-\d+-\d+"),  # of a Slocum: rosie_713-2019-166-0-156
-    re.compile(r"(sea\d+)\.\d+\.", re.IGNORECASE),  # of a SeaExplorer: sea035.10.gli.sub.12.gz
-)
 DATED = re.compile(r"(.+?)_\d{8}")  # SG015_20040929T140907_delayed
 
 
@@ -37,8 +35,8 @@ def name_of_file(file: str) -> str | None:
     >>> name_of_file("dives.csv") is None
     True
     """
-    matches = (pattern.match(file) for pattern in FILES)
-    return name_of(*(found[1] for found in matches if found))
+    found = SLOCUM.fullmatch(file) or SEAEXPLORER.fullmatch(file)
+    return name_of(found and found["who"].partition(".")[0])
 
 
 def name_of(*values: Any) -> str | None:

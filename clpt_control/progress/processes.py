@@ -53,7 +53,7 @@ def processes(count: int) -> Iterator[Pool]:
     finally:
         for one in set(active_children()) - set(before):
             one.kill()
-        pool.shutdown(wait=False, cancel_futures=True)
+        pool.shutdown(cancel_futures=True)  # its thread must not outlive the pipes that it reads
 
 
 def _begin() -> None:

@@ -3,7 +3,7 @@ from .carried_dives import carried
 from .facts import replay_dataset
 from .flow_models import read_flow_model
 from .outcome import clpe_rms, summary
-from .plots import current_plot, dive_clpe_plot, replay_plot, save_replay_figures
+from .plots import current_plot, dive_clpe_plot, replay_plot
 from .replay import Replay, next_dive, replay_dives
 from .track_map import map_plot
 
@@ -20,6 +20,5 @@ __all__ = [
     "replay_dataset",
     "replay_dives",
     "replay_plot",
-    "save_replay_figures",
     "summary",
 ]

@@ -21,7 +21,7 @@ Where c depends on the way, as with gaussians and flow models, d and c are found
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from math import ceil, hypot, isfinite, sqrt
+from math import ceil, hypot, sqrt
 from statistics import median
 from typing import Any
 
@@ -32,14 +32,12 @@ from ..errors import ScenarioError
 from ..geodesy import displacement, distance, is_place, near
 from ..gliders.dives import Fix
 from ..gliders.samples import variation as igrf
-from ..gliders.usable_dives import FASTEST
 from ..units import known
 from .places import Place, direction, in_minutes, placed, utc, vector
 from .replay import Replay
-from .surfacing import ELLIPSE, LONGEST, NextDive, ellipse
+from .surfacing import ELLIPSE, NextDive, check_flown, ellipse
 from .wording import AGAINST, REACHED, UNDER_WAY, aim_sentence
 
-SHORTEST = 1.0  # s, of a dive that is aimed
 YEAR = 365 * 24.0  # hours
 DIVES = 5  # the last ones, of which speed and duration are the medians
 ARRIVED = 1000.0  # m; a vehicle this close to a waypoint goes on to the next one
@@ -72,7 +70,6 @@ class Aim:
     through_water: float
     through_water_full: float
     made_good: float
-    course_made_good: float | None
     left: float
     state: str
     dives: float | None
@@ -212,26 +209,12 @@ def usual(replay: Replay, speed: float | None, duration: float | None) -> tuple[
     """Return the speed, m/s, and the duration, s, of a dive: as given, else as of the last ones."""
     dives = [step.dive for step in replay.steps[-DIVES:]]
     reckoned = float(median(hypot(d.dr_east, d.dr_north) / d.duration for d in dives))
-    if speed is None and reckoned == 0.0:
-        raise ScenarioError(
-            f"--aim: by dead reckoning the last {len(dives)} dives went nowhere; give --speed in "
-            "m/s"
-        )
     V = reckoned if speed is None else speed
+    if V == 0.0:
+        raise ScenarioError("--aim: 0 m/s, given or of the last dives, leads nowhere; give --speed")
     T = float(median(dive.duration for dive in dives)) if duration is None else duration
-    check_speed(V, T)
+    check_flown(V, T)
     return V, T
-
-
-def check_speed(V: float, T: float) -> None:
-    """Refuse a speed (m/s) or a duration (s) that no vehicle can have."""
-    if not (isfinite(V) and 0.0 < V <= FASTEST):
-        raise ScenarioError(f"--speed {V:g} m/s: must be above 0 and at most {FASTEST:g} m/s")
-    if not (isfinite(T) and SHORTEST <= T <= LONGEST):
-        raise ScenarioError(
-            f"--hours {T / 3600:g}: must be above 0, {SHORTEST:g} s at least, and at most "
-            f"{LONGEST / 3600:g} hours (30 days)"
-        )
 
 
 def aim(replay: Replay, start: Fix, target: Place, V: float, T: float, shorten: bool = True) -> Aim:
@@ -268,7 +251,6 @@ def aim(replay: Replay, start: Fix, target: Place, V: float, T: float, shorten: 
         through_water=hypot(*way),
         through_water_full=full,
         made_good=hypot(*g) - left,
-        course_made_good=direction(*map(float, way + ahead.forecast)),
         left=left,
         state=state,
         dives=tau,

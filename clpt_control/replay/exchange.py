@@ -30,7 +30,7 @@ from ..geodesy import near, place_from
 from ..gliders.slocum import CORRECTS
 from ..html import safe
 from .aim import ARRIVED
-from .chart import Layer, drawn_dives, layers_ahead, place_in
+from .layers import Layer, layers_of, place_in
 from .places import compass, east_of, minutes
 from .wording import REACHED
 
@@ -49,6 +49,7 @@ NAMES = {  # kind of a layer: its name and its colour
     "made": ("way made good", ORANGE),
     "ring aimed": ("90 % ellipse, aimed", ORANGE),
 }
+AHEAD = ("way", "next", "ring next", "target", "made", "ring aimed")
 SHAPES = {  # of KML, around coordinates
     "Point": ("<Point>", "</Point>"),
     "LineString": ("<LineString><tessellate>1</tessellate>", "</LineString>"),
@@ -67,10 +68,11 @@ def _points(layer: Layer) -> list[list[float]]:
 
 def next_geojson(found: dict[str, Any]) -> str:
     """Return the next surfacing as GeoJSON: last fix, way, forecast, 90 % ellipse, waypoints."""
-    way, goal, ring, *legs = layers_ahead(found["next_dive"], found.get("aim") or [])
-    end = found["each_dive"][-1]
-    last = Layer("last", "Point", way.places[:1], {"dive": end["dive"], "time": end["end"]})
-    features = [_feature(layer) for layer in (last, way, ring, goal, *legs) if layer.kind in NAMES]
+    of, end = layers_of(found), found["each_dive"][-1]
+    last = Layer(
+        "last", "Point", of["way"][0].places[:1], {"dive": end["dive"], "time": end["end"]}
+    )
+    features = map(_feature, [last, *(layer for kind in AHEAD for layer in of[kind])])
     lines = ",\n".join(json.dumps(feature, allow_nan=False) for feature in features)
     return f'{{"type": "FeatureCollection", "features": [\n{lines}\n]}}\n'
 
@@ -91,11 +93,9 @@ def _feature(layer: Layer) -> dict[str, Any]:
 
 def track_kml(found: dict[str, Any], name: str) -> str:
     """Return the whole track as KML: fixes with times, forecasts, the next surfacing."""
-    dives = drawn_dives(found["each_dive"])
-    fixes, rings = [each["fix"] for each in dives], [each["ring"] for each in dives[1:]]
-    places = [dives[0]["track"].places[0], *(fix.places[0] for fix in fixes)]
+    of = layers_of(found)
+    places = [of["track"][0].places[0], *(fix.places[0] for fix in of["fix"])]
     track = Layer("track", "LineString", places, {})
-    ahead = layers_ahead(found["next_dive"], found.get("aim") or [])
     lines = [
         '<?xml version="1.0" encoding="UTF-8"?>',
         f'<kml xmlns="{KML}"><Document><name>{safe(name)}</name>',
@@ -107,11 +107,11 @@ def track_kml(found: dict[str, Any], name: str) -> str:
         ),
         _placemark(track),
         "<Folder><name>surfacings</name>",
-        *map(_placemark, fixes),
+        *map(_placemark, of["fix"]),
         "</Folder><Folder><name>forecasts, 90 %</name><visibility>0</visibility>",
-        *map(_placemark, rings),
+        *map(_placemark, of["ring"]),
         "</Folder>",
-        *(_placemark(layer) for layer in ahead if layer.kind in NAMES),
+        *(_placemark(layer) for kind in AHEAD for layer in of[kind]),
         "</Document></kml>",
     ]
     return "\n".join(lines) + "\n"

@@ -11,11 +11,11 @@ are by names.  Page, plots, tables and files for other programs are made of the 
 
 import json
 import re
-from collections.abc import Iterator
 from importlib.metadata import version
 from typing import Any
 
 import numpy as np
+import pandas
 import xarray
 
 from ..arguments import public
@@ -23,7 +23,7 @@ from ..errors import DataError
 from ..units import seconds_since_1970
 from .outcome import summary
 from .replay import Replay, next_dive
-from .surfacing import ELLIPSE, NextDive
+from .surfacing import ELLIPSE
 
 EPOCH = "seconds since 1970-01-01 00:00:00 UTC"
 SUMMARY = "summary"  # variable: what `clpt replay --json` prints
@@ -51,41 +51,34 @@ COORDINATES = ("dive", "end_time", "end_latitude", "end_longitude")
 Source = Replay | xarray.Dataset | dict[str, Any]
 
 
-def found_of(source: Source, ahead: NextDive | None = None) -> dict[str, Any]:
+def found_of(source: Source) -> dict[str, Any]:
     """Return what `clpt replay --json` prints of a replay, or of the dataset or JSON of one.
 
-    With the next surfacing, `ahead` or as the replay expects it.  What has no dive is refused.
+    With the next surfacing as the replay expects it.  What has no dive is refused.
     """
+    found: Any = source
     if isinstance(source, Replay):
         if not source.steps:
             raise DataError("the replay has no dive yet; feed one, as Replay.step does")
-        ahead = ahead or next_dive(source)
-        return {**summary(source), "next_dive": ahead.as_dict(), "aim": []}
-    found: Any = source
-    if isinstance(source, xarray.Dataset) and SUMMARY in source:
+        found = {**summary(source), "next_dive": next_dive(source).as_dict(), "aim": []}
+    elif isinstance(source, xarray.Dataset) and SUMMARY in source:
         found = summary_in(source, "the dataset")
     if not (isinstance(found, dict) and found.get("each_dive")):
         raise DataError(
             f"{type(source).__name__}: is no replay; clpt.replay.replay_dives(dives) gives one, "
             "`clpt replay` writes its dataset, replay.nc"
         )
-    return found if ahead is None else {**found, "next_dive": ahead.as_dict()}
+    return found
 
 
 @public
-def replay_dataset(
-    replay: Replay, name: str = "glider", ahead: NextDive | None = None
-) -> xarray.Dataset:
+def replay_dataset(replay: Source) -> xarray.Dataset:
     """Return a replay as a dataset.
 
     Parameters
     ----------
-    replay : Replay
-        With one dive at least.
-    name : str, optional
-        Of the trajectory.
-    ahead : NextDive, optional
-        The next surfacing, which becomes scalars; by default as the replay expects it.
+    replay : Replay or dict
+        With one dive at least; the dict as `clpt replay --json` prints it.
 
     Returns
     -------
@@ -97,16 +90,13 @@ def replay_dataset(
     --------
     >>> import clpt_control as clpt
     >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
-    >>> data = clpt.replay.replay_dataset(replay, "SG542")
+    >>> data = clpt.replay.replay_dataset(replay)
     >>> data.sizes["dive"], data.clpe_adaptive.units
     (14, 'm')
     """
-    return dataset_of({**found_of(replay, ahead), "vehicle": name})
-
-
-def dataset_of(found: dict[str, Any]) -> xarray.Dataset:
-    """Return what `clpt replay --json` prints, with one dive at least, as a dataset."""
-    rows = [dict(_flat(row)) for row in found["each_dive"]]
+    found = found_of(replay)
+    rows = [{**row, "anomaly": row["anomaly"] is not None} for row in found["each_dive"]]
+    table = pandas.json_normalize(rows, sep="_")
     time = {"units": EPOCH, "calendar": "standard", "standard_name": "time", "axis": "T"}
     north = {"units": "degrees_north", "standard_name": "latitude", "axis": "Y"}
     east = {"units": "degrees_east", "standard_name": "longitude", "axis": "X"}
@@ -118,7 +108,7 @@ def dataset_of(found: dict[str, Any]) -> xarray.Dataset:
     }
     data = xarray.Dataset(
         coords={
-            name: ("dive", [row[key] for row in rows], attributes)
+            name: ("dive", table[key].to_numpy(), attributes)
             for name, (key, attributes) in coords.items()
         },
         attrs={
@@ -137,19 +127,18 @@ def dataset_of(found: dict[str, Any]) -> xarray.Dataset:
     if "flow_model" in found:
         data.attrs["flow_model"] = "{source}: {about}".format(**found["flow_model"])
     data["trajectory"] = ((), found["vehicle"], {"cf_role": "trajectory_id"})
-    for name in dict.fromkeys(name for row in rows for name in row):
-        each = [row.get(name) for row in rows]
+    for name, each in table.drop(columns=[*COORDINATES]).items():
         attributes = {"long_name": name.replace("_", " "), **ALONG}
-        if all(isinstance(one, bool) for one in each):
+        if each.dtype == bool:
             flags = {"flag_values": np.array([0, 1], np.int8), "flag_meanings": "no yes"}
-            data[name] = ("dive", np.array(each, np.int8), {**attributes, **flags})
-        elif name not in COORDINATES and any(isinstance(one, float) for one in each):
+            data[name] = ("dive", each.to_numpy(np.int8), {**attributes, **flags})
+        elif each.dtype == float and each.notna().any():
             attributes["units"] = units_of(name)
             if name in STANDARD:
                 attributes["standard_name"] = STANDARD[name]
-            if f"{name}_error" in rows[0]:
+            if f"{name}_error" in table:
                 attributes["ancillary_variables"] = f"{name}_error"
-            data[name] = ("dive", np.array(each, float), attributes)
+            data[name] = ("dive", each.to_numpy(), attributes)
     ahead = {key: found["next_dive"][key] for key in ("latitude", "longitude", *ELLIPSE)}
     ahead["time"] = seconds_since_1970(found["next_dive"]["time"])
     for name, value in ahead.items():
@@ -158,17 +147,6 @@ def dataset_of(found: dict[str, Any]) -> xarray.Dataset:
         data[f"next_{name}"] = ((), value, {**more, **long_name})
     words = "all that was found, as JSON: what clpt replay --json prints"
     return data.assign({SUMMARY: ((), json.dumps(found, allow_nan=False), {"long_name": words})})
-
-
-def _flat(row: dict[str, Any]) -> Iterator[tuple[str, Any]]:
-    """Yield what a row has, what is within a part of it as PART_NAME."""
-    for name, value in row.items():
-        if name == "anomaly":
-            yield name, value is not None
-        elif isinstance(value, dict):
-            yield from ((f"{name}_{inner}", one) for inner, one in value.items())
-        else:
-            yield name, value
 
 
 def units_of(name: str) -> str:

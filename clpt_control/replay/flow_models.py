@@ -43,8 +43,6 @@ from ..scenario.file import load_scenario
 from ..units import METRES, SECONDS, seconds_since_1970
 from .carried_dives import Flow, FlowModel, Uncovered
 
-OUTSIDE = "outside the forecast's area"
-
 
 def depth_mean(depth: np.ndarray, profile: np.ndarray, deepest: float) -> complex:
     """Average a profile, u + iv at levels, from the surface to a depth, m.
@@ -74,9 +72,7 @@ class Forecast(FlowModel):
         self.source, levels = column.source, len(column.depth)
         about = f"gridded, averaged over a dive's depth, {levels} levels"
         if levels == 1:
-            where = "surface" if column.depth[0] < 1 else f"{column.depth[0]:g} m deep"
-            where = "of unknown depth" if np.isnan(column.depth[0]) else where
-            about = f"gridded, one level only ({where}), not what a glider feels over its depths"
+            about = "gridded, one level only, not what a glider feels over its depths"
         if column.land:
             about += f"; {column.land} cells of nothing but zeros are taken as land"
         self.about, self.depth = about, column.depth
@@ -94,19 +90,13 @@ class Forecast(FlowModel):
     def along(self, dive: Dive) -> Flow:
         """Return the flow for one dive, averaged over its depths.
 
-        `Uncovered` is raised where the dive begins outside the area, is not within the
-        steps or reaches into a gap of them.
+        `Uncovered` is raised where the dive is not within the steps, or reaches into a gap of them.
         """
         time = self.time
-        if not self._inside(dive.lat_gps2, dive.lon_gps2):
-            raise Uncovered(OUTSIDE)
-        if not dive.t_gps2 >= time[0]:
-            raise Uncovered("begins before the forecast's first step")
-        if not dive.t_gpse <= time[-1]:
-            raise Uncovered("ends after the forecast's last step")
         ends = zip(time[:-1], time[1:], self.gaps, strict=True)
-        if any(gap and a < dive.t_gpse and dive.t_gps2 < b for a, b, gap in ends):
-            raise Uncovered("in a gap of the forecast's steps")
+        bridged = any(gap and a < dive.t_gpse and dive.t_gps2 < b for a, b, gap in ends)
+        if bridged or not (time[0] <= dive.t_gps2 and dive.t_gpse <= time[-1]):
+            raise Uncovered("outside the forecast's steps, or in a gap of them")
         plane = LocalPlane(dive.lat_gps2, dive.lon_gps2)
         deepest = dive.depth_max
         if deepest is None or not (isfinite(deepest) and deepest > 0):
@@ -114,21 +104,15 @@ class Forecast(FlowModel):
 
         def flow(t: float, east: float, north: float) -> tuple[float, float]:
             lat, lon = map(float, plane.to_earth(east / 1000, north / 1000))
-            (profile,) = self.flow([[dive.t_gps2 + t, lat, self._unwrapped(lon)]])
+            unwrapped = self.lon[0] + (lon - self.lon[0]) % 360.0  # as the file counts
+            (profile,) = self.flow([[dive.t_gps2 + t, lat, unwrapped]])
             mean = depth_mean(self.depth, profile, deepest)
             if not np.isfinite(mean):
-                raise Uncovered("in a gap of the forecast" if self._inside(lat, lon) else OUTSIDE)
+                raise Uncovered("outside the forecast's area, or in a gap of it")
             u1, u2 = plane.rotate(lat, lon, mean.real, mean.imag)
             return float(u1), float(u2)
 
         return flow
-
-    def _unwrapped(self, lon: float) -> float:
-        """Return a longitude as the file counts, at or after its first."""
-        return float(self.lon[0] + (lon - self.lon[0]) % 360.0)
-
-    def _inside(self, lat: float, lon: float) -> bool:
-        return bool(self.lat[0] <= lat <= self.lat[-1] and self._unwrapped(lon) <= self.lon[-1])
 
 
 @dataclass(frozen=True, repr=False)

@@ -11,17 +11,18 @@ gone remain, unless another file has dives with the same times and fixes: then
 the file was renamed.
 """
 
+import json
 import os
 import stat
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, suppress
-from functools import cached_property
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Any, Literal, get_type_hints
+from typing import Any
 
 import numpy as np
-import pydantic
 
+from ..arguments import public
 from ..errors import DataError, needed
 from ..files import check_name, make_folder, write_file
 from ..files.reading import at_once, read_bytes
@@ -30,39 +31,47 @@ from ..gliders.dives import Dive, NotYet, Skipped, before_each, in_order, is_seg
 from ..progress.interrupt import check
 
 LOCK = ".clpt-lock"
-STRICT = pydantic.ConfigDict(strict=True, extra="forbid", ser_json_inf_nan="constants")
+FORMAT = 5  # of the state
 FIXES = ("t_gps2", "lat_gps2", "lon_gps2", "t_gpse", "lat_gpse", "lon_gpse")
-Column = Annotated[list[float], pydantic.Field(min_length=1)]
-Track = Annotated[
-    tuple[Column, Column, Column],
-    pydantic.AfterValidator(lambda columns: tuple(np.array(columns))),  # equally long, or none
-    pydantic.PlainSerializer(lambda track: [column.tolist() for column in track]),
-]
-TYPES: dict[str, Any] = get_type_hints(Dive) | {
-    "number": Annotated[int, pydantic.Field(gt=-(2**63), lt=2**63)],  # as NetCDF can hold it
-    "track": Track | None,
-}
-REQUIRED: dict[str, Any] = {name: (kind, ...) for name, kind in TYPES.items()}
-StoredDive: Any = pydantic.create_model("StoredDive", __config__=STRICT, **REQUIRED)
 
 
-class StoredFile(pydantic.BaseModel):
+@public
+@dataclass(frozen=True)
+class StoredFile:
     """What was read of one file: its folder, dives, and lines without a dive.
 
     Its stamp is its size and times of change, ns; None where it could not be opened.
     """
 
-    model_config = STRICT
-    format: Literal[5]
     folder: str
     stamp: tuple[int, int, int] | None
-    dives: list[StoredDive]
+    dives: list[Dive]
     skipped: list[Skipped]
 
-    @cached_property
-    def as_dives(self) -> list[Dive]:
-        """The dives, made once."""
-        return [Dive(**dict(dive)) for dive in self.dives]
+    def text(self) -> str:
+        """Return the record as JSON."""
+        return json.dumps({"format": FORMAT, **vars(self)}, default=_plain)
+
+
+def _plain(value: Any) -> Any:
+    """Return a column of a track as a list, a dive or what was skipped as a dict."""
+    return value.tolist() if isinstance(value, np.ndarray) else vars(value)
+
+
+def stored_file(text: bytes) -> StoredFile:
+    """Return the record of a JSON text; what is none raises any error."""
+    found = {**json.loads(text)}
+    dives, skipped = found.pop("dives"), found.pop("skipped")
+    if found.pop("format") != FORMAT:
+        raise ValueError("another version's")
+    return StoredFile(dives=[*map(_dive, dives)], skipped=[Skipped(**s) for s in skipped], **found)
+
+
+def _dive(fields: dict[str, Any]) -> Dive:
+    track = fields["track"] and tuple(np.array(fields["track"]))  # equally long columns
+    if track and not track[0].size:
+        raise ValueError("a track without times")
+    return Dive(**{**fields, "track": track})
 
 
 class Follower:
@@ -82,8 +91,8 @@ class Follower:
         """Return a record of the state, or refuse the state."""
         away = f"move the folder {self.state} away to read all files again"
         try:
-            record = StoredFile.model_validate_json(read_bytes(path))
-        except (DataError, pydantic.ValidationError):
+            record = stored_file(read_bytes(path))
+        except (DataError, LookupError, TypeError, ValueError, RecursionError):
             raise DataError(
                 f"{path}: is no state of this version's clpt replay --follow; {away}"
             ) from None
@@ -115,8 +124,8 @@ class Follower:
             here.add(name)
             if record is known:
                 continue
-            text = record.model_dump_json()
-            if known is None or text != known.model_dump_json():  # as text, NaN is NaN
+            text = record.text()
+            if known is None or text != known.text():  # as text, NaN is NaN
                 write_file(self._kept(name), text)
                 self.files[name] = record
                 new.append(name)
@@ -147,23 +156,19 @@ class Follower:
             if isinstance(error, OSError):
                 why = f"{path}: cannot be read: {error.strerror or error}"
             later = Skipped(None, f"{why}; is tried at each look")
-            return self._record(None, known.dives if known else [], [later])
+            return StoredFile(self._where, None, known.dives if known else [], [later])
         except DataError as error:
             dives, skipped = [], [Skipped(None, str(error))]
-        return self._record(stamp, map(_stored_dive, dives), skipped)
-
-    def _record(self, stamp: Any, dives: Iterable[Dive], skipped: list[Skipped]) -> StoredFile:
-        where = self._where
-        return StoredFile(format=5, folder=where, stamp=stamp, dives=list(dives), skipped=skipped)
+        return StoredFile(self._where, stamp, dives, skipped)
 
     def dives(self) -> tuple[list[Dive], list[Skipped]]:
         """Return all dives so far, by the name of their file, and what was left out."""
-        seen = {_fixes(dive) for name in self.here for dive in self.files[name].as_dives}
+        seen = {_fixes(dive) for name in self.here for dive in self.files[name].dives}
         dives: list[Dive] = []
         skipped = [*self.unnamed]
         for name in sorted(self.files, key=lambda name: in_order(Path(name))):
             record = self.files[name]
-            its = record.as_dives
+            its = record.dives
             if name not in self.here:
                 its = [dive for dive in its if _fixes(dive) not in seen]
                 seen.update(map(_fixes, its))
@@ -187,12 +192,6 @@ def _stamp(status: os.stat_result, before: list[Path]) -> tuple[int, int, int]:
             every.append(file.stat())
     changed, moved = (max(getattr(one, f"st_{t}time_ns") for one in every) for t in "mc")
     return status.st_size, changed, moved
-
-
-def _stored_dive(dive: Dive) -> Any:
-    """Return a dive as its record stores it."""
-    track = dive.track and tuple(np.asarray(column, float).tolist() for column in dive.track)
-    return StoredDive(**{**vars(dive), "track": track})
 
 
 def _fixes(dive: Dive) -> str:

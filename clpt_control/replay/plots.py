@@ -1,6 +1,5 @@
 """Figures of a replay with one dive at least: misses, learned current, and all with the map."""
 
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -10,11 +9,8 @@ from matplotlib.figure import Figure
 
 from ..arguments import public
 from ..figures import BLUE, GREEN, GREY, ORANGE, RED, TITLE, axes_for, figure_of, legend_below
-from ..files import write_together
 from .facts import Source, found_of
 from .outcome import rms_of
-from .replay import Replay
-from .surfacing import NextDive
 from .track_map import map_plot
 
 LINES = {
@@ -168,46 +164,6 @@ def replay_figures(found: dict[str, Any]) -> "dict[str, Figure]":
     """Draw all figures of what `clpt replay --json` prints, by name."""
     plots: dict[str, Any] = {"map": map_plot, "clpe": dive_clpe_plot, "current": current_plot}
     return {name: figure_of(plot, found) for name, plot in plots.items()}
-
-
-@public
-def save_replay_figures(replay: Replay, folder: Path, ahead: NextDive | None = None) -> list[Path]:
-    """Draw map.png, clpe.png and current.png into a folder.
-
-    Parameters
-    ----------
-    replay : Replay
-        With one dive at least.
-    folder : Path
-        An existing folder. All three files are written, or none.
-    ahead : NextDive, optional
-        The next surfacing, a star on the map.
-
-    Returns
-    -------
-    list of Path
-        The files.
-
-    Raises
-    ------
-    DataError
-        If one cannot be written.
-
-    Examples
-    --------
-    >>> import pathlib, tempfile
-    >>> import clpt_control as clpt
-    >>> dives, skipped = clpt.gliders.usable(clpt.gliders.sample_dives())
-    >>> replay = clpt.replay.replay_dives(dives[:3])
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     files = clpt.replay.save_replay_figures(replay, pathlib.Path(folder))
-    >>> [path.name for path in files]
-    ['map.png', 'clpe.png', 'current.png']
-    """
-    each = replay_figures(found_of(replay, ahead))
-    figures = {Path(folder) / f"{name}.png": figure for name, figure in each.items()}
-    write_together(figures)
-    return list(figures)
 
 
 def _surfaced(rows: list[dict[str, Any]]) -> np.ndarray:

@@ -21,6 +21,7 @@ them at once, bit for bit.
 import copy
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
+from math import hypot
 from typing import Any
 
 import numpy as np
@@ -34,12 +35,13 @@ from ..geodesy import place_from
 from ..gliders.usable_dives import follows
 from ..html import facts, fragment, paragraphs
 from ..progress.interrupt import check
+from ..units import known
 from .carried_dives import FlowModel, carried
 from .doubts import SpeedFactorWatch, doubt_one_fix
 from .habits import CHI_SQUARED, GIVEN, Guess, Habits, drift
 from .places import velocity
 from .step import FLOW_MODEL, MODELS, Step, check_next, estimates
-from .surfacing import NORMAL, NextDive, check_plan, unflown
+from .surfacing import NORMAL, NextDive, check_flown, unflown
 
 LISTED = 10  # dives of a notebook's table
 
@@ -205,10 +207,8 @@ class Replay:
         guess = habits.guess() if guess is None else guess
         begin = self.start() if start is None else start
         plan = unflown(last.dive, begin, guess)
-        covers = None
         if self.flow_model is not None:
             plan = carried(plan, self.flow_model)
-            covers = plan.model_east is not None
         mean, covariance = self.forecast(plan)
         place = place_from(*begin[1:], *(guess.way + mean))
         scatter = last.response @ guess.scatter[:2, :2] @ last.response.T
@@ -220,7 +220,6 @@ class Replay:
             mean,
             covariance * guess.tails * wide**2,
             *place,
-            covers,
             (last.dive.t_gpse, last.dive.lat_gpse, last.dive.lon_gpse),
             float(NORMAL * late * np.sqrt(guess.tails) * long),
             guess.basis,
@@ -259,9 +258,12 @@ class Replay:
         self.habits.learn(dive, way, held or ())
         previous = np.zeros(2) if last is None else miss(last) * (dive.duration / last.duration)
         away = y - mean
-        modelled = None
-        if dive.model_east is not None and dive.model_north is not None:
-            modelled = _size(y - (dive.model_east, dive.model_north))
+        clpe: dict[str, float | None] = dict(
+            zip(MODELS, map(_size, (y, y - previous, away)), strict=True)
+        )
+        if self.flow_model is not None:
+            modelled = np.array([dive.model_east, dive.model_north], float)
+            clpe[FLOW_MODEL] = known(_size(y - modelled))
         self._learner.update(dive)
         anomaly = None if self._watch is None else self._watch.step(dive)
         if anomaly is not None and anomaly.certain:
@@ -269,12 +271,7 @@ class Replay:
         self.steps.append(
             Step(
                 dive,
-                {
-                    "no_flow": _size(y),
-                    "previous_dive": _size(y - previous),
-                    "adaptive": _size(away),
-                    FLOW_MODEL: modelled,
-                },
+                clpe,
                 mean,
                 covariance,
                 bool(away @ np.linalg.solve(covariance, away) <= CHI_SQUARED),
@@ -325,7 +322,7 @@ def next_dive(
     guess = replay.surfacing().plan
     T = guess.duration if duration is None else duration
     way = (guess.dr_east, guess.dr_north) if through_water is None else through_water
-    check_plan(T, way)
+    check_flown(hypot(*way) / T if T > 0 else 0.0, T)
     return replay.surfacing(replay.habits.guess_of(way, T))
 
 

@@ -11,7 +11,7 @@ from typing import Any
 from ..figures import figure_of, inline_svg
 from ..html import document, listing, paragraphs, safe
 from . import cells, places, wording
-from .chart import words_of_dive
+from .layers import words_of_dive
 from .plots import current_plot, dive_clpe_plot
 from .track_map import map_svg
 

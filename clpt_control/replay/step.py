@@ -8,20 +8,26 @@ holds a normal pair of mean m and covariance P with probability 0.9; its half ax
 sqrt(2 ln 10 l), l the eigenvalues of P.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from functools import cached_property
+from math import hypot
 from typing import Any
 
 import numpy as np
 
 from ..errors import DataError
 from ..estimation.estimators import Estimator
+from ..geodesy import place_from
 from ..gliders.dives import Dive
+from ..units import known
 from .doubts import Anomaly
 from .habits import Way
-from .surfacing import NextDive
+from .places import direction, placed, utc, vector
+from .surfacing import ELLIPSE, NextDive, ellipse
 
 MODELS = ("no_flow", "previous_dive", "adaptive")
 FLOW_MODEL = "flow_model"  # a forecast or a fit that was given
+SPEED = ("speed_factor", "speed_factor_error", "compass", "compass_error")
 LEARNED = 0.87  # share of a prior's standard error; a parameter with more is not learned
 
 
@@ -33,11 +39,10 @@ class Step:
     (2,) and `covariance` (2, 2) are of the fix less dead reckoning, m; `inside` says whether the
     vehicle surfaced in their 90 % ellipse. `current` (2,) is the learned flow over the dive, m/s,
     `speed` the factor, `compass` the error in degrees clockwise, each with its standard error.
-    `parts` has the probability that each part of the flow is present, `left` the share of the
-    prior's standard error that the dives so far leave of each parameter. `headline` is the
-    surfacing as forecast before the dive, `headline_held` whether its place and its time held: None
-    for the first dive, and where dives between may be missing. `drift` is that before the dive,
-    `row` all of this by name, once `outcome.rows` has made it.
+    `parts` has the probability that each part of the flow is present; the parameters `not_learned`,
+    beside gaussians, are hardly better known than before any dive. `headline` is the surfacing as
+    forecast before the dive, `headline_held` whether its place and its time held: None for the
+    first dive, and where dives between may be missing. `drift` is that before the dive.
     """
 
     dive: Dive
@@ -49,7 +54,7 @@ class Step:
     current: np.ndarray
     current_error: np.ndarray
     parts: dict[str, float]
-    left: dict[str, float]
+    not_learned: tuple[str, ...]
     drift: Way | None = None
     headline: NextDive | None = None
     headline_held: tuple[bool, bool] | None = None
@@ -57,7 +62,6 @@ class Step:
     speed_error: float = 0.0
     compass: float = 0.0
     compass_error: float = 0.0
-    row: dict[str, Any] = field(default_factory=dict, compare=False, repr=False)
 
     @property
     def response(self) -> np.ndarray:
@@ -66,15 +70,70 @@ class Step:
         a, b = self.speed * np.cos(psi), self.speed * np.sin(psi)
         return np.array([[a, b], [-b, a]])
 
-    @property
-    def learned(self) -> tuple[str, ...]:
-        """Parameters that are better known than before any dive."""
-        return tuple(name for name, left in self.left.items() if left < LEARNED)
+    @cached_property
+    def row(self) -> dict[str, Any]:
+        """All of this by name, for JSON.
 
-    @property
-    def not_learned(self) -> tuple[str, ...]:
-        """Parameters that are hardly better known than before any dive."""
-        return tuple(name for name, left in self.left.items() if left >= LEARNED)
+        Lengths are in m, times ISO 8601 UTC, currents in m/s, angles in degrees clockwise from
+        north; what is not known is None.
+        """
+        dive = self.dive
+        start = dive.lat_gps2, dive.lon_gps2
+        reckoned = place_from(*start, dive.dr_east, dive.dr_north)
+        forecast = place_from(
+            *start, dive.dr_east + self.forecast[0], dive.dr_north + self.forecast[1]
+        )
+        east, north = map(float, self.current)
+        speed: Any = self.speed, self.speed_error, self.compass, self.compass_error
+        if not self.speed_error:  # none is learned
+            speed = (None,) * len(SPEED)
+        row = {
+            "dive": dive.number,
+            "start": utc(dive.t_gps2),
+            "end": utc(dive.t_gpse),
+            "start_time": dive.t_gps2,
+            "end_time": dive.t_gpse,
+            "duration": dive.duration,
+            **placed("start_", *start),
+            **placed("end_", dive.lat_gpse, dive.lon_gpse),
+            **placed("reckoned_", *reckoned),
+            **placed("forecast_", *forecast),
+            **vector("dr_", dive.dr_east, dive.dr_north),
+            **vector("forecast_", *self.forecast),
+            **vector("forecast_variance_", *np.diag(self.covariance)),
+            "forecast_covariance": float(self.covariance[0, 1]),
+            "flow_model_east": dive.model_east,
+            "flow_model_north": dive.model_north,
+            "file_current_east": dive.dac_east,
+            "file_current_north": dive.dac_north,
+            "clpe": self.clpe,
+            **dict(zip(ELLIPSE, ellipse(self.covariance), strict=True)),
+            "inside_90": self.inside,
+            **vector("current_", east, north),
+            "current_east_error": float(self.current_error[0]),
+            "current_north_error": float(self.current_error[1]),
+            "current_speed": hypot(east, north),
+            "current_direction": direction(east, north),
+            **dict(zip(SPEED, speed, strict=True)),
+            "drift": None if self.drift is None else self.drift.as_dict(),
+            "over_ground": Way(dive.gps_east, dive.gps_north, dive.duration).as_dict(),
+            "headline": None
+            if self.headline is None
+            else _headline(self.headline, self.headline_held),
+            "anomaly": None if self.anomaly is None else self.anomaly._asdict(),
+            "probability": self.parts,
+            "depth_max": dive.depth_max,
+            "notes": list(dive.notes),
+        }
+        return {key: known(value) for key, value in row.items()}
+
+
+def _headline(headline: NextDive, held: tuple[bool, bool] | None) -> dict[str, Any]:
+    """Return the headline before a surfacing, and whether its place and time held."""
+    found = headline.as_dict()
+    keys = ("time", "time_90", "latitude", "longitude", *ELLIPSE, "basis")
+    place, time = held or (None, None)
+    return {**{key: found[key] for key in keys}, "place_held": place, "time_held": time}
 
 
 def estimates(learner: Estimator, dive: Dive) -> dict[str, Any]:
@@ -87,7 +146,11 @@ def estimates(learner: Estimator, dive: Dive) -> dict[str, Any]:
         "current": H @ p[flow],
         "current_error": np.sqrt(np.diag(H @ P[np.ix_(flow, flow)] @ H.T)),
         "parts": learner.parts(),
-        "left": dict(zip(model.names, left.tolist(), strict=True)),
+        "not_learned": tuple(
+            name
+            for name, part, share in zip(model.names, model.parts, left, strict=True)
+            if share >= LEARNED and part != "gaussians"
+        ),
     }
     if model.learn_speed:
         k = model.names.index("speed")

@@ -14,7 +14,7 @@ last dive, else from that end, as for a record of years ago.
 
 import time
 from dataclasses import dataclass
-from math import hypot, isfinite, nan
+from math import nan
 from typing import Any
 
 import numpy as np
@@ -28,7 +28,7 @@ from .habits import CHI_SQUARED, REPEATED, Guess
 from .places import clock, in_minutes, placed, utc, vector
 
 NORMAL = 1.6448536269514722  # 90 % of a normal number lies within so many standard deviations
-LONGEST = 30 * 86400.0  # s, of a plan
+SHORTEST, LONGEST = 1.0, 30 * 86400.0  # s, of a plan
 RECENT = 30 * 86400.0  # s; a record whose last dive ended earlier is old
 CLOCK, LAST_END = "clock", "end of the last dive"
 ELLIPSE = ("ellipse_90_long", "ellipse_90_short", "ellipse_90_bearing")  # as `ellipse` has them
@@ -51,9 +51,8 @@ class NextDive:
 
     `plan` is a dive from where it should begin, without an end; `forecast` (2,), m, is of its fix
     less dead reckoning; `covariance` (2, 2), m^2, of the place, whose 90 % ellipse is as wide as
-    the record asks; the time holds 90 % within `time_90`, s; `flow_model_covers` is None where
-    there is none; `fix` is where and when the vehicle surfaced last; `basis` is what the dive is
-    guessed by.
+    the record asks; the time holds 90 % within `time_90`, s; `fix` is where and when the vehicle
+    surfaced last; `basis` is what the dive is guessed by.
     """
 
     plan: Dive
@@ -61,7 +60,6 @@ class NextDive:
     covariance: np.ndarray
     latitude: float
     longitude: float
-    flow_model_covers: bool | None = None
     fix: Fix = (nan, nan, nan)
     time_90: float = nan
     basis: str = REPEATED
@@ -99,7 +97,6 @@ class NextDive:
             **placed("", self.latitude, self.longitude),
             "place": in_minutes(self.latitude, self.longitude),
             **dict(zip(ELLIPSE, ellipse(self.covariance), strict=True)),
-            "flow_model_covers": self.flow_model_covers,
             "why_uncovered": why_uncovered(self.plan) or None,
         }
 
@@ -111,17 +108,10 @@ def unflown(last: Dive, start: Fix, guess: Guess) -> Dive:
     return Dive(last.number + 1, *start, end, *no, east, north, depth_max=last.depth_max)
 
 
-def check_plan(duration: float, through_water: tuple[float, float]) -> None:
-    """Refuse a plan that no dive can follow: duration in s, displacement through the water in m."""
-    east, north = through_water
-    size = hypot(east, north)
-    plan = f"next dive of {duration / 3600:g} hours and {east:g} m east, {north:g} m north"
-    if not (0 < duration <= LONGEST and isfinite(size)):
+def check_flown(speed: float, duration: float) -> None:
+    """Refuse a speed through the water (m/s) or a duration (s) that no dive can have."""
+    if not (SHORTEST <= duration <= LONGEST and 0 <= speed <= FASTEST):
         raise ScenarioError(
-            f"{plan}: must be finite, its duration above 0 and at most {LONGEST / 3600:g} hours"
-        )
-    if size > FASTEST * duration:
-        raise ScenarioError(
-            f"{plan}: is {size / duration:.4g} m/s through the water; at most {FASTEST:g} m/s can "
-            "be; give hours and m"
+            f"a dive of {duration / 3600:g} hours at {speed:.4g} m/s through the water: give "
+            f"{SHORTEST:g} s to {LONGEST / 3600:g} hours and at most {FASTEST:g} m/s"
         )

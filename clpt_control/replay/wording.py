@@ -27,14 +27,14 @@ BASES = {  # what the next dive is guessed by
 
 def next_surfacing(ahead: dict[str, Any]) -> str:
     """Return the sentence on `NextDive.as_dict`."""
-    uncovered = ahead["flow_model_covers"] is False
+    uncovered = ahead["why_uncovered"]
     return (
         f"next surfacing {when(ahead)}, "
         f"after {ahead['duration'] / 3600:.2f} h and {ahead['dr_east']:+z.0f} m "
         f"east, {ahead['dr_north']:+z.0f} m north through the water ({BASES[ahead['basis']]}): "
         f"{place(ahead['latitude'], ahead['longitude'])}, 90 % within "
         f"{half_axes(ahead)} m"
-        + (f"; the flow model does not cover it: {ahead['why_uncovered']}" if uncovered else "")
+        + (f"; the flow model does not cover it: {uncovered}" if uncovered else "")
     )
 
 
@@ -141,25 +141,14 @@ def remarks(summary: dict[str, Any]) -> list[str]:
         if summary["parts"]:
             chances = ", ".join(f"{name} {p:.2f}" for name, p in summary["parts"].items())
             lines.append(f"probability that a part is present: {chances}")
-        lines.append(f"learned: {summary['said']['sentence']}")
+        lines.append(f"learned: {summary['said']}")
     if summary["held"]:
-        lines.append(f"not yet known from these dives: {shortened(summary['held'])}")
+        lines.append(f"not yet known from these dives: {', '.join(summary['held'])}")
     lines += by_reason(summary["notes"], "note")
     for entry in summary["skipped"]:
         name = "a file" if entry["dive"] is None else f"dive {entry['dive']}"
         lines.append(f"skipped {name}: {entry['why']}")
     return lines
-
-
-def shortened(names: list[str]) -> str:
-    """Return names of parameters on a line, gaussians by their number.
-
-    >>> shortened(["speed", "gaussian[0,0]_east", "gaussian[0,0]_north"])
-    'speed, 2 of gaussians'
-    """
-    plain = [name for name in names if not name.startswith("gaussian[")]
-    places = len(names) - len(plain)
-    return ", ".join([*plain, *([f"{places} of gaussians"] if places else [])])
 
 
 def coverage(model: dict[str, Any], used: int) -> list[str]:

@@ -113,7 +113,11 @@ def test_sizes_that_no_machine_holds_are_refused_before_work(refused_for):
     for rows in ("99999999999999999999", "9" * 400):
         refused_for([" samples for 8999999"], "fit", "g.nc", "--rows", rows, "--out", "f.toml")
     aim = ("replay", "--sample", "--aim", "-43", "8")
-    refused_for(["--hours 1e-300: must be above 0, 1 s"], *aim, "--hours=1e-300")
+    refused_for(
+        ["a dive of 1e-300 hours at 1 m/s through the water: give 1 s to 720 hours"],
+        *aim,
+        "--hours=1e-300",
+    )
 
 
 def test_long_headers_and_comments_are_read(refused_for):

@@ -147,7 +147,7 @@ def test_each_bad_file_is_one_sentence(refused, tmp_path):
         (tmp_path / "text.nc", "cannot be read as NetCDF"),
         (tmp_path / "bytes.csv", "is no text"),
         (tmp_path / "wide.csv", "is text in UTF-16; must be in UTF-8"),
-        (tmp_path / "fifo.csv", "is a pipe with a name; give a file"),
+        (tmp_path / "fifo.csv", "is no regular file; give one"),
         (write_netcdf(tmp_path / "a.nc", time, np.nan * flow), "no time has a finite value"),
         (write_netcdf(tmp_path / "b.nc", time, flow, latitude=None), "--latitude DEG"),
         (write_netcdf(tmp_path / "c.nc", time[::-1], flow), "times must increase"),

@@ -163,12 +163,12 @@ def test_folders_that_are_no_ensemble(quick, tmp_path):
     shutil.copytree(out, lost)
     shutil.rmtree(lost / "status")
     cases.append((lost, "is damaged, .* its status is not as it was made"))
-    for kind, put in (("a pipe with a name", os.mkfifo), ("a link", lambda at: at.symlink_to(out))):
-        odd = tmp_path / f"{kind[2:6]}.zarr"
+    for kind, put in (("pipe", os.mkfifo), ("link", lambda at: at.symlink_to(out))):
+        odd = tmp_path / f"{kind}.zarr"
         shutil.copytree(out, odd)
         (odd / "status" / "c" / "0").unlink()
         put(odd / "status" / "c" / "0")
-        cases.append((odd, rf"c/0: is {kind}; must be a file"))
+        cases.append((odd, "c/0: is no regular file"))
     for path, sentence in cases:
         with pytest.raises(DataError, match=sentence):
             run_ensemble(quick, VARY, 4, out=path)

@@ -30,7 +30,7 @@ def table(tmp_path):
     [
         (lambda text: text.replace(",", ";"), "utf-8", "columns are separated by semicolons; use"),
         (lambda text: text.replace(",", "\t"), "utf-8", "columns are separated by tabs; use"),
-        (str.upper, "utf-8", "neither NetCDF nor a table of dives; .* begins with dive,"),
+        (str.upper, "utf-8", "no column dive, .* begins with dive,"),
         (
             lambda text: text.replace("dr_east_m", "DR_east_m"),
             "utf-8",
@@ -129,9 +129,9 @@ def test_dive_numbers_of_netcdf_files(tmp_path):
 def test_what_is_no_file_is_refused_at_once(tmp_path):
     os.mkfifo(tmp_path / "fifo.csv")
     for path, sentence in (
-        (tmp_path / "fifo.csv", "is a pipe with a name; give a file"),
-        ("/dev/zero", "is a device; give a file"),
-        ("/dev/null", "is a device; give a file"),
+        (tmp_path / "fifo.csv", "is no regular file; give one"),
+        ("/dev/zero", "is no regular file; give one"),
+        ("/dev/null", "is no regular file; give one"),
         (tmp_path / "dives.csv" / "x.csv", "no such file"),
         (tmp_path / ("x" * 300), "cannot be read: File name too long"),
     ):
@@ -144,7 +144,7 @@ def test_what_is_no_file_is_refused_at_once(tmp_path):
     found, skipped = read_dives(tmp_path)
     assert len(found) == 14
     assert [one.why.split(": ")[1] for one in skipped] == [
-        "is a pipe with a name; give a file",
+        "is no regular file; give one",
         "is a folder; give a file",
     ]
 

@@ -115,7 +115,7 @@ def test_a_damaged_list_is_named(rosie, content):
 def test_a_list_that_is_a_pipe_is_not_waited_for(rosie):
     (rosie / "cac" / "6b016a2e.cac").unlink()
     os.mkfifo(rosie / "cac" / "6b016a2e.cac")
-    with pytest.raises(DataError, match=r"6b016a2e\.cac: is a pipe with a name; give a file"):
+    with pytest.raises(DataError, match=r"6b016a2e\.cac: is no regular file; give one"):
         read_dives(rosie / "sbd" / DAMAGED)
 
 
@@ -179,7 +179,7 @@ SEAEXPLORER = {
     "empty": (lambda t: "", 0, "is empty"),
     "header only": (lambda t: lines(t)[0], 0, "no line has a Timestamp"),
     "no Pitch": (lambda t: t.replace("Pitch", "Tilt"), 0, "no column Pitch"),
-    "commas": (lambda t: t.replace(";", ","), 0, "neither NetCDF nor a table"),
+    "commas": (lambda t: t.replace(";", ","), 0, "no column dive, "),
     "last line cut": (lambda t: t[:-20], 1, ""),
     "no fix after": (lambda t: "".join(lines(t)[:10]), 0, ""),
     "fixes at 0, 0": (lambda t: re.sub(r"51\d\d[.]\d+;-128\d\d[.]\d+", "0.000;0.000", t), 0, ""),

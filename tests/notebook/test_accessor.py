@@ -59,7 +59,7 @@ def test_a_field_is_found_from_the_file_alone(tmp_path):
 def test_teams_ensembles_and_replays(tmp_path):
     dives, _ = clpt.gliders.usable(clpt.gliders.sample_dives())
     replay = clpt.replay.replay_dives(dives[:5])
-    data = clpt.replay.replay_dataset(replay, "SG542")
+    data = clpt.replay.replay_dataset(replay)
     team = clpt.Team(members={"a": SCENARIO, "b": SCENARIO}, coupling=0.5)
     made = {
         "team": (clpt.simulate(team), 3),

@@ -10,8 +10,8 @@ from synthetic_vehicle import fixes_of, told
 
 from clpt_control.gliders.dives import make_dive
 from clpt_control.html import plain
-from clpt_control.replay.chart import ring_of
 from clpt_control.replay.exchange import next_geojson, track_kml
+from clpt_control.replay.layers import ring_of
 
 KML = {"k": "http://www.opengis.net/kml/2.2"}
 GEOD = Geod(ellps="WGS84")

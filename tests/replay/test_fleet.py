@@ -320,9 +320,3 @@ def test_names_of_vehicles_lead_to_folders_of_their_own(tmp_path, command):
         assert len({row["page"] for row in rows}) == len(names)
     inside = [path.name for path in (tmp_path / "top" / "replay" / "many").iterdir()]
     assert sorted(inside) == ["_.", "__frac_", "a_b", "a_b_", "state", "state_"]
-
-
-def test_a_name_that_is_no_formula_is_drawn(tmp_path, command):
-    named(tmp_path / "dives.csv", "$\\frac$", 0)
-    assert command(tmp_path / "dives.csv", "--out", tmp_path / "out").exit_code == 0
-    assert "$\\frac$" in (tmp_path / "out" / "replay.html").read_text("utf-8")

@@ -6,7 +6,6 @@ from dataclasses import replace
 import netCDF4
 import numpy as np
 import pytest
-import xarray
 from made_fields import saying
 from synthetic_forecast import (
     HOURS,
@@ -70,32 +69,6 @@ def test_the_end_fix_is_not_read(tmp_path):
     blind = dive_at()
     seen = model_way(ended(blind, 900.0, -700.0), model)
     assert np.array_equal(model_way(blind, model), seen)
-
-
-@pytest.mark.parametrize(
-    ("level", "unit", "where"),
-    [
-        (0.45, "km", "450 m deep"),
-        (50.0, "cm", "surface"),
-        (20.0, None, "20 m deep"),
-        (0.5, "1", "of unknown depth"),
-    ],
-)
-def test_where_one_level_lies_is_said(tmp_path, level, unit, where):
-    """As a dimension of one level, and beside one level that was taken of several."""
-    one = np.zeros((2, 1, len(LAT), len(LON)))
-    one = one + 0.1
-    change = saying("depth", units=unit)
-    path = write(tmp_path / "one.nc", one, 0 * one, hours=HOURS[:2], depth=[level], change=change)
-    (tmp_path / "parts").mkdir()
-    with xarray.open_dataset(path, decode_times=False) as data:
-        data.isel(depth=0).to_netcdf(tmp_path / "beside.nc")
-        for k in range(2):
-            data.isel(time=[k]).to_netcdf(tmp_path / "parts" / f"{k}.nc")
-    for name in ("one.nc", "beside.nc", "parts"):
-        model = read_flow_model(tmp_path / name)
-        assert f"one level only ({where})" in model.about
-        assert model.along(dive_at(0.0, 0.1))(60.0, 0.0, 0.0) == pytest.approx((0.1, 0.0), abs=1e-6)
 
 
 def known_fit(folder):

@@ -1,17 +1,14 @@
 """Following a folder: new, renamed and unreadable files, kills, one process at a time."""
 
-import json
 import math
 import os
 import random
 import shutil
-import subprocess
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
-from processes import CLPT, await_line, ran, started
 from synthetic_vehicle import one_file_each, vehicle
 
 from clpt_control.errors import DataError
@@ -180,7 +177,7 @@ def test_a_file_that_becomes_a_pipe_once_it_was_asked_is_not_waited_for(
     assert follower.look() == ["dive304.csv", "dive305.csv", "dive306.csv"]
     found, why = numbers(follower)
     assert found == [304, 306]
-    assert "dive305.csv: is a pipe with a name; give a file" in why[0]
+    assert "dive305.csv: is no regular file; give one" in why[0]
 
 
 def test_what_cannot_be_opened_is_tried_again(inbox, tmp_path, monkeypatch):
@@ -229,18 +226,6 @@ def test_a_folder_that_goes_away_is_a_sentence(inbox, tmp_path):
     assert Follower(inbox, tmp_path / "state").look() == []
 
 
-def test_strange_names_in_the_state_are_left_alone(inbox, tmp_path):
-    state = tmp_path / "state"
-    (state / ".git").mkdir(parents=True)
-    mine = (".notes", ".dive1.csv.json.original", ".dive1.csv.json.bak", ".x.json.abcdefgh.part2")
-    for name in mine:
-        (state / name).write_text("mine")
-    follower = Follower(inbox, state)
-    follower.look()
-    assert {".git", *mine} <= {path.name for path in state.iterdir()}
-    assert sorted(Follower(inbox, state).files) == ["dive304.csv", "dive305.csv", "dive306.csv"]
-
-
 def test_files_are_in_the_order_of_their_numbers(tmp_path):
     """Else what is noted of dives, and the whole replay with it, changes with later files."""
     (tmp_path / "in").mkdir()
@@ -267,14 +252,6 @@ def test_a_name_under_which_nothing_can_be_kept_is_left_out(inbox, tmp_path, nam
     assert (len(dives), "name" in left.why) == (3, True)
 
 
-def test_results_that_lie_in_the_state_are_left_alone(inbox, tmp_path):
-    state = tmp_path / "state"
-    Follower(inbox, state).look()
-    (state / "next.geojson").write_text("{}")
-    (state / "state").mkdir()
-    assert Follower(inbox, state).look() == []
-
-
 def test_one_follows_at_a_time(inbox, tmp_path):
     with (
         following(inbox, tmp_path / "out") as follower,
@@ -283,16 +260,3 @@ def test_one_follows_at_a_time(inbox, tmp_path):
     ):
         pass
     assert len(follower.look()) == 3
-
-
-@pytest.mark.processes
-def test_one_process_follows_at_a_time(inbox, tmp_path):
-    out = tmp_path / "out"
-    start = [*CLPT, "replay", "--follow", inbox, "--out", out]
-    with started([*start, "--json"], stdout=subprocess.DEVNULL) as first:
-        await_line(first, first.stderr, "dives used")
-        second = ran(*start, "--patience", "0", status=2)
-        assert "another clpt follows here; end it, or give another --out" in second.stderr
-        assert second.stderr.count("\n") == 1
-    third = ran(*start, "--patience", "0", "--json")
-    assert json.loads(third.stdout)["used"] == 3

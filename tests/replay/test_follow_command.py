@@ -7,7 +7,7 @@ from signal import SIGTERM as TERM
 from types import SimpleNamespace
 
 import pytest
-from processes import CLPT, GUARD, await_line, ran, started, without_progress
+from processes import ran, without_progress
 from synthetic_vehicle import one_file_each
 from typer.testing import CliRunner
 
@@ -35,24 +35,6 @@ def test_sigterm_ends_following_with_its_results(clpt, tmp_path, monkeypatch):
     assert outcome.status == 0
     assert json.loads(outcome.out)["used"] == 1
     assert signal.getsignal(TERM) is before
-
-
-@pytest.mark.processes
-def test_a_folder_that_is_removed_ends_following(tmp_path):
-    folder, out = tmp_path / "in", tmp_path / "out"
-    folder.mkdir()
-    one_file_each(folder, sample_dives()[:2])
-    with started([*CLPT, "replay", "--follow", folder, "--out", out, "--every", "0.05"]) as process:
-        await_line(process, process.stderr, " used")
-        folder.rename(tmp_path / "away")
-        _, said = process.communicate(timeout=GUARD)
-    assert process.returncode == 2
-    assert said.startswith(f"clpt: {folder}: cannot be looked into; what was read is kept in")
-    assert said.count("\n") == 1
-    assert {path.name for path in (out / "state").glob("*.json")} == {
-        "dive304.csv.json",
-        "dive305.csv.json",
-    }
 
 
 LIMITED = """

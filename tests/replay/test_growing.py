@@ -8,7 +8,7 @@ import pytest
 from synthetic_vehicle import vehicle
 
 from clpt_control.gliders import sample_dives, usable
-from clpt_control.replay import chart, replay_dives, summary
+from clpt_control.replay import layers, replay_dives, summary
 from clpt_control.replay.replay import Replay
 
 DIVES = usable(sample_dives())[0]
@@ -90,16 +90,6 @@ def test_an_interrupt_leaves_what_was_learned(steps, monkeypatch):
 def test_a_watch_draws_each_ellipse_once():
     growing = Replay()
     for count in (5, 6):
-        before = chart._ring.cache_info().misses
-        chart.drawn_dives(summary(growing.feed(DIVES[:count]))["each_dive"])
-    assert chart._ring.cache_info().misses <= before + 1  # another test may have drawn them
-
-
-@pytest.mark.parametrize("room", [(0.3, 0.1), (5.0, 5.0), (-1.0, -1.0)])
-def test_numbers_have_room_as_if_each_was_compared_with_all(room):
-    points = np.random.default_rng(3).normal(size=(200, 2))
-    found = []
-    for k in range(199, -1, -1):
-        if all((np.abs(points[other] - points[k]) >= room).any() for other in found):
-            found.append(k)
-    assert chart.with_room(points, range(199, -1, -1), room) == found
+        before = layers._ring.cache_info().misses
+        layers.layers_of(summary(growing.feed(DIVES[:count])))
+    assert layers._ring.cache_info().misses <= before + 1  # another test may have drawn them

@@ -75,7 +75,7 @@ def test_the_dataset_is_a_cf_trajectory(sg542, tmp_path):
 
     from clpt_control.files import write_file
 
-    write_file(tmp_path / "replay.nc", replay_dataset(sg542, "SG542"))
+    write_file(tmp_path / "replay.nc", replay_dataset(sg542))
     with xarray.open_dataset(tmp_path / "replay.nc") as data:
         assert data.attrs["featureType"] == "trajectory"
         assert data.trajectory.attrs["cf_role"] == "trajectory_id"

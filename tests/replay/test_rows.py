@@ -15,7 +15,7 @@ from clpt_control.estimation.fix_model import FixModel
 from clpt_control.geodesy import displacement
 from clpt_control.gliders.dive_files import sample_dives
 from clpt_control.gliders.dives import make_dive
-from clpt_control.replay import habits, places, surfacing, wording
+from clpt_control.replay import habits, places, surfacing
 from clpt_control.replay.facts import replay_dataset
 from clpt_control.replay.outcome import summary
 from clpt_control.replay.replay import next_dive, replay_dives
@@ -33,33 +33,6 @@ def test_minutes_are_the_degrees(lat, lon):
     turns = (found[1] - lon) / 360
     assert turns == pytest.approx(round(turns), abs=0.0051 / 60 / 360)
     assert abs(found[1]) <= 180
-
-
-@pytest.mark.parametrize(
-    ("lat", "lon", "says"),
-    [
-        (42.99999, -8.99999, "43 00.00 N 9 00.00 W"),  # 59.9994 minutes carry
-        (-0.5, 359.5, "0 30.00 S 0 30.00 W"),
-        (0.0, 180.0, "0 00.00 N 180 00.00 E"),
-        (-1e-9, -180.0, "0 00.00 N 180 00.00 W"),
-        (12.0, 181.25, "12 00.00 N 178 45.00 W"),
-    ],
-)
-def test_minutes_at_the_edges(lat, lon, says):
-    assert places.in_minutes(lat, lon) == says
-
-
-def test_times_carry():
-    assert places.utc(1451606399.7) == "2016-01-01T00:00:00Z"
-    assert places.clock(places.utc(1451606399.7)) == "2016-01-01 00:00 UTC"
-    assert wording.from_now(-0.02) == "in 0.0 h"
-
-
-@pytest.mark.parametrize("angle", range(0, 360, 15))
-def test_directions(angle):
-    east, north = math.sin(math.radians(angle)), math.cos(math.radians(angle))
-    assert places.direction(east, north) % 360 == pytest.approx(angle, abs=1e-9)
-    assert places.velocity(east, north) == f"1.00 m/s to {angle:03d}"
 
 
 def test_drift_is_from_where_it_came_up():
@@ -137,7 +110,7 @@ def test_hours_from_the_clock_or_the_last_end(monkeypatch):
 def test_the_dataset_says_when_and_where():
     replay = replay_dives(sample_dives()[:5])
     ahead = next_dive(replay)
-    data = replay_dataset(replay, ahead=ahead)
+    data = replay_dataset(replay)
     rows = summary(replay)["each_dive"]
     for key, inner, name in (
         ("drift", "distance", "drift_distance"),
