@@ -4,12 +4,10 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-import typer
-
 from ..errors import ClptError, SimulationError
 from ..html import Result
 from ..progress import progress_bar
-from .printing import Json, Report, cell_text, check_out, finish, flag, names_of_laws, opt
+from .printing import Json, Report, arg, cell_text, check_out, finish, flag, opt
 
 OF_THEOREM = "status for_every_N printed assumptions steps conclusion corrected cited not_proved"
 OF_LAW = "law status claim for_every_N steps"
@@ -22,9 +20,7 @@ FIELDS = {  # of each room's proofs, in JSON
 
 
 def laws(
-    name: str | None = typer.Argument(
-        None, metavar="LAW", help="Its page; default: the table.", autocompletion=names_of_laws
-    ),
+    name: str | None = arg("LAW", "Its page; default: the table.", default=None),
     as_json: Json = False,
 ) -> None:
     """List the adaptive laws; of one, print its page.
@@ -68,11 +64,7 @@ def laws(
 
 
 def prove(
-    theorem: str | None = opt(
-        "NUMBER",
-        "3.1 to 3.4; default: all, limits and every law.",
-        words=("3.1", "3.2", "3.3", "3.4"),
-    ),
+    theorem: str | None = opt("NUMBER", "3.1 to 3.4; default: all, limits and every law."),
     again: bool = flag("Judge what was judged before.", "--again"),
     as_json: Json = False,
 ) -> None:
@@ -143,7 +135,7 @@ def prove(
 
 
 def refute(
-    law: str = typer.Argument(..., metavar="LAW", help="Its name.", autocompletion=names_of_laws),
+    law: str = arg("LAW", "Its name."),
     budget: float = opt("SECONDS", "How long to search.", default=60.0),
     seed: int = opt("NUMBER", "Seed of the search.", default=0),
     out: Path | None = opt("FILE", "Scenario that breaks the promise, to write."),

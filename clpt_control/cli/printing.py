@@ -11,7 +11,6 @@ import os
 import re
 import sys
 from collections.abc import Callable, Iterable, Sequence
-from importlib import resources
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -23,7 +22,6 @@ from ..files import check_writable, write_file
 from ..html import Result
 from ..progress import discard, escaped
 
-TIDES = ("M2", "S2", "N2", "K2", "K1", "O1", "P1", "Q1", "M4")  # the common ones
 PACKAGES = ("control", "numpy", "scipy", "llvmlite", "xarray", "sympy")
 
 
@@ -103,10 +101,8 @@ def clpt(
 def opt(metavar: str, about: str, *names: str, default: Any = None, **more: Any) -> Any:
     """Return an option: the word for its value, its help, names other than the parameter's.
 
-    One whose default is ... is required; `words` complete what is typed.
+    One whose default is ... is required.
     """
-    if words := more.pop("words", ()):
-        more["autocompletion"] = one_of(*words)
     return typer.Option(default, *names, metavar=metavar, help=about, **more)
 
 
@@ -118,23 +114,6 @@ def flag(about: str, *names: str, default: Any = False) -> Any:
 def arg(metavar: str, about: str, default: Any = ...) -> Any:
     """Return an argument: its word and its help; one whose default is ... is required."""
     return typer.Argument(default, metavar=metavar, help=about)
-
-
-def one_of(*words: str) -> Callable[[str], Iterable[str]]:
-    """Return what completes a value by some words, the last one of a list with commas too."""
-
-    def completed(incomplete: str) -> list[str]:
-        before, comma, _ = incomplete.rpartition(",")
-        return [before + comma + word for word in words]
-
-    return completed
-
-
-def names_of_laws() -> list[str]:
-    """Return the names of all laws, read from their files: importing them takes a second."""
-    files = resources.files("clpt_control.blocks.laws").iterdir()
-    texts = [file.read_text("utf-8") for file in files if file.name.endswith(".py")]
-    return sorted(name for text in texts for name in re.findall(r'Law\(\s*"([\w-]+)"', text))
 
 
 # --- what commands take, and print ---------------------------------------------------------------

@@ -37,13 +37,10 @@ def replay(
         "FILES", "Files of one vehicle, or folders of them.", default=None
     ),
     sample: bool = flag("Replay the dives that come with clpt.", "--sample"),
-    estimator: str = opt(
-        "NAME", "kalman or gradient.", default="kalman", words=("kalman", "gradient")
-    ),
+    estimator: str = opt("NAME", "kalman or gradient.", default="kalman"),
     flow: str | None = opt(
         "PARTS",
         "steady, then any of tides, inertial, shear, gaussians, model, such as steady,M2,K1.",
-        words=("steady", "tides", "M2", "inertial", "shear", "gaussians", "model"),
     ),
     width_km: float | None = opt("KM", "Width of the gaussians."),
     learn_speed: bool = flag("Learn a factor on speed and a compass error.", default=True),

@@ -26,7 +26,6 @@ from .printing import (
     draw_figure,
     finish,
     flag,
-    names_of_laws,
     opt,
     say,
 )
@@ -45,9 +44,7 @@ def init(
     file: Path | None = arg(
         "FILE", "Where to write it; default: the name of the example.", default=None
     ),
-    example: str = opt(
-        "NAME", f"What to write: {', '.join(EXAMPLES)}.", default="paper", words=(*EXAMPLES,)
-    ),
+    example: str = opt("NAME", f"What to write: {', '.join(EXAMPLES)}.", default="paper"),
 ) -> None:
     """Write an example to start from: a scenario, by default.
 
@@ -190,12 +187,7 @@ def ensemble(
         default=...,
     ),
     out: Path = opt("FOLDER", "Zarr folder; if it holds a part, go on from there.", default=...),
-    design: str = opt(
-        "NAME",
-        "lhs (Latin hypercube), grid or random.",
-        default="lhs",
-        words=("lhs", "grid", "random"),
-    ),
+    design: str = opt("NAME", "lhs (Latin hypercube), grid or random.", default="lhs"),
     seed: int = opt("NUMBER", "Seed of the draws.", default=0),
     threads: int | None = opt("COUNT", "Default: all processors."),
     trajectories: bool = flag("Keep the states too.", "--trajectories"),
@@ -242,9 +234,7 @@ def tune(
     unmodelled: float | None = opt(
         "SPEED", "Rms of flow beside the basis; default: the scenario's."
     ),
-    law: list[str] | None = opt(
-        "NAME", "A law to compare; repeat it; default: all.", autocompletion=names_of_laws
-    ),
+    law: list[str] | None = opt("NAME", "A law to compare; repeat it; default: all."),
     seed: int = opt("NUMBER", "Seed of the draws.", default=0),
     as_json: Json = False,
 ) -> None:

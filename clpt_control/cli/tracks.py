@@ -104,7 +104,6 @@ def design(
         "law: the scenario's own learns soonest; kappa: the largest smallest eigenvalue.",
         "--for",
         default="law",
-        words=("law", "kappa"),
     ),
     seed: int = opt("NUMBER", "Seed of the search.", default=0),
     generations: int = opt("COUNT", "Generations of the search.", default=60),
