@@ -37,7 +37,6 @@ USES = (
     "report diagram.nc -o out.html --json",
     "report e.zarr -o out.html --json",
     "report replay.nc -o out.html --json",
-    "report replay.json -o out.html --json",
     f"ensemble s.toml --out out.zarr --json {VARY}",
     f"ensemble s.toml --out begun.zarr --json {VARY} | begun.zarr",
     "certify s.toml --json",

@@ -289,7 +289,7 @@ def _row(one: Report) -> list[str]:
 
 
 def report(
-    run: Path = arg("RUN", "run.nc, a team's too; an ensemble's folder; replay.nc or its JSON."),
+    run: Path = arg("RUN", "run.nc, a team's too; an ensemble's folder; replay.nc."),
     out: Path = opt("FILE", "The page, .html.", "-o", "--out", default=Path("report.html")),
     title: str | None = opt("TITLE", "In place of the scenario's."),
     figures: Path | None = opt("FOLDER", "Folder for the figures too, as SVG and PDF."),

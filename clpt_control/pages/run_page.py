@@ -4,20 +4,19 @@ from xarray import Dataset
 
 from ..diagrams.drawing.figure import MOST, block_figure
 from ..diagrams.interconnection import Diagram
-from ..html import Result, folded, listing, safe
+from ..html import Result, folded, listing
 from ..scenario.experiment import Scenario
-from ..scenario.file import CHANGED, NOT_REPEATED, OWN_LAW, OWN_PARTS, TEAM, paper_scenario
+from ..scenario.file import BEYOND, CHANGED, NOT_REPEATED, OWN_LAW, OWN_PARTS, TEAM, paper_scenario
 from ..scenario.recorded_run import waypoints_of
 from ..scenario.team import Team
 from ..simulation.comparing import named, ports_along, response_plot, signals_of
 from ..simulation.run_file import diagram_of_text, equations_text
 from ..simulation.summary import claims
 from . import results, run_sections
-from .page import Drawn, Page, Section, again_section, drawn
+from .page import Drawn, Page, Section, drawn, versions_section
 from .results import Numbers
 
 KINDS = ("Run of a scenario", "Run of a diagram")
-IN_PYTHON = {OWN_LAW: "law", CHANGED: "parameters", OWN_PARTS: "parts"}
 ALL = "<p>All that was asked, as a file for <code>clpt run</code>:</p>"
 EACH = 5  # ports of a figure
 MOST_SIGNALS = 60  # in the table
@@ -35,26 +34,25 @@ def run_page(run: Dataset, system: Scenario | Team, title: str) -> Page:
         kind, scenario, waypoints = KINDS[parts is not None], system, len(waypoints_of(run, system))
     if not waypoints:  # there are no rounds
         numbers = {**numbers, "clpe_rms_per_cycle": []}
-    law = f"{own}, given in Python," if own else scenario.learning.law
     achieved = results.run_result(numbers, "What came of the run")
     sections = [Section("achieved", achieved.title, achieved)]
     if paper and not numbers["of_samples"]:  # else the run does not carry its figures
         judged = results.claims_result(claims(numbers))
         sections.append(Section("claims", judged.title, judged))
-    if not parts:
-        sections += run_sections.loop_section(system, own)
+    if not (own or parts):
+        sections += run_sections.loop_section(system)
     unmeasured = "the run had what its scenario does not hold" if changed or parts else ""
     return Page(
         "Section IV of the paper" if paper else kind,
         title,
-        [results.asked(system, law, waypoints)],
+        [results.asked(system, waypoints)],
         [*_ended(run), *_warnings(run, scenario, numbers)],
         [
             *sections,
             *run_sections.figure_sections(run, system),
             run_sections.excitation_section(run, unmeasured),
             Section("scenario", "Scenario", more=ALL + folded("The scenario, TOML", text)),
-            _again(run, scenario),
+            versions_section(run.attrs),
         ],
     )
 
@@ -74,8 +72,8 @@ def _warnings(run: Dataset, scenario: Scenario, numbers: Numbers) -> list[str]:
     if not _ended(run) and (first > 0 or last < scenario.run.duration * (1 - 1e-9)):
         unit = scenario.units.time
         sentences.append(f"What is shown is t = {first:g} to {last:g} {unit} of the run.")
-    kinds = [name for name in (CHANGED, OWN_PARTS) if name in run.attrs]
-    if beyond := [f"{IN_PYTHON[name]}, {run.attrs[name]}" for name in kinds]:
+    kinds = [name for name in BEYOND if name in run.attrs]
+    if beyond := [f"{BEYOND[name][0]}, {run.attrs[name]}" for name in kinds]:
         sentences.append(
             f"The run had what its scenario does not hold: {'; '.join(beyond)}. What it followed, "
             "the true flow and the law may be others than drawn."
@@ -90,23 +88,6 @@ def _warnings(run: Dataset, scenario: Scenario, numbers: Numbers) -> list[str]:
     return sentences
 
 
-def _again(run: Dataset, scenario: Scenario | None) -> Section:
-    """Return how a run is made again: from its file's equations, from its scenario, or not."""
-    file, commands = "scenario.toml", list[str]()
-    how = "Save the scenario above as <code>scenario.toml</code>, and type:"
-    if scenario is None or run.attrs.keys() & IN_PYTHON:
-        file = "run.nc" if equations_text(run)[0] else ""
-        how = "The run cannot be made again from its file alone."
-        if file:
-            how = "The file holds the equations that ran, with inputs, start and method. Type:"
-    elif scenario.flow.field is not None:
-        field = f"<code>{safe(scenario.flow.field)}</code>"
-        how = f"With the file of the current, {field}, where the scenario says. {how}"
-    if file:
-        commands = [f"clpt run {file} --out again.nc", "clpt report again.nc -o report.html"]
-    return again_section(how, commands, run.attrs)
-
-
 # --- of any diagram ------------------------------------------------------------------------------
 
 
@@ -117,7 +98,7 @@ def diagram_page(run: Dataset, title: str) -> Page:
     sections = [
         _over_time(run),
         Section("signals", "Where they began and ended", found),
-        _again(run, None),
+        versions_section(run.attrs),
     ]
     if text:
         sections = [*_loop(diagram_of_text(text)), *sections]

@@ -27,14 +27,12 @@ MOST_DRAWN = 3  # vehicles in a drawing of the loop
 ONE_SAMPLE = Result(sentences=["The run has one sample: nothing can be drawn over time"])
 
 
-def loop_section(system: Scenario | Team, own: str | None) -> list[Section]:
+def loop_section(system: Scenario | Team) -> list[Section]:
     """Return the diagram that ran; nothing of a team that is too large to be drawn."""
     if isinstance(system, Team) and len(system.members) > MOST_DRAWN:
         return []
     loop = team_loop(system) if isinstance(system, Team) else closed_loop(system)
     caption = "The loop as it ran. The number under a name is the equation of the paper."
-    if own:
-        caption += f" The law, {own}, was given in Python and takes the place of adaptation."
     figure = Drawn("loop", block_figure(loop), caption, wide=True)
     return [Section("loop", "The loop", figures=[figure])]
 
@@ -105,23 +103,22 @@ def _learned(run: Dataset, scenario: Scenario) -> Section:
     unit, last, car = scenario.units, run.isel(time=-1), scenario.vehicle
     theta = run.flow_parameters.values if "flow_parameters" in run else None
     gains_known = "vehicle_controller" not in unknown_parts(run)
-    rows = []
-    for i in range(2):
-        estimates = last.flow_parameters_estimate.values[i]
-        numbers: list[tuple[str, float, Any, tuple[int, ...]]] = [
-            (f"theta_{i + 1}[{k + 1}] ({unit.length}/{unit.time})", one, theta, (i, k))
-            for k, one in enumerate(estimates)
+    rate = f"1/{unit.time}"
+    parts = [
+        ("theta", f"{unit.length}/{unit.time}", last.flow_parameters_estimate, theta),
+        ("K", rate, last.feedback_gain, np.array(car.feedback) if gains_known else None),
+        ("Gamma", rate, last.feedforward_gain, np.array(car.feedforward) if gains_known else None),
+    ]
+    rows = [
+        [
+            f"{name}_{axis + 1}{''.join(f'[{k + 1}]' for k in rest)} ({per})",
+            f"{learned.values[axis, *rest]:.4g}",
+            "not known" if true is None else f"{true[axis, *rest]:.4g}",
         ]
-        for name, symbol, true in (
-            ("feedback_gain", "K", car.feedback),
-            ("feedforward_gain", "Gamma", car.feedforward),
-        ):
-            known = np.array(true) if gains_known else None
-            numbers.append((f"{symbol}_{i + 1} (1/{unit.time})", last[name].values[i], known, (i,)))
-        rows += [
-            [name, f"{one:.4g}", "not known" if true is None else f"{true[at]:.4g}"]
-            for name, one, true, at in numbers
-        ]
+        for axis in range(2)
+        for name, per, learned, true in parts
+        for rest in np.ndindex(learned.shape[1:])
+    ]
     title = f"Learned by t = {float(last.time):g} {unit.time}"
     result = Result(title, ["", "learned", "true"], rows)
     return Section("learning", "What was learned", result)
