@@ -181,10 +181,7 @@ def ensemble(
     scenario: ScenarioFile,
     members: int = opt("COUNT", "How many runs.", default=...),
     vary: list[str] = opt(
-        "KEY=LOW:HIGH",
-        "A range, KEY~normal:DEVIATION, KEY~gamma(2) or another of scipy.stats, KEY=[VALUE, ...]; "
-        "repeat it.",
-        default=...,
+        "KEY=LOW:HIGH", "A range, KEY~normal:DEVIATION or KEY=[VALUE, ...]; repeat it.", default=...
     ),
     out: Path = opt("FOLDER", "Zarr folder; if it holds a part, go on from there.", default=...),
     design: str = opt("NAME", "lhs (Latin hypercube), grid or random.", default="lhs"),

@@ -85,8 +85,7 @@ def ensemble_result(data: Dataset, summary: Numbers, name: str) -> Result:
         faster = summary["faster_flow"]
         sentences.append(
             f"in {faster['members']} members the flow was faster than the vehicle, for at most "
-            f"{percent(faster['largest_share'])} of the time and {faster['longest']:.3g} {time} "
-            "in a stretch"
+            f"{percent(faster['largest_share'])} of the time"
         )
     if summary["first_failed"] is not None:
         sentences.append(f"the first member that did not finish is {summary['first_failed']}")
