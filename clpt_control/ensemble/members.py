@@ -274,6 +274,13 @@ class Ensemble:
         with np.errstate(all="ignore"):  # a member that failed may hold anything
             return varied.summarise(self, members, values, states)
 
+    def single(self, values: Values, m: int) -> tuple[Any, tuple, dict[str, Any]]:
+        """Return what runs a member by itself, and what its `run` takes."""
+        given, start, inputs = self.varied.member({key: own[m] for key, own in values.items()})
+        options = {} if self.native.wiring.dt else self.varied.options
+        runner = self.native.with_parameters(given)
+        return runner, (start, self.varied.state_times), {"inputs": inputs, **options}
+
 
 def checked_ensemble(varied: Varied, values: Values) -> Ensemble:
     """Return an ensemble; in Python where machine code runs some of its members otherwise."""
@@ -282,11 +289,9 @@ def checked_ensemble(varied: Varied, values: Values) -> Ensemble:
     for m in sorted({k * (count - 1) // (TRIED - 1) for k in range(0 if known else TRIED)}):
         if not ensemble.compiled:
             break
-        given, start, inputs = varied.member({key: own[m] for key, own in values.items()})
-        runner = ensemble.native.with_parameters(given)
-        options = {} if varied.wiring.dt else varied.options
+        runner, at, options = ensemble.single(values, m)
         try:
-            _, why = run_compared(runner, start, varied.state_times, inputs=inputs, **options)
+            _, why = run_compared(runner, *at, **options)
         except SimulationError:  # the member fails; its status will say so
             continue
         if why:

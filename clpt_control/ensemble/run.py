@@ -223,9 +223,15 @@ def run_ensemble(
     data.encoding = {**varied.encoding, **data.encoding}
     failed = np.flatnonzero(data["status"].values != 1)
     if len(failed) and isinstance(varied, VariedDiagram):
-        why = STATUS[int(data["status"][failed[0]])].replace("_", " ")
+        first = int(failed[0])
+        why = status = STATUS[int(data["status"][first])].replace("_", " ")
+        runner, at, options = ensemble.single(values, first)
+        try:
+            runner.signals(runner.run(*at, **options), options["inputs"])
+        except SimulationError as error:
+            why = str(error) if str(error).startswith(status) else f"{status}: {error}"
         some = f"{len(failed)} of {members} members did not finish"
-        warn(f"{some}; the first is member {failed[0]}: {why}")
+        warn(f"{some}; the first is member {first}: {why}")
     return data
 
 
