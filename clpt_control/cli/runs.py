@@ -260,8 +260,6 @@ def tune(
 def _result(report: Report) -> Result:
     length, time = report["units"]["length"], report["units"]["time"]
     rows = [_row(one) for one in report["candidates"][:MOST_SHOWN]]
-    if report["own"] is not None:
-        rows.append(_row(report["own"]))
     more = len(report["candidates"]) - MOST_SHOWN
     title = (
         f"{report['members']} flows drawn with a prior of {report['prior']:.3g} {length}/{time}, "
