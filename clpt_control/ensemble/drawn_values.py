@@ -118,11 +118,11 @@ def check_varies(varied: Varied, varies: Sequence[Vary]) -> None:
             raise ScenarioError(f"vary = '{one.text}': a seed is a whole number; list the values")
 
 
-def unknown_name(what: str, name: str, known: Iterable[str]) -> str:
-    """Return the sentence on an unknown key or name: what may be meant, and what may vary."""
+def what_may_vary(name: str, known: Iterable[str]) -> str:
+    """Return the sentence on a name that does not vary: what may be meant, and what may vary."""
     close = nearest(name, known)
-    hint = f"did you mean {close}? May vary" if close else "may vary"
-    return f"vary: unknown {what} {name}; {hint}: {', '.join(known)}"
+    hint = f"did you mean {close}? May vary" if close and close != name else "may vary"
+    return f"vary: {name} cannot vary; {hint}: {', '.join(known)}"
 
 
 def _check_levels(one: Vary, shape: tuple[int, ...]) -> None:

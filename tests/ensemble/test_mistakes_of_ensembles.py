@@ -31,32 +31,14 @@ MISTAKES = [
     ({"vary": []}, "name at least one key"),
     ({"vary": ["learning.gain=1:2", "learning.gain=1:2"]}, "named 2 times"),
     ({"vary": "learning.gian=1:2"}, "did you mean learning.gain? May vary: basis.centers"),
-    ({"vary": "nothing=1:2"}, "unknown key nothing; may vary: basis.centers"),
+    ({"vary": "nothing=1:2"}, "nothing cannot vary; may vary: basis.centers"),
     ({"vary": "adaptation.gain=1:2"}, "the scenario's key is learning.gain"),
-    (
-        {"vary": "learning=1:2"},
-        "cannot vary: it is a table, a word, a count, not set, or one for all",
-    ),
-    (
-        {"vary": "reference.count=5:10"},
-        "cannot vary: it is a table, a word, a count, not set, or one for all",
-    ),
-    (
-        {"vary": "basis.kernel=1:2"},
-        "cannot vary: it is a table, a word, a count, not set, or one for all",
-    ),
-    (
-        {"vary": "run.duration=1:2"},
-        "cannot vary: it is a table, a word, a count, not set, or one for all",
-    ),
-    (
-        {"vary": "flow.disturbance.period=1:2"},
-        "cannot vary: it is a table, a word, a count, not set",
-    ),
-    (
-        {"vary": "learning.theta_estimate=1:2"},
-        "cannot vary: it is a table, a word, a count, not set",
-    ),
+    ({"vary": "learning=1:2"}, "cannot vary; "),
+    ({"vary": "reference.count=5:10"}, "cannot vary; "),
+    ({"vary": "basis.kernel=1:2"}, "cannot vary; "),
+    ({"vary": "run.duration=1:2"}, "cannot vary; "),
+    ({"vary": "flow.disturbance.period=1:2"}, "cannot vary; "),
+    ({"vary": "learning.theta_estimate=1:2"}, "cannot vary; "),
     ({"vary": "learning.gain=-1:2"}, "must be greater than 0; or should be positive"),
     ({"vary": "vehicle.feedback~normal:9"}, "vehicle.feedback"),
     ({"vary": VARY[0], "members": 0}, "members = 0: must be a whole number, at least 1"),
@@ -245,7 +227,7 @@ def test_the_command(clpt, printed, refused, quick, tmp_path):
     assert table.status == 0
     assert f"{quick.title or file}: 12 finished" in table.out
     wrong = ("--members", 3, "--vary", "x=1:2", "--out", tmp_path / "f.zarr")
-    assert "unknown key x" in refused("ensemble", file, *wrong)
+    assert "x cannot vary; may vary" in refused("ensemble", file, *wrong)
     assert not (tmp_path / "f.zarr").exists()
     named = refused("ensemble", file, *many, "--figure", tmp_path / "e.gif")
     assert ".png, .pdf or .svg" in named

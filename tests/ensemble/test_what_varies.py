@@ -39,7 +39,7 @@ def test_a_dict_says_the_same_of_a_scenario():
 
 
 MISTAKES = [
-    ({"vary": {"tua": [1.0]}}, "unknown name tua; did you mean tau\\? May vary: tau, lag.tau, x"),
+    ({"vary": {"tua": [1.0]}}, "tua cannot vary; did you mean tau\\? May vary: tau, lag.tau, x"),
     ({"vary": {"tau[0]": [1.0]}}, r"tau\[0\] is no element of tau"),
     ({"vary": {"tau": 2.0}}, "tau = 2.0: must be a list of values, a range '0.2:2.0', or a dis"),
     ({"vary": {"tau": []}}, "must be a list of values"),
@@ -71,13 +71,13 @@ def test_mistakes_are_one_sentence(tmp_path, given, sentence):
 
 OF_OTHERS = [  # what is varied of another diagram
     (springs, {"one.K": [[1, 2]], "one.K[0]": [1]}, r"one\.K\[0\] and one\.K are one number; na"),
-    (springs, {"one.turns": [1.0]}, r"unknown name one\.turns; may vary: one\.K"),
+    (springs, {"one.turns": [1.0]}, r"one\.turns cannot vary; may vary: one\.K"),
     (springs, {"one.K[2]": [1.0]}, r"one\.K\[2\] is no element of one\.K"),
     (springs, {"one.K[-1]": [1.0]}, r"one\.K\[-1\] is no element of one\.K"),
     (springs, {"one.K[0:2]": [1.0]}, r"one\.K\[0:2\] is no element of one\.K"),
     (mrac, {"a": [1], "plant.a": [1]}, r"plant\.a and a are one number"),
-    (mrac, {"plant.aa": [1]}, r"unknown name plant\.aa; did you mean plant\.a\?"),
-    (lag, {"lag.tua": [1]}, r"unknown name lag\.tua; did you mean lag\.tau\?"),
+    (mrac, {"plant.aa": [1]}, r"plant\.aa cannot vary; did you mean plant\.a\?"),
+    (lag, {"lag.tua": [1]}, r"lag\.tua cannot vary; did you mean lag\.tau\?"),
     (clpt.paper_scenario, {"learning.gain": [1.0]}, "timepts: is for a diagram, with timepts; l"),
     (lambda: called("x"), {"x": [1.0]}, "x is more than one of a parameter, an initial state and"),
 ]
