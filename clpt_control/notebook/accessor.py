@@ -9,7 +9,7 @@ MATLAB with a matrix for each port, whose columns are its signals.
 import re
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -28,31 +28,18 @@ if TYPE_CHECKING:
     from ..scenario import Scenario, Team
 
 
-class Kind(NamedTuple):
-    """What a dataset is: an attribute that says so, and the plot that shows most."""
-
-    attribute: str
-    room: Any
-    whole: str
-
-
-KINDS = {
-    "team": Kind("team", simulation, "team_plot"),
-    "ensemble": Kind("ensemble", ensemble, "ensemble_plot"),
-    "run": Kind("scenario", simulation, "run_plot"),
-    "replay": Kind("estimator", replay, "replay_plot"),
-    "diagram": Kind("engine", simulation, "response_plot"),
+KINDS: dict[str, tuple[str, Any, str]] = {  # what says so, and the plot that shows most
+    "team": ("team", simulation, "team_plot"),
+    "ensemble": ("ensemble", ensemble, "ensemble_plot"),
+    "run": ("scenario", simulation, "run_plot"),
+    "replay": ("estimator", replay, "replay_plot"),
+    "diagram": ("engine", simulation, "response_plot"),
 }
 LONGEST = 60  # letters of a name in MATLAB, of which 63 count
-WORDS = {  # that name nothing in MATLAB
-    *("break", "case", "catch", "classdef", "continue", "else", "elseif", "end", "for"),
-    *("function", "global", "if", "otherwise", "parfor", "persistent", "return", "spmd"),
-    *("switch", "try", "while"),
-}
 
 
 def _kind(data: "xarray.Dataset") -> str:
-    return next((name for name, kind in KINDS.items() if kind.attribute in data.attrs), "")
+    return next((name for name, kind in KINDS.items() if kind[0] in data.attrs), "")
 
 
 def kind_of(data: "xarray.Dataset") -> str:
@@ -111,11 +98,11 @@ def write_mat(run: "xarray.Dataset", path: Path) -> None:
 def _valid(name: str, taken: Any) -> str:
     """Return a name that MATLAB allows, and that is not taken.
 
-    >>> _valid("K", []), _valid("2nd flow", []), _valid("end", []), _valid("e", ["e"])
-    ('K', 'x_2nd_flow', 'x_end', 'e_')
+    >>> _valid("K", []), _valid("2nd flow", []), _valid("e", ["e"])
+    ('K', 'x_2nd_flow', 'e_')
     """
     word = re.sub(r"\W", "_", name, flags=re.ASCII)[:LONGEST]
-    word = word if word[:1].isalpha() and word not in WORDS else f"x_{word}"
+    word = word if word[:1].isalpha() else f"x_{word}"
     while word in taken:
         word += "_"
     return word
@@ -222,8 +209,8 @@ class Plots:
 
     def __call__(self, *, ax: Any = None, **options: Any) -> Any:
         """Draw a run's track, CLPE and learning; a team; a diagram's ports; percentiles; dives."""
-        kind = KINDS[kind_of(self._data)]
-        return getattr(kind.room, kind.whole)(self._data, ax=ax, **options)
+        _, room, plot = KINDS[kind_of(self._data)]
+        return getattr(room, plot)(self._data, ax=ax, **options)
 
     def track(self, *, ax: Any = None, **options: Any) -> Any:
         """Draw a run's waypoints, track and flow."""
