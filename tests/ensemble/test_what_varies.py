@@ -139,7 +139,7 @@ def test_the_accessor_says_what_it_is():
     data = clpt.run_ensemble(lag(), {"tau": [0.5, 1.0]}, timepts=TIMES)
     assert data.clpt.kind == "ensemble"
     assert repr(data.clpt) == "<clpt of a dataset: ensemble Ensemble of lag>"
-    for ask in (data.clpt.plot, lambda: data.clpt.report("page.html")):
+    for ask in (data.clpt.plot, lambda: clpt.report(data, "page.html")):
         with pytest.raises(ClptError, match=r"is an ensemble of a diagram.*plot\.contourf"):
             ask()
 
