@@ -80,7 +80,7 @@ def checked(text):
 def words(data):
     """What a page says, without its figures."""
     with pytest.MonkeyPatch.context() as patch:
-        for file in ("page", "run_sections"):
+        for file in ("page", "run_page"):
             patch.setattr(f"clpt_control.pages.{file}.figure_of", lambda *_: Figure())
         page = page_of(data)
     parts = [f"{one.more} {' '.join(map(str, one.result))}" for one in page.sections]
