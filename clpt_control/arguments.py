@@ -63,6 +63,7 @@ MAKERS = {  # what people make first, by a word of what is allowed
     "Team": "clpt.load_team('team.toml') reads a team's file",
     "diagram": "clpt.closed_loop, clpt.connect or control.ss makes one",
     "Dataset": "clpt.simulate(scenario) makes a run, clpt.load_run('run.nc') reads one",
+    "Dive": "clpt.gliders.read_dives('dives.csv')[0] is a list of dives",
     "Block": "clpt.Block('gain', output=..., inputs={'u': 1}, outputs={'y': 1}) makes one",
 }
 

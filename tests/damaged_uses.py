@@ -66,7 +66,7 @@ OPTIONS = (  # words, options whose values are damaged
     ("certify s.toml", "--radius --error --window"),
     (
         "design s.toml --out out.toml --generations 1",
-        "--length --max-speed --count --dwell --window --start --level --seed --generations",
+        "--length --max-speed --count --dwell --window --start --seed --generations",
     ),
     (
         "ensemble s.toml --members 3 --vary learning.gain=0.2:2 --out out.zarr",

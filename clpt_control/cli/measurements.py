@@ -93,10 +93,7 @@ def tides_result(report: Report) -> Result:
         row = [name]
         for key, error in each["standard_errors"].items():
             digits = 4 if key in ("east", "north", "major", "minor") else 1
-            if error is None or (digits == 1 and error > 90.0):
-                words = "any"  # an angle as good as unknown
-            else:
-                words = f"{error:.{digits}f}"
+            words = "any" if error is None else f"{error:.{digits}f}"
             row.append(f"{each[key]:z.{digits}f} ({words})")
         rows.append(row)
     title = (

@@ -1,8 +1,7 @@
 """What `clpt` shows: its page, the help of each command, its version; one JSON object, or tables.
 
 Help is plain text of 80 columns, on a terminal and in a pipe.  Values are named by shell words
-(FILE, SECONDS, LAT LON), what is required stands in the usage line, and a command's docstring
-ends in an example.
+(FILE, SECONDS, LAT LON), and a command's docstring ends in an example.
 """
 
 import inspect
@@ -27,14 +26,6 @@ PACKAGES = ("control", "numpy", "scipy", "llvmlite", "xarray", "sympy")
 
 class Command(TyperCommand):
     """A command whose values are named by shell words."""
-
-    def collect_usage_pieces(self, ctx: Any) -> list[str]:
-        """Return arguments, then options that are required, as they are typed."""
-        params = self.get_params(ctx)
-        places = [p for p in params if p.param_type_name == "argument"]
-        needed = [p for p in params if p.param_type_name == "option" and p.required]
-        words = [f"{p.metavar}" if p.required else f"[{p.metavar}]" for p in places]
-        return [*words, *(f"{p.opts[0]} {p.metavar}" for p in needed), "[OPTIONS]"]
 
     def format_options(self, ctx: Any, formatter: Any) -> None:
         """Write arguments and options."""

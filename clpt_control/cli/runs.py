@@ -141,14 +141,13 @@ def diagram(
     out: Path | None = opt(
         "FILE", ".svg, .png, .pdf or .mmd; default: Mermaid text.", "-o", "--out"
     ),
-    external: list[str] | None = opt("PORT", "A port to take from outside, such as zc."),
 ) -> None:
     """Draw a scenario's block diagram.
 
     Example:
         clpt diagram mine.toml -o loop.svg
     """
-    wired = clpt.closed_loop(clpt.load_scenario(scenario), external or ())
+    wired = clpt.closed_loop(clpt.load_scenario(scenario))
     if out is None:
         say(clpt.diagrams.mermaid(wired))
         return

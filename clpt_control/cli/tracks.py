@@ -98,7 +98,6 @@ def design(
     ),
     window: Window = None,
     start: Start = None,
-    level: float | None = opt("ERROR", "Error that ends the learning time; default: a tenth."),
     goal: str = opt(
         "GOAL",
         "law: the scenario's own learns soonest; kappa: the largest smallest eigenvalue.",
@@ -128,7 +127,6 @@ def design(
             area=area,
             window=window,
             start=start,
-            level=level,
             goal=goal,
             seed=seed,
             generations=generations,
