@@ -63,14 +63,8 @@ MAKERS = {  # what people make first, by a word of what is allowed
     "Team": "clpt.load_team('team.toml') reads a team's file",
     "diagram": "clpt.closed_loop, clpt.connect or control.ss makes one",
     "Dataset": "clpt.simulate(scenario) makes a run, clpt.load_run('run.nc') reads one",
-    "Block": "clpt.Block('gain', output=..., inputs={'u': 1}, outputs={'y': 1}) makes one",
     "Dive": "clpt.gliders.read_dives('dives.csv')[0] is a list of dives",
-    "Replay": "clpt.replay.replay_dives(dives) makes one",
-    "FlowModel": "clpt.replay.read_flow_model('forecast.nc') reads one",
-    "NextDive": "clpt.replay.next_dive(replay) makes one",
-    "Fit": "clpt.currents.fit_scenario('currents.nc') makes one",
-    "TidalFit": "clpt.currents.fit_tides makes one of a record",
-    "FixModel": "clpt.estimation.FixModel() makes one",
+    "Block": "clpt.Block('gain', output=..., inputs={'u': 1}, outputs={'y': 1}) makes one",
 }
 
 

@@ -37,7 +37,6 @@ USES = (
     "report diagram.nc -o out.html --json",
     "report e.zarr -o out.html --json",
     "report replay.nc -o out.html --json",
-    "report replay.json -o out.html --json",
     f"ensemble s.toml --out out.zarr --json {VARY}",
     f"ensemble s.toml --out begun.zarr --json {VARY} | begun.zarr",
     "certify s.toml --json",
@@ -67,7 +66,7 @@ OPTIONS = (  # words, options whose values are damaged
     ("certify s.toml", "--radius --error --window"),
     (
         "design s.toml --out out.toml",
-        "--length --max-speed --count --dwell --window --start --level --seed",
+        "--length --max-speed --window --start --seed",
     ),
     (
         "ensemble s.toml --members 3 --vary learning.gain=0.2:2 --out out.zarr",

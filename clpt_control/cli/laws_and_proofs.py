@@ -4,27 +4,23 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-import typer
-
 from ..errors import ClptError, SimulationError
 from ..html import Result
 from ..progress import progress_bar
-from .printing import Json, Report, cell_text, check_out, finish, flag, names_of_laws, opt
+from .printing import Json, Report, arg, cell_text, check_out, finish, flag, opt
 
 OF_THEOREM = "status for_every_N printed assumptions steps conclusion corrected cited not_proved"
-OF_LAW = "law status claim for_every_N steps"
-FIELDS = {  # of each room's proofs, in JSON
-    "theorems": OF_THEOREM.split(),
-    "limited_speed": OF_THEOREM.split(),
-    "laws": OF_LAW.split(),
-    "team": [*OF_LAW.split()[1:], "cited"],
+OF_LAW = "status claim for_every_N steps"
+ROOMS = {  # of proofs -> what one is called, its fields in JSON
+    "theorems": ("Theorem {}", OF_THEOREM),
+    "limited_speed": ("Limited speed, {}", OF_THEOREM),
+    "laws": ("Law {}", f"law {OF_LAW}"),
+    "team": ("A team that learns one flow", f"{OF_LAW} cited"),
 }
 
 
 def laws(
-    name: str | None = typer.Argument(
-        None, metavar="LAW", help="Its page; default: the table.", autocompletion=names_of_laws
-    ),
+    name: str | None = arg("LAW", "Its page; default: the table.", default=None),
     as_json: Json = False,
 ) -> None:
     """List the adaptive laws; of one, print its page.
@@ -68,11 +64,7 @@ def laws(
 
 
 def prove(
-    theorem: str | None = opt(
-        "NUMBER",
-        "3.1 to 3.4; default: all, limits and every law.",
-        words=("3.1", "3.2", "3.3", "3.4"),
-    ),
+    theorem: str | None = opt("NUMBER", "3.1 to 3.4; default: all, limits and every law."),
     again: bool = flag("Judge what was judged before.", "--again"),
     as_json: Json = False,
 ) -> None:
@@ -97,26 +89,25 @@ def prove(
             with progress_bar("proving", len(new)) as report:
                 cached.store(prove_all(new, report, pool))
     outcomes: dict[Any, Any] = {one: cached.outcomes[one] for one in wanted}
-    rooms = {room: {s.name: v for s, v in outcomes.items() if s.room == room} for room in FIELDS}
+    summary: Report = {}
+    results, wrong = [], []
+    for room, (title, fields) in ROOMS.items():
+        proofs = {s.name: outcomes[s] for s in wanted if s.room == room}
+        summary[room] = {name: _fields(one, fields, name) for name, one in proofs.items()}
+        if room == "laws":
+            rows = [
+                [law, one.status + (", every N" if one.for_every_N else ""), one.claim]
+                for law, one in proofs.items()
+            ]
+            columns = ["law", "status", "V' along the closed loop"]
+            results += [Result("Laws", columns, rows, [""])] if rows else []
+        else:
+            results += [_result(title.format(name), one) for name, one in proofs.items()]
+        wrong += [f"{title.format(k)}{_failure(p)}" for k, p in proofs.items() if not p.holds]
     misprints = outcomes[wanted[-1]]
     proved_at = max(cached.times[one] for one in wanted)
-    summary: Report = {
-        room: {name: _fields(one, room, name) for name, one in proofs.items()}
-        for room, proofs in rooms.items()
-    }
     summary |= {"team": summary["team"].get(""), "misprints": misprints}
     summary["judged"] = {"time": proved_at, "before": not new}
-    results = [_result(f"Theorem {name}", one) for name, one in rooms["theorems"].items()]
-    results += [
-        _result(f"Limited speed, {name}", one) for name, one in rooms["limited_speed"].items()
-    ]
-    if rooms["laws"]:
-        rows = [
-            [law, one.status + (", every N" if one.for_every_N else ""), one.claim]
-            for law, one in rooms["laws"].items()
-        ]
-        results.append(Result("Laws", ["law", "status", "V' along the closed loop"], rows, [""]))
-    results += [_result("A team that learns one flow", one) for one in rooms["team"].values()]
     columns = ["equation", "printed", "should be", "confirmed"]
     rows = [
         [m["equation"], m["printed"], m["corrected"], "yes" if m["confirmed"] else "NO"]
@@ -125,15 +116,6 @@ def prove(
     before = f"judged on {proved_at} of the same equations; --again judges anew"
     results.append(Result("Misprints", columns, rows, [] if new else [before]))
     finish(results, summary, as_json)
-    wrong = [
-        f"{'limited speed, ' * (room == 'limited_speed')}{name} at step '{step.claim}'"
-        for room in ("theorems", "limited_speed")
-        for name, proof in rooms[room].items()
-        for step in proof.failed
-    ]
-    for room, called in (("laws", "law {}"), ("team", "team")):
-        proofs = rooms[room].items()
-        wrong += [f"{called.format(name)}: {one.claim}" for name, one in proofs if not one.holds]
     wrong += [
         f"the misprint of {m['equation']} is not confirmed" for m in misprints if not m["confirmed"]
     ]
@@ -143,7 +125,7 @@ def prove(
 
 
 def refute(
-    law: str = typer.Argument(..., metavar="LAW", help="Its name.", autocompletion=names_of_laws),
+    law: str = arg("LAW", "Its name."),
     budget: float = opt("SECONDS", "How long to search.", default=60.0),
     seed: int = opt("NUMBER", "Seed of the search.", default=0),
     out: Path | None = opt("FILE", "Scenario that breaks the promise, to write."),
@@ -179,10 +161,15 @@ def refute(
         raise SimulationError(f"{law} breaks its promise: {found.broken}")
 
 
-def _fields(proof: Any, room: str, name: str) -> Report:
+def _fields(proof: Any, fields: str, name: str) -> Report:
     """Return the fields of a proof in JSON."""
     known = {**asdict(proof), "law": name, "conclusion": proof.claim}
-    return {field: known[field] for field in FIELDS[room]}
+    return {field: known[field] for field in fields.split()}
+
+
+def _failure(proof: Any) -> str:
+    """Return the step at which a proof fails, or what is claimed."""
+    return f" at step '{proof.failed[0].claim}'" if proof.failed else f": {proof.claim}"
 
 
 def _result(name: str, proof: Any) -> Result:

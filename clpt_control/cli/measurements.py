@@ -7,7 +7,7 @@ import clpt_control as clpt
 from ..errors import DataError, ScenarioError
 from ..html import Result
 from ..units import known, percent
-from .printing import TIDES, Json, Report, arg, cell_text, check_out, finish, opt
+from .printing import Json, Report, arg, cell_text, check_out, finish, opt
 
 
 def fit(
@@ -22,10 +22,7 @@ def fit(
         "KM", "Width of the Gaussians, km; default: 0.6 of the distance between places."
     ),
     constituents: str = opt(
-        "NAMES",
-        "steady and named tides, such as steady,M2.",
-        default="steady,M2",
-        words=("steady", *TIDES),
+        "NAMES", "steady and named tides, such as steady,M2.", default="steady,M2"
     ),
     units: str | None = opt("UNIT", "Of u and v, such as m/s, where the file has none."),
     as_json: Json = False,
@@ -67,10 +64,7 @@ def fit(
 def tides(
     record: Path = arg("FILE", "NetCDF, or CSV with time, u and v."),
     constituents: str = opt(
-        "NAMES",
-        "Named tides, such as M2,S2,K1; auto: all that can be told apart.",
-        default=...,
-        words=("auto", *TIDES),
+        "NAMES", "Named tides, such as M2,S2,K1; auto: all that can be told apart.", default=...
     ),
     latitude: float | None = opt("DEGREES", "Degrees north; default: the file's own."),
     at: tuple[float, float] | None = opt("LAT LON", "Degrees: the nearest cell of a grid."),
@@ -99,10 +93,7 @@ def tides_result(report: Report) -> Result:
         row = [name]
         for key, error in each["standard_errors"].items():
             digits = 4 if key in ("east", "north", "major", "minor") else 1
-            if error is None or (digits == 1 and error > 90.0):
-                words = "any"  # an angle as good as unknown
-            else:
-                words = f"{error:.{digits}f}"
+            words = "any" if error is None else f"{error:.{digits}f}"
             row.append(f"{each[key]:z.{digits}f} ({words})")
         rows.append(row)
     title = (
@@ -123,12 +114,7 @@ def tides_result(report: Report) -> Result:
 
 def estimate(
     run: Path = arg("RUN", "A run's NetCDF, as clpt run writes it."),
-    method: str = opt(
-        "NAME",
-        "least-squares, kalman or tomography.",
-        default="least-squares",
-        words=("least-squares", "kalman", "tomography"),
-    ),
+    method: str = opt("NAME", "least-squares, kalman or tomography.", default="least-squares"),
     every: float | None = opt("TIME", "Time between fixes; a tenth of reference.dwell."),
     prior: float | None = opt("SPEED", "Standard deviation of each theta before any fix."),
     noise: float | None = opt("LENGTH", "Standard deviation of a miss between fixes."),

@@ -1,8 +1,7 @@
 """What `clpt` shows: its page, the help of each command, its version; one JSON object, or tables.
 
 Help is plain text of 80 columns, on a terminal and in a pipe.  Values are named by shell words
-(FILE, SECONDS, LAT LON), what is required stands in the usage line, and a command's docstring
-ends in an example.
+(FILE, SECONDS, LAT LON), and a command's docstring ends in an example.
 """
 
 import inspect
@@ -11,7 +10,6 @@ import os
 import re
 import sys
 from collections.abc import Callable, Iterable, Sequence
-from importlib import resources
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -23,20 +21,11 @@ from ..files import check_writable, write_file
 from ..html import Result
 from ..progress import discard, escaped
 
-TIDES = ("M2", "S2", "N2", "K2", "K1", "O1", "P1", "Q1", "M4")  # the common ones
 PACKAGES = ("control", "numpy", "scipy", "llvmlite", "xarray", "sympy")
 
 
 class Command(TyperCommand):
     """A command whose values are named by shell words."""
-
-    def collect_usage_pieces(self, ctx: Any) -> list[str]:
-        """Return arguments, then options that are required, as they are typed."""
-        params = self.get_params(ctx)
-        places = [p for p in params if p.param_type_name == "argument"]
-        needed = [p for p in params if p.param_type_name == "option" and p.required]
-        words = [f"{p.metavar}" if p.required else f"[{p.metavar}]" for p in places]
-        return [*words, *(f"{p.opts[0]} {p.metavar}" for p in needed), "[OPTIONS]"]
 
     def format_options(self, ctx: Any, formatter: Any) -> None:
         """Write arguments and options."""
@@ -103,10 +92,8 @@ def clpt(
 def opt(metavar: str, about: str, *names: str, default: Any = None, **more: Any) -> Any:
     """Return an option: the word for its value, its help, names other than the parameter's.
 
-    One whose default is ... is required; `words` complete what is typed.
+    One whose default is ... is required.
     """
-    if words := more.pop("words", ()):
-        more["autocompletion"] = one_of(*words)
     return typer.Option(default, *names, metavar=metavar, help=about, **more)
 
 
@@ -118,23 +105,6 @@ def flag(about: str, *names: str, default: Any = False) -> Any:
 def arg(metavar: str, about: str, default: Any = ...) -> Any:
     """Return an argument: its word and its help; one whose default is ... is required."""
     return typer.Argument(default, metavar=metavar, help=about)
-
-
-def one_of(*words: str) -> Callable[[str], Iterable[str]]:
-    """Return what completes a value by some words, the last one of a list with commas too."""
-
-    def completed(incomplete: str) -> list[str]:
-        before, comma, _ = incomplete.rpartition(",")
-        return [before + comma + word for word in words]
-
-    return completed
-
-
-def names_of_laws() -> list[str]:
-    """Return the names of all laws, read from their files: importing them takes a second."""
-    files = resources.files("clpt_control.blocks.laws").iterdir()
-    texts = [file.read_text("utf-8") for file in files if file.name.endswith(".py")]
-    return sorted(name for text in texts for name in re.findall(r'Law\(\s*"([\w-]+)"', text))
 
 
 # --- what commands take, and print ---------------------------------------------------------------

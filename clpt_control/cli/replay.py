@@ -20,7 +20,6 @@ import clpt_control as clpt
 from ..errors import ClptError, DataError, ScenarioError
 from ..files import make_folder, write_file
 from ..html import Result
-from ..progress import progress_bar, tell
 from . import replay_report
 from .printing import Formats, Json, Report, arg, finish, flag, opt
 
@@ -37,13 +36,10 @@ def replay(
         "FILES", "Files of one vehicle, or folders of them.", default=None
     ),
     sample: bool = flag("Replay the dives that come with clpt.", "--sample"),
-    estimator: str = opt(
-        "NAME", "kalman or gradient.", default="kalman", words=("kalman", "gradient")
-    ),
+    estimator: str = opt("NAME", "kalman or gradient.", default="kalman"),
     flow: str | None = opt(
         "PARTS",
         "steady, then any of tides, inertial, shear, gaussians, model, such as steady,M2,K1.",
-        words=("steady", "tides", "M2", "inertial", "shear", "gaussians", "model"),
     ),
     width_km: float | None = opt("KM", "Width of the gaussians."),
     learn_speed: bool = flag("Learn a factor on speed and a compass error.", default=True),
@@ -102,10 +98,8 @@ def replay(
         clpt replay p542*.nc --aim 41.05 -69.40 --out replay
     """
     from ..figures import checked_formats
-    from ..gliders.samples import with_variation
     from ..gliders.usable_dives import LEAST_DURATION
     from ..replay.fleet import checked_command
-    from ..replay.replay import check_tides
     from ..replay.route import read_route
 
     if bool(files) + sample + (follow is not None) + (fleet is not None) != 1:
@@ -145,46 +139,20 @@ def replay(
     )
     ahead.check()
     growing = clpt.replay.Replay(estimator, model, forecast)
-    faults: list[str] = []  # of which the first alone is told: the record grows
-
-    def take(dives: Any, unread: Any) -> tuple[Any, list]:
-        """Replay the dives that can be used, and return what was left out, too."""
-        if variation is not None:
-            if follow is None and all(dive.turned is None for dive in dives):
-                raise ScenarioError(
-                    f"--variation {variation:g}: no dive here has its dead reckoning from a "
-                    "magnetic heading; leave it out"
-                )
-            dives = [with_variation(dive, variation) for dive in dives]
-        used, unused = clpt.gliders.usable(dives, least)
-        skipped = [*unread, *unused]
-        if follow is None and not used:
-            first = skipped[0]
-            raise DataError(f"no dive can be used; dive {first.dive}: {first.why}")
-        try:
-            check_tides(model.flow, used)
-        except DataError as error:
-            if follow is None:
-                raise
-            if not faults:
-                tell(f"so far, {error}")
-            faults.append(str(error))
-        with progress_bar("replaying dives", max(len(used), 1)) as report:
-            return growing.feed(used, report), skipped
-
+    job = replay_report.Job(growing, ahead, kinds, least)
     if fleet is not None:
-        rows, page = look_at(take, fleet, out or fleet / "replay", kinds, command)
+        rows, page = look_at(job, fleet, out or fleet / "replay", command)
         finish(fleet_results(rows), rows, as_json, page)
         return
     written = []
     if follow is not None:
-        place = follow / "replay" if out is None else out
-        summary = replay_report.watch(take, follow, place, ahead, kinds, every, patience, command)
+        summary = replay_report.watch(
+            job, follow, out or follow / "replay", every, patience, command
+        )
     else:
-        gliders = clpt.gliders
-        dives = (gliders.sample_dives(), []) if sample else gliders.read_dives(files or [])
-        result, skipped = take(*dives)
-        summary = replay_report.summary_with_next(result, skipped, ahead)
+        summary = job.found(
+            *((clpt.gliders.sample_dives(), []) if sample else clpt.gliders.read_dives(files or []))
+        )
         if out is not None:
             written = replay_report.write(summary, make_folder(out), kinds)
     finish(replay_report.results(summary), summary, as_json, *written)
@@ -258,7 +226,7 @@ def pages_of(vehicles: Iterable[str], place: Path) -> dict[str, Path]:
 
 
 def look_at(
-    take: replay_report.Take, top: Path, out: Path, kinds: Sequence[str], alert: Sequence[str]
+    job: replay_report.Job, top: Path, out: Path, alert: Sequence[str]
 ) -> tuple[Report, Path]:
     """Replay each vehicle below a folder and write the fleet's page; return what is found."""
     from ..gliders.dive_files import FROM_GLIDER
@@ -287,9 +255,7 @@ def look_at(
                 alerts = Alerts(alert, place)
                 for vehicle, page in places.items():
                     its = [dive for dive in dives if dive.vehicle == vehicle]
-                    found, _ = replay_report.learn(
-                        take, (its, bad), 0, make_folder(page), replay_report.Ahead(), kinds
-                    )
+                    found, _ = job.learn((its, bad), 0, make_folder(page))
                     link = (page / "replay.html").relative_to(out).as_posix()
                     rows.append(standing(found, link, time.time()))
                     alerts.tell(found)

@@ -6,7 +6,7 @@ A folder that is followed is watched for new files of dives.
 """
 
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from math import hypot, isfinite
 from pathlib import Path
@@ -14,7 +14,7 @@ from typing import Any
 
 import clpt_control as clpt
 
-from ..errors import ScenarioError
+from ..errors import DataError, ScenarioError
 from ..files import write_together
 from ..html import Result
 from ..progress import interrupt, progress_bar, tell
@@ -27,7 +27,6 @@ ROWS = {
     "clpe_rms_after_3": "after the third dive",
 }
 LONGEST = 86400.0  # s between looks
-Take = Callable[[Any, Any], tuple[Any, list]]  # dives and what was unread -> replay, skipped
 
 
 @dataclass
@@ -80,6 +79,70 @@ class Ahead:
                 raise
             tell(f"so far, {error}")
             return []
+
+
+@dataclass
+class Job:
+    """A replay that grows, what is asked of it, and the formats of its figures.
+
+    Dives must last longer than `least`, s.  What the dives so far do not allow is told once where a
+    folder is followed, and work goes on.
+    """
+
+    replay: Any
+    ahead: Ahead
+    kinds: Sequence[str]
+    least: float
+    told: bool = False
+
+    def found(self, dives: Any, unread: Any) -> Report:
+        """Replay the dives that can be used; return what `--json` prints."""
+        from ..gliders.samples import with_variation
+        from ..replay.replay import check_tides
+
+        variation, follows = self.ahead.variation, self.ahead.follows
+        if variation is not None:
+            if not follows and all(dive.turned is None for dive in dives):
+                raise ScenarioError(
+                    f"--variation {variation:g}: no dive here has its dead reckoning from a "
+                    "magnetic heading; leave it out"
+                )
+            dives = [with_variation(dive, variation) for dive in dives]
+        used, unused = clpt.gliders.usable(dives, self.least)
+        skipped = [*unread, *unused]
+        if not (follows or used):
+            raise DataError(f"no dive can be used; dive {skipped[0].dive}: {skipped[0].why}")
+        try:
+            check_tides(self.replay.model.flow, used)
+        except DataError as error:
+            if not follows:
+                raise
+            if not self.told:
+                tell(f"so far, {error}")
+            self.told = True
+        with progress_bar("replaying dives", max(len(used), 1)) as report:
+            self.replay.feed(used, report)
+        return summary_with_next(self.replay, skipped, self.ahead)
+
+    def learn(self, dives: tuple[Any, Any], files: int, out: Path) -> tuple[Report, str]:
+        """Replay dives and write the results; return them with a line on the new files."""
+        from ..replay.places import place
+        from ..replay.wording import aim_sentence, when
+
+        found = self.found(*dives)
+        used = len(self.replay.steps)
+        line = f"{files} new file{'s'[: files != 1]}, {used} dive{'s'[: used != 1]} used"
+        if not used:
+            return found, line
+        write(found, out, self.kinds, again=True)
+        step, to_come = self.replay.steps[-1], found["next_dive"]
+        near = place(to_come["latitude"], to_come["longitude"])
+        return found, (
+            f"{line}; dive {step.dive.number}: miss {step.clpe['adaptive']:.0f} m"
+            + (f"; speed anomaly: {step.anomaly}" if step.anomaly else "")
+            + f"; next surfacing {when(to_come)}, near {near}"
+            + (f"; {aim_sentence(found['aim'][0])}" if found["aim"] else "")
+        )
 
 
 def fitted(
@@ -180,14 +243,7 @@ def check_pace(every: float, patience: float) -> None:
 
 
 def watch(
-    take: Take,
-    folder: Path,
-    out: Path,
-    ahead: Ahead,
-    kinds: Sequence[str],
-    every: float,
-    patience: float,
-    alert: Sequence[str],
+    job: Job, folder: Path, out: Path, every: float, patience: float, alert: Sequence[str]
 ) -> Report:
     """Replay all dives of a folder whenever a file arrives; return what the last replay found.
 
@@ -207,7 +263,7 @@ def watch(
                 arrived = follower.look()
                 if arrived or follower.here != before or found is None:
                     found = None
-                    learned, line = learn(take, follower.dives(), len(arrived), out, ahead, kinds)
+                    learned, line = job.learn(follower.dives(), len(arrived), out)
                     found = learned  # from where the line is seen, an interrupt has its results
                     tell(line)
                     if arrived:
@@ -222,27 +278,3 @@ def watch(
                 raise
             interrupt.answer()
             return found
-
-
-def learn(
-    take: Take, dives: tuple[Any, Any], files: int, out: Path, ahead: Ahead, kinds: Sequence[str]
-) -> tuple[Report, str]:
-    """Replay dives and write the results; return them with a line on the new files."""
-    from ..replay.places import place
-    from ..replay.wording import aim_sentence, when
-
-    replay, skipped = take(*dives)
-    found = summary_with_next(replay, skipped, ahead)
-    used = len(replay.steps)
-    line = f"{files} new file{'s'[: files != 1]}, {used} dive{'s'[: used != 1]} used"
-    if not used:
-        return found, line
-    write(found, out, kinds, again=True)
-    step, to_come = replay.steps[-1], found["next_dive"]
-    near = place(to_come["latitude"], to_come["longitude"])
-    return found, (
-        f"{line}; dive {step.dive.number}: miss {step.clpe['adaptive']:.0f} m"
-        + (f"; speed anomaly: {step.anomaly}" if step.anomaly else "")
-        + f"; next surfacing {when(to_come)}, near {near}"
-        + (f"; {aim_sentence(found['aim'][0])}" if found["aim"] else "")
-    )

@@ -26,7 +26,6 @@ from .printing import (
     draw_figure,
     finish,
     flag,
-    names_of_laws,
     opt,
     say,
 )
@@ -45,9 +44,7 @@ def init(
     file: Path | None = arg(
         "FILE", "Where to write it; default: the name of the example.", default=None
     ),
-    example: str = opt(
-        "NAME", f"What to write: {', '.join(EXAMPLES)}.", default="paper", words=(*EXAMPLES,)
-    ),
+    example: str = opt("NAME", f"What to write: {', '.join(EXAMPLES)}.", default="paper"),
 ) -> None:
     """Write an example to start from: a scenario, by default.
 
@@ -144,14 +141,13 @@ def diagram(
     out: Path | None = opt(
         "FILE", ".svg, .png, .pdf or .mmd; default: Mermaid text.", "-o", "--out"
     ),
-    external: list[str] | None = opt("PORT", "A port to take from outside, such as zc."),
 ) -> None:
     """Draw a scenario's block diagram.
 
     Example:
         clpt diagram mine.toml -o loop.svg
     """
-    wired = clpt.closed_loop(clpt.load_scenario(scenario), external or ())
+    wired = clpt.closed_loop(clpt.load_scenario(scenario))
     if out is None:
         say(clpt.diagrams.mermaid(wired))
         return
@@ -184,18 +180,10 @@ def ensemble(
     scenario: ScenarioFile,
     members: int = opt("COUNT", "How many runs.", default=...),
     vary: list[str] = opt(
-        "KEY=LOW:HIGH",
-        "A range, KEY~normal:DEVIATION, KEY~gamma(2) or another of scipy.stats, KEY=[VALUE, ...]; "
-        "repeat it.",
-        default=...,
+        "KEY=LOW:HIGH", "A range, KEY~normal:DEVIATION or KEY=[VALUE, ...]; repeat it.", default=...
     ),
     out: Path = opt("FOLDER", "Zarr folder; if it holds a part, go on from there.", default=...),
-    design: str = opt(
-        "NAME",
-        "lhs (Latin hypercube), grid or random.",
-        default="lhs",
-        words=("lhs", "grid", "random"),
-    ),
+    design: str = opt("NAME", "lhs (Latin hypercube), grid or random.", default="lhs"),
     seed: int = opt("NUMBER", "Seed of the draws.", default=0),
     threads: int | None = opt("COUNT", "Default: all processors."),
     trajectories: bool = flag("Keep the states too.", "--trajectories"),
@@ -242,9 +230,7 @@ def tune(
     unmodelled: float | None = opt(
         "SPEED", "Rms of flow beside the basis; default: the scenario's."
     ),
-    law: list[str] | None = opt(
-        "NAME", "A law to compare; repeat it; default: all.", autocompletion=names_of_laws
-    ),
+    law: list[str] | None = opt("NAME", "A law to compare; repeat it; default: all."),
     seed: int = opt("NUMBER", "Seed of the draws.", default=0),
     as_json: Json = False,
 ) -> None:
@@ -273,8 +259,6 @@ def tune(
 def _result(report: Report) -> Result:
     length, time = report["units"]["length"], report["units"]["time"]
     rows = [_row(one) for one in report["candidates"][:MOST_SHOWN]]
-    if report["own"] is not None:
-        rows.append(_row(report["own"]))
     more = len(report["candidates"]) - MOST_SHOWN
     title = (
         f"{report['members']} flows drawn with a prior of {report['prior']:.3g} {length}/{time}, "
@@ -299,7 +283,7 @@ def _row(one: Report) -> list[str]:
 
 
 def report(
-    run: Path = arg("RUN", "run.nc, a team's too; an ensemble's folder; replay.nc or its JSON."),
+    run: Path = arg("RUN", "run.nc, a team's too; an ensemble's folder; replay.nc."),
     out: Path = opt("FILE", "The page, .html.", "-o", "--out", default=Path("report.html")),
     title: str | None = opt("TITLE", "In place of the scenario's."),
     figures: Path | None = opt("FOLDER", "Folder for the figures too, as SVG and PDF."),

@@ -15,7 +15,7 @@ The scenario's own theta or field never enters: neither centre nor prior is made
 of the position and of the disturbance, gets a seed for each draw.
 """
 
-from collections.abc import Iterator
+from itertools import product
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -54,12 +54,11 @@ def laws_to_try(names: tuple[str, ...]) -> tuple[list[Law], dict[str, str]]:
     return [law for law in asked if law.name not in idle], idle
 
 
-def grid_about(scenario: Scenario, one: Candidate) -> Iterator[Candidate]:
-    """Yield a law with gains and filters about those of a candidate with its defaults."""
-    for gain in GAINS if one.gain is not None else (1.0,):
-        for pole in FILTERS if one.filter is not None else (1.0,):
-            if (gain, pole) != (1.0, 1.0):
-                yield candidate(scenario, LAWS[one.law], one.held, gain, pole)
+def factors_of(one: Candidate) -> list[tuple[float, float]]:
+    """Return the factors on gain and filter that are tried beside a candidate's own."""
+    gains = GAINS if one.gain is not None else (1.0,)
+    filters = FILTERS if one.filter is not None else (1.0,)
+    return [pair for pair in product(gains, filters) if pair != (1.0, 1.0)]
 
 
 def candidate(

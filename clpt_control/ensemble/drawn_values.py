@@ -3,11 +3,11 @@
     learning.gain=0.2:2.0         uniform between two numbers
     flow.parameters~normal:0.1    normal about the value that is there, with an
                                   absolute standard deviation
-    learning.gain~gamma(2, 0, 1)  a distribution of scipy.stats
     learning.gain=[0.5, 1, 2]     one of these values
 
-In Python a dict says the same, ``{"learning.gain": stats.gamma(2, 0, 1)}``.  Shapes never change;
-an array varies element by element, a list gives whole values.
+In Python a dict says the same, and may hold a distribution of scipy.stats,
+``{"learning.gain": stats.gamma(2, 0, 1)}``.  Shapes never change; an array varies element by
+element, a list gives whole values.
 
     lhs       Latin hypercube: each number's range is cut into as many equal
               parts as there are members, and each part is drawn from once
@@ -20,14 +20,12 @@ members there are and its number: never on chunks, threads, order, or on what
 else varies.
 """
 
-import ast
 import json
 import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from decimal import Decimal
-from functools import lru_cache
 from math import prod
 from typing import Any, NamedTuple
 
@@ -40,7 +38,7 @@ from .members import Values, Varied
 
 FORMS = (
     "KEY=LOW:HIGH, two finite numbers of which the first is the smaller; KEY~normal:DEVIATION, a "
-    "positive number; KEY~gamma(2) or another of scipy.stats; or KEY=[VALUE, ...]"
+    "positive number; or KEY=[VALUE, ...]"
 )
 IN_A_DICT = "a list of values, a range '0.2:2.0', or a distribution, such as scipy.stats.norm(1, 2)"
 DESIGNS = ("lhs", "grid", "random")
@@ -53,60 +51,28 @@ class Vary(NamedTuple):
 
     key: str  # dotted, ``"learning.gain"``
     kind: str  # uniform, normal, drawn or levels
-    numbers: tuple[Any, ...]  # low and high; the deviation; a distribution's text; the levels
-
-    @property
-    def text(self) -> str:
-        """The same as `read_vary` reads it."""
-        if self.kind == "uniform":
-            return f"{self.key}={float(self.numbers[0])!r}:{float(self.numbers[1])!r}"
-        if self.kind == "normal":
-            return f"{self.key}~normal:{float(self.numbers[0])!r}"
-        if self.kind == "drawn":
-            return f"{self.key}~{self.numbers[0]}"
-        return f"{self.key}={json.dumps(list(self.numbers))}"
+    numbers: tuple[Any, ...]  # low and high; the deviation; a distribution; the levels
+    text: str  # key and values as they are written
 
 
 def read_vary(text: str) -> Vary:
     """Read how a key varies, in one of the forms above."""
     match = re.fullmatch(r"\s*([\w.]+(?:\[[\d, ]+\])?)\s*([=~])\s*(.+?)\s*", text, re.DOTALL)
     key, sign, rest = match.groups() if match else ("", "", "")
-    if sign == "~" and rest.endswith(")"):
-        distribution(rest)
-        return Vary(key, "drawn", (rest,))
+    written = key + sign + rest
     with suppress(ValueError, RecursionError):  # no number or list, or too many brackets or digits
         if rest.startswith("["):
             if levels := json.loads(rest):
-                return Vary(key, "levels", tuple(levels))
+                return Vary(key, "levels", tuple(levels), written)
         elif sign == "=":
             low, high = map(float, rest.split(":"))
             if -math.inf < low < high < math.inf:
-                return Vary(key, "uniform", (low, high))
+                return Vary(key, "uniform", (low, high), written)
         elif rest.startswith("normal:"):
             size = float(rest.removeprefix("normal:"))
             if 0 < size < math.inf:
-                return Vary(key, "normal", (size,))
+                return Vary(key, "normal", (size,), written)
     raise ScenarioError(f"vary = '{shortened(text, 60)}': must be {FORMS}")
-
-
-@lru_cache(maxsize=64)
-def distribution(text: str) -> Any:
-    """Return the distribution of scipy.stats that a text names, ``"gamma(2, scale=0.5)"``."""
-    from scipy import stats
-
-    try:
-        call: Any = ast.parse(text.strip(), mode="eval").body
-        places = [float(ast.literal_eval(one)) for one in call.args]
-        named = {str(one.arg): float(ast.literal_eval(one.value)) for one in call.keywords}
-        drawn = getattr(stats, call.func.id)(*places, **named)
-        if not np.isfinite(drawn.ppf(0.5)):
-            raise ValueError
-    except Exception:  # a text can raise anything
-        raise ScenarioError(
-            f"vary: {text:.60} is no distribution of scipy.stats with numbers, such as "
-            "uniform(0.5, 1) or gamma(2, scale=0.5)"
-        ) from None
-    return drawn
 
 
 def _of_item(key: str, given: Any) -> Vary:
@@ -117,11 +83,11 @@ def _of_item(key: str, given: Any) -> Vary:
         if hasattr(given, "ppf"):
             named = [f"{name}={float(value)!r}" for name, value in given.kwds.items()]
             numbers = ", ".join([*(repr(float(one)) for one in given.args), *named])
-            text = f"{given.dist.name}({numbers})"
-            if distribution(text).ppf(0.3) == given.ppf(0.3):
-                return Vary(key, "drawn", (text,))
+            if np.isfinite(given.ppf(0.5)):
+                return Vary(key, "drawn", (given,), f"{key}~{given.dist.name}({numbers})")
         elif np.ndim(given) and len(given):
-            return Vary(key, "levels", tuple(np.asarray(given, dtype=float).tolist()))
+            levels = np.asarray(given, dtype=float).tolist()
+            return Vary(key, "levels", tuple(levels), f"{key}={json.dumps(levels)}")
     except (TypeError, ValueError, AttributeError):
         pass
     raise ScenarioError(f"vary: {key} = {brief(given)}: must be {IN_A_DICT}")
@@ -152,11 +118,11 @@ def check_varies(varied: Varied, varies: Sequence[Vary]) -> None:
             raise ScenarioError(f"vary = '{one.text}': a seed is a whole number; list the values")
 
 
-def unknown_name(what: str, name: str, known: Iterable[str]) -> str:
-    """Return the sentence on an unknown key or name: what may be meant, and what may vary."""
+def what_may_vary(name: str, known: Iterable[str]) -> str:
+    """Return the sentence on a name that does not vary: what may be meant, and what may vary."""
     close = nearest(name, known)
-    hint = f"did you mean {close}? May vary" if close else "may vary"
-    return f"vary: unknown {what} {name}; {hint}: {', '.join(known)}"
+    hint = f"did you mean {close}? May vary" if close and close != name else "may vary"
+    return f"vary: {name} cannot vary; {hint}: {', '.join(known)}"
 
 
 def _check_levels(one: Vary, shape: tuple[int, ...]) -> None:
@@ -252,7 +218,7 @@ def _values(one: Vary, base: np.ndarray, shares: np.ndarray) -> np.ndarray:
         shares *= high - low
         shares += low
     elif one.kind == "drawn":
-        shares = np.asarray(distribution(one.numbers[0]).ppf(shares), dtype=float)
+        shares = np.asarray(one.numbers[0].ppf(shares), dtype=float)
     else:
         from scipy.special import ndtri
 

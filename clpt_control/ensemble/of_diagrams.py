@@ -30,7 +30,7 @@ from ..simulation.frame import Axes, Series, port_variables
 from ..simulation.integrate import request_of, sizes_of_run
 from ..simulation.running import labels_of, signal_units
 from ..simulation.starts import stacked_state
-from .drawn_values import Vary, unknown_name
+from .drawn_values import Vary, what_may_vary
 from .members import Ensemble, Member, Members, States, Values, Varied, hash_of
 from .summaries import Arrays, ends_of
 
@@ -126,7 +126,7 @@ class VariedDiagram(Varied):
                 f"vary: {key} is no element of {whole}, counted from 0; or {whole} is more than "
                 "one of a parameter, an initial state and an input: name one of a block"
             )
-        return unknown_name("name", key, self.names)
+        return what_may_vary(key, self.names)
 
     def check(self, key: str, value: np.ndarray) -> None:
         """Refuse a value that is not finite."""

@@ -18,7 +18,7 @@ from ..scenario.file import scenario_to_text
 from ..scenario.quantities import QUANTITIES, STARTS, key_hint, keys_of, keys_of_law
 from ..simulation.loops import changed_blocks
 from ..simulation.starts import state_columns, state_of
-from .drawn_values import unknown_name
+from .drawn_values import what_may_vary
 from .members import Member, Values, Varied, hash_of
 from .summaries import arrays_of, marks_of, sample_times_of, summarise
 
@@ -43,9 +43,11 @@ class VariedScenario(Varied):
         self.name = ", ".join(changes.names) or "the closed loop"
         self.encoding = {"folder": str(scenario._folder.absolute())}  # of its field
         of_law = ("learning.gain", f"learning.{scenario.learning.row.table}.")
-        values = variable_values(scenario)
-        self.of_law = [key for key in values if key.startswith(of_law)] if self.changes.law else []
-        self.values = {key: value for key, value in values.items() if key not in self.of_law}
+        self.values = {
+            key: value
+            for key, value in variable_values(scenario).items()
+            if self.changes.law is None or not key.startswith(of_law)
+        }
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Travel as its arguments, with the absolute folder of the field."""
@@ -67,21 +69,11 @@ class VariedScenario(Varied):
 
     def why_not(self, key: str) -> str:
         """Return why a key cannot vary."""
-        if key in self.of_law or key.split(".")[0] in self.changes.names:
-            return (
-                f"vary: {key} cannot vary: it is of a part given in Python, or of the law in whose "
-                "place one is given; with timepts the loop runs as any diagram, whose parts' own "
-                "parameters may vary"
-            )
-        if other := key_hint(key):
+        of_own = key.split(".")[0] in self.changes.names
+        if not of_own and (other := key_hint(key)):
             return f"vary: {other}"
-        dotted = [f"{name}." for name, *_ in self.scenario.every_key()]
-        if any(name.startswith(f"{key}.") or f"{key}.".startswith(name) for name in dotted):
-            return (
-                f"vary: {key} cannot vary: it is a table, a word, a count, not set, or one for all "
-                f"members; may vary: {', '.join(self.values)}"
-            )
-        return unknown_name("key", key, self.values)
+        own = "; the parameters of a part given in Python vary where there are timepts"
+        return what_may_vary(key, self.values) + own * bool(self.changes.names)
 
     def check(self, key: str, value: np.ndarray) -> None:
         """Refuse a value that the scenario does not allow."""

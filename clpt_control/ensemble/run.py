@@ -230,9 +230,8 @@ def run_ensemble(
             runner.signals(runner.run(*at, **options), options["inputs"])
         except SimulationError as error:
             why = str(error) if str(error).startswith(status) else f"{status}: {error}"
-        warn(
-            f"{len(failed)} of {members} members did not finish; the first is member {first}: {why}"
-        )
+        some = f"{len(failed)} of {members} members did not finish"
+        warn(f"{some}; the first is member {first}: {why}")
     return data
 
 

@@ -74,7 +74,7 @@ def ensemble_summary(data: "xarray.Dataset") -> dict[str, Any]:
         ``units``, ``members``, how they ended and the first that failed, and percentiles
         of the CLPE rms per cycle and over the run, and of the errors at the
         last mark; None where no member came. With ``vehicle.max_speed`` also in how many members
-        the flow was faster than the vehicle, the largest share of time and the longest stretch.
+        the flow was faster than the vehicle, and the largest share of time.
 
     Examples
     --------
@@ -104,12 +104,9 @@ def ensemble_summary(data: "xarray.Dataset") -> dict[str, Any]:
         if name in data:
             summary[f"{name}_at_end"] = _listed(percentiles(last, name)[:, 0])
     if "share_in_faster_flow" in data:
-        share, longest = (data[f"{name}_in_faster_flow"].values for name in ("share", "longest"))
-        summary["faster_flow"] = {
-            "members": int(np.sum(share > 0)),
-            "largest_share": float(np.nanmax(share, initial=0.0)),
-            "longest": float(np.nanmax(longest, initial=0.0)),
-        }
+        share = data["share_in_faster_flow"].values
+        largest = float(np.nanmax(share, initial=0.0))
+        summary["faster_flow"] = {"members": int(np.sum(share > 0)), "largest_share": largest}
     return summary
 
 

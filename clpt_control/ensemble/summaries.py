@@ -4,7 +4,7 @@
     clpe_rms_whole          the same over the whole run
     flow_parameter_error    max |estimate - theta| at the marks
     gain_error              max |gain - true gain| at the marks, where gains adapt
-    share_at_speed_limit    and two more of a vehicle whose speed is limited
+    share_in_faster_flow    of time, of a vehicle whose speed is limited
     status, end             how the run ended and the last time it reached
 
 They are computed for all members of a chunk at once, from their states.
@@ -33,12 +33,6 @@ MOST_SAMPLES = 20_000  # a member, but at least a tenth of those of `clpt run`
 MARKS = 41  # times of errors, unless they are given
 TRAJECTORIES = ("position", "predicted_position", "alpha", "feedback_gain", "feedforward_gain")
 STATUS = tuple(ENDS)[: numbering.STIFF]  # a member goes on by itself where it is stiff
-
-SPEEDS = {  # name -> (long name, whether it is a time)
-    "share_at_speed_limit": ("share of time at the speed limit", False),
-    "share_in_faster_flow": ("share of time in a flow faster than the vehicle", False),
-    "longest_in_faster_flow": ("longest stretch in a flow faster than the vehicle", True),
-}
 
 
 class SampleTimes(NamedTuple):
@@ -155,8 +149,8 @@ def arrays_of(varied: Any, values: Values) -> Arrays:
         add("flow_parameter_error", "mark", "largest error of a flow parameter", speed)
     if varied.knows_gains:
         add("gain_error", "mark", "largest error of a gain", rate)
-    for name, (long_name, is_time) in SPEEDS.items() if varied.needs_signals else ():
-        add(name, "", long_name, time if is_time else "1")
+    if varied.needs_signals:
+        add("share_in_faster_flow", "", "share of time in a flow faster than the vehicle", "1")
     arrays.add_members(units=time)
     for name in followed(varied):
         port, long_name, *_ = VARIABLES[name]
@@ -227,7 +221,7 @@ def summarise(
         ]
         summaries["gain_error"] = np.maximum(*errors)
     if varied.needs_signals:
-        summaries |= _speeds(varied, ensemble, members, values, run)
+        summaries["share_in_faster_flow"] = _faster_flow(varied, ensemble, members, values, run)
     summaries |= ends_of(run, times.all)
     for name in followed(varied):
         own = at[VARIABLES[name][0]][:, times.own]
@@ -235,21 +229,19 @@ def summarise(
     return summaries
 
 
-def _speeds(
+def _faster_flow(
     varied: Any, ensemble: Ensemble, members: Members, values: Values, run: States
-) -> Values:
-    """Return `SPEEDS` of members, by the samples that each reached."""
-    speeds, times = np.full((len(run.states), len(SPEEDS)), np.nan), varied.state_times
+) -> np.ndarray:
+    """Return the share of time in a flow faster than each member, by the samples it reached."""
+    shares, times = np.full(len(run.states), np.nan), varied.state_times
     limits = values.get("vehicle.max_speed", itertools.repeat(varied.scenario.vehicle.max_speed))
     every = [label for node in varied.wiring.nodes for label in node.system.output_labels]
     ports = ports_of(every)
-    for m, (row, limit) in enumerate(zip(speeds, limits, strict=False)):
-        reached = int(run.reached[m])
-        if reached < 2:
+    for m, limit in zip(range(len(shares)), limits, strict=False):
+        if run.reached[m] < 2:
             continue
         signals = ensemble.signals(members, run, m)
         velocities = (signals[:, ports[port]] for port in ("v_c", "flow_x"))
-        figures = speed_figures(float(limit), times[:reached], *velocities)
-        faster = figures["faster_flow"] or {"share": 0.0, "longest": 0.0}
-        row[:] = figures["share_at_limit"], faster["share"], faster["longest"]
-    return dict(zip(SPEEDS, speeds.T.copy(), strict=True))
+        faster = speed_figures(float(limit), times[: run.reached[m]], *velocities)["faster_flow"]
+        shares[m] = faster["share"] if faster else 0.0
+    return shares

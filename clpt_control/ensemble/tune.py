@@ -12,13 +12,13 @@ along a window T, kappa_1 being the smallest eigenvalue of the joint Gramian ove
 """
 
 from collections.abc import Callable, Iterable
-from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from ..arguments import public
+from ..blocks.laws.law import Law
 from ..blocks.laws.table import LAWS
 from ..errors import ClptError, ScenarioError, needed
 from ..scenario.experiment import Scenario
@@ -26,12 +26,11 @@ from ..theory.designing.design import time_below
 from ..theory.designing.waypoint_tracks import Tracks
 from ..theory.excitation.regressor import checked_window
 from ..units import known
-from .candidates import Candidate, Unknown, belief, candidate, grid_about, laws_to_try, unknown_of
+from .candidates import Candidate, Unknown, belief, candidate, factors_of, laws_to_try, unknown_of
 from .run import run_ensemble
 
 NEAR = 1.2  # times the best score: as good
 FINALISTS = 3  # laws whose gain and filter are varied
-OWN = "as it is"  # the scenario's own learning, beside the candidates
 ENOUGH = 1e-3  # less needs not be
 TENTH = 0.1  # of the first error: it ends the learning time
 MARKS = 200  # times at which errors are looked at
@@ -130,46 +129,38 @@ def tune_law(
     if not tried:
         raise ScenarioError(f"laws: none of {', '.join(names)} learns the flow; name another")
     report = progress or (lambda share: None)
-    scores = []
+    scores: list[Score] = []
 
-    def score(one: Candidate) -> None:
+    def score(law: Law, held: bool, *factors: float) -> None:
+        name = law.name
         try:
+            one = candidate(scenario, law, held, *factors)
+            name = one.text
             scores.append(score_of(unknown, one, members, seed))
         except ClptError as error:
-            skipped[one.text] = str(error).removeprefix("scenario: ")
+            skipped[name] = str(error).removeprefix("scenario: ")
 
     for k, law in enumerate(tried):
         report(0.5 * k / len(tried))
-        try:
-            both = [candidate(scenario, law, held) for held in (False, True)]
-        except ClptError as error:
-            skipped[law.name] = str(error).removeprefix("scenario: ")
-            continue
-        for one in both:
-            score(one)
+        for held in (False, True):
+            score(law, held)
     finalists: dict[str, Candidate] = {}  # the best of each law
     for each in ranked(scores):
         finalists.setdefault(each.candidate.law, each.candidate)
     few = list(finalists.values())[:FINALISTS]
-    grid = [one for best in few for one in grid_about(scenario, best)]
-    for k, one in enumerate(grid):
+    grid = [(best, factors) for best in few for factors in factors_of(best)]
+    for k, (best, factors) in enumerate(grid):
         report(0.5 + 0.5 * k / len(grid))
-        score(one)
-    best = ranked(scores)
-    if not best:
+        score(LAWS[best.law], best.held, *factors)
+    order = ranked(scores)
+    if not order:
         reasons = "; ".join(f"{name}: {why}" for name, why in list(skipped.items())[:2])
         raise ScenarioError(
             f"no candidate reaches the end of its runs{': ' if reasons else ''}{reasons}; give a "
             "smaller prior or a shorter run"
         )
-    learning, own = scenario.learning, None
-    with suppress(ClptError):
-        if not learning.row.given_estimate:
-            name_and_gain = f"{learning.law}, {OWN}", learning.used_gains.parameters
-            as_it_is = Candidate(*name_and_gain, not learning.adapt_gains, None, {})
-            own = score_of(unknown, as_it_is, members, seed)
     report(1.0)
-    chosen, enough = best[0], NEAR * min(one.score for one in best)
+    chosen, enough = order[0], NEAR * min(one.score for one in order)
     failed = sorted((one for one in scores if one.failed), key=lambda one: one.candidate.text)
     summary = {
         "title": scenario.title,
@@ -182,9 +173,8 @@ def tune_law(
         "noise": unknown.noise,
         **excitation_of_track(unknown.scenario),
         "chosen": as_json(chosen),
-        "as_good": sum(one.score <= enough for one in best),
-        "own": None if own is None else as_json(own),
-        "candidates": [as_json(one) for one in (*best, *failed)],
+        "as_good": sum(one.score <= enough for one in order),
+        "candidates": [as_json(one) for one in (*order, *failed)],
         "skipped": skipped,
     }
     summary["because"] = because(summary, chosen.candidate.text)
@@ -257,7 +247,7 @@ def as_json(one: Score) -> dict[str, Any]:
 def because(report: dict[str, Any], named: str) -> str:
     """Return in a sentence why the choice was made, with its numbers."""
     unit, time = report["units"]["length"], report["units"]["time"]
-    speed, chosen, own = f"{unit}/{time}", report["chosen"], report["own"]
+    speed, chosen = f"{unit}/{time}", report["chosen"]
     least = report["smallest_eigenvalue"]
     share = (least / report["window"]) ** 0.5
     shows = "shows every parameter" if share > HIDDEN else "hides some parameters"
@@ -267,12 +257,9 @@ def because(report: dict[str, Any], named: str) -> str:
     soon = chosen["learning_time"]
     came = "does not fall to a tenth" if soon is None else f"is a tenth after {soon:.4g} {time}"
     first = "" if report["as_good"] == 1 else f"the quickest of {report['as_good']} as good, "
-    beside = ""
-    if own is not None and own["error"] is not None:
-        beside = f"; {own['law']} ends at {own['error']:.2g} {speed}, {own['clpe_rms']:.2g} {unit}"
     return (
         f"{named}: {first}because the track {shows} (smallest eigenvalue {least:.3g} over "
         f"{report['window']:g} {time}: {share:.1g} of an error is seen), and with {flow} and "
         f"{fixes} the error of {report['members']} drawn flows, in the middle, {came} and ends at "
-        f"{chosen['error']:.2g} {speed}, CLPE rms at {chosen['clpe_rms']:.2g} {unit}{beside}"
+        f"{chosen['error']:.2g} {speed}, CLPE rms at {chosen['clpe_rms']:.2g} {unit}"
     )

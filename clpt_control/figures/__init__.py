@@ -67,7 +67,6 @@ DROPPED = re.compile(  # of matplotlib's: what it tells of itself, names of grou
 ROOT = 'stroke-linejoin="round" stroke-linecap="butt" fill="currentColor"'
 
 _for_a_file: ContextVar[bool] = ContextVar("for_a_file", default=False)
-_not_displayed: list[Any] = []  # the last figure of pyplot's where no backend shows it
 
 
 def new_figure(width: float = 6.4, height: float = 4.2, **subplots: Any) -> "tuple[Figure, Any]":
@@ -134,30 +133,13 @@ def _bare(width: float, height: float) -> "Figure":
 
 
 def _displayed(width: float, height: float) -> "Figure":
-    """Return a new figure of pyplot's, or one alone where pyplot's backend cannot start.
-
-    Where no backend shows figures, pyplot holds the last one that was drawn and no more.
-    """
-    import matplotlib
-    from matplotlib.backends import BackendFilter, backend_registry
-
+    """Return a new figure of pyplot's, or one alone where pyplot's backend cannot start."""
     try:
         from matplotlib import pyplot
 
-        while _not_displayed:
-            pyplot.close(_not_displayed.pop())
-        most = matplotlib.rcParams["figure.max_open_warning"]
-        matplotlib.rcParams["figure.max_open_warning"] = 0
-        try:  # no rc_context, as a notebook's backend sets parameters when it begins
-            figure = pyplot.figure(figsize=(width, height), layout="constrained")
-        finally:
-            matplotlib.rcParams["figure.max_open_warning"] = most
+        return pyplot.figure(figsize=(width, height), layout="constrained")
     except ImportError:  # a window where there is no screen
         return _bare(width, height)
-    unseen = backend_registry.list_builtin(BackendFilter.NON_INTERACTIVE)
-    if matplotlib.get_backend().lower() in unseen:
-        _not_displayed.append(figure)
-    return figure
 
 
 def figure_of(plot: Callable[..., Any], *arguments: Any, **keywords: Any) -> "Figure":

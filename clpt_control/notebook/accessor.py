@@ -9,11 +9,11 @@ MATLAB with a matrix for each port, whose columns are its signals.
 import re
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .. import ensemble, pages, replay, simulation, theory
+from .. import ensemble, replay, simulation
 from ..arguments import check_holds, public
 from ..equations.ports import ports_of
 from ..errors import DataError
@@ -28,31 +28,18 @@ if TYPE_CHECKING:
     from ..scenario import Scenario, Team
 
 
-class Kind(NamedTuple):
-    """What a dataset is: an attribute that says so, and the plot that shows most."""
-
-    attribute: str
-    room: Any
-    whole: str
-
-
-KINDS = {
-    "team": Kind("team", simulation, "team_plot"),
-    "ensemble": Kind("ensemble", ensemble, "ensemble_plot"),
-    "run": Kind("scenario", simulation, "run_plot"),
-    "replay": Kind("estimator", replay, "replay_plot"),
-    "diagram": Kind("engine", simulation, "response_plot"),
+KINDS: dict[str, tuple[str, Any, str]] = {  # what says so, and the plot that shows most
+    "team": ("team", simulation, "team_plot"),
+    "ensemble": ("ensemble", ensemble, "ensemble_plot"),
+    "run": ("scenario", simulation, "run_plot"),
+    "replay": ("estimator", replay, "replay_plot"),
+    "diagram": ("engine", simulation, "response_plot"),
 }
 LONGEST = 60  # letters of a name in MATLAB, of which 63 count
-WORDS = {  # that name nothing in MATLAB
-    *("break", "case", "catch", "classdef", "continue", "else", "elseif", "end", "for"),
-    *("function", "global", "if", "otherwise", "parfor", "persistent", "return", "spmd"),
-    *("switch", "try", "while"),
-}
 
 
 def _kind(data: "xarray.Dataset") -> str:
-    return next((name for name, kind in KINDS.items() if kind.attribute in data.attrs), "")
+    return next((name for name, kind in KINDS.items() if kind[0] in data.attrs), "")
 
 
 def kind_of(data: "xarray.Dataset") -> str:
@@ -111,11 +98,11 @@ def write_mat(run: "xarray.Dataset", path: Path) -> None:
 def _valid(name: str, taken: Any) -> str:
     """Return a name that MATLAB allows, and that is not taken.
 
-    >>> _valid("K", []), _valid("2nd flow", []), _valid("end", []), _valid("e", ["e"])
-    ('K', 'x_2nd_flow', 'x_end', 'e_')
+    >>> _valid("K", []), _valid("2nd flow", []), _valid("e", ["e"])
+    ('K', 'x_2nd_flow', 'e_')
     """
     word = re.sub(r"\W", "_", name, flags=re.ASCII)[:LONGEST]
-    word = word if word[:1].isalpha() and word not in WORDS else f"x_{word}"
+    word = word if word[:1].isalpha() else f"x_{word}"
     while word in taken:
         word += "_"
     return word
@@ -142,14 +129,14 @@ class ClptAccessor:
 
         return system_of_run(self._data)
 
-    @property
-    def plot(self) -> "Plots":
-        """Pictures: called, the one that shows most; ``plot.track()`` and others, a part."""
-        return Plots(self._data)
+    def plot(self, *, ax: Any = None, **options: Any) -> Any:
+        """Draw a run's track, CLPE and learning; a team; a diagram's ports; percentiles; dives.
 
-    def state_at(self, t: float) -> Any:
-        """Return the state of a run at a time, as `clpt_control.state_at`."""
-        return simulation.state_at(self._data, t)
+        It is drawn on given axes or on a new figure; the Axes are returned.  A run takes a `label`
+        and a `color` too, as `clpt_control.compare` gives them.
+        """
+        _, room, plot = KINDS[self.kind]
+        return getattr(room, plot)(self._data, ax=ax, **options)
 
     def linearize(
         self, t: float, input: str | None = None, output: str | None = None, minimal: bool = False
@@ -161,13 +148,13 @@ class ClptAccessor:
         """
         from ..diagrams.linearization import linearize, minimal_of
 
-        at, attributes = self.state_at(t), self._data.attrs
+        at, attributes = simulation.state_at(self._data, t), self._data.attrs
         beyond = [attributes[name] for name in BEYOND if name in attributes]
         if self.kind != "run" or beyond:
             what = f"{self.kind} with {beyond[0]}" if beyond else self.kind
             raise DataError(
                 f"the dataset of a {what} does not hold its diagram; give it, and the state of "
-                "`run.clpt.state_at`, to clpt.linearize"
+                "clpt.state_at(run, t), to clpt.linearize"
             )
         scenario: Any = self.scenario
         whole = simulation.closed_loop(scenario)
@@ -183,14 +170,6 @@ class ClptAccessor:
             linear.C, linear.D = linear.C[rows], linear.D[rows]
             linear.set_outputs([system.output_labels[k] for k in rows])
         return minimal_of(linear) if minimal else linear
-
-    def animate(self, path: Any = None, **options: Any) -> Any:
-        """Make a film of a run, as `clpt_control.animate`."""
-        return simulation.animate(self._data, path, **options)
-
-    def report(self, path: Any, **options: Any) -> dict[str, Any]:
-        """Write a page to send, as `clpt_control.report`."""
-        return pages.report(self._data, path, **options)
 
     @public
     def table(self, path: str | PathLike[str] | None = None) -> "pandas.DataFrame":
@@ -209,46 +188,3 @@ class ClptAccessor:
         kind = _kind(self._data)
         what = f"{kind} {self._data.attrs.get('title', '')}".strip() if kind else "none of clpt's"
         return f"<clpt of a dataset: {what}>"
-
-
-class Plots:
-    """Pictures of a dataset, each on given axes or on a new figure; the Axes are returned.
-
-    Those of a run take a `label` and a `color` too, as `clpt_control.compare` gives them.
-    """
-
-    def __init__(self, data: "xarray.Dataset"):
-        self._data = data
-
-    def __call__(self, *, ax: Any = None, **options: Any) -> Any:
-        """Draw a run's track, CLPE and learning; a team; a diagram's ports; percentiles; dives."""
-        kind = KINDS[kind_of(self._data)]
-        return getattr(kind.room, kind.whole)(self._data, ax=ax, **options)
-
-    def track(self, *, ax: Any = None, **options: Any) -> Any:
-        """Draw a run's waypoints, track and flow."""
-        return simulation.track_plot(self._data, ax=ax, **options)
-
-    def clpe(self, *, ax: Any = None, **options: Any) -> Any:
-        """Draw the CLPE of a run, or of a replay's dives."""
-        if kind_of(self._data) == "replay":
-            return replay.dive_clpe_plot(self._data, ax=ax)
-        return simulation.clpe_plot(self._data, ax=ax, **options)
-
-    def learning(self, axis: int = 1, *, ax: Any = None, **options: Any) -> Any:
-        """Draw a run's flow parameters and gains of one axis."""
-        return simulation.learning_plot(self._data, axis, ax=ax, **options)
-
-    def excitation(
-        self, window: float | None = None, start: float | None = None, *, ax: Any = None
-    ) -> Any:
-        """Draw what can be learned along a run."""
-        return theory.excitation_plot(self._data, window, start, ax=ax)
-
-    def map(self, *, ax: Any = None) -> Any:
-        """Draw a replay's fixes, dead reckoning and forecasts."""
-        return replay.map_plot(self._data, ax=ax)
-
-    def current(self, *, ax: Any = None) -> Any:
-        """Draw a replay's learned current."""
-        return replay.current_plot(self._data, ax=ax)

@@ -9,7 +9,7 @@ from xarray import Dataset
 from ..ensemble.spread import ensemble_plot, ensemble_summary, unit_of
 from ..html import Result, folded, listing
 from ..units import percent
-from .page import Page, Section, again_section, drawn
+from .page import Page, Section, drawn, versions_section
 from .results import Numbers
 
 MOST_ROUNDS = 8
@@ -32,6 +32,10 @@ def ensemble_page(data: Dataset, title: str | None) -> Page:
         warnings.append(
             f"{done - finished} of {done} runs did not come to their end; what they reached counts."
         )
+    if request.get("law"):
+        warnings.append(
+            f"The runs had a law given in Python, which no file holds: {request['law']}"
+        )
     text = folded("The scenario that varied, TOML", listing(str(request["scenario"])))
     return Page(
         "Ensemble",
@@ -42,7 +46,7 @@ def ensemble_page(data: Dataset, title: str | None) -> Page:
             _spread(data, summary, done),
             _varied(data, request),
             Section("scenario", "Scenario", more=text),
-            _again(data, request),
+            versions_section(data.attrs),
         ],
     )
 
@@ -81,8 +85,7 @@ def ensemble_result(data: Dataset, summary: Numbers, name: str) -> Result:
         faster = summary["faster_flow"]
         sentences.append(
             f"in {faster['members']} members the flow was faster than the vehicle, for at most "
-            f"{percent(faster['largest_share'])} of the time and {faster['longest']:.3g} {time} "
-            "in a stretch"
+            f"{percent(faster['largest_share'])} of the time"
         )
     if summary["first_failed"] is not None:
         sentences.append(f"the first member that did not finish is {summary['first_failed']}")
@@ -101,16 +104,3 @@ def _varied(data: Dataset, request: Request) -> Section:
         rows.append([key, text.removeprefix(key), *cells])
     columns = ["key", "asked for", "least", "median", "most"]
     return Section("varied", "What varied", Result("Values of all members", columns, rows))
-
-
-def _again(data: Dataset, request: Request) -> Section:
-    words = [f"--vary '{one}'" for one in request["vary"]]
-    begin = f"clpt ensemble scenario.toml --members {request['members']}"
-    end = f"--design {request['design']} --seed {request['seed']}"
-    command = " ".join([begin, *words, end, "--out ensemble.zarr"])
-    how = "Save the scenario above as <code>scenario.toml</code>, and type:"
-    commands = [command, "clpt report ensemble.zarr -o report.html"]
-    if request.get("law"):
-        how = "The runs had a law given in Python, which no file holds:"
-        commands = [f"# {request['law']}"]
-    return again_section(how, commands, data.attrs)

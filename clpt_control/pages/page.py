@@ -2,7 +2,7 @@
 
 A sentence comes first, then sections: results beside their figures.  Figures stay
 figures until the page is written, so that they can be files of their own too.  The last section
-tells which versions made the page, and how to make it again.
+tells which versions made it.
 """
 
 import platform
@@ -13,7 +13,7 @@ from textwrap import fill
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..figures import TITLE, figure_of, inline_svg
-from ..html import Result, document, listing, paragraphs, safe, table
+from ..html import Result, document, paragraphs, safe, table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 PACKAGES = ("clpt-control", "control", "numpy", "scipy", "llvmlite", "xarray", "matplotlib")
 WIDTH = 4.8  # inches, of a figure that a telephone shows with letters of their size
 LETTERS = 50  # of a title's line there
+RECORDED = ("software", "engine", "method", "message")  # attributes
 
 
 class Drawn(NamedTuple):
@@ -110,13 +111,11 @@ def _figure(drawn: Drawn) -> str:
     return f"<figure>{svg}<figcaption>{safe(drawn.caption)}</figcaption></figure>"
 
 
-def again_section(how: str, commands: Sequence[str], attrs: Mapping[Any, Any]) -> Section:
-    """Return how to make a page again, and what the attributes record of versions and solver."""
+def versions_section(attrs: Mapping[Any, Any]) -> Section:
+    """Return what the attributes record of versions and solver, and what made the page."""
     here = ", ".join(f"{name} {version(name)}" for name in PACKAGES)
-    recorded = {name: attrs[name] for name in ("software", "engine", "method", "message")
-                if name in attrs}  # fmt: skip
-    recorded |= {name: own for name, own in attrs.items() if str(name).startswith("solver_")}
-    rows = [[str(name).replace("_", " "), str(own)] for name, own in recorded.items()]
+    names = [str(name) for name in attrs]
+    recorded = [name for name in names if name in RECORDED or name.startswith("solver_")]
+    rows = [[name.replace("_", " "), str(attrs[name])] for name in recorded]
     rows.append(["page made with", f"Python {platform.python_version()}, {here}"])
-    more = f"<p>{how}</p>{listing(chr(10).join(commands)) if commands else ''}"
-    return Section("again", "Make it again", Result("Versions", ["", ""], rows), more=more)
+    return Section("versions", "Versions", Result("What ran", ["", ""], rows))

@@ -64,27 +64,21 @@ def numbers_of(run: Dataset, system: Scenario | Team) -> Numbers:
     return {**ending, "of_samples": True, **figures_of(system, run)}
 
 
-def asked(system: Scenario | Team, law: str, waypoints: int) -> str:
+def asked(system: Scenario | Team, waypoints: int) -> str:
     """Return in a sentence what a run is of, by its scenario or its team."""
-    first = system.first if isinstance(system, Team) else system
-    run, unit, N = first.run, first.units, first.basis.N
-    water = "a measured current" if first.flow.field is not None else f"a flow of {N} functions"
-    span = f"for {run.duration:g} {unit.time} in {water}"
     if isinstance(system, Team):
-        names = shortened(", ".join(system.members), 80)
-        pull = f"{system.coupling:g} 1/{unit.time}"
-        return (
-            f"{len(system.members)} vehicles ({names}) visit their waypoints {span}; each learns "
-            "it from the error of its own predictions (CLPE) and, with a coupling of "
-            f"{pull}, from its neighbours."
-        )
-    way = "follows a desired position given in Python"
-    if waypoints:
-        way = f"visits {waypoints} waypoints, {first.reference.dwell:g} {unit.time} at each,"
-    return (
-        f"A vehicle {way} {span}; the law {law} adapts by the error of the vehicle's predictions "
-        "(CLPE)."
-    )
+        first, names = system.first, shortened(", ".join(system.members), 80)
+        who = f"{len(system.members)} vehicles, {names},"
+    else:
+        first, who = system, "a vehicle"
+        if waypoints:
+            who += (
+                f" at {waypoints} waypoints, {first.reference.dwell:g} {first.units.time} at each,"
+            )
+    measured = first.flow.field is not None
+    water = "a measured current" if measured else f"a flow of {first.basis.N} functions"
+    span = f"{first.run.duration:g} {first.units.time}"
+    return f"{who} for {span} in {water}; law {first.learning.law}"
 
 
 def run_result(summary: Numbers, title: str) -> Result:

@@ -3,7 +3,6 @@
 The file itself tells which of them it is.
 """
 
-import json
 import os
 from collections.abc import Sequence
 from pathlib import Path
@@ -13,7 +12,7 @@ from ..arguments import public
 from ..errors import ClptError, DataError
 from ..figures import checked_formats
 from ..files import check_writable, make_folder, write_together
-from ..files.reading import NETCDF, open_netcdf, read_bytes, text_of
+from ..files.reading import open_netcdf
 
 if TYPE_CHECKING:
     import xarray
@@ -21,8 +20,7 @@ if TYPE_CHECKING:
     from ..replay.replay import Replay
     from .page import Page
 
-KNOWN = "give run.nc, the folder of an ensemble, or a replay's replay.nc or JSON"
-LARGEST = 2 * 10**7  # bytes of a replay's JSON: thousands of dives
+KNOWN = "give run.nc, the folder of an ensemble, or a replay's replay.nc"
 NEEDED = (  # variables of a run
     *("time", "position", "predicted_position", "clpe", "feedback_gain", "feedforward_gain"),
     "flow_parameters_estimate",
@@ -84,8 +82,8 @@ def report(
     if isinstance(run, str | Path):
         source, name = read(Path(run)), str(Path(run))
     results: dict[Path, Any] = {}
-    if hasattr(source, "steps") or isinstance(source, dict) or "dive" in source.dims:
-        replay = checked_replay(source, name)
+    if hasattr(source, "steps") or "dive" in source.dims:
+        replay = replay_facts(source, name)
         if figures is not None:
             raise DataError("figures: a replay's are written by `clpt replay --out`; leave it out")
         kind = "Replay of a glider's dives"
@@ -139,45 +137,19 @@ def _replay(replay: dict[str, Any], title: str | None) -> tuple[str, Sequence[st
     except (LookupError, ArithmeticError, TypeError, ValueError, AttributeError) as error:
         what = f"{type(error).__name__}: {error}"
         raise DataError(
-            f"the replay's JSON is damaged or of another version, {what[:80]}; run `clpt replay` "
-            "again"
+            f"the replay is damaged or of another version, {what[:80]}; run `clpt replay` again"
         ) from None
 
 
 # --- what a file or folder is --------------------------------------------------------------------
 
 
-def read(path: Path) -> Any:
-    """Return what lies there: a run, an ensemble or a replay as a Dataset, or JSON."""
+def read(path: Path) -> "xarray.Dataset":
+    """Return what lies there: a run, an ensemble or a replay."""
     if os.path.isdir(path):  # noqa: PTH112 - never raises
-        return _folder(path)
-    raw = read_bytes(path, NETCDF, KNOWN, LARGEST)
-    if raw in NETCDF:
-        return _netcdf(path)
-    text = text_of(raw, path, f"is nothing that clpt writes; {KNOWN}")
-    if not text.lstrip().startswith("{"):
-        raise DataError(
-            f"{path}: is nothing that clpt report reads; `clpt run` runs a scenario; {KNOWN}"
-        )
-    try:
-        return json.loads(text, parse_constant=_no_number)
-    except (ValueError, RecursionError) as error:
-        raise DataError(f"{path}: is no whole JSON: {str(error)[:80]}; {KNOWN}") from None
-
-
-def _no_number(name: str) -> None:
-    raise ValueError(f"{name} is no number of JSON")
-
-
-def _folder(path: Path) -> "xarray.Dataset":
-    if (path / "zarr.json").is_file():
         from ..ensemble.store import open_ensemble
 
         return open_ensemble(path)
-    raise DataError(f"{path}: is a folder without an ensemble; {KNOWN}")
-
-
-def _netcdf(path: Path) -> Any:
     from ..scenario.recorded_run import is_response
     from ..simulation.run_file import load_run
 
@@ -189,24 +161,22 @@ def _netcdf(path: Path) -> Any:
     return load_run(path)
 
 
-def checked_replay(replay: Any, name: str) -> dict[str, Any]:
-    """Return the JSON of a replay or of its dataset; refuse other JSON, and one without a dive."""
+def replay_facts(replay: Any, name: str) -> dict[str, Any]:
+    """Return the summary of a replay or of its dataset; refuse one without a dive."""
     from ..replay.facts import summary_in
     from ..replay.outcome import summary
     from ..replay.replay import next_dive
 
-    if "dive" in getattr(replay, "dims", ()):
-        replay = summary_in(replay, name)
-    elif hasattr(replay, "steps"):
+    if hasattr(replay, "steps"):
         ahead = next_dive(replay).as_dict() if replay.steps else None
-        replay = {**summary(replay), "next_dive": ahead}
-    if not (isinstance(replay, dict) and "each_dive" in replay and "next_dive" in replay):
-        raise DataError(f"{name}: is JSON, but not what `clpt replay --json` prints; {KNOWN}")
-    if replay["each_dive"] and "headlines" not in replay:
+        found = {**summary(replay), "next_dive": ahead}
+    else:
+        found = summary_in(replay, name)
+    if not (isinstance(found, dict) and "headlines" in found):
         raise DataError(f"{name}: is a replay of an earlier version; run `clpt replay` again")
-    if not replay["each_dive"] or replay["next_dive"] is None:
+    if not found.get("each_dive") or found.get("next_dive") is None:
         raise DataError(f"{name}: is a replay without a dive; there is nothing to show yet")
-    return {"vehicle": "glider", "aim": [], **replay}
+    return {"vehicle": "glider", "aim": [], **found}
 
 
 def is_ensemble(data: "xarray.Dataset") -> bool:

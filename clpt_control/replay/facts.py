@@ -160,6 +160,5 @@ def summary_in(data: xarray.Dataset, name: str) -> Any:
         return json.loads(str(data[SUMMARY].values))
     except (KeyError, ValueError, RecursionError):
         raise DataError(
-            f"{name}: is a replay's NetCDF without its summary; run `clpt replay --out` again, or "
-            "give what `clpt replay --json` prints"
+            f"{name}: is a replay's NetCDF without its summary; run `clpt replay --out` again"
         ) from None

@@ -98,10 +98,8 @@ def sentence(problem: Any) -> str:
     if kind == "unknown_key":
         more = problem["ctx"]
         return more["other"] or f"unknown key {key}{'.' * bool(key)}{more['key']}{more['allowed']}"
-    if kind == "union_tag_not_found":
-        return f'{key}.kind: is required; must be "circle" or "waypoints"'
-    if kind == "union_tag_invalid":
-        return f'{key}.kind = {problem["ctx"]["tag"]!r}: must be "circle" or "waypoints"'
+    if kind in ("union_tag_not_found", "union_tag_invalid"):
+        return f'{key}.kind: must be "circle" or "waypoints"'
     if kind == "value_error" and len(where) <= 1:
         return message
     if kind in ("too_long", "too_short", "missing_argument"):

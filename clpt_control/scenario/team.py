@@ -261,15 +261,15 @@ def _table(value: Any, where: str) -> Nested:
     return value
 
 
-def team_of_run(run: Any, files: bool = True) -> Team:
-    """Return the team that a run carries; with `files` the file of its field must exist."""
-    text = getattr(run, "attrs", {}).get(file.TEAM)
-    if not isinstance(text, str):
+def team_of_run(run: Any) -> Team:
+    """Return the team that a run carries."""
+    if file.TEAM not in getattr(run, "attrs", {}):
         raise DataError(
             f"{brief(run)}: must be a Team or a team's run; clpt.load_team and clpt.load_run read "
             "them"
         )
-    return team_from_text(text, "the run", file.folder_of(run) if files else None)
+    team: Any = system_of_run(run)
+    return team
 
 
 def system_of_run(run: Any, files: bool = True) -> Scenario | Team:
@@ -277,4 +277,7 @@ def system_of_run(run: Any, files: bool = True) -> Scenario | Team:
     attributes = getattr(run, "attrs", {})
     if file.TEAM in attributes and "scenario" in attributes:
         raise DataError("the run carries a scenario and a team; must be of one of the two")
-    return (team_of_run if file.TEAM in attributes else file.scenario_of_run)(run, files)
+    if file.TEAM not in attributes:
+        return file.scenario_of_run(run, files)
+    folder = file.folder_of(run) if files else None
+    return team_from_text(str(attributes[file.TEAM]), "the run", folder)

@@ -48,9 +48,9 @@ addEventListener("load", () => {
 </script>
 """
 SECTIONS = {
-    "run": ["achieved", "loop", "track", "clpe", "learning", "excitation", "scenario", "again"],
-    "team": ["achieved", "loop", "track", "excitation", "scenario", "again"],
-    "ensemble": ["spread", "varied", "scenario", "again"],
+    "run": ["achieved", "loop", "track", "clpe", "learning", "excitation", "scenario", "versions"],
+    "team": ["achieved", "loop", "track", "excitation", "scenario", "versions"],
+    "ensemble": ["spread", "varied", "scenario", "versions"],
 }
 pytestmark = IN_CHROMIUM
 

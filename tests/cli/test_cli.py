@@ -265,7 +265,6 @@ def test_nothing_that_is_printed_steers_the_terminal(clpt, refused, monkeypatch)
         ("run", f"{HOSTILE}.toml", "--out", run),
         ("laws", HOSTILE),
         ("ensemble", file, "--members", "2", "--vary", f"{HOSTILE}=1:2", "--out", "e"),
-        ("diagram", file, "--external", HOSTILE),
         ("replay", f"{HOSTILE}.nc"),
         ("tides", f"{HOSTILE}.csv", "--constituents", "M2"),
         ("fit", f"{HOSTILE}.nc", "--out", "x.toml"),

@@ -80,15 +80,13 @@ def test_every_law_makes_ensembles_and_its_settings_vary(quick, name):
 def test_what_a_law_given_in_python_does_not_read_cannot_vary(quick, law, key):
     scenario = quick.with_values({"learning.law": law, key: 0.5})
     loop = clpt.closed_loop(scenario, law=law_blocks.remembering_law())
-    with pytest.raises(
-        ScenarioError, match=f"^vary: {key} cannot vary: it is .* of the law in whose"
-    ):
+    with pytest.raises(ScenarioError, match=f"^vary: {key} cannot vary; .* given in Python vary"):
         run_ensemble(loop, f"{key}=0.2:2.0", 3)
 
 
 def test_a_part_of_ones_own_varies_where_the_loop_is_a_diagram(quick):
     loop = clpt.closed_loop(quick, law=law_blocks.papers_law(name="adaptation"))
-    with pytest.raises(ScenarioError, match=r"^vary: adaptation.gain cannot vary: .* with timepts"):
+    with pytest.raises(ScenarioError, match=r"^vary: adaptation.gain cannot vary; .* timepts"):
         run_ensemble(loop, {"adaptation.gain": [0.5, 2.0]})
     times = np.arange(1.0, 4.0)  # it runs from t = 0
     data = run_ensemble(loop, {"adaptation.gain": [0.5, 2.0]}, timepts=times, trajectories=True)
@@ -226,5 +224,5 @@ def test_a_part_of_ones_own_keeps_numbers_that_are_equal_to_a_keys(quick):
 
 def test_a_gain_that_is_not_set_cannot_vary(quick):
     scenario = quick.with_values({"learning.gain": None, "learning.gains": EACH})
-    with pytest.raises(ScenarioError, match=r"vary: learning.gain cannot vary: it is .* not set"):
+    with pytest.raises(ScenarioError, match=r"vary: learning.gain cannot vary; "):
         run_ensemble(scenario, "learning.gain=0.2:2.0", 3)

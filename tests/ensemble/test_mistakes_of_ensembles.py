@@ -9,7 +9,6 @@ from ensemble_stores import VARY, files
 from pictures import inked
 
 import clpt_control
-from clpt_control.ensemble.drawn_values import read_vary
 from clpt_control.ensemble.run import run_ensemble
 from clpt_control.ensemble.spread import ensemble_plot
 from clpt_control.ensemble.store import Store, open_store
@@ -32,32 +31,14 @@ MISTAKES = [
     ({"vary": []}, "name at least one key"),
     ({"vary": ["learning.gain=1:2", "learning.gain=1:2"]}, "named 2 times"),
     ({"vary": "learning.gian=1:2"}, "did you mean learning.gain? May vary: basis.centers"),
-    ({"vary": "nothing=1:2"}, "unknown key nothing; may vary: basis.centers"),
+    ({"vary": "nothing=1:2"}, "nothing cannot vary; may vary: basis.centers"),
     ({"vary": "adaptation.gain=1:2"}, "the scenario's key is learning.gain"),
-    (
-        {"vary": "learning=1:2"},
-        "cannot vary: it is a table, a word, a count, not set, or one for all",
-    ),
-    (
-        {"vary": "reference.count=5:10"},
-        "cannot vary: it is a table, a word, a count, not set, or one for all",
-    ),
-    (
-        {"vary": "basis.kernel=1:2"},
-        "cannot vary: it is a table, a word, a count, not set, or one for all",
-    ),
-    (
-        {"vary": "run.duration=1:2"},
-        "cannot vary: it is a table, a word, a count, not set, or one for all",
-    ),
-    (
-        {"vary": "flow.disturbance.period=1:2"},
-        "cannot vary: it is a table, a word, a count, not set",
-    ),
-    (
-        {"vary": "learning.theta_estimate=1:2"},
-        "cannot vary: it is a table, a word, a count, not set",
-    ),
+    ({"vary": "learning=1:2"}, "cannot vary; "),
+    ({"vary": "reference.count=5:10"}, "cannot vary; "),
+    ({"vary": "basis.kernel=1:2"}, "cannot vary; "),
+    ({"vary": "run.duration=1:2"}, "cannot vary; "),
+    ({"vary": "flow.disturbance.period=1:2"}, "cannot vary; "),
+    ({"vary": "learning.theta_estimate=1:2"}, "cannot vary; "),
     ({"vary": "learning.gain=-1:2"}, "must be greater than 0; or should be positive"),
     ({"vary": "vehicle.feedback~normal:9"}, "vehicle.feedback"),
     ({"vary": VARY[0], "members": 0}, "members = 0: must be a whole number, at least 1"),
@@ -109,7 +90,7 @@ def test_mistakes_are_one_sentence(quick, tmp_path, given, sentence):
         assert sentence in text
     else:
         assert "member " in text
-        assert "narrow learning.gain=-1.0:2.0" in text
+        assert "narrow learning.gain=-1:2" in text
     assert list(tmp_path.iterdir()) == []
 
 
@@ -227,11 +208,6 @@ def test_numbers_that_are_not_those_of_a_chunk_are_told(lacking, tmp_path):
         clpt_control.report(tmp_path / "e.zarr", tmp_path / "e.html")
 
 
-def test_vary_reads_back():
-    for text in ("a.b=0.2:2.0", "a.b~normal:0.1", "a.b=[0.5, 1, [2, 3]]"):
-        assert read_vary(read_vary(text).text) == read_vary(text) or "[" in text
-
-
 @pytest.mark.parametrize("duration", [10, 125])
 def test_the_figure(scenario, duration):
     data = run_ensemble(scenario.with_values({"run.duration": duration}), VARY, 8)
@@ -251,7 +227,7 @@ def test_the_command(clpt, printed, refused, quick, tmp_path):
     assert table.status == 0
     assert f"{quick.title or file}: 12 finished" in table.out
     wrong = ("--members", 3, "--vary", "x=1:2", "--out", tmp_path / "f.zarr")
-    assert "unknown key x" in refused("ensemble", file, *wrong)
+    assert "x cannot vary; may vary" in refused("ensemble", file, *wrong)
     assert not (tmp_path / "f.zarr").exists()
     named = refused("ensemble", file, *many, "--figure", tmp_path / "e.gif")
     assert ".png, .pdf or .svg" in named

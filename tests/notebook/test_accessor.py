@@ -33,10 +33,7 @@ def test_a_run_and_its_file_as_xarray_opens_it(tmp_path):
             assert one.clpt.kind == "run"
             assert one.clpt.scenario == SCENARIO
             assert len(one.clpt.plot()) == 7
-            for part in ("track", "clpe", "learning", "excitation"):
-                assert np.size(getattr(one.clpt.plot, part)())
-            assert one.clpt.state_at(10.0).tolist() == clpt.state_at(run, 10.0).tolist()
-        made = opened.isel(time=[-1]).clpt.report(tmp_path / "page.html")
+        made = clpt.report(opened.isel(time=[-1]), tmp_path / "page.html")
     assert made["kind"] == "Run of a scenario"
 
 
@@ -48,7 +45,7 @@ def test_a_field_is_found_from_the_file_alone(tmp_path):
     run = clpt.simulate(clpt.load_scenario(tmp_path / "s.toml"))
     clpt.save_run(run, tmp_path / "run.nc")
     with xarray.open_dataset(tmp_path / "run.nc") as opened:
-        assert opened.clpt.plot.track().has_data()
+        assert clpt.simulation.track_plot(opened).has_data()
     loaded, vary = clpt.load_scenario(tmp_path / "s.toml"), "learning.gain=0.2:2.0"
     for out in (None, tmp_path / "e.zarr"):
         data = clpt.ensemble.run_ensemble(loaded, vary, 2, out=out)
@@ -75,15 +72,15 @@ def test_teams_ensembles_and_replays(tmp_path):
     data.to_netcdf(tmp_path / "replay.nc")
     with xarray.open_dataset(tmp_path / "replay.nc") as opened:  # times decoded
         for of_data, of_replay in zip(
-            opened.clpt.plot.current(), clpt.replay.current_plot(replay), strict=True
+            clpt.replay.current_plot(opened), clpt.replay.current_plot(replay), strict=True
         ):
             for a, b in zip(of_data.lines, of_replay.lines, strict=True):
                 np.testing.assert_array_equal(a.get_xydata(), b.get_xydata())
-        shown, own = opened.clpt.plot.map(), clpt.replay.map_plot(replay)
+        shown, own = clpt.replay.map_plot(opened), clpt.replay.map_plot(replay)
         assert shown.get_title(loc="left") == own.get_title(loc="left")
         for a, b in zip(shown.lines, own.lines, strict=True):
             np.testing.assert_allclose(a.get_xydata(), b.get_xydata(), atol=1e-3)
-        heights = [line.get_ydata() for line in opened.clpt.plot.clpe().lines]
+        heights = [line.get_ydata() for line in clpt.replay.dive_clpe_plot(opened).lines]
         np.testing.assert_array_equal(
             heights, [line.get_ydata() for line in clpt.replay.dive_clpe_plot(replay).lines]
         )
@@ -95,11 +92,11 @@ def test_what_is_not_ours_is_one_sentence():
     for ask in (
         lambda: foreign.clpt.plot(),
         lambda: foreign.clpt.scenario,
-        lambda: foreign.clpt.plot.track(),
-        lambda: foreign.clpt.plot.map(),
-        lambda: foreign.clpt.animate(),
-        lambda: foreign.clpt.report("page.html"),
-        lambda: clpt.simulate(SCENARIO).clpt.plot.map(),
+        lambda: clpt.simulation.track_plot(foreign),
+        lambda: clpt.replay.map_plot(foreign),
+        lambda: clpt.animate(foreign),
+        lambda: clpt.report(foreign, "page.html"),
+        lambda: clpt.replay.map_plot(clpt.simulate(SCENARIO)),
     ):
         with pytest.raises(clpt.ClptError) as caught:
             ask()

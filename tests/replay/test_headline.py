@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import xarray
 from glider_dialects import basestation3
 
 import clpt_control as clpt
@@ -13,7 +14,7 @@ from clpt_control.errors import DataError
 from clpt_control.geodesy import displacement, place_from
 from clpt_control.gliders import make_dive, read_dives, sample_dives, usable, write_dive_table
 from clpt_control.gliders.dives import planned_course
-from clpt_control.pages.writing import checked_replay
+from clpt_control.pages.writing import replay_facts
 from clpt_control.replay.exchange import next_geojson, track_kml
 from clpt_control.replay.habits import PLANNED, REPEATED, Habits, drift
 from clpt_control.replay.replay import replay_dives
@@ -200,7 +201,7 @@ def test_a_hopeless_plan_and_a_page_of_an_earlier_version():
     found = {**clpt.replay.summary(replay_dives(DIVES[:3])), "next_dive": {}}
     del found["headlines"]
     with pytest.raises(DataError, match="of an earlier version"):
-        checked_replay(found, "old.json")
+        replay_facts(xarray.Dataset({"summary": ((), json.dumps(found))}), "old.nc")
 
 
 def test_the_plan_of_a_seaglider(tmp_path):

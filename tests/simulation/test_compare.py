@@ -252,10 +252,10 @@ def test_no_legend_of_several_runs_lies_over_a_line(plot):
 
 def test_a_plot_of_a_run_takes_label_and_color():
     run = clpt.simulate(SCENARIO)
-    ax = run.clpt.plot.track(label="mine", color="black")
+    ax = clpt.simulation.track_plot(run, label="mine", color="black")
     assert ax.lines[0].get_color() == "black"
     assert legends(ax)[0] == "mine: track"
-    assert run.clpt.plot.track().lines[0].get_color() == COLOURS[0]
+    assert clpt.simulation.track_plot(run).lines[0].get_color() == COLOURS[0]
 
 
 def test_runs_that_are_cut_or_joined():
@@ -309,14 +309,14 @@ def test_no_waypoint_is_told_of_a_reference_of_ones_own(tmp_path):
     times = np.linspace(0.0, 60.0, 121)
     zc = np.array([2 * np.cos(times / 20), np.sin(times / 10)])
     for run in (clpt.simulate(made, times), clpt.simulate(outside, times, zc)):
-        ax = run.clpt.plot.track()
+        ax = clpt.simulation.track_plot(run)
         assert legends(ax) == ["track", "prediction", "desired position", "start"]
         np.testing.assert_allclose(ax.lines[2].get_xydata(), zc.T, atol=1e-12)
         words = [*legends(ax), ax.get_title(loc="left")]
-        for one in run.clpt.plot.clpe():
+        for one in clpt.simulation.clpe_plot(run):
             words += [*legends(one), one.get_title(loc="left"), one.get_xlabel()]
         assert not [word for word in words if "waypoint" in word or "interval" in word]
-    run.clpt.report(tmp_path / "page.html")
+    clpt.report(run, tmp_path / "page.html")
     text = (tmp_path / "page.html").read_text().partition('<h2 id="scenario"')[0]
     assert "waypoint" not in text.partition('id="excitation"')[0].lower()
-    assert "waypoints" in legends(clpt.simulate(SCENARIO).clpt.plot.track())
+    assert "waypoints" in legends(clpt.simulation.track_plot(clpt.simulate(SCENARIO)))

@@ -71,7 +71,7 @@ def test_what_fails_is_named_and_not_kept(clpt, monkeypatch):
     monkeypatch.setattr(vehicle, "kinematics", wrong_kinematics)
     outcome = clpt("prove", "--theorem", "3.2")
     assert outcome.status == 1
-    assert "the proof fails: 3.2 at step 'V' = -e^T KD e, for every N'" in outcome.err
+    assert "the proof fails: Theorem 3.2 at step 'V' = -e^T KD e, for every N'" in outcome.err
     assert Statement("theorems", "3.2") not in CachedOutcomes().outcomes
 
 
