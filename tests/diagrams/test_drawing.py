@@ -257,15 +257,9 @@ def test_svg_holds_every_block_arrow_and_equation(diagram, tmp_path):
         assert set(net.targets.values()) <= words
 
 
-@pytest.mark.parametrize("suffix", [".svg", ".png", ".pdf", ".mmd", ".md"])
+@pytest.mark.parametrize("suffix", [".svg", ".png", ".pdf", ".mmd"])
 def test_files_are_the_same_every_time(tmp_path, suffix):
-    starts = {
-        ".svg": b"<?xml",
-        ".png": b"\x89PNG",
-        ".pdf": b"%PDF",
-        ".mmd": b"flowchart LR",
-        ".md": b"```mermaid\nflowchart LR",
-    }
+    starts = {".svg": b"<?xml", ".png": b"\x89PNG", ".pdf": b"%PDF", ".mmd": b"flowchart LR"}
     for name in ("a", "b"):
         draw(nested(), tmp_path / (name + suffix))
     first = (tmp_path / ("a" + suffix)).read_bytes()
@@ -292,7 +286,7 @@ def test_a_users_matplotlib_settings_do_not_change_the_file(tmp_path):
 
 
 def test_mistakes_are_one_sentence(tmp_path):
-    with pytest.raises(DiagramError, match=r"\.svg, \.png, \.pdf, \.mmd, \.md, not '\.jpg'"):
+    with pytest.raises(DiagramError, match=r"\.svg, \.png, \.pdf, \.mmd, not '\.jpg'"):
         draw(nested(), tmp_path / "loop.jpg")
     with pytest.raises(DataError, match=r"folder .* does not exist"):
         draw(nested(), tmp_path / "missing" / "loop.svg")
@@ -329,12 +323,10 @@ def test_linear_systems_carry_no_equation_of_the_paper():
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("K' of Eq. (14)-(15).", "Eqs. (14), (15)"),
-        ("Eqs. (21), (22), (23)", "Eqs. (21)–(23)"),
-        ("Eq. (21), Eq. (22), Eq. (23).", "Eqs. (21)–(23)"),
-        ("Eqs. (3) and (32): u = x[2]", "Eqs. (3), (32)"),
+        ("K' of\n    Eqs. (14)-(15), Eq. (22).", "Eqs. (14)-(15)"),
+        ("Eqs. (3) and (32): u = x[2]", "Eqs. (3) and (32)"),
         ("f(1) of section (2)", ""),
-        ("Eq. (21). V of Eq. (24) falls.", "Eq. (21)"),
+        ("V of Eq. (24) falls, Eq. (21).", "Eq. (21)"),
         (None, ""),
     ],
 )
