@@ -27,10 +27,10 @@ from .wiring import (
     Part,
     Wiring,
     blocks_of,
+    call_names,
     joined_wires,
     ordered_wiring,
     own_params,
-    paths_to,
     spaces_of,
     wiring_of,
 )
@@ -100,23 +100,19 @@ def changed_parameters(blocks: Iterable[tuple[str, Any]], params: Params) -> lis
     known: set[str] = set()
     names: set[str] = set()
     found: list[Any] = []
-    asking: list[tuple[System, list[str]]] = []  # with the paths to it
-    for name, system in blocks:
-        if isinstance(system, System):
-            found.append(system.with_params(own_params(name, params)))
-            asking.append((system, spaces_of(name)))
-            continue
-        fields = system.parameters._fields
-        keys = {space + field: field for space in paths_to(name) for field in fields}
-        if isinstance(inner := getattr(system, "inner", None), System):  # which is sampled
-            for_it = ["", *spaces_of(name)]
-            keys = {space + key: key for space in for_it for key in inner.number_names} | keys
+    asking: list[tuple[System, list[str]]] = []  # with what may stand before a param of theirs
+    for name, block in blocks:
+        keys = call_names(name, block)
         changes = {keys[key]: params[key] for key in keys if key in params}  # the longest counts
-        found.append(system.with_values(changes))
+        if isinstance(block, System):
+            asking.append((block, ["", *spaces_of(name)]))
+            found.append(block.with_params(changes))
+            continue
+        found.append(block.with_values(changes))
         known |= set(keys)
-        names |= {f"{name}.{field}" for field in fields}
+        names |= {f"{name}.{field}" for field in block.parameters._fields}
     for key in params:
-        own = [(system, key.removeprefix(at)) for system, to in asking for at in ("", *to)]
+        own = [(system, key.removeprefix(space)) for system, to in asking for space in to]
         if key in known or any(system.mentions(name) for system, name in own):
             continue
         if other := call_time_hint(key, known):

@@ -28,7 +28,7 @@ from ..equations.record import Record, Shape, bound, compact
 from ..equations.sampled import Sampled, other_equations
 from ..equations.system import System
 from .order import asked_at_once
-from .wiring import Node, Row, Wiring, joined_wires, paths_to, spaces_around
+from .wiring import Node, Row, Wiring, call_names, joined_wires
 
 ALONG = "d_"  # before the name of a port: its derivatives, a row for each direction
 KINDS = "states", "inputs", "outputs"
@@ -269,19 +269,12 @@ def _fields_by_name(wiring: Wiring) -> dict[str, list[tuple[int, str]]]:
     """Return the blocks' parameters by the names that a call gives them: (block, field)."""
     found: dict[str, list[tuple[int, str]]] = {}
     for k, node in enumerate(wiring.nodes):
-        block, above = node.system, list[str]()
-        own: Mapping[str, str] = {name: name for name in block.parameters._fields}
+        block = node.system
         inner = getattr(block, "inner", block)  # of one that is sampled
-        if isinstance(inner, System):
-            above = ["", *spaces_around(node.name)]
-            asked = {name: f for name, f in own.items() if inner.reads(name)}
-        else:
-            asked = dict(own)
-        names = {space + name: field for name, field in own.items() for space in above}
-        paths = paths_to(node.name)[::-1]
-        names |= {space + name: field for name, field in asked.items() for space in paths}
-        for name, field in names.items():
-            if field != "interval" and not isinstance(getattr(block.parameters, field), int):
+        for name, field in call_names(node.name, block).items():
+            whole = isinstance(getattr(block.parameters, field), int)
+            unread = isinstance(inner, System) and not inner.reads(field)
+            if field != "interval" and not whole and not unread:
                 found.setdefault(name, []).append((k, field))
     return found
 

@@ -289,6 +289,20 @@ def own_params(name: str, params: Mapping[str, Any]) -> dict[str, Any]:
     return found
 
 
+def call_names(name: str, block: Block) -> dict[str, str]:
+    """Return names that a call may give a block's parameters, ``a.plant.k``, and the fields.
+
+    Those of python-control's systems, sampled or not, are called ``k`` and ``a.k`` too.
+    """
+    names: dict[str, str] = {}
+    if isinstance(inner := getattr(block, "inner", block), System):
+        around = ["", *spaces_around(name)]
+        names = {space + field: field for space in around for field in inner.parameters._fields}
+    return names | {
+        space + field: field for space in paths_to(name) for field in block.parameters._fields
+    }
+
+
 def spaces_of(name: str) -> list[str]:
     """Return what may stand before a param of ``a.plant``: ``a.``, ``plant.``, ``a.plant.``.
 
