@@ -7,7 +7,6 @@ parameter; here all four are errors that name the block and the port.
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
-from types import MappingProxyType
 from typing import Any
 
 import control
@@ -47,8 +46,6 @@ class Diagram(control.InterconnectedSystem):
     ----------
     origin : object or None
         The arguments of `closed_loop`: its scenario, and the user's own parts.
-    units : mapping
-        Port -> unit, of blocks that say none, where the diagram is a part of another.
 
     Examples
     --------
@@ -58,7 +55,6 @@ class Diagram(control.InterconnectedSystem):
     """
 
     origin: Any = None
-    units: Mapping[str, str] = MappingProxyType({})
     recorded: Any = None  # the run of a diagram that a run's file holds
 
     def __repr__(self) -> str:

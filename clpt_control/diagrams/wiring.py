@@ -7,7 +7,7 @@ here.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple, TypeAlias
 
@@ -16,7 +16,6 @@ import numpy as np
 
 from ..equations.block import Block
 from ..equations.declaration import Parameters
-from ..equations.ports import port_of
 from ..equations.sampled import Sampled
 from ..equations.system import System, linear
 from ..errors import DiagramError
@@ -67,7 +66,6 @@ class Wiring:
     ninputs: int  # inputs of the diagram
     outputs: tuple[Row, ...]  # of the diagram
     dt: Any = 0  # of discrete time: from one step to the next, or True
-    units: Mapping[str, Any] = field(default_factory=dict)  # of ports, by nested diagram
 
     @property
     def blocks(self) -> list[tuple[str, Any]]:
@@ -167,17 +165,10 @@ def units_of(wiring: Wiring) -> tuple[list[str], list[str]]:
 
     A signal to which nothing gives a unit has that of a block input that takes it.
     """
-
-    def units(node: Node, kind: str) -> list[str]:
-        known = wiring.units.get(node.name.rpartition(".")[0], {})
-        ports = map(port_of, getattr(node.system, f"{kind}_labels"))
-        own = zip(node.system.units_of(kind), ports, strict=True)
-        return [unit or known.get(port, "") for unit, port in own]
-
-    made = [unit for node in wiring.nodes for unit in units(node, "output")]
+    made = [unit for node in wiring.nodes for unit in node.system.units_of("output")]
     given = [""] * wiring.ninputs
     for node in wiring.nodes:
-        taken = units(node, "input")
+        taken = node.system.units_of("input")
         for row, external in ((made, False), (given, True)):
             for to, source, gain in node.fed(external):
                 if gain == 1.0:
@@ -213,8 +204,7 @@ def wiring_of(diagram: Part, params: Params = None, sizes: Sizes = (None, None))
     if None in (diagram.nstates, diagram.ninputs, diagram.noutputs):  # which its block knows
         ((name, diagram),) = systems
         fed, shown = _flatten(diagram, name)
-    wiring = ordered_wiring(systems, fed, diagram.ninputs or 0, shown, diagram.dt or 0)
-    return replace(wiring, units=dict(_units_within(diagram)))
+    return ordered_wiring(systems, fed, diagram.ninputs or 0, shown, diagram.dt or 0)
 
 
 def blocks_of(
@@ -227,14 +217,6 @@ def blocks_of(
         (name, _as_block(system, own, sizes, _own(known)))
         for (name, system), own, known in zip(named, handed, declared, strict=True)
     ]
-
-
-def _units_within(system: Any, space: str = "") -> Iterator[tuple[str, Mapping[str, str]]]:
-    """Yield the names of nested diagrams, as their blocks' names begin, and units of ports."""
-    for part in getattr(system, "syslist", ()):
-        if isinstance(part, control.InterconnectedSystem):
-            yield space + part.name, getattr(part, "units", {})
-            yield from _units_within(part, f"{space}{part.name}.")
 
 
 def read_anew(system: Any) -> None:

@@ -260,7 +260,7 @@ def closed_loop(
     external = (external,) if isinstance(external, str) else tuple(external)
     loop = LoopOf(scenario, changes_of(law, replace, insert), external)
     diagram = connect(*remaining_parts(*loop), name="closed_loop")
-    diagram.origin, diagram.units = loop, units_of_ports(scenario.units)
+    diagram.origin = loop
     return diagram
 
 
