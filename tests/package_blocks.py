@@ -85,7 +85,7 @@ def package_blocks():
         yield f"vehicle_controller-z-{N}", at_z
         yield f"vehicle_controller-limited-{N}", vehicle.vehicle_controller(a, KD, GammaD, True)
         yield f"learning_controller-{N}", learner.learning_controller(N)
-        yield f"injection-known-{N}", learner.known_flow_injection(a, b)
+        yield f"injection-known-{N}", learner.known_flow_injection(b, a)
         yield f"injection-learned-{N}", learner.learned_flow_injection(a)
         for name, law in LAWS.items():
             scenario = theorem_scenario(N, name)

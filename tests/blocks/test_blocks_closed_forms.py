@@ -68,7 +68,7 @@ def test_disturbance_is_added_to_the_flow():
 
 def test_known_flow_injection_reads_phi_x_alone():
     theta_hat, alpha_M = np.array([[3.0], [5.0]]), np.array([[1.0], [1.0]])
-    block = learner.known_flow_injection(theta_hat, alpha_M)
+    block = learner.known_flow_injection(alpha_M, theta_hat)
     np.testing.assert_array_equal(block.output(0, [], [0.5, 99, 99, 99]), [1, 2])
 
 
