@@ -6,7 +6,6 @@ parameter; here all four are errors that name the block and the port.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import replace
 from typing import Any
 
 import control
@@ -21,13 +20,11 @@ from ..errors import BlockError, DiagramError
 from ..scenario.quantities import call_time_hint
 from .parts import as_part, input_ports, is_discrete, output_ports
 from .wiring import (
-    Node,
     Params,
     Part,
     Wiring,
     blocks_of,
     call_names,
-    joined_wires,
     ordered_wiring,
     own_params,
     spaces_of,
@@ -321,24 +318,15 @@ def with_stop(wiring: Wiring, stop: Callable[[float, Any, Any], Any]) -> Wiring:
     def sentence(t: float, u: np.ndarray, p: Any) -> str:
         return f"`{getattr(stop, '__name__', 'stop')}` fell to 0 at t = {t:.9g}"
 
-    last, m, outputs = wiring.nodes[-1], wiring.ninputs, len(wiring.outputs)
+    m, outputs = wiring.ninputs, wiring.outputs
     block = Block(
         NAME,
         output=lambda t, x, u, p: {},
-        inputs={"y": outputs, "u": m},
+        inputs={"y": len(outputs), "u": m},
         outputs={},
         guard=Guard(distance, "stop", sentence),
     )
-    signals = last.outputs.stop
-    fed = [*wiring.outputs, *({~j: 1.0} for j in range(m))]
-    at = last.inputs.stop
-    node = Node(
-        block,
-        NAME,
-        slice(last.states.stop, last.states.stop),
-        slice(at, at + len(fed)),
-        slice(signals, signals),
-        joined_wires(fed),
-    )
+    fed = [row for node in wiring.nodes for row in node.rows]
+    fed += [*outputs, *({~j: 1.0} for j in range(m))]
     order = (*wiring.order, len(wiring.nodes))
-    return replace(wiring, nodes=(*wiring.nodes, node), order=order)
+    return ordered_wiring([*wiring.blocks, (NAME, block)], fed, m, outputs, order=order)

@@ -47,14 +47,28 @@ class Node:
     states: slice  # where its states stand among all states
     inputs: slice  # among all block inputs
     outputs: slice  # among all block outputs
-    wires: tuple[Wire, ...]  # what feeds it
+    rows: tuple[Row, ...]  # what feeds each of its inputs
 
     def fed(self, external: bool = False) -> Iterator[tuple[int, int, float]]:
         """Yield each input that blocks feed, or that the diagram's inputs do: it, source, gain."""
-        for wire in self.wires:
-            if wire.external is external:
-                for k in range(wire.size):
-                    yield wire.to + k, wire.source + k, wire.gain
+        for to, row in enumerate(self.rows):
+            for k, gain in row.items():
+                if (k < 0) is external:
+                    yield to, ~k if external else k, gain
+
+    @cached_property
+    def wires(self) -> tuple[Wire, ...]:
+        """What feeds it, one wire for consecutive signals; those of the diagram's inputs last."""
+        wires: list[Wire] = []
+        for external in (False, True):
+            following: dict[tuple, int] = {}  # the signal that would continue a wire -> its place
+            for to, source, gain in sorted(self.fed(external)):
+                k = following.pop((to, source, gain), len(wires))
+                if k == len(wires):
+                    wires.append(Wire(to, source, 0, gain, external))
+                wires[k] = wires[k]._replace(size=wires[k].size + 1)
+                following[to + 1, source + 1, gain] = k
+        return tuple(wires)
 
 
 @dataclass(frozen=True)
@@ -174,21 +188,6 @@ def units_of(wiring: Wiring) -> tuple[list[str], list[str]]:
                 if gain == 1.0:
                     row[source] = row[source] or taken[to]
     return made, given
-
-
-def joined_wires(rows: Iterable[Row]) -> tuple[Wire, ...]:
-    """Return wires for rows of sources, one wire for consecutive signals; external ones last."""
-    following: dict[tuple, int] = {}  # the signal that would continue a wire -> the wire's place
-    wires: list[Wire] = []
-    for to, row in enumerate(rows):
-        own = ((k < 0, ~k if k < 0 else k, gain) for k, gain in row.items() if gain != 0.0)
-        for external, source, gain in sorted(own):
-            k = following.pop((to, external, source, gain), len(wires))
-            if k == len(wires):
-                wires.append(Wire(to, source, 0, gain, external))
-            wires[k] = wires[k]._replace(size=wires[k].size + 1)
-            following[to + 1, external, source + 1, gain] = k
-    return tuple(sorted(wires, key=lambda wire: wire.external))
 
 
 def wiring_of(diagram: Part, params: Params = None, sizes: Sizes = (None, None)) -> Wiring:
@@ -311,14 +310,18 @@ def ordered_wiring(
     ninputs: int,
     shown: Iterable[Row],
     dt: Any = 0,
+    order: tuple[int, ...] = (),
 ) -> Wiring:
-    """Return the wiring of named systems; `fed` has the sources of each block input, in order."""
+    """Return the wiring of named systems; `fed` has the sources of each block input, in order.
+
+    The order in which they are computed is found, unless it is known.
+    """
     nodes, x, u, y = [], 0, 0, 0
     for name, system in systems:
         states = slice(x, x := x + system.nstates)
         inputs = slice(u, u := u + system.ninputs)
         outputs = slice(y, y := y + system.noutputs)
-        wires = joined_wires(fed[inputs])
-        nodes.append(Node(system, name, states, inputs, outputs, wires))
-    order = order_of(nodes)
+        rows = tuple({k: gain for k, gain in row.items() if gain != 0.0} for row in fed[inputs])
+        nodes.append(Node(system, name, states, inputs, outputs, rows))
+    order = order or order_of(nodes)
     return Wiring(tuple(nodes), order, ninputs, tuple(shown), dt)
