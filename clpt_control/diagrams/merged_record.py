@@ -56,6 +56,13 @@ def open_sizes(wiring: Wiring) -> dict[str, int]:
 class RecordMerger:
     """Writes the records of a diagram's blocks one after the other, each on what feeds it."""
 
+    # what each user writes in its own way
+    add: Callable[..., Ref]  # an operation of no block: kind, arguments, shape, at
+    put: Callable[..., Ref]  # one of a block's: k, role, record, operation, its own arguments
+    leaf: Callable[..., Ref]  # time, a state or a parameter of a block: k, group, name, shape
+    part: Callable[..., Ref]  # elements of a value from a place on, row by row: ref, first, shape
+    shape: Callable[..., Shape]  # a shape of a block as this record has it: block, shape
+
     def __init__(self, wiring: Wiring, outside: Mapping[int, int]):
         """Begin without values; `outside` has the sizes of the diagram's inputs by first signal."""
         self.wiring = wiring
@@ -69,28 +76,6 @@ class RecordMerger:
         self._ports = [  # of blocks, and of the diagram: first signals, and sizes
             ([at for at, size in own.items() if size], own) for own in (sizes, outside)
         ]
-
-    # --- what each user writes in its own way -------------------------------------------------
-
-    def add(self, kind: str, arguments: Sequence[Ref], shape: Shape, at: Any = None) -> Ref:
-        """Write an operation of no block."""
-        raise NotImplementedError
-
-    def put(self, k: int, role: str, record: Record, operation: Operation, own: list[Ref]) -> Ref:
-        """Write an operation of a block's record, on these arguments."""
-        raise NotImplementedError
-
-    def leaf(self, k: int, group: str, name: str, shape: Shape) -> Ref:
-        """Return time, a state or a parameter of a block."""
-        raise NotImplementedError
-
-    def part(self, ref: Ref, first: int, shape: Shape) -> Ref:
-        """Return elements of a value from a place on, row by row, in a shape."""
-        raise NotImplementedError
-
-    def shape(self, block: Block, shape: Shape) -> Shape:
-        """Return a shape of a block as this record has it."""
-        raise NotImplementedError
 
     # --- a block ------------------------------------------------------------------------------
 
