@@ -43,7 +43,8 @@ def gridded(t, x, u, p):
     row = (m[:, None, None] * (p.shape[1] + 2) + j[:, None]) * (p.shape[2] + 2) + i
     weight = wm[:, None, None] * wj[:, None] * wi
     flow = np.stack([np.sum(weight * lookup(p.u, row)), np.sum(weight * lookup(p.v, row))])
-    return flow + u.delta if hasattr(u, "delta") else flow
+    delta = getattr(u, "delta", None)
+    return flow if delta is None else flow + delta
 
 
 def inside(t, x, u, p):

@@ -71,8 +71,8 @@ def flow_basis(
 
 def true(t, x, u, p):
     """F_R = theta phi(x), Eq. (3), with Delta, where it is taken, Eq. (32)."""
-    flow = p.theta @ u.phi_x
-    return flow + u.delta if hasattr(u, "delta") else flow
+    flow, delta = p.theta @ u.phi_x, getattr(u, "delta", None)
+    return flow if delta is None else flow + delta
 
 
 def modeled(t, x, u, p):

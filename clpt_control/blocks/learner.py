@@ -27,8 +27,8 @@ from .ports import paper_block
 
 def model(t, x, u, p):
     """z' = F_M + v, Eq. (2), less d where it is hedged."""
-    rate = u.flow_z + u.v_z
-    return rate - u.unflown if hasattr(u, "unflown") else rate
+    rate, unflown = u.flow_z + u.v_z, getattr(u, "unflown", None)
+    return rate if unflown is None else rate - unflown
 
 
 def controller(t, x, u, p):
@@ -38,8 +38,9 @@ def controller(t, x, u, p):
 
 def known_flow_psi(t, x, u, p):
     """Psi = (theta_hat - alpha_M) phi(x), Eq. (13); the estimate is given, or a signal."""
-    estimate = u if hasattr(u, "theta_hat") else p
-    return (estimate.theta_hat - p.alpha_M) @ u.phi_x
+    estimate = getattr(u, "theta_hat", None)
+    estimate = p.theta_hat if estimate is None else estimate
+    return (estimate - p.alpha_M) @ u.phi_x
 
 
 def learned_flow_psi(t, x, u, p):
