@@ -1,9 +1,9 @@
 """What states, inputs, outputs and parameters are called where equations are on symbols.
 
 A state or input is called as python-control labels it, "y", or "x[0]" where there are several; a
-parameter has its own name.  If two have one name, the block comes first: "plant.y".  A state behind
-an output of its name is "plant.state.y", a parameter called as a port of its block
-"plant.parameter.y".  `Names` holds these rules; a theory may have others.
+parameter has its own name.  If two have one name, the block comes first: "plant.y"; of a state and
+another output of one block, before the state; "plant.parameter.y" is a parameter called as a state
+or an output of its block.  `Names` holds these rules; a theory may have others.
 """
 
 from collections import Counter
@@ -94,9 +94,11 @@ class Names:
 
     def port(self, node: Node, group: str, kind: str) -> str:
         """Return the name of a port of a block, of kind state or output, or of a parameter."""
-        if kind in self.kinds.get((node.name, group), ())[1:]:
-            return f"{node.name}.{kind}.{group}"
-        return group if self.count[group] == 1 else f"{node.name}.{group}"
+        alone = self.count[group] == 1
+        if kind not in self.kinds.get((node.name, group), ())[1:]:
+            return group if alone else f"{node.name}.{group}"
+        alone = alone and kind == "state"
+        return f"{node.name}.{group}" if alone else f"{node.name}.{kind}.{group}"
 
     def block(self, node: Node) -> str:
         """Return the name of a block."""

@@ -82,18 +82,24 @@ def test_one_name_of_two_has_its_block_before_it():
         eq["x"]
 
 
-def test_a_state_behind_an_output_of_its_name_says_that_it_is_one():
-    """A block of a state x and an output x, which is 2 x + 1."""
-    plant = control.nlsys(
-        lambda t, x, u, p: -x,
-        lambda t, x, u, p: 2 * x + 1,
-        inputs="u",
-        states="x",
-        outputs="x",
-        name="plant",
-    )
-    one = clpt.equations(plant)
-    assert repr(one) == "plant.state.x' = -plant.state.x\nx = 2*plant.state.x + 1"
+def test_a_state_behind_an_output_of_its_name_has_its_block_before_it():
+    """Two blocks of a state x and an output x, which is 2 x + 1."""
+
+    def offset(name):
+        return control.nlsys(
+            lambda t, x, u, p: -x,
+            lambda t, x, u, p: 2 * x + 1,
+            inputs="u",
+            states="x",
+            outputs="x",
+            name=name,
+        )
+
+    one = clpt.equations(offset("plant"))
+    assert repr(one) == "plant.x' = -plant.x\nx = 2*plant.x + 1"
+    links, blocks = [["b.u", "a.x"]], [offset("a"), offset("b")]
+    both = clpt.equations(control.interconnect(blocks, links, inplist=["a.u"], outlist=["b.x"]))
+    assert both["b.x"] == 2 * both["b.state.x"] + 1
 
 
 def test_a_parameter_called_as_a_state_of_its_block_is_told_from_it():
@@ -185,14 +191,6 @@ def test_what_cannot_be_read_is_said():
     )
     with pytest.raises(clpt.DiagramError, match="dice"):
         clpt.equations(block)
-
-
-def test_the_room_is_still_a_module():
-    assert clpt.equations.Block is clpt.Block
-    assert "Blocks of equations" in clpt.equations.__doc__
-    from clpt_control.equations import lookup
-
-    assert lookup is clpt.equations.lookup
 
 
 def test_equations_too_long_to_read_are_made_and_counted():
