@@ -66,10 +66,9 @@ def rate_limit():
 
 
 def backlash():
-    """Teeth with a gap, sampled and continuous."""
+    """Teeth with a gap."""
     _, y = ran(parts.backlash(1.0, lag=0.05), [WAVE])
-    times, play = ran(parts.backlash(1.0, dt=0.25), [WAVE])
-    return [(T, WAVE, "k:"), (T, y, "C0"), (times, play, "C1.")], None
+    return [(T, WAVE, "k:"), (T, y, "C0")], None
 
 
 def relay():

@@ -85,7 +85,7 @@ def package_blocks():
         yield f"vehicle_controller-z-{N}", at_z
         yield f"vehicle_controller-limited-{N}", vehicle.vehicle_controller(a, KD, GammaD, True)
         yield f"learning_controller-{N}", learner.learning_controller(N)
-        yield f"injection-known-{N}", learner.known_flow_injection(a, b)
+        yield f"injection-known-{N}", learner.known_flow_injection(b, a)
         yield f"injection-learned-{N}", learner.learned_flow_injection(a)
         for name, law in LAWS.items():
             scenario = theorem_scenario(N, name)
@@ -118,10 +118,9 @@ def shelf():
     yield "delay-pade", parts.delay(0.7, 3, signals=2)
     yield "delay-sampled", parts.delay(0.75, dt=0.25, signals=2)
     yield "hold", parts.hold(0.5, signals=2)
-    for way, given in (("lag", {"lag": 0.1}), ("sampled", {"dt": 0.1})):
-        yield f"rate_limit-{way}", parts.rate_limit(0.5, 0.7, signals=2, **given)
-        yield f"backlash-{way}", parts.backlash(0.4, signals=2, **given)
-        yield f"relay-{way}", parts.relay(0.3, -0.2, **given)
+    yield "rate_limit", parts.rate_limit(0.5, 0.7, lag=0.1, signals=2)
+    yield "backlash", parts.backlash(0.4, lag=0.1, signals=2)
+    yield "relay", parts.relay(0.3, -0.2, lag=0.1)
     for way, dt in (("continuous", None), ("sampled", 0.1)):
         yield f"pid-{way}", parts.pid(2.0, 0.5, 0.3, -1, 2, dt=dt, signals=2)
         plant = control.ss(

@@ -35,19 +35,16 @@ def spline(d):
 
 
 def gridded(t, x, u, p):
-    """F_R from the grid, in place of Eq. (3)."""
+    """F_R from the grid, in place of Eq. (3), with Delta, where it is taken, Eq. (32)."""
     here = np.clip(place(t, u, p), 0.0, p.shape - 1)
     cell = np.minimum(np.floor(here), p.shape - 2)
     m, j, i = cell[:, None] + FOUR
     wm, wj, wi = spline(np.abs(here[:, None] - (cell[:, None] + FOUR - 1)))
     row = (m[:, None, None] * (p.shape[1] + 2) + j[:, None]) * (p.shape[2] + 2) + i
     weight = wm[:, None, None] * wj[:, None] * wi
-    return [np.sum(weight * lookup(p.u, row)), np.sum(weight * lookup(p.v, row))]
-
-
-def gridded_disturbed(t, x, u, p):
-    """F_R from the grid plus Delta, Eq. (32)."""
-    return np.stack(gridded(t, x, u, p)) + u.delta
+    flow = np.stack([np.sum(weight * lookup(p.u, row)), np.sum(weight * lookup(p.v, row))])
+    delta = getattr(u, "delta", None)
+    return flow if delta is None else flow + delta
 
 
 def inside(t, x, u, p):
@@ -94,7 +91,7 @@ def gridded_flow(
             "u": spline_coefficients(grid.u),
             "v": spline_coefficients(grid.v),
         },
-        output=gridded_disturbed if disturbed else gridded,
+        output=gridded,
         opaque=True,
         guard=None if outside == "clip" else guard,
     )

@@ -70,13 +70,9 @@ def flow_basis(
 
 
 def true(t, x, u, p):
-    """F_R = theta phi(x), Eq. (3)."""
-    return p.theta @ u.phi_x
-
-
-def true_disturbed(t, x, u, p):
-    """F_R = theta phi(x) + Delta, Eq. (32)."""
-    return true(t, x, u, p) + u.delta
+    """F_R = theta phi(x), Eq. (3), with Delta, where it is taken, Eq. (32)."""
+    flow, delta = p.theta @ u.phi_x, getattr(u, "delta", None)
+    return flow if delta is None else flow + delta
 
 
 def modeled(t, x, u, p):
@@ -87,8 +83,7 @@ def modeled(t, x, u, p):
 def true_flow(theta: Any, disturbed: bool = False, position: str = "x") -> Block:
     """Make the true flow at a position, Eq. (3), or with the input delta, Eq. (32)."""
     ports = "x phi_x delta -> flow_x" if disturbed else "x phi_x -> flow_x"
-    output = true_disturbed if disturbed else true
-    return at_position(paper_block("true_flow", ports, {"theta": theta}, output=output), position)
+    return at_position(paper_block("true_flow", ports, {"theta": theta}, output=true), position)
 
 
 def at_position(block: Block, position: str) -> Block:

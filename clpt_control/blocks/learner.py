@@ -26,13 +26,9 @@ from .ports import paper_block
 
 
 def model(t, x, u, p):
-    """z' = F_M + v, Eq. (2)."""
-    return u.flow_z + u.v_z
-
-
-def hedged_model(t, x, u, p):
-    """z' = F_M + v - d, Eq. (2) hedged."""
-    return model(t, x, u, p) - u.unflown
+    """z' = F_M + v, Eq. (2), less d where it is hedged."""
+    rate, unflown = u.flow_z + u.v_z, getattr(u, "unflown", None)
+    return rate if unflown is None else rate - unflown
 
 
 def controller(t, x, u, p):
@@ -41,13 +37,10 @@ def controller(t, x, u, p):
 
 
 def known_flow_psi(t, x, u, p):
-    """Psi = (theta_hat - alpha_M) phi(x), Eq. (13)."""
-    return (p.theta_hat - p.alpha_M) @ u.phi_x
-
-
-def estimated_flow_psi(t, x, u, p):
-    """Psi of Eq. (13) with the estimate a signal."""
-    return (u.theta_hat - p.alpha_M) @ u.phi_x
+    """Psi = (theta_hat - alpha_M) phi(x), Eq. (13); the estimate is given, or a signal."""
+    estimate = getattr(u, "theta_hat", None)
+    estimate = p.theta_hat if estimate is None else estimate
+    return (estimate - p.alpha_M) @ u.phi_x
 
 
 def learned_flow_psi(t, x, u, p):
@@ -57,9 +50,8 @@ def learned_flow_psi(t, x, u, p):
 
 def learning_model(hedged: bool = False) -> Block:
     """Make the learning model, Eq. (2), or with the input unflown, hedged."""
-    if hedged:
-        return paper_block("learning_model", "flow_z v_z unflown -> z", update=hedged_model)
-    return paper_block("learning_model", "flow_z v_z -> z", update=model)
+    ports = "flow_z v_z unflown -> z" if hedged else "flow_z v_z -> z"
+    return paper_block("learning_model", ports, update=model)
 
 
 def learning_controller(N: int) -> Block:
@@ -68,16 +60,12 @@ def learning_controller(N: int) -> Block:
     return paper_block("learning_controller", ports, N=N, output=controller)
 
 
-def known_flow_injection(theta_hat: Any, alpha_M: Any) -> Block:
-    """Make the injection of a given estimate, Eq. (13)."""
-    given = {"theta_hat": theta_hat, "alpha_M": alpha_M}
-    return paper_block("injection", "phi_x phi_z alpha -> psi", given, output=known_flow_psi)
-
-
-def estimated_flow_injection(alpha_M: Any) -> Block:
-    """Make the injection of an estimate that a law makes, Eq. (13)."""
-    given = {"alpha_M": alpha_M}
-    return paper_block("injection", "phi_x theta_hat -> psi", given, output=estimated_flow_psi)
+def known_flow_injection(alpha_M: Any, theta_hat: Any = None) -> Block:
+    """Make the injection of a given estimate, or of one that a law makes, Eq. (13)."""
+    given, ports = {"alpha_M": alpha_M}, "phi_x theta_hat -> psi"
+    if theta_hat is not None:
+        given, ports = {**given, "theta_hat": theta_hat}, "phi_x phi_z alpha -> psi"
+    return paper_block("injection", ports, given, output=known_flow_psi)
 
 
 def learned_flow_injection(alpha_M: Any) -> Block:

@@ -50,11 +50,8 @@ def fit(
     lines = [
         [key.replace("_", " "), cell_text(value) + beside.get(key, "")]
         for key, value in fitted.report.items()
-        if key not in ("theta", "nodal", "width_units", "speed_units")
+        if key not in ("theta", "width_units", "speed_units")
     ]
-    for name, tide in (fitted.report["nodal"] or {}).items():
-        f, u, V = (cell_text(tide[key]) for key in "fuV")
-        lines.append([f"{name} at the middle", f"f {f}, u {u} degrees, V {V} degrees"])
     missing = not_learned(scenario)
     sentences = [missing] if missing else []
     found = Result(f"{out}: written, with the field beside it", ["", ""], lines, sentences)

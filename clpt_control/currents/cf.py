@@ -208,7 +208,7 @@ def velocity_values(
     if set(values.dims) != set(index):
         raise DataError(f"{name} is on {_dims(values)}; must be on {', '.join(map(str, index))}")
     try:
-        chosen = _in_blocks(values, index).transpose(*index)
+        chosen = _in_one_block(values, index).transpose(*index)
     except (ValueError, TypeError):  # of letters that are to be scaled
         raise DataError(f"{name} holds what is no number; must hold numbers") from None
     numbers = numbers_of(chosen)
@@ -216,17 +216,13 @@ def velocity_values(
     return numbers * size
 
 
-def _in_blocks(values: xarray.DataArray, index: dict[Any, np.ndarray]) -> xarray.DataArray:
-    """Return values at the `index` of each dimension, read as blocks of neighbours.
+def _in_one_block(values: xarray.DataArray, index: dict[Any, np.ndarray]) -> xarray.DataArray:
+    """Return values at the `index` of each dimension, read as the block that holds them.
 
     A library reads places one by one, and unpacks the whole part of a file for each of them.
     """
-    for dim, places in index.items():
-        wanted = np.unique(places)
-        runs = np.split(wanted, np.flatnonzero(np.diff(wanted) > 1) + 1)
-        blocks = [values.isel({dim: slice(run[0], run[-1] + 1)}) for run in runs]
-        values = blocks[0] if len(blocks) == 1 else xarray.concat(blocks, dim)
-    return values.load().isel({d: np.searchsorted(np.unique(p), p) for d, p in index.items()})
+    block = values.isel({dim: slice(at.min(), at.max() + 1) for dim, at in index.items()})
+    return block.load().isel({dim: at - at.min() for dim, at in index.items()})
 
 
 def _check_packing(packed: xarray.DataArray, numbers: np.ndarray, where: str) -> None:

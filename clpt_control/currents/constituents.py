@@ -55,24 +55,6 @@ def nodal_corrections(
     return f, (360.0 * u + 180.0) % 360.0 - 180.0, 360.0 * V % 360.0
 
 
-def nodal_report(
-    constituents: Sequence[str], time: Any, latitude: float
-) -> dict[str, dict[str, float]] | None:
-    """Return f, u and V by name at one instant, UTC, "steady" left out.
-
-    None where UTide is missing.
-    """
-    names = [name for name in constituents if name != "steady"]
-    try:
-        found = nodal_corrections(names, [time], latitude) if names else ()
-    except DataError:
-        return None
-    return {
-        name: {key: float(value[0, k]) for key, value in zip("fuV", found, strict=True)}
-        for k, name in enumerate(names)
-    }
-
-
 def checked_times(time: Any) -> np.ndarray:
     """Return times as datetime64[ms], of the years that are allowed."""
     try:

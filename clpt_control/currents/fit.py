@@ -36,7 +36,6 @@ from ..scenario import tidal_periods
 from ..scenario.experiment import Scenario
 from ..scenario.file import load_scenario, scenario_to_text
 from ..units import known
-from .constituents import nodal_report
 from .grid_file import Box, Currents, read_currents, with_all_steps
 from .plane import GriddedField, LocalPlane, field_dataset, fill_gaps, regular_grid
 from .telling_apart import check_nyquist, check_separable
@@ -164,7 +163,6 @@ def fit_scenario(
     phi = evaluate(scenario.basis_block(), t, np.column_stack([s1, s2]))
     with naming(path):
         fit = least_squares(phi, np.column_stack([u[measured], v[measured]]), names)
-    length = currents.dates[-1] - currents.dates[0]
     report = {
         "source": currents.source,
         "box": list(currents.box),
@@ -187,7 +185,6 @@ def fit_scenario(
         "speed_units": SPEED,
         "condition_number": fit.condition_number,
         "theta": fit.theta.tolist(),
-        "nodal": nodal_report(constituents, currents.dates[0] + length // 2, plane.lat),
     }
     return Fit(scenario, field, report)
 
@@ -293,6 +290,6 @@ def _header(report: dict) -> str:
         "The true flow is the measured current, gaps filled harmonically in space and time.",
         "The learner does not know theta of the fit, which the field's fit_report has.",
     ]
-    told = [key for key in report if key not in ("theta", "nodal")]
+    told = [key for key in report if key != "theta"]
     lines += [f"{key.replace('_', ' ')}: {report[key]}" for key in told]
     return "".join(f"# {line}\n" for line in lines) + "\n"

@@ -18,7 +18,7 @@ from ..arguments import public
 from ..errors import DataError
 from ..scenario.tidal_periods import SPEEDS
 from ..units import known, speed_in_metres_per_second
-from .constituents import checked_times, nodal_corrections, nodal_report
+from .constituents import checked_times, nodal_corrections
 from .tidal_fit import NUMBERS, TidalFit
 
 
@@ -28,6 +28,8 @@ def tides_report(fit: TidalFit) -> dict[str, Any]:
     Amplitudes are in m/s, phases in degrees of Greenwich lag, times in UTC; f, u and V at the
     record's middle stand under "nodal".
     """
+    names = [each.name for each in fit.constituents]
+    corrections = nodal_corrections(names, [fit.middle], fit.latitude)
     return {
         "start": str(fit.start),
         "end": str(fit.end),
@@ -47,7 +49,10 @@ def tides_report(fit: TidalFit) -> dict[str, Any]:
         "speed_units": "m s-1",
         "phase_units": "degree",
         "nodal_time": str(fit.middle),
-        "nodal": nodal_report([each.name for each in fit.constituents], fit.middle, fit.latitude),
+        "nodal": {
+            name: {key: float(own[0, k]) for key, own in zip("fuV", corrections, strict=True)}
+            for k, name in enumerate(names)
+        },
     }
 
 

@@ -6,8 +6,6 @@ parameter; here all four are errors that name the block and the port.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import replace
-from types import MappingProxyType
 from typing import Any
 
 import control
@@ -22,15 +20,13 @@ from ..errors import BlockError, DiagramError
 from ..scenario.quantities import call_time_hint
 from .parts import as_part, input_ports, is_discrete, output_ports
 from .wiring import (
-    Node,
     Params,
     Part,
     Wiring,
     blocks_of,
-    joined_wires,
+    call_names,
     ordered_wiring,
     own_params,
-    paths_to,
     spaces_of,
     wiring_of,
 )
@@ -47,8 +43,6 @@ class Diagram(control.InterconnectedSystem):
     ----------
     origin : object or None
         The arguments of `closed_loop`: its scenario, and the user's own parts.
-    units : mapping
-        Port -> unit, of blocks that say none, where the diagram is a part of another.
 
     Examples
     --------
@@ -58,7 +52,6 @@ class Diagram(control.InterconnectedSystem):
     """
 
     origin: Any = None
-    units: Mapping[str, str] = MappingProxyType({})
     recorded: Any = None  # the run of a diagram that a run's file holds
 
     def __repr__(self) -> str:
@@ -100,23 +93,19 @@ def changed_parameters(blocks: Iterable[tuple[str, Any]], params: Params) -> lis
     known: set[str] = set()
     names: set[str] = set()
     found: list[Any] = []
-    asking: list[tuple[System, list[str]]] = []  # with the paths to it
-    for name, system in blocks:
-        if isinstance(system, System):
-            found.append(system.with_params(own_params(name, params)))
-            asking.append((system, spaces_of(name)))
-            continue
-        fields = system.parameters._fields
-        keys = {space + field: field for space in paths_to(name) for field in fields}
-        if isinstance(inner := getattr(system, "inner", None), System):  # which is sampled
-            for_it = ["", *spaces_of(name)]
-            keys = {space + key: key for space in for_it for key in inner.number_names} | keys
+    asking: list[tuple[System, list[str]]] = []  # with what may stand before a param of theirs
+    for name, block in blocks:
+        keys = call_names(name, block)
         changes = {keys[key]: params[key] for key in keys if key in params}  # the longest counts
-        found.append(system.with_values(changes))
+        if isinstance(block, System):
+            asking.append((block, ["", *spaces_of(name)]))
+            found.append(block.with_params(changes))
+            continue
+        found.append(block.with_values(changes))
         known |= set(keys)
-        names |= {f"{name}.{field}" for field in fields}
+        names |= {f"{name}.{field}" for field in block.parameters._fields}
     for key in params:
-        own = [(system, key.removeprefix(at)) for system, to in asking for at in ("", *to)]
+        own = [(system, key.removeprefix(space)) for system, to in asking for space in to]
         if key in known or any(system.mentions(name) for system, name in own):
             continue
         if other := call_time_hint(key, known):
@@ -329,24 +318,15 @@ def with_stop(wiring: Wiring, stop: Callable[[float, Any, Any], Any]) -> Wiring:
     def sentence(t: float, u: np.ndarray, p: Any) -> str:
         return f"`{getattr(stop, '__name__', 'stop')}` fell to 0 at t = {t:.9g}"
 
-    last, m, outputs = wiring.nodes[-1], wiring.ninputs, len(wiring.outputs)
+    m, outputs = wiring.ninputs, wiring.outputs
     block = Block(
         NAME,
         output=lambda t, x, u, p: {},
-        inputs={"y": outputs, "u": m},
+        inputs={"y": len(outputs), "u": m},
         outputs={},
         guard=Guard(distance, "stop", sentence),
     )
-    signals = last.outputs.stop
-    fed = [*wiring.outputs, *({~j: 1.0} for j in range(m))]
-    at = last.inputs.stop
-    node = Node(
-        block,
-        NAME,
-        slice(last.states.stop, last.states.stop),
-        slice(at, at + len(fed)),
-        slice(signals, signals),
-        joined_wires(fed),
-    )
+    fed = [row for node in wiring.nodes for row in node.rows]
+    fed += [*outputs, *({~j: 1.0} for j in range(m))]
     order = (*wiring.order, len(wiring.nodes))
-    return replace(wiring, nodes=(*wiring.nodes, node), order=order)
+    return ordered_wiring([*wiring.blocks, (NAME, block)], fed, m, outputs, order=order)

@@ -25,7 +25,7 @@ from ..equations.record import Shape, compact, computed, reached
 from ..errors import ArgumentError, DiagramError
 from ..progress import warn
 from .interconnection import changed_parameters
-from .merged_record import merged_record
+from .merged_record import TapeRecord
 from .wiring import Node, Wiring, read_unsampled
 
 BEND = STEPS | {"where", "minimum", "maximum", "fabs", "mod", "pick"}
@@ -59,8 +59,8 @@ class _About:
             if node.system.breakpoints_function is not None and p.interval < 0:
                 k = node.system.interval_at(t, p)
                 self.parameters[node.name] = p._replace(interval=k)
-        values = self.leaf, self.input_of
-        self.record = merged_record(diagram, wiring, *values, tape=self.tape, closed=True)
+        values = self.leaf, self.input_of, self.tape
+        self.record = TapeRecord(diagram, wiring, *values, closed=True)
         self.direction = Direction(self.tape, self.along)
 
     def leaf(self, group: str, node: Node, name: str, shape: Shape) -> Any:

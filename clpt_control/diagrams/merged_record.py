@@ -9,7 +9,6 @@ unless `closed`, if it has a name and one value in all blocks.
 
 from bisect import bisect
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
 from itertools import pairwise
 from math import prod
 from typing import Any
@@ -31,19 +30,6 @@ Input = Callable[[str, Shape, Shape], Any]  # an input of the diagram: port, sha
 StandIn = Callable[[Node, dict[str, Any], dict[str, Shape]], dict[str, Any] | None]
 
 
-@dataclass
-class MergedRecord:
-    """The values of a diagram on one tape, by block and port."""
-
-    inputs: dict[str, Any] = field(default_factory=dict)  # of the diagram, by port
-    signals: Values = field(default_factory=dict)  # outputs of blocks
-    rates: Values = field(default_factory=dict)
-    jumps: Values = field(default_factory=dict)  # what states jump to
-    fields: dict[str, dict[str, Shape]] = field(default_factory=dict)  # of parameters, by block
-    pinned: set[tuple[str, str]] = field(default_factory=set)  # parameters that are numbers
-    owners: dict[int, str] = field(default_factory=dict)  # operation -> "block.role"
-
-
 def open_sizes(wiring: Wiring) -> dict[str, int]:
     """Return the sizes that have one name and one value in all blocks."""
     found: dict[str, set[int]] = {}
@@ -55,6 +41,13 @@ def open_sizes(wiring: Wiring) -> dict[str, int]:
 
 class RecordMerger:
     """Writes the records of a diagram's blocks one after the other, each on what feeds it."""
+
+    # what each user writes in its own way
+    add: Callable[..., Ref]  # an operation of no block: kind, arguments, shape, at
+    put: Callable[..., Ref]  # one of a block's: k, role, record, operation, its own arguments
+    leaf: Callable[..., Ref]  # time, a state or a parameter of a block: k, group, name, shape
+    part: Callable[..., Ref]  # elements of a value from a place on, row by row: ref, first, shape
+    shape: Callable[..., Shape]  # a shape of a block as this record has it: block, shape
 
     def __init__(self, wiring: Wiring, outside: Mapping[int, int]):
         """Begin without values; `outside` has the sizes of the diagram's inputs by first signal."""
@@ -69,28 +62,6 @@ class RecordMerger:
         self._ports = [  # of blocks, and of the diagram: first signals, and sizes
             ([at for at, size in own.items() if size], own) for own in (sizes, outside)
         ]
-
-    # --- what each user writes in its own way -------------------------------------------------
-
-    def add(self, kind: str, arguments: Sequence[Ref], shape: Shape, at: Any = None) -> Ref:
-        """Write an operation of no block."""
-        raise NotImplementedError
-
-    def put(self, k: int, role: str, record: Record, operation: Operation, own: list[Ref]) -> Ref:
-        """Write an operation of a block's record, on these arguments."""
-        raise NotImplementedError
-
-    def leaf(self, k: int, group: str, name: str, shape: Shape) -> Ref:
-        """Return time, a state or a parameter of a block."""
-        raise NotImplementedError
-
-    def part(self, ref: Ref, first: int, shape: Shape) -> Ref:
-        """Return elements of a value from a place on, row by row, in a shape."""
-        raise NotImplementedError
-
-    def shape(self, block: Block, shape: Shape) -> Shape:
-        """Return a shape of a block as this record has it."""
-        raise NotImplementedError
 
     # --- a block ------------------------------------------------------------------------------
 
@@ -154,29 +125,39 @@ class RecordMerger:
         return found
 
 
-class _TapeMerger(RecordMerger):
-    """A diagram's blocks on a tape, with open sizes."""
+class TapeRecord(RecordMerger):
+    """The values of a diagram on one tape, by block and port, with open sizes unless `closed`."""
 
     def __init__(
-        self, wiring: Wiring, external: dict[str, int], tape: Tape, leaf: Leaf, closed: bool
+        self,
+        diagram: Part,
+        wiring: Wiring,
+        leaf: Leaf,
+        input_of: Input,
+        tape: Tape,
+        stand_in: StandIn = lambda node, u, shapes: None,
+        closed: bool = False,
     ):
-        self.external, at = {}, 0
-        for port, size in external.items():
-            self.external[port] = at, size
+        """Write the blocks in their order; `leaf`, `input_of`, `stand_in` make the first values."""
+        external, at = dict[str, tuple[int, int]](), 0
+        for port, size in counts_of(diagram.input_labels).items():
+            external[port] = at, size
             at += size
-        super().__init__(wiring, dict(self.external.values()))
+        super().__init__(wiring, dict(external.values()))
         self.tape, self.own_leaf = tape, leaf
         self.open = {} if closed else open_sizes(wiring)
-        self.found = MergedRecord()
-
-    def merge(self, input_of: Input, stand_in: StandIn) -> MergedRecord:
-        """Write the blocks on the tape in their order."""
-        found, nodes = self.found, self.wiring.nodes
-        for port, (first, size) in self.external.items():
-            found.inputs[port] = input_of(port, *self.outside_shape(first, size))
-            self.inputs[first] = operand(found.inputs[port])
-        for k in self.wiring.order:
-            node, at = nodes[k], nodes[k].outputs.start
+        self.given: dict[str, Any] = {}  # inputs of the diagram, by port
+        self.signals: Values = {}  # outputs of blocks
+        self.rates: Values = {}
+        self.jumps: Values = {}  # what states jump to
+        self.fields = {node.name: self.fields_of(node.system) for node in wiring.nodes}
+        self.pinned = set[tuple[str, str]]()  # parameters that are numbers
+        self.owners: dict[int, str] = {}  # operation -> "block.role"
+        for port, (first, size) in external.items():
+            self.given[port] = input_of(port, *self.outside_shape(first, size))
+            self.inputs[first] = operand(self.given[port])
+        for k in wiring.order:
+            node, at = wiring.nodes[k], wiring.nodes[k].outputs.start
             u = self.arrays(k) if node.system.feedthrough or node.system.opaque else {}
             declared = node.system.declared["outputs"]
             shapes = {port: self.shape(node.system, shape) for port, shape in declared.items()}
@@ -184,19 +165,17 @@ class _TapeMerger(RecordMerger):
             if made is None:
                 made = self.ports(k, "output", u)
             for port, value in made.items():
-                found.signals[node.name, port] = value
+                self.signals[node.name, port] = value
                 self.outputs[at] = operand(value)
                 at += prod(node.system.output_shapes[port])
-        for k, node in enumerate(nodes):
-            found.fields[node.name] = self.fields(node.system)
+        for k, node in enumerate(wiring.nodes):
             u = self.arrays(k)
-            for role, into in (("update", found.rates), ("jump", found.jumps)):
+            for role, into in (("update", self.rates), ("jump", self.jumps)):
                 if getattr(node.system, f"{role}_function") is not None:
                     made = self.ports(k, role, u)
                     into.update({(node.name, port): value for port, value in made.items()})
-        return found
 
-    def fields(self, block: Block) -> dict[str, Shape]:
+    def fields_of(self, block: Block) -> dict[str, Shape]:
         """Return the shapes of a block's parameters."""
         shapes = block.parameter_shapes
         return {
@@ -267,7 +246,7 @@ class _TapeMerger(RecordMerger):
         block, first = node.system, len(self.tape.operations)
         self.check_open(node, role, block.array_record(role))
         pinned, _ = block.read_with.get(role, ((), ""))
-        self.found.pinned |= {(node.name, own) for own in pinned}
+        self.pinned |= {(node.name, own) for own in pinned}
         values = self.run(k, role, {port: operand(value) for port, value in u.items()})
         declared = block.declared["outputs" if role == "output" else "states"]
         made = {
@@ -275,7 +254,7 @@ class _TapeMerger(RecordMerger):
             for (port, shape), value in zip(declared.items(), values, strict=True)
         }
         for place in range(first, len(self.tape.operations)):
-            self.found.owners[place] = f"{node.name}.{role}"
+            self.owners[place] = f"{node.name}.{role}"
         return made
 
     def check_open(self, node: Node, role: str, record: Record) -> None:
@@ -289,17 +268,3 @@ class _TapeMerger(RecordMerger):
                 _, why = block.read_with.get(role, ((), ""))
                 sizes = " and ".join(self.open)
                 raise Unread(f"{node.name}.{role} is not read for every {sizes}: {why}")
-
-
-def merged_record(
-    diagram: Part,
-    wiring: Wiring,
-    leaf: Leaf,
-    input_of: Input,
-    tape: Tape,
-    stand_in: StandIn = lambda node, u, shapes: None,
-    closed: bool = False,
-) -> MergedRecord:
-    """Return a diagram's record; `leaf`, `input_of` and `stand_in` make its first values."""
-    external = counts_of(diagram.input_labels)
-    return _TapeMerger(wiring, external, tape, leaf, closed).merge(input_of, stand_in)

@@ -25,7 +25,7 @@ from ..equations.record import Shape
 from ..equations.symbolic import LONG, Symbols, extent, rational
 from ..equations.system import is_linear
 from ..errors import DiagramError
-from .merged_record import merged_record
+from .merged_record import TapeRecord
 from .symbol_names import TIME, Names, Numbers, element_name, fields_of, groups, typeset
 from .wiring import Node, Part, Wiring, read_unsampled, wiring_of
 
@@ -247,9 +247,8 @@ class _Read:
     def equations(self, watch: Watch) -> Equations:
         """Return the equations of the diagram."""
         result, names, wiring = self.result, self.names, self.wiring
-        record = merged_record(
-            self.diagram, wiring, self.leaf, self.input_of, self.tape, self.stand_in, closed=True
-        )
+        values = self.leaf, self.input_of, self.tape, self.stand_in
+        record = TapeRecord(self.diagram, wiring, *values, closed=True)
 
         def watched(place: int, kind: str, arguments: tuple) -> None:
             owner = record.owners.get(place)

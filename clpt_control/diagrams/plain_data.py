@@ -5,7 +5,6 @@ other: python-control runs it, it is drawn, linearized, varied and proved.  It i
 of nested diagrams are called ``outer_inner``.
 """
 
-from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -32,14 +31,17 @@ def plain_diagram(
 
     `names` are its name, and the labels of its inputs, outputs and states.
     """
-    wires: dict[bool, list[Entry]] = {
-        external: [
+
+    def wires(external: bool) -> list[Entry]:
+        return [
             (node.inputs.start + to, source, gain)
             for node in wiring.nodes
             for to, source, gain in node.fed(external)
         ]
-        for external in (False, True)
-    }
+
+    shown = [(to, k, gain) for to, row in enumerate(wiring.outputs) for k, gain in row.items()]
+    if any(k < 0 for _, k, _ in shown):
+        raise Unread("an input of the diagram is an output of it")
     flat: list[str] = []  # names of blocks
     for node in wiring.nodes:
         name = node.name.replace(".", "_")
@@ -52,27 +54,10 @@ def plain_diagram(
         "dt": wiring.dt,
         **names,
         "blocks": blocks,
-        "connections": wires[False],
-        "feeds": wires[True],
-        "shown": _outputs(wiring, wires),
+        "connections": wires(False),
+        "feeds": wires(True),
+        "shown": shown,
     }
-
-
-def _outputs(wiring: Wiring, wires: Mapping[bool, list[Entry]]) -> list[Entry]:
-    """Return the entries of the output map, whose columns are block outputs, then block inputs.
-
-    An input of the diagram is represented by a block input that it alone feeds.
-    """
-    count = wiring.nodes[-1].outputs.stop
-    fed = Counter(to for own in wires.values() for to, _, _ in own)
-    alone = {source: to for to, source, gain in wires[True] if gain == 1.0 and fed[to] == 1}
-    entries = []
-    for to, row in enumerate(wiring.outputs):
-        for k, gain in row.items():
-            if k < 0 and ~k not in alone:
-                raise Unread("an input of the diagram is an output, and comes to no block alone")
-            entries.append((to, k if k >= 0 else count + alone[~k], gain))
-    return entries
 
 
 def diagram_of(plain: Mapping[str, Any]) -> Diagram:

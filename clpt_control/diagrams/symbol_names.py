@@ -6,7 +6,6 @@ another output of one block, before the state; "plant.parameter.y" is a paramete
 or an output of its block.  `Names` holds these rules; a theory may have others.
 """
 
-import re
 from collections import Counter
 from collections.abc import Iterable
 from math import prod
@@ -34,12 +33,11 @@ def typeset(expression: Any) -> str:
     expression = expression.xreplace(inputs)
     latex = {}
     for symbol in expression.free_symbols:
-        (parts,) = re.findall(r"^(?:(.*)\.)?([^.\[]*)(?:\[(.*)\])?$", str(symbol))
-        space, name, place = parts
+        space, _, own = str(symbol).rpartition(".")
+        name, _, place = own.rstrip("]").partition("[")
         base = sympy.latex(sympy.Symbol(name))
         base = rf"\mathrm{{{name}}}" if base == name and name[1:] else base
-        base = f"{{{base}}}" if "_" in base and place else base
-        base += f"_{{{place}}}" if place else ""
+        base = f"{{{base}}}_{{{place}}}" if place else base
         space = space.replace("_", r"\_")
         latex[symbol] = base + (rf"^{{\mathrm{{{space}}}}}" if space else "")
     return sympy.latex(expression, symbol_names=latex, mul_symbol=r"\,")
@@ -76,16 +74,16 @@ class Names:
 
     def __init__(self, wiring: Wiring, inputs: Iterable[str]):
         found, shared = [*inputs], dict[str, list[Any]]()
-        self.behind = set[tuple[str, str]]()  # states that an output of their block is called as
-        self.ports = set[tuple[str, str]]()  # states and outputs, of which parameters are told
+        self.kinds: dict[tuple[str, str], list[str]] = {}  # of what a block has by a name
         for node in wiring.nodes:
-            made = [group for group, *_ in groups(node.system, "output")]
-            own = [group for group, *_ in groups(node.system, "state")]
-            found += [*made, *(group for group in own if group not in made)]
-            self.ports |= {(node.name, group) for group in made + own}
-            if not (node.system.states_are_outputs and made == own):
-                self.behind |= {(node.name, group) for group in own if group in made}
-            for name in fields_of(node.system):
+            made, own = ([g for g, *_ in groups(node.system, kind)] for kind in ("output", "state"))
+            own = [] if node.system.states_are_outputs and made == own else own
+            found += dict.fromkeys(made + own)
+            fields = fields_of(node.system)
+            for kind, names in (("output", made), ("state", own), ("parameter", fields)):
+                for name in names:
+                    self.kinds.setdefault((node.name, name), []).append(kind)
+            for name in fields:
                 shared.setdefault(name, []).append(node.system)
         for name, systems in shared.items():  # python-control hands one value down to all
             values = [getattr(system.parameters, name) for system in systems]
@@ -97,11 +95,10 @@ class Names:
     def port(self, node: Node, group: str, kind: str) -> str:
         """Return the name of a port of a block, of kind state or output, or of a parameter."""
         alone = self.count[group] == 1
-        if kind == "state" and (node.name, group) in self.behind:
-            return f"{node.name}.{group}" if alone else f"{node.name}.state.{group}"
-        if kind == "parameter" and (node.name, group) in self.ports:
-            return f"{node.name}.parameter.{group}"
-        return group if alone else f"{node.name}.{group}"
+        if kind not in self.kinds.get((node.name, group), ())[1:]:
+            return group if alone else f"{node.name}.{group}"
+        alone = alone and kind == "state"
+        return f"{node.name}.{group}" if alone else f"{node.name}.{kind}.{group}"
 
     def block(self, node: Node) -> str:
         """Return the name of a block."""

@@ -28,7 +28,7 @@ from ..equations.record import Record, Shape, bound, compact
 from ..equations.sampled import Sampled, other_equations
 from ..equations.system import System
 from .order import asked_at_once
-from .wiring import Node, Row, Wiring, joined_wires, paths_to, spaces_around
+from .wiring import Row, Wiring, call_names, ordered_wiring
 
 ALONG = "d_"  # before the name of a port: its derivatives, a row for each direction
 KINDS = "states", "inputs", "outputs"
@@ -178,26 +178,27 @@ def varied(wiring: Wiring, given: Sequence, seeds: Sequence[Seeds], count: int) 
 
     `given` are the parameters of its blocks, `seeds` their derivatives.
     """
-    nodes: list[Node] = []
-    ends = dict.fromkeys(KINDS, 0)
-    for node, p, own in zip(wiring.nodes, given, seeds, strict=True):
-        block = VariedBlock(node.system, p, own, count)
-        begins, ends = ends, {kind: at + block.places[kind].size for kind, at in ends.items()}
-        x, u, y = (slice(begins[kind], ends[kind]) for kind in KINDS)
-        nodes.append(Node(block, node.name, x, u, y, ()))
-    states, signals = (
-        np.hstack([n.system.places[kind] + getattr(n, kind).start for n in nodes])
-        for kind in ("states", "outputs")
-    )
-    for k, (node, old) in enumerate(zip(nodes, wiring.nodes, strict=True)):
-        fed: list[Row] = [{} for _ in range(node.inputs.stop - node.inputs.start)]
-        for own_to, own_source, gain in old.fed():
-            places = node.system.places["inputs"][:, own_to]
-            for to, source in zip(places, signals[:, own_source], strict=True):
-                fed[to][int(source)] = gain
-        outer = [wire for wire in old.wires if wire.external]
-        nodes[k] = replace(node, wires=(*joined_wires(fed), *outer))
-    return VariedWiring(replace(wiring, nodes=tuple(nodes)), states, signals)
+    parts = zip(wiring.nodes, given, seeds, strict=True)
+    blocks = [VariedBlock(node.system, p, own, count) for node, p, own in parts]
+    places: dict[str, list[np.ndarray]] = {kind: [] for kind in KINDS}
+    for kind, own in places.items():
+        first = 0
+        for block in blocks:
+            own.append(block.places[kind] + first)
+            first += own[-1].size
+    states, signals = np.hstack(places["states"]), np.hstack(places["outputs"])
+    fed: list[Row] = []
+    for node, inputs in zip(wiring.nodes, places["inputs"], strict=True):
+        rows: dict[int, Row] = {int(to): {} for to in sorted(inputs.flat)}
+        for own_to, own_source, gain in node.fed():
+            for to, source in zip(inputs[:, own_to], signals[:, own_source], strict=True):
+                rows[int(to)][int(source)] = gain
+        for own_to, own_source, gain in node.fed(external=True):
+            rows[int(inputs[0, own_to])][~own_source] = gain
+        fed += rows.values()
+    named = [(node.name, block) for node, block in zip(wiring.nodes, blocks, strict=True)]
+    how = wiring.ninputs, wiring.outputs, wiring.dt, wiring.order
+    return VariedWiring(ordered_wiring(named, fed, *how), states, signals)
 
 
 # --- what may be varied -----------------------------------------------------------------------
@@ -269,19 +270,12 @@ def _fields_by_name(wiring: Wiring) -> dict[str, list[tuple[int, str]]]:
     """Return the blocks' parameters by the names that a call gives them: (block, field)."""
     found: dict[str, list[tuple[int, str]]] = {}
     for k, node in enumerate(wiring.nodes):
-        block, above = node.system, list[str]()
-        own: Mapping[str, str] = {name: name for name in block.parameters._fields}
+        block = node.system
         inner = getattr(block, "inner", block)  # of one that is sampled
-        if isinstance(inner, System):
-            above = ["", *spaces_around(node.name)]
-            asked = {name: f for name, f in own.items() if inner.reads(name)}
-        else:
-            asked = dict(own)
-        names = {space + name: field for name, field in own.items() for space in above}
-        paths = paths_to(node.name)[::-1]
-        names |= {space + name: field for name, field in asked.items() for space in paths}
-        for name, field in names.items():
-            if field != "interval" and not isinstance(getattr(block.parameters, field), int):
+        for name, field in call_names(node.name, block).items():
+            whole = isinstance(getattr(block.parameters, field), int)
+            unread = isinstance(inner, System) and not inner.reads(field)
+            if field != "interval" and not whole and not unread:
                 found.setdefault(name, []).append((k, field))
     return found
 

@@ -7,7 +7,7 @@ here.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple, TypeAlias
 
@@ -16,7 +16,6 @@ import numpy as np
 
 from ..equations.block import Block
 from ..equations.declaration import Parameters
-from ..equations.ports import port_of
 from ..equations.sampled import Sampled
 from ..equations.system import System, linear
 from ..errors import DiagramError
@@ -48,14 +47,28 @@ class Node:
     states: slice  # where its states stand among all states
     inputs: slice  # among all block inputs
     outputs: slice  # among all block outputs
-    wires: tuple[Wire, ...]  # what feeds it
+    rows: tuple[Row, ...]  # what feeds each of its inputs
 
     def fed(self, external: bool = False) -> Iterator[tuple[int, int, float]]:
         """Yield each input that blocks feed, or that the diagram's inputs do: it, source, gain."""
-        for wire in self.wires:
-            if wire.external is external:
-                for k in range(wire.size):
-                    yield wire.to + k, wire.source + k, wire.gain
+        for to, row in enumerate(self.rows):
+            for k, gain in row.items():
+                if (k < 0) is external:
+                    yield to, ~k if external else k, gain
+
+    @cached_property
+    def wires(self) -> tuple[Wire, ...]:
+        """What feeds it, one wire for consecutive signals; those of the diagram's inputs last."""
+        wires: list[Wire] = []
+        for external in (False, True):
+            following: dict[tuple, int] = {}  # the signal that would continue a wire -> its place
+            for to, source, gain in sorted(self.fed(external)):
+                k = following.pop((to, source, gain), len(wires))
+                if k == len(wires):
+                    wires.append(Wire(to, source, 0, gain, external))
+                wires[k] = wires[k]._replace(size=wires[k].size + 1)
+                following[to + 1, source + 1, gain] = k
+        return tuple(wires)
 
 
 @dataclass(frozen=True)
@@ -67,7 +80,6 @@ class Wiring:
     ninputs: int  # inputs of the diagram
     outputs: tuple[Row, ...]  # of the diagram
     dt: Any = 0  # of discrete time: from one step to the next, or True
-    units: Mapping[str, Any] = field(default_factory=dict)  # of ports, by nested diagram
 
     @property
     def blocks(self) -> list[tuple[str, Any]]:
@@ -167,37 +179,15 @@ def units_of(wiring: Wiring) -> tuple[list[str], list[str]]:
 
     A signal to which nothing gives a unit has that of a block input that takes it.
     """
-
-    def units(node: Node, kind: str) -> list[str]:
-        known = wiring.units.get(node.name.rpartition(".")[0], {})
-        ports = map(port_of, getattr(node.system, f"{kind}_labels"))
-        own = zip(node.system.units_of(kind), ports, strict=True)
-        return [unit or known.get(port, "") for unit, port in own]
-
-    made = [unit for node in wiring.nodes for unit in units(node, "output")]
+    made = [unit for node in wiring.nodes for unit in node.system.units_of("output")]
     given = [""] * wiring.ninputs
     for node in wiring.nodes:
-        taken = units(node, "input")
+        taken = node.system.units_of("input")
         for row, external in ((made, False), (given, True)):
             for to, source, gain in node.fed(external):
                 if gain == 1.0:
                     row[source] = row[source] or taken[to]
     return made, given
-
-
-def joined_wires(rows: Iterable[Row]) -> tuple[Wire, ...]:
-    """Return wires for rows of sources, one wire for consecutive signals; external ones last."""
-    following: dict[tuple, int] = {}  # the signal that would continue a wire -> the wire's place
-    wires: list[Wire] = []
-    for to, row in enumerate(rows):
-        own = ((k < 0, ~k if k < 0 else k, gain) for k, gain in row.items() if gain != 0.0)
-        for external, source, gain in sorted(own):
-            k = following.pop((to, external, source, gain), len(wires))
-            if k == len(wires):
-                wires.append(Wire(to, source, 0, gain, external))
-            wires[k] = wires[k]._replace(size=wires[k].size + 1)
-            following[to + 1, external, source + 1, gain] = k
-    return tuple(sorted(wires, key=lambda wire: wire.external))
 
 
 def wiring_of(diagram: Part, params: Params = None, sizes: Sizes = (None, None)) -> Wiring:
@@ -213,8 +203,7 @@ def wiring_of(diagram: Part, params: Params = None, sizes: Sizes = (None, None))
     if None in (diagram.nstates, diagram.ninputs, diagram.noutputs):  # which its block knows
         ((name, diagram),) = systems
         fed, shown = _flatten(diagram, name)
-    wiring = ordered_wiring(systems, fed, diagram.ninputs or 0, shown, diagram.dt or 0)
-    return replace(wiring, units=dict(_units_within(diagram)))
+    return ordered_wiring(systems, fed, diagram.ninputs or 0, shown, diagram.dt or 0)
 
 
 def blocks_of(
@@ -227,14 +216,6 @@ def blocks_of(
         (name, _as_block(system, own, sizes, _own(known)))
         for (name, system), own, known in zip(named, handed, declared, strict=True)
     ]
-
-
-def _units_within(system: Any, space: str = "") -> Iterator[tuple[str, Mapping[str, str]]]:
-    """Yield the names of nested diagrams, as their blocks' names begin, and units of ports."""
-    for part in getattr(system, "syslist", ()):
-        if isinstance(part, control.InterconnectedSystem):
-            yield space + part.name, getattr(part, "units", {})
-            yield from _units_within(part, f"{space}{part.name}.")
 
 
 def read_anew(system: Any) -> None:
@@ -289,6 +270,20 @@ def own_params(name: str, params: Mapping[str, Any]) -> dict[str, Any]:
     return found
 
 
+def call_names(name: str, block: Block) -> dict[str, str]:
+    """Return names that a call may give a block's parameters, ``a.plant.k``, and the fields.
+
+    Those of python-control's systems, sampled or not, are called ``k`` and ``a.k`` too.
+    """
+    names: dict[str, str] = {}
+    if isinstance(inner := getattr(block, "inner", block), System):
+        around = ["", *spaces_around(name)]
+        names = {space + field: field for space in around for field in inner.parameters._fields}
+    return names | {
+        space + field: field for space in paths_to(name) for field in block.parameters._fields
+    }
+
+
 def spaces_of(name: str) -> list[str]:
     """Return what may stand before a param of ``a.plant``: ``a.``, ``plant.``, ``a.plant.``.
 
@@ -315,14 +310,18 @@ def ordered_wiring(
     ninputs: int,
     shown: Iterable[Row],
     dt: Any = 0,
+    order: tuple[int, ...] = (),
 ) -> Wiring:
-    """Return the wiring of named systems; `fed` has the sources of each block input, in order."""
+    """Return the wiring of named systems; `fed` has the sources of each block input, in order.
+
+    The order in which they are computed is found, unless it is known.
+    """
     nodes, x, u, y = [], 0, 0, 0
     for name, system in systems:
         states = slice(x, x := x + system.nstates)
         inputs = slice(u, u := u + system.ninputs)
         outputs = slice(y, y := y + system.noutputs)
-        wires = joined_wires(fed[inputs])
-        nodes.append(Node(system, name, states, inputs, outputs, wires))
-    order = order_of(nodes)
+        rows = tuple({k: gain for k, gain in row.items() if gain != 0.0} for row in fed[inputs])
+        nodes.append(Node(system, name, states, inputs, outputs, rows))
+    order = order or order_of(nodes)
     return Wiring(tuple(nodes), order, ninputs, tuple(shown), dt)

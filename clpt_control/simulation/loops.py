@@ -113,9 +113,9 @@ def changed_blocks(
         blocks.append(learner.learning_controller(N))
         blocks.append(learner.learning_model(hedged=scenario.hedged))
         if learning.row.given_estimate:
-            blocks.append(learner.known_flow_injection(learning.theta_estimate, alpha_M))
+            blocks.append(learner.known_flow_injection(alpha_M, learning.theta_estimate))
         elif learning.row.makes_estimate and (law is None or "theta_hat" in output_ports(law)):
-            blocks.append(learner.estimated_flow_injection(alpha_M))
+            blocks.append(learner.known_flow_injection(alpha_M))
         else:
             blocks.append(learner.learned_flow_injection(alpha_M))
     blocks += [clpe.clpe(), scenario.law_block]
@@ -260,7 +260,7 @@ def closed_loop(
     external = (external,) if isinstance(external, str) else tuple(external)
     loop = LoopOf(scenario, changes_of(law, replace, insert), external)
     diagram = connect(*remaining_parts(*loop), name="closed_loop")
-    diagram.origin, diagram.units = loop, units_of_ports(scenario.units)
+    diagram.origin = loop
     return diagram
 
 

@@ -8,7 +8,7 @@ from ..diagrams.parts import changes_of
 from ..equations.block import Block
 from ..equations.ports import within
 from ..scenario.team import TEAM_LAW, Team
-from .loops import changed_blocks, units_of_ports
+from .loops import changed_blocks
 
 
 @public
@@ -40,9 +40,7 @@ def team_loop(team: Team) -> Diagram:
     >>> clpt.team_loop(team).nstates
     28
     """
-    diagram, units = connect(team_blocks(team), name="team"), units_of_ports(team.first.units)
-    diagram.units = {f"{name}/{port}": units[port] for name in team.members for port in units}
-    return diagram
+    return connect(team_blocks(team), name="team")
 
 
 def team_blocks(team: Team) -> list[Block]:

@@ -68,7 +68,7 @@ def test_disturbance_is_added_to_the_flow():
 
 def test_known_flow_injection_reads_phi_x_alone():
     theta_hat, alpha_M = np.array([[3.0], [5.0]]), np.array([[1.0], [1.0]])
-    block = learner.known_flow_injection(theta_hat, alpha_M)
+    block = learner.known_flow_injection(alpha_M, theta_hat)
     np.testing.assert_array_equal(block.output(0, [], [0.5, 99, 99, 99]), [1, 2])
 
 
@@ -179,114 +179,58 @@ def test_square_wave_switches_exactly():
             assert delta(block, before).tolist() == [-sign * 0.05, -sign * 0.1]
 
 
-def noise_values(seed, count=20000, first=0):
-    """Both axes of `count` intervals, asked of the block's function all at once."""
-    block = disturbance.disturbance("noise", [1.0, 1.0], period=1.0, seed=float(seed))
-    return noise_at(block, interval=first + np.arange(float(count))[:, None])
-
-
 def noise_at(block, **numbers):
-    """What the block's function gives for columns of parameters."""
+    """What the block's function gives for columns of parameters, intervals and both axes."""
     p = SimpleNamespace(**{**block.parameters._asdict(), **numbers})
     return block.output_function(0.0, [], SimpleNamespace(x_true=0.0), p)
 
 
+COUNT = 20000
+NEIGHBOURS = (0, 1, 2, 12345, disturbance.MODULUS - 2, disturbance.MODULUS - 1)
+APART = (3, 3 + 7919, 3 + 104729, 3 + 40503, 3 + 7919 + 104729)  # by numbers of the hash
+
+
 @pytest.fixture(scope="module")
-def noise():
-    return {seed: noise_values(seed) for seed in (0, 1, 2, 12345, 2**26 - 2, 2**26 - 1)}
+def noises():
+    """Rows of noise: both axes of some seeds, of a position, and of many seeds at one interval."""
+    rows, k = [], np.arange(float(COUNT))[:, None]
+    for seed in (*NEIGHBOURS, *APART):
+        block = disturbance.disturbance("noise", [1.0, 1.0], period=1.0, seed=float(seed))
+        rows += [*noise_at(block, interval=k).T]
+    for seed in (3.0, 4.0):
+        rows += [*noise_at(localization.measurement(1.0, 1.0, seed), interval=k).T]
+    for interval in (0.0, 7.0):
+        rows += [*noise_at(block, seed=k, interval=interval).T]
+    return np.array(rows)
 
 
-def test_noise_is_standard_normal(noise):
-    for seed, values in noise.items():
-        for axis in (0, 1):
-            n = values[:, axis]
-            # five standard errors: 1/sqrt(20000) = 0.00707 of the mean, 1/sqrt(40000) of the sd
-            assert abs(n.mean()) < 5 * 0.00708, seed
-            assert abs(n.std() - 1) < 5 * 0.005, seed
-            assert abs(stats.skew(n)) < 5 * math.sqrt(6 / 20000), seed
-            assert abs(stats.kurtosis(n)) < 5 * math.sqrt(24 / 20000), seed
-            assert stats.kstest(n, "norm").pvalue > 1e-4, seed
+def test_noise_is_standard_normal_and_does_not_repeat(noises):
+    for n in noises:
+        # five standard errors: 1/sqrt(20000) = 0.00707 of the mean, 1/sqrt(40000) of the sd
+        assert abs(n.mean()) < 5 * 0.00708
+        assert abs(n.std() - 1) < 5 * 0.005
+        assert abs(stats.skew(n)) < 5 * math.sqrt(6 / COUNT)
+        assert abs(stats.kurtosis(n)) < 5 * math.sqrt(24 / COUNT)
+        assert stats.kstest(n, "norm").pvalue > 1e-4
+        assert len(np.unique(n)) == COUNT
 
 
-def test_noise_is_not_correlated(noise):
-    bound = 5 * 0.00708
-    for seed, values in noise.items():
-        for lag in (1, 2, 3, 10):
-            for axis in (0, 1):
-                pair = values[lag:, axis], values[:-lag, axis]
-                assert abs(np.corrcoef(*pair)[0, 1]) < bound, (seed, lag)
-            assert abs(np.corrcoef(values[lag:, 0], values[:-lag, 1])[0, 1]) < bound, (seed, lag)
-        assert abs(np.corrcoef(*values.T)[0, 1]) < bound, seed
-        # nor are the sizes
-        assert abs(np.corrcoef(*(values**2).T)[0, 1]) < bound, seed
-        assert abs(np.corrcoef(values[1:, 0] ** 2, values[:-1, 0] ** 2)[0, 1]) < bound, seed
+def test_noise_of_seeds_axes_and_lags_is_not_correlated(noises):
+    """Nor are its sizes."""
+    late = [row[lag : COUNT - 10 + lag] for row in noises for lag in (0, 1, 2, 3, 10)]
+    for values in (np.array(late), np.square(late)):
+        off = np.abs(np.corrcoef(values) - np.eye(len(values)))
+        assert off.max() < 6 * 0.00708  # the largest of 11,000
 
 
-def test_neighbouring_seeds_are_independent(noise):
-    seeds = list(noise)
-    for a in seeds:
-        for b in seeds:
-            if a < b:
-                for lag in (0, 1):
-                    first, second = noise[a][lag:, 0], noise[b][: 20000 - lag, 0]
-                    assert abs(np.corrcoef(first, second)[0, 1]) < 5 * 0.00708, (a, b, lag)
-
-
-def test_noise_across_seeds_at_one_interval():
-    """An ensemble takes one seed per member: the members' values are normal too."""
-    block = disturbance.disturbance("noise", [1.0, 1.0], period=1.0)
-    for interval in (0.0, 1.0, 7.0):
-        values = noise_at(block, seed=np.arange(5000.0)[:, None], interval=interval)[:, 0]
-        assert abs(np.mean(values)) < 5 / math.sqrt(5000)
-        assert stats.kstest(values, "norm").pvalue > 1e-4
-        assert abs(np.corrcoef(values[1:], values[:-1])[0, 1]) < 5 / math.sqrt(5000)
-
-
-def noise_of_a_position(seed, count):
-    block = localization.measurement(1.0, 1.0, float(seed))
-    return noise_at(block, interval=np.arange(float(count))[:, None])
-
-
-APART = (7919, 104729, 40503, 7919 + 104729)
-
-
-@pytest.mark.parametrize(
-    ("make", "seed"),
-    [*((noise_values, 3 + apart) for apart in APART), *((noise_of_a_position, k) for k in (3, 4))],
-)
-def test_seeds_axes_and_a_position_do_not_share_noise(make, seed):
-    one, other = noise_values(3, count=4000), make(seed, 4000)
-    assert abs(other.std() - 1) < 5 / math.sqrt(2 * other.size)
-    assert abs(np.corrcoef(*other.T)[0, 1]) < 5 / math.sqrt(4000)
-    for a in (0, 1):
-        for b in (0, 1):
-            assert not np.any(one[:, a] == other[:, b])
-            assert abs(np.corrcoef(one[:, a], other[:, b])[0, 1]) < 5 / math.sqrt(4000)
-            sizes = np.abs(one[:, a]), np.abs(other[:, b])
-            assert abs(np.corrcoef(*sizes)[0, 1]) < 5 / math.sqrt(4000)
-
-
-def test_largest_seeds_are_not_the_smallest_again():
-    """Every seed that a scenario allows makes noise of its own."""
-    seeds = [*range(8), *range(2**26 - 8, 2**26)]
-    first = {}
-    for seed in seeds:
-        try:
-            clpt.paper_scenario().with_values(
-                {
-                    "flow.disturbance": {
-                        "kind": "noise",
-                        "amplitude": [1.0, 1.0],
-                        "period": 1.0,
-                        "seed": seed,
-                    }
-                }
-            )
-        except ScenarioError:
-            continue
-        first[seed] = tuple(noise_values(seed, count=2).ravel())
-    assert len(first) >= 8
-    assert len(set(first.values())) == len(first)
+def test_the_largest_seed_of_a_scenario_is_no_smaller_one_again():
+    """The hash counts modulo a prime."""
+    largest = int(disturbance.MODULUS) - 1
+    table = {"kind": "noise", "amplitude": [1.0, 1.0], "period": 1.0}
+    paper = clpt.paper_scenario()
+    paper.with_values({"flow.disturbance": {**table, "seed": largest}})
+    with pytest.raises(ScenarioError, match="seed"):
+        paper.with_values({"flow.disturbance": {**table, "seed": largest + 1}})
 
 
 def test_noise_has_no_memory_and_is_held():
@@ -298,14 +242,6 @@ def test_noise_has_no_memory_and_is_held():
     assert not np.array_equal(earlier, later)
     unit = disturbance.disturbance("noise", [1.0, 1.0], period=0.5, seed=3.0)
     np.testing.assert_allclose(delta(unit, 17.3), later / 2, rtol=1e-15)
-
-
-def test_noise_does_not_repeat():
-    values = noise_values(1)[:, 0]
-    assert len(np.unique(values)) == len(values)
-    far = noise_values(1, count=2000, first=10**9)[:, 0]
-    assert abs(far.mean()) < 5 / math.sqrt(2000)
-    assert not np.isin(far, values).any()
 
 
 # --- gridded flow, in place of Eq. (3) --------------------------------------------------------

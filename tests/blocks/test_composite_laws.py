@@ -1,7 +1,6 @@
 """The composite laws against closed forms and numbers made another way.
 
-P(t) = 1/(1/P(0) + int phi_f^2/r^2) and theta_hat = theta (1 - P/P(0)) of one function seen
-without CLPE, Q = int phi_f^2/(1 + phi_f^2), F_f = theta phi_f, V with P inverted by NumPy.
+Of one function seen without CLPE, Q = int phi_f^2/(1 + phi_f^2); F_f = theta phi_f.
 """
 
 from pathlib import Path
@@ -10,10 +9,9 @@ import numpy as np
 import pytest
 from law_blocks import HELD, alone
 from responses import response
-from scipy.integrate import cumulative_simpson, quad
+from scipy.integrate import quad
 
 import clpt_control as clpt
-from clpt_control.blocks.laws.least_squares import COMPOSITE_LEAST_SQUARES
 from clpt_control.blocks.laws.remembering import COMPOSITE_MEMORY
 from clpt_control.currents.fit import fit_scenario, save_fit
 from clpt_control.errors import ScenarioError
@@ -36,22 +34,6 @@ MEMORY = COMPOSITE_MEMORY.of(
 )
 
 
-def least_squares(forgetting):
-    return COMPOSITE_LEAST_SQUARES.of(
-        1,
-        gain_K=0.0,
-        gain_Gamma=0.0,
-        alpha_M=np.zeros((2, 1)),
-        rate=1.0,
-        filter=1.5,
-        noise=0.3,
-        forgetting=forgetting,
-        largest=0.8**2,
-        information=np.array([1 / 0.8**2]),
-        weight=100.0,
-    )
-
-
 THETA = np.array([[0.6], [-0.4]])
 
 
@@ -59,23 +41,6 @@ def changed(law, **more):
     """The paper's scenario with this law, K and Gamma held true."""
     own = {key.replace("__", "."): value for key, value in more.items()}
     return clpt.paper_scenario().with_values({"learning.law": law, **HELD, **own})
-
-
-@pytest.mark.parametrize("forgetting", [0.0, 0.2])
-def test_least_squares_of_one_function_is_the_closed_form(forgetting):
-    """With one function 1/P forgets to 1/P(0): (1/P)' = -lambda_0 (1/P - 1/P(0)) + phi_f^2/r^2."""
-    t = np.linspace(0, 8, 161)
-    s, _ = alone(least_squares(forgetting), t, np.ones((1, 161)), THETA, P=0.8**2, rho=1.0)
-
-    def seen(s, end):
-        return np.exp(-forgetting * (end - s)) * (1 - np.exp(-1.5 * s)) ** 2
-
-    gathered = np.array([quad(seen, 0, end, (end,), epsabs=1e-13)[0] for end in t])
-    P = 1 / (1 / 0.8**2 + gathered / 0.3**2)
-    np.testing.assert_allclose(s["P"][0], P, rtol=1e-9)
-    left = np.exp(-cumulative_simpson(forgetting * (1 - P / 0.8**2), x=t, initial=0.0))
-    np.testing.assert_allclose(s["rho"][0], left, rtol=1e-5)
-    np.testing.assert_allclose(-s["alpha"], THETA * (1 - s["rho"] * P / 0.8**2), atol=1e-9)
 
 
 def test_memory_of_one_function_is_its_integral():
@@ -172,6 +137,7 @@ def test_a_prior_of_0_holds_its_parameter():
         ({"priors": [1.0, 2.0]}, "priors: must be 3 numbers, one for each function"),
         ({"prior": 1.0, "priors": [1.0] * 3}, "priors: must be .* in place of prior"),
         ({"priors": [-1.0] * 3}, "priors"),
+        ({"priors": [0.0] * 3}, "priors: must be .* not all 0"),
     ],
 )
 def test_priors_must_fit(table, said):

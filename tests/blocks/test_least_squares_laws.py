@@ -132,17 +132,6 @@ def test_alpha_does_not_know_K_and_Gamma():
     np.testing.assert_allclose(one, other, atol=1e-6)
 
 
-def test_priors_of_zero_alone_are_refused():
-    own = {"learning.law": LAWS[0], "learning.gain": None}
-    scenario = clpt.paper_scenario().with_values(
-        {**own, "learning.least_squares.priors": [0.0, 0.0, 0.0]}
-    )
-    with pytest.raises(
-        clpt.errors.ScenarioError, match=r"least_squares\.priors: must be .* not all 0"
-    ):
-        clpt.simulate(scenario)
-
-
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize(
     "apart",

@@ -50,26 +50,12 @@ def test_the_truth_is_without_noise():
     np.testing.assert_allclose(run.lyapunov, V, rtol=1e-12)
 
 
-def test_the_vehicle_begins_where_the_scenario_says():
-    there = NOISY.with_values({"vehicle.position": [1.0, 2.0], "run.duration": 1})
-    assert clpt.simulate(there).position[0].values.tolist() == [1.0, 2.0]
-
-
 def test_no_noise_is_no_localization():
     quiet = clpt.simulate(NOISY.with_values({"localization.noise": 0.0}))
     plain = clpt.simulate(NOISY.with_values({"localization": None}))
     for name in plain.data_vars:
         np.testing.assert_allclose(quiet[name], plain[name], rtol=0, atol=1e-7, err_msg=name)
     assert set(quiet.data_vars) - set(plain.data_vars) == {"measured_position"}
-
-
-def test_both_engines_and_the_report_agree():
-    native, python = (clpt.simulate(NOISY, engine=name) for name in ("native", "python"))
-    for name in native.data_vars:
-        np.testing.assert_allclose(native[name], python[name], rtol=0, atol=1e-8, err_msg=name)
-    fine = clpt.simulation.run_and_report(NOISY.with_values({"run.duration": 200})).summary
-    many = clpt.run_ensemble(NOISY.with_values({"run.duration": 200}), "learning.gain=[0.8]", 1)
-    assert fine["clpe_rms_per_cycle"][0] == pytest.approx(float(many.clpe_rms[0, 0]), rel=1e-6)
 
 
 def test_a_measured_track_feeds_the_learner_alone():

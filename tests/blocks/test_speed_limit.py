@@ -36,13 +36,6 @@ def test_at_most_the_limit_in_the_same_direction_and_as_commanded_below(v, limit
     np.testing.assert_allclose(found + missing, v, rtol=1e-15)
 
 
-def test_at_rest_and_at_the_limit_itself():
-    assert flown([0.0, 0.0], 1.5).tolist() == [0.0, 0.0]
-    np.testing.assert_allclose(flown([0.9, 1.2], 1.5), [0.9, 1.2], rtol=1e-15)
-    np.testing.assert_allclose(flown([-3.0, 4.0], 1.5), [-0.9, 1.2], rtol=1e-15)
-    assert np.isnan(flown([math.nan, 1.0], 1.5)).all()
-
-
 def against(flow, start, duration, max_speed=1.5):
     """A vehicle with KD = 1 that steers to the origin in a constant flow it does not know."""
     return PAPER.with_values(
@@ -107,15 +100,6 @@ def test_hedging_keeps_the_rate_of_clpe_and_the_limit_does_not_without():
     assert fast > 5
 
 
-def test_machine_code_and_python_run_alike_through_the_kinks():
-    short = {"vehicle.max_speed": 1.1, "run.duration": 30, "run.rtol": 1e-11, "run.atol": 1e-12}
-    scenario = PAPER.with_values(short)
-    native, python = (clpt.simulate(scenario, engine=engine) for engine in ("native", "python"))
-    assert native.attrs["share_at_speed_limit"] > 0.1
-    for name in native.data_vars:
-        np.testing.assert_allclose(native[name], python[name], atol=1e-7, err_msg=name)
-
-
 def test_the_diagram_without_a_limit_is_as_it_was():
     names = [block.name for block in clpt.closed_loop(PAPER).syslist]
     limited = [block.name for block in clpt.closed_loop(LIMITED).syslist]
@@ -129,12 +113,8 @@ def test_the_diagram_without_a_limit_is_as_it_was():
     ("values", "sentence"),
     [
         ({"vehicle.max_speed": 0.0}, r"vehicle.max_speed = 0.0: must be greater than 0"),
-        ({"vehicle.max_speed": -1.5}, r"vehicle.max_speed"),
         ({"vehicle.max_speed": math.inf}, r"vehicle.max_speed.*finite"),
-        ({"vehicle.max_speed": "fast"}, r"vehicle.max_speed"),
         ({"learning.hedging": True}, r"learning.hedging = true: .* only with vehicle.max_speed"),
-        ({"learning.hedging": False}, r"learning.hedging = false: .* vehicle.max_speed"),
-        ({"vehicle.max_speed": 1.5, "learning.hedging": 1}, r"learning.hedging = 1"),
     ],
 )
 def test_what_is_not_allowed_is_said(values, sentence):

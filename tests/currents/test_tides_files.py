@@ -94,35 +94,24 @@ def test_times_of_a_table_are_as_its_header_says(tmp_path, unit, cells):
     ("text", "sentence"),
     [
         ("", "is empty"),
-        ("# only a comment\n", "is empty"),
         (HEADER, "has a header and no rows"),
         ("the quick brown fox\n", "no column time"),
-        ("time,u (m/s)\n" + ROW.format(1), "no column v"),
         ("time,u (m/s),v (m/s),u (m/s)\n", "more than one column u"),
         ("time,u,v\n" + ROW.format(1), "u has no units; write them behind the name"),
         ("time,u (kelvin),v (m/s)\n", "u: units = 'kelvin' is no speed"),
         (HEADER + "yesterday,1,2\n", "line 3: time is 'yesterday'"),
-        (HEADER + ",1,2\n", "line 3: time is ''"),
-        (HEADER + "1546300800,1,2\n", "line 3: time is '1546300800'"),
         (HEADER + "2201,1,2\n", "the year 1700 to 2200"),
         (HEADER + "\n# a gap\n2019-01-01,1,2\n2019-01-02,1,o2\n", "line 6: v is 'o2'"),
-        (HEADER + "01/02/2019,1,2\n", "line 3: time is '01/02/2019'; must be such as 2019"),
-        (HEADER + "2019-01-01,fast,2\n", "line 3: u is 'fast'; must be a number"),
         (HEADER + ROW.format(2) + ROW.format(1), "01:00:00.000 follows .*02:00.*must increase"),
-        (HEADER + ROW.format(1) * 2, "must increase, each once"),
         (HEADER + "2019-01-01,,\n2019-01-02,nan,1\n", "no time has a finite value"),
         (HEADER + "2019-01-01,999,1\n", "reaches 999 m/s: check its units"),
         (HEADER.split("\n", 1)[1] + ROW.format(1), "does not say its latitude"),
         (HEADER.replace("41", "141") + ROW.format(1), "latitude = 141.0"),
         (HEADER.replace("41", "north") + ROW.format(1), "latitude = nan: must be degrees north"),
-        (HEADER.replace("41", "41 S") + ROW.format(1), "latitude = nan: must be degrees north"),
         ("time (local),u (m/s),v (m/s)\n" + ROW.format(1), "time is in 'local'; must be in UTC"),
-        ("time (UTC+2),u (m/s),v (m/s)\n" + ROW.format(1), r"time is in 'UTC\+2'; must be in UTC"),
-        ("time (h),u (m/s),v (m/s)\n0,0.1,0.2\n", "time is in 'h'; must be in UTC"),
         (HEADER + ROW.format(1) + ROW.format(2), "changes by 0 m/s only"),
         (HEADER + "2019,1e-300,0\n2020,2e-300,0\n", "changes by 1e-300 m/s only: check its units"),
         (HEADER.replace(",", ";") + "0;1;2\n", "columns are separated by semicolons; use commas"),
-        (HEADER.replace(",", "\t") + "0\t1\t2\n", "columns are separated by tabs; use commas"),
         (HEADER + ROW.format(1), "1 of 1 times have both components"),
         ("time,speed (m/s),direction (rad)\n" + ROW.format(1), "direction is in 'rad'; must be in"),
     ],
@@ -142,8 +131,6 @@ def test_each_bad_file_is_one_sentence(refused, tmp_path):
     net = tmp_path / "x.nc"
     for path, sentence in (
         (tmp_path / "none.nc", "no such file"),
-        (tmp_path / "none.csv", "no such file"),
-        (tmp_path, "is a folder; give a file"),
         (tmp_path / "text.nc", "cannot be read as NetCDF"),
         (tmp_path / "bytes.csv", "is no text"),
         (tmp_path / "wide.csv", "is text in UTF-16; must be in UTF-8"),
@@ -151,8 +138,6 @@ def test_each_bad_file_is_one_sentence(refused, tmp_path):
         (write_netcdf(tmp_path / "a.nc", time, np.nan * flow), "no time has a finite value"),
         (write_netcdf(tmp_path / "b.nc", time, flow, latitude=None), "--latitude DEG"),
         (write_netcdf(tmp_path / "c.nc", time[::-1], flow), "times must increase"),
-        (write_netcdf(tmp_path / "d.nc", time, flow, units="kelvin"), "is no speed"),
-        (write_netcdf(tmp_path / "e.nc", time[:1], flow[:, :1]), "1 of the 2 steps"),
         (write_netcdf(tmp_path / "f.nc", time, flow, calendar="360_day"), "the calendar '360_day'"),
     ):
         assert sentence in refused("tides", path, "--constituents", "M2")
@@ -184,13 +169,10 @@ def test_records_that_are_blind_to_a_tide(time, names, sentence):
         fit_tides(time, flow[1:], flow[1:], LATITUDE, names)
 
 
-def test_without_utide_one_sentence_and_fits_of_grids_go_on(refused, tmp_path, monkeypatch):
-    from clpt_control.currents.constituents import nodal_report
-
+def test_without_utide_one_sentence_says_what_to_install(refused, tmp_path, monkeypatch):
     path = write_table(tmp_path / "r.csv", times(2), waves(times(2)))
     monkeypatch.setitem(sys.modules, "utide", None)
     assert "pip install 'clpt-control[sea]'" in refused("tides", path, "--constituents", "M2")
-    assert nodal_report(["M2"], "2019-01-01", 41.0) is None
 
 
 def test_the_documented_lines_run(monkeypatch, tmp_path):

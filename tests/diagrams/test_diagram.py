@@ -89,27 +89,19 @@ def test_disturbed_flow_takes_delta():
     assert len(loop.syslist) == 13
 
 
-def test_external_setpoint():
-    loop = clpt.closed_loop(PAPER, external=("zc",))
-    assert loop.input_labels == ["zc[0]", "zc[1]"]
-    assert [block.name for block in loop.syslist] == [name for name, *_ in TABLE[1:]]
-    assert clpt.closed_loop(PAPER, external="zc").input_labels == loop.input_labels
-
-
-def test_external_track_is_the_learner_alone():
-    loop = clpt.closed_loop(PAPER, external=("x",))
-    assert loop.input_labels == ["x[0]", "x[1]"]
-    assert [block.name for block in loop.syslist] == [
-        *("reference", "basis_x", "basis_z", "modeled_flow", "learning_controller"),
-        *("learning_model", "injection", "clpe", "adaptation"),
-    ]
-    assert len(initial_state(loop)) == loop.nstates == 12
-
-
-def test_external_of_two_ports():
-    loop = clpt.closed_loop(PAPER, external=("x", "zc"))
-    assert loop.input_labels == ["x[0]", "x[1]", "zc[0]", "zc[1]"]
-    assert "reference" not in [block.name for block in loop.syslist]
+@pytest.mark.parametrize(
+    ("external", "gone", "states"),
+    [
+        ("zc", {"reference"}, 14),
+        ("x", {"true_flow", "vehicle_controller", "vehicle"}, 12),
+        (("x", "zc"), {"reference", "true_flow", "vehicle_controller", "vehicle"}, 12),
+    ],
+)
+def test_what_comes_from_outside_leaves_out_what_makes_it(external, gone, states):
+    loop = clpt.closed_loop(PAPER, external=external)
+    assert loop.input_labels == [f"{port}[{k}]" for port in np.ravel(external) for k in (0, 1)]
+    assert [block.name for block in loop.syslist] == [n for n, *_ in TABLE if n not in gone]
+    assert len(initial_state(loop)) == loop.nstates == states
 
 
 def test_initial_state_is_in_the_order_of_the_states():
@@ -140,53 +132,61 @@ def follower(name, takes, makes):
     return Block(name, output=follows, inputs={takes: 1}, outputs={makes: 1})
 
 
-def test_two_makers_of_one_port():
-    blocks = [follower("first", "a", "b"), follower("second", "a", "b")]
-    with pytest.raises(DiagramError, match=r"'b' is made by both first and second"):
-        connect(blocks, external=["a"])
+STILL = np.zeros((2, 2)), np.ones(2), np.zeros(2), np.zeros(2)
 
 
-def test_mistyped_port():
-    blocks = [follower("first", "a", "speed"), follower("second", "sped", "c")]
-    with pytest.raises(DiagramError, match=r"'sped', an input of second, .* no block.*speed"):
-        connect(blocks, external=["a"])
+@pytest.mark.parametrize(
+    ("blocks", "external", "said"),
+    [
+        (
+            (follower("first", "a", "b"), follower("second", "a", "b")),
+            "a",
+            "'b' is made by both first and second",
+        ),
+        (
+            (follower("first", "a", "speed"), follower("second", "sped", "c")),
+            "a",
+            r"'sped', an input of second, .* no block.*speed",
+        ),
+        (
+            (
+                flow.flow_basis("basis_z", "z", "gaussian", *STILL),
+                flow.modeled_flow(np.zeros((2, 3))),
+            ),
+            "z",
+            "'phi_z' has 2 signals, but modeled_flow takes 3",
+        ),
+        (
+            (vehicle.vehicle(), follower("first", "flow_x", "b")),
+            ("flow_x", "v_x"),
+            "'flow_x' has 2 signals, but first takes 1",
+        ),
+        ((vehicle.vehicle(),), ("flow_x", "v_x", "a"), "'a' cannot come from outside: no block"),
+        (
+            (vehicle.vehicle(), clpe_block.clpe()),
+            ("flow_x", "v_x", "z", "x"),
+            "'x' cannot come from outside: vehicle makes it",
+        ),
+        ((follower("first", "a", "b"), follower("first", "b", "c")), "a", "two .* 'first'"),
+        (("vehicle",), (), "'vehicle' is no block"),
+    ],
+)
+def test_what_does_not_fit_is_named(blocks, external, said):
+    with pytest.raises(DiagramError, match=said):
+        connect(blocks, external)
 
 
-def test_sizes_that_differ():
-    p = np.zeros((2, 2)), np.ones(2), np.zeros(2), np.zeros(2)
-    two = flow.flow_basis("basis_z", "z", "gaussian", *p)
-    three = flow.modeled_flow(np.zeros((2, 3)))
-    with pytest.raises(DiagramError, match=r"'phi_z' has 2 signals, but modeled_flow takes 3"):
-        connect([two, three], external=["z"])
-
-
-def test_external_sizes_that_differ():
-    blocks = [vehicle.vehicle(), follower("first", "flow_x", "b")]
-    with pytest.raises(DiagramError, match=r"'flow_x' has 2 signals, but first takes 1"):
-        connect(blocks, external=["flow_x", "v_x"])
-
-
-def test_unknown_external():
+def test_an_unknown_external_port_is_named():
     with pytest.raises(DiagramError, match=r"external = 'zcc': must be among the ports .*\bzc\b"):
         clpt.closed_loop(PAPER, external=("zcc",))
-    with pytest.raises(DiagramError, match=r"'a' cannot come from outside: no block takes it"):
-        connect([vehicle.vehicle()], external=["flow_x", "v_x", "a"])
-    with pytest.raises(DiagramError, match=r"'x' cannot come from outside: vehicle makes it"):
-        connect([vehicle.vehicle(), clpe_block.clpe()], external=["flow_x", "v_x", "z", "x"])
-
-
-def test_two_blocks_of_one_name():
-    with pytest.raises(DiagramError, match="first"):
-        connect([follower("first", "a", "b"), follower("first", "b", "c")], external=["a"])
 
 
 def test_algebraic_loop_names_its_blocks():
     blocks = [follower("first", "a", "b"), follower("second", "b", "a"), follower("x", "b", "c")]
-    with pytest.raises(DiagramError, match="algebraic loop") as caught:
+    with pytest.raises(DiagramError, match=r"loop: .*(first|second).* break .* that has states"):
         wiring.wiring_of(connect(blocks))
-    assert "first" in str(caught.value)
-    assert "second" in str(caught.value)
-    assert "block that has states" in str(caught.value)
+    with pytest.raises(DiagramError, match="algebraic loop: mine"):
+        wiring.wiring_of(connect([follower("mine", "a", "a")]))
 
 
 @pytest.mark.parametrize("engine", ["native", "python"])
@@ -208,11 +208,6 @@ def test_a_circle_through_an_entry_of_d_that_is_0_is_none(engine):
     mass.D[0, 0] = 0.5
     with pytest.raises(DiagramError, match="algebraic loop: mass <- total <- K"):
         wiring.wiring_of(connect([mass, K, total], "r"))
-
-
-def test_a_block_that_feeds_itself_is_named():
-    with pytest.raises(DiagramError, match="algebraic loop: mine"):
-        wiring.wiring_of(connect([follower("mine", "a", "a")]))
 
 
 # --- parameters at call time ------------------------------------------------------------------
@@ -271,13 +266,6 @@ def test_a_diagram_stays_a_diagram():
 # --- one pass gives what python-control gives -------------------------------------------------
 
 
-def test_parameters_of_a_sweep_are_those_of_the_call():
-    loop, x = clpt.closed_loop(PAPER), np.random.default_rng(4).normal(size=14)
-    params = {"adaptation.gain": 3.0, "vehicle_controller.KD": [2.0, 5.0]}
-    ours = PythonDiagram(loop, params).sweep.derivative(0.0, x)
-    np.testing.assert_allclose(ours, loop.dynamics(0.0, x, [], params=params), rtol=1e-13)
-
-
 # --- what the loop conserves ------------------------------------------------------------------
 
 
@@ -315,8 +303,3 @@ def test_error_system_reproduces_the_error():
     np.testing.assert_allclose(run.outputs[4:10], theta[:, None] + states[4:10], atol=1e-9)
     np.testing.assert_allclose(run.outputs[10:12], states[10:12] - 1.0, atol=1e-9)
     np.testing.assert_allclose(run.outputs[12:14], 1.0 - states[12:14], atol=1e-9)
-
-
-def test_what_is_no_block_is_named():
-    with pytest.raises(DiagramError, match="'vehicle' is no block"):
-        connect(["vehicle"])

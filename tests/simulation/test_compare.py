@@ -131,21 +131,6 @@ def test_a_signal_whose_maker_says_no_unit_has_that_of_who_takes_it():
     assert "units" not in run.v.attrs
 
 
-def test_a_loop_beside_another_part_keeps_the_units_of_its_signals():
-    scenario = clpt.paper_scenario().with_values({"units.length": "km", "units.time": "h"})
-    lag = control.tf(1, [0.5, 1], name="lag", inputs="r", outputs="q")
-    loop = clpt.closed_loop(scenario)
-    both = clpt.connect([loop, lag], external="r")
-    run = clpt.simulate(both, [0.0, 0.1], 1.0)
-    units = {"x": "km", "e": "km", "K": "h-1", "alpha": "km h-1", "v_z": "km h-1"}
-    assert {port: run[port].attrs["units"] for port in units} == units
-    assert "units" not in run.q.attrs | run.phi_x.attrs
-    assert "km" not in clpt.diagrams.mermaid(loop)  # the loop alone says them by its scenario
-    team = clpt.team_loop(clpt.Team(members={"a": scenario, "b": scenario}, coupling=1.0))
-    run = clpt.simulate(clpt.connect([team, lag], external="r"), [0.0, 0.1], 1.0)
-    assert run["b/x"].attrs["units"] == "km"
-
-
 def test_the_run_of_a_block_with_units_whose_ports_get_other_names_is_saved(tmp_path):
     lag = control.tf(1, [0.5, 1], name="lag")
     plant = clpt.Block(

@@ -4,7 +4,7 @@
 
 Thick frame and integral sign: a block with states.  Grey: a source of time or
 tables (`Block.opaque`).  Dashed: feedback.  The number under a name is the
-equation of the paper that the block's function names.
+equation of the paper that the block's function names first.
 """
 
 import os
@@ -25,11 +25,12 @@ from ...files import check_name, write_file
 from ...html import fragment, paragraphs, shortened
 from ..wiring import Node, Part, wiring_of
 from .layers import Net, arrange, gather, ports
-from .routing import Routed, route, strokes
+from .routing import Routed, route
 
 NAME, NOTE, PORT = 8.0, 6.5, 7.0  # sizes of text, points
 MARGIN, KEY = 6.0, 18.0
-SUFFIXES = (".svg", ".png", ".pdf", ".mmd", ".md")
+SUFFIXES = (".svg", ".png", ".pdf", ".mmd")
+LEGEND = "∫ thick: has states; grey: source of time or tables; dashed: feedback"
 MOST = 60  # blocks that a notebook is shown drawn
 STYLE: dict[Any, Any] = {
     "font.family": "sans-serif",
@@ -65,8 +66,8 @@ def draw(
     diagram : control.NonlinearIOSystem
         An interconnected system; blocks of nested ones are drawn one by one.
     path : str or path, optional
-        Ends in ``.svg``, ``.png`` or ``.pdf``; ``.mmd`` gets Mermaid text,
-        ``.md`` the same in a fence. The same diagram gives the same bytes.
+        Ends in ``.svg``, ``.png`` or ``.pdf``; ``.mmd`` gets Mermaid text. The same diagram gives
+        the same bytes.
 
     Returns
     -------
@@ -96,9 +97,8 @@ def draw(
         raise DiagramError(
             f"{path}: a diagram is drawn as {', '.join(SUFFIXES)}, not '{path.suffix}'"
         )
-    if suffix in (".mmd", ".md"):
-        text = mermaid(diagram)
-        write_file(path, f"```mermaid\n{text}```\n" if suffix == ".md" else text)
+    if suffix == ".mmd":
+        write_file(path, mermaid(diagram))
         return None
     figure = block_figure(diagram)
     with _same_style():
@@ -210,9 +210,8 @@ def block_figure(diagram: Part) -> Any:
     from matplotlib.figure import Figure
 
     routed, nets, nodes = layout(diagram)
-    key = _key(nets, nodes)
-    across = max(routed.width, width(key, NOTE)) + 2 * MARGIN
-    height = routed.height + 2 * MARGIN + (KEY if key else 0)
+    across = max(routed.width, width(LEGEND, NOTE)) + 2 * MARGIN
+    height = routed.height + 2 * MARGIN + KEY
     with _same_style():
         figure = Figure(figsize=(across / 72, height / 72), facecolor="white", dpi=200)
         axes = figure.add_axes((0, 0, 1, 1))
@@ -226,29 +225,16 @@ def block_figure(diagram: Part) -> Any:
                 axes.text(box.x + box.width - 4, box.y, name[3:], size=PORT, **place)
             elif name in nodes:
                 _draw_block(axes, box, name, nodes[name].system)
-        if key:
-            axes.text(0, height - MARGIN - 4, key, size=NOTE, va="baseline", color="0.25")
+        axes.text(0, height - MARGIN - 4, LEGEND, size=NOTE, va="baseline", color="0.25")
     return figure
-
-
-def _key(nets: list[Net], nodes: dict[str, Node]) -> str:
-    systems = [node.system for node in nodes.values()]
-    parts = []
-    if any(system.nstates for system in systems):
-        parts.append("∫ thick frame: block with states")
-    if any(system.opaque for system in systems):
-        parts.append("grey: source of time or tables")
-    if any(net.back for net in nets):
-        parts.append("dashed: feedback")
-    return ("\u00a0" * 6).join(parts)  # spaces that HTML keeps
 
 
 def _draw_arrows(axes: Any, routed: Routed, nets: list[Net]) -> None:
     from matplotlib.lines import Line2D
     from matplotlib.patches import Circle, Polygon
 
-    for (k, target), path in strokes(routed.paths, nets).items():
-        net, (x0, y0), (x1, y1) = nets[k], routed.paths[k, target][0], path[-1]
+    for (k, target), path in routed.paths.items():
+        net, (x1, y1) = nets[k], path[-1]
         xs, ys = zip(*path[:-1], (x1 - 3, y1), strict=True)
         line = Line2D(xs, ys, lw=0.8, color="black", zorder=1, solid_joinstyle="miter")
         if target in net.back:
@@ -257,11 +243,8 @@ def _draw_arrows(axes: Any, routed: Routed, nets: list[Net]) -> None:
         axes.add_line(line)
         head = [(x1, y1), (x1 - 6, y1 - 2.2), (x1 - 6, y1 + 2.2)]
         axes.add_patch(Polygon(head, closed=True, fc="black", ec="none", zorder=3))
-        style = {"size": PORT, "va": "baseline", "style": "italic"}
-        if target:
-            axes.text(x1 - 8, y1 - 3.5, net.targets[target], ha="right", **style)
-        if net.named_at_source and target == next(iter(net.targets), ""):
-            axes.text(x0 + 3, y0 - 3.5, net.text, **style)
+        text = net.targets.get(target, net.text)
+        axes.text(x1 - 8, y1 - 3.5, text, size=PORT, ha="right", va="baseline", style="italic")
     for x, y in routed.dots:
         axes.add_patch(Circle((x, y), 1.7, fc="black", ec="none", zorder=3))
 
@@ -305,16 +288,10 @@ def layout(diagram: Part) -> tuple[Routed, list[Net], dict[str, Node]]:
 
 
 def equation_numbers(system: Part) -> str:
-    """Return the equations of a block's docstrings, such as ``"Eqs. (21)–(23)"``, but V's."""
-    numbers: set[int] = set()
-    for text in docs_of(system):
-        for found in re.findall(r"(?<!V of )Eqs?\.\s*((?:\(\d+\)(?:\s*(?:,|-|–|and)\s*)?)+)", text):
-            for first, last in re.findall(r"\((\d+)\)(?:\s*[-–]\s*\((\d+)\))?", found):
-                numbers |= set(range(int(first), int(last or first) + 1))
-    listed = [f"({number})" for number in sorted(numbers)]
-    if len(numbers) > 2 and max(numbers) - min(numbers) == len(numbers) - 1:
-        listed = [f"{listed[0]}–{listed[-1]}"]
-    return f"Eq{'s' * (len(numbers) > 1)}. {', '.join(listed)}" if numbers else ""
+    """Return the equations that a block's docstrings name first, as "Eqs. (21)-(23)", but V's."""
+    text = " ".join(" ".join(docs_of(system)).split())
+    found = re.search(r"(?<!V of )Eqs?\. \(\d+\)((-|, | and )\(\d+\))*", text)
+    return found[0] if found else ""
 
 
 def lines_of(name: str) -> list[str]:

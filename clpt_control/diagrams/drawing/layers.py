@@ -31,11 +31,6 @@ class Net:
         """Return the targets that are not reached by feedback."""
         return [target for target in self.targets if target not in self.back]
 
-    @property
-    def named_at_source(self) -> bool:
-        """Return whether the text stands at the source too, not only at the arrow's end."""
-        return not self.source.startswith("in:") and (len(self.targets) != 1 or bool(self.back))
-
 
 @dataclass
 class Turn:

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from itertools import combinations, pairwise
 from statistics import mean
 
-from .layers import Layered, Net, Turn
+from .layers import Layered, Turn
 
 GRID, PITCH, GAP = 7.0, 14.0, 14.0  # points; of heights, of ports, between boxes
 WEIGHTS = 1.0, 2.0, 8.0  # of an arrow with so many passages at its ends
@@ -139,16 +139,16 @@ class _Router:
                 for box in own:
                     box.x, box.width = x, width
                 x += width
-            out = [
-                self.text_width(net.text) + (0.0 if net.targets else ARROW)
-                for net in nets
-                if rank[net.source] == c and net.named_at_source
-            ]
+            idle = [net.text for net in nets if rank[net.source] == c and not net.targets]
             texts = [text for n in nets for t, text in n.targets.items() if rank[t] == c + 1]
-            x += max(out, default=0.0) + GRID
+            x += GRID + max((self.text_width(text) + ARROW for text in idle), default=0.0)
             turning = [turn for turn in turns if turn.high - turn.low > 1]
             for k, turn in enumerate(turning):
-                others = [t.x + TRACK for t in turning[:k] if overlap(t, turn)]
+                others = [
+                    one.x + TRACK
+                    for one in turning[:k]
+                    if one.low < turn.high + APART and turn.low < one.high + APART
+                ]
                 turn.x = max(others, default=x)
             x = max((turn.x + TRACK for turn in turning), default=x)
             x += max(map(self.text_width, texts), default=0.0) + (ARROW if texts else 0.0)
@@ -194,11 +194,6 @@ def sort_tracks(turns: list[Turn]) -> None:
         turns[:] = [*rest[:best], turn, *rest[best:]]
 
 
-def overlap(a: Turn, b: Turn) -> bool:
-    """Return whether two turns are too close to share a track."""
-    return a.low < b.high + APART and b.low < a.high + APART
-
-
 def route(layered: Layered, sizes: Sizes, text_width: Width) -> Routed:
     """Place the boxes and lead the arrows around them."""
     router = _Router(layered, sizes, text_width)
@@ -236,14 +231,3 @@ def common(one: list[Point], other: list[Point]) -> list[Point]:
             return [*shared, min(b, c, key=lambda end: math.dist(a, end))] if along > 0 else shared
         shared.append(b)
     return shared
-
-
-def strokes(paths: Paths, nets: list[Net]) -> Paths:
-    """Return paths from where earlier ones of their net leave them, feedback last."""
-    drawn: Paths = {}
-    for k, target in sorted(paths, key=lambda key: key[1] in nets[key[0]].back):
-        path = paths[k, target]
-        earlier = [common(path, paths[m, other]) for m, other in drawn if m == k]
-        done = max(earlier, default=path[:1], key=lambda way: sum(map(math.dist, way, way[1:])))
-        drawn[k, target] = [done[-1], *path[max(1, len(done) - 1) :]]
-    return drawn

@@ -16,7 +16,7 @@ import control
 import numpy as np
 import sympy
 
-from ...diagrams.merged_record import merged_record
+from ...diagrams.merged_record import TapeRecord
 from ...diagrams.on_symbols import Equations, on_symbols
 from ...diagrams.symbol_names import TIME
 from ...diagrams.wiring import Node, Wiring, wiring_of
@@ -182,9 +182,9 @@ class ArrayLoop:
         self.values: dict[str, Any] = {}  # of parameters
         self.declared: dict[str, Shape] = {}
         self.states: dict[str, Any] = {}
-        found = merged_record(diagram, wiring, self._leaf, self._input, tape=self.tape)
+        found = TapeRecord(diagram, wiring, self._leaf, self._input, self.tape)
         refuse_pinned(found.pinned)
-        self.inputs = found.inputs
+        self.inputs = found.given
         self.signals = {port: value for (_, port), value in found.signals.items()}
         of = {node.name: node.system.name for node in wiring.nodes}
         self.rates = {
