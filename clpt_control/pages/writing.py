@@ -55,8 +55,8 @@ def report(
     Returns
     -------
     dict
-        ``file``, ``bytes``, ``kind``, ``title``, ``sentences`` (of what it is) and
-        ``figures``, the files written.
+        ``file``, ``bytes``, ``kind``, ``title``, ``sentences`` (of what it is, and
+        warnings) and ``figures``, the files written.
 
     Raises
     ------
@@ -92,7 +92,8 @@ def report(
     else:
         folder = None if figures is None else make_folder(figures)
         page = page_of(source, title)
-        kind, title_used, sentences, text = page.kind, page.title, page.sentences, page_html(page)
+        kind, title_used, text = page.kind, page.title, page_html(page)
+        sentences = [*page.sentences, *page.warnings]
         if folder is not None:
             results = {
                 folder / f"{one.name}.{end}": one.figure for one in page.figures for end in kinds

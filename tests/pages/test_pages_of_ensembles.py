@@ -57,10 +57,11 @@ def test_an_ensemble_under_way_says_how_far_it_is(tmp_path, monkeypatch, done):
     monkeypatch.setattr("clpt_control.ensemble.run.remove_empty", lambda store: None)
     with pytest.raises(KeyboardInterrupt):
         clpt.run_ensemble(SHORT, VARY, 6, out=tmp_path / "e.zarr", chunk=2, threads=1)
-    clpt.report(tmp_path / "e.zarr", tmp_path / "e.html")
+    said = clpt.report(tmp_path / "e.zarr", tmp_path / "e.html")["sentences"]
     text = (tmp_path / "e.html").read_text("utf-8")
     checked(text)
-    assert f"not complete: {2 * done} of 6 members are done" in text
+    for told in (text, said[1]):  # on the page, and where the command ran
+        assert f"not complete: {2 * done} of 6 members are done" in told
 
 
 def test_the_command_writes_page_and_figures(printed, tmp_path):

@@ -164,6 +164,7 @@ OTHER_STATES = {  # s' of a state that V does not hold, its size; whether it exi
     "s' = s_1 s_2": (lambda x, u: x.s[0] * x.s[1] * np.ones(2), 2, False),
     "s' = s^2 tanh(K)": (lambda x, u: x.s * x.s * np.tanh(x.K[0]), 1, False),
     "grows": (lambda x, u: x.s + 1, "N", True),
+    "sums what it is given": (lambda x, u: u.e @ u.e, 1, True),
     "filters": (lambda x, u: -x.s + u.e[0], "N", True),
     "filters to one": (lambda x, u: -x.s + u.e[0], 1, True),
     "a share": (lambda x, u: u.e[1] * np.tanh(x.s) - x.s / (1 + u.z @ u.z), "N", True),

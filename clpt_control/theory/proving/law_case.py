@@ -226,9 +226,9 @@ class Case:
             residual = tidied(loop.elements.of(rate_of_V(loop) - decay(loop)))
             if loop.undefined:
                 return False, loop.undefined[0]
-            read = loop.elements.of
-            moves, states = (
-                {port: read(one[port]) for port in self.others} for one in (loop.rates, loop.states)
+            read, asked = loop.elements.of, [one for one in self.others if one in loop.states]
+            moves, states = (  # what no equation reads exists as long as what drives it
+                {port: read(one[port]) for port in asked} for one in (loop.rates, loop.states)
             )
             if faster := faster_than_linear(moves, states):
                 return False, faster
