@@ -15,13 +15,16 @@ import numpy as np
 from .arrays import Unread
 from .record import Operation, Record, Ref, Shape, bound
 
-Index = tuple[Any, ...]  # places; a name is a generic one
+# places; a name is a generic one, and so is (symbol, start, step), which `native.components` has
+Index = tuple[Any, ...]
 MOST_AT_ONCE = 256  # elements of an array that are computed in order, so that nothing goes deep
 MOST = 300_000  # elements; more are given up
 
 
 class Elements:
     """The elements of the values of a record or a tape."""
+
+    most: float = MOST  # elements
 
     def __init__(self, operations: Sequence[Operation], sizes: Mapping[str, int] | None = None):
         self.operations, self.sizes = operations, sizes or {}
@@ -62,14 +65,43 @@ class Elements:
         """Return one element; a shorter array is broadcast."""
         if type(ref) is float:
             return self.number(ref)
-        shape = bound(self.operations[ref].shape, self.sizes)
-        index = index[len(index) - len(shape) :]
-        index = tuple([0 if n == 1 else k for k, n in zip(index, shape, strict=True)])
+        index = self.trimmed(ref, index)
         if (ref, index) not in self.known:
             self.known[ref, index] = self._element(ref, index)
-            if len(self.known) > MOST:
+            if len(self.known) > self.most:
                 raise Unread(f"takes more than {MOST} operations on single numbers")
         return self.known[ref, index]
+
+    def trimmed(self, ref: int, index: Index) -> Index:
+        """Return an index without the axes along which a value is broadcast."""
+        shape = bound(self.operations[ref].shape, self.sizes)
+        index = index[len(index) - len(shape) :]
+        return tuple([0 if n == 1 else k for k, n in zip(index, shape, strict=True)])
+
+    def source(self, ref: int, index: Index) -> tuple[Ref, Index] | None:
+        """Return which element of another value an element is; None where it is computed."""
+        kind, arguments, shape, at = self.operations[ref]
+        if kind == "view":
+            return arguments[0], tuple([_moved(m, index) for m in at])
+        if kind == "fill":
+            return arguments[0], ()
+        if kind == "part":
+            outer = bound(self.operations[arguments[0]].shape, self.sizes)
+            place = np.unravel_index(at + np.ravel_multi_index(index, shape), outer)
+            return arguments[0], tuple(map(int, place))
+        if kind not in ("stack", "join"):
+            return None
+        k, *rest = index
+        if not isinstance(k, int):
+            raise Unread("elements that differ along an axis of unknown length")
+        if kind == "stack":
+            return arguments[k], tuple(rest)
+        for part in arguments:
+            n = bound(self.operations[part].shape, self.sizes)[0]
+            if k < n:
+                return part, (k, *rest)
+            k -= n
+        raise IndexError(index)
 
     def _element(self, ref: int, index: Index) -> Any:
         kind, arguments, shape, at = self.operations[ref]
@@ -77,16 +109,8 @@ class Elements:
             return self.leaf(at, bound(shape, self.sizes), index)
         if kind == "constant":
             return self.number(float(np.frombuffer(at).reshape(shape)[index]))
-        if kind == "view":
-            return self.at(arguments[0], tuple([_moved(m, index) for m in at]))
-        if kind == "fill":
-            return self.at(arguments[0], ())
-        if kind == "part":
-            outer = bound(self.operations[arguments[0]].shape, self.sizes)
-            place = np.unravel_index(at + np.ravel_multi_index(index, shape), outer)
-            return self.at(arguments[0], tuple(map(int, place)))
-        if kind in ("stack", "join"):
-            return self._gathered(kind, arguments, index)
+        if (source := self.source(ref, index)) is not None:
+            return self.at(*source)
         if kind == "sum":
             return self._sum(ref, arguments[0], at, index)
         if kind == "pick":
@@ -100,19 +124,6 @@ class Elements:
         if not all(isinstance(n, int) for n in shape):
             raise Unread("every element of an array of unknown length")
         return [self.at(ref, place) for place in np.ndindex(*shape)]
-
-    def _gathered(self, kind: str, arguments: tuple, index: Index) -> Any:
-        k, *rest = index
-        if not isinstance(k, int):
-            raise Unread("elements that differ along an axis of unknown length")
-        if kind == "stack":
-            return self.at(arguments[k], tuple(rest))
-        for part in arguments:
-            n = bound(self.operations[part].shape, self.sizes)[0]
-            if k < n:
-                return self.at(part, (k, *rest))
-            k -= n
-        raise IndexError(index)
 
     def _sum(self, ref: int, array: Ref, axis: int, index: Index) -> Any:
         size = bound(self.operations[array].shape, self.sizes)[axis]
@@ -130,6 +141,9 @@ def _moved(m: Any, index: Index) -> Any:
     place = index[d]
     if isinstance(place, int):
         return start + step * place
+    if isinstance(place, tuple):
+        symbol, first, every = place
+        return symbol, start + step * first, step * every
     if (start, step) != (0, 1):
         raise Unread("a part of an axis of unknown length")
     return place

@@ -11,12 +11,13 @@ symbol (length, number) and an index is (symbol, start, step).
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial, reduce
 from itertools import count, product
-from math import copysign, prod
+from math import copysign, inf, prod
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from ..equations.arrays import CONDITIONS
+from ..equations.elements import Elements
 from ..errors import Uncompiled
 from .decisions import Port
 from .diagram_record import Ref
@@ -53,15 +54,18 @@ class Write(NamedTuple):
     summed: bool = False
 
 
-class Components:
+class Components(Elements):
     """The elements of a diagram's record that its functions need, each once.
 
     From place `prepared` on, P has room for what is computed once a piece of time; where it is None
     nothing is prepared.
     """
 
+    most = inf
+
     def __init__(self, record: Any, room: int, prepared: int | None = None):
-        self.record, self.entries = record, record.entries
+        super().__init__(record.entries)
+        self.record = record
         self.all: list[Component] = []
         self.preparing = prepared is not None
         self.steady: list[bool] = []  # depends on parameters alone, and is prepared
@@ -69,7 +73,6 @@ class Components:
         self.constants: list[float] = []  # K
         self.buffers: dict[int, list[Write]] = {}  # arrays that are written before they are read
         self._places: dict[Any, int] = {}
-        self._elements: dict[tuple, Value] = {}
         self._arrays: dict[Any, tuple[str, int, int]] = {}  # entry -> array, place, buffer or -1
 
     # --- components -----------------------------------------------------------------------
@@ -113,72 +116,38 @@ class Components:
 
     # --- elements of entries --------------------------------------------------------------
 
-    def at(self, ref: Ref, index: tuple[Index, ...]) -> Value:
-        """Return an element of a value; a shorter one is broadcast."""
-        if type(ref) is float:
-            return ref
-        index = self.trimmed(ref, index)
-        if (ref, index) not in self._elements:
-            self._elements[ref, index] = self._element(ref, index)
-        return self._elements[ref, index]
-
-    def trimmed(self, ref: int, index: tuple[Index, ...]) -> tuple[Index, ...]:
-        """Return an index without the axes along which a value is broadcast."""
-        shape = self.entries[ref].shape
-        index = index[len(index) - len(shape) :]
-        return tuple([0 if n == 1 else i for i, n in zip(index, shape, strict=True)])
+    def source(self, ref: int, index: tuple[Index, ...]) -> tuple[Ref, tuple] | None:
+        """Return which element of another value an element is; None where it is computed."""
+        kind, arguments, shape, at = self.operations[ref]
+        if kind in ("stack", "join") and type(index[0]) is not int:
+            return None
+        if kind != "part" or all(type(i) is int for i in index):
+            return super().source(ref, index)
+        outer = self.operations[arguments[0]].shape
+        lead, size = len(outer) - len(shape), prod(shape)
+        if lead < 0 or outer[lead:] != shape or at % size:
+            return None
+        before = np.unravel_index(at // size, outer[:lead]) if lead else ()
+        return arguments[0], (*map(int, before), *index)
 
     def _element(self, ref: int, index: tuple[Index, ...]) -> Value:
-        kind, arguments, shape, at = self.entries[ref]
+        kind, arguments, shape, at = self.operations[ref]
         if kind == "load":
             return self.load(at[0], at[1], zip(index, row_strides(shape), strict=True))
-        if kind == "constant":
-            numbers = np.frombuffer(at).reshape(shape)
-            if all(type(i) is int for i in index):
-                return float(numbers[index])
-            return self._read(ref, shape, index)
-        if (source := self.source(ref, index)) is not None:
-            return self.at(*source)
-        if kind in ("stack", "join"):
-            return self._read(ref, shape, index)
-        if kind == "part":  # elements row by row, in another shape
-            return self._read(arguments[0], shape, index, at)
         if kind == "sum":
             return self._summed(arguments[0], index, *at)
         if kind == "pick":
             return self._picked(arguments[0], arguments[1], index)
-        return self._calculated(kind, [self.at(a, index) for a in arguments], at)
-
-    def source(self, ref: int, index: tuple[Index, ...]) -> tuple[Ref, tuple] | None:
-        """Return which element of another value an element is; None where it is computed."""
-        kind, arguments, shape, at = self.entries[ref]
-        if kind == "view":
-            places = [m if isinstance(m, int) else _affine(index[m[0]], m[1], m[2]) for m in at]
-            return arguments[0], tuple(places)
-        if kind == "fill":
-            return arguments[0], ()
-        if kind == "part":
-            outer = self.entries[arguments[0]].shape
-            lead, size = len(outer) - len(shape), prod(shape)
-            if all(type(i) is int for i in index):
-                at += sum([s * i for s, i in zip(row_strides(shape), index, strict=True)])
-                lead, size, index = len(outer), 1, ()
-            elif lead < 0 or outer[lead:] != shape or at % size:
-                return None
-            before = np.unravel_index(at // size, outer[:lead]) if lead else ()
-            return arguments[0], (*map(int, before), *index)
-        if kind not in ("stack", "join") or type(index[0]) is not int:
-            return None
-        if kind == "stack":
-            return arguments[index[0]], index[1:]
-        k, part = index[0], 0
-        while k >= (n := self.record.shape_of(arguments[part])[0]):
-            k, part = k - n, part + 1
-        return arguments[part], (k, *index[1:])
+        generic = not all(type(i) is int for i in index)
+        if kind in ("constant", "stack", "join") and generic and self.source(ref, index) is None:
+            return self._read(ref, shape, index)
+        if kind == "part" and self.source(ref, index) is None:  # elements row by row
+            return self._read(arguments[0], shape, index, at)
+        return super()._element(ref, index)
 
     def _summed(self, ref: Ref, index: tuple, axis: int, count: int, long: bool) -> Value:
         def one(i: Index) -> Value:
-            return self.number(self.at(ref, (*index[:axis], i, *index[axis:])))
+            return self.as_number(self.at(ref, (*index[:axis], i, *index[axis:])))
 
         if long:
             used = [i[0] for i in index if type(i) is tuple]
@@ -221,9 +190,11 @@ class Components:
         row = Component("table", (array, first, stride, count, buffer), ())
         return self.add("lookup", whole, (self._place(row, array in "PTK"), ()))
 
-    def _calculated(self, kind: str, a: list[Value], at: Any) -> Value:
-        logical = len(a) if kind in ("and", "or", "not") else kind == "where"
-        a = [self.truth(v) if k < logical else self.number(v) for k, v in enumerate(a)]
+    def apply(self, ref: int, kind: str, arguments: tuple) -> Value:
+        """Return the component of an operation on elements."""
+        logical = len(arguments) if kind in ("and", "or", "not") else kind == "where"
+        of = (self.truth(v) if k < logical else self.as_number(v) for k, v in enumerate(arguments))
+        a = list(of)
         if kind == "pow" and a[1] in (2.0, 3.0):
             return self.product([a[0]] * int(a[1]))
         if kind == "pow" and a[1] == 4.0:
@@ -235,7 +206,7 @@ class Components:
             return self.add("mul", a[0], 1.0 / a[1] if constant else self.add("div", 1.0, a[1]))
         return self.add(kind, *a)
 
-    def number(self, value: Value) -> Value:
+    def as_number(self, value: Value) -> Value:
         """Return a truth value as 1 or 0, a number as it is."""
         if type(value) is float or self.all[value[0]].name not in CONDITIONS:
             return value
@@ -260,7 +231,7 @@ class Components:
 
     def _buffer(self, ref: int) -> tuple[str, int, int]:
         """Return array, first place and buffer of a value; a constant lies in K, in no buffer."""
-        entry = self.entries[ref]
+        entry = self.operations[ref]
         key = entry.at if entry.kind == "constant" else ref
         if key in self._arrays:
             return self._arrays[key]
@@ -293,7 +264,7 @@ class Components:
 
     def _writes(self, port: Port, array: str, element: Element) -> Iterator[Write]:
         first, shape, long, ref = port
-        entry = self.entries[ref] if type(ref) is int else None
+        entry = self.operations[ref] if type(ref) is int else None
         if entry is not None and entry.kind in ("stack", "join") and entry.shape == shape:
             for part in entry.arguments:
                 lengths, axes = shape[1:], long[1:]
@@ -309,7 +280,7 @@ class Components:
         ]
         for index in product(*places):
             start, strides = _strides(first, zip(index, row_strides(shape), strict=True))
-            value = self.number(element(ref, index))
+            value = self.as_number(element(ref, index))
             if type(value) is tuple:  # its axes are the loops, outermost first
                 value = value[0], tuple([[*strides].index(s) for s in value[1]])
             lengths = tuple([s[0] for s in strides])
@@ -332,10 +303,3 @@ def _strides(first: int, places: Iterable[tuple[Index, int]]) -> tuple[int, dict
 def row_strides(lengths: tuple[int, ...]) -> tuple[int, ...]:
     """Return the strides of an array that is stored row by row."""
     return tuple([prod(lengths[k + 1 :]) for k in range(len(lengths))])
-
-
-def _affine(index: Index, start: int, step: int) -> Index:
-    """Return start + step * index."""
-    if type(index) is tuple:
-        return index[0], start + step * index[1], step * index[2]
-    return start + step * index

@@ -29,7 +29,7 @@ from ..equations.record import Operation, Record, bound
 from .decisions import LOCKED, Decisions, Port
 
 SHORT, NAMED = 16, 2  # an axis up to SHORT is unrolled, but from NAMED on where it has a name
-SIGNED = frozenset({"atan2", "pow", "floordiv", "mod"})  # distinguish -0.0 from 0.0, as divisors do
+SIGNED = {"atan2", "pow", "floordiv", "mod", "div"}  # distinguish -0.0 from 0.0
 FOLDS = {"asin": "sin", "acos": "cos", "atan": "tan"}  # inverses, of which angles are folded
 WIRE = -1  # the owner of the operations of wires
 LARGE = 512  # numbers: a larger array is a table that runs share
@@ -288,11 +288,11 @@ class DiagramRecord(RecordMerger):
     def fed(self, k: int) -> dict[str, Ref]:
         """Return the value that feeds each input port of a block."""
         fed, block = super().fed(k), self.wiring.nodes[k].system
-        lines = (line for record in block.records.values() for line in record.operations)
-        if any(line.kind in ("join", "part") for line in lines):  # which take whole arrays
+        kinds = {line.kind for record in block.records.values() for line in record.operations}
+        if kinds & {"join", "part"}:  # which take whole arrays
             for port, shape in block.declared["inputs"].items():
                 fed[port] = self._spread(fed[port], self.shape(block, shape))
-        if self._signed(block):
+        if kinds & SIGNED:
             for port, ref in fed.items():
                 if type(ref) is int:  # sums in Python begin at 0.0, are never -0.0
                     fed[port] = self.add("add", (ref, 0.0), self.shape_of(ref))
@@ -303,18 +303,6 @@ class DiagramRecord(RecordMerger):
         if (own := self.shape_of(ref)) == shape:
             return ref
         return self.add("mul", (ref, 1.0), shape) if own else self.add("fill", (ref,), shape)
-
-    def _signed(self, block: Block) -> bool:
-        """Return whether a block distinguishes -0.0 from 0.0, of inputs or states that hold one."""
-        for record in block.records.values():
-            fed: set[int] = set()  # operations that depend on inputs or states
-            for k, (kind, arguments, _, at) in enumerate(record.operations):
-                own = [type(a) is int and a in fed for a in arguments]
-                if any(own) or (kind == "leaf" and at[0] in "ux"):
-                    fed.add(k)
-                    if kind in SIGNED or (kind == "div" and own[1]):
-                        return True
-        return False
 
     def part(self, ref: int, first: int, shape: tuple) -> int:
         """Return elements of a value from a place on, row by row, in a shape."""

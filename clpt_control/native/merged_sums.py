@@ -55,7 +55,7 @@ class MergedSums:
         if (source := components.source(ref, own)) is not None:
             self.terms(plus, *source, rest, sums)
             return
-        (kind, arguments, _, at), record = components.entries[ref], components.record
+        (kind, arguments, _, at), record = components.operations[ref], components.record
         owner = record.owners.get(ref, WIRE)
         if kind in ("add", "sub"):
             self.terms(plus, arguments[0], own, rest, sums)

@@ -6,11 +6,11 @@ do between two steps.  Nothing is allocated, and of the C library only math.h is
 """
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from importlib import resources
 from pathlib import Path
 from string import Template
-from typing import Any, TypeVar
+from typing import Any
 
 import control
 import numpy as np
@@ -29,7 +29,6 @@ from .integrate import as_diagram
 from .running import DiagramRun, compiled
 from .starts import stacked_state
 
-Text = TypeVar("Text")
 FIXED = " fixed"
 LONGEST = 60  # letters of a name in C, of which 63 count
 ROUNDING = "1e-6"  # of a period, by which a time may be off a sample; in a step, half of it
@@ -77,14 +76,14 @@ def export_c(
     >>> [line for line in text.splitlines() if line.startswith("void lag_step")]
     ['void lag_step(double t, double dt, double *x, const double *u, const double *p) {']
     """
-    text = in_c(system, initial_state, params, lambda file: file.text)
+    text = c_file(system, initial_state, params).text
     if path is not None:
         write_file(path, text)
     return text
 
 
-def in_c(system: Any, initial_state: Any, params: Any, written: Callable[["CFile"], Text]) -> Text:
-    """Return what is written of a diagram's C; one that has none is an error."""
+def c_file(system: Any, initial_state: Any, params: Any) -> "CFile":
+    """Return a diagram's C; one that has none is an error."""
     system, known = as_diagram(system)
     own = known.get("initial_state", 0.0) if initial_state is None else initial_state
     try:
@@ -96,7 +95,7 @@ def in_c(system: Any, initial_state: Any, params: Any, written: Callable[["CFile
                 _check_finite(f"{node.name}.{name}", np.where(np.isinf(value), 0.0, value))
         start = stacked_state("initial_state", own, run.runner.nstates)
         _check_finite("initial_state", start)
-        return written(CFile(run, start))
+        return CFile(run, start)
     except Uncompiled as error:
         raise DiagramError(f"{system.name}: has no C: {error}") from None
 
@@ -135,6 +134,7 @@ class CFile:
         outputs, ports = len(self.wiring.outputs), run.signal_labels
         u, y = _labels(ports[outputs:]), _labels(ports[:outputs])
         self.labels = {"x": _labels(run.states), "u": u, "y": y}
+        self.periods = [(k, self.period_of(k)) for k in self.layout.intervals]
 
     @property
     def text(self) -> str:
@@ -200,31 +200,28 @@ class CFile:
 
     def intervals(self) -> Iterator[str]:
         """Yield what says in which interval each block is."""
-        for j, (k, period) in enumerate(self.periods()):
+        for j, (k, period) in enumerate(self.periods):
             fixed = c_number(float(self.given[k].interval))
             reckoned = f"floor(t / ({period}) + {ROUNDING})" if period else fixed
             yield f"kept[{j}] = {reckoned};"
         for k in self.layout.jumps:
             yield f"kept[{self.place(k)}] = 0.0;"
 
-    def periods(self) -> Iterator[tuple[int, str]]:
-        """Yield each block that has intervals, and its period; "" where its interval is fixed."""
-        for k in self.layout.intervals:
-            node, each = self.wiring.nodes[k], self.wiring.nodes[k].system.breakpoints_function
-            if self.given[k].interval >= 0.0:
-                yield k, ""
-                continue
-            if not isinstance(each, Each):
-                raise Uncompiled(
-                    f"{node.name} jumps at times that a function of Python says; C knows "
-                    "multiples of a period, clpt.equations.Sampled or Each"
-                )
-            period = each.period
-            if isinstance(period, str):
-                period = f"p[{self.record.place(self.layout.slots[k, period].offset)}]"
-            else:
-                period = c_number(float(period))
-            yield k, period if each.part == 1.0 else f"{c_number(each.part)} * {period}"
+    def period_of(self, k: int) -> str:
+        """Return the period of a block that has intervals; "" where its interval is fixed."""
+        node, each = self.wiring.nodes[k], self.wiring.nodes[k].system.breakpoints_function
+        if self.given[k].interval >= 0.0:
+            return ""
+        if not isinstance(each, Each):
+            raise Uncompiled(
+                f"{node.name} jumps at times that a function of Python says; C knows "
+                "multiples of a period, clpt.equations.Sampled or Each"
+            )
+        if isinstance(each.period, str):
+            period = f"p[{self.record.place(self.layout.slots[k, each.period].offset)}]"
+        else:
+            period = c_number(float(each.period))
+        return period if each.part == 1.0 else f"{c_number(each.part)} * {period}"
 
     def place(self, k: int) -> int:
         """Return where it stands whether a block jumps."""

@@ -30,7 +30,7 @@ from ..files import write_file
 from ..html import plain
 from ..progress import note
 from ..scenario.experiment import Scenario
-from .export import FIXED, CFile, as_lines, in_c
+from .export import FIXED, CFile, as_lines, c_file
 
 FUNCTIONS, DOCUMENTS = (
     (resources.files("clpt_control.data") / f"fmi3.{kind}").read_text("utf-8")
@@ -95,7 +95,7 @@ def export_fmu(
     >>> sorted(zipfile.ZipFile(file).namelist())[-2:]
     ['sources/buildDescription.xml', 'sources/lag.c']
     """
-    write_file(path, in_c(system, initial_state, params, _packed))
+    write_file(path, _packed(c_file(system, initial_state, params)))
 
 
 def _packed(file: CFile) -> bytes:
@@ -128,7 +128,7 @@ def _functions(file: CFile, token: str) -> str:
         "asked": [f"{line} some |= {line.split(' =')[0]} > 0.0;" for line in file.asked()],
         "next": [
             f"at = {period} * (kept[{j}] + 1.0); if (at < next) next = at;"
-            for j, (_, period) in enumerate(file.periods())
+            for j, (_, period) in enumerate(file.periods)
             if period
         ],
         "outputs": file.outputs(),

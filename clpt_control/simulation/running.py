@@ -32,7 +32,7 @@ from .flows import faster_flow, speeds_of
 from .frame import STATE, STATES, Frame
 from .loops import LoopOf, paper_blocks
 from .run_file import CONDITIONS, RunRecord
-from .starts import stacked_state, state_columns, state_labels, state_of
+from .starts import stacked_state, state_columns, state_of
 from .team_loops import team_blocks
 
 if TYPE_CHECKING:
@@ -101,14 +101,14 @@ class ScenarioRun(SystemRun):
     """A scenario's closed loop."""
 
     def __init__(self, scenario: Scenario, engine: str | None = None):
-        self.scenario, self.parts = scenario, paper_blocks(scenario)
-        super().__init__("the closed loop", wiring_of_blocks(self.parts), None, engine)
-        self.start = state_of(self.scenario, self.parts)
+        self.scenario, parts = scenario, paper_blocks(scenario)
+        super().__init__("the closed loop", wiring_of_blocks(parts), None, engine)
+        self.start = state_of(scenario, parts)
 
     @cached_property
     def frame(self) -> Frame:
         """The Dataset of its runs."""
-        signals, states = self.signals(self.labels), state_labels(self.parts)
+        signals, states = self.signals(self.labels), state_labels(self.wiring)
         return run_frame(self.scenario, signals, states=states)
 
 
@@ -116,8 +116,8 @@ class TeamRun(SystemRun):
     """A team's closed loop; its Dataset has a dimension `vehicle`, and V is the team's."""
 
     def __init__(self, team: Team, engine: str | None = None):
-        self.team, self.parts = team, team_blocks(team)
-        super().__init__("the team", wiring_of_blocks(self.parts), None, engine)
+        self.team = team
+        super().__init__("the team", wiring_of_blocks(team_blocks(team)), None, engine)
         members = team.members.values()
         self.start = np.concatenate([state_of(one, paper_blocks(one)) for one in members])
 
@@ -164,7 +164,7 @@ class TeamRun(SystemRun):
                 if sentence := faster_flow(speeds, scenario.units):
                     whole.attrs["message"] += f"; {name}: {sentence}"
         whole.encoding["folder"] = str(team.first._folder)
-        whole = whole.assign_coords(state=("state", state_labels(self.parts), STATE))
+        whole = whole.assign_coords(state=("state", state_labels(self.wiring), STATE))
         return whole.assign(states=(("time", "state"), solution.x, STATES))
 
 
@@ -255,17 +255,19 @@ class DiagramRun(SystemRun):
         return run_frame(self.experiment.scenario, signals, beyond, ports, self.states)
 
 
+def state_labels(wiring: Wiring) -> list[str]:
+    """Return the names of all states, as python-control calls them."""
+    nodes = [(node.name.replace(".", "_"), node.system) for node in wiring.nodes]
+    return [f"{name}_{label}" for name, system in nodes for label in system.state_labels]
+
+
 def labels_of(diagram: Any, wiring: Wiring) -> tuple[list[str], list[str], list[str]]:
     """Return the labels of outputs, inputs and states; its block has those that are open."""
     first = wiring.nodes[0].system
     named = first if None in (diagram.ninputs, diagram.noutputs) else diagram
     states = (first if diagram.nstates is None else diagram).state_labels
     if len(states) != wiring.nodes[-1].states.stop:  # python-control keeps one of equal labels
-        states = [
-            f"{node.name.replace('.', '_')}_{label}"
-            for node in wiring.nodes
-            for label in node.system.state_labels
-        ]
+        states = state_labels(wiring)
     return named.output_labels, named.input_labels, states
 
 

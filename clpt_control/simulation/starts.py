@@ -42,11 +42,6 @@ def stacked_state(name: str, state: Any, count: int) -> np.ndarray:
     return checked_state(name, state, (count,))
 
 
-def state_labels(parts: Iterable[Part]) -> list[str]:
-    """Return the names of all states, as python-control calls them."""
-    return [f"{name}_{label}" for name, part in leaves(parts, "_") for label in part.state_labels]
-
-
 def state_columns(parts: Iterable[Part]) -> dict[str, slice]:
     """Return the columns of each state in the state of a diagram.
 
