@@ -27,7 +27,7 @@ from ..equations.system import is_linear
 from ..errors import DiagramError
 from .merged_record import TapeRecord
 from .symbol_names import TIME, Names, Numbers, element_name, fields_of, groups, typeset
-from .wiring import Node, Part, Wiring, read_unsampled, wiring_of
+from .wiring import Node, Part, Wiring, read_unsampled
 
 # takes block.role, an operation and its arguments on symbols; returns a remark on it, or None
 Watch = Callable[[str, str, tuple], str | None]
@@ -297,10 +297,16 @@ def on_symbols(
     hidden: Iterable[str] = (),
     watch: Watch = lambda owner, kind, arguments: None,
 ) -> Equations:
-    """Read a diagram; blocks whose names are `hidden` stay undefined functions."""
-    wiring = wiring_of(diagram)
-    own = names(wiring, ports_of(diagram.input_labels))
-    return _Read(diagram, wiring, own, hidden).equations(watch)
+    """Return a diagram's equations as it is now; blocks named in `hidden` stay undefined functions.
+
+    Parts that sample, and functions that cannot be read, are refused.
+    """
+    wiring = read_unsampled(diagram)
+    try:
+        own = names(wiring, ports_of(diagram.input_labels))
+        return _Read(diagram, wiring, own, hidden).equations(watch)
+    except Unread as error:
+        raise DiagramError(f"{error}") from None
 
 
 @public
@@ -339,13 +345,4 @@ def equations(system: control.NonlinearIOSystem, numbers: bool = False) -> Equat
     >>> eq.derivative(eq["y"] ** 2)
     2*y*(-a*y + u(t))
     """
-    return readable_equations(system, Numbers if numbers else Names)
-
-
-def readable_equations(system: Any, names: type[Names] = Names, **how: Any) -> Equations:
-    """Return a diagram's equations as it is now; refuse parts that sample or cannot be read."""
-    read_unsampled(system)
-    try:
-        return on_symbols(system, names, **how)
-    except Unread as error:
-        raise DiagramError(f"{error}") from None
+    return on_symbols(system, Numbers if numbers else Names)

@@ -15,7 +15,7 @@ import numpy as np
 import sympy
 
 from ..arguments import check_holds, numbers
-from ..diagrams.on_symbols import Equations, readable_equations
+from ..diagrams.on_symbols import Equations, on_symbols
 from ..diagrams.symbol_names import TIME, Numbers, element_name
 from ..equations.block import Block
 from ..equations.symbolic import expressions, rational
@@ -42,7 +42,7 @@ class SystemWithV:
 
     def __init__(self, system: Any, V: Any, claim: Any, at: Any, numbers: bool = False):
         self.system = system
-        self.eq: Equations = readable_equations(system, watch=_watched)
+        self.eq: Equations = on_symbols(system, watch=_watched)
         if self.eq.discrete:
             raise DiagramError(f"{system.name}: is of discrete time, in which nothing has a rate")
         if not self.eq.motion:
@@ -68,7 +68,7 @@ class SystemWithV:
         self.as_they_are = ", with the parameters as they are" if fixed else ""
         if numbers:
             values = self.eq.values
-            self.eq, self.fixed = readable_equations(system, Numbers, watch=_watched), set()
+            self.eq, self.fixed = on_symbols(system, Numbers, watch=_watched), set()
             self.V = self.V.xreplace(values)
             self.claim = self.claim and self.claim.xreplace(values)
         self.rate = along(self.V, {TIME: sympy.Integer(1), **self.eq.motion})
