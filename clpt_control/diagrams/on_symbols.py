@@ -243,8 +243,9 @@ class _Read:
     def equations(self, watch: Watch) -> Equations:
         """Return the equations of the diagram."""
         result, names, wiring = self.result, self.names, self.wiring
-        values = self.leaf, self.input_of, self.tape, self.stand_in
-        record = TapeRecord(self.diagram, wiring, *values, closed=True)
+        record = TapeRecord(
+            self.diagram, wiring, self.leaf, self.input_of, self.tape, self.stand_in, closed=True
+        )
 
         def watched(place: int, kind: str, arguments: tuple) -> None:
             owner = record.owners.get(place)

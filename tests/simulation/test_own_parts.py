@@ -109,7 +109,7 @@ def test_law_is_replace_adaptation():
          r"'v_x_w' has 3 signals, but vehicle takes 2; both must"),
         ({"insert": {"v_x": clpt.parts.saturation(-1, 1)}}, r"vehicle takes 2; .* signals="),
         ({"insert": {"v_x": control.summing_junction(["a", "b"], "c", name="sum")}},
-         r"sum takes a\[1\], b\[1\]; call the one that is meant 'v_x'"),
+         r"sum takes a, b; call the one that is meant 'v_x'"),
         ({"insert": {"v_x": control.tf(1, [1, 1])}}, "a TransferFunction without a name"),
         ({"insert": {("v_x", 3): LAG}}, "not to 3"),
         ({"insert": {(): LAG}}, "must begin with one of"),
