@@ -22,7 +22,7 @@ import typer
 
 import clpt_control as clpt
 
-from .study import make_folder, new_figure, write_figure, write_text
+from .study import leave, new_figure
 
 SETTLED = 5  # dives before the current is compared
 
@@ -71,7 +71,7 @@ def main(
     """Leave against_adcp.md and against_adcp.png."""
     dives, _ = clpt.gliders.usable(clpt.gliders.read_dives(files)[0])
     measured = read_adcp(adcp)
-    found, folder = compared(dives, measured), make_folder(out)
+    found = compared(dives, measured)
     figure, axes = new_figure(nrows=2, sharex=True)
     steps = clpt.replay.replay_dives(dives).steps
     number = [step.dive.number for step in steps]
@@ -89,8 +89,7 @@ def main(
         "| current from the sixth dive on, rms off the ADCP's, a component | "
         f"{100 * found.current:.1f} cm/s | 0 | {100 * found.in_file:.1f} cm/s |",
     ]
-    write_text(folder / "against_adcp.md", "\n".join(lines) + "\n")
-    write_figure(figure, folder / "against_adcp.png")
+    leave(out, "against_adcp", "\n".join(lines) + "\n", figure)
     typer.echo(
         f"speed factor learned {found.learned:.2f} +- {found.standard_error:.2f}, ADCP "
         f"{found.measured:.2f}"

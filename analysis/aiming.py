@@ -22,16 +22,7 @@ import typer
 from clpt_control.gliders import Dive, read_dives, sample_dives, usable
 from clpt_control.replay import Replay, aims, replay_dives
 
-from .study import (
-    BLUE,
-    ORANGE,
-    make_folder,
-    new_figure,
-    place_from,
-    progress_bar,
-    write_figure,
-    write_text,
-)
+from .study import BLUE, ORANGE, leave, new_figure, place_from, progress_bar
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -117,7 +108,6 @@ def main(
     out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/aiming"),
 ) -> None:
     """Leave aiming.md and aiming.png."""
-    folder = make_folder(out)
     records = {"SG542": usable(sample_dives())[0]}
     records |= {path.stem: usable(read_dives([path])[0])[0] for path in files or []}
     found = {name: record(dives) for name, dives in records.items()}
@@ -133,8 +123,7 @@ def main(
         cells = [f"{v:.0f}" for v in m]
         cells[3:3] = [f"{m[2] / m[0]:.2f}", f"{m[2] / m[1]:.2f}"]
         lines.append(f"| {name} | {len(sizes)} | {' | '.join(cells)} |")
-    write_text(folder / "aiming.md", "\n".join(lines) + "\n")
-    write_figure(_drawn(found), folder / "aiming.png")
+    leave(out, "aiming", "\n".join(lines) + "\n", _drawn(found))
     typer.echo("\n".join(lines))
 
 

@@ -19,7 +19,7 @@ guaranteed one, once the exact one.
 """
 
 from pathlib import Path
-from typing import Annotated, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 import typer
@@ -27,18 +27,7 @@ import typer
 import clpt_control as clpt
 
 from .mean_square import mean_square_bound
-from .study import (
-    BLUE,
-    COLOURS,
-    GREEN,
-    ORANGE,
-    RED,
-    make_folder,
-    new_figure,
-    progress_bar,
-    write_figure,
-    write_text,
-)
+from .study import BLUE, COLOURS, GREEN, ORANGE, RED, leave, new_figure, progress_bar
 from .worst_disturbance import worst_disturbance
 
 RESONANT = 3.5  # rad/s: near sqrt(gamma |w|^2) of the paper's x1 axis at its far waypoints
@@ -110,7 +99,7 @@ def table(rows: list[Row]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def figure(by_amplitude: list[Row], by_frequency: list[Row], path: Path) -> None:
+def figure(by_amplitude: list[Row], by_frequency: list[Row]) -> Any:
     """Draw both sweeps: above in units of the claim, below in metres."""
     picture, axes = new_figure(7.2, 6.0, nrows=2, ncols=2, sharex="col", sharey="row")
     sweeps = (
@@ -176,14 +165,13 @@ def figure(by_amplitude: list[Row], by_frequency: list[Row], path: Path) -> None
         loc="outside lower center",
         ncols=2,
     )
-    write_figure(picture, path)
+    return picture
 
 
 def main(
     out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/disturbance_bounds"),
 ) -> None:
     """Run both sweeps; leave disturbance_bounds.md and disturbance_bounds.png."""
-    folder = make_folder(out)
     cases = list(
         dict.fromkeys([(a, RESONANT) for a in AMPLITUDES] + [(AMPLITUDE, f) for f in FREQUENCIES])
     )
@@ -193,12 +181,11 @@ def main(
         for case in cases:
             rows.append(row(*case, gain))
             report(len(rows))
-    write_text(folder / "disturbance_bounds.md", table(rows))
-    figure(
+    drawn = figure(
         [r for r in rows if r.frequency == RESONANT],
         sorted((r for r in rows if r.amplitude == AMPLITUDE), key=lambda r: r.frequency),
-        folder / "disturbance_bounds.png",
     )
+    leave(out, "disturbance_bounds", table(rows), drawn)
     typer.echo(table(rows))
     violated = sum(r.peak > r.claimed for r in rows)
     typer.echo(

@@ -17,7 +17,7 @@ import typer
 
 import clpt_control as clpt
 
-from .study import BLUE, GREEN, RED, make_folder, new_figure, progress_bar, write_figure, write_text
+from .study import BLUE, GREEN, RED, leave, new_figure, progress_bar
 
 FUNCTIONS = {"steady": None, "steady and gaussians of 20 km": 20e3}
 METHODS = ("least-squares", "kalman", "tomography")
@@ -47,7 +47,6 @@ def main(
     out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/flow_estimators"),
 ) -> None:
     """Leave flow_estimators.md and flow_estimators.png."""
-    folder = make_folder(out)
     read = clpt.gliders.read_dives(files)[0] if files else clpt.gliders.sample_dives()
     dives, _ = clpt.gliders.usable(read)
     if len(dives) < 5:
@@ -65,8 +64,7 @@ def main(
             report(done)
     lines = ["| forecast | after the first dive, m | after the third dive, m |", "|---|---|---|"]
     lines += [f"| {name} | {rms(m):.0f} | {rms(m[2:]):.0f} |" for name, m in missed.items()]
-    write_text(folder / "flow_estimators.md", "\n".join(lines) + "\n")
-    write_figure(picture(dives, missed), folder / "flow_estimators.png")
+    leave(out, "flow_estimators", "\n".join(lines) + "\n", picture(dives, missed))
     typer.echo("\n".join(lines))
 
 

@@ -20,7 +20,7 @@ from clpt_control.gliders import sample_dives, usable
 from clpt_control.replay import Replay, clpe_rms, replay_dives, summary
 
 from .made_seas import DAY, QUARTER_DAY, Sea, made_dives
-from .study import BLUE, GREEN, make_folder, new_figure, progress_bar, write_figure, write_text
+from .study import BLUE, GREEN, leave, new_figure, progress_bar
 
 WAVES = (0.03, QUARTER_DAY, 1)  # internal waves, forgotten in six hours
 SWING, STORM = (0.05, 2 * DAY), (0.12, 2 * DAY)  # inertial oscillations
@@ -114,7 +114,6 @@ def main(
     out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/glider_forecasts"),
 ) -> None:
     """Leave glider_forecasts.md and glider_forecasts.png."""
-    folder = make_folder(out)
     jobs = [(name, 1000 + seed) for name in SEAS for seed in range(vehicles)]
     records: dict[str, list[dict[str, Any]]] = {name: [] for name in SEAS}
     with ProcessPoolExecutor() as pool, progress_bar("replaying", len(jobs)) as report:
@@ -151,8 +150,7 @@ def main(
         lines.append(
             f"Geometric mean of the seas, {e}: {geometric(means):.3f}; worst {max(means):.2f}"
         )
-    write_text(folder / "glider_forecasts.md", "\n".join(lines) + "\n")
-    write_figure(picture(records, real), folder / "glider_forecasts.png")
+    leave(out, "glider_forecasts", "\n".join(lines) + "\n", picture(records, real))
     typer.echo("\n".join(lines))
 
 

@@ -24,16 +24,7 @@ from clpt_control.replay import Replay, next_dive
 
 from .glider_forecasts import SEAS
 from .made_seas import made_dives
-from .study import (
-    GREY,
-    displacement,
-    make_folder,
-    new_figure,
-    place_from,
-    progress_bar,
-    write_figure,
-    write_text,
-)
+from .study import GREY, displacement, leave, new_figure, place_from, progress_bar
 
 COLUMNS = (
     "vehicle",
@@ -124,7 +115,6 @@ def main(
     out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/headlines"),
 ) -> None:
     """Leave headlines.md and headlines.png."""
-    folder = make_folder(out)
     records = {} if files else {"SG542": usable(sample_dives())[0]}
     for path in files or []:
         dives = usable(read_dives([path])[0])[0]
@@ -139,7 +129,6 @@ def main(
         found["made seas"] = np.concatenate([record(afloat(dives)) for dives in made])
     lines = [f"| {' | '.join(COLUMNS)} |", "|---" * len(COLUMNS) + "|"]
     lines += [line(name, rows) for name, rows in found.items()]
-    write_text(folder / "headlines.md", "\n".join(lines) + "\n")
     figure, ax = new_figure()
     for name, rows in found.items():
         share = 100 * (np.arange(len(rows)) + 1) / len(rows)
@@ -147,7 +136,7 @@ def main(
     ax.plot([0, 1, 1], [90, 90, 0], color=GREY, linestyle="--", label="said")
     ax.set(xlabel="miss, of the 90 % ellipse", ylabel="surfacings within (%)", ylim=(0, 100))
     ax.legend(frameon=False, fontsize=8)
-    write_figure(figure, folder / "headlines.png")
+    leave(out, "headlines", "\n".join(lines) + "\n", figure)
     typer.echo("\n".join(lines))
 
 

@@ -20,16 +20,7 @@ import clpt_control as clpt
 from clpt_control.currents import fit_scenario, save_fit
 from clpt_control.simulation import explained_variance
 
-from .study import (
-    BLUE,
-    GREY,
-    ORANGE,
-    make_folder,
-    new_figure,
-    progress_bar,
-    write_figure,
-    write_text,
-)
+from .study import BLUE, GREY, ORANGE, leave, make_folder, new_figure, progress_bar
 
 BOX = (40.9, 41.55, -69.9, -69.0)  # Nantucket Shoals: 27 functions span 0.80 of its variance
 LATE = (18.0, 23.0)  # h
@@ -124,7 +115,7 @@ def table(title: str, conditions: dict[str, Any], rows: list[list[str]]) -> str:
     return "\n".join([title, "", *lines, ""])
 
 
-def figure(told: dict[str, dict[str, Told | None]], path: Path) -> None:
+def figure(told: dict[str, dict[str, Told | None]]) -> Any:
     """Draw for each condition the error of every law, the paper's law as a line.
 
     An arrow to the left stands for less than 1e-7 m/s.
@@ -147,7 +138,7 @@ def figure(told: dict[str, dict[str, Told | None]], path: Path) -> None:
         ax.grid(axis="x", alpha=0.3)
     axes[0].set_yticks(range(len(names)), names)
     axes[0].invert_yaxis()
-    write_figure(fig, path)
+    return fig
 
 
 def main(
@@ -181,7 +172,7 @@ def main(
     rows = judged(told, PAPER, lambda t: f"{t.error[0]:.1e}, {t.clpe[0]:.1e}")
     title = "Error of a flow parameter (m/s) at t = 200, CLPE rms (m) of the second cycle: medians"
     pages.append(table(title, PAPER, rows))
-    figure(told, folder / "laws.png")
+    drawn = figure(told)
     if currents is not None:
         fit = fit_scenario(
             currents, BOX, rows=3, columns=3, width_km=15.0, constituents=("steady", "M2")
@@ -192,7 +183,7 @@ def main(
         pages.append(table(title, SEA, rows))
     pages += [f"- {line} ({', '.join(names)})" for line, names in why.items()]
     text = "\n".join(pages) + "\n"
-    write_text(folder / "laws.md", text)
+    leave(folder, "laws", text, drawn)
     typer.echo(text)
 
 

@@ -15,7 +15,7 @@ import typer
 
 import clpt_control as clpt
 
-from .study import BLUE, GREY, RED, make_folder, new_figure, progress_bar, write_figure, write_text
+from .study import BLUE, GREY, RED, leave, new_figure, progress_bar
 
 SPEEDS = (1.0, 1.25, 1.5, 2.0, 3.0)  # m/s
 SHOWN = 1.5  # m/s, in the upper picture
@@ -33,7 +33,7 @@ def reported(base: clpt.Scenario, speed: float | None, hedging: bool) -> Any:
     return clpt.simulation.run_and_report(base.with_values(values))
 
 
-def figure(base: clpt.Scenario, runs: dict, free: Any, path: Path) -> None:
+def figure(base: clpt.Scenario, runs: dict, free: Any) -> Any:
     """Draw V along the runs at one limit, and the CLPE of the last cycle over the limit."""
     picture, (top, bottom) = new_figure(6.4, 5.6, nrows=2)
     for hedging, line in LINES.items():
@@ -52,7 +52,7 @@ def figure(base: clpt.Scenario, runs: dict, free: Any, path: Path) -> None:
     bottom.set_ylabel(f"CLPE rms, last cycle ({units.length})")
     for ax in (top, bottom):
         ax.legend(frameon=False, fontsize=8)
-    write_figure(picture, path)
+    return picture
 
 
 def main(
@@ -60,7 +60,7 @@ def main(
     out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/limited_speed"),
 ) -> None:
     """Run every limit; leave limited_speed.md and limited_speed.png."""
-    folder, base = make_folder(out), clpt.paper_scenario().with_values({"learning.law": law})
+    base = clpt.paper_scenario().with_values({"learning.law": law})
     runs: dict[tuple[float, bool], Any] = {}
     with progress_bar("limits of the speed", 2 * len(SPEEDS) + 1) as report:
         free = reported(base, None, True)
@@ -85,8 +85,7 @@ def main(
             f"{100 * faster:.1f} % |"
         )
     text = "\n".join(lines) + "\n"
-    write_text(folder / "limited_speed.md", text)
-    figure(base, runs, free, folder / "limited_speed.png")
+    leave(out, "limited_speed", text, figure(base, runs, free))
     typer.echo(text)
 
 

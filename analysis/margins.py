@@ -28,7 +28,7 @@ import typer
 
 import clpt_control as clpt
 
-from .study import COLOURS, GREY, make_folder, new_figure, progress_bar, write_figure, write_text
+from .study import COLOURS, GREY, leave, new_figure, progress_bar
 
 KINDS = ("lag", "delay", "sampler")
 LEAST, MOST = 2.0**-7, 8.0  # looked at
@@ -82,7 +82,6 @@ def closed_form(kind: str, k: float, g: float) -> float:
 
 def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/margins")) -> None:
     """Leave margins.md and margins.png."""
-    folder = make_folder(out)
     paper = clpt.paper_scenario().with_values({"run.duration": 200, "run.output_step": 0.25})
     laws = [
         law
@@ -106,7 +105,6 @@ def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/margins"
         for name, row in found.items()
     ]
     head = ["| law | lag (s) | delay (s) | sampling interval (s) |", "|---|---|---|---|"]
-    write_text(folder / "margins.md", "\n".join([*head, *cells]) + "\n")
     figure, axes = new_figure(7, 4)
     for k, column in enumerate(np.transpose(list(found.values()))):
         at = np.arange(len(found)) + (k - 1) / 5
@@ -117,7 +115,7 @@ def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/margins"
     axes.set_xticks(range(len(found)), found, rotation=60, ha="right")
     axes.set(ylabel="largest borne (s)", ylim=(LEAST, 2 * MOST))
     axes.legend(loc="upper left", bbox_to_anchor=(1, 1))
-    write_figure(figure, folder / "margins.png")
+    leave(out, "margins", "\n".join([*head, *cells]) + "\n", figure)
 
 
 if __name__ == "__main__":

@@ -22,7 +22,7 @@ from scipy.integrate import cumulative_trapezoid
 
 import clpt_control as clpt
 
-from .study import make_folder, new_figure, write_figure, write_text
+from .study import leave, new_figure
 
 AMPLITUDE, PERIODS = 0.1, (2.0, 20.0, 200.0)  # m/s; s
 
@@ -65,7 +65,7 @@ def mean_square_bound(run: xarray.Dataset, scenario: clpt.Scenario) -> MeanSquar
 
 def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/mean_square")) -> None:
     """Leave mean_square.md and mean_square.png."""
-    folder, (figure, ax) = make_folder(out), new_figure()
+    figure, ax = new_figure()
     lines = ["| period (s) | rms(e) k / rms(Delta) | sides, at most | holds |", "|---|---|---|---|"]
     for period in PERIODS:
         wave = {"kind": "square", "amplitude": [AMPLITUDE, 0.0], "period": period}
@@ -79,8 +79,7 @@ def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/mean_squ
     ax.plot(run.time, found.right, "k--", label="right side")
     ax.set(xlabel="time (s)", ylabel="from 0 to then (m² s)", yscale="log", ylim=(1e-4, None))
     ax.legend(frameon=False, fontsize=8)
-    write_text(folder / "mean_square.md", "\n".join(lines) + "\n")
-    write_figure(figure, folder / "mean_square.png")
+    leave(out, "mean_square", "\n".join(lines) + "\n", figure)
     typer.echo("\n".join(lines))
 
 

@@ -18,7 +18,7 @@ from clpt_control.estimation import FixModel, Priors
 from clpt_control.gliders import Dive, read_dives, sample_dives, usable
 from clpt_control.replay import clpe_rms, replay_dives
 
-from .study import BLUE, GREY, make_folder, new_figure, progress_bar, write_figure, write_text
+from .study import BLUE, GREY, leave, new_figure, progress_bar
 
 RESTLESS = ("size", "memory", "scatter")  # of a kind of sea
 PRIORS = (
@@ -50,7 +50,6 @@ def main(
     out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/prior_sensitivity"),
 ) -> None:
     """Leave prior_sensitivity.md and prior_sensitivity.png."""
-    folder = make_folder(out)
     records = {"SG542": usable(sample_dives())[0]}
     records |= {path.stem: usable(read_dives([path])[0])[0] for path in files or []}
     base = np.array([ratio(dives, Priors()) for dives in records.values()])
@@ -66,7 +65,6 @@ def main(
     every = np.array(list(found.values()))
     for k, name in enumerate(records):
         lines.append(f"\n{name}: {every[:, k].min():.3f} to {every[:, k].max():.3f}")
-    write_text(folder / "prior_sensitivity.md", "\n".join(lines) + "\n")
     figure, axes = new_figure(2.2 + 2.4 * len(records), 4.6, ncols=len(records), sharey=True)
     for k, (name, ax) in enumerate(zip(records, np.atleast_1d(axes), strict=True)):
         for j, prior in enumerate(PRIORS):
@@ -82,7 +80,7 @@ def main(
         ax.set_title(name, loc="left", fontsize=10)
     np.atleast_1d(axes)[0].invert_yaxis()
     np.atleast_1d(axes)[0].legend(fontsize=8, frameon=False)
-    write_figure(figure, folder / "prior_sensitivity.png")
+    leave(out, "prior_sensitivity", "\n".join(lines) + "\n", figure)
     typer.echo("\n".join(lines))
 
 

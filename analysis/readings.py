@@ -17,7 +17,7 @@ import typer
 import clpt_control as clpt
 from clpt_control.simulation import claims, run_and_report
 
-from .study import BLUE, GREEN, RED, make_folder, new_figure, progress_bar, write_figure, write_text
+from .study import BLUE, GREEN, RED, leave, new_figure, progress_bar
 
 KERNELS = ("exponential", "gaussian", "gaussian-sigma")
 UNITS = {"periods in s": 1.0, "periods in h": 3600.0}
@@ -63,7 +63,7 @@ def _eigenvalue(value: float) -> str:
     return f"{value:.3g}" if value > 1e-12 else "below 1e-12"
 
 
-def figure(rows: list[dict[str, Any]], path: Path) -> None:
+def figure(rows: list[dict[str, Any]]) -> Any:
     """Draw the largest flow parameter error of each reading against time."""
     picture, ax = new_figure(6.4, 4.4)
     for row in rows:
@@ -91,20 +91,18 @@ def figure(rows: list[dict[str, Any]], path: Path) -> None:
         loc="lower left",
     )
     ax.set_ylim(0.008, 1.2)
-    write_figure(picture, path)
+    return picture
 
 
 def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/readings")) -> None:
     """Run all readings; leave readings.md and readings.png."""
-    folder = make_folder(out)
     rows = []
     with progress_bar("readings of Eq. (5)", len(KERNELS) * len(UNITS)) as report:
         for unit, seconds in UNITS.items():
             for kernel in KERNELS:
                 rows.append({"unit": unit, **reading(kernel, seconds)})
                 report(len(rows))
-    write_text(folder / "readings.md", table(rows))
-    figure(rows, folder / "readings.png")
+    leave(out, "readings", table(rows), figure(rows))
     typer.echo(table(rows))
     best = [row for row in rows if all(verdict != "fails" for verdict in row["verdicts"])]
     learned = ", ".join(f"{row['kernel']} with {row['unit']}" for row in best) or "none"

@@ -18,7 +18,7 @@ import typer
 
 import clpt_control as clpt
 
-from .study import BLUE, RED, make_folder, new_figure, write_figure, write_text
+from .study import BLUE, RED, leave, new_figure
 
 TIME = 100.0  # frozen time, s
 WRONG_BY = 0.1  # 1/s: how far the second learner's feedforward gain is off
@@ -46,7 +46,6 @@ def flow_gradient(scenario: clpt.Scenario, state: np.ndarray, step: float = 1e-6
 
 def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/step_response")) -> None:
     """Leave step_response.md and step_response.png."""
-    folder = make_folder(out)
     scenario = clpt.theory.started_true(clpt.paper_scenario())
     state = operating_point(scenario)
     model = linear_model(scenario, state)
@@ -81,7 +80,6 @@ def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/step_res
     text = "| quantity | value |\n|---|---|\n" + "".join(
         f"| {name} | {value:.6g} |\n" for name, value in rows.items()
     )
-    write_text(folder / "step_response.md", text)
     picture, (top, bottom) = new_figure(6.4, 5.4, nrows=2, sharex=True)
     top.plot(t, answers["x"], color=BLUE, linewidth=2, label="linearised diagram")
     top.plot(t, answers["x theory"], color="black", linestyle=":", label="theory, Eq. (9)")
@@ -110,7 +108,7 @@ def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/step_res
     )
     bottom.set(xlabel="time after the step (s)", ylabel="$e_1$ (m/m)", xlim=(0, 10))
     bottom.legend(frameon=False, fontsize=8)
-    write_figure(picture, folder / "step_response.png")
+    leave(out, "step_response", text, picture)
     typer.echo(text)
 
 

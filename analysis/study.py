@@ -33,14 +33,11 @@ def make_folder(path: str | Path) -> Path:
     return Path(path)
 
 
-def write_figure(figure: Figure, path: str | Path) -> None:
-    """Write a figure, such as ``map.png``."""
-    figure.savefig(path, dpi=150)
-
-
-def write_text(path: str | Path, text: str) -> None:
-    """Write a text, such as a table."""
-    Path(path).write_text(text, "utf-8")
+def leave(out: str | Path, name: str, text: str, figure: Figure) -> None:
+    """Leave a study's table, NAME.md, and its figure, NAME.png, in a folder."""
+    folder = make_folder(out)
+    (folder / f"{name}.md").write_text(text, "utf-8")
+    figure.savefig(folder / f"{name}.png", dpi=150)
 
 
 @contextmanager

@@ -15,7 +15,7 @@ import typer
 
 import clpt_control as clpt
 
-from .study import BLUE, RED, make_folder, new_figure, progress_bar, write_figure, write_text
+from .study import BLUE, RED, leave, new_figure, progress_bar
 
 
 def page(proofs: Mapping[str, Any], listed: Sequence[Any]) -> str:
@@ -61,7 +61,7 @@ def row(*cells: str) -> str:
     return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"
 
 
-def figure(found: Any, path: Path) -> None:
+def figure(found: Any) -> Any:
     """Draw |e| and the printed bound; below, around the peak."""
     picture, (top, bottom) = new_figure(6.4, 5.2, nrows=2)
     times, size = found.times, found.size
@@ -91,19 +91,17 @@ def figure(found: Any, path: Path) -> None:
     top.set_title(f"Eq. {found.equation} {verdict}", loc="left", fontsize=10)
     handles = bottom.get_legend_handles_labels()
     picture.legend(*handles, fontsize=8, frameon=False, loc="outside lower center", ncols=4)
-    write_figure(picture, path)
+    return picture
 
 
 def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/theorems")) -> None:
     """Leave theorems.md and theorems.png."""
-    folder = make_folder(out)
     with progress_bar("proving", 4.0) as report:
         proofs = clpt.theory.audit(progress=report)
     listed = clpt.theory.misprints()
-    write_text(folder / "theorems.md", page(proofs, listed))
     with progress_bar("the counterexample to Eq. (33)", 800.0) as report:
         found = clpt.theory.disturbance_counterexample(progress=report)
-    figure(found, folder / "theorems.png")
+    leave(out, "theorems", page(proofs, listed), figure(found))
     typer.echo("| theorem | as printed | for every N | steps |\n|---|---|---|---|")
     for number, proof in proofs.items():
         every = "yes" if proof.for_every_N else "no"

@@ -21,7 +21,7 @@ from scipy.linalg import expm
 
 import clpt_control as clpt
 
-from .study import GREY, make_folder, new_figure, write_figure, write_text
+from .study import GREY, leave, new_figure
 
 END = 400.0  # s
 
@@ -98,7 +98,7 @@ def main(
     end: Annotated[float, typer.Option(help="Until then, s.")] = END,
 ) -> None:
     """Leave worst_disturbance.md and worst_disturbance.png."""
-    folder, paper = make_folder(out), clpt.paper_scenario()
+    paper = clpt.paper_scenario()
     found = worst_disturbance(paper, 0.0, end)
     claimed = 1 / np.array(paper.vehicle.feedback)  # s, Eq. (33)
     lines = ["| axis | worst abs(e)/Dmax (s) | claimed, Eq. (33) (s) |", "|---|---|---|"]
@@ -110,8 +110,7 @@ def main(
     ax.axhline(claimed.max(), color=GREY, linestyle="--", label="claimed, Eq. (33)")
     ax.set(xlabel="time (s)", ylabel="worst |e|/Dmax (s)")
     ax.legend(frameon=False)
-    write_text(folder / "worst_disturbance.md", "\n".join(lines) + "\n")
-    write_figure(figure, folder / "worst_disturbance.png")
+    leave(out, "worst_disturbance", "\n".join(lines) + "\n", figure)
     typer.echo("\n".join(lines))
 
 

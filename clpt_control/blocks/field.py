@@ -11,7 +11,7 @@ block's guard says what a run does there.
 Ports: x[2] (length), delta[2] where disturbed -> flow_x[2] (length per time).
 """
 
-from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -78,7 +78,7 @@ def gridded_flow(
     """
     axes = (grid.time, grid.x2, grid.x1)
     length, time = (units.length, units.time) if units is not None else ("", "")
-    guard = Guard(inside, outside, LeftTheField(length, time), ADVICE)
+    guard = Guard(inside, outside, partial(left_the_field, length, time), ADVICE)
     return paper_block(
         "true_flow",
         f"{position} delta -> flow_x" if disturbed else f"{position} -> flow_x",
@@ -97,19 +97,12 @@ def gridded_flow(
     )
 
 
-@dataclass(frozen=True)
-class LeftTheField:
-    """Write where and when a vehicle left the field; length and time are names of units."""
-
-    length: str
-    time: str
-
-    def __call__(self, t, u, p) -> str:
-        """Return the sentence: position, time and the field's bounds."""
-        end = p.start + p.step * (p.shape - 1)
-        return (
-            f"the vehicle left the field at position ({u[0]:.6g}, {u[1]:.6g}) {self.length}, "
-            f"time {t:.6g} {self.time}; the field covers x1 {p.start[2]:.6g} to {end[2]:.6g}, "
-            f"x2 {p.start[1]:.6g} to {end[1]:.6g} {self.length}, "
-            f"time {p.start[0]:.6g} to {end[0]:.6g} {self.time}"
-        )
+def left_the_field(length, time, t, u, p) -> str:
+    """Return where and when a vehicle left the field, and its bounds, in names of units."""
+    end = p.start + p.step * (p.shape - 1)
+    return (
+        f"the vehicle left the field at position ({u[0]:.6g}, {u[1]:.6g}) {length}, "
+        f"time {t:.6g} {time}; the field covers x1 {p.start[2]:.6g} to {end[2]:.6g}, "
+        f"x2 {p.start[1]:.6g} to {end[1]:.6g} {length}, "
+        f"time {p.start[0]:.6g} to {end[0]:.6g} {time}"
+    )

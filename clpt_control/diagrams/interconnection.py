@@ -151,22 +151,19 @@ def match_ports(
     for port, taken in users.items():
         ends = [makers[port], *taken] if port in makers else taken
         if port not in makers and port not in external:
-            close = nearest(port, [*makers, *external])
-            hint = f"did you mean {close}? Blocks" if close else "blocks"
-            outside = f"; from outside come {', '.join(sorted(external))}" if external else ""
+            known = sorted({*makers, *external})
+            close = nearest(port, known)
             raise DiagramError(
-                f"'{port}', an input of {names[taken[0][0]]}, is made by no block; {hint} make "
-                f"{', '.join(sorted(makers))}; connect(..., external='{port}') takes it from "
-                f"outside{outside}"
+                f"'{port}', an input of {names[taken[0][0]]}, is made by no block"
+                f"{f'; did you mean {close}?' if close else ''}; there are {', '.join(known)}; "
+                f"external='{port}' takes it from outside"
             )
         size = len(ends[0][1])
         for k, places in ends:
             if len(places) != size:
                 raise DiagramError(
-                    f"'{port}' has {size} signal{'s' * (size != 1)}, but {names[k]} takes "
-                    f"{len(places)}; both must have one size: label its inputs "
-                    f"{', '.join(labels({port: size}))}, give control.append of several, or "
-                    "as many signals= to one of clpt.parts"
+                    f"'{port}' has {size} signals, but {names[k]} takes {len(places)}; both must "
+                    f"have one size: label them {port}[0], {port}[1], or give a part signals="
                 )
         units = [(getattr(blocks[k], "units", {}).get(port), names[k]) for k, _ in ends]
         said = [(unit, name) for unit, name in units if unit]

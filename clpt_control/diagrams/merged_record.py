@@ -7,9 +7,8 @@ signals is put together piece by piece.  `RecordMerger` serves both users.  The 
 unless `closed`, if it has a name and one value in all blocks.
 """
 
-from bisect import bisect
 from collections.abc import Callable, Mapping, Sequence
-from itertools import pairwise
+from itertools import groupby
 from math import prod
 from typing import Any
 
@@ -20,7 +19,7 @@ from ..equations.block import Block
 from ..equations.elementwise import lifted, spread
 from ..equations.ports import counts_of, places
 from ..equations.record import Operation, Record, Ref, Shape
-from .wiring import Node, Part, Wire, Wiring
+from .wiring import Node, Part, Row, Wiring
 
 Values = dict[tuple[str, str], Any]  # (block, port) -> Array or number
 # functions that make the values with which a record begins
@@ -59,9 +58,8 @@ class RecordMerger:
             for node in wiring.nodes
             for part, _ in places(node.system.output_shapes).values()
         }
-        self._ports = [  # of blocks, and of the diagram: first signals, and sizes
-            ([at for at, size in own.items() if size], own) for own in (sizes, outside)
-        ]
+        self._sizes = sizes, outside  # of the ports of blocks, and of the diagram, by first signal
+        self._firsts = [[at for at, n in own.items() for _ in range(n)] for own in self._sizes]
 
     # --- a block ------------------------------------------------------------------------------
 
@@ -82,47 +80,41 @@ class RecordMerger:
         """Return the value that feeds each input port of a block."""
         node, values, first = self.wiring.nodes[k], {}, 0
         for port, shape in node.system.declared["inputs"].items():
-            size = prod(node.system.input_shapes[port])
-            values[port] = self.brought(node, port, first, size, self.shape(node.system, shape))
-            first += size
+            places = range(first, first := first + prod(node.system.input_shapes[port]))
+            values[port] = self.brought(node, port, places, self.shape(node.system, shape))
         return values
 
-    def brought(self, node: Node, port: str, first: int, size: int, shape: Shape) -> Ref:
-        """Return what wires bring to a port: a whole array where they can, else joined pieces."""
-        terms = [t for wire in node.wires for t in self._terms(wire, first, first + size)]
-        cuts = sorted({0, size, *(at for t in terms for at in (t[0], t[0] + t[1]))})
+    def brought(self, node: Node, port: str, places: range, shape: Shape) -> Ref:
+        """Return what feeds the inputs of a port: a whole array if it can, else joined pieces."""
         pieces: list[Ref] = []
-        for start, stop in pairwise(cuts):
-            own = shape if stop - start == size else (stop - start,)
+        for sources, group in groupby(places, lambda to: self._sources(node.rows[to], to)):
+            to, *more = group
+            own = shape if len(more) + 1 == len(places) else (len(more) + 1,)
             total: Ref | None = None
-            for to, n, gain, ref, at in terms:
-                if to <= start and stop <= to + n:
-                    value = self.part(ref, at + start - to, own)
-                    value = value if gain == 1.0 else self.add("mul", (value, gain), own)
-                    total = value if total is None else self.add("add", (total, value), own)
-            if len(cuts) > 2 and type(total) is not int:
+            for external, first, ahead, gain in sources:
+                ref = (self.inputs if external else self.outputs)[first]
+                if type(ref) is not int:
+                    ref = self.add("fill", (ref,), (self._sizes[external][first],))
+                value = self.part(ref, ahead + to, own)
+                value = value if gain == 1.0 else self.add("mul", (value, gain), own)
+                total = value if total is None else self.add("add", (total, value), own)
+            if len(more) + 1 < len(places) and type(total) is not int:
                 total = self.add("fill", (0.0 if total is None else total,), own)
             pieces.append(0.0 if total is None else total)
         if len(pieces) == 1:
             return pieces[0]
-        return self.part(self.add("join", pieces, (size,)), 0, shape) if pieces else 0.0
+        return self.part(self.add("join", pieces, (len(places),)), 0, shape) if pieces else 0.0
 
-    def _terms(self, wire: Wire, first: int, last: int) -> list[tuple[int, int, float, Ref, int]]:
-        """Return (place, count, gain, source port, place in it) of a wire within [first, last)."""
+    def _sources(self, row: Row, to: int) -> list[tuple[bool, int, int, float]]:
+        """Return (if external, first signal of the source's port, place in it less `to`, gain)."""
         found = []
-        known = self.inputs if wire.external else self.outputs
-        starts, sizes = self._ports[wire.external]
-        at, stop = max(wire.to, first), min(wire.to + wire.size, last)
-        while at < stop:
-            source = wire.source + at - wire.to
-            start = starts[bisect(starts, source) - 1]
-            n = min(stop - at, start + sizes[start] - source)
-            if start in known:  # else its block is run twice, and this time does not need it
-                ref = known[start]
-                ref = ref if type(ref) is int else self.add("fill", (ref,), (sizes[start],))
-                found.append((at - first, n, wire.gain, ref, source - start))
-            at += n
-        return found
+        for k, gain in row.items():
+            external, source = k < 0, ~k if k < 0 else k
+            first = self._firsts[external][source]
+            if first in (self.inputs if external else self.outputs):
+                found.append((external, first, source - first - to, gain))
+            # else its block is run twice, and this time does not need it
+        return sorted(found)
 
 
 class TapeRecord(RecordMerger):
@@ -186,14 +178,11 @@ class TapeRecord(RecordMerger):
     def outside_shape(self, first: int, size: int) -> tuple[Shape, Shape]:
         """Return the shape of a diagram's input, also as the port that it feeds declares it."""
         for node in self.wiring.nodes:
-            for wire in node.wires:
-                if wire.external and wire.source <= first < wire.source + wire.size:
-                    at, start = first - wire.source + wire.to, 0
-                    for own, bound in node.system.input_shapes.items():
-                        if start == at and prod(bound) == size:
-                            declared = node.system.declared["inputs"][own]
-                            return self.shape(node.system, declared), declared
-                        start += prod(bound)
+            fed = {source: to for to, source, _ in node.fed(external=True)}
+            for own, (at, bound) in places(node.system.input_shapes).items():
+                if fed.get(first) == at.start and prod(bound) == size:
+                    declared = node.system.declared["inputs"][own]
+                    return self.shape(node.system, declared), declared
         return (size,), (size,)
 
     def shape(self, block: Block, shape: Shape) -> Shape:
@@ -228,10 +217,10 @@ class TapeRecord(RecordMerger):
         own = objects(value).ravel()[first : first + prod(shape)]
         return operand(lifted(self.tape, own.reshape(shape)))
 
-    def brought(self, node: Node, port: str, first: int, size: int, shape: Shape) -> Ref:
-        """Return what wires bring to a port, in all of its shape."""
+    def brought(self, node: Node, port: str, places: range, shape: Shape) -> Ref:
+        """Return what feeds the inputs of a port, in all of its shape."""
         try:
-            found = self.tape.value(super().brought(node, port, first, size, shape))
+            found = self.tape.value(super().brought(node, port, places, shape))
             return operand(spread(self.tape, found, shape))
         except Unread as error:
             raise Unread(f"{node.name}.{port} {error}") from None

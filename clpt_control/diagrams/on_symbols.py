@@ -10,7 +10,6 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import chain, combinations
-from math import prod
 from typing import Any
 
 import control
@@ -20,14 +19,14 @@ import sympy
 from ..arguments import public
 from ..equations.arrays import Tape, Unread, operand
 from ..equations.declaration import Parameters
-from ..equations.ports import ports_of
+from ..equations.ports import places, ports_of
 from ..equations.record import Shape
 from ..equations.symbolic import LONG, Symbols, extent, rational
 from ..equations.system import is_linear
 from ..errors import DiagramError
 from .merged_record import TapeRecord
 from .symbol_names import TIME, Names, Numbers, element_name, fields_of, groups, typeset
-from .wiring import Node, Part, Wiring, read_unsampled, wiring_of
+from .wiring import Node, Part, Wiring, read_unsampled
 
 # takes block.role, an operation and its arguments on symbols; returns a remark on it, or None
 Watch = Callable[[str, str, tuple], str | None]
@@ -168,29 +167,26 @@ class _Read:
         self.tape, self.table = Tape(), dict[Any, Any]()
         self.result = Equations(diagram.name, {}, {}, {}, {}, {}, {}, {}, discrete=bool(wiring.dt))
         self.arguments: dict[Any, list[Any]] = {}  # of undefined functions
-        self.symbols: dict[str, dict[str, np.ndarray]] = {}  # of states, by block and port
+        # of states, by block and port
+        self.symbols = {node.name: self.states_of(node) for node in wiring.nodes}
 
     def states_of(self, node: Node) -> dict[str, np.ndarray]:
-        """Return the symbols of a block's states, by its own ports."""
-        if node.name not in self.symbols:
-            flat = np.empty(node.system.nstates, dtype=object)
-            for group, places, shape in groups(node.system, "state"):
-                port = self.names.port(node, group, "state")
-                declared = node.system.declared["states"].get(group, shape)
-                own = [
-                    sympy.Symbol(self.names.element(port, shape, declared, index), real=True)
-                    for index in np.ndindex(shape)
-                ]
-                flat[places] = own
-                self.result.states[port] = flat[places].reshape(shape)
-            ends = np.cumsum([prod(shape) for shape in node.system.state_shapes.values()])
-            parts = zip(node.system.state_shapes.items(), np.split(flat, ends[:-1]), strict=True)
-            self.symbols[node.name] = {port: own.reshape(n) for (port, n), own in parts}
-        return self.symbols[node.name]
+        """Make the symbols of a block's states; return them by its own ports."""
+        flat = np.empty(node.system.nstates, dtype=object)
+        for group, at, shape in groups(node.system, "state"):
+            port = self.names.port(node, group, "state")
+            declared = node.system.declared["states"].get(group, shape)
+            flat[at] = [
+                sympy.Symbol(self.names.element(port, shape, declared, index), real=True)
+                for index in np.ndindex(shape)
+            ]
+            self.result.states[port] = flat[at].reshape(shape)
+        where = places(node.system.state_shapes)
+        return {port: flat[own].reshape(shape) for port, (own, shape) in where.items()}
 
     def leaf(self, group: str, node: Node, name: str, shape: Shape) -> Any:
         """Return a state or a parameter of a block as an array."""
-        symbols = self.states_of(node)[name] if group == "x" else self.parameter(node, name)
+        symbols = self.symbols[node.name][name] if group == "x" else self.parameter(node, name)
         return self.array((group, (node.name, name)), symbols)
 
     def array(self, at: tuple, symbols: np.ndarray) -> Any:
@@ -247,8 +243,9 @@ class _Read:
     def equations(self, watch: Watch) -> Equations:
         """Return the equations of the diagram."""
         result, names, wiring = self.result, self.names, self.wiring
-        values = self.leaf, self.input_of, self.tape, self.stand_in
-        record = TapeRecord(self.diagram, wiring, *values, closed=True)
+        record = TapeRecord(
+            self.diagram, wiring, self.leaf, self.input_of, self.tape, self.stand_in, closed=True
+        )
 
         def watched(place: int, kind: str, arguments: tuple) -> None:
             owner = record.owners.get(place)
@@ -263,16 +260,15 @@ class _Read:
 
         for node in wiring.nodes:
             system, block = node.system, names.block(node)
-            states = self.states_of(node) if system.nstates else {}
             for kind, made, shown in (
                 ("output", record.signals, result.signals),
                 ("state", record.rates, result.rates),
             ):
                 values = flat(made, node, system.declared[f"{kind}s"])
-                for group, places, shape in groups(system, kind):
-                    shown[names.port(node, group, kind)] = values[places].reshape(shape)
+                for group, at, shape in groups(system, kind):
+                    shown[names.port(node, group, kind)] = values[at].reshape(shape)
             if system.jump_function is not None:
-                symbols = np.concatenate([s.ravel() for s in states.values()])
+                symbols = np.concatenate([s.ravel() for s in self.symbols[node.name].values()])
                 after = flat(record.jumps, node, system.declared["states"])
                 result.jumps[block] = dict(zip(symbols, after, strict=True))
             fields: dict[str, Any] = {}
@@ -297,10 +293,16 @@ def on_symbols(
     hidden: Iterable[str] = (),
     watch: Watch = lambda owner, kind, arguments: None,
 ) -> Equations:
-    """Read a diagram; blocks whose names are `hidden` stay undefined functions."""
-    wiring = wiring_of(diagram)
-    own = names(wiring, ports_of(diagram.input_labels))
-    return _Read(diagram, wiring, own, hidden).equations(watch)
+    """Return a diagram's equations as it is now; blocks named in `hidden` stay undefined functions.
+
+    Parts that sample, and functions that cannot be read, are refused.
+    """
+    wiring = read_unsampled(diagram)
+    try:
+        own = names(wiring, ports_of(diagram.input_labels))
+        return _Read(diagram, wiring, own, hidden).equations(watch)
+    except Unread as error:
+        raise DiagramError(f"{error}") from None
 
 
 @public
@@ -339,13 +341,4 @@ def equations(system: control.NonlinearIOSystem, numbers: bool = False) -> Equat
     >>> eq.derivative(eq["y"] ** 2)
     2*y*(-a*y + u(t))
     """
-    return readable_equations(system, Numbers if numbers else Names)
-
-
-def readable_equations(system: Any, names: type[Names] = Names, **how: Any) -> Equations:
-    """Return a diagram's equations as it is now; refuse parts that sample or cannot be read."""
-    read_unsampled(system)
-    try:
-        return on_symbols(system, names, **how)
-    except Unread as error:
-        raise DiagramError(f"{error}") from None
+    return on_symbols(system, Numbers if numbers else Names)

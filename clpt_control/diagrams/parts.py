@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 import control
 
 from ..equations.block import Block
+from ..equations.declaration import ports_line
 from ..equations.ports import counts_of, labels, ports_of, renamed
 from ..equations.sampled import Sampled
 from ..equations.system import System, is_linear, linear, on_each_axis
@@ -97,11 +98,6 @@ def output_ports(part: Part) -> dict[str, list[int]]:
     return ports_of(part.output_labels)
 
 
-def sizes(ports: Mapping[str, list[int]]) -> str:
-    """Return ports in words: ``alpha[6], K[2]``."""
-    return ", ".join(f"{port}[{len(at)}]" for port, at in ports.items()) or "nothing"
-
-
 def functions_of(law: Part) -> int:
     """Return the N of a law; refuse a part that does not make alpha[2N], K[2] and Gamma[2]."""
     outputs = widths([law])
@@ -109,7 +105,7 @@ def functions_of(law: Part) -> int:
     if N < 1 or {"alpha": 2 * N, "K": 2, "Gamma": 2}.items() - outputs.items():
         raise DiagramError(
             f"{law.name}: a law makes alpha[2N], K[2] and Gamma[2]; it makes "
-            f"{sizes(output_ports(law))}; clpt.theory.lyapunov judges a V on any diagram"
+            f"{ports_line(outputs)}; clpt.theory.lyapunov judges a V on any diagram"
         )
     taken = len(input_ports(law).get("phi_x", range(N)))
     if taken != N:
@@ -142,23 +138,23 @@ LAW = "adaptation"  # the part that is the adaptive law
 class Changes(NamedTuple):
     """The user's own parts: {name: part} and {signal, or (signal, block that takes it): part}."""
 
-    replace: dict[str, Any]
-    insert: dict[Any, Any]
+    replace: dict[str, Part]
+    insert: dict[Any, Part]
 
     @property
     def law(self) -> Part | None:
         """The part in place of the law, if there is one."""
-        return as_part(self.replace[LAW]) if LAW in self.replace else None
+        return self.replace.get(LAW)
 
     @property
-    def parts(self) -> list[Any]:
+    def parts(self) -> list[Part]:
         """The user's parts."""
         return [*self.replace.values(), *self.insert.values()]
 
     @property
     def names(self) -> list[str]:
         """The names of the user's parts."""
-        return [as_part(part).name for part in self.parts]
+        return [part.name for part in self.parts]
 
     @property
     def in_words(self) -> str:
@@ -169,15 +165,14 @@ class Changes(NamedTuple):
         return ", ".join(f"{place}: {name}" for place, name in zip(places, names, strict=True))
 
     def of_blocks(self, what: str) -> "Changes":
-        """Return the parts as blocks, for uses that run as machine code alone."""
-        changes = Changes(*({at: as_part(part) for at, part in parts.items()} for parts in self))
-        for part in changes.parts:
+        """Refuse parts that are no blocks, for uses that run as machine code alone."""
+        for part in self.parts:
             if not isinstance(part, Block):
                 raise DiagramError(
                     f"{part.name}: is a {type(part).__name__}; {what} takes blocks, control.ss and "
                     "control.tf"
                 )
-        return changes
+        return self
 
 
 UNCHANGED = Changes({}, {})
@@ -190,7 +185,9 @@ def changes_of(law: Any, replace: Any = None, insert: Any = None) -> Changes:
         raise DiagramError(f"law and replace = {LAW!r}: are one and the same; give one of them")
     if law is not None:
         replacing[LAW] = law
-    changes = Changes(replacing, dict(pairs("insert", insert, "{('v_x', 'vehicle'): lag}")))
+    inserting = dict(pairs("insert", insert, "{('v_x', 'vehicle'): lag}"))
+    own = ({at: as_part(part) for at, part in given.items()} for given in (replacing, inserting))
+    changes = Changes(*own)
     for part in changes.parts:
         read_anew(part)
     return changes
@@ -199,12 +196,12 @@ def changes_of(law: Any, replace: Any = None, insert: Any = None) -> Changes:
 def replaced(parts: Sequence[Part], replace: Mapping[str, Any]) -> list[Part]:
     """Return parts of which some are replaced: {name of a part: another}."""
     new_parts = list(parts)
-    for name, system in replace.items():
+    for name, mine in replace.items():
         names = [part.name for part in new_parts]
         if name not in names:
             raise DiagramError(f"replace = {name!r}: must be among {', '.join(names)}")
         old = new_parts[names.index(name)]
-        part = _in_place(as_part(system), old, widths(new_parts), f"replace = {name!r}")
+        part = _in_place(mine, old, widths(new_parts), f"replace = {name!r}")
         new_parts[names.index(name)] = part
     return new_parts
 
@@ -212,7 +209,7 @@ def replaced(parts: Sequence[Part], replace: Mapping[str, Any]) -> list[Part]:
 def inserted(parts: Sequence[Part], insert: Mapping[Any, Any]) -> list[Part]:
     """Return parts with inserted ones: {signal, or (signal, block that takes it): part}."""
     new_parts = list(parts)
-    for where, system in insert.items():
+    for where, part in insert.items():
         signal, *users = [*where, ""][: len(where) or 1] if isinstance(where, tuple) else [where]
         argument, made = f"insert = {where!r}", widths(new_parts)
         if signal not in made:
@@ -224,7 +221,6 @@ def inserted(parts: Sequence[Part], insert: Mapping[Any, Any]) -> list[Part]:
                 f"{argument}: '{signal}' goes to {', '.join(takers) or 'nobody'}"
                 + (f", not to {wrong[0]!r}" if wrong else "; give a signal that is taken")
             )
-        part = as_part(system)
         own = [*output_ports(part)]
         name = own[0] if len(own) == 1 and own[0] not in {"y", *made} else f"{signal}_{part.name}"
         part = _between(part, (signal, made[signal]), (name, made[signal]), argument)
@@ -270,7 +266,7 @@ def _between(part: Part, taken: tuple[str, int], made: tuple[str, int], argument
     for which, port, ports in (("takes", to, takes), ("makes", out, makes)):
         if port not in ports:
             raise DiagramError(
-                f"{argument}: {part.name} {which} {sizes(ports)}; call the one that is meant "
+                f"{argument}: {part.name} {which} {', '.join(ports)}; call the one that is meant "
                 f"'{port}', or give a part with one input port and one output port"
             )
     if is_linear(part) and part.ninputs == part.noutputs == 1 and taken[1] == made[1] != 1:

@@ -15,7 +15,7 @@ import numpy as np
 import sympy
 
 from ..arguments import check_holds
-from ..diagrams.on_symbols import Equations, readable_equations
+from ..diagrams.on_symbols import Equations, on_symbols
 from ..diagrams.symbol_names import TIME, Names, Numbers, element_name
 from ..equations.block import Block
 from ..equations.symbolic import Symbols, rational
@@ -42,7 +42,7 @@ class SystemWithV:
     def __init__(self, system: Any, V: Any, claim: Any, at: Any, numbers: bool = False):
         self.system, self.undefined = system, list[str]()  # where there may be no value
         names = Numbers if numbers else Names
-        self.eq: Equations = readable_equations(system, names, watch=_watched)
+        self.eq: Equations = on_symbols(system, names, watch=_watched)
         if self.eq.discrete:
             raise DiagramError(f"{system.name}: is of discrete time, in which nothing has a rate")
         if not self.eq.motion:

@@ -120,11 +120,8 @@ def test_exact_runs_agree_with_an_integrator():
     assert np.allclose(states, found.y.T, atol=1e-9)
 
 
-def test_the_picture_shows_what_was_measured(square_wave, tmp_path, monkeypatch):
-    drawn = []
-    monkeypatch.setattr(study, "write_figure", lambda figure, path: drawn.append(figure))
-    study.figure(square_wave, tmp_path / "theorems.png")
-    figure = drawn[0]
+def test_the_picture_shows_what_was_measured(square_wave):
+    figure = study.figure(square_wave)
     top, bottom = figure.axes
     assert top.get_xlim() == pytest.approx((400.0, 800.0), abs=0.02)
     assert bottom.get_xlabel() == "time (s)"

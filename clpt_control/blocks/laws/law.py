@@ -17,7 +17,7 @@ reaches, length.
 
 import inspect
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from functools import partial, update_wrapper
 from operator import attrgetter
 from typing import Any, Literal, NamedTuple
 
@@ -161,16 +161,9 @@ Part = dict[str, Any]  # fields of a row that laws share
 MAPPINGS = ("keys", "parameters", "states", "inputs")  # fields that are merged
 
 
-@dataclass(frozen=True)
-class OutputAndStates:
-    """The output of a law that has more outputs than its states."""
-
-    output: Callable[..., Any]
-    states: tuple[str, ...]
-
-    def __call__(self, t: float, x: Any, u: Any, p: Any) -> dict[str, Any]:
-        """Return the outputs by port."""
-        return {**self.output(t, x, u, p), **{name: getattr(x, name) for name in self.states}}
+def output_and_states(output: Any, states: tuple[str, ...], t: Any, x: Any, u: Any, p: Any) -> Any:
+    """Return the outputs of a law that has more than its states, by port."""
+    return {**output(t, x, u, p), **{name: getattr(x, name) for name in states}}
 
 
 class Promise(NamedTuple):
@@ -310,10 +303,11 @@ class Law(NamedTuple):
     def of(self, N: int, limited: bool = False, **parameters: Any) -> Block:
         """Make the law of its parameters."""
         states = {name: state.shape for name, state in self.states.items()}
+        whole = partial(output_and_states, self.output, tuple(states))
         return Block(
             "adaptation",
             update=self.rates,
-            output=OutputAndStates(self.output, tuple(states)) if self.output else None,
+            output=update_wrapper(whole, self.output) if self.output else None,
             inputs={port: n for port, n in self.inputs.items() if port != "v_c" or limited},
             outputs={**self.outputs, **states},
             states=states,
