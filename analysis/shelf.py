@@ -66,9 +66,10 @@ def rate_limit():
 
 
 def backlash():
-    """Teeth with a gap."""
+    """Teeth with a gap, sampled and continuous."""
     _, y = ran(parts.backlash(1.0, lag=0.05), [WAVE])
-    return [(T, WAVE, "k:"), (T, y, "C0")], None
+    times, play = ran(parts.backlash(1.0, dt=0.25), [WAVE])
+    return [(T, WAVE, "k:"), (T, y, "C0"), (times, play, "C1.")], None
 
 
 def relay():

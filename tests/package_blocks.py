@@ -118,9 +118,10 @@ def shelf():
     yield "delay-pade", parts.delay(0.7, 3, signals=2)
     yield "delay-sampled", parts.delay(0.75, dt=0.25, signals=2)
     yield "hold", parts.hold(0.5, signals=2)
-    yield "rate_limit", parts.rate_limit(0.5, 0.7, lag=0.1, signals=2)
-    yield "backlash", parts.backlash(0.4, lag=0.1, signals=2)
-    yield "relay", parts.relay(0.3, -0.2, lag=0.1)
+    for way, given in (("lag", {"lag": 0.1}), ("sampled", {"dt": 0.1})):
+        yield f"rate_limit-{way}", parts.rate_limit(0.5, 0.7, signals=2, **given)
+        yield f"backlash-{way}", parts.backlash(0.4, signals=2, **given)
+        yield f"relay-{way}", parts.relay(0.3, -0.2, **given)
     for way, dt in (("continuous", None), ("sampled", 0.1)):
         yield f"pid-{way}", parts.pid(2.0, 0.5, 0.3, -1, 2, dt=dt, signals=2)
         plant = control.ss(

@@ -4,9 +4,10 @@
     dead zone      y = u - min(max(u, low), high)
     lookup table   y = Y_k + (u - X_k) (Y_{k+1} - Y_k)/(X_{k+1} - X_k),   X_k <= u <= X_{k+1}
     rate limit     y' = min(max((u - y)/T, -fall), rise)
+                   y_k = y_{k-1} + min(max(u_k - y_{k-1}, -fall dt), rise dt)
 
-A rate limit would switch at u = y without end; T is the lag of the actuator that is limited, and
-the limit itself as T goes to 0.
+Sampled (`dt`) the rate limit is exact.  In continuous time its rate would switch at u = y without
+end; T is the lag of the actuator that is limited, and the limit itself as T goes to 0.
 
 Ports: u -> y, each of `signals` signals, of one unit (but of the table).
 Sources: Astrom and Murray 2008, Feedback Systems, section 10.4; Rundqwist and Hillgren 1996, Phase
@@ -21,7 +22,7 @@ from numpy.typing import ArrayLike
 from ..arguments import brief, numbers, public
 from ..equations.block import Block
 from ..errors import BlockError
-from .part import each, part, positive, rising, signal_part
+from .part import each, positive, remembering, rising, sampled, signal_part, time_of
 
 
 def limited(t, x, u, p):
@@ -157,12 +158,18 @@ def limited_rate(t, x, u, p):
     return np.clip((u.u - x.y) / p.lag, -p.fall, p.rise)
 
 
+def limited_step(t, x, u, p, dt):
+    """y_k = y_{k-1} + what is left, within the limits (Rundqwist 1996, section "rate limiters")."""
+    return x.last + np.clip(u.u - x.last, -p.fall * dt, p.rise * dt)
+
+
 @public
 def rate_limit(
     rise: ArrayLike,
     fall: Any = None,
     *,
-    lag: float,
+    lag: float | None = None,
+    dt: float | None = None,
     signals: int = 1,
     name: str = "rate_limit",
     **ports: str,
@@ -173,8 +180,10 @@ def rate_limit(
     ----------
     rise, fall : float or array_like
         Largest rates up and down, positive, in the unit of u per time; `fall` is `rise` by default.
-    lag : float
-        y' = (u - y)/lag within the limits.
+    lag : float, optional
+        In continuous time: y' = (u - y)/lag within the limits.
+    dt : float, optional
+        Sampled, exactly.
     signals : int, optional
         Number of signals.
     name : str, optional
@@ -190,7 +199,7 @@ def rate_limit(
     Raises
     ------
     BlockError
-        If a rate or the lag is not positive.
+        If a rate or time is not positive, or not one of `lag` and `dt` is given.
 
     Examples
     --------
@@ -199,7 +208,8 @@ def rate_limit(
     >>> run.y.values.round(4).tolist()
     [0.0, 0.5, 1.0, 2.0]
     """
-    values = each(name, signals, rise=rise, fall=rise if fall is None else fall) | {"lag": lag}
-    positive(name, **values)
-    states = {"y": signals}
-    return part(name, ports, values, update=limited_rate, inputs={"u": signals}, states=states)
+    rates = each(name, signals, rise=rise, fall=rise if fall is None else fall)
+    positive(name, **rates)
+    step = limited_step if dt is None else sampled(limited_step, dt)
+    values = {**rates, **time_of(name, lag, dt)}
+    return remembering(name, ports, values, signals, limited_rate, step, dt)

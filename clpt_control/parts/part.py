@@ -1,4 +1,4 @@
-"""What every part is made with: numbers as parameters, ports by other names, checks."""
+"""What every part is made with: numbers as parameters, ports by other names, two kinds of time."""
 
 from collections.abc import Mapping
 from functools import partial, update_wrapper
@@ -58,6 +58,25 @@ def rising(name: str, **limits: Any) -> None:
         raise BlockError(f"{name}: {below} = {brief(low)}: must be below {above} = {brief(high)}")
 
 
+def time_of(name: str, lag: float | None, dt: float | None) -> dict[str, float]:
+    """Return the lag, in continuous time; a part that samples, each `dt`, has none."""
+    times = {key: value for key, value in (("lag", lag), ("dt", dt)) if value is not None}
+    if len(times) != 1:
+        raise BlockError(f"{name}: give lag, in continuous time, or dt, sampled; one of the two")
+    positive(name, **times)
+    return {} if lag is None else {"lag": lag}
+
+
 def sampled(function: Any, dt: float) -> Any:
     """Return equations that know when they are sampled next, which no parameter changes."""
     return update_wrapper(partial(function, dt=dt), function)
+
+
+def remembering(
+    name: str, ports: Ports, values: dict, signals: int, rate: Any, step: Any, dt: float | None
+) -> Block:
+    """Make a part that remembers its output: a state, or what a sampled one gave last."""
+    if dt is None:
+        return part(name, ports, values, update=rate, inputs={"u": signals}, states={"y": signals})
+    last = {"last": signals}
+    return signal_part(name, ports, values, signals, update=step, output=step, states=last, dt=dt)

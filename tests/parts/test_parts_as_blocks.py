@@ -36,7 +36,8 @@ def test_a_source_has_nothing_to_linearize_along():
     ("make", "said"),
     [
         (lambda: parts.saturation(1, -1), "saturation: low = 1: must be below high = -1"),
-        (lambda: parts.rate_limit(1.0, lag=-1.0), "lag = -1.0: must be positive"),
+        (lambda: parts.rate_limit(1.0), "give lag, in continuous time, or dt"),
+        (lambda: parts.backlash(1.0, lag=1.0, dt=1.0), "give lag, in continuous time, or dt"),
         (lambda: parts.relay(1, 2, lag=0.1), "off = 2: must be below on = 1"),
         (lambda: parts.delay(1.0, dt=0.3), "delay = 1.0: must be a multiple of dt = 0.3"),
         (lambda: parts.lag(0.0), "lag = 0.0: must be positive"),
@@ -68,13 +69,23 @@ def test_mistakes_are_told(make, said):
         make()
 
 
-def test_the_time_of_sampling_is_no_parameter():
+@pytest.mark.parametrize(
+    "made",
+    [
+        parts.pid(2, 0.7, 0.1, dt=0.1),
+        parts.rate_limit(1, dt=0.1),
+        parts.backlash(1, dt=0.1),
+        parts.relay(1, -1, dt=0.1),
+    ],
+    ids=lambda one: one.name,
+)
+def test_the_time_of_sampling_is_no_parameter(made):
     """It changed the equations, while the part sampled as before."""
-    made = parts.pid(2, 0.7, 0.1, dt=0.1)
-    with pytest.raises(clpt.ClptError, match=r"unknown parameter 'pid\.dt'"):
-        clpt.simulate(made, [0.0, 0.1, 0.2], [1.0, 1.0], params={"pid.dt": 0.2})
+    changed = {f"{made.name}.dt": 0.2}
+    with pytest.raises(clpt.ClptError, match=f"unknown parameter '{made.name}.dt'"):
+        clpt.simulate(made, [0.0, 0.1, 0.2], [1.0] * made.ninputs, params=changed)
     pickled = pickle.loads(pickle.dumps(made))
-    runs = [clpt.simulate(one, [0.0, 0.1, 0.2], [1.0, 1.0]) for one in (made, pickled)]
+    runs = [clpt.simulate(one, [0.0, 0.1, 0.2], [1.0] * made.ninputs) for one in (made, pickled)]
     assert runs[0].equals(runs[1])
 
 

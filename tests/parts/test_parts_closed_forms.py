@@ -46,6 +46,13 @@ def test_a_rate_limit_is_a_ramp_and_then_a_lag(engine):
     np.testing.assert_allclose(found.y, exact, atol=1e-9)
 
 
+def test_a_sampled_rate_limit_falls_at_its_own_rate():
+    times = 0.5 * np.arange(9)
+    u = [[0, 3, 3, 3, 3, -1, -1, -1, 0.4]]
+    found = clpt.simulate(parts.rate_limit(2.0, 1.0, dt=0.5), times, u)
+    np.testing.assert_allclose(found.y, [0, 1, 2, 3, 3, 2.5, 2, 1.5, 1.0], atol=1e-15)
+
+
 # --- what remembers -----------------------------------------------------------------------------
 
 
@@ -63,16 +70,22 @@ def wave_of(size):
     return clpt.Block("wave", output=lambda t, x, u, p: size * np.sin(t), outputs={"u": 1})
 
 
-def test_backlash_tends_to_the_play():
+def test_sampled_backlash_is_the_play_and_continuous_tends_to_it():
     """After a crest y rests until the input has fallen by the whole width."""
-    width, size, times = 0.6, 2.0, np.arange(0, 13, 0.01)
-    y, play, off = 0.0, [], []
-    for u in size * np.sin(times):
-        y = np.clip(y, u - width / 2, u + width / 2)
-        play.append(y)
+    width, size, dt = 0.6, 2.0, 0.01
+    times = np.arange(0, 13, dt)
+    u = size * np.sin(times)
+    y = clpt.simulate(parts.backlash(width, dt=dt), times, [u]).y.values
+    assert y[times < 3].max() == pytest.approx(size - width / 2, abs=1e-4)
+    resting = (times > np.pi / 2) & (times < np.pi - np.arcsin(1 - width / size) - dt)
+    assert np.ptp(y[resting]) == 0.0
+    late = times > 2 * np.pi
+    falling = late & (np.cos(times) < 0) & (u < size - width)
+    np.testing.assert_allclose(y[falling], u[falling] + width / 2, atol=1e-4)
+    off, wave = [], wave_of(size)
     for lag in (0.02, 0.005):
-        close = run(clpt.connect([wave_of(size), parts.backlash(width, lag=lag)]), times)
-        off.append(np.abs(close.y.values - play).max())
+        close = run(clpt.connect([wave, parts.backlash(width, lag=lag)]), times)
+        off.append(np.abs(close.y.values - y).max())
     assert off[0] < 1.1 * size * 0.02  # T times the largest rate
     assert off[1] < 0.35 * off[0]
 
@@ -92,6 +105,17 @@ def test_a_relay_in_a_loop_has_the_period_of_the_textbook(engine):
     np.testing.assert_allclose(turning, h * (-1.0) ** np.arange(8), atol=1e-8)
     after = h + (-1 - h) * (1 - np.exp(-0.1))
     np.testing.assert_allclose(found.x.values[2::2], after * (-1.0) ** np.arange(8), atol=1e-8)
+
+
+def test_a_sampled_relay_keeps_in_between():
+    times = np.arange(0, 20, 0.05)
+    u = np.sin(times) + 0.3 * np.sin(3.1 * times)
+    found = clpt.simulate(parts.relay(0.6, -0.4, 2.0, 5.0, dt=0.05), times, [u]).y.values
+    closed, wanted = False, []
+    for value in u:
+        closed = value > 0.6 or (closed and value >= -0.4)
+        wanted.append(5.0 if closed else 2.0)
+    np.testing.assert_array_equal(found, wanted)
 
 
 # --- lags and delays ----------------------------------------------------------------------------
