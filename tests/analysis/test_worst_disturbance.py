@@ -17,7 +17,7 @@ from clpt_control.theory.counterexamples import (
     scalar_matrix,
     with_square_wave,
 )
-from clpt_control.theory.excitation.error_matrices import error_matrices
+from clpt_control.theory.excitation.regressor import error_matrices
 
 
 def test_peak_gain_in_closed_form():

@@ -8,17 +8,13 @@ from clpt_control.errors import ClptError
 from clpt_control.theory.excitation import certificates
 from clpt_control.theory.excitation.certificates import (
     certificate,
+    collocation,
+    propagate,
     time_to_tenth,
     ultimate_bound,
     window_drops,
 )
-from clpt_control.theory.excitation.error_matrices import (
-    collocation,
-    error_matrices,
-    propagate,
-    regressors,
-)
-from clpt_control.theory.excitation.regressor import joint_regressor
+from clpt_control.theory.excitation.regressor import error_matrices, joint_regressor, regressors
 
 NODES = 12
 NODE, WEIGHT = np.polynomial.legendre.leggauss(NODES)

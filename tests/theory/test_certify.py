@@ -7,7 +7,7 @@ import pytest
 
 import clpt_control as clpt
 from clpt_control.theory.excitation.certify import after_window, certify, least_error, settled
-from clpt_control.theory.excitation.error_matrices import error_matrices
+from clpt_control.theory.excitation.regressor import error_matrices
 
 PAPER = clpt.paper_scenario().with_values({"run.duration": 400})
 

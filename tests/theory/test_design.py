@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
+from made_fields import uniform_field
 from pictures import inked
 from responses import response
 from scipy.linalg import expm
@@ -16,10 +17,13 @@ from clpt_control.figures import figure_of
 from clpt_control.files import write_file
 from clpt_control.theory import design_track as design_for
 from clpt_control.theory.designing import search
-from clpt_control.theory.designing.design import learned, linear_gains, time_below
-from clpt_control.theory.designing.plot import design_plot
-from clpt_control.theory.designing.track_limits import closed_length, shortened
-from clpt_control.theory.designing.waypoint_tracks import Tracks, vehicle_alone
+from clpt_control.theory.designing.design import design_plot, learned, linear_gains, time_below
+from clpt_control.theory.designing.waypoint_tracks import (
+    Tracks,
+    closed_length,
+    shortened,
+    vehicle_alone,
+)
 from clpt_control.theory.excitation.gramian import gramian, started_true
 from clpt_control.theory.excitation.regressor import joint_regressor, w_along
 
@@ -327,26 +331,11 @@ def test_a_picture_shows_both_tracks(short, tmp_path):
     assert inked(tmp_path / "both.png") > 0.01
 
 
-@pytest.mark.slow
-def test_a_track_in_a_measured_current(facts, tmp_path):
-    from clpt_control.currents import fit_scenario, save_fit
-
-    field = facts.parents[1] / "clpt_control/data/maracoos_hfr_2019-01-01.nc"
-    fit = fit_scenario(field, (40.9, 41.55, -69.9, -69.0), rows=1, columns=2, width_km=30.0)
-    scenario = save_fit(fit, tmp_path / "shoals.toml").with_values({"run.output_step": 0.5})
-    found = design_track(scenario, max_speed=9.0)
-    area = found.report["limits"]["area"]
-    assert found.report["ratio"] >= 1
-    assert set(found.report["after"]["explained_variance"]) == {"track", "box"}
-    places = found.tracks[1].run.position.values
-    assert places[:, 0].min() >= area[0]
-    assert places[:, 1].max() <= area[3]
-    write_file(tmp_path / "both.png", figure_of(design_plot, found))
-    with pytest.raises(ScenarioError, match="within the scenario's field"):
-        design_track(scenario, area=(-1e3, 1e3, -1.0, 1.0))
-    far = scenario.with_values({"reference.radius": 60.0})
-    with pytest.raises(ScenarioError, match="own vehicle does not reach the end, 23 h, but "):
-        design_track(far)
+def test_in_a_measured_current_no_track_is_designed(tmp_path):
+    uniform_field(tmp_path / "field.nc", v=0.2, end=400.0)
+    flow = {"field": str(tmp_path / "field.nc")}
+    with pytest.raises(ScenarioError, match=r"give flow\.parameters in its place"):
+        design_track(clpt_package.paper_scenario().with_values({"flow": flow}))
 
 
 def test_CLPE_of_a_design_is_that_of_clpt_run():

@@ -11,8 +11,8 @@ from lyapunov_systems import system
 import clpt_control as clpt
 from clpt_control.errors import ClptError
 from clpt_control.theory import lyapunov
-from clpt_control.theory.enclosures import enclosed
 from clpt_control.theory.proving.words import CLIP, GT, MAXIMUM, SIGN, WHERE
+from clpt_control.theory.region import enclosed
 
 X, Y = sympy.symbols("x y", real=True)
 
