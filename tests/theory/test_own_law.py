@@ -42,10 +42,10 @@ def test_a_robust_law_is_bounded(name):
 def test_a_wrong_law_is_refuted_at_a_point_that_anyone_can_call(name):
     verdict = prove(REFUTED[name](), points=POINTS)
     assert verdict.status == "refuted"
-    t, x, u, params = verdict.point
-    rates = verdict.diagram.dynamics(t, x, u, params)
+    t, x, u = verdict.point
+    rates = verdict.diagram.dynamics(t, x, u)
     h = 1e-4 * np.abs(x).max() / np.abs(rates).max()
-    ahead, behind = (verdict.diagram.output(t, x + s * rates, u, params)[-1] for s in (h, -h))
+    ahead, behind = (verdict.diagram.output(t, x + s * rates, u)[-1] for s in (h, -h))
     assert (ahead - behind) / (2 * h) == pytest.approx(verdict.value, rel=1e-5)
     assert verdict.value > 0
 

@@ -215,8 +215,7 @@ class Case:
 
     def running(self) -> Step:
         """Return the step that the running blocks have the same V'."""
-        known: dict[str, Any] = {"seed": self.seed, "tied": self.tied, "fixed": self.names}
-        return running_step(lambda: (self.diagram, self.loop), self.points, **known)
+        return running_step(lambda: (self.diagram, self.loop), self.points, seed=self.seed)
 
     def every(self) -> Step:
         """Return the step that the same holds for every N."""
