@@ -5,6 +5,7 @@ u = e[2], phi_x[N], z[2], zc[2]; states alpha[2N], K[2], Gamma[2], section III.
 
 import numpy as np
 
+from clpt_control.blocks.clpe import clpe
 from clpt_control.equations import Block, lookup, opaque
 
 N = 2
@@ -318,6 +319,7 @@ TOO_MUCH = {  # -> what is said
         driven(lambda t, x, u, p: u.e * np.random.default_rng().random()),
         "^own.update: .* draws by chance",
     ),
+    "no law": (clpe, r"makes alpha\[2N\], K\[2\] and Gamma\[2\]"),
     "one z": (lambda: law(of_other_ports, GAIN, {"zc": 3, "z": 1}), "'zc?' has 2 signals"),
     "no name": (lambda: Block("", update=memory, states=MORE), "must not be empty"),
     "a port with a dot": (driven(lambda t, x, u, p: u.e, more={"a.b": 1}), "'a.b' of a block"),

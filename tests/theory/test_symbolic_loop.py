@@ -1,6 +1,5 @@
 """A diagram on symbols: as its numbers, for its own N; what vanishes does, misuse is refused."""
 
-import control
 import numpy as np
 import pytest
 import sympy
@@ -40,25 +39,6 @@ def test_points_at_which_numbers_say_nothing_show_nothing(far, told):
     (x,) = eq.motion
     search = PointSearch(block, eq, x**2 / 2, "", {}, 0)
     assert search.compare((np.zeros(10), at.T, np.zeros((0, 10))), 10)[0] == told
-
-
-def test_a_linear_part_is_wired_by_its_own_labels():
-    plant = control.tf(1, [1, 0], inputs="e", outputs="v", name="plant")
-    twice = clpt.Block(
-        "twice", output=lambda t, x, u, p: 2 * u.v, inputs={"v": 1}, outputs={"w": 1}
-    )
-    loop = symbolic_loop(clpt.connect([plant, twice], external="e"))
-    ((x, rate),) = loop.motion.items()
-    p = loop.parameters["plant"]
-    assert loop.signals["w"] == [2 * p.C[0, 0] * x]
-    assert rate == p.B[0, 0] * loop.inputs["e"][0]
-
-
-def test_python_controls_own_systems_are_read():
-    plant = control.nlsys(lambda t, x, u, params: -(x**3), inputs=1, states=1, name="plant")
-    loop = symbolic_loop(control.interconnect([plant], inplist=["plant.u[0]"], outlist=["plant"]))
-    ((x, rate),) = loop.motion.items()
-    assert rate == -(x**3)
 
 
 def test_two_values_of_one_name_are_two_symbols():
