@@ -222,10 +222,10 @@ RIGHT = {  # name -> (law, whether for every N too)
         True,
     ),
     "three gains": (changed(three, {"gains": [0.5, 0.2, 0.7]}), True),
-    "a gain each": (changed(each, {"gains": [0.5, 2.0]}, **EACH), False),
+    "a gain each": (changed(each, {"gains": [0.5, 2.0]}, **EACH), True),
     "one list of gains for functions and for axes": (
         changed(each_axis, {"gains": [1.0, 2.0], "axes": [1.0, 2.0]}, **EACH),
-        False,
+        True,
     ),
     "x - z and exp(c)": (
         driven(lambda t, x, u, p: np.exp(p.c) * (u.x - u.z), {"c": 0.3}, more={"x": 2}),
