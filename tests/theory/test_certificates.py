@@ -57,20 +57,6 @@ def test_rho_never_exceeds_the_exact_drop(group, size):
     assert np.all(drop <= 1 + 1e-9)
 
 
-def test_the_worst_direction_attains_the_contraction():
-    KD, gain, window = GROUPS[0]
-    *places, weights = random_regressors(7, window)
-    w = regressors(*places)
-    drop, _ = window_drops(w, weights, KD, gain)
-    _, transition = propagate(w, np.array(KD)[:, None], gain, weights.sum(1))
-    scale = np.concatenate([[1.0], np.full(3, gain**-0.5)])
-    scaled = transition * (scale[:, None] / scale)
-    _, _, rows = np.linalg.svd(scaled)
-    worst = rows[..., 0, :]
-    after = np.einsum("...pq,...q->...p", scaled, worst)
-    np.testing.assert_allclose(np.sum(after**2, -1), 1 - drop, rtol=1e-8)
-
-
 def test_collocation_agrees_with_scipy():
     from scipy.integrate import solve_ivp
 

@@ -11,7 +11,6 @@ from responses import response
 from scipy.linalg import expm
 
 import clpt_control as clpt_package
-from clpt_control.blocks.laws.table import LAWS
 from clpt_control.errors import ClptError, ScenarioError
 from clpt_control.figures import figure_of
 from clpt_control.files import write_file
@@ -151,18 +150,6 @@ def test_no_design_is_worse_than_the_start_and_a_seed_repeats_it(paper, short, q
     assert found[0].scenario == found[1].scenario
     assert found[0].report == found[1].report
     assert found[0].scenario != found[2].scenario
-
-
-def test_fixes_and_noise_leave_the_design_as_it_is(paper, short, quickly):
-    """Where e = 0 the vehicle knows where it is; the run with its own law is another matter."""
-    law = next(law.name for law in LAWS.values() if law.at_fixes)
-    fixes = {"learning": {"law": law}, "localization": {"interval": 5.0}}
-    noise = {"localization": {"noise": 0.02, "noise_period": 1.0}}
-    first = short.report["after"]
-    for values in (fixes, noise):
-        other = quickly(paper.with_values(values), window=60.0)
-        assert other.report["after"]["waypoints"] == first["waypoints"]
-        assert other.report["after"]["smallest_eigenvalue"] == first["smallest_eigenvalue"]
 
 
 @pytest.mark.slow
