@@ -48,6 +48,8 @@ class Case:
         hidden = {s for p in others for s in flat(p)}
         self.values = {s: v for s, v in loop.values.items() if s not in hidden}
         self.known = self.values | {s: e.xreplace(self.values) for s, e in self.tied.items()}
+        own = self.values.keys() & {*flat(loop.parameters[self.V.name])}
+        self.of_V = {s: self.values[s] for s in own} | self.tied
         self.moving = {TIME, *loop.motion}
         self.Vs = loop.signals["V"][0].xreplace(self.known)
         self.e = sympy.symbols("e_1:3", real=True)
@@ -240,12 +242,12 @@ class Case:
         return checked("the same for every N", holds)
 
     def of_every_N(self, symbol: sympy.Expr, index: Index) -> sympy.Expr:
-        """Return a parameter's element for every N: V's are the law's or the truth's."""
+        """Return a parameter's element for every N: V's are numbers, the law's or the truth's."""
         generic = [one for one in index if isinstance(one, str)]
-        weight = self.tied.get(symbol, symbol)
+        weight = self.of_V.get(symbol, symbol)
         if weight == symbol and len(generic) == 1:
             names = [{generic[0]: str(k + 1)} for k in range(self.N)]
-            theirs = [self.tied.get(s, s) for s in (reindexed(symbol, name) for name in names)]
+            theirs = [self.of_V.get(s, s) for s in (reindexed(symbol, name) for name in names)]
             for gain in (
                 reindexed(theirs[0], {"1": generic[0]}),
                 theirs[0],
