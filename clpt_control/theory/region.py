@@ -3,7 +3,7 @@
     x in the box, x not the rest, V(x) <= c  =>  V'(x) < 0,        c < V on the edge of the box
 
 Then no run leaves {V <= c}, V is least at the rest alone, and what begins there comes to rest
-(Khalil 2002, Theorem 4.1).  V' is enclosed in parts of the box, rounded outward (`enclosures`).
+(Khalil 2002, Theorem 4.1).  V' is enclosed in parts of the box, rounded outward (`enclosed`).
 Near the rest, where V' and its slopes are zero, V' = z^T H z / 2 with H its second derivatives at a
 point between: V' < 0 where all that H may be is negative definite.  Where pieces meet with one
 slope, as of v |v|, H lies between those of the pieces (Hiriart-Urruty et al. 1984).  The parts of

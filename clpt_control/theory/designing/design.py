@@ -2,7 +2,7 @@
 
 The goal is how soon the scenario's own law learns, or kappa_1: the smallest eigenvalue over both
 axes of the joint Gramian of Definition 3.1 where e = 0 (`waypoint_tracks`).  The limits
-(`track_limits`) hold over the whole run (`search`).  For the paper's two laws, which are linear in
+(`Limits`) hold over the whole run (`search`).  For the paper's two laws, which are linear in
 e and eta, the search maximises what V falls by over the window; for another law kappa_1.  Its best
 tracks and the scenario's own are then run with the law, and the one on which it learns soonest is
 taken.  The other numbers of both tracks come from `gramian` and `simulate` of the two scenarios
@@ -10,7 +10,7 @@ with their own law.
 
 learning time   the first time from which on every flow parameter is within a level of theta
 
-Two tracks side by side, and what is learned on each.
+The picture has the two tracks side by side, and what is learned on each.
 """
 
 from collections.abc import Callable
