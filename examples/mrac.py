@@ -63,13 +63,15 @@ def loop(gain=1.0):
     )
 
 
+def V(s):
+    """V = e^2/2 + b/(2 gamma) ((k_r - 2/b)^2 + (k_y - (2 - a)/b)^2)."""
+    off = (s.adaptation_k_r - 2 / s.b) ** 2 + (s.adaptation_k_y - (2 - s.a) / s.b) ** 2
+    return s.e**2 / 2 + s.b / (2 * s.gain) * off
+
+
 @plt.style.context("clpt_control.data.house")
 def main(path="mrac.png"):
     """Prove, run for each gain, print, draw."""
-    equations = clpt.diagrams.equations(loop())
-    names = ("e", "a", "b", "gain", "adaptation.k_r", "adaptation.k_y")
-    e, a, b, gain, k_r, k_y = (equations[name] for name in names)
-    V = e**2 / 2 + b / (2 * gain) * ((k_r - 2 / b) ** 2 + (k_y - (2 - a) / b) ** 2)
     judged = clpt.theory.lyapunov(loop(), V)
     print(f"V' = {judged.rate}: {judged.status}")
     r = np.sign(np.sin(2 * np.pi * TIMES / 40) + 1e-9)

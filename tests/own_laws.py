@@ -5,6 +5,7 @@ u = e[2], phi_x[N], z[2], zc[2]; states alpha[2N], K[2], Gamma[2], section III.
 
 import numpy as np
 
+from clpt_control.blocks.clpe import clpe
 from clpt_control.equations import Block, lookup
 
 N = 2
@@ -216,10 +217,10 @@ RIGHT = {  # name -> (law, whether for every N too)
         True,
     ),
     "three gains": (changed(three, {"gains": [0.5, 0.2, 0.7]}), True),
-    "a gain each": (changed(each, {"gains": [0.5, 2.0]}, **EACH), False),
+    "a gain each": (changed(each, {"gains": [0.5, 2.0]}, **EACH), True),
     "one list of gains for functions and for axes": (
         changed(each_axis, {"gains": [1.0, 2.0], "axes": [1.0, 2.0]}, **EACH),
-        False,
+        True,
     ),
     "x - z and exp(c)": (
         driven(lambda t, x, u, p: np.exp(p.c) * (u.x - u.z), {"c": 0.3}, more={"x": 2}),
@@ -310,6 +311,7 @@ TOO_MUCH = {  # -> what is said
         driven(lambda t, x, u, p: u.e * np.random.default_rng().random()),
         "^own.update: .* draws by chance",
     ),
+    "no law": (clpe, r"makes alpha\[2N\], K\[2\] and Gamma\[2\]"),
     "one z": (lambda: law(of_other_ports, GAIN, {"zc": 3, "z": 1}), "'zc?' has 2 signals"),
     "no name": (lambda: Block("", update=memory, states=MORE), "must not be empty"),
     "a port with a dot": (driven(lambda t, x, u, p: u.e, more={"a.b": 1}), "'a.b' of a block"),

@@ -148,7 +148,6 @@ DESIGNED = {  # what of a track is said, by key
     "positions": "x1 from, to; x2 from, to ({length})",
     "learning_time": "time until no flow parameter is off by {level:.3g} {length}/{time} ({time})",
     "error_at_end": "largest flow-parameter error at the end ({length}/{time})",
-    "explained_variance": "share of the flow's variance learned, along the track, over box",
     "clpe_rms_last_quarter": "CLPE rms, last quarter ({length})",
     "waypoints": "waypoints ({length})",
 }
@@ -157,11 +156,11 @@ DESIGNED = {  # what of a track is said, by key
 def _result(report: Report) -> Result:
     """Return the old track beside the new one."""
     units, tracks = report["units"], (report["before"], report["after"])
-    words = {**units, "law": report["law"], "level": tracks[1].get("level")}
+    words = {**units, "law": report["law"], "level": tracks[1]["level"]}
     rows = [
         [name.format(**words), *(_cell(key, track[key]) for track in tracks)]
         for key, name in DESIGNED.items()
-        if key in tracks[1] and (key != "ceiling" or tracks[1][key] is not None)
+        if key != "ceiling" or tracks[1][key] is not None
     ]
     title = (
         f"Smallest eigenvalue of the joint Gramian over {report['start']:g} to "

@@ -1,11 +1,10 @@
 from .counterexamples import disturbance_counterexample, printed_bound
-from .designing.design import design_track
-from .designing.plot import design_plot
+from .designing.design import design_plot, design_track
 from .excitation.certificates import certificate, ultimate_bound
 from .excitation.certify import certify
-from .excitation.error_matrices import error_matrices
 from .excitation.excitation_report import excitation_plot
 from .excitation.gramian import gramian, started_true
+from .excitation.regressor import error_matrices
 from .lyapunov_function import lyapunov
 from .proving.misprints import misprints
 from .proving.own_law import prove

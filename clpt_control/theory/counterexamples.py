@@ -44,8 +44,8 @@ from ..scenario.experiment import Scenario
 from ..scenario.file import paper_scenario
 from ..simulation.flows import flow_velocity
 from ..simulation.integrate import sample_times, simulate
-from .excitation.error_matrices import error_matrices
 from .excitation.gramian import started_true
+from .excitation.regressor import error_matrices
 
 if TYPE_CHECKING:
     import xarray

@@ -107,8 +107,6 @@ class SystemWithV:
         names = {str(s): s for s in self.states}
         check_holds("at", names, at, f"states are {', '.join(names)}")
         for name, value in at.items():
-            if not np.isfinite(float(value)):
-                raise DiagramError(f"at: {name} = {value}: must be finite")
             turns = rational(float(value) / pi)
             found[names[name]] = (
                 rational(float(value)) if turns.q > MOST_TURNS else turns * sympy.pi

@@ -12,7 +12,7 @@ from analysis.mean_square import mean_square_bound, mean_square_sides
 from analysis.worst_disturbance import influences, peak_gains, regressor_matrices, worst_disturbance
 from clpt_control.gliders import read_dives, usable
 from clpt_control.theory.counterexamples import exact_run, scalar_matrix, with_square_wave
-from clpt_control.theory.excitation.error_matrices import error_matrices
+from clpt_control.theory.excitation.regressor import error_matrices
 
 
 def test_peak_gain_in_closed_form():

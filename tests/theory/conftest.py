@@ -20,7 +20,6 @@ def true_paper(paper):
 def few_calls(monkeypatch):
     """Most points are asked of the blocks' records; python-control takes longest for a point."""
     monkeypatch.setattr(running_rate, "THROUGH_CONTROL", 5)
-    monkeypatch.setattr(running_rate, "CALLED", 1)
 
 
 @pytest.fixture

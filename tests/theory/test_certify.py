@@ -7,7 +7,7 @@ import pytest
 
 import clpt_control as clpt
 from clpt_control.theory.excitation.certify import after_window, certify, least_error, settled
-from clpt_control.theory.excitation.error_matrices import error_matrices
+from clpt_control.theory.excitation.regressor import error_matrices
 
 PAPER = clpt.paper_scenario().with_values({"run.duration": 400})
 
@@ -168,7 +168,9 @@ def test_what_is_not_certified_is_said(values, said):
 
 
 def test_the_radius_is_that_of_the_scenarios_own_start():
-    assert certify(PAPER).radius == pytest.approx(4.63125)
+    found = certify(PAPER)
+    assert found.radius == pytest.approx(4.63125)
+    assert json.loads(json.dumps(found.report(), allow_nan=False))["V"] == found.V.tolist()
 
 
 def test_numbers_that_are_none_are_refused():
@@ -178,8 +180,3 @@ def test_numbers_that_are_none_are_refused():
     for radius, error in ((1.0, 1e308), (1e308, None)):
         with pytest.raises(clpt.ScenarioError, match=r"must be at most 1e\+12"):
             certify(PAPER, radius, error=error)
-
-
-def test_the_bounds_are_ready_for_json():
-    found = certify(PAPER, 0.05)
-    assert json.loads(json.dumps(found.report(), allow_nan=False))["V"] == found.V.tolist()

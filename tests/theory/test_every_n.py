@@ -196,13 +196,6 @@ def test_a_signal_that_is_not_fed_function_by_function_is_refused():
     assert len(symbolic_loop(diagram).rates["s"]) == 1
 
 
-def test_a_number_that_is_called_as_an_index_stays_what_it_is():
-    elements, u = reader(a=("N",), s0=(), k1=())
-    found = elements.of(np.sum(u["a"] * np.exp(u["s0"] * u["a"])) * u["k1"])
-    assert {str(s) for s in found.free_symbols} >= {"s0", "k1"}
-    assert elements.of(np.sum(np.exp(u["s0"] * u["a"]) - np.exp(u["k1"] * u["a"]))) != 0
-
-
 def test_jumps_have_no_slope_where_V_shall_fall():
     elements, u = reader(a=(2,))
     smooth = Direction(elements.tape, {u["a"]._ref: u["a"]}, smooth=True)

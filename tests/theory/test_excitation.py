@@ -1,7 +1,6 @@
 """Excitation: the paper's numbers, named parameters, recorded runs, closed forms."""
 
 import json
-import re
 
 import numpy as np
 import pytest
@@ -244,25 +243,6 @@ def test_the_command_prints_the_report(clpt, tmp_path, true_paper):
     np.testing.assert_allclose(smallest, KERNELS["exponential"], rtol=5e-5)
     assert list(printed["least_excited"]["x1"]) == parameter_names(3)["x1"]
     assert inked(tmp_path / "true.png") > 0.01
-
-
-def test_of_many_eigenvalues_the_command_shows_some(clpt, tmp_path, paper):
-    N = 20
-    places = 0.1 * np.arange(2 * N).reshape(N, 2)
-    scenario = paper.with_values(
-        {
-            "basis": {"kernel": "exponential", "centers": places, "widths": [5.0] * N}
-            | {"periods": 10.0 + np.arange(N), "phases": [0.0] * N},
-            "flow.parameters": 0.01 * np.ones((2, N)),
-            "model.parameters": np.zeros((2, N)),
-            "learning.parameters": np.zeros((2, N)),
-            "run.duration": 20,
-        }
-    )
-    clpt_package.save_scenario(scenario, tmp_path / "many.toml")
-    outcome = clpt("excitation", tmp_path / "many.toml", "--window", "20")
-    assert outcome.status == 0
-    assert re.search(r"\d+ of 22", outcome.out)
 
 
 def test_the_eigenvalue_has_a_ceiling_that_is_how_far_the_vehicle_moves(paper, true_paper):

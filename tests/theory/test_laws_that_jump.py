@@ -11,8 +11,8 @@ import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.equations import Block
 from clpt_control.errors import DiagramError
-from clpt_control.theory.proving import fixes
-from clpt_control.theory.proving.fixes import ARRIVE, AtFixes, fix_steps
+from clpt_control.theory.proving import invariants
+from clpt_control.theory.proving.invariants import ARRIVE, AtFixes, fix_steps
 from clpt_control.theory.proving.own_law import prove
 from clpt_control.theory.proving.symbolic_loop import ArrayLoop, symbolic_loop
 from clpt_control.theory.proving.theorem_loop import AT_FIXES, theorem_loop
@@ -96,10 +96,7 @@ WRONG = {
         "alpha": np.where(np.abs(x.K[0]) > 1.0, x.alpha, -3.0 * x.alpha)
     },
     "K turned where large": lambda x, u: {"K": np.where(x.K > 3, -x.K, x.K)},
-    "twice alpha": lambda x, u: {"alpha": 2 * x.alpha},
     "axes of alpha swapped": lambda x, u: {"alpha": x.alpha[::-1]},
-    "axes of K swapped": lambda x, u: {"K": x.K[::-1]},
-    "1 more": lambda x, u: {"K": x.K + 1},
     "0.1 more": lambda x, u: {"K": x.K + 0.1},
     "by e": lambda x, u: {"Gamma": x.Gamma + u.e},
 }
@@ -136,7 +133,7 @@ def test_a_fix_that_is_not_exact_is_not_what_is_shown():
 
 
 def test_a_law_that_forgets_the_integral_is_refuted(monkeypatch):
-    monkeypatch.setattr(fixes, "MOVING", ("x", "z"))
+    monkeypatch.setattr(invariants, "MOVING", ("x", "z"))
     assert not fix_steps(LAW, 10)[0].holds
 
 

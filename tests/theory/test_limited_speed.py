@@ -10,8 +10,8 @@ from clpt_control.diagrams.interconnection import connect
 from clpt_control.errors import ScenarioError
 from clpt_control.simulation.loops import paper_blocks
 from clpt_control.theory.promises import truth_of
-from clpt_control.theory.proving import limited_speed
-from clpt_control.theory.proving.limited_speed import LIMITED_SPEED
+from clpt_control.theory.proving import all_proofs
+from clpt_control.theory.proving.all_proofs import LIMITED_SPEED
 from clpt_control.theory.proving.proof import proof_or_failure
 from clpt_control.theory.proving.running_rate import Running
 
@@ -20,7 +20,7 @@ PAPER = clpt.paper_scenario()
 
 @pytest.fixture(autouse=True)
 def few_points(monkeypatch):
-    monkeypatch.setattr(limited_speed, "POINTS", 200)
+    monkeypatch.setattr(all_proofs, "POINTS", 200)
 
 
 def rates_of_V(scenario):

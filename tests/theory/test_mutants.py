@@ -14,13 +14,7 @@ from package_blocks import BLOCKS
 from source_checks import CHECKS
 
 from clpt_control.blocks.laws.table import LAWS
-from clpt_control.theory.proving import (
-    all_proofs,
-    invariant_loop,
-    limited_speed,
-    theorem_loop,
-    theorems,
-)
+from clpt_control.theory.proving import all_proofs, invariant_loop, theorem_loop, theorems
 from clpt_control.theory.proving.misprints import misprints
 from clpt_control.theory.proving.proof import proof_or_failure
 from clpt_control.theory.proving.theorems import THEOREMS, audit
@@ -111,7 +105,7 @@ def caught_by(function, which, first):
         for misprint in misprints():
             if not misprint.confirmed:
                 return f"misprint {misprint.equation}"
-        for name, proof in limited_speed.LIMITED_SPEED.items():
+        for name, proof in all_proofs.LIMITED_SPEED.items():
             for step in proof_or_failure("failed", proof).failed:
                 return f"{name}: {step.claim}"
     return None
@@ -140,7 +134,6 @@ def few_points(monkeypatch):
     monkeypatch.setattr(theorems, "POINTS", 100)
     monkeypatch.setattr(theorems, "FEWER", 100)
     monkeypatch.setattr(all_proofs, "POINTS", 100)
-    monkeypatch.setattr(limited_speed, "POINTS", 100)
     monkeypatch.setattr(invariant_loop, "SIZES", (1, 2))  # `clpt prove` asks all three
 
 

@@ -164,13 +164,6 @@ def test_a_law_that_breaks_its_promise_is_found_out(name, monkeypatch):
     assert found.broken in promises_in_words(LAWS[name]).values()
 
 
-@pytest.mark.slow
-def test_the_same_seed_finds_the_same(monkeypatch):
-    monkeypatch.setitem(LAWS, "drem", LAWS["drem"]._replace(promises=ANYWHERE))
-    one, two = (refute("drem", budget=LONG, seed=3) for _ in range(2))
-    assert (one.runs, one.scenario) == (two.runs, two.scenario)
-
-
 @pytest.mark.parametrize(("law", "budget"), [("no-law", 1.0), ("sigma", 0.0), ("sigma", np.inf)])
 def test_what_cannot_be_searched_is_refused(law, budget):
     with pytest.raises(ClptError, match=r"law: 'no-law'|budget"):

@@ -181,15 +181,3 @@ def test_a_zone_that_V_does_not_share_is_not_bounded():
     own = law_of("dead-zone")
     own.parameters = own.parameters._replace(zone=0.3)
     assert prove(own, candidate_of("dead-zone"), points=100).status == "open"
-
-
-def test_nothing_points_out_of_the_ball():
-    """s^T s' <= 0 on and beyond the sphere of radius R, whatever drives e."""
-    own, random = law_of("projection", 2, 5.0), np.random.default_rng(3)
-    for first, last, R in ((0, 4, 2.2), (4, 6, 3.3), (6, 8, 3.3)):
-        for _ in range(200):
-            state = random.normal(size=8)
-            s = state[first:last]
-            s *= R * random.uniform(1.0, 3.0) / np.linalg.norm(s)
-            rate = own.dynamics(0.0, state, random.normal(size=8) * 10)
-            assert s @ rate[first:last] <= 1e-10

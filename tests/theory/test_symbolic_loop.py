@@ -1,6 +1,5 @@
 """A diagram on symbols: as its numbers, for its own N; what vanishes does, misuse is refused."""
 
-import control
 import numpy as np
 import pytest
 import sympy
@@ -10,9 +9,9 @@ from lyapunov_systems import system
 
 import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS
-from clpt_control.theory.proving.running_rate import PointSearch, slopes_of
+from clpt_control.theory.proving.running_rate import PointSearch
 from clpt_control.theory.proving.signs import vanishes
-from clpt_control.theory.proving.symbolic_loop import Numbers, symbolic_loop
+from clpt_control.theory.proving.symbolic_loop import symbolic_loop
 from clpt_control.theory.proving.theorem_loop import law_and_V, law_loop, theorem_loop
 
 
@@ -24,12 +23,9 @@ def test_slopes_of_V_are_those_of_the_running_blocks(law):
     diagram = law_loop(law, *law_and_V(law, 2))
     loop = symbolic_loop(diagram, jumps=True)
     search = PointSearch(diagram, loop, loop.signals["V"][0], "V[0]", {}, 0)
-    values = search.parameters((), {})
-    search.blocks.set(search.call_time(values))
     x, along = search.random.standard_normal((2, 20, diagram.nstates))
     t, u, h = np.zeros(20), search.random.standard_normal((20, diagram.ninputs)), 1e-5
-    known = values | search.known(t, x.T, u.T)
-    slopes = Numbers(*slopes_of(search.V, search.states)[1:]).at(known, 20)
+    slopes = search.slopes.at(search.known(t, x.T, u.T), 20)[1:]
     ahead, behind = (search.blocks.by_control(t, x + way * h * along, u)[1] for way in (1, -1))
     wanted, size = np.sum(slopes * along.T, axis=0), np.sum(np.abs(slopes * along.T), axis=0)
     assert np.all(np.abs((ahead - behind) / (2 * h) - wanted) < 1e-6 * size)
@@ -42,27 +38,7 @@ def test_points_at_which_numbers_say_nothing_show_nothing(far, told):
     eq = clpt.equations(block)
     (x,) = eq.motion
     search = PointSearch(block, eq, x**2 / 2, "", {}, 0)
-    draws = [({}, {x: at[:, 0]}, np.zeros(10), at, np.zeros((10, 0)))]
-    assert search.compare(draws, 10, {})[0] == told
-
-
-def test_a_linear_part_is_wired_by_its_own_labels():
-    plant = control.tf(1, [1, 0], inputs="e", outputs="v", name="plant")
-    twice = clpt.Block(
-        "twice", output=lambda t, x, u, p: 2 * u.v, inputs={"v": 1}, outputs={"w": 1}
-    )
-    loop = symbolic_loop(clpt.connect([plant, twice], external="e"))
-    ((x, rate),) = loop.motion.items()
-    p = loop.parameters["plant"]
-    assert loop.signals["w"] == [2 * p.C[0, 0] * x]
-    assert rate == p.B[0, 0] * loop.inputs["e"][0]
-
-
-def test_python_controls_own_systems_are_read():
-    plant = control.nlsys(lambda t, x, u, params: -(x**3), inputs=1, states=1, name="plant")
-    loop = symbolic_loop(control.interconnect([plant], inplist=["plant.u[0]"], outlist=["plant"]))
-    ((x, rate),) = loop.motion.items()
-    assert rate == -(x**3)
+    assert search.compare((np.zeros(10), at.T, np.zeros((0, 10))), 10)[0] == told
 
 
 def test_two_values_of_one_name_are_two_symbols():

@@ -49,10 +49,6 @@ def test_what_is_found_of_a_theorem(proofs, number):
     assert not theorem("", (), (*proof.steps, one), "").for_every_N
 
 
-def test_proofs_are_short(proofs):
-    assert sum(len(proof.steps) for proof in proofs.values()) <= 32
-
-
 @pytest.mark.parametrize("number", range(len(misprints())))
 def test_a_misprint_fails_as_printed_and_passes_corrected(number):
     misprint = misprints()[number]

@@ -23,8 +23,7 @@ import numpy as np
 from ...errors import ScenarioError
 from ...progress.interrupt import check
 from ...scenario.experiment import Scenario
-from .track_limits import MARGIN, Limits, shortened
-from .waypoint_tracks import Tracks
+from .waypoint_tracks import MARGIN, Limits, Tracks, shortened
 
 BEYOND = 1e4  # cost of a limit that is not kept, more than -log of any eigenvalue
 LEAST = 1e-300

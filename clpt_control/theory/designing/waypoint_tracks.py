@@ -10,6 +10,12 @@ W of Eq. (31) holds z, which depends on the law.  Every law that works ends at e
 depends on the vehicle alone; so the vehicle's own blocks are run, without the learner, and
 without disturbance and noise of the position, which nobody knows beforehand.  Tracks are members
 of one compiled diagram: only the waypoints in its parameters differ.
+
+The limits of a design: closed length, speed through the water, area.
+
+length   sum_j |w_{j+1} - w_j| once around, at most; longer polygons shrink about their middle
+speed    |v_x| of Eq. (7), at most, at all times of the run
+area     a box that waypoints and vehicle stay in, at all times of the run
 """
 
 from typing import Any, NamedTuple
@@ -19,6 +25,7 @@ import numpy as np
 from ...blocks.laws.law import LEARNED
 from ...diagrams.interconnection import wiring_of_blocks
 from ...equations.at_many import evaluate
+from ...errors import ScenarioError
 from ...native.batch import Batch
 from ...native.machine import LANES
 from ...native.native_diagram import NativeDiagram
@@ -39,7 +46,6 @@ class Extremes(NamedTuple):
     speed: np.ndarray  # (m, pieces), largest |v_x|, length per time; NaN where it is not asked
     low: np.ndarray  # (m, pieces, 2), of the vehicle's positions, length
     high: np.ndarray  # (m, pieces, 2)
-    share: np.ndarray  # (m,), of the time that was reached
 
 
 class Tracks:
@@ -98,10 +104,9 @@ class Tracks:
         batch.adaptive(self.rtol, ATOL * self.rtol)
         x = batch.out[:, self.place]
         nodes, looks = np.split(x[:, 1:-1], [self.nodes.size], axis=1)
-        share = self.times[np.clip(batch.reached - 1, 0, None)] / self.end
         return (
             self._least(nodes.reshape(m, *self.nodes.shape, 2), points),
-            self._extremes(looks.reshape(m, *self.looks.shape, 2), points, share),
+            self._extremes(looks.reshape(m, *self.looks.shape, 2), points),
         )
 
     def _parameters(self, points: np.ndarray) -> np.ndarray:
@@ -125,7 +130,7 @@ class Tracks:
             sizes = worst_drop(w, k[:, None], self.gains, self.weights)
         return np.where(np.isfinite(x).all(axis=(1, 2, 3)), sizes, 0.0)
 
-    def _extremes(self, x: np.ndarray, points: np.ndarray, share: np.ndarray) -> Extremes:
+    def _extremes(self, x: np.ndarray, points: np.ndarray) -> Extremes:
         speed = np.full(x.shape[:-1], np.nan)
         if self.speeds:
             zc = np.broadcast_to(points[:, self.waypoint_of_look, None], x.shape)
@@ -137,7 +142,7 @@ class Tracks:
                     (made,) = block.output_ports
                     ports[made] = evaluate(block, times, np.concatenate(inputs, axis=1))
             speed = np.hypot(*ports["v_x"].T).reshape(x.shape[:-1])
-        return Extremes(speed.max(axis=2), x.min(axis=2), x.max(axis=2), share)
+        return Extremes(speed.max(axis=2), x.min(axis=2), x.max(axis=2))
 
 
 def with_waypoints(scenario: Scenario, points: np.ndarray) -> Scenario:
@@ -155,3 +160,72 @@ def vehicle_alone(scenario: Scenario) -> Scenario:
     learner = {"law": "learned-flow", "gain": 1.0}
     calm = {"flow.disturbance": None, "localization": None, "learning": learner}
     return with_waypoints(scenario.with_values(calm), scenario.waypoints)
+
+
+MARGIN = 1e-3  # of a limit, kept free between the times at which it is looked at
+WIDER = 0.01  # than what the scenario's own track fills, where no area is given
+Box = tuple[float, float, float, float]
+
+
+class Limits(NamedTuple):
+    """What a track must keep to."""
+
+    length: float
+    max_speed: float | None  # None: any
+    low: np.ndarray  # (2,), corners of the area
+    high: np.ndarray
+
+    def tighter(self, part: float) -> "Limits":
+        """Return limits for speed and path that leave a part of each free."""
+        more = part * (self.high - self.low)
+        speed = None if self.max_speed is None else (1 - part) * self.max_speed
+        return Limits(self.length, speed, self.low + more, self.high - more)
+
+    def excess(self, extremes: Extremes) -> np.ndarray:
+        """Return how far tracks go beyond, as a share of the limit; 0 where they keep to it.
+
+        A run that failed counts 1.
+        """
+        found = np.maximum(-self.slack(extremes).min(axis=0), 0.0)
+        return np.where(np.isfinite(found), found, 1.0)
+
+    def slack(self, extremes: Extremes) -> np.ndarray:
+        """Return how far tracks stay within, piece by piece, shares of the limits, (k, m)."""
+        size = self.high - self.low
+        rows = [(extremes.low - self.low) / size, (self.high - extremes.high) / size]
+        if self.max_speed is not None:
+            rows.append(1 - extremes.speed[..., None] / self.max_speed)
+        return np.concatenate([row.reshape(len(row), -1) for row in rows], axis=1).T
+
+
+def closed_length(points: np.ndarray) -> np.ndarray:
+    """Return the length of closed polygons, (..., n, 2) -> (...)."""
+    return np.linalg.norm(np.roll(points, -1, axis=-2) - points, axis=-1).sum(axis=-1)
+
+
+def shortened(points: np.ndarray, length: float) -> np.ndarray:
+    """Return closed polygons; those longer than `length` are shrunk about their middle."""
+    middle = points.mean(axis=-2, keepdims=True)
+    share = np.minimum(1.0, length / np.maximum(closed_length(points), 1e-300))
+    share = np.where(share < 1, share * (1 - 1e-13), 1.0)[..., None, None]
+    return middle + share * (points - middle)
+
+
+def corners(
+    scenario: Scenario, area: Box | None, extremes: Extremes
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the corners of an area; by default what the track fills and more."""
+    if area is not None:
+        low, high = np.reshape(area, (2, 2)).T
+        place = np.array(scenario.vehicle.position)
+        if not (np.all(low < high) and np.all((low <= place) & (place <= high))):
+            raise ScenarioError(
+                f"area = {area}: must be x1 from and to, x2 from and to, {scenario.units.length}, "
+                "each pair increasing, with vehicle.position in it"
+            )
+        return low, high
+    points = scenario.waypoints
+    low = np.minimum(points.min(axis=0), extremes.low[0].min(axis=0))
+    high = np.maximum(points.max(axis=0), extremes.high[0].max(axis=0))
+    more = WIDER * np.maximum(high - low, 1e-9 + 1e-9 * np.abs(high))
+    return low - more, high + more

@@ -22,16 +22,25 @@ From the drop of V over a window follow bounds under a disturbance, and times:
 The first holds because v = sqrt(2 V) obeys v' <= |Delta| beside the linear
 part: from window to window v <= sqrt(1 - rho) v + T Dmax, and within a window v
 grows by T Dmax at most.  It asks that w does not depend on Delta.
+
+Phi is found by collocation at the Gauss-Legendre nodes of each piece of length h, the implicit
+Runge-Kutta method of order 2 NODES.  Within a piece eta moves along the w at the nodes, the rows of
+W, so that only e at the nodes, E, is to be solved for; with G = W W^T and the method's a, b,
+entries of a and G multiplied one by one in a*G,
+
+    (I + h k a + gamma h^2 a (a*G)) E = e + h a W eta
+    e   -> e + h b (W eta - k E - gamma h (a*G) E)
+    eta -> eta - gamma h sum_j b_j w_j E_j
 """
 
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 
 from ...arguments import public
 from ...errors import ScenarioError
 from ...scenario.experiment import Scenario
-from .error_matrices import propagate
 from .regressor import Regressor, Source, joint_regressor
 
 TURN = 10.0  # radians that e and eta may turn within a piece
@@ -110,6 +119,42 @@ def finely(w: np.ndarray, weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     between = basis(fine, nodes - 1) @ np.linalg.inv(basis(node, nodes - 1))
     w = (between @ w[..., None, :, :]).reshape(*w.shape[:-3], pieces * parts, nodes, w.shape[-1])
     return w, np.repeat(weights / parts, parts, axis=0)
+
+
+@cache
+def collocation(nodes: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return the Gauss method's a (nodes, nodes) and b (nodes,) on a step of length 1."""
+    legendre = np.polynomial.legendre
+    c, weight = legendre.leggauss(nodes)
+    integrals = legendre.legval(c, legendre.legint(np.eye(nodes), lbnd=-1))  # of P_j to each node
+    a = integrals.T @ np.linalg.inv(legendre.legvander(c, nodes - 1))
+    return a / 2, weight / 2
+
+
+def propagate(
+    w: np.ndarray, k: np.ndarray, gain: float, lengths: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the row of e in Phi at the nodes, (..., pieces, nodes, n + 1), and Phi at the end.
+
+    w (..., pieces, nodes, n) stands at the Gauss-Legendre nodes of pieces with these lengths
+    (pieces,), k (...) is the feedback gain; Phi = I at the start.
+    """
+    *batch, pieces, nodes, n = w.shape
+    a, b = collocation(nodes)
+    k = np.asarray(k)[..., None, None]
+    rows = np.empty((*batch, pieces, nodes, n + 1))
+    end = np.broadcast_to(np.eye(n + 1), (*batch, n + 1, n + 1)).copy()
+    e, eta = end[..., :1, :], end[..., 1:, :]
+    for piece in range(pieces):
+        h, W = lengths[piece], w[..., piece, :, :]
+        Wt = np.swapaxes(W, -1, -2)
+        fed_back, pushed = gain * h * a * (W @ Wt), W @ eta
+        system = np.eye(nodes) + h * a @ (k * np.eye(nodes) + fed_back)
+        E = np.linalg.solve(system, e + h * a @ pushed)
+        e += h * b[None] @ (pushed - k * E - fed_back @ E)
+        eta -= gain * h * (Wt * b) @ E
+        rows[..., piece, :, :] = E
+    return rows, end
 
 
 def worst_drop(w: np.ndarray, k: np.ndarray, gains: np.ndarray, weights: np.ndarray) -> np.ndarray:

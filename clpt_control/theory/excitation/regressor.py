@@ -1,6 +1,11 @@
 """The joint regressor along a trajectory, Eq. (31), at the nodes of a quadrature.
 
-    w = [phi(x), z_i, zc_i],    axis i = 1, 2                     Eq. (31)
+    w = [phi(x), z_i, zc_i],    axis i = 1, 2                                Eq. (31)
+    [e_i, eta_i]' = A_i(t) [e_i, eta_i],    A_i = [[-k, w^T], [-gamma w, 0]],    k = KD_i
+    eta_i = [theta_i + alpha_i, K_i - KD_i, GammaD_i - Gamma_i]              Eq. (28)
+
+The latter is what the blocks `error_system` and `parameter_system` are, whose two axes do not meet;
+a test asks that.
 
 A scenario is simulated to the very nodes; a recorded run is read between its samples.  Between two
 switches of the waypoint a spline of degree 5 joins the samples of a position: it is
@@ -18,15 +23,15 @@ from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
 
+from ...arguments import numbers, public
 from ...equations.at_many import evaluate
 from ...equations.declaration import multiples
-from ...errors import DataError, ScenarioError
+from ...errors import ArgumentError, DataError, ScenarioError
 from ...scenario.experiment import Scenario
 from ...scenario.file import CHANGED, OWN_LAW, OWN_PARTS
 from ...scenario.recorded_run import check_run, unknown_parts
 from ...scenario.team import Team, system_of_run
 from ...simulation.integrate import simulate
-from .error_matrices import regressors
 
 if TYPE_CHECKING:
     import xarray
@@ -255,6 +260,59 @@ def _along(
         w = w_along(scenario, at, x, z, np.broadcast_to(zc[:, None], z.shape))
         found[name] = Regressor(scenario, trajectory, cuts, weights, w, parts)
     return found
+
+
+@public
+def error_matrices(
+    phi: np.ndarray, z: np.ndarray, zc: np.ndarray, KD: np.ndarray, gain: float
+) -> np.ndarray:
+    """Return A(t) of Eq. (28), axis by axis.
+
+    Parameters
+    ----------
+    phi : ndarray, shape (..., N)
+        Basis functions at the vehicle.
+    z, zc : ndarray, shape (..., 2)
+        Predicted and desired position, length.
+    KD : array_like, shape (2,)
+        Feedback gains, per time.
+    gain : float
+        Adaptation gain gamma; 0 leaves the parameters at rest.
+
+    Returns
+    -------
+    ndarray, shape (2, ..., N + 3, N + 3)
+        Axis first; the states are e_i and that axis's N + 2 of eta.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> phi, z, zc = np.array([0.5]), np.array([2, 2]), np.array([3, 3])
+    >>> clpt.theory.error_matrices(phi, z, zc, [1, 1], 2.0)[0]
+    array([[-1. ,  0.5,  2. ,  3. ],
+           [-1. ,  0. ,  0. ,  0. ],
+           [-4. ,  0. ,  0. ,  0. ],
+           [-6. ,  0. ,  0. ,  0. ]])
+    """
+    phi, KD = numbers("phi", phi, None), numbers("KD", KD, 2)
+    z, zc = numbers("z", z, 2), numbers("zc", zc, 2)
+    N, shape = phi.shape[-1], phi.shape[:-1]
+    for name, value in (("z", z), ("zc", zc)):
+        if value.shape[:-1] != shape:
+            raise ArgumentError(
+                f"{name}: has shape {value.shape}; must be {(*shape, 2)}, as phi is"
+            )
+    w = regressors(phi, z, zc)
+    A = np.zeros((*w.shape[:-1], N + 3, N + 3))
+    A[..., 0, 0] = -KD.reshape(2, *[1] * len(shape))
+    A[..., 0, 1:] = w
+    A[..., 1:, 0] = -gain * w
+    return A + 0.0  # without -0
+
+
+def regressors(phi: np.ndarray, z: np.ndarray, zc: np.ndarray) -> np.ndarray:
+    """Return w of Eq. (31), axis first, (2, ..., N + 2)."""
+    return np.stack([np.concatenate([phi, z[..., [i]], zc[..., [i]]], axis=-1) for i in (0, 1)])
 
 
 def w_along(

@@ -33,7 +33,7 @@ class Case:
     loop: SymbolicLoop
     V: Block
     law: Block
-    tied: dict[Any, sympy.Expr]  # V's symbols -> what they are of the truth's
+    tied: dict[Any, sympy.Expr]  # V's symbols -> what they are of the truth's, or of the law's
     refutes: bool  # whether V' > 0 refutes the law: V was fitted to it
     points: int
     seed: int
@@ -47,7 +47,9 @@ class Case:
         others = (p for name, p in loop.parameters.items() if name not in self.names)
         hidden = {s for p in others for s in flat(p)}
         self.values = {s: v for s, v in loop.values.items() if s not in hidden}
-        self.known = self.values | self.tied
+        self.known = self.values | {s: e.xreplace(self.values) for s, e in self.tied.items()}
+        own = self.values.keys() & {*flat(loop.parameters[self.V.name])}
+        self.of_V = {s: self.values[s] for s in own} | self.tied
         self.moving = {TIME, *loop.motion}
         self.Vs = loop.signals["V"][0].xreplace(self.known)
         self.e = sympy.symbols("e_1:3", real=True)
@@ -162,8 +164,8 @@ class Case:
     def falls(self, residual: sympy.Expr) -> bool:
         """Return whether what V' has beyond its fall is known not to be positive."""
         residual, e = residual.xreplace(self.apart), {*self.e}
-        others = residual.free_symbols - {TIME, *self.loop.states["z"]} - e
-        return never_positive(residual, set(), (others, e, None))
+        others = residual.free_symbols - {TIME, *self.values, *self.loop.states["z"]} - e
+        return never_positive(residual, {*self.values}, (others, e, None))
 
     def across_jumps(self) -> Step:
         """Return the step that V does not rise where states jump, whichever jump at once."""
@@ -215,8 +217,7 @@ class Case:
 
     def running(self) -> Step:
         """Return the step that the running blocks have the same V'."""
-        known: dict[str, Any] = {"seed": self.seed, "tied": self.tied, "fixed": self.names}
-        return running_step(lambda: (self.diagram, self.loop), self.points, **known)
+        return running_step(lambda: (self.diagram, self.loop), self.points, seed=self.seed)
 
     def every(self) -> Step:
         """Return the step that the same holds for every N."""
@@ -232,20 +233,21 @@ class Case:
             )
             if faster := faster_than_linear(moves, states):
                 return False, faster
-            base, term = map(tidied, base_and_term(residual))
-            if self.falls(base) and self.falls(term):
-                return True, ""
+            base, term = parts = [tidied(part) for part in base_and_term(residual)]
+            for at in ({}, self.values):  # for all gains, or those that it has
+                if all(self.falls(part.xreplace(at)) for part in parts):
+                    return True, ""
             return False, f"left over: {short(base)}; summand {short(term)}"
 
         return checked("the same for every N", holds)
 
     def of_every_N(self, symbol: sympy.Expr, index: Index) -> sympy.Expr:
-        """Return a parameter's element for every N: what it is of each function for this N."""
+        """Return a parameter's element for every N: V's are numbers, the law's or the truth's."""
         generic = [one for one in index if isinstance(one, str)]
-        weight = self.known.get(symbol, symbol)
+        weight = self.of_V.get(symbol, symbol)
         if weight == symbol and len(generic) == 1:
             names = [{generic[0]: str(k + 1)} for k in range(self.N)]
-            theirs = [self.known.get(s, s) for s in (reindexed(symbol, name) for name in names)]
+            theirs = [self.of_V.get(s, s) for s in (reindexed(symbol, name) for name in names)]
             for gain in (
                 reindexed(theirs[0], {"1": generic[0]}),
                 theirs[0],

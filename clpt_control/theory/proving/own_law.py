@@ -17,6 +17,7 @@ from typing import Any
 import control
 import numpy as np
 import sympy
+from sympy.core.function import AppliedUndef
 
 from ...arguments import Count, Seed, public
 from ...blocks.laws.law import LEARNED, Law, Truth
@@ -34,16 +35,17 @@ from .invariants import invariant_steps
 from .law_case import Case
 from .proof import first_failure, worked_out
 from .signs import tidied
-from .symbolic_loop import TIME, refuse_no_value, symbolic_loop
+from .symbolic_loop import TIME, flat, refuse_no_value, symbolic_loop
 from .symbols import paper_name
 from .theorem_loop import mixed_candidate, rate_of_V, theorem_loop, theorem_scenario, tied, truth_in
 from .verdict import Verdict, verdict_of
 
 ANY = "clpt.theory.lyapunov(diagram, V) judges a V of your own on any diagram"
 Candidate = Callable[..., Block]  # makes V of the truth
+Gains = Callable[[list], list]  # of V, made of the law's parameters
 
 
-def fitted_V(law: Block, N: int) -> tuple[Candidate, list[sympy.Expr], bool]:
+def fitted_V(law: Block, N: int) -> tuple[Candidate, Gains, bool]:
     """Return what makes V fitted to a law, of the truth, its gains, and whether V' > 0 refutes.
 
     The gains with which a law adapts alpha, K and Gamma are the factors of -e phi, -e z and e zc in
@@ -55,39 +57,47 @@ def fitted_V(law: Block, N: int) -> tuple[Candidate, list[sympy.Expr], bool]:
     loop = symbolic_loop(connect([law], external=list(law.input_ports)), jumps=True)
     refuse_no_value(loop, law.name)
     nothing = np.zeros(2 * N, dtype=object)
-    e, known = np.array([sympy.Function(f"e_{i}", real=True)(TIME) for i in (1, 2)]), loop.values
+    e, apart = np.array([sympy.Function(f"e_{i}", real=True)(TIME) for i in (1, 2)]), {}
     if {"x", "z"} <= set(loop.inputs):  # e may be written x - z
-        known = known | dict(zip(loop.inputs["x"], e + loop.inputs["z"], strict=True))
+        apart = dict(zip(loop.inputs["x"], e + loop.inputs["z"], strict=True))
     with_phi, with_z, with_zc = (loop.inputs.get(u, nothing) for u in ("phi_x", "z", "zc"))
     products = [*np.ravel(np.outer(e, with_phi[:N])), *(e * with_z[:2]), *(-e * with_zc[:2])]
     learned = [m for port in LEARNED for m in np.ravel(loop.signals.get(port, nothing))]
-    rates = [tidied(loop.derivative(sympy.sympify(m)).xreplace(known)) for m in learned]
+    rates = [tidied(loop.derivative(sympy.sympify(m)).xreplace(apart)) for m in learned]
     gains, rests, refutes = list[sympy.Expr](), {}, True
     for state, rate, product in zip(learned, rates, products, strict=True):
-        factor = -_factor(rate, product)
-        refutes &= factor != 0 or rate == 0
-        gains.append(abs(factor) or sympy.S.One)
+        factor = -_factor(rate, product, {*loop.values})
+        number = factor.xreplace(loop.values)
+        refutes &= number != 0 or rate == 0
+        gains.append(factor if number.is_positive else -factor if number else sympy.S.One)
         rests[state] = sympy.expand(rate + factor * product) / gains[-1]
     inverse = None
     if any(rest.has(*e) for rest in rests.values()):
-        M = sympy.Matrix([[-_factor(rate, p) for p in products] for rate in rates])
+        M = [[-_factor(rate, p, {*loop.values}) for p in products] for rate in rates]
+        M = sympy.Matrix(M).xreplace(loop.values)
         if M.is_symmetric() and not M.is_diagonal() and M.is_positive_definite:
             inverse = M.inv()
     inputs = [s for port, symbols in loop.inputs.items() if port != "e" for s in symbols.flat]
     still = {s: sympy.Dummy(real=True) for s in inputs}
     rests = {s: rest.xreplace(still) for s, rest in rests.items() if s.is_Symbol}
     refutes = refutes and len(rests) == len(learned) and inverse is None
-    refutes = refutes and _weighed_by_squares(rests, {*still.values()})
+    refutes = refutes and _weighed_by_squares(rests, {*loop.values, *still.values()})
+    own, weights = flat(loop.parameters[law.name]), gains if inverse is None else [*inverse]
+
+    def of(parameters: list) -> list[sympy.Expr]:
+        names = dict(zip(own, parameters, strict=True))
+        return [weight.xreplace(names) for weight in weights]
+
     if inverse is not None:
-        return partial(mixed_candidate, np.array(inverse, dtype=float)), [*inverse], refutes
-    alpha, (K, Gamma) = np.reshape(gains[:-4], (2, N)), np.reshape(gains[-4:], (2, 2))
+        return partial(mixed_candidate, np.array(inverse, dtype=float)), of, refutes
+    numbers = [float(gain.subs(loop.values)) for gain in gains]
+    alpha, (K, Gamma) = np.reshape(numbers[:-4], (2, N)), np.reshape(numbers[-4:], (2, 2))
     each = {"gain": alpha, "gain_K": K, "gain_Gamma": Gamma}
-    each = {field: own.astype(float) for field, own in each.items()}
 
     def fitted(truth: Truth) -> Block:
         return lyapunov_candidate("learned-flow", weighted([1.0] * 3, *truth)._replace(**each))
 
-    return fitted, gains, refutes
+    return fitted, of, refutes
 
 
 def _weighed_by_squares(rests: dict, known: set) -> bool:
@@ -102,10 +112,11 @@ def _weighed_by_squares(rests: dict, known: set) -> bool:
     return all(sympy.expand(slope - slopes[b, a]) == 0 for (a, b), slope in slopes.items())
 
 
-def _factor(rate: sympy.Expr, product: sympy.Expr) -> sympy.Expr:
-    """Return the number by which a product stands in a rate."""
-    terms = (term / product for term in sympy.Add.make_args(rate))
-    return sympy.Add(*(q for q in terms if q.is_number))
+def _factor(rate: sympy.Expr, product: sympy.Expr, parameters: set) -> sympy.Expr:
+    """Return the factor of a product in a rate, made of parameters alone."""
+    terms = [term / product for term in sympy.Add.make_args(rate)]
+    known = (q for q in terms if not q.atoms(AppliedUndef) and q.free_symbols <= parameters)
+    return sympy.Add(*known)
 
 
 @public
@@ -128,7 +139,7 @@ def prove(
         your own, nor a disturbance, noise, held gains or a limit of the speed without hedging.
     V : callable, optional
         ``V(truth)`` or ``V(truth, parameters)``, which makes a Block with the output V[1] of the
-        truth, theta, KD and GammaD, and of the law's parameters; what it holds of them is their
+        truth, theta, KD and GammaD, and of the law's parameters; what it holds of the truth is its
         symbol. By default Eq. (24), each error weighed by the gain with which the
         law adapts it, or by the inverse of a matrix of gains.
     points : int, optional
@@ -191,11 +202,12 @@ def prove(
     N = functions_of(law_block)
     theorem_loop(N, "learned-flow", law_block=law_block)  # refuses what is no law
     with worked_out(law_block.name):
-        make, gains, refutes = _maker(V, law_block), list[sympy.Expr](), False
-        if V is None and invariants is None:  # one V that does not fall refutes no law
+        if V is None and invariants is None:
             make, gains, refutes = fitted_V(law_block, N)
-        if invariants is None:
             return verdict_of(_case(law_block, make, gains, N, refutes, points, seed))
+        make = _maker(V, law_block)
+        if invariants is None:  # one V that does not fall refutes no law
+            return verdict_of(_case(law_block, make, None, N, False, points, seed))
         if V is None:
             raise DiagramError(f"{law_block.name}: a law whose states keep relations needs its V")
         part = {"invariants": invariants, "semidefinite": semidefinite, "losses": losses}
@@ -228,17 +240,17 @@ def _beside(scenario: Scenario) -> str:
     return next((what for what, has in adds.items() if has), "")
 
 
-def _case(law: Block, make: Candidate, gains: list, N: int, *more: Any) -> Case:
+def _case(law: Block, make: Candidate, gains: Gains | None, N: int, *more: Any) -> Case:
     true = truth_of(theorem_scenario(N, "learned-flow"))
     candidate = make(true)
     diagram = theorem_loop(N, "learned-flow", law_block=law, candidate=candidate)
     loop = symbolic_loop(diagram, jumps=True)
     known = tied(loop, candidate, make, (true, truth_in(loop)))
-    if gains:  # as they are, not rounded
+    if gains is not None:
         p = loop.parameters[candidate.name]
         fields = ("inverse",) if "inverse" in p._fields else ("gain", "gain_K", "gain_Gamma")
         theirs = [s for field in fields for s in np.ravel(getattr(p, field))]
-        known |= zip(theirs, gains, strict=True)
+        known |= zip(theirs, gains(flat(loop.parameters[law.name])), strict=True)
     return Case(diagram, loop, candidate, law, known, *more)
 
 

@@ -13,7 +13,7 @@ A point at which V fails is drawn about a rest, or the truth, and drawn again be
 them.  Whatever an expression says, V' there is that along the rates of the running blocks.
 """
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
 from typing import Any
 
@@ -21,7 +21,6 @@ import control
 import numpy as np
 import sympy
 
-from ...diagrams.interconnection import changed_parameters
 from ...diagrams.on_symbols import Equations
 from ...diagrams.symbol_names import TIME
 from ...diagrams.wiring import wiring_of
@@ -30,14 +29,14 @@ from ...errors import DiagramError
 from ...native.sweep import Sweep
 from ...progress.interrupt import check
 from .proof import Step, checked
-from .symbolic_loop import Numbers, Point, flat
+from .symbolic_loop import Numbers, Point
 from .words import along
 
 Found = tuple[np.ndarray, np.ndarray]  # rates (n, nx) and V (n,); NaN where there are none
 
 
 class Running:
-    """A diagram as it runs, with an output V, "" for none, and parameters of one's choice.
+    """A diagram as it runs, with an output V, "" for none.
 
     Each way to evaluate it takes times (n,), states (n, nx) and inputs (n, nu).
     """
@@ -46,31 +45,23 @@ class Running:
         self.system, self.wiring = system, wiring_of(system)
         self.V = [system.output_labels.index(V)] if V else []
         self.jumps = any(node.system.jump_function is not None for node in self.wiring.nodes)
-        self.set({})
-
-    def set(self, params: Mapping[str, Any]) -> None:
-        """Set call-time parameters with which it runs."""
-        self.params = dict(params)
-        self.sweep = Sweep(self.wiring, changed_parameters(self.wiring.blocks, params))
+        self.sweep = Sweep(self.wiring, [node.system.parameters for node in self.wiring.nodes])
 
     def by_control(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> Found:
-        """Evaluate it as python-control does; the system's parameters are its own at the end."""
-        system, params = self.system, self.params or None
+        """Evaluate it as python-control does."""
+        system = self.system
+        system._update_params({})  # once: it takes as long as the equations
 
         def one(*point: Any) -> tuple:
             if self.jumps:  # its states may jump between one point and the next
-                system._update_params(params)
+                system._update_params({})
             try:
                 return system._rhs(*point), *(system._out(*point)[self.V] if self.V else [0.0])
             except RuntimeError:  # python-control's word for a NaN on its way
                 return np.full(system.nstates, np.nan), np.nan
 
-        try:
-            system._update_params(params)  # once: it takes as long as the equations
-            with np.errstate(all="ignore"):
-                rates, V = zip(*map(one, t, x, u), strict=True)
-        finally:
-            system._update_params({})
+        with np.errstate(all="ignore"):
+            rates, V = zip(*map(one, t, x, u), strict=True)
         return np.array(rates), np.array(V, dtype=float)
 
     def by_records(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> Found:
@@ -106,18 +97,13 @@ class Running:
         return on_arrays(block, role, t, x.T[node.states], fed, p)
 
 
-PER_DRAW = 100  # points for each draw of the parameters
-THROUGH_CONTROL, CALLED = 20, 2  # points of the first draw, and of others, that it calls
+THROUGH_CONTROL = 40  # points at which python-control calls the blocks
 CLOSE = 1e-9
 ROUNDING = 16 * 2.0**-52 / CLOSE  # of states, below which a sum may be what is left of its terms
 LOST = sympy.Dummy("lost", positive=True)  # that share of the largest state
 HUGE, TINY = 1e100, 1e-300  # beyond, numbers say nothing
 SEARCHES, PER_SEARCH, ROUNDS, BEST = 20, 500, 15, 5
 SURE = 1e-7  # of the size of its terms: a sign that is no rounding
-
-# points at which blocks are called: call-time parameters, ``{"block.field": value}``, symbol -> its
-# numbers, t (n,), x (n, states) and u (n, inputs)
-Drawn = tuple[dict[str, Any], dict[Any, Any], np.ndarray, np.ndarray, np.ndarray]
 
 
 def slopes_of(V: sympy.Expr, states: list) -> list[sympy.Expr]:
@@ -242,7 +228,7 @@ class PointSearch:
                 best = np.argsort(-share)[:BEST]
                 if share[best[0]] > SURE:
                     t, x, u = (one[..., best[0]] for one in at)
-                    yield Point(float(t), np.array(x), np.array(u), {})
+                    yield Point(float(t), np.array(x), np.array(u))
                     break
                 keep, near = np.resize(best, PER_SEARCH), 0.7 * near
                 at = tuple(self.beside(one[..., keep], near) for one in at)
@@ -265,77 +251,40 @@ class PointSearch:
 
     # --- compared with symbols ------------------------------------------------------------------
 
-    def parameters(self, fixed: Collection[str], tied: Mapping[Any, sympy.Expr]) -> dict:
-        """Return symbol -> a number of its sign, of the size 10^-1.5 to 10^1.5.
-
-        The blocks in `fixed` have their own; a symbol in `tied` follows from the others.
-        """
-        values: dict[Any, float] = {}
-        for name, parameters in self.eq.parameters.items():
-            own = {
-                s: float(v) for s in flat(parameters) if (v := self.eq.values.get(s)) is not None
-            }
-            if name not in fixed:
-                sizes = 10.0 ** self.random.uniform(-1.5, 1.5, len(own))
-                signs = self.random.choice([-1.0, 1.0], len(own))
-                for s, size, sign in zip(own, sizes.tolist(), signs.tolist(), strict=True):
-                    own[s] = size if s.is_positive else -size if s.is_negative else sign * size
-            values = own | values
-        return values | {
-            s: values[e] if e in values else float(e.subs(values)) for s, e in tied.items()
-        }
-
-    def call_time(self, values: Mapping[Any, float]) -> dict[str, Any]:
-        """Return the numbers of symbols as call-time parameters."""
-        params: dict[str, Any] = {}
-        for node in self.blocks.wiring.nodes:
-            block = node.system
-            for name, value in block.parameters._asdict().items():
-                if not isinstance(value, int) and name != "interval":
-                    symbols = np.asarray(getattr(self.eq.parameters[block.name], name))
-                    numbers = [float(values.get(s, s)) for s in symbols.flat]  # 0 is no symbol
-                    shaped = np.reshape(numbers, symbols.shape)
-                    params[f"{block.name}.{name}"] = shaped if np.ndim(value) else numbers[0]
-        return params
-
-    def compare(
-        self, draws: Iterable[Drawn], first: int, at: Mapping[Any, Any]
-    ) -> tuple[bool, str]:
+    def compare(self, points: tuple, some: int) -> tuple[bool, str]:
         """Compare V, and the rates of the states that it holds, with those of running blocks.
 
-        At `first` points of the first draw python-control calls the blocks.
+        At `some` of the points, times (n,), states (nx, n) and inputs (nu, n), python-control calls
+        the blocks.
         """
         slopes = slopes_of(self.V, self.states)[1:]
         held = [k for k, slope in enumerate(slopes) if slope != 0]
-        wanted = [e.xreplace(at) for e in (self.V, *(self.eq.motion[self.states[k]] for k in held))]
-        numbers = Numbers(*wanted, *map(size_of, wanted))
-        worst, points, told = 0.0, 0, 0
-        for params, known, *point in draws:
+        wanted = [self.V, *(self.eq.motion[self.states[k]] for k in held)]
+        wanted = [e.xreplace(self.eq.values) for e in wanted]
+        numbers, known = Numbers(*wanted, *map(size_of, wanted)), self.known(*points)
+        known[LOST] = ROUNDING * (1 + np.abs(points[1]).max(axis=0, initial=0.0))
+        count, worst = len(points[0]), 0.0
+        right, size = np.split(numbers.at(known, count), 2)
+        for evaluate, most in ((self.blocks.by_control, some), (self.blocks.by_records, count)):
             check()
-            self.blocks.set(params)
-            known[LOST] = ROUNDING * (1 + np.abs(point[1]).max(axis=1, initial=0.0))
-            right, size = np.split(numbers.at(known, len(point[0])), 2)
-            told += int(np.sum(np.all(np.abs(right) < HUGE, axis=0)))
-            some = CALLED if points else first
-            for evaluate, most in ((self.blocks.by_control, some), (self.blocks.by_records, None)):
-                here = [one[:most] for one in point]
-                rates, level = evaluate(*here)
-                found = np.vstack([level if self.blocks.V else right[0, :most], rates.T[held]])
-                off = _apart(right[:, :most], found, size[:, :most])
-                for row, k in np.argwhere(np.isnan(off)):  # large of inf - inf, not of inf/inf
-                    there = {s: np.broadcast_to(v, len(point[0]))[k] for s, v in known.items()}
-                    exact = wanted[row].evalf(subs=there)
-                    if exact.is_number and abs(exact) > HUGE:
-                        off[row, k] = 0.0
-                for row, k in np.argwhere(~(off <= CLOSE))[:1]:
-                    what = f"{self.states[held[row - 1]]}'" if row else "V"
-                    apart = f"differs by {off[row, k]:.1e} of its terms"
-                    apart = "is no number" if np.isnan(off[row, k]) else apart
-                    t, x, u = (one[k] for one in here)
-                    return False, f"{what} {apart} at {Point(t, x, u, params)}"
-                worst = max(worst, float(off.max(initial=0.0)))
-            points += len(point[0])
-        return told > points / 10, f"{points} points, largest difference {worst:.0e}"
+            t, x, u = here = [one.T[:most] for one in points]
+            rates, level = evaluate(*here)
+            found = np.vstack([level if self.blocks.V else right[0, :most], rates.T[held]])
+            off = _apart(right[:, :most], found, size[:, :most])
+            for row, k in np.argwhere(np.isnan(off)):  # large of inf - inf, not of inf/inf
+                exact = wanted[row].evalf(
+                    subs={s: np.broadcast_to(v, count)[k] for s, v in known.items()}
+                )
+                if exact.is_number and abs(exact) > HUGE:
+                    off[row, k] = 0.0
+            for row, k in np.argwhere(~(off <= CLOSE))[:1]:
+                what = f"{self.states[held[row - 1]]}'" if row else "V"
+                apart = f"differs by {off[row, k]:.1e} of its terms"
+                apart = "is no number" if np.isnan(off[row, k]) else apart
+                return False, f"{what} {apart} at {Point(t[k], x[k], u[k])}"
+            worst = max(worst, float(off.max(initial=0.0)))
+        told = np.sum(np.all(np.abs(right) < HUGE, axis=0))
+        return told > count / 10, f"{count} points, largest difference {worst:.0e}"
 
 
 def size_of(e: sympy.Expr) -> sympy.Expr:
@@ -356,32 +305,17 @@ def _apart(wanted: np.ndarray, found: np.ndarray, size: np.ndarray) -> np.ndarra
 
 
 def running_step(
-    read: Callable[[], tuple],
-    points: int,
-    which: str = "",
-    of: str = "",
-    seed: int = 0,
-    tied: Mapping[Any, sympy.Expr] | None = None,
-    fixed: tuple[str, ...] = (),
+    read: Callable[[], tuple], points: int, which: str = "", of: str = "", seed: int = 0
 ) -> Step:
     """Check that running blocks have the same V and rates; `read` returns a diagram and its loop.
 
-    The first 100 points have the blocks' own parameters, every later 100 have others.  Blocks in
-    `fixed` keep theirs, and a symbol in `tied` follows from the others by its expression.
+    They have their own parameters.
     """
 
     def same() -> tuple[bool, str]:
         diagram, loop = read()
         search = PointSearch(diagram, loop, loop.signals["V"][0], "V[0]", {}, seed)
-
-        def drawn(done: int) -> Drawn:
-            values = search.parameters(fixed if done else loop.parameters.keys(), tied or {})
-            params = search.call_time(values)
-            search.blocks.set(params)
-            t, x, u = at = search.wide(min(PER_DRAW, points - done))
-            return params, values | search.known(*at), t, x.T, u.T
-
-        holds, detail = search.compare(map(drawn, range(0, points, PER_DRAW)), THROUGH_CONTROL, {})
+        holds, detail = search.compare(search.wide(points), THROUGH_CONTROL)
         return holds, of + detail
 
     return checked(f"the running blocks give the same V'{which}", same, "sampled", False)

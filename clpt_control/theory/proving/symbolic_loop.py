@@ -66,7 +66,6 @@ class Point(NamedTuple):
     t: float
     x: np.ndarray  # states of the diagram
     u: np.ndarray  # its inputs
-    params: dict[str, Any]  # call-time parameters, ``{"block.field": value}``
 
 
 def flat(parameters: Any) -> list[Any]:

@@ -58,7 +58,7 @@ def rising_jump(case: Case) -> tuple[Point, Point, float] | None:
         rises = np.reshape(V[1] - V[0], (TRIED, -1))
         sure = np.all(rises > SURE * np.abs(V[0]).reshape(rises.shape), axis=1)
         for k in np.flatnonzero(sure & (rises[:, -1] >= 10 * rises[:, 0]))[:1]:
-            near = [Point(t, s[k * len(FARTHER)], inputs.T[k], {}) for s in (before, after)]
+            near = [Point(t, s[k * len(FARTHER)], inputs.T[k]) for s in (before, after)]
             return near[0], near[1], float(rises[k, 0])
     return None
 
