@@ -170,12 +170,6 @@ def is_cut_in_its_place(t, x, u, p):
 # --- what Python asks ----------------------------------------------------------------------------
 
 
-def is_put_into_another(t, x, u, p):
-    y = np.empty(3)
-    np.multiply(x, 2.0, y)
-    return y
-
-
 def is_divided_in_an_array(t, x, u, p):
     kept = np.zeros(2)
     kept[:] = [float(x[0]), float(x[1])]
@@ -466,8 +460,6 @@ ONE_LINE = {  # as Python has them
         for name, f in COUNTED.items()
     },
     "takes bits of a parameter": lambda t, x, u, p: [x[0] * (p["n"] & 1)],
-    "reads by columns": lambda t, x, u, p: np.outer(x, u).ravel(order="F"),
-    "reshapes by columns": lambda t, x, u, p: np.reshape(np.outer(x, u), (2, 3), order="F"),
     "inverts the bits of a small one": lambda t, x, u, p: x[0] * ~p["short"],
     # truth values
     "truth times truth": lambda t, x, u, p: [
@@ -546,7 +538,6 @@ ONE_LINE_REFUSED = {  # what would be another number
     "rounds a parameter": lambda t, x, u, p: [round(p["k"], 1) * x[0]],
     "writes by place": lambda t, x, u, p: np.max(np.outer(x, u), 0, np.zeros(2)),
     # truth values
-    "adds arrays of truths": lambda t, x, u, p: (x > 0) + (x > 1),
     "adds stacked truths": lambda t, x, u, p: (
         np.array([x[0] > 0, x[1] > 0]) + np.array([True, False])
     ),
@@ -556,8 +547,6 @@ ONE_LINE_REFUSED = {  # what would be another number
     "multiplies matrices of truths": lambda t, x, u, p: [np.dot(x > 0, x > -1)],
     "takes the root of a truth": lambda t, x, u, p: [np.exp(x[0] > 0)],
     # whole numbers and short floats
-    "shortens a copy": lambda t, x, u, p: np.array(x, dtype="f4") / 3,
-    "shortens as it is": lambda t, x, u, p: np.asarray(x, dtype=np.float32),
     "sums short": lambda t, x, u, p: [x.sum(dtype=np.float32), np.mean(x, dtype=np.float16)],
     "wraps around": lambda t, x, u, p: (100 * x).astype(np.int8),
     "takes bits": lambda t, x, u, p: [int(x[0]) & 1],
