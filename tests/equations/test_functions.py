@@ -93,6 +93,7 @@ ARRAYS = """
     np.kron(np.outer(u, v), np.eye(3))[4, 7] ; np.kron(np.outer(u, v), np.outer(v, u))[2, 7] ;
     np.vdot(np.outer(u, v), np.outer(v, v)) ; np.any(u[0]) ; np.all(u[:1]) ; any([u[1]]) ;
     np.dot(np.outer(u, v), CUBE)[2, 1, 2] ; np.dot(u[0] * CUBE, CUBE)[1, 2, 0, 1] ;
+    lookup(v[::-2], u[0]) ; lookup(u[1:], u[0]) ; lookup(v, np.floor(u + 0.7))[2] ;
     np.dot(u, CUBE)[1, 0] ; math.prod(np.outer(u, v))[1]
 """
 CUBE = np.random.default_rng(5).normal(size=(2, 3, 3))
@@ -100,7 +101,7 @@ CUBE = np.random.default_rng(5).normal(size=(2, 3, 3))
 
 @pytest.mark.parametrize("call", [call.strip() for call in ARRAYS.split(";")])
 def test_a_function_of_arrays_is_read_as_it_computes(call):
-    space = {"np": np, "math": math, "CUBE": CUBE}
+    space = {"np": np, "math": math, "CUBE": CUBE, "lookup": lookup}
     exec(f"def f(t, x, u, p):\n    u, v = u.u, p.v\n    return 1.0 * ({call})", space)
     block = static(space["f"], parameters={"v": np.array([0.5, -1.5, 2.0])})
     for u in (U, (2.0, 0.3, 0.7), (-0.4, 1.2, 0.1)):
@@ -140,18 +141,6 @@ def looked_up(t, x, u, p):
     return lookup(p.values, u[0])
 
 
-def in_reverse(t, x, u, p):
-    return lookup(p.values[::-2], u[0])
-
-
-def in_signals(t, x, u, p):
-    return lookup(u[1:], u[0])
-
-
-def many_places(t, x, u, p):
-    return lookup(p.values, np.floor(u))
-
-
 @pytest.mark.parametrize("size", [1, 4, 9])
 def test_lookup_reads_whole_places_and_is_nan_outside(size):
     table = np.random.default_rng(size).normal(size=size)
@@ -162,17 +151,6 @@ def test_lookup_reads_whole_places_and_is_nan_outside(size):
             assert found == [table[index]]
     for index in (size, -size - 1, math.inf, -math.inf, math.nan, 1e300):
         assert math.isnan(recorded(block, "output", 0.0, [], [index])[0])
-
-
-def test_lookup_in_any_row():
-    table = np.array([3.0, 5.0, 7.0])
-    assert lookup(table, 1.9) == 5.0
-    np.testing.assert_array_equal(lookup(table, [0.0, 2.0, -1.0]), [3.0, 7.0, 7.0])
-    as_it_runs(static(in_reverse, 1, parameters={"values": table}), "output", 0.0, [], [1.0])
-    as_it_runs(static(in_signals, 4), "output", 0.0, [], [1.0, 5.0, 6.0, 7.0])
-    as_it_runs(
-        static(many_places, 3, 3, parameters={"values": table}), "output", 0, [], [0, 1.5, 2]
-    )
 
 
 def test_a_table_is_one_operation_whatever_its_length():
