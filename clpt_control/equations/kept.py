@@ -23,6 +23,7 @@ from operator import is_
 from types import BuiltinFunctionType, FunctionType, ModuleType, NoneType, SimpleNamespace
 from typing import Any
 
+import control
 import numpy as np
 
 from .arrays import Array
@@ -53,15 +54,15 @@ class Snapshot:
         self._watched: dict[int, tuple[Any, Any]] = {}  # an object, and what it kept before
         # by what tells it apart, each state: of every object that differs what it keeps
         self.left: dict[Any, dict[int, Any]] = {}
-        self.spaces: dict[int, dict[str, Any]] = {}  # modules of functions and classes
+        # modules of functions, and the names in them by which these functions reach more
+        self.spaces: dict[int, tuple[dict[str, Any], set[str]]] = {}
         self.attributes: dict[int, dict[str, Any]] = {}  # of users' objects
         self._chance = {id(one): (one, _chance_of(one)) for one in chance}
 
     def add(self, value: Any, deep: int = DEEP) -> None:
         """Watch an object, and those within it."""
         value = getattr(value, "__func__", getattr(value, "fget", value))  # of a method, property
-        if isinstance(value, FunctionType):
-            self._borrow(value.__globals__)
+        self._borrow(value)
         if isinstance(value, PLAIN) or id(value) in self._watched or len(self._watched) >= MOST:
             return
         if isinstance(value, CHANCE):
@@ -69,8 +70,9 @@ class Snapshot:
         if (kept := kept_by(value)) is None:
             return
         self._watched[id(value)] = value, kept
-        for kind in () if isinstance(value, type) else type(value).__mro__:
-            self._borrow(vars(sys.modules.get(kind.__module__, sys)))
+        if isinstance(value, control.InputOutputSystem):
+            for one in (one for kind in type(value).__mro__ for one in vars(kind).values()):
+                self._borrow(one)
         own = getattr(value, "__dict__", None)
         plain = type(value) is SimpleNamespace
         if type(own) is dict and (plain or not _is_library(type(value).__module__.split(".")[0])):
@@ -85,11 +87,14 @@ class Snapshot:
         elif not isinstance(value, (*CONTAINERS, ModuleType, FunctionType)):
             self.add(type(value), deep)
 
-    def _borrow(self, space: dict[str, Any]) -> None:
-        """Note the names of a module, into which stand-ins are put while its functions are read."""
-        root = space.get("__name__", "").partition(".")[0]
+    def _borrow(self, value: Any) -> None:
+        """Note a function's module, into which stand-ins are put while functions are read."""
+        if not isinstance(value, FunctionType):
+            return
+        root = (value.__module__ or "").partition(".")[0]
         if root == "control" or not _is_library(root):
-            self.spaces[id(space)] = space
+            _, names = self.spaces.setdefault(id(value.__globals__), (value.__globals__, set()))
+            names.update(names_in(value.__code__))
 
     def restore(self) -> None:
         """Make all as it was; note the state in which a way left it."""
