@@ -5,7 +5,6 @@ Each of these once gave another number than Python does, or an exception of the 
 
 import math
 import warnings
-from collections import deque
 from collections.abc import Iterable, Sized
 
 import control
@@ -27,10 +26,8 @@ POINTS = [
     )
     for u in ([0.5, -0.25], [0.0, 2.0], [-1.0, 0.15])
 ]
-SEEN = deque([0.0, 0.0], maxlen=2)
 RATIOS = {0: 4.0, 1: 2.0}
 SWITCH = False
-LOG = [np.array([1.0, 2.0])]
 MEMORY = {"last": np.zeros(3)}
 with warnings.catch_warnings(action="ignore"):
     SQUARE = np.asmatrix([[1.0, 2.0], [3.0, 4.0]])
@@ -54,8 +51,6 @@ STEPPED = RegularGridInterpolator(GRID, HEIGHTS, "nearest", bounds_error=False)
 
 class Lever:
     """Remembers in attributes."""
-
-    on, most = False, 0.0
 
     def arm(self, a):
         return math.sin(a)
@@ -214,13 +209,6 @@ def is_divided_by_numpy(t, x, u, p):
         return [99.0]
 
 
-def catches_an_overflow(t, x, u, p):
-    try:
-        return [math.exp(1000.0 * x[0])]
-    except OverflowError:
-        return [-1.0]
-
-
 def catches_what_numpy_raises(t, x, u, p):
     with np.errstate(all="raise"):
         try:
@@ -262,11 +250,6 @@ def counts_on_itself(t, x, u, p):
     return [x[0] * counts_on_itself.n]
 
 
-def keeps_a_queue(t, x, u, p):
-    SEEN.append(x[0])
-    return [SEEN[0]]
-
-
 def keeps_a_switch(t, x, u, p):
     global SWITCH
     if x[0] > 0.5:
@@ -274,20 +257,6 @@ def keeps_a_switch(t, x, u, p):
     elif x[0] < -0.5:
         SWITCH = False
     return [1.0 if SWITCH else 0.0]
-
-
-def keeps_a_switch_in_an_object(t, x, u, p):
-    if x[0] > 0.5:
-        LEVER.on = True
-    elif x[0] < -0.5:
-        LEVER.on = False
-    return [1.0 if LEVER.on else 0.0]
-
-
-def keeps_the_largest(t, x, u, p):
-    if x[0] > LEVER.most:
-        LEVER.most = x[0]
-    return [LEVER.most]
 
 
 def keeps_in_slots(t, x, u, p):
@@ -369,11 +338,6 @@ def is_methods_ask(t, x, u, p):
 
 def is_functions_of_math(t, x, u, p):
     return [math.dist(x[:2], u), *[math.remainder(a, 2 * math.pi) for a in x]]
-
-
-def keeps_in_a_list_beside_an_array(t, x, u, p):
-    LOG.append(0.0)
-    return [float(len(LOG))]
 
 
 def keeps_in_a_dict_beside_an_array(t, x, u, p):
@@ -595,7 +559,7 @@ def test_nothing_is_printed_while_a_function_is_read(capsys):
 def test_what_would_be_another_number_is_refused(name):
     with pytest.raises(Unread, match=r"output: "):
         block_of(REFUSED[name], PARAMS).array_record("output")
-    kept = [*SEEN, BOLT.last, *vars(LEVER).values()]
+    kept = [BOLT.last, *MEMORY.values()]
     assert not any(type(one).__name__ == "Array" for one in kept)
 
 

@@ -14,7 +14,6 @@ import numpy as np
 import pandas as pd
 import pytest
 from recorded import run, static
-from scipy.integrate import quad
 from scipy.optimize import brentq
 
 import clpt_control as clpt
@@ -55,10 +54,6 @@ def solves(t, x, u, p):
     return brentq(lambda a: a**3 + a - u[0], -9.0, 9.0)  # here
 
 
-def integrates(t, x, u, p):
-    return quad(lambda a: a * u[0], 0.0, 1.0)[0]  # here
-
-
 def is_text(t, x, u, p):
     return float(f"{u[0]:.3f}")  # here
 
@@ -86,7 +81,6 @@ LINES = {  # the line is that of the comment
     counts_by_a_signal: "",
     waits_for_a_signal: "",
     solves: "brentq",
-    integrates: "",
     is_text: "",
     takes_eigenvalues: "eigvals",
 }
