@@ -286,10 +286,12 @@ def is_numbers_are_overwritten(t, x, u, p):
 
 def is_parts_are_written(t, x, u, p):
     A, B, C = np.outer(x, u), np.outer(x, u), np.outer(x, x)
-    np.flipud(A)[0, 0] = 9.0
+    rows, diagonal, d = np.broadcast_to(C, (2, 3, 3)), np.diag(C), np.diag(x)
+    np.rot90(A)[0, 0] = 9.0
     np.moveaxis(B, 0, 1)[0, 1] = 8.0
     np.swapaxes(C, 0, 1)[1, 0] = x[0]
-    return [*A.ravel(), *B.ravel(), *C.ravel()]
+    np.atleast_3d(C)[1, 1, 0] = 7.0
+    return [*A.ravel(), *B.ravel(), *C.ravel(), *rows.ravel(), *diagonal, *d.ravel()]
 
 
 def is_copies_are_left_alone(t, x, u, p):
@@ -496,7 +498,7 @@ ONE_LINE_REFUSED = {  # what would be another number
     "fills columns": lambda t, x, u, p: FILLED(x[0]),
     "reads a rescaled chart": lambda t, x, u, p: RESCALED(x[0], u[0]),
     "searches what decreases": lambda t, x, u, p: np.searchsorted([2.0, 1.0, 0.0], x),
-    "gives a part": lambda t, x, u, p: np.rot90(np.outer(x, u))[0],
+    "gives a part": lambda t, x, u, p: np.einsum("ii->i", np.outer(x, x)),
     "limits some": lambda t, x, u, p: np.clip(x, -0.5, 0.5, where=x > 0.0, out=x.copy()),
     "means some": lambda t, x, u, p: [np.mean(x, where=[True, True, False])],
     "rounds a parameter": lambda t, x, u, p: [round(p["k"], 1) * x[0]],
