@@ -135,24 +135,6 @@ def test_writing_into_what_is_given_makes_no_block(make):
         make()
 
 
-def test_feedthrough_is_what_the_record_says():
-    assert static(good, 1, parameters={"k": 2.0}).feedthrough
-    assert not static(constant, 1).feedthrough
-    block = Block("still", update=stays, inputs={"u": 1}, states={"x": 1})
-    assert not block.feedthrough
-    conformance(block)
-
-
-def constant(t, x, u, p):
-    """y = 1, section 2: u = u[1], y = y[1]."""
-    return 1.0 + 0.0 * t
-
-
-def stays(t, x, u, p):
-    """x' = u, Eq. (1): u = u[1], x[1]."""
-    return u[0]
-
-
 def large_constant(t, x, u, p):
     """y = 2^70 u, Eq. (1): u = u[1], y = y[1]."""
     power = 1
