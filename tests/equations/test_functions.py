@@ -185,8 +185,7 @@ def sums(t, x, u, p):
         *(sum(own), sum(own, 0.5), sum([math.fabs(u[0]), 1.0, -math.fabs(u[0])])),
         *(sum([2.0 * own[0], 1, -2.0 * own[0]]), sum(max(one, -2e16) for one in own)),
         *(sum(u), sum([own[0], u[1], own[2]]), sum([own[0], own[1], u[2]]), sum(kept)),
-        *(sum([min(2e16, u[0]), 1.0, -1e16]), sum([max(own[0], u[1]) * 1.0, own[1], -1e16])),
-        *(sum([own[0], own[1], max(own[2], u[2])]), sum(max(one, 0) for one in u)),
+        sum(max(one, 0) for one in u),
     ]
 
 
@@ -194,4 +193,4 @@ def sums(t, x, u, p):
     "u", [(1e16, 1.0, -1e16), (1e16, 3.0, -1e16), (1.0, 1e16, -1e16), (1e305, 2.0, -1e305)]
 )
 def test_sums_are_pythons_also_where_it_makes_up_for_rounding(u):
-    as_it_runs(static(sums, outputs=13), "output", 0.0, [], u, tolerance=0.0)
+    as_it_runs(static(sums, outputs=10), "output", 0.0, [], u, tolerance=0.0)
