@@ -23,9 +23,9 @@ from operator import is_
 from types import BuiltinFunctionType, FunctionType, ModuleType, NoneType, SimpleNamespace
 from typing import Any
 
-import control
 import numpy as np
 
+from .answers import LIBRARIES
 from .arrays import Array
 from .record import MOST_NUMBERS
 from .unchanged import names_in
@@ -34,6 +34,9 @@ LOCK = threading.RLock()  # while stand-ins are in a module
 DEEP = 3  # objects within objects
 MOST = 200  # objects that are watched
 OWN = __package__.partition(".")[0]
+AS_THEY_ARE = frozenset(  # packages into which no stand-ins are put
+    (OWN, *LIBRARIES, "pandas", "xarray", "sympy", *sys.stdlib_module_names)
+)
 GONE, UNKNOWN = object(), object()
 GROWN = 1000  # unknown numbers behind what was appended
 CONTAINERS: Any = (list, deque, dict, set)
@@ -70,9 +73,8 @@ class Snapshot:
         if (kept := kept_by(value)) is None:
             return
         self._watched[id(value)] = value, kept
-        if isinstance(value, control.InputOutputSystem):
-            for one in (one for kind in type(value).__mro__ for one in vars(kind).values()):
-                self._borrow(one)
+        for kind in () if isinstance(value, type) else type(value).__mro__:
+            self._borrow(*vars(kind).values())
         own = getattr(value, "__dict__", None)
         plain = type(value) is SimpleNamespace
         if type(own) is dict and (plain or not _is_library(type(value).__module__.split(".")[0])):
@@ -87,14 +89,12 @@ class Snapshot:
         elif not isinstance(value, (*CONTAINERS, ModuleType, FunctionType)):
             self.add(type(value), deep)
 
-    def _borrow(self, value: Any) -> None:
-        """Note a function's module, into which stand-ins are put while functions are read."""
-        if not isinstance(value, FunctionType):
-            return
-        root = (value.__module__ or "").partition(".")[0]
-        if root == "control" or not _is_library(root):
-            _, names = self.spaces.setdefault(id(value.__globals__), (value.__globals__, set()))
-            names.update(names_in(value.__code__))
+    def _borrow(self, *values: Any) -> None:
+        """Note the modules of functions, into which stand-ins are put while these are read."""
+        for one in (one for one in values if isinstance(one, FunctionType)):
+            if (one.__module__ or "").partition(".")[0] not in AS_THEY_ARE:
+                _, names = self.spaces.setdefault(id(one.__globals__), (one.__globals__, set()))
+                names.update(names_in(one.__code__))
 
     def restore(self) -> None:
         """Make all as it was; note the state in which a way left it."""
