@@ -117,11 +117,8 @@ class AnsweringTape(Tape):
         """Return the numbers that Python asks for; only parameters have any."""
         if type(ref) is float or not self.free[ref]:
             return self.known(ref)
-        frame, word = _asking_frame()
-        if (library := _module(frame).partition(".")[0]) in LIBRARIES:
-            word = f"{library} ({frame.f_code.co_name}, line {frame.f_lineno})"
         raise Unread(
-            f"{word or 'Python'} asks for the value of a signal; write what it computes in NumPy, "
+            f"{_asking()} asks for the value of a signal; write what it computes in NumPy, "
             "and fill arrays where they are made"
         )
 
@@ -167,22 +164,20 @@ class AnsweringTape(Tape):
             self.rows.setdefault(*self.last_asked)
 
 
-def _asking_frame() -> tuple[FrameType, str]:
-    """Return the frame in which a number is asked for, and NumPy's function that it called."""
-    frame, word = sys._getframe(2), ""
-    while frame.f_back is not None and _is_own(frame):
-        if not _module(frame).startswith(__package__):
-            word = "NumPy's " + frame.f_code.co_qualname.removesuffix(".__new__")
+def _asking() -> str:
+    """Return what asks for a number: a library's function that a user's calls, or Python."""
+    frame, word = sys._getframe(2), "Python"
+    while (module := _not_users(frame)) and frame.f_back is not None:
+        if not module.startswith(__package__):
+            word = f"{module.partition('.')[0]}'s {frame.f_code.co_qualname}"
         frame = frame.f_back
-    return frame, word
+    return word
 
 
-def _is_own(frame: FrameType) -> bool:
-    return _module(frame).startswith(("numpy", __package__))
-
-
-def _module(frame: FrameType) -> str:
-    return frame.f_globals.get("__name__") or ""
+def _not_users(frame: FrameType) -> str:
+    """Return the module of a frame of this package or of a library; "" of a user's."""
+    module = frame.f_globals.get("__name__") or ""
+    return module if module.startswith((*LIBRARIES, __package__)) else ""
 
 
 def located(function: Any, *errors: Exception) -> str:
@@ -194,7 +189,7 @@ def located(function: Any, *errors: Exception) -> str:
         lines = [
             f"{frame.f_code.co_name}, line {line}: "
             for frame, line in walk_tb(error.__traceback__)
-            if not _is_own(frame) and _module(frame).partition(".")[0] not in LIBRARIES
+            if not _not_users(frame)
         ]
         if lines:
             return lines[-1]

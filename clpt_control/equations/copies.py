@@ -37,7 +37,8 @@ class Copies:
         self.tape, self.snapshot = tape, snapshot
         self._known: dict[int, tuple[Any, Any]] = {}  # a value, alive, and what stands for it
         self._spaces: dict[int, dict[str, Any]] = {}  # the copied names of each module
-        self._changes: dict[int, list[tuple[dict, str, Any, Any]]] = {}  # of modules and objects
+        # of modules and objects
+        self._changes: dict[tuple[int, int], list[tuple[dict, str, Any, Any]]] = {}
         # names of modules, containers and cells, copied: as they began, and in words
         self._copied: dict[int, tuple[Any, Any, str]] = {}
         self.texts: set[Any] = set()  # in the functions, which may be names of params
@@ -88,20 +89,24 @@ class Copies:
             return value if all(map(is_, items.values(), value.values())) else self._watched(items)
         return stand_in(value)
 
-    def changes(self, space: dict[str, Any], in_module: bool) -> list[tuple[dict, str, Any, Any]]:
-        """Return what stands for names of a module, or for tables and numbers that an object holds.
+    def changes(
+        self, space: dict[str, Any], names: set[str] | None
+    ) -> list[tuple[dict, str, Any, Any]]:
+        """Return what stands for these names of a module, or for tables that an object holds.
 
         Each with the names, its own, what has it, and what takes its place.
         """
-        if id(space) not in self._changes:
-            if in_module:
-                found = SHADOWS | {k: stand_in(v) for k, v in space.items() if k[:2] != "__"}
+        key = id(space), len(names or ())
+        if key not in self._changes:
+            if names is not None:
+                found = {k: SHADOWS[k] for k in names & SHADOWS.keys()}
+                found |= {k: stand_in(space[k]) for k in names & space.keys() if k[:2] != "__"}
             else:
                 held = (np.ndarray, list, tuple, dict)
                 found = {k: self.of(v) for k, v in space.items() if type(v) in held or is_table(v)}
             pairs = [(space, name, space.get(name, GONE), new) for name, new in found.items()]
-            self._changes[id(space)] = [one for one in pairs if one[2] is not one[3]]
-        return self._changes[id(space)]
+            self._changes[key] = [one for one in pairs if one[2] is not one[3]]
+        return self._changes[key]
 
     def _watched(self, container: Any) -> Any:
         """Return a list or dict that `check` compares with what it holds now."""
@@ -172,8 +177,8 @@ class Copies:
 @contextmanager
 def borrowed(copies: Copies) -> Iterator[None]:
     """Put stand-ins into modules and objects for as long as a function is read."""
-    borrowing = [(one, False) for one in copies.snapshot.attributes.values()]
-    borrowing += [(one, True) for one in copies.snapshot.spaces.values()]
+    objects = [(one, None) for one in copies.snapshot.attributes.values()]
+    borrowing = [*objects, *copies.snapshot.spaces.values()]
     changes = [one for of in borrowing for one in copies.changes(*of)]
     with LOCK if changes else nullcontext():
         try:

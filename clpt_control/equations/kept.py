@@ -25,6 +25,7 @@ from typing import Any
 
 import numpy as np
 
+from .answers import LIBRARIES
 from .arrays import Array
 from .record import MOST_NUMBERS
 from .unchanged import names_in
@@ -33,6 +34,9 @@ LOCK = threading.RLock()  # while stand-ins are in a module
 DEEP = 3  # objects within objects
 MOST = 200  # objects that are watched
 OWN = __package__.partition(".")[0]
+AS_THEY_ARE = frozenset(  # packages into which no stand-ins are put
+    (OWN, *LIBRARIES, "pandas", "xarray", "sympy", *sys.stdlib_module_names)
+)
 GONE, UNKNOWN = object(), object()
 GROWN = 1000  # unknown numbers behind what was appended
 CONTAINERS: Any = (list, deque, dict, set)
@@ -53,15 +57,15 @@ class Snapshot:
         self._watched: dict[int, tuple[Any, Any]] = {}  # an object, and what it kept before
         # by what tells it apart, each state: of every object that differs what it keeps
         self.left: dict[Any, dict[int, Any]] = {}
-        self.spaces: dict[int, dict[str, Any]] = {}  # modules of functions and classes
+        # modules of functions, and the names in them by which these functions reach more
+        self.spaces: dict[int, tuple[dict[str, Any], set[str]]] = {}
         self.attributes: dict[int, dict[str, Any]] = {}  # of users' objects
         self._chance = {id(one): (one, _chance_of(one)) for one in chance}
 
     def add(self, value: Any, deep: int = DEEP) -> None:
         """Watch an object, and those within it."""
         value = getattr(value, "__func__", getattr(value, "fget", value))  # of a method, property
-        if isinstance(value, FunctionType):
-            self._borrow(value.__globals__)
+        self._borrow(value)
         if isinstance(value, PLAIN) or id(value) in self._watched or len(self._watched) >= MOST:
             return
         if isinstance(value, CHANCE):
@@ -70,7 +74,7 @@ class Snapshot:
             return
         self._watched[id(value)] = value, kept
         for kind in () if isinstance(value, type) else type(value).__mro__:
-            self._borrow(vars(sys.modules.get(kind.__module__, sys)))
+            self._borrow(*vars(kind).values())
         own = getattr(value, "__dict__", None)
         plain = type(value) is SimpleNamespace
         if type(own) is dict and (plain or not _is_library(type(value).__module__.split(".")[0])):
@@ -85,11 +89,12 @@ class Snapshot:
         elif not isinstance(value, (*CONTAINERS, ModuleType, FunctionType)):
             self.add(type(value), deep)
 
-    def _borrow(self, space: dict[str, Any]) -> None:
-        """Note the names of a module, into which stand-ins are put while its functions are read."""
-        root = space.get("__name__", "").partition(".")[0]
-        if root == "control" or not _is_library(root):
-            self.spaces[id(space)] = space
+    def _borrow(self, *values: Any) -> None:
+        """Note the modules of functions, into which stand-ins are put while these are read."""
+        for one in (one for one in values if isinstance(one, FunctionType)):
+            if (one.__module__ or "").partition(".")[0] not in AS_THEY_ARE:
+                _, names = self.spaces.setdefault(id(one.__globals__), (one.__globals__, set()))
+                names.update(names_in(one.__code__))
 
     def restore(self) -> None:
         """Make all as it was; note the state in which a way left it."""

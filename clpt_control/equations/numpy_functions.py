@@ -261,7 +261,8 @@ SHARES: dict[Any, Callable] = {
     function: sharing(function)
     for function in (
         *(np.reshape, np.ravel, np.squeeze, np.transpose, np.swapaxes, np.moveaxis),
-        *(np.expand_dims, np.flip, np.flipud, np.fliplr, np.diagonal),
+        *(np.expand_dims, np.flip, np.flipud, np.fliplr, np.diagonal, np.diag, np.broadcast_to),
+        *(np.rot90, np.rollaxis, np.atleast_3d),
     )
 }
 OWN: tuple[Any, ...] = (  # of these NumPy's own code does

@@ -94,7 +94,9 @@ def flattened(name: str, returned: Any, where: dict[str, tuple[slice, Shape]], s
         out = np.empty(size)
         for port, (part, shape) in where.items():
             value = np.asarray(returned[port], dtype=float)
-            out[part] = shaped(name, port, value, shape, lambda a, n: np.full(n, a)).ravel()
+            if value.shape != shape:
+                value = shaped(name, port, value, shape, np.broadcast_to)
+            out[part] = value.ravel()
         return out
     if returned is None:
         raise BlockError(f"{name}: returns nothing; must return {list(where)}")
@@ -107,10 +109,10 @@ def flattened(name: str, returned: Any, where: dict[str, tuple[slice, Shape]], s
     return out
 
 
-def check_ports(name: str, returned: Mapping[str, Any], ports: Iterable[str]) -> None:
+def check_ports(name: str, returned: Mapping[str, Any], ports: Mapping[str, Any]) -> None:
     """Refuse a mapping that has other names than the ports."""
-    if returned.keys() != {*ports}:
-        raise BlockError(f"{name}: returns {list(returned)}; must return {[*ports]}")
+    if returned.keys() != ports.keys():
+        raise BlockError(f"{name}: returns {list(returned)}; must return {list(ports)}")
 
 
 def shaped(name: str, port: str, value: Any, shape: Shape, filled: Callable) -> Any:

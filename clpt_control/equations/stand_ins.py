@@ -28,7 +28,6 @@ from .elementwise import (
     is_whole,
     lifted,
     refuse_in_a_try,
-    told,
     where,
 )
 from .lookup_tables import function_of
@@ -132,17 +131,17 @@ def best(better: Callable, values: list) -> Any:
 def compensated(values: Iterable[Any], start: Any = 0) -> Any:
     """Return Python's sum: of its own floats, since 3.12, with what rounding took from it.
 
-    Of whole numbers among them since 3.14; a number of NumPy ends it.
+    Of whole numbers among them since 3.14; a number of NumPy ends it, and one that may be NumPy's.
     """
     values = list(values)
     if tape_of((start, *values)) is None:
         return sum(values, start)
     total, lost, count = start, 0.0, 0
     for value in values:
-        if not told(all_of([is_of_python(total), is_of_python(value)])):
+        if not all_of([is_of_python(total), is_of_python(value)]):
             break
         new = total + value
-        exact = told(is_whole(total)) or (sys.version_info < (3, 14) and told(is_whole(value)))
+        exact = is_whole(total) or (sys.version_info < (3, 14) and is_whole(value))
         lost = lost if exact else lost + rounded_off(total, value, new)
         total, count = new, count + 1
     if isinstance(lost, Array) or lost:

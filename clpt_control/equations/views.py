@@ -61,6 +61,8 @@ def on_numbers(tape: Tape, function: Callable, inputs: Any, more: dict) -> Any:
     """
 
     def number(one: Array) -> np.ndarray:
+        if (known := numbers_of(one)) is not None:
+            return known.astype(int) if one._whole else known.copy()
         ref = one._ref
         given = None if type(ref) is float else tape.parameter(ref)
         numbers = tape.numbers(ref) if given is None else np.asarray(given)

@@ -153,6 +153,7 @@ def test_states_are_views_of_one_vector():
             {"output": flow, "inputs": {"phi": "N"}, "outputs": {"y": 1}},
             "the size 'N' is not known",
         ),
+        ({"output": flow, "inputs": ["e"], "outputs": {"y": 1}}, r"must be Mapping.* \{'e': 2\}$"),
         ({"output": flow, "outputs": {"y": 1.5}}, r"must be Mapping\[str, int"),
         ({"output": flow, "outputs": {"y": -1}}, "must be a whole number, 0 or more, or a name"),
         ({"output": flow, "outputs": {"a.b": 1}}, "must not be empty, begin with a sign"),
@@ -176,11 +177,6 @@ def test_a_parameter_of_another_shape_is_refused():
         made({"gain": 0.5, "theta": np.ones(3)})
     with pytest.raises(BlockError, match=r"mine\.theta"):
         made({"gain": 0.5, "theta": THETA}, sizes={"N": 4})
-
-
-def test_ports_have_sizes():
-    with pytest.raises(ArgumentError, match=r"inputs = \['e'\]: must be Mapping.* \{'e': 2\}$"):
-        Block("a", output=flow, inputs=["e"], outputs={"y": 1})
 
 
 # --- other names --------------------------------------------------------------------------------

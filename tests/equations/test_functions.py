@@ -88,10 +88,12 @@ ARRAYS = """
     np.mean(np.outer(u, v), axis=(0, 1)) ; np.array([0.0, 1.0]).searchsorted(u[0]) + u[1] ;
     u.repeat(2)[3] ; np.stack([u, v], axis=1)[2, 1] ; np.sum(u, dtype=float) ;
     np.atleast_1d(u[0], u[1])[1][0] ; np.atleast_2d(u[:1], 7.0)[1][0, 0] + u[0] ;
-    np.ix_([0], [1])[0][0, 0] + u[0] ;
+    np.ix_([0], [1])[0][0, 0] + u[0] ; np.isclose(u, [0.8, np.inf, np.nan])[0] ;
+    np.isclose(u / 0.0, [np.inf, -np.inf, np.nan])[0] ; np.allclose(u[0], 0.8 + 1e-9) ;
     np.kron(np.outer(u, v), np.eye(3))[4, 7] ; np.kron(np.outer(u, v), np.outer(v, u))[2, 7] ;
     np.vdot(np.outer(u, v), np.outer(v, v)) ; np.any(u[0]) ; np.all(u[:1]) ; any([u[1]]) ;
     np.dot(np.outer(u, v), CUBE)[2, 1, 2] ; np.dot(u[0] * CUBE, CUBE)[1, 2, 0, 1] ;
+    lookup(v[::-2], u[0]) ; lookup(u[1:], u[0]) ; lookup(v, np.floor(u + 0.7))[2] ;
     np.dot(u, CUBE)[1, 0] ; math.prod(np.outer(u, v))[1]
 """
 CUBE = np.random.default_rng(5).normal(size=(2, 3, 3))
@@ -99,7 +101,7 @@ CUBE = np.random.default_rng(5).normal(size=(2, 3, 3))
 
 @pytest.mark.parametrize("call", [call.strip() for call in ARRAYS.split(";")])
 def test_a_function_of_arrays_is_read_as_it_computes(call):
-    space = {"np": np, "math": math, "CUBE": CUBE}
+    space = {"np": np, "math": math, "CUBE": CUBE, "lookup": lookup}
     exec(f"def f(t, x, u, p):\n    u, v = u.u, p.v\n    return 1.0 * ({call})", space)
     block = static(space["f"], parameters={"v": np.array([0.5, -1.5, 2.0])})
     for u in (U, (2.0, 0.3, 0.7), (-0.4, 1.2, 0.1)):
@@ -135,28 +137,8 @@ def test_what_math_refuses_is_nan_or_infinite(name):
         getattr(math, name)(outside)
 
 
-@pytest.mark.parametrize("equal_nan", [False, True])
-def test_numbers_that_are_about_the_same_are_so_at_infinity_too(equal_nan):
-    block = static(lambda t, x, u, p: np.isclose(u[:2], u[1:], equal_nan=equal_nan) * 1.0, 3, 2)
-    for u in ([1.0, 1.0 + 1e-9, 1.1], [np.inf, np.inf, 1.0], [np.inf, -np.inf, np.nan]):
-        as_it_runs(block, "output", 0.0, [], u)
-    as_it_runs(block, "output", 0.0, [], [np.nan, np.nan, np.inf])
-
-
 def looked_up(t, x, u, p):
     return lookup(p.values, u[0])
-
-
-def in_reverse(t, x, u, p):
-    return lookup(p.values[::-2], u[0])
-
-
-def in_signals(t, x, u, p):
-    return lookup(u[1:], u[0])
-
-
-def many_places(t, x, u, p):
-    return lookup(p.values, np.floor(u))
 
 
 @pytest.mark.parametrize("size", [1, 4, 9])
@@ -169,17 +151,6 @@ def test_lookup_reads_whole_places_and_is_nan_outside(size):
             assert found == [table[index]]
     for index in (size, -size - 1, math.inf, -math.inf, math.nan, 1e300):
         assert math.isnan(recorded(block, "output", 0.0, [], [index])[0])
-
-
-def test_lookup_in_any_row():
-    table = np.array([3.0, 5.0, 7.0])
-    assert lookup(table, 1.9) == 5.0
-    np.testing.assert_array_equal(lookup(table, [0.0, 2.0, -1.0]), [3.0, 7.0, 7.0])
-    as_it_runs(static(in_reverse, 1, parameters={"values": table}), "output", 0.0, [], [1.0])
-    as_it_runs(static(in_signals, 4), "output", 0.0, [], [1.0, 5.0, 6.0, 7.0])
-    as_it_runs(
-        static(many_places, 3, 3, parameters={"values": table}), "output", 0, [], [0, 1.5, 2]
-    )
 
 
 def test_a_table_is_one_operation_whatever_its_length():
@@ -214,8 +185,7 @@ def sums(t, x, u, p):
         *(sum(own), sum(own, 0.5), sum([math.fabs(u[0]), 1.0, -math.fabs(u[0])])),
         *(sum([2.0 * own[0], 1, -2.0 * own[0]]), sum(max(one, -2e16) for one in own)),
         *(sum(u), sum([own[0], u[1], own[2]]), sum([own[0], own[1], u[2]]), sum(kept)),
-        *(sum([min(2e16, u[0]), 1.0, -1e16]), sum([max(own[0], u[1]) * 1.0, own[1], -1e16])),
-        *(sum([own[0], own[1], max(own[2], u[2])]), sum(max(one, 0) for one in u)),
+        sum(max(one, 0) for one in u),
     ]
 
 
@@ -223,4 +193,4 @@ def sums(t, x, u, p):
     "u", [(1e16, 1.0, -1e16), (1e16, 3.0, -1e16), (1.0, 1e16, -1e16), (1e305, 2.0, -1e305)]
 )
 def test_sums_are_pythons_also_where_it_makes_up_for_rounding(u):
-    as_it_runs(static(sums, outputs=13), "output", 0.0, [], u, tolerance=0.0)
+    as_it_runs(static(sums, outputs=10), "output", 0.0, [], u, tolerance=0.0)

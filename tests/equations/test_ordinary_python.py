@@ -209,19 +209,3 @@ def test_ordinary_python_is_read_as_it_runs(name):
     block = static(function, 3, np.size(given["y"] if isinstance(given, dict) else given))
     for u in POINTS:
         as_it_runs(block, "output", 0.7, [], u, 1e-13)
-
-
-def made(body):
-    """A function made by exec; inspect finds no text of it."""
-    space = {"math": math, "np": np}
-    exec("def f(t, x, u, p):\n" + "\n".join(f"    {line}" for line in body.split("\n")), space)
-    return space["f"]
-
-
-@pytest.mark.parametrize(
-    "body", ["return math.exp(-abs(u[0]))", "y = np.zeros(1)\ny[0] = u[0]\nreturn y"]
-)
-def test_a_function_without_text_is_read_too(body):
-    block = static(made(body))
-    for u in POINTS:
-        as_it_runs(block, "output", 0.0, [], u)

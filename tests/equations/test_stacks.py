@@ -97,16 +97,6 @@ def test_a_loop_is_as_python_runs_it_and_short(name):
     assert len(record_of(function)) <= most
 
 
-def test_a_loop_and_its_arrays_have_one_record():
-    """But for the ends, which are numbers here and arrays of one there."""
-    ends = {"constant", "stack", "join"}
-    one, other = (
-        [(o.kind, o.shape, o.at) for o in record_of(f) if o.kind not in ends]
-        for f in (looped, on_arrays)
-    )
-    assert one == other
-
-
 TERMS = {
     "next": lambda x, i: x[(i + 1) % N],
     "far": lambda x, i: x[(7 * i) % N],

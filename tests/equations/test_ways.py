@@ -19,12 +19,6 @@ def limited(v, low=-1.0, high=1.0):
     return v
 
 
-def whole_at_its_ends(v):
-    if v > 1:
-        return 1
-    return -1 if v < -1 else v
-
-
 def dead(v, width=0.1):
     return 0 if abs(v) < width else v - math.copysign(width, v)
 
@@ -37,12 +31,6 @@ def thrust(n):
 def raising(v):
     if v < 0:
         raise ValueError("no root")
-    return np.sqrt(v)
-
-
-def checked(v):
-    if v < 0:
-        raise ValueError(f"no root of {v}")
     return np.sqrt(v)
 
 
@@ -60,16 +48,6 @@ def high(v):
     return bool(v > 0.3)
 
 
-def powers(v, n):
-    if n == 0:
-        return v
-    return v * powers(v, n - 1) if v > 0 else -powers(v, n - 1)
-
-
-def none_above(v):
-    return None if v > 0.5 else v
-
-
 @functools.lru_cache
 def cached(v):
     return v if v > 0 else -2 * v
@@ -82,13 +60,6 @@ def caught(v):
         return -1.0
 
 
-def in_an_array(values):
-    """Whole numbers alone are an array of whole numbers, which cuts what is written into it."""
-    found = np.array(values)
-    found[0] = 0.5
-    return found
-
-
 RATIOS = [1.0, 2.5, 4.0]
 FUNCTIONS = {
     "limits": lambda t, x, u, p: [limited(v) for v in u],
@@ -97,15 +68,11 @@ FUNCTIONS = {
     "within": lambda t, x, u, p: [thrust(v) for v in u],
     "two numbers": lambda t, x, u, p: [a * b for a, b in map(halves, u)],
     "errors": lambda t, x, u, p: [caught(v) for v in u],
-    "errors in words": lambda t, x, u, p: [checked(abs(v)) for v in u],
     "places": lambda t, x, u, p: [RATIOS[gear(v)] * v for v in u],
     "counts": lambda t, x, u, p: [sum(u[: gear(abs(v))]) for v in u],
     "truths": lambda t, x, u, p: [1.0 if high(v) else v for v in u],
-    "nothing": lambda t, x, u, p: [v if none_above(v) is None else 2.0 * v for v in u],
-    "itself": lambda t, x, u, p: [powers(v, 3) for v in u],
     "asked before": lambda t, x, u, p: [limited(v) if v > 1.0 else 2 * limited(v) for v in u],
     "a cache": lambda t, x, u, p: [cached(float(v)) for v in u],
-    "whole, made float": lambda t, x, u, p: in_an_array([1.0 * whole_at_its_ends(v) for v in u]),
 }
 
 
