@@ -226,9 +226,10 @@ class Alerts:
     def _run(self, sentence: str, data: str) -> str:
         """Run the command; return why it failed, empty where it did not."""
         words = [sentence if word == "{}" else word for word in self.command]
-        text, quiet = f"{sentence}\n{data}\n".encode(), subprocess.DEVNULL
+        text = f"{sentence}\n{data}\n".encode()
+        quiet: Any = dict.fromkeys(("stdout", "stderr"), subprocess.DEVNULL)
         try:
-            done = subprocess.run(words, input=text, timeout=LONGEST, stdout=quiet, check=False)
+            done = subprocess.run(words, input=text, timeout=LONGEST, check=False, **quiet)
         except subprocess.TimeoutExpired:
             return f"takes longer than {LONGEST:g} s"
         except (OSError, UnicodeError) as error:  # a name may not be in the locale's letters

@@ -117,7 +117,7 @@ def test_dive_numbers_of_netcdf_files(tmp_path):
             data.dive_number = number
         assert dives_in(path)[0].number == 7
     path = path.rename(tmp_path / "other.nc")
-    with pytest.raises(DataError, match=r"other.nc: dive_number is 'seven', no whole number"):
+    with pytest.raises(DataError, match=r"other.nc: neither dive_number nor log_DIVE is a"):
         dives_in(path)[0]
     columns = og1_rows()
     columns["divenum"] = columns["divenum"] + 1e12

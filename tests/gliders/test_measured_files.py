@@ -98,7 +98,7 @@ def test_an_early_og1_mission_is_read_as_it_was_meant(facts):
             assert (true.dr_east, true.dr_north) == pytest.approx(swum_in(data, dive, 0.0))
             said = "; ".join(dive.notes)
             assert "TIME_GPS has no units and is read as nanoseconds" in said
-            assert "magnetic, turned by IGRF's variation of -37 degrees" in said
+            assert "magnetic, variation -37 degrees (by IGRF" in said
 
 
 def test_the_variation_of_the_command_line_turns_magnetic_headings(clpt, refused, facts, tmp_path):
