@@ -117,12 +117,6 @@ def turned(dives, degrees, factor=1.0):
     ]
 
 
-@pytest.mark.parametrize("degrees", [4.0, -4.0])
-def test_a_compass_error_is_clockwise(degrees):
-    step = replay_dives(turned(vehicle(2, 30), degrees)).steps[-1]
-    assert step.compass == pytest.approx(degrees, abs=0.4)
-
-
 @pytest.mark.parametrize(("factor", "degrees"), [(0.8, 12.0), (1.15, -8.0)])
 def test_speed_and_compass_are_told_apart_however_large(factor, degrees):
     dives = turned(vehicle(2, 40), degrees, factor)

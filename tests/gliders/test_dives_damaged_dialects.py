@@ -5,9 +5,7 @@ import pytest
 from glider_dialects import (
     DURATION,
     EPOCH,
-    FIRST,
     GPS_EAST,
-    LAST,
     SWUM,
     T0,
     M,
@@ -260,19 +258,6 @@ def test_og1_rows_of_other_instruments_have_no_step(tmp_path):
     for dive in dives_in(og1(tmp_path / "og1.nc", columns=columns)):
         assert (dive.dr_east, dive.dr_north) == pytest.approx(tuple(SWUM))
         assert dive.notes == ()
-
-
-def test_og1_numbers_of_dives_that_are_none_are_counted(tmp_path):
-    columns = og1_rows()
-    columns["divenum"] = np.full(columns["divenum"].shape, 1.2e308)
-    dives = dives_in(og1(tmp_path / "og1.nc", columns=columns))
-    assert [dive.number for dive in dives] == [1, 2, 3]
-
-
-def test_og1_samples_that_lack_are_said(tmp_path):
-    columns = {name: np.delete(a, np.s_[10:14]) for name, a in og1_rows(count=40).items()}
-    said = dives_in(og1(tmp_path / "a.nc", columns=columns))[0].notes[0]
-    assert f"no samples for {5 * (DURATION - FIRST - LAST) / 39:.0f} s of 9000 s" in said
 
 
 @pytest.mark.parametrize(
