@@ -31,10 +31,10 @@ from ..figures import (
 from ..geodesy import distance, near
 from ..html import plain
 from .facts import Source, found_of
-from .layers import layers_of
+from .layers import LAST, layers_of
 from .places import Place, clock, degrees_minutes, east_of
 
-FEW, LAST = 20, 12  # dives whose marks are large; whose ellipses are drawn
+FEW = 20  # dives, whose marks are large
 SIZE, LEAST = 5.6, 4.6  # inches of the longer side; least width
 ROOM = (0.3, 0.14)  # inches of a number
 LARGER = 1.6  # times, that a waypoint may make the chart
@@ -133,7 +133,7 @@ def _drawn(whole: dict[str, Any], ax: Axes | None, around: tuple[float, float]) 
         lat, lon = np.transpose(ends)
         return np.array([near(lon, first), lat])
 
-    rings = of.pop("ring", [])[-LAST:]
+    rings = of.pop("ring", [])
     far = [*of["track"], *of["miss"], *rings, *of.get("ring next", [])]
     points = at([[place for places in far for place in places]])[:, :-1]
     if not (np.abs(points[1]) <= 90.0).all():
