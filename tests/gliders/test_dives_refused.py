@@ -172,4 +172,4 @@ def test_the_order_of_files_does_not_choose_between_copies():
         assert used == slower  # the least of number, then displacement
         assert len(skipped) == 24
         whys |= {one.why for one in skipped if "of dive 12" in one.why}
-    assert whys == {"duplicate of dive 12, which is used, with other numbers"}
+    assert whys == {"duplicate of dive 12, which is used"}
