@@ -148,17 +148,12 @@ class FixModel:
 
     def __post_init__(self) -> None:
         """Refuse flows that cannot be."""
-        known = ("steady", *OTHERS, *SPEEDS)
-        for name in self.flow:
-            if name not in known:
-                raise ScenarioError(
-                    f"flow {','.join(self.flow) or 'empty'}: unknown constituent '{name}': must be "
-                    f"one of {', '.join(known)}"
-                )
-        if not self.flow or self.flow[0] != "steady" or len(set(self.flow)) < len(self.flow):
+        parts = (*OTHERS, *SPEEDS)
+        rest = self.flow[1:]
+        if self.flow[:1] != ("steady",) or {*rest} - {*parts} or len({*rest}) < len(rest):
             raise ScenarioError(
-                f"flow {','.join(self.flow) or 'empty'}: must begin with steady and name each "
-                "part once, such as steady,M2,inertial"
+                f"flow {','.join(self.flow) or 'empty'}: must begin with steady, then name some of "
+                f"{', '.join(parts)}, each once"
             )
         if not (math.isfinite(self.width) and self.width > 0):
             raise ScenarioError(

@@ -139,7 +139,7 @@ def test_no_vehicle_and_wrong_words(tmp_path, command):
         (("--fleet", tmp_path, "--aim", "1", "2"), "are of one vehicle"),
         (("--sample", "--alert", "true"), "is for --follow FOLDER or --fleet FOLDER"),
         (("--fleet", tmp_path, "--alert", "no-such-command-here"), "no such command"),
-        (("--fleet", tmp_path, "--alert", "echo 'a"), "no closing quotation"),
+        (("--fleet", tmp_path, "--alert", "echo 'a"), "no such command"),
     ):
         assert says in str(command(*words).exception)
     assert unread("SG1", "gone")["asks"] == ["cannot be read"]
