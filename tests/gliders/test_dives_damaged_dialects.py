@@ -272,12 +272,3 @@ def test_og1_rows_of_other_instruments_have_no_step(tmp_path):
 def test_og1_units_that_are_none(name, units, tmp_path):
     with pytest.raises(DataError, match=f"{name}.*'{units}'.*must be such as"):
         dives_in(og1(tmp_path / "og1.nc", units={name: {"units": units}}))
-
-
-@pytest.mark.parametrize("share", [0.001, 0.1, 0.6, 0.999])
-def test_og1_cut_short(share, tmp_path):
-    path = og1(tmp_path / "og1.nc")
-    raw = path.read_bytes()
-    path.write_bytes(raw[: int(share * len(raw))])
-    with pytest.raises(DataError, match=r"og1.nc: (cannot be read|damaged|cut short)"):
-        read_dives(path)
