@@ -133,7 +133,7 @@ def in_three_files(tmp_path_factory):
     return source, read_dives(source)
 
 
-@pytest.mark.parametrize("order", list(permutations(range(4))))
+@pytest.mark.parametrize("order", list(permutations(range(4)))[::5])
 def test_followed_files_come_in_any_order(in_three_files, tmp_path, order):
     (source, wanted), inbox = in_three_files, tmp_path / "inbox"
     inbox.mkdir()

@@ -134,12 +134,8 @@ def test_routes_are_read(tmp_path):
     [
         ("", "has no waypoint"),
         ("-42.8 8.4 7\n", "is neither GeoJSON nor a latitude"),
-        ("north south\n", "is neither GeoJSON nor a latitude"),
         ("8.4 -942.8\n", "latitude 8.4, longitude -942.8 is no place"),
-        ("nan 8\n", "is no place"),
-        ("{", "is neither GeoJSON nor a latitude"),
         ('{"type": "Circle"}', "has no waypoint"),
-        ('{"type": "Point", "coordinates": 7}', "is neither GeoJSON"),
         (json.dumps({"type": "Polygon", "coordinates": [SQUARE]}), "has no waypoint"),
         ("{" * 10**5, "is neither GeoJSON"),
         ('{"type": "LineString", "coordinates": [[[8.0, 40.0]]]}', "places are pairs"),
