@@ -60,19 +60,6 @@ SETTLED = 10  # dives before the watch speaks
 SCATTER = 3.0  # most the rest may weigh, in expected values
 
 
-def disagreement(before: Dive, dive: Dive) -> float:
-    """Return how far a dive starts from where the one before ended, m; 0 where it can.
-
-    >>> from clpt_control.gliders.dives import make_dive
-    >>> one = make_dive(1, (0.0, 40.0, 8.0), (9000.0, 40.0, 8.0), (0.0, 0.0))
-    >>> two = make_dive(2, (9060.0, 40.01, 8.0), (18000.0, 40.01, 8.0), (0.0, 0.0))
-    >>> round(disagreement(one, two)), disagreement(one, replace(two, t_gps2=9300.0))
-    (1110, 0.0)
-    """
-    apart = distance(before.lat_gpse, before.lon_gpse, dive.lat_gps2, dive.lon_gps2)
-    return apart if apart > FASTEST * max(_between(before, dive), 0.0) + MARGIN else 0.0
-
-
 def doubt_one_fix(
     before: Dive, dive: Dive, forecast: tuple[np.ndarray, np.ndarray], model: FixModel
 ) -> tuple[Dive, Dive]:
@@ -80,10 +67,10 @@ def doubt_one_fix(
 
     The forecast is that of the end of the one before: mean (2,), m, and covariance (2, 2), m^2.
     """
-    apart = disagreement(before, dive)
-    if not apart:
+    apart = distance(before.lat_gpse, before.lon_gpse, dive.lat_gps2, dive.lon_gps2)
+    since = max(dive.t_gps2 - before.t_gpse, 0.0)
+    if not apart > FASTEST * since + MARGIN:  # as far as a vehicle may drift
         return before, dive
-    since = max(_between(before, dive), 0.0)
     there = displacement(before.lat_gps2, before.lon_gps2, dive.lat_gps2, dive.lon_gps2)
     start = np.array(there) - (before.dr_east, before.dr_north)
     mean, covariance = forecast
@@ -102,10 +89,6 @@ def doubt_one_fix(
     lat, lon = dive.lat_gps2, dive.lon_gps2
     east, north = there
     return replace(settled, lat_gpse=lat, lon_gpse=lon, gps_east=east, gps_north=north), dive
-
-
-def _between(before: Dive, dive: Dive) -> float:
-    return dive.t_gps2 - before.t_gpse
 
 
 def _doubted(dive: Dive, doubt: float, note: str) -> Dive:
