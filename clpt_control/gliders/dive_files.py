@@ -85,10 +85,7 @@ def dive_paths(paths: Iterable[str | Path]) -> list[Path]:
 
 
 def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
-    """Read a file of any dialect: its dives, and lines of a text that hold none.
-
-    A text may be a pipe that is open.
-    """
+    """Read a file of any dialect: its dives, and lines of a text that hold none."""
     path = Path(path)
     raw = read_bytes(path, (*NETCDF, slocum.MAGIC))
     if not raw:

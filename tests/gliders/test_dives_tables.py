@@ -2,7 +2,6 @@
 
 import os
 import re
-import threading
 from pathlib import Path
 
 import netCDF4
@@ -147,35 +146,6 @@ def test_what_is_no_file_is_refused_at_once(tmp_path):
         "is no regular file; give one",
         "is a folder; give a file",
     ]
-
-
-def piped(raw):
-    """Return the name of an open pipe through which bytes come, once."""
-    end, start = os.pipe()
-
-    def fill():
-        with os.fdopen(start, "wb") as file:
-            file.write(raw)
-
-    threading.Thread(target=fill, daemon=True).start()
-    return f"/dev/fd/{end}", end
-
-
-def test_a_table_comes_through_an_open_pipe(table, tmp_path):
-    for raw, expected in (
-        (table.read_bytes(), None),
-        (b"", "is empty"),
-        (basestation(tmp_path / "p1230001.nc").read_bytes(), "NetCDF through a"),
-    ):
-        name, end = piped(raw)
-        try:
-            if expected is None:
-                assert read_dives(name) == (sample_dives(), [])
-            else:
-                with pytest.raises(DataError, match=expected):
-                    read_dives(name)
-        finally:
-            os.close(end)
 
 
 def test_a_table_is_not_larger_than_can_be_held(table, monkeypatch):
