@@ -32,7 +32,6 @@ STRAY = 0.05  # largest share of characters that are no UTF-8 text
 LARGEST = 2 * 10**8  # bytes of a file that is read whole
 OPENED = "/proc/self/fd"  # the folder in which a system names the descriptors of a process
 NETCDF = (b"CDF\x01", b"CDF\x02", b"CDF\x05", b"\x89HDF")  # first bytes
-UTF_16 = (b"\xff\xfe", b"\xfe\xff")  # its byte order marks
 SLASH = (
     "\N{DIVISION SLASH}"  # in a file, for a / of a name, which NetCDF and Zarr take for a folder
 )
@@ -146,8 +145,6 @@ def read_text(path: AnyPath, no_text: str, most: int | None = None) -> str:
 
 def text_of(raw: bytes, path: AnyPath, no_text: str) -> str:
     """Return a whole file's bytes as text, those that are no UTF-8 as U+FFFD."""
-    if raw.startswith(UTF_16):
-        raise DataError(f"{path}: is text in UTF-16; must be in UTF-8: save it so")
     text = raw.decode("utf-8-sig", "replace")
     if "\0" in text or text.count("\ufffd") > STRAY * len(text):
         raise DataError(f"{path}: {no_text}")

@@ -35,7 +35,7 @@ def table(tmp_path):
             "utf-8",
             "no column dr_east_m; has dive, .*DR_east_m",
         ),
-        (str, "utf-16", "is text in UTF-16; must be in UTF-8"),
+        (str, "utf-16", "is neither NetCDF nor text"),
     ],
 )
 def test_tables_of_other_kinds_are_told_what_to_change(table, change, encoding, sentence):
