@@ -163,7 +163,6 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
         "estimator": replay.estimator,
         "flow": list(replay.model.flow),
         "learn_speed": replay.model.learn_speed,
-        "gaussian_width": replay.model.width,
         "dives": len(steps) + len(skipped),
         "used": len(steps),
         "clpe_rms": clpe_rms(replay, 1),
