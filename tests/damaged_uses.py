@@ -76,10 +76,7 @@ OPTIONS = (  # words, options whose values are damaged
     ("fit grid.nc --out out.toml", "--rows --columns --width-km --units"),
     ("tides record.csv --constituents M2", "--constituents --latitude"),
     ("estimate run.nc", "--every --prior --noise --until"),
-    (
-        "replay dives.csv --aim 41 -69",
-        "--speed --hours --least-duration --variation --width-km --flow",
-    ),
+    ("replay dives.csv --aim 41 -69", "--speed --hours --least-duration --variation --flow"),
     (f"animate run.nc -o out.gif {FILM}", "--start --end --seconds --width"),
 )
 

@@ -9,7 +9,7 @@ from made_fields import as_it_is, gridded_current
 from pyproj import Geod
 
 from clpt_control.gliders.dives import make_dive
-from clpt_control.replay.carried_dives import FlowModel, carried, why_uncovered
+from clpt_control.replay.carried_dives import FlowModel, carried
 
 START = datetime(2020, 6, 1, tzinfo=UTC).timestamp()
 LAT, LON = np.linspace(40.5, 41.5, 21), np.linspace(-70.0, -68.5, 31)
@@ -68,5 +68,5 @@ def turned(dive, speed=0.3):
 
 def model_way(dive, model):
     found = carried(dive, model)
-    assert why_uncovered(found) == ""
+    assert found.uncovered is None
     return np.array([found.model_east, found.model_north])

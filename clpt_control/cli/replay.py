@@ -41,7 +41,6 @@ def replay(
         "PARTS",
         "steady, then any of tides, inertial, shear, gaussians, model, such as steady,M2,K1.",
     ),
-    width_km: float | None = opt("KM", "Width of the gaussians."),
     learn_speed: bool = flag("Learn a factor on speed and a compass error.", default=True),
     flow_model: Path | None = opt(
         "FILE", "Forecast (NetCDF) or fit (TOML) to compare with and learn from."
@@ -123,7 +122,7 @@ def replay(
         raise ScenarioError(
             f"--variation {variation:g} degrees: must be -180 to 180, east positive"
         )
-    model = chosen_model(flow, width_km, learn_speed, flow_model is not None)
+    model = chosen_model(flow, learn_speed, flow_model is not None)
     if units is not None and flow_model is None:
         raise ScenarioError(f"--units {units}: is for --flow-model FILE; give one, or leave it out")
     forecast = None if flow_model is None else clpt.replay.read_flow_model(flow_model, units)
@@ -158,9 +157,7 @@ def replay(
     finish(replay_report.results(summary), summary, as_json, *written)
 
 
-def chosen_model(
-    flow: str | None, width_km: float | None, learn_speed: bool, forecast: bool
-) -> Any:
+def chosen_model(flow: str | None, learn_speed: bool, forecast: bool) -> Any:
     """Return the `FixModel` of the options; `forecast` is whether there is a flow model.
 
     Then a factor on it is a parameter, which the dives may find to be near zero.
@@ -171,8 +168,7 @@ def chosen_model(
         raise ScenarioError(f"flow {flow}: its part model needs --flow-model FILE")
     if forecast and "model" not in parts:
         parts = (*parts, "model")
-    sized: dict[str, Any] = {} if width_km is None else {"width": 1000 * width_km}
-    return FixModel(parts, learn_speed, **sized)
+    return FixModel(parts, learn_speed)
 
 
 RESULTS, STATE = "replay.nc", "state"  # in a folder of results

@@ -70,6 +70,8 @@ class Dive:
         Standard error of the displacement between fixes that disagree with a neighbour's, m.
     model_east, model_north : float or None
         Displacement that a chosen flow model gives the vehicle, m (`flow_models`).
+    uncovered : str or None
+        Why that model says nothing of the dive.
     next_course : float or None
         Course of the next dive by the plan in this one's file, degrees clockwise from true north.
     vehicle : str or None
@@ -116,6 +118,7 @@ class Dive:
     next_course: OrNaN | None = None
     vehicle: str | None = field(default=None, compare=False)
     kind: str | None = field(default=None, compare=False)
+    uncovered: str | None = field(default=None, compare=False)
     track: Track | None = field(default=None, compare=False, repr=False)
     notes: tuple[str, ...] = field(default=(), compare=False)
 

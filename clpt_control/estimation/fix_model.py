@@ -127,8 +127,6 @@ class FixModel:
         factor on the dives' flow model) and constituents such as ``"M2"``.
     learn_speed : bool
         Whether a factor on speed and a compass error are parameters too.
-    width : float
-        Of the gaussians, m.
     places : Places or None
         Where gaussians stand so far; None before the first dive.
     priors : Priors
@@ -142,27 +140,17 @@ class FixModel:
 
     flow: tuple[str, ...] = ("steady", "M2", "inertial")
     learn_speed: bool = True
-    width: float = WIDTH
     places: Places | None = None
     priors: Priors = field(default_factory=Priors)
 
     def __post_init__(self) -> None:
         """Refuse flows that cannot be."""
-        known = ("steady", *OTHERS, *SPEEDS)
-        for name in self.flow:
-            if name not in known:
-                raise ScenarioError(
-                    f"flow {','.join(self.flow) or 'empty'}: unknown constituent '{name}': must be "
-                    f"one of {', '.join(known)}"
-                )
-        if not self.flow or self.flow[0] != "steady" or len(set(self.flow)) < len(self.flow):
+        parts = (*OTHERS, *SPEEDS)
+        rest = self.flow[1:]
+        if self.flow[:1] != ("steady",) or {*rest} - {*parts} or len({*rest}) < len(rest):
             raise ScenarioError(
-                f"flow {','.join(self.flow) or 'empty'}: must begin with steady and name each "
-                "part once, such as steady,M2,inertial"
-            )
-        if not (math.isfinite(self.width) and self.width > 0):
-            raise ScenarioError(
-                f"width of the gaussians (--width-km) = {self.width:g} m: must be positive"
+                f"flow {','.join(self.flow) or 'empty'}: must begin with steady, then name some of "
+                f"{', '.join(parts)}, each once"
             )
 
     @cached_property
@@ -217,7 +205,7 @@ class FixModel:
         """
         if "gaussians" not in self.flow:
             return self
-        places = near(self.places, dive, self.width)
+        places = near(self.places, dive, WIDTH)
         return self if places is self.places else replace(self, places=places)
 
     def regressor(self, dive: Dive, ended: bool = False) -> np.ndarray:

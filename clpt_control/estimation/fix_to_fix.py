@@ -43,7 +43,10 @@ def regularised(h, y, theta, sd) -> tuple[np.ndarray, np.ndarray]:
     """Return theta and P of regularised least squares: h (n, N), y (n, 2), of unit noise."""
     scaled = h * sd  # in units of the prior
     if not np.all(np.isfinite(scaled)):
-        raise DataError("the prior is too large for the noise; give a smaller prior or more noise")
+        raise DataError(
+            "phi along the tracks is not finite in units of prior and noise; give a smaller prior, "
+            "more noise, or fixes more often"
+        )
     U, s, Vt = np.linalg.svd(scaled, full_matrices=len(h) < len(sd))
     moved = Vt[: len(s)].T @ ((s / (1 + s**2))[:, None] * (U.T @ (y - h @ theta.T)))
     share = np.ones(len(sd))  # of the prior that is left along each row of Vt
@@ -73,11 +76,6 @@ def expected_blur(theta, P, B):
 
 def generalised(segments, h, theta, sd, r, blur=0.0) -> tuple[np.ndarray, np.ndarray]:
     """Return theta and P of generalised least squares along a track."""
-    if not np.all(np.isfinite(h)):
-        raise DataError(
-            "phi along the tracks is not finite; where they are predicted, give fixes more often "
-            "or a smaller prior"
-        )
     white = whitened(segments, np.hstack([h, segments.miss]), r, blur)
     return regularised(white[:, :-2], white[:, -2:], theta, sd)
 

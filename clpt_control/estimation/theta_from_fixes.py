@@ -170,10 +170,11 @@ def flow_estimate(
     sd = _numbers("prior", usual_prior if prior is None else prior, (N,))
     r = _numbers("noise", usual_noise if noise is None else noise, (n,))
     theta = np.zeros((2, N)) if start is None else np.asarray(start)
-    if not all(np.all(np.isfinite(part)) for part in segments[:4]):
-        raise DataError("a fix or the way through the water is not finite; leave it out")
-    if not np.all(segments.duration > 0):
-        raise DataError("a segment does not end after it begins; clpt.gliders.usable leaves it out")
+    finite = all(np.all(np.isfinite(part)) for part in segments[:4])
+    if not (finite and np.all(segments.duration > 0)):
+        raise DataError(
+            "a segment is not finite, or has no time; clpt.gliders.usable leaves it out"
+        )
     with np.errstate(all="ignore"):  # what is not finite is refused
         steps, P, h = METHODS[method](segments, basis, theta, sd, r, walk * sd)
         theta = steps[-1]

@@ -1,9 +1,9 @@
 """How every file is opened to be read, and read whole where it is text.
 
 A file is opened once, without waiting, and checked through its descriptor: it is a regular file of
-bounded size, or a pipe that is already open (`/dev/stdin`, or a shell's `<(command)`).  All else is
-refused in a sentence.  A library that opens by name (NetCDF) gets a name of the descriptor, where
-the system has one; Zarr, which lists a folder itself, gets paths that are opened in this way.
+bounded size, and all else, a pipe too, is refused in a sentence.  A library that opens by name
+(NetCDF) gets a name of the descriptor, where the system has one; Zarr, which lists a folder itself,
+gets paths that are opened in this way.
 
 Text is UTF-8, with or without a byte order mark; a few stray bytes are let
 through, for they stand in comments and notes.
@@ -30,10 +30,8 @@ if TYPE_CHECKING:
 AnyPath = str | Path
 STRAY = 0.05  # largest share of characters that are no UTF-8 text
 LARGEST = 2 * 10**8  # bytes of a file that is read whole
-OPEN_PIPE = re.compile(r"/dev/stdin|(/dev|/proc/self)/fd/\d+")  # any other pipe may wait for ever
 OPENED = "/proc/self/fd"  # the folder in which a system names the descriptors of a process
 NETCDF = (b"CDF\x01", b"CDF\x02", b"CDF\x05", b"\x89HDF")  # first bytes
-UTF_16 = (b"\xff\xfe", b"\xfe\xff")  # its byte order marks
 SLASH = (
     "\N{DIVISION SLASH}"  # in a file, for a / of a name, which NetCDF and Zarr take for a folder
 )
@@ -57,11 +55,9 @@ def opened(
 
 
 def _check(file: BinaryIO, path: AnyPath, most: float) -> None:
-    """Refuse what was opened where it is neither a file nor an open pipe, or is too large."""
+    """Refuse what was opened where it is no regular file, or is too large."""
     state = os.fstat(file.fileno())
-    if stat.S_ISFIFO(state.st_mode) and OPEN_PIPE.fullmatch(str(path)):
-        os.set_blocking(file.fileno(), True)
-    elif not stat.S_ISREG(state.st_mode):
+    if not stat.S_ISREG(state.st_mode):
         raise DataError(f"{path}: is no regular file; give one")
     if state.st_size > most:
         raise DataError(_too_large(path, most))
@@ -96,7 +92,7 @@ def read_bytes(
     hint: str = "give the name of a file",
     most: int | None = None,
 ) -> bytes:
-    """Read a file or an open pipe, such as ``/dev/stdin``, once; `most` is `LARGEST` by default.
+    """Read a file; `most` is `LARGEST` by default.
 
     Of a file that begins with one of `other`, 4 bytes each, only these are read.
     """
@@ -149,8 +145,6 @@ def read_text(path: AnyPath, no_text: str, most: int | None = None) -> str:
 
 def text_of(raw: bytes, path: AnyPath, no_text: str) -> str:
     """Return a whole file's bytes as text, those that are no UTF-8 as U+FFFD."""
-    if raw.startswith(UTF_16):
-        raise DataError(f"{path}: is text in UTF-16; must be in UTF-8: save it so")
     text = raw.decode("utf-8-sig", "replace")
     if "\0" in text or text.count("\ufffd") > STRAY * len(text):
         raise DataError(f"{path}: {no_text}")
@@ -171,8 +165,6 @@ def open_netcdf(path: AnyPath, most: float = inf) -> "Iterator[xarray.Dataset]":
     import xarray
 
     with opened(path, inf, "must be a NetCDF file") as file:
-        if not file.seekable():
-            raise DataError(f"{path}: is NetCDF through a pipe; save it as a file and give it")
         _check_header(file, path)
         name, engine = opened_name(file.fileno(), path), netcdf_engine()
         try:

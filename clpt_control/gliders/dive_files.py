@@ -24,7 +24,7 @@ from ..files.reading import NETCDF, open_netcdf, read_bytes
 from ..progress.interrupt import check
 from . import og1, seaexplorer, seaglider, slocum
 from .dive_table import table_dives
-from .dives import SLOCUM_FILES, Skipped, in_order, is_segment
+from .dives import Skipped, in_order, is_segment
 from .vehicle_names import name_in, name_of_file
 
 MOST_BYTES = 4 * 10**9  # of memory that the dives of a file may take
@@ -32,7 +32,6 @@ KINDS = (
     "Seaglider or OG1 NetCDF files, .sbd, .mbd or .dbd of a Slocum, .gli of a SeaExplorer, "
     "a CSV table of dives"
 )
-SUFFIXES = (".nc", ".csv", *SLOCUM_FILES)
 FROM_GLIDER = "from-glider"  # where a dockserver keeps what a glider sent
 
 
@@ -56,7 +55,7 @@ def sample_dives() -> list[Dive]:
 
 def may_hold_dives(path: Path) -> bool:
     """Whether a name in a folder is that of a file of dives; hidden ones are not."""
-    named = path.suffix.lower() in SUFFIXES or is_segment(path)
+    named = path.suffix.lower() in (".nc", ".csv") or is_segment(path)
     return named and not path.name.startswith(".")
 
 
@@ -80,16 +79,13 @@ def dive_paths(paths: Iterable[str | Path]) -> list[Path]:
         if not dives and (sent := [file for file in inside if file.name.lower() == FROM_GLIDER]):
             dives = dive_paths(sent)
         if not dives:
-            raise DataError(f"{path}: the folder has no {', '.join(SUFFIXES)} or .gli file")
+            raise DataError(f"{path}: the folder has no {KINDS}")
         files += sorted(dives, key=in_order)
     return files
 
 
 def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
-    """Read a file of any dialect: its dives, and lines of a text that hold none.
-
-    A text may be a pipe that is open.
-    """
+    """Read a file of any dialect: its dives, and lines of a text that hold none."""
     path = Path(path)
     raw = read_bytes(path, (*NETCDF, slocum.MAGIC))
     if not raw:

@@ -86,15 +86,13 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
     for column in (*REQUIRED[1:], *OPTIONAL):
         text = row.get(column, "")
         value = _number(text, column in TIMES)
-        if value is None and text:
-            if column in (START[0], END[0]):
-                return Skipped(number, f"{where}: {column} is {text[:30]!r}; {AS_TIME}")
-            notes.append(f"{where}: {column} is {text[:20]!r}, no number")
-        elif column in REQUIRED and not text and column in row:
-            notes.append(f"{where}: {column} is empty")
-        missing = nan if column in REQUIRED else None
-        known = value is not None and (column in REQUIRED or isfinite(value))
-        found[column] = value if known else missing
+        if text and value is None:
+            what = AS_TIME if column in TIMES else "must be a number"
+            if column in REQUIRED:
+                return Skipped(number, f"{where}: {column} is {text[:30]!r}; {what}")
+            notes.append(f"{where}: {column} is {text[:30]!r}; {what}")
+        finite = value is not None and isfinite(value)
+        found[column] = value if finite else nan if column in REQUIRED else None
     start, end, through_water = (
         tuple(found[column] for column in columns) for columns in (START, END, THROUGH_WATER)
     )

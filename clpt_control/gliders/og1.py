@@ -36,7 +36,7 @@ from ..estimation.dive import Dive, Fix, ThroughWater, without_current
 from .dives import LEAST_DEPTH, Skipped, Three, cut_dives, dive_between
 from .og1_columns import columns_of, fixes_and_others, has_ends, segments_of
 from .og1_columns import is_known as is_known
-from .samples import LAST, deepest, summed, variation
+from .samples import deepest, summed, variation
 
 LEAST_GAP = 600.0  # s between two fixes with a dive between them
 UNDER_WATER = (1, 2, 4, 5)  # PHASE: ascent, descent, parking, inflexion
@@ -83,22 +83,16 @@ def _along_heading(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater
 
 def _variation_of(rows: pandas.DataFrame, start: Fix, end: Fix) -> tuple[float | None, str]:
     """Return the variation of a dive's heading (degrees east), None if true; which north it has."""
-    north = rows.attrs["north"]
+    north, measured = rows.attrs["north"], rows.magvar.dropna()
     if north == "true":
         return None, north
-    measured = rows.magvar.dropna()
+    found, whose = 0.0, "not known"
     if len(measured):
-        found = float(measured.median())
-        which = north or "of a north that the file does not name"
-        return found, f"{which}, turned by the file's variation of {found:g} degrees"
-    if not north:
-        return 0.0, ("of a north that the file does not name, taken as true (--variation turns it)")
-    found = variation(0.5 * (start[0] + end[0]), *start[1:])
-    if not isfinite(found):
-        return 0.0, f"magnetic, taken as true: IGRF ends in {LAST} (--variation turns it)"
-    return found, (
-        f"magnetic, turned by IGRF's variation of {found:.0f} degrees (--variation gives another)"
-    )
+        found, whose = float(measured.median()), "of the file"
+    elif north and isfinite(igrf := variation(0.5 * (start[0] + end[0]), *start[1:])):
+        found, whose = igrf, "by IGRF"
+    which = north or "of a north that the file does not name"
+    return found, f"{which}, variation {found:.0f} degrees ({whose}; --variation gives another)"
 
 
 def _summed(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater | None:

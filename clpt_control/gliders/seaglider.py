@@ -118,15 +118,15 @@ def number_in_name(path: Path) -> int | None:
 
 def _number(data: xarray.Dataset, path: Path) -> int:
     """Return the number of the dive."""
-    own, log = data.attrs.get("dive_number"), samples.scalar(data, "log_DIVE")
-    for value in (own, log, number_in_name(path)):
+    named = data.attrs.get("dive_number"), samples.scalar(data, "log_DIVE"), number_in_name(path)
+    for value in named:
         whole = whole_number(value)
         if whole is not None:
             return whole
-    given = "no attribute dive_number"
-    if own is not None:
-        given = f"dive_number is {str(own)[:20]!r}, no whole number below {NUMBERS}"
-    raise DataError(f"{given}, and the name is not such as p5420304.nc")
+    raise DataError(
+        f"neither dive_number nor log_DIVE is a whole number below {NUMBERS}, and the name is not "
+        "such as p5420304.nc"
+    )
 
 
 def _variation(data: xarray.Dataset) -> float | None:

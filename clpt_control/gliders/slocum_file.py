@@ -170,9 +170,7 @@ def _sensors(
         return _listed(listed, total, place), at
     end = at
     for _ in range(total):
-        end = raw.find(b"\n", end) + 1
-        if end == 0:
-            raise DataError(f"{path}: the list of sensors in the Slocum file is cut short")
+        end = raw.find(b"\n", end) + 1 or len(raw)
     return _listed(raw[at:end], total, path), end
 
 

@@ -14,7 +14,6 @@ can be, tells of a wrong fix, which costs no dive: a replay judges it (`replay.d
 """
 
 from collections.abc import Iterable
-from dataclasses import replace
 from datetime import UTC, datetime
 from math import hypot, isfinite
 
@@ -179,8 +178,7 @@ def _overlap(dive: Dive, before: Dive) -> str:
     if dive.t_gps2 >= before.t_gpse - OVERLAP:
         return ""
     if (dive.t_gps2, dive.t_gpse) == (before.t_gps2, before.t_gpse):
-        others = "" if replace(dive, number=before.number) == before else ", with other numbers"
-        return f"duplicate of dive {before.number}, which is used{others}"
+        return f"duplicate of dive {before.number}, which is used"
     return (
         f"overlaps dive {before.number}, which is used: starts "
         f"{before.t_gpse - dive.t_gps2:.0f} s before that ends"

@@ -10,7 +10,7 @@ DATED = re.compile(r"(.+?)_\d{8}")  # SG015_20040929T140907_delayed
 
 
 def name_in(data: Any) -> str | None:
-    """Return the vehicle's name in an open xarray.Dataset: its identifier, or its serial number.
+    """Return the vehicle's name in an open xarray.Dataset, of its identifiers.
 
     >>> import xarray
     >>> name_in(xarray.Dataset(attrs={"id": "SG015_20040929T140907_delayed"}))
@@ -18,13 +18,8 @@ def name_in(data: Any) -> str | None:
     >>> name_in(xarray.Dataset(attrs={"id": "x", "platform_id": " SG171 "}))
     'SG171'
     """
-    serial = data.get("platform_serial_number")
-    values = [data.attrs.get("platform_id"), None]
-    if serial is not None and serial.ndim == 0 and serial.dtype.kind in "SUO":
-        value = serial.values.item()
-        values[1] = value.decode("utf-8", "replace") if isinstance(value, bytes) else value
     dated = DATED.match(str(data.attrs.get("id", "")))
-    return name_of(*values, dated and dated[1])
+    return name_of(data.attrs.get("platform_id"), dated and dated[1])
 
 
 def name_of_file(file: str) -> str | None:

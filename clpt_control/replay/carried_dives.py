@@ -31,7 +31,6 @@ from ..errors import ClptError
 from ..estimation.dive import Dive, reckoned
 
 Flow = Callable[[float, float, float], tuple[float, float]]
-NOTE = "flow model: "
 LONGEST_STEP = 900.0  # s; a glider crosses no cell of a forecast in less
 RELATIVE, ABSOLUTE = 1e-8, 1e-3  # error of a step: share of q, and m
 
@@ -96,8 +95,8 @@ def carried(dive: Dive, flow_model: FlowModel) -> Dive:
     Returns
     -------
     Dive
-        With `model_east` and `model_north`, m; None, and the reason in
-        `notes`, where the model does not cover the whole dive.
+        With `model_east` and `model_north`, m; None, and the reason as
+        `uncovered`, where the model does not cover the whole dive.
 
     Examples
     --------
@@ -113,14 +112,8 @@ def carried(dive: Dive, flow_model: FlowModel) -> Dive:
     >>> round(clpt.replay.carried(dive, Stream()).model_east, 6)
     900.0
     """
-    rest = tuple(note for note in dive.notes if not note.startswith(NOTE))
     try:
         east, north = carried_by(dive, flow_model.along(dive))
     except Uncovered as why:
-        return replace(dive, model_east=None, model_north=None, notes=(*rest, f"{NOTE}{why}"))
-    return replace(dive, model_east=east, model_north=north, notes=rest)
-
-
-def why_uncovered(dive: Dive) -> str:
-    """Return why a flow model does not cover a dive; empty if it does."""
-    return next((note[len(NOTE) :] for note in dive.notes if note.startswith(NOTE)), "")
+        return replace(dive, model_east=None, model_north=None, uncovered=str(why))
+    return replace(dive, model_east=east, model_north=north, uncovered=None)

@@ -40,12 +40,12 @@ a plausible size is flagged as one or the other.
 
 from dataclasses import replace
 from math import hypot
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from ..estimation.dive import Dive, miss
-from ..estimation.estimators import HIDDEN, KalmanBank
+from ..estimation.estimators import HIDDEN, KalmanBank, LastUpdate
 from ..estimation.fix_model import FixModel
 from ..geodesy import displacement, distance
 from ..gliders.usable_dives import FASTEST
@@ -60,19 +60,6 @@ SETTLED = 10  # dives before the watch speaks
 SCATTER = 3.0  # most the rest may weigh, in expected values
 
 
-def disagreement(before: Dive, dive: Dive) -> float:
-    """Return how far a dive starts from where the one before ended, m; 0 where it can.
-
-    >>> from clpt_control.gliders.dives import make_dive
-    >>> one = make_dive(1, (0.0, 40.0, 8.0), (9000.0, 40.0, 8.0), (0.0, 0.0))
-    >>> two = make_dive(2, (9060.0, 40.01, 8.0), (18000.0, 40.01, 8.0), (0.0, 0.0))
-    >>> round(disagreement(one, two)), disagreement(one, replace(two, t_gps2=9300.0))
-    (1110, 0.0)
-    """
-    apart = distance(before.lat_gpse, before.lon_gpse, dive.lat_gps2, dive.lon_gps2)
-    return apart if apart > FASTEST * max(_between(before, dive), 0.0) + MARGIN else 0.0
-
-
 def doubt_one_fix(
     before: Dive, dive: Dive, forecast: tuple[np.ndarray, np.ndarray], model: FixModel
 ) -> tuple[Dive, Dive]:
@@ -80,10 +67,10 @@ def doubt_one_fix(
 
     The forecast is that of the end of the one before: mean (2,), m, and covariance (2, 2), m^2.
     """
-    apart = disagreement(before, dive)
-    if not apart:
+    apart = distance(before.lat_gpse, before.lon_gpse, dive.lat_gps2, dive.lon_gps2)
+    since = max(dive.t_gps2 - before.t_gpse, 0.0)
+    if not apart > FASTEST * since + MARGIN:  # as far as a vehicle may drift
         return before, dive
-    since = max(_between(before, dive), 0.0)
     there = displacement(before.lat_gps2, before.lon_gps2, dive.lat_gps2, dive.lon_gps2)
     start = np.array(there) - (before.dr_east, before.dr_north)
     mean, covariance = forecast
@@ -102,10 +89,6 @@ def doubt_one_fix(
     lat, lon = dive.lat_gps2, dive.lon_gps2
     east, north = there
     return replace(settled, lat_gpse=lat, lon_gpse=lon, gps_east=east, gps_north=north), dive
-
-
-def _between(before: Dive, dive: Dive) -> float:
-    return dive.t_gps2 - before.t_gpse
 
 
 def _doubted(dive: Dive, doubt: float, note: str) -> Dive:
@@ -148,61 +131,48 @@ class SpeedFactorWatch:
     """
 
     def __init__(self, bank: KalmanBank) -> None:
-        self.bank = bank
-        self.windows: list[dict[str, Any]] = []
-        self.count = 0
+        self.bank, self.count = bank, 0
+        self.updates: list[tuple[int, LastUpdate]] = []  # of the last dives, by number
 
     def step(self, dive: Dive) -> Anomaly | None:
         """Return the anomaly of the speed at a dive that has ended, None where there is none."""
         update = self.bank.last_update
         assert update is not None
-        F, H = update.F, update.H
-        m, n = F.shape[:2]
-        speed = HIDDEN + self.bank.model.names.index("speed")
-        start = np.zeros((n, 3))
-        start[speed, 0] = start[HIDDEN, 1] = start[HIDDEN + 1, 2] = 1.0
-        for window in self.windows:  # places reached since then have no part in it
-            new = n - window["e"].shape[1]
-            window["e"] = F @ np.pad(window["e"], ((0, 0), (0, new), (0, 0)))
-        fresh = {
-            "since": dive.number,
-            "e": np.repeat(start[None], m, axis=0),
-            "expected": float(1 + update.weights @ update.mean[:, speed]),
-            "weights": update.weights,
-            "A": np.zeros((m, 3, 3)),
-            "b": np.zeros((m, 3)),
-            "chi": np.zeros(m),
-            "dives": 0,
-        }
-        self.windows = [*self.windows[1 - DIVES :], fresh]
-        nu, inverse = update.innovation, update.inverse
-        chi = np.einsum("mi,mij,mj->m", nu, inverse, nu)
-        for window in self.windows:
-            g = H @ window["e"]
-            gS = g.transpose(0, 2, 1) @ inverse
-            window["A"] = window["A"] + gS @ g
-            window["b"] = window["b"] + np.einsum("mij,mj->mi", gS, nu)
-            window["chi"] = window["chi"] + chi
-            window["e"] = update.rest @ window["e"]
-            window["dives"] += 1
+        self.updates = [*self.updates[1 - DIVES :], (dive.number, update)]
         self.count += 1
         if self.count <= SETTLED:
             return None
-        each = [a for a in (self._anomaly(dive, w) for w in self.windows[:-1]) if a is not None]
+        tried = (self._anomaly(dive, self.updates[j:]) for j in range(len(self.updates) - 1))
+        each = [anomaly for anomaly in tried if anomaly is not None]
         if not each:
             return None
-        self.windows = []
+        self.updates = []
         return max(each, key=lambda a: a.likelihood_ratio)
 
-    def _anomaly(self, dive: Dive, window: dict[str, Any]) -> Anomaly | None:
-        w, A, b = window["weights"], window["A"], window["b"]
+    def _anomaly(self, dive: Dive, updates: list[tuple[int, LastUpdate]]) -> Anomaly | None:
+        """Return the anomaly that began with the first of some dives, None where none did."""
+        since, first = updates[0]
+        w, (m, n) = first.weights, first.F.shape[:2]
+        column = HIDDEN + self.bank.model.names.index("speed")
+        e = np.zeros((m, n, 3))
+        e[:, column, 0] = e[:, HIDDEN, 1] = e[:, HIDDEN + 1, 2] = 1.0
+        A, b, chi = np.zeros((m, 3, 3)), np.zeros((m, 3)), np.zeros(m)
+        for _, update in updates:
+            if update is not first:  # places reached since then have no part in it
+                new = len(update.F[0]) - e.shape[1]
+                e = update.F @ np.pad(e, ((0, 0), (0, new), (0, 0)))
+            nu, inverse, g = update.innovation, update.inverse, update.H @ e
+            gS = g.transpose(0, 2, 1) @ inverse
+            A, b = A + gS @ g, b + np.einsum("mij,mj->mi", gS, nu)
+            chi = chi + np.einsum("mi,mij,mj->m", nu, inverse, nu)
+            e = update.rest @ e
         if not (A[:, 0, 0] > 0).all():  # no way through the water, no speed
             return None
         speed = b[:, 0] ** 2 / A[:, 0, 0]
         jump = np.linalg.solve(A[:, 1:, 1:], b[:, 1:, None])[..., 0]
         flow = np.einsum("mi,mi->m", b[:, 1:], jump)
         ratio, current = float(w @ speed), float(w @ flow)
-        rest = float(w @ (window["chi"] - speed)) / (2 * window["dives"] - 1)
+        rest = float(w @ (chi - speed)) / (2 * len(updates) - 1)
         change = float(w @ (b[:, 0] / A[:, 0, 0]))
         error = float(np.sqrt(1.0 / (w @ A[:, 0, 0])))
         certain = ratio - current > NESTED
@@ -210,5 +180,5 @@ class SpeedFactorWatch:
         clear = ratio >= SURE and rest <= SCATTER and abs(change) >= MATTERS
         if not (clear and (certain or doubtful)):
             return None
-        since, expected = window["since"], window["expected"]
+        expected = float(1 + w @ first.mean[:, column])
         return Anomaly(dive.number, since, change, error, expected, ratio, current, rest, certain)

@@ -36,11 +36,10 @@ from .wording import REACHED
 
 DIGITS = 6  # decimals of a degree: 0.1 m
 KML = "http://www.opengis.net/kml/2.2"
-BLUE, GREEN, PURPLE, ORANGE = "ffb27200", "ff739e00", "ffa779cc", "ff009fe6"  # as KML has them
+BLUE, PURPLE, ORANGE = "ffb27200", "ffa779cc", "ff009fe6"  # as KML has them
 NAMES = {  # kind of a layer: its name and its colour
     "track": ("track", BLUE),
     "fix": ("dive", BLUE),
-    "ring": ("dive", GREEN),
     "last": ("last fix", BLUE),
     "way": ("way to the next surfacing", PURPLE),
     "next": ("next surfacing", PURPLE),
@@ -92,7 +91,7 @@ def _feature(layer: Layer) -> dict[str, Any]:
 
 
 def track_kml(found: dict[str, Any], name: str) -> str:
-    """Return the whole track as KML: fixes with times, forecasts, the next surfacing."""
+    """Return the whole track as KML: fixes with times, the next surfacing, waypoints."""
     of = layers_of(found)
     places = [of["track"][0].places[0], *(fix.places[0] for fix in of["fix"])]
     track = Layer("track", "LineString", places, {})
@@ -103,14 +102,10 @@ def track_kml(found: dict[str, Any], name: str) -> str:
             f'<Style id="{colour}"><IconStyle><color>{colour}</color><scale>0.8</scale></IconStyle>'
             f"<LineStyle><color>{colour}</color><width>2</width></LineStyle>"
             "<PolyStyle><fill>0</fill></PolyStyle></Style>"
-            for colour in (BLUE, GREEN, PURPLE, ORANGE)
+            for colour in (BLUE, PURPLE, ORANGE)
         ),
         _placemark(track),
-        "<Folder><name>surfacings</name>",
         *map(_placemark, of["fix"]),
-        "</Folder><Folder><name>forecasts, 90 %</name><visibility>0</visibility>",
-        *map(_placemark, of["ring"]),
-        "</Folder>",
         *(_placemark(layer) for kind in AHEAD for layer in of[kind]),
         "</Document></kml>",
     ]
@@ -121,7 +116,6 @@ def _placemark(layer: Layer) -> str:
     """Return a place, line or ring as KML."""
     name, colour = NAMES[layer.kind]
     texts = [f"<name>{name} {safe(layer.of['dive']) if name == 'dive' else ''}</name>"]
-    texts.append("<visibility>0</visibility>" if layer.kind == "ring" else "")
     if layer.words:
         texts.append(f"<description>{safe(layer.words)}</description>")
     if layer.when and layer.shape == "Point":

@@ -120,8 +120,6 @@ def replay_dataset(replay: Source) -> xarray.Dataset:
             "estimator": found["estimator"],
             "flow": ",".join(found["flow"]),
             "learn_speed": int(found["learn_speed"]),
-            "gaussian_width": found["gaussian_width"],
-            "gaussian_width_units": "m",
         },
     )
     if "flow_model" in found:

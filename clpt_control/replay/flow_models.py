@@ -154,13 +154,10 @@ def read_fitted(path: str | Path) -> Fitted:
     """Read the TOML file that `clpt fit` wrote, its field beside it; theta is the fitted one."""
     path = Path(path)
     scenario = load_scenario(path)
-    if scenario.field_path is None:
-        raise DataError(
-            f"{path}: has no flow.field, so neither origin nor date; a flow model is a scenario "
-            "that `clpt fit` wrote"
-        )
-    with open_netcdf(scenario.field_path) as data:
-        text = data.attrs.get("fit_report", "")
+    text = ""
+    if scenario.field_path is not None:
+        with open_netcdf(scenario.field_path) as data:
+            text = data.attrs.get("fit_report", "")
     try:
         report = json.loads(text)
         theta = np.array(report["theta"], float)
@@ -168,13 +165,13 @@ def read_fitted(path: str | Path) -> Fitted:
         start = seconds_since_1970(report["start"])
         lat0, lat1, lon0, lon1 = map(float, report["box"])
         tides = ", ".join(report["constituents"])
+        if theta.shape != (2, scenario.basis.N) or not np.all(np.isfinite(theta)):
+            raise ValueError("of other functions")
     except (ValueError, KeyError, TypeError):
         raise DataError(
-            f"{scenario.field_path}: has no fit_report with theta, origin, box and a real date as "
-            "start; write scenario and field anew with `clpt fit`"
+            f"{path}: is no fit with its field beside it, which has theta, origin, box and a date; "
+            "write both anew with `clpt fit`"
         ) from None
-    if theta.shape != (2, scenario.basis.N) or not np.all(np.isfinite(theta)):
-        raise DataError(f"{path}: does not fit its field; write both anew with `clpt fit`")
     about = f"fitted basis of {scenario.basis.N} functions, {tides}"
     return Fitted(scenario, theta, plane, start, (lat0, lat1, lon0, lon1), shown_name(path), about)
 

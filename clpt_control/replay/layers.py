@@ -11,7 +11,6 @@ east and north at the start of the dive, where its covariance is resolved: count
 """
 
 from collections import defaultdict
-from functools import lru_cache
 from math import cos, pi, radians, sin
 from typing import Any, NamedTuple
 
@@ -22,6 +21,7 @@ from .wording import within
 
 DIVE, NEXT, AIMED = ("start_", "forecast_"), ("from_", ""), ("from_", "end_")  # start, centre
 CORNERS = 48
+LAST = 12  # dives whose ellipses are drawn
 
 
 class Layer(NamedTuple):
@@ -42,12 +42,8 @@ def place_in(row: dict[str, Any], which: str) -> Place:
 
 def ring_of(row: dict[str, Any], kind: tuple[str, str] = DIVE) -> list[Place]:
     """Return the closed ring of the 90 % ellipse of a dive, of the next one or of an aimed one."""
-    sizes = (row[f"ellipse_90_{name}"] for name in ("long", "short", "bearing"))
-    return _ring(*(place_in(row, which) for which in kind), *sizes)
-
-
-@lru_cache(10_000)  # a watch draws all its dives again with each new one
-def _ring(begin: Place, end: Place, long: float, short: float, bearing: float) -> list[Place]:
+    long, short, bearing = (row[f"ellipse_90_{name}"] for name in ("long", "short", "bearing"))
+    begin, end = (place_in(row, which) for which in kind)
     east, north = displacement(*begin, *end)
     sine, cosine = sin(radians(bearing)), cos(radians(bearing))
     places = []
@@ -78,7 +74,7 @@ def words_of_dive(row: dict[str, Any]) -> str:
 def layers_of(found: dict[str, Any]) -> dict[str, list[Layer]]:
     """Return the layers of what `--json` prints by kind, of dives in their order.
 
-    The first dive has no forecast.
+    The first dive has no forecast; the ellipses are those of the last ones.
     """
     layers: list[Layer] = []
     before = None
@@ -94,11 +90,13 @@ def layers_of(found: dict[str, Any]) -> dict[str, list[Layer]]:
         ]
         if before is not None:
             layers += [
-                Layer("ring", "Polygon", ring_of(row), row),
                 Layer("drift", "LineString", [before, start], row),
                 Layer("forecast", "Point", [forecast], row),
             ]
         before = end
+    layers += [
+        Layer("ring", "Polygon", ring_of(row), row) for row in found["each_dive"][1:][-LAST:]
+    ]
     ahead = found.get("next_dive")
     if ahead is not None:
         last, goal = (place_in(ahead, which) for which in NEXT)

@@ -26,7 +26,7 @@ from ..arguments import public
 from ..estimation.dive import dac_difference
 from ..estimation.fix_model import OTHERS
 from ..gliders.dives import Skipped
-from .carried_dives import NOTE, FlowModel, why_uncovered
+from .carried_dives import FlowModel
 from .places import velocity
 from .replay import Replay
 from .step import FLOW_MODEL, Step
@@ -163,7 +163,6 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
         "estimator": replay.estimator,
         "flow": list(replay.model.flow),
         "learn_speed": replay.model.learn_speed,
-        "gaussian_width": replay.model.width,
         "dives": len(steps) + len(skipped),
         "used": len(steps),
         "clpe_rms": clpe_rms(replay, 1),
@@ -186,10 +185,7 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
         "held": list(last.not_learned) if last else [],
         "anomalies": [step.anomaly._asdict() for step in steps if step.anomaly],
         "notes": [
-            {"dive": step.dive.number, "note": note}
-            for step in steps
-            for note in step.dive.notes
-            if not note.startswith(NOTE)
+            {"dive": step.dive.number, "note": note} for step in steps for note in step.dive.notes
         ],
         "skipped": [{"dive": s.dive, "why": s.why} for s in skipped],
         "each_dive": [dict(step.row) for step in steps],
@@ -206,5 +202,5 @@ def _of_flow_model(replay: Replay, model: FlowModel) -> dict[str, Any]:
         "about": model.about,
         "clpe_rms": rms_of(covered, replay.models),
         "covered": len(steps) - len(bare),
-        "uncovered": [{"dive": dive.number, "why": why_uncovered(dive)} for dive in bare],
+        "uncovered": [{"dive": dive.number, "why": dive.uncovered} for dive in bare],
     }

@@ -37,9 +37,9 @@ from ..html import facts, fragment, paragraphs
 from ..progress.interrupt import check
 from ..units import known
 from .carried_dives import FlowModel, carried
+from .cells import cells
 from .doubts import SpeedFactorWatch, doubt_one_fix
 from .habits import CHI_SQUARED, GIVEN, Guess, Habits, drift
-from .places import velocity
 from .step import FLOW_MODEL, MODELS, Step, check_next, estimates
 from .surfacing import NORMAL, NextDive, check_flown, unflown
 
@@ -101,15 +101,8 @@ class Replay:
 
     def _repr_html_(self) -> str:
         """Return the last dives as a table, the last one first."""
-        rows = []
-        for step in self.steps[: -LISTED - 1 : -1]:
-            clpe = (
-                "-" if (one := step.clpe[name]) is None else f"{one:.0f}" for name in self.models
-            )
-            current = velocity(*map(float, step.current))
-            rows.append((step.dive.number, *clpe, current, f"{step.speed:.2f}"))
-        head = ["dive", *(f"CLPE (m), {name.replace('_', ' ')}" for name in self.models)]
-        table = facts(rows, [*head, "current", "factor on speed"]) if rows else ""
+        rows = [cells(step.row) for step in self.steps[: -LISTED - 1 : -1]]
+        table = facts([tuple(row.values()) for row in rows], [*rows[0]]) if rows else ""
         more = [f"The last {LISTED} of {len(self.steps)} dives."] if self.steps[LISTED:] else []
         return fragment("Replay", f"of {_in_words(self)}", table, paragraphs(more))
 

@@ -61,11 +61,13 @@ def _route(text: str) -> tuple[list[Place], list[Area]]:
     targets = [place for name, places in found if name is None for place in places]
     if not targets:
         raise DataError("has no waypoint; give points, or a line of them")
-    if (count := len(targets)) > DIVES:
-        raise DataError(f"has {count} waypoints; at most {DIVES}, as so many dives are drawn")
     areas = [(name, places) for name, places in found if name is not None]
-    if (count := sum(len(ring) for _, ring in areas)) > MOST_PLACES:
-        raise DataError(f"its areas have {count} places; at most {MOST_PLACES}: simplify them")
+    count = sum(len(ring) for _, ring in areas)
+    if len(targets) > DIVES or count > MOST_PLACES:
+        raise DataError(
+            f"has {len(targets)} waypoints, and areas of {count} places; at most {DIVES}, as so "
+            f"many dives are drawn, and {MOST_PLACES}"
+        )
     return targets, areas
 
 

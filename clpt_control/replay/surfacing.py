@@ -23,7 +23,6 @@ from ..errors import ScenarioError
 from ..geodesy import displacement
 from ..gliders.dives import Dive, Fix
 from ..gliders.usable_dives import FASTEST
-from .carried_dives import why_uncovered
 from .habits import CHI_SQUARED, REPEATED, Guess
 from .places import clock, in_minutes, placed, utc, vector
 
@@ -97,7 +96,7 @@ class NextDive:
             **placed("", self.latitude, self.longitude),
             "place": in_minutes(self.latitude, self.longitude),
             **dict(zip(ELLIPSE, ellipse(self.covariance), strict=True)),
-            "why_uncovered": why_uncovered(self.plan) or None,
+            "why_uncovered": self.plan.uncovered,
         }
 
 

@@ -31,10 +31,10 @@ from ..figures import (
 from ..geodesy import distance, near
 from ..html import plain
 from .facts import Source, found_of
-from .layers import layers_of
+from .layers import LAST, layers_of
 from .places import Place, clock, degrees_minutes, east_of
 
-FEW, LAST = 20, 12  # dives whose marks are large; whose ellipses are drawn
+FEW = 20  # dives, whose marks are large
 SIZE, LEAST = 5.6, 4.6  # inches of the longer side; least width
 ROOM = (0.3, 0.14)  # inches of a number
 LARGER = 1.6  # times, that a waypoint may make the chart
@@ -133,7 +133,7 @@ def _drawn(whole: dict[str, Any], ax: Axes | None, around: tuple[float, float]) 
         lat, lon = np.transpose(ends)
         return np.array([near(lon, first), lat])
 
-    rings = of.pop("ring", [])[-LAST:]
+    rings = of.pop("ring", [])
     far = [*of["track"], *of["miss"], *rings, *of.get("ring next", [])]
     points = at([[place for places in far for place in places]])[:, :-1]
     if not (np.abs(points[1]) <= 90.0).all():
@@ -174,6 +174,14 @@ def _drawn(whole: dict[str, Any], ax: Axes | None, around: tuple[float, float]) 
     for k in with_room(fixes.T * degree * inch):
         name = literal(plain(found[k]["dive"]))
         ax.annotate(name, tuple(fixes[:, k]), fontsize=7, **beside)
+    _mark(ax, degree)
+    return ax
+
+
+def _mark(ax: Axes, degree: np.ndarray) -> None:
+    """Mark parallels and meridians by degrees and minutes, and a length at the lower right."""
+    (west, east), (south, north) = ax.get_xlim(), ax.get_ylim()
+    wide = (east - west) * degree[0]
     for axis, names, span in ((ax.xaxis, "EW", east - west), (ax.yaxis, "NS", north - south)):
         step = next((step for step in STEPS if step >= 12 * span), STEPS[-1])  # five lines
         axis.set_major_locator(MultipleLocator(step / 60))
@@ -185,7 +193,6 @@ def _drawn(whole: dict[str, Any], ax: Axes | None, around: tuple[float, float]) 
     ax.plot(x, (y, y), color="black", lw=2, solid_capstyle="butt")
     name = f"{length / 1000:g} km" if length >= 1000 else f"{length:g} m"
     ax.annotate(name, (sum(x) / 2, y), (0, 3), textcoords="offset points", ha="center")
-    return ax
 
 
 def map_svg(found: dict[str, Any]) -> str:

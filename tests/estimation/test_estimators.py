@@ -10,7 +10,7 @@ from scipy.integrate import trapezoid
 from synthetic_vehicle import STEADY, vehicle
 
 from clpt_control.estimation.dive import make_dive, mid_time
-from clpt_control.estimation.estimators import ESTIMATORS, KalmanBank
+from clpt_control.estimation.estimators import ESTIMATORS
 from clpt_control.estimation.fix_model import FixModel, inertial_frequency
 from clpt_control.estimation.priors import Priors
 from clpt_control.replay.carried_dives import Uncovered, carried_by
@@ -117,12 +117,6 @@ def turned(dives, degrees, factor=1.0):
     ]
 
 
-@pytest.mark.parametrize("degrees", [4.0, -4.0])
-def test_a_compass_error_is_clockwise(degrees):
-    step = replay_dives(turned(vehicle(2, 30), degrees)).steps[-1]
-    assert step.compass == pytest.approx(degrees, abs=0.4)
-
-
 @pytest.mark.parametrize(("factor", "degrees"), [(0.8, 12.0), (1.15, -8.0)])
 def test_speed_and_compass_are_told_apart_however_large(factor, degrees):
     dives = turned(vehicle(2, 40), degrees, factor)
@@ -210,18 +204,6 @@ def test_ellipses_hold_after_a_turn():
         )
         inside.append([s.inside for s in replay_dives(dives).steps[-2:]])
     assert np.all(np.mean(inside, axis=0) > 0.8)
-
-
-def test_forgetting_the_speed_makes_it_uncertain():
-    bank = KalmanBank(FixModel(("steady",)))
-    for dive in vehicle(1, 15, factor=0.9):
-        bank.update(dive)
-    p, P, _ = bank.estimate()
-    bank.forget_speed()
-    q, Q, learned = bank.estimate()
-    assert q[2] == pytest.approx(p[2], abs=0.01)
-    assert learned[2]
-    assert Q[2, 2] > P[2, 2] + 0.4 * 0.15**2
 
 
 def flight(model, seed, hours=2.0, speed=0.3):

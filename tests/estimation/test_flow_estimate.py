@@ -299,7 +299,7 @@ def test_dives_that_tell_too_little_are_refused():
     for nothing in ("dives", [1, 2]):
         with pytest.raises(clpt.ArgumentError, match=r"an xarray\.Dataset or Sequence.Dive"):
             estimate(nothing, basis=basis)
-    with pytest.raises(clpt.DataError, match="does not end after it begins"):
+    with pytest.raises(clpt.DataError, match="or has no time"):
         estimate([dive(1, (0, 0), hours=0.0)], basis=basis)
     with pytest.raises(clpt.ScenarioError, match="dives need a basis"):
         estimate([dive(1, (0, 0))])

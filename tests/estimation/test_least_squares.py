@@ -12,7 +12,7 @@ from clpt_control.blocks.flow import flow_basis
 from clpt_control.equations import evaluate
 from clpt_control.errors import DataError
 from clpt_control.estimation.dive import mid_time, miss
-from clpt_control.estimation.estimators import KalmanBank, mixed, with_hidden
+from clpt_control.estimation.estimators import KalmanBank, with_hidden
 from clpt_control.estimation.fix_model import FixModel
 from clpt_control.estimation.least_squares import explained_share, least_squares
 from clpt_control.estimation.priors import DAY, Priors, Sea
@@ -184,19 +184,6 @@ def test_covariances_stay_whole_over_a_thousand_dives():
     assert np.isfinite(bank.mean).all()
 
 
-def test_a_mixture_has_the_moments_of_its_samples():
-    rng = np.random.default_rng(4)
-    means, weights = rng.normal(size=(3, 2)), np.array([0.2, 0.5, 0.3])
-    covariances = np.array([np.diag(rng.uniform(0.1, 1, 2)) for _ in weights])
-    which = rng.choice(3, 400_000, p=weights)
-    drawn = means[which] + np.sqrt(covariances.diagonal(axis1=1, axis2=2))[which] * rng.normal(
-        size=(400_000, 2)
-    )
-    mean, covariance = mixed(means, covariances, weights)
-    assert mean == pytest.approx(drawn.mean(axis=0), abs=0.01)
-    assert covariance == pytest.approx(np.cov(drawn.T), abs=0.01)
-
-
 def test_weights_are_those_of_the_density_before_the_fix():
     """A fix 60 km away: the density is that of the forecast, not of the ellipse it widens."""
     bank, dives = KalmanBank(FixModel()), vehicle(2, 12, noise=0.01)
@@ -255,11 +242,9 @@ def test_parts_that_are_there_are_found(flow, there, absent):
 
 def test_what_is_left_of_the_priors_error_is_said():
     step = replay_dives(vehicle(1, 20, noise=0.01)).steps[-1]
-    assert step.left["speed"] < 0.3
     assert "speed" not in step.not_learned
     still = [replace(d, dr_east=0.0, dr_north=0.0) for d in vehicle(1, 20, noise=0.01)]
     step = replay_dives(still).steps[-1]
-    assert step.left["speed"] == pytest.approx(1, abs=0.05)
     assert {"speed", "compass"} == set(step.not_learned)
     none = replay_dives(still, model=FixModel(learn_speed=False)).steps[-1]
     assert "speed" not in none.parts

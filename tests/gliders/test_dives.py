@@ -84,19 +84,6 @@ def test_miss_over_duration_is_the_current_of_the_file(dives, facts):
     assert max(error_of(rows)) < 1e-3
 
 
-def test_the_current_of_the_file_to_the_digit_as_its_maker_computes_it(dives, folder):
-    import netCDF4
-
-    for dive in dives:  # 1852 m to a minute of latitude, and the time of flight alone
-        with netCDF4.Dataset(folder / f"p542{dive.number:04d}.nc") as data:
-            flight = dive.dr_east / float(data["flight_avg_speed_east"][...])
-        north = (dive.lat_gpse - dive.lat_gps2) * 60 * 1852
-        middle = np.radians((dive.lat_gpse + dive.lat_gps2) / 2)
-        east = (dive.lon_gpse - dive.lon_gps2) * 60 * 1852 * np.cos(middle)
-        current = (east - dive.dr_east) / flight, (north - dive.dr_north) / flight
-        assert current == pytest.approx((dive.dac_east, dive.dac_north), abs=1e-6)
-
-
 def test_tracks_run_from_fix_to_fix(dives):
     for dive in dives:
         time, east, north = dive.track

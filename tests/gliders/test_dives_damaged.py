@@ -218,10 +218,10 @@ def test_lines_of_a_table_are_skipped_one_by_one(tmp_path):
     found, skipped = read_dive_file(tmp_path / "dives.csv")
     used, unused = usable(found)
     assert [dive.number for dive in used] == [304, 308]
+    assert [one.dive for one in skipped + unused] == [None, 306, 307]
     assert "line 3: dive is 'x305'" in skipped[0].why
-    assert [one.dive for one in unused] == [306, 307]
-    assert "lat_gps2 is '\ufffd" in unused[0].why
-    assert "is empty" in unused[1].why
+    assert "lat_gps2 is '\ufffd" in skipped[1].why
+    assert "no fix before" in unused[0].why
 
 
 def test_a_column_that_stands_twice_is_refused(tmp_path):

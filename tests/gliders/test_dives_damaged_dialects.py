@@ -5,9 +5,7 @@ import pytest
 from glider_dialects import (
     DURATION,
     EPOCH,
-    FIRST,
     GPS_EAST,
-    LAST,
     SWUM,
     T0,
     M,
@@ -262,19 +260,6 @@ def test_og1_rows_of_other_instruments_have_no_step(tmp_path):
         assert dive.notes == ()
 
 
-def test_og1_numbers_of_dives_that_are_none_are_counted(tmp_path):
-    columns = og1_rows()
-    columns["divenum"] = np.full(columns["divenum"].shape, 1.2e308)
-    dives = dives_in(og1(tmp_path / "og1.nc", columns=columns))
-    assert [dive.number for dive in dives] == [1, 2, 3]
-
-
-def test_og1_samples_that_lack_are_said(tmp_path):
-    columns = {name: np.delete(a, np.s_[10:14]) for name, a in og1_rows(count=40).items()}
-    said = dives_in(og1(tmp_path / "a.nc", columns=columns))[0].notes[0]
-    assert f"no samples for {5 * (DURATION - FIRST - LAST) / 39:.0f} s of 9000 s" in said
-
-
 @pytest.mark.parametrize(
     ("name", "units"),
     [
@@ -287,12 +272,3 @@ def test_og1_samples_that_lack_are_said(tmp_path):
 def test_og1_units_that_are_none(name, units, tmp_path):
     with pytest.raises(DataError, match=f"{name}.*'{units}'.*must be such as"):
         dives_in(og1(tmp_path / "og1.nc", units={name: {"units": units}}))
-
-
-@pytest.mark.parametrize("share", [0.001, 0.1, 0.6, 0.999])
-def test_og1_cut_short(share, tmp_path):
-    path = og1(tmp_path / "og1.nc")
-    raw = path.read_bytes()
-    path.write_bytes(raw[: int(share * len(raw))])
-    with pytest.raises(DataError, match=r"og1.nc: (cannot be read|damaged|cut short)"):
-        read_dives(path)

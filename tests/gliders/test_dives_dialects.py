@@ -153,7 +153,7 @@ def test_og1_dead_reckoning_of_speed_and_heading(tmp_path):
     turned = {"MAGNETIC_VARIATION": ((), VARIATION, {})}
     for dive in dives_in(og1(tmp_path / "a.nc", drop=(*STEPS, *OWN), **turned)):
         assert swam(dive)
-        assert "magnetic, turned by the file's variation of -15 degrees" in dive.notes[0]
+        assert "magnetic, variation -15 degrees (of the file" in dive.notes[0]
     for dive in dives_in(og1(tmp_path / "b.nc", drop=STEPS)):  # the file's current before a guess
         assert swam(dive)
         assert dive.notes == ("dead reckoning computed from the file's depth-averaged current",)
@@ -164,7 +164,7 @@ def test_og1_dead_reckoning_of_speed_and_heading(tmp_path):
         there = SPEED * (DURATION - 200.0) * np.array([np.sin(bearing), np.cos(bearing)])
         assert (dive.dr_east, dive.dr_north) == pytest.approx(tuple(there))
         assert (dive.turned, dive.magvar) == (igrf, igrf)
-        assert f"magnetic, turned by IGRF's variation of {igrf:.0f} degrees" in dive.notes[0]
+        assert f"magnetic, variation {igrf:.0f} degrees (by IGRF" in dive.notes[0]
         back = with_variation(dive, VARIATION)
         assert swam(back)
         assert np.hypot(*(end[-1] for end in back.track[1:])) == pytest.approx(np.hypot(*there))
@@ -177,7 +177,10 @@ def test_og1_dead_reckoning_of_speed_and_heading(tmp_path):
     unnamed = {"HEADING": {"units": "degrees"}}
     path = og1(tmp_path / "e.nc", drop=(*STEPS, *OWN), units=unnamed)
     for dive in dives_in(path):
-        assert "a north that the file does not name, taken as true (--variation" in dive.notes[0]
+        assert (
+            "a north that the file does not name, variation 0 degrees (not known; --"
+            in dive.notes[0]
+        )
         assert swam(with_variation(dive, VARIATION))
 
 

@@ -4,7 +4,6 @@ import calendar
 import csv
 import json
 import re
-import sys
 from itertools import pairwise
 
 import netCDF4
@@ -12,7 +11,6 @@ import numpy as np
 import pytest
 from pyproj import Geod
 
-from clpt_control.errors import DataError
 from clpt_control.gliders import read_dives, usable
 from clpt_control.gliders.samples import variation, with_variation
 
@@ -98,7 +96,7 @@ def test_an_early_og1_mission_is_read_as_it_was_meant(facts):
             assert (true.dr_east, true.dr_north) == pytest.approx(swum_in(data, dive, 0.0))
             said = "; ".join(dive.notes)
             assert "TIME_GPS has no units and is read as nanoseconds" in said
-            assert "magnetic, turned by IGRF's variation of -37 degrees" in said
+            assert "magnetic, variation -37 degrees (by IGRF" in said
 
 
 def test_the_variation_of_the_command_line_turns_magnetic_headings(clpt, refused, facts, tmp_path):
@@ -190,17 +188,3 @@ def test_it_is_continuous_over_an_epoch_and_around_the_earth():
     before, after = (variation(edge + wait, 60.0, 5.0) for wait in (-60.0, 60.0))
     assert before == pytest.approx(after, abs=1e-4)
     assert variation(edge, 10.0, -1.0) == pytest.approx(variation(edge, 10.0, 359.0))
-
-
-def test_where_the_field_does_not_reach_there_is_no_number(capsys):
-    nowhere = [(seconds(2031.0), 60.0), (np.nan, 60.0), (seconds(2020.0), np.nan)]
-    assert all(np.isnan(variation(*one, 5.0)) for one in nowhere)
-    assert np.isfinite(variation(seconds(2020.0), 90.0, 5.0))
-    assert capsys.readouterr().out == ""
-
-
-def test_without_ppigrf_it_says_what_to_install(clpt, monkeypatch):
-    monkeypatch.setitem(sys.modules, "ppigrf", None)
-    with pytest.raises(DataError, match=r"pip install 'clpt-control\[sea\]'"):
-        variation(1.0e9, 60.0, 5.0)
-    assert clpt("replay", "--sample").status == 0

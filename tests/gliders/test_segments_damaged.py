@@ -46,7 +46,7 @@ def flipped(seed):
 
 SLOCUM = {
     "empty": (cut(0.0), "is empty"),
-    "two bytes": (lambda raw: raw[:2], "neither"),
+    "two bytes": (lambda raw: raw[:2], "no column dive"),
     "magic only": (lambda raw: raw[:4], "damaged or cut short"),
     "half a header": (lambda raw: raw[: HEADER // 2], "damaged or cut short"),
     "header only": (lambda raw: raw[: raw.index(b"sa\x12\x34")], "no cycles behind its header"),

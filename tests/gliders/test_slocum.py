@@ -133,7 +133,7 @@ def in_three_files(tmp_path_factory):
     return source, read_dives(source)
 
 
-@pytest.mark.parametrize("order", list(permutations(range(4))))
+@pytest.mark.parametrize("order", list(permutations(range(4)))[::5])
 def test_followed_files_come_in_any_order(in_three_files, tmp_path, order):
     (source, wanted), inbox = in_three_files, tmp_path / "inbox"
     inbox.mkdir()
@@ -171,7 +171,7 @@ def test_a_file_that_holds_its_own_list_needs_none_beside_it(tmp_path):
     path.write_bytes(raw)
     assert read_dives(tmp_path) == wanted
     path.write_bytes(raw[: raw.index(b"m_depth")])
-    with pytest.raises(DataError, match="list of sensors in the Slocum file is cut short"):
+    with pytest.raises(DataError, match=r"is no list of \d+ sensors"):
         read_dives(tmp_path)
 
 

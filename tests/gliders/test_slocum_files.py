@@ -78,7 +78,7 @@ def test_a_file_larger_than_a_block_and_every_cut_of_one(rosie):
         assert raw.startswith(part)
 
 
-@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("seed", range(3))
 def test_random_bytes_end_soon(tmp_path, seed, monkeypatch):
     rng = np.random.default_rng(seed)
     body = rng.integers(0, 256, 300_000, dtype=np.uint8).tobytes()
@@ -126,18 +126,6 @@ def test_a_text_that_is_none_is_one_sentence(rosie, old, new, said):
     with pytest.raises(DataError, match=said) as caught:
         read_dives(path)
     assert "\n" not in str(caught.value)
-
-
-def test_text_of_many_segments_names_each_in_its_header(rosie):
-    source = rosie / "sbd" / "rosie_713-2019-166-0-157.sbd"
-    text, path = as_text(source, source.stem, "sbd"), rosie / "mission.dba"
-    path.write_text(text)
-    alone = read_dives(path)
-    more = "".join(f"segment_filename_{k}: {source.stem}{k}\n" for k in range(200))
-    first = f"segment_filename_0: {source.stem}\n"
-    text = text.replace("num_ascii_tags: 14", "num_ascii_tags: 213").replace(first, more)
-    path.write_text(text)
-    assert read_dives(path) == alone
 
 
 def test_a_dockservers_folder_is_read_as_it_is(rosie):

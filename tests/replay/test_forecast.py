@@ -26,7 +26,7 @@ from clpt_control.errors import DataError
 from clpt_control.gliders.dive_files import sample_dives
 from clpt_control.gliders.dives import make_dive
 from clpt_control.gliders.usable_dives import usable
-from clpt_control.replay.carried_dives import carried, why_uncovered
+from clpt_control.replay.carried_dives import carried
 from clpt_control.replay.flow_models import depth_mean, read_flow_model
 from clpt_control.replay.outcome import summary
 from clpt_control.replay.replay import replay_dives
@@ -150,8 +150,7 @@ def test_what_is_not_covered(tmp_path):
     ):
         found = carried(dive, model)
         assert (found.model_east, found.model_north) == (None, None), why
-        assert why in why_uncovered(found)
-        assert carried(found, model).notes == found.notes  # said once
+        assert why in found.uncovered
     assert carried(dive_at(), Made(lambda t, x, y: (nan, 0.0))).model_east is None
 
 
@@ -171,8 +170,8 @@ def test_a_gap_of_the_steps_is_not_bridged(tmp_path):
     ):
         found = carried(dive_at(hour=hour, way=(0.0, 0.0)), model)
         assert (found.model_east is not None) == covered, hour
-        assert why_uncovered(found) == (
-            "" if covered else "outside the forecast's steps, or in a gap of them"
+        assert found.uncovered == (
+            None if covered else "outside the forecast's steps, or in a gap of them"
         )
     coarser = np.array([*range(10), 12.0, 15.0, 18.0, 21.0, 27.0, 33.0, 39.0])  # 1, 3 and 6 h
     u = np.full((len(coarser), len(LAT), len(LON)), 0.2)

@@ -12,7 +12,7 @@ from glider_dialects import basestation3
 import clpt_control as clpt
 from clpt_control.errors import DataError
 from clpt_control.geodesy import displacement, place_from
-from clpt_control.gliders import make_dive, read_dives, sample_dives, usable, write_dive_table
+from clpt_control.gliders import make_dive, read_dives, sample_dives, usable
 from clpt_control.gliders.dives import planned_course
 from clpt_control.pages.writing import replay_facts
 from clpt_control.replay.exchange import next_geojson, track_kml
@@ -213,9 +213,3 @@ def test_the_plan_of_a_seaglider(tmp_path):
     assert seaglider(path, radius=1e7).next_course is None
     for odd in (b"nonsense", b"", b"1e400,8", b"-4260.0,900.0", b"1,2,3"):
         assert seaglider(path, odd).next_course is None
-
-
-def test_a_table_keeps_the_plan(tmp_path):
-    dives = [replace(DIVES[0], next_course=123.25), DIVES[1]]
-    write_dive_table(dives, tmp_path / "a.csv")
-    assert [dive.next_course for dive in read_dives(tmp_path / "a.csv")[0]] == [123.25, None]

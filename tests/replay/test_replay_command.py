@@ -164,7 +164,6 @@ def test_whether_the_flow_model_covers_the_plan_is_said(command, forecast):
 
 
 def test_gaussians_from_the_command(command):
-    words = ("--sample", "--flow", "steady,gaussians", "--width-km", "30")
+    words = ("--sample", "--flow", "steady,gaussians")
     assert "gaussians (odds " in command(*words).stdout
     assert "needs --flow-model" in str(command("--sample", "--flow", "steady,model").exception)
-    assert "width" in str(command("--sample", "--width-km", "0").exception)

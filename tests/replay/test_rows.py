@@ -75,13 +75,6 @@ def test_each_dive_has_its_row():
     assert rows[0]["start"] == "2016-01-31T22:04:50Z"
 
 
-def test_rows_without_what_is_not_known():
-    rows = summary(replay_dives(vehicle(2, 3), "gradient"))["each_dive"]
-    assert rows[0]["drift"] is None
-    assert rows[1]["drift"]["speed"] == 0.0  # made at one place
-    assert json.dumps(rows, allow_nan=False)
-
-
 @pytest.mark.parametrize("learns", [False, True])
 def test_a_speed_that_is_not_learned_is_no_number_of_a_dive(learns):
     replay = replay_dives(vehicle(1, 3), model=FixModel(("steady",), learn_speed=learns))
