@@ -23,12 +23,10 @@ PAPER = clpt.paper_scenario()
 WRONG = {
     "learning.gain = -1: must be": {"learning": {"gain": -1}},
     "learning.gain = 1e-320: must be 0, if allowed, or between": {"learning": {"gain": 1e-320}},
-    "basis.kernel = 'cone': must be": {"basis": {"kernel": "cone"}},
     "basis.widths": {"basis": {"widths": [1.0]}},
     "unknown key flow.disturbance.perod; did you mean period?": {
         "flow": {"disturbance": {"kind": "sine", "amplitude": [1.0, 0.0], "period": 1, "perod": 2}}
     },
-    "unknown key reference.radus; did you mean radius?": {"reference": {"radus": 3}},
     "unknown key lerning; did you mean learning?": {"lerning": {}},
     "basis = 3: must be a table of keys": {"basis": 3},
     "adaptation.gain is the name at call time.* key is learning.gain": {"adaptation": {"gain": 2}},
