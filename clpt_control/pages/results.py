@@ -34,7 +34,9 @@ def numbers_of(run: Dataset, system: Scenario | Team) -> Numbers:
     Those that the run carries count if they are of its own end and can be shown.
     """
     ending = ending_of(system, run)
-    with suppress(LookupError, TypeError, ValueError, AttributeError, RecursionError):
+    with suppress(
+        LookupError, ArithmeticError, TypeError, ValueError, AttributeError, RecursionError
+    ):
         own = json.loads(str(run.attrs.get(SUMMARY)), parse_constant=int)  # NaN is no number
         numbers = {**ending, "of_samples": False, **{k: own[k] for k in OF_A_RUN if k in own}}
         run_result(numbers, "")
