@@ -51,7 +51,7 @@ def asked(system: Scenario | Team, waypoints: int) -> str:
         first, names = system.first, shortened(", ".join(system.members), 80)
         who = f"{len(system.members)} vehicles, {names},"
     else:
-        first, who = system, "a vehicle"
+        first, who = system, "A vehicle"
         if waypoints:
             who += (
                 f" at {waypoints} waypoints, {first.reference.dwell:g} {first.units.time} at each,"

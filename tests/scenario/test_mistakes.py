@@ -116,28 +116,6 @@ def test_an_error_about_one_name_says_the_other(key):
         scenario.with_values({known[0]: value})
 
 
-@pytest.mark.parametrize(
-    "call",
-    [
-        clpt.paper_blocks,
-        clpt.closed_loop,
-        clpt.error_loop,
-        clpt.initial_state,
-        clpt.simulate,
-        clpt.theory.started_true,
-        clpt.theory.gramian,
-        clpt.theory.certificate,
-        lambda given: clpt.run_ensemble(given, ["learning.gain=1:2"], 2),
-    ],
-)
-def test_a_path_is_no_scenario(call):
-    with pytest.raises(
-        clpt.ClptError, match=r" = 'x\.toml': must be a Scenario.*load_scenario"
-    ) as caught:
-        call("x.toml")
-    assert "\n" not in str(caught.value)
-
-
 def test_a_byte_order_mark_is_no_mistake(tmp_path):
     file = tmp_path / "mine.toml"
     clpt.save_scenario(PAPER, file)
