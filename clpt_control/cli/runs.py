@@ -256,27 +256,31 @@ def tune(
     finish([_result(tuned.report)], tuned.report, as_json, out)
 
 
+TRIED = {  # what of a candidate is said, by key
+    "law": "law",
+    "gain": "gain",
+    "held": "K, Gamma held",
+    "filter": "filter",
+    "error": "error at the end ({length}/{time})",
+    "error_95": "95 %",
+    "learning_time": "to a tenth ({time})",
+    "clpe_rms": "CLPE rms ({length})",
+    "failed": "failed runs",
+}
+
+
 def _result(report: Report) -> Result:
-    length, time = report["units"]["length"], report["units"]["time"]
-    rows = [_row(one) for one in report["candidates"][:MOST_SHOWN]]
+    units = report["units"]
+    rows = [[cell_text(one[key]) for key in TRIED] for one in report["candidates"][:MOST_SHOWN]]
     more = len(report["candidates"]) - MOST_SHOWN
     title = (
-        f"{report['members']} flows drawn with a prior of {report['prior']:.3g} {length}/{time}, "
-        f"the scenario's own flow unseen{f'; {more} more candidates' if more > 0 else ''}"
+        f"{report['members']} flows drawn with a prior of {report['prior']:.3g} "
+        f"{units['length']}/{units['time']}, the scenario's own flow unseen"
+        f"{f'; {more} more candidates' if more > 0 else ''}"
     )
-    errors = [f"error at the end ({length}/{time})", "95 %", f"to a tenth ({time})"]
-    columns = ["law", "gain", "K, Gamma", "filter", *errors, f"CLPE rms ({length})"]
+    columns = [words.format(**units) for words in TRIED.values()]
     skipped = [f"skipped {name}: {why}" for name, why in report["skipped"].items()]
     return Result(title, columns, rows, [*skipped, report["because"]])
-
-
-def _row(one: Report) -> list[str]:
-    gain, pole = ("-" if one[key] is None else cell_text(one[key]) for key in ("gain", "filter"))
-    choice = [one["law"], gain, "held" if one["held"] else "adapted", pole]
-    if one["failed"]:
-        return [*choice, f"{one['failed']} runs failed", "", "", ""]
-    numbers = [one[key] for key in ("error", "error_95", "learning_time", "clpe_rms")]
-    return [*choice, *("never" if v is None else cell_text(v) for v in numbers)]
 
 
 # --- to show -------------------------------------------------------------------------------------

@@ -164,37 +164,20 @@ def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> np.ndarray:
     refuse_diagram("ensemble_plot", data)
     check_holds("ensemble_plot: data", data, ["clpe_rms"], ENSEMBLE)
     axes = axes_for(ax, 6.4, 6.0, nrows=2)
-    top, bottom = axes
-    units = data["clpe_rms"].attrs["units"]
-    cycles = np.arange(1, data.sizes["cycle"] + 1)
-    rms = percentiles(data, "clpe_rms")
-    if np.isfinite(rms).any():
-        _bands(top, cycles, rms, BLUE)
-        top.set_xticks(cycles if len(cycles) <= 20 else cycles[:: len(cycles) // 10])
-        top.set(xlabel="cycle of the waypoints", ylabel=f"CLPE rms ({units})")
-        top.set_xlim(0, len(cycles) + 1)
-        top.set_yscale("log")
-        top.legend(frameon=False, fontsize=8)
-    else:
-        _nothing(top, "no run has come to the end of a cycle")
+    length, time = data["clpe_rms"].attrs["units"], data["mark"].attrs["units"]
+    cycles, rms = np.arange(1, data.sizes["cycle"] + 1), percentiles(data, "clpe_rms")
     count = f"{data.sizes['member']:,}".replace(",", " ")
-    top.set_title(f"CLPE of {count} members", **TITLE)
-    name = "flow_parameter_error" if "flow_parameter_error" in data else "gain_error"
-    if name not in data:
-        _nothing(bottom, "neither flow parameters nor gains have a known truth")
+    labels = "cycle of the waypoints", f"CLPE rms ({length})"
+    _panel(axes[0], cycles, rms, BLUE, f"CLPE of {count} members", *labels)
+    axes[0].xaxis.get_major_locator().set_params(integer=True)
+    errors = [name for name in ("flow_parameter_error", "gain_error") if name in data]
+    if not errors:
+        _nothing(axes[1], "neither flow parameters nor gains have a known truth")
         return axes
-    bands, time = percentiles(data, name), data["mark"].values
-    _bands(bottom, time, bands, RED)
-    what = name.removesuffix("_error").replace("_", " ")
-    bottom.set_title(f"Largest error of a {what}", **TITLE)
-    bottom.set(
-        xlabel=f"time ({data['mark'].attrs['units']})",
-        ylabel=f"error ({unit_of(data[name])})",
-        xlim=(time[0], time[-1]) if len(time) > 1 else None,
-    )
-    if np.nanmin(bands, initial=1.0) > 0:
-        bottom.set_yscale("log")
-    bottom.legend(frameon=False, fontsize=8)
+    what = errors[0].removesuffix("_error").replace("_", " ")
+    labels = f"time ({time})", f"error ({unit_of(data[errors[0]])})"
+    bands = percentiles(data, errors[0])
+    _panel(axes[1], data["mark"].values, bands, RED, f"Largest error of a {what}", *labels)
     return axes
 
 
@@ -203,7 +186,14 @@ def _nothing(ax: Any, why: str) -> None:
     ax.set_axis_off()
 
 
-def _bands(ax: Any, x: np.ndarray, bands: np.ndarray, color: str) -> None:
+def _panel(
+    ax: Any, x: np.ndarray, bands: np.ndarray, color: str, title: str, xlabel: str, ylabel: str
+) -> None:
+    """Draw percentiles, logarithmic where they are positive."""
+    ax.set_title(title, **TITLE)
+    if not np.isfinite(bands).any():
+        _nothing(ax, "no run has come so far")
+        return
     low, quarter, middle, three, high = bands
     marker = "o" if len(x) < 12 else None
     ax.fill_between(x, low, high, color=color, alpha=0.18, linewidth=0, label="5 to 95 %")
@@ -211,3 +201,7 @@ def _bands(ax: Any, x: np.ndarray, bands: np.ndarray, color: str) -> None:
     ax.plot(x, middle, color=color, linewidth=1.5, marker=marker, markersize=4, label="median")
     for edge in (low, high):
         ax.plot(x, edge, color=color, linewidth=0.6, linestyle="--", marker=marker, markersize=2)
+    ax.set(xlabel=xlabel, ylabel=ylabel)
+    if np.nanmin(bands) > 0:
+        ax.set_yscale("log")
+    ax.legend(frameon=False, fontsize=8)

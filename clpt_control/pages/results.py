@@ -4,10 +4,11 @@ A run carries its figures, or they are those of its samples: nothing is run agai
 `clpt paper` leave mean squares over many samples a cycle in the run.
 """
 
+import json
 from collections.abc import Iterator
-from typing import Annotated, Any
+from contextlib import suppress
+from typing import Any
 
-from pydantic import AfterValidator, BaseModel, Field, ValidationError
 from xarray import Dataset
 
 from ..html import Result, shortened
@@ -20,47 +21,27 @@ from ..units import percent
 MOST_CYCLES = 10
 
 
+OF_A_RUN = (  # figures that a run carries, of which pages speak
+    *("clpe_rms_per_cycle", "clpe_rms", "clpe_rms_last_quarter", "max_flow_parameter_error"),
+    *("max_gain_error", "explained_variance", "speed"),
+)
 Numbers = dict[str, Any]  # figures of a run by name, as `run_and_report` has them
-Number = Annotated[float, Field(allow_inf_nan=False)]
-Time = Annotated[str, AfterValidator(lambda time: f"{float(time):g}")]
-
-
-class Shares(BaseModel):
-    """The shares of a current's variance that are learned, as `explained_variance` has them."""
-
-    track: Number | None
-    box: Number | None
-
-
-class Speeds(BaseModel):
-    """How long a vehicle was at its limit, as `speed_figures` has it."""
-
-    share_at_limit: Number
-    faster_flow: dict[str, Number] | None
-
-
-class Figures(BaseModel):
-    """The figures of one vehicle that a run carries, of which pages speak."""
-
-    end: Number
-    clpe_rms_per_cycle: list[Number]
-    clpe_rms: Number
-    clpe_rms_last_quarter: Number
-    max_flow_parameter_error: dict[Time, Number] = {}
-    max_gain_error: dict[Time, Number] = {}
-    explained_variance: Shares | None = None
-    speed: Speeds | None = None
 
 
 def numbers_of(run: Dataset, system: Scenario | Team) -> Numbers:
-    """Return a run's figures by the names of `run_and_report`; `of_samples` if they are less."""
+    """Return a run's figures by the names of `run_and_report`; `of_samples` if they are less.
+
+    Those that the run carries count if they are of its own end and can be shown.
+    """
     ending = ending_of(system, run)
-    try:
-        own = Figures.model_validate_json(str(run.attrs.get(SUMMARY, "")), strict=True)
-        if own.end == ending["end"]:
-            return {**ending, "of_samples": False, **own.model_dump(exclude_unset=True)}
-    except ValidationError:  # none, or damaged
-        pass
+    with suppress(
+        LookupError, ArithmeticError, TypeError, ValueError, AttributeError, RecursionError
+    ):
+        own = json.loads(str(run.attrs.get(SUMMARY)), parse_constant=int)  # NaN is no number
+        numbers = {**ending, "of_samples": False, **{k: own[k] for k in OF_A_RUN if k in own}}
+        run_result(numbers, "")
+        if own["end"] == ending["end"]:
+            return numbers
     return {**ending, "of_samples": True, **figures_of(system, run)}
 
 
@@ -70,7 +51,7 @@ def asked(system: Scenario | Team, waypoints: int) -> str:
         first, names = system.first, shortened(", ".join(system.members), 80)
         who = f"{len(system.members)} vehicles, {names},"
     else:
-        first, who = system, "a vehicle"
+        first, who = system, "A vehicle"
         if waypoints:
             who += (
                 f" at {waypoints} waypoints, {first.reference.dwell:g} {first.units.time} at each,"

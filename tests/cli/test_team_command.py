@@ -100,16 +100,6 @@ def test_excitation_finds_the_eigenvalue_of_the_design(printed):
         assert min(v[0] for v in values) == pytest.approx(report[key]["of_the_run"], rel=1e-9)
 
 
-@pytest.mark.slow
-@pytest.mark.usefixtures("paper")
-def test_the_table_says_what_was_reached(clpt):
-    outcome = clpt("design", "paper.toml", "--out", "new.toml", *QUICK)
-    assert outcome.status == 0, outcome.err
-    for part in ("before", "after", "smallest eigenvalue", "time until", "closed length"):
-        assert part in outcome.out
-    assert outcome.err == ""
-
-
 @pytest.mark.parametrize(
     ("words", "said"),
     [

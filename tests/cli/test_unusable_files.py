@@ -19,18 +19,12 @@ FIELD = {"parameters": None, "field": "field.nc"}
 RUN_DAMAGES = {
     "no time": (lambda run: run.drop_vars("time"), "has no time over time"),
     "a number": (lambda run: run.assign(predicted_position=0.0), "has no predicted_position over"),
-    "other axes": (lambda run: run.isel(axis=[0]), "over time, axis 2"),
     "other functions": (lambda run: run.isel(basis=[0, 1]), "axis 2, basis 3"),
     "turned": (lambda run: run.transpose("axis", ...), "has no position over time, axis"),
     "far times": (lambda run: run.assign_coords(time=run.time + 1e15), "must lie in 0 to"),
-    "early times": (lambda run: run.assign_coords(time=run.time - 9), "must lie in 0 to"),
     "a huge place": (lambda run: run.assign(position=run.position + 1e308), "no finite number"),
     "a team": (lambda run: run.assign_attrs(team="[team]"), "a scenario and a team"),
     "no scenario": (lambda run: run.drop_attrs(), "carries no scenario"),
-    "words of the flow": (
-        lambda run: run.assign(flow_parameters=run.flow_parameters.astype(str)),
-        "no finite number",
-    ),
     "turned round": (lambda run: run.isel(time=slice(None, None, -1)), "its times do not increase"),
     "twice at one time": (lambda run: run.isel(time=[0, 0, 1, 2]), "its times do not increase"),
     "no waypoints": (lambda run: run.drop_vars("reference"), "has no reference over time, axis"),

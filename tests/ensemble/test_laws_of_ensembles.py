@@ -220,9 +220,3 @@ def test_a_part_of_ones_own_keeps_numbers_that_are_equal_to_a_keys(quick):
     for m, value in enumerate(values):
         run = clpt.simulate(loop(quick.with_values({key: value})))
         np.testing.assert_allclose(data.position[m], run.position, rtol=0, atol=1e-7)
-
-
-def test_a_gain_that_is_not_set_cannot_vary(quick):
-    scenario = quick.with_values({"learning.gain": None, "learning.gains": EACH})
-    with pytest.raises(ScenarioError, match=r"vary: learning.gain cannot vary; "):
-        run_ensemble(scenario, "learning.gain=0.2:2.0", 3)

@@ -14,7 +14,7 @@ from clpt_control.ensemble.candidates import (
     laws_to_try,
     unknown_of,
 )
-from clpt_control.ensemble.tune import Score, _middle, ranked, score_of
+from clpt_control.ensemble.tune import Score, ranked, score_of
 from clpt_control.errors import ScenarioError
 
 ROBUST = ["learned-flow", "sigma", "e-modification"]
@@ -40,12 +40,6 @@ def test_of_those_as_good_as_the_best_the_quickest_is_taken():
     endless = scored("e", np.inf)
     assert ranked([far, broken, best, endless, near]) == [near, best, far]
     assert ranked([broken, endless]) == []
-
-
-def test_quantiles_count_what_never_came():
-    assert _middle(np.array([np.inf, 1.0, 2.0])) == 2.0
-    assert _middle(np.array([np.inf, np.inf, 2.0])) == np.inf
-    assert _middle(np.arange(1.0, 21.0), 0.95) == 19.0
 
 
 def test_CLPE_of_a_candidate_does_not_hang_on_its_samples(paper, monkeypatch):

@@ -229,7 +229,6 @@ def test_part_of_a_run_has_no_first_round():
         lambda found: {"end": found["end"]},
         lambda found: found | {"clpe_rms": None},
         lambda found: found | {"clpe_rms_per_cycle": "0.1"},
-        lambda found: found | {"max_gain_error": {"soon": 0.1}},
         lambda found: found | {"max_flow_parameter_error": {"40": float("nan")}},
         lambda found: found | {"explained_variance": [0.5]},
     ],
