@@ -192,6 +192,19 @@ def test_a_small_file_that_says_it_holds_much_is_refused(tmp_path):
             read(tmp_path / "r.nc")
 
 
+@pytest.mark.parametrize(
+    ("kind", "key"), [("i2", "scale_factor"), ("f8", "add_offset"), ("S1", "_Encoding")]
+)
+def test_what_tells_how_numbers_are_decoded_may_be_anything(tmp_path, kind, key):
+    with netCDF4.Dataset(tmp_path / "d.nc", "w") as data:
+        data.createDimension("dive", 3)
+        one = data.createVariable("u", kind, ("dive",))
+        one[:] = np.ones(3, kind)
+        one.setncattr(key, "x")
+    with pytest.raises(DataError, match=r"d.nc: cannot be read as NetCDF: "):
+        clpt_control.load_run(tmp_path / "d.nc")
+
+
 def test_a_number_that_was_overwritten_is_found(tmp_path):
     numbers = np.linspace(1.0, 2.0, 1000)
     write_together({tmp_path / "whole.nc": xarray.Dataset({"u": ("x", numbers)})})

@@ -198,7 +198,7 @@ def check_writable(path: AnyPath, what: str = "", endings: Sequence[str] = ()) -
     """
     place, _ = _place(path)
     if place.is_dir():
-        raise DataError(f"{path}: is a folder; give a file name such as {Path(path) / 'run.nc'}")
+        raise DataError(f"{path}: is a folder; give another name, or move it away")
     if not os.access(place.parent, os.W_OK):
         raise DataError(f"{path}: cannot be written: the folder {place.parent} is read-only")
     if endings and Path(path).suffix.lower() not in endings:

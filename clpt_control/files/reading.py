@@ -32,6 +32,7 @@ STRAY = 0.05  # largest share of characters that are no UTF-8 text
 LARGEST = 2 * 10**8  # bytes of a file that is read whole
 OPENED = "/proc/self/fd"  # the folder in which a system names the descriptors of a process
 NETCDF = (b"CDF\x01", b"CDF\x02", b"CDF\x05", b"\x89HDF")  # first bytes
+DECODED_BY = {"scale_factor", "add_offset", "_Encoding"}  # attributes of a variable
 SLASH = (
     "\N{DIVISION SLASH}"  # in a file, for a / of a name, which NetCDF and Zarr take for a folder
 )
@@ -169,6 +170,9 @@ def open_netcdf(path: AnyPath, most: float = inf) -> "Iterator[xarray.Dataset]":
         name, engine = opened_name(file.fileno(), path), netcdf_engine()
         try:
             data = xarray.open_dataset(name, decode_times=False, engine=engine)
+            for one in data.variables.values():
+                if DECODED_BY & one.encoding.keys():  # which may say anything
+                    one[dict.fromkeys(one.dims, slice(1))].load()
         except Exception as error:  # a damaged file can raise anything
             raise DataError(f"{path}: cannot be read as NetCDF: {_reason(error)}") from None
         with data:

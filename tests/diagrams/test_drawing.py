@@ -270,7 +270,7 @@ def test_mistakes_are_one_sentence(tmp_path):
     with pytest.raises(DataError, match=r"folder .* does not exist"):
         draw(nested(), tmp_path / "missing" / "loop.svg")
     (tmp_path / "taken.svg").mkdir()
-    with pytest.raises(DataError, match=r"taken\.svg: is a folder; give a file name"):
+    with pytest.raises(DataError, match=r"taken\.svg: is a folder; give another name"):
         draw(nested(), tmp_path / "taken.svg")
     assert [p.name for p in tmp_path.iterdir()] == ["taken.svg"]
 
