@@ -3,6 +3,7 @@
 import control
 import numpy as np
 import pytest
+import xarray
 from adaptive_loop import mrac
 from ensemble_stores import assert_identical
 from scipy import stats
@@ -223,3 +224,28 @@ def test_a_name_that_zarr_does_not_have_is_told(label, tmp_path):
 def test_variables_stand_in_order():
     data = clpt.run_ensemble(lag(), {"tau": [0.5, 1.0]}, timepts=TIMES, trajectories=True)
     assert list(data.data_vars) == sorted(data.data_vars)
+
+
+def test_values_that_vary_have_the_units_of_their_keys():
+    words = ["flow.parameters~normal:0.1", "vehicle.feedback=0.5:2", "reference.dwell=[19, 20]"]
+    lengths = {"run.duration": 4.0, "units.length": "km"}
+    scenario = clpt.paper_scenario().with_values(lengths)
+    words += ["learning.position~normal:1", "learning.gain=1:2"]
+    data = clpt.run_ensemble(scenario, words, 2)
+    units = {key: data[key].attrs.get("units") for key in data.coords if "." in key}
+    assert units == {
+        "flow.parameters": "km s-1",
+        "learning.gain": None,  # 1/s2 for alpha, less a length squared for K and Gamma
+        "learning.position": "km",
+        "reference.dwell": "s",
+        "vehicle.feedback": "s-1",
+    }
+
+
+def test_an_ensemble_is_written_as_netcdf(tmp_path):
+    drawn = clpt.run_ensemble(lag(), {"tau": "1:2"}, 3, timepts=TIMES)
+    grid = clpt.run_ensemble(lag(), {"tau": [1.0, 2.0]}, timepts=TIMES).reset_index("member")
+    for data in (drawn, grid):
+        data.to_netcdf(tmp_path / "many.nc")
+        with xarray.open_dataset(tmp_path / "many.nc") as read:
+            xarray.testing.assert_equal(read, data)
