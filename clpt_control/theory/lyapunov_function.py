@@ -28,7 +28,7 @@ from .proving.verdict import Verdict
 from .region import Region
 from .searching import candidates
 from .squares import states_beside
-from .v_on_symbols import SystemWithV
+from .v_on_symbols import SystemWithV, of_signals
 
 Failure = tuple[Point, float]  # a point, and what V', or what fails, is there
 
@@ -205,8 +205,8 @@ def _best_candidate(
 @public
 def lyapunov(
     system: control.NonlinearIOSystem,
-    V: str | Callable | None = None,
-    claim: str | Callable | float | None = None,
+    V: str | Callable | sympy.Expr | None = None,
+    claim: str | Callable | sympy.Expr | float | None = None,
     at: Mapping[str, float] | None = None,
     points: Count = 200,
     seed: Seed = 0,
@@ -218,12 +218,13 @@ def lyapunov(
     ----------
     system : control.NonlinearIOSystem
         A diagram, a block or a system of python-control.
-    V : str or callable, optional
-        The name of an output, or a function of signals, ``lambda s: s.e**2 / 2``, in NumPy, which
-        may ask for parameters and the time ``s.t`` too.  By default V is searched for, of squares,
-        products of two states, and integrals of functions of one state: `status` is then
-        ``"open"`` where none that is found is proved.
-    claim : str, callable or float, optional
+    V : str, callable or sympy.Expr, optional
+        The name of an output; a function of signals, ``lambda s: s.e**2 / 2``, in NumPy, which may
+        ask for parameters and the time ``s.t`` too; or an expression in the symbols of
+        `clpt.equations`.  By default V is searched for, of squares, products of two states, and
+        integrals of functions of one state: `status` is then ``"open"`` where none that is found
+        is proved.
+    claim : str, callable, sympy.Expr or float, optional
         What V' is said to be, ``lambda s: -s.am * s.e**2``; that V' <= 0 is judged in any case.
     at : mapping, optional
         The rest state, ``{"theta": np.pi}``, other states 0: where V is to be least. By default V
@@ -281,4 +282,5 @@ def lyapunov(
         why = "in a box V' < 0 is judged" if within else "it is of a V that is given"
         raise DiagramError(f"{system.name}: leave the claim out: {why}")
     with worked_out(system.name):
+        V, claim = of_signals(system, V), of_signals(system, claim)
         return _best_candidate(system, at, judged) if V is None else judged(V)

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 import sympy
+from sympy.core.function import AppliedUndef
 
 from ..arguments import check_holds
 from ..diagrams.on_symbols import Equations, on_symbols
@@ -34,6 +35,30 @@ def _watched(owner: str, kind: str, arguments: tuple) -> str | None:
     """Return where an operation has no value; one whose value may be too large has one."""
     sentence = no_value(owner, kind, arguments)
     return None if kind in LARGE else sentence
+
+
+def by_name(eq: Equations) -> dict[str, np.ndarray]:
+    """Return the symbols that a function of signals may ask for, by name."""
+    found = {name.replace(".", "_"): symbols for name, symbols in eq.named.items()}
+    found = {name: symbols for name, symbols in found.items() if name.isidentifier()}
+    found = {name: symbols for name, symbols in found.items() if not hasattr(np.ndarray, name)}
+    return found | {"t": np.array(TIME)}
+
+
+def of_signals(system: Any, V: Any) -> Any:
+    """Return an expression in the symbols of `clpt.equations` as a function of signals."""
+    if not isinstance(V, sympy.Expr):
+        return V
+    named = by_name(on_symbols(system))
+    places = {s: (name, k) for name, own in named.items() for k, s in enumerate(own.flat)}
+    places = {s: at for s, at in places.items() if s.is_Symbol or isinstance(s, AppliedUndef)}
+    if unknown := V.free_symbols - places.keys():
+        raise DiagramError(
+            f"{system.name}: has no {unknown.pop()} as clpt.equations has symbols; it has "
+            f"{', '.join(map(str, places))}"
+        )
+    run = sympy.lambdify([*places], V, "numpy")
+    return lambda s: run(*(np.ravel(getattr(s, name))[k] for name, k in places.values()))
 
 
 class SystemWithV:
@@ -81,12 +106,7 @@ class SystemWithV:
             if not isinstance(found, sympy.Expr):
                 raise DiagramError(f"{self.system.name}: {source} is no single number")
             return found
-        named = {
-            name: symbols
-            for dotted, symbols in self.eq.named.items()
-            if (name := dotted.replace(".", "_")).isidentifier() and not hasattr(np.ndarray, name)
-        }
-        named["t"] = np.array(TIME)
+        named = by_name(self.eq)
         ports = {name: symbols.shape for name, symbols in named.items()}
         block = Block(
             "V", output=lambda t, x, u, p: {"V": source(u)}, inputs=ports, outputs={"V": 1}

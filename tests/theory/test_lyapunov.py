@@ -79,8 +79,13 @@ def test_van_der_pol_says_where():
     assert abs(found.point.x[0]) > 1
 
 
-def test_V_is_a_name_or_a_function():
-    assert str(lyapunov(system(lambda x: [-2 * x]), half).rate) == "-2*x**2"
+def test_V_is_a_name_a_function_or_an_expression():
+    plant = system(lambda x: [-2 * x])
+    x = clpt.equations(plant)["x"]
+    for V in (half, x**2 / 2):
+        assert str(lyapunov(plant, V).rate) == "-2*x**2"
+    thirds = lyapunov(plant, x**2 / 3, claim=-sympy.Rational(4, 3) * x**2)
+    assert thirds.status == "proved"
     meter = clpt.Block(
         "meter", output=lambda t, x, u, p: {"V": u.q**2 / 2}, inputs={"q": 1}, outputs={"V": 1}
     )
@@ -165,7 +170,8 @@ MISTAKES = {
     "no port 'q'": (system(lambda x: [-x]), lambda s: s.q**2),
     "calculating with a NoneType": (system(lambda x: [-x]), lambda s: None),
     "is no single number": (theorem_loop(1, "learned-flow"), "e"),
-    "V = an Add: must be a text, a function": (system(lambda x: [-x]), 1 + sympy.Symbol("x")),
+    "has no q as clpt": (system(lambda x: [-x]), sympy.Symbol("q") ** 2),
+    "V.output: .*'zeta'": (system(lambda x: [-x]), sympy.zeta(sympy.Symbol("x", real=True))),
     "has no states": (control.nlsys(None, lambda t, x, u, p: u, inputs=1, outputs=1), "y"),
     "at = {'x': nan}: must be": (system(lambda x: [-x]), half, {"at": {"x": np.nan}}),
     "points = 0: must be a whole number, 1 or": (system(lambda x: [-x]), half, {"points": 0}),
@@ -198,7 +204,7 @@ def test_a_limit_at_infinity_is_none():
     loop = clpt.connect([clpt.parts.pid(1, 0.1), clpt.parts.lag(10.0)], external="r")
     rates = clpt.equations(loop).rates
     assert not [rate for port in rates.values() for rate in port.flat if rate.has(sympy.oo)]
-    assert lyapunov(loop).status == "open"  # it was refused: "y' has no value"
+    assert lyapunov(loop).status == "proved"  # it is linear and stable
     one_sided = clpt.parts.saturation(0.0, np.inf)
     assert str(clpt.equations(one_sided)) == "y = maximum(u(t), low)"
 
