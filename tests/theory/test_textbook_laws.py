@@ -12,7 +12,9 @@ from wrong_laws import WRONG
 
 from clpt_control.blocks.lyapunov import lyapunov_candidate, weighted
 from clpt_control.errors import ClptError
+from clpt_control.theory.proving import invariants
 from clpt_control.theory.proving.own_law import prove
+from clpt_control.theory.proving.proof import exact
 from clpt_control.theory.proving.signs import MOST_TERMS, terms_of
 
 pytestmark = pytest.mark.usefixtures("few_calls")
@@ -86,6 +88,16 @@ def test_a_V_with_what_states_keep_may_be_made_of_parameters_too():
     make, more, status = LAWS["least squares"]
     own = more | {"V": lambda truth, p: more["V"](truth)}
     assert prove(make(), points=POINTS, **own).status == status
+
+
+def test_the_seed_is_that_of_the_points_where_states_keep_relations(monkeypatch):
+    make, more, _ = LAWS["least squares"]
+    seeds, shown = [], exact("the running blocks give the same V'", True)
+    monkeypatch.setattr(
+        invariants, "running_step", lambda read, points, seed: seeds.append(seed) or shown
+    )
+    prove(make(), points=POINTS, seed=7, **more)
+    assert seeds == [7]
 
 
 @pytest.mark.slow
