@@ -41,7 +41,10 @@ def squares(V: sympy.Expr, fixed: set, words_are_free: bool = True) -> Squares |
     free = (f for f in V.atoms(AppliedUndef) if words_are_free or is_input(f))
     words = {f: sympy.Dummy(str(f.func), real=True) for f in free}
     back = {dummy: f for f, dummy in words.items()}
-    V = V.xreplace(words)
+    inner = [f.args[0] for f in V.atoms(sympy.Function) if f.args[0].is_Add]
+    sums = {a: sympy.Dummy("sum", real=True) for a in inner if len(a.free_symbols - fixed) > 1}
+    back |= {dummy: a for a, dummy in sums.items()}
+    V = V.xreplace(words).xreplace(sums)
     moving = sorted(V.free_symbols - fixed, key=str)
     form_of = dict[Any, Any]()  # term -> the form that it holds
     low, more = list[Any](), list[Any]()
@@ -63,6 +66,10 @@ def squares(V: sympy.Expr, fixed: set, words_are_free: bool = True) -> Squares |
             return None
         (s,) = symbols
         rising = _rising(sympy.Add(*terms), s)
+        if rising is None:  # with all that s is in alone
+            same = [term for term in low if term.free_symbols & set(moving) == {s}]
+            terms, low = terms + same, [term for term in low if term not in same]
+            rising = _rising(sympy.Add(*terms), s)
         if rising is None:
             return None
         low.append(rising[0])
@@ -128,7 +135,11 @@ def _rising(g: sympy.Expr, s: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr] | N
     slope = along(g, {s: sympy.S.One})
     if least.is_finite and rising_in(tidied(s * slope), s):
         return least, s
-    return None
+    if g.atoms(AppliedUndef) or g.has(TIME):
+        return None
+    bend = factored(sympy.diff(slope, s))
+    bends = least.is_finite and vanishes(slope.subs(s, 0)) and bend != 0 and bend.is_nonnegative
+    return (least, s) if bends else None  # so that g rises without bound
 
 
 def positive_definite(V: sympy.Expr, states: list) -> bool:

@@ -7,6 +7,7 @@ import numpy as np
 from lyapunov_systems import (
     TICKS,
     backstepping,
+    chain,
     counting,
     energy,
     half,
@@ -16,7 +17,10 @@ from lyapunov_systems import (
     mrac,
     observer,
     of_the_error,
+    of_the_shaft,
     pendulum,
+    rubbed,
+    shaft,
     sourced,
     spinning,
     stepped,
@@ -44,16 +48,23 @@ def filled(plant, V=None, *more):
 
 RIGHT = {
     "MRAC": (mrac(), textbook),
+    "MRAC, numbers in V": (
+        mrac(),
+        lambda s: (s.y - s.ym) ** 2 / 2 + 0.75 * ((s.kr - 4 / 3) ** 2 + (s.ky - 5 / 3) ** 2),
+    ),
     "backstepping": (backstepping(), stepped),
     "observer": (observer(), of_the_error),
     "pendulum": (pendulum(), energy),
     "tanh": lambda x: [-np.tanh(x)],
+    "two pendulums on one shaft": (lambda a, b, v, w: shaft(a, b, v, w, 1), of_the_shaft),
+    "a chain of diodes": lambda v, w, q: chain(lambda z: np.exp(40 * z) - 1, v, w, q),
     "a rate of which rounding is left": lambda x: [x * (-1.65 * np.maximum(x, -0.7) - 1.65 * 0.7)],
     "gain of a higher wave": lambda t, x: [-(2 + np.sin(3 * t)) * x],
     "V of time": (  # Khalil, Nonlinear Systems, 3rd ed., Example 4.20
         lambda t, x, y: [-x - np.exp(-2 * t) * y, x - y],
         lambda s: s.x**2 + (1 + np.exp(-2 * s.t)) * s.y**2,
     ),
+    "gain that grows": lambda t, x: [-t * x],
     "a divisor of masses": (
         system(
             lambda q, v, m, M, c: [v, -(q + v) / (M * m - c**2)],
@@ -61,6 +72,7 @@ RIGHT = {
         ),
         lambda s: s.q**2 + (s.M * s.m - s.c**2) * s.v**2,
     ),
+    "a power that a parameter gives": system(lambda x, n: [-(x**n)], params={"n": 3.0}),
     "a spinning body": (spinning, lambda s: (s.x**2 + 2 * s.y**2 + 3 * s.z**2) / 2),
     "a cross term": (lambda x, y: [y, -x - y], lambda s: 1.5 * s.x**2 + s.x * s.y + s.y**2),
     "a rest elsewhere": (lambda x: [3.0 - x], lambda s: (s.x - 3) ** 2, {"at": {"x": 3.0}}),
@@ -69,12 +81,14 @@ RIGHT = {
     "a pull that is limited": lambda x: [-np.clip(x, -1, 1)],
     "a pull of two strengths": lambda x: [np.where(x > 0, -x, -2 * x)],
     "a square of squares": (lambda x, y: [y - x**3, -x], lambda s: (s.x**2 + s.y**2) ** 2),
+    "a diode": lambda x: [1 - np.exp(x)],
     "a pendulum a turn further": (
         lambda th, w: [w, -np.sin(th) - w],
         turned,
         {"at": {"th": 2 * np.pi}},
     ),
     "a gain of its own in each interval": counting(lambda k: -2 - np.sin(k)),
+    "a sine beside squares": lambda x, y: [-x + 0.5 * np.sin(y), -y],
     "a jump to its tanh": jumping(lambda t, x, p: np.tanh(x.m)),
     "V of what follows a wave": (
         lambda t, x: [np.cos(t) + np.sin(t) - x],
@@ -82,6 +96,23 @@ RIGHT = {
     ),
 }
 REFUTED = {
+    "a chain with a link that pushes": lambda v, w, q: chain(np.sin, v, w, q),
+    "two pendulums whose shaft pushes both": (
+        lambda a, b, v, w: shaft(a, b, v, w, -1),
+        of_the_shaft,
+    ),
+    "V of a difference that falls faster": (
+        lambda a, b: [-a, -b],
+        lambda s: np.cos(s.a - s.b) - 1 + (s.a**2 + s.b**2) / 2,
+    ),
+    "forces that do work": (
+        lambda x, y: rubbed(x, y, -1.0),
+        lambda s: np.exp(s.x) - s.x - 1 + 1.3 * np.log(np.cosh(s.y)),
+    ),
+    "friction that pushes where cos(y) is near -1": (
+        lambda x, y: rubbed(x, y, 1.0, 0.99),
+        lambda s: np.exp(s.x) - s.x - 1 + 1.3 * np.log(np.cosh(s.y)),
+    ),
     "MRAC, V forgets b": (
         mrac(),
         lambda s: (
@@ -118,6 +149,7 @@ REFUTED = {
     "wrong in a small region": lambda x: [-x * ((x - 1) ** 2 - 1e-3)],
     "a small bump": lambda x: [-x + 3 * np.exp(-50 * (x - 1) ** 2)],
     "V without a value": (lambda x: [-(x**3)], lambda s: s.x**2 + 1 / (s.x - 1) ** 2),
+    "a sine too large beside squares": lambda x, y: [-x + 2.1 * np.sin(y), -y],
     "a jump to more than its tanh": jumping(lambda t, x, p: 1.01 * np.tanh(x.m)),
     "a state named q_0": lambda y, q_0: [-1e6 * np.tanh(y) + q_0, 0 * q_0],  # where y is small
     "a state called as its parameter": (  # k' = k, and the parameter is 0
@@ -140,6 +172,8 @@ OPEN = {  # no point shows it, or none is looked for
         lambda x, y: [y, -x],
         lambda s: (np.arctan2(s.y, s.x) + 4) ** 2 + s.x**2 + s.y**2,
     ),
+    "a chain of hinges": lambda v, w, q: chain(lambda z: 2 * z + np.sin(z), v, w, q),
+    "a chain of soft dampers": lambda v, w, q: chain(lambda z: z / np.sqrt(1 + z**2), v, w, q),
     "V that is linear far off": (lambda x: [-x], lambda s: s.x**2 / (1 + np.abs(s.x))),
     "V that is bounded": (lambda x: [-x], lambda s: np.tanh(s.x**2)),
     "V that lets go far off": (
@@ -206,6 +240,11 @@ BESIDE = {  # V' <= 0 is right, and more is to be said
         "proved but for x",
         lambda x: [1 + 0 * x],
         lambda s: (s.x - s.t) ** 2,
+    ),
+    "oscillators that agree": (
+        "proved but for a",
+        lambda a, b: [np.sin(b - a), np.sin(a - b)],
+        lambda s: 1 - np.cos(s.a - s.b),
     ),
     "an angle that ends": (
         "proved as long as th exist",

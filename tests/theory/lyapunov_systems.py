@@ -168,3 +168,28 @@ def sourced(source, rates=lambda x, u: {"x": -x.x, "y": -x.y + u.w}):
 def spinning(x, y, z):
     """Euler's equations of a body that turns, x, y, z about its axes, J = 1, 2, 3."""
     return [-y * z - 0.2 * x, (2 * z * x - 0.2 * y) / 2, (-x * y - 0.2 * z) / 3]
+
+
+def rubbed(x, y, sign, least=1.0):
+    """Return rates along the slopes of exp(x) - x - 1 + 1.3 log(cosh(y)), and across them."""
+    a, b = np.exp(x) - 1, 1.3 * np.tanh(y)
+    return [
+        -(least + np.cos(y)) * a + 0.7 * np.sin(y) * b,
+        -abs(x) * b - 0.7 * sign * np.sin(y) * a,
+    ]
+
+
+def shaft(a, b, v, w, back):
+    """Return the rates of two pendulums on a shaft that springs back by the sine of its twist."""
+    twist = 0.5 * np.sin(a - b)
+    return [v, w, -np.sin(a) - twist - 0.2 * v, -np.sin(b) + back * twist - 0.2 * w]
+
+
+def of_the_shaft(s):
+    """Return the energy of both pendulums and of the twist."""
+    return (s.v**2 + s.w**2) / 2 + 2.5 - np.cos(s.a) - np.cos(s.b) - 0.5 * np.cos(s.a - s.b)
+
+
+def chain(link, v, w, q):
+    """Return the rates of three capacitors, or masses, in a row, of which the last leaks."""
+    return [-link(v - w), link(v - w) - link(w - q), link(w - q) - q]

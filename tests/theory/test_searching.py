@@ -150,6 +150,7 @@ def test_what_cannot_be_searched_for_is_refused():
 @pytest.mark.parametrize(
     ("rates", "proved"),
     [
+        (lambda t, x: [-(1 + t) * x], True),
         (lambda t, x: [-x * np.exp(-t)], True),
         (lambda t, x: [-x * np.abs(x)], True),
         (lambda t, x: [-x / (1 + x**2)], True),

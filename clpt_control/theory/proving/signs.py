@@ -300,14 +300,24 @@ def _in_sectors(group: sympy.Expr, words: set, apart: set) -> bool:
     plain = group.xreplace(dict(zip(outer, q, strict=True)))
     if not plain.is_polynomial(*q):
         return False
-    sectors = dict(zip(q, map(sector_of, outer), strict=True))
-    if None in sectors.values():
+    return any(
+        _at_the_ends(plain, q, [sector_of(word, slope) for word in outer], apart)
+        for slope in (False, True)[: 1 + group.has(sympy.sin, sympy.exp)]
+    )
+
+
+def _at_the_ends(plain: sympy.Expr, q: tuple, found: list, apart: set) -> bool:
+    """Return whether an expression, convex in each q, is not positive where q is at its ends."""
+    if None in found:
         return False
-    for one, sector in sectors.items():  # convex in each q, it is largest at the ends
-        bend = sympy.diff(plain, one, 2)
-        if bend != 0 and not (bend.is_nonnegative and sector.high < sympy.oo):
-            return False
-    q_times = plain.xreplace({one: at.factor * one for one, at in sectors.items()})
+    sectors = dict(zip(q, found, strict=True))
+    bends = {one: sympy.diff(plain, one, 2) for one in q}
+    if any(
+        b != 0 and not (b.is_nonnegative and sectors[one].high < sympy.oo)
+        for one, b in bends.items()
+    ):
+        return False
+    q_times = plain.xreplace({one: at.factor * one + at.more for one, at in sectors.items()})
     if terms_of(q_times) > MOST_TERMS:
         return False
     ends = [sympy.expand(q_times)]

@@ -3,7 +3,7 @@
 A word is a function in an expression that is no polynomial: tanh(s), clip(s, -a, a), ...
 
 - **Sector.**  An odd rising h has s h(s) >= 0: h(s) = q s, q in a range, so tanh(s) = q s with
-  0 <= q <= 1.  sin(s) is q in -1 ... 1; |s| and exp(s) are q >= 0.
+  0 <= q <= 1.  sin(s) is q in -1 ... 1, and q s too; |s| is q >= 0; exp(s) is q, and 1 + q s.
   An expression convex in q is never positive where it is not at the ends of q's range.
 - **Pieces.**  clip(s, a, b) is s where s - a >= 0 and b - s >= 0, a where a - s >= 0, b where
   s - b >= 0; a comparison is 1 or 0.  What holds in each piece holds.
@@ -99,17 +99,22 @@ def is_input(word: Any) -> bool:
 
 
 class Sector(NamedTuple):
-    """A word is q times `factor`, q between `low` and `high`."""
+    """A word is q times `factor`, q between `low` and `high`, and more."""
 
     factor: sympy.Expr
     low: Any
     high: Any  # oo where there is no end
     rises: bool = False  # whether q > 0 but at s = 0, and s h(s) never falls with |s|
+    more: Any = 0
 
 
-def sector_of(word: Any) -> Sector | None:
-    """Return the sector that a word lies in, if that is known."""
+def sector_of(word: Any, slope: bool = False) -> Sector | None:
+    """Return the sector that a word lies in, if that is known; of a sine or exp by its slope."""
     name, s = word.func.__name__, word.args[0]
+    if slope and isinstance(word, sympy.sin):
+        return Sector(s, -1, 1)
+    if slope and isinstance(word, sympy.exp):
+        return Sector(s, 0, sympy.oo, more=1)
     if word.func in ODD:
         return Sector(s, *ODD[word.func], True)
     if name in ("sign", "floor", "trunc", "ceil"):
