@@ -64,10 +64,7 @@ OPTIONS = (  # words, options whose values are damaged
     ("excitation s.toml", "--window --start"),
     ("excitation run.nc", "--window --start"),
     ("certify s.toml", "--radius --error --window"),
-    (
-        "design s.toml --out out.toml",
-        "--length --max-speed --window --start --seed",
-    ),
+    ("design s.toml --out out.toml", "--length --max-speed --window --start --seed"),
     (
         "ensemble s.toml --members 3 --vary learning.gain=0.2:2 --out out.zarr",
         "--members --vary --seed --threads --chunk --design",

@@ -103,7 +103,7 @@ def _proved(case: SystemWithV, search: FailureSearch, count: int) -> Verdict:
     """Return what is shown of a V, or where that ends."""
     V = case.in_signals(case.V)
     definite, forms = case.definite()
-    falls, inputs = case.never_positive(case.rate), case.depends_on()
+    falls, inputs = case.falls(), case.depends_on()
     zero: dict[Any, Any] = {}
     if not falls and inputs:
         zero = {f: sympy.S.Zero for f in case.inputs if str(f.func) in inputs}

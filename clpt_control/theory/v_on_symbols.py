@@ -158,6 +158,31 @@ class SystemWithV:
         """Return whether an expression is known never to be positive, for t >= 0."""
         return never_positive(tidied(expression), self.fixed)
 
+    def falls(self) -> bool:
+        """Return whether V' is known never to be positive, as it stands, reduced, or by states."""
+        if self.never_positive(self.rate):
+            return True
+        self.rate = reduced(self.rate)
+        return self.never_positive(self.rate) or self._falls_by_state()
+
+    def _falls_by_state(self) -> bool:
+        """Return whether V' falls without the terms of rates that go down V, as friction does.
+
+        They are -dV/dx_i times what is not negative.  The others may cancel, as forces that do no
+        work do.
+        """
+
+        def goes_down(f: sympy.Expr, slope: sympy.Expr) -> bool:
+            return self.never_positive(sympy.cancel(f / slope))
+
+        others = list[sympy.Expr]()
+        for s, f in {TIME: sympy.S.One, **self.eq.motion}.items():
+            slope = tidied(along(self.V, {s: sympy.S.One}))
+            if slope != 0 and not goes_down(f, slope):
+                terms = sympy.Add.make_args(f)
+                others += [slope * g for g in terms if g == f or not goes_down(g, slope)]
+        return self.never_positive(sympy.Add(*others))
+
     # --- in the user's words -------------------------------------------------------------------
 
     @cached_property
@@ -191,3 +216,12 @@ class SystemWithV:
         """Return the inputs that V' depends on."""
         rate = tidied(self.rate)
         return [str(f.func) for f in self.inputs if rate.has(f)]
+
+
+def reduced(rate: sympy.Expr) -> sympy.Expr:
+    """Return an expression whose divisors hold angles as one fraction, without common factors."""
+    below = sympy.Mul(*(p.base for p in rate.atoms(sympy.Pow) if p.exp.is_negative))
+    if not below.has(sympy.sin, sympy.cos):
+        return rate
+    p, q = map(tidied, sympy.fraction(sympy.together(tidied(rate))))
+    return sympy.cancel(p / q)

@@ -95,6 +95,16 @@ RIGHT = {
         lambda s: (s.x - np.sin(s.t)) ** 2,
     ),
 }
+RIGHT |= {
+    "friction of each state, and forces that do no work": (
+        lambda x, y: rubbed(x, y, 1.0),
+        lambda s: np.exp(s.x) - s.x - 1 + 1.3 * np.log(np.cosh(s.y)),
+    ),
+    "a gradient's flow": (
+        lambda x, y: [-(x**3 + x - y), -(y - x + y**3)],
+        lambda s: s.x**4 / 4 + (s.x - s.y) ** 2 / 2 + s.y**4 / 4,
+    ),
+}
 REFUTED = {
     "a chain with a link that pushes": lambda v, w, q: chain(np.sin, v, w, q),
     "two pendulums whose shaft pushes both": (

@@ -193,3 +193,19 @@ def of_the_shaft(s):
 def chain(link, v, w, q):
     """Return the rates of three capacitors, or masses, in a row, of which the last leaks."""
     return [-link(v - w), link(v - w) - link(w - q), link(w - q) - q]
+
+
+def arm(q1, q2, v1, v2):
+    """Two links of mass and length 1, springs and friction in the joints, without gravity."""
+    c, s = np.cos(q2), np.sin(q2)
+    first = -2 * q1 - v1 + s * (2 * v1 * v2 + v2**2)
+    second = -2 * q2 - v2 - s * v1**2
+    M11, M12 = 3 + 2 * c, 1 + c
+    det = M11 - M12**2
+    return [v1, v2, (first - M12 * second) / det, (M11 * second - M12 * first) / det]
+
+
+def of_the_arm(s):
+    c = np.cos(s.q2)
+    moving = (3 + 2 * c) * s.v1**2 + 2 * (1 + c) * s.v1 * s.v2 + s.v2**2
+    return moving / 2 + s.q1**2 + s.q2**2

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import sympy
 from lyapunov_cases import BESIDE, OPEN, REFUTED, RIGHT
-from lyapunov_systems import energy, half, halves, mrac, pendulum, system, textbook
+from lyapunov_systems import arm, energy, half, halves, mrac, of_the_arm, pendulum, system, textbook
 
 import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS
@@ -55,6 +55,13 @@ def test_a_wrong_one_is_not_proved(name):
         assert found.value is not None
     else:
         assert found.status == wanted
+
+
+def test_of_an_arm_the_rate_is_its_friction():
+    """The masses divide the rates by 2 - cos(q2)^2, which is never zero; V is no sum of squares."""
+    found = lyapunov(system(arm), of_the_arm)
+    v1, v2 = sympy.symbols("v1 v2", real=True)
+    assert (found.status, found.rate) == ("open", -(v1**2) - v2**2)
 
 
 def test_a_point_of_refutation_is_one_of_the_running_blocks():
