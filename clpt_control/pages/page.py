@@ -7,7 +7,6 @@ tells which versions made it.
 
 import platform
 from collections.abc import Callable, Mapping, Sequence
-from datetime import UTC, datetime
 from importlib.metadata import version
 from textwrap import fill
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -69,7 +68,6 @@ def drawn(name: str, height: float, caption: str, plot: Callable[..., Any], *dat
 
 def page_html(page: Page) -> str:
     """Return a page as HTML."""
-    written = datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC")
     links = "".join(
         f'<li><a href="#{one.name}">{safe(one.heading)}</a></li>' for one in page.sections
     )
@@ -81,7 +79,7 @@ def page_html(page: Page) -> str:
             f'<nav aria-label="Contents"><ul>{links}</ul></nav><main>',
             *map(_section, page.sections),
             '</main><footer class="soft">',
-            f"<p>Written by clpt-control {version('clpt-control')}, {written}.</p></footer>",
+            f"<p>Written by clpt-control {version('clpt-control')}.</p></footer>",
         ]
     )
     return document(page.title, body, "report.css")
