@@ -72,6 +72,21 @@ def test_an_indefinite_V_proves_nothing():
     assert repr(verdict).startswith("<Verdict open: V is positive definite")
 
 
+@pytest.mark.parametrize(
+    ("slope", "level", "status"),
+    [
+        (lambda e: e / (1 + e**2), lambda e: np.log(1 + e**2) / 2, "proved"),
+        (lambda e: e / np.sqrt(1 + e**2), lambda e: np.sqrt(1 + e**2) - 1, "proved"),
+        (lambda e: e / (1 + e**2) ** 2, lambda e: 0.5 - 0.5 / (1 + e**2), "open"),
+    ],
+    ids=["Cauchy", "pseudo-Huber", "ends at a half"],
+)
+def test_a_V_of_a_robust_loss_has_no_end(slope, level, status):
+    V = own_laws.V_of(lambda t, u, p: level(u.e).sum() + own_laws.off(u, p) / (2 * p.gain))
+    made = own_laws.driven(lambda t, x, u, p: slope(u.e))()
+    assert prove(made, V, points=POINTS).status == status
+
+
 def test_a_V_that_does_not_fit_refutes_no_law():
     def of(gain):
         return lambda truth: lyapunov_candidate("learned-flow", weighted([gain] * 3, *truth))

@@ -200,7 +200,8 @@ def dead_zone(V: sympy.Expr, e: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr]:
 def rising_in(E: sympy.Expr, s: sympy.Symbol) -> bool:
     """Return whether s dV/ds is positive but at s = 0, and V has no end.
 
-    Each term is an even power of s, or s h(s), times what is not negative; one of them rises.
+    Each term is an even power of s, or s h(s), times what is not negative; one of them rises, or
+    is positive and has a limit far away that is: s dV/ds >= c > 0 there, and V >= c log|s|.
     """
     rises = False
     for term in sympy.Add.make_args(sympy.expand(E)):
@@ -218,7 +219,11 @@ def rising_in(E: sympy.Expr, s: sympy.Symbol) -> bool:
         low = interval(rest)[0]
         if low.is_negative or n % 2:
             return False
-        rises |= bool(n and strict and low.is_positive)
+        sure = low.is_positive
+        if rest.free_symbols == {s} and rest.is_positive and not words_of(rest):  # 1/(1 + s^2)
+            far = (sympy.limit(term, s, end) for end in (-sympy.oo, sympy.oo))
+            sure = sure or all(limit.is_extended_positive for limit in far)
+        rises |= bool(n and strict and sure)
     return rises
 
 
