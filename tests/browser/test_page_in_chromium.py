@@ -47,6 +47,25 @@ addEventListener("load", () => parent.postMessage(JSON.stringify({
 }), "*"));
 </script>
 """
+WORDS = """
+<script>
+addEventListener("load", () => {
+  const broken = [];
+  for (const cell of document.querySelectorAll("td:not(:first-child)")) {
+    const text = cell.firstChild?.nodeValue ?? "";
+    for (const { 0: word, index } of text.matchAll(/\\S+/g)) {
+      const range = document.createRange();
+      range.setStart(cell.firstChild, index);
+      range.setEnd(cell.firstChild, index + word.length);
+      if (range.getClientRects().length > 1) broken.push(word);
+    }
+  }
+  const table = document.querySelector(".table"), words = document.querySelectorAll("td").length;
+  parent.postMessage(JSON.stringify({ words, broken, wide: document.documentElement.scrollWidth,
+    beyond: table.scrollWidth - table.clientWidth }), "*");
+});
+</script>
+"""
 FRAME = """
 <!DOCTYPE html><body><iframe src="{page}" style="border:0;width:{width}px;height:900px"></iframe>
 <script>addEventListener("message", (event) => {{ document.body.textContent = event.data; }});
@@ -83,16 +102,34 @@ def test_the_page_obeys_its_own_policy(page, tmp_path):
     assert re.search(r'<svg id="map"[^>]*style="[^"]*--k', tree)
 
 
-@pytest.mark.parametrize("width", [390, 1280])
-def test_the_page_fits_its_screen(page, tmp_path, width):
+def asked(page, probe, tmp_path, width):
+    """What a probe finds in a page on a screen so wide."""
     text = re.sub(r"<meta http-equiv[^>]*>", "", page.read_text("utf-8"))
     probed = tmp_path / "probed.html"
-    probed.write_text(text.replace("<script>", PROBE + "<script>", 1), "utf-8")
+    probed.write_text(text.replace("<head>", "<head>" + probe, 1), "utf-8")
     frame = tmp_path / "frame.html"
     frame.write_text(FRAME.format(page=probed.as_uri(), width=width), "utf-8")
     size = f"--window-size={max(width, 500)},900"
     tree, _ = shown(frame, tmp_path / "profile", size, "--virtual-time-budget=5000")
-    found = json.loads(re.search(r"<body>(.*?)</body>", tree, re.S)[1])
+    return json.loads(re.search(r"<body>(.*?)</body>", tree, re.S)[1])
+
+
+def test_the_words_of_a_fleet_are_whole_on_a_telephone(tmp_path):
+    for name in ("north", "a_long_name_of_a_vehicle_2026"):
+        (tmp_path / "fleet" / name).mkdir(parents=True)
+        write_dive_table(fixes_of(15), tmp_path / "fleet" / name / "dives.csv")
+    words = ("replay", "--fleet", tmp_path / "fleet", "--out", tmp_path / "out")
+    subprocess.run([*CLPT, *map(str, words)], check=True, capture_output=True)
+    found = asked(tmp_path / "out" / "fleet.html", WORDS, tmp_path, 390)
+    assert found["words"] > 10
+    assert found["broken"] == []
+    assert found["wide"] <= 390
+    assert found["beyond"] == 0
+
+
+@pytest.mark.parametrize("width", [390, 1280])
+def test_the_page_fits_its_screen(page, tmp_path, width):
+    found = asked(page, PROBE, tmp_path, width)
     assert found["inner"] == width
     assert found["wide"] <= width
     assert found["beyond"] == [0]  # the table of dives
