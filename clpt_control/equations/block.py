@@ -139,12 +139,6 @@ class Block(ReadBlock):
             if so:
                 raise BlockError(f"{name}: {sentence}")
 
-        for port in (*declared["inputs"], *declared["states"]):
-            refuse(
-                hasattr(np.ndarray, port),
-                f"the port '{port}' has a name that all arrays of NumPy have, so that u.{port} "
-                "would be another thing; call it otherwise",
-            )
         own = output is None and outputs is not None
         refuse(output is None and not states, "a block without states needs `output`")
         refuse((update is None) != (not states), "`update` and `states` belong together")
@@ -190,6 +184,12 @@ class Block(ReadBlock):
 
     def _try_equations(self) -> None:
         """Run the equations at a few points, so that a mistake is told where the block is made."""
+        for port in (*self.declared["inputs"], *self.declared["states"]):
+            if hasattr(np.ndarray, port):
+                raise BlockError(
+                    f"{self.name}: the port '{port}' has a name that all arrays of NumPy have, so "
+                    f"that u.{port} would be another thing; call it otherwise"
+                )
         p = self.parameters_at(0.0)
         for role, (_, where) in self._plan.items():
             size = sum(part.stop - part.start for part, _ in where.values())

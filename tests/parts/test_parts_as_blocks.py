@@ -89,6 +89,19 @@ def test_the_time_of_sampling_is_no_parameter(made):
     assert runs[0].equals(runs[1])
 
 
+@pytest.mark.parametrize("dt", [None, 0.5])
+def test_a_port_is_called_as_arrays_have_it_where_the_part_reads_its_own_name(dt):
+    runs, members = [], []
+    for y in ("warmth", "T"):  # u.T of a block's own equations is a transpose
+        pid = parts.pid(2.0, 0.3, 0.1, dt=dt, y=y, u="v")
+        loop = clpt.connect([pid, parts.lag(5.0, u="v", y=y)], external="r")
+        runs.append(clpt.simulate(loop, TIMES, 1.0)[y].values)
+        many = clpt.run_ensemble(loop, {"pid.kp": [2.0]}, timepts=TIMES, inputs=1.0)
+        members.append(float(many[f"{y}_final"][0]))
+    assert np.array_equal(*runs)
+    assert members == [runs[0][-1]] * 2
+
+
 def test_parts_are_wired_by_python_control_as_they_stand():
     limit = parts.saturation(-0.5, 0.5, u="v", y="u")
     plant = control.ss(-1, 1, 1, 0, inputs="u[0]", outputs="y[0]", name="plant")
