@@ -2,7 +2,8 @@
 
     python tools/print_laws.py
 
-A page is a docstring: its equations, four letters in, become formulas.
+A page is a docstring: its equations, four letters in, become formulas, and so do symbols in its
+sentences; what comes after "Source:" stays as it is.
 """
 
 import inspect
@@ -46,7 +47,20 @@ SIGNS = {
     "'": "'",
     "%": r"\%",
 }
-TOKEN = re.compile(r"a\*|[+-]=|<=|>=|->|\^T\b|\^-1|[A-Za-z]+(?:_[A-Za-z0-9]+)*(?:\+(?= ))?|\d+|\S")
+TOKEN = re.compile(
+    r"a\*|[+-]=|<=|>=|->|\^T\b|\^-1|[A-Za-z]+(?:_[A-Za-z0-9]+)*(?:\+(?= ))?|\d+(?:\.\d+)?|\S"
+)
+LETTERS = "|".join(name for name in GREEK if name != "sigma")  # which is a law
+WORDS = LETTERS + "|Gamma|Phi|Delta|eps|KD|GammaD|zc|size|layer|margin|origin"
+CALLED = r"(?:max|diag|norm|clip)(?=\()|(?:det|tr)(?=\(| [A-Z])|int(?= \w )"
+LETTER = r"[b-zB-Z]|[aA](?!\s+[A-Za-z]{2})"
+NAME = rf"(?:(?:{WORDS}|{LETTER})(?:_[A-Za-z0-9]+)*(?!\w|-[a-z])|{CALLED})"
+ATOM = rf"(?:{NAME}|\d+(?:\.\d+)?(?!\w)INNER)(?:'|\^T|\^-1|\^\d|\*)*"
+RUN = rf"-?{ATOM}(?:(?:\s*(?:[<>]=|[-+/=<>])\s*-?|\s*){ATOM})*"
+SYMBOLS = RUN.replace("INNER", "")
+for _ in range(2):  # brackets within brackets
+    SYMBOLS = RUN.replace("INNER", rf"|\|{SYMBOLS}\||\({SYMBOLS}(?:,\s+{SYMBOLS})*\)")
+SYMBOLS = rf"`[^`]*`|(?<![\w.'-]){SYMBOLS}(?!\w)"
 
 
 def name_of(word: str) -> str:
@@ -100,18 +114,30 @@ def markdown(page: str) -> str:
     found: list[str] = []
     for inside, block in groupby(lines, key=lambda line: line.startswith("    ")):
         text = list(block)
-        found.append(formulas(text) if inside else "\n".join(map(plain, text)))
+        found.append(formulas(text) if inside else typeset("\n".join(text)))
     return re.sub(r"\n{3,}", "\n\n", "\n".join(found)).strip()
 
 
-def plain(line: str) -> str:
-    """Return a line of text as Markdown that shows every letter; tables stay as they are."""
-    if line.startswith("|") and line.endswith("|"):
-        return line
-    parts = re.split(r"(`[^`]*`)", line)
-    return "".join(
-        one if one.startswith("`") else re.sub(r"([*_<>|])", r"\\\1", one) for one in parts
-    )
+def typeset(text: str) -> str:
+    """Return sentences as Markdown, symbols as formulas; a table's rows cell by cell."""
+    if "\n\n" in text:
+        return "\n\n".join(map(typeset, text.split("\n\n")))
+    if text.lstrip().startswith("|"):
+        return "|".join(map(typeset, text.split("|")))
+    said, source, where = (*re.split(r"\b(Sources?: )", text, maxsplit=1), "", "")[:3]
+    said = said.replace("N x N", "N by N")
+    found, at = [], 0
+    for one in re.finditer(SYMBOLS, said):
+        found.append(plain(said[at : one.start()]))
+        whole = one[0].startswith("`") or not re.search("[A-Za-z]", one[0])
+        found.append(one[0] if whole else f"${formula(one[0])}$")
+        at = one.end()
+    return "".join(found) + plain(said[at:]) + source + plain(where)
+
+
+def plain(text: str) -> str:
+    """Return text as Markdown that shows every letter."""
+    return re.sub(r"([*_<>|])", r"\\\1", text)
 
 
 def whole_page() -> str:
@@ -119,14 +145,14 @@ def whole_page() -> str:
     found = [
         "# Each law\n\nWhich to take when: [laws](laws.md). `clpt laws NAME` prints a section in "
         "plain text. What is asked along runs, `clpt refute` asks; *as usual* says: where "
-        f"{USUAL}.\n"
+        f"{typeset(USUAL)}.\n"
     ]
     for page, laws in groupby(LAWS.values(), key=lambda law: law.page):
         rows = list(laws)
         found.append(f"## {', '.join(f'`{law.name}`' for law in rows)}\n\n{markdown(page)}\n")
         for law in rows:
             words = promises_in_words(law).values()
-            said = [f"- {plain(one).replace(f'where: {USUAL}', 'as usual')}" for one in words]
+            said = [f"- {typeset(one.replace(f'where: {USUAL}', 'as usual'))}" for one in words]
             found.append(f"`{law.name}` promises, asked along runs:\n")
             found.append("\n".join(said) + "\n")
     found.append(f"## Shared: `regressions`\n\n{markdown(str(regressions.__doc__))}\n")
