@@ -21,7 +21,7 @@ from ..errors import ScenarioError
 from ..native import numbering
 from ..native.ending import ENDS
 from ..scenario.experiment import Scenario
-from ..scenario.quantities import QUANTITIES
+from ..scenario.quantities import QUANTITIES, Quantity
 from ..simulation.dataset import VARIABLES
 from ..simulation.flows import speed_figures
 from ..simulation.integrate import sample_times
@@ -141,6 +141,7 @@ def arrays_of(varied: Any, values: Values) -> Arrays:
     """Return all arrays of an ensemble: summaries, the members' values, and coordinates."""
     scenario, times = varied.scenario, varied.times
     length, time = scenario.units.length, scenario.units.time
+    units = {"time": time, **units_of_ports(scenario.units)}
     rate, N, cycles = f"{time}-1", scenario.basis.N, len(times.starts) - 1
     sizes = {"cycle": cycles, "mark": len(times.marks), "axis": 2, "basis": N}
     arrays = Arrays(values, sizes | {"time": len(times.own)})
@@ -161,11 +162,13 @@ def arrays_of(varied: Any, values: Values) -> Arrays:
     for name in followed(varied):
         port, long_name, *_ = VARIABLES[name]
         dims = "time axis basis" if port == "alpha" else "time axis"
-        add(name, dims, long_name, units_of_ports(scenario.units)[port])
+        add(name, dims, long_name, units[port])
     for key, array in values.items():
-        of_key = QUANTITIES[key].axes.split() if key in QUANTITIES else []
-        axes_of_key = of_key or ["axis", "basis"][: array.ndim - 1]
-        arrays.add_fixed(key, ("member", *axes_of_key), array, long_name=f"{key}, which varies")
+        one = QUANTITIES.get(key, Quantity())
+        axes_of_key = one.axes.split() or ["axis", "basis"][: array.ndim - 1]
+        attrs = {"units": units[port]} if (port := one.unit or one.state) in units else {}
+        long_name = f"{key}, which varies"
+        arrays.add_fixed(key, ("member", *axes_of_key), array, long_name=long_name, **attrs)
     used = {dim for array in arrays.values() for dim in array.dims}
     axes = {
         "cycle": (np.arange(1, cycles + 1), "round of the waypoints", {"length": scenario.cycle}),

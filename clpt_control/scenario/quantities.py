@@ -18,26 +18,31 @@ class Quantity(NamedTuple):
     symbol: str = ""  # in the paper, of the parameters
     state: str = ""  # the state whose initial value it is
     axes: str = ""  # dimensions of an array of several axes or functions
+    unit: str = ""  # the port that has its unit, if its state has not; or time
     jumps: bool = False  # whether breakpoints move with it
 
 
 QUANTITIES = {
     "basis.centers": Quantity(
-        "basis_x.centers basis_z.centers basis_x_true.centers", axes="basis axis"
+        "basis_x.centers basis_z.centers basis_x_true.centers", axes="basis axis", unit="x"
     ),
     "basis.widths": Quantity("basis_x.widths basis_z.widths basis_x_true.widths", axes="basis"),
-    "basis.periods": Quantity(axes="basis"),
+    "basis.periods": Quantity(axes="basis", unit="time"),
     "basis.phases": Quantity("basis_x.phases basis_z.phases basis_x_true.phases", axes="basis"),
-    "flow.parameters": Quantity("true_flow.theta lyapunov.theta", "", "theta", axes="axis basis"),
-    "flow.disturbance.amplitude": Quantity("disturbance.amplitude"),
-    "flow.disturbance.period": Quantity("disturbance.period", jumps=True),
+    "flow.parameters": Quantity(
+        "true_flow.theta lyapunov.theta", "", "theta", axes="axis basis", unit="alpha"
+    ),
+    "flow.disturbance.amplitude": Quantity("disturbance.amplitude", unit="v_x"),
+    "flow.disturbance.period": Quantity("disturbance.period", jumps=True, unit="time"),
     "flow.disturbance.seed": Quantity("disturbance.seed"),
     "localization.interval": Quantity(
-        "fixes.between adaptation.between", "fixes.between", jumps=True
+        "fixes.between adaptation.between", "fixes.between", jumps=True, unit="time"
     ),
-    "localization.latency": Quantity("adaptation.latency", "fixes.latency", jumps=True),
-    "localization.noise": Quantity("measurement.noise fixes.noise", "fixes.noise"),
-    "localization.noise_period": Quantity("measurement.period", jumps=True),
+    "localization.latency": Quantity(
+        "adaptation.latency", "fixes.latency", jumps=True, unit="time"
+    ),
+    "localization.noise": Quantity("measurement.noise fixes.noise", "fixes.noise", unit="x"),
+    "localization.noise_period": Quantity("measurement.period", jumps=True, unit="time"),
     "localization.dropouts": Quantity("fixes.dropouts"),
     "localization.seed": Quantity("measurement.seed fixes.seed"),
     "model.parameters": Quantity(
@@ -45,14 +50,17 @@ QUANTITIES = {
         "alpha_M theta_estimate",
         "alpha_M",
         axes="axis basis",
+        unit="alpha",
     ),
-    "vehicle.feedback": Quantity("vehicle_controller.KD lyapunov.KD error_system.KD", "KD", "KD"),
+    "vehicle.feedback": Quantity(
+        "vehicle_controller.KD lyapunov.KD error_system.KD", "KD", "KD", unit="K"
+    ),
     "vehicle.feedforward": Quantity(
-        "vehicle_controller.GammaD lyapunov.GammaD", "GammaD", "GammaD"
+        "vehicle_controller.GammaD lyapunov.GammaD", "GammaD", "GammaD", unit="Gamma"
     ),
-    "vehicle.max_speed": Quantity("speed_limit.max_speed"),
-    "reference.dwell": Quantity("reference.dwell", "dwell", jumps=True),
-    "reference.points": Quantity(axes="waypoint axis"),
+    "vehicle.max_speed": Quantity("speed_limit.max_speed", unit="v_x"),
+    "reference.dwell": Quantity("reference.dwell", "dwell", jumps=True, unit="time"),
+    "reference.points": Quantity(axes="waypoint axis", unit="x"),
     "learning.gain": Quantity(
         "adaptation.gain adaptation.gain_K adaptation.gain_Gamma parameter_system.gain "
         "lyapunov.gain lyapunov.gain_K lyapunov.gain_Gamma",
@@ -63,7 +71,7 @@ QUANTITIES = {
     "learning.gains.feedback": Quantity("adaptation.gain_K", "gains.feedback"),
     "learning.gains.feedforward": Quantity("adaptation.gain_Gamma", "gains.feedforward"),
     "learning.theta_estimate": Quantity(
-        "injection.theta_hat", "theta_estimate", "theta_hat", axes="axis basis"
+        "injection.theta_hat", "theta_estimate", "theta_hat", axes="axis basis", unit="alpha"
     ),
     "vehicle.position": Quantity(known="position", state="x"),
     "learning.position": Quantity(state="z"),

@@ -234,3 +234,19 @@ def test_a_name_that_zarr_does_not_have_is_told(label, tmp_path):
 def test_variables_stand_in_order():
     data = clpt.run_ensemble(lag(), {"tau": [0.5, 1.0]}, timepts=TIMES, trajectories=True)
     assert list(data.data_vars) == sorted(data.data_vars)
+
+
+def test_values_that_vary_have_the_units_of_their_keys():
+    words = ["flow.parameters~normal:0.1", "vehicle.feedback=0.5:2", "reference.dwell=[19, 20]"]
+    lengths = {"run.duration": 4.0, "units.length": "km"}
+    scenario = clpt.paper_scenario().with_values(lengths)
+    words += ["learning.position~normal:1", "learning.gain=1:2"]
+    data = clpt.run_ensemble(scenario, words, 2)
+    units = {key: data[key].attrs.get("units") for key in data.coords if "." in key}
+    assert units == {
+        "flow.parameters": "km s-1",
+        "learning.gain": None,  # 1/s2 for alpha, less a length squared for K and Gamma
+        "learning.position": "km",
+        "reference.dwell": "s",
+        "vehicle.feedback": "s-1",
+    }
