@@ -1,5 +1,5 @@
-// A table that is wider than its page has small letters; on a telephone, where that does not do, it
-// stands row by row, each cell after the name of its column.
+// A table that is wider than its page has small letters; where that does not do its code breaks
+// anywhere, and on a telephone it stands row by row, each cell after the name of its column.
 const tables = () => document.querySelectorAll(".bd-article .pst-scrollable-table-container > table");
 
 function name() {
@@ -13,9 +13,9 @@ function name() {
 function fit() {
   for (const table of tables()) {
     const place = table.parentElement, wide = () => place.scrollWidth > place.clientWidth;
-    table.classList.remove("small", "row-by-row");
+    table.classList.remove("small", "broken", "row-by-row");
     table.classList.toggle("small", wide());
-    table.classList.toggle("row-by-row", wide() && innerWidth <= 600);
+    table.classList.toggle(innerWidth <= 600 ? "row-by-row" : "broken", wide());
   }
 }
 
