@@ -118,6 +118,7 @@ def compare(
     ['0.8: $e_1$', '0.8: $e_2$', '0.2: $e_1$', '0.2: $e_2$']
     """
     check_runs(runs)
+    own_figure = ax is None
     if plot is None:
         of_scenarios = all("scenario" in run.attrs for run in runs.values())
         plot = "run" if of_scenarios else "response"
@@ -133,6 +134,9 @@ def compare(
             raise DataError(f"not all runs have the signals {apart}; {cure}")
     for colour, (name, run) in zip(COLOURS, runs.items(), strict=False):
         ax = COMPARED[plot](run, ax=ax, label=str(name), color=colour, **options)
+    if own_figure:  # the legends stand beside
+        figure = np.ravel(ax)[0].figure
+        figure.set_figwidth(1.5 * figure.get_figwidth())
     return ax
 
 

@@ -250,6 +250,15 @@ def test_no_legend_of_several_runs_lies_over_a_line(plot):
         assert not any(legend.overlaps(other) for other in frames + legends[:k])
 
 
+def test_legends_beside_leave_the_axes_their_width():
+    runs = {"0.8": clpt.simulate(SCENARIO), "2": clpt.simulate(SCENARIO)}
+    alone, beside = np.ravel(runs["2"].clpt.plot()), np.ravel(clpt.compare(runs))
+    for axes in (alone, beside):
+        axes[0].figure.canvas.draw()
+    widths = [[ax.get_window_extent().width for ax in axes[1:]] for axes in (alone, beside)]
+    assert min(np.divide(widths[1], widths[0])) > 0.8
+
+
 def test_a_plot_of_a_run_takes_label_and_color():
     run = clpt.simulate(SCENARIO)
     ax = run.clpt.plot.track(label="mine", color="black")
