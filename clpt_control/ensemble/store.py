@@ -211,7 +211,7 @@ def create_store(
             )
             if one.values is not None and one.values.size:
                 array[:] = one.values
-        group.attrs[DIGESTS] = Store(zarr.open_group(part), None).digests()
+        group.attrs[DIGESTS] = json.dumps(Store(zarr.open_group(part), None).digests())
     return Store(zarr.open_group(place, mode="r+"), path)
 
 
@@ -233,7 +233,7 @@ def open_store(path: Path, mode: Literal["r", "r+"] = "r+") -> Store:
     files = zarr_store(path, read_only=mode == "r")
     try:
         store = Store(zarr.open_group(files, mode=mode), path)
-        made: dict[str, str] = store.group.attrs[DIGESTS]
+        made: dict[str, str] = json.loads(store.group.attrs[DIGESTS])
         now = store.digests()
         wrong = [name for name in sorted({*made, *now}) if made.get(name) != now.get(name)]
     except Exception:  # a damaged file can raise anything

@@ -3,6 +3,7 @@
 import control
 import numpy as np
 import pytest
+import xarray
 from adaptive_loop import mrac
 from ensemble_stores import assert_identical
 from scipy import stats
@@ -250,3 +251,12 @@ def test_values_that_vary_have_the_units_of_their_keys():
         "reference.dwell": "s",
         "vehicle.feedback": "s-1",
     }
+
+
+def test_an_ensemble_is_written_as_netcdf(tmp_path):
+    drawn = clpt.run_ensemble(lag(), {"tau": "1:2"}, 3, timepts=TIMES)
+    grid = clpt.run_ensemble(lag(), {"tau": [1.0, 2.0]}, timepts=TIMES).reset_index("member")
+    for data in (drawn, grid):
+        data.to_netcdf(tmp_path / "many.nc")
+        with xarray.open_dataset(tmp_path / "many.nc") as read:
+            xarray.testing.assert_equal(read, data)
