@@ -58,8 +58,10 @@ def fit(
     for name, tide in (fitted.report["nodal"] or {}).items():
         f, u, V = (cell_text(tide[key]) for key in "fuV")
         lines.append([f"{name} at the middle", f"f {f}, u {u} degrees, V {V} degrees"])
-    missing = not_learned(scenario)
-    sentences = [missing] if missing else []
+    missing, wider = not_learned(scenario), ""
+    if (fitted.report["explained_variance"] or 0) < 0:
+        wider = "the fit is worse than the mean current alone; --width-km wider than that may do"
+    sentences = [said for said in (wider, missing) if said]
     found = Result(f"{out}: written, with the field beside it", ["", ""], lines, sentences)
     finish([found], fitted.report | {"not_learnable": missing}, as_json)
 
