@@ -52,8 +52,10 @@ def fit(
         for key, value in fitted.report.items()
         if key not in ("theta", "width_units", "speed_units")
     ]
-    missing = not_learned(scenario)
-    sentences = [missing] if missing else []
+    missing, wider = not_learned(scenario), ""
+    if (fitted.report["explained_variance"] or 0) < 0:
+        wider = "the fit is worse than the mean current alone; --width-km wider than that may do"
+    sentences = [said for said in (wider, missing) if said]
     found = Result(f"{out}: written, with the field beside it", ["", ""], lines, sentences)
     finish([found], fitted.report | {"not_learnable": missing}, as_json)
 

@@ -103,6 +103,15 @@ def test_the_share_explained_is_about_the_mean(known, tmp_path):
     assert shares[0] < 0.6
 
 
+def test_a_fit_worse_than_the_mean_current_says_so(clpt, tmp_path):
+    """A current that is strong beside its tide, by narrow functions, then by wide ones."""
+    tide = 0.1 * np.cos(np.radians(SPEED) * TIME)[:, None, None] * np.ones((LAT.size, LON.size))
+    path = write(tmp_path / "strong.nc", 1.0 + tide, 0.5 + tide)
+    for width, told in ((15, True), (60, False)):
+        _, out, _ = clpt("fit", path, "--out", tmp_path / "s.toml", "--width-km", width)
+        assert ("worse than the mean current" in out) is told
+
+
 @pytest.mark.usefixtures("undrawn")
 def test_a_uniform_current_has_no_share_and_says_so(clpt, printed, known, tmp_path):
     """On the plane it turns by 0.2 %: no variance that anybody asks about."""
