@@ -175,7 +175,7 @@ def test_mistakes_are_one_sentence(clpt, refused, run):
     ("words", "said"),
     [
         (("--every", "1e-300"), "every = 1e-300: must be positive, at most the run's length"),
-        (("--noise", "1e-320"), "give a smaller prior or more noise"),
+        (("--noise", "1e-320"), "give a smaller prior"),
     ],
     ids=str,
 )

@@ -32,14 +32,13 @@ def made():
         "Diagram": clpt.connect([block], external=["a<i>"], name="d<i>"),
         "Drawing": clpt.draw(loop),
         "Replay": replay,
-        "ConformanceReport": clpt.conformance.check_block(block),
         "Verdict": clpt.theory.prove(LAW.of(1, gain=-0.5), points=200),
         "Excitation": clpt.theory.gramian(team, 20.0),
         "Movie": clpt.animate(clpt.simulate(scenario), seconds=0.2, width=200),
     }
 
 
-NAMES = "Scenario Team Diagram Drawing Replay ConformanceReport Verdict Excitation Movie"
+NAMES = "Scenario Team Diagram Drawing Replay Verdict Excitation Movie"
 
 
 @pytest.mark.parametrize("name", NAMES.split())
