@@ -1,6 +1,6 @@
 """What NumPy's functions and methods do with arrays of the record.
 
-    A x = b by elimination
+    A x = b by elimination, det A as the product of its pivots
 
 Pivots are chosen by `where`, as np.linalg.solve chooses them by size.
 
@@ -8,6 +8,7 @@ What is not here is tried on arrays of objects, element by element, by NumPy's o
 """
 
 from collections.abc import Callable
+from functools import reduce
 from typing import Any
 
 import numpy as np
@@ -66,7 +67,7 @@ def implements(*functions: Any, arrays: int = 1) -> Callable:
     return register
 
 
-# --- means ------------------------------------------------------------------------
+# --- means and slopes -------------------------------------------------------------
 
 
 @implements(np.mean)
@@ -75,6 +76,26 @@ def mean(a: Any, axis: Any = None, dtype: Any = None, keepdims: Any = False) -> 
     check_doubles(dtype)
     total = np.sum(a, axis, keepdims=keepdims)
     return total / (a.size // total.size)
+
+
+@implements(np.var)
+def variance(a: Any, axis: Any = None, dtype: Any = None, ddof: Any = 0, keepdims: Any = 0) -> Any:
+    """Return the mean square of what differs from the mean."""
+    check_doubles(dtype)
+    apart = a - mean(a, axis, keepdims=axis is not None)
+    total = np.sum(apart * apart, axis, keepdims=keepdims)
+    return total / (a.size // total.size - ddof)
+
+
+@implements(np.gradient)
+def gradient(f: Any, *steps: Any, axis: Any = None, edge_order: int = 1) -> Any:
+    """Return np.gradient along one axis, by one step."""
+    along = 0 if axis is None and f.ndim == 1 else axis
+    if not isinstance(along, int) or len(steps) > 1 or edge_order != 1 or np.ndim([*steps, 1][0]):
+        return refuse("np.gradient along several axes, by places, or of another order")
+    f, h = np.moveaxis(f, along, 0), [*steps, 1.0][0]
+    slopes = [(f[1:2] - f[:1]) / h, (f[2:] - f[:-2]) / (2.0 * h), (f[-1:] - f[-2:-1]) / h]
+    return np.moveaxis(np.concatenate(slopes), 0, along)
 
 
 # --- limits and choices -----------------------------------------------------------------------
@@ -148,16 +169,19 @@ def _rows(matrix: Any) -> list[Any]:
     return [matrix[k] for k in range(len(matrix))]
 
 
-def _eliminate(rows: list[Any]) -> None:
-    """Make rows triangular, in place."""
+def _eliminated(rows: list[Any], pivot: Callable = lambda a: a) -> Any:
+    """Make rows triangular, in place; return whether they changed places an odd number of times."""
+    sign: Any = 1.0
     n = len(rows)
     refuse_in_a_try(*rows)  # where they have no solution
     for k in range(n):
         for i in range(k + 1, n):
             larger = np.greater(np.fabs(rows[i][k]), np.fabs(rows[k][k]))
             rows[k], rows[i] = where(larger, rows[i], rows[k]), where(larger, rows[k], rows[i])
+            sign = where(larger, -sign, sign)
         for i in range(k + 1, n):
-            rows[i] = rows[i] - rows[k] * (rows[i][k] / rows[k][k])
+            rows[i] = rows[i] - rows[k] * (rows[i][k] / pivot(rows[k][k]))
+    return sign
 
 
 @implements(np.linalg.solve, arrays=2)
@@ -168,7 +192,7 @@ def solve(A: Any, b: Any) -> Any:
         raise ValueError("solve: A must be square, b as long")
     right = b[:, None] if b.ndim == 1 else b
     rows = [np.concatenate([row, right[k]]) for k, row in enumerate(_rows(A))]
-    _eliminate(rows)
+    _eliminated(rows)
     solved: list[Any] = [None] * n
     for k in range(n - 1, -1, -1):
         rest = rows[k][n:]
@@ -177,6 +201,14 @@ def solve(A: Any, b: Any) -> Any:
         solved[k] = rest / rows[k][k]
     x = np.stack(solved)
     return x[:, 0] if b.ndim == 1 else x
+
+
+@implements(np.linalg.det)
+def determinant(A: Any) -> Any:
+    """Return the determinant: the product of the pivots."""
+    rows = _rows(A)
+    sign = _eliminated(rows, lambda a: where(a == 0.0, 1.0, a))  # below it all are 0
+    return reduce(lambda v, w: v * w, (rows[k][k] for k in range(len(rows)))) * sign
 
 
 # --- others ------------------------------------------------------------------------------------
@@ -213,6 +245,7 @@ implements(np.min, np.amin)(along(reduced, np.minimum))
 implements(np.any)(along(reduced, np.logical_or))
 implements(np.all)(along(reduced, np.logical_and))
 implements(np.ptp)(lambda a, *more, **named: np.max(a, *more, **named) - np.min(a, *more, **named))
+implements(np.std)(lambda a, *more, **named: np.sqrt(np.var(a, *more, **named)))
 implements(np.trace)(lambda a, *more, **named: np.sum(np.diagonal(a, *more, **named)))
 implements(np.linalg.inv)(lambda A: solve(A, np.eye(A.shape[0])))
 implements(np.cumsum)(along(accumulated, np.add))
