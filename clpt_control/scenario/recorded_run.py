@@ -94,7 +94,8 @@ def check_run(run: "xarray.Dataset", system: Scenario | Team, *names: str) -> No
     if isinstance(system, Team):
         names += ("alpha", "flow_parameters_estimate")  # on which its vehicles agree
         sizes["vehicle"] = len(system.members)
-        if "vehicle" not in run or list(run.vehicle.values) != list(system.members):
+        vehicles = np.ravel(run["vehicle"].values) if "vehicle" in run else ()
+        if list(map(str, vehicles)) != list(system.members):
             raise DataError(f"the run's vehicles are not {', '.join(system.members)}, its team's")
     check_attributes(run)
     for name, dims in DIMS.items():

@@ -182,6 +182,15 @@ def test_what_a_team_cannot_take(arguments, said):
     assert "\n" not in str(caught.value)
 
 
+@pytest.mark.parametrize("names", [[np.zeros(0), np.ones(3)], ["a", "c"], [1.0, 2.0]], ids=str)
+def test_the_names_of_vehicles_may_be_anything_in_a_file(names):
+    run = clpt.simulate(team(a=vehicle(), b=vehicle()))
+    others = np.empty(2, dtype=object)
+    others[:] = names
+    with pytest.raises(clpt.DataError, match="the run's vehicles are not a, b"):
+        clpt.report(run.assign_coords(vehicle=others), "never.html")
+
+
 def test_others_take_no_team():
     for function in (clpt.closed_loop, clpt.initial_state, clpt.paper_blocks):
         with pytest.raises(clpt.ArgumentError, match="= a Team: must be a Scenario"):
