@@ -11,6 +11,7 @@ import socket
 import subprocess
 import sys
 import time
+import tracemalloc
 from pathlib import Path
 
 import pytest
@@ -144,6 +145,18 @@ def test_a_store_without_what_it_must_hold_is_named_and_left(stored, tmp_path, n
     with pytest.raises(DataError, match=rf"e\.zarr: is (no ensemble|damaged, .*its {array} is)"):
         run(out)
     assert files(out) == before
+
+
+@pytest.mark.parametrize("size", [10**6, 3 * 10**7])
+def test_an_array_that_says_it_holds_much_is_refused_unread(stored, tmp_path, size):
+    out = shutil.copytree(stored[0], tmp_path / "e.zarr")
+    form = out / "learning.gain" / "zarr.json"
+    form.write_text(json.dumps(json.loads(form.read_text()) | {"shape": [size]}))
+    tracemalloc.start()
+    with pytest.raises(DataError, match=r"its learning\.gain is not as it was made"):
+        open_store(out)
+    assert tracemalloc.get_traced_memory()[1] < 10**7
+    tracemalloc.stop()
 
 
 def shortened(path):
