@@ -38,8 +38,8 @@ def design_track(scenario, **limits):
 def quickly():
     """Steps uphill are few: enough for all but the best track."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(search, "CLIMBS", 2)
-        patch.setattr(search, "DRAWN", 16)
+        patch.setattr(search, "CLIMBS", 4)
+        patch.setattr(search, "DRAWN", 32)
         yield design_track
 
 
@@ -184,7 +184,7 @@ def test_a_track_for_a_law_is_one_on_which_it_learns_sooner(law, level, times):
 @pytest.mark.parametrize("law", ["learned-flow", pytest.param("sigma", marks=pytest.mark.slow)])
 def test_no_design_for_a_law_learns_later(paper, law, monkeypatch):
     """A short search finds little: then the scenario's own track stays, and that is said."""
-    monkeypatch.setattr(search, "DRAWN", 16)
+    monkeypatch.setattr(search, "DRAWN", 32)
     scenario = paper.with_values({"learning.law": law, "run.duration": 200})
     found = design_for(scenario, window=60.0, level=0.02)
     first, last = found.tracks
