@@ -48,7 +48,7 @@ FASTEST = 15.0  # m/s; no current at sea is faster, a fill value taken as data i
 SINCE_A_DATE = re.compile(r"\s*(\w+)\s+since\s+(\d+-\d+-\d+.*)", re.IGNORECASE)
 
 
-def said(variable: xarray.DataArray, attribute: str = "units") -> str:
+def said(variable: xarray.DataArray | xarray.Variable, attribute: str = "units") -> str:
     """Return an attribute as text, '' where there is none."""
     return str(variable.attrs.get(attribute, "")).strip()
 
@@ -60,9 +60,9 @@ def find_variable(data: xarray.Dataset, table: dict[str, Any], what: str) -> str
     no current, whatever its name.
     """
     standard, names = table[what]
-    named = {name: one.attrs.get("standard_name") for name, one in data.variables.items()}
+    named = {name: said(one, "standard_name") for name, one in data.variables.items()}
     by_standard = [name for name, one in named.items() if one in standard]
-    by_name = [n for n, one in named.items() if str(n).lower() in names and "wind" not in str(one)]
+    by_name = [n for n, one in named.items() if str(n).lower() in names and "wind" not in one]
     by_name.sort(key=lambda name: names.index(str(name).lower()))
     if found := [*(n for n in by_name if n in by_standard), *by_standard, *by_name]:
         return str(found[0])
@@ -192,10 +192,10 @@ def velocity_values(
     of a variable that says none.
     """
     values = data[name]
-    stated = values.attrs.get("units")
-    if stated is None and units is None:
+    stated = said(values)
+    if not (wanted := stated or units):
         raise DataError(f"{name} has no units; give --units, such as m/s, or write the attribute")
-    size = speed_in_metres_per_second(str(units if stated is None else stated), name)
+    size = speed_in_metres_per_second(wanted, name)
     if stated and units and speed_in_metres_per_second(units, "--units") != size:
         raise DataError(f"{name} is in '{stated}'; units = '{units}' is for a file without")
     for dim in set(values.dims) - set(index):

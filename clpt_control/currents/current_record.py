@@ -146,9 +146,9 @@ def _own_latitude(data: xarray.Dataset) -> float | None:
     of_axes = [
         one.values.ravel()[0]
         for name, one in single.items()
-        if name in named or one.attrs.get("standard_name") == "latitude"
+        if name in named or cf.said(one, "standard_name") == "latitude"
     ]
-    low, high = (data.attrs.get(f"geospatial_lat_{end}") for end in ("min", "max"))
+    low, high = (cf.number(data.attrs.get(f"geospatial_lat_{end}")) for end in ("min", "max"))
     values = (*of_axes, low if low == high else None, *map(data.attrs.get, ("latitude", "lat")))
     return next(filter(np.isfinite, map(cf.number, values)), None)
 

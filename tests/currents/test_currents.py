@@ -236,6 +236,17 @@ def test_a_wind_is_no_current_whatever_its_name(tmp_path):
     np.testing.assert_array_equal(currents.u, currents.v)
 
 
+def test_an_attribute_of_several_numbers_is_no_name_and_no_unit(tmp_path):
+    path = write(tmp_path / "c.nc", *sample())
+    with netCDF4.Dataset(path, "a") as file:
+        file["u"].standard_name = file["lat"].standard_name = np.arange(3)
+    assert read_currents(path).u.shape == read_currents(path).v.shape
+    with netCDF4.Dataset(path, "a") as file:
+        file["u"].units = np.arange(3)
+    with pytest.raises(DataError, match=r"u.*\[0 1 2\]"):
+        read_currents(path, units="m/s")
+
+
 @pytest.mark.parametrize("name", ["lat", "lon"])
 def test_an_axis_of_length_zero_is_refused(tmp_path, name):
     axes = {"lat": LAT, "lon": LON, name: np.zeros(0)}
