@@ -71,8 +71,8 @@ class Store:
                     self.arrays[name][self.rows(index)] = arrays[name]
             self.group[DONE][index] = self.checksum(arrays)
         except OSError as error:
-            reason = error.strerror or error
-            raise DataError(f"{self.path}: cannot be written: {reason}") from None
+            place, reason = error.filename2 or self.path, error.strerror or error
+            raise DataError(f"{place}: cannot be written: {reason}") from None
 
     def checksum(self, arrays: Values) -> int:
         """Return a checksum of a chunk, above zero."""

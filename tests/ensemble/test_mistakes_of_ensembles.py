@@ -182,6 +182,15 @@ def test_a_foreign_array_is_refused_before_a_chunk_is_written(quick, lacking, tm
     assert not (tmp_path / "e.html").exists()
 
 
+def test_a_folder_in_the_place_of_a_chunk_is_named(quick, lacking, tmp_path):
+    place = tmp_path / "e.zarr" / "clpe_rms_whole" / "c" / "1"
+    place.unlink()
+    place.mkdir()
+    (place / "mine").touch()
+    with pytest.raises(DataError, match=r"clpe_rms_whole.c.1: cannot be written"):
+        run_ensemble(quick, VARY, 20, out=tmp_path / "e.zarr", chunk=10)
+
+
 @pytest.mark.parametrize("name", ["members", "chunk", "keys", "scenario"])
 def test_arguments_that_do_not_fit_are_told(lacking, tmp_path, name):
     out, text = tmp_path / "e.zarr", lacking.attrs["ensemble"]
