@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 NO_TEXT = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 WORDS = ' class="words"'
-LONGEST, MOST = 300, 6000  # letters of a cell, and of a text that unfolds
+LONGEST = 300  # letters of a cell
 
 
 class Result(NamedTuple):
@@ -135,11 +135,6 @@ def facts(rows: Iterable[Sequence[object]], columns: Sequence[str] = ()) -> str:
         rest = "".join(f"<td>{safe(shortened(cell))}</td>" for cell in cells)
         lines.append(f"<tr><th>{safe(shortened(name))}</th>{rest}</tr>")
     return f"<table>{''.join(lines)}</table>"
-
-
-def unfolding(title: str, text: str) -> str:
-    """Return a text that the reader may unfold."""
-    return folded(title, listing(shortened(text, MOST)))
 
 
 def shortened(text: object, most: int = LONGEST) -> str:
