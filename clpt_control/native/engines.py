@@ -100,7 +100,8 @@ def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs | None)
     if not n or all(node.system.of_package for node in runner.wiring.nodes):
         return ""
     at, pieces = sorted({0, n // 3, 2 * n // 3, n - 1}), runner.pieces(solution, inputs)
-    same = _agrees(runner, pieces, solution.t[at], solution.x[at], inputs)
+    solution.signals = runner.evaluated_signals(solution, inputs)
+    same = _agrees(runner, pieces, solution.t[at], solution.x[at], inputs, solution.signals[at])
     for k in np.array(at)[~same]:
         t = solution.t[k : k + 1]
         for apart, moved in zip(BESIDE, beside(solution.x[k]), strict=True):
@@ -120,18 +121,25 @@ def beside(x: np.ndarray) -> list[np.ndarray]:
 
 
 def _agrees(
-    runner: NativeDiagram, pieces: Schedule, times: Any, x: np.ndarray, inputs: Inputs | None
+    runner: NativeDiagram,
+    pieces: Schedule,
+    times: Any,
+    x: np.ndarray,
+    inputs: Inputs | None,
+    signals: np.ndarray | None = None,
 ) -> np.ndarray:
     """Return at which times and states Python and machine code give the same.
 
-    That is the same signals, the same rates, and the same states after all jumps.
+    That is the same signals, which machine code may have given before, the same rates, and the
+    same states after all jumps.
     """
     sweep, P = runner.sweep, runner.parameters()
 
     def evaluated(role: int, count: int, own: Schedule = pieces) -> np.ndarray:
         return runner.callee(1, inputs).evaluate(role, times, x, own, P, count)
 
-    machine = [evaluated(numbering.SIGNALS, runner.nsignals)]
+    signals = evaluated(numbering.SIGNALS, runner.nsignals) if signals is None else signals
+    machine = [signals]
     if runner.nstates:
         machine.append(evaluated(numbering.DERIVATIVE, runner.nstates))
     if sweep.jumping:

@@ -44,8 +44,9 @@ class Inputs:
     @cached_property
     def slopes(self) -> np.ndarray:
         """The slopes from each sample on, shape (ninputs, nt); 0 from the last one."""
-        at, u = self.samples
-        return np.diff(u, append=u[:, -1:]) / np.diff(at, append=np.inf)
+        (at, u), slopes = self.samples, np.zeros(self.samples[1].shape)
+        slopes[:, :-1] = (u[:, 1:] - u[:, :-1]) / (at[1:] - at[:-1])
+        return slopes
 
     @property
     def kinks(self) -> np.ndarray:
@@ -175,7 +176,7 @@ def make_schedule(
     if inputs is not None:
         kinks = inputs.kinks if compiled else inputs.sharp_bends(felt)
     jumps = moved_back(sweep.breakpoints(t0, t1 + rounding(t1)), np.asarray(times))
-    edges = np.union1d(jumps, moved_to(jumps, kinks))
+    edges = np.unique(np.concatenate([jumps, moved_to(jumps, kinks)])) if len(jumps) else kinks
     starts = np.concatenate([[t0], edges[(edges > t0) & (edges < t1)], [t1]])
     if sweep.wiring.dt:
         starts = np.unique(np.asarray(times)[np.searchsorted(times, starts)])
