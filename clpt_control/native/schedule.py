@@ -175,8 +175,10 @@ def make_schedule(
     sweep, compiled, kinks = diagram.sweep, diagram.ramp >= 0, np.zeros(0)
     if inputs is not None:
         kinks = inputs.kinks if compiled else inputs.sharp_bends(felt)
-    jumps = moved_back(sweep.breakpoints(t0, t1 + rounding(t1)), np.asarray(times))
-    edges = np.unique(np.concatenate([jumps, moved_to(jumps, kinks)])) if len(jumps) else kinks
+    jumps, edges = sweep.breakpoints(t0, t1 + rounding(t1)), kinks
+    if len(jumps):
+        jumps = moved_back(jumps, np.asarray(times))
+        edges = np.union1d(jumps, moved_to(jumps, kinks))
     starts = np.concatenate([[t0], edges[(edges > t0) & (edges < t1)], [t1]])
     if sweep.wiring.dt:
         starts = np.unique(np.asarray(times)[np.searchsorted(times, starts)])
@@ -203,6 +205,6 @@ def make_schedule(
         columns += [at[k], *u[:, k], *slopes[:, k]]
         places += range(diagram.ramp, diagram.ramp + 1 + 2 * len(u))
     values = np.array(columns, dtype=float).reshape(len(columns), len(starts)).T.copy()
-    smooth = ~np.isin(starts, jumps)
+    smooth = np.isin(starts, jumps, invert=True) if len(jumps) else np.ones(len(starts))
     edges, at_places = np.append(starts[1:], np.inf), np.array(places, dtype=np.int64)
     return Schedule(edges, at_places, values, smooth.astype(np.int64), begins)

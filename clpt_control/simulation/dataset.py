@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from importlib.metadata import version
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -24,9 +24,6 @@ from ..equations.ports import ports_of
 from ..scenario.experiment import Scenario
 from ..scenario.file import CHANGED, OWN_LAW, own_parts, scenario_to_text
 from .frame import Frame, Labels, Series, columns, port_variables
-
-if TYPE_CHECKING:
-    pass
 
 VARIABLES = {  # name -> (port, long name, unit of length or none, powers of 1/time)
     "position": ("x", "true position", 1, 0),
