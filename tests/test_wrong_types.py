@@ -139,24 +139,24 @@ def right(tmp_path_factory):
     clpt.save_run(run, folder / "run.nc")
     clpt.save_scenario(SCENARIO, folder / "s.toml")
     dive = list(inspect.signature(clpt.gliders.Dive).parameters)[:11]
+    tides = {"time": HOURS, "u": TIDE, "v": TIDE, "latitude": 40.0, "constituents": ["M2"]}
+    found = clpt.currents.fit_tides(**tides)
     named = {
         **{"scenario": SCENARIO, "run": run, "team": TEAM, "diagram": loop, "block": clpe()},
-        **{"replay": replay, "dives": DIVES, "dive": DIVES[0], "fit": None, "source": SCENARIO},
+        **{"replay": replay, "dives": DIVES, "dive": DIVES[0], "fit": found, "source": SCENARIO},
         **{"window": 20.0, "start": 0.0, "path": folder / "s.toml", "folder": folder},
         **{"flow_model": Made(lambda *_: (0.0, 0.0)), "law_block": papers_law(), "samples": 4},
         **{"constituents": ["M2"], "names": ["M2"], "where": "here", "hours": 720.0},
+        **{"system": loop, "runs": {"a": run}},
     }
-    tides = {"time": HOURS, "u": TIDE, "v": TIDE, "latitude": 40.0, "constituents": ["M2"]}
-    found = clpt.currents.fit_tides(**tides)
     ensemble = clpt.run_ensemble(SCENARIO, "learning.gain=0.5:1", 2)
     own = {
-        "simulate": {"system": loop, "timepts": [0.0, 1.0], "inputs": [3.0, 0.0]},
         "connect": {"blocks": [clpe()], "external": ["x", "z"]},
         "evaluate": {"timepts": [0.0, 1.0], "inputs": np.zeros((2, 4))},
         "lookup": {"table": [1.0, 2.0], "index": 1.0},
         "fit_tides": tides,
-        "predict": {"fit": found, "time": HOURS[:3]},
-        "tidal_basis": {"fit": found, "epoch": HOURS[0]},
+        "predict": {"time": HOURS[:3]},
+        "tidal_basis": {"epoch": HOURS[0]},
         "percentiles": {"data": ensemble, "name": "clpe_rms"},
         "flow_estimate": {"data": run, "every": 5.0},
         "known_flow_scenario": {"theta": np.zeros((2, 3))},
@@ -167,31 +167,29 @@ def right(tmp_path_factory):
         "period": {"constituent": "M2"},
         "claims": {"summary": run_and_report(LAP)[2]},
         "flow_velocity": {"points": np.zeros((2, 2)), "timepts": 0.0},
-        "learning_plot": {"axis": 1},
         "sample_times": {"duration": 1.0, "step": 0.5},
         "team_plot": {"run": clpt.simulate(TEAM, [0.0, 1.0])},
         "error_matrices": {"phi": np.zeros((2, 3)), "z": np.zeros((2, 2)), "KD": np.ones(2)}
         | {"zc": np.zeros((2, 2)), "gain": 1.0},
         "ultimate_bound": {"window": 1.0, "largest_disturbance": 1.0, "drop": 0.5},
+        "state_at": {"t": 0.0},
         "load_run": {"path": folder / "run.nc"},
         "save_run": {"path": folder / "other.nc"},
         "save_scenario": {"path": folder / "other.toml"},
         "draw": {"path": folder / "loop.svg"},
         "Block": {"name": "b", "output": line, "inputs": {"u": 1}, "outputs": {"y": 1}},
         "Block.breakpoints": {"self": clpe(), "t0": 0.0, "t1": 1.0},
-        "Block.with_values": {"self": clpe()},
-        "Equations.derivative": {"self": clpt.equations(loop)},
-        "lyapunov": {"system": clpt.error_loop(SCENARIO), "V": "e"},
+        "Block.with_values": {"self": clpe(), "changes": {}},
+        "Equations.derivative": {"self": clpt.equations(loop), "expression": "e[0]"},
         "Guard": {"distance": line, "policy": "stop", "sentence": line},
         "FlowEstimate.miss": {"self": clpt.estimation.flow_estimate(run, every=5.0)},
-        "Replay": {"model": clpt.estimation.FixModel()},
         "Replay.forecast": {"self": replay},
         "Replay.step": {"self": clpt.replay.replay_dives(DIVES[:3]), "dive": DIVES[5]},
         "Scenario": tomllib.loads((folder / "s.toml").read_text()),
         "Scenario.basis_block": {"self": SCENARIO},
-        "Scenario.with_values": {"self": SCENARIO},
+        "Scenario.with_values": {"self": SCENARIO, "values": {}},
         "Team": {"coupling": 0.5, "edges": [("a", "b")], "members": {"a": SCENARIO, "b": SCENARIO}},
-        "Team.neighbours": {"self": TEAM},
+        "Team.neighbours": {"self": TEAM, "name": "a"},
         **PARTS,
         "Dive": dict(zip(dive, [1, 0.0, 40.0, -70.0, 9e3, 40.0, -70.0, *[0.0] * 4], strict=True)),
     }
@@ -203,11 +201,12 @@ def right(tmp_path_factory):
 def test_wrong_arguments_are_one_sentence(function, right, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)  # "mine.toml" is a good name of a file to write
     named, own = right
-    parameters = inspect.signature(function).parameters
+    every = inspect.signature(function).parameters.items()
+    parameters = {name: one for name, one in every if one.kind is not one.VAR_KEYWORD}
     given = {
         name: named.get(name)
         for name, one in parameters.items()
-        if name in named or (one.default is one.empty and one.kind is not one.VAR_KEYWORD)
+        if name in named or one.default is one.empty
     } | own.get(function.__qualname__, {})
     for argument in parameters:
         for label, value in wrong_values().items():
