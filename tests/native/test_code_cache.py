@@ -3,7 +3,6 @@
 import hashlib
 import os
 import re
-import sys
 import threading
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
@@ -14,13 +13,13 @@ import llvmlite.binding as llvm
 import numpy as np
 import pytest
 from llvmlite import ir
-from processes import ran
 
 from clpt_control import Block
 from clpt_control.files import CACHE, cache_folder, trusted
 from clpt_control.native import machine
 from clpt_control.native.llvm_function import Function
 from clpt_control.native.machine import Machine, cache_code, cached_code, code_name
+from clpt_control.native.native_diagram import NativeDiagram
 
 
 @pytest.fixture
@@ -150,33 +149,22 @@ def test_the_solver_is_made_for_other_processors(triple):
     assert len(target.emit_object(parsed)) > 10_000
 
 
-ASKED_AT_ONCE = """
-from concurrent.futures import ThreadPoolExecutor
-from threading import Barrier
-import numpy as np
-import clpt_control as clpt
+def test_threads_that_compile_at_once_get_the_same_code():
+    """A structure that nobody has asked for yet."""
+    own = np.random.default_rng().normal(size=3).tolist()
+    block = Block("own", update=lambda t, x, u, p: own[0] * x - own[1] * x**3, states={"x": 3})
+    together, start = threading.Barrier(6), np.array([1.0, 0.4, -0.2])
 
-scenario = clpt.paper_scenario().with_values({"run.duration": 40})
-loop, state, count = clpt.closed_loop(scenario), clpt.initial_state(scenario), 6
-together = Barrier(count)
+    def run(k):
+        together.wait()
+        native = NativeDiagram(block)
+        found = [native.run_many(np.tile(start, (m, 1)), [0.0, 4.0])[0] for m in (1, 8)]
+        return native.code, found
 
-def run(k):
-    native = clpt.native.compile(loop)
-    together.wait()
-    found = [native.run_many(np.tile(state, (m, 1)), [0.0, 40.0]) for m in (1, 8)]
-    return native.code, found[0][0], found[1][0]
-
-with ThreadPoolExecutor(count) as pool:
-    found = list(pool.map(run, range(count)))
-assert len({id(code) for code, _, _ in found}) == 1
-for _, *states in found:
-    for one in states:
-        np.testing.assert_allclose(one, found[0][1], rtol=1e-12, atol=1e-12)
-"""
-
-
-def test_threads_that_compile_at_once():
-    ran(sys.executable, "-c", ASKED_AT_ONCE)
+    with ThreadPoolExecutor(6) as pool:
+        codes, found = zip(*pool.map(run, range(6)), strict=True)
+    assert len(set(codes)) == 1
+    np.testing.assert_allclose(found, np.tile(found[0][1], (6, 2, 1, 1)), rtol=1e-12, atol=1e-12)
 
 
 def test_each_thread_runs_a_shared_block_with_its_own_params():
