@@ -73,21 +73,14 @@ def wrong_values():
     return {**WRONG, "generator": generated()}
 
 
-PLANT = control.ss(-1, 1, 1, 0)
-PARTS = {
-    **{name: {"low": -1, "high": 1} for name in ("saturation", "dead_zone")},
-    "lookup_table": {"at": [0.0, 1.0], "values": [0.0, 2.0]},
-    "rate_limit": {"rise": 1.0, "lag": 0.1},
-    "backlash": {"width": 1.0, "lag": 0.1},
-    "relay": {"on": 1.0, "off": -1.0, "lag": 0.1},
-    **{"lag": {"lag": 1.0}, "delay": {"delay": 1.0}, "hold": {"dt": 1.0}, "pid": {"kp": 1.0}},
-    "observer": {"system": PLANT, "L": [[1.0]]},
-    "kalman_filter": {"system": PLANT, "Q": [[1.0]], "R": [[1.0]]},
-    "noise": {"std": 1.0, "period": 1.0},
-    "point_vehicle": {"mass": 1.0, "damping": 1.0},
-    "planar_vehicle": {"M": np.eye(3), "D": np.eye(3)},
-    "thrusters": {"places": [(0.0, 1.0)], "angles": [0.0], "low": -1, "high": 1, "lag": 1.0},
+OF_PARTS = {  # what they must be given
+    **dict.fromkeys(["rise", "width", "on", "delay", "dt", "kp"], 1.0),
+    **dict.fromkeys(["std", "period", "mass", "damping"], 1.0),
+    **{"L": [[1.0]], "Q": [[1.0]], "R": [[1.0]], "M": np.eye(3), "D": np.eye(3)},
+    **{"low": -1.0, "high": 1.0, "off": -1.0, "at": [0.0, 1.0], "values": [0.0, 2.0]},
+    **{"places": [(0.0, 1.0)], "angles": [0.0]},
 }
+LINEAR = {"system": control.ss(-1, 1, 1, 0)}
 
 CALLED = ("progress", "inputs")  # what a function of the user's own raises is its own error
 LONG = (
@@ -141,15 +134,15 @@ def right(tmp_path_factory):
     dive = list(inspect.signature(clpt.gliders.Dive).parameters)[:11]
     tides = {"time": HOURS, "u": TIDE, "v": TIDE, "latitude": 40.0, "constituents": ["M2"]}
     found = clpt.currents.fit_tides(**tides)
+    ensemble = clpt.run_ensemble(SCENARIO, "learning.gain=0.5:1", 2)
     named = {
         **{"scenario": SCENARIO, "run": run, "team": TEAM, "diagram": loop, "block": clpe()},
         **{"replay": replay, "dives": DIVES, "dive": DIVES[0], "fit": found, "source": SCENARIO},
         **{"window": 20.0, "start": 0.0, "path": folder / "s.toml", "folder": folder},
         **{"flow_model": Made(lambda *_: (0.0, 0.0)), "law_block": papers_law(), "samples": 4},
         **{"constituents": ["M2"], "names": ["M2"], "where": "here", "hours": 720.0},
-        **{"system": loop, "runs": {"a": run}},
+        **{"system": loop, "runs": {"a": run}, "data": ensemble, "lag": 0.1},
     }
-    ensemble = clpt.run_ensemble(SCENARIO, "learning.gain=0.5:1", 2)
     own = {
         "connect": {"blocks": [clpe()], "external": ["x", "z"]},
         "evaluate": {"timepts": [0.0, 1.0], "inputs": np.zeros((2, 4))},
@@ -157,7 +150,7 @@ def right(tmp_path_factory):
         "fit_tides": tides,
         "predict": {"time": HOURS[:3]},
         "tidal_basis": {"epoch": HOURS[0]},
-        "percentiles": {"data": ensemble, "name": "clpe_rms"},
+        "percentiles": {"name": "clpe_rms"},
         "flow_estimate": {"data": run, "every": 5.0},
         "known_flow_scenario": {"theta": np.zeros((2, 3))},
         "make_estimator": {"name": "kalman", "model": clpt.estimation.FixModel()},
@@ -180,7 +173,7 @@ def right(tmp_path_factory):
         "Block": {"name": "b", "output": line, "inputs": {"u": 1}, "outputs": {"y": 1}},
         "Block.breakpoints": {"self": clpe(), "t0": 0.0, "t1": 1.0},
         "Block.with_values": {"self": clpe(), "changes": {}},
-        "Equations.derivative": {"self": clpt.equations(loop), "expression": "e[0]"},
+        "Equations.derivative": {"self": clpt.equations(loop), "expression": "K[0]"},
         "Guard": {"distance": line, "policy": "stop", "sentence": line},
         "FlowEstimate.miss": {"self": clpt.estimation.flow_estimate(run, every=5.0)},
         "Replay.forecast": {"self": replay},
@@ -190,7 +183,8 @@ def right(tmp_path_factory):
         "Scenario.with_values": {"self": SCENARIO, "values": {}},
         "Team": {"coupling": 0.5, "edges": [("a", "b")], "members": {"a": SCENARIO, "b": SCENARIO}},
         "Team.neighbours": {"self": TEAM, "name": "a"},
-        **PARTS,
+        "observer": LINEAR,
+        "kalman_filter": LINEAR,
         "Dive": dict(zip(dive, [1, 0.0, 40.0, -70.0, 9e3, 40.0, -70.0, *[0.0] * 4], strict=True)),
     }
     return named, own
@@ -204,7 +198,7 @@ def test_wrong_arguments_are_one_sentence(function, right, tmp_path, monkeypatch
     every = inspect.signature(function).parameters.items()
     parameters = {name: one for name, one in every if one.kind is not one.VAR_KEYWORD}
     given = {
-        name: named.get(name)
+        name: named.get(name, OF_PARTS.get(name))
         for name, one in parameters.items()
         if name in named or one.default is one.empty
     } | own.get(function.__qualname__, {})
