@@ -7,6 +7,7 @@ blocks that sample then sample their inputs.  In Python a run stops at sharp ben
 input; smaller bends, as of a sampled sine, are smooth to the tolerance.
 """
 
+from bisect import bisect_right
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -31,8 +32,14 @@ class Inputs:
 
     def at(self, t: float) -> np.ndarray:
         """Return the inputs at a time."""
-        times, u = self.samples
-        return np.array([np.interp(t, times, row) for row in u])
+        begins, rows, slopes = self._straight
+        k = max(bisect_right(begins, t) - 1, 0)
+        return rows[k] + (t - begins[k]) * slopes[k]
+
+    @cached_property
+    def _straight(self) -> tuple[list[float], np.ndarray, np.ndarray]:
+        at, u = self.samples
+        return at.tolist(), np.ascontiguousarray(u.T), np.ascontiguousarray(self.slopes.T)
 
     @cached_property
     def slopes(self) -> np.ndarray:
