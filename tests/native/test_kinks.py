@@ -150,24 +150,8 @@ def test_what_goes_beyond_a_kink_and_back_within_a_step_is_seen(edge, rtol):
     assert found.attrs["solver_restarts"] == 21
 
 
-@pytest.mark.parametrize("pulse", [0.4, 0.1, 0.02])
-def test_a_kink_that_is_not_felt_may_make_another_one_felt(pulse):
-    """While s = sin(2 pi f t) is within a pulse, and then alone, what is clipped leaves its end."""
-
-    def rate(s):
-        inside = np.logical_and(s > -0.7, s < pulse - 0.7)
-        return np.clip(0.6 * s + np.where(inside, 0.87, -0.17), 0.43, 0.5)
-
-    def turning(t, x, u, p):
-        return [2.0 * np.pi * 13.8, rate(np.sin(x[0]))]
-
-    found = clpt.simulate(system(turning, 2), [0.0, 10.0], None, 0.0)
-    wanted = 10.0 * rate(np.sin(2.0 * np.pi * (np.arange(1e6) + 0.5) / 1e6)).mean()
-    np.testing.assert_allclose(found.states[-1, 1], wanted, rtol=1e-6)
-
-
-@pytest.mark.parametrize("width", [0.4, 0.05, 0.01])
-@pytest.mark.parametrize("ahead", [0.3, 0.02, 0.001])
+@pytest.mark.parametrize("width", [0.4, 0.01])
+@pytest.mark.parametrize("ahead", [0.3, 0.001])
 def test_a_pulse_soon_behind_a_kink_that_is_not_felt_is_met(ahead, width):
     """While s = sin(2 pi f t) falls, a step that nothing reads is passed before the pulse."""
 
