@@ -102,7 +102,7 @@ OF_THE_ENGINE = (  # called at each step, and checked by no one
     "FixModel.reached",
     *("NativeDiagram.schedule", "NativeDiagram.callee", "NativeDiagram.lanes"),
     *("NativeDiagram.parameters", "NativeDiagram.breaks", "NativeDiagram.with_parameters"),
-    "NativeDiagram.switches_by",
+    *("NativeDiagram.switches_by", "NativeDiagram.in_form"),
     *("Sampled.samples_at", "Sampled.values", "Block.units_of"),
     *("Replay.surfacing", "Replay.given", "Replay.start", "Replay.imagine"),
     "Replay.feed",
