@@ -295,11 +295,6 @@ def _control_fixed(ahead: Callable[[StepTape], Any], s: StepTape) -> New:
     return {row.ARGUMENT: state}, numbers | {row.GOOD_ONES: tried, row.FAILING: failing}
 
 
-def _straight(s: StepTape) -> New:
-    """The terms of a straight line within the step."""
-    return {row.TERMS: s.z(row.ARGUMENT) - s.z(row.STATE)}, {}
-
-
 # --- Rodas5P --------------------------------------------------------------------------------
 
 
@@ -354,7 +349,8 @@ def formulas(method: int, ahead: bool = False) -> dict[str, Formula]:
     elif method in (row.RK4, row.MAP):
         new = _runge_kutta if method == row.RK4 else lambda s: s.z(row.RATE)
         own |= {"attempt": _attempt_fixed, "control": partial(_control_fixed, new)}
-        own |= {"dense": _straight}
+        own |= {"accept": lambda s: ({row.STATE: s.z(row.ARGUMENT)}, {row.TIME: s.lane(row.NEW)})}
+        own |= {"dense": lambda s: ({row.TERMS: s.z(row.ARGUMENT) - s.z(row.STATE)}, {})}
         shares = enumerate([0.5, 0.5, 1.0][: method - 1])  # of the step: each stage has one weight
         stages = [partial(_stage, [*[0.0] * k, c], c) for k, c in shares]
     return own | {f"stage_{k}": one for k, one in enumerate(stages, 1)}
