@@ -194,7 +194,7 @@ class NativeDiagram(PythonDiagram):
         return self.in_form("free")
 
     def in_form(self, form: Form) -> Self:
-        """Return the diagram in another form, such as on switches whose decisions are held."""
+        """Return the diagram in another form."""
         other = copy(self)
         other.form, other._callees = form, {}
         other.code = code_of(self.wiring, self.layout, form)
