@@ -7,7 +7,7 @@ BENCH := build/benchmarks/venv
 LOWEST := build/lowest
 DIST := build/dist
 SITE := .venv/.docs
-ENGINE := native jumps random_jumps elementary components solver closed_form_flows written_is_run \
+ENGINE := native jumps elementary components solver closed_form_flows written_is_run \
 	random_diagrams conformance members models_as_they_stand random_programs
 
 unexport PYTHONDONTWRITEBYTECODE  # else each of the processes that tests start compiles the package

@@ -56,130 +56,112 @@ def as_no_file(rng, path):
     return kind
 
 
+def flipped(rng, raw, count):
+    raw = bytearray(raw)
+    for _ in range(count):
+        raw[rng.integers(len(raw))] ^= 1 << int(rng.integers(8))
+    return raw
+
+
+BYTES = {  # of a draw, what is before a place and what is behind it
+    "cut": lambda rng, before, behind: before,
+    "one bit": lambda rng, before, behind: flipped(rng, before + behind, 1),
+    "many bits": lambda rng, before, behind: flipped(rng, before + behind, 30),
+    "zeros": lambda rng, before, behind: before + bytes(len(behind[:200])) + behind[200:],
+    "more": lambda rng, before, behind: before + rng.bytes(int(rng.integers(1, 50))) + behind,
+    "repeat": lambda rng, before, behind: before + behind[:3000] + behind,
+    "empty": lambda rng, before, behind: b"",
+}
+
+
 def bytes_changed(rng, path):
     """Cut, flip, zero, insert or repeat bytes."""
-    raw = bytearray(path.read_bytes())
-    kind = one_of(rng, ["cut", "flip one", "flip many", "zeros", "insert", "repeat", "empty"])
+    raw, kind = path.read_bytes(), one_of(rng, [*BYTES])
     at = min(int(rng.integers(len(raw) + 1 if rng.random() < 0.6 else 200)), len(raw))
-    if kind == "cut":
-        del raw[at:]
-    elif kind.startswith("flip"):
-        for _ in range(1 if kind == "flip one" else 30):
-            raw[rng.integers(len(raw))] ^= 1 << int(rng.integers(8))
-    elif kind == "zeros":
-        raw[at : at + 200] = bytes(len(raw[at : at + 200]))
-    elif kind == "insert":
-        raw[at:at] = rng.bytes(int(rng.integers(1, 50)))
-    elif kind == "repeat":
-        raw[at:at] = raw[at : at + 3000]
-    else:
-        raw.clear()
-    path.write_bytes(raw)
+    path.write_bytes(BYTES[kind](rng, raw[:at], raw[at:]))
     return f"{kind} at {at}"
+
+
+FORMS = {"number": (r"-?\d+(\.\d+)?(e[-+]?\d+)?", NUMBERS), "word": (r"[A-Za-z_]+", WORDS)}
 
 
 def text_changed(rng, path):
     """Change numbers, words, lines or the encoding of a text."""
-    text = path.read_text("utf-8", "replace")
-    kind = one_of(rng, ["number", "number", "number", "word", "line", "long", "encoding"])
-    if kind == "encoding":
-        name = one_of(rng, ["utf-16", "utf-32", "utf-8-sig", "cp037"])
-        path.write_bytes(text.encode(name, "replace"))
-        return f"encoding {name}"
+    text, encoding = path.read_text("utf-8", "replace"), "utf-8"
+    kind = said = one_of(rng, ["number", "number", "number", "word", "line", "long", "encoding"])
     lines = text.splitlines(True)
     k, j = rng.integers(len(lines), size=2)
-    if kind == "line":
-        how = one_of(rng, ["gone", "twice", "exchanged"])
-        lines[k] = {"gone": "", "twice": lines[j] + lines[k], "exchanged": lines[j]}[how]
-        path.write_text("".join(lines))
-        return f"line {k} {how}"
-    if kind == "long":
+    if kind in FORMS:
+        form, values = FORMS[kind]
+        one, value = one_of(rng, list(re.finditer(form, text))), one_of(rng, values)
+        lines = [text[: one.start()], value, text[one.end() :]]
+        said = f"{one[0]} at {one.start()} is {value[:20]!r}"
+    elif kind == "line":
+        lines[k] = one_of(rng, ["", lines[j] + lines[k], lines[j]])  # gone, twice, exchanged
+    elif kind == "long":
         at = int(rng.integers(len(lines[k]) + 1))
-        more = one_of(rng, LONG)
-        lines[k] = lines[k][:at] + more + lines[k][at:]
-        path.write_text("".join(lines), "utf-8")
-        return f"long line {k}: {more[:4]}"
-    form, values = {
-        "number": (r"-?\d+(\.\d+)?(e[-+]?\d+)?", NUMBERS),
-        "word": (r"[A-Za-z_]+", WORDS),
-    }[kind]
-    one, value = one_of(rng, list(re.finditer(form, text))), one_of(rng, values)
-    path.write_text(text[: one.start()] + value + text[one.end() :], "utf-8")
-    return f"{one[0]} at {one.start()} is {value[:20]!r}"
+        lines[k] = lines[k][:at] + one_of(rng, LONG) + lines[k][at:]
+    else:
+        encoding = one_of(rng, ["utf-16", "utf-32", "utf-8-sig", "cp037"])
+    path.write_bytes("".join(lines).encode(encoding, "replace"))
+    return f"{said}, line {k}, {encoding}"
 
 
 # --- NetCDF: each function gives the changed data -------------------------------------------------
 
 
-def other_value(rng, data, name):
-    """One number of a variable, or all, is another."""
+def with_values(data, name, values, dims=None):
     one = data[name].variable.to_base_variable()
-    values = np.array(one.values)
+    return data.drop_vars(name).assign({name: (dims or one.dims, values, one.attrs)})
+
+
+def other_value(rng, data, name):
+    """One number of a variable, or all, is another or lies far away."""
+    values = np.array(data[name].variable.to_base_variable().values)
     if values.dtype.kind != "f" and rng.random() < 0.7:
         values = values.astype(float)
-    place = slice(None) if rng.random() < 0.4 else rng.integers(values.size)
-    values.reshape(-1)[place] = one_of(rng, VALUES)
-    return data.drop_vars(name).assign({name: (one.dims, values, one.attrs)})
-
-
-def later(rng, data, name):
-    """A time lies far away."""
-    name = one_of(rng, [n for n in data.variables if "time" in str(n).lower()])
-    one = data[name].variable.to_base_variable()
-    return data.drop_vars(name).assign({name: (one.dims, one.values + 1e15, one.attrs)})
+    place, flat = slice(None) if rng.random() < 0.4 else rng.integers(values.size), values.ravel()
+    flat[place] = flat[place] + 1e15 if rng.random() < 0.2 else one_of(rng, VALUES)
+    return with_values(data, name, flat.reshape(values.shape))
 
 
 def other_type(rng, data, name):
-    one = data[name].variable.to_base_variable()
-    values = one.values.astype(one_of(rng, ["i1", "S1", "U3", "f4", "i8", "u1"]))
-    return data.drop_vars(name).assign({name: (one.dims, values, one.attrs)})
+    values = data[name].variable.to_base_variable().values
+    return with_values(data, name, values.astype(one_of(rng, ["i1", "S1", "U3", "f4", "i8", "u1"])))
 
 
 def other_dims(rng, data, name):
     """Dimensions have other names, are turned, or are gone."""
-    one = data[name]
-    if rng.random() < 0.3:
+    one, chance = data[name], rng.random()
+    if chance < 0.3:
         return data.drop_vars(name).assign({name: ((), one.values.ravel()[0])})
-    if rng.random() < 0.3:
+    if chance < 0.5:
         return data.assign({name: one.T})
     dims = [f"{dim}_" if rng.random() < 0.5 else dim for dim in one.dims]
-    return data.drop_vars(name).assign({name: (dims, one.values, one.attrs)})
-
-
-def fewer(rng, data, name):
-    return data.isel({one_of(rng, data[name].dims): slice(int(rng.integers(0, 3)))})
-
-
-def other_units(rng, data, name):
-    data[name].attrs["units"] = one_of(rng, WORDS)
-    return data
+    return with_values(data, name, one.values, dims)
 
 
 def other_attribute(rng, data, name):
-    """An attribute of the file is another; a team's may be that of a scenario."""
-    key = one_of(rng, [*data.attrs, "team"])
-    said = str(data.attrs.get(key, ""))
+    """An attribute of the file or of a variable is another; a team's may be a scenario's."""
+    attrs = data.attrs if rng.random() < 0.7 else data[name].attrs
+    key = one_of(rng, [*attrs, "team", "units"])
+    said = str(attrs.get(key, ""))
     others = [one_of(rng, WORDS), 3.5, np.array([1, 2]), -1, said.replace("0", "9" * 30, 1)]
-    if key == "team":
-        others.append(data.attrs.get("scenario", ""))
-    return data.assign_attrs({key: one_of(rng, others)})
-
-
-def other_equations(rng, data, name):
-    made = json.loads(data.attrs["equations"])
-    json_changed(rng, made)
-    return data.assign_attrs(equations=json.dumps(made))
+    attrs[key] = one_of(rng, [*others, data.attrs.get("scenario", "")])
+    if said.startswith("{") and rng.random() < 0.6:
+        json_changed(rng, made := json.loads(said))
+        attrs[key] = json.dumps(made)
+    return data
 
 
 NETCDF = {
     "another value": other_value,
-    "far times": later,
     "another type": other_type,
     "other dimensions": other_dims,
-    "fewer": fewer,
-    "other units": other_units,
+    "fewer": lambda rng, data, name: data.isel(
+        {one_of(rng, data[name].dims): slice(int(rng.integers(0, 3)))}
+    ),
     "another attribute": other_attribute,
-    "other equations": other_equations,
     "gone": lambda rng, data, name: data.drop_vars(name),
     "renamed": lambda rng, data, name: data.rename({name: f"{name}_"}),
     "no attributes": lambda rng, data, name: data.drop_attrs(deep=False),
@@ -190,22 +172,33 @@ def netcdf_changed(rng, path):
     """Change shapes, types, numbers, names or attributes of a NetCDF file."""
     with xarray.open_dataset(path, decode_cf=False, engine="netcdf4") as found:
         data = found.load()
-    kind, name = one_of(rng, [*NETCDF]), one_of(rng, [*data.variables])
-    said = f"{name}: {kind}"
+    name = one_of(rng, [*data.variables])
+    kind = one_of(rng, [*NETCDF, "another value", "another attribute"])
+    path.unlink()
     try:
         with np.errstate(all="ignore"):
             data = NETCDF[kind](rng, data, name)
         filled = [n for n in data.variables if "_FillValue" not in data[n].attrs]
-        path.unlink()
         data.to_netcdf(path, engine="netcdf4", encoding={n: {"_FillValue": None} for n in filled})
     except Exception:  # what cannot be made, or NetCDF cannot hold
         path.unlink(missing_ok=True)
         xarray.Dataset({"a": ("n", np.zeros(3))}).to_netcdf(path)
-        said = "other variables"
-    return said
+        kind = "other variables"
+    return f"{name}: {kind}"
 
 
 # --- Zarr and JSON --------------------------------------------------------------------------------
+
+
+def foreign(rng, path):
+    """Put an array of another beside those of a folder."""
+    import zarr
+
+    shape = one_of(rng, [(3,), (4, 7), (), (0,), (2, 2, 2, 2)])
+    dims = [f"d{k}" if rng.random() < 0.5 else "member" for k in range(len(shape))]
+    group = zarr.open_group(path, mode="r+")
+    group.create_array("foreign", shape=shape, dtype="f8", dimension_names=dims)
+    return f"foreign {shape} {dims}"
 
 
 def zarr_changed(rng, path):
@@ -214,22 +207,15 @@ def zarr_changed(rng, path):
     kind = one_of(rng, ["no file", "bytes", "json", "json", "json", "foreign", "moved", "gone"])
     one = one_of(rng, [f for f in files if f.name == "zarr.json"] if kind == "json" else files)
     said = kind
+    if kind == "foreign":
+        return foreign(rng, path)
     if kind == "no file":
         said = as_no_file(rng, one)
     elif kind == "bytes":
         said = bytes_changed(rng, one)
     elif kind == "json":
-        made = json.loads(one.read_text())
-        said = json_changed(rng, made)
+        said = json_changed(rng, made := json.loads(one.read_text()))
         one.write_text(json.dumps(made))
-    elif kind == "foreign":
-        import zarr
-
-        shape = one_of(rng, [(3,), (4, 7), (), (0,), (2, 2, 2, 2)])
-        dims = [f"d{k}" if rng.random() < 0.5 else "member" for k in range(len(shape))]
-        group = zarr.open_group(path, mode="r+")
-        group.create_array("foreign", shape=shape, dtype="f8", dimension_names=dims)
-        return f"foreign {shape} {dims}"
     elif kind == "moved" and one.parent != path:
         shutil.rmtree(one.parent)
     else:
@@ -246,8 +232,7 @@ def json_changed(rng, made):
             break
         inner = inner[key]
     if isinstance(inner[key], str) and inner[key].startswith("{"):
-        inside = json.loads(inner[key])
-        said = json_changed(rng, inside)
+        said = json_changed(rng, inside := json.loads(inner[key]))
         inner[key] = json.dumps(inside)
         return f"{key}: {said}"
     if rng.random() < 0.2:

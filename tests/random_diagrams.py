@@ -35,9 +35,9 @@ def shapes(random, group, count, kinds):
     return {f"{group}{k}": kinds[random.randrange(len(kinds))] for k in range(count)}
 
 
-def random_block(random, name):
-    """Draw a block."""
-    dynamic, jumping = random.random() < 0.5, random.random() < 0.25
+def random_block(random, name, dt=0):
+    """Draw a block; one of discrete time does not jump."""
+    dynamic, jumping = random.random() < 0.5, random.random() < 0.25 and not dt
     plain = dynamic and random.random() < 0.4  # outputs are the states
     later = dynamic and random.random() < 0.6  # inputs do not reach outputs
     kinds = SHAPES if random.random() < 0.9 else LONG
@@ -67,12 +67,13 @@ def random_block(random, name):
         parameters=parameters | ({"interval": -1.0} if interval else {}),
         breakpoints=jumps if interval else None,
         jump=space.get("jump"),
+        dt=dt,
     )
     block.late = plain or later
     return block
 
 
-def random_system(random, name):
+def random_system(random, name, dt=0):
     """Draw a nonlinear system of python-control, with its own params."""
     ports = {group: shapes(random, group, 1, SHAPES[:4]) for group in "xuy"}
     x, u, y = ports.values()
@@ -90,39 +91,42 @@ def random_system(random, name):
         space["output"],
         params=params,
         name=name,
+        dt=dt,
         **{kind: n for kind, own in sizes.items() for (n,) in own.values()},
     )
 
 
-def random_diagram(random, blocks=None, nested=True):
-    """Draw a diagram."""
+def random_diagram(random, blocks=None, nested=True, dt=0):
+    """Draw a diagram, of discrete time unless `dt` is 0."""
     parts: list[Any] = []
     for k in range(blocks or random.randrange(1, 5)):
         draw = random.random()
         if draw < 0.12:
-            parts.append(linear_part(random, f"linear{k}"))
+            parts.append(linear_part(random, f"linear{k}", dt))
         elif draw < 0.25 and nested:
-            inner = random_diagram(random, random.randrange(1, 3), nested=False)
+            inner = random_diagram(random, random.randrange(1, 3), False, dt)
             inner.name = f"inner{k}"
             parts.append(inner)
         elif draw < 0.4:
-            parts.append(random_system(random, f"system{k}"))
+            parts.append(random_system(random, f"system{k}", dt))
         else:
-            parts.append(random_block(random, f"block{k}"))
+            parts.append(random_block(random, f"block{k}", dt))
     if all(isinstance(part, control.StateSpace) for part in parts):
-        parts.append(random_block(random, "more"))  # python-control refuses some of linear parts
+        parts.append(
+            random_block(random, "more", dt)
+        )  # python-control refuses some of linear parts
     return wired(random, parts)
 
 
-def linear_part(random, name):
+def linear_part(random, name, dt=0):
     """Draw a linear system of python-control."""
     numbers = np.random.default_rng(random.randrange(2**32))
     n, m, r = (random.randrange(low, 4) for low in (0, 1, 1))
     D = numbers.normal(size=(r, m)) if n == 0 or random.random() < 0.3 else np.zeros((r, m))
     if n == 0:
-        return control.ss([], [], [], D, name=name)
+        return control.ss([], [], [], D, dt, name=name)
     A, B, C = (numbers.normal(size=size) for size in ((n, n), (n, m), (r, n)))
-    return control.ss(A, B, C, D, name=name)
+    return control.ss(A, B, C, D, dt, name=name)
 
 
 def is_late(part):

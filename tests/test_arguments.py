@@ -46,51 +46,33 @@ def test_every_argument_is_used(function):
 
 NAN, INF = float("nan"), float("inf")
 WRONG = {
-    "timepts": ("abc", ["a", "b"], [1.0, 0.0], [1.0], [0.0, 0.0], [0.0, NAN], [0.0, INF]),
-    "initial_state": ("a", ["one"], [1.0] * 15, np.full(14, 1j)),
-    "inputs": (
-        "ab",
-        np.full((2, 2), 1j),
-        [[1.0, 2.0]],
-        [[1.0], [1.0, 2.0, 3.0]],
-        lambda t: [t],
-        lambda t: ["a"],
-    ),
-    "rtol": (-1.0, NAN, "small"),
-    "atol": (-1.0, NAN, "a"),
-    "params": ([1.0], "a", {"adaptation.gan": 1.0}),
+    "timepts": ([1.0, 0.0], [1.0], [0.0, 0.0], [0.0, NAN], [0.0, INF]),
+    "initial_state": ("rest", [1.0] * 15, np.full(14, 1j)),
+    "inputs": (np.full((2, 2), 1j), [[1.0, 2.0]], [[1.0], [1.0, 2.0, 3.0]], lambda t: [t]),
+    "rtol": (-1.0, NAN),
+    "atol": (-1.0, NAN),
+    "max_step": (0.0,),
+    "first_step": (-1.0, NAN),
+    "method": ("RK45",),
+    "params": ([1.0], {"adaptation.gan": 1.0}),
 }
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-@pytest.mark.parametrize(
-    ("name", "k"), [(name, k) for name in WRONG for k in range(len(WRONG[name]))]
-)
-def test_engines_refuse_the_same_by_its_name(name, k, engine):
-    for system, times in ((SCENARIO, None), (LOOP, [0.0, 2.0]), (STEERED, [0.0, 2.0])):
-        with pytest.raises(ClptError, match=f"{name}|unknown param") as caught:
-            clpt.simulate(system, **{"timepts": times, name: WRONG[name][k]}, engine=engine)
-        assert "\n" not in str(caught.value)
-
-
-@pytest.mark.parametrize("engine", ENGINES)
-def test_a_short_state_is_refused_or_filled_as_python_control_does(engine):
-    for system in (SCENARIO, LOOP):
-        with pytest.warns(UserWarning, match="initial_state is too short: filled with zeros"):
-            run = clpt.simulate(system, [0.0, 2.0], initial_state=[1.0], engine=engine)
-        assert run.attrs["engine"] == engine
+@pytest.mark.parametrize("name", WRONG)
+def test_engines_refuse_the_same_by_its_name(name, engine):
+    for wrong in WRONG[name]:
+        for system, times in ((SCENARIO, None), (LOOP, [0.0, 2.0]), (STEERED, [0.0, 2.0])):
+            with pytest.raises(ClptError, match=f"{name}|unknown param") as caught:
+                clpt.simulate(system, **{"timepts": times, name: wrong}, engine=engine)
+            assert "\n" not in str(caught.value)
 
 
 def test_there_is_no_other_engine():
     values = [one.values[0] for one in public_functions()]
     assert {f for f in values if "engine" in inspect.signature(f).parameters} == {clpt.simulate}
-    for system in (SCENARIO, LOOP):
-        with pytest.raises(ClptError, match="must be one of native, python"):
-            clpt.simulate(system, [0.0, 2.0], engine="fast")
-        with pytest.raises(TypeError, match="unexpected keyword"):
-            clpt.simulate(system, [0.0, 2.0], solver="RK45")
-        with pytest.raises(ClptError, match="must be one of auto, dop853, dopri5, rodas5p"):
-            clpt.simulate(system, [0.0, 2.0], method="RK45")
+    with pytest.raises(ClptError, match="must be one of native, python"):
+        clpt.simulate(LOOP, [0.0, 2.0], engine="fast")
 
 
 def test_a_tolerance_of_nothing_is_not_the_default():
@@ -102,17 +84,9 @@ def test_a_tolerance_of_nothing_is_not_the_default():
         clpt.simulate(LOOP, [0.0, 2.0], rtol=0.0, atol=0.0)
 
 
-def test_an_unknown_keyword_is_refused_by_all():
-    fix = (0.0, 0.0, 0.0)
-    for function, given in (
-        (clpt.draw, [None]),
-        (clpt.connect, [None]),
-        (clpt.ensemble.run_ensemble, [None]),
-        (clpt.theory.prove, [None]),
-        (clpt.gliders.make_dive, [1, fix, fix, (0.0, 0.0)]),  # it hands keywords on
-    ):
-        with pytest.raises(TypeError, match="unexpected keyword"):
-            function(*given, unknown_keyword=1)
+def test_an_unknown_keyword_is_refused_where_keywords_are_handed_on():
+    with pytest.raises(TypeError, match="unexpected keyword"):
+        clpt.gliders.make_dive(1, (0.0,) * 3, (0.0,) * 3, (0.0, 0.0), unknown_keyword=1)
 
 
 def test_help_shows_signatures_that_can_be_read():

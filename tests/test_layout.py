@@ -2,6 +2,7 @@
 
 import ast
 from functools import cache
+from graphlib import TopologicalSorter
 from pathlib import Path
 
 import pytest
@@ -37,26 +38,18 @@ FILES = dict(modules())
 
 def imports(name, path, tree):
     """Modules of the package that a module imports, those inside functions too."""
-    package = name.split(".") if path.name == "__init__.py" else name.split(".")[:-1]
+    package = ["clpt_control", *name.split(".")[: None if path.name == "__init__.py" else -1]]
     for node in ast.walk(tree):
-        found = []
-        if isinstance(node, ast.Import):
-            found = [
-                a.name.removeprefix("clpt_control.")
-                for a in node.names
-                if a.name.startswith("clpt_control")
-            ]
-        elif isinstance(node, ast.ImportFrom):
-            base = node.module or ""
-            if node.level:
-                above = package[: len(package) - node.level + 1]
-                base = ".".join([*above, *([base] if base else [])])
-            elif base.split(".")[0] != "clpt_control":
-                continue
-            base = base.removeprefix("clpt_control").lstrip(".")
-            inner = [f"{base}.{a.name}".lstrip(".") for a in node.names]
-            found = [one if one in FILES else base or "__init__" for one in inner]
-        yield from (one for one in found if one in FILES and one != name)
+        if not isinstance(node, ast.Import | ast.ImportFrom):
+            continue
+        base = ""
+        if isinstance(node, ast.ImportFrom):
+            above = package[: len(package) - node.level + 1] if node.level else []
+            base = ".".join([*above, node.module or ""]).strip(".")
+        for alias in node.names:  # a module of a room, or a name in a module
+            places = f"{base}.{alias.name}".strip("."), base
+            known = (one.removeprefix("clpt_control.") for one in places if "clpt_control" in one)
+            yield from [one for one in known if one in FILES and one != name][:1]
 
 
 @cache
@@ -97,20 +90,7 @@ def test_there_are_no_circles(level):
     for name, used in edges():
         if name not in DOORS and short(name) != short(used):
             below.setdefault(short(name), set()).add(short(used))
-    done, path = set(), []
-
-    def visit(one):
-        assert one not in path, f"a circle: {' > '.join([*path[path.index(one) :], one])}"
-        if one in done:
-            return
-        path.append(one)
-        for other in sorted(below.get(one, ())):
-            visit(other)
-        path.pop()
-        done.add(one)
-
-    for one in sorted(below):
-        visit(one)
+    TopologicalSorter(below).prepare()  # else an error that names the circle
 
 
 def test_files_of_tests_have_names_of_their_own():

@@ -4,7 +4,6 @@ import re
 import tomllib
 from pathlib import Path
 
-import pytest
 import yaml
 from packaging.requirements import Requirement
 
@@ -78,12 +77,3 @@ def test_pinned_versions_are_allowed():
             pinned = pins.get(needed.name.lower().replace("_", "-"))
             assert pinned, f"{needed.name} is not pinned in constraints.txt"
             assert needed.specifier.contains(pinned), f"{needed} does not allow {pinned}"
-
-
-@pytest.mark.parametrize("form", sorted((HOUSE / ".github").glob("*/*.yml")), ids=lambda p: p.stem)
-def test_the_form_of_an_issue_asks(form):
-    made = yaml.safe_load(form.read_text())
-    assert {"name", "description", "body"} <= made.keys()
-    asked = [part["id"] for part in made["body"]]
-    assert len(set(asked)) == len(asked)
-    assert all(part["attributes"]["label"] for part in made["body"])

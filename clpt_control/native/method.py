@@ -100,12 +100,9 @@ def _stage(weights: Any, c: float, s: StepTape, ahead: bool = False) -> New:
     return {row.ARGUMENT: argument}, numbers
 
 
-def _stage_of_dop853(number: int, ahead: bool, s: StepTape) -> New:
-    """Stage 1 to 15, counted from 0; stage 12 is the new state, to the bit."""
-    if number == row.DOP853:
-        return {row.ARGUMENT: _new_state(s)[1]}, _at(s, 1.0)
-    weights, c = table.A[number, :number], float(table.C[number])
-    return _stage(weights, c, s, ahead and number < row.DOP853)
+def _new_again(s: StepTape) -> New:
+    """The new state once more, to the bit: stages of the interpolant have been in its place."""
+    return {row.ARGUMENT: _new_state(s)[1]}, _at(s, 1.0)
 
 
 def _attempt(s: StepTape, implicit: bool = False) -> New:
@@ -161,7 +158,7 @@ def _control(s: StepTape) -> New:
     none = fifth + third <= 0.0
     whole = sqrt(where(none, 1.0, (fifth + 0.01 * third) * float(s.n)))
     error = where(none, 1e-30, s.lane(row.TAKEN) * fifth / whole)
-    factor = 0.9 / _eighth_root(maximum(error, 1e-30))
+    factor = 0.9 / sqrt(sqrt(sqrt(maximum(error, 1e-30))))
     return {row.ARGUMENT: state}, _accept_or_reject(s, error, factor, 10.0)
 
 
@@ -176,18 +173,14 @@ def _sizes(s: StepTape) -> New:
     return {}, {row.TAKEN: h, row.SIZE: d1, row.TROUBLE: trouble}
 
 
-def _eighth_root(value: Any) -> Any:
-    return sqrt(sqrt(sqrt(value)))
-
-
-def _first(root: Callable, s: StepTape) -> New:
+def _first(order: int, s: StepTape) -> New:
     """The first step, from the change of the rate over the trial step (row 3)."""
     part, fresh = 1.0 / s.tolerance(abs(s.z(row.STATE))), s.lane(row.FRESH) > 0.5
     change = (s.z(row.RATE + 2) - s.z(row.RATE + 1)) * part
     h = s.lane(row.TAKEN)
     d1, d2 = s.lane(row.SIZE), sqrt(s.total(change * change) / float(s.n)) / h
     most = maximum(maximum(d1, d2), 1e-30)
-    step = where(most <= 1e-15, maximum(1e-6, h * 1e-3), root(0.01 / most))
+    step = where(most <= 1e-15, maximum(1e-6, h * 1e-3), power(0.01 / most, 1.0 / order))
     step = minimum(minimum(100.0 * h, step), s.lane(row.END) - s.lane(row.TIME))
     step = where(s.lane(row.FIRST_STEP) > 0.0, s.lane(row.FIRST_STEP), step)
     rate = where(fresh, s.z(row.RATE + 1), s.z(row.RATE))
@@ -208,11 +201,6 @@ def _cubic(s: StepTape) -> tuple[Any, Any, Any]:
     h, delta = s.lane(row.TAKEN), s.z(row.ARGUMENT) - s.z(row.STATE)
     ends = s.z(row.RATE + row.DOP853) + s.z(row.RATE)
     return delta, h * s.z(row.RATE) - delta, 2.0 * delta - h * ends
-
-
-def _only_cubic(s: StepTape) -> New:
-    """The terms of the cubic alone."""
-    return _terms(s, *_cubic(s)), {}
 
 
 def _dense(s: StepTape) -> New:
@@ -290,36 +278,21 @@ def _attempt_fixed(s: StepTape) -> New:
     return {}, {row.NEW: new, row.TAKEN: ahead / steps}
 
 
-def _control_rk4(s: StepTape) -> New:
-    """The new state, and whether it is finite."""
+def _runge_kutta(s: StepTape) -> Any:
+    """Return the state at the end of a step of RK4."""
     outer = s.z(row.RATE) + s.z(row.RATE + 3)
     inner = s.z(row.RATE + 1) + s.z(row.RATE + 2)
-    sixth = s.lane(row.TAKEN) / 6.0
-    return _control_fixed(s, fmuladd(sixth, fmuladd(2.0, inner, outer), s.z(row.STATE)))
+    return fmuladd(s.lane(row.TAKEN) / 6.0, fmuladd(2.0, inner, outer), s.z(row.STATE))
 
 
-def _control_map(s: StepTape) -> New:
-    """The state at the next sample of discrete time, and whether it is finite."""
-    return _control_fixed(s, s.z(row.RATE))
-
-
-def _control_fixed(s: StepTape, state: Any) -> New:
+def _control_fixed(ahead: Callable[[StepTape], Any], s: StepTape) -> New:
+    """The new state, which is `ahead`, and whether it is finite; else the run has ended."""
+    state, new, tried = ahead(s), s.lane(row.NEW), s.lane(row.GOOD_ONES) + 1.0
     good = s.total(0.0 * state) <= 0.0
     failing = where(good, 0.0, float(row.NOT_FINITE))
-    new, tried = s.lane(row.NEW), s.lane(row.GOOD_ONES) + 1.0
     look = where((new >= s.lane(row.NEXT)) | (tried >= s.lane(row.TRIES_LEFT)), 1.0, failing)
     numbers = {row.GOOD: where(good, 1.0, 0.0), row.LOOK: look, row.AT: new}
     return {row.ARGUMENT: state}, numbers | {row.GOOD_ONES: tried, row.FAILING: failing}
-
-
-def _accept_fixed(s: StepTape) -> New:
-    """The new state; if the step is not good the run has ended."""
-    return {row.STATE: s.z(row.ARGUMENT)}, {row.TIME: s.lane(row.NEW)}
-
-
-def _straight(s: StepTape) -> New:
-    """The terms of a straight line within the step."""
-    return {row.TERMS: s.z(row.ARGUMENT) - s.z(row.STATE)}, {}
 
 
 # --- Rodas5P --------------------------------------------------------------------------------
@@ -353,32 +326,33 @@ def _dense_implicit(s: StepTape) -> New:
 
 def formulas(method: int, ahead: bool = False) -> dict[str, Formula]:
     """Return the formulas of a method, by its number in the solver, in the solver's order."""
-    last = table.A[row.DOP853 - 1, : row.DOP853 - 1]
     own: dict[str, Formula] = {
         **{"attempt": _attempt, "control": _control, "sizes": _sizes},
-        **{"trial": partial(_stage, [0.0, 1.0], 1.0), "first": partial(_first, _eighth_root)},
-        **{"accept": _accept, "dense": _dense, "cubic": _only_cubic},
-        "stiffness": partial(_stiffness, last, 6.1),
+        **{"trial": partial(_stage, [0.0, 1.0], 1.0), "first": partial(_first, 8)},
+        **{"accept": _accept, "dense": _dense, "cubic": lambda s: (_terms(s, *_cubic(s)), {})},
+        "stiffness": partial(_stiffness, table.A[11, :11], 6.1),
     }
-    stages: list[Formula] = [partial(_stage_of_dop853, k, ahead) for k in range(1, row.DOP853 + 4)]
+    stages: list[Formula] = [
+        partial(_stage, table.A[k, :k], float(table.C[k]), ahead=ahead and k < row.DOP853)
+        for k in range(1, row.DOP853 + 4)
+    ]
+    stages[row.DOP853 - 1] = _new_again
     if method == row.DOPRI5:
-        own |= {
-            "control": _control_dopri5,
-            "dense": _dense_dopri5,
-            "first": partial(_first, lambda value: power(value, 0.2)),
-            "stiffness": partial(_stiffness, _in_rows(RK45.A[-1]), 3.25),
-        }
-        stages = [partial(_stage, _in_rows(RK45.A[k, :k]), RK45.C[k]) for k in range(1, 6)]
-        stages += [partial(_stage, _in_rows(RK45.B), 1.0)]
+        own |= {"control": _control_dopri5, "dense": _dense_dopri5, "first": partial(_first, 5)}
+        own |= {"stiffness": partial(_stiffness, _in_rows(RK45.A[-1]), 3.25)}
+        tableau = zip([*RK45.A[1:], RK45.B], [*RK45.C[1:], 1.0], strict=True)
+        stages = [partial(_stage, _in_rows(weights), c) for weights, c in tableau]
     elif method == row.RODAS5P:
-        own |= {"attempt": partial(_attempt, implicit=True)}
-        own |= {"control": _control_implicit, "dense": _dense_implicit}
+        own |= {"attempt": partial(_attempt, implicit=True), "dense": _dense_implicit}
+        own |= {"control": _control_implicit}
         stages = [partial(_stage_implicit, k) for k in range(row.RODAS5P - 1)]
     elif method in (row.RK4, row.MAP):
-        own |= {"control": _control_rk4 if method == row.RK4 else _control_map}
-        own |= {"attempt": _attempt_fixed, "accept": _accept_fixed, "dense": _straight}
-        halves = np.diag([0.5, 0.5, 1.0])
-        stages = [partial(_stage, halves[k, : k + 1], halves[k, k]) for k in range(method - 1)]
+        new = _runge_kutta if method == row.RK4 else lambda s: s.z(row.RATE)
+        own |= {"attempt": _attempt_fixed, "control": partial(_control_fixed, new)}
+        own |= {"accept": lambda s: ({row.STATE: s.z(row.ARGUMENT)}, {row.TIME: s.lane(row.NEW)})}
+        own |= {"dense": lambda s: ({row.TERMS: s.z(row.ARGUMENT) - s.z(row.STATE)}, {})}
+        shares = enumerate([0.5, 0.5, 1.0][: method - 1])  # of the step: each stage has one weight
+        stages = [partial(_stage, [*[0.0] * k, c], c) for k, c in shares]
     return own | {f"stage_{k}": one for k, one in enumerate(stages, 1)}
 
 
@@ -414,9 +388,8 @@ def kernels(n: int, lanes: int, method: int, ahead: bool) -> Machine:
 
 def with_formulas(callee: Callee) -> Callee:
     """Return what the solver calls, the formulas of its method behind the diagram's functions."""
-    ahead = bool(callee.functions[row.STAGED])
-    sizes = callee.nstates, callee.lanes, callee.method
-    formulas = kernels(*sizes, ahead) if callee.nstates else None
+    n, ahead = callee.nstates, bool(callee.functions[row.STAGED])
+    formulas = kernels(n, callee.lanes, callee.method, ahead) if n else None
     more = formulas.addresses.values() if formulas else ()
     functions = np.array([*callee.functions, *more], dtype=np.int64)
     return callee._replace(functions=functions, code=(*callee.code, formulas))

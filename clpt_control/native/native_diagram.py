@@ -191,14 +191,10 @@ class NativeDiagram(PythonDiagram):
 
     def unlocked(self) -> Self:
         """Return the diagram with decisions that change within a step."""
-        return self._in_form("free")
+        return self.in_form("free")
 
-    @public
-    def sliding(self, held: Held) -> Self:
-        """Return the diagram on switches, whose decisions are held."""
-        return self._in_form(held)
-
-    def _in_form(self, form: Form) -> Self:
+    def in_form(self, form: Form) -> Self:
+        """Return the diagram in another form."""
         other = copy(self)
         other.form, other._callees = form, {}
         other.code = code_of(self.wiring, self.layout, form)

@@ -169,7 +169,7 @@ def _crossed(diagram: Any, batch: Batch, now: Sliding | None) -> Sliding | None:
     sides[-1, turned] = behind[turned]
     held = Held(tuple(sorted([*known, *turned.tolist()])), (*switches, int(turned[0])))
     try:
-        runner = diagram.sliding(held)
+        runner = diagram.in_form(held)
     except (Unread, Uncompiled):
         return None
     chosen = np.arange(2 ** len(held.switches))[:, None] >> np.arange(len(held.switches)) & 1

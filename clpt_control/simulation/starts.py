@@ -145,7 +145,7 @@ def state_at(run: "xarray.Dataset", t: float) -> np.ndarray:
     (14,)
     """
     if "states" not in run.variables:
-        raise DataError(f"{run!r:.60}: carries no states; a run that clpt.simulate gives does")
+        raise DataError("the run carries no states; one that clpt.simulate gives does")
     times = run.time.values
     k = int(np.abs(times - t).argmin()) if len(times) and np.isfinite(t) else -1
     if k < 0 or abs(times[k] - t) > 1e-12 * max(1.0, abs(t)):

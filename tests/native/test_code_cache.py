@@ -3,8 +3,6 @@
 import hashlib
 import os
 import re
-import subprocess
-import sys
 import threading
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
@@ -15,13 +13,13 @@ import llvmlite.binding as llvm
 import numpy as np
 import pytest
 from llvmlite import ir
-from processes import ran
 
 from clpt_control import Block
 from clpt_control.files import CACHE, cache_folder, trusted
 from clpt_control.native import machine
 from clpt_control.native.llvm_function import Function
 from clpt_control.native.machine import Machine, cache_code, cached_code, code_name
+from clpt_control.native.native_diagram import NativeDiagram
 
 
 @pytest.fixture
@@ -31,17 +29,13 @@ def folder(monkeypatch, tmp_path):
     return place
 
 
-def test_the_folder_is_made_for_the_user_alone(folder):
-    assert cache_folder() == folder
-    assert folder.is_dir()
-    if hasattr(os, "getuid"):
-        assert folder.stat().st_mode & 0o777 == 0o700
-    assert cache_folder() == folder  # and found again
+posix = pytest.mark.skipif(os.name != "posix", reason="no owners and modes on this system")
 
 
-@pytest.mark.skipif(not hasattr(os, "getuid"), reason="no owners and modes on this system")
+@posix
 def test_a_folder_of_others_is_not_used(folder, monkeypatch):
-    folder.mkdir(mode=0o700)
+    assert cache_folder() == folder  # made for the user alone
+    assert folder.stat().st_mode & 0o777 == 0o700
     for mode in (0o770, 0o702, 0o777):
         folder.chmod(mode)
         assert not trusted(folder.stat())
@@ -51,28 +45,22 @@ def test_a_folder_of_others_is_not_used(folder, monkeypatch):
     owner = folder.stat().st_uid
     if owner != 0:  # what the administrator put there is trusted
         monkeypatch.setattr(os, "getuid", lambda: owner + 1)
-        assert cache_folder() is None
     else:
         os.chown(folder, 12345, -1)
-        assert cache_folder() is None
-
-
-def test_without_a_home_or_with_a_read_only_one_there_is_no_folder(folder, monkeypatch):
-    cache_folder()
-    monkeypatch.setattr(os, "access", lambda path, mode: False)
-    assert cache_folder() is None
-    monkeypatch.undo()
-    monkeypatch.setenv(CACHE, os.devnull + "/none/at/all")
     assert cache_folder() is None
 
 
-@pytest.mark.skipif(sys.platform in ("win32", "darwin"), reason="the folder is found elsewhere")
+@posix
 def test_the_users_own_folder_comes_from_home(monkeypatch, tmp_path):
     for name in (CACHE, "XDG_CACHE_HOME"):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setenv("HOME", str(tmp_path))
     assert cache_folder() == tmp_path / ".cache" / "clpt-control"
+    monkeypatch.setattr(os, "access", lambda path, mode: False)  # it is read-only
+    assert cache_folder() is None
+    monkeypatch.undo()
     monkeypatch.setenv("HOME", os.devnull + "/none")
+    monkeypatch.delenv(CACHE, raising=False)
     assert cache_folder() is None
 
 
@@ -86,24 +74,20 @@ def test_code_comes_back_whole_or_not_at_all(folder):
         path.write_bytes(damaged)
         assert cached_code("some") is None
     path.write_bytes(whole)
-    if hasattr(os, "getuid"):
-        for place in (path, path.parent):
-            mode = place.stat().st_mode & 0o777
-            place.chmod(0o777)
-            assert cached_code("some") is None
-            place.chmod(mode)
     assert cached_code("some") == b"0123456789"
 
 
-@pytest.mark.skipif(os.name != "posix", reason="no umask on this system")
+@posix
 def test_what_is_kept_is_the_users_own_whatever_the_umask(folder):
     before = os.umask(0o002)
     try:
         cache_code("some", b"0123456789")
         path = folder / "some.o"
         assert (path.stat().st_mode & 0o777, cached_code("some")) == (0o600, b"0123456789")
-        path.chmod(0o666)
-        assert cached_code("some") is None
+        for place in (folder, path):
+            place.chmod(0o777)
+            assert cached_code("some") is None
+            place.chmod(0o700)
         cache_code("some", b"9876543210")  # and is trusted again
         assert cached_code("some") == b"9876543210"
         path.unlink()
@@ -126,11 +110,10 @@ def test_few_files_stay(folder, monkeypatch):
 
 def test_nothing_can_be_kept_and_the_work_goes_on(monkeypatch):
     monkeypatch.setattr(machine, "cache_folder", lambda: None)
-    cache_code("some", b"0123456789")
-    assert cached_code("some") is None
     module = ir.Module()
     Function(module, "nothing", 1).builder.ret_void()
-    assert Machine(["nothing"], "nothing", lambda: module).addresses["nothing"]
+    for _ in range(2):
+        assert Machine(["nothing"], "nothing", lambda: module).addresses["nothing"]
 
 
 def test_the_name_changes_with_what_is_compiled(monkeypatch):
@@ -166,60 +149,22 @@ def test_the_solver_is_made_for_other_processors(triple):
     assert len(target.emit_object(parsed)) > 10_000
 
 
-RUN = """
-import clpt_control as clpt
-scenario = clpt.paper_scenario().with_values({"run.duration": 20})
-print(clpt.simulate(scenario, engine="native").attrs["status"])
-"""
+def test_threads_that_compile_at_once_get_the_same_code():
+    """A structure that nobody has asked for yet."""
+    own = np.random.default_rng().normal(size=3).tolist()
+    block = Block("own", update=lambda t, x, u, p: own[0] * x - own[1] * x**3, states={"x": 3})
+    together, start = threading.Barrier(6), np.array([1.0, 0.4, -0.2])
 
+    def run(k):
+        together.wait()
+        native = NativeDiagram(block)
+        found = [native.run_many(np.tile(start, (m, 1)), [0.0, 4.0])[0] for m in (1, 8)]
+        return native.code, found
 
-@pytest.mark.processes
-def test_two_processes_fill_it_at_once(folder):
-    def start():
-        return subprocess.Popen([sys.executable, "-c", RUN], stdout=-1, stderr=-1, text=True)
-
-    with start() as one, start() as other:
-        try:
-            for work in (one, other):
-                out, error = work.communicate(timeout=300)
-                assert (work.returncode, out) == (0, "finished\n"), error
-        finally:
-            one.kill()
-            other.kill()
-    files = set(folder.iterdir())
-    assert len(files) >= 3  # the solver, the formulas, the diagram
-    again = ran(sys.executable, "-c", RUN)
-    assert (again.stdout, again.stderr) == ("finished\n", "")
-    assert set(folder.iterdir()) == files
-
-
-ASKED_AT_ONCE = """
-from concurrent.futures import ThreadPoolExecutor
-from threading import Barrier
-import numpy as np
-import clpt_control as clpt
-
-scenario = clpt.paper_scenario().with_values({"run.duration": 40})
-loop, state, count = clpt.closed_loop(scenario), clpt.initial_state(scenario), 6
-together = Barrier(count)
-
-def run(k):
-    native = clpt.native.compile(loop)
-    together.wait()
-    found = [native.run_many(np.tile(state, (m, 1)), [0.0, 40.0]) for m in (1, 8)]
-    return native.code, found[0][0], found[1][0]
-
-with ThreadPoolExecutor(count) as pool:
-    found = list(pool.map(run, range(count)))
-assert len({id(code) for code, _, _ in found}) == 1
-for _, *states in found:
-    for one in states:
-        np.testing.assert_allclose(one, found[0][1], rtol=1e-12, atol=1e-12)
-"""
-
-
-def test_threads_that_compile_at_once():
-    ran(sys.executable, "-c", ASKED_AT_ONCE)
+    with ThreadPoolExecutor(6) as pool:
+        codes, found = zip(*pool.map(run, range(6)), strict=True)
+    assert len(set(codes)) == 1
+    np.testing.assert_allclose(found, np.tile(found[0][1], (6, 2, 1, 1)), rtol=1e-12, atol=1e-12)
 
 
 def test_each_thread_runs_a_shared_block_with_its_own_params():

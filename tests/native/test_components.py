@@ -149,8 +149,6 @@ def test_terms_of_different_blocks_cancel_and_those_of_one_do_not():
 
 
 def test_a_large_matrix_is_a_loop():
-    import control
-
     random = np.random.default_rng(0)
     system = control.ss(random.normal(size=(60, 60)), np.ones((60, 1)), np.ones((1, 60)), 0)
     program = NativeDiagram(wiring_of(system)).code.program
@@ -162,9 +160,9 @@ def test_a_large_matrix_is_a_loop():
         )
 
 
-@pytest.mark.parametrize("n", [8, 16])
-def test_products_of_small_matrices_are_loops_where_they_are_many(n):
-    """exp(S), its series: as straight code of 16 rows it would take more than 60,000 operations."""
+def test_products_of_small_matrices_are_loops_where_they_are_many():
+    """exp(S), its series: as straight code it would take more than 60,000 operations."""
+    n = 16
 
     def turn(t, x, u, p):
         series = np.eye(n)

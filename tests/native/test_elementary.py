@@ -2,8 +2,6 @@
 
 import ctypes
 import math
-import os
-import sys
 from functools import cache
 
 import mpmath
@@ -12,7 +10,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from llvmlite import ir
-from processes import ran
 
 from clpt_control.equations.record import OPERATIONS
 from clpt_control.native.elementary import FUNCTIONS
@@ -199,38 +196,31 @@ def test_special_arguments(name):
     np.testing.assert_allclose(got, wanted, rtol=6e-16, atol=5e-324)
 
 
-def test_atan2():
-    a, b = both(powers(-5, 5)), both(powers(-5, 5))
-    found = everywhere("atan2", b, a)
-    assert relative_error(found, np.stack([b, a], 1), mpmath.atan2) <= 3e-16
-    some = np.array([0.0, -0.0, 1.0, -1.0, np.inf, -np.inf, np.nan])
-    b, a = (grid.ravel() for grid in np.meshgrid(some, some))
-    wanted, got = np.arctan2(b, a), everywhere("atan2", b, a)
-    np.testing.assert_allclose(got, wanted, rtol=3e-16)
-    real = ~np.isnan(wanted)
-    assert np.array_equal(np.signbit(got[real]), np.signbit(wanted[real]))
+@pytest.mark.parametrize("scale", [1.0, 1e-300, 1e300])
+@pytest.mark.parametrize("name", ["atan2", "hypot"])
+def test_accuracy_of_pairs(name, scale):
+    pairs = scale * np.stack([both(powers(-2, 2)), both(powers(-2, 2))], 1)
+    found = everywhere(name, *pairs.T)
+    assert relative_error(found, pairs, getattr(mpmath, name)) <= 3e-16
 
 
-def test_hypot():
-    a, b = both(powers(-2, 2)), both(powers(-2, 2))
-    for scale in (1.0, 1e-300, 1e300):
-        pairs = np.stack([a * scale, b * scale], 1)
-        assert relative_error(everywhere("hypot", *pairs.T), pairs, mpmath.hypot) <= 3e-16
-    some = [0.0, -1.0, np.inf, -np.inf, np.nan]
-    b, a = (grid.ravel() for grid in np.meshgrid(some, some))
-    np.testing.assert_allclose(everywhere("hypot", a, b), np.hypot(a, b), rtol=3e-16)
-
-
-def test_powers():
+def test_accuracy_of_powers():
     a = powers(-8, 8)
     for n in (2.0, 3.0, 0.0, -2.0, 2.5, -0.125, 0.5):
         found = everywhere("pow", a, n)
         assert relative_error(found, a, lambda v, n=n: v ** mpmath.mpf(n)) <= 2e-15
+
+
+@pytest.mark.parametrize("name", ["atan2", "hypot", "pow"])
+def test_special_pairs(name):
     some = [0.0, -0.0, 0.5, -2.0, 3.0, 1.0, -1.0, np.inf, -np.inf, np.nan, 2.0, -0.5]
     b, a = (grid.ravel() for grid in np.meshgrid(some, some))
     with np.errstate(all="ignore"):
-        wanted = np.power(a, b)
-    np.testing.assert_allclose(everywhere("pow", a, b), wanted, rtol=3e-15)
+        wanted = {"atan2": np.arctan2, "hypot": np.hypot, "pow": np.power}[name](b, a)
+    got = everywhere(name, b, a)
+    np.testing.assert_allclose(got, wanted, rtol=3e-15)
+    real = ~np.isnan(wanted)
+    assert np.array_equal(np.signbit(got[real]), np.signbit(wanted[real]))
 
 
 # --- words and operators ------------------------------------------------------------------------
@@ -286,28 +276,3 @@ def test_remainders_of_special_numbers():
     with np.errstate(all="ignore"):
         wanted = np.remainder(a, b)
     assert same(everywhere("mod", a, b), wanted)
-
-
-# --- what code is made of ---------------------------------------------------------------------
-
-
-OTHER_PROCESSOR = """
-import sys
-import numpy as np
-import clpt_control as clpt
-
-scenario = clpt.paper_scenario().with_values({"run.duration": 45})
-native = clpt.native.compile(clpt.closed_loop(scenario))
-starts = np.tile(clpt.initial_state(scenario), (9, 1))
-sys.stdout.write(repr(native.run_many(starts, [0.0, 45.0])[:, -1].tolist()))
-"""
-
-
-@pytest.mark.slow
-def test_another_processor_gives_the_same_numbers():
-    found = []
-    for processor in ({}, {"CLPT_CONTROL_PROCESSOR": "generic"}):
-        done = ran(sys.executable, "-c", OTHER_PROCESSOR, env={**os.environ, **processor})
-        found.append(np.array(eval(done.stdout)))
-    np.testing.assert_allclose(found[1], found[0], rtol=1e-9, atol=1e-10)
-    np.testing.assert_allclose(found[0], np.tile(found[0][0], (9, 1)), rtol=1e-12, atol=1e-13)

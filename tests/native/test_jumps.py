@@ -8,31 +8,26 @@ from typing import NamedTuple
 import control
 import numpy as np
 import pytest
-from engines import ENGINES
+from engines import ENGINES, side_by_side
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from responses import response
+from scipy.linalg import expm
 
 import clpt_control as clpt
 from clpt_control.equations import Block, Guard
 from clpt_control.errors import BlockError, SimulationError
+from clpt_control.native import numbering
+from clpt_control.native.machine import LANES
 from clpt_control.native.native_diagram import NativeDiagram
-
-
-class Clock(NamedTuple):
-    """Jumps at each multiple of a period, by a factor."""
-
-    period: float = 1.0
-    factor: float = 0.0
-    interval: float = -1.0
+from clpt_control.native.python_diagram import PythonDiagram
 
 
 def ticks(p, t0, t1):
-    times = p.period * np.arange(1, math.floor(t1 / p.period * (1 + 1e-12)) + 1)
+    """Return the multiples of a period."""
+    period = float(np.ravel(p.period)[0])
+    times = period * np.arange(1, math.floor(t1 / period * (1 + 1e-12)) + 1)
     return times[(times > t0) & (times <= t1)]
-
-
-def grow(t, x, u, p):
-    """s' = 1, section I: state s[1]."""
-    return 1.0
 
 
 def scale(t, x, u, p):
@@ -40,12 +35,18 @@ def scale(t, x, u, p):
     return p.factor * x[0]
 
 
-def saw(name="saw", jump=scale, parameters=None, **more):
+def grow(t, x, u, p):
+    """s' = 1, section I: state s[1]."""
+    return 1.0
+
+
+def saw(jump=scale, period=1.0, factor=0.0, **more):
+    """Return an integrator of 1 that jumps at multiples of a period."""
     return Block(
-        name,
+        "saw",
         update=grow,
         states={"s": 1},
-        parameters=parameters or Clock(),
+        parameters={"period": period, "factor": factor, "interval": -1.0},
         breakpoints=ticks,
         jump=jump,
         **more,
@@ -65,18 +66,6 @@ def test_an_integrator_that_is_reset_is_a_saw(engine, step):
     assert found.statistics["restarts"] == 3
 
 
-def still(t, x, u, p):
-    return 0.0
-
-
-def twice(t, x, u, p):
-    return 2.0 * u[0]
-
-
-def number(t, x, u, p):
-    return 10.0 * p.interval
-
-
 def read(t, x, u, p):
     """s = s + r after a jump, section I: input r[1]."""
     return x[0] + u[0]
@@ -84,11 +73,10 @@ def read(t, x, u, p):
 
 @pytest.mark.parametrize("engine", ["python", "native"])
 def test_a_jump_reads_an_input_of_the_diagram(engine):
-    reader = Block("reader", update=still, states={"s": 1}, inputs={"r": 1}, parameters=Clock(),
-                   breakpoints=ticks, jump=read)  # fmt: skip
+    reader = saw(read, inputs={"r": 1})
     times, u = np.array([0.0, 0.8, 1.2, 2.0, 2.5]), np.array([0.0, 0.0, 4.0, 5.0, 5.0])
     run = response(clpt.connect([reader], external=["r"]), times, u, engine=engine)
-    np.testing.assert_allclose(run.states[0], [0, 0, 2, 7, 7], atol=1e-12)
+    np.testing.assert_allclose(run.states[0] - times, [0, 0, 2, 7, 7], atol=1e-12)
 
 
 def test_a_jump_before_time_0_is_refused_and_none_is_missed():
@@ -109,56 +97,31 @@ def test_a_jump_before_time_0_is_refused_and_none_is_missed():
 
 @every_engine
 def test_a_given_interval_does_not_end(engine):
-    made = ENGINES[engine](clpt.connect([saw()]), {"saw.interval": 0.0})
-    found = made.run([0.0], [0.0, 2.5])
+    found = ENGINES[engine](clpt.connect([saw()]), {"saw.interval": 0.0}).run([0.0], [0.0, 2.5])
     np.testing.assert_allclose(found.x[-1], [2.5], atol=1e-12)
 
 
-def decay(t, x, u, p):
-    return -x[0] * math.sin(3.0 * t)
-
-
-def test_a_fixed_step_keeps_its_order():
-    block = Block("d", update=decay, states={"s": 1}, parameters=Clock(0.7, -1.5),
-                  breakpoints=ticks, jump=scale)  # fmt: skip
-    exact = (-1.5) ** 4 * math.exp((math.cos(9.0) - 1.0) / 3.0)
-    runner = NativeDiagram(block)
-    errors = [abs(runner.run([1.0], [0.0, 3.0], step=0.7 / n).x[-1, 0] - exact) for n in (4, 8, 16)]
-    orders = np.log2(np.divide(errors[:-1], errors[1:]))
-    assert np.all((orders > 3.7) & (orders < 4.6)), orders
-
-
 # --- guards, and numbers that are not finite --------------------------------------------------
-
-
-def height(t, x, u, p):
-    return x[0] + 1.0
-
-
-def low(t, u, p):
-    return f"too low at {t:g}"
 
 
 @every_engine
 @every_step
 @pytest.mark.parametrize("end", [2.0, 2.5], ids=["at the end", "on the way"])
 def test_a_guard_sees_a_state_after_its_jump(engine, step, end):
-    guarded = saw(parameters=Clock(2.0, -3.0), guard=Guard(height, "stop", low))
-    found = ENGINES[engine](guarded).run([0.0], [0.0, 1.0, end], step=step)
+    guard = Guard(lambda t, x, u, p: x[0] + 1.0, "stop", lambda t, u, p: f"too low at {t:g}")
+    found = ENGINES[engine](saw(period=2.0, factor=-3.0, guard=guard)).run(
+        [0.0], [0.0, 1.0, end], step=step
+    )
     assert (found.status, found.message) == ("stopped", "stopped: too low at 2")
     np.testing.assert_allclose(found.t, [0.0, 1.0, 2.0])
     np.testing.assert_allclose(found.x[:, 0], [0.0, 1.0, -6.0], atol=1e-12)
-
-
-def over_nothing(t, x, u, p):
-    return x[0] / p.factor
 
 
 @every_engine
 @every_step
 @pytest.mark.parametrize("end", [2.0, 2.5], ids=["at the end", "on the way"])
 def test_a_jump_to_nowhere_is_named(engine, step, end):
-    block = saw(jump=over_nothing, parameters=Clock(2.0, 0.0))
+    block = saw(lambda t, x, u, p: x[0] / p.factor, period=2.0)
     with pytest.raises(SimulationError, match=r"t = 2: state s\[0\] of block saw is not finite"):
         ENGINES[engine](block).run([1.0], [0.0, end], step=step)
 
@@ -179,32 +142,27 @@ def test_python_control_reads_points_and_the_time_between_jumps():
         assert diagram.dynamics(t, [2.0], [0.0]) == [1.0]
         assert diagram.output(t, [2.0], [0.0]) == [2.0]
         assert diagram.linearize([2.0], [0.0], t=t).A == [[0.0]]
-    within = control.input_output_response(diagram, [1.0, 1.9], 0.0, [0.0])
-    np.testing.assert_allclose(within.states[0, -1], 0.9)
-    pinned = {"saw.interval": 0.0}
-    held = control.input_output_response(diagram, [0.0, 3.0], 0.0, [0.0], params=pinned)
-    np.testing.assert_allclose(held.states[0, -1], 3.0)
+    for times, params in (([1.0, 1.9], {}), ([0.0, 3.0], {"saw.interval": 0.0})):
+        found = control.input_output_response(diagram, times, 0.0, [0.0], params=params)
+        np.testing.assert_allclose(found.states[0, -1], times[1] - times[0])
 
 
 # --- blocks -----------------------------------------------------------------------------------
 
 
-def test_a_jump_needs_states_and_breakpoints():
+@pytest.mark.parametrize("lacking", ["breakpoints", "states"])
+def test_a_jump_needs_states_and_breakpoints(lacking):
     said = r"^b: a jump sets states at the block's own breakpoints; give `breakpoints` and `states`"
+    own = {"update": scale, "states": {"s": 1}, "breakpoints": ticks}
+    own |= {"breakpoints": None} if lacking == "breakpoints" else {"update": None, "states": None}
     with pytest.raises(BlockError, match=said):
-        Block("b", update=grow, states={"s": 1}, parameters=Clock(), jump=scale)
-    with pytest.raises(BlockError, match=said):
-        Block("b", output=number, outputs={"s": 1}, parameters=Clock(), breakpoints=ticks,
-              jump=scale)  # fmt: skip
-
-
-def branching(t, x, u, p):
-    return x[0] if x[0] > 0.0 else 0.0
+        Block("b", output=scale, outputs={"y": 1}, inputs={"u": 1}, jump=scale, **own)
 
 
 @every_engine
 def test_a_jump_may_branch(engine):
-    found = ENGINES[engine](saw(jump=branching)).run([-1.75], [0.0, 1.0, 2.0, 2.5]).x
+    block = saw(lambda t, x, u, p: x[0] if x[0] > 0.0 else 0.0)
+    found = ENGINES[engine](block).run([-1.75], [0.0, 1.0, 2.0, 2.5]).x
     np.testing.assert_allclose(found[:, 0], [-1.75, 0.0, 1.0, 1.5], atol=1e-12)
 
 
@@ -213,19 +171,138 @@ def test_a_wire_carries_no_minus_zero_into_a_state(engine):
     """What a wire feeds is a sum that begins at 0.0, and atan2(-0.0, -1) would be -pi."""
     source = Block("source", output=lambda t, x, u, p: -0.0 * np.cos(t), outputs={"r": 1})
     turned = saw(
-        jump=lambda t, x, u, p: u.r,
+        lambda t, x, u, p: u.r,
         inputs={"r": 1},
         output=lambda t, x, u, p: np.arctan2(x.s, -1.0),
         outputs={"angle": 1},
     )
     run = ENGINES[engine](clpt.connect([source, turned]))
-    found = run.signals(run.run([0.0], [0.0, 1.0]), None)
-    assert found[-1, -1] == np.pi
+    assert run.signals(run.run([0.0], [0.0, 1.0]), None)[-1, -1] == np.pi
 
 
 def test_a_block_that_jumps_conforms_is_copied_and_pickled():
-    block = saw(jump=read, inputs={"r": 1})
+    block = saw(read, inputs={"r": 1})
     clpt.conformance.conformance(block)
     for twin in (pickle.loads(pickle.dumps(block)), copy.deepcopy(block), block.copy(name="twin")):
         found = response(twin, [0.0, 1.5], 3.0, [0.0])
         np.testing.assert_allclose(found.states[0], [0.0, 4.5], atol=1e-12)
+
+
+# --- random linear blocks that jump, against matrix exponentials --------------------------------
+
+END, PERIODS = 2.0, (0.4, 0.5, 0.75, 1.0, 5.0)  # some breakpoints coincide, some at the end
+
+
+class Linear(NamedTuple):
+    """x' = A [x, u] + c k, and J [x, u] + d k after a jump, k the interval."""
+
+    A: np.ndarray
+    J: np.ndarray
+    c: np.ndarray
+    d: np.ndarray
+    period: np.ndarray
+    interval: float = -1.0
+
+
+def rate(t, x, u, p):
+    return p.A @ np.concatenate([x, u]) + p.c * p.interval
+
+
+def jump(t, x, u, p):
+    return p.J @ np.concatenate([x, u]) + p.d * p.interval
+
+
+def drawn(random, sizes):
+    """Draw the parameters of blocks of these sizes, each fed by all others."""
+    total, found = sum(sizes), []
+    for n in sizes:
+        A, J = random.normal(size=(n, total)), random.normal(size=(n, total))
+        period = np.array([random.choice(PERIODS), random.random()])
+        found.append(Linear(A, J, random.normal(size=n), random.normal(size=n), period))
+    return found
+
+
+def diagram_of(sizes, parameters, jumping):
+    blocks = [
+        Block(
+            f"b{k}",
+            update=rate,
+            states={f"s{k}": n},
+            inputs={f"s{j}": sizes[j] for j in range(len(sizes)) if j != k},
+            parameters=p,
+            breakpoints=ticks,
+            jump=jump if jumping[k] else None,
+        )
+        for k, (n, p) in enumerate(zip(sizes, parameters, strict=True))
+    ]
+    return clpt.connect(blocks)
+
+
+def exact(sizes, parameters, jumping, x, times):
+    """States by matrix exponentials from breakpoint to breakpoint."""
+    firsts = np.cumsum([0, *sizes])
+    order = [
+        [*range(firsts[k], firsts[k + 1]), *range(firsts[k]), *range(firsts[k + 1], firsts[-1])]
+        for k in range(len(sizes))
+    ]
+    ends = [np.round(ticks(p, 0.0, END), 9) for p in parameters]
+    found, t, intervals = [], 0.0, [0] * len(sizes)
+    for stop in np.union1d(np.concatenate(ends), times):
+        M = np.zeros((len(x) + 1, len(x) + 1))
+        for k, p in enumerate(parameters):
+            own = slice(firsts[k], firsts[k + 1])
+            M[own, order[k]] = p.A
+            M[own, -1] = p.c * intervals[k]
+        x, t = (expm(M * (stop - t)) @ np.append(x, 1.0))[:-1], stop
+        before = x.copy()
+        for k, p in enumerate(parameters):
+            intervals[k] += int(stop in ends[k])
+            if jumping[k] and stop in ends[k]:
+                x[firsts[k] : firsts[k + 1]] = p.J @ before[order[k]] + p.d * intervals[k]
+        if stop in times:
+            found.append(x)
+    return np.array(found)
+
+
+def close(found, wanted, tolerance, said):
+    size = np.maximum(1.0, np.abs(wanted).max(axis=0))
+    assert np.abs((found - wanted) / size).max() < tolerance, said
+
+
+@settings(max_examples=5, deadline=None, derandomize=True, database=None)
+@given(st.integers(0, 2**32 - 1))
+def test_every_engine_follows_matrix_exponentials(seed):
+    random = np.random.default_rng(seed)
+    sizes = random.integers(1, 4, size=random.integers(1, 4)).tolist()
+    jumping = random.random(len(sizes)) < 0.8
+    jumping[0] = True
+    members = [drawn(random, sizes) for _ in range(LANES + 3)]
+    starts = random.normal(size=(len(members), sum(sizes)))
+    times = np.round(np.sort([0.0, *random.uniform(0.0, END, 4), 1.0, END]), 9)
+    wanted = np.array(
+        [exact(sizes, p, jumping, x, times) for p, x in zip(members, starts, strict=True)]
+    )
+    diagrams = [diagram_of(sizes, p, jumping) for p in members[:2]]
+    for form in ("unrolled", "looped"):
+        for diagram, x, states in zip(diagrams, starts, wanted, strict=False):
+            found = NativeDiagram(diagram, form=form).run(x, times, rtol=1e-11, atol=1e-12)
+            close(found.x, states, 1e-8, (seed, form))
+        first = NativeDiagram(diagrams[0]).run(starts[0], times[:4], rtol=1e-11, atol=1e-12)
+        again = NativeDiagram(diagrams[0]).run(first.x[-1], times[3:], rtol=1e-11, atol=1e-12)
+        close(again.x, wanted[0][3:], 1e-8, (seed, "cut"))
+    in_python = PythonDiagram(diagrams[0]).run(starts[0], times, rtol=1e-7, atol=1e-9).x
+    close(in_python, wanted[0], 1e-4, (seed, "python"))
+    runner = NativeDiagram(diagrams[0], form="unrolled")
+    P = np.tile(runner.parameters(), (len(members), 1))
+    for row, own in zip(P, members, strict=True):
+        packed = runner.layout.packed(own)
+        row[: len(packed)] = packed
+    schedules = [NativeDiagram(diagram_of(sizes, p, jumping)).schedule((0.0, END)) for p in members]
+    for lanes in (1, LANES):
+        batch = side_by_side(runner, lanes, starts, times, None, P, schedules, 1e-11)
+        assert set(batch.status) == {numbering.FINISHED}
+        for k, states in enumerate(wanted):
+            close(batch.out[k], states, 1e-8, (seed, lanes, k))
+        one = slice(3, 4)
+        alone = side_by_side(runner, lanes, starts[one], times, None, P[one], schedules[one], 1e-11)
+        np.testing.assert_array_equal(alone.out[0], batch.out[3])

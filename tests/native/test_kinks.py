@@ -1,14 +1,10 @@
 """Runs over kinks and switches, against closed forms."""
 
-import itertools
-
 import control
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 
 import clpt_control as clpt
-from clpt_control.native.python_diagram import PythonDiagram
 from clpt_control.theory import refuting
 
 RTOL, ATOL = 1e-10, 1e-12
@@ -43,11 +39,6 @@ def test_a_run_that_begins_on_a_kink_leaves_it(speed, gain):
     np.testing.assert_allclose(last[2:], [100 * gain * speed, 0.0], rtol=1e-9, atol=1e-12)
 
 
-def dead_zone(t, x, u, p):
-    e = x[0]
-    return [-(e - 1.0) if e > 1.0 else -(e + 1.0) if e < -1.0 else 0.25 * np.cos(t) * 0.0]
-
-
 def played(t, x, u, p):
     """Backlash: the driven side moves only where the gap is used up and the driving one goes on."""
     speed, gap = 2.0 * np.cos(t), 2.0 * np.sin(t) - x[0]
@@ -61,22 +52,6 @@ def behind(t):
     first = np.maximum(wave - 0.5, 0.0)
     down = np.minimum(wave + 0.5, 1.5)
     return np.where(half < 0, first, np.where(half % 2 == 0, down, np.maximum(wave - 0.5, -1.5)))
-
-
-def geared(t, x, u, p):
-    """A mass between springs, with a gap of 2: nothing acts on it within."""
-    return [x[1], -4.0 * (x[0] - np.clip(x[0], -1.0, 1.0))]
-
-
-def swung(t):
-    """From rest at 2: a quarter of a swing, the gap at speed 2, half a swing, and back."""
-    quarter, gap = np.pi / 4, 1.0
-    t = t % (4 * quarter + 2 * gap)
-    side, t = np.where(t < 2 * quarter + gap, 1.0, -1.0), t % (2 * quarter + gap)
-    falls, far = 1 + np.cos(2 * t), -1 + np.sin(-2 * (t - quarter - gap))
-    return side * np.where(
-        t < quarter, falls, np.where(t < quarter + gap, 1 - 2 * (t - quarter), far)
-    )
 
 
 def bang(t):
@@ -115,9 +90,7 @@ FORMS = {  # rates, start, which state, what it is at t
         lambda t: 2 * np.floor(t / np.pi) + 1 - np.cos(t % np.pi),
     ),
     "bang-bang": (lambda t, x, u, p: [x[1], -1.0 if x[0] > 0 else 1.0], [0.5, 0.0], bang),
-    "dead zone": (dead_zone, [3.0], lambda t: 1 + 2 * np.exp(-t)),
     "backlash": (played, [0.0], behind),
-    "a gap between springs": (geared, [2.0, 0.0], swung),
     "floor": (lambda t, x, u, p: [1.0, np.floor(x[0])], [0.0, 0.0], whole, 1),
     "mod": (
         lambda t, x, u, p: [2.0, np.mod(x[0], 1.0)],
@@ -151,12 +124,6 @@ FORMS = {  # rates, start, which state, what it is at t
         lambda t: np.where(t < LN2, 1 - np.exp(-t), 0.5 + (t - LN2) / 2),
         1,
     ),
-    "minimum": (
-        lambda t, x, u, p: [1.0, min(x[0], 3.0) ** 2],
-        [0.0, 0.0],
-        lambda t: np.where(t < 3, t**3 / 3, 9 + 9 * (t - 3)),
-        1,
-    ),
 }
 
 
@@ -183,24 +150,8 @@ def test_what_goes_beyond_a_kink_and_back_within_a_step_is_seen(edge, rtol):
     assert found.attrs["solver_restarts"] == 21
 
 
-@pytest.mark.parametrize("pulse", [0.4, 0.1, 0.02])
-def test_a_kink_that_is_not_felt_may_make_another_one_felt(pulse):
-    """While s = sin(2 pi f t) is within a pulse, and then alone, what is clipped leaves its end."""
-
-    def rate(s):
-        inside = np.logical_and(s > -0.7, s < pulse - 0.7)
-        return np.clip(0.6 * s + np.where(inside, 0.87, -0.17), 0.43, 0.5)
-
-    def turning(t, x, u, p):
-        return [2.0 * np.pi * 13.8, rate(np.sin(x[0]))]
-
-    found = clpt.simulate(system(turning, 2), [0.0, 10.0], None, 0.0)
-    wanted = 10.0 * rate(np.sin(2.0 * np.pi * (np.arange(1e6) + 0.5) / 1e6)).mean()
-    np.testing.assert_allclose(found.states[-1, 1], wanted, rtol=1e-6)
-
-
-@pytest.mark.parametrize("width", [0.4, 0.05, 0.01])
-@pytest.mark.parametrize("ahead", [0.3, 0.02, 0.001])
+@pytest.mark.parametrize("width", [0.4, 0.01])
+@pytest.mark.parametrize("ahead", [0.3, 0.001])
 def test_a_pulse_soon_behind_a_kink_that_is_not_felt_is_met(ahead, width):
     """While s = sin(2 pi f t) falls, a step that nothing reads is passed before the pulse."""
 
@@ -217,11 +168,16 @@ def test_a_pulse_soon_behind_a_kink_that_is_not_felt_is_met(ahead, width):
 
 
 @pytest.mark.parametrize("case", ["saturation", "bang-bang", "maximum", "floor", "a heading"])
-def test_samples_do_not_change_what_a_run_over_kinks_gives(case):
+def test_neither_samples_nor_company_change_what_a_run_over_kinks_gives(case):
     f, x0, *_ = FORMS[case]
     few, many = run(f, x0, [0.0, 10.0]), run(f, x0, np.linspace(0.0, 10.0, 1001))
     np.testing.assert_allclose(few.states[-1], many.states[-1], rtol=1e-9, atol=1e-9)
     assert many.attrs["solver_steps"] == few.attrs["solver_steps"]
+    runner, close = clpt.native.compile(system(f, len(x0))), {"rtol": RTOL, "atol": ATOL}
+    starts = np.array([x0]) + np.linspace(0.0, 0.3, 11)[:, None]
+    for start, found in zip(starts, runner.run_many(starts, T, **close), strict=True):
+        alone = runner.run(start, T, **close).x
+        np.testing.assert_allclose(found, alone, rtol=1e-9, atol=1e-9)
 
 
 def test_a_kink_takes_few_evaluations():
@@ -244,27 +200,6 @@ def test_a_heading_turns_at_the_back_alone():
     assert found.attrs["solver_evaluations"] < 2000
 
 
-def test_a_heading_that_swings_about_its_aim_takes_few_evaluations():
-    def swings(t, x, u, p):
-        return [x[1], -np.arctan2(np.sin(x[0]), np.cos(x[0]))]
-
-    found = run(swings, [0.5, 0.0])
-    np.testing.assert_allclose(found.states[:, 0], 0.5 * np.cos(T), atol=1e-8)
-    smooth = run(lambda t, x, u, p: [x[1], -x[0]], [0.5, 0.0])
-    assert found.attrs["solver_evaluations"] < 1.5 * smooth.attrs["solver_evaluations"]
-
-
-@pytest.mark.parametrize("case", ["saturation", "bang-bang", "floor", "a heading"])
-def test_runs_side_by_side_stop_at_their_own_kinks(case):
-    f, x0, *_ = FORMS[case]
-    runner = clpt.native.compile(system(f, len(x0)))
-    starts = np.array([x0]) + np.linspace(0.0, 0.3, 11)[:, None]
-    together = runner.run_many(starts, T, rtol=RTOL, atol=ATOL)
-    for start, found in zip(starts, together, strict=True):
-        alone = runner.run(start, T, rtol=RTOL, atol=ATOL).x
-        np.testing.assert_allclose(found, alone, rtol=1e-9, atol=1e-9)
-
-
 def at_rest(t, x, u, p):  # rounding alone decides who is larger
     return [
         np.minimum(x[1], x[1] * (1.0 + 1e-16)) - x[0],
@@ -285,18 +220,11 @@ def test_a_kink_that_is_met_at_a_tangent_is_crossed(seed, which, tight):
     points = np.random.default_rng(seed).random((which + 1, refuting.NUMBERS))
     scenario = refuting.drawn("projection", points[which])
     loop, end = clpt.closed_loop(scenario), scenario.run.duration
-    x = start = clpt.initial_state(scenario)
-    runner = clpt.native.compile(loop)
+    start, runner = clpt.initial_state(scenario), clpt.native.compile(loop)
     found = runner.run(start, [0.0, end], rtol=1e-8 * tight, atol=1e-10 * tight)
     assert found.statistics["steps"] < 5_000
-    sweep = PythonDiagram(loop).sweep
-    edges = [0.0, *(t for t in sweep.breakpoints(0.0, end) if t < end), end]
-    for begin, until in itertools.pairwise(edges):
-        sweep.enter(begin)
-        x = solve_ivp(
-            lambda t, x: sweep.rates(t, x), (begin, until), x, "DOP853", rtol=1e-12, atol=1e-14
-        ).y[:, -1]
-    np.testing.assert_allclose(found.x[-1], x, rtol=1e-7, atol=1e-7)
+    free = runner.unlocked().run(start, [0.0, end], rtol=1e-13, atol=1e-14)
+    np.testing.assert_allclose(found.x[-1], free.x[-1], rtol=1e-7, atol=1e-7)
 
 
 def test_a_kink_that_no_state_feels_is_not_looked_for():

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import clpt_control as clpt
-from clpt_control.errors import ClptError, SimulationError
+from clpt_control.errors import SimulationError
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
 
@@ -26,42 +26,24 @@ def test_code_is_made_once_for_diagrams_that_differ_in_numbers():
     ("changes", "sentence"),
     [
         ({"x0": [0.0] * 13}, "x0: must have 14 numbers"),
-        ({"x0": "rest"}, "x0 = 'rest'"),
         ({"times": [0.0]}, "times: must be at least two"),
-        ({"times": [0.0, 2.0, 1.0]}, "increasing"),
-        ({"times": [0.0, np.inf]}, "times: must be finite"),
-        ({"rtol": -1.0}, "rtol = -1.0: must be a number, 0 or more"),
-        ({"atol": np.nan}, "atol = nan"),
-        ({"rtol": 0.0, "atol": 0.0}, "one of them"),
         ({"step": 0.0}, "step = 0.0: must be a number, above 0"),
-        ({"step": 0.1, "rtol": 1e-3}, "rtol: a fixed step has none"),
-        ({"step": 0.1, "atol": 1e-3}, "atol: a fixed step has none"),
-        ({"step": 0.1, "progress": print}, "progress: a fixed step has none"),
-        ({"inputs": [[1.0, 2.0, 3.0]]}, "inputs"),
+        *(
+            ({"step": 0.1, name: value}, f"{name}: a fixed step has none")
+            for name, value in (
+                *(("rtol", 1e-3), ("atol", 1e-3), ("progress", print)),
+                *(("method", "dop853"), ("max_step", 0.1)),
+            )
+        ),
     ],
 )
 def test_every_engine_refuses_what_it_would_have_to_ignore(made, changes, sentence):
-    runner = made(clpt.closed_loop(clpt.paper_scenario(), external=("zc",)))
-    given = {"x0": np.zeros(14), "times": [0.0, 1.0], **changes}
-    with pytest.raises(ClptError, match=re.escape(sentence)):
-        runner.run(given.pop("x0"), given.pop("times"), **given)
-
-
-@pytest.mark.parametrize("made", [NativeDiagram, PythonDiagram])
-def test_a_run_without_inputs_forgets_those_of_the_run_before(made):
-    runner = made(clpt.closed_loop(clpt.paper_scenario(), external=("zc",)))
-    first = runner.run(np.zeros(14), [0.0, 1.0]).x
-    runner.run(np.zeros(14), [0.0, 1.0], inputs=[5.0, 5.0])
-    np.testing.assert_array_equal(runner.run(np.zeros(14), [0.0, 1.0]).x, first)
-
-
-@pytest.mark.parametrize("made", [NativeDiagram, PythonDiagram])
-def test_many_starts_are_checked_too(made):
     runner = made(clpt.closed_loop(clpt.paper_scenario()))
+    given = {"x0": np.zeros(14), "times": [0.0, 1.0], **changes}
+    with pytest.raises(SimulationError, match=re.escape(sentence)):
+        runner.run(given.pop("x0"), given.pop("times"), **given)
     with pytest.raises(SimulationError, match="starts: must have 14 numbers"):
         runner.run_many(np.zeros((3, 13)), [0.0, 1.0])
-    with pytest.raises(SimulationError, match="rtol: a fixed step has none"):
-        runner.run_many(np.zeros((3, 14)), [0.0, 1.0], step=0.1, rtol=1e-3)
 
 
 MIXER = np.array([[1.0] * 6, [1.0, -1.0, 2.0, -2.0, 3.0, -3.0]])

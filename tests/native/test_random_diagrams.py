@@ -95,17 +95,6 @@ def test_a_bound_on_rounding_holds_and_is_near():
     assert off > 1e-12 * b  # each of 320 sums rounds the same way
 
 
-def test_a_bound_on_rounding_sees_a_choice_that_rounding_makes():
-    block = Block("mine", output=chosen, inputs={"u": 1}, outputs={"y": 2})
-    for a, sure in ((0.5, True), (0.1, False)):
-        bound = rounding_of(block, 0.0, [], [a])
-        assert bool(np.all(bound < 1e-12)) == sure
-
-
-def chosen(t, x, u, p):
-    return [np.where(3.0 * u[0] < 0.3, 0.0, 100.0), np.floor(u[0] + 0.9)]
-
-
 @pytest.mark.parametrize("part", range(TESTS))
 def test_random_diagrams_are_read_alike(part):
     ask_all(range(part * IN_A_TEST, (part + 1) * IN_A_TEST))

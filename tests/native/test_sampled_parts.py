@@ -8,7 +8,7 @@ from scipy.linalg import expm
 import clpt_control as clpt
 from clpt_control.conformance import readings
 from clpt_control.equations import Block, Sampled
-from clpt_control.errors import ClptError, DiagramError
+from clpt_control.errors import ClptError
 
 DT = 0.5
 TIMES = DT * np.arange(41)
@@ -21,46 +21,86 @@ def tanks(name="tanks"):
     return control.ss(A, B, [[0.0, 1.0]], 0, inputs="v", outputs="y", name=name)
 
 
+def moved(x, v, since):
+    """Return the exact state of the tanks, v being held."""
+    both = np.block([[A, B], [np.zeros((1, 3))]])
+    return (expm(both * since) @ np.append(x, v))[:2]
+
+
 def error():
     return control.summing_junction(["r", "-y"], "e", name="error")
 
 
-def pid(dt=DT):
+def pid(made="v"):
     """A PID of Tustin's integral and a difference as derivative."""
-    integral = control.tf([dt / 2, dt / 2], [1, -1], dt)
-    difference = control.tf([1, -1], [dt, 0], dt)
-    made = 1.2 + 0.3 * integral + 0.4 * difference
-    return control.tf(made.num, made.den, dt, inputs="e", outputs="v", name="pid")
+    integral = control.tf([DT / 2, DT / 2], [1, -1], DT)
+    difference = control.tf([1, -1], [DT, 0], DT)
+    made_of = 1.2 + 0.3 * integral + 0.4 * difference
+    return control.tf(made_of.num, made_of.den, DT, inputs="e", outputs=made, name="pid")
 
 
-def discretised(controller, plant=None, r=None):
-    """Return the loop at its samples in python-control, the plant under zero-order hold."""
-    plant = plant or tanks()
-    held = control.c2d(plant, DT, "zoh")
-    held = control.ss(held.A, held.B, held.C, held.D, DT, inputs="v", outputs="y", name="held")
-    wired = control.interconnect(
-        [error(), controller, held], inputs="r", outputs=["y", "v"], check_unused=False
-    )
-    return control.input_output_response(wired, TIMES, np.ones(len(TIMES)) if r is None else r)
+def in_a_row():
+    """A filter, a feedback, a delay: at one instant each finds the new output of the other."""
+    return [
+        control.ss([[0.6]], [[0.4]], [[1.0]], [[0.5]], DT, inputs="e", outputs="s", name="filter"),
+        control.tf([0.7, -0.2], [1, -1], DT, inputs="s", outputs="w", name="pi"),
+        control.tf([1], [1, 0], DT, inputs="w", outputs="v", name="late"),
+    ]
+
+
+def whole():
+    return control.interconnect(in_a_row(), inputs="e", outputs="v", name="whole")
+
+
+def stepped(t, x, u, params):
+    integral = x[0] + 0.1 * u[0]
+    most = np.sign(integral) * params["limit"]
+    return np.where(np.abs(integral) > params["limit"], most, integral)
+
+
+def ruled(t, x, u, params):
+    return params["gain"] * (x + u) + 0.05 * np.sin(t)
+
+
+def limited(gain=0.9):
+    ports, params = {"inputs": "e", "outputs": "v", "states": 1}, {"limit": 0.4, "gain": gain}
+    return control.nlsys(stepped, ruled, **ports, dt=DT, params=params, name="limited")
+
+
+LOOPS = {  # the parts of a loop, call-time parameters, and the one controller that they are
+    "a PID": (lambda: [pid()], {}, pid),
+    "a row": (in_a_row, {}, whole),
+    "in another order": (lambda: in_a_row()[::-1], {}, whole),
+    "nested": (lambda: [whole()], {}, whole),
+    "a limit": (lambda: [limited()], {}, limited),
+    "another gain": (lambda: [limited()], {"limited.gain": 0.5}, lambda: limited(0.5)),
+}
 
 
 @every_engine
-def test_a_sampled_pid_on_a_tank_at_its_samples_and_between(engine):
-    loop = clpt.connect([error(), pid(), tanks()], external="r")
+@pytest.mark.parametrize("case", LOOPS)
+def test_a_sampled_controller_on_a_tank_at_its_samples_and_between(case, engine):
+    """At samples it is the loop of discrete time, the plant under zero-order hold."""
+    parts, params, controller = LOOPS[case]
+    loop = clpt.connect([error(), *parts(), tanks()], external="r")
     assert loop.dt == 0
-    fine = np.union1d(TIMES, np.linspace(0.0, TIMES[-1], 173))
-    run = clpt.simulate(loop, fine, 1.0, engine=engine, **TIGHT)
-    expected = discretised(pid())
-    at = np.isin(fine, TIMES)
-    np.testing.assert_allclose(run.y[at], expected.outputs[0], atol=1e-9)
-    np.testing.assert_allclose(run.v[at], expected.outputs[1], atol=1e-9)
-    k = np.searchsorted(TIMES, fine, side="right") - 1
-    np.testing.assert_allclose(run.v, run.v[at][k], atol=0)  # held between
-    exact = [
-        _moved(run.states[at][j, -2:], float(run.v[at][j]), t - TIMES[j])
-        for t, j in zip(fine, k, strict=True)
+    fine = np.union1d(TIMES, np.linspace(0.0, TIMES[-1], 57))
+    run = clpt.simulate(loop, fine, 1.0, params=params, engine=engine, **TIGHT)
+    held = control.c2d(tanks(), DT, "zoh")
+    held = control.ss(held.A, held.B, held.C, held.D, DT, inputs="v", outputs="y", name="held")
+    wired = control.interconnect(
+        [error(), controller(), held], inputs="r", outputs=["y", "v"], check_unused=False
+    )
+    y, v = control.input_output_response(wired, TIMES, np.ones(len(TIMES))).outputs
+    at, k = np.isin(fine, TIMES), np.searchsorted(TIMES, fine, side="right") - 1
+    np.testing.assert_allclose(run.y[at], y, atol=1e-9)
+    np.testing.assert_allclose(run.v[at], v, atol=1e-9)
+    assert run.attrs["engine"] == engine
+    np.testing.assert_allclose(run.v, run.v[at][k], atol=0)
+    between = [
+        moved(run.states[at][j, -2:], v[j], t - TIMES[j]) for t, j in zip(fine, k, strict=True)
     ]
-    np.testing.assert_allclose(run.states[:, -2:], exact, atol=1e-9)
+    np.testing.assert_allclose(run.states[:, -2:], between, atol=1e-9)
 
 
 @pytest.mark.parametrize("start", [1e6, 1e8, 1.7e9])
@@ -68,29 +108,6 @@ def test_a_sampled_loop_may_begin_long_after_zero(start):
     loop = clpt.connect([error(), pid(), tanks()], external="r")
     early, late = (clpt.simulate(loop, t, inputs=1.0, **TIGHT) for t in (TIMES, start + TIMES))
     np.testing.assert_allclose(late["y"], early["y"], atol=1e-15 * start)
-
-
-def _moved(x, v, since):
-    """Return the exact state of the tanks, v being held."""
-    both = np.block([[A, B], [np.zeros((1, 3))]])
-    return (expm(both * since) @ np.append(x, v))[:2]
-
-
-@every_engine
-def test_sampled_parts_that_feed_each_other_are_the_discrete_diagram(engine):
-    """A filter, a feedback, a delay: at one instant each finds the new output of the other."""
-    sampling = [
-        control.ss([[0.6]], [[0.4]], [[1.0]], [[0.5]], DT, inputs="e", outputs="s", name="filter"),
-        control.tf([0.7, -0.2], [1, -1], DT, inputs="s", outputs="w", name="pi"),
-        control.tf([1], [1, 0], DT, inputs="w", outputs="v", name="late"),
-    ]
-    whole = control.interconnect(sampling, inputs="e", outputs="v", name="whole")
-    expected = discretised(whole)
-    for parts in (sampling, sampling[::-1], [whole]):
-        loop = clpt.connect([error(), *parts, tanks()], external="r")
-        run = clpt.simulate(loop, TIMES, 1.0, engine=engine, **TIGHT)
-        np.testing.assert_allclose(run.y, expected.outputs[0], atol=1e-9)
-        np.testing.assert_allclose(run.v, expected.outputs[1], atol=1e-9)
 
 
 @every_engine
@@ -109,7 +126,7 @@ def test_two_rates_in_one_loop(engine):
             s, held = s + 0.3 * held * (k > 0), 1.0 - x[1]
         v = 0.5 * (s + 0.8 * held)
         found.append([x[1], v])
-        x = _moved(x, v, 0.1)
+        x = moved(x, v, 0.1)
     np.testing.assert_allclose(np.transpose([run.y, run.v]), found, atol=1e-9)
 
 
@@ -125,48 +142,6 @@ def test_two_rates_meet_where_the_input_is_sampled(engine):
     for port, dt in (("h", 0.1), ("g", 0.3)):
         expected = np.interp(dt * np.floor(times / dt + 1e-9), times, r)
         np.testing.assert_allclose(run[port], expected, atol=1e-12)
-
-
-def stepped(t, x, u, params):
-    integral = x[0] + 0.1 * u[0]
-    return np.where(
-        np.abs(integral) > params["limit"], np.sign(integral) * params["limit"], integral
-    )
-
-
-def ruled(t, x, u, params):
-    return params["gain"] * (x + u) + 0.05 * np.sin(t)
-
-
-def limited():
-    return control.nlsys(
-        stepped,
-        ruled,
-        inputs="e",
-        outputs="v",
-        states=1,
-        dt=DT,
-        params={"limit": 0.4, "gain": 0.9},
-        name="limited",
-    )
-
-
-@every_engine
-def test_a_sampled_nlsys_in_time(engine):
-    loop = clpt.connect([error(), limited(), tanks()], external="r")
-    run = clpt.simulate(loop, TIMES, 1.0, engine=engine, **TIGHT)
-    assert run.attrs["engine"] == engine
-    np.testing.assert_allclose(run.v, discretised(limited()).outputs[1], atol=1e-9)
-    changed = clpt.simulate(loop, TIMES, 1.0, params={"limited.gain": 0.5}, engine=engine, **TIGHT)
-    own = limited()
-    own.params["gain"] = 0.5
-    np.testing.assert_allclose(changed.v, discretised(own).outputs[1], atol=1e-9)
-
-
-def pid_of(made):
-    part = pid()
-    part.set_outputs([made])
-    return part
 
 
 def test_a_run_goes_on_where_another_ended():
@@ -188,37 +163,46 @@ def test_a_run_that_begins_before_time_0_is_refused(part):
 
 
 def test_many_runs_begin_with_what_is_held():
-    loop = clpt.connect([control.tf([2.0], [1], DT, inputs="y", outputs="v", name="p"), tanks()])
+    """Parameters of a part may be called as a block calls its own: `interval` is one."""
+    sizes = {"inputs": "y", "outputs": "v", "dt": DT, "params": {"interval": -3.0}}
+    part = control.nlsys(None, lambda t, x, u, params: params["interval"] * u, **sizes, name="p")
+    native = clpt.native.compile(clpt.connect([part, tanks()]))
     starts = np.array([[9.0, 0.5, 0.1 * k] for k in range(9)])
-    native = clpt.native.compile(loop)
     found = native.run_many(starts, TIMES[:4], rtol=1e-10, atol=1e-12)
-    for k, start in enumerate(starts):
-        one = native.run(start, TIMES[:4], rtol=1e-10, atol=1e-12).x
-        np.testing.assert_allclose(found[k], one, atol=1e-9)
-        assert found[k, 0, 0] == start[2]  # y, not the 9 that was given
+    for start, own in zip(starts, found, strict=True):
+        one = native.run(start, TIMES[:4], rtol=1e-10, atol=1e-12)
+        np.testing.assert_allclose(own, one.x, atol=1e-9)
+        assert own[0, 0] == start[2]  # y, not the 9 that was given
+        np.testing.assert_allclose(native.signals(one)[:, 0], -3.0 * own[:, 2], atol=1e-9)
     step = native.run(starts[3], TIMES[:4], step=0.05).x
     np.testing.assert_allclose(step, found[3], atol=1e-7)
 
 
-def test_what_is_refused():
-    plant = control.ss(A, B, [[0.0, 1.0]], [[0.5]], inputs="v", outputs="y", name="tanks")
-    direct = clpt.connect([error(), pid(), plant], external="r")
-    with pytest.raises(DiagramError, match="algebraic loop"):
-        clpt.simulate(direct, TIMES, 1.0)
-    with pytest.raises(ClptError, match="dt = True does not say how often"):
-        clpt.connect([control.ss(-1, 1, 1, 0, True, inputs="y", outputs="v", name="p"), tanks()])
-    loop = clpt.connect([error(), pid(), tanks()], external="r")
-    with pytest.raises(ClptError, match="its states jump"):
-        control.input_output_response(loop, TIMES, np.ones(len(TIMES)))
+def law(**values):
+    scenario = clpt.paper_scenario().with_values(values)
+    return next(one for one in clpt.paper_blocks(scenario) if one.name == "adaptation")
 
 
-def test_proofs_refuse_what_is_sampled():
-    from clpt_control.theory.proving.symbolic_loop import symbolic_loop
+DIRECT = control.ss(A, B, [[0.0, 1.0]], [[0.5]], inputs="v", outputs="y", name="tanks")
+OPEN = control.ss(-1, 1, 1, 0, True, inputs="y", outputs="v", name="p")
+REFUSED = {
+    "algebraic loop": lambda: clpt.simulate(
+        clpt.connect([error(), pid(), DIRECT], external="r"), TIMES, 1.0
+    ),
+    "dt = True does not say how often": lambda: clpt.connect([OPEN, tanks()]),
+    "its states jump": lambda: control.input_output_response(
+        clpt.connect([error(), pid(), tanks()], external="r"), TIMES, TIMES
+    ),
+    r"adaptation: period = 0\.0: must be a positive time": lambda: Sampled(law(), 0.0),
+    "adaptation: period = inf": lambda: Sampled(law(), np.inf),
+    "breakpoints or a guard": lambda: Sampled(law(**{"learning.law": "concurrent"}), 1.0),
+}
 
-    loop = clpt.connect([error(), pid(), tanks()], external="r")
-    for jumps in (False, True):
-        with pytest.raises(DiagramError, match="pid: is of discrete time"):
-            symbolic_loop(loop, jumps=jumps)
+
+@pytest.mark.parametrize("said", REFUSED)
+def test_what_is_refused(said):
+    with pytest.raises(ClptError, match=said):
+        REFUSED[said]()
 
 
 @every_engine
@@ -238,54 +222,16 @@ def test_a_switch_that_is_sampled_does_not_chatter(engine):
     np.testing.assert_allclose(run.y, found, atol=1e-9)
 
 
-def test_params_may_be_called_as_a_block_calls_its_own():
-    """`interval` is a parameter of every block that jumps."""
-    part = control.nlsys(
-        None,
-        lambda t, x, u, params: params["interval"] * u,
-        inputs="y",
-        outputs="v",
-        dt=DT,
-        params={"interval": -3.0},
-        name="part",
-    )
-    loop = clpt.connect([part, tanks()])
-    run = clpt.simulate(loop, TIMES[:3], initial_state=[0, 1.0, 1.0])
-    np.testing.assert_allclose(run.v, -3.0 * run.y, atol=1e-12)
-
-
-def law_of(scenario):
-    return next(one for one in clpt.paper_blocks(scenario) if one.name == "adaptation")
-
-
-def held(t, x, u, p):
-    return {"alpha": p.alpha, "K": p.K, "Gamma": p.Gamma}
-
-
 def test_a_sampled_law_reads_alike_in_every_engine():
-    scenario = clpt.paper_scenario()
-    law = law_of(scenario)
-    loop = clpt.closed_loop(scenario, law=Sampled(law, 0.5))
+    loop = clpt.closed_loop(clpt.paper_scenario(), law=Sampled(law(), 0.5))
     x = np.random.default_rng(2).normal(size=loop.nstates)
     jumped = {
         name: ask.jump(3.2, x, []) for name, ask in readings(loop).items() if name != "control"
     }
     for name, found in jumped.items():
         np.testing.assert_allclose(found, jumped["python"], rtol=1e-12, err_msg=name)
-    moved = x[4:14] + 0.5 * law.dynamics(0.0, x[4:14], x[14:])
+    moved = x[4:14] + 0.5 * law().dynamics(0.0, x[4:14], x[14:])
     np.testing.assert_allclose(jumped["python"][4:14], moved, rtol=1e-12)
-
-
-@pytest.mark.parametrize("period", [0.0, -1.0, np.inf])
-def test_a_period_that_is_none_is_refused(period):
-    with pytest.raises(DiagramError, match=r"adaptation: period = .*: must be a positive time"):
-        Sampled(law_of(clpt.paper_scenario()), period)
-
-
-def test_what_jumps_by_itself_is_not_sampled():
-    law = law_of(clpt.paper_scenario().with_values({"learning.law": "concurrent"}))
-    with pytest.raises(DiagramError, match="breakpoints or a guard"):
-        Sampled(law, 1.0)
 
 
 def drift(t, x, u, p):
@@ -300,39 +246,31 @@ def test_euler_of_constant_rates_and_of_time(engine):
     run = clpt.simulate(loop, times, 3.0, engine=engine)
     k = np.floor(times / 0.5)
     np.testing.assert_allclose(run["a"].values, np.outer(0.5 * k, [1, 1]), atol=1e-12)
-    sums = 3.0 * 0.25 * k * (k - 1) / 2
-    np.testing.assert_allclose(
-        run["b"].values.reshape(9, 4), np.outer(sums, np.ones(4)), atol=1e-12
-    )
+    sums = np.outer(3.0 * 0.25 * k * (k - 1) / 2, np.ones(4))
+    np.testing.assert_allclose(run["b"].values.reshape(9, 4), sums, atol=1e-12)
 
 
 def test_conformance_holds():
     """By itself a block holds what it is given."""
-    loop = clpt.connect([error(), limited(), pid_of("w"), tanks()], external="r")
+    loop = clpt.connect([error(), limited(), pid("w"), tanks()], external="r")
     for block in loop.syslist[1:3]:
         report = clpt.conformance.check_block(block)
         assert not report.failures, report
 
 
 def test_a_sampled_nlsys_takes_its_own_params():
-    plant = control.ss(-1, 1, 1, 0, inputs="u", outputs="y", name="plant")
-    gains = {"kp": 1.0, "ki": 0.1}
-    pi = control.nlsys(
-        lambda t, x, u, p: [x[0] + p["ki"] * (u[0] - u[1])],
-        lambda t, x, u, p: [p["kp"] * (u[0] - u[1]) + x[0]],
-        inputs=["r", "y"], outputs="u", states=1, params=gains, dt=0.5, name="pi",
-    )  # fmt: skip
-    loop, times = clpt.connect([plant, pi], external="r"), np.linspace(0, 5, 11)
+    loop = clpt.connect([error(), limited(), tanks()], external="r")
 
-    def end(params):
-        return float(clpt.simulate(loop, times, 1.0, params=params).y[-1])
+    def end(**params):
+        named = {name.replace("_", "."): value for name, value in params.items()}
+        return float(clpt.simulate(loop, TIMES, 1.0, params=named).y[-1])
 
-    assert end({"kp": 2.0}) == end({"pi.kp": 2.0}) == end({"kp": 9.0, "pi.kp": 2.0}) != end(None)
-    for name in ("kp", "pi.kp"):
-        runs = clpt.run_ensemble(loop, {name: [1.0, 2.0]}, timepts=times, inputs=1.0)
-        assert runs.y_final.values.tolist() == pytest.approx([end(None), end({"kp": 2.0})])
+    assert end(gain=2.0) == end(limited_gain=2.0) == end(gain=9.0, limited_gain=2.0) != end()
+    for name in ("gain", "limited.gain"):
+        runs = clpt.run_ensemble(loop, {name: [0.9, 2.0]}, timepts=TIMES, inputs=1.0)
+        assert runs.y_final.values.tolist() == pytest.approx([end(), end(gain=2.0)])
     with pytest.raises(clpt.BlockError, match="unknown parameter 'kd'"):
-        end({"kd": 1.0})
+        end(kd=1.0)
 
 
 def test_a_period_of_one_is_no_period_left_open():
