@@ -6,7 +6,7 @@ import pytest
 import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from lyapunov_systems import system
+from written import NUMPY, written
 
 import clpt_control as clpt
 from clpt_control.errors import ClptError
@@ -17,45 +17,37 @@ from clpt_control.theory.region import enclosed
 X, Y = sympy.symbols("x y", real=True)
 
 
-def reversed_oscillator(a, b):
-    """Return the rates of Khalil's example 8.9."""
-    return [-b, a + (a**2 - 1) * b]
-
-
-def held_up(a, b):
-    """Return the rates of a pendulum at the top, with a limited torque."""
-    return [b, np.sin(a) - np.clip(8 * a + 4 * b, -2, 2)]
-
-
-def dragged(a, b):
-    """Return rates with a drag of the second power, which has a kink in its slope at rest."""
-    return [-2 * a + np.abs(b) * b, -b - 0.1 * np.abs(b) * b]
-
-
-def pocket(a, b):
-    """Return the rates of what is stable but in a pocket that is hard to see."""
-    inside = (np.abs(a - 0.5) < 1e-3) & (np.abs(b - 0.25) < 1e-3)
-    return [np.where(inside, 9.0, -a), -b]
-
-
-CASES = {  # rates, V, box, whether V' changes its sign in the box
-    "Khalil's oscillator": (reversed_oscillator, lambda a, b: 1.5 * a**2 - a * b + b**2, 3.0),
-    "a limited torque": (held_up, lambda a, b: (9 * a**2 + a * b + b**2) / 7, 2.0),
-    "a drag": (dragged, lambda a, b: a**2 + b**2, 9.0),
-    "a pocket": (pocket, lambda a, b: a**2 + b**2, 1.0),
+OSCILLATOR = "a' = -b; b' = a + (a**2 - 1)*b"  # Khalil's example 8.9
+INSIDE = "(abs(a - 0.5) < 1e-3) & (abs(b - 0.25) < 1e-3)"
+CASES = {  # rates, V, box
+    "Khalil's oscillator": (OSCILLATOR, "1.5*a**2 - a*b + b**2", 3.0),
+    "a pendulum at the top, with a limited torque": (
+        "a' = b; b' = sin(a) - clip(8*a + 4*b, -2, 2)",
+        "(9*a**2 + a*b + b**2)/7",
+        2.0,
+    ),
+    "a drag, whose slope has a kink at rest": (
+        "a' = -2*a + abs(b)*b; b' = -b - 0.1*abs(b)*b",
+        "a**2 + b**2",
+        9.0,
+    ),
+    "a pocket that is hard to see": (f"a' = where({INSIDE}, 9.0, -a); b' = -b", "a**2 + b**2", 1.0),
 }
 
 
 @pytest.mark.parametrize("name", CASES)
 def test_the_level_is_where_samples_of_the_rate_first_fail(name):
-    rates, V, half = CASES[name]
+    text, V_text, half = CASES[name]
     box = dict.fromkeys("ab", (-half, half))
-    found = lyapunov(system(rates), lambda s: V(s.a, s.b), within=box)
+    plant, level = written(f"{text}; V = {V_text}")
+    found = lyapunov(plant, level, within=box)
     assert found.status == "proved in a region"
+    V = eval(f"lambda a, b: {V_text}", NUMPY)
     a, b = np.meshgrid(*[np.linspace(-half, half, 2001)] * 2)
+    rates = [eval(part[5:], NUMPY, {"a": a, "b": b}) for part in text.split("; ")]
     h = 1e-6
     slopes = (V(a + h, b) - V(a - h, b)) / (2 * h), (V(a, b + h) - V(a, b - h)) / (2 * h)
-    rate = sum(slope * own for slope, own in zip(slopes, rates(a, b), strict=True))
+    rate = sum(slope * own for slope, own in zip(slopes, rates, strict=True))
     away = np.hypot(a, b) > 1e-3
     edge = (np.abs(a) == half) | (np.abs(b) == half)
     fails = V(a, b)[edge | (away & (rate >= 0))].min()
@@ -63,7 +55,7 @@ def test_the_level_is_where_samples_of_the_rate_first_fail(name):
 
 
 def test_khalils_oscillator_is_found_without_a_v_and_its_region_ends_within_the_cycle():
-    oscillator = system(reversed_oscillator)
+    oscillator, _ = written(OSCILLATOR)
     found = lyapunov(oscillator, within={"a": (-3, 3), "b": (-3, 3)})
     assert str(found.V) == "3*a**2/2 - a*b + b**2"  # P of A'P + PA = -I, by hand
     assert 2.25 < found.level < 2.31  # Khalil reads 2.25 off a contour
@@ -73,65 +65,56 @@ def test_khalils_oscillator_is_found_without_a_v_and_its_region_ends_within_the_
         assert np.abs(clpt.simulate(oscillator, [0, 40.0], 0, size * way).states[-1]).max() < 1e-4
 
 
+def judged(text, *box):
+    plant, V, *more = written(text)
+    return lyapunov(plant, V, within={"x": box}, **dict(*more))
+
+
 def test_a_level_is_exact_where_it_is_known_by_hand():
-    cubic = system(lambda x: [-x + x**3])  # V' < 0 for 0 < x^2 < 1
-    assert 0.999 <= lyapunov(cubic, lambda s: s.x**2, within={"x": (-3, 2)}).level <= 1.0
-    near = lyapunov(cubic, lambda s: s.x**2, within={"x": (-0.5, 2)})
-    assert 0.249 <= near.level <= 0.25  # V on the nearer edge
-    turn = system(lambda x: [np.sin(x)])  # V' = -sin(x)^2
-    found = lyapunov(turn, lambda s: 1 + np.cos(s.x), at={"x": np.pi}, within={"x": (1, 5)})
+    cubic = "x' = -x + x**3; V = x**2"  # V' < 0 for 0 < x^2 < 1
+    assert 0.999 <= judged(cubic, -3, 2).level <= 1.0
+    assert 0.249 <= judged(cubic, -0.5, 2).level <= 0.25  # V on the nearer edge
+    found = judged("x' = sin(x); V = 1 + cos(x); at x = pi", 1, 5)  # V' = -sin(x)^2
     assert 0.999 * (1 + np.cos(5)) <= found.level <= 1 + np.cos(5)
 
 
-def test_parameters_as_they_are_are_said():
+def test_inputs_and_parameters_as_they_are_are_said():
     box = {"x": (-1, 1)}
     damped = control.nlsys(lambda t, x, u, p: -x + x**3, states=["x"], inputs=0, params={"k": 1.0})
     assert "as they are" not in lyapunov(damped, lambda s: s.x**2, within=box).claim
-    own = system(lambda x, k: [-k * x], params={"k": 2.0})
-    assert "with the parameters as they are: what begins there comes to rest" in (
-        lyapunov(own, lambda s: s.x**2, within=box).claim
-    )
-
-
-def test_inputs_are_zero_and_said():
-    pushed = system(lambda x, d: [-x + x**3 + d], "d")
-    found = lyapunov(pushed, lambda s: s.x**2, within={"x": (-2, 2)})
+    said = judged("x' = -k*x; k = 2; V = x**2", -1, 1).claim
+    assert "with the parameters as they are: what begins there comes to rest" in said
+    found = judged("x' = -x + x**3 + d; input d; V = x**2", -2, 2)
     assert (found.status, found.inputs) == ("proved in a region where d = 0", ("d",))
 
 
 NOT_SHOWN = {
-    "unstable": (lambda x: [x], lambda s: s.x**2),
-    "no rest": (lambda x: [1 - x], lambda s: s.x**2),
-    "an edge at the rest": (lambda x: [-np.sign(x)], lambda s: s.x**2),
-    "no value beside it": (lambda x: [-x + x / (x - 1)], lambda s: s.x**2),
+    "unstable": "x' = x",
+    "no rest": "x' = 1 - x",
+    "an edge at the rest": "x' = -sign(x)",
+    "no value beside it": "x' = -x + x/(x - 1)",
 }
 
 
 @pytest.mark.parametrize("name", NOT_SHOWN)
 def test_what_is_not_shown_is_open(name):
-    rates, V = NOT_SHOWN[name]
-    found = lyapunov(system(rates), V, within={"x": (-2, 2)})
+    found = judged(f"{NOT_SHOWN[name]}; V = x**2", -2, 2)
     assert (found.status, found.level) == ("open", None)
 
 
 @pytest.mark.parametrize(
-    ("within", "sentence"),
+    ("text", "within", "sentence"),
     [
-        ({"q": (-1, 1)}, "has no 'q'; states are x"),
-        ({"x": (1, 2)}, "x from 1 to 2; must be finite, with the rest, 0, between"),
-        ({"x": (-1, np.inf)}, "must be finite"),
-        ({"x": (-1, 0, 1)}, "must be an array of numbers"),
+        ("x' = -x", {"q": (-1, 1)}, "has no 'q'; states are x"),
+        ("x' = -x", {"x": (1, 2)}, "x from 1 to 2; must be finite, with the rest, 0, between"),
+        ("x' = -x", {"x": (-1, np.inf)}, "must be finite"),
+        ("x' = -x", {"x": (-1, 0, 1)}, "must be an array of numbers"),
+        ("x' = -x*(2 + sin(t))", {"x": (-1, 1)}, "no region that lasts, for it moves with t"),
     ],
 )
-def test_a_box_that_is_none_is_refused(within, sentence):
+def test_a_box_or_a_system_that_has_no_region_is_refused(text, within, sentence):
     with pytest.raises(ClptError, match=sentence):
-        lyapunov(system(lambda x: [-x]), lambda s: s.x**2, within=within)
-
-
-def test_what_moves_with_time_or_jumps_has_no_region():
-    driven = system(lambda t, x: [-x * (2 + np.sin(t))])
-    with pytest.raises(ClptError, match="no region that lasts, for it moves with t"):
-        lyapunov(driven, lambda s: s.x**2, within={"x": (-1, 1)})
+        lyapunov(*written(text), within=within)
 
 
 # --- enclosures ----------------------------------------------------------------------------------

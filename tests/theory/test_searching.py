@@ -4,36 +4,24 @@ import control
 import numpy as np
 import pytest
 import sympy
-from lyapunov_systems import system
+from written import written
 
 import clpt_control as clpt
 from clpt_control.theory import lyapunov
 from clpt_control.theory.proving.theorem_loop import theorem_scenario
 
-SYSTEMS = {  # rates in states, a rest, and a state to start from
-    "pendulum": (lambda q, w: [w, -9.8 * np.sin(q) - 0.1 * w], None, [2.0, 1.0]),
+SYSTEMS = {  # rates in states, and a state to start from
+    "pendulum": ("q' = w; w' = -9.8*sin(q) - 0.1*w", [2.0, 1.0]),
     "Lorenz's equations, r = 1/2": (
-        lambda a, b, c: [10 * (b - a), 0.5 * a - b - a * c, a * b - 8 / 3 * c],
-        None,
+        "a' = 10*(b - a); b' = 0.5*a - b - a*c; c' = a*b - 8/3*c",
         [3.0, -2.0, 5.0],
     ),
-    "two neurons": (lambda a, b: [-a + 0.5 * np.tanh(b), -b - 0.5 * np.tanh(a)], None, [3.0, -2.0]),
-    "a gain that adapts": (lambda x, k: [x - k * x, x**2], {"k": 2.0}, [1.0, 0.0]),
-    "a pendulum that hangs at pi": (
-        lambda q, w: [w, 9.8 * np.sin(q) - 0.1 * w],
-        {"q": np.pi},
-        [2.0, 1.0],
-    ),
+    "two neurons": ("a' = -a + 0.5*tanh(b); b' = -b - 0.5*tanh(a)", [3.0, -2.0]),
+    "a gain that adapts": ("x' = x - k*x; k' = x**2; at k = 2", [1.0, 0.0]),
+    "a pendulum that hangs at pi": ("q' = w; w' = 9.8*sin(q) - 0.1*w; at q = pi", [2.0, 1.0]),
     "three masses, all springs hard": (
-        lambda a, b, c, u, v, w: [
-            u,
-            v,
-            w,
-            b - 2 * a - a**3 - 0.1 * u,
-            a + c - 2 * b - b**3 - 0.1 * v,
-            b - 2 * c - c**3 - 0.1 * w,
-        ],
-        None,
+        "a' = u; b' = v; c' = w; u' = b - 2*a - a**3 - 0.1*u; "
+        "v' = a + c - 2*b - b**3 - 0.1*v; w' = b - 2*c - c**3 - 0.1*w",
         [1.0, -1.0, 0.5, 0.0, 2.0, 0.0],
     ),
 }
@@ -41,9 +29,9 @@ SYSTEMS = {  # rates in states, a rest, and a state to start from
 
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_what_is_found_is_proved_and_falls_along_a_run_of_python_control(name):
-    rates, rest, start = SYSTEMS[name]
-    own = system(rates)
-    found = lyapunov(own, at=rest)
+    text, start = SYSTEMS[name]
+    own, _, *rest = written(text)
+    found = lyapunov(own, **dict(*rest))
     turned = name == "a pendulum that hangs at pi"  # an angle is held up to whole turns
     assert found.status == ("proved but for q" if turned else "proved"), found
     symbols = list(clpt.equations(own).motion)
@@ -60,19 +48,10 @@ def test_what_is_found_is_proved_and_falls_along_a_run_of_python_control(name):
 @pytest.mark.parametrize("filtered", [False, True])
 def test_of_a_model_reference_loop_it_is_the_textbooks(filtered):
     """A filter of the reference, which input alone moves, is not in V."""
-
-    def rates(t, x, u, p):
-        e, r = x.y - x.ym, x.f if filtered else u.r
-        found = {
-            "y": x.y + 3 * (x.kr * r - x.ky * x.y),
-            "ym": -4 * x.ym + 4 * r,
-            "kr": -2 * r * e,
-            "ky": 2 * x.y * e,
-        }
-        return found | ({"f": u.r - x.f} if filtered else {})
-
-    states = dict.fromkeys(("y", "ym", "kr", "ky", *["f"] * filtered), 1)
-    loop = clpt.Block("mrac", update=rates, states=states, inputs={"r": 1})
+    rates = "y' = y + 3*(kr*{0} - ky*y); ym' = -4*ym + 4*{0}; kr' = -2*{0}*(y - ym)"
+    more = "; f' = r - f" if filtered else ""
+    text = f"{rates}; ky' = 2*y*(y - ym){more}; input r".format("f" if filtered else "r")
+    loop, _ = written(text)
     found = lyapunov(loop, at={"kr": 4 / 3, "ky": 5 / 3})
     y, ym, kr, ky, *_ = clpt.equations(loop).motion
     apart = (kr - sympy.Rational(4, 3)) ** 2 + (ky - sympy.Rational(5, 3)) ** 2
@@ -120,44 +99,48 @@ def test_a_stable_linear_system_always_has_one_and_no_other_does(seed):
 @pytest.mark.parametrize(
     "rates",
     [
-        lambda x: [x**3],
-        lambda x, y: [-x, y],
-        lambda x, y: [-y, x - (1 - x**2) * y],
-        lambda x, k: [x - k * x, -(x**2)],
-        lambda q, w: [w, 9.8 * np.sin(q) - 0.1 * w],
-        lambda x, y: [y, -x + 0.1 * y**3],
-        lambda x: [-x + 2 * x * np.exp(-1e8 * (x - 1) ** 2)],  # no power 1e8 of exp(x) is made
+        "x' = x**3",
+        "x' = -x; y' = y",
+        "x' = -y; y' = x - (1 - x**2)*y",
+        "x' = x - k*x; k' = -(x**2)",
+        "q' = w; w' = 9.8*sin(q) - 0.1*w",
+        "x' = y; y' = -x + 0.1*y**3",
+        "x' = -x + 2*x*exp(-1e8*(x - 1)**2)",  # no power 1e8 of exp(x) is made
     ],
 )
 def test_of_what_leaves_its_rest_nothing_is_proved(rates):
-    found = lyapunov(system(rates))
+    found = lyapunov(written(rates)[0])
     assert found.status == "open" or found.status.startswith("proved but for"), found
 
 
-def test_what_cannot_be_searched_for_is_refused():
-    with pytest.raises(clpt.DiagramError, match=r"x' = 1 at the rest"):
-        lyapunov(system(lambda x: [1 - x]))
-    assert lyapunov(system(lambda x: [1 - x]), at={"x": 1.0}).status == "proved"
-    with pytest.raises(clpt.DiagramError, match=r"x' has no value at the rest"):
-        lyapunov(system(lambda x: [-1 / x]))
-    with pytest.raises(clpt.DiagramError, match="leave the claim out: it is of a V that is given"):
-        lyapunov(system(lambda x: [-x]), claim=lambda s: -s.x)
-    many = control.ss(-np.eye(17), np.zeros((17, 0)), np.eye(17), np.zeros((17, 0)))
-    with pytest.raises(clpt.DiagramError, match="has 17 states; a V is searched for of at most 16"):
-        lyapunov(many)
+MANY = control.ss(-np.eye(17), np.zeros((17, 0)), np.eye(17), np.zeros((17, 0)))
+
+
+@pytest.mark.parametrize(
+    ("plant", "more", "said"),
+    [
+        ("x' = 1 - x", {}, r"x' = 1 at the rest"),
+        ("x' = -1/x", {}, r"x' has no value at the rest"),
+        ("x' = -x", {"claim": lambda s: -s.x}, "leave the claim out: it is of a V that is given"),
+        (MANY, {}, "has 17 states; a V is searched for of at most 16"),
+    ],
+)
+def test_what_cannot_be_searched_for_is_refused(plant, more, said):
+    with pytest.raises(clpt.DiagramError, match=said):
+        lyapunov(written(plant)[0] if isinstance(plant, str) else plant, **more)
 
 
 @pytest.mark.parametrize(
     ("rates", "proved"),
     [
-        (lambda t, x: [-(1 + t) * x], True),
-        (lambda t, x: [-x * np.exp(-t)], True),
-        (lambda t, x: [-x * np.abs(x)], True),
-        (lambda t, x: [-x / (1 + x**2)], True),
-        (lambda t, x: [-(1 - t) * x], False),
-        (lambda t, x: [x * np.exp(-t)], False),
-        (lambda t, x: [-x * np.sin(t)], False),
+        ("x' = -(1 + t)*x", True),
+        ("x' = -x*exp(-t)", True),
+        ("x' = -x*abs(x)", True),
+        ("x' = -x/(1 + x**2)", True),
+        ("x' = -(1 - t)*x", False),
+        ("x' = x*exp(-t)", False),
+        ("x' = -x*sin(t)", False),
     ],
 )
 def test_factors_that_are_never_negative_count_and_no_others(rates, proved):
-    assert (lyapunov(system(rates)).status == "proved") is proved
+    assert (lyapunov(written(rates)[0]).status == "proved") is proved
