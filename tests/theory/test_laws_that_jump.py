@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from own_laws import GAIN, LEARNED, N, filled, law
+from own_laws import LEARNED, N, beside, formula
 from responses import response
 
 import clpt_control as clpt
@@ -25,42 +25,31 @@ def ticks(p, t0, t1):
     return times[(times > t0) & (times <= t1)]
 
 
-def with_memory(t, x, u, p):
-    """The paper's law, and a memory m that only jumps, section III."""
-    return filled(u, p.gain, u.e) | {"m": 0.0}
-
-
-def reverse(t, x, u, p):
-    """Every sign flipped, section III."""
-    return filled(u, -p.gain, u.e) | {"m": 0.0}
-
-
-def jumping(change, update=with_memory):
-    """The paper's law whose states jump at whole times, as `change(x, u)` says."""
+def jumping(text, gain=0.5):
+    """The paper's law with a memory m, whose states jump at whole times as is written."""
+    states = {**LEARNED, "m": 1}
+    written = dict(part.split(" = ") for part in text.split("; "))
+    after = {port: formula(one, states) for port, one in written.items()}
 
     def jump(t, x, u, p):
         """What is learned, changed, section III."""
-        return {port: getattr(x, port) for port in (*LEARNED, "m")} | change(x, u)
+        same = {port: getattr(x, port) for port in states}
+        return same | {port: one(t, x, u, p) for port, one in after.items()}
 
-    return law(
-        update, GAIN | {"interval": -1.0}, states={**LEARNED, "m": 1}, breakpoints=ticks, jump=jump
-    )
-
-
-def remember(x, u):
-    return {"m": u.e @ u.e}
+    ticking = {"gain": gain, "interval": -1.0}
+    return beside("m' = 0*m", {"m": 1}, ticking, breakpoints=ticks, jump=jump)()
 
 
 CASES = {
-    "V reads nothing that jumps": (remember, "proved", ""),
-    "V may rise": (lambda x, u: {"alpha": 0.5 * x.alpha}, "proved between jumps", "V changes by"),
-    "forgotten": (lambda x, u: {"alpha": 0.0 * x.alpha}, "proved between jumps", "V changes by"),
+    "m = e @ e": ("proved", ""),
+    "alpha = 0.5*alpha": ("proved between jumps", "V changes by"),
+    "alpha = 0.0*alpha": ("proved between jumps", "V changes by"),
 }
 
 
-@pytest.mark.parametrize("name", CASES)
-def test_what_is_known_of_jumps_is_said(name):
-    change, status, detail = CASES[name]
+@pytest.mark.parametrize("change", CASES)
+def test_what_is_known_of_jumps_is_said(change):
+    status, detail = CASES[change]
     verdict = prove(jumping(change), points=200)
     across = verdict.steps[-1]
     assert (verdict.status, across.holds) == (status, status == "proved")
@@ -69,9 +58,7 @@ def test_what_is_known_of_jumps_is_said(name):
     assert not verdict.for_every_N
 
 
-@pytest.mark.parametrize(
-    ("change", "holds"), [(lambda x, u: {"m": 0.5 * x.m}, True), (remember, False)]
-)
+@pytest.mark.parametrize(("change", "holds"), [("m = 0.5*m", True), ("m = e @ e", False)])
 def test_V_may_fall_where_states_jump(change, holds):
     level = lambda t, x, u, p: {"V": (u.e @ u.e + u.m @ u.m) / 2}  # noqa: E731
     V = Block("lyapunov", output=level, inputs={"e": 2, "m": 1}, outputs={"V": 1})
@@ -79,32 +66,30 @@ def test_V_may_fall_where_states_jump(change, holds):
 
 
 def test_a_wrong_law_is_refuted_all_the_same():
-    assert prove(jumping(remember, reverse), points=200).status == "refuted"
+    assert prove(jumping("m = e @ e", gain=-0.5), points=200).status == "refuted"
 
 
 @pytest.mark.parametrize("read", [symbolic_loop, ArrayLoop])
 def test_other_proofs_refuse_jumps(read):
-    diagram = theorem_loop(N, "learned-flow", law_block=jumping(remember))
+    diagram = theorem_loop(N, "learned-flow", law_block=jumping("m = e @ e"))
     with pytest.raises(DiagramError, match=r"^own: its states jump, and this proof speaks of no"):
         read(diagram)
 
 
-WRONG = {
-    "alpha turned": lambda x, u: {"alpha": -x.alpha},
-    "all turned": lambda x, u: {port: -getattr(x, port) for port in LEARNED},
-    "alpha turned in a region": lambda x, u: {
-        "alpha": np.where(np.abs(x.K[0]) > 1.0, x.alpha, -3.0 * x.alpha)
-    },
-    "K turned where large": lambda x, u: {"K": np.where(x.K > 3, -x.K, x.K)},
-    "axes of alpha swapped": lambda x, u: {"alpha": x.alpha[::-1]},
-    "0.1 more": lambda x, u: {"K": x.K + 0.1},
-    "by e": lambda x, u: {"Gamma": x.Gamma + u.e},
-}
+WRONG = [
+    "alpha = -alpha",
+    "alpha = -alpha; K = -K; Gamma = -Gamma",
+    "alpha = where(abs(K[0]) > 1.0, alpha, -3.0*alpha)",
+    "K = where(K > 3, -K, K)",
+    "alpha = alpha[::-1]",
+    "K = K + 0.1",
+    "Gamma = Gamma + e",
+]
 
 
-@pytest.mark.parametrize("name", WRONG)
-def test_a_jump_at_which_V_rises_refutes(name):
-    verdict = prove(jumping(WRONG[name]), points=200)
+@pytest.mark.parametrize("change", WRONG)
+def test_a_jump_at_which_V_rises_refutes(change):
+    verdict = prove(jumping(change), points=200)
     assert verdict.status == "refuted at a jump"
     before, after = (verdict.diagram.output(*one)[-1] for one in (verdict.point, verdict.after))
     assert verdict.point.t == verdict.after.t == math.floor(verdict.point.t) > 0
