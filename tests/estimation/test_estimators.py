@@ -2,24 +2,19 @@
 
 import math
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
 from scipy.integrate import trapezoid
 from synthetic_vehicle import STEADY, vehicle
 
-from clpt_control.estimation.dive import make_dive, mid_time
+from clpt_control.estimation.dive import mid_time
 from clpt_control.estimation.estimators import ESTIMATORS
 from clpt_control.estimation.fix_model import FixModel, inertial_frequency
 from clpt_control.estimation.priors import Priors
-from clpt_control.replay.carried_dives import Uncovered, carried_by
-from clpt_control.replay.flow_models import read_flow_model
 from clpt_control.replay.outcome import clpe_rms, summary
 from clpt_control.replay.replay import replay_dives
 from clpt_control.scenario.tidal_periods import period
-
-FIELD = Path(__file__).parents[2] / "clpt_control/data/maracoos_hfr_2019-01-01.nc"
 
 
 def ratio(dives, estimator="kalman", model=None):
@@ -204,39 +199,3 @@ def test_ellipses_hold_after_a_turn():
         )
         inside.append([s.inside for s in replay_dives(dives).steps[-2:]])
     assert np.all(np.mean(inside, axis=0) > 0.8)
-
-
-def flight(model, seed, hours=2.0, speed=0.3):
-    """Dives of a glider in a measured current, to and fro; fewer where it leaves the data."""
-    rng = np.random.default_rng(seed)
-    time = model.time[0] + 60
-    lat, lon = 41.2 + 0.2 * rng.normal(), -69.5 + 0.3 * rng.normal()
-    heading, dives = rng.uniform(0, 2 * np.pi), []
-    for k in range(10):
-        T = 3600 * hours * rng.uniform(0.9, 1.1)
-        angle = heading + np.pi * ((k // 3) % 2) + 0.1 * rng.normal()
-        dr = speed * T * np.array([np.cos(angle), np.sin(angle)])
-        flying = make_dive(k, (time, lat, lon), (time + T, lat, lon), tuple(dr))
-        way = dr + carried_by(flying, model.along(flying)) + 20 * rng.normal(size=2)
-        lat += way[1] / 111.2e3
-        lon += way[0] / (111.2e3 * np.cos(np.radians(lat)))
-        dives.append(
-            make_dive(k, (time, flying.lat_gps2, flying.lon_gps2), (time + T, lat, lon), tuple(dr))
-        )
-        time += T + 900
-    return dives
-
-
-@pytest.mark.slow
-def test_gliders_in_a_measured_current_lose_nothing():
-    """HF radar off Nantucket, a day; the defaults were not fitted to it."""
-    model, ratios = read_flow_model(FIELD), []
-    for seed in range(60):
-        try:
-            rms = clpe_rms(replay_dives(flight(model, seed)), 3)
-        except Uncovered:  # the radar has a gap there
-            continue
-        ratios.append(rms["adaptive"] / rms["previous_dive"])
-    assert len(ratios) >= 12
-    assert np.exp(np.mean(np.log(ratios))) < 0.97
-    assert np.max(ratios) < 1.25

@@ -270,45 +270,39 @@ def test_what_is_not_allowed_is_said(lap, change, said):
 
 
 def test_runs_that_tell_too_little_are_refused(lap):
-    with pytest.raises(clpt.DataError, match="carries no scenario"):
-        estimate(lap.drop_attrs())
-    with pytest.raises(clpt.ArgumentError, match=r"5: must be an xarray\.Dataset"):
-        estimate(5)
-    faster = clpt.simulate(
-        PAPER.with_values({"run.duration": 20}), params={"vehicle_controller.alpha_M": THETA}
-    )
-    with pytest.raises(clpt.DataError, match="parameters given at call time"):
-        estimate(faster)
-    with pytest.raises(clpt.ScenarioError, match="into 5 samples at least"):
-        estimate(lap.sel(time=slice(19.7, 60)))
-    coarse = clpt.simulate(PAPER.with_values({"run.duration": 200, "run.output_step": 4}))
-    with pytest.raises(clpt.DataError, match=r"to 0\.\d+ m only; run it with a smaller"):
-        estimate(coarse)
-    beside = clpt.simulate(PAPER.with_values({"run.duration": 200, "run.output_step": 0.7}))
-    with pytest.raises(clpt.ScenarioError, match="a step that divides that"):
-        estimate(beside)
+    def run(values, **more):
+        return clpt.simulate(PAPER.with_values({"run.duration": 200} | values), **more)
+
     fixes = {"learning": {"law": "fix-regression"}, "localization": {"interval": 5.0}}
-    with pytest.raises(clpt.ScenarioError, match="steers on its prediction between fixes"):
-        estimate(clpt.simulate(PAPER.with_values({**fixes, "run.duration": 40})))
+    parameters = {"vehicle_controller.alpha_M": THETA}
+    for source, said in (
+        (lap.drop_attrs(), "carries no scenario"),
+        (run({"run.duration": 20}, params=parameters), "parameters given at call time"),
+        (lap.sel(time=slice(19.7, 60)), "into 5 samples at least"),
+        (run({"run.output_step": 4}), r"to 0\.\d+ m only; run it with a smaller"),
+        (run({"run.output_step": 0.7}), "a step that divides that"),
+        (run({**fixes, "run.duration": 40}), "steers on its prediction between fixes"),
+    ):
+        with pytest.raises((clpt.DataError, clpt.ScenarioError), match=said):
+            estimate(source)
 
 
 def test_dives_that_tell_too_little_are_refused():
-    basis = steady()
-    with pytest.raises(clpt.DataError, match="no dives are given"):
-        estimate([], basis=basis)
-    for nothing in ("dives", [1, 2]):
-        with pytest.raises(clpt.ArgumentError, match=r"an xarray\.Dataset or Sequence.Dive"):
-            estimate(nothing, basis=basis)
-    with pytest.raises(clpt.DataError, match="or has no time"):
-        estimate([dive(1, (0, 0), hours=0.0)], basis=basis)
-    with pytest.raises(clpt.ScenarioError, match="dives need a basis"):
-        estimate([dive(1, (0, 0))])
-    with pytest.raises(clpt.DataError, match="is not finite"):
-        estimate([dive(1, (np.nan, 0))], basis=basis)
-    with pytest.raises(clpt.ScenarioError, match="width = -1 m: must be positive"):
-        clpt.estimation.dive_basis([dive(1, (0, 0))], -1.0)
-    with pytest.raises(clpt.ScenarioError, match="no function"):
-        clpt.estimation.dive_basis([dive(1, (0, 0))], None, ())
+    basis, one = steady(), [dive(1, (0, 0))]
+    for dives, more, said in (
+        ([], {"basis": basis}, "no dives are given"),
+        (5, {}, r"5: must be an xarray\.Dataset"),
+        ("dives", {"basis": basis}, r"an xarray\.Dataset or Sequence.Dive"),
+        ([1, 2], {"basis": basis}, r"an xarray\.Dataset or Sequence.Dive"),
+        ([dive(1, (0, 0), hours=0.0)], {"basis": basis}, "or has no time"),
+        (one, {}, "dives need a basis"),
+        ([dive(1, (np.nan, 0))], {"basis": basis}, "is not finite"),
+    ):
+        with pytest.raises(clpt.ClptError, match=said):
+            estimate(dives, **more)
+    for more, said in (((-1.0,), "width = -1 m: must be positive"), ((None, ()), "no function")):
+        with pytest.raises(clpt.ScenarioError, match=said):
+            clpt.estimation.dive_basis(one, *more)
 
 
 def test_a_tomography_that_does_not_settle_says_so(monkeypatch):

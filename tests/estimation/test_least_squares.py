@@ -63,15 +63,6 @@ def test_residuals_are_orthogonal_and_their_figures_are_lengths():
     assert fit.condition_number == pytest.approx(values[0] / values[-1])
 
 
-def test_cosine_alone_cannot_hold_a_rotary_tide():
-    t, x = samples()
-    envelope = np.exp(-np.sum((x - [-8, 0]) ** 2, axis=1) / 200)
-    rotary = envelope[:, None] * np.column_stack([np.cos(M2 * t), np.sin(M2 * t)])
-    phi = evaluate(functions([M2]), t, x)
-    assert least_squares(phi, rotary, NAMES).explained_variance > 1 - 1e-12
-    assert least_squares(phi[:, :2], rotary, NAMES).explained_variance < 0.7
-
-
 def test_functions_that_cannot_be_separated_are_named():
     block, (t, x) = functions([0.0, M2], centers=((0.0, 0.0), (0.0, 0.0), (9.0, 0.0))), samples()
     with pytest.raises(DataError, match=r"cannot separate the basis functions .*condition number"):
