@@ -175,12 +175,6 @@ def test_the_papers_flow_is_found_in_one_cycle(lap, method):
     assert np.all(seldom.standard_deviation > fine.standard_deviation)
 
 
-@pytest.mark.parametrize("method", METHODS)
-def test_a_coarse_run_is_enough_for_5_percent(method):
-    run = clpt.simulate(PAPER.with_values({"run.duration": 200}))  # recorded each 1
-    np.testing.assert_allclose(estimate(run, method).theta, THETA, rtol=0.05)
-
-
 def test_tomography_of_a_bent_track_comes_to_the_batch_answer(lap):
     found, batch = estimate(lap, "tomography", every=5.0), estimate(lap, every=5.0)
     np.testing.assert_allclose(found.theta, batch.theta, atol=1e-5)

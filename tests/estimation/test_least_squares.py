@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from scipy.linalg import expm
 from scipy.stats import multivariate_normal, multivariate_t
 from synthetic_vehicle import vehicle
 
@@ -107,23 +106,6 @@ def slow(kind, t):
     g = np.sqrt(3) * abs(t) / kind.memory
     shape = (1 + g) * np.exp(-g) if kind.smooth else np.exp(-abs(t) / kind.memory)
     return kind.size**2 * shape
-
-
-@pytest.mark.parametrize("dt", [0.0, 600.0, 14400.0, 6e4, 1e7])
-def test_a_step_is_the_stochastic_equation_integrated(dt):
-    """F by the matrix exponential of the continuous equation of each slow current."""
-    model = FixModel(("steady",))
-    bank = KalmanBank(model)
-    F = bank.transition(model, dt, 40.0)
-    for k, kind in enumerate(KINDS):
-        g = np.sqrt(3) / kind.memory
-        A = np.array([[0.0, 1.0], [-(g**2), -2 * g]])
-        for axis in (0, 1):
-            one = np.ix_([k], [axis, axis + 2], [axis, axis + 2])
-            if kind.smooth:
-                assert F[one][0] == pytest.approx(expm(dt * A), rel=1e-9, abs=1e-12)
-            else:
-                assert F[k, axis, axis] * kind.size**2 == pytest.approx(slow(kind, dt), rel=1e-12)
 
 
 @pytest.mark.parametrize("dt", [1.0, 3600.0, 1e5, 1e7])
@@ -229,13 +211,3 @@ def test_parts_that_are_there_are_found(flow, there, absent):
         assert parts[there] > 0.9
         wrong.append(parts[absent])
     assert np.mean(wrong) < 0.3
-
-
-def test_what_is_left_of_the_priors_error_is_said():
-    step = replay_dives(vehicle(1, 20, noise=0.01)).steps[-1]
-    assert "speed" not in step.not_learned
-    still = [replace(d, dr_east=0.0, dr_north=0.0) for d in vehicle(1, 20, noise=0.01)]
-    step = replay_dives(still).steps[-1]
-    assert {"speed", "compass"} == set(step.not_learned)
-    none = replay_dives(still, model=FixModel(learn_speed=False)).steps[-1]
-    assert "speed" not in none.parts

@@ -49,21 +49,12 @@ def textbook(s, weight=None):
 # --- adaptive backstepping: x1' = x2 + theta x1^2, x2' = u ----------------------------------------
 
 
-def backstepping(missing=False, c=2.0):
-    def rates(x1, x2, h, c, theta, gamma):
-        phi = x1**2
-        z2 = x2 + c * x1 + h * phi
-        slope = c + 2 * h * x1  # of -alpha in x1
-        tuned = gamma * (x1 * phi + z2 * slope * phi)
-        push = -(0.0 if missing else x1) - c * z2 - slope * (x2 + h * phi) - tuned * phi
-        return [x2 + theta * phi, push, tuned]
-
-    return system(rates, params={"c": c, "theta": 1.5, "gamma": 3.0})
-
-
-def stepped(s):
-    z2 = s.x2 + s.c * s.x1 + s.h * s.x1**2
-    return s.x1**2 / 2 + z2**2 / 2 + (s.theta - s.h) ** 2 / (2 * s.gamma)
+def backstepping(first="x1", c=2.0):
+    z2, slope = "(x2 + c*x1 + h*x1**2)", "(c + 2*h*x1)"  # of -alpha in x1
+    tuned = f"(gamma*(x1**3 + {z2}*{slope}*x1**2))"
+    push = f"-{first} - c*{z2} - {slope}*(x2 + h*x1**2) - {tuned}*x1**2"
+    rates = f"x1' = x2 + theta*x1**2; x2' = {push}; h' = {tuned}; c = {c}; theta = 1.5; gamma = 3"
+    return f"{rates}; V = x1**2/2 + {z2}**2/2 + (theta - h)**2/(2*gamma)"
 
 
 # --- a Luenberger observer ------------------------------------------------------------------------
@@ -183,7 +174,7 @@ RIGHT = {
         mrac(),
         lambda s: (s.y - s.ym) ** 2 / 2 + 0.75 * ((s.kr - 4 / 3) ** 2 + (s.ky - 5 / 3) ** 2),
     ),
-    "backstepping": (backstepping(), stepped),
+    "backstepping": backstepping(),
     "observer": (observer(), of_the_error),
     "pendulum": f"{PENDULUM}; {ENERGY}",
     "tanh": "x' = -tanh(x)",
@@ -224,7 +215,7 @@ REFUTED = {
     "forces that do work": rubbed(-1.0),
     "friction that pushes where cos(y) is near -1": rubbed(1.0, 0.99),
     "MRAC, V forgets b": (mrac(), lambda s: textbook(s, 1)),
-    "backstepping, a term forgotten": (backstepping(missing=True, c=0.3), stepped),
+    "backstepping, a term forgotten": backstepping("0.0", c=0.3),
     "observer, x beside z": (observer(), lambda s: (s.x1 + s.z1) ** 2 + (s.x2 - s.z2) ** 2),
     "pendulum upright": f"{PENDULUM}; {ENERGY}; at theta = pi",
     "pendulum, sign of the potential": f"{PENDULUM}; V = omega**2/2 - g*(1 - cos(theta))",

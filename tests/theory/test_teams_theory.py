@@ -28,40 +28,6 @@ def test_a_one_sided_graph_is_not_proved(monkeypatch):
     assert not next(team_steps()).holds
 
 
-def test_two_that_stand_still_have_a_gramian_by_hand():
-    """phi is [1, q] and [q, 1]: eigenvalues T (1 - q)^2 and T (1 + q)^2 of the team, 0 alone."""
-    places, width, T = [[0.0, 0.0], [3.0, 0.0]], 2.0, 7.0
-    q = np.exp(-(3.0**2) / (2 * width**2))
-    members = {
-        name: vehicle(
-            basis={
-                "kernel": "gaussian",
-                "centers": places,
-                "widths": [width] * 2,
-                "periods": [float("inf")] * 2,
-            },
-            flow_parameters=[[0.0] * 2] * 2,
-            model_parameters=None,
-            learning_parameters=None,
-            vehicle_position=place,
-            learning_position=place,
-            learning_adapt_gains=False,
-            learning_feedback=[1, 1],
-            learning_feedforward=[1, 1],
-            reference={"kind": "waypoints", "points": [place], "dwell": 20.0},
-        )
-        for name, place in zip("ab", places, strict=True)
-    }
-    found = clpt.theory.gramian(team(**members), T, 1.0)
-    for axis in ("x1", "x2"):
-        pooled = found.eigenvalues[axis]
-        np.testing.assert_allclose(pooled, [T * (1 - q) ** 2, T * (1 + q) ** 2], rtol=1e-12)
-        for one in found.vehicles.values():
-            np.testing.assert_allclose(one.eigenvalues[axis], [0, T * (1 + q**2)], atol=1e-12)
-    assert found.not_learnable == []
-    assert found.vehicles["a"].dimension == {"x1": 1, "x2": 1}
-
-
 @pytest.mark.parametrize("rough", [regressor.ROUGH, 1e6])  # then each has its own pieces
 def test_the_pooled_gramian_is_the_sum_with_gains_of_their_own(rough, monkeypatch):
     monkeypatch.setattr(regressor, "ROUGH", rough)
