@@ -1,4 +1,4 @@
-"""Excitation: the paper's numbers, named parameters, recorded runs, closed forms."""
+"""Excitation: the paper's numbers, named parameters, recorded runs, closed forms, teams."""
 
 import json
 
@@ -6,12 +6,14 @@ import numpy as np
 import pytest
 from made_fields import uniform_field
 from pictures import inked
+from strait import DIFFERENT, ROW, team, vehicle
 
 import clpt_control as clpt_package
 from clpt_control.blocks.reference import circle
 from clpt_control.equations import evaluate
 from clpt_control.errors import ScenarioError
 from clpt_control.pages.results import excitation_result
+from clpt_control.theory.excitation import regressor
 from clpt_control.theory.excitation.certificates import certificate
 from clpt_control.theory.excitation.excitation_report import excitation_plot, excitation_report
 from clpt_control.theory.excitation.gramian import (
@@ -266,3 +268,46 @@ def test_the_ceiling_is_an_identity_of_the_blocks():
 def test_where_something_else_moves_the_vehicle_there_is_no_ceiling(values):
     scenario = clpt_package.paper_scenario().with_values({"run.duration": 60, **values})
     assert gramian(scenario, 20.0, 20.0).ceilings == {}
+
+
+@pytest.mark.parametrize("rough", [regressor.ROUGH, 1e6])  # then each has its own pieces
+def test_the_pooled_gramian_is_the_sum_with_gains_of_their_own(rough, monkeypatch):
+    monkeypatch.setattr(regressor, "ROUGH", rough)
+    of = team(0.0, ROW, **DIFFERENT)  # uncoupled, each as its own scenario runs
+    N, window, start = 3, 6.0, 2.0
+    found = clpt_package.theory.gramian(of, window, start)
+    assert found.names["x1"][N:] == [f"{g}_1 of {v}" for v in "abc" for g in ("K", "Gamma")]
+    for axis in ("x1", "x2"):
+        whole = np.zeros((N + 6, N + 6))
+        for k, scenario in enumerate(of.members.values()):
+            own = clpt_package.theory.gramian(scenario, window, start).gramians[axis]
+            at = [*range(N), N + 2 * k, N + 2 * k + 1]
+            whole[np.ix_(at, at)] += own
+        np.testing.assert_allclose(found.gramians[axis], whole, rtol=0, atol=1e-6)
+    run = clpt_package.simulate(of, np.arange(0.0, 12.01, 0.05))
+    read = clpt_package.theory.gramian(run, window, start)
+    assert read.smallest == pytest.approx(found.smallest, rel=1e-2)
+    for name, one in read.vehicles.items():
+        assert one.smallest == pytest.approx(found.vehicles[name].smallest, rel=1e-2)
+
+
+@pytest.mark.parametrize(
+    ("source", "arguments", "said"),
+    [
+        (3, (), "must be a Scenario, a Team, an xarray.Dataset or a Regressor"),
+        (team(a=vehicle(), b=vehicle()), (50.0,), "window 50 from 0: must be positive and lie"),
+        (team(a=vehicle(), b=vehicle()), (-1.0, 0.0), "window -1 from 0: must be positive"),
+    ],
+    ids=["number", "too long", "negative"],
+)
+def test_what_has_no_pooled_gramian(source, arguments, said):
+    with pytest.raises(clpt_package.ClptError, match=said):
+        clpt_package.theory.gramian(source, *arguments)
+
+
+def test_the_certificate_of_one_vehicle_takes_no_team():
+    of = team(a=vehicle(), b=vehicle())
+    with pytest.raises(clpt_package.ArgumentError, match="a Team: must be a Scenario"):
+        clpt_package.theory.certificate(of)
+    with pytest.raises(clpt_package.DataError, match="gramian measures a team"):
+        clpt_package.theory.certificate(clpt_package.simulate(of, [0.0, 1.0, 2.0]))

@@ -1,4 +1,4 @@
-"""A diagram on symbols: as its numbers, for its own N; what vanishes does, misuse is refused."""
+"""A diagram on symbols, for its own N and for every N: as its numbers; misuse is refused."""
 
 import numpy as np
 import pytest
@@ -9,10 +9,15 @@ from written import written
 
 import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS
+from clpt_control.diagrams.interconnection import connect
+from clpt_control.equations.arrays import Tape, Unread
+from clpt_control.equations.block import Block
+from clpt_control.equations.derivative import Direction
+from clpt_control.equations.symbolic import SUM, EveryN, base_and_term
 from clpt_control.theory.proving.running_rate import PointSearch
 from clpt_control.theory.proving.signs import vanishes
-from clpt_control.theory.proving.symbolic_loop import symbolic_loop
-from clpt_control.theory.proving.theorem_loop import law_and_V, law_loop, theorem_loop
+from clpt_control.theory.proving.symbolic_loop import ArrayLoop, symbolic_loop
+from clpt_control.theory.proving.theorem_loop import law_and_V, law_loop, theorem_loop, vanish
 
 
 @pytest.mark.parametrize(
@@ -104,3 +109,196 @@ EXPRESSIONS = st.recursive(
 def test_it_says_what_cancelling_says(one, other):
     assert vanishes(one - sympy.expand(one))
     assert vanishes(one - other) == (sympy.cancel(sympy.together(one - other)) == 0)
+
+
+def reader(**shapes):
+    """Leaves of these shapes on one tape, and their elements."""
+    tape = Tape()
+    leaves = {name: tape.add("leaf", (), shape, ("u", name)) for name, shape in shapes.items()}
+
+    def named(at, shape, index):
+        return sympy.Symbol(at[1] + "".join(f"[{k}]" for k in index), real=True)
+
+    elements = EveryN(tape.operations, named)
+    elements.tape = tape
+    return elements, leaves
+
+
+def of_numbers(expression, values, N):
+    """An expression's number, its sums written out."""
+
+    def numbers(one, places):
+        if one.func == SUM:
+            body, *pairs = one.args
+            names = [str(k) for k in pairs[::2]]
+            each = np.ndindex(*[N] * len(names))
+            return sum(
+                numbers(body, {**places, **dict(zip(names, at, strict=True))}) for at in each
+            )
+        if one.is_Symbol:
+            name, *index = str(one).replace("]", "").split("[")
+            return values[name][tuple(places[k] if k in places else int(k) for k in index)]
+        if one.is_number:
+            return float(one)
+        return float(one.func(*(sympy.Float(numbers(a, places), 30) for a in one.args)))
+
+    return numbers(sympy.sympify(expression), {})
+
+
+FORMS = {
+    "a sum": lambda a, b, P, c: np.sum(c * a + b),
+    "a product of sums": lambda a, b, P, c: np.sum(np.outer(a, b)) * np.sum(a),
+    "a form": lambda a, b, P, c: a @ P @ b - c * (b @ P.T @ b),
+    "the same index twice": lambda a, b, P, c: np.trace(P) + np.sum((P @ a) ** 2),
+    "a sum in a function": lambda a, b, P, c: np.exp(-np.sum(a**2)) * a @ b / (1 + b @ b),
+    "a function in a sum": lambda a, b, P, c: np.sum(np.tanh(a * c) * np.sqrt(b**2 + 1)),
+    "rows and columns": lambda a, b, P, c: np.sum(P * a[:, None] - P.T * b) + np.sum(P @ P.T),
+    "a matrix of sums": lambda a, b, P, c: np.sum(np.exp(P @ a) * b),
+}
+
+
+@pytest.mark.parametrize("form", FORMS)
+@pytest.mark.parametrize("N", [1, 2, 5])
+def test_what_is_read_holds_for_each_N(form, N):
+    elements, u = reader(a=("N",), b=("N",), P=("N", "N"), c=())
+    random = np.random.default_rng(N)
+    values = {k: 0.3 * random.standard_normal([N] * len(v.shape)) for k, v in u.items()}
+    found = of_numbers(elements.of(FORMS[form](**u)), values, N)
+    assert found == pytest.approx(float(FORMS[form](**values)), rel=1e-12)
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_the_derivative_is_that_of_each_N(form):
+    elements, u = reader(a=("N",), b=("N",), P=("N", "N"), c=(), d=("N",))
+    direction = Direction(elements.tape, {u["a"]._ref: u["d"]})
+    slope = direction.of(FORMS[form](*(u[k] for k in "abPc")))
+    random, h = np.random.default_rng(1), 1e-6
+    values = {k: 0.3 * random.standard_normal([3] * len(v.shape)) for k, v in u.items()}
+    ahead, behind = (
+        FORMS[form](values["a"] + s * values["d"], *(values[k] for k in "bPc")) for s in (h, -h)
+    )
+    found = of_numbers(elements.of(slope), values, 3)
+    assert found == pytest.approx((ahead - behind) / (2 * h), rel=1e-7, abs=1e-9)
+
+
+@pytest.mark.parametrize("law", ["learned-flow", "known-flow"])
+@pytest.mark.parametrize("N", [1, 3])
+def test_every_N_agrees_with_each_N(law, N):
+    every, one = ArrayLoop(theorem_loop(3, law)), symbolic_loop(theorem_loop(N, law))
+    plain = {f: sympy.Symbol(str(f.func), real=True) for port in one.inputs.values() for f in port}
+
+    def written_out(expression):
+        base, term = base_and_term(expression)
+        for k in range(1, N + 1):
+            named = {
+                s: sympy.Symbol(s.name.replace("[k]", f"[{k}]"), **s.assumptions0)
+                for s in term.free_symbols
+            }
+            base += term.xreplace(named)
+        return base
+
+    for port in ("x", "z", "K", "Gamma"):
+        pairs = zip(every.elements.of(every.rates[port]), one.rates[port], strict=True)
+        assert all(sympy.expand(written_out(a) - b.xreplace(plain)) == 0 for a, b in pairs)
+    V = written_out(every.elements.of(every.signals["V"])[0])
+    assert sympy.expand(V - one.signals["V"][0]) == 0
+
+
+def own_block(function, N):
+    """s' = function(e, phi)."""
+    return Block(
+        "own",
+        update=lambda t, x, u, p: {"s": function(u.e, u.phi_x)},
+        inputs={"e": 2, "phi_x": "N"},
+        states={"s": 1},
+        sizes={"N": N},
+    )
+
+
+def loop_of(function, claim):
+    """s' = function(e, phi) as a diagram, and s' = claim as what is left of it."""
+    loop = ArrayLoop(connect([own_block(function, 7)], external=["e", "phi_x"], name="own"))
+    return loop, [loop.rates["s"][0] - claim(loop.inputs["e"], loop.inputs["phi_x"])]
+
+
+def holds(function, claim):
+    return vanish(*loop_of(function, claim))[0]
+
+
+def behind_the_loop(e, phi):
+    """sum phi_k + phi_N by the index that the loop leaves."""
+    total = 0.0
+    for k in range(len(phi)):
+        total += phi[k]
+    return total + phi[k]
+
+
+NOT_ALIKE = {
+    "phi_N": lambda e, phi: phi[-1],
+    "phi_1": lambda e, phi: phi[0],
+    "sum phi_k phi_(k-1)": lambda e, phi: np.sum(phi[1:] * phi[:-1]),
+    "sum phi_k phi_(k+1), around the end": lambda e, phi: np.sum(phi * np.roll(phi, 1)),
+    "sum j phi_j, j counted": lambda e, phi: sum(j * one for j, one in enumerate(phi)),
+    "sum k phi_k": lambda e, phi: np.arange(len(phi)) @ phi,
+    "behind the loop": behind_the_loop,
+    "product of phi_k": lambda e, phi: np.prod(phi),
+    "(sum phi_k)/N": lambda e, phi: np.mean(phi),
+    "all but the fifth": lambda e, phi: np.sum(np.where(np.arange(len(phi)) == 4, -phi, phi)),
+}
+
+
+@pytest.mark.parametrize("function", NOT_ALIKE.values(), ids=NOT_ALIKE)
+def test_what_is_not_alike_for_all_functions_is_refused(function):
+    with pytest.raises(Unread, match=r"own\.update is not read for every N: .+"):
+        loop_of(function, lambda e, phi: np.sum(phi))
+
+
+def test_pairs_are_no_sum_of_squares():
+    outer = lambda e, phi: np.sum(np.outer(phi, phi))  # noqa: E731
+    assert holds(outer, lambda e, phi: np.sum(phi) ** 2)
+    assert not holds(outer, lambda e, phi: np.sum(phi**2))
+
+
+def elementary(e, phi):
+    """The fourth elementary symmetric polynomial, of power sums: zero for N = 1, 2, 3."""
+    p = [np.sum(phi**k) for k in range(1, 5)]
+    first, second, third, fourth = p
+    whole = first**4 - 6 * first**2 * second + 3 * second**2 + 8 * first * third - 6 * fourth
+    return whole / 24
+
+
+def test_what_three_numbers_cannot_tell_from_zero_is_not_shown_to_be_zero():
+    assert not holds(elementary, lambda e, phi: 0.0)
+    for N, wanted in ((1, 0.0), (2, 0.0), (3, 0.0), (4, 24.0)):
+        assert elementary(None, np.arange(1.0, N + 1)) == pytest.approx(wanted, abs=1e-12)
+
+
+def test_a_sum_of_ones_is_N_and_not_one():
+    assert not holds(lambda e, phi: np.sum(0 * phi + e[0]), lambda e, phi: e[0])
+    assert holds(lambda e, phi: np.sum(0 * phi + e[0]), lambda e, phi: e[0] * np.sum(0 * phi + 1))
+
+
+def test_a_nonlinear_use_of_a_sum_is_an_atom():
+    norm = lambda e, phi: phi @ phi / (1 + phi @ phi)  # noqa: E731
+    assert holds(norm, lambda e, phi: 1 - 1 / (1 + np.sum(phi**2)))
+    assert not holds(norm, lambda e, phi: 1 - 1 / (1 + np.sum(phi) ** 2))
+
+
+def test_a_signal_that_is_not_fed_function_by_function_is_refused():
+    block = own_block(lambda e, phi: phi @ phi, N=2)
+    turn = {"output": lambda t, x, u, p: {"phi_x": u.e[::-1]}, "outputs": {"phi_x": 2}}
+    turned = Block("turned", inputs={"e": 2}, **turn)
+    diagram = connect([block, turned], external=["e"], name="own")
+    with pytest.raises(Unread, match=r"own\.phi_x is not fed function by function"):
+        ArrayLoop(diagram)
+    assert len(symbolic_loop(diagram).rates["s"]) == 1
+
+
+def test_jumps_have_no_slope_where_V_shall_fall():
+    elements, u = reader(a=(2,))
+    smooth = Direction(elements.tape, {u["a"]._ref: u["a"]}, smooth=True)
+    for jumping in (np.floor(u["a"]), np.sign(u["a"]), np.where(u["a"] > 0, 1.0, u["a"])):
+        with pytest.raises(Unread, match="derivative"):
+            smooth.of(np.sum(jumping))
+    kinked = smooth.of(np.maximum(u["a"], 0.0))
+    assert str(elements.of(kinked)[0]) == "where(ge(a[0], 0), a[0], 0)"
