@@ -50,20 +50,6 @@ def test_only_public_names_are_used(path):
     assert private == set()
 
 
-@pytest.mark.parametrize(
-    ("text", "private"),
-    [
-        ("from clpt_control.replay.aim import aim", "replay.aim.aim"),
-        ("from clpt_control.files import write_text", "files.write_text"),
-        ("import clpt_control.figures", "figures"),
-        ("import clpt_control as clpt\nclpt.theory.no_such_name()", "theory.no_such_name"),
-        ("import clpt_control as clpt\nclpt.arguments", "arguments"),
-    ],
-)
-def test_a_private_name_is_found(text, private):
-    assert [one for one in names_of(ast.parse(text)) if not is_public(one)] == [private]
-
-
 def test_the_style_is_that_of_the_packages_own_figures():
     with plt.style.context("clpt_control.data.house"):
         assert plt.rcParams["axes.prop_cycle"].by_key()["color"] == list(figures.COLOURS)

@@ -9,9 +9,7 @@ from clpt_control.theory.counterexamples import (
     burst_counterexample,
     disturbance_counterexample,
     drive_along,
-    exact_run,
     known_flow_counterexample,
-    scalar_matrix,
     square_wave_counterexample,
     unlearned_counterexample,
 )
@@ -76,14 +74,3 @@ def test_a_field_has_no_bound_to_compare_with():
     flow = paper.flow.model_copy(update={"parameters": None, "field": "current.nc"})
     with pytest.raises(ScenarioError, match="gridded field"):
         drive_along(paper.model_copy(update={"flow": flow}), None)
-
-
-def test_exact_runs_agree_with_an_integrator():
-    from scipy.integrate import solve_ivp
-
-    A, drive = scalar_matrix(2.0, gain=3.0), np.array([0.5, 0.0])
-    times, states = exact_run([(3.0, A, drive, 30)], np.array([1.0, -1.0]))
-    found = solve_ivp(
-        lambda t, x: A @ x + drive, (0, 3), [1.0, -1.0], "DOP853", times, rtol=1e-11, atol=1e-12
-    )
-    assert np.allclose(states, found.y.T, atol=1e-9)

@@ -31,6 +31,8 @@ KERNELS = {"exponential": (4.3331, 4.6692), "gaussian": (0.19002, 0.19353)}
 @pytest.mark.parametrize(("kernel", "expected"), KERNELS.items())
 def test_the_smallest_eigenvalues_of_the_paper(true_paper, kernel, expected):
     found = gramian(true_paper.with_values({"basis.kernel": kernel}), 200.0, 200.0)
+    if kernel == "exponential":
+        np.testing.assert_allclose([*found.ceilings.values()], [5.48, 5.19], atol=0.005)
     least = [values[0] for values in found.eigenvalues.values()]
     np.testing.assert_allclose(least, expected, rtol=5e-5)
     assert found.not_learnable == []
@@ -222,20 +224,6 @@ def test_the_command_prints_the_report(clpt, tmp_path, true_paper):
     np.testing.assert_allclose(smallest, KERNELS["exponential"], rtol=5e-5)
     assert list(printed["least_excited"]["x1"]) == parameter_names(3)["x1"]
     assert inked(tmp_path / "true.png") > 0.01
-
-
-def test_the_eigenvalue_has_a_ceiling_that_is_how_far_the_vehicle_moves(paper, true_paper):
-    """int x'^2 dt by differences of positions, and 5.48 and 5.19 of the review."""
-    found = gramian(true_paper, 200.0, 200.0)
-    times = np.linspace(200.0, 400.0, 200 * 500 + 1)
-    x = clpt_package.simulate(true_paper, times).position.values
-    moved = np.sum(np.diff(x, axis=0) ** 2, axis=0) / (times[1] - times[0])
-    car, theta = paper.vehicle, np.array(paper.flow.parameters)
-    size = np.sum(theta**2, axis=1) + np.square(car.feedback) + np.square(car.feedforward)
-    ceilings = np.array(list(found.ceilings.values()))
-    np.testing.assert_allclose(ceilings, moved / size, rtol=1e-4)
-    np.testing.assert_allclose(ceilings, [5.48, 5.19], atol=0.005)
-    assert all(found.eigenvalues[a][0] <= found.ceilings[a] for a in found.ceilings)
 
 
 def test_the_ceiling_is_an_identity_of_the_blocks():

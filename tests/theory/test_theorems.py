@@ -5,23 +5,18 @@ import os
 
 import numpy as np
 import pytest
-from responses import response
 
 import clpt_control as package
 from analysis.theorems import page
 from clpt_control.blocks import consensus as blocks
 from clpt_control.blocks import learner, vehicle
 from clpt_control.blocks.laws.table import LAWS
-from clpt_control.diagrams.interconnection import connect
 from clpt_control.errors import DiagramError, ScenarioError
-from clpt_control.simulation.loops import paper_blocks
-from clpt_control.theory.promises import truth_of
 from clpt_control.theory.proving import all_proofs
 from clpt_control.theory.proving.all_proofs import GRAPHS, LIMITED_SPEED, statements, team_steps
 from clpt_control.theory.proving.misprints import misprints
 from clpt_control.theory.proving.outcomes import CachedOutcomes, prove_all
 from clpt_control.theory.proving.proof import Step, checked, cited, proof_or_failure, theorem
-from clpt_control.theory.proving.running_rate import Running
 from clpt_control.theory.proving.theorems import audit
 
 
@@ -170,33 +165,6 @@ PAPER = package.paper_scenario()
 @pytest.fixture(autouse=True)
 def few_points(monkeypatch):
     monkeypatch.setattr(all_proofs, "POINTS", 200)
-
-
-def rates_of_V(scenario):
-    """V' along a run by the records of its blocks, and -e^T KD e, at its samples."""
-    blocks, car = paper_blocks(scenario), scenario.vehicle
-    V = scenario.learning.row.V(blocks[-1].parameters, truth_of(scenario))
-    loop = connect([*blocks, V], name="with_V")
-    times = np.arange(0.0, scenario.run.duration, scenario.run.output_step)
-    states = response(loop, times, initial_state=package.initial_state(scenario)).states.T
-    running, u = Running(loop), np.zeros((len(times), 0))
-    rates, _ = running.by_records(times, states, u)
-    largest, fastest = (np.max(np.abs(one), axis=1) for one in (states, rates))
-    h = 0.1 * np.maximum(largest, 1e-3) / np.maximum(fastest, 1e-9)
-    step = h[:, None] * rates
-    ahead, behind = (running.by_records(times, x, u)[1] for x in (states + step, states - step))
-    e = states[:, 0:2] - states[:, 2:4]
-    return (ahead - behind) / (2 * h), -np.sum(np.array(car.feedback) * e**2, axis=1)
-
-
-def test_V_falls_along_the_papers_run_as_without_a_limit():
-    limited = PAPER.with_values({"vehicle.max_speed": 1.5, "run.duration": 200})
-    rates, wanted = rates_of_V(limited)
-    assert wanted.min() < -0.1
-    np.testing.assert_allclose(rates, wanted, atol=1e-9)
-    rates, wanted = rates_of_V(limited.with_values({"learning.hedging": False}))
-    assert np.abs(rates - wanted).max() > 0.1
-    assert rates.max() > 0.1
 
 
 def test_clpe_of_the_papers_run_goes_to_zero_with_hedging_and_not_without():
