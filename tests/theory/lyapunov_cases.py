@@ -307,50 +307,46 @@ OPEN = {  # no point shows it, or none is looked for
     "V of an area cosine": "x' = 0*x; V = arccosh(x)**2 + x**2",
 }
 BESIDE = {  # V' <= 0 is right, and more is to be said
-    "V of what runs with time": ("proved but for x", "x' = 1 + 0*x; V = (x - t)**2"),
-    "oscillators that agree": (
-        "proved but for a",
-        "a' = sin(b - a); b' = sin(a - b); V = 1 - cos(a - b)",
-    ),
-    "an angle that ends": (
-        "proved as long as th exist",
-        f"th' = w*(1 + th**2); w' = -sin(th)*(1 + th**2); {TURNED}",
-    ),
-    "an angle that drives": (
-        "proved but for th, y",
-        f"th' = w; w' = -sin(th); y' = th - y; {TURNED}",
-    ),
-    "a source that drives": ("proved but for y", sourced(lambda t: np.array([t**2])), half),
-    "a jump of what V misses": ("proved but for n", memory(0.5, 3.0), lambda s: s.m**2),
-    "a jump that rises at no breakpoint": (
-        "proved between jumps",
-        jumping(lambda t, x, p: (1 + np.sin(np.pi * t) ** 2) * x.m),
-    ),
-    "a jump that would rise before the first breakpoint": (
-        "proved between jumps",
-        jumping(lambda t, x, p: np.where(p.interval < 0.5, 2.0, 0.5) * x.m),
-    ),
-    "V that misses a state": ("proved but for y", "x' = -x; y' = y; V = x**2/2"),
-    "V that misses two integrators": (
-        "proved but for y, z",  # whose eigenvalues are -1e-10 in floating point
-        "x' = -x; y' = (3*y + x)/10 - 9*z/100; z' = y - 3*z/10; V = x**2/2",
-    ),
-    "V that misses a state that ends": (
-        "proved as long as y exist",
-        "x' = -x; y' = 1 + y**2; V = x**2/2",
-    ),
-    "V of the sum alone": (
-        "proved as long as x exist",
-        "x' = -x + y**3; y' = -y - y**3; V = (x + y)**2",
-    ),
-    "V that a parameter of zero lets go": (
-        "proved but for x",
-        "x' = x; y' = -y + 0*k; k = 0; V = (y + k*x)**2 + y**2",
-    ),
+    "proved but for x": {
+        "V of what runs with time": "x' = 1 + 0*x; V = (x - t)**2",
+        "V that a parameter of zero lets go": "x' = x; y' = 0*k - y; V = (y + k*x)**2 + y**2; "
+        "k = 0",
+    },
+    "proved but for a": {
+        "oscillators that agree": "a' = sin(b - a); b' = sin(a - b); V = 1 - cos(a - b)"
+    },
+    "proved but for th, y": {
+        "an angle that drives": f"th' = w; w' = -sin(th); y' = th - y; {TURNED}"
+    },
+    "proved but for y": {
+        "a source that drives": (sourced(lambda t: np.array([t**2])), half),
+        "V that misses a state": "x' = -x; y' = y; V = x**2/2",
+    },
+    "proved but for n": {"a jump of what V misses": (memory(0.5, 3.0), lambda s: s.m**2)},
+    "proved but for y, z": {  # whose eigenvalues are -1e-10 in floating point
+        "V that misses two integrators": "x' = -x; y' = (3*y + x)/10 - 9*z/100; z' = y - 3*z/10; "
+        "V = x**2/2"
+    },
+    "proved between jumps": {
+        "a jump that rises at no breakpoint": (
+            jumping(lambda t, x, p: (1 + np.sin(np.pi * t) ** 2) * x.m),
+        ),
+        "a jump that would rise before the first breakpoint": (
+            jumping(lambda t, x, p: np.where(p.interval < 0.5, 2.0, 0.5) * x.m),
+        ),
+    },
+    "proved as long as th exist": {
+        "an angle that ends": f"th' = w*(1 + th**2); w' = -sin(th)*(1 + th**2); {TURNED}"
+    },
+    "proved as long as x exist": {
+        "V of the sum alone": "x' = -x + y**3; y' = -y - y**3; V = (x + y)**2"
+    },
+    "proved as long as y exist": {
+        "V that misses a state that ends": "x' = -x; y' = 1 + y**2; V = x**2/2"
+    },
 }
-TABLES = {"proved": RIGHT, "refuted": REFUTED, "open": OPEN}
 CASES = {
     name: (status, *filled(*((row,) if isinstance(row, str) else row)))
-    for status, rows in TABLES.items()
+    for status, rows in {"proved": RIGHT, "refuted": REFUTED, "open": OPEN, **BESIDE}.items()
     for name, row in rows.items()
-} | {name: (status, *filled(*row)) for name, (status, *row) in BESIDE.items()}
+}
