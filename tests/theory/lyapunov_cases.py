@@ -2,7 +2,7 @@
 
 import control
 import numpy as np
-from written import signals, system, written
+from written_systems import signals, system, written
 
 import clpt_control as clpt
 

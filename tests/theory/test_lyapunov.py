@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import sympy
 from lyapunov_cases import CASES, ENERGY, PENDULUM, half, mrac, textbook
-from written import written
+from written_systems import written
 
 import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS

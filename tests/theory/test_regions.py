@@ -6,7 +6,7 @@ import pytest
 import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from written import NUMPY, written
+from written_systems import NUMPY, written
 
 import clpt_control as clpt
 from clpt_control.errors import ClptError

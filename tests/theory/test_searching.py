@@ -4,7 +4,7 @@ import control
 import numpy as np
 import pytest
 import sympy
-from written import written
+from written_systems import written
 
 import clpt_control as clpt
 from clpt_control.theory import lyapunov
