@@ -81,26 +81,6 @@ def test_a_uniform_flow_is_the_miss_over_the_duration(method):
     np.testing.assert_allclose(found.steps[-1], found.theta)
 
 
-def test_a_prior_draws_one_miss_as_it_should():
-    (one,) = dives = [dive(1, (3000.0, 0.0))]
-    basis, _ = clpt.estimation.dive_basis(dives, width=None)
-    found = estimate(dives, basis=basis, prior=0.3, noise=500.0)
-    T = one.duration
-    share = (0.3 * T) ** 2 / ((0.3 * T) ** 2 + 500.0**2)
-    np.testing.assert_allclose(found.theta[0, 0], share * 3000.0 / T, rtol=1e-12)
-    np.testing.assert_allclose(found.standard_deviation, 0.3 * np.sqrt(1 - share), rtol=1e-9)
-
-
-def test_a_track_in_a_turning_flow_is_predicted():
-    segments = turning(np.random.default_rng(1))
-    theta = np.array([[0, 0, -0.3], [0, 0.3, 0]])
-    track = segments.predicted(LINEAR, theta)
-    np.testing.assert_allclose(track[:, -1], segments.end, atol=1e-6)
-    np.testing.assert_allclose(
-        segments.integrals(LINEAR, track) @ theta.T, segments.miss, atol=1e-6
-    )
-
-
 def test_tomography_finds_the_flow_that_bends_the_track():
     segments = turning(np.random.default_rng(2))
     theta = np.array([[0, 0, -0.3], [0, 0.3, 0]])

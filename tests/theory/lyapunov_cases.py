@@ -195,6 +195,7 @@ RIGHT = {
     "a rest elsewhere": "x' = 3 - x; V = (x - 3)**2; at x = 3",
     "a jump that turns": (memory(-1.0),),
     "two wells": "x' = y; y' = x - x**3 - y; V = y**2/2 + (x**2 - 1)**2/4",
+    "a pull that ends at rest": "x' = -sign(x)*sqrt(abs(x))",
     "a pull that is limited": "x' = -clip(x, -1, 1)",
     "a pull of two strengths": "x' = where(x > 0, -x, -2*x)",
     "a square of squares": "x' = y - x**3; y' = -x; V = (x**2 + y**2)**2",
