@@ -12,6 +12,7 @@ from written_systems import written
 import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.theory import lyapunov as judge
+from clpt_control.theory.proving import running_rate
 from clpt_control.theory.proving.signs import factored
 from clpt_control.theory.proving.theorem_loop import theorem_loop
 from clpt_control.theory.squares import squares
@@ -34,8 +35,10 @@ LONG = ("no value at a point", "a pull of powers without a number", "a needle")
 @pytest.mark.parametrize(
     "name", [pytest.param(n, marks=pytest.mark.slow) if n in LONG else n for n in CASES]
 )
-def test_a_V_is_judged(name):
+def test_a_V_is_judged(name, monkeypatch):
     status, plant, V, *more = CASES[name]
+    if status == "open":  # no point refutes it, and few draws look for one
+        monkeypatch.setattr(running_rate, "SEARCHES", 4)
     found = lyapunov(plant, V, **dict(*more))
     if status == "refuted":
         assert found.status.startswith(status), found.claim
