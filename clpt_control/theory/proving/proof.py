@@ -15,7 +15,7 @@ from ...equations.arrays import Unread
 from ...errors import ClptError, DiagramError
 from ...html import facts
 
-LONG = 10**6  # denominators beyond are rounded where they are printed
+LONG = 10**12  # denominators beyond are rounded where they are printed
 How = Literal["exact", "enclosed", "counterexample", "sampled", "cited"]
 
 
