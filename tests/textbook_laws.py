@@ -108,6 +108,7 @@ LAWS = {
     ),
     "e and its cube": shown(driven("e + e**3"), V=of_e("e**2/2 + e**4/4")),
     "the cube of e": shown(driven("e**3"), V=of_e("e**4/4")),
+    "e |e|": shown(driven("e*abs(e)"), V=of_e("abs(e)**3/3")),
     "a dead zone each": shown(
         driven(BEYOND, EACH), "bounded", V=of_e(f"{BEYOND}**2/2", zone=EACH["zone"])
     ),
