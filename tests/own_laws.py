@@ -138,18 +138,6 @@ def projection(t, x, u, p):
     return leaked(x, rates, off[:, None])
 
 
-def half_a_projection(t, x, u, p):
-    """Half of the outward part taken away, section III."""
-    rates = filled(u, p.gain, u.e)
-    for ball in (("alpha",), ("K", "Gamma")):
-        size = sum(np.sum(getattr(x, port) ** 2) for port in ball)
-        outward = sum(np.sum(rates[port] * getattr(x, port)) for port in ball)
-        share = 0.5 * np.clip(size / p.c**2 - 1.0, 0.0, 1.0)
-        off = share * np.maximum(outward, 0.0) / np.maximum(size, p.c**2)
-        rates = leaked(x, rates, off, ball)
-    return rates
-
-
 def memory(t, x, u, p):
     """With a remembered prediction error, never negative, section III."""
     rates, phi = filled(u, p.gain, u.e), u.phi_x[0]
@@ -274,7 +262,6 @@ NOT_PROVED = {  # wrong, or right but not known to be
     "a leak of any sign": leak(
         "gain*c*clip(linalg.norm(alpha) - 1.0, -1.0, 1.0)", ("alpha",), two(0.1)
     ),
-    "half a projection": lambda: law(half_a_projection, two(2.0)),
     "(e + 1e16) - 1e16": rounded_away,
     "(e + 1e16) - 1e16, a small gain": with_numbers(rounded_away, gain=1e-9),
     "(e + 1e16) - 1e16, a tiny gain": with_numbers(rounded_away, gain=1e-15),

@@ -26,7 +26,7 @@ from clpt_control.theory.proving.theorems import audit
 pytestmark = pytest.mark.usefixtures("few_calls")
 POINTS = 100  # of running blocks in each case; the default is 10,000
 LONG = {  # of several seconds: by `make test-slow`
-    *("half a projection", "axes mixed", "a matrix of gains", "a periodic leak"),
+    *("axes mixed", "a matrix of gains", "a periodic leak"),
     *("eps and its cube", "eps exp(-eps^2)"),
 }
 OFTEN = [*WRONG][::10]  # of wrong laws by `make test`; all by `make test-slow`
