@@ -1,17 +1,17 @@
-"""Every public name is documented: summary, parameters, result, source, example."""
+"""Every public name is documented, with parameters, result and example; studies use no others."""
 
 import ast
 import functools
-import importlib
 import inspect
-import pkgutil
 import re
 from pathlib import Path
 
+import matplotlib.pyplot as plt
 import pytest
 from test_layout import trees
 
 import clpt_control
+from clpt_control import figures
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.scenario.tidal_periods import SPEEDS
 
@@ -19,22 +19,8 @@ EQUATION = ["t", "x", "u", "p"]
 REFERENCE = Path(__file__).parent.parent / "docs" / "reference"
 
 
-def modules():
-    yield clpt_control
-    for found in pkgutil.walk_packages(clpt_control.__path__, "clpt_control."):
-        yield importlib.import_module(found.name)
-
-
 def is_code(value):
     return inspect.isfunction(value) or inspect.isclass(value)
-
-
-def all_objects():
-    for module in modules():
-        for name, value in vars(module).items():
-            own = getattr(value, "__module__", None) == module.__name__
-            if own and not name.startswith("_") and is_code(value):
-                yield f"{module.__name__}.{name}", value
 
 
 def rooms():
@@ -67,45 +53,38 @@ def summary(text):
     return text.strip().splitlines()[0]
 
 
-def is_equation(value):
-    return inspect.isfunction(value) and list(inspect.signature(value).parameters)[:4] == EQUATION
+@functools.cache
+def all_docstrings():
+    """Each function and class of the package: its file and name, what it stands in, itself."""
+    found = []
+    for name, tree in trees().items():
+        inner = {n: top for top in tree.body for n in ast.walk(top)}
+        found += [
+            (f"{name}.{node.name}", inner[node], node, ast.get_docstring(node) or "")
+            for node in inner
+            if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef)
+        ]
+    return found
 
 
-def test_every_module_says_what_it_is():
-    bare = [
-        module.__name__
-        for module in modules()
-        if not (module.__doc__ or "").strip() and module.__name__ != "clpt_control.data"
-    ]
-    assert bare == []
+def test_every_file_says_what_it_is():
+    empty = ("data", "")
+    bare = [name for name, tree in trees().items() if not ast.get_docstring(tree)]
+    assert [name for name in bare if name not in empty] == []
 
 
 def test_every_name_says_what_it_is():
-    for name, value in all_objects():
-        text = inspect.getdoc(value)
-        assert text, f"{name} has no docstring"
-        if is_equation(value):
-            source = r"Eqs?\.|section|from the grid|outputs are the states"
-            assert re.search(source, text), f"{name} has no source"
-
-
-@functools.cache
-def all_docstrings():
-    return list(read_docstrings())
-
-
-def read_docstrings():
-    for name, tree in trees().items():
-        inner = {n: top for top in tree.body for n in ast.walk(top)}
-        for node in inner:
-            if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
-                text = ast.get_docstring(node) or ""
-                yield f"{name}.{node.name}", getattr(inner[node], "name", ""), text
+    for name, top, node, text in all_docstrings():
+        if node is top and not node.name.startswith("_"):
+            assert text, f"{name} has no docstring"
+            if [a.arg for a in getattr(node, "args", ast.arguments(args=[])).args][:4] == EQUATION:
+                source = r"Eqs?\.|section|from the grid|outputs are the states"
+                assert re.search(source, text), f"{name} has no source"
 
 
 def test_docstrings_say_what_is_done():
     words = ("Give", "Gives", "Tell", "Tells", "Say", "Says", "Ask", "Asks", "Let", "Lets")
-    found = [name for name, _, text in all_docstrings() if text.split(" ", 1)[0] in words]
+    found = [name for name, *_, text in all_docstrings() if text.split(" ", 1)[0] in words]
     assert found == []
 
 
@@ -115,7 +94,9 @@ def test_only_public_names_have_sections():
     public = {one.__name__ for value in values for one in getattr(value, "__mro__", [value])}
     sections = re.compile(r"^(Parameters|Returns|Raises|Yields)\n---", re.M)
     found = [
-        name for name, top, text in all_docstrings() if top not in public and sections.search(text)
+        name
+        for name, top, _, text in all_docstrings()
+        if getattr(top, "name", "") not in public and sections.search(text)
     ]
     assert found == []
 
@@ -195,3 +176,54 @@ def test_every_file_of_the_engine_is_on_its_page():
     files = {path.resolve() for path in links}
     engine = (REFERENCE.parents[1] / "clpt_control/native").glob("*.py")
     assert {path for path in engine if path.stem != "__init__"} <= files
+
+
+ROOT = Path(__file__).parent.parent
+FILES = [path for room in ("examples", "analysis") for path in sorted((ROOT / room).glob("*.py"))]
+
+
+def is_public(name):
+    """Whether `clpt.` or one of its rooms lists a name, such as "replay.aims"."""
+    room, _, own = name.rpartition(".")
+    if not room:
+        return own in clpt_control.__all__
+    held = getattr(clpt_control, room, None) if room in clpt_control.__all__ else None
+    return inspect.ismodule(held) and own in held.__all__
+
+
+def names_of(tree):
+    """Names of the package that a file imports, or asks of `clpt.`."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom) and f"{node.module}.".startswith("clpt_control."):
+            room = node.module.partition(".")[2]
+            yield from (f"{room}.{one.name}".lstrip(".") for one in node.names)
+        elif isinstance(node, ast.Import):
+            yield from (
+                one.name.partition(".")[2]
+                for one in node.names
+                if one.name.startswith("clpt_control.")
+            )
+        elif isinstance(node, ast.Attribute) and not node.attr.startswith("__"):
+            match node:
+                case ast.Attribute(ast.Name("clpt"), name):
+                    yield name
+                case ast.Attribute(ast.Attribute(ast.Name("clpt"), room), name):
+                    if inspect.ismodule(getattr(clpt_control, room, None)):
+                        yield f"{room}.{name}"
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: f"{path.parent.name}/{path.name}")
+def test_only_public_names_are_used(path):
+    private = {one for one in names_of(ast.parse(path.read_text("utf-8"))) if not is_public(one)}
+    assert private == set()
+
+
+def test_the_style_is_that_of_the_packages_own_figures():
+    with plt.style.context("clpt_control.data.house"):
+        assert plt.rcParams["axes.prop_cycle"].by_key()["color"] == list(figures.COLOURS)
+        ours = plt.figure().subplots()
+    _, theirs = figures.new_figure()
+    for ax in (ours, theirs):
+        assert [ax.spines[side].get_visible() for side in ("top", "right", "left")] == [0, 0, 1]
+    lines = [ax.xaxis.get_gridlines()[0] for ax in (ours, theirs)]
+    assert len({(one.get_visible(), one.get_linewidth(), one.get_alpha()) for one in lines}) == 1

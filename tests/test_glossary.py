@@ -108,43 +108,36 @@ def test_no_name_is_a_file_too(room):
     assert both == set()
 
 
-@pytest.mark.parametrize(
-    ("unit", "size"),
-    [
-        *((text, 1.0) for text in ("m/s", "m s-1", "m.s-1", "m s^-1", "m s**-1", "metres per sec")),
-        *((text, 0.01) for text in ("cm/s", "cm s-1", "cm/sec", " cm / second ")),
-        *((text, 1 / 3.6) for text in ("km/h", "km h-1", "km/hr", "kilometers per hour")),
-        *((text, 1852 / 3600) for text in ("knot", "Knots", "kt", "kts", "kn")),
-        *((text, 1e-3) for text in ("mm/s", "millimeters per second", "mm s-1")),
-        ("m/day", 1 / 86400),
-    ],
-)
-def test_speeds(unit, size):
-    assert speed_in_metres_per_second(unit, "u") == pytest.approx(size, rel=1e-15)
+SPEEDS = {  # m/s
+    "m/s, m s-1, m.s-1, m s^-1, m s**-1, metres per sec": 1.0,
+    "cm/s, cm s-1, cm/sec,  cm / second ": 0.01,
+    "km/h, km h-1, km/hr, kilometers per hour": 1 / 3.6,
+    "knot, Knots, kt, kts, kn": 1852 / 3600,
+    "mm/s, millimeters per second, mm s-1": 1e-3,
+    "m/day": 1 / 86400,
+}
+TIMES = {  # s
+    "s, sec, secs, second, Seconds": 1.0,
+    "min, mins, minute, minutes": 60.0,
+    "h, hr, hrs, hour, hours since 2019-01-01": 3600.0,
+    "d, day, days": 86400.0,
+    "milliseconds": 1e-3,
+    "nanoseconds since 2010-07-29 13:31:04": 1e-9,
+}
 
 
 @pytest.mark.parametrize(
-    ("unit", "size"),
-    [
-        *((text, 1.0) for text in ("s", "sec", "secs", "second", "Seconds")),
-        *((text, 60.0) for text in ("min", "mins", "minute", "minutes")),
-        *((text, 3600.0) for text in ("h", "hr", "hrs", "hour", "hours since 2019-01-01")),
-        *((text, 86400.0) for text in ("d", "day", "days")),
-        ("milliseconds", 1e-3),
-        ("nanoseconds since 2010-07-29 13:31:04", 1e-9),
-    ],
+    ("read", "table"), [(speed_in_metres_per_second, SPEEDS), (time_in_seconds, TIMES)]
 )
-def test_times(unit, size):
-    assert time_in_seconds(unit, "time") == size
+def test_speeds_and_times(read, table):
+    for units, size in table.items():
+        for unit in units.split(", "):
+            assert read(unit, "u") == pytest.approx(size, rel=1e-15), unit
 
 
 def test_lengths_and_dates():
-    assert [length_in_metres(unit, "x") for unit in ("km", "m", "Metres", "cm")] == [
-        1e3,
-        1,
-        1,
-        0.01,
-    ]
+    lengths = [length_in_metres(unit, "x") for unit in ("km", "m", "Metres", "cm")]
+    assert lengths == [1e3, 1, 1, 0.01]
     day = 86400.0
     assert seconds_since_1970("1970-01-02") == day
     assert seconds_since_1970("1970-01-02T00:00:00+02:00") == day - 7200

@@ -24,31 +24,6 @@ def test_the_sections_are_those_of_the_laws():
         assert re.search(rf"^## .*`{law.name}`", text, re.M)
 
 
-def test_equations_become_formulas():
-    tool = runpy.run_path(str(TOOL))
-    assert tool["formula"]("theta_hat' = gamma phi_f e^T/r^2") == (
-        r"\hat{\theta}' = \gamma \phi_{f} e^{\top} / r^2"
-    )
-    assert tool["formula"]("KD_i <= GammaD") == r"K_{D,i} \le \Gamma_D"
-    assert tool["formula"]("Q = M (1 + m M)^-1") == "Q = M ( 1 + m M )^{-1}"
-
-
-@pytest.mark.parametrize(
-    ("text", "typeset"),
-    [
-        ("so V' = -e^T KD e, Theorem 3.2.", r"so $V' = - e^{\top} K_D e$, Theorem 3.2."),
-        ("a each of its errors, a - a*", "a each of its errors, $a - a^{*}$"),
-        ("the vehicle's own P, N x N", "the vehicle's own $P$, $N$ by $N$"),
-        ("K of `e-law`. Source: V. K. Rao", "$K$ of `e-law`. Source: V. K. Rao"),
-        ("e: |(theta - theta_hat) phi| is", r"$e$: $| ( \theta - \hat{\theta} ) \phi |$ is"),
-        ("| law | clip(norm(e)/M, 0, 0.1) |",
-         r"| law | $\operatorname{clip} ( \operatorname{norm} ( e ) / M , 0 , 0.1 )$ |"),
-    ],
-)  # fmt: skip
-def test_symbols_in_sentences_become_formulas(text, typeset):
-    assert runpy.run_path(str(TOOL))["typeset"](text) == typeset
-
-
 @pytest.mark.parametrize("name", LAWS)
 def test_the_command_prints_a_laws_page(clpt, printed, name):
     outcome = clpt("laws", name)

@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from scipy.linalg import expm
 from scipy.stats import multivariate_normal, multivariate_t
 from synthetic_vehicle import vehicle
 
@@ -40,15 +39,6 @@ def samples(n=400, hours=24.0):
     return rng.uniform(0, hours, n), rng.uniform(-20, 20, (n, 2))
 
 
-def test_theta_is_recovered_exactly():
-    block, (t, x) = functions([0.0, M2]), samples()
-    theta = np.random.default_rng(2).normal(size=(2, 6))
-    fit = least_squares(evaluate(block, t, x), evaluate(block, t, x) @ theta.T, NAMES)
-    np.testing.assert_allclose(fit.theta, theta, atol=1e-12)
-    assert fit.explained_variance == pytest.approx(1.0, abs=1e-12)
-    assert fit.residual_max < 1e-12
-
-
 def test_residuals_are_orthogonal_and_their_figures_are_lengths():
     block, (t, x) = functions([0.0, M2]), samples()
     phi, flow = evaluate(block, t, x), np.random.default_rng(4).normal(size=(400, 2))
@@ -61,15 +51,6 @@ def test_residuals_are_orthogonal_and_their_figures_are_lengths():
     assert fit.explained_variance == pytest.approx(share)
     values = np.linalg.svd(phi, compute_uv=False)
     assert fit.condition_number == pytest.approx(values[0] / values[-1])
-
-
-def test_cosine_alone_cannot_hold_a_rotary_tide():
-    t, x = samples()
-    envelope = np.exp(-np.sum((x - [-8, 0]) ** 2, axis=1) / 200)
-    rotary = envelope[:, None] * np.column_stack([np.cos(M2 * t), np.sin(M2 * t)])
-    phi = evaluate(functions([M2]), t, x)
-    assert least_squares(phi, rotary, NAMES).explained_variance > 1 - 1e-12
-    assert least_squares(phi[:, :2], rotary, NAMES).explained_variance < 0.7
 
 
 def test_functions_that_cannot_be_separated_are_named():
@@ -116,31 +97,6 @@ def slow(kind, t):
     g = np.sqrt(3) * abs(t) / kind.memory
     shape = (1 + g) * np.exp(-g) if kind.smooth else np.exp(-abs(t) / kind.memory)
     return kind.size**2 * shape
-
-
-@pytest.mark.parametrize("dt", [0.0, 600.0, 14400.0, 6e4, 1e7])
-def test_a_step_is_the_stochastic_equation_integrated(dt):
-    """F by the matrix exponential of the continuous equation of each slow current."""
-    model = FixModel(("steady",))
-    bank = KalmanBank(model)
-    F = bank.transition(model, dt, 40.0)
-    for k, kind in enumerate(KINDS):
-        g = np.sqrt(3) / kind.memory
-        A = np.array([[0.0, 1.0], [-(g**2), -2 * g]])
-        for axis in (0, 1):
-            one = np.ix_([k], [axis, axis + 2], [axis, axis + 2])
-            if kind.smooth:
-                assert F[one][0] == pytest.approx(expm(dt * A), rel=1e-9, abs=1e-12)
-            else:
-                assert F[k, axis, axis] * kind.size**2 == pytest.approx(slow(kind, dt), rel=1e-12)
-
-
-@pytest.mark.parametrize("dt", [1.0, 3600.0, 1e5, 1e7])
-def test_what_is_forgotten_is_a_covariance(dt):
-    model = FixModel()
-    bank = KalmanBank(model)
-    F, P = bank.transition(model, dt, 40.0), bank.covariance
-    assert np.linalg.eigvalsh(P - F @ P @ F.transpose(0, 2, 1)).min() > -1e-15
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -238,13 +194,3 @@ def test_parts_that_are_there_are_found(flow, there, absent):
         assert parts[there] > 0.9
         wrong.append(parts[absent])
     assert np.mean(wrong) < 0.3
-
-
-def test_what_is_left_of_the_priors_error_is_said():
-    step = replay_dives(vehicle(1, 20, noise=0.01)).steps[-1]
-    assert "speed" not in step.not_learned
-    still = [replace(d, dr_east=0.0, dr_north=0.0) for d in vehicle(1, 20, noise=0.01)]
-    step = replay_dives(still).steps[-1]
-    assert {"speed", "compass"} == set(step.not_learned)
-    none = replay_dives(still, model=FixModel(learn_speed=False)).steps[-1]
-    assert "speed" not in none.parts

@@ -5,7 +5,7 @@ import pytest
 from test_flow_estimate import LINEAR, PAPER, THETA, estimate, turning
 
 import clpt_control as clpt
-from clpt_control.estimation.fix_to_fix import batch_least_squares, generalised, kalman, whitened
+from clpt_control.estimation.fix_to_fix import batch_least_squares, generalised, kalman
 from clpt_control.estimation.segments import Segments, run_segments
 
 
@@ -17,14 +17,6 @@ def shared(random, n, **more):
     read = np.eye(noises[-1] + 1)[noises] if "noise_period" in more else np.eye(n + 1)
     difference = np.diff(read, axis=0)
     return segments, 0.09 * np.eye(n) + (1 - 0.09) / 2 * difference @ difference.T
-
-
-@pytest.mark.parametrize("more", [{}, {"noise_period": 8.0}, {"noise_period": 10.0}], ids=str)
-def test_innovations_are_those_of_the_whole_covariance(more):
-    """Cholesky's factor of the covariance, where fixes share a noise, and where one lasts."""
-    segments, C = shared(np.random.default_rng(7), 9, **more)
-    found = whitened(segments, np.eye(9), np.ones(9))
-    np.testing.assert_allclose(found, np.linalg.inv(np.linalg.cholesky(C)), atol=1e-12)
 
 
 @pytest.mark.parametrize("period", [2.0, 4.0, 8.0, 10.0, 40.0])
@@ -39,7 +31,7 @@ def test_what_one_noise_does_to_several_misses_is_bounded(period):
         np.testing.assert_allclose(bound, np.sum(t**2, axis=0), rtol=0.15)
 
 
-@pytest.mark.parametrize("more", [{}, {"noise_period": 8.0}], ids=str)
+@pytest.mark.parametrize("more", [{}, {"noise_period": 8.0}, {"noise_period": 10.0}], ids=str)
 def test_misses_that_share_a_fix_are_weighed_as_gauss_and_markov_say(more, monkeypatch):
     monkeypatch.setattr(Segments, "blur", lambda self, basis: np.zeros((9, 3, 3)))
     segments, C = shared(np.random.default_rng(8), 9, **more)
@@ -113,7 +105,7 @@ def test_a_run_that_is_read_with_noise_says_how_well_it_tells():
     np.testing.assert_allclose(sd[0.04], 4 * sd[0.01], rtol=0.05)
     short = noisy[0.01].isel(time=slice(0, 401))
     np.testing.assert_allclose(estimate(short, "tomography", every=5.0).theta, THETA, atol=0.2)
-    found = [estimate(read_with_noise(k, period=10.0), every=2.0) for k in range(8)]  # one noise in
+    found = [estimate(read_with_noise(k, period=10.0), every=2.0) for k in range(4)]  # one noise in
     assert np.mean([covered(one.theta, one.covariance) for one in found]) >= 0.95  # five segments
     beside = clpt.simulate(
         PAPER.with_values({**NOISY, "localization": {"noise": 0.02, "noise_period": 0.25}})

@@ -1,49 +1,171 @@
-"""Systems with a V each: right ones, and wrong ones of many kinds."""
-
-from types import FunctionType
+"""Systems with a V each: right ones, and wrong ones of many kinds, most as they are written."""
 
 import control
 import numpy as np
-from lyapunov_systems import (
-    TICKS,
-    backstepping,
-    chain,
-    counting,
-    energy,
-    half,
-    halves,
-    jumping,
-    memory,
-    mrac,
-    observer,
-    of_the_error,
-    of_the_shaft,
-    pendulum,
-    rubbed,
-    shaft,
-    sourced,
-    spinning,
-    stepped,
-    system,
-    textbook,
-    turned,
-)
+from written_systems import signals, system, written
 
 import clpt_control as clpt
-from clpt_control.equations import lookup
 
 
-def table(rows):
-    """name -> system, V, what else is given: of rates a system, else half the squares of states."""
-    return {
-        name: filled(*(row if isinstance(row, tuple) else (row,))) for name, row in rows.items()
-    }
-
-
-def filled(plant, V=None, *more):
-    plant = system(plant) if isinstance(plant, FunctionType) else plant
+def filled(plant, *more):
+    """What is written, or a system, its V, and what else is given."""
+    if isinstance(plant, str):
+        return written(plant)
     names = [label.partition("[")[0] for label in plant.state_labels]
-    return plant, V or (lambda s: sum(getattr(s, name) ** 2 for name in names) / 2), *more
+    return plant, *(more or [signals(None, dict.fromkeys(names))])
+
+
+# --- model reference adaptive control of a first-order plant, in four blocks ---------------------
+
+PLANT = system(lambda y, u, a, b: [a * y + b * u], "u", {"a": 1.0, "b": 3.0}, outputs="y")
+MODEL = system(
+    lambda ym, r, am, bm: [-am * ym + bm * r],
+    "r",
+    {"am": 4.0, "bm": 4.0},
+    outputs="ym",
+    name="model",
+)
+SIGNALS = {"inputs": ["r", "y", "kr", "ky"], "outputs": "u"}
+CONTROLLER = control.nlsys(
+    None, lambda t, x, u, p: u[2] * u[0] - u[3] * u[1], name="controller", **SIGNALS
+)
+
+
+def mrac(sign=1.0):
+    def rates(kr, ky, r, y, ym, gamma):
+        e = sign * gamma * (y - ym)
+        return [-e * r, e * y]
+
+    gains = ["kr", "ky"]
+    law = system(rates, ["r", "y", "ym"], {"gamma": 2.0}, outputs=gains, name="law")
+    return clpt.connect([PLANT, MODEL, CONTROLLER, law], external="r")
+
+
+def textbook(s, weight=None):
+    apart = (s.kr - s.bm / s.b) ** 2 + (s.ky - (s.am + s.a) / s.b) ** 2
+    return (s.y - s.ym) ** 2 / 2 + (weight or s.b) * apart / (2 * s.gamma)
+
+
+# --- adaptive backstepping: x1' = x2 + theta x1^2, x2' = u ----------------------------------------
+
+
+def backstepping(first="x1", c=2.0):
+    z2, slope = "(x2 + c*x1 + h*x1**2)", "(c + 2*h*x1)"  # of -alpha in x1
+    tuned = f"(gamma*(x1**3 + {z2}*{slope}*x1**2))"
+    push = f"-{first} - c*{z2} - {slope}*(x2 + h*x1**2) - {tuned}*x1**2"
+    rates = f"x1' = x2 + theta*x1**2; x2' = {push}; h' = {tuned}; c = {c}; theta = 1.5; gamma = 3"
+    return f"{rates}; V = x1**2/2 + {z2}**2/2 + (theta - h)**2/(2*gamma)"
+
+
+# --- a Luenberger observer ------------------------------------------------------------------------
+
+A, C, L = np.array([[0.0, 1.0], [-2.0, -1.0]]), np.array([[1.0, 0.0]]), np.array([[3.0], [1.0]])
+P = control.lyap((A - L @ C).T, np.eye(2))
+
+
+def observer():
+    plant = control.ss(A, [[0], [1]], np.eye(2), 0, inputs="u", outputs=["x1", "x2"], name="plant")
+    both = np.hstack([[[0.0], [1.0]], L, [[0], [0]]])
+    signals = {"inputs": ["u", "x1", "x2"], "outputs": ["z1", "z2"]}
+    watch = control.ss(A - L @ C, both, np.eye(2), 0, name="watch", **signals)
+    return clpt.connect([plant, watch], external="u")
+
+
+def of_the_error(s):
+    e = np.array([s.x1 - s.z1, s.x2 - s.z2])
+    return P[0, 0] * e[0] ** 2 + 2 * P[0, 1] * e[0] * e[1] + P[1, 1] * e[1] ** 2
+
+
+# --- jumps, and sources of time ------------------------------------------------------------------
+
+
+def whole_times(p, t0, t1):
+    """Breakpoints at whole times."""
+    return np.arange(np.floor(t0) + 1, np.floor(t1) + 1)
+
+
+TICKS = {"parameters": {"interval": -1.0}, "breakpoints": whole_times}
+
+
+def block(update, states, **more):
+    """A block with breakpoints, of the rates of its states."""
+    sizes = dict.fromkeys(states, 1)
+    return clpt.Block(
+        "plant", update=lambda t, x, u, p: update(x, p), states=sizes, **more, **TICKS
+    )
+
+
+def memory(factor, beside=1.0):
+    jump = lambda t, x, u, p: {"m": factor * x.m, "n": beside * x.n}  # noqa: E731
+    return block(lambda x, p: {"m": -x.m, "n": -x.n}, "mn", jump=jump)
+
+
+def jumping(jump):
+    """A memory that fades, and jumps to what is made of it."""
+    return block(lambda x, p: {"m": -x.m}, "m", jump=lambda t, x, u, p: {"m": jump(t, x, p)})
+
+
+def counting(rate):
+    """A gain that depends on which interval between breakpoints it is."""
+    return block(lambda x, p: {"x": rate(p.interval) * x.x}, "x")
+
+
+def sourced(source):
+    """A plant that a source of time drives."""
+    made = clpt.Block(
+        "source", output=lambda t, x, u, p: {"w": source(t)}, outputs={"w": 1}, opaque=True
+    )
+    rates = lambda t, x, u, p: {"x": -x.x, "y": -x.y + u.w}  # noqa: E731
+    plant = clpt.Block("plant", update=rates, states={"x": 1, "y": 1}, inputs={"w": 1})
+    return clpt.connect([made, plant])
+
+
+def half(s):
+    return s.x**2 / 2
+
+
+# --- families of equations -----------------------------------------------------------------------
+
+PENDULUM = "theta' = omega; omega' = -g*sin(theta) - 0.1*omega; g = 9.8"
+ENERGY = "V = omega**2/2 + g*(1 - cos(theta))"
+TURNED = "V = w**2/2 + 1 - cos(th)"
+NEURONS = "V = exp(x) - x - 1 + 1.3*log(cosh(y))"
+
+
+def rubbed(sign, least=1.0):
+    """Rates along the slopes of exp(x) - x - 1 + 1.3 log(cosh(y)), and across them."""
+    a, b = "(exp(x) - 1)", "1.3*tanh(y)"
+    x = f"x' = -({least} + cos(y))*{a} + 0.7*sin(y)*{b}"
+    return f"{x}; y' = -abs(x)*{b} - 0.7*{sign}*sin(y)*{a}; {NEURONS}"
+
+
+def shaft(back):
+    """Two pendulums on a shaft that springs back by the sine of its twist; V their energy."""
+    rates = "a' = v; b' = w; v' = -sin(a) - 0.5*sin(a - b) - 0.2*v"
+    V = "(v**2 + w**2)/2 + 2.5 - cos(a) - cos(b) - 0.5*cos(a - b)"
+    return f"{rates}; w' = -sin(b) + {back}*0.5*sin(a - b) - 0.2*w; V = {V}"
+
+
+def chain(link):
+    """Three capacitors, or masses, in a row, of which the last leaks."""
+    a, b = link.format("(v - w)"), link.format("(w - q)")
+    return f"v' = -({a}); w' = {a} - ({b}); q' = {b} - q"
+
+
+def arm(q1, q2, v1, v2):
+    """Two links of mass and length 1, springs and friction in the joints, without gravity."""
+    c, s = np.cos(q2), np.sin(q2)
+    first = -2 * q1 - v1 + s * (2 * v1 * v2 + v2**2)
+    second = -2 * q2 - v2 - s * v1**2
+    M11, M12 = 3 + 2 * c, 1 + c
+    det = M11 - M12**2
+    return [v1, v2, (first - M12 * second) / det, (M11 * second - M12 * first) / det]
+
+
+def of_the_arm(s):
+    c = np.cos(s.q2)
+    moving = (3 + 2 * c) * s.v1**2 + 2 * (1 + c) * s.v1 * s.v2 + s.v2**2
+    return moving / 2 + s.q1**2 + s.q2**2
 
 
 RIGHT = {
@@ -52,116 +174,75 @@ RIGHT = {
         mrac(),
         lambda s: (s.y - s.ym) ** 2 / 2 + 0.75 * ((s.kr - 4 / 3) ** 2 + (s.ky - 5 / 3) ** 2),
     ),
-    "backstepping": (backstepping(), stepped),
+    "backstepping": backstepping(),
     "observer": (observer(), of_the_error),
-    "pendulum": (pendulum(), energy),
-    "tanh": lambda x: [-np.tanh(x)],
-    "two pendulums on one shaft": (lambda a, b, v, w: shaft(a, b, v, w, 1), of_the_shaft),
-    "a chain of diodes": lambda v, w, q: chain(lambda z: np.exp(40 * z) - 1, v, w, q),
-    "a rate of which rounding is left": lambda x: [x * (-1.65 * np.maximum(x, -0.7) - 1.65 * 0.7)],
-    "gain of a higher wave": lambda t, x: [-(2 + np.sin(3 * t)) * x],
-    "V of time": (  # Khalil, Nonlinear Systems, 3rd ed., Example 4.20
-        lambda t, x, y: [-x - np.exp(-2 * t) * y, x - y],
-        lambda s: s.x**2 + (1 + np.exp(-2 * s.t)) * s.y**2,
-    ),
-    "gain that grows": lambda t, x: [-t * x],
-    "a divisor of masses": (
-        system(
-            lambda q, v, m, M, c: [v, -(q + v) / (M * m - c**2)],
-            params={"m": 1.0, "M": 2.0, "c": 0.5},
-        ),
-        lambda s: s.q**2 + (s.M * s.m - s.c**2) * s.v**2,
-    ),
-    "a power that a parameter gives": system(lambda x, n: [-(x**n)], params={"n": 3.0}),
-    "a spinning body": (spinning, lambda s: (s.x**2 + 2 * s.y**2 + 3 * s.z**2) / 2),
-    "a cross term": (lambda x, y: [y, -x - y], lambda s: 1.5 * s.x**2 + s.x * s.y + s.y**2),
-    "a rest elsewhere": (lambda x: [3.0 - x], lambda s: (s.x - 3) ** 2, {"at": {"x": 3.0}}),
-    "a jump that turns": memory(-1.0),
-    "two wells": (lambda x, y: [y, x - x**3 - y], lambda s: s.y**2 / 2 + (s.x**2 - 1) ** 2 / 4),
-    "a pull that is limited": lambda x: [-np.clip(x, -1, 1)],
-    "a pull of two strengths": lambda x: [np.where(x > 0, -x, -2 * x)],
-    "a square of squares": (lambda x, y: [y - x**3, -x], lambda s: (s.x**2 + s.y**2) ** 2),
-    "a diode": lambda x: [1 - np.exp(x)],
-    "a pendulum a turn further": (
-        lambda th, w: [w, -np.sin(th) - w],
-        turned,
-        {"at": {"th": 2 * np.pi}},
-    ),
-    "a gain of its own in each interval": counting(lambda k: -2 - np.sin(k)),
-    "a sine beside squares": lambda x, y: [-x + 0.5 * np.sin(y), -y],
-    "a jump to its tanh": jumping(lambda t, x, p: np.tanh(x.m)),
-    "V of what follows a wave": (
-        lambda t, x: [np.cos(t) + np.sin(t) - x],
-        lambda s: (s.x - np.sin(s.t)) ** 2,
-    ),
-}
-RIGHT |= {
-    "friction of each state, and forces that do no work": (
-        lambda x, y: rubbed(x, y, 1.0),
-        lambda s: np.exp(s.x) - s.x - 1 + 1.3 * np.log(np.cosh(s.y)),
-    ),
-    "a gradient's flow": (
-        lambda x, y: [-(x**3 + x - y), -(y - x + y**3)],
-        lambda s: s.x**4 / 4 + (s.x - s.y) ** 2 / 2 + s.y**4 / 4,
-    ),
+    "pendulum": f"{PENDULUM}; {ENERGY}",
+    "tanh": "x' = -tanh(x)",
+    "two pendulums on one shaft": shaft(1),
+    "a chain of diodes": chain("(exp(40*{0}) - 1)"),
+    "a rate of which rounding is left": "x' = x*(-1.65*maximum(x, -0.7) - 1.65*0.7)",
+    "gain of a higher wave": "x' = -(2 + sin(3*t))*x",
+    "V of time":  # Khalil, Nonlinear Systems, 3rd ed., Example 4.20
+    "x' = -x - exp(-2*t)*y; y' = x - y; V = x**2 + (1 + exp(-2*t))*y**2",
+    "gain that grows": "x' = -t*x",
+    "a divisor of masses": "q' = v; v' = -(q + v)/(M*m - c**2); V = q**2 + (M*m - c**2)*v**2; "
+    "m = 1; M = 2; c = 0.5",
+    "a power that a parameter gives": "x' = -x**n; n = 3",
+    "a spinning body":  # Euler's equations, J = 1, 2, 3
+    "x' = -y*z - 0.2*x; y' = (2*z*x - 0.2*y)/2; z' = (-x*y - 0.2*z)/3; "
+    "V = x**2/2 + y**2 + 1.5*z**2",
+    "a cross term": "x' = y; y' = -x - y; V = 1.5*x**2 + x*y + y**2",
+    "a rest elsewhere": "x' = 3 - x; V = (x - 3)**2; at x = 3",
+    "a jump that turns": (memory(-1.0),),
+    "two wells": "x' = y; y' = x - x**3 - y; V = y**2/2 + (x**2 - 1)**2/4",
+    "a pull that ends at rest": "x' = -sign(x)*sqrt(abs(x))",
+    "a pull that is limited": "x' = -clip(x, -1, 1)",
+    "a pull of two strengths": "x' = where(x > 0, -x, -2*x)",
+    "a square of squares": "x' = y - x**3; y' = -x; V = (x**2 + y**2)**2",
+    "a diode": "x' = 1 - exp(x)",
+    "a pendulum a turn further": f"th' = w; w' = -sin(th) - w; {TURNED}; at th = 2*pi",
+    "a gain of its own in each interval": (counting(lambda k: -2 - np.sin(k)),),
+    "a sine beside squares": "x' = -x + 0.5*sin(y); y' = -y",
+    "a jump to its tanh": (jumping(lambda t, x, p: np.tanh(x.m)),),
+    "V of what follows a wave": "x' = cos(t) + sin(t) - x; V = (x - sin(t))**2",
+    "friction of each state, and forces that do no work": rubbed(1.0),
+    "a gradient's flow": "x' = -(x**3 + x - y); y' = -(y - x + y**3); "
+    "V = x**4/4 + (x - y)**2/2 + y**4/4",
 }
 REFUTED = {
-    "a chain with a link that pushes": lambda v, w, q: chain(np.sin, v, w, q),
-    "two pendulums whose shaft pushes both": (
-        lambda a, b, v, w: shaft(a, b, v, w, -1),
-        of_the_shaft,
-    ),
-    "V of a difference that falls faster": (
-        lambda a, b: [-a, -b],
-        lambda s: np.cos(s.a - s.b) - 1 + (s.a**2 + s.b**2) / 2,
-    ),
-    "forces that do work": (
-        lambda x, y: rubbed(x, y, -1.0),
-        lambda s: np.exp(s.x) - s.x - 1 + 1.3 * np.log(np.cosh(s.y)),
-    ),
-    "friction that pushes where cos(y) is near -1": (
-        lambda x, y: rubbed(x, y, 1.0, 0.99),
-        lambda s: np.exp(s.x) - s.x - 1 + 1.3 * np.log(np.cosh(s.y)),
-    ),
-    "MRAC, V forgets b": (
-        mrac(),
-        lambda s: (
-            (s.y - s.ym) ** 2 / 2
-            + ((s.kr - s.bm / s.b) ** 2 + (s.ky - (s.am + s.a) / s.b) ** 2) / (2 * s.gamma)
-        ),
-    ),
-    "backstepping, a term forgotten": (backstepping(missing=True, c=0.3), stepped),
+    "a chain with a link that pushes": chain("sin{0}"),
+    "two pendulums whose shaft pushes both": shaft(-1),
+    "V of a difference that falls faster": "a' = -a; b' = -b; V = cos(a - b) - 1 + (a**2 + b**2)/2",
+    "forces that do work": rubbed(-1.0),
+    "friction that pushes where cos(y) is near -1": rubbed(1.0, 0.99),
+    "MRAC, V forgets b": (mrac(), lambda s: textbook(s, 1)),
+    "backstepping, a term forgotten": backstepping("0.0", c=0.3),
     "observer, x beside z": (observer(), lambda s: (s.x1 + s.z1) ** 2 + (s.x2 - s.z2) ** 2),
-    "pendulum upright": (pendulum(), energy, {"at": {"theta": np.pi}}),
-    "pendulum, sign of the potential": (
-        pendulum(),
-        lambda s: s.omega**2 / 2 - s.g * (1 - np.cos(s.theta)),
-    ),
-    "V that is a saddle": (lambda x, y: [-x, y], lambda s: s.x**2 - s.y**2),
-    "V that falls without end": (lambda x: [1.0 + 0 * x], lambda s: -s.x),
-    "a source that pushes": (sourced(np.cos), halves),
-    "a jump by a little": memory(1 + 1e-9),
-    "a gain that turns a little": lambda t, x: [-(1 + 1.01 * np.sin(t)) * x],
-    "a gain of a fast wave": lambda t, x: [-(1 + 1.01 * np.sin(1e6 * t)) * x],
-    "a gain that turns at 900": lambda t, x: [-(900 - t) * x],
-    "a gain that turns at the fifth breakpoint": counting(lambda k: k - 5),
+    "pendulum upright": f"{PENDULUM}; {ENERGY}; at theta = pi",
+    "pendulum, sign of the potential": f"{PENDULUM}; V = omega**2/2 - g*(1 - cos(theta))",
+    "van der Pol": "x' = -y; y' = x - eps*(1 - x**2)*y; eps = 1",
+    "V that is a saddle": "x' = -x; y' = y; V = x**2 - y**2",
+    "V that falls without end": "x' = 1 + 0*x; V = -x",
+    "a source that pushes": (sourced(np.cos), signals(None, "xy")),
+    "a jump by a little": (memory(1 + 1e-9),),
+    "a gain that turns a little": "x' = -(1 + 1.01*sin(t))*x",
+    "a gain of a fast wave": "x' = -(1 + 1.01*sin(1e6*t))*x",
+    "a gain that turns at 900": "x' = -(900 - t)*x",
+    "a gain that turns at the fifth breakpoint": (counting(lambda k: k - 5),),
     "V of an output that is called as its state": (
         control.nlsys(
             lambda t, x, u, p: -x, lambda t, x, u, p: x - 1, inputs=0, states=["x"], outputs=["x"]
         ),
         lambda s: s.x**2,
     ),
-    "V of a table": (
-        lambda x: [0.1 * x],
-        lambda s: np.interp(np.abs(s.x), [0.0, 1.0, 2.0], [0.0, 1.0, 3.0]),
-    ),
-    "V of a floor": (lambda x: [0 * x + 1], lambda s: s.x * np.floor(s.x)),
-    "wrong in a small region": lambda x: [-x * ((x - 1) ** 2 - 1e-3)],
-    "a small bump": lambda x: [-x + 3 * np.exp(-50 * (x - 1) ** 2)],
-    "V without a value": (lambda x: [-(x**3)], lambda s: s.x**2 + 1 / (s.x - 1) ** 2),
-    "a sine too large beside squares": lambda x, y: [-x + 2.1 * np.sin(y), -y],
-    "a jump to more than its tanh": jumping(lambda t, x, p: 1.01 * np.tanh(x.m)),
-    "a state named q_0": lambda y, q_0: [-1e6 * np.tanh(y) + q_0, 0 * q_0],  # where y is small
+    "V of a table": "x' = 0.1*x; V = interp(abs(x), [0.0, 1.0, 2.0], [0.0, 1.0, 3.0])",
+    "V of a floor": "x' = 0*x + 1; V = x*floor(x)",
+    "wrong in a small region": "x' = -x*((x - 1)**2 - 1e-3)",
+    "a small bump": "x' = -x + 3*exp(-50*(x - 1)**2)",
+    "V without a value": "x' = -(x**3); V = x**2 + 1/(x - 1)**2",
+    "a sine too large beside squares": "x' = -x + 2.1*sin(y); y' = -y",
+    "a jump to more than its tanh": (jumping(lambda t, x, p: 1.01 * np.tanh(x.m)),),
+    "a state named q_0": "y' = -1e6*tanh(y) + q_0; q_0' = 0*q_0",  # where y is small
     "a state called as its parameter": (  # k' = k, and the parameter is 0
         clpt.Block(
             "plant",
@@ -171,48 +252,39 @@ REFUTED = {
         ),
         lambda s: s.plant_k**2,
     ),
-    "V of a logarithm": (lambda x: [-x], lambda s: np.log(s.x) ** 2),
-    "an input that drives": system(lambda x, d: [x + d], "d"),
-    "another rest": (lambda x: [3.0 - x], None, {"at": {"x": 3.0}}),
+    "V of a logarithm": "x' = -x; V = log(x)**2",
+    "an input that drives": "x' = x + d; input d",
+    "another rest": "x' = 3 - x; at x = 3",
 }
 OPEN = {  # no point shows it, or none is looked for
-    "V of nothing": (lambda x: [x], lambda s: 0 * s.x),
-    "V that jumps": (lambda x: [-x], lambda s: np.where(s.x > 1, s.x, 2 * s.x) ** 2),
-    "V of an angle": (
-        lambda x, y: [y, -x],
-        lambda s: (np.arctan2(s.y, s.x) + 4) ** 2 + s.x**2 + s.y**2,
-    ),
-    "a chain of hinges": lambda v, w, q: chain(lambda z: 2 * z + np.sin(z), v, w, q),
-    "a chain of soft dampers": lambda v, w, q: chain(lambda z: z / np.sqrt(1 + z**2), v, w, q),
-    "V that is linear far off": (lambda x: [-x], lambda s: s.x**2 / (1 + np.abs(s.x))),
-    "V that is bounded": (lambda x: [-x], lambda s: np.tanh(s.x**2)),
-    "V that lets go far off": (
-        lambda x, y: [-6 * x / (1 + x**2) ** 2 + 2 * y, -2 * (x + y) / (1 + x**2) ** 2],
-        lambda s: s.x**2 / (1 + s.x**2) + s.y**2,
-    ),
-    "V that fades": (lambda x: [x / 2], lambda s: np.exp(-2 * s.t) * s.x**2),
-    "V that sinks with time": (lambda x: [0 * x], lambda s: s.x**2 - s.t),
-    "V whose least is far away": (
-        lambda x: [5e3 - x],
-        lambda s: 1e3 * np.log(np.cosh(s.x / 1e3 - 5)) - 5e3,
-    ),
-    "two gains 1e-12 apart": lambda x, y: [3.0 * y, -(3.0 + 1e-12) * x],
-    "a needle": lambda x: [-x + 2 * x * np.exp(-1e8 * (x - 1) ** 2)],
-    "a force below all numbers": lambda x: [x * np.exp(-1000 - x**2)],
-    "V that is zero on one side": (lambda x: [-x], lambda s: np.abs(s.x) * s.x + s.x**2),
+    "V of nothing": "x' = x; V = 0*x",
+    "V that jumps": "x' = -x; V = where(x > 1, x, 2*x)**2",
+    "V of an angle": "x' = y; y' = -x; V = (arctan2(y, x) + 4)**2 + x**2 + y**2",
+    "V of an arm, no sum of squares": (system(arm), of_the_arm),
+    "a chain of hinges": chain("(2*{0} + sin{0})"),
+    "a chain of soft dampers": chain("({0}/sqrt(1 + {0}**2))"),
+    "V that is linear far off": "x' = -x; V = x**2/(1 + abs(x))",
+    "V that is bounded": "x' = -x; V = tanh(x**2)",
+    "V that lets go far off": "x' = -6*x/(1 + x**2)**2 + 2*y; y' = -2*(x + y)/(1 + x**2)**2; "
+    "V = x**2/(1 + x**2) + y**2",
+    "V that fades": "x' = x/2; V = exp(-2*t)*x**2",
+    "V that sinks with time": "x' = 0*x; V = x**2 - t",
+    "V whose least is far away": "x' = 5e3 - x; V = 1e3*log(cosh(x/1e3 - 5)) - 5e3",
+    "two gains 1e-12 apart": "x' = 3*y; y' = -(3 + 1e-12)*x",
+    "a needle": "x' = -x + 2*x*exp(-1e8*(x - 1)**2)",
+    "a force below all numbers": "x' = x*exp(-1000 - x**2)",
+    "V that is zero on one side": "x' = -x; V = abs(x)*x + x**2",
     "a spring stronger in each interval": (  # v rises with its strength
-        clpt.Block(
-            "spring",
-            update=lambda t, x, u, p: {"q": x.v, "v": -((1 + p.interval) ** 2) * x.q},
+        block(
+            lambda x, p: {"q": x.v, "v": -((1 + p.interval) ** 2) * x.q},
+            "qv",
             output=lambda t, x, u, p: {"V": x.v**2 + (1 + p.interval) ** 2 * x.q**2},
-            states={"q": 1, "v": 1},
             outputs={"V": 1},
-            **TICKS,
         ),
         "V",
     ),
-    "no value in the third interval": counting(lambda k: -(k - 3) / (k - 3)),
-    "no value for its parameters": system(lambda x, n: [-(x**n) * np.abs(x)], params={"n": 0.5}),
+    "no value in the third interval": (counting(lambda k: -(k - 3) / (k - 3)),),
+    "no value for its parameters": "x' = -(x**n)*abs(x); n = 0.5",
     "V of a floor of time": (
         control.nlsys(
             lambda t, x, u, p: 0 * x,
@@ -223,80 +295,59 @@ OPEN = {  # no point shows it, or none is looked for
         ),
         "V",
     ),
-    "wrong in a smaller region": lambda x: [-x * ((x - 7) ** 2 - 1e-9)],
-    "no value at a point": lambda x: [-x / np.abs(x - 2)],
-    "no value at the rest": lambda x: [-1 / x],
-    "V of sizes, a slide": (  # along x = 0, where y runs off
-        lambda x, y: [-2 * np.sign(x), np.sign(x) ** 2],
-        lambda s: np.abs(s.x) + np.abs(s.y),
-    ),
-    "V of a size, a slide": (
-        lambda x, y: [-2 * np.sign(x) * (1 + y**2), np.sign(x) ** 2 * y],
-        lambda s: np.sqrt(s.x**2) + s.y**2 / 2,
-    ),
-    "V that rises where a sign turns": (
-        lambda x: [1 - x],
-        lambda s: (s.x - 1) ** 2 + (2 + np.sign(s.x)) ** 2,
-    ),
-    "a pull of inf/inf": lambda x: [-x * np.cosh(x) / np.cosh(x)],
-    "a pull of powers without a number": lambda x: [-x * x**80 / (1 + x**80)],
-    "a place outside of a table": lambda x: [
-        -x * (1 + lookup([1.0, 2.0], np.where(x > 1e6, 5, 0)) ** 2)
-    ],
-    "V of an area cosine": (lambda x: [0 * x], lambda s: np.arccosh(s.x) ** 2 + s.x**2),
+    "wrong in a smaller region": "x' = -x*((x - 7)**2 - 1e-9)",
+    "no value at a point": "x' = -x/abs(x - 2)",
+    "no value at the rest": "x' = -1/x",
+    "V of sizes, a slide":  # along x = 0, where y runs off
+    "x' = -2*sign(x); y' = sign(x)**2; V = abs(x) + abs(y)",
+    "V of a root, a slide": "x' = -2*sign(x)*(1 + y**2); y' = sign(x)**2*y; V = sqrt(x**2)+y**2/2",
+    "V that rises where a sign turns": "x' = 1 - x; V = (x - 1)**2 + (2 + sign(x))**2",
+    "a pull of inf/inf": "x' = -x*cosh(x)/cosh(x)",
+    "a pull of powers without a number": "x' = -x*x**80/(1 + x**80)",
+    "a place outside of a table": "x' = -x*(1 + lookup([1.0, 2.0], where(x > 1e6, 5, 0))**2)",
+    "V of an area cosine": "x' = 0*x; V = arccosh(x)**2 + x**2",
 }
 BESIDE = {  # V' <= 0 is right, and more is to be said
-    "V of what runs with time": (
-        "proved but for x",
-        lambda x: [1 + 0 * x],
-        lambda s: (s.x - s.t) ** 2,
-    ),
-    "oscillators that agree": (
-        "proved but for a",
-        lambda a, b: [np.sin(b - a), np.sin(a - b)],
-        lambda s: 1 - np.cos(s.a - s.b),
-    ),
-    "an angle that ends": (
-        "proved as long as th exist",
-        lambda th, w: [w * (1 + th**2), -np.sin(th) * (1 + th**2)],
-        turned,
-    ),
-    "an angle that drives": (
-        "proved but for th, y",
-        lambda th, w, y: [w, -np.sin(th), th - y],
-        turned,
-    ),
-    "a source that drives": ("proved but for y", sourced(lambda t: np.array([t**2])), half),
-    "a jump of what V misses": ("proved but for n", memory(0.5, 3.0), lambda s: s.m**2),
-    "a jump that rises at no breakpoint": (
-        "proved between jumps",
-        jumping(lambda t, x, p: (1 + np.sin(np.pi * t) ** 2) * x.m),
-    ),
-    "a jump that would rise before the first breakpoint": (
-        "proved between jumps",
-        jumping(lambda t, x, p: np.where(p.interval < 0.5, 2.0, 0.5) * x.m),
-    ),
-    "V that misses a state": ("proved but for y", lambda x, y: [-x, y], half),
-    "V that misses two integrators": (
-        "proved but for y, z",  # whose eigenvalues are -1e-10 in floating point
-        lambda x, y, z: [-x, (3 * y + x) / 10 - 9 * z / 100, y - 3 * z / 10],
-        half,
-    ),
-    "V that misses a state that ends": (
-        "proved as long as y exist",
-        lambda x, y: [-x, 1 + y**2],
-        half,
-    ),
-    "V of the sum alone": (
-        "proved as long as x exist",
-        lambda x, y: [-x + y**3, -y - y**3],
-        lambda s: (s.x + s.y) ** 2,
-    ),
-    "V that a parameter of zero lets go": (
-        "proved but for x",
-        system(lambda x, y, k: [x, -y + 0.0 * k], params={"k": 0.0}),
-        lambda s: (s.y + s.k * s.x) ** 2 + s.y**2,
-    ),
+    "proved but for x": {
+        "V of what runs with time": "x' = 1 + 0*x; V = (x - t)**2",
+        "V that a parameter of zero lets go": "x' = x; y' = 0*k - y; V = (y + k*x)**2 + y**2; "
+        "k = 0",
+    },
+    "proved but for a": {
+        "oscillators that agree": "a' = sin(b - a); b' = sin(a - b); V = 1 - cos(a - b)"
+    },
+    "proved but for th, y": {
+        "an angle that drives": f"th' = w; w' = -sin(th); y' = th - y; {TURNED}"
+    },
+    "proved but for y": {
+        "a source that drives": (sourced(lambda t: np.array([t**2])), half),
+        "V that misses a state": "x' = -x; y' = y; V = x**2/2",
+    },
+    "proved but for n": {"a jump of what V misses": (memory(0.5, 3.0), lambda s: s.m**2)},
+    "proved but for y, z": {  # whose eigenvalues are -1e-10 in floating point
+        "V that misses two integrators": "x' = -x; y' = (3*y + x)/10 - 9*z/100; z' = y - 3*z/10; "
+        "V = x**2/2"
+    },
+    "proved between jumps": {
+        "a jump that rises at no breakpoint": (
+            jumping(lambda t, x, p: (1 + np.sin(np.pi * t) ** 2) * x.m),
+        ),
+        "a jump that would rise before the first breakpoint": (
+            jumping(lambda t, x, p: np.where(p.interval < 0.5, 2.0, 0.5) * x.m),
+        ),
+    },
+    "proved as long as th exist": {
+        "an angle that ends": f"th' = w*(1 + th**2); w' = -sin(th)*(1 + th**2); {TURNED}"
+    },
+    "proved as long as x exist": {
+        "V of the sum alone": "x' = -x + y**3; y' = -y - y**3; V = (x + y)**2"
+    },
+    "proved as long as y exist": {
+        "V that misses a state that ends": "x' = -x; y' = 1 + y**2; V = x**2/2"
+    },
 }
-RIGHT, REFUTED, OPEN = map(table, (RIGHT, REFUTED, OPEN))
-BESIDE = {name: (status, *filled(*row)) for name, (status, *row) in BESIDE.items()}
+CASES = {
+    name: (status, *filled(*((row,) if isinstance(row, str) else row)))
+    for status, rows in {"proved": RIGHT, "refuted": REFUTED, "open": OPEN, **BESIDE}.items()
+    for name, row in rows.items()
+}

@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
+from law_blocks import EACH, HELD
 from made_fields import uniform_field
 from pictures import inked
 from responses import response
@@ -52,21 +53,18 @@ def short(paper, quickly):
 @pytest.fixture(scope="module")
 def two_places():
     """Still water, one function that is 1 everywhere, two waypoints: w = [1, x_i, zc_i]."""
-    tables = {
-        "basis.kernel": "gaussian",
-        "basis.centers": [[0, 0]],
-        "basis.widths": [1e9],
-        "basis.periods": [float("inf")],
-        "basis.phases": [0],
-        "flow.parameters": [[0], [0]],
-        "model.parameters": [[0], [0]],
-        "learning.parameters": [[0], [0]],
-        "vehicle.feedback": [K, K],
-        "vehicle.feedforward": [K, K],
-        "reference": {"kind": "waypoints", "points": [[0.1, 0], [0, 0.1]], "dwell": DWELL},
-        "run.duration": 160,
-    }
-    return clpt_package.paper_scenario().with_values(tables)
+    one = {"centers": [[0, 0]], "widths": [1e9], "periods": [np.inf], "phases": [0]}
+    nothing = {key: [[0], [0]] for key in ("flow", "model", "learning")}
+    return clpt_package.paper_scenario().with_values(
+        {
+            "basis": {"kernel": "gaussian", **one},
+            **{f"{table}.parameters": zeros for table, zeros in nothing.items()},
+            "vehicle.feedback": [K, K],
+            "vehicle.feedforward": [K, K],
+            "reference": {"kind": "waypoints", "points": [[0.1, 0], [0, 0.1]], "dwell": DWELL},
+            "run.duration": 160,
+        }
+    )
 
 
 def per_amplitude(dwells):
@@ -88,14 +86,13 @@ def per_amplitude(dwells):
 )
 def test_the_best_track_between_two_places(two_places, limit):
     mu, c = per_amplitude(4)
-    best, given = {
-        "area": (1.2**2 * mu, {"length": 1e3, "area": (-1.2, 1.2, -1.2, 1.2)}),
-        "length": (3.0**2 / 32 * mu, {"length": 3.0, "area": (-9.0, 9.0, -9.0, 9.0)}),
-        "max_speed": (
-            0.8**2 / (2 * (c * K) ** 2) * mu,
-            {"length": 1e3, "max_speed": 0.8, "area": (-9.0, 9.0, -9.0, 9.0)},
-        ),
+    wide = {"length": 1e3, "area": (-9.0, 9.0, -9.0, 9.0)}
+    best, own = {
+        "area": (1.2**2, {"area": (-1.2, 1.2, -1.2, 1.2)}),
+        "length": (3.0**2 / 32, {"length": 3.0}),
+        "max_speed": (0.8**2 / (2 * (c * K) ** 2), {"max_speed": 0.8}),
     }[limit]
+    best, given = best * mu, wide | own
     found = design_track(two_places, window=80, start=80, **given)
     reached = found.report["after"]["smallest_eigenvalue"]
     assert 0.99 * best < reached <= best * (1 + 1e-6)
@@ -193,27 +190,15 @@ def test_no_design_for_a_law_learns_later(paper, law, monkeypatch):
     assert found.report["own_track_kept"] == same
 
 
-@pytest.mark.parametrize(
-    "change",
-    [
-        {},
-        {
-            "learning.adapt_gains": False,
-            "learning.feedback": [1, 1],
-            "learning.feedforward": [1, 1],
-        },
-        {
-            "learning.gain": None,
-            "learning.gains": {"parameters": 0.8, "feedback": 0.2, "feedforward": 0.5},
-        },
-        {
-            "learning.law": "known-flow",
-            "learning.parameters": None,
-            "learning.theta_estimate": [[1, 0.4, 0.8], [0.9, 0.4, 0.8]],
-        },
-    ],
-    ids=str,
-)
+KNOWN = {
+    "learning.law": "known-flow",
+    "learning.parameters": None,
+    "learning.theta_estimate": [[1, 0.4, 0.8], [0.9, 0.4, 0.8]],
+}
+ONE_EACH = {"learning.gain": None, "learning.gains": EACH}
+
+
+@pytest.mark.parametrize("change", [{}, HELD, ONE_EACH, KNOWN], ids=str)
 def test_what_is_searched_for_is_what_v_falls_by(paper, change):
     """Against the transition of the error system, piece by piece, with a gain each."""
     scenario = paper.with_values({"vehicle.feedback": [1.0, 2.0], **change})
@@ -284,12 +269,17 @@ def test_a_polygon_shrinks_within_its_own_box(points, length):
         assert closed_length(found) == pytest.approx(length, rel=1e-6)
 
 
-def test_the_learning_time_is_the_last_crossing():
-    times, values = np.arange(5.0), np.array([3.0, 0.5, 2.0, 0.5, 0.4])
-    assert time_below(times, values, 1.0) == 3.0
-    assert time_below(times, values, 5.0) == 0.0
-    assert time_below(times, values, 0.1) is None
-    assert time_below(times, np.array([3.0, 0.5, np.nan, 0.5, 0.4]), 1.0) == 3.0
+@pytest.mark.parametrize(
+    ("values", "level", "time"),
+    [
+        ([3.0, 0.5, 2.0, 0.5, 0.4], 1.0, 3.0),
+        ([3.0, 0.5, 2.0, 0.5, 0.4], 5.0, 0.0),
+        ([3.0, 0.5, 2.0, 0.5, 0.4], 0.1, None),
+        ([3.0, 0.5, np.nan, 0.5, 0.4], 1.0, 3.0),
+    ],
+)
+def test_the_learning_time_is_the_last_crossing(values, level, time):
+    assert time_below(np.arange(5.0), np.array(values), level) == time
 
 
 def test_a_picture_shows_both_tracks(short, tmp_path):

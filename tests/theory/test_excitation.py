@@ -1,4 +1,4 @@
-"""Excitation: the paper's numbers, named parameters, recorded runs, closed forms."""
+"""Excitation: the paper's numbers, named parameters, recorded runs, closed forms, teams."""
 
 import json
 
@@ -6,12 +6,14 @@ import numpy as np
 import pytest
 from made_fields import uniform_field
 from pictures import inked
+from strait import DIFFERENT, ROW, team, vehicle
 
 import clpt_control as clpt_package
 from clpt_control.blocks.reference import circle
 from clpt_control.equations import evaluate
 from clpt_control.errors import ScenarioError
 from clpt_control.pages.results import excitation_result
+from clpt_control.theory.excitation import regressor
 from clpt_control.theory.excitation.certificates import certificate
 from clpt_control.theory.excitation.excitation_report import excitation_plot, excitation_report
 from clpt_control.theory.excitation.gramian import (
@@ -29,6 +31,8 @@ KERNELS = {"exponential": (4.3331, 4.6692), "gaussian": (0.19002, 0.19353)}
 @pytest.mark.parametrize(("kernel", "expected"), KERNELS.items())
 def test_the_smallest_eigenvalues_of_the_paper(true_paper, kernel, expected):
     found = gramian(true_paper.with_values({"basis.kernel": kernel}), 200.0, 200.0)
+    if kernel == "exponential":
+        np.testing.assert_allclose([*found.ceilings.values()], [5.48, 5.19], atol=0.005)
     least = [values[0] for values in found.eigenvalues.values()]
     np.testing.assert_allclose(least, expected, rtol=5e-5)
     assert found.not_learnable == []
@@ -92,11 +96,17 @@ def test_no_node_lies_on_a_switch_and_weights_sum_to_the_window(paper):
 
 @pytest.mark.parametrize(("step", "tolerance"), [(1.0, 2e-3), (0.7, 1e-3), (0.2, 1e-6)])
 def test_a_recorded_run_gives_the_same(true_paper, step, tolerance):
-    exact = gramian(true_paper, 200.0, 200.0)
-    run = clpt_package.simulate(true_paper.with_values({"run.output_step": step}))
-    found = gramian(run, 200.0, 200.0)
-    for axis, values in exact.eigenvalues.items():
-        np.testing.assert_allclose(found.eigenvalues[axis], values, rtol=tolerance)
+    exact = excitation_report(true_paper, 200.0, 200.0)
+    report = excitation_report(
+        clpt_package.simulate(true_paper.with_values({"run.output_step": step})), 200.0, 200.0
+    )
+    assert report["trajectory"] == f"recorded run, sampled each {step:g} s"
+    assert exact["trajectory"] == "simulated from the initial values"
+    found, wanted = ([one["eigenvalues"][a] for a in ("x1", "x2")] for one in (report, exact))
+    deviation = np.max(np.abs(np.divide(found, wanted) - 1))
+    assert deviation <= min(report["accuracy"] + 1e-12, tolerance)
+    assert report["contraction"] == pytest.approx(exact["contraction"], rel=1e-3)
+    assert report["rho"] == pytest.approx(exact["rho"], rel=1e-2)
 
 
 @pytest.mark.parametrize("step", [7.0, 20.0, 500.0])
@@ -109,22 +119,6 @@ def test_what_samples_far_apart_do_not_say_is_not_known(paper, step):
     assert report["accuracy"] is None
     *_, said, _ = excitation_result(report).sentences
     assert said.startswith("accuracy of the eigenvalues: not known: the samples are too far")
-
-
-def test_a_run_is_read_from_its_file(paper, tmp_path):
-    run = clpt_package.simulate(paper.with_values({"run.output_step": 0.5}))
-    clpt_package.save_run(run, tmp_path / "run.nc")
-    report = excitation_report(clpt_package.load_run(tmp_path / "run.nc"), 200.0, 200.0)
-    exact = excitation_report(paper, 200.0, 200.0)
-    assert report["trajectory"] == "recorded run, sampled each 0.5 s"
-    assert exact["trajectory"] == "simulated from the initial values"
-    deviation = max(
-        np.max(np.abs(np.divide(report["eigenvalues"][axis], exact["eigenvalues"][axis]) - 1))
-        for axis in ("x1", "x2")
-    )
-    assert deviation < report["accuracy"] < 5e-3
-    assert report["contraction"] == pytest.approx(exact["contraction"], rel=1e-3)
-    assert report["rho"] == pytest.approx(exact["rho"], rel=1e-2)
 
 
 def test_a_disturbed_run_is_not_said_to_learn_as_fast_as_another(paper):
@@ -152,14 +146,9 @@ def test_a_window_that_cannot_be_followed_is_said_so(paper, monkeypatch):
 
 
 def test_the_known_flow_law_has_a_certificate_of_its_gains(paper):
-    scenario = paper.with_values(
-        {
-            "learning.law": "known-flow",
-            "learning.theta_estimate": [[1, 0.4, 0.8], [0.9, 0.4, 0.8]],
-            "learning.parameters": None,
-        }
-    )
-    report = excitation_report(scenario, 200.0, 200.0)
+    known = {"learning.law": "known-flow", "learning.parameters": None}
+    estimate = {"learning.theta_estimate": [[1, 0.4, 0.8], [0.9, 0.4, 0.8]]}
+    report = excitation_report(paper.with_values(known | estimate), 200.0, 200.0)
     assert 0 < report["rho"] < report["drop"] < 1
 
 
@@ -180,18 +169,10 @@ def test_a_gridded_field_needs_no_theta(tmp_path):
     assert len(gramian(run).eigenvalues["x2"]) == 5
 
 
-@pytest.mark.parametrize(
-    ("window", "start"),
-    [
-        (0.0, 0.0),
-        (-1.0, 0.0),
-        (500.0, 0.0),
-        (200.0, 300.0),
-        (10.0, -1.0),
-        (float("inf"), 0.0),
-        (10.0, float("inf")),
-    ],
-)
+OUTSIDE = [(0.0, 0.0), (-1.0, 0.0), (500.0, 0.0), (200.0, 300.0), (10.0, -1.0)]
+
+
+@pytest.mark.parametrize(("window", "start"), [*OUTSIDE, (np.inf, 0.0), (10.0, np.inf)])
 def test_a_window_outside_the_run_is_refused(paper, window, start):
     with pytest.raises(ScenarioError, match="within the run, 0 to 400 s"):
         gramian(paper, window, start)
@@ -245,20 +226,6 @@ def test_the_command_prints_the_report(clpt, tmp_path, true_paper):
     assert inked(tmp_path / "true.png") > 0.01
 
 
-def test_the_eigenvalue_has_a_ceiling_that_is_how_far_the_vehicle_moves(paper, true_paper):
-    """int x'^2 dt by differences of positions, and 5.48 and 5.19 of the review."""
-    found = gramian(true_paper, 200.0, 200.0)
-    times = np.linspace(200.0, 400.0, 200 * 500 + 1)
-    x = clpt_package.simulate(true_paper, times).position.values
-    moved = np.sum(np.diff(x, axis=0) ** 2, axis=0) / (times[1] - times[0])
-    car, theta = paper.vehicle, np.array(paper.flow.parameters)
-    size = np.sum(theta**2, axis=1) + np.square(car.feedback) + np.square(car.feedforward)
-    ceilings = np.array(list(found.ceilings.values()))
-    np.testing.assert_allclose(ceilings, moved / size, rtol=1e-4)
-    np.testing.assert_allclose(ceilings, [5.48, 5.19], atol=0.005)
-    assert all(found.eigenvalues[a][0] <= found.ceilings[a] for a in found.ceilings)
-
-
 def test_the_ceiling_is_an_identity_of_the_blocks():
     """w^T c = x' + KD e, at random states of the running diagram."""
     run = clpt_package.paper_scenario().with_values(
@@ -278,19 +245,6 @@ def test_the_ceiling_is_an_identity_of_the_blocks():
             assert w @ c == pytest.approx(moved + run.vehicle.feedback[i] * seen[f"e[{i}]"])
 
 
-def test_a_vehicle_that_waits_teaches_nothing():
-    still = {
-        "flow.parameters": [[0, 0, 0], [0, 0, 0]],
-        "reference": {"kind": "waypoints", "points": [[3, 1]], "dwell": 20},
-        "vehicle.position": [3, 1],
-        "run.duration": 40,
-    }
-    scenario = started_true(clpt_package.paper_scenario().with_values(still))
-    report = excitation_report(scenario, 20.0, 10.0)
-    assert max(report["ceilings"].values()) < 1e-15
-    assert max(values[0] for values in report["eigenvalues"].values()) < 1e-12
-
-
 @pytest.mark.parametrize(
     "values",
     [
@@ -302,3 +256,46 @@ def test_a_vehicle_that_waits_teaches_nothing():
 def test_where_something_else_moves_the_vehicle_there_is_no_ceiling(values):
     scenario = clpt_package.paper_scenario().with_values({"run.duration": 60, **values})
     assert gramian(scenario, 20.0, 20.0).ceilings == {}
+
+
+@pytest.mark.parametrize("rough", [regressor.ROUGH, 1e6])  # then each has its own pieces
+def test_the_pooled_gramian_is_the_sum_with_gains_of_their_own(rough, monkeypatch):
+    monkeypatch.setattr(regressor, "ROUGH", rough)
+    of = team(0.0, ROW, **DIFFERENT)  # uncoupled, each as its own scenario runs
+    N, window, start = 3, 6.0, 2.0
+    found = clpt_package.theory.gramian(of, window, start)
+    assert found.names["x1"][N:] == [f"{g}_1 of {v}" for v in "abc" for g in ("K", "Gamma")]
+    for axis in ("x1", "x2"):
+        whole = np.zeros((N + 6, N + 6))
+        for k, scenario in enumerate(of.members.values()):
+            own = clpt_package.theory.gramian(scenario, window, start).gramians[axis]
+            at = [*range(N), N + 2 * k, N + 2 * k + 1]
+            whole[np.ix_(at, at)] += own
+        np.testing.assert_allclose(found.gramians[axis], whole, rtol=0, atol=1e-6)
+    run = clpt_package.simulate(of, np.arange(0.0, 12.01, 0.05))
+    read = clpt_package.theory.gramian(run, window, start)
+    assert read.smallest == pytest.approx(found.smallest, rel=1e-2)
+    for name, one in read.vehicles.items():
+        assert one.smallest == pytest.approx(found.vehicles[name].smallest, rel=1e-2)
+
+
+@pytest.mark.parametrize(
+    ("source", "arguments", "said"),
+    [
+        (3, (), "must be a Scenario, a Team, an xarray.Dataset or a Regressor"),
+        (team(a=vehicle(), b=vehicle()), (50.0,), "window 50 from 0: must be positive and lie"),
+        (team(a=vehicle(), b=vehicle()), (-1.0, 0.0), "window -1 from 0: must be positive"),
+    ],
+    ids=["number", "too long", "negative"],
+)
+def test_what_has_no_pooled_gramian(source, arguments, said):
+    with pytest.raises(clpt_package.ClptError, match=said):
+        clpt_package.theory.gramian(source, *arguments)
+
+
+def test_the_certificate_of_one_vehicle_takes_no_team():
+    of = team(a=vehicle(), b=vehicle())
+    with pytest.raises(clpt_package.ArgumentError, match="a Team: must be a Scenario"):
+        clpt_package.theory.certificate(of)
+    with pytest.raises(clpt_package.DataError, match="gramian measures a team"):
+        clpt_package.theory.certificate(clpt_package.simulate(of, [0.0, 1.0, 2.0]))

@@ -1,4 +1,4 @@
-"""One sign altered anywhere in a block's equations: is it seen?
+"""One sign altered anywhere in a block's equations, or a term of a robust law dropped: is it seen?
 
 The mutants come from the syntax tree of every function that a block runs; none is listed
 by hand.  Equations of the paper are the theorems' to defend, those of a law its own row's,
@@ -56,9 +56,14 @@ def functions():
     return reached([*BLOCKS.values(), *laws])
 
 
+def terms_too(key):
+    """Whether terms and calls are dropped as well."""
+    return key.startswith("laws.robust.")
+
+
 def mutants():
     for key, function in functions().items():
-        for which, _ in enumerate(alterations(function)):
+        for which, _ in enumerate(alterations(function, terms_too(key))):
             yield key, which
 
 
@@ -79,9 +84,8 @@ def said(law):
 said_unaltered = cache(said)
 
 
-def caught_by(function, which, first):
+def caught_by(function, code, first):
     """Name the step that fails on the altered function; None if none does."""
-    code = altered(function, which)
     with exchanged(function, code):
         for check in CHECKS if function.__module__.endswith(SOURCES) else ():
             try:
@@ -116,7 +120,7 @@ def survivors(chosen):
     left = []
     for key, which in chosen:
         first = FIRST.get(key.split(".")[0], "3.2")
-        if caught_by(table[key], which, first) is None:
+        if caught_by(table[key], altered(table[key], which, terms_too(key)), first) is None:
             left.append((key, which))
     return left
 

@@ -8,8 +8,6 @@ import pytest
 import clpt_control as clpt_package
 from clpt_control.blocks.laws.law import Promise
 from clpt_control.blocks.laws.paper import learned_flow
-from clpt_control.blocks.laws.regressions import gain_rates
-from clpt_control.blocks.laws.remembering import CONTINUOUS
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.errors import ClptError
 from clpt_control.theory.promises import (
@@ -105,34 +103,6 @@ def other_sign(t, x, u, p):
     return {**rates, "Gamma": -rates["Gamma"]}
 
 
-def mean_of_windows(t, x, u, p):
-    """Eq. (21) with the mean of all windows, divided by all that they have shown."""
-    missed = x.B + x.alpha @ x.S.T
-    return {
-        **dict.fromkeys((*CONTINUOUS, "shown", "carried"), 0.0),
-        "alpha": -p.gain * np.outer(u.e, u.phi_x) - p.memory_gain * missed,
-        **gain_rates(x, u, p),
-        "Phi": u.phi_x,
-        "origin": u.v_x,
-    }
-
-
-def taken_into_the_mean(t, x, u, p):
-    """S and B of Eq. (21) after a window; shown[0] is the square of what all have shown."""
-    before = p.window**2 + x.shown[0]
-    after = before + x.Phi @ x.Phi
-    Y = u.x - x.origin
-    return {
-        **{name: getattr(x, name) for name in CONTINUOUS},
-        "S": (before * x.S + np.outer(x.Phi, x.Phi)) / after,
-        "B": (before * x.B + np.outer(Y, x.Phi)) / after,
-        "shown": x.shown + x.Phi @ x.Phi,
-        "carried": x.carried,
-        "Phi": 0.0,
-        "origin": u.x,
-    }
-
-
 FORGETS = LAWS["composite-memory"].rates
 
 
@@ -145,7 +115,6 @@ def forgets_all(t, x, u, p):
 ANYWHERE = (Promise("shrinks", ("exact",)),)
 WRONG = {
     "learned-flow": ({"rates": other_sign}, {"falls", "settles", "mean square"}),
-    "concurrent": ({"rates": mean_of_windows, "jump": taken_into_the_mean}, {"exponential"}),
     "composite-memory": ({"rates": forgets_all}, {"exponential"}),
     "drem": ({"promises": ANYWHERE}, {"shrinks"}),  # beside a flow outside the basis too
 }

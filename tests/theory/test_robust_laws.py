@@ -1,4 +1,4 @@
-"""The robust laws: V comes to a set, no burst, and no altered law passes for one of them.
+"""The robust laws: V comes to a set, and there is no burst.
 
     e' = -KD e + W^T eta + Delta                 Eqs. (27) and (32)
 
@@ -6,18 +6,15 @@ A regressor that is faint for long, then 1, makes the paper's law drift and burs
 as 0.52/faint.  A robust law stays below a bound that knows nothing of the regressor.
 """
 
-from contextlib import suppress
 from functools import cache
 
 import numpy as np
 import pytest
-from altered import alterations, exchanged
 from responses import response
 from scipy.integrate import solve_ivp
 
 import clpt_control as clpt
 from clpt_control.blocks import clpe
-from clpt_control.blocks.laws import robust
 from clpt_control.blocks.laws.law import Gains
 from clpt_control.blocks.laws.table import LAWS as TABLE
 from clpt_control.simulation.loops import paper_blocks
@@ -50,11 +47,9 @@ def candidate_of(name, N=2):
     return lambda truth: TABLE[name].V(law_of(name, N).parameters, truth)
 
 
-def judged_now(name, N):
+@cache
+def judged(name, N):
     return prove(law_of(name, N), candidate_of(name, N), points=300)
-
-
-judged = cache(judged_now)  # of laws as they are
 
 
 def level(name, theta, KD, GammaD, delta):
@@ -139,42 +134,6 @@ def test_a_run_stays_in_the_set(name):
         assert np.all(np.diff(values) <= 1e-9)
     else:
         assert np.all(values <= max(values[0], level(name, *truth, [0.05, 0.0])) + 1e-9)
-
-
-# --- altered laws ---------------------------------------------------------------------
-
-FUNCTIONS = {
-    "sigma": (robust.sigma, robust.leaking),
-    "switching-sigma": (robust.switching_sigma, robust.leaking),
-    "e-modification": (robust.e_modification, robust.leaking),
-    "projection": (robust.projection, robust.projected_rate),
-    "dead-zone": (robust.dead_zone, robust.beyond, robust.candidate),
-}
-
-
-@pytest.mark.usefixtures("few_draws")
-@pytest.mark.parametrize(
-    ("name", "N"),
-    [
-        *((name, 1) for name in ("sigma", "projection", "dead-zone")),  # the others leak, too
-        *(pytest.param(name, 2, marks=pytest.mark.slow) for name in LAWS),
-    ],
-)
-def test_no_altered_law_passes_for_it(name, N):
-    """Every sign flipped and every term dropped: refuted, open, refused, or another set."""
-    right = judged(name, N)
-    passed, tried = [], 0
-    for function in FUNCTIONS[name]:
-        for which, code in enumerate(alterations(function, terms=True)):
-            if N == 1 and which % 2:
-                continue
-            tried += 1
-            with suppress(clpt.errors.ClptError), exchanged(function, code):
-                found = judged_now(name, N)
-                if (found.status, found.claim) == (right.status, right.claim):
-                    passed.append((function.__name__, which))
-    assert passed == []
-    assert tried > (2 if N == 1 else 4)
 
 
 def test_a_zone_that_V_does_not_share_is_not_bounded():

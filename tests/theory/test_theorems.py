@@ -1,4 +1,4 @@
-"""The proof desk: what is printed, what holds, what fails when an equation is wrong."""
+"""The proof desk: what is printed, what holds, what fails, and by which counterexample."""
 
 import json
 import os
@@ -6,10 +6,22 @@ import os
 import numpy as np
 import pytest
 
+import clpt_control as package
 from analysis.theorems import page
+from clpt_control.blocks import consensus as blocks
+from clpt_control.blocks import learner, vehicle
 from clpt_control.blocks.laws.table import LAWS
-from clpt_control.errors import DiagramError
-from clpt_control.theory.proving.all_proofs import GRAPHS, statements
+from clpt_control.errors import DiagramError, ScenarioError
+from clpt_control.theory.counterexamples import (
+    burst_counterexample,
+    disturbance_counterexample,
+    drive_along,
+    known_flow_counterexample,
+    square_wave_counterexample,
+    unlearned_counterexample,
+)
+from clpt_control.theory.proving import all_proofs
+from clpt_control.theory.proving.all_proofs import GRAPHS, LIMITED_SPEED, statements, team_steps
 from clpt_control.theory.proving.misprints import misprints
 from clpt_control.theory.proving.outcomes import CachedOutcomes, prove_all
 from clpt_control.theory.proving.proof import Step, checked, cited, proof_or_failure, theorem
@@ -153,3 +165,146 @@ def test_the_page(proofs):
     text = page(proofs, misprints())
     assert text.count("## Theorem") == 4
     assert "**no**" not in text
+
+
+PAPER = package.paper_scenario()
+
+
+@pytest.fixture(autouse=True)
+def few_points(monkeypatch):
+    monkeypatch.setattr(all_proofs, "POINTS", 200)
+
+
+def test_clpe_of_the_papers_run_goes_to_zero_with_hedging_and_not_without():
+    told, untold = (
+        package.simulation.run_and_report(
+            PAPER.with_values({"vehicle.max_speed": 1.5, "learning.hedging": hedging})
+        ).summary["clpe_rms_per_cycle"][-1]
+        for hedging in (True, False)
+    )
+    assert told < 1e-2
+    assert untold > 10 * told
+
+
+def test_a_certificate_holds_along_a_hedged_run_and_is_refused_without():
+    scenario = PAPER.with_values({"vehicle.max_speed": 1.5, "run.duration": 100})
+    found = package.theory.certificate(scenario, 80.0, 20.0)
+    V = package.simulate(scenario, [0.0, 20.0, 100.0]).lyapunov.values
+    assert V[2] / V[1] <= found.contraction < 1
+    with pytest.raises(ScenarioError, match=r"no certificate: learning\.hedging = false"):
+        package.theory.certificate(scenario.with_values({"learning.hedging": False}), 80.0, 20.0)
+
+
+def added(t, x, u, p):
+    """z' = F_M + v + d, not Eq. (2) hedged."""
+    return u.flow_z + u.v_z + getattr(u, "unflown", 0.0)
+
+
+def too_fast(t, x, u, p):
+    """v = 2 v_c, no limit, for Eq. (1)."""
+    return 2 * u.v_c
+
+
+@pytest.mark.parametrize(
+    ("module", "name", "wrong", "claim"),
+    [
+        (learner, "model", added, "V' = -e^T KD e"),
+        (vehicle, "limited", too_fast, "up to |v_c| = v_max"),
+        (vehicle, "difference", too_fast, "V' = -e^T KD e"),
+    ],
+)
+def test_a_wrong_equation_is_not_proved(module, name, wrong, claim, monkeypatch):
+    monkeypatch.setattr(module, name, wrong)
+    proof = proof_or_failure("failed", LIMITED_SPEED["with hedging"])
+    assert proof.status == "failed"
+    assert any(claim in step.claim for step in proof.failed)
+
+
+def test_a_law_that_reads_the_velocity_reads_the_flown_one():
+    """Of the composite laws `blocks/test_composite_laws` asks it."""
+    held = {"learning.adapt_gains": False, "learning.gain": None, "vehicle.max_speed": 1.0}
+    held |= {"learning.feedback": [1.0, 1.0], "learning.feedforward": [1.0, 1.0]}
+    values = {"learning.law": "kalman-flow", "learning.parameters": None, "run.duration": 200}
+    run = package.simulate(PAPER.with_values({**values, **held, "run.rtol": 1e-10}))
+    assert run.attrs["share_at_speed_limit"] > 0.2
+    error = run.flow_parameters_estimate[-1].values - np.array(PAPER.flow.parameters)
+    assert np.abs(error).max() < 5e-3
+
+
+def test_a_sum_in_place_of_the_difference_is_not_proved(monkeypatch):
+    def together(t, x, u, p):
+        """pull = -kappa sum_j (alpha + alpha_j), section III with a wrong sign."""
+        own = (u.alpha + getattr(u, f"alpha_{j}") for j in range(p.neighbours))
+        return {"pull": -p.coupling * sum(own)}
+
+    monkeypatch.setattr(blocks, "consensus", together)
+    step = next(team_steps())
+    assert not step.holds
+    assert "left over" in step.detail
+
+
+def test_a_one_sided_graph_is_not_proved(monkeypatch):
+    """One hears the other, who does not hear back: V' is not that of the edge."""
+    monkeypatch.setattr(package.Team, "neighbours", lambda self, name: ["b"] if name == "a" else [])
+    assert not next(team_steps()).holds
+
+
+@pytest.fixture(scope="module")
+def square_wave():
+    return disturbance_counterexample()
+
+
+def test_33_is_violated_on_the_papers_system(square_wave):
+    """Against an independent simulation's figures."""
+    assert square_wave.claimed == pytest.approx(0.05)
+    assert square_wave.ratio == pytest.approx(1.435, rel=0.01)
+    assert square_wave.rms == pytest.approx(0.586, rel=0.01)
+    assert square_wave.k / square_wave.ratio < 0.75 < square_wave.k == 1
+    assert square_wave.peak > 0.05 / 0.75
+
+
+def test_16_is_violated_on_the_papers_system():
+    """At a slow gain, with one of the six flow parameters off by 0.1 m/s."""
+    found = known_flow_counterexample()
+    assert found.equation == "(16)"
+    assert found.ratio == pytest.approx(1.367, rel=0.01)
+    assert found.rms < 1
+    cycles = [found.size[(found.times >= t) & (found.times < t + 200)].max() for t in (600, 800)]
+    assert min(cycles) > 1.2 * found.claimed
+
+
+@pytest.mark.parametrize("gain", [25.0, 100.0, 400.0])
+def test_the_square_wave_at_resonance_gives_four_over_pi(gain):
+    found = square_wave_counterexample(gain=gain, periods=80)
+    assert found.ratio == pytest.approx(4 / np.pi, rel=0.01)
+    assert found.rms < 1
+
+
+@pytest.mark.parametrize(
+    ("faint", "quiet", "peak"), [(0.2, 250, 2.19), (0.1, 1000, 4.92), (0.05, 4000, 10.38)]
+)
+def test_drift_then_burst(faint, quiet, peak):
+    found = burst_counterexample(faint, quiet)
+    assert found.peak == pytest.approx(peak, rel=0.02)
+    assert found.peak == pytest.approx(0.52 / faint, rel=0.2)
+    assert found.rms < 1
+
+
+def test_no_faint_stretch_no_burst():
+    """The measure can say no: with a steady regressor a steady Delta is learned away."""
+    assert burst_counterexample(faint=1.0).ratio < 1e-3
+
+
+def test_zc_exciting_is_not_enough():
+    found = unlearned_counterexample()
+    n, dwell, radius = 10, 20, 3
+    assert found.kappa == pytest.approx(n * dwell * radius**2 / 2)
+    assert found.moved < 1e-9
+    assert found.error == pytest.approx(0.4, abs=1e-9)
+
+
+def test_a_field_has_no_bound_to_compare_with():
+    paper = package.paper_scenario()
+    flow = paper.flow.model_copy(update={"parameters": None, "field": "current.nc"})
+    with pytest.raises(ScenarioError, match="gridded field"):
+        drive_along(paper.model_copy(update={"flow": flow}), None)

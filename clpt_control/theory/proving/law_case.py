@@ -22,7 +22,7 @@ from .running_rate import running_step
 from .signs import dead_zone, rising_in, tidied, vanishes
 from .symbolic_loop import TIME, ArrayLoop, SymbolicLoop, flat, refuse_no_value
 from .theorem_loop import decay, rate_of_V, truth_in
-from .words import CLIP, along, faster_than_linear, interval
+from .words import CLIP, SIGN, along, faster_than_linear, interval
 
 
 @dataclass
@@ -63,7 +63,8 @@ class Case:
         self.V_of_D = V
         self.rate = tidied(rate_of_V(loop).xreplace(self.known))
         sums = tidied(self.rate - self.fall)
-        self.residual = sympy.S.Zero if sums.atoms(sympy.Pow) and vanishes(sums) else sums
+        signed = sums.xreplace({a: a.args[0] * SIGN(*a.args) for a in sums.atoms(sympy.Abs)})
+        self.residual = sympy.S.Zero if sums.atoms(sympy.Pow) and vanishes(signed) else sums
 
     @cached_property
     def fall(self) -> sympy.Expr:

@@ -15,6 +15,7 @@ from ...equations.arrays import Unread
 from ...errors import ClptError, DiagramError
 from ...html import facts
 
+LONG = 10**12  # denominators beyond are rounded where they are printed
 How = Literal["exact", "enclosed", "counterexample", "sampled", "cited"]
 
 
@@ -185,8 +186,12 @@ def first_failure(steps: Iterable[Step]) -> str:
 
 
 def short(expression: Any, most: int = 160) -> str:
-    """Return an expression as text of a line."""
-    text = str(expression)
+    """Return an expression as text of a line; numbers of many digits are rounded."""
+    from sympy import Rational  # what was proved before is read without SymPy
+
+    known = getattr(expression, "atoms", lambda kind: ())(Rational)
+    long = {one: one.n(6) for one in known if one.q > LONG}
+    text = str(expression.xreplace(long) if long else expression)
     return text if len(text) <= most else text[:most] + " ..."
 
 

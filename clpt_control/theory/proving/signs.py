@@ -260,6 +260,7 @@ def _negative(group: sympy.Expr, apart: set) -> bool:
         return False
     if group == 0:
         return True
+    group = sympy.Mul(*(f for f in sympy.Mul.make_args(group) if not f.is_nonnegative))
     powers = [power.exp for power in group.atoms(sympy.Pow)]
     low = all(exponent.is_Integer and exponent <= HIGHEST for exponent in powers)
     words = words_of(group)
