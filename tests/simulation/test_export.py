@@ -196,7 +196,7 @@ def test_no_sample_is_missed_by_the_rounding_of_times(tmp_path):
 
 
 @needs_cc
-def test_parameters_may_be_changed(tmp_path):
+def test_parameters_may_be_changed_but_those_that_were_asked_for(tmp_path):
     made = InC(pendulum(), tmp_path, params={"l": 2.0})
     assert made.p == pytest.approx([9.81, 2.0, 0.3])
     names = re.findall(r"(pendulum_p_\w+),", made.text)
@@ -204,26 +204,13 @@ def test_parameters_may_be_changed(tmp_path):
     made.p[0] = 1.6
     rates = made.rates(0.0, np.array([0.5, 0.0]), np.zeros(1))
     assert rates == pytest.approx([0.0, -0.8 * np.sin(0.5)])
-
-
-def test_a_parameter_that_was_asked_for_is_fixed():
-    def update(t, x, u, p):
-        return [-p["k"] * x[0] if p["n"] > 2 else -x[0]]
-
-    system = control.nlsys(update, None, name="a", states=["x"], inputs=0, outputs=["x"],
-                           params={"k": 1.0, "n": 3.0})  # fmt: skip
-    text = clpt.export_c(system)
-    assert "a_p_a_k,  /* a.k */" in text
-    assert "a_p_a_n_fixed,  /* a.n fixed */" in text
-    assert "it is in the code" in text
-
-
-@needs_cc
-def test_equal_parameters_of_two_blocks_are_two(tmp_path):
-    lags = [control.ss(-2.0, 1.0, 1.0, 0.0, name=name, inputs=i, outputs=o)
-            for name, i, o in (("one", "u", "v"), ("two", "v", "y"))]  # fmt: skip
-    made = InC(clpt.connect(lags, external="u"), tmp_path)
-    assert made.counts["p"] == 6
+    asking = lambda t, x, u, p: [-p["k"] * x[0] if p["n"] > 2 else -x[0]]  # noqa: E731
+    params = {"k": 1.0, "n": 3.0}
+    text = clpt.export_c(control.nlsys(asking, states=1, inputs=0, params=params, name="a"))
+    for said in ("a_p_a_k,  /* a.k */", "a_p_a_n_fixed,  /* a.n fixed */", "it is in the code"):
+        assert said in text
+    lags = [control.ss(-2, 1, 1, 0, name=a + b, inputs=a, outputs=b) for a, b in ("uv", "vy")]
+    assert "_np = 6" in clpt.export_c(clpt.connect(lags, external="u"))  # each has its own three
 
 
 @needs_cc
@@ -241,31 +228,24 @@ def test_a_gridded_field_is_a_table(tmp_path):
 
 
 def test_what_has_no_c_is_said():
-    def at_times(p, t0, t1):
-        return np.array([t for t in (1.0, 2.5) if t0 < t <= t1])
-
-    block = clpt.Block("odd", update=lambda t, x, u, p: [p.interval], states={"x": 1},
-                       breakpoints=at_times, parameters={"interval": -1.0})  # fmt: skip
-    held = clpt.Block("held", update=lambda t, x, u, p: {"y": -p.a * x.y}, states={"y": 1},
-                      parameters={"a": 1.0})  # fmt: skip
-    plant = control.nlsys(lambda t, x, u, p: -p["a"] * x, states=["y"], inputs=0,
-                          params={"a": 1.0}, name="plant")  # fmt: skip
-    for value in (np.nan, np.inf):
-        with pytest.raises(clpt.ClptError, match=r"a = (nan|inf)"):
-            clpt.export_c(held, params={"held.a": value})
-        with pytest.raises(clpt.DiagramError, match=r"params: a = (nan|inf): must be finite"):
-            clpt.export_c(plant, params={"a": value})
-        with pytest.raises(clpt.DiagramError, match=r"initial_state = .*: must be finite"):
-            clpt.export_c(plant, initial_state=[value])
+    rate = lambda t, x, u, p: -p["a"] * x  # noqa: E731
+    plant = control.nlsys(rate, states=["y"], inputs=0, params={"a": 1.0}, name="plant")
+    held = clpt.Block(
+        "held", update=lambda t, x, u, p: {"y": -p.a * x.y}, states={"y": 1}, parameters={"a": 1.0}
+    )
+    at_times = lambda p, t0, t1: [t for t in (1.0, 2.5) if t0 < t <= t1]  # noqa: E731
+    odd = clpt.Block("odd", update=lambda t, x, u, p: [p.interval], states={"x": 1},
+                     breakpoints=at_times, parameters={"interval": -1.0})  # fmt: skip
+    unread = control.nlsys(lambda t, x, u, p: [float(str(x[0]))], states=1, inputs=0, name="text")
+    for system, given, said in (
+        (held, {"params": {"held.a": np.nan}}, r"a = nan"),
+        (plant, {"params": {"a": np.inf}}, r"params: a = inf: must be finite"),
+        (plant, {"initial_state": [np.nan]}, r"initial_state = .*: must be finite"),
+        (clpt.connect([odd]), {}, "odd jumps at times that a function"),
+        (unread, {}, "text"),
+    ):
+        with pytest.raises(clpt.ClptError, match=said):
+            clpt.export_c(system, **given)
     assert "INFINITY" in clpt.export_c(clpt.parts.pid(1, 0.1))  # no limit of its own
     divides = control.nlsys(lambda t, x, u, p: [1 / x[0]], None, name="s", states=1, inputs=0)
     assert "1.0 / x[0]" in clpt.export_c(divides)  # asked at 0, without a warning
-    with pytest.raises(clpt.DiagramError, match="odd jumps at times that a function"):
-        clpt.export_c(clpt.connect([block]))
-
-    def unread(t, x, u, p):
-        return [float(str(x[0]))]
-
-    odd = control.nlsys(unread, None, name="odd", states=["x"], inputs=0, outputs=["x"])
-    with pytest.raises(clpt.ClptError, match="odd"):
-        clpt.export_c(odd)

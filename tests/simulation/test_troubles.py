@@ -2,40 +2,25 @@
 
 import math
 
-import control
 import numpy as np
 import pytest
 from calm_water import PAPER
-from responses import response
 
 import clpt_control as clpt
 from clpt_control.blocks import field, vehicle
 from clpt_control.currents.plane import GriddedField
-from clpt_control.diagrams.interconnection import connect
-from clpt_control.equations import Block
 from clpt_control.errors import SimulationError
-from clpt_control.simulation.starts import initial_state
-
-
-def test_infinite_state_is_named():
-    x0 = initial_state(PAPER)
-    x0[1] = np.nan
-    for engine in ("native", "python"):
-        with pytest.raises(SimulationError, match=r"t = 0.*x\[1\].*vehicle"):
-            clpt.simulate(PAPER, [0, 1], initial_state=x0, engine=engine)
-
-
-def blows_up(t, x, u, p):
-    """x' = x^2, section 2: x[1]."""
-    return x[0] ** 2
 
 
 @pytest.mark.parametrize("engine", ["native", "python"])
-def test_blow_up_is_a_sentence(engine):
-    block = Block("burst", update=blows_up, states={"x": 1})
-    loop = control.interconnect([block], outlist=["burst.x[0]"], outputs=["x"], connections=False)
+def test_what_is_infinite_is_named(engine):
+    x0 = clpt.initial_state(PAPER)
+    x0[1] = np.nan
+    with pytest.raises(SimulationError, match=r"t = 0.*x\[1\].*vehicle"):
+        clpt.simulate(PAPER, [0, 1], initial_state=x0, engine=engine)
+    burst = clpt.Block("burst", update=lambda t, x, u, p: x[0] ** 2, states={"x": 1})
     with pytest.raises(SimulationError, match=r"stopped at t = (0\.9|1)") as caught:
-        clpt.simulate(loop, [0.0, 2.0], initial_state=[1.0], engine=engine)
+        clpt.simulate(burst, [0.0, 2.0], initial_state=[1.0], engine=engine)
     assert "\n" not in str(caught.value)
 
 
@@ -45,10 +30,8 @@ def drift(outside, u=1.0, v=0.0, end=10.0, *more, external=("v_x",)):
     shape = tuple(len(axis) for axis in axes)
     grid = GriddedField(*axes, np.full(shape, u), np.full(shape, v))
     units = PAPER.units.model_copy(update={"length": "km", "time": "h"})
-    return connect(
-        [field.gridded_flow(grid, outside, units=units), vehicle.vehicle(), *more],
-        external=external,
-    )
+    flow = field.gridded_flow(grid, outside, units=units)
+    return clpt.connect([flow, vehicle.vehicle(), *more], external=external)
 
 
 def test_leaving_raises_with_position_time_and_bounds():
@@ -62,36 +45,29 @@ def test_leaving_raises_with_position_time_and_bounds():
 
 
 def test_leaving_stops_where_it_leaves_between_samples():
-    run = response(drift("stop"), [0.0, 1.0, 3.0], initial_state=[0.75, 0.5])
+    run = clpt.simulate(drift("stop"), [0.0, 1.0, 3.0], initial_state=[0.75, 0.5])
     np.testing.assert_allclose(run.time, [0.0, 1.0, 1.25], atol=1e-9)
-    np.testing.assert_allclose(run.states, [[0.75, 1.75, 2.0], [0.5] * 3], atol=1e-8)
+    np.testing.assert_allclose(run.states, [[0.75, 0.5], [1.75, 0.5], [2.0, 0.5]], atol=1e-8)
     assert run.message.startswith("stopped")
     assert "time 1.25 h" in run.message
+    run = clpt.simulate(drift("stop"), [0.0, 1.0], initial_state=[3.0, 0.0])
+    assert run.time.values.tolist() == [0.0]
 
 
-def test_clip_goes_on_with_the_flow_at_the_edge():
-    run = response(drift("clip", v=-0.5), [0.0, 4.0, 20.0], initial_state=[0.0, 0.0])
-    np.testing.assert_allclose(run.states[:, 1], [4.0, -2.0], atol=1e-8)
-    np.testing.assert_allclose(run.states[:, 2], [20.0, -10.0], atol=1e-8)
+def test_clip_goes_on_with_the_flow_at_the_edge_and_an_end_there_is_inside():
+    run = clpt.simulate(drift("clip", v=-0.5), [0.0, 4.0, 20.0], initial_state=[0.0, 0.0])
+    np.testing.assert_allclose(run.states[1:], [[4.0, -2.0], [20.0, -10.0]], atol=1e-8)
+    run = clpt.simulate(drift("raise"), [0.0, 2.0], initial_state=[0.0, 1.0])
+    np.testing.assert_allclose(run.states[-1], [2.0, 1.0], atol=1e-9)
 
 
-def test_leaving_in_time():
+def test_leaving_in_time_or_before_the_start():
     with pytest.raises(SimulationError, match=r"time 3 h; .*time 0 to 3 h"):
         clpt.simulate(drift("raise", u=0.1, end=3.0), [0.0, 5.0], initial_state=[0.0, 0.0])
     run = clpt.simulate(drift("stop", u=0.1, end=3.0), [0.0, 5.0], initial_state=[0.0, 0.0])
     np.testing.assert_allclose(run.time, [0.0, 3.0], atol=1e-9)
-
-
-def test_ending_at_the_edge_is_inside():
-    run = response(drift("raise"), [0.0, 2.0], initial_state=[0.0, 1.0])
-    np.testing.assert_allclose(run.states[:, -1], [2.0, 1.0], atol=1e-9)
-
-
-def test_starting_outside():
     with pytest.raises(SimulationError, match=r"\(3, 0\) km, time 0 h"):
         clpt.simulate(drift("raise"), [0.0, 1.0], initial_state=[3.0, 0.0])
-    run = response(drift("stop"), [0.0, 1.0], initial_state=[3.0, 0.0])
-    assert run.time.tolist() == [0.0]
 
 
 @pytest.mark.parametrize("farthest", [4.04, 2.02])
@@ -100,7 +76,7 @@ def test_out_and_back_within_a_step_is_found(farthest):
     def velocity(t, x, u, p):
         return [-1.0 + farthest * math.pi / 10 * np.cos(math.pi * t / 10), 0.0]
 
-    pushed = Block("pushed", output=velocity, outputs={"v_x": 2})
+    pushed = clpt.Block("pushed", output=velocity, outputs={"v_x": 2})
     run = clpt.simulate(drift("stop", 1.0, 0.0, 10.0, pushed, external=()), [0.0, 9.9])
     leaves = 10 / math.pi * math.asin(2 / farthest)
     assert run.time[-1] == pytest.approx(leaves, abs=1e-6)
