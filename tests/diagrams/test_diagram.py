@@ -7,7 +7,7 @@ import pytest
 import clpt_control as clpt
 from clpt_control.diagrams import wiring
 from clpt_control.diagrams.interconnection import Diagram, connect
-from clpt_control.errors import BlockError, DiagramError
+from clpt_control.errors import DiagramError
 from clpt_control.simulation.starts import initial_state
 
 PAPER = clpt.paper_scenario()
@@ -103,9 +103,6 @@ def test_initial_state_is_in_the_order_of_the_states():
     assert ends == flat({"x": 2, "z": 2, "alpha": 6, "K": 2, "Gamma": 2})
 
 
-# --- mistakes, by name ------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("engine", ["native", "python"])
 def test_a_circle_through_an_entry_of_d_that_is_0_is_none(engine):
     """A mass on a spring whose place is fed back, and whose acceleration is measured."""
@@ -125,35 +122,6 @@ def test_a_circle_through_an_entry_of_d_that_is_0_is_none(engine):
     mass.D[0, 0] = 0.5
     with pytest.raises(DiagramError, match="algebraic loop: mass <- total <- K"):
         wiring.wiring_of(connect([mass, K, total], "r"))
-
-
-# --- parameters at call time ------------------------------------------------------------------
-
-
-def test_qualified_parameters_reach_their_blocks():
-    loop, x = clpt.closed_loop(PAPER), np.random.default_rng(1).normal(size=14)
-    twice = loop.dynamics(3.0, x, [], params={"adaptation.gain": 1.6})
-    once = loop.dynamics(3.0, x, [])
-    np.testing.assert_allclose(twice[4:], 2 * once[4:], rtol=1e-14)
-    np.testing.assert_array_equal(twice[:4], once[:4])
-    np.testing.assert_array_equal(loop.dynamics(3.0, x, []), once)  # and is gone again
-    still = {"true_flow.theta": np.zeros((2, 3)), "vehicle_controller.GammaD": [0.0, 0.0]}
-    rate = loop.dynamics(0.0, [1.0, 2.0, *np.zeros(12)], [], params=still)
-    np.testing.assert_array_equal(rate[:2], [-1.0, -2.0])
-
-
-@pytest.mark.parametrize("name", ["adaptation.gian", "gain", "adaptation", "adaptation.gain.x", ""])
-def test_what_is_no_parameter_is_an_error_everywhere(name):
-    loop, x = clpt.closed_loop(PAPER), np.zeros(14)
-    for call in (
-        lambda: loop.dynamics(0, x, [], params={name: 1.0}),
-        lambda: loop.output(0, x, [], params={name: 1.0}),
-        lambda: clpt.simulate(loop, [0, 1], initial_state=x, params={name: 1.0}),
-        lambda: clpt.simulate(PAPER, [0, 1], params={name: 1.0}),
-        lambda: loop.linearize(x, [], params={name: 1.0}),
-    ):
-        with pytest.raises(BlockError, match=rf"unknown parameter '{name}'.*adaptation\.gain"):
-            call()
 
 
 def test_a_diagram_stays_a_diagram():

@@ -4,11 +4,9 @@ import itertools
 import math
 
 import numpy as np
-import pytest
-from calm_water import CALM, PAPER, exact_positions
+from calm_water import CALM, exact_positions
 
 import clpt_control as clpt
-from clpt_control.errors import ClptError
 
 
 def test_tolerance_buys_accuracy():
@@ -62,21 +60,3 @@ def test_an_input_that_is_a_block():
     wave = clpt.Block("wave", output=lambda t, x, u, p: np.cos(t), outputs={"u": 1})
     run = run_of(clpt.connect([wave, decaying(1.0)]), times, initial_state=[0.5])
     np.testing.assert_allclose(run.x, (np.cos(times) + np.sin(times)) / 2, atol=1e-9)
-
-
-STEERED = clpt.closed_loop(PAPER, external=("zc",))
-
-
-@pytest.mark.parametrize(
-    ("system", "times", "inputs", "said"),
-    [
-        (STEERED, [0, 1, 2], [1.0, 2.0, 3.0, 4.0], "inputs"),
-        (STEERED, [0, 1, 2], np.zeros((2, 2)), r"inputs: shape \(2, 2\) does not fit 2"),
-        (STEERED, [0, 1], [[0, np.nan], [0, 0]], "inputs: must be finite"),
-        (STEERED, [0, 1], lambda t: [1.0, 2.0], "inputs: a function is none; connect a block"),
-        (PAPER, [0, 1], 1.0, "a scenario has no inputs"),
-    ],
-)
-def test_inputs_that_do_not_fit(system, times, inputs, said):
-    with pytest.raises(ClptError, match=said):
-        clpt.simulate(system, times, inputs)

@@ -271,13 +271,7 @@ def test_the_state_is_in_the_order_of_the_diagram():
     team = clpt.Team(members={"west": PAPER, "east": PAPER}, coupling=0.5)
     both = clpt.simulate(team, [0, 1])
     assert both.state.values.tolist() == clpt.team_loop(team).state_labels
-    for t, said in (
-        (7.5, "nearest of its times is 7; simulate it with timepts"),
-        (31, "nearest of its times is 30"),
-        (np.nan, "t = nan"),
-        ("noon", "a number"),
-    ):
-        with pytest.raises(ClptError, match=said):
-            clpt.state_at(run, t)
+    with pytest.raises(ClptError, match="nearest of its times is 7; simulate it with timepts"):
+        clpt.state_at(run, 7.5)
     with pytest.raises(DataError, match="carries no states"):
         clpt.state_at(run.drop_vars("states"), 7)

@@ -117,11 +117,7 @@ def test_what_misses_a_claim_is_not_rounded_to_what_meets_it():
     assert flow["measured"] == "0.0504 at t = 200, 0.0002 at t = 2000"
 
 
-def test_what_is_no_axis_and_no_run_of_the_paper_is_refused():
-    scenario = PAPER.with_values({"run.duration": 20.0})
-    found = summary.run_and_report(scenario)
-    for axis in (0, 3):
-        with pytest.raises(clpt.ClptError, match="must be 1, east, or 2, north"):
-            clpt.simulation.learning_plot(found.run, axis)
+def test_what_is_no_run_of_the_paper_has_no_claims():
+    found = summary.run_and_report(PAPER.with_values({"run.duration": 20.0}))
     with pytest.raises(clpt.DataError, match="from t = 0 to 2000"):
         clpt.simulation.claims(found.summary)

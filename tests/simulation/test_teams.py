@@ -167,9 +167,7 @@ def test_one_vehicle_may_have_a_limit_of_speed():
     ("arguments", "said"),
     [
         ({"initial_state": [1.0]}, "initial_state, params: a team has its own"),
-        ({"inputs": [1.0]}, "a scenario has no inputs"),
         ({"params": {"a/adaptation.gain": 1.0}}, r"params: a team has its own.*team_loop\(team\)"),
-        ({"timepts": [1.0, 0.0]}, "timepts"),
     ],
     ids=str,
 )
@@ -186,11 +184,3 @@ def test_the_names_of_vehicles_may_be_anything_in_a_file(names):
     others[:] = names
     with pytest.raises(clpt.DataError, match="the run's vehicles are not a, b"):
         clpt.report(run.assign_coords(vehicle=others), "never.html")
-
-
-def test_others_take_no_team():
-    for function in (clpt.closed_loop, clpt.initial_state, clpt.paper_blocks):
-        with pytest.raises(clpt.ArgumentError, match="= a Team: must be a Scenario"):
-            function(team(a=PAPER, b=PAPER))
-    with pytest.raises(clpt.ArgumentError, match="must be a Team"):
-        clpt.team_loop(PAPER)
