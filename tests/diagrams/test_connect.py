@@ -3,9 +3,6 @@
 import control
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
-from scipy.linalg import expm
 
 import clpt_control as clpt
 from clpt_control.blocks import flow, vehicle
@@ -14,38 +11,6 @@ from clpt_control.errors import BlockError, DiagramError
 
 TIMES = np.linspace(0.0, 3.0, 7)
 ENGINES = ("native", "python")
-
-
-def system(numbers, n, m, r, direct, name, inputs, outputs):
-    """A random linear system, its ports called `inputs` and `outputs`."""
-    A = numbers.normal(size=(n, n)) - 2 * np.eye(n)
-    B, C = numbers.normal(size=(n, m)), numbers.normal(size=(r, n))
-    D = direct * numbers.normal(size=(r, m))
-    named = {
-        "inputs": [f"{inputs}[{k}]" for k in range(m)],
-        "outputs": [f"{outputs}[{k}]" for k in range(r)],
-    }
-    return control.ss(A, B, C, D, name=name, **named)
-
-
-@settings(max_examples=12, deadline=None, derandomize=True)
-@given(seed=st.integers(0, 10**6), n=st.integers(0, 3), m=st.integers(1, 3), r=st.integers(1, 3))
-def test_two_random_systems_in_a_loop_are_their_matrix_exponential(seed, n, m, r):
-    """Forward with feedthrough, back without: states go as expm of the whole matrix."""
-    numbers = np.random.default_rng(seed)
-    one = system(numbers, n, m, r, 1.0, "one", "u", "y")
-    two = system(numbers, 2, r, m, 0.0, "two", "y", "u")
-    loop = clpt.connect([one, two])
-    whole = np.block([[one.A, one.B @ two.C], [two.B @ one.C, two.A + two.B @ one.D @ two.C]])
-    start = numbers.normal(size=n + 2)
-    exact = np.array([expm(whole * t) @ start for t in TIMES])
-    scale = 1e-8 * (1 + np.abs(exact).max())
-    for engine in ENGINES:
-        run = clpt.simulate(loop, TIMES, 0, start, engine=engine, rtol=1e-11, atol=1e-13)
-        np.testing.assert_allclose(run.states, exact, rtol=0, atol=scale)
-        signals = run.u.values.reshape(len(TIMES), m)
-        np.testing.assert_allclose(signals, exact[:, n:] @ two.C.T, rtol=0, atol=10 * scale)
-    np.testing.assert_allclose(loop.dynamics(0, start, []), whole @ start, rtol=1e-12, atol=1e-12)
 
 
 def servo():
@@ -193,11 +158,10 @@ def test_one_vehicle_of_two_diagrams_is_reached_by_its_name():
 
 
 def test_states_and_inputs_are_stacked_as_python_control_stacks_them():
-    parts = [
-        system(np.random.default_rng(3), 2, 2, 1, 1.0, "one", "u", "y"),
-        system(np.random.default_rng(4), 2, 1, 1, 0.0, "two", "y", "w"),
-    ]
-    loop, ramp = clpt.connect(parts, external="u"), TIMES - 1.0
+    A, B = np.array([[-1.0, 0.4], [-0.7, -2.0]]), np.array([[1.0, 0.3], [-0.5, 2.0]])
+    one = control.ss(A, B, [[1, -1]], [[0.5, 1]], name="one", inputs=["u[0]", "u[1]"], outputs="y")
+    two = control.ss(A.T, B[:, :1], [[0.3, 1]], 0, name="two", inputs="y", outputs="w")
+    loop, ramp = clpt.connect([one, two], external="u"), TIMES - 1.0
     for inputs, start in (
         ([ramp, 0], [[0.5, -1.0], 0]),
         ([2.0, ramp], [0.5, [1.0, 0.0], 0]),
