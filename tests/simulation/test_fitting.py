@@ -4,8 +4,8 @@ import control
 import numpy as np
 import pytest
 import xarray
+from models import decay
 from scipy.optimize import curve_fit
-from test_sensitivity import decay
 
 import clpt_control as clpt
 

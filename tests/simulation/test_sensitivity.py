@@ -3,7 +3,7 @@
 import control
 import numpy as np
 import pytest
-from adaptive_loop import mrac
+from models import MODELS, autonomous, decay, mrac, stepping
 from scipy.linalg import expm
 
 import clpt_control as clpt
@@ -12,130 +12,27 @@ from clpt_control.equations.declaration import Each
 EXACT = {"rtol": 1e-12, "atol": 1e-13}
 
 
-def autonomous(update, **params):
-    """A system of one state and no input."""
-    ports = {"states": ["x"], "inputs": 0, "outputs": ["x"]}
-    return control.nlsys(update, None, name="lag", params=params, **ports)
-
-
-def decay(k):
-    return autonomous(lambda t, x, u, p: [-p["k"] * x[0]], k=k)
-
-
-def pendulum():
-    def update(t, x, u, p):
-        pull = -p["g"] / p["l"] * np.sin(x[0])
-        return [x[1], pull - p["c"] * x[1] * abs(x[1]) + u[0]]
-
-    return control.nlsys(
-        update,
-        lambda t, x, u, p: [p["l"] * np.sin(x[0])],
-        name="pendulum",
-        states=["theta", "omega"],
-        inputs=["torque"],
-        outputs=["place"],
-        params={"g": 9.81, "l": 1.2, "c": 0.3},
-    )
-
-
-def discrete():
-    controller = control.ss([[1.0]], [[0.1]], [[0.8]], [[2.0]], True, name="pi", inputs="e",
-                            outputs="u")  # fmt: skip
-
-    def update(t, x, u, p):
-        return [x[0] + p["h"] * (-p["k"] * x[0] ** 3 + u[0])]
-
-    plant = control.nlsys(update, None, name="plant", states=["x"], inputs=["u"], outputs=["y"],
-                          params={"h": 0.1, "k": 0.7}, dt=True)  # fmt: skip
-    error = control.summing_junction(["r", "-y"], "e", name="error")
-    error.dt = True
-    return control.interconnect(
-        [controller, plant, error], inputs=["r"], outputs=["y", "u"], name="discrete", dt=True
-    )
-
-
-def sampled_tank():
-    """A PI controller at samples of 0.5 s, a tank with a valve that saturates."""
-
-    def level(t, x, u, p):
-        inflow = min(max(u.q[0], 0.0), 3.0)
-        return [(inflow - p.c * np.sqrt(x.h[0] + 0.01)) / p.area]
-
-    tank = clpt.Block("tank", update=level, inputs={"q": 1}, states={"h": 1},
-                      parameters={"c": 1.0, "area": 2.0})  # fmt: skip
-    pi = clpt.Block(
-        "pi", update=lambda t, x, u, p: [p.target - u.h[0]],
-        output=lambda t, x, u, p: [p.kp * (p.target - u.h[0]) + p.ki * x.integral[0]],
-        inputs={"h": 1}, outputs={"q": 1}, states={"integral": 1},
-        parameters={"kp": 2.0, "ki": 0.7, "target": 1.5},
-    )  # fmt: skip
-    return clpt.connect([tank, clpt.equations.Sampled(pi, 0.5)], name="level")
-
-
-def tanks():
-    """Two tanks whose areas stand in one array."""
-
-    def update(t, x, u, p):
-        return (u[0] - x) / np.array([p["area"], p["wide"]])
-
-    return control.nlsys(update, None, name="tanks", states=2, inputs=1, outputs=2,
-                         params={"area": 1.0, "wide": 2.0})  # fmt: skip
-
-
-def van_der_pol():
-    def update(t, x, u, p):
-        return [x[1], p["mu"] * (1.0 - x[0] ** 2) * x[1] - x[0]]
-
-    names = {"states": ["x", "v"], "inputs": 0, "outputs": ["x", "v"]}
-    return control.nlsys(update, None, name="vdp", params={"mu": 500.0}, **names)
-
-
-def rooted():
-    """A power of a magnitude that begins at zero."""
-    return autonomous(lambda t, x, u, p: [p["b"] - np.abs(x[0]) ** 0.3 * x[0]], b=0.6)
-
-
-PAPER = clpt.closed_loop(clpt.paper_scenario())
-STIFF = {"rtol": 1e-11, "atol": 1e-13, "method": "rodas5p"}
-MODELS = {  # system, end, parameters, start, tolerances and input, step
-    "pendulum": (pendulum(), 5.0, {"g": 9.81, "l": 1.2, "c": 0.3}, [1.0, 0.0],
-                 {"inputs": [0.7], **EXACT}, 1e-5),
-    "mrac": (mrac(), 5.0, {"a": 1.0, "b": 3.0, "gain": 2.0}, [0.0] * 4,
-             {"inputs": [1.0], **EXACT}, 1e-5),
-    "discrete": (discrete(), 40.0, {"k": 0.7}, [0.2, 1.0], {"inputs": [1.0]}, 1e-5),
-    "tanks": (tanks(), 5.0, {"area": 1.0, "wide": 2.0}, [0.3, 0.1], {"inputs": 1.0, **EXACT}, 1e-5),
-    "tank": (sampled_tank(), 7.3, {"tank.c": 1.0, "pi.kp": 2.0, "pi.target": 1.5},
-             [0.1, 0.0, 0.0], EXACT, 1e-6),
-    "paper": (PAPER, 50.0, {"adaptation.gain": 0.8}, clpt.initial_state(PAPER), EXACT, 1e-4),
-    "stiff": (van_der_pol(), 300.0, {"mu": 500.0}, [2.0, 0.0], STIFF, 1e-4),
-    "rooted": (rooted(), 2.0, {"b": 0.6}, None, EXACT, 1e-4),
-}  # fmt: skip
-
-
-def by_differences(system, times, start, param, value, h, **given):
-    """Return states differentiated by a parameter, or by a state at the start."""
-    h *= max(1.0, abs(value or 0.0))
-    if isinstance(param, str):
-        moved = [{"params": {param: value + step}, "initial_state": start} for step in (h, -h)]
-    else:
-        moved = [{"initial_state": start + step * np.eye(len(start))[param]} for step in (h, -h)]
-    ends = [clpt.simulate(system, times, **given, **one).states.values for one in moved]
-    return (ends[0] - ends[1]) / (2.0 * h)
-
-
-@pytest.mark.parametrize("name", MODELS)
+@pytest.mark.parametrize("name", [name for name, model in MODELS.items() if model.varied])
 def test_differences_agree(name):
-    system, end, params, start, given, h = MODELS[name]
-    times = np.arange(0.0, end + 1) if name == "discrete" else np.linspace(0.0, end, 7)
-    labels = () if start is None else system.state_labels[: len(start)]  # a held one is no start
-    start = start if start is None else np.array(start)
-    to = [*params, *(f"x0.{label}" for label in labels)]
+    system, start, u, h, params, move = MODELS[name]
+    labels, start, times = system.state_labels, np.array(start), 100.0 * h * np.arange(6)
+    given = {"inputs": u or 0.0, **({} if name == "discrete" else EXACT)}
+    given |= {"method": "rodas5p", "rtol": 1e-11} if name == "stiff" else {}
+    of_start = [] if name == "root" else labels[: len(start)]
+    to = [*params, *(f"x0.{label}" for label in of_start)]
     found = clpt.sensitivity(system, times, to=to, initial_state=start, **given).states
-    for place, param in enumerate([*params, *range(min(2, len(labels)))]):
-        own = by_differences(system, times, start, param, params.get(param), h, **given)
+    for place, param in enumerate([*params, *range(len(of_start[:2]))]):
+        step, moved = move * max(1.0, abs(params.get(param, 0.0))), []
+        for by in (step, -step):
+            if param in params:
+                moved.append({"params": {param: params[param] + by}, "initial_state": start})
+            else:
+                moved.append({"initial_state": start + by * np.eye(len(start))[param]})
+        more, less = (clpt.simulate(system, times, **given, **one).states.values for one in moved)
+        own = (more - less) / (2.0 * step)
         ours = found.isel(parameter=place).values
         assert np.abs(own - ours).max() < 1e-6 * max(1.0, np.abs(own).max()), param
-    if name == "rooted":
+    if name == "root":
         with pytest.raises(clpt.SimulationError, match=r"derivative of d_x.* of block lag"):
             clpt.sensitivity(system, times, to="x0")
 
@@ -178,16 +75,6 @@ def teeth():
         parameters={"slope": 1.0, "period": 1.0, "interval": -1.0},
         units={"x": "m"},
     )
-
-
-def stepping(before=1.0, behind=3.0, little=0.0):
-    """Its rate jumps where x is the edge, or 1 and a little of it."""
-
-    def update(t, x, u, p):
-        edge = 1.0 + little * p["edge"] if little else p["edge"]
-        return [before if x[0] < edge else behind]
-
-    return autonomous(update, edge=1.0)
 
 
 def with_output(output, rate, **params):
