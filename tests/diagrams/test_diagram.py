@@ -5,9 +5,7 @@ import numpy as np
 import pytest
 
 import clpt_control as clpt
-from clpt_control.diagrams import wiring
-from clpt_control.diagrams.interconnection import Diagram, connect
-from clpt_control.errors import DiagramError
+from clpt_control.diagrams.interconnection import Diagram
 from clpt_control.simulation.starts import initial_state
 
 PAPER = clpt.paper_scenario()
@@ -101,27 +99,6 @@ def test_initial_state_is_in_the_order_of_the_states():
     labels = clpt.closed_loop(scenario).state_labels
     ends = [label.split("_")[-1] for label in labels]
     assert ends == flat({"x": 2, "z": 2, "alpha": 6, "K": 2, "Gamma": 2})
-
-
-@pytest.mark.parametrize("engine", ["native", "python"])
-def test_a_circle_through_an_entry_of_d_that_is_0_is_none(engine):
-    """A mass on a spring whose place is fed back, and whose acceleration is measured."""
-    A, B, C = (np.array(m) for m in ([[0, 1], [-1, -0.5]], [[0], [1]], [[1, 0], [-1, -0.5]]))
-    K = control.ss([], [], [], -2.0, inputs="place", outputs="back", name="K")
-    total = control.summing_junction(["back", "r"], "F", name="total")
-    mass = control.ss(A, B, C, [[0], [1]], inputs="F", outputs=["place", "pull"], name="mass")
-    loop, times = connect([mass, K, total], "r"), np.linspace(0, 5, 11)
-    run = clpt.simulate(loop, times, 1.0, rtol=1e-11, atol=1e-12, engine=engine)
-    whole = control.ss(A - 2 * B @ C[:1], B, C - [[0, 0], [2, 0]], [[0], [1]])
-    expected = control.forced_response(whole, times, np.ones(11)).y
-    np.testing.assert_allclose(run.place, expected[0], atol=1e-9)
-    np.testing.assert_allclose(run.pull, expected[1], atol=1e-9)
-    assert run.attrs["engine"] == engine
-    with pytest.raises(clpt.ClptError, match=r"mass\.D"):
-        clpt.simulate(loop, times, 1.0, params={"mass.D": [[0.5], [1]]})
-    mass.D[0, 0] = 0.5
-    with pytest.raises(DiagramError, match="algebraic loop: mass <- total <- K"):
-        wiring.wiring_of(connect([mass, K, total], "r"))
 
 
 def test_a_diagram_stays_a_diagram():
