@@ -103,9 +103,6 @@ def test_names_that_would_be_one_are_two():
     data = {"y": np.exp(-TIMES), "y[0]": 3.0 * np.exp(-2.0 * TIMES)}
     found = clpt.fit_parameters(pair, data, {"x0": 0.5}, TIMES)
     assert [*found.values.values()] == pytest.approx([1.0, 3.0])
-    twins = control.nlsys(rates, inputs=0, outputs=["y", "y_"], states=["y", "y_"], name="twins")
-    with pytest.raises(clpt.ClptError, match="y_ is twice a name of the result"):
-        clpt.run_ensemble(twins, {"y": [1.0]}, timepts=TIMES, trajectories=True)
     two = control.ss(-np.eye(2), np.ones((2, 1)), np.eye(2), 0, outputs=["x[0]", "x[1]"])
     both = {"x": np.zeros((len(TIMES), 2)), "x[0]": 0 * TIMES}
     with pytest.raises(clpt.ClptError, match=r"data: x\[0\] is given twice"):

@@ -128,9 +128,9 @@ def test_what_a_file_repeats_is_what_python_control_runs(tmp_path):
     """The loaded diagram has the rates and outputs of the first one, and its poles."""
     clpt.save_run(clpt.simulate(nested(), TIMES, np.cos(TIMES)), tmp_path / "run.nc")
     loaded, first = clpt.load_diagram(tmp_path / "run.nc"), nested()
-    for t, *x in ((0.0, 0.0, 0.0), (1.5, 2.0, -1.0)):
-        for ours, theirs in ((loaded.dynamics, first.dynamics), (loaded.output, first.output)):
-            np.testing.assert_allclose(ours(t, x, [0.7]), theirs(t, x, [0.7]), rtol=1e-12)
+    for ours, theirs in ((loaded.dynamics, first.dynamics), (loaded.output, first.output)):
+        at = 1.5, [2.0, -1.0], [0.7]
+        np.testing.assert_allclose(ours(*at), theirs(*at), rtol=1e-12)
     poles = np.sort_complex(control.linearize(loaded, 0, 0).poles())
     np.testing.assert_allclose(poles, [-0.65 - 0.9367497j, -0.65 + 0.9367497j], atol=1e-5)
 

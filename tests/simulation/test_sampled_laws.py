@@ -39,21 +39,20 @@ def test_every_engine_samples_a_law(law):
 
 def test_the_scenarios_method_runs():
     stiff = SLOW.with_values({"run.method": "rodas5p", "run.rtol": 1e-6})
-    assert clpt.simulate(stiff).attrs["method"] == "Rodas5P"
-    assert clpt.simulate(clpt.closed_loop(stiff)).attrs["method"] == "Rodas5P"
+    for system in (stiff, clpt.closed_loop(stiff)):
+        assert clpt.simulate(system).attrs["method"] == "Rodas5P"
     found = clpt.simulate(SLOW.with_values({"run.rtol": 1e-6}), method="rodas5p")
     assert 'method = "rodas5p"' in found.attrs["scenario"]
     with pytest.raises(ScenarioError, match=r"run\.method = 'euler': must be"):
         SLOW.with_values({"run.method": "euler"})
-    explicit = stiff.with_values({"run.method": "dop853"})
-    data, other = (
-        clpt.run_ensemble(one, {"learning.gain": [0.1, 0.2]}, trajectories=True)
-        for one in (stiff, explicit)
+    explicit, members = stiff.with_values({"run.method": "dop853"}), {"learning.gain": [0.1, 0.2]}
+    alpha, other = (
+        clpt.run_ensemble(one, members, trajectories=True).alpha.values for one in (stiff, explicit)
     )
     for m, gain in enumerate((0.1, 0.2)):
         alone = clpt.simulate(stiff.with_values({"learning.gain": gain}))
-        np.testing.assert_allclose(data.alpha[m], alone.alpha, rtol=0, atol=1e-6)
-    assert not np.array_equal(data.alpha, other.alpha)
+        np.testing.assert_allclose(alpha[m], alone.alpha, rtol=0, atol=1e-6)
+    assert not np.array_equal(alpha, other)
 
 
 def test_what_is_not_sampled_says_so():
