@@ -1,4 +1,4 @@
-r"""The paper's block diagram: `control.interconnect` and nothing else.
+r"""The paper's block diagram, a `control.InterconnectedSystem`.
 
     reference -> vehicle_controller -> vehicle -> clpe -> adaptation
               \> learning_controller -> learning_model /
