@@ -71,18 +71,14 @@ def test_a_state_behind_an_output_of_its_name_has_its_block_before_it():
             name=name,
         )
 
+    named = lambda t, x, u, p: {"k": p.k - x.k}  # noqa: E731
+    plant = clpt.Block("plant", update=named, states={"k": 1}, parameters={"k": 0.0})
+    assert repr(clpt.equations(plant)) == "plant.k' = -plant.k + plant.parameter.k"
     one = clpt.equations(offset("plant"))
     assert repr(one) == "plant.x' = -plant.x\nx = 2*plant.x + 1"
     links, blocks = [["b.u", "a.x"]], [offset("a"), offset("b")]
     both = clpt.equations(control.interconnect(blocks, links, inplist=["a.u"], outlist=["b.x"]))
     assert both["b.x"] == 2 * both["b.state.x"] + 1
-
-
-def test_a_parameter_called_as_a_state_of_its_block_is_told_from_it():
-    plant = clpt.Block(
-        "plant", update=lambda t, x, u, p: {"k": p.k - x.k}, states={"k": 1}, parameters={"k": 0.0}
-    )
-    assert repr(clpt.equations(plant)) == "plant.k' = -plant.k + plant.parameter.k"
 
 
 SYSTEMS = {

@@ -16,7 +16,7 @@ from damages import json_changed
 from models import MODELS
 from processes import ran
 from random_diagrams import random_diagram
-from test_compare import gauge, lemniscate, loop
+from test_compare import lemniscate, loop
 
 import clpt_control as clpt
 from clpt_control.simulation.run_file import diagram_of_text, equations_text
@@ -93,9 +93,7 @@ RUNS = {
     "stop": lambda: clpt.simulate(loop(), TIMES, 1.0, stop=lambda t, y, u: 1.0 - y[0]),
     "nested": lambda: clpt.simulate(nested(), TIMES, np.cos(TIMES)),
     "names": lambda: clpt.simulate(two_of_one_name(), TIMES, [1.0, TIMES]),
-    "periods": lambda: clpt.simulate(kicked(clpt.equations.declaration.Each(0.7)), TIMES),
     "times": lambda: clpt.simulate(kicked(at_odd_times), TIMES),
-    "static": lambda: clpt.simulate(gauge(), TIMES, [TIMES, 1.0]),
     "late": lambda: clpt.simulate(kicked(at_odd_times), TIMES + 0.5),
 }
 
