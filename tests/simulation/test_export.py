@@ -20,44 +20,45 @@ needs_cc = pytest.mark.skipif(COMPILER is None, reason="no C compiler on this ma
 FLAGS = ["-std=c99", "-Wall", "-Wextra", "-pedantic", "-Werror", "-O2", "-shared", "-fPIC"]
 
 
+def library(text, folder):
+    """Return text of C, compiled without a warning."""
+    (folder / "made.c").write_bytes(text)
+    made = folder / "made.so"
+    subprocess.run([COMPILER, *FLAGS, "-o", made, folder / "made.c", "-lm"], check=True)
+    return ctypes.CDLL(str(made))
+
+
 class InC:
     """A diagram's C, compiled."""
 
     def __init__(self, system, folder, **given):
-        file = folder / "made.c"
-        self.text = clpt.export_c(system, file, **given)
-        assert file.read_text() == self.text
+        self.text = clpt.export_c(system, folder / "made.c", **given)
         assert re.findall(r"#include.*", self.text) == ["#include <math.h>"]
         assert not re.search(r"\b(malloc|calloc|free|printf)\b", self.text)
-        made = folder / "made.so"
-        subprocess.run([COMPILER, *FLAGS, "-o", made, file, "-lm"], check=True)
-        self.library = ctypes.CDLL(str(made))
-        self.name = re.search(r"(\w+)_nx = ", self.text).group(1)
-        counts = {
+        self.library = library((folder / "made.c").read_bytes(), folder)
+        self.name, states = re.search(r"(\w+)_nx = (\d+)", self.text).groups()
+        self.counts = {"x": int(states)} | {
             letter: int(re.search(rf"{self.name}_n{letter} = (\d+)", self.text).group(1))
-            for letter in "xuyp"
+            for letter in "uyp"
         }
-        self.counts = counts
-        self.p, self.x0 = self.array("p0", counts["p"]), self.array("x0", counts["x"])
+        self.p, self.x0 = self.array("p"), self.array("x")
 
-    def array(self, name, count):
-        if not count:
-            return np.zeros(1)
-        return np.array((ctypes.c_double * count).in_dll(self.library, f"{self.name}_{name}"))
+    def array(self, letter):
+        """Return the numbers that the file has itself."""
+        count = self.counts[letter]
+        held = (ctypes.c_double * max(1, count)).in_dll
+        return np.array(held(self.library, f"{self.name}_{letter}0")) if count else np.zeros(1)
 
     def call(self, name, times, *arrays):
         pointers = [a.ctypes.data_as(ctypes.POINTER(ctypes.c_double)) for a in arrays]
         getattr(self.library, f"{self.name}_{name}")(*map(ctypes.c_double, times), *pointers)
 
-    def outputs(self, t, x, u):
-        y = np.zeros(max(1, self.counts["y"]))
-        self.call("outputs", [t], x, u, self.p, y)
-        return y[: self.counts["y"]]
-
-    def rates(self, t, x, u):
-        dx = np.zeros(max(1, self.counts["x"]))
-        self.call("rates", [t], x, u, self.p, dx)
-        return dx[: self.counts["x"]]
+    def computed(self, name, t, x, u):
+        """Return outputs or rates."""
+        count = self.counts["y" if name == "outputs" else "x"]
+        found = np.zeros(max(1, count))
+        self.call(name, [t], x, u, self.p, found)
+        return found[:count]
 
     def run(self, x, u, h, steps, begin=False):
         """Return states after each step, from the first."""
@@ -84,8 +85,10 @@ def test_the_numbers_are_those_of_the_blocks(name, tmp_path):
         x = start + 0.3 * np.abs(random.standard_normal(len(start)))
         runner.sweep.enter(t)
         rates = runner.sweep.derivative(t, x, u[:m])
-        assert made.rates(t, x, u) == pytest.approx(rates, rel=1e-12, abs=1e-12)
-        assert made.outputs(t, x, u) == pytest.approx(runner.sweep.outputs(), rel=1e-12, abs=1e-12)
+        assert made.computed("rates", t, x, u) == pytest.approx(rates, rel=1e-12, abs=1e-12)
+        assert made.computed("outputs", t, x, u) == pytest.approx(
+            runner.sweep.outputs(), rel=1e-12, abs=1e-12
+        )
     times = h * np.arange(1001)
     step = {} if name == "discrete" else {"step": h}
     ours = runner.run(start, times, inputs=u[:m] if m else None, **step).x
@@ -105,7 +108,7 @@ def test_what_samples_takes_new_inputs_by_begin(h, tmp_path):
         t = k * h
         u = np.array([t**2])
         made.call("begin", [t], x, u, made.p)
-        found.append(made.outputs(t, x, u))
+        found.append(made.computed("outputs", t, x, u))
         made.call("step", [t, h], x, u, made.p)
     samples = (0.1 * np.arange(11)) ** 2
     y = [0.0]
@@ -139,7 +142,7 @@ def test_parameters_may_be_changed_but_those_that_were_asked_for(tmp_path):
     names = re.findall(r"(pendulum_p_\w+),", made.text)
     assert names == ["pendulum_p_pendulum_g", "pendulum_p_pendulum_l", "pendulum_p_pendulum_c"]
     made.p[0] = 1.6
-    rates = made.rates(0.0, np.array([0.5, 0.0]), np.zeros(1))
+    rates = made.computed("rates", 0.0, np.array([0.5, 0.0]), np.zeros(1))
     assert rates == pytest.approx([0.0, -0.8 * np.sin(0.5)])
     asking = lambda t, x, u, p: [-p["k"] * x[0] if p["n"] > 2 else -x[0]]  # noqa: E731
     params = {"k": 1.0, "n": 3.0}
@@ -160,7 +163,7 @@ def test_a_gridded_field_is_a_table(tmp_path):
     assert "static const double T_[]" in made.text
     for t, *x in ((0.0, 1.0, 2.0), (3.3, -25.0, 11.0), (5.9, 3.0, -19.0)):
         rates = runner.sweep.derivative(t, np.array(x), np.array([0.1, 0.2]))
-        found = made.rates(t, np.array(x), np.array([0.1, 0.2]))
+        found = made.computed("rates", t, np.array(x), np.array([0.1, 0.2]))
         assert found == pytest.approx(rates, rel=1e-12, abs=1e-12)
 
 

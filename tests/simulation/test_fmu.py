@@ -4,7 +4,6 @@ FMI's public checker, FMPy, is asked where it is installed (`pip install fmpy`).
 """
 
 import ctypes
-import subprocess
 import tempfile
 import zipfile
 from xml.etree import ElementTree
@@ -13,7 +12,7 @@ import control
 import numpy as np
 import pytest
 from models import MODELS, discrete
-from test_export import COMPILER, FLAGS, needs_cc
+from test_export import library, needs_cc
 
 import clpt_control as clpt
 from clpt_control.errors import ClptError
@@ -27,10 +26,7 @@ class Importer:
             self.model = ElementTree.fromstring(file.read("modelDescription.xml"))
             (source,) = (name for name in file.namelist() if name.endswith(".c"))
             text = file.read(source)
-        made = folder / "made.so"
-        (folder / "made.c").write_bytes(text)
-        subprocess.run([COMPILER, *FLAGS, "-o", made, folder / "made.c", "-lm"], check=True)
-        self.library = ctypes.CDLL(str(made))
+        self.library = library(text, folder)
         self.places = {one.get("name"): k for k, one in enumerate(self.model.iter("Float64"))}
         self.states = [name for name in self.places if name.startswith("state.")]
         self.begin(self.model.get("instantiationToken").encode())

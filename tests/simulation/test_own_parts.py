@@ -156,6 +156,8 @@ def test_nothing_is_told_of_a_run_whose_parts_its_scenario_does_not_hold():
 
     times, loop = np.linspace(0, 30, 601), clpt.closed_loop(PAPER)
     lagging = clpt.closed_loop(PAPER, insert={("v_x", "vehicle"): LAG})
+    own_law = clpt.closed_loop(PAPER, law=law_blocks.papers_law())
+    assert prove(own_law, points=100).status == "proved"
     refused(prove, lagging, "has v_x to vehicle: lag, so V' is not its law's alone")
     run = clpt.simulate(lagging, times)
     refused(certificate, run, "the run has parts given in Python, v_x to vehicle: lag")
@@ -170,7 +172,7 @@ def test_nothing_is_told_of_a_run_whose_parts_its_scenario_does_not_hold():
     slow = clpt.simulate(loop, times, params={"adaptation.gain": 1e-3})
     assert gramian(slow).window == 20.0
     refused(certificate, slow, r'the run has parameters {"adaptation.gain": 0.001}')
-    run = clpt.simulate(clpt.closed_loop(PAPER, law=law_blocks.papers_law()), times)
+    run = clpt.simulate(own_law, times)
     refused(certificate, run, "no certificate: .* the run has the law mine")
     assert gramian(run).eigenvalues["x1"][0] > 0
 
