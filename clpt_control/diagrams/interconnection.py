@@ -220,7 +220,7 @@ def interconnected(
             f"{size / 1e9:.1f} GB; at most {MOST_BYTES / 1e9:g} GB: take fewer basis functions, or "
             "simulate the scenario itself"
         )
-    diagram = control.InterconnectedSystem(parts, connection_type="explicit", **names)
+    diagram = control.InterconnectedSystem(parts, **names)
     maps = diagram.connect_map, diagram.input_map, diagram.output_map
     for matrix, entries in zip(maps, (connections, feeds, shown), strict=True):
         for row, column, gain in entries:

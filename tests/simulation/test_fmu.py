@@ -136,7 +136,9 @@ def test_where_nothing_can_be_compiled_it_holds_its_source(lost, tmp_path, monke
         monkeypatch.setenv("CC", "no-compiler-of-this-name")
     else:
         monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "none"))
-    clpt.export_fmu(control.tf(1, [1, 1], name="lag" * 100), tmp_path / "lag.fmu")
+    for name in ("lag.fmu", "again.fmu"):
+        clpt.export_fmu(control.tf(1, [1, 1], name="lag" * 100), tmp_path / name)
+    assert (tmp_path / "lag.fmu").read_bytes() == (tmp_path / "again.fmu").read_bytes()
     assert "clpt: the FMU holds its source alone" in capsys.readouterr().err
     with zipfile.ZipFile(tmp_path / "lag.fmu") as file:
         source = file.getinfo(f"sources/{'lag' * 20}.c")  # a name that a folder may hold
