@@ -264,6 +264,11 @@ def test_changed_equations_are_one_sentence_or_a_diagram():
         assert not said or said.startswith("its equations are damaged: ")
         refused += bool(said)
     assert refused > 75
+    for row, column in ((0, -1), (-1, 0), (0, 99)):  # a wire from or to no signal
+        plain = json.loads(texts[0])
+        plain["diagram"]["connections"][0][:2] = row, column
+        with pytest.raises(clpt.DataError, match="its equations are damaged: "):
+            diagram_of_text(json.dumps(plain))
 
 
 LINES = [
