@@ -1,4 +1,4 @@
-"""Wire blocks by the names of their ports, as a `control.InterconnectedSystem`.
+"""Wire blocks by the names of their ports, with `control.interconnect`.
 
 python-control adds two outputs of one name, warns of an input that nothing
 feeds, gives systems whose params have one name the value of the last, and passes over a mistyped
@@ -120,15 +120,14 @@ def changed_parameters(blocks: Iterable[tuple[str, Any]], params: Params) -> lis
 
 Makers = dict[str, tuple[int, list[int]]]  # port -> the block that makes it, its outputs
 Users = dict[str, list[tuple[int, list[int]]]]  # port -> blocks that take it, their inputs
-Entry = tuple[int, int, float]  # row, column, gain
 
 
 def match_ports(
     blocks: Sequence[Part], external: Iterable[str]
-) -> tuple[dict[str, int], dict[str, int]]:
+) -> tuple[Makers, Users, dict[str, int]]:
     """Match the ports of parts; refuse one that is made twice, missing or of another size.
 
-    Return the sizes of those that are made, and of those that come from outside.
+    Return who makes and who takes each, and the sizes of those that come from outside.
     """
     external, names = list(external), [block.name for block in blocks]
     if not blocks:
@@ -180,55 +179,7 @@ def match_ports(
             raise DiagramError(
                 f"'{port}' cannot come from outside: {why}; blocks take {', '.join(sorted(users))}"
             )
-    made = {port: len(places) for port, (_, places) in makers.items()}
-    return made, {port: len(users[port][0][1]) for port in external}
-
-
-def joined(blocks: Sequence[Part], external: Iterable[str]) -> tuple[list[int], list[int], Any]:
-    """Return the source of each input of blocks, and of each output of the diagram; its labels.
-
-    A source is a block output, or ~k for the input k of the diagram; labels are those of its
-    inputs and outputs.
-    """
-    made, outside = match_ports(blocks, external)
-    given, shown = labels(outside), labels(made)
-    signals = [label for block in blocks for label in whole_labels(block.output_labels)]
-    place = {one: k for k, one in enumerate(signals)} | {one: ~k for k, one in enumerate(given)}
-    taken = [label for block in blocks for label in whole_labels(block.input_labels)]
-    return [place[one] for one in taken], [place[one] for one in shown], (given, shown)
-
-
-def interconnected(
-    parts: Sequence[Part],
-    connections: Sequence[Entry],
-    feeds: Sequence[Entry],
-    shown: Sequence[Entry],
-    **names: Any,
-) -> Diagram:
-    """Return a diagram of parts by the entries of python-control's three matrices.
-
-    They lead from block outputs to block inputs, from the diagram's inputs to these, and from
-    block outputs to the diagram's.
-    """
-    takes, makes = (sum(n) for n in zip(*((p.ninputs, p.noutputs) for p in parts), strict=True))
-    given, seen = len(names["inputs"]), len(names["outputs"])
-    shapes = (takes, makes), (takes, given), (seen, makes + takes)
-    size = 8 * sum(rows * columns for rows, columns in shapes)
-    if size > MOST_BYTES:
-        raise DiagramError(
-            f"{names['name']}: has {makes} signals, for which python-control needs "
-            f"{size / 1e9:.1f} GB; at most {MOST_BYTES / 1e9:g} GB: take fewer basis functions, or "
-            "simulate the scenario itself"
-        )
-    diagram = control.InterconnectedSystem(parts, **names)
-    maps = diagram.connect_map, diagram.input_map, diagram.output_map
-    for matrix, entries in zip(maps, (connections, feeds, shown), strict=True):
-        for row, column, gain in entries:
-            if min(row, column) < 0:
-                raise DiagramError(f"a wire leads to the signal {row} from {column}")
-            matrix[row, column] = gain
-    diagram.__class__ = Diagram
-    return diagram
+    return makers, users, {port: len(users[port][0][1]) for port in external}
 
 
 @public
@@ -279,12 +230,38 @@ def connect(
     discrete = is_discrete(*blocks)
     parts = [as_part(block, discrete) for block in blocks]
     check_names(name)
-    sources, shown, (inputs, outputs) = joined(parts, external)
+    makers, users, outside = match_ports(parts, external)
     _check_params(parts)
-    wires = [(to, k, 1.0) for to, k in enumerate(sources) if k >= 0]
-    feeds = [(to, ~k, 1.0) for to, k in enumerate(sources) if k < 0]
-    seen = [(to, k, 1.0) for to, k in enumerate(shown)]
-    return interconnected(parts, wires, feeds, seen, inputs=inputs, outputs=outputs, name=name)
+    fed, makes = (sum(part.ninputs for part in parts), sum(part.noutputs for part in parts))
+    size = 8 * (2 * fed + makes) * makes  # bytes of python-control's full matrices
+    if size > MOST_BYTES:
+        raise DiagramError(
+            f"{name or 'the diagram'}: has {makes} signals, for which python-control needs "
+            f"{size / 1e9:.1f} GB; at most {MOST_BYTES / 1e9:g} GB: take fewer basis functions, or "
+            "simulate the scenario itself"
+        )
+    diagram = control.interconnect(
+        parts,
+        connections=[
+            [(user, to), (maker, source)]
+            for port, (maker, places) in makers.items()
+            for user, takes in users.get(port, ())
+            for to, source in zip(takes, places, strict=True)
+        ]
+        or False,
+        inplist=[
+            [(user, takes[k]) for user, takes in users[port]]
+            for port, size in outside.items()
+            for k in range(size)
+        ],
+        outlist=[(k, place) for k, places in makers.values() for place in places],
+        inputs=labels(outside),
+        outputs=labels({port: len(places) for port, (_, places) in makers.items()}),
+        name=name,
+        check_unused=False,
+    )
+    diagram.__class__ = Diagram
+    return diagram
 
 
 def _check_params(parts: Sequence[Part]) -> None:
@@ -305,10 +282,13 @@ def wiring_of_blocks(blocks: Sequence[Part], external: Iterable[str] = ()) -> Wi
     """Return `wiring_of(connect(blocks, external))`; if all are blocks, without its matrices."""
     if not all(isinstance(block, Block) for block in blocks):
         return wiring_of(connect(blocks, external))
-    sources, shown, (given, _) = joined(blocks, external)
-    fed, outputs = ([{k: 1.0} for k in own] for own in (sources, shown))
-    systems = [(block.name, block) for block in blocks]
-    return ordered_wiring(systems, fed, len(given), outputs)
+    *_, outside = match_ports(blocks, external)
+    outputs = [label for block in blocks for label in whole_labels(block.output_labels)]
+    external, systems = labels(outside), [(block.name, block) for block in blocks]
+    place = {one: k for k, one in enumerate(outputs)} | {one: ~k for k, one in enumerate(external)}
+    inputs = [label for block in blocks for label in whole_labels(block.input_labels)]
+    rows = ({k: 1.0} for k in range(len(outputs)))
+    return ordered_wiring(systems, [{place[one]: 1.0} for one in inputs], len(external), rows)
 
 
 # --- a condition that ends a run: stop(t, y, u) > 0 goes on, the run ends where it falls to 0 -----

@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import control
+import numpy as np
 
 from ..equations.arrays import Unread
 from ..equations.block import Block
@@ -16,8 +17,11 @@ from ..equations.plain_blocks import block_of, plain_block
 from ..equations.sampled import Sampled
 from ..equations.system import System
 from ..equations.unchanged import Keys, Unkeyed
-from .interconnection import Diagram, Entry, interconnected
+from ..errors import DiagramError
+from .interconnection import MOST_BYTES, Diagram
 from .wiring import Params, Wiring
+
+Entry = tuple[int, int, float]  # row, column, gain
 
 
 def plain_diagram(
@@ -59,9 +63,32 @@ def plain_diagram(
 def diagram_of(plain: Mapping[str, Any]) -> Diagram:
     """Return the diagram that plain data hold."""
     blocks = [block_of(one) for one in plain["blocks"]]
-    maps = plain["connections"], plain["feeds"], plain["shown"]
-    names = {name: plain[name] for name in ("inputs", "outputs", "states", "name", "dt")}
-    return interconnected(blocks, *maps, **names)
+    inputs, outputs = (sum(n) for n in zip(*((b.ninputs, b.noutputs) for b in blocks), strict=True))
+    external, shown = len(plain["inputs"]), len(plain["outputs"])
+    if 8 * (inputs * (outputs + external) + shown * (outputs + inputs)) > MOST_BYTES:
+        raise DiagramError(f"{plain['name']}: is larger than python-control's matrices may be")
+    diagram = control.InterconnectedSystem(
+        blocks,
+        inputs=plain["inputs"],
+        outputs=plain["outputs"],
+        states=plain["states"],
+        name=plain["name"],
+        dt=plain["dt"],
+    )
+    diagram.set_connect_map(_matrix(plain["connections"], (inputs, outputs)))
+    diagram.set_input_map(_matrix(plain["feeds"], (inputs, external)))
+    diagram.set_output_map(_matrix(plain["shown"], (shown, outputs + inputs)))
+    diagram.__class__ = Diagram
+    return diagram
+
+
+def _matrix(entries: Sequence[Entry], shape: tuple[int, int]) -> np.ndarray:
+    matrix = np.zeros(shape)
+    for row, column, gain in entries:
+        if not (0 <= row < shape[0] and 0 <= column < shape[1]):
+            raise DiagramError(f"a wire leads to the signal {row} from {column}, of {shape}")
+        matrix[row, column] = gain
+    return matrix
 
 
 # --- a key of all that a diagram consists of ------------------------------------------------------

@@ -1,4 +1,4 @@
-r"""The paper's block diagram, a `control.InterconnectedSystem`.
+r"""The paper's block diagram: `control.interconnect` and nothing else.
 
     reference -> vehicle_controller -> vehicle -> clpe -> adaptation
               \> learning_controller -> learning_model /
