@@ -7,7 +7,6 @@ diagrams.  A `random.Random` makes all choices, so hypothesis can shrink them.
 """
 
 import math
-import warnings
 from itertools import count
 from typing import Any
 
@@ -138,44 +137,40 @@ def is_late(part):
 
 def wired(random, parts):
     """Wire parts: most inputs from signals before them or from states, some from outside."""
-    signals: list[tuple[int, str, int]] = []
-    for k, part in enumerate(parts):
-        signals += [(k, part.name, j) for j in range(part.noutputs)]
+    owners = [k for k, part in enumerate(parts) for _ in range(part.noutputs)]
     late = {k for k, part in enumerate(parts) if is_late(part)}
-    connections, outside = [], random.randrange(0, 4)
-    fed: dict[int, list[str]] = {k: [] for k in range(outside)}
+    taken = sum(part.ninputs for part in parts)
+    outside, to = random.randrange(0, 4), -1
+    wires, feeds = np.zeros((taken, len(owners))), np.zeros((taken, outside))
     for k, part in enumerate(parts):
-        allowed = [s for s in signals if s[0] < k or s[0] in late]
+        allowed = [s for s, own in enumerate(owners) if own < k or own in late]
         in_order = random.random() < 0.4 and allowed
         for j in range(part.ninputs):
+            to += 1
             draw = random.random()
             if draw < 0.07:
                 continue  # a gap
             if (draw < 0.2 and outside) or not allowed:
                 if outside:
-                    fed[random.randrange(outside)].append(f"{part.name}.{part.input_labels[j]}")
+                    feeds[to, random.randrange(outside)] = 1.0
                 continue
-            sources = []
             for _ in range(1 if random.random() < 0.8 else 2):
-                pick = j % len(allowed) if in_order else random.randrange(len(allowed))
-                number, _, index = allowed[pick]
-                sign = "" if in_order or random.random() < 0.6 else "-"
+                count = len(allowed)
+                pick = j % count if in_order else random.randrange(count)
+                sign = 1.0 if in_order or random.random() < 0.6 else -1.0
                 gain = 1.0 if in_order or random.random() < 0.7 else random.uniform(-2, 2)
-                sources.append((number, index, -gain if sign else gain))
-            connections.append([f"{part.name}.{part.input_labels[j]}", *sources])
-    spare = [f"{parts[0].name}.{label}" for label in parts[0].input_labels[:1]]
-    inplist = [targets or spare for targets in fed.values() if targets or spare]
-    chosen = [s for s in signals if random.random() < 0.7] or signals[:1]
-    outlist = [f"{name}.{parts[k].output_labels[j]}" for k, name, j in chosen]
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # python-control says that it adds what meets at an input
-        return control.interconnect(
-            parts,
-            connections=connections or False,
-            inplist=inplist,
-            inputs=[f"in{k}" for k in range(len(inplist))] or 0,
-            outlist=outlist,
-            outputs=[f"out{k}" for k in range(len(outlist))],
-            name=f"diagram{next(_names)}",
-            check_unused=False,
-        )
+                wires[to, allowed[pick]] += sign * gain
+    if parts[0].ninputs:
+        feeds[0, ~feeds.any(axis=0)] = 1.0  # what feeds nothing else
+    feeds = feeds[:, feeds.any(axis=0)]
+    shown = [s for s in range(len(owners)) if random.random() < 0.7] or [0][: len(owners)]
+    diagram = control.InterconnectedSystem(
+        parts,
+        inputs=[f"in{k}" for k in range(feeds.shape[1])],
+        outputs=[f"out{k}" for k in range(len(shown))],
+        name=f"diagram{next(_names)}",
+    )
+    diagram.set_connect_map(wires)
+    diagram.set_input_map(feeds)
+    diagram.set_output_map(np.eye(len(owners), len(owners) + taken)[shown])
+    return diagram

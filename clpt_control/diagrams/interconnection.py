@@ -98,7 +98,7 @@ def changed_parameters(blocks: Iterable[tuple[str, Any]], params: Params) -> lis
         keys = call_names(name, block)
         changes = {keys[key]: params[key] for key in keys if key in params}  # the longest counts
         if isinstance(block, System):
-            asking.append((block, ["", *spaces_of(name)]))
+            asking.append((block, spaces_of(name)))
             found.append(block.with_params(changes))
             continue
         found.append(block.with_values(changes))

@@ -2,8 +2,8 @@
 
     x' = f(t, x, u, p),     S' = df/dx S + df/du V + df/dp,     y = h(...),  W = dh/dx S + ...
 
-Each block becomes one that has the derivatives of its ports behind them: ``d_x`` of shape
-(directions, 2) beside x.  Wires, breakpoints, jumps, samples and guards stay as they are, so every
+Each block becomes one that has the derivatives of each port behind it: ``d_x`` of shape
+(directions, 2) behind x.  Wires, breakpoints, jumps, samples and guards stay as they are, so every
 engine and method runs the whole, and the record is still compared with Python's functions.  At a
 jump in time S is multiplied by the derivative of the jump.  A jump where a state crosses something
 would need one more term, which is missing: `may_jump` says where that may be.
@@ -11,7 +11,7 @@ would need one more term, which is missing: `may_jump` says where that may be.
 
 import operator
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from math import prod
 from typing import Any, NamedTuple
@@ -25,13 +25,12 @@ from ..equations.derivative import STEPS, Direction
 from ..equations.elementwise import elementwise, lifted, spread, stacked
 from ..equations.ports import ports_of
 from ..equations.record import Record, Shape, bound, compact
-from ..equations.sampled import Sampled, other_equations
+from ..equations.sampled import other_equations
 from ..equations.system import System
 from .order import asked_at_once
 from .wiring import Row, Wiring, call_names, ordered_wiring
 
 ALONG = "d_"  # before the name of a port: its derivatives, a row for each direction
-KINDS = "states", "inputs", "outputs"
 JUMPING = STEPS | {"mod", "pick", "atan2"}
 Seeds = Mapping[str, np.ndarray]  # field of a block -> its derivatives, a row for each direction
 
@@ -41,21 +40,16 @@ class VariedBlock(Block):
 
     def __init__(self, inner: Block, parameters: Any, seeds: Seeds, count: int):
         self.inner, self.seeds, self.count = inner, seeds, count
-        groups = {
-            "inputs": [inner.input_shapes],
-            "outputs": [inner.output_shapes],
-            "states": _groups(inner),
-        }
-        ports = {kind: dict(self._beside(*own)) for kind, own in groups.items()}
-        # the places of signals: a row for their own, then one for each direction
-        self.places = {kind: _places(own, count) for kind, own in groups.items()}
+        own = inner.input_shapes, inner.output_shapes, inner.state_shapes
+        inputs, outputs, states = map(self._beside, own)
+        self.inputs, self.outputs, self.states = (places_along(one, count) for one in own)
         super().__init__(
             inner.name,
             update=other_equations if inner.update_function else None,
             output=other_equations if inner.output_function else None,
-            inputs=ports["inputs"],
-            outputs=ports["outputs"] if inner.output_function else None,
-            states=ports["states"],
+            inputs=inputs,
+            outputs=outputs if inner.output_function else None,
+            states=states,
             parameters=parameters,
             breakpoints=inner.breakpoints_function,
             jump=other_equations if inner.jump_function else None,
@@ -64,14 +58,16 @@ class VariedBlock(Block):
         self.raised, self.dt, self.of_package = inner.raised, inner.dt, inner.of_package
         self.first_held = None if inner.first_held is None else inner.first_held * (1 + count)
 
-    def _beside(self, *groups: Mapping[str, Shape]) -> Iterator[tuple[str, Shape]]:
-        for shapes in groups:
-            yield from shapes.items()
-            yield from ((ALONG + port, (self.count, *shape)) for port, shape in shapes.items())
+    def _beside(self, shapes: Mapping[str, Shape]) -> dict[str, Shape]:
+        """Return ports, each with its derivatives behind it."""
+        found: dict[str, Shape] = {}
+        for port, shape in shapes.items():
+            found |= {port: shape, ALONG + port: (self.count, *shape)}
+        return found
 
     def _sentence(self, t: float, u: np.ndarray, p: Any) -> str:
         assert self.inner.guard is not None
-        return self.inner.guard.sentence(t, u[: self.inner.ninputs], p)
+        return self.inner.guard.sentence(t, u[self.inputs[0]], p)
 
     def _try_equations(self) -> None:
         """Do nothing: the inner block was tried."""
@@ -82,11 +78,10 @@ class VariedBlock(Block):
 
     def values(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
         """Return the results of the inner block's functions, and their derivatives."""
-        inner_x = np.asarray(x)[self.places["states"][0]]
-        inner_u = np.asarray(u)[self.places["inputs"][0]]
+        inner_x, inner_u = np.asarray(x)[self.states[0]], np.asarray(u)[self.inputs[0]]
         if role == "guard":
             return self.inner.values(role, size, t, inner_x, inner_u, p)
-        at = self.places["outputs" if role == "output" else "states"][0]
+        at = (self.outputs if role == "output" else self.states)[0]
         found = on_arrays(self, role, t, np.asarray(x), np.asarray(u), p)
         found[at] = self.inner.values(role, len(at), t, inner_x, inner_u, p)
         return found
@@ -111,14 +106,11 @@ class VariedBlock(Block):
         closed = [o._replace(shape=bound(o.shape, self.inner.sizes)) for o in record.operations]
         values = tape.replayed(replace(record, operations=tuple(closed)), leaf)
         ways = [_Along(tape, own) for own in along]
-        groups = [self.inner.output_shapes] if role == "output" else _groups(self.inner)
+        shapes = self.inner.output_shapes if role == "output" else self.inner.state_shapes
         found: list[Any] = []
-        for shapes in groups:
-            own = [values.pop(0) for _ in shapes]
-            found += own
-            for value, shape in zip(own, shapes.values(), strict=True):
-                slopes = [spread(tape, way.of(value), shape) for way in ways]
-                found.append(stacked(tape, slopes))
+        for value, shape in zip(values, shapes.values(), strict=True):
+            slopes = [spread(tape, way.of(value), shape) for way in ways]
+            found += [value, stacked(tape, slopes)]
         ports = self.output_shapes if role == "output" else self.state_shapes
         return compact(tape.operations, [operand(one) for one in found], ports.values())
 
@@ -137,25 +129,15 @@ class _Along(Direction):
         return elementwise("where", nothing, 0.0, found)
 
 
-def _groups(block: Block) -> list[dict[str, Shape]]:
-    """Return the states of a block in groups: of one that samples the samples are the second."""
-    shapes = block.state_shapes
-    if not isinstance(block, Sampled) or block.first_held is None:
-        return [shapes]
-    count = len(block.inner.state_shapes)
-    own = list(shapes.items())
-    return [dict(own[:count]), dict(own[count:])]
+def places_along(shapes: Mapping[str, Shape], count: int) -> np.ndarray:
+    """Return the places of signals among theirs and their derivatives.
 
-
-def _places(groups: Sequence[Mapping[str, Shape]], count: int) -> np.ndarray:
+    A row has their own, then there is one for each direction.
+    """
     found, first = [np.zeros((1 + count, 0), dtype=int)], 0
-    for shapes in groups:
-        n, at = sum(map(prod, shapes.values())), 0
-        for size in map(prod, shapes.values()):
-            along = first + n + count * at + np.arange(count * size).reshape(count, size)
-            found.append(np.vstack([first + at + np.arange(size), along]))
-            at += size
-        first += n * (1 + count)
+    for size in map(prod, shapes.values()):
+        found.append(first + np.arange((1 + count) * size).reshape(1 + count, size))
+        first += (1 + count) * size
     return np.hstack(found)
 
 
@@ -180,22 +162,19 @@ def varied(wiring: Wiring, given: Sequence, seeds: Sequence[Seeds], count: int) 
     """
     parts = zip(wiring.nodes, given, seeds, strict=True)
     blocks = [VariedBlock(node.system, p, own, count) for node, p, own in parts]
-    places: dict[str, list[np.ndarray]] = {kind: [] for kind in KINDS}
-    for kind, own in places.items():
-        first = 0
-        for block in blocks:
-            own.append(block.places[kind] + first)
-            first += own[-1].size
-    states, signals = np.hstack(places["states"]), np.hstack(places["outputs"])
-    fed: list[Row] = []
-    for node, inputs in zip(wiring.nodes, places["inputs"], strict=True):
-        rows: dict[int, Row] = {int(to): {} for to in sorted(inputs.flat)}
-        for own_to, own_source, gain in node.fed():
-            for to, source in zip(inputs[:, own_to], signals[:, own_source], strict=True):
-                rows[int(to)][int(source)] = gain
-        for own_to, own_source, gain in node.fed(external=True):
-            rows[int(inputs[0, own_to])][~own_source] = gain
-        fed += rows.values()
+    inputs, signals, states = (
+        np.hstack([getattr(block, kind) + (1 + count) * getattr(node, kind).start
+                   for node, block in zip(wiring.nodes, blocks, strict=True)])
+        for kind in ("inputs", "outputs", "states")
+    )  # fmt: skip
+    fed: list[Row] = [{} for _ in range(inputs.size)]
+    for node in wiring.nodes:
+        own = inputs[:, node.inputs]
+        for to, source, gain in node.fed():
+            for a, b in zip(own[:, to], signals[:, source], strict=True):
+                fed[a][int(b)] = gain
+        for to, source, gain in node.fed(external=True):
+            fed[own[0, to]][~source] = gain
     named = [(node.name, block) for node, block in zip(wiring.nodes, blocks, strict=True)]
     how = wiring.ninputs, wiring.outputs, wiring.dt, wiring.order
     return VariedWiring(ordered_wiring(named, fed, *how), states, signals)

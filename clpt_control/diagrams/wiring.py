@@ -265,7 +265,7 @@ def _handed_down(
 def own_params(name: str, params: Mapping[str, Any]) -> dict[str, Any]:
     """Return the params of one system, a key under its name or that of a diagram around it too."""
     found = dict(params)
-    for space in spaces_of(name):
+    for space in spaces_of(name)[1:]:
         found |= {k.removeprefix(space): v for k, v in params.items() if str(k).startswith(space)}
     return found
 
@@ -275,33 +275,22 @@ def call_names(name: str, block: Block) -> dict[str, str]:
 
     Those of python-control's systems, sampled or not, are called ``k`` and ``a.k`` too.
     """
-    names: dict[str, str] = {}
-    if isinstance(inner := getattr(block, "inner", block), System):
-        around = ["", *spaces_around(name)]
-        names = {space + field: field for space in around for field in inner.parameters._fields}
-    return names | {
-        space + field: field for space in paths_to(name) for field in block.parameters._fields
-    }
+    spaces, inner = spaces_of(name), getattr(block, "inner", block)
+    around, paths = spaces[: len(spaces) // 2], spaces[len(spaces) // 2 :]
+    fields = inner.parameters._fields if isinstance(inner, System) else ()
+    names = {space + field: field for space in around for field in fields}
+    return names | {space + field: field for space in paths for field in block.parameters._fields}
 
 
 def spaces_of(name: str) -> list[str]:
-    """Return what may stand before a param of ``a.plant``: ``a.``, ``plant.``, ``a.plant.``.
+    """Return what may stand before a param of ``a.plant``; the last counts.
 
-    The last counts.
+    First the diagrams around it, nothing and ``a.``, then what calls it, ``plant.``, ``a.plant.``.
     """
-    return spaces_around(name) + paths_to(name)
-
-
-def spaces_around(name: str) -> list[str]:
-    """Return the diagrams around a block, ``a.`` of ``a.plant``, as they stand before a name."""
     path = name.split(".")
-    return [".".join([*path[:k], ""]) for k in range(1, len(path))]
-
-
-def paths_to(name: str) -> list[str]:
-    """Return what calls a block, ``plant.`` and ``a.plant.`` of ``a.plant``."""
-    path = name.split(".")
-    return [".".join([*path[k:], ""]) for k in range(len(path) - 1, -1, -1)]
+    around = [path[:k] for k in range(len(path))]
+    calling = [path[k:] for k in reversed(range(len(path)))]
+    return [".".join([*one, ""]) for one in (*around, *calling)]
 
 
 def ordered_wiring(

@@ -88,23 +88,17 @@ def c_file(system: Any, initial_state: Any, params: Any) -> "CFile":
     own = known.get("initial_state", 0.0) if initial_state is None else initial_state
     try:
         run = compiled(system, params)
-        for name, value in (params or {}).items():
-            _check_finite(f"params: {name}", value)
+        start = stacked_state("initial_state", own, run.runner.nstates)
+        numbers = {f"params: {name}": value for name, value in (params or {}).items()}
         for node, given in zip(run.wiring.nodes, run.runner.sweep.parameters, strict=True):
             for name, value in given._asdict().items():  # which may have no limit, an infinite one
-                _check_finite(f"{node.name}.{name}", np.where(np.isinf(value), 0.0, value))
-        start = stacked_state("initial_state", own, run.runner.nstates)
-        _check_finite("initial_state", start)
+                numbers[f"{node.name}.{name}"] = np.where(np.isinf(value), 0.0, value)
+        for name, value in {**numbers, "initial_state": start}.items():
+            if (one := np.asarray(value)).dtype.kind == "f" and not np.isfinite(one).all():
+                raise DiagramError(f"{name} = {value}: must be finite, to be written as C")
         return CFile(run, start)
     except Uncompiled as error:
         raise DiagramError(f"{system.name}: has no C: {error}") from None
-
-
-def _check_finite(name: str, value: Any) -> None:
-    """Refuse what no C is to hold."""
-    own = np.asarray(value)
-    if own.dtype.kind == "f" and not np.isfinite(own).all():
-        raise DiagramError(f"{name} = {value}: must be finite, to be written as C")
 
 
 class CFile:

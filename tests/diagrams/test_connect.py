@@ -1,187 +1,83 @@
-"""Diagrams of blocks joined by the names of their ports, and the wiring that is read of any."""
-
-from contextlib import nullcontext
+"""Diagrams joined by the names of their ports; the table of the paper's, what it conserves."""
 
 import control
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
-from scipy.linalg import expm
 
 import clpt_control as clpt
-from clpt_control.diagrams.interconnection import connect, wiring_of_blocks
+from clpt_control.blocks import flow, vehicle
+from clpt_control.diagrams.interconnection import Diagram
 from clpt_control.diagrams.wiring import wiring_of
-from clpt_control.equations import Block
-from clpt_control.equations.ports import ports_of, whole_labels
 from clpt_control.errors import BlockError, DiagramError
+from clpt_control.simulation.starts import initial_state
 
 TIMES = np.linspace(0.0, 3.0, 7)
 ENGINES = ("native", "python")
-
-
-def system(numbers, n, m, r, direct, name, inputs, outputs):
-    """A random linear system, its ports called `inputs` and `outputs`."""
-    A = numbers.normal(size=(n, n)) - 2 * np.eye(n)
-    B, C = numbers.normal(size=(n, m)), numbers.normal(size=(r, n))
-    D = direct * numbers.normal(size=(r, m))
-    named = {
-        "inputs": [f"{inputs}[{k}]" for k in range(m)],
-        "outputs": [f"{outputs}[{k}]" for k in range(r)],
-    }
-    return control.ss(A, B, C, D, name=name, **named)
-
-
-def test_labels_form_ports():
-    assert ports_of(["v_c[0]", "a", "v_c[1]", "b[1]"]) == {"v_c": [0, 2], "a": [1], "b[1]": [3]}
-    assert whole_labels(["v[0]", "a", "v[1]"]) == ["v[0]", "a[0]", "v[1]"]
-    picked = ["v[2]", "v[0]", "v"]  # as of system[[2, 0], :]
-    assert ports_of(whole_labels(picked[:2])) == {"v[2]": [0], "v": [1]}
-    assert ports_of(whole_labels(picked[::-2])) == {"v": [0], "v[2]": [1]}
-
-
-@settings(max_examples=12, deadline=None, derandomize=True)
-@given(seed=st.integers(0, 10**6), n=st.integers(0, 3), m=st.integers(1, 3), r=st.integers(1, 3))
-def test_two_random_systems_in_a_loop_are_their_matrix_exponential(seed, n, m, r):
-    """Forward with feedthrough, back without: states go as expm of the whole matrix."""
-    numbers = np.random.default_rng(seed)
-    one = system(numbers, n, m, r, 1.0, "one", "u", "y")
-    two = system(numbers, 2, r, m, 0.0, "two", "y", "u")
-    loop = clpt.connect([one, two])
-    whole = np.block([[one.A, one.B @ two.C], [two.B @ one.C, two.A + two.B @ one.D @ two.C]])
-    start = numbers.normal(size=n + 2)
-    exact = np.array([expm(whole * t) @ start for t in TIMES])
-    scale = 1e-8 * (1 + np.abs(exact).max())
-    for engine in ENGINES:
-        run = clpt.simulate(loop, TIMES, 0, start, engine=engine, rtol=1e-11, atol=1e-13)
-        np.testing.assert_allclose(run.states, exact, rtol=0, atol=scale)
-        signals = run.u.values.reshape(len(TIMES), m)
-        np.testing.assert_allclose(signals, exact[:, n:] @ two.C.T, rtol=0, atol=10 * scale)
-    np.testing.assert_allclose(loop.dynamics(0, start, []), whole @ start, rtol=1e-12, atol=1e-12)
-
-
-def servo():
-    error = control.summing_junction(["r", "-y"], "e", name="error")
-    law = control.tf([1, 2], [1, 0], inputs="e", outputs="u", name="law")
-    plant = control.tf([1], [1, 1, 1], inputs="u", outputs="y", name="plant")
-    return clpt.connect([error, law, plant], external="r", name="servo"), law, plant
-
-
-def test_a_servo_of_transfer_functions_is_python_controls():
-    loop, law, plant = servo()
-    whole = control.feedback(control.tf(plant) * control.tf(law))
-    theirs = control.forced_response(control.ss(whole), TIMES, np.ones_like(TIMES))
-    for engine in ENGINES:
-        run = clpt.simulate(loop, TIMES, 1, engine=engine, rtol=1e-11, atol=1e-13)
-        np.testing.assert_allclose(run.y, theirs.outputs, atol=1e-9)
-        assert run.attrs["engine"] == engine
-        assert set(run.data_vars) == {"e", "u", "y", "r", "states"}
-    poles = np.sort_complex(control.linearize(loop, [0, 0, 0], [0]).poles())
-    np.testing.assert_allclose(poles, np.sort_complex(whole.poles()), atol=1e-5)
-
-
-def test_matrices_are_parameters_in_every_reading():
-    loop, *_ = servo()
-    changes = {"law.C": [[3.0]], "law.D": [[0.5]], "plant.A": [[-2.0, -1.0], [1.0, 0.0]]}
-    runs = [clpt.simulate(loop, TIMES, 1, params=changes, engine=engine) for engine in ENGINES]
-    np.testing.assert_allclose(runs[0].y, runs[1].y, rtol=0, atol=1e-9)
-    x = np.array([0.3, -0.4, 0.7])
-    u = 3.0 * x[0] + 0.5 * (1.0 - x[2])
-    rate = loop.dynamics(0, x, [1.0], params=changes)
-    np.testing.assert_allclose(rate, [1.0 - x[2], -2.0 * x[1] - x[2] + u, x[1]], rtol=1e-13)
-    with pytest.raises(BlockError, match=r"unknown parameter 'plant\.D'"):  # it has none to change
-        clpt.simulate(loop, TIMES, 1, params={"plant.D": [[1.0]]})
-
-
-def test_a_matrix_of_transfer_functions():
-    part = control.tf([[[1], [2]], [[0], [1, 3]]], [[[1, 1], [1, 2]], [[1], [1, 4]]], name="M")
-    run = clpt.simulate(clpt.connect([part], external="u"), TIMES, [1, -1], rtol=1e-11, atol=1e-13)
-    slow, fast, late = (1 - np.exp(-k * TIMES) for k in (1, 2, 4))
-    np.testing.assert_allclose(run.y[:, 0], slow - fast, atol=1e-9)
-    np.testing.assert_allclose(run.y[:, 1], -1 + 0.25 * late, atol=1e-9)
 
 
 def leaks(t, x, u, params):
     return -params["k"] * x + u
 
 
-def leaks_unread(t, x, u, params):
-    return -params["k"] * float(f"{x[0]}") + u
+def through(name, takes, makes):
+    """A block that hands one signal on."""
+    return control.ss([], [], [], 1.0, inputs=takes, outputs=makes, name=name)
 
 
-@pytest.mark.parametrize("update", [leaks, leaks_unread])
-def test_a_system_by_functions_runs_or_says_why_in_python(update):
-    part = control.nlsys(update, inputs="u", outputs="y", states=1, name="leak", params={"k": 2.0})
-    loop = clpt.connect([part, control.ss([], [], [], -1.0, inputs="y", outputs="u", name="back")])
-    said = (
-        pytest.warns(UserWarning, match=r"runs in Python, .*leaks_unread, line \d+")
-        if update is leaks_unread
-        else nullcontext()
-    )
-    with said:
-        run = clpt.simulate(loop, TIMES, 0, [1.0], params={"k": 1.0})
-    assert run.attrs["engine"] == ("native" if update is leaks else "python")
-    np.testing.assert_allclose(run.y, np.exp(-2 * TIMES), atol=1e-6)
+def with_a_law(**own):
+    """A tank and its controller, which has no error yet."""
+    return [clpt.parts.lag(1.0, y="h"), clpt.parts.pid(1, 0.1, y="h", **own)]
 
 
-def test_what_does_not_fit_is_said_with_a_cure():
-    tank = clpt.parts.lag(1.0, y="h")
-    for own, external, said in (
-        ({}, (), r"'r'.*there are h, u; external='r' takes it from outside"),
-        ({}, "rr", r"did you mean rr\?; there are h, rr, u"),
-        ({"signals": 2}, "r", "'u' has 2 signals, but lag takes 1; both must have one size"),
-    ):
-        with pytest.raises(DiagramError, match=said):
-            clpt.connect([tank, clpt.parts.pid(1, 0.1, y="h", **own)], external)
+VEHICLE = vehicle.vehicle()
+BASIS = flow.flow_basis("basis_z", "z", "gaussian", np.zeros((2, 2)), *np.eye(3)[:, :2])
+PAPERS = clpt.paper_blocks(clpt.paper_scenario())
+UNFIT = [
+    (with_a_law(), (), r"'r'.*there are h, u; external='r' takes it from outside"),
+    (with_a_law(), "rr", r"did you mean rr\?; there are h, rr, u"),
+    (with_a_law(signals=2), "r", "'u' has 2 signals, but lag takes 1; both must have one size"),
+    ([BASIS, flow.modeled_flow(np.zeros((2, 3)))], "z", "'phi_z' has 2 signals, but modeled_flow"),
+    ([VEHICLE, through("a", "flow_x", "b")], ("flow_x", "v_x"), "'flow_x' has 2 .* but a takes 1"),
+    ([VEHICLE], ("flow_x", "v_x", "a"), "'a' cannot come from outside: no block"),
+    ([VEHICLE], ("flow_x", "v_x", "x"), "'x' cannot come from outside: vehicle makes it"),
+    ([through("a", "u", "y"), through("b", "u", "y")], "u", "'y' is made by both a and b"),
+    ([through("a", "u", "speed"), through("b", "sped", "y")], "u", "'sped', an .* of b, .*speed"),
+    ([through("a", "u", "v"), through("a", "v", "w")], "u", "two .* 'a'"),
+    ([through("a", "u", "v"), through("b", "v", "u")], (), "loop: .*[ab].* break .* has states"),
+    ([through("mine", "u", "u")], (), "algebraic loop: mine"),
+    (["vehicle"], (), "'vehicle' is no block: give"),
+    ([control.tf(1, [1, 1])], "u", r"a TransferFunction without a name: .* name='lag'"),
+    ([*PAPERS, control.ss(-1, 1, 1, 0, True, name="held")], "u", "held: dt = True does not say"),
+    ([control.tf([1, 0, 1], [1, 1], name="pd")], "u", r"pd: a numerator of higher .* fast pole"),
+    ([control.nlsys(lambda t, x, u, p: -x, states=1, name="q")], (), "q: how many inputs"),
+    ([*PAPERS, through("p", "zc", "q")], (), r"'zc' has 2 .*signals="),
+]
+
+
+@pytest.mark.parametrize(("blocks", "external", "said"), UNFIT, ids=[said for *_, said in UNFIT])
+def test_what_does_not_fit_is_said_with_a_cure(blocks, external, said):
+    with pytest.raises(clpt.ClptError, match=said) as caught:
+        wiring_of(clpt.connect(blocks, external))
+    assert "\n" not in str(caught.value)
 
 
 def handing_on(name, port, to, unit):
-    return Block(
-        name,
-        output=lambda t, x, u, p: [u[0]],
-        inputs={port: 1},
-        outputs={to: 1},
-        units={"e": unit} if unit else None,
+    units = {"e": unit} if unit else None
+    return clpt.Block(
+        name, output=lambda t, x, u, p: [u[0]], inputs={port: 1}, outputs={to: 1}, units=units
     )
 
 
 def test_a_port_has_one_unit():
-    maker, outside = handing_on("sonar", "r", "e", "km"), handing_on("log", "e", "v", "m s-1")
-    for ends, external, fits in (
-        ((maker, handing_on("law", "e", "y", "m")), "r", False),
-        ((maker, handing_on("law", "e", "y", "km")), "r", True),
-        ((maker, handing_on("law", "e", "y", None)), "r", True),
-        ((outside, handing_on("law", "e", "y", "m/s")), "e", True),
-        ((outside, handing_on("law", "e", "y", "knots")), "e", False),
+    sonar, log = handing_on("sonar", "r", "e", "km"), handing_on("log", "e", "v", "m s-1")
+    for maker, external, fits, does_not in (
+        (sonar, "r", ("km", None), "m"),
+        (log, "e", ("m/s",), "knots"),
     ):
-        with (
-            nullcontext()
-            if fits
-            else pytest.raises(
-                DiagramError, match=r"'e' is in '.*' at (sonar|log) and in '.*' at law"
-            )
-        ):
-            clpt.connect(ends, external)
-
-
-@pytest.mark.parametrize(
-    ("part", "said"),
-    [
-        (control.tf(1, [1, 1]), r"a TransferFunction without a name: .* name='lag'"),
-        (control.ss(-1, 1, 1, 0, True, name="held"), "held: dt = True does not say how often"),
-        (
-            control.tf([1, 0, 1], [1, 1], name="pd"),
-            r"pd: a numerator of higher degree .* fast pole",
-        ),
-        (2.0, r"2\.0 is no block: give"),
-        (control.nlsys(lambda t, x, u, params: -x, states=1, name="q"), "q: how many inputs"),
-        (control.ss(-1, 1, 1, 0, inputs="zc", outputs="q", name="p"), r"'zc' has 2 .*signals="),
-    ],
-)
-def test_what_cannot_be_a_part_is_refused_in_a_sentence(part, said):
-    with pytest.raises(clpt.ClptError, match=said) as caught:
-        clpt.connect([*clpt.paper_blocks(clpt.paper_scenario()), part])
-    assert "\n" not in str(caught.value)
+        for unit in fits:
+            clpt.connect([maker, handing_on("law", "e", "y", unit)], external)
+        with pytest.raises(DiagramError, match=rf"'e' is in '.*' at {maker.name} and in .* at law"):
+            clpt.connect([maker, handing_on("law", "e", "y", does_not)], external)
 
 
 def test_two_values_of_one_parameter_are_refused():
@@ -204,88 +100,171 @@ def test_one_vehicle_of_two_diagrams_is_reached_by_its_name():
         [a, b], outlist=["a.e[0]", "b.e[0]"], outputs=2, name="both", check_unused=False
     )
     x = np.random.default_rng(1).normal(size=28)
-    start = [*clpt.initial_state(clpt.paper_scenario())]
-    one, two = (own.dynamics(1.0, x[k], [])[4:] for k in (slice(14), slice(14, 28)))
+    start = [*clpt.initial_state(clpt.paper_scenario())] * 2
+    one, two = (own.dynamics(1.0, half, [])[4:] for half in (x[:14], x[14:]))
     for changes, factors in (
         ({"a.adaptation.gain": 1.6}, (2, 1)),
-        ({"b.adaptation.gain": 1.6}, (1, 2)),
         ({"adaptation.gain": 1.6}, (2, 2)),
         ({"adaptation.gain": 1.6, "a.adaptation.gain": 2.4}, (3, 2)),
     ):
         rate = both.dynamics(1.0, x, [], params=changes)
         np.testing.assert_allclose(rate[4:14], factors[0] * one, rtol=1e-13)
         np.testing.assert_allclose(rate[18:], factors[1] * two, rtol=1e-13)
-        runs = [
-            clpt.simulate(both, [0, 3], 0, start * 2, params=changes, engine=e) for e in ENGINES
-        ]
+        runs = [clpt.simulate(both, [0, 3], 0, start, changes, engine=e) for e in ENGINES]
         np.testing.assert_allclose(runs[0].states, runs[1].states, rtol=0, atol=1e-8)
-        end = clpt.state_at(runs[0], 3)
-        assert np.array_equal(end[4:14], end[18:]) == (factors[0] == factors[1])
     with pytest.raises(BlockError, match=r"unknown parameter 'c\.adaptation\.gain'"):
-        clpt.simulate(both, [0, 3], 0, start * 2, params={"c.adaptation.gain": 2.0})
+        clpt.simulate(both, [0, 3], 0, start, params={"c.adaptation.gain": 2.0})
     with pytest.raises(DiagramError, match=r"made by both a and b.*control\.interconnect"):
         clpt.connect([a, b])
 
 
-# --- states and inputs as python-control takes them --------------------------------------------
-
-
-def test_states_and_inputs_are_stacked_as_python_control_stacks_them():
-    parts = [
-        system(np.random.default_rng(3), 2, 2, 1, 1.0, "one", "u", "y"),
-        system(np.random.default_rng(4), 2, 1, 1, 0.0, "two", "y", "w"),
-    ]
-    loop, ramp = clpt.connect(parts, external="u"), TIMES - 1.0
-    for inputs, start in (
-        ([ramp, 0], [[0.5, -1.0], 0]),
-        ([2.0, ramp], [0.5, [1.0, 0.0], 0]),
-        (np.vstack([ramp, ramp]), 1.0),
-        (0, [0]),
-    ):
-        theirs = control.input_output_response(
-            loop,
-            TIMES,
-            inputs,
-            start,
-            solve_ivp_method="DOP853",
-            solve_ivp_kwargs={"rtol": 1e-10, "atol": 1e-12},
-        )
-        run = clpt.simulate(loop, TIMES, inputs, start, rtol=1e-11, atol=1e-13)
-        np.testing.assert_allclose(run.states.T, theirs.states, atol=1e-7)
-        np.testing.assert_allclose(run.u.T, theirs.inputs, atol=1e-12)
-    for start in ([1, 2, 3, 4, 5], [[1, 2], [3, 4], 0]):
-        with pytest.raises(clpt.SimulationError, match="initial_state: must have 4 numbers"):
-            clpt.simulate(loop, TIMES, 0, start)
-    for inputs in ([ramp], [ramp[1:], 0], [[ramp, ramp], ramp], ["fast", 0], [ramp, "fast"]):
+def test_states_and_inputs_that_do_not_fit():
+    lags = [control.ss(-1, [[1, 1]], 1, 0, name="a", inputs=["u[0]", "u[1]"], outputs="y")]
+    loop = clpt.connect([*lags, control.ss(-1, 1, 1, 0, name="b", inputs="y", outputs="w")], "u")
+    with pytest.raises(clpt.SimulationError, match="initial_state: must have 2 numbers"):
+        clpt.simulate(loop, TIMES, 0, [[1, 2], [3, 4], 0])
+    for inputs in ([TIMES[1:], 0], [[TIMES, TIMES], TIMES], [TIMES, "fast"]):
         with pytest.raises(clpt.ClptError, match="inputs"):
             clpt.simulate(loop, TIMES, inputs)
 
 
-def same(one, other):
-    assert one.ninputs == other.ninputs
-    assert one.order == other.order
-    assert one.output_map.shape == other.output_map.shape
-    maps = [wiring.output_map @ np.eye(wiring.output_map.shape[1]) for wiring in (one, other)]
-    np.testing.assert_array_equal(*maps)
-    for mine, theirs in zip(one.nodes, other.nodes, strict=True):
-        assert mine.name == theirs.name
-        for part in ("states", "inputs", "outputs"):
-            assert getattr(mine, part) == getattr(theirs, part)
-        assert sorted(mine.wires) == sorted(theirs.wires)
-
-
-def passed_on(t, x, u, p):
-    return u
-
-
 def test_ports_in_another_order_than_their_makers():
     def block(name, inputs, outputs):
-        return Block(name, output=passed_on, inputs=inputs, outputs=outputs)
+        return clpt.Block(name, output=lambda t, x, u, p: u, inputs=inputs, outputs=outputs)
 
     blocks = [
         block("last", {"d": 1, "c": 2, "w": 1}, {"e": 4}),
         block("middle", {"b": 2, "a": 2}, {"c": 2, "d": 1, "f": 1}),
         block("first", {"w": 1, "v": 3}, {"a": 2, "b": 2}),
     ]
-    for external in (["v", "w"], ["w", "v"]):
-        same(wiring_of_blocks(blocks, external), wiring_of(connect(blocks, external)))
+    for external, values in ((["v", "w"], [1, 2, 3, 4]), (["w", "v"], [4, 1, 2, 3])):
+        run = clpt.simulate(clpt.connect(blocks, external), [0.0, 1.0], values)
+        assert run.e[0].values.tolist() == [4, 2, 3, 4]  # d, c, w of a = [4, 1], b = [2, 3]
+
+
+PAPER = clpt.paper_scenario()
+
+# block | inputs | states | outputs: the table of the design, with N = 3
+TABLE = [
+    ("reference", {}, {}, {"zc": 2}),
+    ("basis_x", {"x": 2}, {}, {"phi_x": 3}),
+    ("basis_z", {"z": 2}, {}, {"phi_z": 3}),
+    ("true_flow", {"x": 2, "phi_x": 3}, {}, {"flow_x": 2}),
+    ("modeled_flow", {"phi_z": 3}, {}, {"flow_z": 2}),
+    ("vehicle_controller", {"x": 2, "zc": 2, "phi_x": 3}, {}, {"v_x": 2}),
+    ("vehicle", {"flow_x": 2, "v_x": 2}, {"x": 2}, {"x": 2}),
+    (
+        "learning_controller",
+        {"z": 2, "zc": 2, "phi_z": 3, "alpha": 6, "K": 2, "Gamma": 2, "psi": 2},
+        {},
+        {"v_z": 2},
+    ),
+    ("learning_model", {"flow_z": 2, "v_z": 2}, {"z": 2}, {"z": 2}),
+    ("injection", {"phi_x": 3, "phi_z": 3, "alpha": 6}, {}, {"psi": 2}),
+    ("clpe", {"x": 2, "z": 2}, {}, {"e": 2}),
+    (
+        "adaptation",
+        {"e": 2, "phi_x": 3, "z": 2, "zc": 2},
+        {"alpha": 6, "K": 2, "Gamma": 2},
+        {"alpha": 6, "K": 2, "Gamma": 2},
+    ),
+]
+
+
+def flat(ports):
+    return [f"{port}[{k}]" for port, size in ports.items() for k in range(size)]
+
+
+def test_closed_loop_is_the_table():
+    loop = clpt.closed_loop(PAPER)
+    assert isinstance(loop, control.InterconnectedSystem)
+    assert [block.name for block in loop.syslist] == [name for name, *_ in TABLE]
+    for block, (_, inputs, states, outputs) in zip(loop.syslist, TABLE, strict=True):
+        assert block.input_labels == flat(inputs)
+        assert block.state_labels == flat(states)
+        assert block.output_labels == flat(outputs)
+    assert loop.output_labels == [label for *_, outputs in TABLE for label in flat(outputs)]
+    assert loop.ninputs == 0
+    assert loop.nstates == 14
+
+
+KNOWN = {
+    "learning.law": "known-flow",
+    "learning.parameters": None,
+    "learning.theta_estimate": [[0.9, 0.5, 0.7], [1.0, 0.3, 0.9]],
+}
+SQUARE = {"kind": "square", "amplitude": [0.05, 0.02], "period": 1.7951958}
+MAKERS_OF_X = {"true_flow", "vehicle_controller", "vehicle"}
+
+
+@pytest.mark.parametrize(
+    ("values", "external", "without", "states"),
+    [
+        ({}, "zc", {"reference"}, 14),
+        ({}, "x", MAKERS_OF_X, 12),
+        ({}, ("x", "zc"), MAKERS_OF_X | {"reference"}, 12),
+        (KNOWN, (), set(), 8),  # alpha is an output alone
+        ({"flow.disturbance": SQUARE}, (), set(), 14),
+    ],
+)
+def test_blocks_inputs_and_states_of_other_loops(values, external, without, states):
+    loop = clpt.closed_loop(PAPER.with_values(values), external=external)
+    assert loop.input_labels == [f"{port}[{k}]" for port in np.ravel(external) for k in (0, 1)]
+    blocks = {block.name: block for block in loop.syslist}
+    made = [name for name, *_ in TABLE if name not in without]
+    assert [name for name in blocks if name != "disturbance"] == made
+    assert len(clpt.initial_state(loop)) == loop.nstates == states
+    assert blocks["adaptation"].output_labels == flat({"alpha": 6, "K": 2, "Gamma": 2})
+    if "disturbance" in blocks:
+        assert blocks["true_flow"].input_labels == flat({"x": 2, "phi_x": 3, "delta": 2})
+
+
+def test_initial_state_is_in_the_order_of_the_states():
+    scenario = PAPER.with_values(
+        {
+            "vehicle.position": [1.0, 2.0],
+            "learning.position": [3.0, 4.0],
+            "learning.parameters": [[5.0, 6.0, 7.0], [8.0, 9.0, 10.0]],
+            "learning.feedback": [11.0, 12.0],
+            "learning.feedforward": [13.0, 14.0],
+        }
+    )
+    assert initial_state(scenario).tolist() == list(range(1, 15))
+    labels = clpt.closed_loop(scenario).state_labels
+    ends = [label.split("_")[-1] for label in labels]
+    assert ends == flat({"x": 2, "z": 2, "alpha": 6, "K": 2, "Gamma": 2})
+
+
+def test_a_diagram_stays_a_diagram():
+    loop = clpt.closed_loop(PAPER)
+    assert isinstance(loop, Diagram)
+    twin = loop.copy(name="twin")
+    x = np.random.default_rng(2).normal(size=14)
+    np.testing.assert_array_equal(twin.dynamics(1.0, x, []), loop.dynamics(1.0, x, []))
+    twin.syslist[-1].parameters = twin.syslist[-1].parameters._replace(gain=9.0)
+    assert loop.syslist[-1].parameters.gain == 0.8
+
+
+def test_error_system_reproduces_the_error():
+    """Eq. (27) with z eta_3, driven by the closed loop's signals, gives the closed loop's e."""
+    loop, errors = clpt.closed_loop(PAPER), clpt.error_loop(PAPER)
+    taken = flat({"phi_x": 3, "z": 2, "zc": 2})
+    both = control.interconnect(
+        [loop, errors],
+        connections=[[f"error_loop.{label}", f"closed_loop.{label}"] for label in taken],
+        outlist=["closed_loop.e[0]", "closed_loop.e[1]"]
+        + [f"error_loop.{label}" for label in errors.output_labels],
+        outputs=14,
+        inputs=0,
+        name="both",
+        check_unused=False,
+    )
+    x0 = clpt.initial_state(PAPER)
+    # eta is what the loop's own parameters, of these signs, are away from the truth
+    truth = np.concatenate([np.ravel(PAPER.flow.parameters), [-1, -1, 1, 1]])
+    sign = np.repeat([1, 1, -1], (6, 2, 2))
+    start = np.concatenate([x0, x0[0:2] - x0[2:4], truth + sign * x0[4:]])
+    run = clpt.simulate(both, np.arange(0.0, 60.1, 0.5), 0, start, rtol=1e-12, atol=1e-13)
+    assert np.abs(run.y[:, :2]).max() > 0.05
+    np.testing.assert_allclose(run.y[:, 2:4], run.y[:, :2], atol=1e-9)
+    np.testing.assert_allclose(run.y[:, 4:], truth + sign * run.states[:, 4:14], atol=1e-9)

@@ -65,104 +65,68 @@ def test_a_linear_system_is_itself_whatever_its_time():
             np.testing.assert_allclose(getattr(made, name), getattr(given, name), atol=1e-15)
 
 
-def test_an_operating_point_is_taken():
-    point = control.find_operating_point(PENDULUM, [0.1, 0], [1.0])
-    made = clpt.linearize(PENDULUM, point)
-    assert made.A[1, 0] == -9.81 * np.cos(point.states[0])
-
-
-BENT = {
-    "fabs": (lambda y, v: v - abs(y), 0.0),
-    "clip": (lambda y, v: v + np.clip(-y, -1, 1), 1.0),
-    "where": (lambda y, v: v + np.where(y > 0, y, 0.0), 0.0),
-    "branch": (lambda y, v: v + (y if y > 0 else 3 * y), 0.0),
-    "small": (lambda y, v: v - y * abs(y) - 1e-5 * abs(y), 0.0),
-    "twice": (lambda y, v: v - np.cos(y) * abs(abs(y)), 0.0),
-    "both": (lambda y, v: v + np.where((y > 0) & (v > 0), np.minimum(y, v), 0.0), 0.0),
-}
-TORN = {
-    "sign": (lambda y, v: v - np.sign(y), 0.0),
-    "beside a steep slope": (lambda y, v: v - 1e6 * y - 1e-3 * np.sign(y), 0.0),
-    "the slope of neither side": (lambda y, v: v - y * np.sign(y), 0.0),
-    "likewise": (lambda y, v: v - y * np.sign(y) ** 2, 0.0),
-    "floor": (lambda y, v: v - np.floor(y), 2.0),
-    "mod": (lambda y, v: v - y % 1.0, 3.0),
-    "atan2": (lambda y, v: v - np.arctan2(y, -1.0), 0.0),
-    "where": (lambda y, v: v - np.where(y > 0, 1.0, -1.0), 0.0),
-    "comparison": (lambda y, v: v - (y > 0) * 1.0, 0.0),
-    "two conditions": (lambda y, v: v - np.where((y > 0) & (v > 0), 1.0, 0.0), 0.0),
-    "trunc": (lambda y, v: v - np.trunc(y), 1.0),
-}
-SMOOTH = {
-    "beside a kink": (lambda y, v: v - abs(y), 1e-6),
-    "an angle ahead": (lambda y, v: v - np.arctan2(y, 1.0), 0.0),
-    "beside a jump": (lambda y, v: v - np.sign(y), -1e-6),
-    "a drag at rest": (lambda y, v: v - y * abs(y), 0.0),
-    "a drag at rest, by its sign": (lambda y, v: v - np.sign(y) * y**2, 0.0),
-    "a drag of one side": (lambda y, v: v - y * np.maximum(y, 0.0), 0.0),
-    "two ways of one slope": (lambda y, v: v + np.where(y > 0, y * y, -y * y), 0.0),
-    "a whole number cut at zero": (lambda y, v: v - y - np.trunc(y), 0.0),
-    "infinity": (lambda y, v: v - y if np.isfinite(y) else 0 * y, 0.5),
-    "no number": (lambda y, v: v - y if not np.isnan(y * v) else 0 * y, 0.5),
-    "what is not moved": (lambda y, v: v - y * np.sign(0.0 * v), 0.5),
-}
-
-
-@pytest.mark.parametrize("kind", BENT)
-def test_a_kink_is_said_with_what_bends(kind):
-    rate, at = BENT[kind]
-    with pytest.warns(UserWarning, match=r"the rate of b\.y has a kink") as said:
-        clpt.linearize(block(rate), [at])
-    assert said[0].filename == __file__
-
-
-@pytest.mark.parametrize("kind", TORN)
-def test_a_jump_is_refused_with_what_jumps(kind):
-    rate, at = TORN[kind]
-    with pytest.raises(clpt.DiagramError, match=r"the rate of b\.y jumps at this point"):
-        clpt.linearize(block(rate), [at])
-
-
 TABLE = np.linspace(0.0, 4.0, 5), np.array([0.0, 1.0, 4.0, 9.0, 16.0])
-AT_NODES = {  # what is at the node 2 of a table: its slope on one side, and whether it bends
-    "straight lines": (lambda y: np.interp(y, *TABLE), (3.0, 5.0), True),
-    "a cubic spline": (CubicSpline(*TABLE), (4.0, 4.0), False),  # of y^2
-    "a saw": (lambda y: np.abs(y % 2.0 - 1.0), (-1.0, 1.0), True),
-    "wholes and parts": (lambda y: np.floor(y) + (y - np.floor(y)), (1.0, 1.0), False),
+SPLINE = CubicSpline(*TABLE)
+RATES = {  # whether the rate has a kink, a jump or neither at a place, and what rate
+    "fabs": ("bent", lambda y, v: v - abs(y), 0.0),
+    "clip": ("bent", lambda y, v: v + np.clip(-y, -1, 1), 1.0),
+    "one way": ("bent", lambda y, v: v + np.where(y > 0, y, 0.0), 0.0),
+    "branch": ("bent", lambda y, v: v + (y if y > 0 else 3 * y), 0.0),
+    "small": ("bent", lambda y, v: v - y * abs(y) - 1e-5 * abs(y), 0.0),
+    "twice": ("bent", lambda y, v: v - np.cos(y) * abs(abs(y)), 0.0),
+    "both": ("bent", lambda y, v: v + np.where((y > 0) & (v > 0), np.minimum(y, v), 0.0), 0.0),
+    "sign": ("torn", lambda y, v: v - np.sign(y), 0.0),
+    "beside a steep slope": ("torn", lambda y, v: v - 1e6 * y - 1e-3 * np.sign(y), 0.0),
+    "the slope of neither side": ("torn", lambda y, v: v - y * np.sign(y), 0.0),
+    "likewise": ("torn", lambda y, v: v - y * np.sign(y) ** 2, 0.0),
+    "floor": ("torn", lambda y, v: v - np.floor(y), 2.0),
+    "steps beside a steep slope": ("torn", lambda y, v: v - 1e3 * y - 0.01 * np.floor(y), 2.0),
+    "no value beside": ("torn", lambda y, v: v + np.where(y < 2.0, np.log(y - 2.0), y % 2.0), 2.0),
+    "mod": ("torn", lambda y, v: v - y % 1.0, 3.0),
+    "atan2": ("torn", lambda y, v: v - np.arctan2(y, -1.0), 0.0),
+    "where": ("torn", lambda y, v: v - np.where(y > 0, 1.0, -1.0), 0.0),
+    "comparison": ("torn", lambda y, v: v - (y > 0) * 1.0, 0.0),
+    "two conditions": ("torn", lambda y, v: v - np.where((y > 0) & (v > 0), 1.0, 0.0), 0.0),
+    "trunc": ("torn", lambda y, v: v - np.trunc(y), 1.0),
+    "a node of a table": ("bent", lambda y, v: v + np.interp(y, *TABLE), 2.0),
+    "a saw": ("bent", lambda y, v: v + np.abs(y % 2.0 - 1.0), 2.0),
+    "a node of a spline": ("smooth", lambda y, v: v + SPLINE(y), 2.0),
+    "wholes and parts": ("smooth", lambda y, v: v + np.floor(y) + (y - np.floor(y)), 2.0),
+    "beside a kink": ("smooth", lambda y, v: v - abs(y), 1e-6),
+    "an angle ahead": ("smooth", lambda y, v: v - np.arctan2(y, 1.0), 0.0),
+    "beside a jump": ("smooth", lambda y, v: v - np.sign(y), -1e-6),
+    "a drag at rest": ("smooth", lambda y, v: v - y * abs(y), 0.0),
+    "a drag at rest, by its sign": ("smooth", lambda y, v: v - np.sign(y) * y**2, 0.0),
+    "a drag of one side": ("smooth", lambda y, v: v - y * np.maximum(y, 0.0), 0.0),
+    "two ways of one slope": ("smooth", lambda y, v: v + np.where(y > 0, y * y, -y * y), 0.0),
+    "a whole number cut at zero": ("smooth", lambda y, v: v - y - np.trunc(y), 0.0),
+    "infinity": ("smooth", lambda y, v: v - y if np.isfinite(y) else 0 * y, 0.5),
+    "no number": ("smooth", lambda y, v: v - y if not np.isnan(y * v) else 0 * y, 0.5),
+    "what is not moved": ("smooth", lambda y, v: v - y * np.sign(0.0 * v), 0.5),
 }
 
 
-@pytest.mark.parametrize("name", AT_NODES)
-def test_a_node_of_a_table_is_a_kink_or_nothing(name):
-    table, slopes, bends = AT_NODES[name]
+@pytest.mark.parametrize("name", RATES)
+def test_a_kink_is_said_a_jump_is_refused_and_nothing_is_said_where_it_is_smooth(name):
+    kind, rate, at = RATES[name]
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")
-        A = clpt.linearize(block(lambda y, v: 0 * v + table(y)), [2.0]).A
-    assert min(abs(A[0, 0] - slope) for slope in slopes) < 1e-12
-    assert [("has a kink" in str(one.message)) for one in said] == [True] * bends
+        if kind == "torn":
+            with pytest.raises(clpt.DiagramError, match=r"the rate of b\.y jumps at this point"):
+                clpt.linearize(block(rate), [at])
+            return
+        A = clpt.linearize(block(rate), [at]).A
+    sides = [(rate(at + h, 0.0) - rate(at, 0.0)) / h for h in (1e-8, -1e-8)]
+    assert min(abs(A[0, 0] - slope) for slope in sides) < 1e-5
+    assert len(said) == (kind == "bent")
+    for one in said:
+        assert "the rate of b.y has a kink" in str(one.message)
+        assert one.filename == __file__
 
 
-def test_a_table_of_steps_is_refused_at_its_nodes_and_where_it_has_no_value_beside():
-    small = lambda y: 1e3 * y + 0.01 * np.floor(y)  # noqa: E731
-    for table in (np.floor, small, lambda y: np.where(y < 2.0, np.log(y - 2.0), y % 2.0)):
-        with pytest.raises(clpt.DiagramError, match="jumps at this point"):
-            clpt.linearize(block(lambda y, v, table=table: 0 * v + table(y)), [2.0])
-
-
-@pytest.mark.parametrize("kind", SMOOTH)
-def test_nothing_is_said_where_it_is_smooth(kind):
-    rate, at = SMOOTH[kind]
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        clpt.linearize(block(rate), [at])
-
-
-def test_a_slope_without_end_is_refused():
+def test_a_slope_without_end_is_refused_by_the_name_of_what_has_none():
     with pytest.raises(clpt.DiagramError, match=r"along y\[0\] has no finite slope .* add a small"):
         clpt.linearize(block(lambda y, v: np.sqrt(y) + v), [0.0])
-
-
-def test_the_output_without_a_slope_is_named_and_no_other():
     angles = control.nlsys(
         lambda t, x, u, p: -x,
         lambda t, x, u, p: [x[0], np.linalg.norm(x[1:]), x[2]],
@@ -184,16 +148,15 @@ def test_minimal_leaves_out_what_is_not_reached_or_not_seen():
     assert clpt.linearize(control.ss(-1, 0, 1, 2), minimal=True).nstates == 0
 
 
-def test_shapes_are_checked():
-    with pytest.raises(clpt.ArgumentError, match=r"x has shape \(3,\); must be \(2,\)"):
-        clpt.linearize(PENDULUM, [0, 0, 0])
-
-
-def test_a_single_number_is_that_of_all_as_in_python_control():
-    theirs = control.linearize(PENDULUM, 0.3, 0)
+def test_what_is_given_is_as_in_python_control():
+    theirs = control.linearize(PENDULUM, 0.3, 0)  # a single number is that of all
     np.testing.assert_allclose(clpt.linearize(PENDULUM, 0.3, 0).A, theirs.A, atol=1e-5)
     still = control.nlsys(lambda t, x, u, p: -(x**3), inputs=0, states=2, name="still")
     assert clpt.linearize(still, 2, 0).A.tolist() == [[-12.0, 0.0], [0.0, -12.0]]
+    point = control.find_operating_point(PENDULUM, [0.1, 0], [1.0])
+    assert clpt.linearize(PENDULUM, point).A[1, 0] == -9.81 * np.cos(point.states[0])
+    with pytest.raises(clpt.ArgumentError, match=r"x has shape \(3,\); must be \(2,\)"):
+        clpt.linearize(PENDULUM, [0, 0, 0])
 
 
 def test_the_interval_is_that_of_the_time():

@@ -50,6 +50,20 @@ def legends(axes):
     return [one.get_text() for ax in np.ravel(axes) for one in ax.get_legend().get_texts()]
 
 
+@pytest.fixture(scope="module")
+def of_tanks():
+    """Two runs of one diagram."""
+    changes = {"0.5": None, "1": {"tank.a": 1.0}}
+    return {name: clpt.simulate(loop(), TIMES, 1.0, params=p) for name, p in changes.items()}
+
+
+@pytest.fixture(scope="module")
+def of_scenarios():
+    """Two runs of the paper's loop, the second longer."""
+    other = SCENARIO.with_values({"learning.gain": 2.0, "run.duration": 80.0})
+    return {"0.8": clpt.simulate(SCENARIO), "2": clpt.simulate(other)}
+
+
 def test_dimensions_are_named_after_ports_and_count_from_0():
     run = clpt.simulate(loop(), TIMES, 1.0)
     assert run.h.dims == ("time", "h_index")
@@ -58,17 +72,6 @@ def test_dimensions_are_named_after_ports_and_count_from_0():
     assert run.h_index.values.tolist() == [0, 1]
     assert run.h_index.attrs["long_name"] == "signal of h, counted from 0"
     np.testing.assert_array_equal(run.h.sel(h_index=1), run.states.sel(state="tank_h[1]"))
-
-
-def test_a_port_of_the_name_of_a_dimension():
-    one = clpt.Block(
-        "a", output=lambda t, x, u, p: {"h": [t, t], "h_index": t}, outputs={"h": 2, "h_index": 1}
-    )
-    run = clpt.simulate(clpt.connect([one]), [0.0, 1.0])
-    assert run.h.dims == ("time", "h_index_")
-    assert run.h_index.dims == ("time",)
-    axes = clpt.simulation.response_plot(run)
-    assert [line.get_label() for line in axes[0].lines] == ["h[0]", "h[1]"]
 
 
 def test_signals_that_python_control_picks_keep_their_names():
@@ -87,7 +90,7 @@ def test_signals_that_python_control_picks_keep_their_names():
 
 
 def test_names_that_would_be_one_are_two():
-    """Of an output called time, of y beside a port y[0], and of a summary that varies."""
+    """Of an output called time, of y beside a port y[0], of a dimension, of what varies."""
 
     def rates(t, x, u, p):
         return [-x[0], -2.0 * x[1]]
@@ -100,54 +103,40 @@ def test_names_that_would_be_one_are_two():
     data = {"y": np.exp(-TIMES), "y[0]": 3.0 * np.exp(-2.0 * TIMES)}
     found = clpt.fit_parameters(pair, data, {"x0": 0.5}, TIMES)
     assert [*found.values.values()] == pytest.approx([1.0, 3.0])
-    twins = control.nlsys(rates, inputs=0, outputs=["y", "y_"], states=["y", "y_"], name="twins")
-    with pytest.raises(clpt.ClptError, match="y_ is twice a name of the result"):
-        clpt.run_ensemble(twins, {"y": [1.0]}, timepts=TIMES, trajectories=True)
     two = control.ss(-np.eye(2), np.ones((2, 1)), np.eye(2), 0, outputs=["x[0]", "x[1]"])
     both = {"x": np.zeros((len(TIMES), 2)), "x[0]": 0 * TIMES}
     with pytest.raises(clpt.ClptError, match=r"data: x\[0\] is given twice"):
         clpt.fit_parameters(two, both, {"x0": 0.5}, TIMES)
+    wide = clpt.Block(
+        "a", output=lambda t, x, u, p: {"h": [t, t], "h_index": t}, outputs={"h": 2, "h_index": 1}
+    )
+    run = clpt.simulate(clpt.connect([wide]), [0.0, 1.0])
+    assert (run.h.dims, run.h_index.dims) == (("time", "h_index_"), ("time",))
+    axes = clpt.simulation.response_plot(run)
+    assert [line.get_label() for line in axes[0].lines] == ["h[0]", "h[1]"]
 
 
 def test_units_of_ports_are_those_of_the_run():
-    run = clpt.simulate(loop(), TIMES, 1.0)
-    assert {n: run[n].attrs.get("units") for n in ("h", "v", "mean", "q")} == {
-        "h": "m",
-        "v": "V",
-        "mean": None,
-        "q": "m3/s",
-    }
+    """A signal whose maker says no unit has that of who takes it; a sum has none."""
+    valve = clpt.parts.saturation(0, 1, u="w", y="q")
+    made = clpt.connect([valve, tank(), gauge()], external="w")
+    run, units = clpt.simulate(made, TIMES, 1.0), {"h": "m", "v": "V", "q": "m3/s"}
+    names = ("q", "h", "v", "mean", "w")
+    assert {n: run[n].attrs["units"] for n in names if "units" in run[n].attrs} == units
     axes = clpt.simulation.response_plot(run)
-    assert [ax.get_ylabel() for ax in axes] == ["h (m)", "v (V)", "mean", "q (m3/s)"]
-    assert "h (m)" in clpt.draw(loop()).svg
-    assert "q (m3/s)" in clpt.draw(loop()).svg
-    assert "mean (" not in clpt.draw(loop()).svg
+    assert {ax.get_ylabel() for ax in axes} == {"h (m)", "v (V)", "mean", "q (m3/s)", "w"}
+    drawn = clpt.draw(made).svg
+    assert [name in drawn for name in ("h (m)", "q (m3/s)", "mean (")] == [True, True, False]
+    a, b = tank().copy(name="a"), tank().copy(name="b")
+    outlist = [["a.h[0]", "b.h[0]"], "a.h[1]", "b.h[1]"]
+    ports = {"inplist": ["a.q[0]"], "outlist": outlist, "outputs": ["sum", "one", "rest"]}
+    made = control.interconnect([a, b], connections=[["b.q[0]", "a.h[0]"]], **ports)
+    run = clpt.simulate(made, TIMES, 1.0)
+    assert "units" not in run["sum"].attrs
+    assert run["one"].attrs["units"] == "m"
 
 
-def test_a_signal_whose_maker_says_no_unit_has_that_of_who_takes_it():
-    valve = clpt.parts.saturation(0, 1, u="v", y="q")
-    run = clpt.simulate(clpt.connect([valve, tank()], external="v"), TIMES, 1.0)
-    assert run.q.attrs["units"] == "m3/s"
-    assert "units" not in run.v.attrs
-
-
-def test_the_run_of_a_block_with_units_whose_ports_get_other_names_is_saved(tmp_path):
-    lag = control.tf(1, [0.5, 1], name="lag")
-    plant = clpt.Block(
-        "vehicle",
-        update=lambda t, x, u, p: {"x": u.flow_x + u.v_x},
-        inputs={"flow_x": 2, "v_x": 2},
-        states={"x": 2},
-        units={"v_x": "m/s"},
-    )
-    parts = {"replace": {"vehicle": plant}, "insert": {("v_x", "vehicle"): lag}}
-    run = clpt.simulate(clpt.closed_loop(SCENARIO, **parts), [0.0, 0.1])
-    clpt.save_run(run, tmp_path / "run.nc")
-    again = clpt.simulate(clpt.load_diagram(tmp_path / "run.nc"))
-    np.testing.assert_array_equal(again.position, run.position)
-
-
-def test_units_go_along_with_samples_and_a_new_name():
+def test_units_go_along_with_samples_a_file_and_a_new_name(tmp_path):
     moved = clpt.equations.Sampled(gauge(), 0.5)
     run = clpt.simulate(clpt.connect([tank(), moved], external="q"), TIMES, 1.0)
     assert run.v.attrs["units"] == "V"
@@ -165,16 +154,10 @@ def test_units_go_along_with_samples_and_a_new_name():
     run = clpt.simulate(made, [0.0, 0.1])
     units = {"w": "km/h", "v_z": "m s-1", "psi": "m s-1", "flow_z": "m s-1"}
     assert {name: run[name].attrs["units"] for name in units} == units
-
-
-def test_a_sum_of_units_has_none():
-    a, b = tank().copy(name="a"), tank().copy(name="b")
-    outlist = [["a.h[0]", "b.h[0]"], "a.h[1]", "b.h[1]"]
-    ports = {"inplist": ["a.q[0]"], "outlist": outlist, "outputs": ["sum", "one", "rest"]}
-    made = control.interconnect([a, b], connections=[["b.q[0]", "a.h[0]"]], **ports)
-    run = clpt.simulate(made, TIMES, 1.0)
-    assert "units" not in run["sum"].attrs
-    assert run["one"].attrs["units"] == "m"
+    clpt.save_run(run, tmp_path / "run.nc")
+    again = clpt.simulate(clpt.load_diagram(tmp_path / "run.nc"))
+    np.testing.assert_array_equal(again.position, run.position)
+    assert again.w.attrs["units"] == "km/h"
 
 
 @pytest.mark.parametrize("units", [{"g": "m"}, {"h": ""}, {"h": 3}, {"h": "m\n"}])
@@ -184,23 +167,19 @@ def test_units_that_are_none_are_refused(units):
     assert "\n" not in str(caught.value)
 
 
-def test_runs_of_a_diagram_are_told_apart():
-    runs = {"0.5": clpt.simulate(loop(), TIMES, 1.0)}
-    runs["1"] = clpt.simulate(loop(), TIMES, 1.0, params={"tank.a": 1.0})
-    axes = clpt.compare(runs)
+def test_runs_of_a_diagram_are_told_apart(of_tanks):
+    axes = clpt.compare(of_tanks)
     assert legends(axes[0]) == ["0.5: h[0]", "0.5: h[1]", "1: h[0]", "1: h[1]"]
     lines = axes[0].lines
     assert [line.get_color() for line in lines] == [COLOURS[0]] * 2 + [COLOURS[1]] * 2
     assert lines[0].get_linestyle() != lines[1].get_linestyle()
     for line, (name, k) in zip(lines, [("0.5", 0), ("0.5", 1), ("1", 0), ("1", 1)], strict=True):
-        np.testing.assert_array_equal(line.get_ydata(), runs[name].h.sel(h_index=k))
+        np.testing.assert_array_equal(line.get_ydata(), of_tanks[name].h.sel(h_index=k))
 
 
 @pytest.mark.parametrize(("plot", "count"), [(None, 7), ("track", 1), ("clpe", 2), ("learning", 2)])
-def test_runs_of_scenarios_are_told_apart(plot, count):
-    other = SCENARIO.with_values({"learning.gain": 2.0, "run.duration": 80.0})
-    runs = {"0.8": clpt.simulate(SCENARIO), "2": clpt.simulate(other)}
-    axes = clpt.compare(runs, plot)
+def test_runs_of_scenarios_are_told_apart(plot, count, of_scenarios):
+    axes = clpt.compare(of_scenarios, plot)
     assert np.size(axes) == count
     for ax in np.ravel(axes):
         colours = {line.get_color() for line in ax.lines}
@@ -209,60 +188,46 @@ def test_runs_of_scenarios_are_told_apart(plot, count):
         named = [one for one in named if one.get_linestyle() != "None"]
         marks = {line.get_color(): line.get_marker() for line in named}
         assert marks[COLOURS[0]] != marks[COLOURS[1]]
-        told = [text.get_text() for text in ax.get_legend().get_texts()]
-        assert {text.partition(":")[0] for text in told} == {"0.8", "2"}
+        assert {text.partition(":")[0] for text in legends(ax)} == {"0.8", "2"}
     if plot == "learning":
         assert axes[0].get_xlim()[1] == 80.0
     if plot == "track":
-        for run, track, line in zip(
-            runs.values(), *(axes.lines[k::3] for k in (0, 1)), strict=True
-        ):
+        for k, run in enumerate(of_scenarios.values()):
+            track, line = axes.lines[3 * k : 3 * k + 2]
             np.testing.assert_array_equal(track.get_xydata(), run.position)
             np.testing.assert_array_equal(line.get_xydata(), run.predicted_position)
             assert line.get_linestyle() == "--"
-        reach = max(abs(one.position).max() for one in runs.values())
+        reach = max(abs(one.position).max() for one in of_scenarios.values())
         assert axes.get_xlim()[1] > reach
 
 
 @pytest.mark.parametrize("plot", ["clpe", "learning", "run"])
-def test_no_legend_of_several_runs_lies_over_a_line(plot):
-    run = clpt.simulate(clpt.paper_scenario().with_values({"run.duration": 60}))
+def test_legends_of_several_runs_lie_beside_and_leave_the_axes_their_width(plot, of_scenarios):
+    run = of_scenarios["0.8"]
     axes = np.ravel(clpt.compare(dict.fromkeys("abcd", run), plot))
     axes[0].figure.canvas.draw()
     legends = [one.get_legend().get_window_extent() for one in axes]
     frames = [one.get_window_extent() for one in axes]
     for k, legend in enumerate(legends):
         assert not any(legend.overlaps(other) for other in frames + legends[:k])
+    if plot == "run":
+        alone, beside = np.ravel(run.clpt.plot()), np.ravel(clpt.compare(of_scenarios))
+        for axes in (alone, beside):
+            axes[0].figure.canvas.draw()
+        widths = [[ax.get_window_extent().width for ax in axes[1:]] for axes in (alone, beside)]
+        assert min(np.divide(widths[1], widths[0])) > 0.8
 
 
-def test_legends_beside_leave_the_axes_their_width():
-    runs = {"0.8": clpt.simulate(SCENARIO), "2": clpt.simulate(SCENARIO)}
-    alone, beside = np.ravel(runs["2"].clpt.plot()), np.ravel(clpt.compare(runs))
-    for axes in (alone, beside):
-        axes[0].figure.canvas.draw()
-    widths = [[ax.get_window_extent().width for ax in axes[1:]] for axes in (alone, beside)]
-    assert min(np.divide(widths[1], widths[0])) > 0.8
-
-
-def test_a_plot_of_a_run_takes_label_and_color():
-    run = clpt.simulate(SCENARIO)
-    ax = clpt.simulation.track_plot(run, label="mine", color="black")
-    assert ax.lines[0].get_color() == "black"
-    assert legends(ax)[0] == "mine: track"
-    assert clpt.simulation.track_plot(run).lines[0].get_color() == COLOURS[0]
-
-
-def test_runs_that_are_cut_or_joined():
-    a = clpt.simulate(loop(), TIMES, 1.0)
-    b = clpt.simulate(loop(), TIMES, 1.0, params={"tank.a": 1.0})
+def test_runs_that_are_cut_or_joined(of_tanks, of_scenarios):
+    a, b = of_tanks.values()
     cut = a.isel(time=slice(3, 20))
     assert len(clpt.simulation.response_plot(cut)[0].lines[0].get_xdata()) == 17
-    (one,) = (a.isel(h_index=0)[["h"]].clpt.plot(),)
+    one = a.isel(h_index=0)[["h"]].clpt.plot()
     np.testing.assert_array_equal(one.lines[0].get_ydata(), a.h[:, 0])
     both = clpt.simulation.response_plot(xarray.concat([a, b], "run", data_vars="all"))
     assert legends(both[0])[:2] == ["h[0] run 0", "h[0] run 1"]
     np.testing.assert_array_equal(both[0].lines[1].get_ydata(), b.h[:, 0])
-    paper = clpt.simulate(SCENARIO)
+    paper = of_scenarios["0.8"]
     for plot, run in {
         clpt.simulation.response_plot: a.isel(time=3),
         clpt.simulation.track_plot: paper.isel(time=3),
@@ -272,29 +237,26 @@ def test_runs_that_are_cut_or_joined():
         with pytest.raises(clpt.DataError) as caught:
             plot(run)
         assert "\n" not in str(caught.value)
+    ax = clpt.simulation.track_plot(paper, label="mine", color="black")
+    assert (ax.lines[0].get_color(), legends(ax)[0]) == ("black", "mine: track")
 
 
-def test_what_cannot_be_compared_is_one_sentence():
-    a = clpt.simulate(loop(), TIMES, 1.0)
-    for runs, more in (
-        ({}, {}),
-        ([a, a], {}),
-        ({"a": 3}, {}),
-        ({str(k): a for k in range(7)}, {}),
-        ({"a": a}, {"plot": "map"}),
-        ({"a": a}, {"plot": "track"}),
-    ):
-        with pytest.raises(clpt.ClptError) as caught:
-            clpt.compare(runs, **more)
-        assert "\n" not in str(caught.value)
-    with pytest.raises(clpt.DataError, match=r"the same signals: choose some, as run\[\['h'\]\]"):
-        clpt.compare({"a": a, "b": a[["h"]]})
+def test_what_cannot_be_compared_is_one_sentence(of_tanks):
+    a = of_tanks["0.5"]
     other, unknown = a.copy(deep=True), a.copy(deep=True)
     other.h.attrs["units"] = "km"
     del unknown.h.attrs["units"]
-    with pytest.raises(clpt.DataError, match="not all runs have h in one unit: m, km"):
-        clpt.compare({"a": a, "b": other})
     clpt.compare({"a": a, "b": unknown})
+    for runs, plot, said in (
+        ({str(k): a for k in range(7)}, None, None),
+        ({"a": a}, "map", None),
+        ({"a": a}, "track", None),
+        ({"a": a, "b": a[["h"]]}, None, r"the same signals: choose some, as run\[\['h'\]\]"),
+        ({"a": a, "b": other}, None, "not all runs have h in one unit: m, km"),
+    ):
+        with pytest.raises(clpt.ClptError, match=said) as caught:
+            clpt.compare(runs, plot)
+        assert "\n" not in str(caught.value)
 
 
 def test_no_waypoint_is_told_of_a_reference_of_ones_own(tmp_path):

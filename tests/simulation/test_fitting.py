@@ -4,8 +4,8 @@ import control
 import numpy as np
 import pytest
 import xarray
+from models import decay
 from scipy.optimize import curve_fit
-from test_sensitivity import decay
 
 import clpt_control as clpt
 
@@ -33,18 +33,15 @@ def pushed(force=FORCE):
     return clpt.simulate(mass(**TRUTH), TIMES, force, START)
 
 
-def noisy(run, seed, **noise):
-    """Outputs of a run with noise of these deviations."""
-    random = np.random.default_rng(seed)
+def measured(seed, force=FORCE, **noise):
+    """Outputs of its run with noise of these deviations."""
+    random, run = np.random.default_rng(seed), pushed(force)
+    noise = noise or {"place": 0.01}
     return {name: run[name] + size * random.standard_normal(101) for name, size in noise.items()}
 
 
-def measured(seed):
-    return noisy(pushed(), seed, place=0.01)
-
-
-def fit(data, begin=BEGIN, inputs=FORCE, **more):
-    return clpt.fit_parameters(mass(), data, begin, TIMES, inputs, START, **more)
+def fit(data, begin=BEGIN, inputs=FORCE, times=TIMES):
+    return clpt.fit_parameters(mass(), data, begin, times, inputs, START)
 
 
 def fitted(seed):
@@ -83,7 +80,15 @@ def test_errors_are_those_of_curve_fit():
     assert found.covariance == pytest.approx(covariance, rel=1e-4)
 
 
-def test_data_come_in_two_forms():
+def test_outputs_of_unlike_noise_count_by_it():
+    noise = {"place": 0.001, "speed": 0.1}
+    data = measured(5, **noise)
+    both = fit(data)
+    assert both.noise == pytest.approx(noise, rel=0.2)
+    assert both.errors["k"] <= 1.05 * fit({"place": data["place"]}).errors["k"]
+
+
+def test_data_are_a_run_or_have_gaps():
     run = pushed()
     gaps = {"place": np.where(np.arange(101) % 3, run.place.values, np.nan)}
     for data, times in ((run[["place", "speed"]], None), (gaps, TIMES)):
@@ -91,17 +96,8 @@ def test_data_come_in_two_forms():
         assert found.values == pytest.approx(TRUTH, rel=1e-5)
 
 
-def test_outputs_of_unlike_noise_count_by_it():
-    noise = {"place": 0.001, "speed": 0.1}
-    data = noisy(pushed(), 5, **noise)
-    both = fit(data)
-    assert both.noise["place"] == pytest.approx(0.001, rel=0.2)
-    assert both.noise["speed"] == pytest.approx(0.1, rel=0.2)
-    assert both.errors["k"] <= 1.05 * fit({"place": data["place"]}).errors["k"]
-
-
 def test_what_the_data_do_not_tell_is_said():
-    found = fit(noisy(pushed(0.0), 0, place=0.001), inputs=0.0)
+    found = fit(measured(0, 0.0, place=0.001), inputs=0.0)
     (said,) = found.unidentified  # without a force all three grow alike
     assert said.startswith("the data do not tell m and c and k apart")
     assert said.count("1 %") == 3
@@ -119,13 +115,6 @@ def test_a_bound_that_is_met_has_no_error():
     assert found.unidentified == ("m lies on a bound",)
 
 
-def test_times_of_a_calendar_are_refused():
-    days = np.datetime64("2020-01-01", "ns") + np.arange(101) * np.timedelta64(1, "s")
-    data = xarray.Dataset({"place": ("time", TIMES)}, {"time": days})
-    with pytest.raises(clpt.ClptError, match=r"data\.time = .* must be an array of numbers"):
-        clpt.fit_parameters(mass(), data, {"m": 1.0}, inputs=FORCE)
-
-
 def test_a_start_at_rest_is_told():
     """The speed at the start is zero to the last digit, which is no relative change."""
     begin, data = {"x0.place": 0.1, "x0.speed": 0.1, "k": 4.0}, {"place": pushed().place}
@@ -137,38 +126,30 @@ def test_a_start_at_rest_is_told():
     np.testing.assert_allclose(own / own[0], errors / errors[0], rtol=1e-4)
 
 
-def test_the_papers_gain_is_found_from_its_run():
-    scenario = clpt.paper_scenario().with_values({"run.duration": 60})
-    loop = clpt.closed_loop(scenario)
-    run = clpt.simulate(loop, np.linspace(0.0, 60.0, 31))
-    found = clpt.fit_parameters(loop, {"e": run.clpe.values}, {"adaptation.gain": 0.5}, run.time)
-    assert found.values["adaptation.gain"] == pytest.approx(0.8, rel=1e-6)
+DAYS = np.datetime64("2020-01-01", "ns") + np.arange(101) * np.timedelta64(1, "s")
+MISTAKES = [
+    ({"data": {"q": TIMES}}, "no finite numbers of the outputs place, speed"),
+    ({"data": {"place": np.nan * TIMES}}, "no finite numbers of the outputs place"),
+    ({"data": {"place": TIMES[:5]}}, "101 samples"),
+    ({"data": {"place": ["a"] * 101}}, "place = .* must be an array of numbers"),
+    ({"data": {"place": TIMES, "sped": TIMES}}, "sped is no output; they are place, speed"),
+    ({"data": pushed(), "inputs": None}, "force is no output; .* inputs= takes inputs"),
+    (
+        {"data": xarray.Dataset({"place": ("time", TIMES)}, {"time": DAYS}), "times": None},
+        r"data\.time = .* must be an array of numbers",
+    ),
+    ({"times": None}, "timepts: is required"),
+    ({"begin": {"q": 1.0}}, "must be among"),
+    ({"begin": {"m": (1.0, 2.0, 3.0)}}, "low <= start <= high"),
+    ({"begin": {"m": (1.0, 2.0)}}, r"or \(start, low, high\)"),
+    ({"begin": {"m": [1.0, 0.5, 3.0]}}, r"m = \[1.0, 0.5, 3.0\]: must be a number"),
+]
 
 
-def test_mistakes_are_told():
-    usual = {"data": measured(0), "begin": {"m": 1.0}}
-    for given, said in (
-        ({"data": {"q": TIMES}}, "no finite numbers of the outputs place, speed"),
-        ({"data": {"place": np.nan * TIMES}}, "no finite numbers of the outputs place"),
-        ({"data": {"place": TIMES[:5]}}, "101 samples"),
-        ({"data": [1.0]}, "must be an xarray"),
-        ({"begin": {"q": 1.0}}, "must be among"),
-        ({"begin": {"m": (1.0, 2.0, 3.0)}}, "low <= start <= high"),
-        ({"begin": {"m": (1.0, 2.0)}}, r"or \(start, low, high\)"),
-        ({"begin": {"m": (1.0, None, 3.0)}}, r"or \(start, low, high\)"),
-        ({"begin": {"m": [1.0, 0.5, 3.0]}}, r"m = \[1.0, 0.5, 3.0\]: must be a number"),
-        ({"begin": {"m": np.nan}}, "m = nan: must be a number"),
-        ({"begin": {"m": np.inf}}, "m = inf: must be a number"),
-        ({"data": {"place": ["a"] * 101}}, "place = .* must be an array of numbers"),
-        ({"data": {"place": {"a": 1}}}, "place = .* must be an array of numbers"),
-        ({"data": {"place": TIMES + 1j}}, "place = .* must be an array of numbers"),
-        ({"data": {"place": TIMES, "sped": TIMES}}, "sped is no output; they are place, speed"),
-        ({"data": pushed(), "inputs": None}, "force is no output; .* inputs= takes inputs"),
-    ):
-        with pytest.raises(clpt.ClptError, match=said):
-            fit(**usual | given)
-    with pytest.raises(clpt.ClptError, match="timepts: is required"):
-        clpt.fit_parameters(mass(), measured(0), BEGIN)
+@pytest.mark.parametrize(("given", "said"), MISTAKES)
+def test_mistakes_are_told(given, said):
+    with pytest.raises(clpt.ClptError, match=said):
+        fit(**{"data": measured(0), "begin": {"m": 1.0}} | given)
 
 
 def test_a_try_that_escapes_is_taken_back():
@@ -186,8 +167,10 @@ def test_a_try_that_escapes_is_taken_back():
 
 def test_a_level_at_which_a_rate_jumps_is_refused():
     """x' = 1 below the edge, k above: x = edge + k (t - edge)."""
-    model = control.nlsys(lambda t, x, u, p: [1.0 if x[0] < p["edge"] else p["k"]], None, inputs=0,
-                          states=["x"], outputs=["x"], params={"edge": 1.0, "k": 2.0})  # fmt: skip
+    rate = lambda t, x, u, p: [1.0 if x[0] < p["edge"] else p["k"]]  # noqa: E731
+    names = {"inputs": 0, "states": ["x"], "outputs": ["x"], "params": {"edge": 1.0, "k": 2.0}}
     data = np.where(TIMES < 4.03, TIMES, 4.03 + 3.0 * (TIMES - 4.03))
     with pytest.raises(clpt.SimulationError, match="do not confirm its derivative by edge"):
-        clpt.fit_parameters(model, {"x": data}, {"edge": 3.0, "k": 2.5}, TIMES)
+        clpt.fit_parameters(
+            control.nlsys(rate, None, **names), {"x": data}, {"edge": 3.0, "k": 2.5}, TIMES
+        )

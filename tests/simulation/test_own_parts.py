@@ -1,4 +1,4 @@
-"""Parts of the paper's diagram replaced and inserted; the state at a time of a run."""
+"""The paper's diagram with other parts and numbers: what runs, is recorded and is refused."""
 
 import control
 import law_blocks
@@ -7,12 +7,12 @@ import pytest
 from calm_water import CALM, KD, POINTS, GammaD, exact_positions
 from matplotlib.quiver import Quiver
 from matplotlib.text import Text
-from xarray.testing import assert_allclose, assert_identical
+from xarray.testing import assert_allclose, assert_equal, assert_identical
 
 import clpt_control as clpt
 from clpt_control.blocks import vehicle
 from clpt_control.diagrams.parts import LAW
-from clpt_control.errors import ClptError, DataError, DiagramError
+from clpt_control.errors import BlockError, ClptError, DataError, DiagramError
 from clpt_control.figures import new_figure
 from clpt_control.scenario.file import OWN_PARTS
 from clpt_control.simulation.film import draw_samples
@@ -38,83 +38,66 @@ def test_a_lag_of_one_line_is_its_closed_form(engine):
 
 
 def test_what_passes_everything_on_changes_nothing():
-    through = control.tf(1, 1, name="through")
-    plain = clpt.simulate(PAPER)
-    for where in (
-        "v_x",
-        ("x", "clpe"),
-        ("x", "clpe", "basis_x"),
-        "phi_x",
-        ("K", "learning_controller"),
-    ):
+    through, plain = control.tf(1, 1, name="through"), clpt.simulate(PAPER)
+    for where in ("v_x", ("x", "clpe", "basis_x"), "phi_x", ("K", "learning_controller")):
         run = clpt.simulate(clpt.closed_loop(PAPER, insert={where: through}))
         assert_allclose(run[list(plain)], plain, rtol=0, atol=1e-7)
 
 
 def test_parts_of_one_wide_port_in_a_row_and_names_of_ones_own():
-    wide = {"inputs": ["v[0]", "v[1]"], "outputs": ["v_f[0]", "v_f[1]"], "name": "motor"}
-    motor = control.ss(-np.eye(2), np.eye(2), np.eye(2), 0, **wide)
+    ports = {"inputs": ["v[0]", "v[1]"], "outputs": ["v_f[0]", "v_f[1]"], "name": "motor"}
+    motor = control.ss(-np.eye(2), np.eye(2), np.eye(2), 0, **ports)
     loop = clpt.closed_loop(PAPER, insert={("v_x", "vehicle"): motor, "v_f": LAG})
     assert loop.state_labels[-4:] == ["motor_x[0]", "motor_x[1]", "lag_x[0]", "lag_x[1]"]
-    assert loop.syslist[6].input_labels[2:] == ["v_f_lag[0]", "v_f_lag[1]"]
     run = clpt.simulate(loop, [0, 1], 0, [clpt.initial_state(PAPER), 0])
     assert {"v_x", "v_f", "v_f_lag"} <= set(run.data_vars)
 
 
 def test_a_replaced_vehicle_starts_where_the_scenario_says():
-    sizes = {"inputs": [f"{port}[{k}]" for port in ("flow_x", "v_x") for k in range(2)]}
-    B = np.hstack([np.eye(2)] * 2)
-    boat = control.ss(
-        0 * np.eye(2), B, np.eye(2), 0, **sizes, outputs=["x[0]", "x[1]"], name="boat"
-    )
+    ports = {"inputs": [f"{port}[{k}]" for port in ("flow_x", "v_x") for k in (0, 1)]}
+    ports |= {"outputs": ["x[0]", "x[1]"], "name": "boat"}
+    boat = control.ss(0 * np.eye(2), np.hstack([np.eye(2)] * 2), np.eye(2), 0, **ports)
+    hull = clpt.connect([vehicle.vehicle()], external=["flow_x", "v_x"], name="hull")
     scenario = PAPER.with_values({"vehicle.position": [1.0, -2.0]})
-    run = clpt.simulate(clpt.closed_loop(scenario, replace={"vehicle": boat}))
     plain = clpt.simulate(scenario)
-    np.testing.assert_allclose(run.position, plain.position, rtol=0, atol=1e-7)
-    assert "lyapunov" in run
-    nested = clpt.connect([vehicle.vehicle()], external=["flow_x", "v_x"], name="hull")
-    run = clpt.simulate(clpt.closed_loop(scenario, replace={"vehicle": nested}))
-    np.testing.assert_allclose(run.position, plain.position, rtol=0, atol=1e-7)
-    assert run.state.values[0] == "hull_vehicle_x[0]"
+    for own, first in ((boat, "boat_x[0]"), (hull, "hull_vehicle_x[0]")):
+        run = clpt.simulate(clpt.closed_loop(scenario, replace={"vehicle": own}))
+        np.testing.assert_allclose(run.position, plain.position, rtol=0, atol=1e-7)
+        assert run.state.values[0] == first
+        assert "lyapunov" in run
 
 
 def test_a_port_of_one_in_and_one_out_takes_the_names_it_replaces():
-    limited = PAPER.with_values({"vehicle.max_speed": 1.5})
-    saturation = control.nlsys(
-        None, lambda t, x, u, params: np.clip(u, -1, 1), inputs=2, outputs=2, name="saturation"
-    )
-    run = clpt.simulate(clpt.closed_loop(limited, replace={"speed_limit": saturation}))
+    limits = {"inputs": 2, "outputs": 2, "name": "saturation"}
+    saturation = control.nlsys(None, lambda t, x, u, params: np.clip(u, -1, 1), **limits)
+    run = clpt.simulate(clpt.closed_loop(LIMITED, replace={"speed_limit": saturation}))
     assert run.attrs["engine"] == "native"
     assert abs(run.velocity).max() == 1.0
     np.testing.assert_allclose(run.velocity, run.commanded_velocity.clip(-1, 1))
 
 
-def test_law_is_replace_adaptation():
-    law = clpt.paper_blocks(PAPER.with_values({"learning.gain": 2.0}))[-1]
-    loops = [clpt.closed_loop(PAPER, **own) for own in ({"law": law}, {"replace": {LAW: law}})]
-    assert clpt.simulate(loops[0]).identical(clpt.simulate(loops[1]))
-    with pytest.raises(DiagramError, match="one and the same"):
-        clpt.closed_loop(PAPER, law=law, replace={LAW: law})
+WIDE = control.ss(-np.eye(3), np.eye(3), np.eye(3), 0, name="w")
+UNFIT = [
+    ({"external": ("zcc",)}, r"external = 'zcc': must be among the ports .*\bzc\b"),
+    ({"replace": {"vehicel": LAG}}, "replace = 'vehicel': must be among reference, basis_x"),
+    ({"replace": {"vehicle": LAG}}, "'x', an input of basis_x, is made by no block"),
+    ({"insert": {"v_c": LAG}}, "insert = 'v_c': must begin with one of Gamma, K, alpha"),
+    ({"insert": {("v_x", "clpe"): LAG}}, "'v_x' goes to vehicle, not to 'clpe'"),
+    ({"insert": {"v_x": LAG, "zc": LAG}}, "two blocks are called 'lag'"),
+    ({"insert": {"v_x": WIDE}}, r"'v_x_w' has 3 signals, but vehicle takes 2; both must"),
+    ({"insert": {"v_x": clpt.parts.saturation(-1, 1)}}, r"vehicle takes 2; .* signals="),
+    ({"insert": {"v_x": control.summing_junction(["a", "b"], "c", name="sum")}},
+     r"sum takes a, b; call the one that is meant 'v_x'"),
+    ({"insert": {("v_x", 3): LAG}}, "not to 3"),
+    ({"insert": {(): LAG}}, "must begin with one of"),
+    ({"law": "sigma"}, "law = 'sigma': must be a Block"),
+    ({"law": law_blocks.papers_law(N=2)}, r"alpha of N = 2 functions; the scenario has 3"),
+    ({"law": clpt.paper_blocks(PAPER)[0]}, r"a law makes alpha\[2N\], K\[2\] and Gamma\[2\]"),
+    ({"law": law_blocks.papers_law(), "replace": {LAW: WIDE}}, "one and the same"),
+]  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    ("changes", "said"),
-    [
-        ({"replace": {"vehicel": LAG}}, "replace = 'vehicel': must be among reference, basis_x"),
-        ({"replace": {"vehicle": LAG}}, "'x', an input of basis_x, is made by no block"),
-        ({"insert": {"v_c": LAG}}, "insert = 'v_c': must begin with one of Gamma, K, alpha"),
-        ({"insert": {("v_x", "clpe"): LAG}}, "'v_x' goes to vehicle, not to 'clpe'"),
-        ({"insert": {"v_x": LAG, "zc": LAG}}, "two blocks are called 'lag'"),
-        ({"insert": {"v_x": control.ss(-np.eye(3), np.eye(3), np.eye(3), 0, name="w")}},
-         r"'v_x_w' has 3 signals, but vehicle takes 2; both must"),
-        ({"insert": {"v_x": clpt.parts.saturation(-1, 1)}}, r"vehicle takes 2; .* signals="),
-        ({"insert": {"v_x": control.summing_junction(["a", "b"], "c", name="sum")}},
-         r"sum takes a, b; call the one that is meant 'v_x'"),
-        ({"insert": {"v_x": control.tf(1, [1, 1])}}, "a TransferFunction without a name"),
-        ({"insert": {("v_x", 3): LAG}}, "not to 3"),
-        ({"insert": {(): LAG}}, "must begin with one of"),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("changes", "said"), UNFIT, ids=[said for _, said in UNFIT])
 def test_what_does_not_fit_is_refused_in_a_sentence(changes, said):
     with pytest.raises(ClptError, match=said) as caught:
         clpt.closed_loop(PAPER, **changes)
@@ -122,7 +105,7 @@ def test_what_does_not_fit_is_refused_in_a_sentence(changes, said):
 
 
 def test_a_loop_that_knows_its_scenario_is_its_scenario():
-    """Times, start, tolerances and attributes; what was done to the diagram since is in its run."""
+    """Times, start, tolerances and attributes."""
     later, loop = PAPER.with_values({"vehicle.position": [1.0, 2.0]}), clpt.closed_loop
     plain, run = clpt.simulate(later), clpt.simulate(loop(later))
     assert_identical(run[list(plain)], plain)
@@ -132,147 +115,124 @@ def test_a_loop_that_knows_its_scenario_is_its_scenario():
     run = clpt.simulate(loop(later), [10.0, 12.0], initial_state=moved)
     np.testing.assert_array_equal(clpt.state_at(run, 10.0), moved)
     run = clpt.simulate(later, [10.0, 12.0], initial_state=moved)
-    np.testing.assert_allclose(
-        run.states[0], clpt.simulate(later, [0.0, 10.0], initial_state=moved).states[-1], atol=1e-6
-    )
+    before = clpt.simulate(later, [0.0, 10.0], initial_state=moved)
+    np.testing.assert_allclose(run.states[0], before.states[-1], atol=1e-6)
     fast = clpt.simulate(loop(LIMITED))
     assert fast.attrs["message"] == clpt.simulate(LIMITED).attrs["message"]
-    for change in (rewired, renumbered):
-        changed = change(loop(later))
-        run = clpt.simulate(changed)
-        assert run.attrs[OWN_PARTS] == "closed_loop: run as a diagram"
-        assert not np.allclose(run.predicted_position, plain.predicted_position)
-        for use in (lambda own: clpt.run_ensemble(own, "learning.gain=0.2:2.0", 2), prove):
-            with pytest.raises(DiagramError, match="closed_loop: was changed after closed_loop"):
-                use(changed)
+    law = clpt.paper_blocks(PAPER.with_values({"learning.gain": 2.0}))[-1]
+    loops = [loop(PAPER, **own) for own in ({"law": law}, {"replace": {LAW: law}})]
+    assert clpt.simulate(loops[0]).identical(clpt.simulate(loops[1]))
     with pytest.raises(clpt.ScenarioError, match="timepts: is required to run a diagram"):
         clpt.run_ensemble(loop(later, external="zc"), "learning.gain=0.2:2.0", 2)
 
 
-def rewired(loop):
-    loop.set_connect_map(0.5 * loop.connect_map)
-    return loop
+@pytest.mark.parametrize("change", ["wires", "numbers"])
+def test_what_was_done_to_a_loop_since_is_in_its_run(change):
+    loop = clpt.closed_loop(PAPER)
+    if change == "wires":
+        loop.set_connect_map(0.5 * loop.connect_map)
+    else:
+        loop.syslist[-1].parameters = loop.syslist[-1].parameters._replace(gain=3.0)
+    run = clpt.simulate(loop)
+    assert run.attrs[OWN_PARTS] == "closed_loop: run as a diagram"
+    assert not np.allclose(run.predicted_position, clpt.simulate(PAPER).predicted_position)
+    for use in (lambda own: clpt.run_ensemble(own, "learning.gain=0.2:2.0", 2), prove):
+        with pytest.raises(DiagramError, match="closed_loop: was changed after closed_loop"):
+            use(loop)
 
 
-def renumbered(loop):
-    loop.syslist[-1].parameters = loop.syslist[-1].parameters._replace(gain=3.0)
-    return loop
-
-
-def test_the_law_of_a_loop_is_proved():
-    law = law_blocks.papers_law()
-    assert prove(clpt.closed_loop(PAPER, law=law), points=100).status == "proved"
-    assert prove(clpt.closed_loop(PAPER), points=100).status == "proved"
-    with pytest.raises(DiagramError, match="has v_x to vehicle: lag, so V' is not its law's alone"):
-        prove(clpt.closed_loop(PAPER, insert={("v_x", "vehicle"): LAG}))
-
-
-def test_no_certificate_for_parts_that_it_is_not_of():
-    run = clpt.simulate(
-        clpt.closed_loop(PAPER, insert={("v_x", "vehicle"): LAG}), np.linspace(0, 30, 601)
-    )
-    with pytest.raises(ClptError, match="the run has parts given in Python, v_x to vehicle: lag"):
-        clpt.theory.certificate(run, 20.0, 0.0)
-    with pytest.raises(ClptError, match=r"parts given in Python, v_x .* its vehicle is not known"):
-        clpt.estimation.flow_estimate(run)
-
-
-def test_what_a_run_taught_is_not_told_of_another_track_nor_of_other_gains():
+def test_nothing_is_told_of_a_run_whose_parts_its_scenario_does_not_hold():
     """A reference that leaves z_2 at rest teaches nothing of Gamma_2; a slow law is no fast one."""
-    times = np.linspace(0, 30, 601)
+
+    def refused(ask, run, said):
+        with pytest.raises(ClptError, match=said):
+            ask(run)
+
+    def certificate(run):
+        return clpt.theory.certificate(run, 20.0, 0.0)
+
+    def gramian(run):
+        return clpt.theory.gramian(run, 20.0, 0.0)
+
+    times, loop = np.linspace(0, 30, 601), clpt.closed_loop(PAPER)
+    lagging = clpt.closed_loop(PAPER, insert={("v_x", "vehicle"): LAG})
+    own_law = clpt.closed_loop(PAPER, law=law_blocks.papers_law())
+    assert prove(own_law, points=100).status == "proved"
+    refused(prove, lagging, "has v_x to vehicle: lag, so V' is not its law's alone")
+    run = clpt.simulate(lagging, times)
+    refused(certificate, run, "the run has parts given in Python, v_x to vehicle: lag")
+    refused(clpt.estimation.flow_estimate, run, "v_x .* its vehicle is not known")
     still = clpt.Block(
         "reference", output=lambda t, x, u, p: {"zc": [np.cos(t), 0.0]}, outputs={"zc": 2}
     )
     run = clpt.simulate(clpt.closed_loop(PAPER, replace={"reference": still}), times)
-    with pytest.raises(ClptError, match="made with a reference that its scenario does not hold"):
-        clpt.theory.gramian(run, 20.0, 0.0)
-    loop = clpt.closed_loop(PAPER)
+    refused(gramian, run, "made with a reference that its scenario does not hold")
     wide = clpt.simulate(loop, times, params={"basis_x.widths": np.full(3, 1e3)})
-    with pytest.raises(ClptError, match="made with a basis_x that its scenario does not hold"):
-        clpt.theory.gramian(wide, 20.0, 0.0)
+    refused(gramian, wide, "made with a basis_x that its scenario does not hold")
     slow = clpt.simulate(loop, times, params={"adaptation.gain": 1e-3})
-    assert clpt.theory.gramian(slow, 20.0, 0.0).window == 20.0
-    with pytest.raises(ClptError, match=r'the run has parameters {"adaptation.gain": 0.001}'):
-        clpt.theory.certificate(slow, 20.0, 0.0)
+    assert gramian(slow).window == 20.0
+    refused(certificate, slow, r'the run has parameters {"adaptation.gain": 0.001}')
+    run = clpt.simulate(own_law, times)
+    refused(certificate, run, "no certificate: .* the run has the law mine")
+    assert gramian(run).eigenvalues["x1"][0] > 0
 
 
-def a_gyre(U=0.3):
-    return clpt.Block(
-        "gyre",
-        output=lambda t, x, u, p: {"flow_x": p.U * np.array([-np.sin(u.x[1]), np.sin(u.x[0])])},
-        inputs={"x": 2, "phi_x": 3},
-        outputs={"flow_x": 2},
-        parameters={"U": U},
-    )
-
-
-def a_controller():
-    return clpt.Block(
-        "own",
-        output=lambda t, x, u, p: {"v_x": p.k * np.tanh(u.zc - u.x)},
-        inputs={"x": 2, "zc": 2, "phi_x": 3},
-        outputs={"v_x": 2},
-        parameters={"k": 2.0},
-    )
-
-
-OF_NO_TRUTH = {
-    "true_flow": (a_gyre(), "flow_parameter_error", 0, "largest flow parameter error"),
-    "vehicle_controller": (a_controller(), "gain_error", 1, "largest gain error"),
+GYRE = clpt.Block(
+    "gyre",
+    output=lambda t, x, u, p: {"flow_x": 0.3 * np.array([-np.sin(u.x[1]), np.sin(u.x[0])])},
+    inputs={"x": 2, "phi_x": 3},
+    outputs={"flow_x": 2},
+)
+CONTROLLER = clpt.Block(
+    "own",
+    output=lambda t, x, u, p: {"v_x": 2.0 * np.tanh(u.zc - u.x)},
+    inputs={"x": 2, "zc": 2, "phi_x": 3},
+    outputs={"v_x": 2},
+)
+FUNCTIONS = clpt.Block(
+    "b",
+    output=lambda t, x, u, p: {"phi_x": 0.1 * np.array([1, u.x[0], u.x[1]])},
+    inputs={"x": 2},
+    outputs={"phi_x": 3},
+)
+TOLD = {  # what a page and a film's last picture say of a run: its flow, what was learned of it
+    "scenario": ({}, {"flow_parameter_error", "gain_error", "learned of it", "true arrow"}),
+    "true_flow": ({"true_flow": GYRE}, {"gain_error", "learned of it", "learned arrow"}),
+    "vehicle_controller": (
+        {"vehicle_controller": CONTROLLER},
+        {"flow_parameter_error", "learned of it", "true arrow"},
+    ),
+    "basis_x": ({"basis_x": FUNCTIONS}, {"flow_parameter_error", "gain_error"}),
 }
 
 
-@pytest.mark.parametrize("part", OF_NO_TRUTH)
-def test_what_stands_in_place_of_a_truth_leaves_no_error_to_tell(part, tmp_path):
-    own, error, below, said = OF_NO_TRUTH[part]
-    lines = {}
-    for replace in ({}, {part: own}):
-        loop = clpt.closed_loop(PAPER, replace=replace)
-        run = clpt.simulate(loop)
-        axes = clpt.simulation.learning_plot(run)
-        lines[len(replace)] = len(axes[below].lines), axes[below].get_title(loc="left")
-        clpt.report(run, tmp_path / "run.html")
-        page = (tmp_path / "run.html").read_text("utf-8")
-        assert (said in page) is not bool(replace)
-        folder = tmp_path / f"many{len(replace)}"
-        many = clpt.run_ensemble(loop, {"vehicle.position": [[0.0, 0.0]]}, out=folder)
-        assert (error in many) is not bool(replace)
-        clpt.report(folder, tmp_path / "many.html")
-        page = (tmp_path / "many.html").read_text("utf-8")
-        assert (f"{error.split('_')[-2]} error" in page) is not bool(replace)
-    assert lines[1][0] * 2 == lines[0][0]  # a line that is learned, and that of its truth
-    assert ("true" in lines[0][1], "true" in lines[1][1]) == (True, False)
-
-
-def test_a_flow_that_the_scenario_does_not_hold_is_not_drawn():
-    for replace in ({}, {"true_flow": a_gyre()}):
-        run = clpt.simulate(clpt.closed_loop(PAPER, replace=replace))
-        ax = clpt.simulation.track_plot(run)
-        assert bool([one for one in ax.collections if isinstance(one, Quiver)]) is not bool(replace)
-        texts = texts_of_the_end(run)
-        assert ("true flow" in texts) is not bool(replace)
-        kind = "learned" if replace else "true"
-        assert [one for one in texts if one.startswith(f"longest {kind} arrow ")]
-
-
-def texts_of_the_end(run):
-    """Return the texts of the end of a run, as a film shows it."""
+@pytest.mark.parametrize("part", TOLD)
+def test_what_stands_in_place_of_a_truth_leaves_no_error_to_tell(part, tmp_path, undrawn):
+    replace, wanted = TOLD[part]
+    loop = clpt.closed_loop(PAPER, replace=replace)
+    run = clpt.simulate(loop)
+    clpt.report(run, tmp_path / "run.html")
+    page = (tmp_path / "run.html").read_text("utf-8")
+    many = clpt.run_ensemble(loop, {"vehicle.position": [[0.0, 0.0]]}, out=tmp_path / "many")
+    clpt.report(tmp_path / "many", tmp_path / "many.html")
+    ensemble = (tmp_path / "many.html").read_text("utf-8")
+    told = {"learned of it"} if "what was learned of it by the end" in page else set()
+    axes = clpt.simulation.learning_plot(run)
+    for error, below in (("flow_parameter_error", 0), ("gain_error", 1)):
+        has = f"largest {error.replace('_', ' ')}" in page
+        assert has is (error in many) is (f"{error.split('_')[-2]} error" in ensemble)
+        assert has is ("true" in axes[below].get_title(loc="left"))
+        told |= {error} if has else set()
     _, ax = new_figure()
     next(draw_samples(ax, run, np.array([run.sizes["time"] - 1])))
-    return [text.get_text() for text in ax.figure.findobj(Text)]
-
-
-def test_a_flow_of_functions_that_the_scenario_does_not_hold_is_not_drawn(tmp_path):
-    wide = {"output": lambda t, x, u, p: {"phi_x": p.s * np.array([1, u.x[0], u.x[1]])}}
-    ports = {"inputs": {"x": 2}, "outputs": {"phi_x": 3}, "parameters": {"s": 0.1}}
-    of_own = clpt.simulate(
-        clpt.closed_loop(PAPER, replace={"basis_x": clpt.Block("b", **wide, **ports)})
-    )
-    for run in (of_own, clpt.simulate(PAPER, params={"basis_x.widths": np.ones(3)})):
-        assert not any("arrow" in text for text in texts_of_the_end(run))
-        clpt.report(run, tmp_path / "run.html")
-        page = (tmp_path / "run.html").read_text("utf-8")
-        assert "what was learned of it by the end" not in page
+    texts = [text.get_text() for text in ax.figure.findobj(Text)]
+    assert ("true flow" in texts) is any("true arrow" in text for text in texts)
+    for kind in ("true", "learned"):
+        if any(text.startswith(f"longest {kind} arrow ") for text in texts):
+            told.add(f"{kind} arrow")
+    track = clpt.simulation.track_plot(run).collections
+    assert any(isinstance(one, Quiver) for one in track) is ("true arrow" in told)
+    assert told == wanted
 
 
 def test_delta_comes_from_outside():
@@ -298,9 +258,6 @@ def test_a_loop_cut_open_is_the_controller_and_the_vehicle():
         np.testing.assert_allclose(L(0.7j), -KD[i] / 0.7j, rtol=1e-6)
 
 
-# --- the state at a time ----------------------------------------------------------------------
-
-
 def test_a_run_goes_on_from_its_state():
     run = clpt.simulate(PAPER, **TIGHT)
     rest = clpt.simulate(clpt.closed_loop(PAPER), [20, 30], 0, clpt.state_at(run, 20), **TIGHT)
@@ -315,22 +272,63 @@ def test_the_state_is_in_the_order_of_the_diagram():
     team = clpt.Team(members={"west": PAPER, "east": PAPER}, coupling=0.5)
     both = clpt.simulate(team, [0, 1])
     assert both.state.values.tolist() == clpt.team_loop(team).state_labels
-    assert clpt.state_at(both, 1).shape == (28,)
+    with pytest.raises(ClptError, match="nearest of its times is 7; simulate it with timepts"):
+        clpt.state_at(run, 7.5)
+    with pytest.raises(DataError, match="carries no states"):
+        clpt.state_at(run.drop_vars("states"), 7)
 
 
 @pytest.mark.parametrize(
-    ("t", "said"),
+    ("name", "key", "value"),
     [
-        (7.5, "nearest of its times is 7; simulate it with timepts"),
-        (31, "nearest of its times is 30"),
-        (np.nan, "t = nan"),
-        ([1, 2], "a number"),
-        ("noon", "a number"),
+        ("adaptation.gain", "learning.gain", 2.0),
+        ("true_flow.theta", "flow.parameters", [[0.5, 0.1, 0.2], [0.3, 0.4, 0.1]]),
+        ("vehicle_controller.KD", "vehicle.feedback", [2.0, 1.5]),
+        ("vehicle_controller.GammaD", "vehicle.feedforward", [0.5, 2.0]),
+        ("reference.dwell", "reference.dwell", 7.0),
     ],
 )
-def test_a_time_without_a_sample_is_refused(t, said):
-    run = clpt.simulate(PAPER)
-    with pytest.raises(ClptError, match=said):
-        clpt.state_at(run, t)
-    with pytest.raises(DataError, match="carries no states"):
-        clpt.state_at(run.drop_vars("states"), 7)
+def test_a_run_is_that_of_the_scenario_that_says_so(name, key, value, tmp_path):
+    run, said = (clpt.simulate(PAPER, params={name: value}), PAPER.with_values({key: value}))
+    for variable, own in clpt.simulate(said).data_vars.items():
+        np.testing.assert_allclose(run[variable], own, rtol=1e-6, atol=1e-9)
+    assert np.all(np.diff(run.lyapunov.values) <= 1e-9)  # V of the parameters that ran falls
+    clpt.save_run(run, tmp_path / "run.nc")
+    with pytest.raises(DataError, match=rf"parameters given at call time.*{name}"):
+        clpt.load_scenario(tmp_path / "run.nc")
+    again = clpt.simulate(clpt.load_diagram(tmp_path / "run.nc"))
+    for variable, own in run.data_vars.items():
+        np.testing.assert_array_equal(again[variable], own)
+
+
+def test_an_initial_state_tolerances_and_noise_are_the_files(tmp_path):
+    noise = {"kind": "noise", "amplitude": [0.1, 0.2], "period": 3.0, "seed": 4}
+    noisy = PAPER.with_values({"flow.disturbance": noise, "run.output_step": 2.5})
+    state = clpt.initial_state(PAPER) + 0.25
+    run = clpt.simulate(noisy, initial_state=state, rtol=1e-11, atol=1e-12)
+    np.testing.assert_array_equal(run.states[0], state)
+    clpt.save_run(run, tmp_path / "run.nc")
+    assert_equal(clpt.load_run(tmp_path / "run.nc"), run)
+    again = clpt.simulate(clpt.load_diagram(tmp_path / "run.nc"))
+    np.testing.assert_array_equal(again.states, run.states)
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "sentence"),
+    [
+        ("adaptation.gain", None, r"adaptation\.gain = None: must be a number"),
+        ("adaptation.gain", [1.0, 2.0], r"adaptation\.gain = .*: must be a number, without NaN"),
+        ("adaptation.gain", np.nan, r"adaptation\.gain = nan: must be a number, without NaN"),
+        ("learning.gain", 1.0, r"its name at call time is adaptation\.gain"),
+    ],
+)
+def test_what_is_no_parameter_is_refused(name, value, sentence):
+    with pytest.raises(BlockError, match=sentence):
+        clpt.simulate(PAPER, params={name: value})
+
+
+def test_a_gain_of_zero_at_call_time_is_the_scenarios():
+    run = clpt.simulate(PAPER, params={"adaptation.gain": 0.0})
+    own = clpt.simulate(PAPER.with_values({"learning.gain": 0}))
+    np.testing.assert_array_equal(run.alpha, own.alpha)
+    np.testing.assert_allclose(run.lyapunov, own.lyapunov, rtol=1e-14)

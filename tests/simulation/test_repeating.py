@@ -13,10 +13,10 @@ import numpy as np
 import pytest
 import xarray
 from damages import json_changed
+from models import MODELS
 from processes import ran
 from random_diagrams import random_diagram
-from test_compare import gauge, lemniscate, loop
-from test_export import MODELS
+from test_compare import lemniscate, loop
 
 import clpt_control as clpt
 from clpt_control.simulation.run_file import diagram_of_text, equations_text
@@ -48,11 +48,12 @@ def nested():
     return clpt.connect([inner, plant], external="r", name="outer")
 
 
-def lag_of(name):
-    return control.ss(-1, 1, 1, 0, inputs=f"{name}_in", outputs=name, name="lag")
-
-
 def two_of_one_name():
+    """A diagram of two diagrams, each of a block called lag."""
+
+    def lag_of(name):
+        return control.ss(-1, 1, 1, 0, inputs=f"{name}_in", outputs=name, name="lag")
+
     made = [clpt.connect([lag_of(name)], external=f"{name}_in", name=name) for name in "ab"]
     one = control.ss(-1, [[1, 1]], 1, 0, inputs=["a", "b"], outputs="y", name="last")
     return clpt.connect([*made, one], external=["a_in", "b_in"])
@@ -65,14 +66,23 @@ def bounded(t, x, u, p):
     return np.where(x == x, u - x, 0.0)
 
 
-def of_model(system, start, u, h):
-    """Return a run of a model whose C is compared."""
+def of_model(name):
+    """Return a run of a model that is differentiated and exported too."""
+    system, start, u, h, *_ = MODELS[name]
     return clpt.simulate(system, h * np.arange(41), u or None, start)
 
 
-ELSEWHERE = "papers-loop", "names"  # which are asked below
+def of_random(seed):
+    """Return the run of a random diagram, of those that run as machine code."""
+    diagram, numbers = random_diagram(random.Random(seed)), np.random.default_rng(seed)
+    u, x0 = 0.1 * numbers.normal(size=(diagram.ninputs or 0, 5)), np.zeros(diagram.nstates or 0)
+    return clpt.simulate(diagram, np.linspace(0.0, 0.2, 5), u, x0)
+
+
+ELSEWHERE = {"papers-loop", "names"}  # which are asked below
 RUNS = {
-    **{name: partial(of_model, *one) for name, one in MODELS.items() if name not in ELSEWHERE},
+    **{name: partial(of_model, name) for name in MODELS if name not in ELSEWHERE},
+    **{f"random {seed}": partial(of_random, seed) for seed in range(12)},
     "NaN": lambda: clpt.simulate(control.nlsys(bounded, states=1, inputs=1, name="b"), TIMES, 1.0),
     "samples": lambda: clpt.simulate(loop(), TIMES, np.sin(TIMES)),
     "start": lambda: clpt.simulate(loop(), TIMES, 1.0, initial_state=[1.0, -2.0]),
@@ -83,9 +93,7 @@ RUNS = {
     "stop": lambda: clpt.simulate(loop(), TIMES, 1.0, stop=lambda t, y, u: 1.0 - y[0]),
     "nested": lambda: clpt.simulate(nested(), TIMES, np.cos(TIMES)),
     "names": lambda: clpt.simulate(two_of_one_name(), TIMES, [1.0, TIMES]),
-    "periods": lambda: clpt.simulate(kicked(clpt.equations.declaration.Each(0.7)), TIMES),
     "times": lambda: clpt.simulate(kicked(at_odd_times), TIMES),
-    "static": lambda: clpt.simulate(gauge(), TIMES, [TIMES, 1.0]),
     "late": lambda: clpt.simulate(kicked(at_odd_times), TIMES + 0.5),
 }
 
@@ -97,6 +105,7 @@ def same(run, again):
 
 
 @pytest.mark.parametrize("name", RUNS)
+@pytest.mark.filterwarnings("ignore:.*runs in Python")
 def test_a_file_repeats_its_run_to_the_same_bytes(tmp_path, name):
     run = RUNS[name]()
     clpt.save_run(run, tmp_path / "run.nc")
@@ -117,79 +126,43 @@ def test_what_a_file_repeats_is_what_python_control_runs(tmp_path):
     """The loaded diagram has the rates and outputs of the first one, and its poles."""
     clpt.save_run(clpt.simulate(nested(), TIMES, np.cos(TIMES)), tmp_path / "run.nc")
     loaded, first = clpt.load_diagram(tmp_path / "run.nc"), nested()
-    for t, *x in ((0.0, 0.0, 0.0), (1.5, 2.0, -1.0)):
-        for ours, theirs in ((loaded.dynamics, first.dynamics), (loaded.output, first.output)):
-            np.testing.assert_allclose(ours(t, x, [0.7]), theirs(t, x, [0.7]), rtol=1e-12)
+    for ours, theirs in ((loaded.dynamics, first.dynamics), (loaded.output, first.output)):
+        at = 1.5, [2.0, -1.0], [0.7]
+        np.testing.assert_allclose(ours(*at), theirs(*at), rtol=1e-12)
     poles = np.sort_complex(control.linearize(loaded, 0, 0).poles())
     np.testing.assert_allclose(poles, [-0.65 - 0.9367497j, -0.65 + 0.9367497j], atol=1e-5)
 
 
-def test_what_is_given_takes_the_place_of_what_was(tmp_path):
-    clpt.save_run(clpt.simulate(loop(), TIMES, 1.0, initial_state=[1.0, 2.0]), tmp_path / "run.nc")
-    diagram, times = clpt.load_diagram(tmp_path / "run.nc"), np.linspace(0.0, 2.0, 5)
+def test_what_is_given_takes_the_place_of_what_was_by_all_that_run_it(tmp_path):
+    usual = {"timepts": TIMES, "inputs": np.sin(TIMES), "initial_state": [1.0, -2.0]}
+    run = clpt.simulate(loop(), **usual)
+    clpt.save_run(run, tmp_path / "run.nc")
+    diagram = clpt.load_diagram(tmp_path / "run.nc")
     for given in (
-        {"timepts": times},
+        {"timepts": np.linspace(0.0, 2.0, 5), "inputs": 1.0},
         {"inputs": 2.0},
         {"initial_state": [0.5, 0.0]},
         {"params": {"tank.a": 2.0}},
         {"rtol": 1e-4, "method": "rodas5p"},
     ):
-        usual = {"timepts": TIMES, "inputs": 1.0, "initial_state": [1.0, 2.0]}
         assert clpt.simulate(diagram, **given).equals(clpt.simulate(loop(), **(usual | given)))
-
-
-def test_a_closed_loop_of_ones_own_is_repeated(tmp_path):
-    made = clpt.closed_loop(SCENARIO, replace={"reference": lemniscate()})
-    run = clpt.simulate(made, TIMES)
-    clpt.save_run(run, tmp_path / "run.nc")
-    assert clpt.load_run(tmp_path / "run.nc").equals(run)
-    again = clpt.simulate(clpt.load_diagram(tmp_path / "run.nc"))
-    assert run.identical(again)
-    assert again.states.values.tobytes() == run.states.values.tobytes()
-    clpt.compare({"first": run, "again": again})  # it has the names of its scenario
-    clpt.save_run(again, tmp_path / "again.nc")
-    assert run.identical(clpt.simulate(clpt.load_diagram(tmp_path / "again.nc")))
-    with pytest.raises(clpt.DataError, match=r"alone does not repeat it; clpt\.load_diagram"):
-        clpt.load_scenario(tmp_path / "run.nc")
-    clpt.save_run(clpt.simulate(SCENARIO), tmp_path / "of_a_scenario.nc")
-    assert clpt.load_diagram(tmp_path / "of_a_scenario.nc").origin.scenario == SCENARIO
-
-
-def test_a_recorded_start_and_inputs_are_taken_by_all_that_run_it(tmp_path):
-    given = {"inputs": np.sin(TIMES), "initial_state": [1.0, -2.0]}
-    run = clpt.simulate(loop(), TIMES, **given)
-    clpt.save_run(run, tmp_path / "run.nc")
-    diagram = clpt.load_diagram(tmp_path / "run.nc")
-    found, wanted = (
-        clpt.sensitivity(one, TIMES, to=["tank.a", "x0"], **own)
-        for one, own in ((diagram, {}), (loop(), given))
-    )
-    np.testing.assert_array_equal(found.h, wanted.h)
+    found = clpt.sensitivity(diagram, TIMES, to=["tank.a", "x0"])
+    np.testing.assert_array_equal(found.h, clpt.sensitivity(loop(), to=["tank.a", "x0"], **usual).h)
     many = clpt.ensemble.run_ensemble(diagram, vary="tank.a=[0.5, 1.0]", timepts=TIMES)
     np.testing.assert_allclose(many.h_final[0], run.h[-1], rtol=1e-6)
 
 
-def test_random_diagrams_are_repeated(tmp_path):
-    repeated = 0
-    for seed in range(12):
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            diagram = random_diagram(random.Random(seed))
-            numbers = np.random.default_rng(seed)
-            u = 0.1 * numbers.normal(size=(diagram.ninputs or 0, 5))
-            x0 = 0.1 * numbers.normal(size=diagram.nstates or 0)
-            times = np.linspace(0.0, 0.2, 5)
-            try:
-                run = clpt.simulate(diagram, times, u, x0)
-            except clpt.ClptError:
-                continue
-            clpt.save_run(run, tmp_path / "run.nc")
-            loaded = clpt.load_run(tmp_path / "run.nc")
-            if run.attrs["engine"] == "native":
-                assert "not_repeated" not in loaded.attrs
-                assert same(run, clpt.simulate(clpt.load_diagram(tmp_path / "run.nc")))
-                repeated += 1
-    assert repeated >= 5
+def test_a_closed_loop_of_ones_own_is_repeated(tmp_path):
+    run = clpt.simulate(clpt.closed_loop(SCENARIO, replace={"reference": lemniscate()}), TIMES)
+    clpt.save_run(run, tmp_path / "run.nc")
+    assert clpt.load_run(tmp_path / "run.nc").equals(run)
+    again = clpt.simulate(clpt.load_diagram(tmp_path / "run.nc"))
+    assert run.identical(again)
+    clpt.compare({"first": run, "again": again})  # it has the names of its scenario
+    with pytest.raises(clpt.DataError, match=r"alone does not repeat it; clpt\.load_diagram"):
+        clpt.load_scenario(tmp_path / "run.nc")
+    clpt.save_run(clpt.simulate(SCENARIO), tmp_path / "of_a_scenario.nc")
+    assert clpt.load_diagram(tmp_path / "of_a_scenario.nc").origin.scenario == SCENARIO
 
 
 def test_no_code_is_kept_and_none_is_run(tmp_path):
@@ -204,37 +177,34 @@ def test_no_code_is_kept_and_none_is_run(tmp_path):
     assert found.stdout.strip() == run.h.values.tobytes().hex()
 
 
-def test_a_run_that_grows_far_is_read_again_and_has_its_page(tmp_path):
-    """Numbers of 1e86 are finite: exp(200)."""
+def test_a_run_that_grows_far_has_its_page_but_for_axes_beyond_the_largest_double(tmp_path):
     growing = control.ss(1, 1, 1, 0, name="growing", outputs="y")
-    run = clpt.simulate(growing, [0, 100, 200], 0.0, 1.0)
-    assert run.y.values[-1] == pytest.approx(np.exp(200), rel=1e-4)
-    clpt.save_run(run, tmp_path / "run.nc")
-    assert clpt.load_run(tmp_path / "run.nc").equals(run)
+    clpt.save_run(clpt.simulate(growing, [0, 100, 200], 0.0, 1.0), tmp_path / "run.nc")
     clpt.report(tmp_path / "run.nc", tmp_path / "run.html")
-    assert "e+86</td>" in (tmp_path / "run.html").read_text("utf-8")
+    assert "e+86</td>" in (tmp_path / "run.html").read_text("utf-8")  # exp(200)
     still = control.ss(0, 1, 1, 0, name="still", outputs="y")
-    run = clpt.simulate(still, [0, 1], 0.0, 1.7e308)  # axes end beyond the largest double
+    run = clpt.simulate(still, [0, 1], 0.0, 1.7e308)
     with pytest.raises(clpt.ClptError, match=r"a figure cannot be drawn: .*; numbers above 1e307"):
         clpt.report(run, tmp_path / "far.html")
     assert not (tmp_path / "far.html").exists()
 
 
 def test_what_cannot_be_recorded_says_so(tmp_path):
-    by_python = clpt.Block(
-        "odd",
-        output=lambda t, x, u, p: {"y": float(repr(float(u.q[0])))},
-        inputs={"q": 1},
-        outputs={"y": 1},
-    )
+    unread = control.nlsys(None, lambda t, x, u, p: float(repr(float(u[0]))), inputs=1, outputs=1)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        odd = clpt.simulate(by_python, TIMES, 1.0)
-    unnamed = control.nlsys(lambda t, x, u, p: -x, inputs=0, states=1, outputs=1, name="two\nlines")
+        odd = clpt.simulate(unread, TIMES, 1.0)
+    rate = lambda t, x, u, p: -x  # noqa: E731
+    unnamed = control.nlsys(rate, inputs=0, states=1, outputs=1, name="two\nlines")
+    by_mode = lambda t, x, u, p: -x if p.mode > 0 else -2 * x  # noqa: E731
+    changed = clpt.Block("b", update=by_mode, states={"y": 1}, parameters={"mode": 1.0})
+    since = clpt.simulate(changed, TIMES, initial_state=[1.0])
+    changed.parameters = {"mode": -1.0}
     runs = {
         "of a block or port must not": clpt.simulate(unnamed, TIMES, 0.0, 1.0),
         "by functions that no file holds": odd,
         "another way than": xarray.Dataset(odd.variables, attrs=odd.attrs),
+        "changed since it ran": since,
     }
     for why, run in runs.items():
         clpt.save_run(run, tmp_path / "run.nc")
@@ -243,18 +213,10 @@ def test_what_cannot_be_recorded_says_so(tmp_path):
         assert why in loaded.attrs["not_repeated"]
         with pytest.raises(clpt.DataError, match=why):
             clpt.load_diagram(tmp_path / "run.nc")
-
-
-def test_a_block_that_changed_since_is_seen(tmp_path):
-    def update(t, x, u, p):
-        return {"y": -x.y * (2.0 if p.mode > 0 else 3.0)}
-
-    block = clpt.Block("b", update=update, states={"y": 1}, parameters={"mode": 1.0, "k": 2.0})
-    run = clpt.simulate(block, TIMES, initial_state=[1.0])
-    block.parameters = {"mode": -1.0, "k": 2.0}
-    clpt.save_run(run, tmp_path / "run.nc")
-    with pytest.raises(clpt.DataError, match="changed since it ran"):
-        clpt.load_diagram(tmp_path / "run.nc")
+    mute = control.nlsys(rate, lambda t, x, u, p: [], inputs=0, outputs=0, states=1)
+    with pytest.raises(clpt.DataError, match="the run has no signal; give its system outputs"):
+        clpt.save_run(clpt.simulate(mute, TIMES, initial_state=[1.0]), tmp_path / "none.nc")
+    assert not (tmp_path / "none.nc").exists()
 
 
 def test_a_parameter_that_the_record_holds_stays(tmp_path):
@@ -302,58 +264,49 @@ def test_changed_equations_are_one_sentence_or_a_diagram():
         assert not said or said.startswith("its equations are damaged: ")
         refused += bool(said)
     assert refused > 75
+    for row, column in ((0, -1), (-1, 0), (0, 99)):  # a wire from or to no signal
+        plain = json.loads(texts[0])
+        plain["diagram"]["connections"][0][:2] = row, column
+        with pytest.raises(clpt.DataError, match="its equations are damaged: "):
+            diagram_of_text(json.dumps(plain))
 
 
-@pytest.mark.parametrize(
-    ("line", "at"),
-    [
-        (["view", [0], [2], [[0, 1, 1]]], 0),  # beside its array
-        (["view", [0], [1], [[0, -1, 1]]], 0),
-        (["view", [0], [], [7]], 0),
-        (["sum", [0], [2], 0], 0),
-        (["mul", [0, 9], [2], None], 0),
-        (["mul", [0], [2], None], 0),
-        (["exp", [0], [3], None], 0),
-        (["leaf", [], [5], ["x", "h"]], 0),
-        (["leaf", [], [2], ["x", "secret"]], 0),
-        (["import os", [0], [2], None], 0),
-        (["fill", [0], [2], None], 0),
-        (["constant", [], [2], [1.0]], 0),
-        (["join", [0, 0], [3], None], 0),
-        (["stack", [0], [2, 2], None], 0),
-        (["pick", [0, 0], [], None], 0),
-        (["part", [0], [2, 1], 1], 0),
-        (["part", [0], [1], -1], 0),
-        (["part", [0, 0], [2, 1], 0], 0),
-        (["part", [0.5], [1, 1], 0], 0),
-    ],
-)
-def test_a_line_of_a_record_that_is_none_is_refused(line, at):
+LINES = [
+    ["view", [0], [2], [[0, 1, 1]]],  # beside its array
+    ["view", [0], [1], [[0, -1, 1]]],
+    ["view", [0], [], [7]],
+    ["sum", [0], [2], 0],
+    ["mul", [0, 9], [2], None],
+    ["mul", [0], [2], None],
+    ["exp", [0], [3], None],
+    ["leaf", [], [5], ["x", "h"]],
+    ["leaf", [], [2], ["x", "secret"]],
+    ["import os", [0], [2], None],
+    ["fill", [0], [2], None],
+    ["constant", [], [2], [1.0]],
+    ["join", [0, 0], [3], None],
+    ["stack", [0], [2, 2], None],
+    ["pick", [0, 0], [], None],
+    ["part", [0], [2, 1], 1],
+    ["part", [0], [1], -1],
+    ["part", [0, 0], [2, 1], 0],
+    ["part", [0.5], [1, 1], 0],
+]
+
+
+@pytest.mark.parametrize("line", [*LINES, "no memory holds"], ids=str)
+def test_a_line_of_a_record_that_is_none_is_refused(line):
     """What machine code would believe: each is told, none is run."""
-    plain = json.loads(equations_text(RUNS["samples"]())[0])
+    plain, said = json.loads(equations_text(RUNS["samples"]())[0]), "damaged: .*(record|KeyError)"
     record = plain["diagram"]["blocks"][1]["records"]["output"]
-    assert record["operations"][at][:3] == ["leaf", [], [2]]
-    record["operations"].append(line)
-    with pytest.raises(clpt.DataError, match=r"damaged: .*(record|KeyError)"):
+    assert record["operations"][0][:3] == ["leaf", [], [2]]
+    if line in LINES:
+        record["operations"].append(line)
+    else:
+        record["operations"] += [["fill", [0.5], [5_000_000], None]] * 21
+        said = r"has 1.05e\+08 numbers; at most 1e\+08"
+    with pytest.raises(clpt.DataError, match=said):
         diagram_of_text(json.dumps(plain))
-
-
-def test_a_record_that_no_memory_holds_is_refused():
-    plain = json.loads(equations_text(RUNS["samples"]())[0])
-    record = plain["diagram"]["blocks"][1]["records"]["output"]
-    record["operations"] += [["fill", [0.5], [5_000_000], None]] * 21
-    with pytest.raises(clpt.DataError, match=r"has 1.05e\+08 numbers; at most 1e\+08"):
-        diagram_of_text(json.dumps(plain))
-
-
-def test_a_run_without_signals_is_no_file(tmp_path):
-    still = control.nlsys(
-        lambda t, x, u, p: -x, lambda t, x, u, p: [], inputs=0, outputs=0, states=1
-    )
-    run = clpt.simulate(still, TIMES, initial_state=[1.0])
-    with pytest.raises(clpt.DataError, match="the run has no signal; give its system outputs"):
-        clpt.save_run(run, tmp_path / "run.nc")
-    assert not (tmp_path / "run.nc").exists()
 
 
 def test_damaged_numbers_of_a_run_are_one_sentence(tmp_path):

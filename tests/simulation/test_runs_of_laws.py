@@ -1,16 +1,14 @@
-"""Every law of the table runs, and so does a block that no table knows."""
+"""Every law of the table runs, at all times or at samples, and so does a law of no table."""
 
 import law_blocks
 import numpy as np
 import pytest
 from law_blocks import EACH, TRUE_GAINS
-from responses import response
 from scipy.integrate import simpson
 
 import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS
-from clpt_control.errors import DiagramError, ScenarioError
-from clpt_control.scenario.file import OWN_PARTS
+from clpt_control.errors import ClptError, DiagramError, ScenarioError
 from clpt_control.theory.proving.theorem_loop import AT_FIXES
 
 PAPER = clpt.paper_scenario().with_values({"run.duration": 40})
@@ -49,14 +47,6 @@ def test_gains_that_are_held_stay(name):
     np.testing.assert_array_equal(run.feedforward_gain, np.tile([0.9, 1.2], (21, 1)))
 
 
-def balance(scenario):
-    """V(end) - V(0) and -int e^T KD e, by Simpson's rule, of which a waypoint ends a parabola."""
-    times = np.linspace(0.0, scenario.run.duration, 8001)
-    run = clpt.simulate(scenario, times, rtol=1e-11, atol=1e-13)
-    decay = np.sum(np.array(scenario.vehicle.feedback) * run.clpe.values**2, axis=1)
-    return run.lyapunov.values[-1] - run.lyapunov.values[0], -simpson(decay, x=times)
-
-
 @pytest.mark.parametrize(
     "values",
     [
@@ -67,84 +57,38 @@ def balance(scenario):
     ids=["one gain", "a gain each", "gains held true"],
 )
 def test_V_of_the_papers_law_falls_by_what_e_takes(values):
-    fallen, taken = balance(PAPER.with_values(values))
-    assert fallen == pytest.approx(taken, rel=1e-8)
-
-
-def test_equal_gains_each_are_one_gain():
-    each = dict.fromkeys(EACH, 0.8)
-    one = clpt.simulate(PAPER)
-    three = clpt.simulate(PAPER.with_values({"learning.gain": None, "learning.gains": each}))
-    np.testing.assert_allclose(three.alpha, one.alpha, rtol=0, atol=1e-9)
-    np.testing.assert_allclose(three.lyapunov, one.lyapunov, rtol=0, atol=1e-9)
+    """V(end) - V(0) is -int e^T KD e, by Simpson's rule, of which a waypoint ends a parabola."""
+    scenario = PAPER.with_values(values)
+    times = np.linspace(0.0, scenario.run.duration, 8001)
+    run = clpt.simulate(scenario, times, rtol=1e-11, atol=1e-13)
+    taken = run.clpe.values**2 @ np.array(scenario.vehicle.feedback)
+    V = run.lyapunov.values
+    assert V[0] - V[-1] == pytest.approx(simpson(taken, x=times), rel=1e-8)
 
 
 def test_what_a_block_remembers_starts_at_zero_and_is_wired():
     law = law_blocks.remembering_law()
-    loop = clpt.closed_loop(PAPER, law=law)
-    state = clpt.initial_state(loop)
-    assert loop.nstates == len(state) == 15
-    ran = response(loop, [0.0, 4.0], initial_state=state)
-    assert ran.states[-1, -1] == pytest.approx(0.5 * 4.0, rel=1e-12)
+    loop, alone = (clpt.closed_loop(PAPER, external=e, law=law) for e in ((), "x"))
     run = clpt.simulate(loop)
+    assert run.states.shape[1] == len(clpt.initial_state(loop)) == 15
+    np.testing.assert_allclose(run.states[:, -1], 0.5 * run.time, rtol=1e-12)
     assert np.all(run.feedback_gain.values == 0)
     assert run.alpha.values[-1].any()
-    alone = clpt.closed_loop(PAPER, external="x", law=law)
     assert alone.nstates == len(clpt.initial_state(alone)) == 13
 
 
 def test_a_blocks_own_gain_is_its_own():
-    run = clpt.simulate(
-        clpt.closed_loop(PAPER, law=law_blocks.papers_law(name="adaptation", gain=2.0))
-    )
     faster = clpt.simulate(PAPER.with_values({"learning.gain": 2.0}))
-    np.testing.assert_array_equal(run.alpha, faster.alpha)
-    law = law_blocks.papers_law(name="adaptation")
-    called = clpt.simulate(clpt.closed_loop(PAPER, law=law), params={"adaptation.gain": 2.0})
-    np.testing.assert_array_equal(called.alpha, faster.alpha)
-    assert "learning" in called.attrs["scenario"]
-    assert "adaptation.gain" in called.attrs["parameters_changed"]
-
-
-def test_an_initial_state_is_that_of_a_diagram():
-    remembering = PAPER.with_values({"learning.law": "least-squares"})
-    state = clpt.initial_state(remembering)
-    state[-1] += 1.0
-    run = clpt.simulate(remembering, initial_state=state)
-    np.testing.assert_array_equal(clpt.state_at(run, 0), state)
-    assert run.attrs[OWN_PARTS] == "closed_loop: run as a diagram"
-
-
-@pytest.mark.parametrize(
-    ("law", "said"),
-    [
-        ("sigma", "law = 'sigma': must be a Block"),
-        (law_blocks.papers_law(N=2), r"alpha of N = 2 functions; the scenario has 3"),
-        (clpt.paper_blocks(PAPER)[0], r"a law makes alpha\[2N\], K\[2\] and Gamma\[2\]"),
-    ],
-)
-def test_what_is_no_law_for_the_scenario_is_refused(law, said):
-    with pytest.raises(clpt.ClptError, match=said):
-        clpt.closed_loop(PAPER, law=law)
-
-
-def test_the_error_loop_is_of_the_papers_law():
-    scenario = PAPER.with_values({"learning.gain": None, "learning.gains": EACH})
-    with pytest.raises(DiagramError, match=r"Eqs. \(27\)-\(28\) are of law"):
-        clpt.error_loop(scenario)
-
-
-def test_no_certificate_for_a_law_that_it_is_not_of():
-    run = clpt.simulate(
-        clpt.closed_loop(PAPER, law=law_blocks.papers_law()), np.linspace(0, 40, 801)
-    )
-    with pytest.raises(ScenarioError, match=r"no certificate: .* the run has the law mine"):
-        clpt.theory.certificate(run, 20.0, 0.0)
-    assert clpt.theory.gramian(run, 20.0, 0.0).eigenvalues["x1"][0] > 0
+    for own, params in (({"gain": 2.0}, None), ({}, {"adaptation.gain": 2.0})):
+        loop = clpt.closed_loop(PAPER, law=law_blocks.papers_law(name="adaptation", **own))
+        run = clpt.simulate(loop, params=params)
+        np.testing.assert_array_equal(run.alpha, faster.alpha)
+        assert "learning" in run.attrs["scenario"]
+        assert params is None or "adaptation.gain" in run.attrs["parameters_changed"]
 
 
 @pytest.mark.parametrize("name", ["learned-flow", "known-flow"])
-def test_a_gain_of_zero_is_without_learning(name, tmp_path):
+def test_a_gain_of_zero_is_without_learning(name):
     scenario = with_law(name, **{"learning.gain": 0})
     run = clpt.simulate(scenario)
     for made in ("alpha", "feedback_gain", "feedforward_gain"):
@@ -152,18 +96,88 @@ def test_a_gain_of_zero_is_without_learning(name, tmp_path):
     np.testing.assert_array_equal(run.lyapunov, (run.clpe.values**2).sum(-1) / 2)
     nearly = clpt.simulate(with_law(name, **{"learning.gain": 1e-12}))
     np.testing.assert_allclose(run.clpe, nearly.clpe, atol=1e-6)
-    clpt.save_run(run, tmp_path / "run.nc")
-    assert clpt.load_scenario(tmp_path / "run.nc") == scenario
     varied = clpt.run_ensemble(scenario, "learning.gain=[0, 0.8]", 2)
     own = varied.clpe_rms_whole.values[varied["learning.gain"].values == 0]
     rms = float(np.sqrt((nearly.clpe**2).sum("axis").mean()))
     np.testing.assert_allclose(own, rms, rtol=0.05)
-    if name == "learned-flow":
-        with pytest.raises(ScenarioError, match=r"learning\.gain = 0"):
-            clpt.certify(scenario)
 
 
-@pytest.mark.parametrize("name", [name for name, law in LAWS.items() if law.settings])
-def test_a_law_that_learns_by_its_own_table_refuses_a_gain_of_zero(name):
-    with pytest.raises(ScenarioError, match=r"learning\.gain: "):
-        with_law(name, **{"learning.gain": 0})
+def test_a_gain_of_zero_is_refused_where_nothing_is_without_it():
+    for name in (name for name, law in LAWS.items() if law.settings):
+        with pytest.raises(ScenarioError, match=r"learning\.gain: "):
+            with_law(name, **{"learning.gain": 0})
+    with pytest.raises(ScenarioError, match=r"learning\.gain = 0"):
+        clpt.certify(with_law("learned-flow", **{"learning.gain": 0}))
+    each = PAPER.with_values({"learning.gain": None, "learning.gains": EACH})
+    with pytest.raises(DiagramError, match=r"Eqs. \(27\)-\(28\) are of law"):
+        clpt.error_loop(each)
+
+
+SLOW = clpt.paper_scenario().with_values(
+    {"learning.gain": 0.05, "run.duration": 20, "run.output_step": 5, "run.rtol": 1e-11}
+)
+
+
+def own_law(scenario):
+    (law,) = (block for block in clpt.paper_blocks(scenario) if block.name == "adaptation")
+    return law
+
+
+@pytest.mark.parametrize("period", [0.1, 1.0, 5.0])
+def test_a_law_that_is_sampled_is_the_sampled_block(period):
+    """Which is Euler's rule between samples: tests/native/test_sampled_parts."""
+    run = clpt.simulate(SLOW.with_values({"learning.sample": period}))
+    block = clpt.equations.Sampled(own_law(SLOW), period)
+    own = clpt.simulate(clpt.closed_loop(SLOW, law=block))
+    for name in ("position", "predicted_position", "alpha", "feedback_gain", "feedforward_gain"):
+        np.testing.assert_allclose(run[name], own[name], rtol=1e-9, atol=1e-12)
+    assert run.attrs["engine"] == "native"
+
+
+@pytest.mark.parametrize("law", ["known-flow", "kalman-flow", "composite-memory", "drem"])
+def test_every_engine_samples_a_law(law):
+    """A law's own states begin where they do without samples."""
+    own = {"learning.law": law, "learning.parameters": None, "run.duration": 1}
+    own |= {"learning.theta_estimate": np.ones((2, 3)).tolist()} if law == "known-flow" else {}
+    scenario = SLOW.with_values({**own, "learning.sample": 0.05, "run.rtol": 1e-9})
+    native, python = (clpt.simulate(scenario, engine=engine) for engine in ("native", "python"))
+    np.testing.assert_allclose(native.states, python.states, rtol=1e-6, atol=1e-9)
+
+
+def test_the_scenarios_method_runs():
+    stiff = SLOW.with_values({"run.method": "rodas5p", "run.rtol": 1e-6})
+    for system in (stiff, clpt.closed_loop(stiff)):
+        assert clpt.simulate(system).attrs["method"] == "Rodas5P"
+    found = clpt.simulate(SLOW.with_values({"run.rtol": 1e-6}), method="rodas5p")
+    assert 'method = "rodas5p"' in found.attrs["scenario"]
+    with pytest.raises(ScenarioError, match=r"run\.method = 'euler': must be"):
+        SLOW.with_values({"run.method": "euler"})
+    explicit, members = stiff.with_values({"run.method": "dop853"}), {"learning.gain": [0.1, 0.2]}
+    alpha, other = (
+        clpt.run_ensemble(one, members, trajectories=True).alpha.values for one in (stiff, explicit)
+    )
+    for m, gain in enumerate((0.1, 0.2)):
+        alone = clpt.simulate(stiff.with_values({"learning.gain": gain}))
+        np.testing.assert_allclose(alpha[m], alone.alpha, rtol=0, atol=1e-6)
+    assert not np.array_equal(alpha, other)
+
+
+def test_what_is_not_sampled_says_so():
+    sampled = SLOW.with_values({"learning.sample": 1.0})
+    with pytest.raises(DiagramError, match="sample yours by"):
+        clpt.closed_loop(sampled, law=own_law(SLOW))
+    with pytest.raises(DiagramError, match="proofs speak of continuous time alone"):
+        clpt.theory.prove(clpt.closed_loop(sampled))
+    with pytest.raises(ScenarioError, match=r"learning\.sample cannot vary; "):
+        clpt.ensemble.run_ensemble(sampled, vary="learning.sample=0.5:2.0", members=2)
+    with pytest.raises(ScenarioError, match=r"learning.sample: .* has no use for it"):
+        SLOW.with_values(
+            {"learning": {"law": "fix-regression", "sample": 1.0}, "localization.interval": 5.0}
+        )
+    end = SLOW.run.duration
+    SLOW.with_values({"learning.sample": end})
+    with pytest.raises(ScenarioError, match=r"nothing is learned before t = .*; must be at most"):
+        SLOW.with_values({"learning.sample": 1.01 * end})
+    both = {"a": sampled, "b": sampled.with_values({"vehicle.position": [1.0, 0.0]})}
+    with pytest.raises(ClptError, match="a team learns at all times"):
+        clpt.Team(members=both, edges=[("a", "b")], coupling=0.5)

@@ -4,34 +4,32 @@ import control
 import numpy as np
 import pytest
 from calm_water import CALM, DWELL, PAPER, POINTS, exact_positions
-from hypothesis import given, seed, settings
-from hypothesis import strategies as st
 
 import clpt_control as clpt
 from clpt_control.blocks import disturbance, reference
-from clpt_control.diagrams.interconnection import connect
-from clpt_control.equations import Block
 from clpt_control.errors import SimulationError
-from clpt_control.native.python_diagram import PythonDiagram
 from clpt_control.scenario.tables import Units
-from clpt_control.simulation.flows import faster_flow, speed_figures, speeds_of
-from clpt_control.simulation.integrate import sample_times
+from clpt_control.simulation.flows import faster_flow, speeds_of
+
+SAMPLES = {
+    (1.0, 0.25): [0, 0.25, 0.5, 0.75, 1],
+    (1.0, 0.3): [0, 0.3, 0.6, 3 * 0.3, 1],
+    (0.3, 0.1): [0, 0.1, 0.2, 0.3],
+    (2.0, 5.0): [0, 2],
+    (0.7, 0.1): [0, 0.1, 0.2, 3 * 0.1, 0.4, 0.5, 6 * 0.1, 0.7],
+}
 
 
-@pytest.mark.parametrize(
-    ("duration", "step", "expected"),
-    [
-        (1.0, 0.25, [0, 0.25, 0.5, 0.75, 1]),
-        (1.0, 0.3, [0, 0.3, 0.6, 3 * 0.3, 1]),
-        (0.3, 0.1, [0, 0.1, 0.2, 0.3]),
-        (2.0, 5.0, [0, 2]),
-        (0.7, 0.1, [0, 0.1, 0.2, 3 * 0.1, 0.4, 0.5, 6 * 0.1, 0.7]),
-    ],
-)
-def test_samples_at_multiples_and_the_end(duration, step, expected):
-    assert sample_times(duration, step).tolist() == expected
-    run = clpt.simulate(CALM.with_values({"run.duration": duration, "run.output_step": step}))
-    assert run.time.values.tolist() == expected
+def test_samples_at_multiples_and_the_end_or_where_asked():
+    for (duration, step), expected in SAMPLES.items():
+        run = clpt.simulate(CALM.with_values({"run.duration": duration, "run.output_step": step}))
+        assert run.time.values.tolist() == expected
+    times = [0.35, 1.23456, 2.1]
+    run = clpt.simulate(CALM, times, rtol=1e-11, atol=1e-13)
+    assert run.time.values.tolist() == times
+    np.testing.assert_allclose(run.position.values, exact_positions(times), atol=1e-9)
+    with pytest.raises(SimulationError, match="timepts: is required"):
+        clpt.simulate(clpt.error_loop(PAPER))
 
 
 @pytest.mark.parametrize("engine", ["native", "python"])
@@ -48,16 +46,20 @@ def test_inputs_at_samples_are_those_given(engine):
         np.testing.assert_array_equal(run.y.values, wanted)
 
 
-def test_samples_where_asked():
-    times = [0.35, 1.23456, 2.1]
-    run = clpt.simulate(CALM, times, rtol=1e-11, atol=1e-13)
-    assert run.time.values.tolist() == times
-    np.testing.assert_allclose(run.position.values, exact_positions(times), atol=1e-9)
+DECAY = clpt.Block("decay", update=lambda t, x, u, p: u - x, inputs={"u": 1}, states={"x": 1})
 
 
-def test_a_diagram_needs_times():
-    with pytest.raises(SimulationError, match="timepts: is required"):
-        clpt.simulate(clpt.error_loop(PAPER))
+@pytest.mark.parametrize("engine", ["native", "python"])
+def test_inputs_are_held_or_joined_by_straight_lines_whose_kinks_are_hit(engine):
+    exact, tight = 1 - np.exp(-np.linspace(0, 3, 13)), {"rtol": 1e-11, "atol": 1e-13}
+    for inputs in (5.0, [5.0], np.array([5.0]), np.full((1, 13), 5.0), np.full(13, 5.0)):
+        run = clpt.simulate(DECAY, np.linspace(0, 3, 13), inputs, engine=engine, **tight)
+        np.testing.assert_allclose(run.x, 5.0 * exact, atol=1e-9)
+    # u = t on [0, 1], then 2 - t on [1, 2]: x(1) = e^-1, then with s = t - 1
+    # x' = -x + 1 - s, so x = (x(1) - 2) e^-s + 2 - s
+    run = clpt.simulate(DECAY, [0.0, 1.0, 2.0], [[0.0, 1.0, 0.0]], engine=engine, **tight)
+    one = np.exp(-1)
+    np.testing.assert_allclose(run.x, [0, one, (one - 2) * one + 1], atol=1e-10)
 
 
 def test_values_at_a_jump_are_right_limits():
@@ -70,38 +72,30 @@ def test_values_at_a_jump_are_right_limits():
         assert zc.tolist() == POINTS[k % 3], t
 
 
-def test_jumps_of_two_blocks_at_one_time():
+@pytest.mark.parametrize("engine", ["native", "python"])
+def test_jumps_of_two_blocks_at_one_time(engine):
     # half periods at 0.1 k and waypoints at 0.3 k, which differ by rounding alone
     delta = disturbance.disturbance("square", [1.0, -2.0], period=0.2)
-    sum_up = Block("sum", update=sums, inputs={"delta": 2, "zc": 2}, states={"s": 4})
-    loop = connect([reference.reference([[1.0, 0.0], [0.0, 1.0]], dwell=0.3), delta, sum_up])
-    solution = PythonDiagram(loop).run(np.zeros(4), 0.1 * np.arange(31), rtol=1e-11, atol=1e-13)
+    sum_up = clpt.Block(
+        "sum", update=lambda t, x, u, p: u, inputs={"delta": 2, "zc": 2}, states={"s": 4}
+    )
+    loop = clpt.connect([reference.reference([[1.0, 0.0], [0.0, 1.0]], dwell=0.3), delta, sum_up])
+    run = clpt.simulate(loop, 0.1 * np.arange(31), rtol=1e-11, atol=1e-13, engine=engine)
     k = np.arange(31)
-    np.testing.assert_allclose(solution.x[:, 0], 0.1 * (k % 2), atol=1e-12)
-    np.testing.assert_allclose(solution.x[:, 1], -0.2 * (k % 2), atol=1e-12)
     first = 0.1 * np.array([3 * (j // 6) + min(j % 6, 3) for j in k])
-    np.testing.assert_allclose(solution.x[:, 2], first, atol=1e-12)
-    np.testing.assert_allclose(solution.x[:, 3], 0.1 * k - first, atol=1e-12)
-    assert solution.statistics["restarts"] == 30
+    exact = [0.1 * (k % 2), -0.2 * (k % 2), first, 0.1 * k - first]
+    np.testing.assert_allclose(run.s, np.transpose(exact), atol=1e-12)
+    assert run.attrs["solver_restarts"] == 30
 
 
-def sums(t, x, u, p):
-    """s' = [delta, zc], section 2: u = delta[2], zc[2], state s[4]."""
-    return u
-
-
-def test_status_and_statistics():
-    run = clpt.simulate(CALM)
+def test_status_statistics_and_progress():
+    reached = []
+    run = clpt.simulate(CALM, progress=reached.append)
     assert run.attrs["status"] == "finished"
     assert run.attrs["message"].startswith("finished")
     assert run.attrs["solver_restarts"] == 8  # 5.0 / 0.7: intervals begun
     assert run.attrs["solver_steps"] >= 8
     assert run.attrs["solver_evaluations"] >= 11 * run.attrs["solver_steps"]
-
-
-def test_progress_reaches_the_end():
-    reached = []
-    clpt.simulate(CALM, progress=reached.append)
     assert reached == sorted(reached)
     assert reached[-1] == 5.0
 
@@ -130,23 +124,6 @@ def test_samples_that_miss_a_jump_by_rounding_are_right_limits(engine):
     number = np.arange(41) // 5
     np.testing.assert_array_equal(run.reference.values, scenario.waypoints[number % 10])
     np.testing.assert_allclose(run.time.values, hour * np.arange(41), rtol=1e-12)
-
-
-@seed(2)
-@settings(max_examples=200, deadline=None)
-@given(flags=st.lists(st.booleans(), min_size=2, max_size=30))
-def test_each_sample_counts_until_the_next(flags):
-    speeds = np.column_stack([np.where(flags, 2.0, 0.5), np.zeros(len(flags))])
-    found = speed_figures(1.0, np.arange(len(flags), dtype=float), speeds[:, ::-1], speeds)
-    spans = "".join("x" if flag else " " for flag in flags[:-1])
-    assert found["share_at_limit"] == pytest.approx(spans.count("x") / len(spans))
-    if not any(flags):
-        assert found["faster_flow"] is None
-        return
-    faster = found["faster_flow"]
-    assert faster["first"] == flags.index(True)
-    assert faster["longest"] == max(map(len, spans.split(" ")))
-    assert faster["share"] == found["share_at_limit"]
 
 
 def drifting(**values):
@@ -181,31 +158,25 @@ def test_a_calm_run_says_nothing_and_its_share_is_right():
     assert run.velocity.attrs["units"] == run.commanded_velocity.attrs["units"] == "m s-1"
 
 
-def test_a_run_without_a_limit_has_nothing_of_it():
-    run = clpt.simulate(PAPER.with_values({"run.duration": 5}))
-    assert "velocity" not in run
-    assert "share_at_speed_limit" not in run.attrs
-
-
-def test_the_limit_that_ran_is_the_one_that_is_meant():
+def test_the_limit_that_ran_is_the_one_that_is_said():
     short = PAPER.with_values({"run.duration": 40, "vehicle.max_speed": 10.0})
     assert "faster" not in clpt.simulate(short).attrs["message"]
     slow = clpt.simulate(short, params={"speed_limit.max_speed": 0.5})
     assert "the vehicle (0.5 m/s)" in slow.attrs["message"]
+    free = clpt.simulate(PAPER.with_values({"run.duration": 5}))
+    assert "velocity" not in free
+    assert "share_at_speed_limit" not in free.attrs
 
 
 def test_the_command_says_it(clpt, printed, tmp_path):
-    file = tmp_path / "slow.toml"
+    file, run = tmp_path / "slow.toml", tmp_path / "run.nc"
     assert clpt("init", file).status == 0
     text = file.read_text().replace("duration = 2000", "duration = 400")
     file.write_text(text.replace("\n[vehicle]", "\n[vehicle]\nmax_speed = 1.5", 1))
-    found = printed("run", file, "--out", tmp_path / "run.nc")
+    found = printed("run", file, "--out", run)
     assert found["speed"]["max_speed"] == 1.5
     assert 0.01 < found["speed"]["faster_flow"]["share"] < found["speed"]["share_at_limit"] < 1
     assert faster_flow(found["speed"], Units()) in found["message"]
-    outcome = clpt("run", file, "--out", tmp_path / "run.nc")
-    assert "share of time at the speed limit" in outcome.out
-    assert "the flow was faster" in outcome.out
-    file.write_text(text.replace("\n[vehicle]", "\n[vehicle]\nmax_speed = 9.0", 1))
-    outcome = clpt("run", file, "--out", tmp_path / "run.nc")
-    assert "never" in outcome.out
+    said = clpt("run", file, "--out", run).out
+    assert "share of time at the speed limit" in said
+    assert "the flow was faster" in said
