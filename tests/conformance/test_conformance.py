@@ -19,19 +19,19 @@ from clpt_control.errors import ArgumentError, BlockError, ClptError
 from clpt_control.native import vectors
 
 
-@pytest.mark.parametrize("case", EACH)
-def test_package_block_conforms(case):
-    conformance(BLOCKS[case], samples=8)
+@pytest.mark.parametrize("block", EACH)
+def test_package_block_conforms(block):
+    conformance(block, samples=8)
 
 
 def test_docstrings_name_the_equation():
     """Of the package's own blocks; a user's equation has no number in the paper."""
-    for case, block in BLOCKS.items():
+    for block in BLOCKS:
         functions = [getattr(block, f"{role}_function") for role in roles(block)]
         texts = [function.__doc__ or "" for function in functions if function is not None]
-        assert all(text.strip() and text.splitlines()[0].strip() for text in texts), case
+        assert all(text.strip() and text.splitlines()[0].strip() for text in texts), block.name
         text = "\n".join(texts)
-        assert re.search(r"\bEqs?\.|\b[Ss]ection\b|\b[A-Z]\w+ (19|20)\d\d\b", text), case
+        assert re.search(r"\bEqs?\.|\b[Ss]ection\b|\b[A-Z]\w+ (19|20)\d\d\b", text), block.name
 
 
 def test_a_report_counts_its_checks_and_repeats():
