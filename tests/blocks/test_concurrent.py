@@ -9,18 +9,10 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from law_blocks import HELD, alone
-from responses import response
+from law_blocks import alone, everything, of_law
 from scipy.integrate import simpson
 
-import clpt_control as clpt
 from clpt_control.blocks.laws.remembering import CONCURRENT as LAW
-
-
-def of_paper(duration=200.0, **more):
-    paper = clpt.paper_scenario()
-    return paper.with_values({"learning.law": "concurrent", "run.duration": duration, **more})
-
 
 GAMMA, T = 2.0, 0.5
 
@@ -56,20 +48,12 @@ def test_what_was_shown_once_is_learned_exponentially_and_for_good(after):
     assert off[-1] < 1e-9 * off[0]
 
 
-def along(duration, step, **more):
-    """A run with K and Gamma held true, its outputs by port, shape (time, ...)."""
-    scenario = of_paper(duration, **HELD, **more)
-    loop, times = clpt.closed_loop(scenario), np.arange(0, duration + step / 2, step)
-    found = response(loop, times, None, clpt.initial_state(scenario), rtol=1e-11, atol=1e-13)
-    ports = np.array([label.split("[")[0] for label in loop.output_labels])
-    return times, {port: found.outputs[ports == port].T for port in set(ports)}
-
-
 def test_the_memory_is_that_of_all_windows_each_normalised_by_itself():
-    times, run = along(6.0, 0.01, **{"vehicle.position": [1.3, -0.7]})
-    M, T = np.zeros((3, 3)), 1.0  # T = 1/KD = 1
+    start = {"vehicle.position": [1.3, -0.7], "run.duration": 6.0, "run.output_step": 0.01}
+    run = everything(of_law("concurrent", start, held=True))
+    times, phi, M, T = run.time.values, run.phi_x.values, np.zeros((3, 3)), 1.0  # T = 1/KD
     for a, b in pairwise(range(0, 501, 100)):
-        Phi = simpson(run["phi_x"][a : b + 1], x=times[a : b + 1], axis=0)
+        Phi = simpson(phi[a : b + 1], x=times[a : b + 1], axis=0)
         M += np.outer(Phi, Phi) / (T**2 + Phi @ Phi)  # taken in while the next window runs
         S = M @ np.linalg.inv(np.eye(3) + M)
-        np.testing.assert_allclose(run["S"][b + 100].reshape(3, 3), S, atol=1e-9)
+        np.testing.assert_allclose(run.S[b + 100].values.reshape(3, 3), S, atol=1e-9)
