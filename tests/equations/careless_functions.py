@@ -7,8 +7,6 @@ import numpy as np
 from scipy.interpolate import CubicSpline, LinearNDInterpolator, RegularGridInterpolator, interp1d
 
 RATIOS = {0: 4.0, 1: 2.0}
-SWITCH = False
-MEMORY = {"last": np.zeros(3)}
 with warnings.catch_warnings(action="ignore"):
     SQUARE = np.asmatrix([[1.0, 2.0], [3.0, 4.0]])
 SPLINE = CubicSpline([-1.0, 0.0, 0.5, 2.0], [0.0, 1.0, -1.0, 2.0])
@@ -62,16 +60,7 @@ class Asking:
         return 0.0
 
 
-class Bolt:
-    """Remembers in slots."""
-
-    __slots__ = ("last",)
-
-    def __init__(self):
-        self.last = 0.0
-
-
-LEVER, BOLT, ASKING = Lever(), Bolt(), Asking()
+LEVER, ASKING = Lever(), Asking()
 
 
 # --- truth values --------------------------------------------------------------------------------
@@ -195,41 +184,6 @@ def is_without_what_is_no_number(t, x, u, p):
     return [a, max(float("nan"), x[0])]
 
 
-# --- what is kept --------------------------------------------------------------------------------
-
-
-def is_a_function_with_a_number(t, x, u, p):
-    return [getattr(is_a_function_with_a_number, "gain", 1.0) * x[0]]
-
-
-is_a_function_with_a_number.gain = 3.0
-
-
-def counts_on_itself(t, x, u, p):
-    counts_on_itself.n = getattr(counts_on_itself, "n", 0) + 1
-    return [x[0] * counts_on_itself.n]
-
-
-def keeps_a_switch(t, x, u, p):
-    global SWITCH
-    if x[0] > 0.5:
-        SWITCH = True
-    elif x[0] < -0.5:
-        SWITCH = False
-    return [1.0 if SWITCH else 0.0]
-
-
-def keeps_in_slots(t, x, u, p):
-    last, BOLT.last = BOLT.last, x[0]
-    return [x[0] - last]
-
-
-def keeps_in_params(t, x, u, p):
-    last = p.get("last", 0.0)
-    p["last"] = x[0]
-    return [x[0] - last]
-
-
 # --- what is changed in place ---------------------------------------------------------------------
 
 
@@ -300,12 +254,6 @@ def is_methods_ask(t, x, u, p):
 
 def is_functions_of_math(t, x, u, p):
     return [math.dist(x[:2], u), *[math.remainder(a, 2 * math.pi) for a in x]]
-
-
-def keeps_in_a_dict_beside_an_array(t, x, u, p):
-    rate = x - MEMORY["last"]
-    MEMORY["last"] = x.copy()
-    return rate
 
 
 def adds_at_places(t, x, u, p):

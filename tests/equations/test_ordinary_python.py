@@ -136,18 +136,6 @@ class Hull:
         moved[1] = u[0]
         return self.inertia.dot(u) - self.turned.T.dot(u) + moved
 
-    def odometer(self, t, x, u, p):
-        self.gone = getattr(self, "gone", 0.0) + self.drag(u[0])
-        return self.gone
-
-    def worn(self, t, x, u, p):
-        self.angles.append(self.angles[int(abs(u[0]))])
-        return self.angles[100]
-
-    def replaced(self, t, x, u, p):
-        self.inertia = 2.0 * self.inertia
-        return self.inertia.dot(u)
-
 
 @functools.lru_cache
 def kept(k):

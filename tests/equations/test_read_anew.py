@@ -14,13 +14,10 @@ import numpy as np
 import pytest
 from recorded import as_it_runs, recorded, static
 from scipy import special
-from scipy.interpolate import interp1d
-from test_ordinary_python import POINTS, Hull, Motor
+from test_ordinary_python import POINTS
 
 import clpt_control as clpt
 from clpt_control.equations import Block
-from clpt_control.equations.arrays import Unread
-from clpt_control.equations.reading import read
 from clpt_control.equations.unchanged import Keys, Unkeyed
 
 # --- what changes after the block was made --------------------------------------------------------
@@ -151,48 +148,6 @@ def test_what_may_change_unseen_has_no_key(value):
         Keys(alike=True).of(tank.rate)
 
 
-def read_alone(function, size):
-    """Read a function that no block has called before."""
-    return read(function, "output", {"x": (0,)}, {"u": (3,)}, {}, {}, {"y": (size,)}, dict)
-
-
-COUNT = 0
-
-
-@pytest.mark.parametrize("name", ["odometer", "worn", "replaced"])
-def test_what_an_object_with_tables_keeps_is_a_state(name):
-    hull = Hull()
-    before = {name: id(value) for name, value in vars(hull).items()}
-    with pytest.raises(Unread, match=r"make (what it keeps|it) a state|counts with"):
-        read_alone(getattr(hull, name), 3 if name == "replaced" else 1)
-    assert {name: id(value) for name, value in vars(hull).items()} == before
-    assert len(hull.angles) == 3
-    assert type(hull.drag) is interp1d
-
-
-def counting(t, x, u, p):
-    global COUNT
-    COUNT += 1
-    return u * COUNT
-
-
-def test_a_reading_leaves_all_as_it_was():
-    motor, log = Motor(2.0), []
-
-    def logging(t, x, u, p):
-        log.append(t)
-        motor.last = u[0]
-        return motor.last
-
-    block = static(logging)
-    log.clear()
-    recorded(block, "output", 0.0, [], POINTS[0])
-    assert log == []
-    with pytest.raises(Unread, match="changes the global 'COUNT'"):
-        read_alone(counting, 3)
-    assert COUNT == 0
-
-
 def raising(t, x, u, p):
     if u[0] < 0:
         raise ValueError("an empty tank")
@@ -290,18 +245,3 @@ def test_the_interval_of_a_run_is_asked_both_ways():
         given = {("p", "interval"): interval, ("u", "u"): np.array([3.0])}
         (found,) = record.values(lambda group, name, given=given: given[group, name], {})
         assert found == [wanted]
-
-
-def test_a_log_of_numbers_stays_a_log():
-    """Also where what it began with are numbers, of runs before."""
-    log = [0.0]
-
-    def logged(t, x, u, p):
-        log.append(float(x[0]))
-        return [-x[0]]
-
-    system = control.nlsys(logged, inputs=0, outputs=1, states=1, name="logged")
-    for _ in range(2):
-        run = clpt.simulate(system, [0.0, 1.0], initial_state=[1.0])
-        assert run.attrs["engine"] == "native"
-    assert all(type(one) is float for one in log)
