@@ -65,12 +65,11 @@ def test_what_would_be_another_number_is_refused(name):
 
 @pytest.mark.filterwarnings("ignore:.*runs in Python")
 @pytest.mark.parametrize(
-    "function",
-    [lambda t, x, u, p: [(x[0] > 0) + (x[1] > 0)], REFUSED["shortens"], REFUSED["asks a text"]],
+    "name", ["np.exp(x[0] > 0)", "x.astype(np.float32)", "RATIOS.get(int(x[0]), 9.0)"]
 )
-def test_what_is_refused_runs_as_python_control_runs_it(function):
+def test_what_is_refused_runs_as_python_control_runs_it(name):
     def rate(t, x, u, p):
-        return -x + np.sum(function(t, x, u, p))
+        return -x + np.sum(REFUSED[name](t, x, u, p))
 
     system = control.nlsys(rate, None, inputs=2, outputs=3, states=3, name="kept")
     found = clpt.simulate(system, [0.0, 0.5], 0.0, [0.3, 0.2, 0.1])
