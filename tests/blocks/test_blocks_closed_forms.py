@@ -9,8 +9,7 @@ from scipy import stats
 from source_checks import CHECKS
 
 import clpt_control as clpt
-from clpt_control.blocks import disturbance, field, flow, learner, localization, lyapunov, reference
-from clpt_control.blocks.laws.paper import KNOWN_FLOW
+from clpt_control.blocks import disturbance, field, flow, localization, reference
 from clpt_control.currents.plane import GriddedField
 from clpt_control.equations import evaluate
 from clpt_control.equations.declaration import Each, multiples
@@ -44,14 +43,6 @@ def test_a_block_is_asked_at_many_places_and_times(kernel, formula):
     assert evaluate(block, 5.0, x[0]).shape == (1, 1)
 
 
-def test_basis_keeps_the_order_of_its_functions():
-    p = np.array([[0.0, 0], [1, 0], [2, 0]]), np.ones(3), np.zeros(3), np.zeros(3)
-    block = flow.flow_basis("basis_z", "z", "exponential", *p)
-    assert block.output_labels == ["phi_z[0]", "phi_z[1]", "phi_z[2]"]
-    for k in range(3):
-        assert int(np.argmax(block.output(0.0, [], [float(k), 0.0]))) == k
-
-
 # --- flows, Eqs. (3), (4), (32) ---------------------------------------------------------------
 
 
@@ -61,45 +52,6 @@ def test_disturbance_is_added_to_the_flow():
     u = [9.0, 9.0, 0.25, 0.5]
     np.testing.assert_array_equal(calm.output(0, [], u), [1.25, 2.75])
     np.testing.assert_array_equal(windy.output(0, [], [*u, 0.5, -2.75]), [1.75, 0.0])
-
-
-# --- learner, Eqs. (2), (6), (13), (20) -------------------------------------------------------
-
-
-def test_known_flow_injection_reads_phi_x_alone():
-    theta_hat, alpha_M = np.array([[3.0], [5.0]]), np.array([[1.0], [1.0]])
-    block = learner.known_flow_injection(alpha_M, theta_hat)
-    np.testing.assert_array_equal(block.output(0, [], [0.5, 99, 99, 99]), [1, 2])
-
-
-# --- adaptation, Eqs. (14)-(15) and (21)-(23) -------------------------------------------------
-
-
-def test_known_flow_law_holds_alpha():
-    alpha_M = np.array([[1.0, 2.0], [3.0, 4.0]])
-    law = KNOWN_FLOW.of(2, gain=0.8, alpha_M=alpha_M)
-    out = law.output(0, [5, 6, 7, 8], np.ones(8))
-    np.testing.assert_array_equal(out, [1, 2, 3, 4, 5, 6, 7, 8])
-    assert law.state_labels == ["K[0]", "K[1]", "Gamma[0]", "Gamma[1]"]
-
-
-# --- Lyapunov candidates, Eqs. (17) and (24) --------------------------------------------------
-
-TRUE = lyapunov.weighted((0.5, 0.25, 1.0), [[1.0, 2], [3, 4]], [1.0, 2], [3.0, 4])
-AT_TRUTH = [0, 0, -1, -2, -3, -4, 1, 2, 3, 4]  # e, alpha = -theta, K = KD, Gamma = GammaD
-
-
-@pytest.mark.parametrize("law", lyapunov.CANDIDATES)
-def test_candidate_is_zero_at_the_true_parameters_alone(law):
-    block = lyapunov.lyapunov_candidate(law, TRUE)
-    assert block.output(0, [], AT_TRUTH)[0] == 0.0
-    for k in range(10):
-        away = np.array(AT_TRUTH, dtype=float)
-        away[k] += 1.0
-        counts = law == "learned-flow" or not 2 <= k < 6
-        # |e|^2/2 for an error, |.|^2/(2 gamma) for a parameter; gammas 1/2, 1/4 and 1
-        expected = [0.5, 0.5, 1.0, 1.0, 1.0, 1.0, 2.0, 2.0, 0.5, 0.5][k]
-        assert block.output(0, [], away)[0] == (expected if counts else 0.0)
 
 
 # --- reference, section IV --------------------------------------------------------------------

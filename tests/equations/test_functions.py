@@ -4,12 +4,10 @@ import math
 
 import numpy as np
 import pytest
-import sympy
 from recorded import as_it_runs, recorded, static
 
 from clpt_control.equations import evaluate, lookup
 from clpt_control.equations.arrays import Unread
-from clpt_control.equations.symbolic import expressions
 from clpt_control.errors import BlockError
 
 U = (0.8, 0.4, 2.0)
@@ -160,16 +158,6 @@ def test_a_table_is_one_operation_whatever_its_length():
     block = static(looked_up, 1, parameters={"values": np.arange(200_000.0)})
     assert len(block.array_record("output").operations) < 6
     assert recorded(block, "output", 0.0, [], [150.5]) == [150.0]
-
-
-def test_a_tables_index_is_any_number_to_sympy():
-    block = static(looked_up, 1, parameters={"values": np.zeros(3)})
-    s, row = sympy.Symbol("s"), sympy.symbols("row:3")
-    (found,) = expressions(
-        block, "output", lambda at, shape, index: s if at[0] == "u" else row[index[0]]
-    )
-    assert found.func.__name__ == "pick"
-    assert found.args == (s, *row)
 
 
 def test_a_static_block_at_many_times_and_inputs():
