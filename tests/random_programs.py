@@ -89,6 +89,12 @@ SEEN = [  # of an array {1}, some are copies
     *("{1}[::-1]", "np.asarray({1})", "{1}.reshape(1, -1)[0]", "np.ravel({1}[::2])", "+{1}"),
     *("np.transpose({1}[None])[:, 0]", "np.prod({1}[None], axis=0)", "{1}[...]", "{1}.copy()"),
     *("np.squeeze({1}[None])", "np.flip({1})", "np.split({1}, [0])[1]", "np.hsplit({1}, 1)[0]"),
+    *(
+        "np.moveaxis({1}[None], 0, 1)[:, 0]",
+        "np.rot90({1}[None], 2)[0]",
+        "np.atleast_3d({1})[0, :, 0]",
+    ),
+    *("np.sum({1}[None], axis=0)", "np.maximum.reduce({1}[None])", "np.where(True, {1}, 0.0)"),
 ]
 CHANGES = [
     *("{2}[0] = {s}", "{2} += {l}", "{2}.put([0], 0.5)", "np.copyto({2}, {l})"),

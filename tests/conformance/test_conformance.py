@@ -46,42 +46,9 @@ def test_a_report_counts_its_checks_and_repeats():
 # --- blocks of a user, each with one mistake ---------------------------------------------------
 
 
-def good(t, x, u, p):
-    """y = k u, Eq. (1) of a user: u = u[1], y = y[1]."""
-    return p.k * u[0]
-
-
 def root(t, x, u, p):
     """y = sqrt(u), section 2: u = u[1], y = y[1]."""
     return math.sqrt(u[0])
-
-
-def writes_inputs(t, x, u, p):
-    """y = u, Eq. (1): u = u[1], y = y[1]."""
-    u[0] = u[0] + 1.0
-    return u
-
-
-def writes_states(t, x, u, p):
-    """x' = u, Eq. (1): u = u[1], x[1]."""
-    x[0] = x[0] + 1.0
-    return u
-
-
-def writes_parameters(t, x, u, p):
-    """y = k u, Eq. (1): u = u[1], y = y[1]."""
-    p.k[0] = p.k[0] + 1.0
-    return p.k[0] * u[0]
-
-
-def infinite_at_zero(t, x, u, p):
-    """y = 1/u, Eq. (1): u = u[1], y = y[1]."""
-    return 1.0 / u[0]
-
-
-def raises_at_zero(t, x, u, p):
-    """y = log(u^2), Eq. (1): u = u[1], y = y[1]."""
-    return math.log(u[0] ** 2)
 
 
 def remembers(t, x, u, p):
@@ -91,11 +58,6 @@ def remembers(t, x, u, p):
 
 def count_calls(a):
     return a
-
-
-def kinked(t, x, u, p):
-    """y = |u|, Eq. (1): u = u[1], y = y[1]."""
-    return np.where(u[0] > 0, u[0], -u[0])
 
 
 def outside(p, t0, t1):
@@ -125,9 +87,9 @@ def failures(block):
 @pytest.mark.parametrize(
     "make",
     [
-        lambda: Block("mine", update=writes_states, inputs={"u": 1}, states={"x": 1}),
-        lambda: static(writes_inputs, 1),
-        lambda: static(writes_parameters, 1, parameters={"k": np.ones(1)}),
+        lambda: Block("mine", update=lambda t, x, u, p: x.__setitem__(0, 1.0), states={"x": 1}),
+        lambda: static(lambda t, x, u, p: u.__setitem__(0, 1.0), 1),
+        lambda: static(lambda t, x, u, p: p.k.__setitem__(0, 1.0), 1, parameters={"k": [1.0]}),
     ],
 )
 def test_writing_into_what_is_given_makes_no_block(make):
@@ -167,11 +129,6 @@ def test_memory_is_told(monkeypatch):
     assert "must keep no memory" in failures(block)
 
 
-def mostly_out_of_range(t, x, u, p):
-    """y = sqrt(u - 9), Eq. (1): u = u[1], y = y[1]."""
-    return np.sqrt(u[0] - 9.0)
-
-
 def ticking(breakpoints):
     return Block(
         "mine",
@@ -184,9 +141,9 @@ def ticking(breakpoints):
 
 
 BROKEN = {  # -> what is told
-    "not finite at zero": lambda: static(infinite_at_zero, 1),
-    "mine.output is not finite at zero": lambda: static(raises_at_zero, 1),
-    "random inputs only": lambda: static(mostly_out_of_range, 1),
+    "not finite at zero": lambda: static(lambda t, x, u, p: 1.0 / u[0], 1),
+    "mine.output is not finite at zero": lambda: static(lambda t, x, u, p: math.log(u[0] ** 2), 1),
+    "random inputs only": lambda: static(lambda t, x, u, p: np.sqrt(u[0] - 9.0), 1),
     "mine: cannot be pickled": lambda: static(lambda t, x, u, p: u[0], 1),
     "breakpoints are not increasing": lambda: ticking(outside),
     "differ from those over both": lambda: ticking(from_the_start_of_the_span),
@@ -271,7 +228,7 @@ def bare(t, x, u, p):
     return p.k * u[0]
 
 
-@pytest.mark.parametrize("output", [good, bare, kinked, root, large_constant])
+@pytest.mark.parametrize("output", [bare, root, large_constant])
 def test_good_user_blocks_pass(output):
     """Without a docstring, finite for half of the random inputs, of 2^70 too."""
     conformance(static(output, 1, parameters={"k": 2.0}))

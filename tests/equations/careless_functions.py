@@ -191,27 +191,6 @@ def is_numbers_are_overwritten(t, x, u, p):
     return [*(y * x), *(z * x), *(A @ x), *w[:1]]
 
 
-def is_parts_are_written(t, x, u, p):
-    A, B, C = np.outer(x, u), np.outer(x, u), np.outer(x, x)
-    rows, diagonal, d = np.broadcast_to(C, (2, 3, 3)), np.diag(C), np.diag(x)
-    np.rot90(A)[0, 0] = 9.0
-    np.moveaxis(B, 0, 1)[0, 1] = 8.0
-    np.swapaxes(C, 0, 1)[1, 0] = x[0]
-    np.atleast_3d(C)[1, 1, 0] = 7.0
-    return [*A.ravel(), *B.ravel(), *C.ravel(), *rows.ravel(), *diagonal, *d.ravel()]
-
-
-def is_copies_are_left_alone(t, x, u, p):
-    A, b, c = np.outer(x, u), 2.0 * x, 3.0 * x
-    flat, every_second = A.T.ravel(), b[::2].ravel()
-    A[0, 0], b[0] = 9.0, 9.0
-    plus, sums, product = +c, np.sum(c[None], axis=0), np.prod(c[None], axis=0)
-    largest, chosen = np.maximum.reduce(c[None]), np.where(True, c, 0.0)
-    for k, one in enumerate((plus, sums, product, largest, chosen)):
-        one[0] = k
-    return [*flat, *every_second, *c, *np.where(p["n"] == 3, 1.0, x)]
-
-
 def is_whole_numbers_are_cut(t, x, u, p):
     rows = [
         np.where(x > 0, 1, 0),
