@@ -4,22 +4,10 @@ import numpy as np
 import pytest
 
 import clpt_control as clpt
-from clpt_control.blocks import localization
 from clpt_control.equations import evaluate
 
 NOISE = {"noise": 0.05, "noise_period": 0.5, "seed": 3}
 NOISY = clpt.paper_scenario().with_values({"localization": NOISE, "run.duration": 20})
-
-
-def test_noise_adds_to_the_position_by_its_deviation_and_is_held():
-    block = localization.measurement(0.3, 2.0, 5.0)
-    unit = localization.measurement(1.0, 2.0, 5.0)
-    x = np.array([7.0, -4.0])
-    first = block.output(0.0, [], x) - x
-    np.testing.assert_allclose(first, 0.3 * unit.output(0.0, [], [0.0, 0.0]), rtol=1e-13)
-    np.testing.assert_array_equal(block.output(1.999, [], x) - x, first)
-    assert np.all(block.output(2.0, [], x) - x != first)
-    np.testing.assert_array_equal(block.breakpoints(0.0, 7.0), [2.0, 4.0, 6.0])
 
 
 def test_the_vehicle_steers_on_what_it_reads():

@@ -34,11 +34,8 @@ class Lever:
     def arm(self, a):
         return math.sin(a)
 
-    def root(self, a):
-        try:
-            return math.sqrt(a)
-        except ValueError:
-            return 0.0
+    def tried(self, run, otherwise=9.0):
+        return tried(run, otherwise)
 
 
 class Asking:
@@ -125,45 +122,12 @@ def is_printed(t, x, u, p):
     return x
 
 
-def catches_where_python_divides(t, x, u, p):
-    s, whole = math.sin(x[0]), math.floor(x[1])
-    try:
-        return [s * math.cos(u[0]) / s, 1.0 / float(s), 7 % whole, 7 // whole]
-    except ZeroDivisionError:
-        return [99.0, x[1], x[2], 1.0]
-
-
-def catches_what_math_refuses(t, x, u, p):
-    try:
-        return [math.sqrt(x[0])]
-    except ValueError:
-        return [-1.0]
-
-
-def catches_in_a_method(t, x, u, p):
-    return [LEVER.root(x[0])]
-
-
-def is_divided_by_numpy(t, x, u, p):
-    try:
-        return [np.array([1.0, 2.0])[0] / math.sin(x[0])]
-    except ZeroDivisionError:
-        return [99.0]
-
-
 def catches_what_numpy_raises(t, x, u, p):
     with np.errstate(all="raise"):
         try:
             return [np.float64(1.0) / x[0]]
         except FloatingPointError:
             return [7.0]
-
-
-def catches_a_singular_matrix(t, x, u, p):
-    try:
-        return np.linalg.solve(np.outer(u, u), u)
-    except np.linalg.LinAlgError:
-        return u
 
 
 def puts_another_mask(t, x, u, p):
@@ -230,20 +194,6 @@ def writes_into_an_attribute(t, x, u, p):
     return ASKING.table
 
 
-def catches_a_place_outside(t, x, u, p):
-    try:
-        return [u[int(x[0])]]
-    except IndexError:
-        return [-2.0]
-
-
-def catches_a_parameter_of_zero(t, x, u, p):
-    try:
-        return [p["k"] / p["zero"] * x[0]]
-    except ZeroDivisionError:
-        return [5.0 * x[0]]
-
-
 def is_limits_into_an_array(t, x, u, p):
     y, z, total = x.copy(), np.zeros(3), np.zeros(1)
     y.clip(-0.5, 0.5, out=y)
@@ -267,6 +217,14 @@ def beside(number, cut):
     y = np.array([0, number])
     y[0] = cut
     return y
+
+
+def tried(run, otherwise=99.0):
+    """Return what a function gives, or another number where it raises."""
+    try:
+        return run()
+    except (ArithmeticError, ValueError, IndexError, np.linalg.LinAlgError):
+        return otherwise
 
 
 COUNTED = """
@@ -297,6 +255,7 @@ AS_PYTHON_HAS_THEM = """
     [*TRACK(t), *TRACK(x[0], 1), *TRACK(x).ravel(), *LAP(t), *LAP(x[1], 2)] ;
     [*CHART(x[:2]), CHART((x[1], u[0])), *CHART([[x[0], x[1]], [x[2], u[1]]])] ;
     CHART([[[x[0], x[1]], [x[2], u[1]]], [[u[0], x[1]], [x[1], x[2]]]])[1] ;
+    tried(lambda: np.array([1.0, 2.0])[0] / math.sin(x[0])) ;
     [*COAST((x, x[::-1])), COLUMN([x[0], u[1], x[1]])[0]] ;
     [SCATTERED(x[0], u[0]), SCATTERED(x[:2])[0], FLAT(5.0 + x[0], 0.1 * abs(u[0]))]
 """
@@ -313,6 +272,10 @@ WOULD_BE_OTHERS = """
     beside(max(int(x[0]), u[0]), u[1]) ; type(max(0, x[0])) is int ;
     1.0 if ~(float(x[0]) > 0) else 2.0 ; 1.0 if int(x[0]) in {0, 1} else 0.0 ;
     np.outer(x, u).T.ravel(order="K") ; np.asarray(SQUARE * np.diag(u)).ravel() ;
+    tried(lambda: math.sqrt(x[0])) ; LEVER.tried(lambda: math.sqrt(x[0])) ;
+    tried(lambda: 1.0 / math.sin(x[0])) ; tried(lambda: 7 % math.floor(x[1])) ;
+    tried(lambda: 7 // math.floor(x[1])) ; tried(lambda: p["k"] / p["zero"] * x[0]) ;
+    tried(lambda: u[int(x[0])]) ; tried(lambda: np.linalg.solve(np.outer(u, u), u)[0]) ;
     RATIOS.get(f"{x[0]:.0f}", 2.0) ; RATIOS.get(int(x[0]), 9.0)
 """
 PARAMS = {"n": 3, "A": np.array([3, -3]), "f": np.float32(0.1), "short": np.uint8([200, 3])}
