@@ -47,6 +47,13 @@ def says_try(t, x, u, p):
         pass
 
 
+def says_gain(t, x, u, p):
+    return says_gain.gain * u[0]
+
+
+says_gain.gain = 3.0
+
+
 def says_divided(t, x, u, p):
     low, *_, high = sorted([u[0], u[1], 0.3])
     whole, rest = divmod(u[2], 2.0)
