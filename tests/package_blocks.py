@@ -100,6 +100,7 @@ def shelf():
         parts.delay(0.7, 3, signals=2),
         parts.delay(0.75, dt=0.25, signals=2),
         parts.hold(0.5, signals=2),
+        parts.noise(0.3, 1.3, signals=3, seed=5),
         parts.point_vehicle([60, 90], 30, 20),
         parts.planar_vehicle(M, np.diag([30, 60, 20]), Q),
         parts.thrusters([(-0.8, -0.2), (-0.8, 0.2)], [0.1, 0], -10, 20, 0.3),
@@ -115,8 +116,7 @@ def shelf():
         yield parts.kalman_filter(plant, *covariances, P0=np.eye(2))
 
 
-SHELF = [*shelf()]  # but the noise, which jumps
-MADE = [*of_no_size(), parts.noise(0.3, 1.3, signals=3, seed=5), *SHELF, *of_size(3)]
+MADE = [*of_no_size(), *shelf(), *of_size(3)]
 RARE = [block for N in (1, 2, 5) for block in of_size(N)]  # asked by `make test-slow`
 BLOCKS = [*MADE, *RARE]
 EACH = [
