@@ -17,7 +17,6 @@ from scipy import special
 from test_ordinary_python import POINTS
 
 import clpt_control as clpt
-from clpt_control.equations import Block
 from clpt_control.equations.unchanged import Keys, Unkeyed
 
 # --- what changes after the block was made --------------------------------------------------------
@@ -181,47 +180,3 @@ def test_what_parameters_alone_decide_is_computed_by_numpy(name):
     for change in ({}, {"A": np.array([[1.0, 0.2], [0.2, 4.0]]), "gain": 1.5, "count": 2.0}):
         block.parameters = block.parameters._replace(**change)
         as_it_runs(block, "output", 0.0, [], POINTS[0])
-
-
-def by_size(t, x, u, p):
-    phi = np.exp(-np.sum((p.centers - u.x) ** 2, axis=1))
-    return {"phi": phi, "flow": p.theta @ phi}
-
-
-def flow_of(N):
-    numbers = np.random.default_rng(N)
-    return Block(
-        "mine",
-        output=by_size,
-        inputs={"x": 2},
-        outputs={"phi": "N", "flow": 2},
-        parameters={"centers": numbers.normal(size=(N, 2)), "theta": numbers.normal(size=(2, N))},
-        shapes={"centers": ("N", 2), "theta": (2, "N")},
-    )
-
-
-@pytest.mark.parametrize("N", [1, 2, 7])
-def test_sizes_with_names_hold_for_every_N(N):
-    block = flow_of(N)
-    record = block.array_record("output")
-    assert record.shapes == (("N",), (2,))
-    assert record == flow_of(3).array_record("output")
-    assert block.sizes == {"N": N}
-    as_it_runs(block, "output", 0.0, [], [0.3, -0.4], 1e-13)
-
-
-def test_the_interval_of_a_run_is_asked_both_ways():
-    def ticks(p, t0, t1):
-        return np.arange(np.floor(t0) + 1, np.floor(t1) + 1)
-
-    block = static(
-        lambda t, x, u, p: -u if p.interval > 1.5 else u,
-        1,
-        parameters={"interval": -1.0},
-        breakpoints=ticks,
-    )
-    record = block.array_record("output")
-    for interval, wanted in ((0.0, 3.0), (1.0, 3.0), (2.0, -3.0)):
-        given = {("p", "interval"): interval, ("u", "u"): np.array([3.0])}
-        (found,) = record.values(lambda group, name, given=given: given[group, name], {})
-        assert found == [wanted]
