@@ -8,7 +8,6 @@ from recorded import as_it_runs, recorded, static
 
 from clpt_control.equations import evaluate, lookup
 from clpt_control.equations.arrays import Unread
-from clpt_control.errors import BlockError
 
 U = (0.8, 0.4, 2.0)
 INTEGERS = {"bitwise_count", "gcd", "lcm", "left_shift", "right_shift", "ldexp", "frexp", "modf"}
@@ -107,35 +106,6 @@ def test_a_function_of_arrays_is_read_as_it_computes(call):
     block = static(space["f"], parameters={"v": np.array([0.5, -1.5, 2.0])})
     for u in (U, (2.0, 0.3, 0.7), (-0.4, 1.2, 0.1)):
         as_it_runs(block, "output", 0.0, [], u, 1e-13)
-
-
-NOT_KNOWN = [
-    *("np.roots(u)[0].real", "1.0 * np.shares_memory(u, u)"),
-    *("1.0 * np.ix_(u > 0)[0][0]", "1.0 * np.deg2rad(u > 0)[0]"),
-    *("np.gradient(np.outer(u, u))[0][0, 0]", "np.gradient(u, u + 9.0)[0]"),
-    *("np.sort(u)[1]", "np.median(u)", "np.sum(u, where=[True, False, True])"),
-    "np.linalg.cholesky(np.outer(u, u) + np.eye(3))[0, 1]",
-]
-
-
-@pytest.mark.parametrize("call", NOT_KNOWN)
-def test_what_is_not_known_of_an_array_is_named(call):
-    space = {"np": np}
-    exec(f"def f(t, x, u, p):\n    return {call}", space)
-    with pytest.raises(Unread, match=r"f, line 2: "):
-        static(space["f"]).array_record("output")
-
-
-@pytest.mark.parametrize("name", ["sqrt", "log", "acos", "exp", "atanh", "log1p"])
-def test_what_math_refuses_is_nan_or_infinite(name):
-    """A function of `math` raises out of its range; its record is what NumPy's gives."""
-    space = {"math": math}
-    exec(f"def f(t, x, u, p):\n    return math.{name}(u[0])", space)
-    block = static(space["f"])
-    outside = {"exp": 1000.0, "acos": 3.0, "atanh": 1.0}.get(name, -1.0)
-    assert not np.isfinite(recorded(block, "output", 0.0, [], [outside, 0.0, 0.0])[0])
-    with pytest.raises((ArithmeticError, ValueError, BlockError)):
-        getattr(math, name)(outside)
 
 
 def looked_up(t, x, u, p):

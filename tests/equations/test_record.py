@@ -25,6 +25,7 @@ SPECIAL = {  # -> what Python says, worked out by hand
     "NaN by x == x": (lambda t, x, u, p: np.where(u[0] == u[0], 1.0, 2.0), [math.nan, 0, 0], 2.0),
     "NaN by x != x": (lambda t, x, u, p: 1.0 if u[0] != u[0] else 2.0, [math.nan, 0, 0], 1.0),
     "a zero's sign": (lambda t, x, u, p: np.arctan2(0.0 * u[0], -1.0), [-2.0, 0, 0], -math.pi),
+    "a root of math": (lambda t, x, u, p: math.sqrt(u[0]) if u[1] else 1.0, [-1, 1.0, 0], math.nan),
     "-0.0 is not 0.0": (lambda t, x, u, p: 1.0 / (-0.0 * abs(u[0])), [1.0, 0, 0], -math.inf),
 }  # fmt: skip
 
