@@ -245,6 +245,7 @@ AS_PYTHON_HAS_THEM = """
     [hasattr(x, "__len__"), hasattr(x[0], "__len__"), type(x) is np.ndarray] ;
     [isinstance(x, Iterable | Sized), isinstance(x[0], Sized), isinstance(x[0], int | list)] ;
     [isinstance(p["n"], int), isinstance(p["n"], float), isinstance(p["k"], float)] ;
+    [isinstance(int(x[0]), int), isinstance(np.int64(x[0]), int), type(round(x[0])) is int] ;
     [type(p["n"]) is int, type(2) is int, isinstance(np.where(x[0] > 0, 1.0, 2.0), np.ndarray)] ;
     [ASKING.doubled(x[0]), ASKING.doubled(x), ASKING.one(x[0]), ASKING.matched(x[1])] ;
     [*np.r_[x, 1.0, u[:1]], *np.c_[x, x[::-1]].ravel()] ; np.maximum.reduce([x[0], u[0], x[2]]) ;
