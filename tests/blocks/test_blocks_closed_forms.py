@@ -57,20 +57,6 @@ def test_disturbance_is_added_to_the_flow():
 # --- reference, section IV --------------------------------------------------------------------
 
 
-def test_changed_dwell_moves_the_jumps():
-    block = reference.reference([[1, 1], [2, 2], [3, 3]], dwell=2.0)
-    assert block.output(5.0, [], [])[0] == 3
-    assert block.output(5.0, [], [], params={"reference.dwell": 1.0})[0] == 3
-    assert block.output(5.0, [], [], params={"reference.dwell": 5.0})[0] == 2
-    assert block.output(5.0, [], [])[0] == 3
-    block.parameters = block.parameters._replace(dwell=4.0)
-    assert block.output(5.0, [], [])[0] == 2
-    twin = block.copy(name="twin")
-    twin.parameters = twin.parameters._replace(dwell=10.0)
-    assert twin.output(5.0, [], [])[0] == 1
-    assert block.output(5.0, [], [])[0] == 2
-
-
 def test_pinned_interval_stands():
     block = reference.reference([[1, 1], [2, 2], [3, 3]], dwell=2.0)
     for t in (0.0, 1.9, 2.0, 77.0):

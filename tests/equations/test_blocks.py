@@ -12,7 +12,7 @@ import pytest
 from recorded import as_it_runs, recorded, static
 
 from clpt_control.diagrams.drawing.figure import equation_numbers
-from clpt_control.equations import Block, Guard, Sampled
+from clpt_control.equations import Block, Sampled
 from clpt_control.equations.ports import renamed, split, within
 from clpt_control.equations.system import linear, on_each_axis
 from clpt_control.errors import ArgumentError, BlockError
@@ -162,6 +162,8 @@ def test_states_are_views_of_one_vector():
             "`interval = -1",
         ),
         ({"output": flow, "outputs": {"y": 1}, "shapes": {"a": "N"}}, "'a', which is no parameter"),
+        ({"output": flow, "outputs": {"y": 1}, "dt": -1}, "dt = -1"),
+        ({"output": flow, "outputs": {"y": 1}, "dt": 1.0, "breakpoints": min}, "no breakpoints"),
     ],
 )
 def test_declarations_that_cannot_work(declared, words):
@@ -191,23 +193,6 @@ def test_a_block_in_a_namespace_is_the_same_under_other_names():
             np.testing.assert_array_equal(found, [3 * sum(phi)] * 2)
     assert block.input_ports == {"phi": 3}
     np.testing.assert_array_equal(block.output(0, [], phi), 0.5 * THETA @ phi)
-
-
-def test_guards_and_jumps_have_records_too():
-    guard = Guard(lambda t, x, u, p: x[0] - p.least, "stop", lambda t, u, p: "low")
-    block = Block(
-        "mine",
-        update=lambda t, x, u, p: -x,
-        states={"s": 2},
-        jump=lambda t, x, u, p: {"s": x.s[::-1] * p.interval},
-        breakpoints=lambda p, t0, t1: np.arange(np.floor(t0) + 1, np.floor(t1) + 1),
-        parameters={"least": 0.5, "interval": -1.0},
-        guard=guard,
-    )
-    given = {("x", "s"): np.array([2.0, 3.0]), ("p", "least"): 0.5, ("p", "interval"): 4.0}
-    for role, wanted in (("guard", [1.5]), ("jump", [12.0, 8.0]), ("update", [-2.0, -3.0])):
-        (found,) = block.array_record(role).values(lambda g, n: given[g, n], {})
-        np.testing.assert_array_equal(np.ravel(found), wanted)
 
 
 # --- linear systems -------------------------------------------------------------------------------

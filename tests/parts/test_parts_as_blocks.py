@@ -95,15 +95,3 @@ def test_a_block_of_discrete_time_iterates_and_samples():
     held = clpt.simulate(loop, [0, 0.25, 0.5, 0.75, 1.0], 1.0)
     assert held.x.values.tolist() == [0, 0, 1, 1, 3]
     assert twice.copy(name="other").dt == 0.5
-    with pytest.raises(BlockError, match="dt = -1"):
-        clpt.Block("twice", update=double, inputs={"u": 1}, states={"x": 1}, dt=-1)
-    with pytest.raises(BlockError, match="no breakpoints"):
-        clpt.Block(
-            "twice",
-            update=double,
-            inputs={"u": 1},
-            states={"x": 1},
-            dt=1.0,
-            parameters={"interval": -1.0},
-            breakpoints=lambda p, a, b: np.zeros(0),
-        )
