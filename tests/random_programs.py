@@ -15,36 +15,30 @@ from typing import Any
 
 import numpy as np
 
-HELPERS = '''
+HELPERS = """
 from math import sqrt
 
 GAIN = 0.75
 
 def bend(a, b=0.5):
-    """A pair of numbers."""
     c = a * b
     return c / (1.5 + c * c), a - b
 
 def limited(a, low=-1.0, high=1.0):
-    """A limit in words of Python."""
     if a < low:
         return low
     return high if a > high else a
 
 def mix(v, k):
-    """A weighted sum."""
     return sum(a * np.cos(k * i) for i, a in enumerate(v))
 
 def turned(v, *, by=GAIN):
-    """A vector, changed in a copy of its own."""
     w = np.array(v, dtype=float)
     w[0] += by
     w[1:] *= 0.5
     return w
 
 class Motor:
-    """An object with numbers, asked by a method."""
-
     def __init__(self, k):
         self.k = k
 
@@ -52,7 +46,7 @@ class Motor:
         return self.k * np.tanh(i) if isinstance(i, float) else 0.0
 
 motor = Motor(1.25)
-'''
+"""
 MOST_QUESTIONS = 5  # each doubles the ways through a function
 _files = count()
 
