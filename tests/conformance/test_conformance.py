@@ -9,7 +9,7 @@ import pytest
 from package_blocks import BLOCKS, EACH
 from recorded import static
 
-from clpt_control.blocks import clpe, vehicle
+from clpt_control.blocks import clpe
 from clpt_control.blocks.laws.paper import LEARNED_FLOW as LAW
 from clpt_control.conformance import check_block, conformance, readings
 from clpt_control.conformance.checks import differ, python_values, random_samples, roles
@@ -211,17 +211,6 @@ def test_one_gain_for_all_is_of_no_unit():
     del units["gain_K"], units["gain_Gamma"]
     one = check_block(LAW.of(3, gain=0.7), units=units)
     assert "adaptation.update: K is not of the unit '1/s'" in one.failures[0]
-
-
-@pytest.mark.parametrize(
-    ("block", "units"),
-    [
-        (vehicle.vehicle(), {"x": "m", "v_x": "m/s", "flow_x": "m/s"}),
-        (clpe.clpe(), {"x": "km", "z": "km", "e": "km"}),
-    ],
-)
-def test_blocks_of_the_package_keep_their_units(block, units):
-    conformance(block, units=units)
 
 
 def bare(t, x, u, p):

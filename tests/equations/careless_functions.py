@@ -227,6 +227,21 @@ def tried(run, otherwise=99.0):
         return otherwise
 
 
+def changed(a, u):
+    """Return what each name of a number, or of an array without axes, holds where one changes."""
+    b = a
+    b += u[0]
+    c = a
+    c *= u[1]
+    return [a * 1.0, b * 1.0, c * 1.0]
+
+
+WITHOUT_AXES = """
+    np.where(x[0] > 0, x[0], 3.0) ; np.where(x[0] > 0, 1.0, 3.0) ; np.array(x[0]) ; np.sum(x) ;
+    np.full((), x[0]) ; np.zeros_like(x[0]) ; np.copy(x[0]) ; x[:1].reshape(()) * np.ones(()) ;
+    np.squeeze(2.0 * x[:1]) ; (2.0 * x)[0, ...] ; np.where(x[0] > 0, x[0], 1.0).astype(float) ;
+    x[0] ; np.dot(x, x) ; np.clip(x[0], 0.0, 1.0)
+"""
 COUNTED = """
     int(x[0]) ; 1 - round(x[0]) ; math.floor(x[0]) % 3 ; abs(np.int64(x[0])) ;
     divmod(int(x[0]), 2)[0] ; math.prod([int(x[0]), int(x[1])]) ; sum(int(one) for one in x) ;
@@ -294,7 +309,8 @@ def in_lines(text, form="{}"):
     return {call: eval(f"lambda t, x, u, p: {form.format(call)}", space) for call in calls}
 
 
-READ = in_lines(COUNTED, "beside({}, u[1])") | in_lines(AS_PYTHON_HAS_THEM)
+READ = in_lines(COUNTED, "beside({}, u[1])") | in_lines(WITHOUT_AXES, "changed({}, u)")
+READ |= in_lines(AS_PYTHON_HAS_THEM)
 READ |= {name: f for name, f in FUNCTIONS.items() if name.startswith("is ")}
 REFUSED = in_lines(WOULD_BE_OTHERS)
 REFUSED |= {name: f for name, f in FUNCTIONS.items() if name not in READ}

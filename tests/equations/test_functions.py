@@ -191,40 +191,6 @@ def test_special_numbers_are_the_authors(case):
     np.testing.assert_array_equal(found, [wanted])
 
 
-WITHOUT_AXES = {  # NumPy's arrays without axes, and its numbers
-    "where": lambda u: np.where(u[0] > 0, u[0], 3.0),
-    "where of numbers": lambda u: np.where(u[0] > 0, 1.0, 3.0),
-    "array": lambda u: np.array(u[0]),
-    "full": lambda u: np.full((), u[0]),
-    "zeros like": lambda u: np.zeros_like(u[0]),
-    "a copy": lambda u: np.copy(u[0]),
-    "shaped": lambda u: u[:1].reshape(()) * np.ones(()),
-    "squeezed": lambda u: np.squeeze(2.0 * u[:1]),
-    "an ellipsis": lambda u: (2.0 * u)[0, ...],
-    "converted": lambda u: np.where(u[0] > 0, u[0], 1.0).astype(float),
-    "a sum": np.sum,
-    "an element": lambda u: u[0],
-    "a product": lambda u: np.dot(u, u),
-    "clipped": lambda u: np.clip(u[0], 0.0, 1.0),
-}
-
-
-@pytest.mark.parametrize("kind", WITHOUT_AXES)
-def test_an_array_without_axes_is_changed_by_each_name_it_has(kind):
-    def written(t, x, u, p):
-        a = WITHOUT_AXES[kind](u)
-        b = a
-        b += u[1]
-        c = a
-        c *= u[2]
-        return [a * 1.0, b * 1.0, c * 1.0]
-
-    block = static(written, 4, 3)
-    given = np.array([1.0, 2.0, 3.0, 4.0])
-    (found,) = block.array_record("output").values(lambda group, name: given, {})
-    np.testing.assert_array_equal(found, written(0.0, [], given, None))
-
-
 def test_an_argument_that_is_a_place_is_not_the_constant_of_that_number():
     def of(constant):
         return lambda t, x, u, p: np.where(u[0] > 0.0, constant, 3.0)

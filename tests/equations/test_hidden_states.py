@@ -108,7 +108,7 @@ class Machine:
     calls, phase, since, armed, fired = 0, "rest", None, False, False
 
     def __init__(self):
-        self.words, self.angles, self.inertia = [], [0.1, -0.2, 0.3], np.diag([2.0, 3.0, 1.0])
+        self.angles, self.inertia = [0.1, -0.2, 0.3], np.diag([2.0, 3.0, 1.0])
         self.drag = interp1d([-3.0, 0.0, 3.0], [2.0, 0.5, 1.0])
 
     def a_draw(self, t, x, u, p):
@@ -124,12 +124,6 @@ class Machine:
         if u[0] < -1.0:
             self.phase = "rest"
         return 1.0 if self.phase == "work" else 0.0
-
-    def a_row_of_words(self, t, x, u, p):
-        before = "work" in self.words
-        if u[0] > 1.0:
-            self.words.append("work")
-        return 1.0 if before else 0.0
 
     def two_flags(self, t, x, u, p):
         before = self.armed and not self.fired
@@ -172,7 +166,7 @@ HIDING = (  # of most the first two readings are alike
 
 def kept():
     shared = [*ROW], [*HISTORY], [*LATE], {*SEEN}, PLACE[0], OFTEN[0], MODULE.calls, SWITCH
-    own = [*MACHINE.words], [*MACHINE.angles], {k: id(v) for k, v in vars(MACHINE).items()}
+    own = [*MACHINE.angles], {k: id(v) for k, v in vars(MACHINE).items()}
     return shared, own, Machine.calls, vars(on_itself).copy(), NOISE.bit_generator.state
 
 

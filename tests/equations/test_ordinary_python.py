@@ -31,15 +31,6 @@ POINTS = ([0.3, -0.7, 2.0], [-1.2, 0.4, -0.1], [1.0, 1.0, 1.0], [2.5, 0.5, 0.2],
 AT = np.clip(np.random.default_rng(1).normal(size=(12, 3)) * 2, -2.9, 2.9)
 
 
-def says_if(t, x, u, p):
-    y = 0.0
-    if u[0] > 0:
-        y = 1.0 + u[1]
-    elif u[1] > u[2]:
-        y = u[2]
-    return y
-
-
 def says_try(t, x, u, p):
     try:
         return u[0] * TABLE[1]

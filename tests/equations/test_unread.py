@@ -133,16 +133,13 @@ def test_why_a_function_cannot_be_read_is_kept_as_its_record_is(monkeypatch):
         return read(*given)
 
     monkeypatch.setattr(system, "read", counted)
+
+    def waits(t, x, u, params):
+        return -params["k"] * waits_for_a_signal(t, x, x, params)
+
     halve = control.nlsys(waits, None, inputs=0, states=1, outputs=1, params={"k": 1.0}, name="h")
     for params, count in ((None, 1), (None, 1), ({"k": 0.7}, 2), ({"k": 0.7}, 2)):
         with pytest.warns(UserWarning, match="h runs in Python.*no `while` on a signal"):
             run = clpt.simulate(halve, [0.0, 0.1], 0.0, [1.0], params)
         assert len(asked) == count
         assert run.attrs["engine"] == "python"
-
-
-def waits(t, x, u, params):
-    y = abs(x[0]) + 1.0
-    while y > 0.001:
-        y = y / 2.0
-    return -params["k"] * y
