@@ -141,17 +141,6 @@ def test_the_largest_seed_of_a_scenario_is_no_smaller_one_again():
         paper.with_values({"flow.disturbance": {**table, "seed": largest + 1}})
 
 
-def test_noise_has_no_memory_and_is_held():
-    block = disturbance.disturbance("noise", [2.0, 2.0], period=0.5, seed=3.0)
-    later = delta(block, 17.3)
-    earlier = delta(block, 1.2)
-    np.testing.assert_array_equal(delta(block, 17.3), later)
-    np.testing.assert_array_equal(delta(block, 17.0), later)
-    assert not np.array_equal(earlier, later)
-    unit = disturbance.disturbance("noise", [1.0, 1.0], period=0.5, seed=3.0)
-    np.testing.assert_allclose(delta(unit, 17.3), later / 2, rtol=1e-15)
-
-
 # --- gridded flow, in place of Eq. (3) --------------------------------------------------------
 
 

@@ -110,14 +110,6 @@ def test_the_bounds_of_P_are_kept(law, seed):
         assert np.all(np.sum(eta**2, axis=(1, 2)) <= priors.sum() * size * (1 + 1e-9))
 
 
-def test_alpha_does_not_know_K_and_Gamma():
-    """What is learned of the flow is the same whatever K and Gamma are."""
-    paper = of_law("least-squares", {"run.duration": 50.0})
-    far = paper.with_values({"learning.feedback": [3.0, 0.5], "learning.feedforward": [-1.0, 2.0]})
-    one, other = (clpt.simulate(scenario).alpha.values for scenario in (paper, far))
-    np.testing.assert_allclose(one, other, atol=1e-6)
-
-
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize(
     "apart",

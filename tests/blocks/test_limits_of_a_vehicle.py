@@ -66,15 +66,6 @@ def test_a_vehicle_comes_home_at_what_it_is_faster_and_then_settles():
     np.testing.assert_allclose(run.position, np.outer(r, [0.6, 0.8]), rtol=1e-7)
 
 
-def test_the_diagram_without_a_limit_is_as_it_was():
-    names = [block.name for block in clpt.closed_loop(PAPER).syslist]
-    limited = [block.name for block in clpt.closed_loop(LIMITED).syslist]
-    assert [name for name in limited if name not in ("speed_limit", "hedging")] == names
-    bare = clpt.closed_loop(LIMITED.with_values({"learning.hedging": False}))
-    assert "hedging" not in [block.name for block in bare.syslist]
-    assert "v_c[0]" not in clpt.closed_loop(PAPER).output_labels
-
-
 @pytest.mark.parametrize(
     ("values", "sentence"),
     [

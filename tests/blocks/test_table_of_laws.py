@@ -52,16 +52,6 @@ def test_a_law_has_the_ports_of_the_diagram_and_starts_of_its_own_and_holds_gain
         assert not np.any([found["K"], found["Gamma"]])
 
 
-@pytest.mark.parametrize("name", ["learned-flow", "known-flow"])
-def test_each_gain_is_its_own(name):
-    found, u = rates(made(name))
-    np.testing.assert_allclose(found["K"], -0.3 * u["z"] * u["e"], rtol=1e-14)
-    np.testing.assert_allclose(found["Gamma"], 0.2 * u["zc"] * u["e"], rtol=1e-14)
-    if name == "learned-flow":
-        outer = -0.5 * np.outer(u["e"], u["phi_x"])
-        np.testing.assert_allclose(found["alpha"], outer.ravel(), rtol=1e-14)
-
-
 @pytest.mark.parametrize("name", LAWS)
 def test_V_is_zero_at_the_truth_and_e_squared_over_2_beside_it(name):
     block = made(name)

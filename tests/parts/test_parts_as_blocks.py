@@ -1,6 +1,7 @@
 """Parts as blocks: derivatives, mistakes, names, and in python-control."""
 
 import pickle
+import re
 
 import control
 import numpy as np
@@ -20,33 +21,28 @@ def test_a_source_has_nothing_to_linearize_along():
 # --- mistakes, names ----------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
-    ("make", "said"),
-    [
-        (lambda: parts.saturation(1, -1), "saturation: low = 1: must be below high = -1"),
-        (lambda: parts.rate_limit(1.0), "give lag, in continuous time, or dt"),
-        (lambda: parts.delay(1.0, dt=0.3), "delay = 1.0: must be a multiple of dt = 0.3"),
-        (lambda: parts.lag(0.0), "lag = 0.0: must be positive"),
-        (lambda: parts.saturation([0, 1], 3, signals=3), "must be one number, or 3"),
-        (
-            lambda: parts.pid(1, 0.1, hgih=1),
-            "has no port or parameter 'hgih', but dt|'hgih', but filter",
-        ),
-        (lambda: parts.pid(1, 1, dt=1, tracking=0.5), "tracking = 0.5: must be above half of"),
-        (lambda: parts.pid(1, r="a", y="a"), "pid: its inputs would be a, a; each needs its own"),
-        (
-            lambda: parts.observer(control.ss(-np.eye(2), np.ones((2, 1)), [[1, 2]], 0), [[1, 2]]),
-            r"L: has shape \(1, 2\); must be \(2, 1\)",
-        ),
-        (lambda: parts.lookup_table([0, 0], [1, 2]), "two or more increasing numbers"),
-        (lambda: parts.planar_vehicle(np.ones((3, 3)), np.eye(3)), "m12 = m13 = 0"),
-        (lambda: parts.kalman_filter(control.ss(-1, 1, 1, 0), [[1]], [[0]]), "and R definite"),
-        (lambda: parts.kalman_filter(control.ss(-1, 1, 1, 0), [[1]], [[1]], [[-1]]), "P0: must be"),
-    ],
-)
-def test_mistakes_are_told(make, said):
-    with pytest.raises((BlockError, ArgumentError), match=said):
-        make()
+MISTAKES = r"""
+    parts.saturation(1, -1) -> saturation: low = 1: must be below high = -1
+    parts.rate_limit(1.0) -> give lag, in continuous time, or dt
+    parts.delay(1.0, dt=0.3) -> delay = 1.0: must be a multiple of dt = 0.3
+    parts.lag(0.0) -> lag = 0.0: must be positive
+    parts.saturation([0, 1], 3, signals=3) -> must be one number, or 3
+    parts.pid(1, 0.1, hgih=1) -> has no port or parameter 'hgih', but
+    parts.pid(1, 1, dt=1, tracking=0.5) -> tracking = 0.5: must be above half of
+    parts.pid(1, r="a", y="a") -> pid: its inputs would be a, a; each needs its own
+    parts.observer(control.ss(-np.eye(2), np.eye(2), [[1, 2]], 0), [[1, 2]]) -> must be (2, 1)
+    parts.lookup_table([0, 0], [1, 2]) -> two or more increasing numbers
+    parts.planar_vehicle(np.ones((3, 3)), np.eye(3)) -> m12 = m13 = 0
+    parts.kalman_filter(control.ss(-1, 1, 1, 0), [[1]], [[0]]) -> and R definite
+    parts.kalman_filter(control.ss(-1, 1, 1, 0), [[1]], [[1]], [[-1]]) -> P0: must be
+"""
+
+
+@pytest.mark.parametrize("mistake", MISTAKES.strip().splitlines())
+def test_mistakes_are_told(mistake):
+    call, said = mistake.split(" -> ")
+    with pytest.raises((BlockError, ArgumentError), match=re.escape(said)):
+        eval(call.strip(), {"parts": parts, "control": control, "np": np})
 
 
 @pytest.mark.parametrize(
