@@ -140,32 +140,27 @@ def test_states_are_views_of_one_vector():
     assert not block.feedthrough
 
 
-@pytest.mark.parametrize(
-    ("declared", "words"),
-    [
-        ({"inputs": {"u": 1}}, "without states needs `output`"),
-        ({"update": flow, "output": flow, "outputs": {"y": 1}}, "`update` and `states` belong"),
-        ({"update": flow, "states": {"x": 1}, "outputs": {"y": 1}}, "outputs are the states"),
-        ({"output": flow, "outputs": {"y": 1}, "parameters": 3}, "a dict, a NamedTuple or a datac"),
-        (
-            {"output": flow, "inputs": {"phi": "N"}, "outputs": {"y": 1}},
-            "the size 'N' is not known",
-        ),
-        ({"output": flow, "inputs": ["e"], "outputs": {"y": 1}}, r"must be Mapping.* \{'e': 2\}$"),
-        ({"output": flow, "outputs": {"y": 1.5}}, r"must be Mapping\[str, int"),
-        ({"output": flow, "outputs": {"y": -1}}, "must be a whole number, 0 or more, or a name"),
-        ({"output": flow, "outputs": {"a.b": 1}}, "must not be empty, begin with a sign"),
-        ({"output": flow, "outputs": {"y": 1}, "parameters": {"a": "b"}}, r"mine\.a = 'b'"),
-        ({"output": flow, "outputs": {"y": 1}, "parameters": {"a b": 1.0}}, "'a b' must be a Pyth"),
-        (
-            {"output": flow, "outputs": {"y": 1}, "breakpoints": lambda p, a, b: []},
-            "`interval = -1",
-        ),
-        ({"output": flow, "outputs": {"y": 1}, "shapes": {"a": "N"}}, "'a', which is no parameter"),
-        ({"output": flow, "outputs": {"y": 1}, "dt": -1}, "dt = -1"),
-        ({"output": flow, "outputs": {"y": 1}, "dt": 1.0, "breakpoints": min}, "no breakpoints"),
-    ],
-)
+OUT = {"output": flow, "outputs": {"y": 1}}
+CANNOT = [
+    ({"inputs": {"u": 1}}, "without states needs `output`"),
+    ({"update": flow, **OUT}, "`update` and `states` belong"),
+    ({"update": flow, "states": {"x": 1}, "outputs": {"y": 1}}, "outputs are the states"),
+    (OUT | {"parameters": 3}, "a dict, a NamedTuple or a dataclass"),
+    (OUT | {"inputs": {"phi": "N"}}, "the size 'N' is not known"),
+    (OUT | {"inputs": ["e"]}, r"must be Mapping.* \{'e': 2\}$"),
+    (OUT | {"outputs": {"y": 1.5}}, r"must be Mapping\[str, int"),
+    (OUT | {"outputs": {"y": -1}}, "must be a whole number, 0 or more, or a name"),
+    (OUT | {"outputs": {"a.b": 1}}, "must not be empty, begin with a sign"),
+    (OUT | {"parameters": {"a": "b"}}, r"mine\.a = 'b'"),
+    (OUT | {"parameters": {"a b": 1.0}}, "'a b' must be a Python name"),
+    (OUT | {"breakpoints": lambda p, a, b: []}, "`interval = -1"),
+    (OUT | {"shapes": {"a": "N"}}, "'a', which is no parameter"),
+    (OUT | {"dt": -1}, "dt = -1"),
+    (OUT | {"dt": 1.0, "breakpoints": min}, "no breakpoints"),
+]
+
+
+@pytest.mark.parametrize(("declared", "words"), CANNOT)
 def test_declarations_that_cannot_work(declared, words):
     with pytest.raises((ArgumentError, BlockError), match=words) as caught:
         Block("mine", **declared)
