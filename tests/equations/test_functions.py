@@ -7,7 +7,7 @@ import pytest
 from recorded import as_it_runs, recorded, static
 
 from clpt_control.conformance import readings
-from clpt_control.equations import evaluate, lookup
+from clpt_control.equations import lookup
 from clpt_control.equations.arrays import Unread
 
 U = (0.8, 0.4, 2.0)
@@ -129,15 +129,6 @@ def test_a_table_is_one_operation_whatever_its_length():
     block = static(looked_up, 1, parameters={"values": np.arange(200_000.0)})
     assert len(block.array_record("output").operations) < 6
     assert recorded(block, "output", 0.0, [], [150.5]) == [150.0]
-
-
-def test_a_static_block_at_many_times_and_inputs():
-    windy = static(lambda t, x, u, p: 2.0 * np.sin(t) * u[0], 1)
-    found = evaluate(windy, [0.5, 1.0, 2.0], [[1.0], [2.0], [-3.0]])
-    wanted = 2.0 * np.sin([0.5, 1.0, 2.0]) * [1.0, 2.0, -3.0]
-    np.testing.assert_allclose(found[:, 0], wanted, rtol=1e-15)
-    table = static(looked_up, 1, parameters={"values": [4.0, 5.0]})
-    np.testing.assert_array_equal(evaluate(table, 0.0, [[0.0], [1.0], [0.0]]), [[4], [5], [4]])
 
 
 def sums(t, x, u, p):

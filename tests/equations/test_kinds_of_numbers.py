@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from careless_functions import PARAMS, READ, REFUSED
 
-import clpt_control as clpt
 from clpt_control.diagrams.wiring import wiring_of
 from clpt_control.equations.arrays import Unread
 from clpt_control.equations.at_many import leaf_values
@@ -61,16 +60,3 @@ def test_nothing_is_printed_while_a_function_is_read(capsys):
 def test_what_would_be_another_number_is_refused(name):
     with pytest.raises(Unread, match=r"output: "):
         block_of(REFUSED[name], PARAMS).array_record("output")
-
-
-@pytest.mark.filterwarnings("ignore:.*runs in Python")
-@pytest.mark.parametrize(
-    "name", ["np.exp(x[0] > 0)", "x.astype(np.float32)", "RATIOS.get(int(x[0]), 9.0)"]
-)
-def test_what_is_refused_runs_as_python_control_runs_it(name):
-    def rate(t, x, u, p):
-        return -x + np.sum(REFUSED[name](t, x, u, p))
-
-    system = control.nlsys(rate, None, inputs=2, outputs=3, states=3, name="kept")
-    found = clpt.simulate(system, [0.0, 0.5], 0.0, [0.3, 0.2, 0.1])
-    assert found.attrs["engine"] == "python"
