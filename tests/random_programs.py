@@ -82,7 +82,7 @@ CONDITIONS = [*COMPARISONS, "-0.5 < {s} <= 1.5", "{s} > 0 {and|or} {l} < {l}", "
 SEEN = [  # of an array {1}, some are copies
     *("{1}[::-1]", "np.asarray({1})", "{1}.reshape(1, -1)[0]", "np.ravel({1}[::2])", "+{1}"),
     *("np.transpose({1}[None])[:, 0]", "np.prod({1}[None], axis=0)", "{1}[...]", "{1}.copy()"),
-    *("np.squeeze({1}[None])", "np.flip({1})", "np.split({1}, [0])[1]", "np.hsplit({1}, 1)[0]"),
+    *("np.squeeze({1}[None], 0)", "np.flip({1})", "np.split({1}, [0])[1]", "np.hsplit({1}, 1)[0]"),
     *(
         "np.moveaxis({1}[None], 0, 1)[:, 0]",
         "np.rot90({1}[None], 2)[0]",
