@@ -1,10 +1,9 @@
-"""Laws of the user's own for tests: what a module of theirs would hold.
+"""Laws of the user's own for tests, what a module of theirs would hold, and runs of laws.
 
 u = e[2], phi_x[N], z[2], zc[2]; states alpha[2N], K[2], Gamma[2], section III.
 """
 
 import numpy as np
-from responses import response
 
 import clpt_control as clpt
 from clpt_control.equations import Block
@@ -53,8 +52,30 @@ def papers_law(N=3, gain=0.8, name="mine"):
     )
 
 
+def of_law(law, values, held=False):
+    """The paper's scenario with a law at its defaults; K and Gamma are adapted, or held true."""
+    own = HELD if held else {"learning.gain": None}
+    return clpt.paper_scenario().with_values({"learning.law": law, **own, **values})
+
+
+def everything(scenario, **values):
+    """Run a scenario to a thousandth of its tolerance, and keep every signal by its port."""
+    tight = {"run.rtol": 1e-11, "run.atol": 1e-13}
+    return clpt.simulate(clpt.closed_loop(scenario.with_values({**tight, **values})))
+
+
+def square(run, port, n=3):
+    """Return the matrices of a port, shape (time, n, n)."""
+    return run[port].values.reshape(-1, n, n)
+
+
+def off(run):
+    """Return the largest error of the flow parameters along a run."""
+    return np.abs(run.flow_parameters_estimate - run.flow_parameters).max(("axis", "basis"))
+
+
 def alone(law, t, phi, theta, **start):
-    """Run a law of one without CLPE: states by port, where theta phi carries a vehicle from 0.
+    """Run a law of one without CLPE: its signals by port, where theta phi carries a vehicle from 0.
 
     phi (N, times), theta (2, N); v = 0, and states begin at 0 but for those in `start`.
     """
@@ -67,5 +88,6 @@ def alone(law, t, phi, theta, **start):
     for port, value in start.items():
         state[columns[port]] = np.ravel(value)
     loop = clpt.connect([law], external=list(law.input_ports))
-    run = response(loop, t, u, state, rtol=1e-11, atol=1e-13)
-    return {port: run.states[column] for port, column in columns.items()}, run
+    run = clpt.simulate(loop, t, u, state, rtol=1e-11, atol=1e-13)
+    found = {port: run.states.values.T[column] for port, column in columns.items()}
+    return found, run

@@ -1,4 +1,4 @@
-"""Every kind of block of the package, for several numbers of functions, by name."""
+"""Every kind of block of the package, the paper's for several numbers of functions."""
 
 import control
 import numpy as np
@@ -22,136 +22,104 @@ from clpt_control.blocks.laws.table import LAWS
 from clpt_control.currents.plane import GriddedField
 from clpt_control.theory.proving.theorem_loop import theorem_scenario
 
-SIZES = (1, 2, 3, 5)
-GAINS = {
-    "one": Gains(0.7, 0.7, 0.7, one=True),
-    "each": Gains(0.7, 0.4, 1.3, one=False),
-    "held": Gains(0.7, 0.0, 0.0, one=False),
+GAINS = {  # of alpha, K and Gamma, by the number of functions
+    1: Gains(0.7, 0.4, 1.3, one=False),
+    2: Gains(0.7, 0.0, 0.0, one=False),
+    3: Gains(0.7, 0.7, 0.7, one=True),
+    5: Gains(0.7, 0.4, 1.3, one=False),
 }
 
 
-def basis_parameters(rng, N):
-    return (
-        rng.uniform(-3, 3, (N, 2)),
-        rng.uniform(1, 4, N),
-        rng.uniform(0, 2, N),
-        rng.uniform(-3, 3, N),
-    )
-
-
-def grid(rng):
-    axes = [np.linspace(0, 90, 5), np.linspace(-4, 4, 6), np.linspace(-5, 5, 7)]
-    return GriddedField(*axes, *rng.standard_normal((2, 5, 6, 7)))
-
-
-def package_blocks():
+def of_no_size():
+    """Blocks of the paper without basis functions."""
     rng = np.random.default_rng(7)
-    yield "clpe", clpe.clpe()
-    yield "vehicle", vehicle.vehicle()
-    yield "learning_model", learner.learning_model()
-    yield "learning_model-hedged", learner.learning_model(hedged=True)
-    yield "speed_limit", vehicle.speed_limit(1.5)
-    yield "hedging", vehicle.hedging()
-    for count in (1, 2, 7):
-        points = rng.uniform(-3, 3, (count, 2))
-        yield f"reference-{count}", reference.reference(points, dwell=1.7)
-    yield "reference-circle", reference.reference(reference.circle(3.0, 10), dwell=0.1)
-    for kind in disturbance.KINDS:
-        yield (
-            f"disturbance-{kind}",
-            disturbance.disturbance(kind, [0.3, -0.7], period=1.3, seed=5.0),
-        )
-    yield "measurement", localization.measurement(0.3, 1.3, 5.0)
-    yield "fixes", localization.fixes(0.3, 5.0, 0.4, 5.0)
-    yield "vehicle-measured", vehicle.vehicle(localization.TRUE)
-    for outside in ("raise", "clip", "stop"):
-        yield f"field-{outside}", field.gridded_flow(grid(rng), outside)
-        yield f"field-{outside}-disturbed", field.gridded_flow(grid(rng), outside, disturbed=True)
-    yield "V-of-a-team", consensus.total_candidate(["a", "b", "c"])
-    for N in SIZES:
-        a, b, theta = rng.uniform(-1, 1, (3, 2, N))
-        KD, GammaD = rng.uniform(0.5, 2, (2, 2))
-        for kernel in flow.KERNELS:
-            for name, position in (("basis_x", "x"), ("basis_z", "z")):
-                yield (
-                    f"{name}-{kernel}-{N}",
-                    flow.flow_basis(name, position, kernel, *basis_parameters(rng, N)),
-                )
-        for disturbed in (False, True):
-            yield f"true_flow-{disturbed}-{N}", flow.true_flow(theta, disturbed)
-        yield f"modeled_flow-{N}", flow.modeled_flow(a)
-        yield f"vehicle_controller-{N}", vehicle.vehicle_controller(a, KD, GammaD)
-        at_z = vehicle.vehicle_controller(a, KD, GammaD, position="z")
-        yield f"vehicle_controller-z-{N}", at_z
-        yield f"vehicle_controller-limited-{N}", vehicle.vehicle_controller(a, KD, GammaD, True)
-        yield f"learning_controller-{N}", learner.learning_controller(N)
-        yield f"injection-known-{N}", learner.known_flow_injection(b, a)
-        yield f"injection-learned-{N}", learner.learned_flow_injection(a)
-        for name, law in LAWS.items():
-            scenario = theorem_scenario(N, name)
-            for way, gains in GAINS.items():
-                block = law.block(scenario.known_to_law._replace(gains=gains))
-                yield f"law-{name}-{way}-{N}", block
-                if law.at_fixes:
-                    late = scenario.with_values({"localization.latency": 2.0})
-                    yield f"law-{name}-late-{way}-{N}", law.block(late.known_to_law)
-                if way == "one":
-                    yield f"V-{name}-{N}", law.V(block.parameters, Truth(theta, KD, GammaD))
-        yield f"error_system-{N}", clpe.error_system(N, KD)
-        yield f"parameter_system-{N}", clpe.parameter_system(N, 0.7)
-        for neighbours in ([], ["b"], ["b", "c"]):
-            block = consensus.consensus_block("a", neighbours, N, 0.4)
-            yield f"consensus-{len(neighbours)}-{N}", block
-        learned = LAWS["learned-flow"].block(theorem_scenario(N, "learned-flow").known_to_law)
-        yield f"law-in-a-team-{N}", consensus.pulled_law(learned)
-        for law in lyapunov.CANDIDATES:
-            p = lyapunov.weighted([0.7] * 3, theta, KD, GammaD)
-            yield f"lyapunov-{law}-{N}", lyapunov.lyapunov_candidate(law, p)
+    axes = [np.linspace(0, 90, 5), np.linspace(-4, 4, 6), np.linspace(-5, 5, 7)]
+    grid = GriddedField(*axes, *rng.standard_normal((2, 5, 6, 7)))
+    return [
+        clpe.clpe(),
+        vehicle.vehicle(),
+        vehicle.vehicle(localization.TRUE),
+        vehicle.speed_limit(1.5),
+        vehicle.hedging(),
+        learner.learning_model(),
+        learner.learning_model(hedged=True),
+        *(reference.reference(rng.uniform(-3, 3, (n, 2)), dwell=1.7) for n in (1, 2, 7)),
+        reference.reference(reference.circle(3.0, 10), dwell=0.1),
+        *(disturbance.disturbance(k, [0.3, -0.7], 1.3, 5.0) for k in disturbance.KINDS),
+        localization.measurement(0.3, 1.3, 5.0),
+        localization.fixes(0.3, 5.0, 0.4, 5.0),
+        field.gridded_flow(grid),
+        field.gridded_flow(grid, "clip", disturbed=True),
+        consensus.total_candidate(["a", "b", "c"]),
+    ]
+
+
+def of_size(N):
+    """Blocks of the paper with N basis functions, and all laws."""
+    rng = np.random.default_rng(N)
+    a, b, theta = rng.uniform(-1, 1, (3, 2, N))
+    KD, GammaD = rng.uniform(0.5, 2, (2, 2))
+    basis = [rng.uniform(-3, 3, (N, 2)), *rng.uniform([[1], [0], [-3]], [[4], [2], [3]], (3, N))]
+    weights = lyapunov.weighted([0.7] * 3, theta, KD, GammaD)
+    yield from (flow.flow_basis("basis_x", "x", kernel, *basis) for kernel in flow.KERNELS)
+    yield from (flow.true_flow(theta, disturbed) for disturbed in (False, True))
+    yield from [
+        flow.flow_basis("basis_z", "z", "exponential", *basis),
+        flow.modeled_flow(a),
+        vehicle.vehicle_controller(a, KD, GammaD),
+        vehicle.vehicle_controller(a, KD, GammaD, limited=True, position="z"),
+        learner.learning_controller(N),
+        learner.known_flow_injection(b, a),
+        learner.learned_flow_injection(a),
+        clpe.error_system(N, KD),
+        clpe.parameter_system(N, 0.7),
+    ]
+    yield from (consensus.consensus_block("a", s, N, 0.4) for s in ([], ["b"], ["b", "c"]))
+    yield from (lyapunov.lyapunov_candidate(law, weights) for law in lyapunov.CANDIDATES)
+    for name, law in LAWS.items():
+        scenario = theorem_scenario(N, name)
+        block = law.block(scenario.known_to_law._replace(gains=GAINS[N]))
+        yield from (block, law.V(block.parameters, Truth(theta, KD, GammaD)))
+        if name == "learned-flow":
+            yield consensus.pulled_law(block)
+        if law.at_fixes:
+            late = scenario.with_values({"localization.latency": 2.0})
+            yield law.block(late.known_to_law)
 
 
 def shelf():
     """Each part, continuous and sampled, of one signal and of two."""
-    yield "saturation", parts.saturation(-1, [0.5, 1.0], signals=2)
-    yield "dead_zone", parts.dead_zone(-0.3, 0.2, signals=2)
-    yield "lookup_table", parts.lookup_table([-1, 0, 3], [0, 10, 20], signals=2)
-    yield "lag", parts.lag(2.0, 3.0, signals=2, u="v_c", y="v_x")
-    yield "delay-pade", parts.delay(0.7, 3, signals=2)
-    yield "delay-sampled", parts.delay(0.75, dt=0.25, signals=2)
-    yield "hold", parts.hold(0.5, signals=2)
-    for way, given in (("lag", {"lag": 0.1}), ("sampled", {"dt": 0.1})):
-        yield f"rate_limit-{way}", parts.rate_limit(0.5, 0.7, signals=2, **given)
-        yield f"backlash-{way}", parts.backlash(0.4, signals=2, **given)
-        yield f"relay-{way}", parts.relay(0.3, -0.2, **given)
-    for way, dt in (("continuous", None), ("sampled", 0.1)):
-        yield f"pid-{way}", parts.pid(2.0, 0.5, 0.3, -1, 2, dt=dt, signals=2)
-        plant = control.ss(
-            [[0.5, 0.2], [-0.3, 0.4]], [[0], [1]], [[1, 0], [1, 2]], [[0.1], [0]], dt or 0
-        )
-        yield f"observer-{way}", parts.observer(plant, [[0.4, 0], [0.1, 0.2]])
-        covariances = [[1, 0.2], [0.2, 0.5]], [[0.1, 0.01], [0.01, 0.3]]
-        yield f"kalman_filter-{way}", parts.kalman_filter(plant, *covariances, P0=np.eye(2))
-    yield "noise", parts.noise(0.3, 1.3, signals=3, seed=5)
-    yield "point_vehicle", parts.point_vehicle([60, 90], 30, 20)
+    matrices = [[0.5, 0.2], [-0.3, 0.4]], [[0], [1]], [[1, 0], [1, 2]], [[0.1], [0]]
+    covariances = [[1, 0.2], [0.2, 0.5]], [[0.1, 0.01], [0.01, 0.3]]
     M, Q = [[60, 0, 0], [0, 90, 5], [0, 5, 20]], np.diag([20.0, 40, 10])
-    yield "planar_vehicle", parts.planar_vehicle(M, np.diag([30, 60, 20]), Q)
-    yield "thrusters", parts.thrusters([(-0.8, -0.2), (-0.8, 0.2)], [0.1, 0], -10, 20, 0.3)
+    yield from [
+        parts.saturation(-1, [0.5, 1.0], signals=2),
+        parts.dead_zone(-0.3, 0.2, signals=2),
+        parts.lookup_table([-1, 0, 3], [0, 10, 20], signals=2),
+        parts.lag(2.0, 3.0, signals=2, u="v_c", y="v_x"),
+        parts.delay(0.7, 3, signals=2),
+        parts.delay(0.75, dt=0.25, signals=2),
+        parts.hold(0.5, signals=2),
+        parts.noise(0.3, 1.3, signals=3, seed=5),
+        parts.point_vehicle([60, 90], 30, 20),
+        parts.planar_vehicle(M, np.diag([30, 60, 20]), Q),
+        parts.thrusters([(-0.8, -0.2), (-0.8, 0.2)], [0.1, 0], -10, 20, 0.3),
+    ]
+    for time in ({"lag": 0.1}, {"dt": 0.1}):
+        yield parts.rate_limit(0.5, 0.7, signals=2, **time)
+        yield parts.backlash(0.4, signals=2, **time)
+        yield parts.relay(0.3, -0.2, **time)
+    for dt in (None, 0.1):
+        plant = control.ss(*matrices, dt or 0)
+        yield parts.pid(2.0, 0.5, 0.3, -1, 2, dt=dt, signals=2)
+        yield parts.observer(plant, [[0.4, 0], [0.1, 0.2]])
+        yield parts.kalman_filter(plant, *covariances, P0=np.eye(2))
 
 
-BLOCKS = dict(package_blocks()) | {f"parts.{name}": block for name, block in shelf()}
-SIZE_OF_WAY = {"one": 3, "each": 1, "held": None}  # a law's gains -> functions of `make test`
-GAINS_APART = ("law-learned-flow-each", "law-composite-memory-each", "law-concurrent-each")
-RARELY = ("field-clip-disturbed", "field-raise")  # the other two have both halves of each
-
-
-def often(case):
-    """Whether `make test` asks this block; `make test-slow` asks all."""
-    kind, _, N = case.rpartition("-")
-    if not N.isdigit() or kind == "reference":
-        return case not in RARELY
-    way = kind.rpartition("-")[2]
-    if way in SIZE_OF_WAY:
-        return SIZE_OF_WAY[way] == int(N) and (way != "each" or kind in GAINS_APART)
-    return int(N) == 3
-
-
-EACH = [pytest.param(name, marks=() if often(name) else pytest.mark.slow) for name in BLOCKS]
+MADE = [*of_no_size(), *shelf(), *of_size(3)]
+RARE = [block for N in (1, 2, 5) for block in of_size(N)]  # asked by `make test-slow`
+BLOCKS = [*MADE, *RARE]
+EACH = [
+    pytest.param(one, id=one.name, marks=[pytest.mark.slow] * (k >= len(MADE)))
+    for k, one in enumerate(BLOCKS)
+]

@@ -10,41 +10,35 @@ choices, so hypothesis can shrink them.
 import linecache
 import math
 import re
-from itertools import count
+from itertools import count, product
 from typing import Any
 
 import numpy as np
 
-HELPERS = '''
+HELPERS = """
 from math import sqrt
 
 GAIN = 0.75
 
 def bend(a, b=0.5):
-    """A pair of numbers."""
     c = a * b
     return c / (1.5 + c * c), a - b
 
 def limited(a, low=-1.0, high=1.0):
-    """A limit in words of Python."""
     if a < low:
         return low
     return high if a > high else a
 
 def mix(v, k):
-    """A weighted sum."""
     return sum(a * np.cos(k * i) for i, a in enumerate(v))
 
 def turned(v, *, by=GAIN):
-    """A vector, changed in a copy of its own."""
     w = np.array(v, dtype=float)
     w[0] += by
     w[1:] *= 0.5
     return w
 
 class Motor:
-    """An object with numbers, asked by a method."""
-
     def __init__(self, k):
         self.k = k
 
@@ -52,9 +46,99 @@ class Motor:
         return self.k * np.tanh(i) if isinstance(i, float) else 0.0
 
 motor = Motor(1.25)
-'''
+"""
 MOST_QUESTIONS = 5  # each doubles the ways through a function
 _files = count()
+
+# --- what is written: before a `?` stands how often it asks --------------------------------------
+#
+# {s} a number, {l} one that is there, {v} a vector of n numbers, {w} one that is there, {n} their
+# number, {m} a vector of as many as a matrix {M} has rows, or of any, {c} a comparison, {C} what an
+# `if` asks, {f} a constant, {a|b} one of both, {1} and {2} new names
+
+SCALARS = [
+    *["({s} {+|-|*} {s})"] * 6,
+    *["np.sin({s}) * {s}"] * 2,
+    *("({s} / (1.5 + abs({s})))", "np.exp(-np.abs({s}))", "sqrt(abs({s})) ** {2|3|0.7|1}"),
+    *("np.{cos|tanh|arctan|sign|floor|square}({s})", "math.{cos|tanh|atan|sin|erf|fabs}({s})"),
+    *("np.where({c}, {s}, {s})", "np.{minimum|maximum|hypot|arctan2}({s}, {s})"),
+    *("np.clip({s}, -1.0, {f})", "(({s}) % {f})", "motor.torque({s})"),
+    *("2?limited({s})", "1?{max|min}({s}, {s})", "1?({s} if {C} else {s})"),
+]
+OF_VECTORS = [
+    *("(({v}) @ {w})", "np.dot({v}, {w})", "np.trace(np.outer({v}, {w}))", "mix({w}, 0.7)"),
+    *("np.{sum|mean|linalg.norm}({v})", "sum({v})", "({v}).max()", "({v})[{n} - 1]"),
+    "sum(b * {l} for b in {w})",
+]
+OF_MATRICES = ["({m} @ {M} @ {w})", "np.sum({M}[0])", "({M}).sum()"]
+VECTORS = [
+    *["({v} {+|-|*} {v})"] * 4,
+    *("({v} * {s})", "({v})[::-1]", "turned({v})", "np.clip({v}, -1.0, {f})", "np.array([{S}])"),
+    *("np.{sin|tanh|cos|fabs}({v})", "np.where({v} > {l}, {v}, 0.5)"),
+    *("np.array([a * {l} for a in {v}])", "np.concatenate([{w}[1:], [{s}]])"),
+]
+COMPARISONS = [*["{s} {<|<=|>|>=} {l}"] * 4, "({s} > 0) & ({l} < 0.3)", "({s} > 0) | ({l} < 0.3)"]
+CONDITIONS = [*COMPARISONS, "-0.5 < {s} <= 1.5", "{s} > 0 {and|or} {l} < {l}", "not {s} > {l}"]
+SEEN = [  # of an array {1}, some are copies
+    *("{1}[::-1]", "np.asarray({1})", "{1}.reshape(1, -1)[0]", "np.ravel({1}[::2])", "+{1}"),
+    *("np.transpose({1}[None])[:, 0]", "np.prod({1}[None], axis=0)", "{1}[...]", "{1}.copy()"),
+    *("np.squeeze({1}[None], 0)", "np.flip({1})", "np.split({1}, [0])[1]", "np.hsplit({1}, 1)[0]"),
+    *(
+        "np.moveaxis({1}[None], 0, 1)[:, 0]",
+        "np.rot90({1}[None], 2)[0]",
+        "np.atleast_3d({1})[0, :, 0]",
+    ),
+    *("np.sum({1}[None], axis=0)", "np.maximum.reduce({1}[None])", "np.where(True, {1}, 0.0)"),
+]
+CHANGES = [
+    *("{2}[0] = {s}", "{2} += {l}", "{2}.put([0], 0.5)", "np.copyto({2}, {l})"),
+    "{1}[0], {2}[-1] = {2}[-1], {1}[0]",
+]
+IF = "1?if {C}:\n    {1} = {s}\nelse:\n    {1} = {s}"
+STATEMENTS = [  # and what their names are: numbers, a first element, a vector, a matrix
+    (["{1} = {s}"], "s1"),
+    (["{1} = {v}"], "v1"),
+    (["1?{1} = {s}\nif {C}:\n    {1} {=|+=|*=} {s}", IF, IF.replace("1?if {C}", "2?if {c}")], "s1"),
+    *[
+        (
+            [
+                "{1} = {l}\nfor {2} in {w}:\n    {1} += {2} * {s}",
+                "{1} = {l}\nfor {2}, b in zip({w}, {w}):\n    {1} = 0.7 * {1} + {2} * b",
+                "{1} = {l}\nfor {2}, b in enumerate({w}):\n    {1} -= b / ({2} + 1)",
+                "{1} = {l}\n{2} = {1|3|5}\nwhile {2} > 0:\n    {2} -= 1\n"
+                "    {1} = math.sin({1}) + {2} * {l}",
+                "{1} = {l}\nfor {2} in range({n}):\n    if {2} % 2:\n        continue\n"
+                "    {1} += ({w})[{2}] * ({w})[{n} - 1 - {2}]",
+                "{1} = {l}\nfor {2} in range(len({w})):\n    {1} = np.tanh({1}) * ({w})[{2}] + {s}",
+            ],
+            "s1",
+        )
+    ]
+    * 2,
+    (
+        [
+            "{1} = np.{zeros|ones}({n})\nfor {2} in range({n}):\n    {1}[{2}] {=|+=} {s} * {2}",
+            "{1} = np.zeros({n})\n{1}[:{n} - 1] = ({v})[1:]\n{1}[-1] = {s}\n{1} *= {l}",
+            "{1} = np.zeros({n} + 1)\n{1}[1:] = {v}\n{1}b = {1}[1:]\n{1}b[0] {=|-=} {s}\n"
+            "{1} = {1}[:-1]",
+        ],
+        "v1",
+    ),
+    (["{1} = np.outer({v}, {m})", "{1} = np.outer({v}, {m})\n{1}[0] *= 0.5"], "M1"),
+    (["{1} = np.outer({m}, {v}).T"], "M1"),
+    (["{1}, {2} = bend({l}, {s})", "{1}, {2} = bend(b={l}, a={l})"], "s1 s2"),
+    (["def {2}(v, k={l}):\n    return v * k + {l}\n{1} = {2}({l}) * {2}({l}, {l})"], "s1"),
+    (["{2} = {s}\n{1} = (lambda v: v * {2} - {l})({l})"], "s1 s2"),
+    (["3?{1} = sorted([{l}, {l}, {l}]{|, reverse=True})[1]"], "s1"),
+    (
+        [
+            f"{{1}} = np.array({start})\n{{2}} = {seen}\n{change}"
+            for start in ("{v}", "np.zeros({n})", "np.linspace(0.0, 1.0, {n})")
+            for seen, change in product(SEEN, CHANGES)
+        ],
+        "v1 e2",
+    ),
+]
 
 
 class Writer:
@@ -73,7 +157,7 @@ class Writer:
             self.scalars += [f"{group}[{k}]" for k in sorted({0, size // 2, size - 1}) if size]
         self.known(numbers, "p.")
 
-    def known(self, ports, prefix):
+    def known(self, ports, prefix=""):
         """Take named arrays as something to calculate with."""
         for port, shape in ports.items():
             name = f"{prefix}{port}"
@@ -92,20 +176,44 @@ class Writer:
     def chance(self, share):
         return self.random.random() < share
 
-    def name(self):
-        return f"a{next(self.fresh)}"
+    def size(self):
+        return self.choice(sorted(self.vectors) or [3])
 
-    def add(self, *lines):
-        self.lines += ["    " + line for line in lines]
+    def expand(self, forms, depth, n=None, rows=None):
+        """Return one of some forms that may ask so often, filled; its names, n and m."""
+        for _ in range(100):
+            asks, _, form = self.choice(forms).rpartition("?")
+            if self.questions + int(asks or 0) <= MOST_QUESTIONS:
+                break
+        self.questions += int(asks or 0)
+        n, m, M, names = n or self.size(), self.size(), "", {}
+        if "{M}" in form:
+            shapes = [shape for shape in sorted(self.matrices) if rows in (None, shape[0])]
+            m, n = shape = self.choice(shapes)
+            M = self.choice(self.matrices[shape])
+        made = {
+            "s": lambda: self.scalar(depth),
+            "S": lambda: ", ".join(self.scalar(1) for _ in range(n)),
+            "l": self.leaf,
+            "v": lambda: self.vector(n, depth),
+            "w": lambda: self.vector(n, 0),
+            "m": lambda: self.vector(m, 0),
+            "M": lambda: M,
+            "n": lambda: str(n),
+            "f": lambda: f"{self.random.uniform(0.3, 2):.2f}",
+            "c": lambda: self.expand(COMPARISONS, 0)[0],
+            "C": lambda: self.expand(CONDITIONS, 1)[0],
+        }
 
-    def asks(self, times=1):
-        """Whether there may be so many more questions of signals."""
-        if self.questions + times > MOST_QUESTIONS:
-            return False
-        self.questions += times
-        return True
+        def filled(match):
+            key = match[1]
+            if "|" in key:
+                return self.choice(key.split("|"))
+            if key.isdigit():
+                return names.setdefault(key, f"a{next(self.fresh)}")
+            return made[key]()
 
-    # --- expressions --------------------------------------------------------------------------
+        return re.sub(r"\{([^{}]*)\}", filled, form), names, n, m
 
     def leaf(self):
         if self.jumping and self.chance(0.1):
@@ -117,216 +225,29 @@ class Writer:
     def scalar(self, depth=2):
         if depth <= 0 or self.chance(0.15):
             return self.leaf()
-        a, b = self.scalar(depth - 1), self.scalar(depth - 1)
-        one_of, number = self.choice, self.random.uniform
-        smooth = ["cos", "tanh", "arctan", "sign", "floor", "square"]
-        forms = [
-            *[lambda: f"({a} {one_of('+-*')} {b})"] * 6,
-            *[lambda: f"np.sin({a}) * {b}"] * 2,
-            lambda: f"({a} / (1.5 + abs({b})))",
-            lambda: f"np.{one_of(smooth)}({a})",
-            lambda: f"math.{one_of(['cos', 'tanh', 'atan', 'sin', 'erf', 'fabs'])}({a})",
-            lambda: f"np.exp(-np.abs({a}))",
-            lambda: f"sqrt(abs({a})) ** {one_of(['2', '3', '0.7', '1'])}",
-            lambda: f"np.where({self.condition(0)}, {a}, {b})",
-            lambda: f"np.{one_of(['minimum', 'maximum', 'hypot', 'arctan2'])}({a}, {b})",
-            lambda: f"np.clip({a}, -1.0, {number(0, 2):.2f})",
-            lambda: f"{one_of(['max', 'min'])}({a}, {b})" if self.asks() else self.of_vector(),
-            lambda: f"({a} if {self.condition(1)} else {b})" if self.asks() else self.of_vector(),
-            lambda: f"(({a}) % {number(0.5, 3):.2f})",
-            lambda: f"motor.torque({a})",
-            lambda: f"limited({a})" if self.asks(2) else self.of_vector(),
-            self.of_vector,
-        ]
-        return one_of(forms)()
-
-    def of_vector(self):
-        """A number that is made of a vector or matrix."""
-        n = self.choice(sorted(self.vectors) or [3])
-        v, w = self.vector(n, 1), self.vector(n, 0)
-        if self.matrices and self.chance(0.3):
-            (rows, columns), names = self.choice(sorted(self.matrices.items()))
-            M, v, w = self.choice(names), self.vector(rows, 0), self.vector(columns, 0)
-            return self.choice([f"({v} @ {M} @ {w})", f"np.sum({M}[0])", f"({M}).sum()"])
-        kinds = [
-            f"(({v}) @ {w})",
-            f"np.sum({v})",
-            f"({v}).max()",
-            f"np.mean({v})",
-            f"mix({w}, 0.7)",
-        ]
-        kinds += [f"np.linalg.norm({v})", f"np.dot({v}, {w})", f"sum({v})", f"({v})[{n - 1}]"]
-        kinds += [f"sum(b * {self.leaf()} for b in {w})", f"np.trace(np.outer({v}, {w}))"]
-        return self.choice(kinds)
-
-    def condition(self, depth=1):
-        a, b = self.scalar(depth), self.leaf()
-        kind = self.random.randrange(8)
-        if depth and kind == 0:
-            return f"-0.5 < {a} <= 1.5"
-        if depth and kind < 3:
-            return f"{a} > 0 {self.choice(['and', 'or'])} {self.leaf()} < {b}"
-        if depth and kind == 3:
-            return f"not {a} > {b}"
-        if kind == 4:
-            return f"({a} > 0) {self.choice('&|')} ({b} < 0.3)"
-        return f"{a} {self.choice(['<', '<=', '>', '>='])} {b}"
+        of_arrays = OF_MATRICES if self.matrices and self.chance(0.3) else OF_VECTORS
+        return self.expand(of_arrays if self.chance(0.15) else SCALARS, depth - 1)[0]
 
     def vector(self, n, depth=2):
-        known = self.vectors.get(n, [])
         if depth <= 0 or self.chance(0.2):
             longer = [f"{v}[{m - n}:]" for m, names in self.vectors.items() if m > n for v in names]
-            return self.choice([*known * 3, *longer, f"np.full({n}, {self.leaf()})"])
-        v, w = self.vector(n, depth - 1), self.vector(n, depth - 1)
-
-        def joined():
-            return f"np.concatenate([{self.vector(n, 0)}[1:], [{self.scalar(1)}]])"
-
-        def multiplied():
-            shapes = [shape for shape in sorted(self.matrices) if n in shape]
-            if not shapes:
-                return joined()
-            rows, columns = shape = self.choice(shapes)
-            M = self.choice(self.matrices[shape])
-            if rows == n:
-                return f"({M} @ {self.vector(columns, 0)})"
-            return f"({self.vector(rows, 0)} @ {M})"
-
-        forms = [
-            *[lambda: f"({v} {self.choice('+-*')} {w})"] * 4,
-            lambda: f"({v} * {self.scalar(1)})",
-            lambda: f"np.{self.choice(['sin', 'tanh', 'cos', 'fabs'])}({v})",
-            lambda: f"np.where({v} > {self.leaf()}, {w}, 0.5)",
-            lambda: f"np.array([{', '.join(self.scalar(1) for _ in range(n))}])",
-            lambda: f"np.array([a * {self.leaf()} for a in {v}])",
-            lambda: f"({v})[::-1]",
-            lambda: f"turned({v})",
-            lambda: f"np.clip({v}, -1.0, {self.random.uniform(0, 2):.2f})",
-            multiplied,
-            joined,
-        ]
-        return self.choice(forms)()
-
-    # --- statements -----------------------------------------------------------------------------
-
-    def number(self):
-        name, value = self.name(), self.scalar(3)
-        self.add(f"{name} = {value}")
-        self.scalars.append(name)
-
-    def array(self):
-        name, n = self.name(), self.choice(sorted(self.vectors) or [3])
-        value = self.vector(n)
-        self.add(f"{name} = {value}")
-        self.vectors.setdefault(n, []).append(name)
-
-    def branch(self):
-        if not self.asks():
-            return
-        name = self.name()
-        if self.chance(0.5):
-            self.add(f"{name} = {self.scalar(1)}", f"if {self.condition()}:")
-            self.add(f"    {name} {self.choice(['=', '+=', '*='])} {self.scalar(1)}")
-        else:
-            self.add(f"if {self.condition()}:", f"    {name} = {self.scalar(1)}")
-            if self.asks():
-                self.add(f"elif {self.condition(0)}:", f"    {name} = {self.scalar(1)}")
-            self.add("else:", f"    {name} = {self.scalar(1)}")
-        self.scalars.append(name)
-
-    def loop(self):
-        s, k = self.name(), self.name()
-        n = self.choice(sorted(self.vectors) or [3])
-        v, w = self.vector(n, 0), self.vector(n, 0)
-        self.add(f"{s} = {self.leaf()}")
-        kind = self.random.randrange(6)
-        if kind == 0:
-            self.add(f"for {k} in {v}:", f"    {s} += {k} * {self.scalar(1)}")
-        elif kind == 1:
-            self.add(f"for {k}, b in zip({v}, {w}, strict=True):", f"    {s} = 0.7 * {s} + {k} * b")
-        elif kind == 2:
-            self.add(f"for {k}, b in enumerate({v}):", f"    {s} -= b / ({k} + 1)")
-        elif kind == 3:
-            self.add(f"{k} = {self.random.randrange(1, 6)}", f"while {k} > 0:", f"    {k} -= 1")
-            self.add(f"    {s} = math.sin({s}) + {k} * {self.leaf()}")
-        elif kind == 4:
-            self.add(f"for {k} in range({n}):", f"    if {k} % 2:", "        continue")
-            self.add(f"    {s} += ({v})[{k}] * ({w})[{n - 1} - {k}]")
-        else:
-            self.add(f"for {k} in range(len({v})):")
-            self.add(f"    {s} = np.tanh({s}) * ({v})[{k}] + {self.scalar(1)}")
-        self.scalars.append(s)
-
-    def filled(self):
-        name, k, n = self.name(), self.name(), self.random.randrange(2, 6)
-        self.add(f"{name} = np.{self.choice(['zeros', 'ones'])}({n})")
-        if self.chance(0.6):
-            self.add(f"for {k} in range({n}):")
-            self.add(f"    {name}[{k}] {self.choice(['=', '+='])} {self.scalar(1)} * {k}")
-        else:
-            self.add(f"{name}[:{n - 1}] = {self.vector(n - 1, 1)}")
-            self.add(f"{name}[-1] = {self.scalar(1)}")
-        if self.chance(0.4):
-            self.add(f"{name}b = {name}[1:]")
-            self.add(f"{name}b[0] {self.choice(['=', '-='])} {self.scalar(1)}")
-        if self.chance(0.2):
-            self.add(f"{name} *= {self.leaf()}")
-        self.vectors.setdefault(n, []).append(name)
-
-    def matrix(self):
-        name = self.name()
-        n, m = (self.choice(sorted(self.vectors) or [2]) for _ in range(2))
-        self.add(f"{name} = np.outer({self.vector(n, 1)}, {self.vector(m, 1)})")
-        if self.chance(0.3):
-            self.add(f"{name} = {name}.T")
-            n, m = m, n
-        if n == m and self.chance(0.5):
-            self.add(f"{name} = {name} + np.eye({n}) * {self.leaf()}")
-        elif self.chance(0.3):
-            self.add(f"{name}[0] *= 0.5")
-        self.matrices.setdefault((n, m), []).append(name)
-
-    def called(self):
-        a, b = self.name(), self.name()
-        kind = self.random.randrange(4)
-        if kind == 0:
-            self.add(f"{a}, {b} = bend({self.leaf()}, {self.scalar(1)})")
-        elif kind == 1:
-            self.add(f"{a}, {b} = bend(b={self.leaf()}, a={self.leaf()})")
-        elif kind == 2:
-            self.add(f"def inner(v, k={self.leaf()}):", f"    return v * k + {self.leaf()}")
-            self.add(f"{a}, {b} = inner({self.leaf()}), inner({self.leaf()}, {self.leaf()})")
-        else:
-            self.add(f"{b} = {self.scalar(1)}")
-            self.add(f"{a} = (lambda v: v * {b} - {self.leaf()})({self.leaf()})")
-        self.scalars += [a, b]
-
-    def shared(self):
-        """An array that is changed by another name, or a copy that is not."""
-        a, b, n = self.name(), self.name(), self.choice(sorted(self.vectors) or [3])
-        seen = [f"{a}[::-1]", f"np.asarray({a})", f"{a}.reshape(1, -1)[0]", f"np.ravel({a}[::2])"]
-        seen += [
-            f"+{a}",
-            f"np.transpose({a}[None])[:, 0]",
-            f"np.prod({a}[None], axis=0)",
-            f"{a}[...]",
-        ]
-        changes = [f"{b}[0] = {self.scalar(1)}", f"{b} += {self.leaf()}", f"{b}.put([0], 0.5)"]
-        changes += [f"np.copyto({b}, {self.leaf()})", f"{a}[0], {b}[-1] = {b}[-1], {a}[0]"]
-        start = self.choice([self.vector(n, 1), f"np.zeros({n})", f"np.linspace(0.0, 1.0, {n})"])
-        self.add(f"{a} = np.array({start})", f"{b} = {self.choice(seen)}", self.choice(changes))
-        self.vectors.setdefault(n, []).append(a)
-        self.scalars.append(f"{b}[0]")
-
-    def ordered(self):
-        if not self.asks(3):
-            return
-        name = self.name()
-        three = ", ".join(self.leaf() for _ in range(3))
-        self.add(f"{name} = sorted([{three}]{self.choice(['', ', reverse=True'])})[1]")
-        self.scalars.append(name)
+            return self.choice(
+                [*self.vectors.get(n, []) * 3, *longer, f"np.full({n}, {self.leaf()})"]
+            )
+        known = any(rows == n for rows, _ in self.matrices)
+        return self.expand([*VECTORS, *["({M} @ {w})"] * known], depth - 1, n, n)[0]
 
     # --- the whole --------------------------------------------------------------------------------
+
+    def statement(self):
+        forms, kinds = self.choice(STATEMENTS)
+        text, names, n, m = self.expand(forms, 2)
+        self.lines += [f"    {line}" for line in text.split("\n")]
+        for kind, key in kinds.split():
+            if kind in "se":
+                self.scalars.append(names[key] + "[0]" * (kind == "e"))
+            else:
+                self.known({names[key]: (n,) if kind == "v" else (n, m)})
 
     def value(self, shape):
         """An expression of the shape of a port."""
@@ -350,14 +271,13 @@ class Writer:
         return f"[{', '.join(every)}]"
 
     def text(self, name, returns):
-        parts = [self.number, self.array, self.branch, self.loop, self.loop, self.filled]
-        parts += [self.matrix, self.called, self.ordered, self.shared]
         for _ in range(self.random.randrange(1, 6)):
-            self.choice(parts)()
-        if self.chance(0.15) and self.asks():
-            self.add(f"if {self.condition(0)}:")
-            self.add(f"    return {self.returned(returns)}")
-        self.add(f"return {self.returned(returns)}")
+            self.statement()
+        if self.chance(0.15) and self.questions < MOST_QUESTIONS:
+            self.questions += 1
+            self.lines.append(f"    if {self.expand(COMPARISONS, 0)[0]}:")
+            self.lines.append(f"        return {self.returned(returns)}")
+        self.lines.append(f"    return {self.returned(returns)}")
         return f"def {name}(t, x, u, p):\n" + "\n".join(self.lines) + "\n"
 
 

@@ -6,17 +6,16 @@ of a view, of a stack or of numbers is made at once.
 At times they are NumPy's own: as numbers where they depend on nothing, else as objects.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from functools import lru_cache
-from math import prod
-from operator import itemgetter, mul
+from operator import itemgetter
 from typing import Any
 
 import numpy as np
 
 from .arrays import HOOKS, Array, Tape, Unread, moves, numbers_of, objects, operand, whole
 from .elementwise import TRUTH, as_number, boxed, constant, in_a_try, is_whole, lifted, of_numpy
-from .record import MOST_NUMBERS, Ref, Shape, viewed
+from .record import MOST_NUMBERS, Shape, viewed
 
 # --- as NumPy's own ----------------------------------------------------------------------------
 
@@ -294,43 +293,12 @@ def tape_viewed(tape: Tape, node: int, mapped: tuple, shape: Shape) -> Any:
         if shape:
             return tape.add("fill", (number,), shape)
         return number if type(number) is float else Array(tape, number, ())
-    if kind == "part" and (row := _in_a_row(tape, node, mapped)) is not None:
-        return tape_viewed(tape, arguments[0], (row,), shape)
-    if kind == "join" and (part := _of_join(tape, arguments, mapped, shape)) is not None:
-        return part
     if kind == "stack" and isinstance(mapped[0], int):
         item = arguments[mapped[0]]
         if type(item) is float:
             return constant(tape, np.full(shape, item))  # a number, or one with new axes
         return tape_viewed(tape, item, mapped[1:], shape)
     return tape.add("view", (node,), shape, mapped)
-
-
-def _in_a_row(tape: Tape, node: int, mapped: tuple) -> Any:
-    """Return the places of a view of a part in the one axis that it is of, if they are a line."""
-    _, (source,), shape, start = tape.operations[node]
-    moving = [(k, m) for k, m in enumerate(mapped) if not isinstance(m, int)]
-    if len(tape.operations[source].shape) > 1 or len(moving) > 1:
-        return None
-    strides = [prod(shape[k + 1 :]) for k in range(len(shape))]
-    places = [m if isinstance(m, int) else m[1] for m in mapped]
-    start += sum(map(mul, strides, places))
-    return next(((m[0], start, m[2] * strides[k]) for k, m in moving), start)
-
-
-def _of_join(tape: Tape, parts: Sequence[Ref], mapped: tuple, shape: Shape) -> Any:
-    """Return a view of joined arrays that lies within one of them; None where it does not."""
-    first, *rest = mapped
-    count = 1 if isinstance(first, int) else shape[first[0]]
-    start, step = (first, 1) if isinstance(first, int) else first[1:]
-    last, at = start + step * (count - 1), 0
-    for part in parts:
-        n = tape.operations[part].shape[0]
-        if count and at <= min(start, last) and max(start, last) < at + n:
-            moved = start - at if isinstance(first, int) else (first[0], start - at, step)
-            return tape_viewed(tape, part, (moved, *rest), shape)
-        at += n
-    return None
 
 
 # --- other shapes ------------------------------------------------------------

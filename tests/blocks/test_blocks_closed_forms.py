@@ -9,8 +9,7 @@ from scipy import stats
 from source_checks import CHECKS
 
 import clpt_control as clpt
-from clpt_control.blocks import disturbance, field, flow, learner, localization, lyapunov, reference
-from clpt_control.blocks.laws.paper import KNOWN_FLOW
+from clpt_control.blocks import disturbance, field, flow, localization, reference
 from clpt_control.currents.plane import GriddedField
 from clpt_control.equations import evaluate
 from clpt_control.equations.declaration import Each, multiples
@@ -44,14 +43,6 @@ def test_a_block_is_asked_at_many_places_and_times(kernel, formula):
     assert evaluate(block, 5.0, x[0]).shape == (1, 1)
 
 
-def test_basis_keeps_the_order_of_its_functions():
-    p = np.array([[0.0, 0], [1, 0], [2, 0]]), np.ones(3), np.zeros(3), np.zeros(3)
-    block = flow.flow_basis("basis_z", "z", "exponential", *p)
-    assert block.output_labels == ["phi_z[0]", "phi_z[1]", "phi_z[2]"]
-    for k in range(3):
-        assert int(np.argmax(block.output(0.0, [], [float(k), 0.0]))) == k
-
-
 # --- flows, Eqs. (3), (4), (32) ---------------------------------------------------------------
 
 
@@ -63,78 +54,7 @@ def test_disturbance_is_added_to_the_flow():
     np.testing.assert_array_equal(windy.output(0, [], [*u, 0.5, -2.75]), [1.75, 0.0])
 
 
-# --- learner, Eqs. (2), (6), (13), (20) -------------------------------------------------------
-
-
-def test_known_flow_injection_reads_phi_x_alone():
-    theta_hat, alpha_M = np.array([[3.0], [5.0]]), np.array([[1.0], [1.0]])
-    block = learner.known_flow_injection(alpha_M, theta_hat)
-    np.testing.assert_array_equal(block.output(0, [], [0.5, 99, 99, 99]), [1, 2])
-
-
-# --- adaptation, Eqs. (14)-(15) and (21)-(23) -------------------------------------------------
-
-
-def test_known_flow_law_holds_alpha():
-    alpha_M = np.array([[1.0, 2.0], [3.0, 4.0]])
-    law = KNOWN_FLOW.of(2, gain=0.8, alpha_M=alpha_M)
-    out = law.output(0, [5, 6, 7, 8], np.ones(8))
-    np.testing.assert_array_equal(out, [1, 2, 3, 4, 5, 6, 7, 8])
-    assert law.state_labels == ["K[0]", "K[1]", "Gamma[0]", "Gamma[1]"]
-
-
-# --- Lyapunov candidates, Eqs. (17) and (24) --------------------------------------------------
-
-TRUE = lyapunov.weighted((0.5, 0.25, 1.0), [[1.0, 2], [3, 4]], [1.0, 2], [3.0, 4])
-AT_TRUTH = [0, 0, -1, -2, -3, -4, 1, 2, 3, 4]  # e, alpha = -theta, K = KD, Gamma = GammaD
-
-
-@pytest.mark.parametrize("law", lyapunov.CANDIDATES)
-def test_candidate_is_zero_at_the_true_parameters_alone(law):
-    block = lyapunov.lyapunov_candidate(law, TRUE)
-    assert block.output(0, [], AT_TRUTH)[0] == 0.0
-    for k in range(10):
-        away = np.array(AT_TRUTH, dtype=float)
-        away[k] += 1.0
-        counts = law == "learned-flow" or not 2 <= k < 6
-        # |e|^2/2 for an error, |.|^2/(2 gamma) for a parameter; gammas 1/2, 1/4 and 1
-        expected = [0.5, 0.5, 1.0, 1.0, 1.0, 1.0, 2.0, 2.0, 0.5, 0.5][k]
-        assert block.output(0, [], away)[0] == (expected if counts else 0.0)
-
-
 # --- reference, section IV --------------------------------------------------------------------
-
-
-def test_circle_of_waypoints():
-    points = reference.circle(3.0, 12)
-    np.testing.assert_allclose(np.hypot(*points.T), 3.0, rtol=1e-15)
-    np.testing.assert_allclose(points[1], [1.5 * math.sqrt(3), 1.5], rtol=1e-15)
-    np.testing.assert_allclose(points.sum(axis=0), 0, atol=1e-14)
-    # the Gramian of zc over a cycle is (n tau r^2 / 2) I: here 12 * 9 / 2
-    np.testing.assert_allclose(points.T @ points, 54 * np.eye(2), atol=1e-13)
-
-
-def test_waypoints_are_visited_in_turn_and_again():
-    block = reference.reference([[1, 1], [2, 2], [3, 3]], dwell=0.1)
-    for k in range(300):
-        time = 0.1 * k
-        at, before = (block.output(s, [], [])[0] for s in (time, np.nextafter(time, -1.0)))
-        assert at == 1 + k % 3
-        assert k == 0 or before == 1 + (k - 1) % 3
-
-
-def test_changed_dwell_moves_the_jumps():
-    block = reference.reference([[1, 1], [2, 2], [3, 3]], dwell=2.0)
-    assert block.output(5.0, [], [])[0] == 3
-    assert block.output(5.0, [], [], params={"reference.dwell": 1.0})[0] == 3
-    assert block.output(5.0, [], [], params={"reference.dwell": 5.0})[0] == 2
-    assert block.output(5.0, [], [])[0] == 3
-    block.parameters = block.parameters._replace(dwell=4.0)
-    assert block.output(5.0, [], [])[0] == 2
-    twin = block.copy(name="twin")
-    twin.parameters = twin.parameters._replace(dwell=10.0)
-    assert twin.output(5.0, [], [])[0] == 1
-    assert block.output(5.0, [], [])[0] == 2
 
 
 def test_pinned_interval_stands():
@@ -165,18 +85,6 @@ def test_multiples_are_counted_as_they_are_listed():
 
 def delta(block, t):
     return block.output(t, [], [])
-
-
-def test_square_wave_switches_exactly():
-    period = 1.7951958
-    block = disturbance.disturbance("square", [0.05, 0.1], period=period)
-    for k in range(1000):
-        switch = 0.5 * period * k
-        sign = 1.0 if k % 2 == 0 else -1.0
-        assert delta(block, switch).tolist() == [sign * 0.05, sign * 0.1]
-        if k:
-            before = np.nextafter(switch, 0.0)
-            assert delta(block, before).tolist() == [-sign * 0.05, -sign * 0.1]
 
 
 def noise_at(block, **numbers):
@@ -233,17 +141,6 @@ def test_the_largest_seed_of_a_scenario_is_no_smaller_one_again():
         paper.with_values({"flow.disturbance": {**table, "seed": largest + 1}})
 
 
-def test_noise_has_no_memory_and_is_held():
-    block = disturbance.disturbance("noise", [2.0, 2.0], period=0.5, seed=3.0)
-    later = delta(block, 17.3)
-    earlier = delta(block, 1.2)
-    np.testing.assert_array_equal(delta(block, 17.3), later)
-    np.testing.assert_array_equal(delta(block, 17.0), later)
-    assert not np.array_equal(earlier, later)
-    unit = disturbance.disturbance("noise", [1.0, 1.0], period=0.5, seed=3.0)
-    np.testing.assert_allclose(delta(unit, 17.3), later / 2, rtol=1e-15)
-
-
 # --- gridded flow, in place of Eq. (3) --------------------------------------------------------
 
 
@@ -275,17 +172,3 @@ def test_spline_gives_cubics_back_up_to_the_edges():
     for t, y, x in (*edges, (0.3, -1.9, -2.8), (9.6, 1.8, 2.7), (4.7, 0.3, -1.1)):
         at = block.output(t, [], [x, y])
         np.testing.assert_allclose(at, [u(t, y, x), t * y * x], atol=1e-10)
-
-
-def test_guard_is_positive_inside_alone():
-    block = gridded(lambda t, y, x: t, lambda t, y, x: t)
-    for t, position, inside in (
-        (5.0, [0, 0], True),
-        (5.0, [3.01, 0], False),
-        (5.0, [0, -2.01], False),
-        (10.01, [0, 0], False),
-        (-0.01, [0, 0], False),
-    ):
-        distance = block.values("guard", 1, t, [], position, block.parameters)
-        assert (distance[0] > 0) == inside
-    assert gridded(lambda t, y, x: t, lambda t, y, x: t, outside="clip").guard is None

@@ -6,7 +6,7 @@ Q = int phi_f^2/(1 + phi_f^2), Delta = Q/max(Q, 1/l) and eta = eta(0) exp(-g int
 
 import numpy as np
 import pytest
-from law_blocks import HELD, alone
+from law_blocks import HELD, alone, of_law
 from scipy.integrate import cumulative_simpson
 
 import clpt_control as clpt
@@ -18,8 +18,7 @@ STARTS = {"learning.parameters": [[0.3, -0.2, 0.1], [0.0, 0.4, -2.0]]}
 
 
 def of_paper(**more):
-    paper = clpt.paper_scenario().with_values({"learning.law": "drem", "run.duration": 200.0})
-    return paper.with_values(more)
+    return of_law("drem", {"run.duration": 200.0, **more})
 
 
 def errors(run):
@@ -64,8 +63,9 @@ def test_one_function_is_the_closed_form():
     np.testing.assert_allclose(alpha, w * (theta + first) - theta, atol=2e-5)
     late = left < 0.7
     assert 0.1 < late.mean() < 0.9
-    np.testing.assert_allclose(run.outputs[:2, late], np.tile(theta, late.sum()))
-    np.testing.assert_allclose(run.outputs[:2, ~late], -alpha[:, ~late])
+    readout = run.readout.values.T
+    np.testing.assert_allclose(readout[:, late], np.tile(theta, late.sum()))
+    np.testing.assert_allclose(readout[:, ~late], -alpha[:, ~late])
 
 
 @pytest.mark.parametrize("held", [{}, HELD], ids=["adapted", "held"])
@@ -119,8 +119,8 @@ def of_many(N):
     """The paper's scenario with more functions on two rings."""
     turn = 2 * np.pi * np.arange(N) / N
     ring = (5 + 3 * (np.arange(N) % 2)) * np.array([np.cos(turn), np.sin(turn)])
-    return clpt.paper_scenario().with_values(
-        {
+    return of_paper(
+        **{
             "basis.centers": ring.T.tolist(),
             "basis.widths": [3.0] * N,
             "basis.periods": [9.0 + 2 * k for k in range(N)],
@@ -128,8 +128,6 @@ def of_many(N):
             "flow.parameters": np.linspace(-1, 1, 2 * N).reshape(2, N).tolist(),
             "model.parameters": [[0.0] * N] * 2,
             "learning.parameters": [[0.0] * N] * 2,
-            "learning.law": "drem",
-            "run.duration": 200.0,
         }
     )
 
@@ -143,10 +141,27 @@ def test_six_functions_are_mixed_and_seven_refused():
         clpt.simulate(of_many(7))
 
 
-def test_a_margin_that_is_never_reached_is_refused():
-    with pytest.raises(ScenarioError, match=r"learning.drem.margin = 1.0: must be less than 1"):
-        clpt.simulate(of_paper(**{"learning.drem": {"margin": 1.0}}))
-    with pytest.raises(
-        ScenarioError, match=r"learning.drem.excitation = 2.0: must be less than or equal to 1"
-    ):
-        clpt.simulate(of_paper(**{"learning.drem": {"excitation": 2.0}}))
+@pytest.mark.parametrize(
+    ("key", "value", "said"),
+    [("margin", 1.0, "less than 1"), ("excitation", 2.0, "less than or equal to 1")],
+)
+def test_a_margin_or_an_excitation_that_is_never_reached_is_refused(key, value, said):
+    with pytest.raises(ScenarioError, match=rf"learning.drem.{key} = {value}: must be {said}"):
+        of_paper(**{"learning.drem": {key: value}})
+
+
+@pytest.mark.parametrize(
+    ("more", "beside"),
+    [
+        ({}, None),
+        ({"flow.disturbance": {"kind": "constant", "amplitude": [0.1, 0]}}, "flow.disturbance"),
+        ({"localization": {"noise": 0.02, "noise_period": 1.0}}, "localization.noise"),
+    ],
+    ids=["all of the basis", "disturbance", "noise"],
+)
+def test_a_readout_that_is_not_theta_is_marked(more, beside):
+    run = clpt.simulate(of_paper(**{"run.duration": 100, **more}))
+    off = np.abs(run.flow_parameters_readout - run.flow_parameters).isel(time=-1).max()
+    assert (off > 1e-3) == (beside is not None)
+    said = run.flow_parameters_readout.attrs.get("comment", "")
+    assert said == (f"not theta exactly: {beside} is taken for flow of the basis" * bool(beside))

@@ -2,8 +2,7 @@
 
 import numpy as np
 import pytest
-from law_blocks import alone
-from responses import response
+from law_blocks import alone, everything, square
 
 import clpt_control as clpt
 from clpt_control.blocks.laws import least_squares, paper
@@ -18,14 +17,6 @@ def filtered(duration, step=1.0, **own):
     values = {"learning.law": "kalman-flow", "learning.parameters": None}
     values |= {f"learning.kalman_flow.{key}": value for key, value in own.items()}
     return PAPER.with_values({**values, "run.duration": duration, "run.output_step": step})
-
-
-def states(scenario, times):
-    """d = theta_hat - theta and P along a run."""
-    loop = clpt.closed_loop(scenario)
-    found = response(loop, times, None, clpt.initial_state(scenario), rtol=1e-11, atol=1e-14).states
-    d = found[8:14].T.reshape(-1, 2, 3) - THETA  # after x, z, K, Gamma
-    return d, found[14:23].T.reshape(-1, 3, 3)
 
 
 @pytest.mark.parametrize("walk", [0.2, 0.5])
@@ -45,7 +36,8 @@ def test_one_function_is_the_closed_form(walk):
 
 
 def test_without_a_walk_the_error_is_the_prior_error_weighed_by_P():
-    d, P = states(filtered(60.0, walk=0.0, noise=0.3, prior=0.7), np.linspace(0, 60, 13))
+    run = everything(filtered(60.0, 5.0, walk=0.0, noise=0.3, prior=0.7))
+    d, P = run.flow_parameters_estimate.values - THETA, square(run, "P")
     np.testing.assert_allclose(d, d[0] @ P / 0.7**2, atol=1e-9)
     assert np.abs(d[-1]).max() < 0.2 * np.abs(d[0]).max()
 
@@ -58,12 +50,9 @@ def test_a_filter_that_starts_true_is_the_known_flow_law():
             "learning.theta_estimate": THETA,
             "model.parameters": 0.5 * THETA,
             "run.duration": 100.0,
-            "run.rtol": 1e-11,
-            "run.atol": 1e-13,
         }
     )
-    made = clpt.simulate(known.with_values({"learning.law": "kalman-flow"}))
-    given = clpt.simulate(known)
+    made, given = everything(known.with_values({"learning.law": "kalman-flow"})), everything(known)
     for name in ("clpe", "predicted_position", "feedback_gain", "alpha", "lyapunov"):
         np.testing.assert_allclose(made[name], given[name], atol=1e-7, err_msg=name)
     estimate = np.broadcast_to(THETA, made.flow_parameters_estimate.shape)
@@ -110,23 +99,14 @@ def test_alpha_and_its_start_are_those_of_the_known_flow_law():
     np.testing.assert_array_equal(run.alpha[-1], 0.5 * THETA)
 
 
-LAW = least_squares.NORMALISED_GRADIENT.of(
-    1,
-    gain=0.8,
-    gain_K=0.0,
-    gain_Gamma=0.0,
-    alpha_M=np.zeros((2, 1)),
-    rate=1.0,
-    filter=1.5,
-    regression_gain=0.7,
-)
-
-
 @pytest.mark.parametrize("regressor", [0.1, 1.0, 30.0])
 def test_a_constant_regressor_is_learned_at_its_rate(regressor):
     """phi_f(0) = phi stays, e = 0: eta = theta e^(-gamma_n phi^2 t/(1 + phi^2))."""
+    own = {"gain": 0.8, "rate": 1.0, "filter": 1.5, "regression_gain": 0.7}
+    gains = {"gain_K": 0.0, "gain_Gamma": 0.0}
+    law = least_squares.NORMALISED_GRADIENT.of(1, alpha_M=np.zeros((2, 1)), **gains, **own)
     theta, t = np.array([[0.6], [-0.4]]), np.linspace(0, 8, 9)
     start = {"phi_f": regressor, "q": -theta * regressor}
-    found, _ = alone(LAW, t, np.full((1, 9), regressor), theta, **start)
+    found, _ = alone(law, t, np.full((1, 9), regressor), theta, **start)
     rate = 0.7 * regressor**2 / (1 + regressor**2)
     np.testing.assert_allclose(theta + found["alpha"], theta * np.exp(-rate * t), atol=1e-8)

@@ -8,13 +8,11 @@ and phi_f is constant, 1/P = 1/P(0) + phi_f^2 t/r^2;
 
 import numpy as np
 import pytest
-from law_blocks import alone
-from responses import response
-from scipy.integrate import quad, simpson
+from law_blocks import alone, everything, of_law, square
+from scipy.integrate import cumulative_trapezoid, quad, simpson
 
 import clpt_control as clpt
 from clpt_control.blocks.laws.least_squares import LEAST_SQUARES
-from clpt_control.simulation.loops import paper_blocks
 from clpt_control.simulation.starts import state_columns
 
 LAWS = ("least-squares", "composite-least-squares")
@@ -71,65 +69,45 @@ def test_what_is_never_seen_is_never_forgotten_beyond_the_bound():
 
 
 def along(law, seed):
-    """A run over random waypoints with random priors; states by port, and the scenario."""
+    """A run over random waypoints with random priors, and its scenario."""
     random = np.random.default_rng(seed)
     points = random.normal(size=(5, 2)) * 2
     table = "learning." + law.replace("-", "_")
     more = {
         "reference": {"kind": "waypoints", "points": points.tolist(), "dwell": 4.0},
-        "learning.law": law,
-        "learning.gain": None,
         f"{table}.priors": random.uniform(0.2, 2.0, 3).tolist(),
         f"{table}.forgetting": float(random.choice([0.0, 0.05, 0.5])),
         "learning.parameters": random.normal(size=(2, 3)).tolist(),
+        **{"run.duration": 60.0, "run.output_step": 0.02},
     }
-    scenario = clpt.paper_scenario().with_values(more)
-    loop, times = clpt.closed_loop(scenario), np.linspace(0, 60, 3001)
-    state = clpt.initial_state(scenario)
-    found = response(loop, times, None, state, rtol=1e-10, atol=1e-12).states
-    columns = state_columns(paper_blocks(scenario))
-    s = {port: found[column] for port, column in columns.items()}
-    return scenario, times, s
+    scenario = of_law(law, more)
+    return scenario, everything(scenario, **{"run.rtol": 1e-10, "run.atol": 1e-12})
 
 
-@pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("law", LAWS)
 def test_the_bounds_of_P_are_kept(law, seed):
-    scenario, times, s = along(law, seed)
+    """And, where CLPE has no part in it, the error over P never rises."""
+    scenario, run = along(law, seed)
     priors = np.array(scenario.learning.settings["priors"]) ** 2
     r = scenario.learning.row.block(scenario.known_to_law).parameters.noise
-    P, rho = s["P"].T.reshape(-1, 3, 3), s["rho"][0]
+    P, rho = square(run, "P"), run.rho.values.ravel()
     np.testing.assert_allclose(P, np.swapaxes(P, 1, 2), atol=1e-12)
     assert np.trace(P, axis1=1, axis2=2).max() <= priors.sum() * (1 + 1e-9)
     assert np.all(np.diff(rho) <= 1e-12)
     assert np.all(np.linalg.eigvalsh(np.diag(priors) - rho[:, None, None] * P) >= -1e-9)
     for end in (1000, 2000, 3000):
-        outer = np.einsum("it,jt->tij", *[s["phi_f"][:, : end + 1]] * 2)
-        seen = simpson(outer, x=times[: end + 1], axis=0)
+        phi_f = run.phi_f.values[: end + 1]
+        outer = np.einsum("ti,tj->tij", phi_f, phi_f)
+        seen = simpson(outer, x=run.time.values[: end + 1], axis=0)
         least = np.linalg.inv(np.diag(1 / priors) + seen / r**2)
         assert np.linalg.eigvalsh(P[end] - least).min() >= -1e-7
         assert np.linalg.eigvalsh(P[end]).min() > 0
-
-
-@pytest.mark.parametrize("seed", range(4))
-def test_the_error_over_P_never_rises(seed):
-    scenario, _, s = along("least-squares", seed)
-    eta = (s["alpha"] + np.ravel(scenario.flow.parameters)[:, None]).T.reshape(-1, 2, 3)
-    P = s["P"].T.reshape(-1, 3, 3)
-    size = np.einsum("tik,tkj,tij->t", eta, np.linalg.inv(P), eta)
-    assert np.all(np.diff(size) <= 1e-7 * size[0])
-    largest = np.sum(np.array(scenario.learning.settings["priors"]) ** 2)
-    assert np.all(np.sum(eta**2, axis=(1, 2)) <= largest * size * (1 + 1e-9))
-
-
-def test_alpha_does_not_know_K_and_Gamma():
-    """What is learned of the flow is the same whatever K and Gamma are."""
-    paper = clpt.paper_scenario().with_values(
-        {"learning.law": "least-squares", "learning.gain": None, "run.duration": 50.0}
-    )
-    far = paper.with_values({"learning.feedback": [3.0, 0.5], "learning.feedforward": [-1.0, 2.0]})
-    one, other = (clpt.simulate(scenario).alpha.values for scenario in (paper, far))
-    np.testing.assert_allclose(one, other, atol=1e-6)
+    if law == "least-squares":
+        eta = (run.alpha + run.flow_parameters).values
+        size = np.einsum("tik,tkj,tij->t", eta, np.linalg.inv(P), eta)
+        assert np.all(np.diff(size) <= 1e-7 * size[0])
+        assert np.all(np.sum(eta**2, axis=(1, 2)) <= priors.sum() * size * (1 + 1e-9))
 
 
 @pytest.mark.parametrize("law", LAWS)
@@ -162,10 +140,9 @@ def test_V_weighs_the_error_by_P_also_where_the_regression_is_not_exact(law, apa
             **apart,
         }
     )
-    run = clpt.simulate(scenario)
-    states = dict(zip(run.state.values, run.states.values.T, strict=True))
-    seen = states["adaptation_phi_f[0]"] ** 2 / 0.5**2 * 0.02
-    seen = np.concatenate([[0.0], np.cumsum((seen[1:] + seen[:-1]) / 2)])
+    run = clpt.simulate(clpt.closed_loop(scenario))
+    rate = run.phi_f.values**2 / 0.5**2
+    seen = cumulative_trapezoid(rate, dx=0.02, initial=0)
     eta = (run.alpha.values + run.flow_parameters.values)[:, :, 0]
     e = (run.position - run.predicted_position).values
     V = np.sum(e**2 + 0.5**2 * eta**2 * (1 / 2.0**2 + seen)[:, None], axis=1) / 2

@@ -2,13 +2,12 @@
 
 import math
 import warnings
+from collections.abc import Iterable, Sized
 
 import numpy as np
 from scipy.interpolate import CubicSpline, LinearNDInterpolator, RegularGridInterpolator, interp1d
 
 RATIOS = {0: 4.0, 1: 2.0}
-SWITCH = False
-MEMORY = {"last": np.zeros(3)}
 with warnings.catch_warnings(action="ignore"):
     SQUARE = np.asmatrix([[1.0, 2.0], [3.0, 4.0]])
 SPLINE = CubicSpline([-1.0, 0.0, 0.5, 2.0], [0.0, 1.0, -1.0, 2.0])
@@ -35,11 +34,8 @@ class Lever:
     def arm(self, a):
         return math.sin(a)
 
-    def root(self, a):
-        try:
-            return math.sqrt(a)
-        except ValueError:
-            return 0.0
+    def tried(self, run, otherwise=9.0):
+        return tried(run, otherwise)
 
 
 class Asking:
@@ -62,16 +58,7 @@ class Asking:
         return 0.0
 
 
-class Bolt:
-    """Remembers in slots."""
-
-    __slots__ = ("last",)
-
-    def __init__(self):
-        self.last = 0.0
-
-
-LEVER, BOLT, ASKING = Lever(), Bolt(), Asking()
+LEVER, ASKING = Lever(), Asking()
 
 
 # --- truth values --------------------------------------------------------------------------------
@@ -95,10 +82,6 @@ def is_made_by_a_parameter(t, x, u, p):
     y = np.zeros(p["n"])
     y[1] = x[0]
     return [*y, len(np.ones((p["n"], 2))), p.get(f"k{p['n']}", 0.0)]
-
-
-def shortens(t, x, u, p):
-    return x.astype(np.float32)
 
 
 def cuts_what_it_writes(t, x, u, p):
@@ -139,49 +122,12 @@ def is_printed(t, x, u, p):
     return x
 
 
-def catches_where_python_divides(t, x, u, p):
-    s, whole = math.sin(x[0]), math.floor(x[1])
-    try:
-        return [s * math.cos(u[0]) / s, 1.0 / float(s), 7 % whole, 7 // whole]
-    except ZeroDivisionError:
-        return [99.0, x[1], x[2], 1.0]
-
-
-def catches_what_math_refuses(t, x, u, p):
-    try:
-        return [math.sqrt(x[0])]
-    except ValueError:
-        return [-1.0]
-
-
-def catches_in_a_method(t, x, u, p):
-    return [LEVER.root(x[0])]
-
-
-def asks_a_text(t, x, u, p):
-    return [RATIOS.get(f"{x[0]:.0f}", 2.0)]
-
-
-def is_divided_by_numpy(t, x, u, p):
-    try:
-        return [np.array([1.0, 2.0])[0] / math.sin(x[0])]
-    except ZeroDivisionError:
-        return [99.0]
-
-
 def catches_what_numpy_raises(t, x, u, p):
     with np.errstate(all="raise"):
         try:
             return [np.float64(1.0) / x[0]]
         except FloatingPointError:
             return [7.0]
-
-
-def catches_a_singular_matrix(t, x, u, p):
-    try:
-        return np.linalg.solve(np.outer(u, u), u)
-    except np.linalg.LinAlgError:
-        return u
 
 
 def puts_another_mask(t, x, u, p):
@@ -193,41 +139,6 @@ def puts_another_mask(t, x, u, p):
 def is_without_what_is_no_number(t, x, u, p):
     a = x[0] / x[1]
     return [a, max(float("nan"), x[0])]
-
-
-# --- what is kept --------------------------------------------------------------------------------
-
-
-def is_a_function_with_a_number(t, x, u, p):
-    return [getattr(is_a_function_with_a_number, "gain", 1.0) * x[0]]
-
-
-is_a_function_with_a_number.gain = 3.0
-
-
-def counts_on_itself(t, x, u, p):
-    counts_on_itself.n = getattr(counts_on_itself, "n", 0) + 1
-    return [x[0] * counts_on_itself.n]
-
-
-def keeps_a_switch(t, x, u, p):
-    global SWITCH
-    if x[0] > 0.5:
-        SWITCH = True
-    elif x[0] < -0.5:
-        SWITCH = False
-    return [1.0 if SWITCH else 0.0]
-
-
-def keeps_in_slots(t, x, u, p):
-    last, BOLT.last = BOLT.last, x[0]
-    return [x[0] - last]
-
-
-def keeps_in_params(t, x, u, p):
-    last = p.get("last", 0.0)
-    p["last"] = x[0]
-    return [x[0] - last]
 
 
 # --- what is changed in place ---------------------------------------------------------------------
@@ -244,27 +155,6 @@ def is_numbers_are_overwritten(t, x, u, p):
     return [*(y * x), *(z * x), *(A @ x), *w[:1]]
 
 
-def is_parts_are_written(t, x, u, p):
-    A, B, C = np.outer(x, u), np.outer(x, u), np.outer(x, x)
-    rows, diagonal, d = np.broadcast_to(C, (2, 3, 3)), np.diag(C), np.diag(x)
-    np.rot90(A)[0, 0] = 9.0
-    np.moveaxis(B, 0, 1)[0, 1] = 8.0
-    np.swapaxes(C, 0, 1)[1, 0] = x[0]
-    np.atleast_3d(C)[1, 1, 0] = 7.0
-    return [*A.ravel(), *B.ravel(), *C.ravel(), *rows.ravel(), *diagonal, *d.ravel()]
-
-
-def is_copies_are_left_alone(t, x, u, p):
-    A, b, c = np.outer(x, u), 2.0 * x, 3.0 * x
-    flat, every_second = A.T.ravel(), b[::2].ravel()
-    A[0, 0], b[0] = 9.0, 9.0
-    plus, sums, product = +c, np.sum(c[None], axis=0), np.prod(c[None], axis=0)
-    largest, chosen = np.maximum.reduce(c[None]), np.where(True, c, 0.0)
-    for k, one in enumerate((plus, sums, product, largest, chosen)):
-        one[0] = k
-    return [*flat, *every_second, *c, *np.where(p["n"] == 3, 1.0, x)]
-
-
 def is_whole_numbers_are_cut(t, x, u, p):
     rows = [
         np.where(x > 0, 1, 0),
@@ -278,34 +168,6 @@ def is_whole_numbers_are_cut(t, x, u, p):
     for row in rows:
         row[0] = 0.7 * x[1]
     return np.concatenate(rows)
-
-
-def is_kinds_of_numbers(t, x, u, p):
-    k, half = 2, 0.5
-    return [
-        isinstance(p["n"], int),
-        isinstance(p["n"], float),
-        isinstance(p["k"], float),
-        type(p["n"]) is int,
-        type(k) is int,
-        type(half) is float,
-        isinstance(np.where(x[0] > 0, 1.0, 2.0), np.ndarray),
-        hasattr(p["k"], "shape"),
-    ]
-
-
-def is_methods_ask(t, x, u, p):
-    return [ASKING.doubled(x[0]), ASKING.doubled(x), ASKING.one(x[0]), ASKING.matched(x[1])]
-
-
-def is_functions_of_math(t, x, u, p):
-    return [math.dist(x[:2], u), *[math.remainder(a, 2 * math.pi) for a in x]]
-
-
-def keeps_in_a_dict_beside_an_array(t, x, u, p):
-    rate = x - MEMORY["last"]
-    MEMORY["last"] = x.copy()
-    return rate
 
 
 def adds_at_places(t, x, u, p):
@@ -332,20 +194,6 @@ def writes_into_an_attribute(t, x, u, p):
     return ASKING.table
 
 
-def catches_a_place_outside(t, x, u, p):
-    try:
-        return [u[int(x[0])]]
-    except IndexError:
-        return [-2.0]
-
-
-def catches_a_parameter_of_zero(t, x, u, p):
-    try:
-        return [p["k"] / p["zero"] * x[0]]
-    except ZeroDivisionError:
-        return [5.0 * x[0]]
-
-
 def is_limits_into_an_array(t, x, u, p):
     y, z, total = x.copy(), np.zeros(3), np.zeros(1)
     y.clip(-0.5, 0.5, out=y)
@@ -359,3 +207,110 @@ FUNCTIONS = {
     for name, f in dict(globals()).items()
     if hasattr(f, "__code__") and next(iter(f.__code__.co_varnames), "") == "t"
 }
+
+
+# --- in a line -----------------------------------------------------------------------------------
+
+
+def beside(number, cut):
+    """An array of 0 and a number, into which another is written: cut, if both were whole."""
+    y = np.array([0, number])
+    y[0] = cut
+    return y
+
+
+def tried(run, otherwise=99.0):
+    """Return what a function gives, or another number where it raises."""
+    try:
+        return run()
+    except (ArithmeticError, ValueError, IndexError, np.linalg.LinAlgError):
+        return otherwise
+
+
+def changed(a, u):
+    """Return what each name of a number, or of an array without axes, holds where one changes."""
+    b = a
+    b += u[0]
+    c = a
+    c *= u[1]
+    return [a * 1.0, b * 1.0, c * 1.0]
+
+
+WITHOUT_AXES = """
+    np.where(x[0] > 0, x[0], 3.0) ; np.where(x[0] > 0, 1.0, 3.0) ; np.array(x[0]) ; np.sum(x) ;
+    np.full((), x[0]) ; np.zeros_like(x[0]) ; np.copy(x[0]) ; x[:1].reshape(()) * np.ones(()) ;
+    np.squeeze(2.0 * x[:1]) ; (2.0 * x)[0, ...] ; np.where(x[0] > 0, x[0], 1.0).astype(float) ;
+    x[0] ; np.dot(x, x) ; np.clip(x[0], 0.0, 1.0)
+"""
+COUNTED = """
+    int(x[0]) ; 1 - round(x[0]) ; math.floor(x[0]) % 3 ; abs(np.int64(x[0])) ;
+    divmod(int(x[0]), 2)[0] ; math.prod([int(x[0]), int(x[1])]) ; sum(int(one) for one in x) ;
+    np.sum([int(x[0]), int(x[1])]) ; np.max([int(x[0]), 1]) ; np.sum(np.array([*x]) > 0.0) ;
+    np.array([int(x[0]), 3])[1] + np.array([int(x[0]), 3])[0] ; float(int(x[0])) ;
+    np.float64(int(x[0])) ; np.fabs(int(x[0])) ; math.pow(int(x[0]), 2) ; (3 + int(x[0])) ** -1 ;
+    round(x[0], 0)
+"""  # whole numbers, and what is none though it is made of them
+AS_PYTHON_HAS_THEM = """
+    x[0] * (p["n"] & 1) ; x[0] * ~p["short"] ; np.array([x[0] > 0, x[1] > 0]) ;
+    [(x[0] > 0) * (x[1] > 0) * u[0], 1.0 * np.maximum(x[0] > 0, x[1] > 0)] ;
+    np.where((x > 0) ^ (x < 1) | ~(x > -1) & (u[0] > 0), 1.0, 0.0) ;
+    [*np.cumsum(x > 0), np.sum(x > 0), sum([x[0] > 0, x[1] > 0]), np.prod(x > 0)] ;
+    [*(p["A"] // 2 * x[1]), p["n"] // 2 * x[0], p["n"] ** -1] ; np.argsort(x) ; np.array([1, 2]) ;
+    [*(p["short"] + p["short"]), p["f"] * 3, p["f"] * x[0]] ; np.full(3, x[0], int) ;
+    [hasattr(x, "__len__"), hasattr(x[0], "__len__"), type(x) is np.ndarray] ;
+    [isinstance(x, Iterable | Sized), isinstance(x[0], Sized), isinstance(x[0], int | list)] ;
+    [isinstance(p["n"], int), isinstance(p["n"], float), isinstance(p["k"], float)] ;
+    [isinstance(int(x[0]), int), isinstance(np.int64(x[0]), int), type(round(x[0])) is int] ;
+    [type(p["n"]) is int, type(2) is int, isinstance(np.where(x[0] > 0, 1.0, 2.0), np.ndarray)] ;
+    [ASKING.doubled(x[0]), ASKING.doubled(x), ASKING.one(x[0]), ASKING.matched(x[1])] ;
+    [*np.r_[x, 1.0, u[:1]], *np.c_[x, x[::-1]].ravel()] ; np.maximum.reduce([x[0], u[0], x[2]]) ;
+    [*np.add.accumulate(x), *np.sum(np.outer(x, x), axis=1, keepdims=True).ravel()] ;
+    math.hypot(1e200 * x[0], 1.0, 2.0) / 1e200 ; [math.remainder(a, 2 * math.pi) for a in x] ;
+    [np.copysign(1.0, np.round(0.3 * x[0])), math.copysign(1.0, round(0.3 * x[0]))] ;
+    [LEVER.arm(x[0]), math.dist(x[:2], u)] ; [*SPLINE(x), *SPLINE(x, 1), SPLINE(x[0], nu=2)] ;
+    [*TRACK(t), *TRACK(x[0], 1), *TRACK(x).ravel(), *LAP(t), *LAP(x[1], 2)] ;
+    [*CHART(x[:2]), CHART((x[1], u[0])), *CHART([[x[0], x[1]], [x[2], u[1]]])] ;
+    CHART([[[x[0], x[1]], [x[2], u[1]]], [[u[0], x[1]], [x[1], x[2]]]])[1] ;
+    tried(lambda: np.array([1.0, 2.0])[0] / math.sin(x[0])) ;
+    [*COAST((x, x[::-1])), COLUMN([x[0], u[1], x[1]])[0]] ;
+    [SCATTERED(x[0], u[0]), SCATTERED(x[:2])[0], FLAT(5.0 + x[0], 0.1 * abs(u[0]))]
+"""
+WOULD_BE_OTHERS = """
+    STEPPED(x[:2]) ; FILLED(x[0]) ; RESCALED(x[0], u[0]) ;
+    np.searchsorted([2.0, 1.0, 0.0], x) ; np.interp(x[0], [2.0, 1.0, 0.0], [5.0, 0.0, 1.0]) ;
+    np.einsum("ii->i", np.outer(x, x)) ; np.max(np.outer(x, u), 0, np.zeros(2)) ;
+    np.clip(x, -0.5, 0.5, where=x > 0.0, out=x.copy()) ; np.mean(x, where=[True, True, False]) ;
+    round(p["k"], 1) * x[0] ; round(float(u[1]), 1) ; np.sum(x[x > 0]) ; len(set(x)) ;
+    np.array([x[0] > 0, x[1] > 0]) + np.array([True, False]) ; np.dot(x > 0, x > -1) ;
+    np.where(x[0] > 0, x[1] > 0, True) + np.where(x[1] > 0, True, False) ; np.exp(x[0] > 0) ;
+    [x.sum(dtype=np.float32), np.mean(x, dtype=np.float16)] ; (100 * x).astype(np.int8) ;
+    x.astype(np.float32) ; int(x[0]) & 1 ; np.vectorize(lambda v: 1 if v > 0 else 0.5 * v)(x) ;
+    beside(max(int(x[0]), u[0]), u[1]) ; type(max(0, x[0])) is int ;
+    1.0 if ~(float(x[0]) > 0) else 2.0 ; 1.0 if int(x[0]) in {0, 1} else 0.0 ;
+    np.outer(x, u).T.ravel(order="K") ; np.asarray(SQUARE * np.diag(u)).ravel() ;
+    tried(lambda: math.sqrt(x[0])) ; LEVER.tried(lambda: math.sqrt(x[0])) ;
+    tried(lambda: 1.0 / math.sin(x[0])) ; tried(lambda: 7 % math.floor(x[1])) ;
+    tried(lambda: 7 // math.floor(x[1])) ; tried(lambda: p["k"] / p["zero"] * x[0]) ;
+    tried(lambda: u[int(x[0])]) ; tried(lambda: np.linalg.solve(np.outer(u, u), u)[0]) ;
+    np.roots(x)[0].real ; 1.0 * np.shares_memory(u, u) ; 1.0 * np.ix_(u > 0)[0][0] ;
+    1.0 * np.deg2rad(u > 0)[0] ; np.gradient(np.outer(u, u))[0][0, 0] ; np.sort(u)[1] ;
+    np.gradient(x, x + 9.0)[0] ; np.median(u) ; np.sum(u, where=[True, False]) ;
+    np.linalg.cholesky(np.outer(u, u) + np.eye(2))[0, 1] ;
+    RATIOS.get(f"{x[0]:.0f}", 2.0) ; RATIOS.get(int(x[0]), 9.0)
+"""
+PARAMS = {"n": 3, "A": np.array([3, -3]), "f": np.float32(0.1), "short": np.uint8([200, 3])}
+PARAMS |= {"zero": 0.0, "k": 1.15}
+
+
+def in_lines(text, form="{}"):
+    """Return the function of each expression of a text."""
+    space = globals() | {"Iterable": Iterable, "Sized": Sized}
+    calls = [call.strip() for call in text.split(";")]
+    return {call: eval(f"lambda t, x, u, p: {form.format(call)}", space) for call in calls}
+
+
+READ = in_lines(COUNTED, "beside({}, u[1])") | in_lines(WITHOUT_AXES, "changed({}, u)")
+READ |= in_lines(AS_PYTHON_HAS_THEM)
+READ |= {name: f for name, f in FUNCTIONS.items() if name.startswith("is ")}
+REFUSED = in_lines(WOULD_BE_OTHERS)
+REFUSED |= {name: f for name, f in FUNCTIONS.items() if name not in READ}

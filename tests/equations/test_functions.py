@@ -1,16 +1,14 @@
-"""Functions of NumPy and tables are read as they run."""
+"""Functions of NumPy, tables and special numbers are read as they run."""
 
 import math
 
 import numpy as np
 import pytest
-import sympy
 from recorded import as_it_runs, recorded, static
 
-from clpt_control.equations import evaluate, lookup
+from clpt_control.conformance import readings
+from clpt_control.equations import lookup
 from clpt_control.equations.arrays import Unread
-from clpt_control.equations.symbolic import expressions
-from clpt_control.errors import BlockError
 
 U = (0.8, 0.4, 2.0)
 INTEGERS = {"bitwise_count", "gcd", "lcm", "left_shift", "right_shift", "ldexp", "frexp", "modf"}
@@ -111,35 +109,6 @@ def test_a_function_of_arrays_is_read_as_it_computes(call):
         as_it_runs(block, "output", 0.0, [], u, 1e-13)
 
 
-NOT_KNOWN = [
-    *("np.roots(u)[0].real", "1.0 * np.shares_memory(u, u)"),
-    *("1.0 * np.ix_(u > 0)[0][0]", "1.0 * np.deg2rad(u > 0)[0]"),
-    *("np.gradient(np.outer(u, u))[0][0, 0]", "np.gradient(u, u + 9.0)[0]"),
-    *("np.sort(u)[1]", "np.median(u)", "np.sum(u, where=[True, False, True])"),
-    "np.linalg.cholesky(np.outer(u, u) + np.eye(3))[0, 1]",
-]
-
-
-@pytest.mark.parametrize("call", NOT_KNOWN)
-def test_what_is_not_known_of_an_array_is_named(call):
-    space = {"np": np}
-    exec(f"def f(t, x, u, p):\n    return {call}", space)
-    with pytest.raises(Unread, match=r"f, line 2: "):
-        static(space["f"]).array_record("output")
-
-
-@pytest.mark.parametrize("name", ["sqrt", "log", "acos", "exp", "atanh", "log1p"])
-def test_what_math_refuses_is_nan_or_infinite(name):
-    """A function of `math` raises out of its range; its record is what NumPy's gives."""
-    space = {"math": math}
-    exec(f"def f(t, x, u, p):\n    return math.{name}(u[0])", space)
-    block = static(space["f"])
-    outside = {"exp": 1000.0, "acos": 3.0, "atanh": 1.0}.get(name, -1.0)
-    assert not np.isfinite(recorded(block, "output", 0.0, [], [outside, 0.0, 0.0])[0])
-    with pytest.raises((ArithmeticError, ValueError, BlockError)):
-        getattr(math, name)(outside)
-
-
 def looked_up(t, x, u, p):
     return lookup(p.values, u[0])
 
@@ -162,25 +131,6 @@ def test_a_table_is_one_operation_whatever_its_length():
     assert recorded(block, "output", 0.0, [], [150.5]) == [150.0]
 
 
-def test_a_tables_index_is_any_number_to_sympy():
-    block = static(looked_up, 1, parameters={"values": np.zeros(3)})
-    s, row = sympy.Symbol("s"), sympy.symbols("row:3")
-    (found,) = expressions(
-        block, "output", lambda at, shape, index: s if at[0] == "u" else row[index[0]]
-    )
-    assert found.func.__name__ == "pick"
-    assert found.args == (s, *row)
-
-
-def test_a_static_block_at_many_times_and_inputs():
-    windy = static(lambda t, x, u, p: 2.0 * np.sin(t) * u[0], 1)
-    found = evaluate(windy, [0.5, 1.0, 2.0], [[1.0], [2.0], [-3.0]])
-    wanted = 2.0 * np.sin([0.5, 1.0, 2.0]) * [1.0, 2.0, -3.0]
-    np.testing.assert_allclose(found[:, 0], wanted, rtol=1e-15)
-    table = static(looked_up, 1, parameters={"values": [4.0, 5.0]})
-    np.testing.assert_array_equal(evaluate(table, 0.0, [[0.0], [1.0], [0.0]]), [[4], [5], [4]])
-
-
 def sums(t, x, u, p):
     own, kept = [float(one) for one in u], np.zeros(3)
     kept[:] = [own[0], 1.0, own[2]]
@@ -197,3 +147,55 @@ def sums(t, x, u, p):
 )
 def test_sums_are_pythons_also_where_it_makes_up_for_rounding(u):
     as_it_runs(static(sums, outputs=10), "output", 0.0, [], u, tolerance=0.0)
+
+
+# --- what a record holds -------------------------------------------------------------------------
+
+
+def test_a_matrix_times_a_vector_is_a_sum_whatever_its_size():
+    for n in (3, 40, 400):
+        block = static(
+            lambda t, x, u, p: p.A @ u, n, n, parameters={"A": np.ones((n, n))}, shapes={}
+        )
+        kinds = [operation.kind for operation in block.array_record("output").operations]
+        assert kinds.count("sum") == 1
+        assert len(kinds) < 8
+
+
+SPECIAL = {  # -> what Python says, worked out by hand
+    "a - a of infinity": (lambda t, x, u, p: u[0] - u[0], [math.inf, 0.0, 0.0], math.nan),
+    "0 times infinity": (lambda t, x, u, p: 0.0 * u[0], [math.inf, 0.0, 0.0], math.nan),
+    "NaN by x == x": (lambda t, x, u, p: np.where(u[0] == u[0], 1.0, 2.0), [math.nan, 0, 0], 2.0),
+    "NaN by x != x": (lambda t, x, u, p: 1.0 if u[0] != u[0] else 2.0, [math.nan, 0, 0], 1.0),
+    "a zero's sign": (lambda t, x, u, p: np.arctan2(0.0 * u[0], -1.0), [-2.0, 0, 0], -math.pi),
+    "a root of math": (lambda t, x, u, p: math.sqrt(u[0]) if u[1] else 1.0, [-1, 1.0, 0], math.nan),
+    "-0.0 is not 0.0": (lambda t, x, u, p: 1.0 / (-0.0 * abs(u[0])), [1.0, 0, 0], -math.inf),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", SPECIAL)
+def test_special_numbers_are_the_authors(case):
+    function, u, wanted = SPECIAL[case]
+    block = static(function)
+    with np.errstate(all="ignore"):
+        found = as_it_runs(block, "output", 0.0, [], u)
+    np.testing.assert_array_equal(found, [wanted])
+
+
+def test_an_argument_that_is_a_place_is_not_the_constant_of_that_number():
+    def of(constant):
+        return lambda t, x, u, p: np.where(u[0] > 0.0, constant, 3.0)
+
+    records = [static(of(c)).array_record("output") for c in (0.0, -0.0, 1.0, 2.0)]
+    records.append(
+        static(lambda t, x, u, p: np.where(u[0] > 0.0, u[0], 3.0)).array_record("output")
+    )
+    assert len(set(records)) == 5
+    assert static(of(1.0)).array_record("output") == records[2]
+
+
+def test_a_number_that_equals_the_place_of_a_value_is_not_it():
+    block = static(lambda t, x, u, p: 1.0 if u.b > 0 else u.a, {"a": (), "b": ()}, {"y": ()})
+    for b in (-1.0, 1.0):
+        asked = [ask(0.0, [], [5.0, b])[1] for ask in readings(block).values()]
+        assert asked == [1.0 if b > 0 else 5.0] * 7

@@ -14,45 +14,18 @@ import numpy as np
 import pytest
 from recorded import as_it_runs, recorded, static
 from scipy import special
-from scipy.interpolate import interp1d
-from test_ordinary_python import POINTS, Hull, Motor
+from test_ordinary_python import POINTS
 
 import clpt_control as clpt
-from clpt_control.equations import Block
-from clpt_control.equations.arrays import Unread
-from clpt_control.equations.reading import read
 from clpt_control.equations.unchanged import Keys, Unkeyed
 
 # --- what changes after the block was made --------------------------------------------------------
 
-SETTING = SimpleNamespace(gain=1.0)
 LEVEL = 1.0
 
 
 def helper(a, k=1.0):
     return k * a
-
-
-def changing(t, x, u, p):
-    return SETTING.gain * LEVEL * helper(u[0])
-
-
-def test_a_change_counts_at_the_next_reading(monkeypatch):
-    """Of a global, an object, a default and a helper: a block made again reads them anew."""
-    changes = [
-        ("LEVEL", 2.0),
-        ("SETTING", SimpleNamespace(gain=3.0)),
-        ("helper", lambda a: 5.0 * a),
-    ]
-    seen = [recorded(static(changing), "output", 0.0, [], POINTS[0])[0]]
-    for name, value in changes:
-        monkeypatch.setitem(globals(), name, value)
-        found = as_it_runs(static(changing), "output", 0.0, [], POINTS[0])[0]
-        assert found not in seen
-        seen.append(found)
-    monkeypatch.undo()
-    monkeypatch.setattr(helper, "__defaults__", (7.0,))
-    assert as_it_runs(static(changing), "output", 0.0, [], POINTS[0]) == 7.0 * POINTS[0][0]
 
 
 @dataclass
@@ -94,14 +67,17 @@ class Tank(Vessel):
 
     def rate(self, t, x, u, params):
         held = self.table[1] * self.parts["valve"][0] / (self.area * self.width * PLACE.width)
-        held *= self.pump.head * self.more.pump.head
+        held *= self.pump.head * self.more.pump.head * helper(LEVEL)
         return super().rate(self.drained(self.scaled(x[0])), held)
 
 
 def test_a_change_in_an_object_counts_at_the_next_run(monkeypatch):
-    """Of what it holds, of what that holds, of its class; what is alike is read once."""
+    """Of what it holds, of its class, of globals and helpers; what is alike is read once."""
     tank = Tank()
     changes = [
+        lambda: monkeypatch.setitem(globals(), "LEVEL", 1.4),
+        lambda: monkeypatch.setattr(helper, "__defaults__", (1.5,)),
+        lambda: monkeypatch.setitem(globals(), "helper", lambda a: 1.6 * a),
         lambda: monkeypatch.setattr(tank, "loss", 0.7),
         lambda: tank.table.put(1, 5.0),
         lambda: tank.parts["valve"].append(tank.parts["valve"].pop() + 1.0),
@@ -149,48 +125,6 @@ def test_what_may_change_unseen_has_no_key(value):
     tank.more = value
     with pytest.raises(Unkeyed):
         Keys(alike=True).of(tank.rate)
-
-
-def read_alone(function, size):
-    """Read a function that no block has called before."""
-    return read(function, "output", {"x": (0,)}, {"u": (3,)}, {}, {}, {"y": (size,)}, dict)
-
-
-COUNT = 0
-
-
-@pytest.mark.parametrize("name", ["odometer", "worn", "replaced"])
-def test_what_an_object_with_tables_keeps_is_a_state(name):
-    hull = Hull()
-    before = {name: id(value) for name, value in vars(hull).items()}
-    with pytest.raises(Unread, match=r"make (what it keeps|it) a state|counts with"):
-        read_alone(getattr(hull, name), 3 if name == "replaced" else 1)
-    assert {name: id(value) for name, value in vars(hull).items()} == before
-    assert len(hull.angles) == 3
-    assert type(hull.drag) is interp1d
-
-
-def counting(t, x, u, p):
-    global COUNT
-    COUNT += 1
-    return u * COUNT
-
-
-def test_a_reading_leaves_all_as_it_was():
-    motor, log = Motor(2.0), []
-
-    def logging(t, x, u, p):
-        log.append(t)
-        motor.last = u[0]
-        return motor.last
-
-    block = static(logging)
-    log.clear()
-    recorded(block, "output", 0.0, [], POINTS[0])
-    assert log == []
-    with pytest.raises(Unread, match="changes the global 'COUNT'"):
-        read_alone(counting, 3)
-    assert COUNT == 0
 
 
 def raising(t, x, u, p):
@@ -246,62 +180,3 @@ def test_what_parameters_alone_decide_is_computed_by_numpy(name):
     for change in ({}, {"A": np.array([[1.0, 0.2], [0.2, 4.0]]), "gain": 1.5, "count": 2.0}):
         block.parameters = block.parameters._replace(**change)
         as_it_runs(block, "output", 0.0, [], POINTS[0])
-
-
-def by_size(t, x, u, p):
-    phi = np.exp(-np.sum((p.centers - u.x) ** 2, axis=1))
-    return {"phi": phi, "flow": p.theta @ phi}
-
-
-def flow_of(N):
-    numbers = np.random.default_rng(N)
-    return Block(
-        "mine",
-        output=by_size,
-        inputs={"x": 2},
-        outputs={"phi": "N", "flow": 2},
-        parameters={"centers": numbers.normal(size=(N, 2)), "theta": numbers.normal(size=(2, N))},
-        shapes={"centers": ("N", 2), "theta": (2, "N")},
-    )
-
-
-@pytest.mark.parametrize("N", [1, 2, 7])
-def test_sizes_with_names_hold_for_every_N(N):
-    block = flow_of(N)
-    record = block.array_record("output")
-    assert record.shapes == (("N",), (2,))
-    assert record == flow_of(3).array_record("output")
-    assert block.sizes == {"N": N}
-    as_it_runs(block, "output", 0.0, [], [0.3, -0.4], 1e-13)
-
-
-def test_the_interval_of_a_run_is_asked_both_ways():
-    def ticks(p, t0, t1):
-        return np.arange(np.floor(t0) + 1, np.floor(t1) + 1)
-
-    block = static(
-        lambda t, x, u, p: -u if p.interval > 1.5 else u,
-        1,
-        parameters={"interval": -1.0},
-        breakpoints=ticks,
-    )
-    record = block.array_record("output")
-    for interval, wanted in ((0.0, 3.0), (1.0, 3.0), (2.0, -3.0)):
-        given = {("p", "interval"): interval, ("u", "u"): np.array([3.0])}
-        (found,) = record.values(lambda group, name, given=given: given[group, name], {})
-        assert found == [wanted]
-
-
-def test_a_log_of_numbers_stays_a_log():
-    """Also where what it began with are numbers, of runs before."""
-    log = [0.0]
-
-    def logged(t, x, u, p):
-        log.append(float(x[0]))
-        return [-x[0]]
-
-    system = control.nlsys(logged, inputs=0, outputs=1, states=1, name="logged")
-    for _ in range(2):
-        run = clpt.simulate(system, [0.0, 1.0], initial_state=[1.0])
-        assert run.attrs["engine"] == "native"
-    assert all(type(one) is float for one in log)

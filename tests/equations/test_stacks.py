@@ -113,7 +113,7 @@ TERMS = {
 RUNS = st.lists(st.tuples(st.sampled_from([*TERMS]), st.integers(1, 2 * N)), min_size=1, max_size=6)
 
 
-@settings(deadline=None)
+@settings(deadline=None, max_examples=40)
 @given(RUNS, st.booleans())
 def test_any_mixture_is_as_python_runs_it(runs, rows):
     """Numbers, each made in its way, one behind the other, or rows of two of them."""

@@ -53,7 +53,7 @@ def reached(blocks):
 def functions():
     """Every function that a block of the package runs."""
     laws = [b for law in LAWS.values() for b in theorem_loop.law_and_V(law, all_proofs.N)]
-    return reached([*BLOCKS.values(), *laws])
+    return reached([*BLOCKS, *laws])
 
 
 def terms_too(key):

@@ -1,4 +1,4 @@
-"""The limit of the vehicle's speed: closed forms, and what holds of any velocity."""
+"""The limits of a vehicle: of its speed, and of what it knows of its position."""
 
 import math
 
@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 import clpt_control as clpt
 from clpt_control.blocks import vehicle
+from clpt_control.equations import evaluate
 from clpt_control.errors import ScenarioError
 
 PAPER = clpt.paper_scenario()
@@ -65,50 +66,6 @@ def test_a_vehicle_comes_home_at_what_it_is_faster_and_then_settles():
     np.testing.assert_allclose(run.position, np.outer(r, [0.6, 0.8]), rtol=1e-7)
 
 
-EXACT = {"run.rtol": 1e-12, "run.atol": 1e-13}  # a run with kinks stops at its samples
-
-
-def test_a_limit_that_is_never_reached_changes_nothing():
-    short = {"run.duration": 60, **EXACT}
-    free = clpt.simulate(PAPER.with_values(short))
-    for hedging in (True, False):
-        limit = {"vehicle.max_speed": 1e3, "learning.hedging": hedging}
-        run = clpt.simulate(PAPER.with_values({**short, **limit}))
-        for name in free.data_vars:
-            np.testing.assert_allclose(run[name], free[name], rtol=1e-9, atol=1e-9, err_msg=name)
-
-
-def test_hedging_keeps_the_rate_of_clpe_and_the_limit_does_not_without():
-    rng, fast = np.random.default_rng(3), 0
-    loops = {
-        name: clpt.closed_loop(PAPER.with_values(values), external=("zc",))
-        for name, values in {
-            "free": {},
-            "hedged": {"vehicle.max_speed": 1.5},
-            "unhedged": {"vehicle.max_speed": 1.5, "learning.hedging": False},
-        }.items()
-    }
-    for _ in range(30):
-        x, zc = rng.normal(0, 2, 14), rng.normal(0, 3, 2)
-        rates = {name: loop.dynamics(3.0, x, zc) for name, loop in loops.items()}
-        e = {name: rate[0:2] - rate[2:4] for name, rate in rates.items()}
-        np.testing.assert_allclose(e["hedged"], e["free"], atol=1e-13)
-        np.testing.assert_array_equal(rates["hedged"][4:], rates["free"][4:])
-        missing = rates["free"][0:2] - rates["hedged"][0:2]
-        np.testing.assert_allclose(e["free"] - e["unhedged"], missing, atol=1e-13)
-        fast += np.hypot(*missing) > 0
-    assert fast > 5
-
-
-def test_the_diagram_without_a_limit_is_as_it_was():
-    names = [block.name for block in clpt.closed_loop(PAPER).syslist]
-    limited = [block.name for block in clpt.closed_loop(LIMITED).syslist]
-    assert [name for name in limited if name not in ("speed_limit", "hedging")] == names
-    bare = clpt.closed_loop(LIMITED.with_values({"learning.hedging": False}))
-    assert "hedging" not in [block.name for block in bare.syslist]
-    assert "v_c[0]" not in clpt.closed_loop(PAPER).output_labels
-
-
 @pytest.mark.parametrize(
     ("values", "sentence"),
     [
@@ -126,10 +83,72 @@ def test_the_limit_has_a_name_at_call_time_and_may_vary():
     run = clpt.simulate(LIMITED, [0.0, 5.0, 9.0], params={"speed_limit.max_speed": 1.1})
     same = clpt.simulate(LIMITED.with_values({"vehicle.max_speed": 1.1}), [0.0, 5.0, 9.0])
     np.testing.assert_allclose(run.position, same.position, atol=1e-7)
-    short = LIMITED.with_values({"run.duration": 10, **EXACT})
+    short = LIMITED.with_values({"run.duration": 10, "run.rtol": 1e-12, "run.atol": 1e-13})
     many = clpt.run_ensemble(short, "vehicle.max_speed=[1.1, 1.5]", 2, trajectories=True)
     speeds = many["vehicle.max_speed"].values
     assert sorted(speeds) == [1.1, 1.5]
     for m, speed in enumerate(speeds):
         alone = clpt.simulate(short.with_values({"vehicle.max_speed": float(speed)}))
         np.testing.assert_allclose(many.position[m], alone.position, rtol=1e-9, atol=1e-9)
+
+
+# --- the measured position x_m = x + s n, n standard normal, held ------------------------------
+
+NOISE = {"noise": 0.05, "noise_period": 0.5, "seed": 3}
+NOISY = clpt.paper_scenario().with_values({"localization": NOISE, "run.duration": 20})
+
+
+def test_the_vehicle_steers_on_what_it_reads():
+    """In calm water x' = -k (x + n) + k zc: exact from one period of the noise to the next."""
+    calm = {"flow.parameters": [[0.0] * 3] * 2, "run.output_step": 0.5}
+    run = clpt.simulate(NOISY.with_values(calm))
+    x, n = run.position.values, (run.measured_position - run.position).values
+    left = np.exp(-0.5)
+    wanted = left * x[:-1] + (1 - left) * (run.reference.values[:-1] - n[:-1])
+    np.testing.assert_allclose(x[1:], wanted, rtol=0, atol=1e-8)
+    assert np.std(n) == pytest.approx(0.05, rel=0.3)
+
+
+def test_the_truth_is_without_noise():
+    run = clpt.simulate(NOISY)
+    phi = evaluate(NOISY.basis_block(), run.time.values, run.position.values)
+    flow = np.einsum("ik,tk->ti", run.flow_parameters.values, phi)
+    np.testing.assert_allclose(run.true_flow, flow, rtol=0, atol=1e-12)
+    seen = run.measured_position - run.predicted_position
+    np.testing.assert_allclose(run.clpe, seen, rtol=0, atol=1e-12)
+    e = (run.position - run.predicted_position).values
+    learning = NOISY.learning
+    V = np.sum(e**2, axis=1) / 2
+    for name, true in (("flow_parameters_estimate", NOISY.flow.parameters),):
+        V += np.sum((run[name].values - np.array(true)) ** 2, axis=(1, 2)) / (2 * learning.gain)
+    for name in ("feedback_gain", "feedforward_gain"):
+        V += np.sum((run[name].values - 1.0) ** 2, axis=1) / (2 * learning.gain)
+    np.testing.assert_allclose(run.lyapunov, V, rtol=1e-12)
+
+
+def test_no_noise_is_no_localization():
+    quiet = clpt.simulate(NOISY.with_values({"localization.noise": 0.0}))
+    plain = clpt.simulate(NOISY.with_values({"localization": None}))
+    for name in plain.data_vars:
+        np.testing.assert_allclose(quiet[name], plain[name], rtol=0, atol=1e-7, err_msg=name)
+    assert set(quiet.data_vars) - set(plain.data_vars) == {"measured_position"}
+
+
+def test_a_measured_track_feeds_the_learner_alone():
+    loop = clpt.closed_loop(NOISY, external="x")
+    assert loop.input_labels == ["x[0]", "x[1]"]
+    names = [block.name for block in clpt.paper_blocks(NOISY)]
+    assert {"measurement", "basis_x_true"} <= set(names)
+    assert clpt.closed_loop(NOISY, external="x_true").nstates == loop.nstates
+
+
+def test_a_seed_varies_by_a_list_and_every_member_has_its_own_noise():
+    many = clpt.run_ensemble(
+        NOISY, "localization.seed=[0, 1, 2, 3]", 4, design="grid", trajectories=True
+    )
+    for k, position in enumerate(many.position.values):
+        own = clpt.simulate(NOISY.with_values({"localization.seed": k}))
+        np.testing.assert_allclose(position, own.position, rtol=0, atol=1e-10)
+    for vary, said in (("=0:3", "list the values"), ("=[1, 2.5]", "must be a whole number")):
+        with pytest.raises(clpt.ClptError, match=said):
+            clpt.run_ensemble(NOISY, f"localization.seed{vary}", 2)
