@@ -59,6 +59,7 @@ def fixes(number, lon):
 
 EPOCH = {"units": "seconds since 1970-1-1 00:00:00"}
 CM, M = {"units": "cm"}, {"units": "meters"}
+CTD = ("ctd_data_point",)
 
 
 def in_all(number, lon, of, steps):
@@ -96,16 +97,16 @@ def basestation3(path, number=7, lon=8.0, drop=(), count=1800, sizes=(), **chang
     """Write a dive as basestation3 does: a dimension per instrument, NetCDF-4."""
     since, depth, steps = swim(count)
     slow, shallow, _ = swim(300)
-    ctd, truck, info = ("ctd_data_point",), ("sg_data_point",), ("gps_info",)
-    start, variables = in_all(number, lon, ctd, steps)
+    truck, info = ("sg_data_point",), ("gps_info",)
+    start, variables = in_all(number, lon, CTD, steps)
     variables |= {
         "log_gps_hdop": (info, [0.9, 0.9, 1.1], {}),
         "log_gps_magvar": (info, np.full(3, VARIATION), {}),
         "time": (truck, start + slow, EPOCH),
         "eng_depth": (truck, 100 * shallow, CM),
         "legato_time": (("legato_data_point",), start + since, EPOCH),
-        "ctd_time": (ctd, start + since, EPOCH),
-        "ctd_depth": (ctd, depth, M),
+        "ctd_time": (CTD, start + since, EPOCH),
+        "ctd_depth": (CTD, depth, M),
     }
     variables = {k: v for k, v in (variables | changed).items() if k not in drop}
     own = {"ctd_data_point": count, "sg_data_point": 300, "legato_data_point": count}
