@@ -10,10 +10,23 @@ from clpt_control.estimation.fix_model import inertial_frequency
 from clpt_control.geodesy import place_from
 from clpt_control.gliders.dive_table import write_dive_table
 from clpt_control.gliders.dives import Dive, make_dive
+from clpt_control.replay.carried_dives import FlowModel
 from clpt_control.replay.replay import replay_dives
 from clpt_control.scenario.tidal_periods import period
 
 STEADY = (0.1, -0.05)
+
+
+class Made(FlowModel):
+    """A flow given as a formula."""
+
+    source, about = "made", "a formula"
+
+    def __init__(self, flow):
+        self.flow = flow
+
+    def along(self, dive):
+        return self.flow
 
 
 def vehicle(
