@@ -42,34 +42,24 @@ def test_a_ring_is_the_ellipse_on_the_earth(lat):
     assert abs((bearing - row["ellipse_90_bearing"] + 90) % 180 - 90) < 1.0  # meridians turn
 
 
-def test_geojson_is_read_back():
-    found = told(fixes_of(5, -43.0))
-    ahead = found["next_dive"]
-    read = json.loads(next_geojson(found))
-    shapes = {one["properties"]["name"]: one["geometry"] for one in read["features"]}
-    assert shapes["next surfacing"]["coordinates"] == pytest.approx(
-        [ahead["longitude"], ahead["latitude"]], abs=1e-6
-    )
-    ring = shapes["90 % ellipse"]["coordinates"][0]
-    assert ring[0] == ring[-1]
-    assert turned(ring) > 0
-    assert inside(ring, ahead["longitude"], ahead["latitude"])
-    last = found["each_dive"][-1]
-    assert shapes["way to the next surfacing"]["coordinates"][0] == pytest.approx(
-        [last["end_longitude"], last["end_latitude"]], abs=1e-6
-    )
-
-
-@pytest.mark.parametrize("lon", [179.99, -180.0, 180.0, 180.01, -180.01])
-def test_longitudes_count_on_at_180_degrees(lon):
+@pytest.mark.parametrize("lon", [8.0, 179.99, -180.0, 180.0, 180.01, -180.01])
+def test_geojson_is_read_back_and_longitudes_count_on_at_180_degrees(lon):
     found = told(fixes_of(5, 51.0, lon))
+    ahead, last = found["next_dive"], found["each_dive"][-1]
     shapes = {
         one["properties"]["name"]: one["geometry"]["coordinates"]
         for one in json.loads(next_geojson(found))["features"]
     }
     ring, goal = shapes["90 % ellipse"][0], shapes["next surfacing"]
-    assert any(inside(ring, goal[0] + turn, goal[1]) for turn in (-360, 0, 360))
+    assert ring[0] == ring[-1]
     assert turned(ring) > 0
+    assert any(inside(ring, goal[0] + turn, goal[1]) for turn in (-360, 0, 360))
+    for (x, y), wanted, name in (
+        (goal, ahead, ""),
+        (shapes["way to the next surfacing"][0], last, "end_"),
+    ):
+        off = (x - wanted[f"{name}longitude"] + 180) % 360 - 180
+        assert (off, y) == pytest.approx((0, wanted[f"{name}latitude"]), abs=1e-6)
     spans = [np.array(ring)[:, 0]]
     spans += [
         np.array([float(pair.split(",")[0]) for pair in one.text.split()])

@@ -110,9 +110,11 @@ def test_what_is_no_json_is_seen(whole):
 
 
 def test_what_readers_give_is_whole(tmp_path):
-    """Missing fixes, infinite numbers, no places: dives that `usable` refuses."""
-    first = sample_dives()[0]
+    """Tracks to the bit; missing fixes, infinite numbers, no places."""
+    first, rng = sample_dives()[0], np.random.default_rng(2)
+    time = np.linspace(0, 9000, 40)
     strange = [
+        replace(first, track=(time, *np.cumsum(rng.normal(size=(2, 40)), axis=1)), notes=("odd",)),
         replace(first, lat_gpse=math.nan, gps_east=math.nan, gps_north=math.nan),
         replace(first, dr_east=math.inf, depth_max=math.nan, number=-5),
         replace(first, lat_gpse=95.0, gps_east=math.nan, t_gps2=np.float64(0.1)),
@@ -122,7 +124,8 @@ def test_what_readers_give_is_whole(tmp_path):
     (tmp_path / "in" / "dive1.csv").unlink()
     again, skipped = Follower(tmp_path / "in", tmp_path / "state").dives()
     assert skipped == []
-    strange[2] = replace(strange[2], t_gps2=0.1)
+    strange[3] = replace(strange[3], t_gps2=0.1)
     assert list(map(repr, again)) == list(map(repr, strange))
+    assert all(map(np.array_equal, again[0].track, strange[0].track))
     again = json.loads(followed(tmp_path, again, []).read_text())["dives"]
     assert json.dumps(again) == json.dumps(kept)

@@ -43,18 +43,13 @@ def steps(monkeypatch):
 def test_dive_by_dive_is_all_at_once(steps):
     growing = Replay()
     for count in (1, 2, 5, 5, 9, 14):
-        grown = growing.feed(DIVES[:count])
-        assert said(grown) == said(replay_dives(DIVES[:count]))
-    steps.clear()
-    growing = Replay()
-    for count in range(1, 15):
-        growing.feed([tracked(dive) for dive in DIVES[:count]][:])
-    assert steps != [dive.number for dive in DIVES]  # NaN is not itself: never taken as the same
-    steps.clear()
-    growing = Replay()
-    for count in range(1, 15):
-        growing.feed([replace(tracked(dive), dac_east=0.1) for dive in DIVES[:count]])
-    assert steps == [dive.number for dive in DIVES]
+        assert said(growing.feed(DIVES[:count])) == said(replay_dives(DIVES[:count]))
+    for more, once in (({"dac_east": 0.1}, True), ({}, False)):  # NaN is never taken as the same
+        steps.clear()
+        growing = Replay()
+        for count in range(1, 15):
+            growing.feed([replace(tracked(dive), **more) for dive in DIVES[:count]])
+        assert (steps == [dive.number for dive in DIVES]) == once
 
 
 def test_what_changed_is_learned_anew(steps):
@@ -66,15 +61,14 @@ def test_what_changed_is_learned_anew(steps):
         [*eight[:3], *eight[4:]],
         eight[:4],
     ):
-        growing = Replay()
-        growing.feed(eight)
+        growing = Replay().feed(eight)
         steps.clear()
-        grown = growing.feed(changed)
+        growing.feed(changed)
         assert len(steps) == len(changed)
-        assert said(grown) == said(replay_dives(changed))
+        assert said(growing) == said(replay_dives(changed))
 
 
-def test_an_interrupt_leaves_what_was_learned(steps, monkeypatch):
+def test_an_interrupt_leaves_what_was_learned(steps):
     growing = Replay()
 
     def cut(done):

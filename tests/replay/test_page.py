@@ -28,15 +28,12 @@ def page_of(count, lat=40.0, lon=8.0, evil=""):
     return replay_page(found)
 
 
-def test_nothing_of_a_file_is_markup():
-    page = fetching_nothing(page_of(3, evil=EVIL))
+def test_nothing_of_a_file_is_markup_and_nothing_is_fetched():
+    text = page_of(3, evil=EVIL)
+    page = fetching_nothing(text)
     assert [tag for tag, _ in page.tags].count("script") == 1
     shown = EVIL.replace("\x00", "\ufffd").replace("\udc80", "\ufffd")
     assert any(shown in text for text in page.texts)
-
-
-def test_nothing_is_fetched():
-    page = fetching_nothing(page_of(3))
     assert "//" not in re.sub(r"^// .*$", "", "".join(page.scripts), flags=re.M)
     policy = next(names["content"] for tag, names in page.tags if tag == "meta" and len(names) == 2)
     hashes = [
@@ -44,6 +41,7 @@ def test_nothing_is_fetched():
         for part in ("".join(page.styles), "".join(page.scripts))
     ]
     assert policy == f"default-src 'none'; style-src {hashes[0]}; script-src {hashes[1]}"
+    charts_have_dates(text)
 
 
 @pytest.mark.usefixtures("undrawn")
@@ -56,7 +54,15 @@ def test_a_page_that_is_written_again_is_loaded_again():
         assert [names["data-again"] for _, names in tags if "data-again" in names] == ["60"] * again
 
 
-def test_sixty_dives_are_small():
+def charts_have_dates(text):
+    charts = re.findall(r"<figure>.*?</figure>", text, flags=re.S)
+    assert len(charts) == 2
+    for chart in charts:
+        assert ">surfaced (UTC)<" in chart
+        assert len(re.findall(r">\d\d:\d\d<|>[A-Z][a-z]{2}-\d\d<", chart)) in range(2, 12)
+
+
+def test_sixty_dives_are_small_and_one_is_enough():
     text = page_of(60)
     assert len(text.encode()) < 2_000_000
     tags = Reader(text).tags
@@ -64,17 +70,18 @@ def test_sixty_dives_are_small():
     links = [names["href"] for tag, names in tags if tag == "a"]  # a fix leads to its row
     assert sorted(links) == sorted(f"#{one}" for one in rows) == sorted(set(links))
     assert len(links) == 60
+    charts_have_dates(page_of(1))
 
 
 @pytest.mark.parametrize(("lat", "lon"), [(-43.0, 8.0), (67.0, -179.9), (0.0, 180.0), (89.0, 0.0)])
 def test_a_chart_is_true_to_scale_and_angle(lat, lon):
     ax = map_plot(told(fixes_of(4, lat, lon)))
-    scale = ax.get_aspect() * ax.get_ylim()[1] - ax.get_aspect() * ax.get_ylim()[0]
-    middle = sum(ax.get_ylim()) / 2
-    north = Geod(ellps="WGS84").inv(lon, ax.get_ylim()[0], lon, ax.get_ylim()[1])[2]
-    metres = north / scale  # in a degree of longitude
+    (low, high), geod = ax.get_ylim(), Geod(ellps="WGS84")
+    middle = (low + high) / 2
+    # in a degree of longitude
+    metres = geod.inv(lon, low, lon, high)[2] / (ax.get_aspect() * (high - low))
     for bearing in (0, 45, 90, 200):
-        x, y, _ = Geod(ellps="WGS84").fwd(lon, middle, bearing, 100.0)
+        x, y, _ = geod.fwd(lon, middle, bearing, 100.0)
         away = complex(near(x - lon, 0.0), ax.get_aspect() * (y - middle)) * metres
         assert abs(away) == pytest.approx(100, rel=2e-3)
         turned = math.degrees(math.atan2(away.real, away.imag))
@@ -104,20 +111,7 @@ def test_a_far_waypoint_leaves_the_chart_as_it_is():
 
 def test_grid_names_its_lines():
     lons = (179 + 55 / 60, 180.0, 180 + 5 / 60)
-    assert [grid_label(lon, names="EW", step=5) for lon in lons] == [
-        "179°55'E",
-        "180°00'E",
-        "179°55'W",
-    ]
+    names = [grid_label(lon, names="EW", step=5) for lon in lons]
+    assert names == ["179°55'E", "180°00'E", "179°55'W"]
     assert grid_label(-0.999999, names="NS", step=0.1) == "1°00.00'S"
     assert grid_label(59.9999 / 60, names="NS", step=1) == "1°00'N"
-
-
-@pytest.mark.parametrize("count", [1, 3])
-def test_charts_have_dates(count):
-    text = page_of(count)
-    charts = re.findall(r"<figure>.*?</figure>", text, flags=re.S)
-    assert len(charts) == 2
-    for chart in charts:
-        assert ">surfaced (UTC)<" in chart
-        assert len(re.findall(r">\d\d:\d\d<|>[A-Z][a-z]{2}-\d\d<", chart)) in range(2, 12)

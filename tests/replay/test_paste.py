@@ -7,13 +7,13 @@ import pytest
 from pyproj import Geod
 from synthetic_vehicle import told
 
-from clpt_control.cli.replay_report import Ahead, summary_with_next, write
+from clpt_control.cli.replay_report import write
 from clpt_control.geodesy import place_from
 from clpt_control.gliders import slocum
 from clpt_control.gliders.dive_files import read_dive_file, sample_dives
-from clpt_control.replay.replay import replay_dives
 
 TARGETS = [(-42.8, 8.4), (-42.0, -351.75), (-42.0, -0.5)]
+PLACES = [TARGETS[0], (-42.0, 8.25), TARGETS[2]]
 NUMBER = re.compile(r"-?\d+\d\d\.\d{4}")
 
 
@@ -67,7 +67,7 @@ def test_a_seaglider_gets_targets_and_a_true_heading():
     assert found["paste"]["file"] == "targets"
     read = targets_of(found["paste"]["text"])
     places = [(degrees_of(one["lat"]), degrees_of(one["lon"])) for one in read.values()]
-    assert places == [pytest.approx(place) for place in [TARGETS[0], (-42.0, 8.25), TARGETS[2]]]
+    assert places == [pytest.approx(place) for place in PLACES]
     assert [one["goto"] for one in read.values()] == ["AIM2", "AIM3", "AIM3"]
     said = re.search(r"\$HEADING,(\d+\.\d)", found["paste"]["text"])
     assert float(said[1]) == pytest.approx(found["aim"][0]["heading"], abs=0.051)
@@ -93,9 +93,8 @@ def test_a_slocum_that_does_not_correct_gets_a_waypoint_along_the_heading():
 
 
 def test_a_slocum_that_corrects_gets_the_waypoints_themselves():
-    found = found_of("Slocum", note=slocum.CORRECTS)
-    read = waypoints_of(found["paste"]["text"])
-    assert read == [pytest.approx(place) for place in [TARGETS[0], (-42.0, 8.25), TARGETS[2]]]
+    read = waypoints_of(found_of("Slocum", note=slocum.CORRECTS)["paste"]["text"])
+    assert read == [pytest.approx(place) for place in PLACES]
 
 
 def test_a_seaexplorer_gets_heading_and_waypoints():
@@ -111,11 +110,10 @@ def test_without_a_known_vehicle_or_a_waypoint_there_is_nothing_to_paste(kind, t
 
 @pytest.mark.usefixtures("undrawn")
 def test_the_file_lies_beside_the_page_which_shows_it(tmp_path):
-    replay = replay_dives(sample_dives())
-    found = summary_with_next(replay, [], Ahead(targets=TARGETS[:1]))
-    written = write(found, tmp_path, ())
-    assert tmp_path / "targets" in written
+    found = found_of("Seaglider", targets=TARGETS[:1])
+    assert tmp_path / "targets" in write(found, tmp_path, ())
     text = (tmp_path / "targets").read_text()
+    assert text == found["paste"]["text"]
     assert text in (tmp_path / "replay.html").read_text()
 
 
