@@ -153,7 +153,7 @@ UNITS = {
 }
 
 
-def og1(path, drop=(), columns=None, units=None, **more):
+def og1(path, drop=(), columns=None, units=None, sizes=(), **more):
     """Write an OG1 mission of the early dialect: no TIME_GPS, `divenum`."""
     columns = og1_rows() if columns is None else columns
     of = UNITS | (units or {})
@@ -162,4 +162,5 @@ def og1(path, drop=(), columns=None, units=None, **more):
         for name, numbers in columns.items()
         if name not in drop
     }
-    return write(path, {"N_MEASUREMENTS": len(columns["TIME"])}, variables | more)
+    own = {"N_MEASUREMENTS": len(columns["TIME"])}
+    return write(path, own | dict(sizes), variables | more)

@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-import netCDF4
 import numpy as np
 import pytest
 from glider_dialects import (
@@ -89,44 +88,38 @@ def test_a_part_of_the_dive_that_is_missing_is_no_time_at_the_surface(tmp_path):
     assert "no samples for 1200 s of 9000 s, from 300 m depth on" in dive.notes
 
 
-@pytest.mark.parametrize("lon", [8.0, DATE_LINE])
-def test_og1_without_gps_times(lon, tmp_path):
-    dives = dives_in(og1(tmp_path / "og1.nc", columns=og1_rows(lon=lon)))
-    assert [dive.number for dive in dives] == [1, 2, 3]
-    for dive in dives:
-        assert swam(dive)
-        half_way(dive)
-        assert dive.t_gps1 == dive.t_gps2 - (300 if dive.number == 1 else 1000)
-        assert dive.notes == ()
-
-
-def test_og1_times_in_nanoseconds_since_the_first(tmp_path):
-    columns = og1_rows()
+def in_nanoseconds(columns):
+    """Times since the first."""
     whole = np.round(columns["TIME"] - T0 + 300, 3)
     columns["TIME"] = (whole * 1e9).astype(np.int64)
-    units = {"TIME": {"units": "nanoseconds since 2017-07-14 02:35:00"}}  # T0 - 300 s
-    dives = dives_in(og1(tmp_path / "og1.nc", columns=columns, units=units))
-    assert [dive.t_gps2 for dive in dives] == [T0, T0 + 10000, T0 + 20000]
-    assert all(swam(dive) for dive in dives)
+    return {"units": {"TIME": {"units": "nanoseconds since 2017-07-14 02:35:00"}}}  # T0 - 300 s
 
 
-def test_og1_with_fixes_on_a_dimension_of_their_own(tmp_path):
-    columns = og1_rows()
+def on_their_own(columns):
+    """Fixes on a dimension of their own."""
     fix = np.isfinite(columns["LATITUDE_GPS"])
     own = {
         name: (("N_GPS",), columns[of][fix], EPOCH if name == "TIME_GPS" else {})
         for name, of in (("TIME_GPS", "TIME"), ("LATITUDE_GPS",) * 2, ("LONGITUDE_GPS",) * 2)
     }
-    columns = {name: numbers[~fix] for name, numbers in columns.items()}
-    path = og1(tmp_path / "og1.nc", drop=tuple(own), columns=columns)
-    with netCDF4.Dataset(path, "a") as data:
-        data.createDimension("N_GPS", int(fix.sum()))
-        for name, (dims, numbers, attrs) in own.items():
-            data.createVariable(name, float, dims)[:] = numbers
-            data[name].setncatts(attrs)
-    dives = dives_in(path)
+    for name in [*columns]:
+        columns[name] = columns[name][~fix]
+    del columns["LATITUDE_GPS"], columns["LONGITUDE_GPS"]
+    return {"sizes": {"N_GPS": int(fix.sum())}, **own}
+
+
+@pytest.mark.parametrize("lon", [8.0, DATE_LINE])
+@pytest.mark.parametrize("change", [lambda columns: {}, in_nanoseconds, on_their_own])
+def test_og1_fixes_and_times_as_files_have_them(change, lon, tmp_path):
+    columns = og1_rows(lon=lon)
+    dives = dives_in(og1(tmp_path / "og1.nc", **change(columns), columns=columns))
     assert [dive.number for dive in dives] == [1, 2, 3]
-    assert all(swam(dive) for dive in dives)
+    assert [dive.t_gps2 for dive in dives] == [T0, T0 + 10000, T0 + 20000]
+    for dive in dives:
+        assert swam(dive)
+        half_way(dive)
+        assert dive.t_gps1 == dive.t_gps2 - (300 if dive.number == 1 else 1000)
+        assert dive.notes == ()
 
 
 @pytest.mark.parametrize(
