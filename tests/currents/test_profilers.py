@@ -1,4 +1,4 @@
-"""Grids without rows of latitudes, units that a file lacks, records of a profiler."""
+"""Records of a profiler, and tides that steps are too long for."""
 
 import numpy as np
 import pytest
@@ -7,68 +7,11 @@ from made_fields import gridded_current
 
 from clpt_control.currents.current_record import read_record
 from clpt_control.currents.fit import fit_scenario
-from clpt_control.currents.grid_file import read_currents
 from clpt_control.currents.telling_apart import nyquist
 from clpt_control.currents.tidal_fit import fit_tides
 from clpt_control.errors import DataError
 
-TIME = ("time", np.arange(5.0), {"units": "hours since 2019-01-01"})
 MS = {"units": "m/s"}
-LAT, LON = np.linspace(41.0, 41.3, 4), np.linspace(-69.3, -69.0, 4)
-lat2, lon2 = np.meshgrid(LAT, LON, indexing="ij")
-
-
-def flow(*dims, units=MS):
-    return (("time", *dims), np.full((5, *(4,) * len(dims)), 0.3), units)
-
-
-UNLIKE = {
-    "curvilinear": (
-        {
-            "u": flow("y", "x"),
-            "v": flow("y", "x"),
-            "lat": (("y", "x"), lat2),
-            "lon": (("y", "x"), lon2),
-        },
-        r"lat has the dimensions \(y, x\): a curvilinear grid; regrid it .* cdo remapbil or xESMF",
-    ),
-    "triangular": (
-        {"u": flow("node"), "v": flow("node"), "lat": ("node", LAT), "lon": ("node", LON)},
-        "lat and lon are of each node, no grid; regrid it",
-    ),
-    "projected": (
-        {
-            "u": flow("y", "x"),
-            "v": flow("y", "x"),
-            "x": ("x", 1e3 * np.arange(4), {"standard_name": "projection_x_coordinate"}),
-            "y": ("y", 1e3 * np.arange(4), {"standard_name": "projection_y_coordinate"}),
-        },
-        "has a projected grid, of x and y, and no latitude; regrid it",
-    ),
-}
-
-
-@pytest.mark.parametrize("name", UNLIKE)
-def test_other_grids_are_refused_with_the_cure(tmp_path, name):
-    variables, sentence = UNLIKE[name]
-    xarray.Dataset({**variables, "time": TIME}).to_netcdf(tmp_path / "grid.nc")
-    for column in (False, True):
-        with pytest.raises(DataError, match=sentence):
-            read_currents(tmp_path / "grid.nc", column=column)
-
-
-def test_units_can_be_given_where_a_file_has_none(refused, facts, tmp_path):
-    path = facts / "grids/wa_RTOFS_global.nc"
-    with pytest.raises(DataError, match=r"water_u has no units.*--units"):
-        read_currents(path)
-    metres, knots = read_currents(path, units="m/s"), read_currents(path, units="knots")
-    assert np.nanmax(np.abs(knots.u * 3600 / 1852 - metres.u)) < 1e-9
-    u, v = np.full((2, 5, 4, 4), 0.3)
-    gridded_current(u, v, LAT, LON, np.arange(5.0)).to_netcdf(tmp_path / "said.nc")
-    with pytest.raises(DataError, match="u is in 'm/s'; units = 'cm/s' is for a file without"):
-        read_currents(tmp_path / "said.nc", units="cm/s")
-    assert read_currents(tmp_path / "said.nc", units="m s-1").u.max() == pytest.approx(0.3)
-    assert "furlongs" in refused("fit", path, "--out", tmp_path / "s.toml", "--units", "furlongs")
 
 
 def profiler(system="earth", **attrs):
@@ -143,8 +86,8 @@ def test_no_tide_above_the_nyquist_frequency(step, auto):
 
 
 def test_a_fit_of_a_grid_refuses_a_tide_that_its_steps_miss(tmp_path):
-    hours = np.arange(0.0, 240.0, 8.0)
+    hours, place = np.arange(0.0, 240.0, 8.0), np.linspace(41.0, 41.3, 4)
     wave = 0.3 * np.cos(2 * np.pi * hours / 12.42)[:, None, None] * np.ones((4, 4))
-    gridded_current(wave, wave, LAT, LON, hours).to_netcdf(tmp_path / "slow.nc")
+    gridded_current(wave, wave, place, place, hours).to_netcdf(tmp_path / "slow.nc")
     with pytest.raises(DataError, match="steps of 8 h see no tide of 16 h or faster"):
         fit_scenario(tmp_path / "slow.nc", rows=1, columns=1, radius_km=1.0)
