@@ -1,4 +1,4 @@
-"""Replay of a glider: SG542's figures, causality, mistakes, what was learned, rows, the dataset."""
+"""Replay of a glider: figures of SG542, causality, mistakes, rows, the dataset; growing records."""
 
 import json
 import math
@@ -17,9 +17,8 @@ from clpt_control.estimation.estimators import ESTIMATORS
 from clpt_control.estimation.fix_model import FixModel
 from clpt_control.files import write_file
 from clpt_control.geodesy import displacement, place_from
-from clpt_control.gliders.dive_files import sample_dives
+from clpt_control.gliders import sample_dives, usable
 from clpt_control.gliders.dives import make_dive
-from clpt_control.gliders.usable_dives import usable
 from clpt_control.replay import habits, places, surfacing
 from clpt_control.replay.facts import replay_dataset
 from clpt_control.replay.outcome import clpe_rms, learned_words, odds, speed_words, summary
@@ -212,3 +211,73 @@ def test_the_dataset_is_a_cf_trajectory(sg542, tmp_path):
         assert float(data.next_latitude) == ahead.latitude
     bare = replay_dives(vehicle(1, 3), model=FixModel(("steady",), learn_speed=False))
     assert "speed_factor" not in replay_dataset(bare)
+
+
+DIVES = usable(sample_dives())[0]
+
+
+def said(replay):
+    """All that is said of a replay, as text."""
+    ahead = {**replay.surfacing().as_dict(), "now": None}
+    return json.dumps([summary(replay), ahead])
+
+
+def tracked(dive):
+    """A dive with a straight track, made anew."""
+    line = np.linspace(0.0, 1.0, 5)
+    track = line * dive.duration, line * dive.dr_east, line * dive.dr_north
+    return replace(dive, track=track, dac_east=float("nan"))
+
+
+@pytest.fixture
+def steps(monkeypatch):
+    """The numbers of the dives that are learned."""
+    numbers, step = [], Replay.step
+
+    def counted(self, dive):
+        numbers.append(dive.number)
+        return step(self, dive)
+
+    monkeypatch.setattr(Replay, "step", counted)
+    return numbers
+
+
+def test_dive_by_dive_is_all_at_once(steps):
+    growing = Replay()
+    for count in (1, 2, 5, 5, 9, 14):
+        assert said(growing.feed(DIVES[:count])) == said(replay_dives(DIVES[:count]))
+    for more, once in (({"dac_east": 0.1}, True), ({}, False)):  # NaN is never taken as the same
+        steps.clear()
+        growing = Replay()
+        for count in range(1, 15):
+            growing.feed([replace(tracked(dive), **more) for dive in DIVES[:count]])
+        assert (steps == [dive.number for dive in DIVES]) == once
+
+
+def test_what_changed_is_learned_anew(steps):
+    eight = vehicle(2, 8)
+    for changed in (
+        [*eight[:3], replace(eight[3], notes=("read again",)), *eight[4:]],
+        [*eight[:3], tracked(eight[3]), *eight[4:]],
+        [*eight[:3], replace(eight[3], lat_gpse=eight[3].lat_gpse + 1e-9), *eight[4:]],
+        [*eight[:3], *eight[4:]],
+        eight[:4],
+    ):
+        growing = Replay().feed(eight)
+        steps.clear()
+        growing.feed(changed)
+        assert len(steps) == len(changed)
+        assert said(growing) == said(replay_dives(changed))
+
+
+def test_an_interrupt_leaves_what_was_learned(steps):
+    growing = Replay()
+
+    def cut(done):
+        if done == 6:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        growing.feed(DIVES, cut)
+    assert said(growing.feed(DIVES)) == said(replay_dives(DIVES))
+    assert steps[:14] == [dive.number for dive in DIVES]
