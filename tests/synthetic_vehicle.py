@@ -5,7 +5,7 @@ import math
 import numpy as np
 from scipy.integrate import trapezoid
 
-from clpt_control.cli.replay_report import Ahead, summary_with_next
+from clpt_control.cli.replay_report import Job
 from clpt_control.estimation.fix_model import inertial_frequency
 from clpt_control.geodesy import place_from
 from clpt_control.gliders.dive_table import write_dive_table
@@ -68,7 +68,7 @@ def vehicle(
 
 def told(dives, *targets):
     """Return what `clpt replay --json` prints of dives, and of waypoints to aim at."""
-    return summary_with_next(replay_dives(dives), [], Ahead(targets=list(targets)))
+    return Job(replay_dives(dives), targets=list(targets)).summary()
 
 
 def one_file_each(folder, dives):
