@@ -208,8 +208,9 @@ def folders(top: Path, out: Path) -> Iterator[tuple[Path, str]]:
 def pages_of(vehicles: Iterable[str], place: Path) -> dict[str, Path]:
     """Return where results of the vehicles of a folder go: a folder each where they are several.
 
-    >>> {name: page.name for name, page in pages_of({"a b", "a_b", ".."}, Path("out")).items()}
-    {'..': '_.', 'a b': 'a_b', 'a_b': 'a_b_'}
+    >>> names = {"a b", "a_b", "..", "state", "$"}
+    >>> {name: page.name for name, page in pages_of(names, Path("out")).items()}
+    {'$': '_', '..': '_.', 'a b': 'a_b', 'a_b': 'a_b_', 'state': 'state_'}
     """
     found = {}
     taken = {STATE}

@@ -131,21 +131,6 @@ def test_a_uniform_current_has_no_share_and_says_so(clpt, printed, known, tmp_pa
     assert page.count("the current hardly changes") == 2
 
 
-def test_functions_are_places_times_tides(known):
-    fit = fit_scenario(
-        known[0], BOX, rows=3, columns=2, width_km=20.0, constituents=("M2", "steady", "M4")
-    )
-    basis = fit.scenario.basis
-    assert basis.N == fit.report["functions"] == 3 * 2 * (2 + 1 + 2)
-    assert basis.constituents == ("M2",) * 12 + ("steady",) * 6 + ("M4",) * 12
-    sines = [k for k, phase in enumerate(basis.phases) if phase]
-    assert sines == [*range(6, 12), *range(24, 30)]
-    assert {basis.phases[k] for k in sines} == {-np.pi / 2}
-    west_to_east = np.array(basis.centers[:2])
-    assert west_to_east[0, 0] < west_to_east[1, 0]
-    assert west_to_east[0, 1] == west_to_east[1, 1] < basis.centers[2][1]
-
-
 def test_steps_without_any_measurement_do_not_lengthen_a_record(tmp_path):
     u, v = np.random.default_rng(3).normal(size=(2, 25, 13, 14))
     u[12:] = np.nan

@@ -3,25 +3,13 @@
 import json
 import os
 import re
-import shutil
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
 import xarray
 from made_fields import gridded_current
-from tidal_records import (
-    HEADER,
-    KNOWN,
-    LATITUDE,
-    MARACOOS,
-    ROW,
-    times,
-    waves,
-    write_netcdf,
-    write_table,
-)
+from tidal_records import HEADER, KNOWN, LATITUDE, ROW, times, waves, write_netcdf, write_table
 
 from clpt_control.currents.current_record import read_record
 from clpt_control.currents.fit import fit_scenario
@@ -175,18 +163,6 @@ def test_without_utide_one_sentence_says_what_to_install(refused, tmp_path, monk
     path = write_table(tmp_path / "r.csv", times(2), waves(times(2)))
     monkeypatch.setitem(sys.modules, "utide", None)
     assert "pip install 'clpt-control[sea]'" in refused("tides", path, "--constituents", "M2")
-
-
-def test_the_documented_lines_run(monkeypatch, tmp_path):
-    page = Path(__file__).parents[2] / "docs/measured_current.md"
-    lines = page.read_text().split("```python\n")[1].split("```")[0]
-    shutil.copyfile(MARACOOS, tmp_path / "currents.nc")
-    monkeypatch.chdir(tmp_path)
-    space = {}
-    exec(compile(lines, page.name, "exec"), space)
-    flow = space["basis"].theta @ [1, 1, 0]  # at the epoch: mean and cosines
-    np.testing.assert_allclose(flow, [3.6 * space["east"][0], 3.6 * space["north"][0]], rtol=1e-9)
-    assert np.hypot(*flow) < 4
 
 
 MS = {"units": "m/s"}

@@ -79,15 +79,6 @@ def test_miss_over_duration_is_the_current_of_the_file(dives, facts):
         assert max(off) < 1e-3
 
 
-def test_tracks_run_from_fix_to_fix(dives):
-    for dive in dives:
-        time, east, north = dive.track
-        assert (time[0], time[-1]) == (0, dive.duration)
-        assert np.all(np.diff(time) > 0)
-        assert (east[0], north[0]) == (0, 0)
-        assert (east[-1], north[-1]) == pytest.approx((dive.dr_east, dive.dr_north), abs=1e-6)
-
-
 @pytest.mark.slow
 def test_the_shipped_table_is_that_of_the_whole_files(shared):
     same_table(sample_dives(), read_dives(shared / "glider" / "basestation")[0], 0)

@@ -252,13 +252,6 @@ def test_a_dockservers_folder_is_read_as_it_is(rosie):
     assert (dives, skipped) == plain
 
 
-def test_files_that_are_skipped_alike_are_one_line(rosie):
-    for path in (rosie / "cac").iterdir():
-        path.unlink()
-    with pytest.raises(DataError, match=r"11 files: no dive; .*6b016a2e.* \(one of \d+ files\)"):
-        read_dives(rosie / "sbd")
-
-
 def test_dives_of_one_file_are_told_apart(rosie):
     texts = [
         as_text(rosie / "sbd" / f"rosie_713-2019-166-0-{k}.sbd", "rosie", "sbd") for k in (157, 159)

@@ -17,7 +17,6 @@ from processes import CLPT, kill_while_it_writes, ran, started
 from synthetic_vehicle import fixes_of, one_file_each, told, vehicle
 
 from clpt_control.geodesy import place_from
-from clpt_control.gliders.dive_table import write_dive_table
 from clpt_control.gliders.dives import make_dive
 from clpt_control.replay import fleet
 from clpt_control.replay.fleet import events, standing
@@ -243,25 +242,3 @@ def test_what_was_told_and_cannot_be_read_is_told_again(tmp_path, kept):
     else:
         place.write_text(kept)
     assert fleet.Alerts([sys.executable], tmp_path).told == []
-
-
-def named(path, name, seed):
-    """Write a table of dives that names their vehicle."""
-    write_dive_table(recent(3, 1.0, seed=seed), path)
-    head, *rows = path.read_text().splitlines()
-    path.write_text("\n".join([f"{head},vehicle", *(f"{row},{name}" for row in rows)]))
-
-
-@pytest.mark.usefixtures("undrawn")
-def test_names_of_vehicles_lead_to_folders_of_their_own(tmp_path, command):
-    names = ["..", "state", "a b", "a_b", "$\\frac$"]
-    (tmp_path / "top" / "many").mkdir(parents=True)
-    for k, name in enumerate(names):
-        named(tmp_path / "top" / "many" / f"{k}.csv", name, k)
-    for _ in range(2):
-        rows = json.loads(command("--fleet", tmp_path / "top", "--json").stdout)["vehicles"]
-        assert sorted(row["vehicle"] for row in rows) == sorted(names)
-        assert {row["page"].count("/") for row in rows} == {2}
-        assert len({row["page"] for row in rows}) == len(names)
-    inside = [path.name for path in (tmp_path / "top" / "replay" / "many").iterdir()]
-    assert sorted(inside) == ["_.", "__frac_", "a_b", "a_b_", "state", "state_"]

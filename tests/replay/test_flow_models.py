@@ -12,7 +12,7 @@ from pyproj import Geod
 from synthetic_vehicle import Made
 
 from clpt_control.currents.fit import fit_scenario, save_fit
-from clpt_control.currents.grid_file import missing_steps, read_currents, sample_currents
+from clpt_control.currents.grid_file import missing_steps, read_currents
 from clpt_control.errors import DataError
 from clpt_control.gliders.dives import make_dive
 from clpt_control.replay.carried_dives import carried
@@ -173,14 +173,6 @@ def test_a_gradient_on_a_grid_and_longitudes_of_any_kind(tmp_path):
     mean = k * (3000 / degree + 0.01)
     for model in (one, two, three):
         assert model_way(dive, model)[1] == pytest.approx(mean * dive.duration, rel=2e-3)
-    east = write(tmp_path / "date.nc", u, v, lon=(LON + 249.3 + 180) % 360 - 180)
-    assert model_way(replace(dive, lon_gps2=180.0), read_flow_model(east)) == pytest.approx(
-        model_way(dive, one), abs=1e-3
-    )
-    globe = np.arange(0.0, 360.0, 5.0)
-    flow = np.full((len(HOURS), len(LAT), len(globe)), 0.2)
-    around = read_flow_model(write(tmp_path / "g.nc", flow, 0 * flow, lon=globe))
-    assert model_way(replace(dive, lon_gps2=358.0), around)[0] == pytest.approx(3600.0, abs=5)
 
 
 @pytest.mark.parametrize(
@@ -237,19 +229,6 @@ def test_a_gap_of_the_steps_is_not_bridged(tmp_path):
     for hour in range(0, 33, 4):
         assert carried(dive_at(hour=hour, way=(0.0, 0.0)), model).model_east is not None, hour
     assert missing_steps(6 * np.array([0.0, 1, 2, 8, 15, 16, 17])).tolist() == [0, 0, 5, 6, 0, 0]
-
-
-def test_measured_surface_current():
-    model, data = read_flow_model(sample_currents()), read_currents(sample_currents(), column=True)
-    whole = np.isfinite(data.u).all(axis=(0, 1))
-    measured = np.lib.stride_tricks.sliding_window_view(whole, (4, 4)).all(axis=(2, 3))
-    j, i = np.argwhere(measured)[0] + 1  # whole round about, as the dive drifts
-    t = datetime(2019, 1, 1, 2, 30, tzinfo=UTC).timestamp()
-    place = (data.lat[j : j + 2].mean(), data.lon[i : i + 2].mean())
-    dive = make_dive(1, (t, *place), (t + 7200, *place), (100.0, 50.0))
-    for way, flow in zip(model_way(dive, model), (data.u, data.v), strict=True):
-        corners = flow[2:5, 0, j : j + 2, i : i + 2]
-        assert corners.min() * 7200 - 50 < way < corners.max() * 7200 + 50
 
 
 def test_units_of_a_forecast_that_has_none_are_given(tmp_path):
