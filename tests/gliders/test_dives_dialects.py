@@ -40,7 +40,8 @@ def test_basestation_files_of_both_kinds(make, lon, tmp_path):
     dive = dives_in(make(tmp_path / "p1230007.nc", lon=lon))[0]
     assert swam(dive)
     half_way(dive)
-    assert (dive.number, dive.magvar, dive.notes) == (7, made.VARIATION, ())
+    assert (dive.number, dive.kind, dive.magvar) == (7, "Seaglider", made.VARIATION)
+    assert dive.notes == ()
     assert (dive.dac_east, dive.dac_north) == pytest.approx(tuple(made.current()))
     assert usable([dive])[0] == [dive]
 
@@ -97,6 +98,7 @@ def test_og1_fixes_and_times_as_files_have_them(change, lon, tmp_path):
         assert swam(dive)
         half_way(dive)
         assert dive.t_gps1 == dive.t_gps2 - (300 if dive.number == 1 else 1000)
+        assert dive.kind is None  # any vehicle's
         assert dive.notes == ()
 
 

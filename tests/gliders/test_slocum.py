@@ -54,7 +54,7 @@ def test_the_first_dive_is_that_of_the_table(facts):
     reckoned = float(row["dr_east_m"]), float(row["dr_north_m"])
     assert (dive.dr_east, dive.dr_north) == pytest.approx(reckoned, abs=0.5)
     assert dive.depth_max == pytest.approx(float(row["depth_max"]), abs=0.5)
-    assert dive.magvar == 17.0
+    assert (dive.magvar, dive.kind) == (17.0, "SeaExplorer")
 
 
 @pytest.mark.parametrize(("heading", "declination"), [(0.0, 0.0), (73.0, 17.0), (350.0, -20.0)])

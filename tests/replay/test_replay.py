@@ -21,7 +21,7 @@ from clpt_control.gliders import sample_dives, usable
 from clpt_control.gliders.dives import make_dive
 from clpt_control.replay import habits, places, surfacing
 from clpt_control.replay.facts import replay_dataset
-from clpt_control.replay.outcome import clpe_rms, learned_words, odds, speed_words, summary
+from clpt_control.replay.outcome import clpe_rms, learned_words, speed_words, summary
 from clpt_control.replay.replay import Replay, next_dive, replay_dives
 
 
@@ -107,13 +107,6 @@ def test_what_is_learned_is_said_as_it_is():
     noted = replace(vehicle(1, 3)[1], notes=("filled 2 samples",))
     found = summary(replay_dives([vehicle(1, 3)[0], noted]))
     assert found["notes"] == [{"dive": 1, "note": "filled 2 samples"}]
-
-
-def test_odds_are_of_whole_numbers():
-    for p in np.linspace(0.02, 0.98, 49):
-        a, b = map(int, odds(p).split(":"))
-        assert min(a, b) == 1
-        assert math.log(a / b) == pytest.approx(math.log(p / (1 - p)), abs=0.41)
 
 
 @pytest.mark.parametrize(("factor", "said"), [(1.5, "too slow"), (0.6, "too fast")])
