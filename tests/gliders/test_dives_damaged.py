@@ -68,13 +68,8 @@ NOT_USED = {
     "noise": (bytes(range(128, 256)) * 40, "neither NetCDF"),
     "HDF5 of noise": (b"\x89HDF\r\n\x1a\n" + bytes(500), "cannot be read as NetCDF"),
     "GPS2 at 0, 0": (gps(lat=(1, 0.0), lon=(1, 0.0)), "no fix before the dive"),
-    "GPSE at 0, 0": (gps(lat=(2, 0.0), lon=(2, 0.0)), "no fix after the dive"),
     "latitude NaN": (gps(lat=(2, nan)), "no fix after"),
-    "longitude NaN": (gps(lon=(1, nan)), "no fix before"),
     "time NaN": (gps(time=(1, nan)), "no fix before"),
-    "latitude 91": (gps(lat=(2, 91.0)), "no fix after"),
-    "latitude a fill value": (gps(lat=(1, 9.97e36)), "no fix before"),
-    "end fix of another sea": (gps(lat=(2, 43.0)), "m/s"),
     "GPSE of last week": (gps(time=(2, times[2] - 6e5)), "swapped times"),
     "GPSE timed out": ({"log_gps_hdop": (GPS, [1, 1, 99.0], {})}, "GPSE has a hdop of 99"),
     "two fixes": (

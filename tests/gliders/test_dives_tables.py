@@ -185,6 +185,8 @@ def later(number, **changes):
     ("changes", "why"),
     [
         ({"lon_gpse": inf}, "no fix after"),
+        ({"lat_gps2": 9.97e36}, "no fix before"),
+        ({"lat_gpse": 0.0, "lon_gpse": 0.0}, "no fix after"),
         ({"lat_gpse": 91.0}, "no fix after the dive (time 1.01e+06, latitude 91, longitude 8.02)"),
         ({"lon_gps2": 408.0}, "no fix before"),
         ({"t_gpse": BASE.t_gps2}, "swapped"),
