@@ -157,7 +157,7 @@ class Job:
 
 
 def fitted(
-    title: str, rows: list[dict[str, str]], ranks: dict[str, int], sentences: Sequence[str] = ()
+    title: str, rows: list[dict[str, str]], columns: Any, sentences: Sequence[str] = ()
 ) -> Result:
     """Return rows of cells by title as a table of the columns that fit the terminal."""
     size = {
@@ -165,8 +165,8 @@ def fitted(
         for name in rows[0]
     }
     left, chosen = terminal_width() - EDGE, set()
-    for name in sorted(size, key=lambda name: ranks[name]):
-        if ranks[name] == 0 or size[name] <= left:
+    for name in sorted(size, key=lambda name: columns[name][0]):
+        if columns[name][0] == 0 or size[name] <= left:
             chosen.add(name)
             left -= size[name]
     titles = [name for name in size if name in chosen]
@@ -188,10 +188,10 @@ def results(summary: Report) -> list[Result]:
     means = {name: summary[key] for key, name in ROWS.items()}
     if "flow_model" in summary and 0 < summary["flow_model"]["covered"] < summary["used"]:
         means["covered, after the first dive"] = summary["flow_model"]["clpe_rms"]
-    models = [cells.MODELS[key] for key in each[0]["clpe"]]
+    models = cells.MODELS[: len(each[0]["clpe"])]
     rows = [[name, *map(cells.metres, rms.values())] for name, rms in means.items()]
     return [
-        fitted("Miss (CLPE, m) one dive ahead; currents in m/s", dives, cells.RANKS),
+        fitted("Miss (CLPE, m) one dive ahead; currents in m/s", dives, cells.COLUMNS),
         Result("Miss, rms (m)", ["over", *models], rows, sentences),
     ]
 
