@@ -5,7 +5,6 @@ import json
 import math
 import os
 import random
-import shutil
 from dataclasses import replace
 from pathlib import Path
 
@@ -113,19 +112,6 @@ def test_a_state_belongs_to_its_folder(inbox, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "link").symlink_to(inbox)
     assert Follower("link", "state").look() == []  # another name of the same folder
-
-
-def test_a_skipped_file_has_its_new_name_and_a_copy_is_a_duplicate(inbox, tmp_path):
-    (inbox / "half.nc").write_bytes(b"CDF\x01" + bytes(5))
-    follower = Follower(inbox, tmp_path / "state")
-    follower.look()
-    (inbox / "half.nc").rename(inbox / "part.nc")
-    shutil.copy(inbox / "dive306.csv", inbox / "twice.csv")
-    follower.look()
-    found, why = numbers(follower)
-    assert found == [304, 305, 306]
-    assert "part.nc" in why[0]
-    assert "duplicate" in why[-1]
 
 
 def test_a_file_rewritten_with_its_old_size_and_date_is_read_again(inbox, tmp_path):
