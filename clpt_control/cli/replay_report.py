@@ -70,7 +70,7 @@ class Job:
 
     @contextmanager
     def so_far(self) -> Iterator[None]:
-        """Tell what dives do not allow, once, where a folder is followed; else it is an error."""
+        """Go on, where a folder is followed, after what dives do not allow, which is told once."""
         try:
             yield
         except (DataError, ScenarioError) as error:

@@ -127,6 +127,25 @@ def test_a_file_rewritten_with_its_old_size_and_date_is_read_again(inbox, tmp_pa
     assert numbers(follower)[0] == [304, 999, 306]
 
 
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes with a name on this system")
+def test_a_file_that_becomes_a_pipe_once_it_was_asked_is_not_waited_for(
+    inbox, tmp_path, monkeypatch
+):
+    follower, other = Follower(inbox, tmp_path / "state"), inbox / "dive305.csv"
+
+    def asked(path):
+        if path == other:
+            path.unlink()
+            os.mkfifo(path)
+        return False
+
+    monkeypatch.setattr(follow, "is_segment", asked)
+    assert follower.look() == ["dive304.csv", "dive305.csv", "dive306.csv"]
+    found, why = numbers(follower)
+    assert found == [304, 306]
+    assert "dive305.csv: is no regular file; give one" in why[0]
+
+
 def test_what_cannot_be_opened_is_tried_again(inbox, tmp_path, monkeypatch):
     closed = inbox / "dive305.csv"
     plain, shut = follow.at_once, True
