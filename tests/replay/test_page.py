@@ -39,12 +39,21 @@ def page_of(count, lat=40.0, lon=8.0, evil=""):
     return replay_page(found)
 
 
-def test_nothing_of_a_file_is_markup_and_nothing_is_fetched():
-    text = page_of(3, evil=EVIL)
-    page = fetching_nothing(text)
+@pytest.fixture(scope="module")
+def evil():
+    """A page of texts that a file may hold."""
+    return page_of(3, evil=EVIL)
+
+
+def test_nothing_of_a_file_is_markup(evil):
+    page = Reader(evil)
     assert [tag for tag, _ in page.tags].count("script") == 1
     shown = EVIL.replace("\x00", "\ufffd").replace("\udc80", "\ufffd")
     assert any(shown in text for text in page.texts)
+
+
+def test_nothing_is_fetched(evil):
+    page = fetching_nothing(evil)
     assert "//" not in re.sub(r"^// .*$", "", "".join(page.scripts), flags=re.M)
     policy = next(names["content"] for tag, names in page.tags if tag == "meta" and len(names) == 2)
     hashes = [
@@ -52,7 +61,7 @@ def test_nothing_of_a_file_is_markup_and_nothing_is_fetched():
         for part in ("".join(page.styles), "".join(page.scripts))
     ]
     assert policy == f"default-src 'none'; style-src {hashes[0]}; script-src {hashes[1]}"
-    charts_have_dates(text)
+    charts_have_dates(evil)
 
 
 @pytest.mark.usefixtures("undrawn")
