@@ -59,6 +59,7 @@ def fixes(number, lon):
 
 EPOCH = {"units": "seconds since 1970-1-1 00:00:00"}
 CM, M = {"units": "cm"}, {"units": "meters"}
+CTD = ("ctd_data_point",)
 
 
 def in_all(number, lon, of, steps):
@@ -96,16 +97,16 @@ def basestation3(path, number=7, lon=8.0, drop=(), count=1800, sizes=(), **chang
     """Write a dive as basestation3 does: a dimension per instrument, NetCDF-4."""
     since, depth, steps = swim(count)
     slow, shallow, _ = swim(300)
-    ctd, truck, info = ("ctd_data_point",), ("sg_data_point",), ("gps_info",)
-    start, variables = in_all(number, lon, ctd, steps)
+    truck, info = ("sg_data_point",), ("gps_info",)
+    start, variables = in_all(number, lon, CTD, steps)
     variables |= {
         "log_gps_hdop": (info, [0.9, 0.9, 1.1], {}),
         "log_gps_magvar": (info, np.full(3, VARIATION), {}),
         "time": (truck, start + slow, EPOCH),
         "eng_depth": (truck, 100 * shallow, CM),
         "legato_time": (("legato_data_point",), start + since, EPOCH),
-        "ctd_time": (ctd, start + since, EPOCH),
-        "ctd_depth": (ctd, depth, M),
+        "ctd_time": (CTD, start + since, EPOCH),
+        "ctd_depth": (CTD, depth, M),
     }
     variables = {k: v for k, v in (variables | changed).items() if k not in drop}
     own = {"ctd_data_point": count, "sg_data_point": 300, "legato_data_point": count}
@@ -152,7 +153,7 @@ UNITS = {
 }
 
 
-def og1(path, drop=(), columns=None, units=None, **more):
+def og1(path, drop=(), columns=None, units=None, sizes=(), **more):
     """Write an OG1 mission of the early dialect: no TIME_GPS, `divenum`."""
     columns = og1_rows() if columns is None else columns
     of = UNITS | (units or {})
@@ -161,4 +162,5 @@ def og1(path, drop=(), columns=None, units=None, **more):
         for name, numbers in columns.items()
         if name not in drop
     }
-    return write(path, {"N_MEASUREMENTS": len(columns["TIME"])}, variables | more)
+    own = {"N_MEASUREMENTS": len(columns["TIME"])}
+    return write(path, own | dict(sizes), variables | more)

@@ -1,4 +1,4 @@
-"""Writes files of a Slocum's flight computer, as its maker describes their bytes."""
+"""Writes files of a Slocum's flight computer, as its maker describes their bytes; a mission."""
 
 import struct
 
@@ -82,3 +82,79 @@ def ddmm(degrees):
     """Return degrees as ddmm.mmm."""
     whole = np.trunc(degrees)
     return whole * 100 + (degrees - whole) * 60
+
+
+T0, HOME = 1.7126e9, (51.6, -128.3)
+STEP, LASTS, AFLOAT = 40.0, 7200.0, 600.0  # s
+SEAS = np.array([[0.12 * np.cos(k), 0.12 * np.sin(1.3 * k)] for k in range(9)])  # m/s, by dive
+
+
+class Mission:
+    """Writes a mission: what the glider knows is a dict, of which each file begins with all.
+
+    It adds the current of the dive before to its dead reckoning, `added` times, which it logs
+    at each `every`-th cycle.
+    """
+
+    def __init__(self, folder, sensors=SENSORS, end=b"X", added=1.0, every=1):
+        self.folder, self.sensors, self.end, self.added = folder, sensors, end, added
+        self.knows = dict.fromkeys(SENSORS, 0.0) | {"u_use_current_correction": added}
+        self.at, self.time, self.files, self.truth, self.every = HOME, T0, 0, [], every
+        (folder / "cac").mkdir(parents=True)
+        (folder / "cac" / f"{CRC.upper()}.CAC").write_bytes(cac(sensors))
+        self.says(m_gps_mag_var=-np.radians(VARIATION))
+        self.works_out(SEAS[0])
+        self.fixed()
+
+    def says(self, **new):
+        """Return a cycle: what is new at a time."""
+        self.knows |= {"m_present_time": self.time, **new}
+        return {k: v for k, v in {"m_present_time": self.time, **new}.items() if k in self.sensors}
+
+    def works_out(self, sea):
+        return self.says(**dict(zip(("m_water_vx", "m_water_vy"), magnetic(sea), strict=True)))
+
+    def fixed(self):
+        """Return the cycle of a fix, to which dead reckoning is set."""
+        lat, lon = map(ddmm, self.at)
+        zero = {"m_lat": lat, "m_lon": lon, "m_x_lmc": 0.0, "m_y_lmc": 0.0, "m_depth": 0.0}
+        return self.says(m_gps_lat=lat, m_gps_lon=lon, m_gps_status=0.0, **zero)
+
+    def dive(self, k, files=1, wrong=0.0, late=False):
+        """Write a dive in so many files; its own current is worked out `late`, in the next one."""
+        before, sea, swim = SEAS[k], SEAS[k + 1], 0.3 * np.array([np.sin(k), np.cos(k)])
+        start, cycles, first = self.at, [], {**self.knows, "m_present_time": self.time}
+        cuts = {round(LASTS / STEP * n / files) for n in range(1, files)}
+        heading = (k - np.radians(VARIATION)) % (2 * np.pi)
+        for n in range(round(LASTS / STEP) + 1):
+            since = n * STEP
+            self.at = place_at(start, (swim + sea) * since)
+            if n == 0:
+                cycles.append(self.fixed())
+            else:
+                places = {}
+                if n % self.every == 0:
+                    reckoned = (swim + self.added * before + wrong) * since
+                    lat, lon = map(ddmm, place_at(start, reckoned))
+                    x, y = magnetic(reckoned)
+                    places = {"m_lat": lat, "m_lon": lon, "m_x_lmc": x, "m_y_lmc": y}
+                deep = 60.0 if n < LASTS / STEP else 0.0
+                cycles.append(self.says(m_depth=deep, m_heading=heading, **places))
+            if n in cuts:
+                self.write(cycles, first)
+                cycles, first = [], {**self.knows}
+            self.time += STEP
+        cycles.append(self.fixed())
+        self.truth.append(sea)
+        self.time += STEP
+        worked_out = self.works_out(sea)
+        self.write(cycles if late else [*cycles, worked_out], first)
+        self.time += AFLOAT
+
+    def write(self, cycles, first):
+        path = self.folder / f"unit-2024-100-7-{self.files}.sbd"
+        first = {name: first[name] for name in self.sensors}
+        path.write_bytes(
+            segment(cycles, self.sensors, f"0007{self.files:04d}", path.stem, 1, first, self.end)
+        )
+        self.files += 1

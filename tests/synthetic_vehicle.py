@@ -5,15 +5,28 @@ import math
 import numpy as np
 from scipy.integrate import trapezoid
 
-from clpt_control.cli.replay_report import Ahead, summary_with_next
+from clpt_control.cli.replay_report import Job
 from clpt_control.estimation.fix_model import inertial_frequency
 from clpt_control.geodesy import place_from
 from clpt_control.gliders.dive_table import write_dive_table
 from clpt_control.gliders.dives import Dive, make_dive
+from clpt_control.replay.carried_dives import FlowModel
 from clpt_control.replay.replay import replay_dives
 from clpt_control.scenario.tidal_periods import period
 
 STEADY = (0.1, -0.05)
+
+
+class Made(FlowModel):
+    """A flow given as a formula."""
+
+    source, about = "made", "a formula"
+
+    def __init__(self, flow):
+        self.flow = flow
+
+    def along(self, dive):
+        return self.flow
 
 
 def vehicle(
@@ -55,7 +68,7 @@ def vehicle(
 
 def told(dives, *targets):
     """Return what `clpt replay --json` prints of dives, and of waypoints to aim at."""
-    return summary_with_next(replay_dives(dives), [], Ahead(targets=list(targets)))
+    return Job(replay_dives(dives), targets=list(targets)).summary()
 
 
 def one_file_each(folder, dives):

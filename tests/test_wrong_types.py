@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 import xarray
 from law_blocks import papers_law
-from synthetic_forecast import Made
+from synthetic_vehicle import Made
 from test_documentation import methods, public_objects
 
 import clpt_control as clpt

@@ -27,18 +27,10 @@ def moon(time):
     return 218.3164477 + 481267.88123 * T, 280.46646 + 36000.76983 * T, 125.04452 - 1934.136261 * T
 
 
-def classical(time):
-    """f and u of the classical series in the node (D. Pugh, Tides, Surges and Mean Sea-Level)."""
+def classical_m2(time):
+    """f and u of M2 by the series in the node (D. Pugh, Tides, Surges and Mean Sea-Level)."""
     N = np.radians(moon(time)[2])
-    c, s = (lambda k: np.cos(k * N)), (lambda k: np.sin(k * N))
-    return {
-        "M2": (1.0004 - 0.0373 * c(1) + 0.0002 * c(2), -2.14 * s(1)),
-        "K1": (
-            1.0060 + 0.1150 * c(1) - 0.0088 * c(2) + 0.0006 * c(3),
-            -8.86 * s(1) + 0.68 * s(2) - 0.07 * s(3),
-        ),
-        "S2": (np.ones(len(N)), np.zeros(len(N))),
-    }
+    return 1.0004 - 0.0373 * np.cos(N) + 0.0002 * np.cos(2 * N), -2.14 * np.sin(N)
 
 
 def times(days, start="2019-01-01", step=60):

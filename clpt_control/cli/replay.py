@@ -127,18 +127,19 @@ def replay(
         raise ScenarioError(f"--units {units}: is for --flow-model FILE; give one, or leave it out")
     forecast = None if flow_model is None else clpt.replay.read_flow_model(flow_model, units)
     way, areas = (None, None) if route is None else read_route(route)
-    ahead = replay_report.Ahead(
+    job = replay_report.Job(
+        clpt.replay.Replay(estimator, model, forecast),
         () if plan is None else (3600 * plan[0], plan[1:]),
         ([] if aim is None else [aim]) if way is None else way,
         speed,
         None if hours is None else 3600 * hours,
         variation,
-        follow is not None,
         areas,
+        follow is not None,
+        kinds,
+        least,
     )
-    ahead.check()
-    growing = clpt.replay.Replay(estimator, model, forecast)
-    job = replay_report.Job(growing, ahead, kinds, least)
+    job.check()
     if fleet is not None:
         rows, page = look_at(job, fleet, out or fleet / "replay", command)
         finish(fleet_results(rows), rows, as_json, page)
@@ -207,8 +208,9 @@ def folders(top: Path, out: Path) -> Iterator[tuple[Path, str]]:
 def pages_of(vehicles: Iterable[str], place: Path) -> dict[str, Path]:
     """Return where results of the vehicles of a folder go: a folder each where they are several.
 
-    >>> {name: page.name for name, page in pages_of({"a b", "a_b", ".."}, Path("out")).items()}
-    {'..': '_.', 'a b': 'a_b', 'a_b': 'a_b_'}
+    >>> names = {"a b", "a_b", "..", "state", "$"}
+    >>> {name: page.name for name, page in pages_of(names, Path("out")).items()}
+    {'$': '_', '..': '_.', 'a b': 'a_b', 'a_b': 'a_b_', 'state': 'state_'}
     """
     found = {}
     taken = {STATE}

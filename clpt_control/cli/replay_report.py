@@ -6,7 +6,8 @@ A folder that is followed is watched for new files of dives.
 """
 
 import time
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from math import hypot, isfinite
 from pathlib import Path
@@ -30,21 +31,27 @@ LONGEST = 86400.0  # s between looks
 
 
 @dataclass
-class Ahead:
-    """Plan of the next dive (s; m east, m north), and waypoints to aim at, in their order.
+class Job:
+    """A replay that grows, what is asked of it, and the formats of its figures.
 
-    Speed (m/s), duration (s) and variation (degrees east) are for aiming. The way is drawn
-    (`route`) where there is a list of areas to stay out of, if an empty one. `follows`: what the
-    dives so far do not allow is told, and work goes on.
+    Dives must last longer than `least`, s. `plan` is of the next dive (s; m east, m north);
+    `targets` are waypoints to aim at, in their order. Speed (m/s), duration (s) and variation
+    (degrees east) are for aiming. The way is drawn (`route`) where there is a list of areas to stay
+    out of, if an empty one. `follows`: what the dives so far do not allow is told once, and work
+    goes on.
     """
 
+    replay: Any
     plan: tuple = ()
     targets: list[tuple[float, float]] = field(default_factory=list)
     speed: float | None = None
     duration: float | None = None
     variation: float | None = None
-    follows: bool = False
     areas: list[Any] | None = None
+    follows: bool = False
+    kinds: Sequence[str] = ()
+    least: float = 0.0
+    told: set[str] = field(default_factory=set)
 
     def check(self) -> None:
         """Refuse what cannot be, before work begins."""
@@ -61,68 +68,72 @@ class Ahead:
         duration = 3600.0 if self.duration is None else self.duration
         check_flown(1.0 if self.speed is None else self.speed, duration)
 
-    def aims(self, replay: Any) -> list[Any]:
+    @contextmanager
+    def so_far(self) -> Iterator[None]:
+        """Go on, where a folder is followed, after what dives do not allow, which is told once."""
+        try:
+            yield
+        except (DataError, ScenarioError) as error:
+            if not self.follows:
+                raise
+            if str(error) not in self.told:
+                tell(f"so far, {error}")
+            self.told.add(str(error))
+
+    def aims(self) -> list[Any]:
         """Return an `Aim` for each waypoint ahead; those that were come close to are dropped."""
         from ..geodesy import distance
         from ..replay.aim import ARRIVED
 
-        last = replay.steps[-1].dive
+        last = self.replay.steps[-1].dive
         fix = last.lat_gpse, last.lon_gpse
         while len(self.targets) > 1 and distance(*fix, *self.targets[0]) < ARRIVED:
             self.targets.pop(0)
-        if not self.targets:
-            return []
-        try:
-            return clpt.replay.aims(replay, self.targets, self.speed, self.duration, self.variation)
-        except ScenarioError as error:
-            if not self.follows:
-                raise
-            tell(f"so far, {error}")
-            return []
-
-
-@dataclass
-class Job:
-    """A replay that grows, what is asked of it, and the formats of its figures.
-
-    Dives must last longer than `least`, s.  What the dives so far do not allow is told once where a
-    folder is followed, and work goes on.
-    """
-
-    replay: Any
-    ahead: Ahead
-    kinds: Sequence[str]
-    least: float
-    told: bool = False
+        how = self.targets, self.speed, self.duration, self.variation
+        with self.so_far():
+            return clpt.replay.aims(self.replay, *how) if self.targets else []
+        return []
 
     def found(self, dives: Any, unread: Any) -> Report:
         """Replay the dives that can be used; return what `--json` prints."""
         from ..gliders.samples import with_variation
         from ..replay.replay import check_tides
 
-        variation, follows = self.ahead.variation, self.ahead.follows
-        if variation is not None:
-            if not follows and all(dive.turned is None for dive in dives):
+        if self.variation is not None:
+            if not self.follows and all(dive.turned is None for dive in dives):
                 raise ScenarioError(
-                    f"--variation {variation:g}: no dive here has its dead reckoning from a "
+                    f"--variation {self.variation:g}: no dive here has its dead reckoning from a "
                     "magnetic heading; leave it out"
                 )
-            dives = [with_variation(dive, variation) for dive in dives]
+            dives = [with_variation(dive, self.variation) for dive in dives]
         used, unused = clpt.gliders.usable(dives, self.least)
         skipped = [*unread, *unused]
-        if not (follows or used):
+        if not (self.follows or used):
             raise DataError(f"no dive can be used; dive {skipped[0].dive}: {skipped[0].why}")
-        try:
+        with self.so_far():
             check_tides(self.replay.model.flow, used)
-        except DataError as error:
-            if not follows:
-                raise
-            if not self.told:
-                tell(f"so far, {error}")
-            self.told = True
         with progress_bar("replaying dives", max(len(used), 1)) as report:
             self.replay.feed(used, report)
-        return summary_with_next(self.replay, skipped, self.ahead)
+        return self.summary(skipped)
+
+    def summary(self, skipped: Sequence[Any] = ()) -> Report:
+        """Return what `--json` prints: the summary, where the next dive ends, aim and paste."""
+        from ..replay.exchange import paste
+        from ..replay.route import DRAWS, arrivals
+
+        replay = self.replay
+        found = clpt.replay.summary(replay, skipped) | {"next_dive": None, "aim": [], "paste": None}
+        if not replay.steps:
+            return found
+        legs = self.aims()
+        aimed = legs and not self.plan
+        goal = legs[0].ahead if aimed else clpt.replay.next_dive(replay, *self.plan)
+        found |= {"next_dive": goal.as_dict(), "aim": [leg.as_dict() for leg in legs]}
+        if self.areas is not None and legs:
+            with progress_bar("drawing the way", DRAWS) as report:
+                way = self.targets, self.areas, self.speed, self.duration
+                found["route"] = arrivals(replay, *way, report)
+        return found | {"paste": paste(found)}
 
     def learn(self, dives: tuple[Any, Any], files: int, out: Path) -> tuple[Report, str]:
         """Replay dives and write the results; return them with a line on the new files."""
@@ -146,7 +157,7 @@ class Job:
 
 
 def fitted(
-    title: str, rows: list[dict[str, str]], ranks: dict[str, int], sentences: Sequence[str] = ()
+    title: str, rows: list[dict[str, str]], columns: Any, sentences: Sequence[str] = ()
 ) -> Result:
     """Return rows of cells by title as a table of the columns that fit the terminal."""
     size = {
@@ -154,8 +165,8 @@ def fitted(
         for name in rows[0]
     }
     left, chosen = terminal_width() - EDGE, set()
-    for name in sorted(size, key=lambda name: ranks[name]):
-        if ranks[name] == 0 or size[name] <= left:
+    for name in sorted(size, key=lambda name: columns[name][0]):
+        if columns[name][0] == 0 or size[name] <= left:
             chosen.add(name)
             left -= size[name]
     titles = [name for name in size if name in chosen]
@@ -177,16 +188,16 @@ def results(summary: Report) -> list[Result]:
     means = {name: summary[key] for key, name in ROWS.items()}
     if "flow_model" in summary and 0 < summary["flow_model"]["covered"] < summary["used"]:
         means["covered, after the first dive"] = summary["flow_model"]["clpe_rms"]
-    models = [cells.MODELS[key] for key in each[0]["clpe"]]
+    models = cells.MODELS[: len(each[0]["clpe"])]
     rows = [[name, *map(cells.metres, rms.values())] for name, rms in means.items()]
     return [
-        fitted("Miss (CLPE, m) one dive ahead; currents in m/s", dives, cells.RANKS),
+        fitted("Miss (CLPE, m) one dive ahead; currents in m/s", dives, cells.COLUMNS),
         Result("Miss, rms (m)", ["over", *models], rows, sentences),
     ]
 
 
 def write(found: Report, folder: Path, kinds: Sequence[str], again: bool = False) -> list[Path]:
-    """Write what `summary_with_next` says of a replay into a folder, all or none.
+    """Write what `Job.summary` says of a replay into a folder, all or none.
 
     The files, NetCDF, page, places and figures, are returned.  ``replay.nc`` is the first and is
     put in place last: where it is new, the others are.  The page loads itself `again` where it
@@ -211,25 +222,6 @@ def write(found: Report, folder: Path, kinds: Sequence[str], again: bool = False
     placed = {folder / name: one for name, one in results.items()}
     write_together(placed)
     return list(placed)
-
-
-def summary_with_next(result: Any, skipped: list, ahead: Ahead) -> Report:
-    """Return what `--json` prints: the summary, where the next dive ends, aim and paste."""
-    from ..replay.exchange import paste
-    from ..replay.route import DRAWS, arrivals
-
-    found = clpt.replay.summary(result, skipped) | {"next_dive": None, "aim": [], "paste": None}
-    if not result.steps:
-        return found
-    legs = ahead.aims(result)
-    aimed = legs and not ahead.plan
-    goal = legs[0].ahead if aimed else clpt.replay.next_dive(result, *ahead.plan)
-    found |= {"next_dive": goal.as_dict(), "aim": [leg.as_dict() for leg in legs]}
-    if ahead.areas is not None and legs:
-        with progress_bar("drawing the way", DRAWS) as report:
-            way = ahead.targets, ahead.areas, ahead.speed, ahead.duration
-            found["route"] = arrivals(result, *way, report)
-    return found | {"paste": paste(found)}
 
 
 def check_pace(every: float, patience: float) -> None:

@@ -50,19 +50,37 @@ class Constituent:
 NUMBERS = {one.name: one.metadata["of"] for one in fields(Constituent) if one.metadata}
 
 
-@dataclass(frozen=True)
 class TidalFit:
     """Tidal constants of a record and how well they explain it."""
 
-    constituents: tuple[Constituent, ...]  # in the order that was asked for
-    mean: tuple[float, float]  # east and north, m/s
-    explained_variance: float  # share about the mean, both components together
-    residual_rms: float  # root of the mean squared length of the residual, m/s
-    start: np.datetime64  # first measurement, UTC
-    end: np.datetime64
-    samples: int  # measurements that were used
-    latitude: float  # of the nodal corrections, degrees north
-    coefficients: Any = field(repr=False, compare=False)  # as utide.solve gives them
+    def __init__(
+        self,
+        times: np.ndarray,
+        flow: np.ndarray,
+        names: Sequence[str],
+        cycles: np.ndarray,
+        fits: Sequence[Any],
+        latitude: float,
+    ) -> None:
+        """Take the constants of tides, cycles per hour, from fits of both components, east, north.
+
+        They are as utide.solve gives them, of u + iv, m/s, at times, datetime64 in UTC.
+        """
+        self.coefficients, self.latitude, self.samples = fits[0], float(latitude), len(times)
+        self.start, self.end = times[0], times[-1]  # first measurement and last
+        hours = (times - times[0]).astype(float) / 3.6e6
+        mean, middle = fits[0].umean + 1j * fits[0].vmean, flow.mean()
+        model = _predicted(fits[0], times)
+        residual = flow - model
+        self.constituents = tuple(  # in the order that was asked for
+            _constituent(name, k, fits, telling_apart.noise_ratio(residual, hours, cycles, k))
+            for k, name in enumerate(names)
+        )
+        self.mean = float(mean.real), float(mean.imag)  # east and north, m/s
+        # share about the mean, both components together
+        self.explained_variance = explained_share(flow - middle, model - middle)
+        # root of the mean squared length of the residual, m/s
+        self.residual_rms = float(np.sqrt(np.mean(np.abs(residual) ** 2)))
 
     def __repr__(self) -> str:
         axes = ", ".join(f"{one.name} {one.major:.3g}" for one in self.constituents[:4])
@@ -151,26 +169,7 @@ def fit_tides(
     with np.errstate(all="ignore"):  # 0/0 where a tide or the residual is nought
         both = utide.solve(times, flow.real, flow.imag, **options)
         east, north = (utide.solve(times, part, **options) for part in (flow.real, flow.imag))
-    mean, middle = both.umean + 1j * both.vmean, flow.mean()
-    model = _predicted(both, times)
-    residual = flow - model
-    tides = tuple(
-        _constituent(
-            name, k, (both, east, north), telling_apart.noise_ratio(residual, hours, cycles, k)
-        )
-        for k, name in enumerate(names)
-    )
-    return TidalFit(
-        constituents=tides,
-        mean=(float(mean.real), float(mean.imag)),
-        explained_variance=explained_share(flow - middle, model - middle),
-        residual_rms=float(np.sqrt(np.mean(np.abs(residual) ** 2))),
-        start=times[0],
-        end=times[-1],
-        samples=len(times),
-        latitude=float(latitude),
-        coefficients=both,
-    )
+    return TidalFit(times, flow, names, cycles, (both, east, north), latitude)
 
 
 @public
@@ -248,7 +247,7 @@ def _names(constituents: Sequence[str] | str, hours: np.ndarray, where: str) -> 
     return names
 
 
-def _constituent(name: str, k: int, fits: tuple, ratio: np.ndarray) -> Constituent:
+def _constituent(name: str, k: int, fits: Sequence[Any], ratio: np.ndarray) -> Constituent:
     """Return the tide of index k of the fits of both components, of the east and of the north."""
     values, errors = dict[str, float](), dict[str, float]()
     for key, (which, symbol) in NUMBERS.items():

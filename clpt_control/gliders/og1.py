@@ -124,7 +124,7 @@ def dives_of(data: xarray.Dataset) -> list[Dive | Skipped]:
     of = columns_of(data)
     of["wet"] = _under_water(of)
     if has_ends(data):
-        return _of_segments(of, segments_of(data))
+        return _of_segments(of, segments_of(of))
     fixes, failed = fixes_and_others(of)
     under = np.sort(of.time[of.wet].dropna())
     found = cut_dives(fixes, under, LEAST_GAP) or cut_dives(fixes, None, LEAST_GAP)

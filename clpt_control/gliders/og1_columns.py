@@ -42,8 +42,7 @@ PLACE = ("lat", "lon")
 FLAG = "DEAD_RECKONING"  # 0 where a place is a fix
 HEADING = ("HEADING", "GLIDER_HEADING", "ENG_HEAD")
 FASTEST_CLIMB = 1.0  # m/s: no glider comes up faster
-NAMES = ("TIME{}", "LATITUDE{}", "LONGITUDE{}")
-END, START, MIDDLE = ("_GPS_END", "_GPS", "_UV")
+ENDS = {"after": "_GPS_END", "before": "_GPS", "middle": "_UV"}  # of a dive: how names end
 
 
 def _degrees(data: xarray.Dataset, name: str) -> np.ndarray:
@@ -73,6 +72,11 @@ QUANTITIES = {  # of a measurement: what files call it, and how it is read
     "depth": (("DEPTH", "GLIDER_DEPTH"), metres),
     "depth_max": (("DEPTH_MAX",), metres),
     "phase": (("PHASE",), values),
+    **{
+        f"{key}_{end}": ((f"{name}{suffix}",), read)
+        for end, suffix in ENDS.items()
+        for key, name, read in zip(("time", *PLACE), PLACES, (seconds, values, values), strict=True)
+    },
 }
 
 
@@ -87,8 +91,10 @@ def columns_of(data: xarray.Dataset) -> pandas.DataFrame:
 
     `t_fix`, `lat`, `lon` are of the fixes; `time`, `east`, `north` (steps, m), `speed`,
     `heading` (degrees), `u`, `v`, `number`, `qc`, `magvar`, `depth`, `depth_max` and
-    `phase` of the measurements.  `attrs` has the `north` of the heading, "magnetic", "true" or ""
-    where the file does not say, the name of the `steps`, and `notes` on all dives.
+    `phase` of the measurements, and with `_before`, `_after` and `_middle` time and place of the
+    fixes around their dive and of its middle, where the file has them.  `attrs` has the `north` of
+    the heading, "magnetic", "true" or "" where the file does not say, the name of the `steps`, and
+    `notes` on all dives.
     """
     known = known_names(data)
     fixes, t_name = _fix_columns(data, known)
@@ -199,21 +205,26 @@ def _frame(data: xarray.Dataset, known: dict[str, str]) -> str:
 
 def has_ends(data: xarray.Dataset) -> bool:
     """Whether the file has a fix after the dive for each measurement."""
-    return all(name.format(END) in known_names(data) for name in NAMES)
+    return {f"{name}{ENDS['after']}" for name in PLACES} <= set(known_names(data))
 
 
-def segments_of(data: xarray.Dataset) -> list[tuple[Fix, Fix, list[str]]]:
+def segments_of(of: pandas.DataFrame) -> list[tuple[Fix, Fix, list[str]]]:
     """Return the fixes before and after each dive by time, NaN where there is none, and notes."""
-    known = known_names(data)
-    ends, *others = (_fixes(data, known, suffix) for suffix in (END, START, MIDDLE))
-    if not np.isfinite(ends).any():
+    parts = []
+    for end in ENDS:
+        time, lat, lon = (of[f"{key}_{end}"] for key in ("time", *PLACE))
+        good = is_fix(lat, lon) & time.notna()
+        parts += [part.where(good) for part in (time, lat, lon)]
+    if parts[0].isna().all():
         raise DataError(
             "TIME_GPS_END, LATITUDE_GPS_END, LONGITUDE_GPS_END have no fix; a dive needs "
             "one before and one after it"
         )
-    columns = pandas.DataFrame(np.vstack([ends, *others]).T)
+    columns = pandas.concat(parts, axis=1)
     found = []
-    for row in columns.groupby(0, as_index=False).first().to_numpy():  # what is there, of each end
+    for row in (
+        columns.groupby("time_after", as_index=False).first().to_numpy()
+    ):  # what is there, of each end
         end, start, middle = row[:3], row[3:6], row[6:9]
         notes = []
         if np.isnan(start).any() and not np.isnan(middle).any():
@@ -221,19 +232,3 @@ def segments_of(data: xarray.Dataset) -> list[tuple[Fix, Fix, list[str]]]:
             notes.append("the fix before the dive computed from the segment's middle and its end")
         found.append((tuple(start.tolist()), tuple(end.tolist()), notes))
     return found
-
-
-def _fixes(data: xarray.Dataset, known: dict[str, str], suffix: str) -> np.ndarray:
-    """Return time (s), latitude and longitude with a suffix, (3, n); what is no fix is NaN.
-
-    A file that has none has one of NaN for each end.
-    """
-    names = [name.format(suffix) for name in NAMES]
-    size = data[known[NAMES[0].format(END)]].size
-    if not all(name in known for name in names):
-        return np.full((3, size), nan)
-    time = seconds(data, known[names[0]])
-    lat, lon = (values(data, known[name]) for name in names[1:])
-    if not time.shape == lat.shape == lon.shape == (size,):
-        raise DataError(f"{', '.join(names)} differ in length; must be one per measurement")
-    return np.where(is_fix(lat, lon) & np.isfinite(time), [time, lat, lon], nan)

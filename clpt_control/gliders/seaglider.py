@@ -22,6 +22,7 @@ until it is within `log_TGT_RADIUS` (m).
 """
 
 import re
+from collections.abc import Iterator, Sequence
 from math import isfinite, nan
 from pathlib import Path
 
@@ -148,15 +149,16 @@ def _next_course(data: xarray.Dataset, end: Fix) -> float | None:
     return planned_course(end, target, samples.scalar(data, "log_TGT_RADIUS") or 0.0)
 
 
+def _of_samples(data: xarray.Dataset, names: Sequence[str], like: str) -> Iterator[str]:
+    """Return those of some variables that have the dimension of another."""
+    there = (name for name in names if name in data.variables)
+    return (name for name in there if data[name].dims == data[like].dims)
+
+
 def _times(data: xarray.Dataset, like: str) -> tuple[np.ndarray | None, str]:
     """Return times of the samples that a variable has, or why there are none."""
-    times = [name for name in map(str, data.variables) if name.endswith("_time")]
-    same = [
-        name
-        for name in dict.fromkeys(("ctd_time", "time", *sorted(times)))
-        if name in data.variables and data[name].dims == data[like].dims
-    ]
-    for name in same:
+    others = sorted(name for name in map(str, data.variables) if name.endswith("_time"))
+    for name in _of_samples(data, ("ctd_time", "time", *others), like):
         time = samples.seconds(data, name)
         if time.size and np.all(np.isfinite(time)) and np.all(np.diff(time) > 0):
             return time, ""
@@ -188,7 +190,5 @@ def _dead_reckoning(
 
 def _depths(data: xarray.Dataset, like: str) -> np.ndarray:
     """Return depths of the samples that a variable has, NaN where there are none."""
-    for name in DEPTHS:
-        if name in data.variables and data[name].dims == data[like].dims:
-            return samples.metres(data, name)
-    return np.full(data[like].shape, nan)
+    name = next(_of_samples(data, DEPTHS, like), None)
+    return np.full(data[like].shape, nan) if name is None else samples.metres(data, name)

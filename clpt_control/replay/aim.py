@@ -20,7 +20,6 @@ Where c depends on the way, as with gaussians and flow models, d and c are found
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
 from math import ceil, hypot, sqrt
 from statistics import median
 from typing import Any
@@ -44,7 +43,6 @@ ARRIVED = 1000.0  # m; a vehicle this close to a waypoint goes on to the next on
 ITERATIONS, CLOSE = 20, 1.0  # of d and c, and m by which the last may change c
 
 
-@dataclass(frozen=True)
 class Aim:
     """How to steer a dive to a waypoint: lengths in m, angles in degrees from true north.
 
@@ -58,24 +56,39 @@ class Aim:
     where it is not known.
     """
 
-    ahead: NextDive
-    target: Place
-    distance: float
-    bearing: float | None
-    heading: float | None
-    crab: float | None
-    speed: float
-    speed_expected: float
-    current: tuple[float, float]
-    through_water: float
-    through_water_full: float
-    made_good: float
-    left: float
-    state: str
-    dives: float | None
-    hours: float | None
-    magnetic_variation: float | None = None
-    heading_magnetic: float | None = None
+    def __init__(
+        self,
+        ahead: NextDive,
+        target: Place,
+        V: float,
+        T: float,
+        c: np.ndarray,
+        s: float,
+        state: str,
+        tau: float | None,
+        stay: float,
+    ) -> None:
+        """Work out how a dive is steered that was planned as T s at V m/s, in what carries it c.
+
+        It goes s through the water, and with stays between them tau of it reach the target.
+        """
+        plan, self.ahead, self.target = ahead.plan, ahead, target
+        g = displacement(plan.lat_gps2, plan.lon_gps2, *target)
+        self.distance, self.bearing = hypot(*g), direction(*g)
+        self.heading = direction(plan.dr_east, plan.dr_north)
+        self.crab: float | None = None
+        if self.heading is not None and self.bearing is not None:
+            self.crab = near(self.heading - self.bearing, 0.0)
+        self.speed, self.speed_expected = V, s / T
+        self.current = float(c[0]) / T, float(c[1]) / T
+        self.through_water, self.through_water_full = hypot(plan.dr_east, plan.dr_north), V * T
+        self.left = distance(ahead.latitude, ahead.longitude, *target)
+        self.made_good = self.distance - self.left
+        self.state, self.dives, self.hours = state, tau, tau
+        if tau is not None:
+            self.hours = (tau * plan.duration + (ceil(tau) - 1) * stay) / 3600
+        self.magnetic_variation: float | None = None
+        self.heading_magnetic: float | None = None
 
     def __repr__(self) -> str:
         return f"<Aim: {aim_sentence(self.as_dict())}>"
@@ -195,8 +208,8 @@ def aims(
         east = next((one for one in stated if one is not None), None)
         east = known(igrf(*at)) if east is None else east
         if leg.heading is not None and east is not None:
-            magnetic = (leg.heading - east) % 360.0
-            leg = replace(leg, magnetic_variation=east, heading_magnetic=magnetic)
+            leg.magnetic_variation = east
+            leg.heading_magnetic = (leg.heading - east) % 360.0
         legs.append(leg)
         if leg.hours is None or leg.hours > YEAR:
             break
@@ -234,25 +247,5 @@ def aim(replay: Replay, start: Fix, target: Place, V: float, T: float, shorten: 
     if state == UNDER_WAY and tau is not None and tau < 1.0 and shorten:
         middle = float(g @ c) / (float(c @ c) - s * s)  # of two roots, both below 1
         return aim(replay, start, target, V, T * middle, shorten=False)
-    plan = ahead.plan  # as it was forecast, whether or not c came to rest
-    way, bearing = (plan.dr_east, plan.dr_north), direction(*map(float, g))
-    heading, left = direction(*way), distance(ahead.latitude, ahead.longitude, *target)
-    stay = replay.habits.stay()[0]
-    return Aim(
-        ahead,
-        target,
-        distance=hypot(*g),
-        bearing=bearing,
-        heading=heading,
-        crab=None if heading is None or bearing is None else near(heading - bearing, 0.0),
-        speed=V,
-        speed_expected=s / T,
-        current=(float(c[0]) / T, float(c[1]) / T),
-        through_water=hypot(*way),
-        through_water_full=full,
-        made_good=hypot(*g) - left,
-        left=left,
-        state=state,
-        dives=tau,
-        hours=None if tau is None else (tau * plan.duration + (ceil(tau) - 1) * stay) / 3600,
-    )
+    # as it was forecast, whether or not c came to rest
+    return Aim(ahead, target, V, T, c, s, state, tau, replay.habits.stay()[0])

@@ -36,7 +36,7 @@ from ..files.reading import read_text
 from ..html import document, paragraphs
 from ..progress import tell
 from ..units import seconds_since_1970
-from .cells import half_axes, speed_mark
+from .cells import Columns, cells, half_axes, speed_mark
 from .doubts import SETTLED, Anomaly
 from .places import clock, date, in_minutes
 from .replay_page import cell_table
@@ -46,18 +46,6 @@ from .wording import within
 OVERDUE, OUT, SPEED, UNREAD = "overdue", "OUT", "SPEED", "cannot be read"
 ORDER = (OVERDUE, OUT, SPEED, UNREAD)
 SOON = 48.0  # hours; a longer age is in days
-FLEET = {  # title of a column: its rank
-    "vehicle": 0,
-    "last fix (UTC)": 3,
-    "age": 0,
-    "at": 5,
-    "next (UTC)": 1,
-    "90 % within (m)": 4,
-    "held": 2,
-    "90 %": 0,
-    "mark": 0,
-    "pilot": 0,
-}
 
 
 class Event(NamedTuple):
@@ -123,37 +111,51 @@ def ordered(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
     return sorted(rows, key=place)
 
 
+def _age(hours: float) -> str:
+    return f"{hours:.1f} h" if hours < SOON else f"{hours / 24:.0f} d"
+
+
+def _out(running: int) -> str:
+    return f"{OUT} x{running}" if running > 1 else OUT if running else "in"
+
+
+def _record(headlines: dict[str, Any]) -> str:
+    count = headlines["judged"]
+    return f"{headlines['place_held']} of {count}" if count else "-"
+
+
+FLEET: Columns = {
+    "vehicle": (0, lambda row: row["vehicle"]),
+    "last fix (UTC)": (3, lambda row: date(row["time"])),
+    "age": (0, lambda row: _age(row["age_hours"])),
+    "at": (5, lambda row: in_minutes(row["latitude"], row["longitude"])),
+    "next (UTC)": (1, lambda row: f"{date(row['next_dive']['time'])} {within(row['next_dive'])}"),
+    "90 % within (m)": (4, lambda row: half_axes(row["next_dive"])),
+    "held": (2, lambda row: _record(row["headlines"])),
+    "90 %": (0, lambda row: _out(row["out_running"])),
+    "mark": (0, lambda row: speed_mark(row["anomaly"])),
+    "pilot": (0, lambda row: ", ".join(row["asks"])),
+}
+
+
 def fleet_cells(row: dict[str, Any]) -> dict[str, str]:
     """Return the cells of a row by the titles of their columns."""
-    cells = dict.fromkeys(FLEET, "")
-    cells |= {"vehicle": row["vehicle"], "pilot": ", ".join(row["asks"])}
-    if "dive" not in row:
-        return cells
-    ahead, running = row["next_dive"], row["out_running"]
-    hours, count = row["age_hours"], row["headlines"]["judged"]
-    return cells | {
-        "last fix (UTC)": date(row["time"]),
-        "age": f"{hours:.1f} h" if hours < SOON else f"{hours / 24:.0f} d",
-        "at": in_minutes(row["latitude"], row["longitude"]),
-        "next (UTC)": f"{date(ahead['time'])} {within(ahead)}",
-        "90 % within (m)": half_axes(ahead),
-        "held": f"{row['headlines']['place_held']} of {count}" if count else "-",
-        "90 %": f"{OUT} x{running}" if running > 1 else OUT if running else "in",
-        "mark": speed_mark(row["anomaly"]),
-    }
+    if "dive" in row:
+        return cells(row, FLEET)
+    return {**dict.fromkeys(FLEET, ""), "vehicle": row["vehicle"], "pilot": ", ".join(row["asks"])}
 
 
 def fleet_page(found: dict[str, Any]) -> str:
     """Return the fleet as one HTML file, which links the page of each vehicle."""
     rows = found["vehicles"]
-    cells = [fleet_cells(row) | {"pilot": "; ".join(row["said"])} for row in rows]
+    each = [fleet_cells(row) | {"pilot": "; ".join(row["said"])} for row in rows]
     pages = [row["page"] and quote(row["page"]) for row in rows]
     body = "\n".join(
         [
             "<h1>Fleet</h1>",
             paragraphs([f"{fleet_sentence(rows)}. Written {clock(found['now'])}."]),
             '<div class="fleet">',
-            *cell_table("What asks for a pilot first", cells, FLEET, (), pages),
+            *cell_table("What asks for a pilot first", each, FLEET, (), pages),
             "</div>",
         ]
     )

@@ -24,7 +24,6 @@ within the box alone.
 """
 
 import json
-from dataclasses import dataclass
 from math import isfinite
 from pathlib import Path
 
@@ -38,7 +37,6 @@ from ..currents.plane import LocalPlane
 from ..errors import DataError
 from ..files.reading import open_netcdf, shown_name
 from ..gliders.dives import Dive
-from ..scenario.experiment import Scenario
 from ..scenario.file import load_scenario
 from ..units import METRES, SECONDS, seconds_since_1970
 from .carried_dives import Flow, FlowModel, Uncovered
@@ -115,17 +113,30 @@ class Forecast(FlowModel):
         return flow
 
 
-@dataclass(frozen=True, repr=False)
 class Fitted(FlowModel):
-    """A basis with its parameters, on the plane of its fit."""
+    """A basis with its parameters, of the TOML file that `clpt fit` wrote, its field beside it."""
 
-    scenario: Scenario
-    theta: np.ndarray  # shape (2, N), along x1 and x2, the scenario's length per time
-    plane: LocalPlane  # about the origin of the fit
-    start: float  # its t = 0, s since 1970 UTC
-    box: tuple[float, float, float, float]  # lat0, lat1, lon0, lon1 that was fitted, degrees
-    source: str
-    about: str
+    def __init__(self, path: Path) -> None:
+        self.scenario, text = load_scenario(path), ""
+        if self.scenario.field_path is not None:
+            with open_netcdf(self.scenario.field_path) as data:
+                text = data.attrs.get("fit_report", "")
+        N = self.scenario.basis.N
+        try:
+            report = json.loads(text)
+            self.theta = np.array(report["theta"], float)  # (2, N), along x1 and x2
+            self.plane = LocalPlane(*map(float, report["origin"]))
+            self.start = seconds_since_1970(report["start"])  # its t = 0
+            self.lat0, self.lat1, self.lon0, self.lon1 = map(float, report["box"])
+            self.about = f"fitted basis of {N} functions, {', '.join(report['constituents'])}"
+            if self.theta.shape != (2, N) or not np.all(np.isfinite(self.theta)):
+                raise ValueError("of other functions")
+        except (ValueError, KeyError, TypeError):
+            raise DataError(
+                f"{path}: is no fit with its field beside it, which has theta, origin, box and a "
+                "date; write both anew with `clpt fit`"
+            ) from None
+        self.source = shown_name(path)
 
     def along(self, dive: Dive) -> Flow:
         """Return theta phi for one dive; `Uncovered` if it begins outside the fit's area."""
@@ -135,8 +146,8 @@ class Fitted(FlowModel):
 
         def flow(t: float, east: float, north: float) -> tuple[float, float]:
             lat, lon = here.to_earth(east / 1000, north / 1000)
-            lat0, lat1, lon0, lon1 = self.box
-            if not (lat0 <= lat <= lat1 and (lon - lon0) % 360.0 <= lon1 - lon0):
+            within = (lon - self.lon0) % 360.0 <= self.lon1 - self.lon0
+            if not (self.lat0 <= lat <= self.lat1 and within):
                 raise Uncovered("outside the fit's area")
             x1, x2 = (1000.0 * float(x) / long for x in self.plane.to_plane(lat, lon))
             when = (dive.t_gps2 + t - self.start) / second
@@ -148,32 +159,6 @@ class Fitted(FlowModel):
 
         flow(0.0, 0.0, 0.0)
         return flow
-
-
-def read_fitted(path: str | Path) -> Fitted:
-    """Read the TOML file that `clpt fit` wrote, its field beside it; theta is the fitted one."""
-    path = Path(path)
-    scenario = load_scenario(path)
-    text = ""
-    if scenario.field_path is not None:
-        with open_netcdf(scenario.field_path) as data:
-            text = data.attrs.get("fit_report", "")
-    try:
-        report = json.loads(text)
-        theta = np.array(report["theta"], float)
-        plane = LocalPlane(*map(float, report["origin"]))
-        start = seconds_since_1970(report["start"])
-        lat0, lat1, lon0, lon1 = map(float, report["box"])
-        tides = ", ".join(report["constituents"])
-        if theta.shape != (2, scenario.basis.N) or not np.all(np.isfinite(theta)):
-            raise ValueError("of other functions")
-    except (ValueError, KeyError, TypeError):
-        raise DataError(
-            f"{path}: is no fit with its field beside it, which has theta, origin, box and a date; "
-            "write both anew with `clpt fit`"
-        ) from None
-    about = f"fitted basis of {scenario.basis.N} functions, {tides}"
-    return Fitted(scenario, theta, plane, start, (lat0, lat1, lon0, lon1), shown_name(path), about)
 
 
 @public
@@ -216,4 +201,4 @@ def read_flow_model(path: str | Path, units: str | None = None) -> FlowModel:
         )
     if kind == ".toml" and units is not None:
         raise DataError(f"{path}: a fit has its units in the file; leave out units ({units})")
-    return read_fitted(path) if kind == ".toml" else Forecast(path, units)
+    return Fitted(path) if kind == ".toml" else Forecast(path, units)

@@ -40,7 +40,7 @@ from .carried_dives import FlowModel, carried
 from .cells import cells
 from .doubts import SpeedFactorWatch, doubt_one_fix
 from .habits import CHI_SQUARED, GIVEN, Guess, Habits, drift
-from .step import FLOW_MODEL, MODELS, Step, check_next, estimates
+from .step import FLOW_MODEL, MODELS, Step, check_next
 from .surfacing import NORMAL, NextDive, check_flown, unflown
 
 LISTED = 10  # dives of a notebook's table
@@ -188,7 +188,7 @@ class Replay:
         Habits and the watch learn nothing of it.
         """
         self._learner.update(dive)
-        self.steps = [replace(self.steps[-1], dive=dive, **estimates(self._learner, dive))]
+        self.steps = [replace(self.steps[-1], dive=dive).learned(self._learner)]
 
     def surfacing(self, guess: Guess | None = None, start: Fix | None = None) -> NextDive:
         """Forecast the end of the next dive.
@@ -261,20 +261,9 @@ class Replay:
         anomaly = None if self._watch is None else self._watch.step(dive)
         if anomaly is not None and anomaly.certain:
             self._learner.forget_speed()
-        self.steps.append(
-            Step(
-                dive,
-                clpe,
-                mean,
-                covariance,
-                bool(away @ np.linalg.solve(covariance, away) <= CHI_SQUARED),
-                anomaly,
-                drift=way,
-                headline=headline,
-                headline_held=held,
-                **estimates(self._learner, dive),
-            )
-        )
+        inside = bool(away @ np.linalg.solve(covariance, away) <= CHI_SQUARED)
+        step = Step(dive, clpe, mean, covariance, inside, anomaly, way, headline, held)
+        self.steps.append(step.learned(self._learner))
 
 
 @public

@@ -127,13 +127,13 @@ def _table(found: dict[str, Any]) -> list[str]:
     rows = found["each_dive"]
     words = [f"dive {row['dive']}: {words_of_dive(row)}" for row in rows]
     marks = [f' id="map-dive{k}" title="{safe(one)}"' for k, one in enumerate(words)]
-    return cell_table(title, [*map(cells.cells, rows[::-1])], cells.RANKS, marks[::-1])
+    return cell_table(title, [*map(cells.cells, rows[::-1])], cells.COLUMNS, marks[::-1])
 
 
 def cell_table(
     title: str,
     rows: Sequence[dict[str, str]],
-    ranks: dict[str, int],
+    columns: cells.Columns,
     marks: Sequence[str] = (),
     links: Sequence[str | None] = (),
 ) -> list[str]:
@@ -141,8 +141,8 @@ def cell_table(
 
     A row may have attributes, its first cell a link.
     """
-    titles = sorted(rows[0], key=lambda title: ranks[title] > 0)
-    styles = {title: _style(ranks[title]) for title in titles}
+    titles = sorted(rows[0], key=lambda title: columns[title][0] > 0)
+    styles = {title: _style(columns[title][0]) for title in titles}
     names = [f"<th{styles[title]}>{safe(title)}</th>" for title in titles]
     lines = [
         f"<h2>{safe(title)}</h2>",

@@ -31,7 +31,7 @@ SPEED = ("speed_factor", "speed_factor_error", "compass", "compass_error")
 LEARNED = 0.87  # share of a prior's standard error; a parameter with more is not learned
 
 
-@dataclass(frozen=True)
+@dataclass
 class Step:
     """A dive, its forecast, and what is known after it.
 
@@ -51,17 +51,34 @@ class Step:
     covariance: np.ndarray
     inside: bool
     anomaly: Anomaly | None
-    current: np.ndarray
-    current_error: np.ndarray
-    parts: dict[str, float]
-    not_learned: tuple[str, ...]
-    drift: Way | None = None
-    headline: NextDive | None = None
-    headline_held: tuple[bool, bool] | None = None
-    speed: float = 1.0
-    speed_error: float = 0.0
-    compass: float = 0.0
-    compass_error: float = 0.0
+    drift: Way | None
+    headline: NextDive | None
+    headline_held: tuple[bool, bool] | None
+
+    def learned(self, learner: Estimator) -> "Step":
+        """Take what an estimator knows that has learned the dive."""
+        p, P, left = learner.estimate()
+        model = learner.model
+        flow = [k for k, part in enumerate(model.parts) if part not in ("speed", "compass")]
+        H = model.regressor(self.dive, ended=True)[:, flow] / self.dive.duration
+        self.current = H @ p[flow]
+        self.current_error = np.sqrt(np.diag(H @ P[np.ix_(flow, flow)] @ H.T))
+        self.parts = learner.parts()
+        self.not_learned = tuple(
+            name
+            for name, part, share in zip(model.names, model.parts, left, strict=True)
+            if share >= LEARNED and part != "gaussians"
+        )
+        self.speed, self.speed_error, self.compass, self.compass_error = 1.0, 0.0, 0.0, 0.0
+        if model.learn_speed:
+            k = model.names.index("speed")
+            a, b = 1.0 + p[k], p[k + 1]  # f cos psi, f sin psi
+            f = np.hypot(a, b)
+            by = np.array([[a, b], [-b / f, a / f]]) / f  # derivatives of f and psi
+            factor, compass = np.sqrt(np.diag(by @ P[k : k + 2, k : k + 2] @ by.T))
+            self.speed, self.speed_error = float(f), float(factor)
+            self.compass, self.compass_error = np.degrees((np.arctan2(b, a), compass)).tolist()
+        return self
 
     @property
     def response(self) -> np.ndarray:
@@ -134,37 +151,6 @@ def _headline(headline: NextDive, held: tuple[bool, bool] | None) -> dict[str, A
     keys = ("time", "time_90", "latitude", "longitude", *ELLIPSE, "basis")
     place, time = held or (None, None)
     return {**{key: found[key] for key in keys}, "place_held": place, "time_held": time}
-
-
-def estimates(learner: Estimator, dive: Dive) -> dict[str, Any]:
-    """Return the fields of a `Step` that an estimator fills which has learned its dive."""
-    p, P, left = learner.estimate()
-    model = learner.model
-    flow = [k for k, part in enumerate(model.parts) if part not in ("speed", "compass")]
-    H = model.regressor(dive, ended=True)[:, flow] / dive.duration
-    known: dict[str, Any] = {
-        "current": H @ p[flow],
-        "current_error": np.sqrt(np.diag(H @ P[np.ix_(flow, flow)] @ H.T)),
-        "parts": learner.parts(),
-        "not_learned": tuple(
-            name
-            for name, part, share in zip(model.names, model.parts, left, strict=True)
-            if share >= LEARNED and part != "gaussians"
-        ),
-    }
-    if model.learn_speed:
-        k = model.names.index("speed")
-        a, b = 1.0 + p[k], p[k + 1]  # f cos psi, f sin psi
-        f = np.hypot(a, b)
-        by = np.array([[a, b], [-b / f, a / f]]) / f  # derivatives of f and psi
-        factor, compass = np.sqrt(np.diag(by @ P[k : k + 2, k : k + 2] @ by.T))
-        known |= {
-            "speed": float(f),
-            "speed_error": float(factor),
-            "compass": float(np.degrees(np.arctan2(b, a))),
-            "compass_error": float(np.degrees(compass)),
-        }
-    return known
 
 
 def check_next(dive: Dive, last: Dive | None) -> None:

@@ -31,7 +31,7 @@ from ..figures import (
 from ..geodesy import distance, near
 from ..html import plain
 from .facts import Source, found_of
-from .layers import LAST, layers_of
+from .layers import layers_of
 from .places import Place, clock, degrees_minutes, east_of
 
 FEW = 20  # dives, whose marks are large
@@ -44,11 +44,13 @@ MOST = 89.5  # degrees of the middle; at a pole there is no east
 STEPS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 1800)  # minutes
 LENGTHS = tuple(m * 10**n for n in range(1, 7) for m in (1, 2, 5))  # m, of scale bars
 POINTS = 72  # units of SVG in an inch
+FAR = ("track", "miss", "ring", "ring next")  # layers that lie within the chart
 AIM = {"color": "black", "label": "to the waypoint"}
 DRAWN: tuple[tuple[str, str, float, float, dict[str, Any]], ...] = (
     # kind of a layer, mark or line, its size, that of a mark for many dives, style
     ("track", "-", 1.3, 0, {"color": BLUE, "label": "fix to fix"}),
     ("drift", ":", 0.8, 0, {"color": BLUE, "label": "drift at the surface"}),
+    ("ring", "-", 0.6, 0, {"color": GREEN, "alpha": 0.6, "label": "90 % ellipse, last dives"}),
     ("miss", "--", 0.6, 0, {"color": RED, "label": "miss"}),
     ("reckoned", "x", 6, 2.5, {"color": RED, "label": "dead-reckoned end"}),
     ("forecast", "+", 8, 3.5, {"color": GREEN, "label": "forecast", "mew": 1.2}),
@@ -133,9 +135,8 @@ def _drawn(whole: dict[str, Any], ax: Axes | None, around: tuple[float, float]) 
         lat, lon = np.transpose(ends)
         return np.array([near(lon, first), lat])
 
-    rings = of.pop("ring", [])
-    far = [*of["track"], *of["miss"], *rings, *of.get("ring next", [])]
-    points = at([[place for places in far for place in places]])[:, :-1]
+    far = [place for kind in FAR for places in of.get(kind, []) for place in places]
+    points = at([far])[:, :-1]
     if not (np.abs(points[1]) <= 90.0).all():
         raise ValueError("a latitude is beyond the poles")
     degree = degree_at((points[1].min() + points[1].max()).item() / 2, first)
@@ -152,9 +153,6 @@ def _drawn(whole: dict[str, Any], ax: Axes | None, around: tuple[float, float]) 
     ax.set_aspect(degree[1] / degree[0], adjustable="box")
     for area in areas:
         ax.fill(*at([area["ring"]])[:, :-1], fc=RED, ec=RED, alpha=0.2)
-    for k, ring in enumerate(rings):
-        label = None if k else f"90 % ellipse{' (last dives)' if len(found) > LAST + 1 else ''}"
-        ax.plot(*at([ring]), color=GREEN, lw=0.6, alpha=0.6, label=label)
     few = len(found) <= FEW
     for kind, mark_or_line, size, small, style in DRAWN:
         if kind in of:

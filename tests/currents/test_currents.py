@@ -5,6 +5,7 @@ from pathlib import Path
 import netCDF4
 import numpy as np
 import pytest
+import xarray
 from made_fields import as_it_is, gridded_current, saying
 
 from clpt_control.currents.grid_file import read_currents
@@ -72,19 +73,16 @@ def test_reversed_axes_are_put_in_order(tmp_path):
     assert currents.box == (41.0, 41.5, -69.9, -69.1)
 
 
+def levels(u, v):
+    """A second level, 20 m/s faster."""
+    return [np.stack([part, part + 20.0], axis=1) for part in (u, v)]
+
+
 def test_level_nearest_the_surface_is_taken(tmp_path):
     u, v = sample()
-    deep = [np.stack([part, part + 20.0], axis=1) for part in (u, v)]
-    path = write(tmp_path / "c.nc", *deep, depth=[-30.0, -1.0])
-    with pytest.raises(DataError, match="reaches"):  # 20 m/s were put there
-        read_currents(path)
-    path = write(tmp_path / "d.nc", *deep, depth=[0.5, 10.0], change=saying("depth", units=None))
+    how = {"depth": [0.5, 10.0], "change": saying("depth", units=None)}
+    path = write(tmp_path / "d.nc", *levels(u, v), **how)
     np.testing.assert_array_equal(read_currents(path).u, u)
-    for attributes in ({"standard_name": "height_above_sea_floor"}, {"positive": "up"}):
-        change = saying("depth", **attributes)
-        path = write(tmp_path / "e.nc", *deep, depth=[0.5, 10.0], change=change)
-        with pytest.raises(DataError, match="depth counts up from"):
-            read_currents(path)
 
 
 def packed(scale, fill):
@@ -161,66 +159,136 @@ def test_a_grid_that_ends_with_its_first_meridian_is_as_one_that_does_not(tmp_pa
     np.testing.assert_array_equal(one.lon, np.arange(178.0, 183.0))
 
 
-@pytest.mark.parametrize("calendar", ["360_day", "mayan", ""])
-def test_a_current_needs_real_dates(tmp_path, calendar):
-    change = saying("time", units="hours since 2019-02-28 20:00", calendar=calendar)
-    path = write(tmp_path / "c.nc", *sample(), change=change)
-    refused(path, None, f"calendar '{calendar}'; must be such as .*, with real dates")
-
-
-def time_says(units):
-    return saying("time", units=units)
+def time_says(units, **more):
+    return saying("time", units=units, **more)
 
 
 def as_words(name):
     return lambda data: data.assign_coords({name: data[name].astype(str)})
 
 
+def empty(name):
+    axes = {"lat": LAT, "lon": LON, name: np.zeros(0)}
+    return {"flow": np.zeros((2, 10, len(axes["lat"]), len(axes["lon"]))), name: np.zeros(0)}
+
+
+def counting_up(**attributes):
+    return {
+        "flow": levels(*sample()),
+        "depth": [0.5, 10.0],
+        "change": saying("depth", **attributes),
+    }
+
+
+def no_dates(calendar):
+    return {"change": time_says("hours since 2019-02-28 20:00", calendar=calendar)}
+
+
 SOUTH = np.where(LAT > 41.2, LAT, np.nan)
+REFUSED = [  # how a file is written, and what is said of it
+    ({"change": time_says("hours since 01/02/2019")}, "time has units 'hours since 01/02/2019'"),
+    ({"change": time_says(None)}, "time has units '' and .* must be such as 'hours since"),
+    ({"change": named("p", "v")}, "no eastward velocity: .*'eastward_sea_water_velocity'.*p, v"),
+    ({"change": lambda data: data.drop_vars("lat")}, "no latitude: .*standard_name 'latitude'"),
+    ({"change": saying("u", units=None)}, "u has no units; give --units"),
+    ({"change": saying("u", units="kelvin")}, "u: units = 'kelvin' is no speed"),
+    ({"change": as_words("lat")}, "lat holds .*; must hold numbers"),
+    ({"change": time_says("hours since 0001-01-01")}, "'hours since 0001.* of the years 1678 to"),
+    (no_dates("360_day"), "calendar '360_day'; must be such as .*, with real dates"),
+    (no_dates("mayan"), "calendar 'mayan'; must be such as"),
+    (no_dates(""), "calendar ''; must be such as"),
+    ({"time": TIME * np.nan}, "time has values that are not finite"),
+    ({"lat": SOUTH}, "lat reaches nan; must be a latitude"),
+    ({"time": np.zeros(10)}, "time has a step twice"),
+    ({"lon": np.append(LON[:-1], LON[2] + 360.0 + 1e-10)}, "lon has a value twice .0 and"),
+    ({"flow": sample()[:, :1], "time": TIME[:1]}, "time has 1 of the 2 steps"),
+    ({"flow": np.full((2, 10, 6, 8), np.nan)}, "no finite value in the box"),
+    ({"flow": np.full((2, 10, 6, 8), 9999.0)}, "reaches 9999 m/s: check its units"),
+    ({"flow": levels(*sample()), "depth": [-30.0, -1.0]}, "reaches"),
+    (counting_up(standard_name="height_above_sea_floor"), "depth counts up from"),
+    (counting_up(positive="up"), "depth counts up from"),
+    (empty("lat"), "lat has the length zero; must hold at least one"),
+    (empty("lon"), "lon has the length zero; must hold at least one"),
+]
+
+
+@pytest.mark.parametrize(("how", "sentence"), REFUSED)
+def test_each_mistake_of_a_file_is_one_sentence(tmp_path, how, sentence):
+    how = {"flow": sample(), **how}
+    is_refused(write(tmp_path / "c.nc", *how.pop("flow"), **how), None, sentence)
 
 
 @pytest.mark.parametrize(
-    ("change", "sentence"),
+    ("box", "sentence"),
     [
-        (time_says("hours since 01/02/2019"), "time has units 'hours since 01/02/2019'"),
-        (time_says(None), "time has units '' and .* must be such as 'hours since"),
-        (named("p", "v"), "no eastward velocity: .*'eastward_sea_water_velocity'.*p, v"),
-        (lambda data: data.drop_vars("lat"), "no latitude: .*standard_name 'latitude'"),
-        (saying("u", units=None), "u has no units; give --units"),
-        (saying("u", units="kelvin"), "u: units = 'kelvin' is no speed"),
-        (as_words("lat"), "lat holds .*; must hold numbers"),
-        (time_says("hours since 0001-01-01"), "'hours since 0001-01-01' .*of the years 1678 to"),
+        ((50, 51, -69.9, -69), "lat has 0 of the 2 cells that are needed; it goes from 41 to 41.5"),
+        ((41.0, 41.05, -69.9, -69), "lat has 1 of the 2 cells"),
+        ((41.0, 41.5, -69.0, -69.9), "must be SOUTH NORTH"),
+        ((41.0, np.inf, -69.9, -69), "must be SOUTH NORTH"),
     ],
 )
-def test_each_mistake_of_a_file_is_one_sentence(tmp_path, change, sentence):
-    refused(write(tmp_path / "c.nc", *sample(), change=change), BOX, sentence)
+def test_each_mistake_of_a_box_is_one_sentence(tmp_path, box, sentence):
+    is_refused(write(tmp_path / "c.nc", *sample()), box, sentence)
 
 
-@pytest.mark.parametrize(
-    ("axes", "box", "sentence"),
-    [
-        ({"time": TIME * np.nan}, BOX, "time has values that are not finite"),
-        ({"lat": SOUTH}, BOX, "lat reaches nan; must be a latitude"),
-        ({"time": np.zeros(10)}, BOX, "time has a step twice"),
-        ({"lon": np.append(LON[:-1], LON[2] + 360.0 + 1e-10)}, BOX, "lon has a value twice .0 and"),
-        (
-            {},
-            (50, 51, -69.9, -69),
-            "lat has 0 of the 2 cells that are needed; it goes from 41 to 41.5",
-        ),
-        ({}, (41.0, 41.05, -69.9, -69), "lat has 1 of the 2 cells"),
-        ({}, (41.0, 41.5, -69.0, -69.9), "must be SOUTH NORTH"),
-        ({}, (41.0, np.inf, -69.9, -69), "must be SOUTH NORTH"),
-    ],
-)
-def test_each_mistake_of_axes_is_one_sentence(tmp_path, axes, box, sentence):
-    refused(write(tmp_path / "c.nc", *sample(), **axes), box, sentence)
-
-
-def refused(path, box, sentence):
+def is_refused(path, box, sentence):
     with pytest.raises(DataError, match=sentence) as caught:
         read_currents(path, box)
     assert "\n" not in str(caught.value)
+
+
+TIME_OF_FIVE = ("time", np.arange(5.0), {"units": "hours since 2019-01-01"})
+PLACES = np.meshgrid(np.linspace(41.0, 41.3, 4), np.linspace(-69.3, -69.0, 4), indexing="ij")
+
+
+def flow_on(*dims):
+    flow = (("time", *dims), np.full((5, *(4,) * len(dims)), 0.3), {"units": "m/s"})
+    return {"u": flow, "v": flow, "time": TIME_OF_FIVE}
+
+
+def places_on(*dims):
+    """Latitudes and longitudes of a grid, or of single places."""
+    lat, lon = PLACES if len(dims) == 2 else (PLACES[0][:, 0], PLACES[1][0])
+    return {"lat": (dims, lat), "lon": (dims, lon)}
+
+
+UNLIKE = {
+    "curvilinear": (
+        flow_on("y", "x") | places_on("y", "x"),
+        r"lat has the dimensions \(y, x\): a curvilinear grid; regrid it .* cdo remapbil or xESMF",
+    ),
+    "triangular": (
+        flow_on("node") | places_on("node"),
+        "lat and lon are of each node, no grid; regrid it",
+    ),
+    "projected": (
+        flow_on("y", "x")
+        | {n: (n, np.arange(4.0), {"standard_name": f"projection_{n}_coordinate"}) for n in "xy"},
+        "has a projected grid, of x and y, and no latitude; regrid it",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", UNLIKE)
+def test_other_grids_are_refused_with_the_cure(tmp_path, name):
+    variables, sentence = UNLIKE[name]
+    xarray.Dataset(variables).to_netcdf(tmp_path / "grid.nc")
+    for column in (False, True):
+        with pytest.raises(DataError, match=sentence):
+            read_currents(tmp_path / "grid.nc", column=column)
+
+
+def test_units_can_be_given_where_a_file_has_none(refused, facts, tmp_path):
+    path = facts / "grids/wa_RTOFS_global.nc"
+    with pytest.raises(DataError, match=r"water_u has no units.*--units"):
+        read_currents(path)
+    metres, knots = read_currents(path, units="m/s"), read_currents(path, units="knots")
+    assert np.nanmax(np.abs(knots.u * 3600 / 1852 - metres.u)) < 1e-9
+    said = write(tmp_path / "said.nc", *sample())
+    with pytest.raises(DataError, match="u is in 'm/s'; units = 'cm/s' is for a file without"):
+        read_currents(said, units="cm/s")
+    assert read_currents(said, units="m s-1").u.max() == pytest.approx(sample()[0].max())
+    assert "furlongs" in refused("fit", path, "--out", tmp_path / "s.toml", "--units", "furlongs")
 
 
 def test_a_wind_is_no_current_whatever_its_name(tmp_path):
@@ -247,30 +315,10 @@ def test_an_attribute_of_several_numbers_is_no_name_and_no_unit(tmp_path):
         read_currents(path, units="m/s")
 
 
-@pytest.mark.parametrize("name", ["lat", "lon"])
-def test_an_axis_of_length_zero_is_refused(tmp_path, name):
-    axes = {"lat": LAT, "lon": LON, name: np.zeros(0)}
-    empty = np.zeros((2, 10, len(axes["lat"]), len(axes["lon"])))
-    path = write(tmp_path / "c.nc", *empty, **axes)
-    with pytest.raises(DataError, match=f"{name} has the length zero; must hold at least one"):
-        read_currents(path)
-
-
 def test_files_that_are_no_data(tmp_path):
-    with pytest.raises(DataError, match="no such file"):
-        read_currents(tmp_path / "missing.nc")
+    is_refused(tmp_path / "missing.nc", None, "no such file")
     (tmp_path / "text.nc").write_text("not NetCDF")
-    with pytest.raises(DataError, match="cannot be read as NetCDF"):
-        read_currents(tmp_path / "text.nc")
-    one = write(tmp_path / "one.nc", *sample()[:, :1], time=TIME[:1])
-    with pytest.raises(DataError, match="time has 1 of the 2 steps"):
-        read_currents(one)
-    empty = write(tmp_path / "empty.nc", *np.full((2, 10, 6, 8), np.nan))
-    with pytest.raises(DataError, match="no finite value in the box"):
-        read_currents(empty, BOX)
-    wild = write(tmp_path / "wild.nc", *np.full((2, 10, 6, 8), 9999.0))
-    with pytest.raises(DataError, match="reaches 9999 m/s: check its units"):
-        read_currents(wild, BOX)
+    is_refused(tmp_path / "text.nc", None, "cannot be read as NetCDF")
 
 
 def test_maracoos_is_read_as_its_provenance_says():

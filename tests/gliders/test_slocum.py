@@ -1,68 +1,18 @@
-"""Segments of a Slocum and a SeaExplorer: real ones against plain arithmetic, made ones exact."""
+"""A Slocum and a SeaExplorer: real files against plain arithmetic; files in all their forms."""
 
 import csv
 import gzip
 import shutil
-from itertools import permutations
+import struct
 
 import numpy as np
 import pytest
-from slocum_bytes import CRC, SENSORS, VARIATION, cac, ddmm, magnetic, place_at, segment
 
 from clpt_control.errors import DataError
-from clpt_control.gliders import read_dives, usable
+from clpt_control.gliders import read_dives, slocum_file, usable
 from clpt_control.gliders.dives import files_before
-from clpt_control.gliders.slocum import dives_of
+from clpt_control.gliders.slocum_file import read_segment, uncompressed
 from clpt_control.replay.follow import Follower
-
-T0, HOME = 1.7126e9, (51.6, -128.3)
-SWIM, SEA, BEFORE = np.array([0.30, -0.12]), np.array([-0.05, 0.10]), np.array([0.08, 0.06])
-LASTS = 6000.0  # s
-
-
-def rows(names, added=0.0, every=60, used=None):
-    """Return cycles of a dive at steps of 60 s in a sea, dead reckoning in `names` every so often.
-
-    The vehicle swims for all of LASTS, adding so much of the current of the dive before.
-    """
-    out = []
-    wx, wy = magnetic(BEFORE)
-    first = {"m_water_vx": wx, "m_water_vy": wy, "m_gps_mag_var": -np.radians(VARIATION)}
-    if used is not None:
-        first["u_use_current_correction"] = used
-    for since in np.arange(0.0, LASTS + 180.0, 60.0):
-        row = {"m_present_time": T0 + since, "m_heading": np.arctan2(*magnetic(SWIM)) % (2 * np.pi)}
-        surfaced = since == 0.0 or since >= LASTS
-        row["m_depth"] = 0.0 if surfaced else 60.0
-        reckoned = (SWIM + added * BEFORE) * min(since, LASTS)
-        if not surfaced and since % every == 0:
-            at = (
-                (ddmm(a) for a in place_at(HOME, reckoned))
-                if names[0] == "m_lat"
-                else magnetic(reckoned)
-            )
-            row |= dict(zip(names, at, strict=True))
-        if surfaced:
-            lat, lon = place_at(HOME, (SWIM + SEA) * min(since, LASTS))
-            row |= {"m_gps_lat": ddmm(lat), "m_gps_lon": ddmm(lon), "m_gps_status": 0.0}
-        if since == 0.0:
-            row |= first
-            if names[0] == "m_x_lmc":
-                row |= {"m_x_lmc": 0.0, "m_y_lmc": 0.0}
-        if since == LASTS:
-            row |= dict(zip(("m_water_vx", "m_water_vy"), magnetic(SEA), strict=True))
-        out.append(row)
-    return out
-
-
-def made(folder, *parts, names=SENSORS):
-    """Write rows as segments, with their list."""
-    (folder / "cac").mkdir(exist_ok=True)
-    (folder / "cac" / f"{CRC.upper()}.CAC").write_bytes(cac(names))
-    for k, part in enumerate(parts):
-        path = folder / f"unit-2024-100-7-{k}.sbd"
-        path.write_bytes(segment(part, names, f"0007{k:04d}", path.stem))
-    return folder
 
 
 def test_rosie_agrees_with_its_own_current(facts):
@@ -83,96 +33,12 @@ def test_rosie_agrees_with_its_own_current(facts):
     assert not any("missing" in note for dive in used for note in dive.notes)
 
 
-@pytest.mark.parametrize("every", [60, 600])
-@pytest.mark.parametrize("names", [("m_lat", "m_lon"), ("m_x_lmc", "m_y_lmc")])
-@pytest.mark.parametrize("added", [0.0, 1.0])
-def test_a_made_dive_is_that_of_its_sea(tmp_path, names, added, every):
-    (dive,) = dives_of(made(tmp_path, rows(names, added, every)) / "unit-2024-100-7-0.sbd")
-    # under water the first and last minute are at the surface
-    assert (dive.dr_east, dive.dr_north) == pytest.approx(SWIM * LASTS, abs=60.0)
-    assert (dive.dac_east, dive.dac_north) == pytest.approx(SEA, abs=1e-9)
-    assert dive.magvar == pytest.approx(17.0)
-    assert dive.duration == LASTS
-    assert any("that current is" in note for note in dive.notes) == bool(added)
-    if not added:
-        ends = [dive.track[k][-1] - (dive.dr_east, dive.dr_north)[k - 1] for k in (1, 2)]
-        assert ends == [0, 0]
-
-
-def test_without_an_own_current_the_glider_says_whether_it_added_it(tmp_path):
-    for used in (0.0, 1.0):
-        part = rows(("m_lat", "m_lon"), used, 60, used)
-        for row in part[1:]:
-            row.pop("m_water_vx", None)
-        (dive,) = dives_of(made(tmp_path, part) / "unit-2024-100-7-0.sbd")
-        assert (dive.dr_east, dive.dr_north) == pytest.approx(SWIM * LASTS, abs=60.0)
-        assert dive.dac_east is None
-
-
-def test_a_dive_over_several_files_is_one(tmp_path):
-    whole = rows(("m_lat", "m_lon"))
-    one = dives_of(made(tmp_path, whole) / "unit-2024-100-7-0.sbd")
-    made(tmp_path, whole[:3], whole[3:50], whole[50:])
-    assert [len(dives_of(tmp_path / f"unit-2024-100-7-{k}.sbd")) for k in range(3)] == [0, 0, 1]
-    (dive,) = read_dives(tmp_path)[0]
-    assert dive.dr_east == pytest.approx(one[0].dr_east, abs=1e-6)
-    assert files_before(tmp_path / "unit-2024-100-7-2.sbd") == [
-        tmp_path / f"unit-2024-100-7-{k}.sbd" for k in range(2)
-    ]
-    (tmp_path / "unit-2024-100-7-1.sbd").unlink()
-    (dive,) = read_dives(tmp_path)[0]
-    assert np.isnan(dive.dr_east)  # two thirds of it are missing
-    assert any("no samples for" in note for note in dive.notes)
-
-
-@pytest.fixture(scope="module")
-def in_three_files(tmp_path_factory):
-    """A dive in three files and a folder of lists, and what is read of them."""
-    source, whole = tmp_path_factory.mktemp("source"), rows(("m_lat", "m_lon"))
-    made(source, whole[:3], whole[3:50], whole[50:])
-    return source, read_dives(source)
-
-
-@pytest.mark.parametrize("order", list(permutations(range(4)))[::5])
-def test_followed_files_come_in_any_order(in_three_files, tmp_path, order):
-    (source, wanted), inbox = in_three_files, tmp_path / "inbox"
-    inbox.mkdir()
-    follower = Follower(inbox, tmp_path / "state")
-    things = [*sorted(source.glob("*.sbd")), source / "cac"]
-    for k in order:
-        if things[k].is_dir():
-            shutil.copytree(things[k], inbox / "cac")
-        else:
-            shutil.copy(things[k], inbox)
-        follower.look()
-    assert follower.dives() == wanted
-    for path in inbox.glob("*-[01].sbd"):
-        path.unlink()
-        follower.look()
-    assert follower.dives()[0] == wanted[0]
-    again = Follower(inbox, tmp_path / "state")
-    again.look()
-    assert again.dives()[0] == wanted[0]
-
-
 def test_the_folder_of_lists_can_be_named(facts, tmp_path, monkeypatch):
     shutil.copy(facts / "glider/slocum_rosie/sbd/rosie_713-2019-170-0-2.sbd", tmp_path)
     with pytest.raises(DataError, match=r"6b016a2e\.cac was not found .* CLPT_CAC"):
         read_dives(tmp_path)
     monkeypatch.setenv("CLPT_CAC", str(facts / "glider/slocum_rosie/cac"))
     assert len(read_dives(tmp_path)[0]) == 1
-
-
-def test_a_file_that_holds_its_own_list_needs_none_beside_it(tmp_path):
-    wanted = read_dives(made(tmp_path, rows(("m_lat", "m_lon"))))
-    shutil.rmtree(tmp_path / "cac")
-    (path,) = tmp_path.iterdir()
-    raw = segment(rows(("m_lat", "m_lon")), SENSORS, "00070000", path.stem, factored=0)
-    path.write_bytes(raw)
-    assert read_dives(tmp_path) == wanted
-    path.write_bytes(raw[: raw.index(b"m_depth")])
-    with pytest.raises(DataError, match=r"is no list of \d+ sensors"):
-        read_dives(tmp_path)
 
 
 HEADER = "Timestamp;NavState;Heading;Declination;Pitch;Depth;Lat;Lon;\n"
@@ -188,7 +54,7 @@ def test_the_first_dive_is_that_of_the_table(facts):
     reckoned = float(row["dr_east_m"]), float(row["dr_north_m"])
     assert (dive.dr_east, dive.dr_north) == pytest.approx(reckoned, abs=0.5)
     assert dive.depth_max == pytest.approx(float(row["depth_max"]), abs=0.5)
-    assert dive.magvar == 17.0
+    assert (dive.magvar, dive.kind) == (17.0, "SeaExplorer")
 
 
 @pytest.mark.parametrize(("heading", "declination"), [(0.0, 0.0), (73.0, 17.0), (350.0, -20.0)])
@@ -227,13 +93,6 @@ def test_a_place_that_is_repeated_behind_a_row_without_one_is_no_new_fix(tmp_pat
     assert (dive.duration, dive.lat_gpse) == (84 * 60.0, pytest.approx(45 + 0.9 / 60))
 
 
-def test_a_file_without_a_fix_says_so(facts, tmp_path):
-    text = (facts / "glider/sea035/SEA035.10.gli.sub.003").read_text()
-    (tmp_path / "sea035.10.gli.sub.003").write_text(text.replace(";116;", ";117;"))
-    with pytest.raises(DataError, match=r"no row with a fix \(NavState 116\)"):
-        read_dives(tmp_path)
-
-
 def test_a_dive_of_two_files_comes_with_the_second(facts, tmp_path):
     names = ["SEA035.10.gli.sub.002", "SEA035.10.gli.sub.003"]
     source = facts / "glider/sea035"
@@ -250,3 +109,155 @@ def test_a_dive_of_two_files_comes_with_the_second(facts, tmp_path):
     (other / "sea036.10.gli.sub.002").write_text("")
     shutil.copy(source / names[1], other)
     assert files_before(other / names[1]) == []
+
+
+@pytest.mark.parametrize(("steered", "course"), [(("301", "312.5"), 312.5), (("", ""), None)])
+def test_a_seaexplorer_steers_its_last_desired_heading(tmp_path, facts, steered, course):
+    for path in sorted((facts / "glider/sea035").iterdir()):
+        head, *lines = path.read_text().splitlines()
+        early, late = steered
+        rows = [f"{line}{early if k < len(lines) / 2 else late};" for k, line in enumerate(lines)]
+        (tmp_path / path.name).write_text("\n".join([f"{head}DesiredH;", *rows]) + "\n")
+    ((dive,), _) = read_dives(tmp_path)
+    assert dive.next_course == course
+
+
+TIME = "m_present_time"
+LZ4 = pytest.importorskip("numcodecs").LZ4
+
+
+def compressed(raw):
+    """Return bytes as a glider compresses them: blocks of 32 kB, each behind its size."""
+    blocks = [LZ4().encode(raw[k : k + 2**15])[4:] for k in range(0, len(raw), 2**15)]
+    return b"".join(struct.pack(">H", len(block)) + block for block in blocks)
+
+
+def as_text(path, name, ext):
+    """Return a segment as dbd2asc writes it."""
+    of = read_segment(path).of
+    sensors = [TIME, *of]
+    tags = {
+        "dbd_label": "DBD_ASC(dinkum_binary_data_ascii)file",
+        "encoding_ver": 2,
+        "num_ascii_tags": 14,
+        "all_sensors": 0,
+        "filename": name,
+        "the8x3_filename": "00970157",
+        "filename_extension": ext,
+        "filename_label": f"{name}-{ext}(00970157)",
+        "mission_name": "MADE.MI",
+        "fileopen_time": "Thu_Sep__5_02:46:15_2013",
+        "sensors_per_cycle": len(sensors),
+        "num_label_lines": 3,
+        "num_segments": 1,
+        "segment_filename_0": name,
+    }
+    lines = [f"{tag}: {value}" for tag, value in tags.items()]
+    lines += [" ".join(line) for line in (sensors, ["x"] * len(sensors), ["8"] * len(sensors))]
+    first = np.full(len(sensors), np.nan)
+    lines += [" ".join(f"{v:.15g}" for v in row) for row in (first, *of.reset_index().to_numpy())]
+    return "\n".join(lines) + "\n"
+
+
+@pytest.fixture
+def rosie(facts, tmp_path):
+    shutil.copytree(facts / "glider/slocum_rosie", tmp_path, dirs_exist_ok=True)
+    return tmp_path
+
+
+def test_compressed_files_are_read_as_plain_ones(rosie):
+    plain = read_dives(rosie / "sbd")
+    for path in list((rosie / "sbd").iterdir()):
+        packed = compressed(path.read_bytes())
+        assert uncompressed(packed) == (path.read_bytes(), True)
+        path.with_suffix(".scd").write_bytes(packed)
+        path.unlink()
+    for path in list((rosie / "cac").iterdir()):
+        path.with_suffix(".ccc").write_bytes(compressed(path.read_bytes()))
+        path.unlink()
+    assert read_dives(rosie / "sbd") == plain
+    assert len(files_before(sorted((rosie / "sbd").iterdir())[3])) == 3
+
+
+def test_a_file_larger_than_a_block_and_every_cut_of_one(rosie):
+    raw = (rosie / "sbd" / "rosie_713-2019-166-0-157.sbd").read_bytes() * 20
+    packed = compressed(raw)
+    assert uncompressed(packed) == (raw, True)
+    for cut in range(1, 3000, 37):
+        part, whole = uncompressed(packed[:cut])
+        assert not whole
+        assert raw.startswith(part)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_random_bytes_end_soon(tmp_path, seed, monkeypatch):
+    rng = np.random.default_rng(seed)
+    body = rng.integers(0, 256, 300_000, dtype=np.uint8).tobytes()
+    path = tmp_path / "unit-2024-100-7-1.dcd"
+    path.write_bytes(b"\xff\xff\xf0dbd_label: x" + body)
+    runs, length = [], slocum_file._length
+    monkeypatch.setattr(slocum_file, "_length", lambda *of: runs.append(of) or length(*of))
+    with pytest.raises(DataError, match="damaged or cut short"):
+        read_dives(path)
+    assert 0 < len(runs) < 100  # of new bytes and of copies
+
+
+def test_text_of_dbd2asc_gives_the_same_dives(rosie):
+    plain, _ = read_dives(rosie / "sbd")
+    source = rosie / "sbd" / "rosie_713-2019-166-0-157.sbd"
+    text = as_text(source, source.stem, "sbd")
+    (rosie / "text").mkdir()
+    for name in (f"{source.stem}.sba", "rosie.asc"):
+        path = rosie / "text" / name
+        path.write_text(text)
+        ((dive,), skipped) = read_dives(path)
+        assert skipped == []
+        assert dive.number == plain[0].number
+        for key in ("t_gps2", "t_gpse", "dr_east", "dr_north", "dac_east", "dac_north"):
+            assert getattr(dive, key) == pytest.approx(getattr(plain[0], key), abs=1e-4)
+        path.write_text(text[: len(text) // 2])
+        assert read_segment(path).of.m_depth.count() > 50
+        path.unlink()
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("sensors_per_cycle: ", "sensors_per_cycle: -", "sensors_per_cycle"),
+        ("num_label_lines: 3", "num_label_lines: many", "num_label_lines"),
+        ("encoding_ver: 2", "encoding_ver: 5", "encoding '5'"),
+        ("num_ascii_tags: 14", "num_ascii_tags: 140", "too few lines"),
+        ("m_present_time", "m_past_time", "no m_present_time"),
+    ],
+)
+def test_a_text_that_is_none_is_one_sentence(rosie, old, new, said):
+    source = rosie / "sbd" / "rosie_713-2019-166-0-157.sbd"
+    path = rosie / "one.asc"
+    path.write_text(as_text(source, source.stem, "sbd").replace(old, new))
+    with pytest.raises(DataError, match=said) as caught:
+        read_dives(path)
+    assert "\n" not in str(caught.value)
+
+
+def test_a_dockservers_folder_is_read_as_it_is(rosie):
+    plain = read_dives(rosie / "sbd")
+    glider = rosie / "default" / "gliders" / "rosie_713"
+    for name in ("to-glider", "logs", "configuration"):
+        (glider / name).mkdir(parents=True)
+        (glider / name / "x.log").write_text("x")
+    (rosie / "sbd").rename(glider / "from-glider")
+    (glider / "from-glider" / "rosie_713-2019-166-0-157.tbd").write_bytes(b"dbd_label: x")
+    (rosie / "cac").rename(rosie / "default" / "cache")
+    dives, skipped = read_dives(glider)
+    assert (dives, skipped) == plain
+
+
+def test_dives_of_one_file_are_told_apart(rosie):
+    texts = [
+        as_text(rosie / "sbd" / f"rosie_713-2019-166-0-{k}.sbd", "rosie", "sbd") for k in (157, 159)
+    ]
+    path = rosie / "both.asc"
+    path.write_text(texts[0] + "".join(texts[1].splitlines(keepends=True)[17:]))
+    dives, _ = read_dives(path)
+    assert len(dives) == 2
+    assert [dive.notes[0] for dive in dives] == [f"dive {k} of 2 in both.asc" for k in (1, 2)]

@@ -1,84 +1,25 @@
-"""A made mission of a Slocum that adds the current of the dive before to its dead reckoning."""
+"""Made missions of a Slocum: currents that are added, plans, dives over several files."""
+
+import shutil
+from itertools import permutations
 
 import numpy as np
 import pytest
-from slocum_bytes import CRC, SENSORS, VARIATION, cac, ddmm, magnetic, place_at, segment
+from pyproj import Geod
+from slocum_bytes import SENSORS, VARIATION, Mission, ddmm, segment
 
+from clpt_control.errors import DataError
 from clpt_control.gliders import read_dives, usable
+from clpt_control.gliders.dives import files_before
+from clpt_control.replay.follow import Follower
 
-T0, HOME = 1.7126e9, (51.6, -128.3)
-STEP, LASTS, AFLOAT = 40.0, 7200.0, 600.0  # s
 DIVES = 5  # in 1, 2, 3, 4 files and in 1
-SEAS = np.array([[0.12 * np.cos(k), 0.12 * np.sin(1.3 * k)] for k in range(DIVES + 1)])
-
-
-class Mission:
-    """Writes a mission: what the glider knows is a dict, of which each file begins with all."""
-
-    def __init__(self, folder, sensors=SENSORS, end=b"X", added=1.0):
-        self.folder, self.sensors, self.end, self.added = folder, sensors, end, added
-        self.knows = dict.fromkeys(SENSORS, 0.0) | {"u_use_current_correction": added}
-        self.at, self.time, self.files, self.truth = HOME, T0, 0, []
-        (folder / "cac").mkdir(parents=True)
-        (folder / "cac" / f"{CRC}.cac").write_bytes(cac(sensors))
-        self.says(m_gps_mag_var=-np.radians(VARIATION))
-        self.works_out(SEAS[0])
-        self.fixed()
-
-    def says(self, **new):
-        """Return a cycle: what is new at a time."""
-        self.knows |= {"m_present_time": self.time, **new}
-        return {k: v for k, v in {"m_present_time": self.time, **new}.items() if k in self.sensors}
-
-    def works_out(self, sea):
-        return self.says(**dict(zip(("m_water_vx", "m_water_vy"), magnetic(sea), strict=True)))
-
-    def fixed(self):
-        """Return the cycle of a fix, to which dead reckoning is set."""
-        lat, lon = map(ddmm, self.at)
-        zero = {"m_lat": lat, "m_lon": lon, "m_x_lmc": 0.0, "m_y_lmc": 0.0, "m_depth": 0.0}
-        return self.says(m_gps_lat=lat, m_gps_lon=lon, m_gps_status=0.0, **zero)
-
-    def dive(self, k, files=1, wrong=0.0, late=False):
-        """Write a dive in so many files; its own current is worked out `late`, in the next one."""
-        before, sea, swim = SEAS[k], SEAS[k + 1], 0.3 * np.array([np.sin(k), np.cos(k)])
-        start, cycles, first = self.at, [], {**self.knows, "m_present_time": self.time}
-        cuts = {round(LASTS / STEP * n / files) for n in range(1, files)}
-        for n in range(round(LASTS / STEP) + 1):
-            since = n * STEP
-            self.at = place_at(start, (swim + sea) * since)
-            if n == 0:
-                cycles.append(self.fixed())
-            else:
-                reckoned = (swim + self.added * before + wrong) * since
-                lat, lon = map(ddmm, place_at(start, reckoned))
-                x, y = magnetic(reckoned)
-                places = {"m_lat": lat, "m_lon": lon, "m_x_lmc": x, "m_y_lmc": y}
-                deep = 60.0 if n < LASTS / STEP else 0.0
-                cycles.append(self.says(m_depth=deep, m_heading=0.5, **places))
-            if n in cuts:
-                self.write(cycles, first)
-                cycles, first = [], {**self.knows}
-            self.time += STEP
-        cycles.append(self.fixed())
-        self.truth.append(sea)
-        self.time += STEP
-        worked_out = self.works_out(sea)
-        self.write(cycles if late else [*cycles, worked_out], first)
-        self.time += AFLOAT
-
-    def write(self, cycles, first):
-        path = self.folder / f"unit-2024-100-7-{self.files}.sbd"
-        first = {name: first[name] for name in self.sensors}
-        path.write_bytes(
-            segment(cycles, self.sensors, f"0007{self.files:04d}", path.stem, 1, first, self.end)
-        )
-        self.files += 1
+PLACES, OWN, FLAG = ("m_lat", "m_lon"), ("m_water_vx", "m_water_vy"), ("u_use_current_correction",)
 
 
 def flown(folder, without=(), **how):
     """Return the true currents and dives of a mission of segments of 1 to 4 files."""
-    options = {key: how.pop(key) for key in ("end", "added") if key in how}
+    options = {key: how.pop(key) for key in ("end", "added", "every") if key in how}
     mission = Mission(folder, tuple(n for n in SENSORS if n not in without), **options)
     for k in range(DIVES):
         mission.dive(k, 1 + k % 4, **how)
@@ -95,11 +36,11 @@ def errors(truth, dives):
     ]
 
 
-PLACES, OWN, FLAG = ("m_lat", "m_lon"), ("m_water_vx", "m_water_vy"), ("u_use_current_correction",)
 MISSIONS = {
     "all is logged": {},
     "no final X": {"end": b""},
     "places on magnetic axes": {"without": PLACES},
+    "places each ten minutes": {"every": 15},
     "the flag is not logged": {"without": FLAG},
     "the own current comes in the next file": {"late": True},
     "no correction": {"added": 0.0},
@@ -112,12 +53,17 @@ MISSIONS = {
 def test_each_dive_of_a_mission_has_the_current_of_its_sea(tmp_path, name):
     truth, dives = flown(tmp_path / "sbd", **MISSIONS[name])
     assert [d.number for d in dives] == [70000, 70002, 70005, 70009, 70010]
-    assert max(errors(truth, dives)) < 5
+    # what is added goes on along the heading from the last place on
+    assert max(errors(truth, dives)) < (12 if "every" in MISSIONS[name] else 5)
     notes = [" ".join(dive.notes) for dive in dives]
     assert ["taken off" in note or "that current is" in note for note in notes] == [
         MISSIONS[name].get("added", 1.0) == 1.0
     ] * DIVES
     assert not any("cut short" in note for d in dives for note in d.notes)
+    own = truth if "late" not in MISSIONS[name] else [(None, None)] * DIVES
+    for dive, current in zip(dives, own, strict=True):
+        assert (dive.dac_east, dive.dac_north) == pytest.approx(tuple(current))
+    assert [dive.magvar for dive in dives] == pytest.approx([VARIATION] * DIVES)
 
 
 def test_dead_reckoning_that_contradicts_the_own_current_is_not_used(tmp_path):
@@ -131,11 +77,84 @@ def test_dead_reckoning_that_contradicts_the_own_current_is_not_used(tmp_path):
 def test_a_dive_that_may_hold_a_current_is_not_used(tmp_path, without):
     _, dives = flown(tmp_path / "sbd", without=without, late=True)
     used, skipped = usable(dives)
-    assert used == []
-    assert len(skipped) == DIVES
+    assert (used, len(skipped)) == ([], DIVES)
     assert all("holds a current" in s.why for s in skipped)
 
 
 def test_what_nothing_says_is_said(tmp_path):
     _, dives = flown(tmp_path / "sbd", without=(*OWN, *FLAG))
     assert all("no file says whether" in d.notes[0] for d in dives)
+
+
+@pytest.fixture(scope="module")
+def in_three_files(tmp_path_factory):
+    """A folder of a dive in three files and their list, and what is read of it."""
+    folder = tmp_path_factory.mktemp("source") / "sbd"
+    Mission(folder).dive(0, 3)
+    return folder, read_dives(folder)
+
+
+def test_a_dive_over_several_files_is_one(in_three_files, tmp_path):
+    source, ((dive,), _) = in_three_files
+    Mission(tmp_path / "whole").dive(0)
+    (whole,) = read_dives(tmp_path / "whole")[0]
+    assert (dive.dr_east, dive.dr_north) == pytest.approx((whole.dr_east, whole.dr_north), abs=1e-6)
+    paths = [source / f"unit-2024-100-7-{k}.sbd" for k in range(3)]
+    assert files_before(paths[2]) == paths[:2]
+    part = shutil.copytree(source, tmp_path / "part")
+    (part / paths[1].name).unlink()
+    (dive,) = read_dives(part)[0]
+    assert np.isnan(dive.dr_east)  # a third of it is missing
+    assert any("no samples for" in note for note in dive.notes)
+
+
+@pytest.mark.parametrize("order", list(permutations(range(4)))[::5])
+def test_followed_files_come_in_any_order(in_three_files, tmp_path, order):
+    (source, wanted), inbox = in_three_files, tmp_path / "inbox"
+    inbox.mkdir()
+    follower = Follower(inbox, tmp_path / "state")
+    things = [*sorted(source.glob("*.sbd")), source / "cac"]
+    for k in order:
+        (shutil.copytree if things[k].is_dir() else shutil.copy)(things[k], inbox / things[k].name)
+        follower.look()
+    assert follower.dives() == wanted
+    for path in inbox.glob("*-[01].sbd"):
+        path.unlink()
+        follower.look()
+    again = Follower(inbox, tmp_path / "state")
+    again.look()
+    assert follower.dives()[0] == again.dives()[0] == wanted[0]
+
+
+def test_a_file_that_holds_its_own_list_needs_none_beside_it(tmp_path):
+    mission, written = Mission(tmp_path / "sbd"), []
+    mission.write = lambda cycles, first: written.append((cycles, {n: first[n] for n in SENSORS}))
+    mission.dive(0)
+    ((cycles, first),) = written
+    shutil.rmtree(tmp_path / "sbd" / "cac")
+    path = tmp_path / "sbd" / "unit-2024-100-7-0.sbd"
+    raw = segment(cycles, SENSORS, "00070000", path.stem, 0, first)
+    path.write_bytes(raw)
+    Mission(tmp_path / "beside").dive(0)
+    assert read_dives(path) == read_dives(tmp_path / "beside")
+    path.write_bytes(raw[: raw.index(b"m_depth")])
+    with pytest.raises(DataError, match=r"is no list of \d+ sensors"):
+        read_dives(path)
+
+
+WAYPOINT = (51.9, -127.7)
+
+
+@pytest.mark.parametrize("said", ["a waypoint", "a heading", "nothing"])
+def test_the_plan_of_the_next_dive(tmp_path, said):
+    """To the waypoint, else along the heading from magnetic north."""
+    plan = {"c_heading": 1.0} if said != "nothing" else {}
+    if said == "a waypoint":
+        plan |= dict(zip(("c_wpt_lat", "c_wpt_lon"), map(ddmm, WAYPOINT), strict=True))
+    mission = Mission(tmp_path / "sbd", (*SENSORS, *plan))
+    mission.says(**plan)
+    mission.dive(0)
+    dive = read_dives(tmp_path / "sbd")[0][-1]
+    bearing = Geod(ellps="WGS84").inv(dive.lon_gpse, dive.lat_gpse, *WAYPOINT[::-1])[0]
+    wanted = {"a waypoint": bearing % 360, "a heading": np.degrees(1.0) + VARIATION}.get(said)
+    assert dive.next_course == (wanted and pytest.approx(wanted, abs=0.05))

@@ -1,19 +1,55 @@
-"""`clpt replay` in-process, for tests of the room."""
+"""`clpt replay` in-process, and the fourteen dives of SG542, for tests of the room."""
+
+import json
+from typing import NamedTuple
 
 import pytest
 from typer.testing import CliRunner
 
 from clpt_control.cli import application
+from clpt_control.gliders import sample_dives, usable
+from clpt_control.replay import replay_dives, route
+
+
+def run(*words):
+    return CliRunner().invoke(application(), ["replay", *map(str, words)])
 
 
 @pytest.fixture
 def command():
     """Run `clpt replay WORDS`; what a user's mistake raises is kept as `exception`."""
-    app = application()
-    return lambda *words: CliRunner().invoke(app, ["replay", *map(str, words)])
+    return run
 
 
 @pytest.fixture
-def follow(command):
+def follow():
     """Run `clpt replay --follow FOLDER WORDS` for one look."""
-    return lambda folder, *words: command("--follow", folder, "--patience", "0", *words)
+    return lambda folder, *words: run("--follow", folder, "--patience", "0", *words)
+
+
+@pytest.fixture
+def few_draws(monkeypatch):
+    """The dives to come are drawn a few times."""
+    monkeypatch.setattr(route, "DRAWS", 5)
+
+
+class Sample(NamedTuple):
+    """What `clpt replay --sample` says, as JSON and as text, and its folder of results."""
+
+    found: dict
+    text: str
+    folder: object
+
+
+@pytest.fixture(scope="session")
+def sample(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("sample")
+    said = [run("--sample", *more) for more in (("--json", "--out", folder), ())]
+    assert [one.exit_code for one in said] == [0, 0]
+    return Sample(json.loads(said[0].stdout), said[1].stdout, folder)
+
+
+@pytest.fixture(scope="session")
+def sg542():
+    """The replay of the fourteen dives."""
+    return replay_dives(usable(sample_dives())[0])

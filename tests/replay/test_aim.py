@@ -13,9 +13,8 @@ from synthetic_vehicle import vehicle
 from clpt_control.errors import ScenarioError
 from clpt_control.estimation.fix_model import FixModel
 from clpt_control.geodesy import displacement, place_from
-from clpt_control.gliders.dive_files import sample_dives
 from clpt_control.gliders.dives import make_dive
-from clpt_control.gliders.usable_dives import usable
+from clpt_control.gliders.samples import turned
 from clpt_control.replay.aim import aim, aims, triangle
 from clpt_control.replay.replay import replay_dives
 from clpt_control.replay.wording import AGAINST, REACHED, UNDER_WAY
@@ -67,28 +66,39 @@ def still(current=(0.0, 0.0), count=12, lat=40.0, lon=8.0, factor=1.0):
     return dives
 
 
+def known(*current):
+    """A replay of a steady current that is known."""
+    return replay_dives(still(current), model=FixModel(("steady",), learn_speed=False))
+
+
+def away(replay, east, north):
+    """A place so far, m, from where the vehicle came up last."""
+    last = replay.steps[-1].dive
+    return place_from(last.lat_gpse, last.lon_gpse, east, north)
+
+
 def test_a_current_across_the_line_is_held_off():
-    replay = replay_dives(still((0.1, 0.0)), model=FixModel(("steady",), learn_speed=False))
-    leg = aims(replay, [(45.0, replay.steps[-1].dive.lon_gpse)])[0]
+    replay = known(0.1, 0.0)
+    here = away(replay, 0.0, 0.0)
+    leg = aims(replay, [(45.0, here[1])])[0]
     assert leg.heading == pytest.approx(360 - math.degrees(math.asin(0.1 / 0.25)), abs=0.5)
     assert leg.made_good == pytest.approx(14400 * math.sqrt(0.25**2 - 0.1**2), rel=0.01)
-    assert leg.ahead.longitude == pytest.approx(replay.steps[-1].dive.lon_gpse, abs=1e-4)
+    assert leg.ahead.longitude == pytest.approx(here[1], abs=1e-4)
+    stay = aims(replay, [here])[0]  # where it is
+    assert stay.bearing is stay.crab is None
+    assert stay.heading == pytest.approx(270, abs=1)
+    assert stay.through_water == pytest.approx(1440, rel=0.02)
 
 
 def test_speed_and_compass_are_corrected():
     """A vehicle that goes 4 degrees to the right at 0.8 of its speed is steered to the left."""
-    turn, dives = math.radians(4.0), []
+    dives = []
     for dive in still():
-        e, n = dive.dr_east, dive.dr_north
-        reckoned = (
-            e * math.cos(turn) - n * math.sin(turn),
-            n * math.cos(turn) + e * math.sin(turn),
-        )
-        dives.append(replace(dive, dr_east=reckoned[0] / 0.8, dr_north=reckoned[1] / 0.8))
+        east, north = turned((dive.dr_east / 0.8, dive.dr_north / 0.8), -4.0)
+        dives.append(replace(dive, dr_east=east.item(), dr_north=north.item()))
     replay = replay_dives(dives, model=FixModel(("steady",)))
-    last = replay.steps[-1].dive
     for way in ((0.0, 300e3), (300e3, 0.0)):
-        leg = aims(replay, [place_from(last.lat_gpse, last.lon_gpse, *way)])[0]
+        leg = aims(replay, [away(replay, *way)])[0]
         assert leg.crab == pytest.approx(-4.0, abs=0.6)
         assert leg.speed_expected == pytest.approx(0.25, rel=0.02)
         assert leg.current == pytest.approx((0.0, 0.0), abs=4e-3)  # none of it is the current's
@@ -96,43 +106,33 @@ def test_speed_and_compass_are_corrected():
 
 
 def test_what_cannot_be_made_is_said():
-    replay = replay_dives(still((0.4, 0.0)), model=FixModel(("steady",), learn_speed=False))
-    last = replay.steps[-1].dive
-    upstream = place_from(last.lat_gpse, last.lon_gpse, -30e3, 0.0)
-    legs = aims(replay, [upstream, (40.0, 9.0)])
+    replay = known(0.4, 0.0)
+    legs = aims(replay, [away(replay, -30e3, 0.0), (40.0, 9.0)])
     assert [leg.state for leg in legs] == [AGAINST]  # and none after it
     assert legs[0].heading == pytest.approx(270, abs=0.5)
     assert legs[0].dives is None
     assert legs[0].made_good < 0
-    down = aims(replay, [place_from(last.lat_gpse, last.lon_gpse, 60e3, 0.0)])[0]
-    assert down.state == UNDER_WAY
-    near = aims(replay, [place_from(last.lat_gpse, last.lon_gpse, 1000.0, 0.0)])[0]
+    assert aims(replay, [away(replay, 60e3, 0.0)])[0].state == UNDER_WAY
+    near = aims(replay, [away(replay, 1000.0, 0.0)])[0]
     assert near.state == REACHED  # by a shorter dive, else it is carried past
     assert near.ahead.plan.duration < 14400
     assert near.left < 5
+    fast = known(0.25 - 1e-7, 0.0)  # m/s; as fast as the vehicle, all but
+    legs = aims(fast, [away(fast, -500e3, 0.0), (40.0, 0.0)], speed=0.2502)
+    assert [leg.state for leg in legs] == [UNDER_WAY]  # what takes years has none after it
+    assert json.dumps(legs[0].as_dict(), allow_nan=False)
 
 
 @settings(derandomize=True, max_examples=25, deadline=None)
 @given(st.floats(-75, 75), st.floats(-180, 180), st.floats(0, 360), st.floats(200, 2500))
-def test_a_waypoint_within_reach_is_met_on_the_ellipsoid(lat, lon, angle, away):
+def test_a_waypoint_within_reach_is_met_on_the_ellipsoid(lat, lon, angle, far):
     replay = replay_dives(still((0.05, 0.02), 4, lat, lon))
-    last = replay.steps[-1].dive
-    way = away * np.array([math.sin(math.radians(angle)), math.cos(math.radians(angle))])
-    target = place_from(last.lat_gpse, last.lon_gpse, *way)
-    leg = aims(replay, [target], duration=21600.0)[0]
+    way = far * math.sin(math.radians(angle)), far * math.cos(math.radians(angle))
+    leg = aims(replay, [away(replay, *way)], duration=21600.0)[0]
     assert leg.state == REACHED
     assert leg.left < 2
     assert leg.through_water <= leg.through_water_full * (1 + 1e-9)
     assert json.dumps(leg.as_dict(), allow_nan=False)
-
-
-def test_staying_where_it_is():
-    replay = replay_dives(still((0.1, 0.0)), model=FixModel(("steady",), learn_speed=False))
-    last = replay.steps[-1].dive
-    leg = aims(replay, [(last.lat_gpse, last.lon_gpse)])[0]
-    assert leg.bearing is leg.crab is None
-    assert leg.heading == pytest.approx(270, abs=1)
-    assert leg.through_water == pytest.approx(1440, rel=0.02)
 
 
 def test_legs_follow_one_another():
@@ -147,15 +147,6 @@ def test_legs_follow_one_another():
     later = one.ahead.plan.t_gps2 + took + 600
     assert two.ahead.plan.t_gps2 == pytest.approx(later, abs=1)
     assert aims(replay, [first])[0].as_dict() == one.as_dict()
-
-
-def test_what_takes_years_has_no_leg_after_it():
-    current = 0.25 - 1e-7  # m/s; as fast as the vehicle, all but
-    replay = replay_dives(still((current, 0.0)), model=FixModel(("steady",), learn_speed=False))
-    west = place_from(40.0, replay.steps[-1].dive.lon_gpse, -500e3, 0.0)
-    legs = aims(replay, [west, (40.0, 0.0)], speed=0.2502)
-    assert [leg.state for leg in legs] == [UNDER_WAY]
-    assert json.dumps(legs[0].as_dict(), allow_nan=False)
 
 
 def test_tides_are_those_of_the_dive_to_come():
@@ -174,34 +165,25 @@ def test_tides_are_those_of_the_dive_to_come():
 
 def test_gaussians_come_to_rest():
     replay = replay_dives(still((0.1, 0.0)), model=FixModel(("steady", "gaussians")))
-    last = replay.steps[-1].dive
-    target = place_from(last.lat_gpse, last.lon_gpse, -500.0, 1500.0)
-    leg = aims(replay, [target], duration=21600.0)[0]
+    leg = aims(replay, [away(replay, -500.0, 1500.0)], duration=21600.0)[0]
     assert leg.state == REACHED
     assert leg.left < 5
 
 
-def test_magnetic_headings():
-    replay = replay_dives(usable(sample_dives())[0])
-    leg = aims(replay, [(-42.5, 8.0)])[0]
-    assert leg.heading_magnetic == pytest.approx(
-        (leg.heading + 25) % 360
-    )  # the files have -25 degrees
-    given = aims(replay, [(-42.5, 8.0)], variation=10.0)[0]
-    assert given.heading_magnetic == pytest.approx((leg.heading - 10) % 360)
-    bare = [replace(dive, magvar=None) for dive in usable(sample_dives())[0]]
-    model = aims(replay_dives(bare[:3]), [(-42.5, 8.0)])[0]  # IGRF
-    assert model.magnetic_variation == pytest.approx(-25, abs=3)
-
-
-def test_refusals():
-    replay = replay_dives(still())
-    for targets, more, says in (
-        ([(4304.27, 8.0)], {}, "decimal degrees"),
-        ([(math.inf, 8.0)], {}, "must be a latitude"),
-        ([(40.0, 8.0)], {"speed": 0.0}, "leads nowhere"),
-        ([(40.0, 8.0)], {"speed": 25.0}, "at 25 m/s through the water: .* at most 5 m/s"),
-        ([(40.0, 8.0)], {"duration": math.inf}, "a dive of inf hours"),
+def test_magnetic_headings(sg542):
+    bare = [replace(step.dive, magvar=None) for step in sg542.steps[:3]]
+    for replay, more, east, tolerance in (
+        (sg542, {}, -25.0, 1e-9),  # of the files
+        (sg542, {"variation": 10.0}, 10.0, 1e-9),
+        (replay_dives(bare), {}, -25.0, 3.0),  # IGRF
     ):
+        leg = aims(replay, [(-42.5, 8.0)], **more)[0]
+        assert leg.magnetic_variation == pytest.approx(east, abs=tolerance)
+        magnetic = (leg.heading - leg.magnetic_variation) % 360
+        assert leg.heading_magnetic == pytest.approx(magnetic)
+
+
+def test_a_speed_that_no_vehicle_has_is_refused():
+    for more, says in (({"speed": 25.0}, "at most 5 m/s"), ({"duration": math.inf}, "inf hours")):
         with pytest.raises(ScenarioError, match=says):
-            aims(replay, targets, **more)
+            aims(known(0.0, 0.0), [(40.0, 8.0)], **more)

@@ -13,14 +13,14 @@ from urllib.parse import unquote
 
 import pytest
 from html_reader import Reader
-from processes import CLPT, GUARD, await_line, kill_while_it_writes, ran, started
+from processes import CLPT, kill_while_it_writes, ran, started
 from synthetic_vehicle import fixes_of, one_file_each, told, vehicle
 
 from clpt_control.geodesy import place_from
-from clpt_control.gliders.dive_table import write_dive_table
 from clpt_control.gliders.dives import make_dive
 from clpt_control.replay import fleet
-from clpt_control.replay.fleet import events, standing, unread
+from clpt_control.replay.fleet import events, standing
+from clpt_control.units import seconds_since_1970
 
 HOUR = 3600.0
 TELL = "import sys; open(sys.argv[1], 'a').write(sys.stdin.read())"
@@ -51,7 +51,7 @@ def test_what_asks_for_a_pilot():
     dives = recent(12, 1.0)
     calm, end = told(dives), dives[-1].t_gpse
     assert events(calm, end) == []
-    due = end + summary_hours(calm) * HOUR + calm["next_dive"]["time_90"]
+    due = seconds_since_1970(calm["next_dive"]["time"]) + calm["next_dive"]["time_90"]
     assert events(calm, due - 60) == []
     (event,) = events(calm, due + 60)
     assert (event.name, event.dive) == ("overdue", 12)
@@ -69,19 +69,9 @@ def test_what_asks_for_a_pilot():
     assert events(told(vehicle(3, 45, fault=24, lost=0.4)), 0.0) == []  # long ago
 
 
-def summary_hours(found):
-    """Hours from the end of the last dive to the headline."""
-    ahead, last = found["next_dive"], found["each_dive"][-1]["end"]
-    return (np_time(ahead["time"]) - np_time(last)) / HOUR
-
-
-def np_time(text):
-    return time.mktime(time.strptime(text, "%Y-%m-%dT%H:%M:%SZ")) - time.timezone
-
-
 @pytest.fixture
-def tree(tmp_path, facts):
-    """A vehicle that is well, one overdue, one OUT, one of two in a folder, one damaged."""
+def tree(tmp_path, facts, sample):
+    """A vehicle that is well, with a replay's results, one overdue, one OUT, two in one folder."""
     top = tmp_path / "top"
     for name, dives in (
         ("well", recent(6, 1.0)),
@@ -91,6 +81,7 @@ def tree(tmp_path, facts):
     ):
         (top / name).mkdir(parents=True)
         one_file_each(top / name, dives)
+    shutil.copytree(sample.folder, top / "well" / "results")
     (top / "two").mkdir()
     for file in ("sg171/p1710100.nc", "basestation/p5420304.nc"):
         shutil.copy(facts / "glider" / file, top / "two")
@@ -132,19 +123,6 @@ def test_a_row_each_what_asks_for_a_pilot_first_and_is_told_once(tree, command, 
     assert "a <b> & '#1%3f'" in page.texts  # as a text, no markup
 
 
-def test_no_vehicle_and_wrong_words(tmp_path, command):
-    for words, says in (
-        (("--fleet", tmp_path), "no folder below it has files of dives"),
-        (("--fleet", tmp_path / "no"), "no such folder"),
-        (("--fleet", tmp_path, "--aim", "1", "2"), "are of one vehicle"),
-        (("--sample", "--alert", "true"), "is for --follow FOLDER or --fleet FOLDER"),
-        (("--fleet", tmp_path, "--alert", "no-such-command-here"), "no such command"),
-        (("--fleet", tmp_path, "--alert", "echo 'a"), "no such command"),
-    ):
-        assert says in str(command(*words).exception)
-    assert unread("SG1", "gone")["asks"] == ["cannot be read"]
-
-
 def teller(path):
     return shlex.join([sys.executable, "-c", TELL, str(path)])
 
@@ -157,13 +135,31 @@ def told_in(path):
     return [(data["vehicle"], data["event"], data["dive"]) for _, data in told]
 
 
-def test_braces_stand_for_the_sentence(tmp_path):
-    words = shlex.join([sys.executable, "-c", "import sys; print(sys.argv[1:])", "{}"])
-    found = told(strayed(recent(6, 1.0)))
-    seen = fleet.Alerts(fleet.checked_command(words), tmp_path)
-    (tmp_path / "state").mkdir()
-    seen.tell(found)
+@pytest.fixture(scope="module")
+def out():
+    """What `--json` prints of a vehicle that is OUT twice."""
+    return told(strayed(recent(6, 1.0)))
+
+
+def alerts(folder, *words):
+    (folder / "state").mkdir(exist_ok=True)
+    return fleet.Alerts(words, folder)
+
+
+LEFT = """import subprocess as s, sys
+one = s.Popen([sys.executable, '-c', 'import time; time.sleep(600)'])
+open(sys.argv[1], 'w').write(str(one.pid))
+open(sys.argv[2], 'w').write(sys.argv[3])
+"""
+
+
+def test_a_command_has_the_sentence_and_what_it_leaves_behind_is_not_waited_for(tmp_path, out):
+    number, said = tmp_path / "number", tmp_path / "said"
+    seen = alerts(tmp_path, sys.executable, "-c", LEFT, str(number), str(said), "{}")
+    seen.tell(out)
+    os.kill(int(number.read_text()), signal.SIGKILL)  # it still waits
     assert seen.told == ["glider OUT 5"]
+    assert said.read_text().startswith("glider: OUT: 2 dives running, since dive 5")
 
 
 @pytest.mark.parametrize(
@@ -174,32 +170,18 @@ def test_braces_stand_for_the_sentence(tmp_path):
     ],
 )
 def test_a_command_that_fails_is_one_sentence_and_is_run_again(
-    code, longest, says, tmp_path, capsys, monkeypatch
+    code, longest, says, tmp_path, capsys, monkeypatch, out
 ):
     monkeypatch.setattr(fleet, "LONGEST", longest)
-    found = told(strayed(recent(6, 1.0)))
-    seen = fleet.Alerts([sys.executable, "-c", code], tmp_path)
-    (tmp_path / "state").mkdir()
-    seen.tell(found)
-    seen.tell(found)
+    seen = alerts(tmp_path, sys.executable, "-c", code)
+    for _ in range(2):
+        seen.tell(out)
     said = capsys.readouterr().err
-    assert said.count(says) == 1
-    assert said.count("\n") == 1
+    assert (said.count(says), said.count("\n")) == (1, 1)
     monkeypatch.setattr(fleet, "LONGEST", 60.0)
     heard = tmp_path / "told"
-    fleet.Alerts(shlex.split(teller(heard)), tmp_path).tell(found)
+    alerts(tmp_path, *shlex.split(teller(heard))).tell(out)
     assert told_in(heard) == [("glider", "OUT", 5)]
-
-
-def test_what_a_command_leaves_behind_is_not_waited_for(tmp_path):
-    waits, number = "'import time; time.sleep(600)'", tmp_path / "number"
-    left = f"import subprocess as s, sys; one = s.Popen([sys.executable, '-c', {waits}])"
-    left += "; open(sys.argv[1], 'w').write(str(one.pid))"
-    (tmp_path / "state").mkdir()
-    seen = fleet.Alerts([sys.executable, "-c", left, str(number)], tmp_path)
-    seen.tell(told(strayed(recent(6, 1.0))))
-    os.kill(int(number.read_text()), signal.SIGKILL)  # it still waits
-    assert seen.told == ["glider OUT 5"]
 
 
 @pytest.mark.processes
@@ -234,39 +216,6 @@ def test_a_fleet_killed_twice_is_as_an_unbroken_one(tmp_path):
     assert not list((tmp_path / "broken").rglob("*.part"))
 
 
-@pytest.mark.processes
-def test_a_watch_killed_twice_tells_each_event_once(tmp_path):
-    inbox, out, told = tmp_path / "in", tmp_path / "out", tmp_path / "told"
-    inbox.mkdir()
-    dives = strayed(fixes_of(8))
-    words = [*CLPT, "replay", "--follow", inbox, "--out", out, "--every", "0.05"]
-    words += ["--alert", teller(told)]
-    arrived = 0
-    for until in (5, 8, 8):
-        with started(words, stdout=subprocess.DEVNULL) as process:
-            await_line(process, process.stderr, " used")
-            while arrived < until:
-                one_file_each(inbox, [dives[arrived]])
-                arrived += 1
-                await_line(process, process.stderr, f", {arrived} dive")
-            while until == 8 and not (told.exists() and told.read_text().count("\n") == 2):
-                assert process.poll() is None
-            time.sleep(0.3)  # it looks some times more
-            process.send_signal(signal.SIGKILL)
-            process.wait(GUARD)
-    assert told_in(told) == [("glider", "OUT", 7)]
-
-
-@pytest.mark.usefixtures("undrawn")
-def test_the_results_of_a_replay_are_no_vehicle(tmp_path, command):
-    (tmp_path / "well").mkdir()
-    one_file_each(tmp_path / "well", recent(4, 1.0))
-    assert command(tmp_path / "well", "--out", tmp_path / "well" / "results").exit_code == 0
-    for _ in range(2):  # its own results neither
-        found = json.loads(command("--fleet", tmp_path, "--json").stdout)
-        assert [row["vehicle"] for row in found["vehicles"]] == ["well"]
-
-
 @pytest.mark.usefixtures("undrawn")
 def test_linked_folders_are_followed_once_and_never_in_a_circle(tmp_path, command):
     top, elsewhere = tmp_path / "top", tmp_path / "elsewhere"
@@ -280,11 +229,8 @@ def test_linked_folders_are_followed_once_and_never_in_a_circle(tmp_path, comman
     (elsewhere / "there" / "circle").symlink_to(elsewhere)
     found = json.loads(command("--fleet", top, "--json").stdout)
     assert sorted(row["vehicle"] for row in found["vehicles"]) == ["here", "there"]
-    assert sorted(path.name for path in (top / "replay").iterdir()) == [
-        "again",
-        "fleet.html",
-        "here",
-    ]
+    places = sorted(path.name for path in (top / "replay").iterdir())
+    assert places == ["again", "fleet.html", "here"]
 
 
 @pytest.mark.parametrize("kept", ["5", '{"a": 1}', "[", "a pipe"])
@@ -296,25 +242,3 @@ def test_what_was_told_and_cannot_be_read_is_told_again(tmp_path, kept):
     else:
         place.write_text(kept)
     assert fleet.Alerts([sys.executable], tmp_path).told == []
-
-
-def named(path, name, seed):
-    """Write a table of dives that names their vehicle."""
-    write_dive_table(recent(3, 1.0, seed=seed), path)
-    head, *rows = path.read_text().splitlines()
-    path.write_text("\n".join([f"{head},vehicle", *(f"{row},{name}" for row in rows)]))
-
-
-@pytest.mark.usefixtures("undrawn")
-def test_names_of_vehicles_lead_to_folders_of_their_own(tmp_path, command):
-    names = ["..", "state", "a b", "a_b", "$\\frac$"]
-    (tmp_path / "top" / "many").mkdir(parents=True)
-    for k, name in enumerate(names):
-        named(tmp_path / "top" / "many" / f"{k}.csv", name, k)
-    for _ in range(2):
-        rows = json.loads(command("--fleet", tmp_path / "top", "--json").stdout)["vehicles"]
-        assert sorted(row["vehicle"] for row in rows) == sorted(names)
-        assert {row["page"].count("/") for row in rows} == {2}
-        assert len({row["page"] for row in rows}) == len(names)
-    inside = [path.name for path in (tmp_path / "top" / "replay" / "many").iterdir()]
-    assert sorted(inside) == ["_.", "__frac_", "a_b", "a_b_", "state", "state_"]

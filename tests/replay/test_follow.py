@@ -1,9 +1,10 @@
-"""Following a folder: new, renamed and unreadable files, kills, one process at a time."""
+"""Following a folder: new, renamed, unreadable files, kills, one at a time; a damaged state."""
 
+import copy
+import json
 import math
 import os
 import random
-import shutil
 from dataclasses import replace
 from pathlib import Path
 
@@ -13,30 +14,11 @@ from synthetic_vehicle import one_file_each, vehicle
 
 from clpt_control.errors import DataError
 from clpt_control.gliders.dive_files import read_dives, sample_dives
+from clpt_control.gliders.dives import Skipped
 from clpt_control.gliders.usable_dives import usable
 from clpt_control.replay import follow
 from clpt_control.replay.follow import Follower, following
 from clpt_control.replay.replay import Replay
-
-
-def test_tracks_come_back_to_the_bit(tmp_path, monkeypatch):
-    rng = np.random.default_rng(2)
-    time_ = np.linspace(0, 9000, 40)
-    kept = [
-        replace(dive, track=(time_, *np.cumsum(rng.normal(size=(2, 40)), axis=1)))
-        for dive in sample_dives()[:3]
-    ]
-    kept[1] = replace(kept[1], track=None, notes=("no track",), depth_max=math.nan)
-    one_file_each(tmp_path, sample_dives()[:3])
-    read = {f"dive{dive.number}.csv": ([dive], []) for dive in kept}
-    monkeypatch.setattr(follow, "read_dive_file", lambda path: read[path.name])
-    Follower(tmp_path, tmp_path / "state").look()
-    again, _ = Follower(tmp_path, tmp_path / "state").dives()
-    assert again[1].track is None
-    assert again[1].notes == ("no track",)
-    for before, after in ((kept[0], again[0]), (kept[2], again[2])):
-        assert before == after
-        assert all(map(np.array_equal, before.track, after.track))
 
 
 @pytest.mark.parametrize(
@@ -94,6 +76,11 @@ def numbers(follower):
     return [dive.number for dive in used], [entry.why for entry in (*skipped, *unused)]
 
 
+def refused(folder, out, says):
+    with pytest.raises(DataError, match=says), following(folder, out):
+        pass
+
+
 def test_results_never_lie_in_the_followed_folder(inbox, tmp_path):
     (tmp_path / "link").symlink_to(inbox)
     (tmp_path / "out").mkdir()
@@ -102,21 +89,13 @@ def test_results_never_lie_in_the_followed_folder(inbox, tmp_path):
         if out.name == "..":
             with following(inbox, out):  # the folder above is another
                 continue
-        with (
-            pytest.raises(DataError, match="would lie in the followed folder"),
-            following(inbox, out),
-        ):
-            pass
+        refused(inbox, out, "would lie in the followed folder")
     with following(inbox, inbox / "replay") as follower:
         assert len(follower.look()) == 3
     for missing in ("none", "in/dive304.csv", "loop"):
         if missing == "loop":
             (tmp_path / "loop").symlink_to("loop")
-        with (
-            pytest.raises(DataError, match="no such folder"),
-            following(tmp_path / missing, tmp_path / "other"),
-        ):
-            pass
+        refused(tmp_path / missing, tmp_path / "other", "no such folder")
         assert not (tmp_path / "other").exists()
 
 
@@ -133,19 +112,6 @@ def test_a_state_belongs_to_its_folder(inbox, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "link").symlink_to(inbox)
     assert Follower("link", "state").look() == []  # another name of the same folder
-
-
-def test_a_skipped_file_has_its_new_name_and_a_copy_is_a_duplicate(inbox, tmp_path):
-    (inbox / "half.nc").write_bytes(b"CDF\x01" + bytes(5))
-    follower = Follower(inbox, tmp_path / "state")
-    follower.look()
-    (inbox / "half.nc").rename(inbox / "part.nc")
-    shutil.copy(inbox / "dive306.csv", inbox / "twice.csv")
-    follower.look()
-    found, why = numbers(follower)
-    assert found == [304, 305, 306]
-    assert "part.nc" in why[0]
-    assert "duplicate" in why[-1]
 
 
 def test_a_file_rewritten_with_its_old_size_and_date_is_read_again(inbox, tmp_path):
@@ -182,8 +148,7 @@ def test_a_file_that_becomes_a_pipe_once_it_was_asked_is_not_waited_for(
 
 def test_what_cannot_be_opened_is_tried_again(inbox, tmp_path, monkeypatch):
     closed = inbox / "dive305.csv"
-    plain, looked = follow.at_once, Path.stat
-    shut = True
+    plain, shut = follow.at_once, True
 
     def opened(name, flags):
         if shut and Path(name) == closed:
@@ -204,12 +169,8 @@ def test_what_cannot_be_opened_is_tried_again(inbox, tmp_path, monkeypatch):
     assert follower.look() == ["dive305.csv"]
     assert numbers(follower)[0] == [304, 305, 306]
 
-    def closed_stat(self, **kwargs):
-        if self == closed:
-            raise PermissionError(13, "Permission denied")
-        return looked(self, **kwargs)
-
-    monkeypatch.setattr(Path, "stat", closed_stat)
+    shut = True
+    closed.touch()
     assert follower.look() == ["dive305.csv"]
     assert numbers(follower)[0] == [304, 305, 306]  # its dives are known
     assert "dive305.csv: cannot be read" in numbers(follower)[1][0]
@@ -253,10 +214,121 @@ def test_a_name_under_which_nothing_can_be_kept_is_left_out(inbox, tmp_path, nam
 
 
 def test_one_follows_at_a_time(inbox, tmp_path):
-    with (
-        following(inbox, tmp_path / "out") as follower,
-        pytest.raises(DataError, match="another clpt follows here"),
-        following(inbox, tmp_path / "out"),
-    ):
-        pass
-    assert len(follower.look()) == 3
+    with following(inbox, tmp_path / "out") as follower:
+        refused(inbox, tmp_path / "out", "another clpt follows here")
+        assert len(follower.look()) == 3
+
+
+def followed(folder, dives, skipped):
+    """Follow a file that reads as these dives, and return its file in the state."""
+    (folder / "in").mkdir(exist_ok=True)
+    (folder / "in" / "dive1.csv").write_text("any")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(follow, "read_dive_file", lambda path: (dives, skipped))
+        Follower(folder / "in", folder / "state").look()
+    return folder / "state" / "dive1.csv.json"
+
+
+@pytest.fixture
+def whole(tmp_path):
+    """The state of a file with a track, and its JSON."""
+    time = np.linspace(0.0, 9000.0, 4)
+    dive = replace(sample_dives()[0], track=(time, time / 3, -time), notes=("odd",))
+    path = followed(tmp_path, [dive], [Skipped(None, "line 3"), Skipped(7, "short")])
+    return path, json.loads(path.read_text())
+
+
+def is_no_state(path, text):
+    """Whether a state with this text is refused, and left as it is."""
+    path.write_bytes(text.encode("utf-8", "surrogateescape"))
+    said = "is no state of this version's clpt replay --follow.*move the folder .* away"
+    with pytest.raises(DataError, match=said):
+        Follower(path.parents[1] / "in", path.parent)
+    assert path.read_bytes() == text.encode("utf-8", "surrogateescape")
+
+
+def places_of(record, at=()):
+    """All places in a JSON, the deeper ones first; of a track only its columns."""
+    inner = record.items() if isinstance(record, dict) else enumerate(record)
+    for key, value in [] if isinstance(record, str) else inner:
+        if isinstance(value, dict | list) and "track" not in at:
+            yield from places_of(value, (*at, key))
+        yield (*at, key)
+
+
+def put(record, place, value):
+    """The JSON of a record with a value at a place; ... takes away what is there."""
+    changed = inner = copy.deepcopy(record)
+    for key in place[:-1]:
+        inner = inner[key]
+    inner[place[-1]] = value
+    if value is ...:
+        del inner[place[-1]]
+    return json.dumps(changed)
+
+
+def test_damage_is_seen_at_each_place(whole):
+    """What stands there is another thing, or what must be there is missing."""
+    path, record = whole
+    places = list(places_of(record))
+    assert len(places) > 40
+    for place in places:
+        is_no_state(path, put(record, place, {"no": [True]}))
+    for place in (*((key,) for key in record), ("dives", 0, "track"), ("dives", 0, "number")):
+        is_no_state(path, put(record, place, ...))
+
+
+ODD = [
+    *((("format",), value) for value in (1, None, "2")),
+    *((("stamp",), value) for value in ([1, 2], [1.5, 2, 3], [None, 1, 2])),
+    *((("dives",), value) for value in (None, [None], [[]], [{}])),
+    (("skipped", 0), {"dive": "1", "why": "x"}),
+    (("other",), 3),
+    (("dives", 0, "depth"), 100.0),
+    *((("dives", 0, "number"), value) for value in (None, 1.5, "304", True, math.nan)),
+    *((("dives", 0, "t_gps2"), value) for value in (None, "0", False)),
+    *((("dives", 0, "notes"), value) for value in (None, "odd", [1])),
+    *((("dives", 0, "track"), value) for value in (3, [], [[1.0]] * 2, [[], [], []], [0.0] * 3)),
+    (("dives", 0, "track"), [[0.0, 1.0], [0.0, 1.0], [0.0]]),
+    (("dives", 0, "track"), [[0.0, 1.0], [0.0, None], [0.0, 1.0]]),
+    (("dives", 0, "track"), [[0.0], [[0.0]], [0.0]]),
+]
+
+
+def test_odd_values_are_seen(whole):
+    path, record = whole
+    for place, value in ODD:
+        is_no_state(path, put(record, place, value))
+
+
+def test_what_is_no_json_is_seen(whole):
+    path, _ = whole
+    for text in ("[" * 100_000, '{"a":' * 100_000, "\0", "", "9" * 5000, "\udcff", "[1]", "null"):
+        is_no_state(path, text)
+    for make in (os.mkfifo, os.mkdir):  # a pipe is not waited for
+        path.unlink()
+        make(path)
+        with pytest.raises(DataError, match=r"dive1.csv.json: is no state"):
+            Follower(path.parents[1] / "in", path.parent)
+
+
+def test_what_readers_give_is_whole(tmp_path):
+    """Tracks to the bit; missing fixes, infinite numbers, no places."""
+    first, rng = sample_dives()[0], np.random.default_rng(2)
+    time = np.linspace(0, 9000, 40)
+    strange = [
+        replace(first, track=(time, *np.cumsum(rng.normal(size=(2, 40)), axis=1)), notes=("odd",)),
+        replace(first, lat_gpse=math.nan, gps_east=math.nan, gps_north=math.nan),
+        replace(first, dr_east=math.inf, depth_max=math.nan, number=-5),
+        replace(first, lat_gpse=95.0, gps_east=math.nan, t_gps2=np.float64(0.1)),
+    ]
+    path = followed(tmp_path, strange, [])
+    kept = json.loads(path.read_text())["dives"]
+    (tmp_path / "in" / "dive1.csv").unlink()
+    again, skipped = Follower(tmp_path / "in", tmp_path / "state").dives()
+    assert skipped == []
+    strange[3] = replace(strange[3], t_gps2=0.1)
+    assert list(map(repr, again)) == list(map(repr, strange))
+    assert all(map(np.array_equal, again[0].track, strange[0].track))
+    again = json.loads(followed(tmp_path, again, []).read_text())["dives"]
+    assert json.dumps(again) == json.dumps(kept)

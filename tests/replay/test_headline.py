@@ -15,10 +15,9 @@ from clpt_control.geodesy import displacement, place_from
 from clpt_control.gliders import make_dive, read_dives, sample_dives, usable
 from clpt_control.gliders.dives import planned_course
 from clpt_control.pages.writing import replay_facts
-from clpt_control.replay.exchange import next_geojson, track_kml
-from clpt_control.replay.habits import PLANNED, REPEATED, Habits, drift
+from clpt_control.replay.exchange import next_geojson
+from clpt_control.replay.habits import PLANNED, REPEATED, Habits
 from clpt_control.replay.replay import replay_dives
-from clpt_control.replay.replay_page import replay_page
 from clpt_control.replay.surfacing import ellipse
 
 DIVES = usable(sample_dives())[0]
@@ -66,9 +65,8 @@ def test_a_plan_tells_the_course():
     without = replay_dives(flown(courses)[:24])
     said = with_plan.surfacing()
     assert (said.basis, without.surfacing().basis) == (PLANNED, REPEATED)
-    assert math.degrees(math.atan2(said.plan.dr_east, said.plan.dr_north)) == pytest.approx(
-        77, abs=5
-    )
+    course = math.degrees(math.atan2(said.plan.dr_east, said.plan.dr_north))
+    assert course == pytest.approx(77, abs=5)
     assert half(with_plan) < 0.4 * half(without)
 
 
@@ -85,19 +83,15 @@ def test_in_the_long_run_nine_of_ten_hold(wild):
             off = np.array([dive.dr_east, dive.dr_north]) - guess.way
             wide = guess.scatter[:2, :2] * guess.tails * habits.width[0] ** 2
             late = 1.645 * math.sqrt(guess.scatter[2, 2] * guess.tails) * habits.width[1]
-            held.append(
-                (
-                    off @ np.linalg.solve(wide, off) <= 4.605,
-                    abs(math.log(dive.duration / guess.duration)) <= late,
-                )
-            )
+            away = abs(math.log(dive.duration / guess.duration))
+            held.append((off @ np.linalg.solve(wide, off) <= 4.605, away <= late))
         habits.learn(dive, None, held[-1] if held else ())
         before = dive
     assert np.mean(held, axis=0) == pytest.approx([0.9, 0.9], abs=0.03)
 
 
-def test_the_record_is_of_what_was_said_before_each_dive():
-    replay = replay_dives(DIVES)
+def test_the_record_is_of_what_was_said_before_each_dive(sg542):
+    replay = sg542
     assert (replay.steps[0].headline, replay.steps[0].headline_held) == (None, None)
     for k in (3, 9):
         said = replay_dives(DIVES[:k]).surfacing()
@@ -111,65 +105,39 @@ def test_the_record_is_of_what_was_said_before_each_dive():
     assert found["headlines"]["place_held"] == sum(row["place_held"] for row in rows)
     assert found["headlines"]["time_held"] == sum(row["time_held"] for row in rows)
     holed = usable([*DIVES[:5], *DIVES[6:]])[0]
-    assert [step.headline_held is None for step in replay_dives(holed).steps[4:7]] == [
-        False,
-        True,
-        False,
-    ]
+    unjudged = [step.headline_held is None for step in replay_dives(holed).steps[4:7]]
+    assert unjudged == [False, True, False]
 
 
 def test_a_wrong_fix_is_judged_again_when_it_is_known():
     dives = flown([90.0] * 12)
-    away = place_from(dives[8].lat_gpse, dives[8].lon_gpse, 0.0, 8000.0)
-    dives[8] = make_dive(
-        8,
-        (dives[8].t_gps2, dives[8].lat_gps2, dives[8].lon_gps2),
-        (dives[8].t_gpse, *away),
-        (dives[8].dr_east, dives[8].dr_north),
-    )
+    lat, lon = place_from(dives[8].lat_gpse, dives[8].lon_gpse, 0.0, 8000.0)
+    north = dives[8].gps_north + 8000.0
+    dives[8] = replace(dives[8], lat_gpse=lat, lon_gpse=lon, gps_north=north)
     assert replay_dives(dives[:9]).steps[8].headline_held == (False, True)
     assert replay_dives(dives[:10]).steps[8].headline_held == (True, True)
 
 
-def test_terminal_page_and_files_say_the_same(clpt, printed, tmp_path):
-    found = printed("replay", "--sample")
-    ahead = found["next_dive"]
+def test_terminal_page_and_files_say_the_same(sample):
+    ahead = sample.found["next_dive"]
     within = f"+- {ahead['time_90'] / 60:.0f} min"
     half = f"{ahead['ellipse_90_long']:.0f} x {ahead['ellipse_90_short']:.0f} m"
-    terminal = clpt("replay", "--sample").out.replace("\n", " ")
-    page, kml = replay_page(found), track_kml(found, "SG542")
-    for text in (terminal, page, kml):
+    record = "headlines so far: 11 of 13 held the place, 13 the time"
+    page, kml = ((sample.folder / name).read_text() for name in ("replay.html", "track.kml"))
+    for text in (sample.text.replace("\n", " "), page, kml):
         assert within in text
         assert half in text
-    record = "headlines so far: 11 of 13 held the place, 13 the time"
-    assert record in terminal
-    assert record in page
-    said = [one["properties"] for one in json.loads(next_geojson(found))["features"]]
+        assert record in text or text is kml
+    said = [one["properties"] for one in json.loads(next_geojson(sample.found))["features"]]
     spot = next(one for one in said if one["name"] == "next surfacing")
-    assert (spot["time_90"], spot["ellipse_90_long"]) == (
-        ahead["time_90"],
-        ahead["ellipse_90_long"],
-    )
+    for key in ("time_90", "ellipse_90_long"):
+        assert spot[key] == ahead[key]
 
 
-def test_the_headline_is_the_dive_that_is_aimed(printed):
-    found = printed("replay", "--sample", "--aim", "-43.4", "8.4")
-    ahead, leg = found["next_dive"], found["aim"][0]
-    assert ahead["basis"] == "given"
-    assert (ahead["time"], ahead["latitude"], ahead["longitude"]) == (
-        leg["end"],
-        leg["end_latitude"],
-        leg["end_longitude"],
-    )
-    assert ahead["ellipse_90_long"] == leg["ellipse_90_long"]
-    assert math.hypot(ahead["dr_east"], ahead["dr_north"]) == pytest.approx(leg["through_water"])
-
-
-def test_a_drift_that_is_not_known_and_a_way_of_nothing():
+def test_a_way_of_nothing():
     still = [
         make_dive(k, (9e3 * k, 0.0, 8.0), (9e3 * k + 7200, 0.0, 8.0), (0.0, 0.0)) for k in range(9)
     ]
-    assert drift(still[0], None) is None
     said = replay_dives(still).surfacing()
     assert np.linalg.eigvalsh(said.covariance).min() > 0
     assert math.isfinite(said.time_90)

@@ -1,16 +1,27 @@
-"""The page of a replay: nothing is fetched, nothing of a file is markup, the chart is true."""
+"""The page of a replay, GeoJSON, KML and what goes onto the vehicle, as their readers read."""
 
+import json
 import math
 import re
 from base64 import b64encode
+from dataclasses import replace
 from hashlib import sha256
+from xml.etree import ElementTree
 
+import numpy as np
 import pytest
 from html_reader import Reader, fetching_nothing
 from pyproj import Geod
 from synthetic_vehicle import fixes_of, told
 
-from clpt_control.geodesy import near
+from clpt_control.cli.replay_report import write
+from clpt_control.geodesy import near, place_from
+from clpt_control.gliders import slocum
+from clpt_control.gliders.dive_files import sample_dives
+from clpt_control.gliders.dives import make_dive
+from clpt_control.html import plain
+from clpt_control.replay.exchange import next_geojson, track_kml
+from clpt_control.replay.layers import ring_of
 from clpt_control.replay.replay_page import replay_page
 from clpt_control.replay.track_map import grid_label, map_plot
 
@@ -28,15 +39,21 @@ def page_of(count, lat=40.0, lon=8.0, evil=""):
     return replay_page(found)
 
 
-def test_nothing_of_a_file_is_markup():
-    page = fetching_nothing(page_of(3, evil=EVIL))
+@pytest.fixture(scope="module")
+def evil():
+    """A page of texts that a file may hold."""
+    return page_of(3, evil=EVIL)
+
+
+def test_nothing_of_a_file_is_markup(evil):
+    page = Reader(evil)
     assert [tag for tag, _ in page.tags].count("script") == 1
     shown = EVIL.replace("\x00", "\ufffd").replace("\udc80", "\ufffd")
     assert any(shown in text for text in page.texts)
 
 
-def test_nothing_is_fetched():
-    page = fetching_nothing(page_of(3))
+def test_nothing_is_fetched(evil):
+    page = fetching_nothing(evil)
     assert "//" not in re.sub(r"^// .*$", "", "".join(page.scripts), flags=re.M)
     policy = next(names["content"] for tag, names in page.tags if tag == "meta" and len(names) == 2)
     hashes = [
@@ -44,6 +61,7 @@ def test_nothing_is_fetched():
         for part in ("".join(page.styles), "".join(page.scripts))
     ]
     assert policy == f"default-src 'none'; style-src {hashes[0]}; script-src {hashes[1]}"
+    charts_have_dates(evil)
 
 
 @pytest.mark.usefixtures("undrawn")
@@ -56,7 +74,15 @@ def test_a_page_that_is_written_again_is_loaded_again():
         assert [names["data-again"] for _, names in tags if "data-again" in names] == ["60"] * again
 
 
-def test_sixty_dives_are_small():
+def charts_have_dates(text):
+    charts = re.findall(r"<figure>.*?</figure>", text, flags=re.S)
+    assert len(charts) == 2
+    for chart in charts:
+        assert ">surfaced (UTC)<" in chart
+        assert len(re.findall(r">\d\d:\d\d<|>[A-Z][a-z]{2}-\d\d<", chart)) in range(2, 12)
+
+
+def test_sixty_dives_are_small_and_one_is_enough():
     text = page_of(60)
     assert len(text.encode()) < 2_000_000
     tags = Reader(text).tags
@@ -64,17 +90,18 @@ def test_sixty_dives_are_small():
     links = [names["href"] for tag, names in tags if tag == "a"]  # a fix leads to its row
     assert sorted(links) == sorted(f"#{one}" for one in rows) == sorted(set(links))
     assert len(links) == 60
+    charts_have_dates(page_of(1))
 
 
 @pytest.mark.parametrize(("lat", "lon"), [(-43.0, 8.0), (67.0, -179.9), (0.0, 180.0), (89.0, 0.0)])
 def test_a_chart_is_true_to_scale_and_angle(lat, lon):
     ax = map_plot(told(fixes_of(4, lat, lon)))
-    scale = ax.get_aspect() * ax.get_ylim()[1] - ax.get_aspect() * ax.get_ylim()[0]
-    middle = sum(ax.get_ylim()) / 2
-    north = Geod(ellps="WGS84").inv(lon, ax.get_ylim()[0], lon, ax.get_ylim()[1])[2]
-    metres = north / scale  # in a degree of longitude
+    (low, high), geod = ax.get_ylim(), Geod(ellps="WGS84")
+    middle = (low + high) / 2
+    # in a degree of longitude
+    metres = geod.inv(lon, low, lon, high)[2] / (ax.get_aspect() * (high - low))
     for bearing in (0, 45, 90, 200):
-        x, y, _ = Geod(ellps="WGS84").fwd(lon, middle, bearing, 100.0)
+        x, y, _ = geod.fwd(lon, middle, bearing, 100.0)
         away = complex(near(x - lon, 0.0), ax.get_aspect() * (y - middle)) * metres
         assert abs(away) == pytest.approx(100, rel=2e-3)
         turned = math.degrees(math.atan2(away.real, away.imag))
@@ -91,33 +118,214 @@ def test_a_place_beyond_the_poles_is_not_drawn(name):
 
 def test_a_far_waypoint_leaves_the_chart_as_it_is():
     *_, last = dives = fixes_of(6)
-    found = told(dives)
-    sizes = {}
+    found, edges = told(dives), {}
     for bearing, away in ((0.0, 5e5), (90.0, 5e5), (225.0, 5e5), (300.0, 100.0)):
         place = Geod(ellps="WGS84").fwd(last.lon_gpse, last.lat_gpse, bearing, away)
         aimed = found | {"aim": told(dives, (place[1], place[0]))["aim"]}
-        page = Reader(replay_page(aimed))
-        assert page.texts[page.texts.index("Aim") + 1].startswith("heading ")
-        sizes[bearing] = next(names["data-edges"] for tag, names in page.tags if tag == "svg")
-    assert len({size for bearing, size in sizes.items() if bearing != 300.0}) == 1
+        ax = map_plot(aimed)
+        edges[bearing] = *ax.get_xlim(), *ax.get_ylim()
+    assert len({edge for bearing, edge in edges.items() if bearing != 300.0}) == 1
+    page = Reader(replay_page(aimed))
+    assert page.texts[page.texts.index("Aim") + 1].startswith("heading ")
 
 
 def test_grid_names_its_lines():
     lons = (179 + 55 / 60, 180.0, 180 + 5 / 60)
-    assert [grid_label(lon, names="EW", step=5) for lon in lons] == [
-        "179°55'E",
-        "180°00'E",
-        "179°55'W",
-    ]
+    names = [grid_label(lon, names="EW", step=5) for lon in lons]
+    assert names == ["179°55'E", "180°00'E", "179°55'W"]
     assert grid_label(-0.999999, names="NS", step=0.1) == "1°00.00'S"
     assert grid_label(59.9999 / 60, names="NS", step=1) == "1°00'N"
 
 
-@pytest.mark.parametrize("count", [1, 3])
-def test_charts_have_dates(count):
-    text = page_of(count)
-    charts = re.findall(r"<figure>.*?</figure>", text, flags=re.S)
-    assert len(charts) == 2
-    for chart in charts:
-        assert ">surfaced (UTC)<" in chart
-        assert len(re.findall(r">\d\d:\d\d<|>[A-Z][a-z]{2}-\d\d<", chart)) in range(2, 12)
+KML = {"k": "http://www.opengis.net/kml/2.2"}
+GEOD = Geod(ellps="WGS84")
+
+
+def turned(ring):
+    """Twice the area of a ring, degrees^2, positive counter-clockwise."""
+    x, y = np.array(ring).T
+    return float(np.sum(x[:-1] * y[1:] - x[1:] * y[:-1]))
+
+
+def inside(ring, lon, lat):
+    """Whether a place lies in a convex ring that turns counter-clockwise."""
+    x, y = np.array(ring).T
+    return bool(np.all(np.diff(x) * (lat - y[:-1]) - np.diff(y) * (lon - x[:-1]) >= 0))
+
+
+@pytest.mark.parametrize("lat", [-43.0, 0.0, 67.0, 80.0])
+def test_a_ring_is_the_ellipse_on_the_earth(lat):
+    row = told(fixes_of(5, lat))["each_dive"][-1]
+    ring = ring_of(row)
+    assert ring[0] == ring[-1]
+    centre = row["forecast_longitude"], row["forecast_latitude"]
+    far = [GEOD.inv(*centre, lon, lat)[2] for lat, lon in ring]
+    assert max(far) == pytest.approx(row["ellipse_90_long"], rel=2e-3)
+    assert min(far) == pytest.approx(row["ellipse_90_short"], rel=5e-3)
+    bearing = GEOD.inv(*centre, ring[0][1], ring[0][0])[0]
+    assert abs((bearing - row["ellipse_90_bearing"] + 90) % 180 - 90) < 1.0  # meridians turn
+
+
+@pytest.mark.parametrize("lon", [8.0, 179.99, -180.0, 180.0, 180.01, -180.01])
+def test_geojson_is_read_back_and_longitudes_count_on_at_180_degrees(lon):
+    found = told(fixes_of(5, 51.0, lon))
+    ahead, last = found["next_dive"], found["each_dive"][-1]
+    shapes = {
+        one["properties"]["name"]: one["geometry"]["coordinates"]
+        for one in json.loads(next_geojson(found))["features"]
+    }
+    ring, goal = shapes["90 % ellipse"][0], shapes["next surfacing"]
+    assert ring[0] == ring[-1]
+    assert turned(ring) > 0
+    assert any(inside(ring, goal[0] + turn, goal[1]) for turn in (-360, 0, 360))
+    for (x, y), wanted, name in (
+        (goal, ahead, ""),
+        (shapes["way to the next surfacing"][0], last, "end_"),
+    ):
+        off = (x - wanted[f"{name}longitude"] + 180) % 360 - 180
+        assert (off, y) == pytest.approx((0, wanted[f"{name}latitude"]), abs=1e-6)
+    spans = [np.array(ring)[:, 0]]
+    spans += [
+        np.array([float(pair.split(",")[0]) for pair in one.text.split()])
+        for one in ElementTree.fromstring(track_kml(found, "x")).iterfind(".//k:coordinates", KML)
+    ]
+    for span in spans:
+        assert np.ptp(span) < 90
+        assert abs(span[0]) <= 180
+
+
+def test_kml_is_read_back():
+    found = told(fixes_of(5, -43.0))
+    root = ElementTree.fromstring(track_kml(found, "SG<1> & co \x00"))
+    assert root.find("k:Document/k:name", KML).text == "SG<1> & co \ufffd"
+    fixes = [
+        (one.find("k:TimeStamp/k:when", KML).text, one.find("k:Point/k:coordinates", KML).text)
+        for one in root.iterfind("k:Document/k:Placemark", KML)
+        if one.find("k:name", KML).text.startswith("dive ")
+    ]
+    assert [when for when, _ in fixes] == [row["end"] for row in found["each_dive"]]
+    for (_, text), row in zip(fixes, found["each_dive"], strict=True):
+        lon, lat = map(float, text.split(","))
+        assert (lat, lon) == pytest.approx((row["end_latitude"], row["end_longitude"]), abs=1e-6)
+    names = {style.get("id") for style in root.iterfind(".//k:Style", KML)}
+    assert {one.text[1:] for one in root.iterfind(".//k:styleUrl", KML)} <= names
+
+
+def test_plain_text_can_be_written_and_parsed():
+    text = plain("".join(map(chr, range(0x300))) + "\ud800\udcff\ufffe\U0001f600")
+    assert text.encode().decode() == text
+    made = ElementTree.Element("a")
+    made.text = text.replace("\r", "")
+    assert ElementTree.fromstring(ElementTree.tostring(made)).text == made.text
+
+
+def test_one_dive_is_enough():
+    dive = make_dive(1, (0.0, 40.0, 8.0), (9000.0, 40.0, 8.02), (500.0, 0.0))
+    found = told([dive])
+    assert len(json.loads(next_geojson(found))["features"]) == 4
+    ElementTree.fromstring(track_kml(found, "one"))
+
+
+TARGETS = [(-42.8, 8.4), (-42.0, -351.75), (-42.0, -0.5)]
+PLACES = [TARGETS[0], (-42.0, 8.25), TARGETS[2]]
+NUMBER = re.compile(r"-?\d+\d\d\.\d{4}")
+
+
+def found_of(kind, note="", targets=TARGETS):
+    *dives, last = sample_dives()
+    return told([*dives, replace(last, kind=kind, notes=(note,))], *targets)
+
+
+def degrees_of(word):
+    """A number ddmm.mmmm as a vehicle reads it: the last two whole digits are minutes."""
+    assert NUMBER.fullmatch(word)
+    sign, whole = (-1, word[1:]) if word[0] == "-" else (1, word)
+    at = whole.index(".") - 2
+    assert float(whole[at:]) < 60
+    return sign * (int(whole[:at] or 0) + float(whole[at:]) / 60)
+
+
+def targets_of(text):
+    """Lines of a targets file by the rules of basestation3's validate.py: name, then key=value."""
+    read = {}
+    for line in filter(None, text.splitlines()):
+        if line[0] != "/":
+            name, *pairs = line.split()
+            read[name] = dict(pair.split("=") for pair in pairs)
+    for one in read.values():
+        assert set(one) == {"lat", "lon", "radius", "goto"}
+        assert one["goto"] in read
+    return read
+
+
+def waypoints_of(text):
+    """A goto_list as mafiles have it: arguments, then a line for each waypoint, lon lat."""
+    lines = [line.partition("#")[0].strip() for line in text.splitlines()]
+    assert lines[0] == "behavior_name=goto_list"
+    first, last = lines.index("<start:b_arg>"), lines.index("<end:b_arg>")
+    arguments = dict(
+        re.fullmatch(r"b_arg: (\w+)\(\w+\) (-?\d+)", one).groups()
+        for one in lines[first + 1 : last]
+    )
+    assert lines[last + 1] == "<start:waypoints>"
+    assert lines[-1] == "<end:waypoints>"
+    places = [line.split() for line in lines[last + 2 : -1]]
+    assert int(arguments["num_waypoints"]) == len(places) <= 8
+    assert arguments["list_stop_when"] == "7"
+    assert int(arguments["list_when_wpt_dist"]) >= 10
+    return [(degrees_of(lat), degrees_of(lon)) for lon, lat in places]
+
+
+def test_a_seaglider_gets_targets_and_a_true_heading():
+    found = found_of("Seaglider")
+    assert found["paste"]["file"] == "targets"
+    read = targets_of(found["paste"]["text"])
+    places = [(degrees_of(one["lat"]), degrees_of(one["lon"])) for one in read.values()]
+    assert places == [pytest.approx(place) for place in PLACES]
+    assert [one["goto"] for one in read.values()] == ["AIM2", "AIM3", "AIM3"]
+    said = re.search(r"\$HEADING,(\d+\.\d)", found["paste"]["text"])
+    assert float(said[1]) == pytest.approx(found["aim"][0]["heading"], abs=0.051)
+    assert "$NAV_MODE,0" in found["paste"]["text"]  # or it would correct for the current again
+
+
+def test_a_slocum_that_does_not_correct_gets_a_waypoint_along_the_heading():
+    found = found_of("Slocum")
+    assert found["paste"]["file"] == "goto_l10.ma"
+    ((lat, lon),) = waypoints_of(found["paste"]["text"])
+    leg = found["aim"][0]
+    start = leg["from_longitude"], leg["from_latitude"]
+    heading, _, far = Geod(ellps="WGS84").inv(*start, lon, lat)
+    assert heading % 360 == pytest.approx(leg["heading"], abs=0.01)
+    assert far == pytest.approx(20_000, abs=20)
+    time = leg["duration"]  # by the current alone, and a kilometre to the north
+    way = leg["current_east"] * time, leg["current_north"] * time + 1000
+    near = found_of("Slocum", targets=[place_from(*reversed(start), *way)])
+    assert near["aim"][0]["state"] == "reached"
+    ((lat, lon),) = waypoints_of(near["paste"]["text"])
+    far = Geod(ellps="WGS84").inv(*start, lon, lat)[2]
+    assert far == pytest.approx(near["aim"][0]["through_water"], abs=1)
+
+
+def test_a_slocum_that_corrects_gets_the_waypoints_themselves():
+    read = waypoints_of(found_of("Slocum", note=slocum.CORRECTS)["paste"]["text"])
+    assert read == [pytest.approx(place) for place in PLACES]
+
+
+def test_a_seaexplorer_gets_heading_and_waypoints():
+    text = found_of("SeaExplorer")["paste"]["text"].splitlines()
+    assert re.fullmatch(r"DesiredH \d{3}", text[0])
+    assert text[1] == "Lat -4248.0000 Lon 824.0000"
+
+
+@pytest.mark.parametrize(("kind", "targets"), [(None, TARGETS), ("Seaglider", [])])
+def test_without_a_known_vehicle_or_a_waypoint_there_is_nothing_to_paste(kind, targets):
+    assert found_of(kind, targets=targets)["paste"] is None
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_the_file_lies_beside_the_page_which_shows_it(tmp_path):
+    found = found_of("Seaglider", targets=TARGETS[:1])
+    assert tmp_path / "targets" in write(found, tmp_path, ())
+    text = (tmp_path / "targets").read_text()
+    assert text == found["paste"]["text"]
+    assert text in (tmp_path / "replay.html").read_text()

@@ -1,37 +1,40 @@
-"""Replay of a glider: SG542's figures, causality, mistakes, the dataset."""
+"""Replay of a glider: figures of SG542, causality, mistakes, rows, the dataset; growing records."""
 
+import json
 import math
+import re
 from dataclasses import replace
 
 import numpy as np
 import pytest
+import xarray
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from synthetic_vehicle import vehicle
 
 from clpt_control.errors import ArgumentError, DataError, ScenarioError
 from clpt_control.estimation.estimators import ESTIMATORS
-from clpt_control.gliders.dive_files import sample_dives
-from clpt_control.gliders.usable_dives import usable
+from clpt_control.estimation.fix_model import FixModel
+from clpt_control.files import write_file
+from clpt_control.geodesy import displacement, place_from
+from clpt_control.gliders import sample_dives, usable
+from clpt_control.gliders.dives import make_dive
+from clpt_control.replay import habits, places, surfacing
 from clpt_control.replay.facts import replay_dataset
-from clpt_control.replay.outcome import clpe_rms, summary
-from clpt_control.replay.replay import Replay, replay_dives
-
-
-@pytest.fixture(scope="module")
-def sg542():
-    return replay_dives(usable(sample_dives())[0])
+from clpt_control.replay.outcome import clpe_rms, learned_words, speed_words, summary
+from clpt_control.replay.replay import Replay, next_dive, replay_dives
 
 
 def test_sg542_without_learning(sg542):
     # the 13 after the first, which has no dive before it; all 14, the first with no flow
     found = summary(sg542)
-    assert found["clpe_rms"]["no_flow"] == pytest.approx(1853, abs=1)
-    assert found["clpe_rms"]["previous_dive"] == pytest.approx(1213, abs=1)
-    assert found["clpe_rms_all"]["no_flow"] == pytest.approx(1950, abs=1)
-    assert found["clpe_rms_all"]["previous_dive"] == pytest.approx(1407, abs=1)
+    for key, no_flow, previous in (("clpe_rms", 1853, 1213), ("clpe_rms_all", 1950, 1407)):
+        assert found[key]["no_flow"] == pytest.approx(no_flow, abs=1)
+        assert found[key]["previous_dive"] == pytest.approx(previous, abs=1)
     one = summary(replay_dives([sg542.steps[0].dive]))
     assert set(one["clpe_rms"].values()) == {None}
     assert one["clpe_rms_all"]["previous_dive"] == pytest.approx(2931, abs=1)
-    assert summary(sg542)["dac_identity_median"] < 1e-3
+    assert found["dac_identity_median"] < 1e-3
 
 
 def test_sg542_adaptive(sg542):
@@ -48,17 +51,16 @@ def test_later_dives_change_nothing_earlier(estimator):
     whole = replay_dives(dives, estimator)
     rng = np.random.default_rng(0)
     later = [replace(d, gps_east=d.gps_east + 1e4 * rng.normal()) for d in dives[7:]]
-    changed = replay_dives([*dives[:7], *later], estimator)
     times = [(d.t_gps2, d.t_gpse) for d in dives[7:]]
     shuffled = [
         replace(d, t_gps2=t[0], t_gpse=t[1])
         for d, t in zip(rng.permutation(np.array(dives[7:], object)), times, strict=True)
     ]
-    permuted = replay_dives([*dives[:7], *shuffled], estimator)
-    for k in range(7):
-        for other in (changed, permuted):
-            assert np.array_equal(whole.steps[k].forecast, other.steps[k].forecast)
-            assert np.array_equal(whole.steps[k].covariance, other.steps[k].covariance)
+    for other in (later, shuffled):
+        changed = replay_dives([*dives[:7], *other], estimator)
+        for one, same in zip(whole.steps[:7], changed.steps, strict=False):
+            assert np.array_equal(one.forecast, same.forecast)
+            assert np.array_equal(one.covariance, same.covariance)
 
 
 def test_mistakes_are_sentences():
@@ -68,33 +70,12 @@ def test_mistakes_are_sentences():
         replay.step(dives[0])
     with pytest.raises(DataError, match="must be finite"):
         replay.step(replace(dives[1], t_gpse=2e9, gps_east=math.nan))
-
-
-def test_the_dataset_is_a_cf_trajectory(sg542, tmp_path):
-    import xarray
-
-    from clpt_control.files import write_file
-
-    write_file(tmp_path / "replay.nc", replay_dataset(sg542))
-    with xarray.open_dataset(tmp_path / "replay.nc") as data:
-        assert data.attrs["featureType"] == "trajectory"
-        assert data.trajectory.attrs["cf_role"] == "trajectory_id"
-        assert data.sizes["dive"] == 14
-        assert str(data.time.values[0])[:10] == "2016-02-01"
-        # a forecast's place is as far from the fix as its CLPE
-        from pyproj import Geod
-
-        far = Geod(ellps="WGS84").inv(
-            data.forecast_longitude, data.forecast_latitude, data.longitude, data.latitude
-        )[2]
-        assert far == pytest.approx(data.clpe_adaptive.values, rel=2e-2, abs=5)
+    with pytest.raises(ArgumentError, match=r"'p5420304.nc'.*must be Iterable.Dive.*read_dives"):
+        replay_dives(["p5420304.nc"])
 
 
 def test_the_next_surfacing_is_that_of_the_next_dive():
     """Planned as it was flown, the next dive's forecast is the one the replay gives it."""
-    from clpt_control.geodesy import place_from
-    from clpt_control.replay.replay import next_dive
-
     *earlier, last = usable(sample_dives())[0]
     before = replay_dives(earlier)
     found = next_dive(before, last.duration, (last.dr_east, last.dr_north))
@@ -112,12 +93,184 @@ def test_the_next_surfacing_is_that_of_the_next_dive():
             next_dive(before, *plan)
 
 
-def test_what_was_repaired_is_said():
+def test_what_is_learned_is_said_as_it_is():
+    said = learned_words(replay_dives(vehicle(1, 2)))
+    assert "M2 0.0" in said
+    assert "(odds 1:" in said or "(odds below 1:99)" in said
+    tidal = replay_dives(vehicle(3, 40, flow="M2", fix=5.0))
+    # the made tide turns by 0.15 m/s one way and 0.075 the other
+    size = re.search(r"M2 (\S+) m/s \(odds above 99:1\)", learned_words(tidal))[1]
+    assert float(size) == pytest.approx(0.15, abs=0.02)
+    assert learned_words(replay_dives([])) == "nothing"
+    bare = learned_words(replay_dives(vehicle(1, 3), "gradient", FixModel(("steady",), False)))
+    assert bare.endswith("over the last dive")
     noted = replace(vehicle(1, 3)[1], notes=("filled 2 samples",))
     found = summary(replay_dives([vehicle(1, 3)[0], noted]))
     assert found["notes"] == [{"dive": 1, "note": "filled 2 samples"}]
 
 
-def test_a_path_is_no_dive():
-    with pytest.raises(ArgumentError, match=r"'p5420304.nc'.*must be Iterable.Dive.*read_dives"):
-        replay_dives(["p5420304.nc"])
+@pytest.mark.parametrize(("factor", "said"), [(1.5, "too slow"), (0.6, "too fast")])
+def test_a_speed_far_from_one_is_a_sentence(factor, said):
+    step = replay_dives(vehicle(4, 30, factor=factor)).steps[-1]
+    assert speed_words(step).endswith(f": your flight model is {said}")
+    step.speed = 1 - 2.99 * step.speed_error
+    assert "flight model" not in speed_words(step)
+
+
+@settings(derandomize=True, max_examples=200)
+@given(st.floats(-90, 90), st.floats(-360, 360))
+def test_minutes_are_the_degrees(lat, lon):
+    words = places.in_minutes(lat, lon).split()
+    found = []
+    for whole, minutes, name in (words[:3], words[3:]):
+        assert 0 <= float(minutes) < 60
+        found.append((int(whole) + float(minutes) / 60) * (-1 if name in "SW" else 1))
+    assert found[0] == pytest.approx(lat, abs=0.0051 / 60)
+    turns = (found[1] - lon) / 360
+    assert turns == pytest.approx(round(turns), abs=0.0051 / 60 / 360)
+    assert abs(found[1]) <= 180
+
+
+def test_drift_is_from_where_it_came_up():
+    first = make_dive(7, (0.0, 0.0, 179.9), (9000.0, 0.0, 179.99), (0.0, 0.0))
+    next_one = make_dive(8, (9600.0, 0.0, -179.99), (19000.0, 0.0, -179.9), (0.0, 0.0))
+    way = habits.drift(next_one, first)
+    degree = math.radians(1) * 6378137.0  # along the equator
+    assert way.east == pytest.approx(0.02 * degree, rel=1e-9)  # over the date line
+    said = way.as_dict()
+    assert said["direction"] == pytest.approx(90.0)
+    assert said["speed"] == pytest.approx(0.02 * degree / 600)
+    assert habits.drift(replace(next_one, number=9), first) is None  # a dive is missing
+    gps1 = replace(next_one, number=9, t_gps1=9300.0, lat_gps1=0.0, lon_gps1=-180.0)
+    assert habits.drift(gps1, first).east == pytest.approx(0.01 * degree, rel=1e-9)
+    assert habits.drift(replace(gps1, t_gps1=math.nan), first) is None
+    still = habits.Way(0.0, 0.0, 20.0).as_dict()
+    assert still["direction"] is still["speed"] is None
+
+
+def test_each_dive_has_its_row(sg542):
+    rows = summary(sg542)["each_dive"]
+    text = json.dumps(rows, allow_nan=False)
+    assert json.loads(text) == rows
+    assert [row["dive"] for row in rows] == list(range(304, 318))
+    assert len({tuple(row) for row in rows}) == 1
+    for row, step in zip(rows, sg542.steps, strict=True):
+        dive = step.dive
+        apart = displacement(dive.lat_gps1, dive.lon_gps1, dive.lat_gps2, dive.lon_gps2)
+        if dive.number != 307:  # up for 51 minutes, GPS1 is a later fix
+            assert row["drift"]["distance"] == pytest.approx(math.hypot(*apart), abs=1e-6)
+        assert row["over_ground"]["speed"] == pytest.approx(
+            math.hypot(dive.gps_east, dive.gps_north) / dive.duration
+        )
+        assert row["current_speed"] == pytest.approx(np.linalg.norm(step.current))
+        forecast = row["forecast_latitude"], row["forecast_longitude"]
+        miss = math.hypot(*displacement(*forecast, dive.lat_gpse, dive.lon_gpse))
+        assert miss == pytest.approx(row["clpe"]["adaptive"], rel=1e-3, abs=1)
+    assert rows[0]["start"] == "2016-01-31T22:04:50Z"
+
+
+@pytest.mark.parametrize(
+    ("late", "which"), [(7200, "clock"), (-60, "end of the last dive"), (40 * 86400, "end of the")]
+)
+def test_hours_from_the_clock_or_the_last_end(sg542, monkeypatch, late, which):
+    end = sg542.steps[-1].dive.t_gpse
+    monkeypatch.setattr(surfacing.time, "time", lambda: end + late)
+    said = next_dive(sg542).as_dict()
+    since = late if which == "clock" else 0
+    assert said["now_is"].startswith(which)
+    assert said["now"] == places.utc(end + since)
+    assert 0 < said["surface_time"] < 1800
+    hours = (said["surface_time"] + said["duration"] - since) / 3600
+    assert said["hours_from_now"] == pytest.approx(hours)
+
+
+def test_the_dataset_is_a_cf_trajectory(sg542, tmp_path):
+    rows, ahead = summary(sg542)["each_dive"], next_dive(sg542)
+    write_file(tmp_path / "replay.nc", replay_dataset(sg542))
+    with xarray.open_dataset(tmp_path / "replay.nc") as data:
+        assert data.attrs["featureType"] == "trajectory"
+        assert data.trajectory.attrs["cf_role"] == "trajectory_id"
+        assert data.sizes["dive"] == 14
+        assert str(data.time.values[0])[:10] == "2016-02-01"
+        for key, inner in (
+            ("drift", "distance"),
+            ("over_ground", "speed"),
+            ("over_ground", "direction"),
+            ("clpe", "adaptive"),
+        ):
+            assert data[f"{key}_{inner}"].values.tolist() == [row[key][inner] for row in rows]
+        assert data.current_direction.values.tolist() == [row["current_direction"] for row in rows]
+        assert str(data.next_time.values)[:19] == ahead.as_dict()["time"][:19]
+        assert float(data.next_latitude) == ahead.latitude
+    bare = replay_dives(vehicle(1, 3), model=FixModel(("steady",), learn_speed=False))
+    assert "speed_factor" not in replay_dataset(bare)
+
+
+DIVES = usable(sample_dives())[0]
+
+
+def said(replay):
+    """All that is said of a replay, as text."""
+    ahead = {**replay.surfacing().as_dict(), "now": None}
+    return json.dumps([summary(replay), ahead])
+
+
+def tracked(dive):
+    """A dive with a straight track, made anew."""
+    line = np.linspace(0.0, 1.0, 5)
+    track = line * dive.duration, line * dive.dr_east, line * dive.dr_north
+    return replace(dive, track=track, dac_east=float("nan"))
+
+
+@pytest.fixture
+def steps(monkeypatch):
+    """The numbers of the dives that are learned."""
+    numbers, step = [], Replay.step
+
+    def counted(self, dive):
+        numbers.append(dive.number)
+        return step(self, dive)
+
+    monkeypatch.setattr(Replay, "step", counted)
+    return numbers
+
+
+def test_dive_by_dive_is_all_at_once(steps):
+    growing = Replay()
+    for count in (1, 2, 5, 5, 9, 14):
+        assert said(growing.feed(DIVES[:count])) == said(replay_dives(DIVES[:count]))
+    for more, once in (({"dac_east": 0.1}, True), ({}, False)):  # NaN is never taken as the same
+        steps.clear()
+        growing = Replay()
+        for count in range(1, 15):
+            growing.feed([replace(tracked(dive), **more) for dive in DIVES[:count]])
+        assert (steps == [dive.number for dive in DIVES]) == once
+
+
+def test_what_changed_is_learned_anew(steps):
+    eight = vehicle(2, 8)
+    for changed in (
+        [*eight[:3], replace(eight[3], notes=("read again",)), *eight[4:]],
+        [*eight[:3], tracked(eight[3]), *eight[4:]],
+        [*eight[:3], replace(eight[3], lat_gpse=eight[3].lat_gpse + 1e-9), *eight[4:]],
+        [*eight[:3], *eight[4:]],
+        eight[:4],
+    ):
+        growing = Replay().feed(eight)
+        steps.clear()
+        growing.feed(changed)
+        assert len(steps) == len(changed)
+        assert said(growing) == said(replay_dives(changed))
+
+
+def test_an_interrupt_leaves_what_was_learned(steps):
+    growing = Replay()
+
+    def cut(done):
+        if done == 6:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        growing.feed(DIVES, cut)
+    assert said(growing.feed(DIVES)) == said(replay_dives(DIVES))
+    assert steps[:14] == [dive.number for dive in DIVES]

@@ -17,7 +17,7 @@ STAY, V = 600.0, 0.25  # s, m/s of the made vehicle
 
 
 @pytest.fixture(autouse=True)
-def few_draws(monkeypatch):
+def thirty_draws(monkeypatch):
     monkeypatch.setattr(route, "DRAWS", 30)
 
 
