@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 from processes import CLPT, GUARD, await_line, interrupt, started, without_progress
-from written import write_each
+from written import COMMANDS, ENSEMBLE, FOLLOW, RUN, write_each
 
 LINE = "clpt: interrupted; nothing half-written was left\n"
 HELD = r"clpt: interrupted; e\.zarr holds \d+ of \d+ members; the same command goes on from there\n"
@@ -46,40 +46,24 @@ def names(folder):
     return sorted(path.name for path in folder.rglob("*") if path.is_file())
 
 
-RUN = ("run", "s.toml", "--out", "run.nc")
-TIDES = ("tides", "r.csv", "--constituents", "M2")
-ENSEMBLE = ("ensemble", "s.toml", "--vary", "learning.gain=1:2", "--out", "e.zarr", "--members")
-FOLLOW = ("replay", "--follow", "in", "--out", "out", "--patience", "0", "--json")
+IMPORTS = {  # what is imported when the interrupt comes -> the command
+    "typer": RUN,
+    "clpt_control.estimation.estimators": FOLLOW,
+    "numpy": FOLLOW,
+    "llvmlite.binding": RUN,
+    "netCDF4": RUN,
+    "utide.harmonics": ("tides", "r.csv", "--constituents", "M2"),
+    "zarr": (*ENSEMBLE, "8"),
+    "clpt_control.diagrams.drawing": ("diagram", "s.toml", "-o", "d.svg"),
+}
 
 
 @pytest.mark.parametrize(
-    ("module", "words"),
-    [
-        ("typer", RUN),
-        ("clpt_control.estimation.estimators", FOLLOW),
-        *(
-            pytest.param(*case, marks=pytest.mark.processes)
-            for case in (
-                ("numpy", RUN),
-                ("pydantic", RUN),
-                ("llvmlite", RUN),
-                ("llvmlite.binding", RUN),
-                ("netCDF4", RUN),
-                ("clpt_control.native.numbering", RUN),
-                ("utide", TIDES),
-                ("utide.harmonics", TIDES),
-                ("numpy", FOLLOW),
-                ("matplotlib", FOLLOW),
-                ("netCDF4", FOLLOW),
-                ("zarr", (*ENSEMBLE, "8")),
-                ("control", ("excitation", "s.toml")),
-                ("clpt_control.diagrams.drawing", ("diagram", "s.toml", "-o", "d.svg")),
-            )
-        ),
-    ],
+    "module",
+    [pytest.param(n, marks=[pytest.mark.processes] * (k > 1)) for k, n in enumerate(IMPORTS)],
 )
-def test_an_interrupt_in_an_import_is_an_interrupt(files, module, words):
-    before = names(files)
+def test_an_interrupt_in_an_import_is_an_interrupt(files, module):
+    before, words = names(files), IMPORTS[module]
     with started([sys.executable, "-c", IN_IMPORT, module, *words], cwd=files) as process:
         out, err = process.communicate(timeout=GUARD)
     assert (process.returncode, out, without_progress(err)) == (130, "", LINE)
@@ -146,16 +130,6 @@ def test_one_long_call_is_ended_with_its_half_written_files(tmp_path):
     assert names(tmp_path) == []
 
 
-def test_an_interrupt_of_code_that_python_ran_from_text():
-    work = """
-    from contextlib import suppress
-    with suppress(KeyboardInterrupt):
-        exec("signal.raise_signal(signal.SIGINT)")
-    return 0
-"""
-    assert ended(work) == (130, "", LINE)
-
-
 @pytest.mark.processes
 @pytest.mark.skipif(not hasattr(signal, "pthread_sigmask"), reason="no POSIX signals")
 def test_a_cluster_ends_with_the_command(files):
@@ -181,29 +155,6 @@ sys.stdout.flush()
 clpt_start.main()
 """
 ROOT = Path(__file__).parents[2]
-COMMANDS = {  # -> what it writes: all of it, or nothing; None: a part may be there
-    ("--help",): (),
-    ("init", "mine.toml"): ("mine.toml",),
-    ("run", "s.toml", "--out", "run.nc", "--figures", "out"): ("run.nc", "figure?.png"),
-    ("diagram", "s.toml", "-o", "d.svg"): ("d.svg",),
-    (*ENSEMBLE, "64", "--chunk", "8"): None,
-    ("laws", "concurrent", "--json"): (),
-    ("report", "r.nc", "-o", "r.html"): ("r.html",),
-    ("replay", "in", "--out", "out"): ("replay.*", "*.png", "*.kml", "next.geojson"),
-    (*ENSEMBLE, "64", "--chunk", "8", "--dask", "local", "--threads", "1"): None,
-    ("paper", "--out", "out"): ("run.nc", "figure?.png"),
-    ("tune", "s.toml", "--members", "3", "--law", "learned-flow", "--out", "t.toml"): ("t.toml",),
-    ("prove", "--again"): (),
-    ("refute", "sigma", "--budget", "3", "--out", "broken.toml"): ("broken.toml",),
-    ("excitation", "s.toml", "--figure", "x.png"): ("x.png",),
-    ("certify", "s.toml"): (),
-    ("design", "s.toml", "--out", "b.toml", "--figure", "b.png"): ("b.toml", "b.png"),
-    ("fit", "c.nc", "--out", "f.toml"): ("f.toml", "f_field.nc"),
-    TIDES: (),
-    ("estimate", "r.nc", "--out", "known.toml"): ("known.toml",),
-    FOLLOW: None,
-    ("animate", "r.nc", "-o", "r.gif", "--seconds", "1"): ("r.gif",),
-}
 TRIED = 5  # interrupts of one test; all sixty are 300
 
 
