@@ -10,7 +10,6 @@ from made_fields import uniform_field
 
 import clpt_control as clpt
 
-SCENARIO = clpt.paper_scenario().with_values({"run.duration": 40.0})
 ORDERS = (
     "import clpt_control, xarray",
     "import xarray, clpt_control",
@@ -25,68 +24,55 @@ def test_it_is_there_whichever_was_imported_first(order):
     subprocess.run([sys.executable, "-W", "error", "-c", code], check=True)
 
 
-def test_a_run_and_its_file_as_xarray_opens_it(tmp_path):
-    run = clpt.simulate(SCENARIO)
+def test_a_run_and_its_file_as_xarray_opens_it(made, scenario, tmp_path):
+    run = made["run"]
     clpt.save_run(run, tmp_path / "run.nc")
     with xarray.open_dataset(tmp_path / "run.nc") as opened:
         for one in (opened, run.isel(time=slice(3, 20))):
             assert one.clpt.kind == "run"
-            assert one.clpt.scenario == SCENARIO
+            assert one.clpt.scenario == scenario
             assert len(one.clpt.plot()) == 7
-        made = clpt.report(opened.isel(time=[-1]), tmp_path / "page.html")
-    assert made["kind"] == "Run of a scenario"
+        report = clpt.report(opened.isel(time=[-1]), tmp_path / "page.html")
+    assert report["kind"] == "Run of a scenario"
 
 
-def test_a_field_is_found_from_the_file_alone(tmp_path):
+def test_a_field_is_found_from_the_file_alone(scenario, tmp_path):
     """The scenario's field is relative to its file, also for xarray's own opening."""
     uniform_field(tmp_path / "field.nc")
-    scenario = SCENARIO.with_values({"flow": {"field": str(tmp_path / "field.nc")}})
-    clpt.save_scenario(scenario, tmp_path / "s.toml")
-    run = clpt.simulate(clpt.load_scenario(tmp_path / "s.toml"))
-    clpt.save_run(run, tmp_path / "run.nc")
+    flow = {"flow": {"field": str(tmp_path / "field.nc")}}
+    clpt.save_scenario(scenario.with_values(flow), tmp_path / "s.toml")
+    loaded, vary = clpt.load_scenario(tmp_path / "s.toml"), "learning.gain=0.2:2.0"
+    clpt.save_run(clpt.simulate(loaded), tmp_path / "run.nc")
     with xarray.open_dataset(tmp_path / "run.nc") as opened:
         assert clpt.simulation.track_plot(opened).has_data()
-    loaded, vary = clpt.load_scenario(tmp_path / "s.toml"), "learning.gain=0.2:2.0"
     for out in (None, tmp_path / "e.zarr"):
         data = clpt.ensemble.run_ensemble(loaded, vary, 2, out=out)
         assert data.clpt.scenario.field_path.is_file()
     assert xarray.open_zarr(out, consolidated=False).clpt.scenario.field_path.is_file()
 
 
-def test_teams_ensembles_and_replays(tmp_path):
-    dives, _ = clpt.gliders.usable(clpt.gliders.sample_dives())
-    replay = clpt.replay.replay_dives(dives[:5])
-    data = clpt.replay.replay_dataset(replay)
-    team = clpt.Team(members={"a": SCENARIO, "b": SCENARIO}, coupling=0.5)
-    made = {
-        "team": (clpt.simulate(team), 3),
-        "ensemble": (clpt.ensemble.run_ensemble(SCENARIO, "learning.gain=0.2:2.0", 2), 2),
-        "replay": (data, 5),
-    }
-    for kind, (one, count) in made.items():
+def test_teams_ensembles_and_replays(made, scenario, tmp_path):
+    replay, data = made["replay"], clpt.replay.replay_dataset(made["replay"])
+    for kind, one, count in (
+        ("team", made["team"], 3),
+        ("ensemble", made["ensemble"], 2),
+        ("replay", data, 5),
+    ):
         assert one.clpt.kind == kind
         assert len(one.clpt.plot()) == count
         assert f"clpt of a dataset: {kind}" in repr(one.clpt)
-    assert made["team"][0].clpt.scenario == team
-    assert made["ensemble"][0].clpt.scenario == SCENARIO
+    assert [*made["team"].clpt.scenario.members.values()] == [scenario, scenario]
+    assert made["ensemble"].clpt.scenario == scenario
     data.to_netcdf(tmp_path / "replay.nc")
     with xarray.open_dataset(tmp_path / "replay.nc") as opened:  # times decoded
-        for of_data, of_replay in zip(
-            clpt.replay.current_plot(opened), clpt.replay.current_plot(replay), strict=True
-        ):
-            for a, b in zip(of_data.lines, of_replay.lines, strict=True):
-                np.testing.assert_array_equal(a.get_xydata(), b.get_xydata())
-        shown, own = clpt.replay.map_plot(opened), clpt.replay.map_plot(replay)
-        assert shown.get_title(loc="left") == own.get_title(loc="left")
-        for a, b in zip(shown.lines, own.lines, strict=True):
-            np.testing.assert_allclose(a.get_xydata(), b.get_xydata(), atol=1e-3)
-        heights = [line.get_ydata() for line in clpt.replay.dive_clpe_plot(opened).lines]
-        np.testing.assert_array_equal(
-            heights, [line.get_ydata() for line in clpt.replay.dive_clpe_plot(replay).lines]
-        )
+        for plot in (clpt.replay.current_plot, clpt.replay.map_plot, clpt.replay.dive_clpe_plot):
+            for of_data, own in zip(np.ravel(plot(opened)), np.ravel(plot(replay)), strict=True):
+                assert of_data.get_title(loc="left") == own.get_title(loc="left")
+                for a, b in zip(of_data.lines, own.lines, strict=True):
+                    np.testing.assert_allclose(a.get_ydata(), b.get_ydata(), atol=1e-3)
 
 
-def test_what_is_not_ours_is_one_sentence():
+def test_what_is_not_ours_is_one_sentence(made):
     foreign = xarray.Dataset({"a": 1})
     assert repr(foreign.clpt) == "<clpt of a dataset: none of clpt's>"
     for ask in (
@@ -96,15 +82,15 @@ def test_what_is_not_ours_is_one_sentence():
         lambda: clpt.replay.map_plot(foreign),
         lambda: clpt.animate(foreign),
         lambda: clpt.report(foreign, "page.html"),
-        lambda: clpt.replay.map_plot(clpt.simulate(SCENARIO)),
+        lambda: clpt.replay.map_plot(made["run"]),
     ):
         with pytest.raises(clpt.ClptError) as caught:
             ask()
         assert "\n" not in str(caught.value)
 
 
-def test_a_run_is_linearized_at_one_of_its_times():
-    scenario = clpt.theory.started_true(SCENARIO)
+def test_a_run_is_linearized_at_one_of_its_times(scenario):
+    scenario = clpt.theory.started_true(scenario)
     run = clpt.simulate(scenario)
     made = run.clpt.linearize(10.0, input="zc", output="x", minimal=True)
     steered = clpt.closed_loop(scenario, external="zc")

@@ -8,15 +8,14 @@ from matplotlib.quiver import Quiver
 from PIL import Image
 
 import clpt_control as clpt
+from clpt_control import save_run
 from clpt_control.figures import BLUE, GREEN, new_figure
 from clpt_control.simulation.film import draw_samples
 
-SCENARIO = clpt.paper_scenario().with_values({"run.duration": 40.0})
-
 
 @pytest.fixture(scope="module")
-def run():
-    return clpt.simulate(SCENARIO)
+def run(made):
+    return made["run"]
 
 
 def test_a_film_has_its_frames(run, tmp_path):
@@ -49,7 +48,7 @@ def drawn(run, at):
     return {one.get_label(): one.get_xydata() for one in ax.lines}, arrows
 
 
-def test_what_is_shown_is_the_runs_own(run):
+def test_what_is_shown_is_the_runs_own(run, scenario):
     velocity = clpt.simulation.flow_velocity
     for k in (0, 7, 20, 40):
         lines, arrows = drawn(run, k)
@@ -58,37 +57,34 @@ def test_what_is_shown_is_the_runs_own(run):
         np.testing.assert_array_equal(lines["waypoint, now"], run.reference[[k]])
         grid = np.column_stack([arrows["true flow"].X, arrows["true flow"].Y])
         flow = np.column_stack([arrows["true flow"].U, arrows["true flow"].V])
-        np.testing.assert_allclose(flow, velocity(SCENARIO, grid, run.time[k]), atol=1e-12)
+        np.testing.assert_allclose(flow, velocity(scenario, grid, run.time[k]), atol=1e-12)
         if k:
             theta = run.flow_parameters_estimate.values[k]
-            learned = velocity(SCENARIO, grid, run.time[k], theta)
+            learned = velocity(scenario, grid, run.time[k], theta)
             along = np.column_stack([arrows["learned flow"].U, arrows["learned flow"].V])
             assert np.all(np.sum(along * learned, axis=1) >= 0)  # long ones are shortened
             turned = along[:, 0] * learned[:, 1] - along[:, 1] * learned[:, 0]
             np.testing.assert_allclose(turned, 0.0, atol=1e-12)
 
 
-def test_arrows_stand_within_a_field(tmp_path):
+def test_arrows_stand_within_a_field(scenario, tmp_path):
     uniform_field(tmp_path / "field.nc", half=3.5)
     flow = {"field": str(tmp_path / "field.nc"), "outside": "clip"}
-    run = clpt.simulate(SCENARIO.with_values({"flow": flow}))
+    run = clpt.simulate(scenario.with_values({"flow": flow}))
     (arrows, *_) = drawn(run, 10)[1].values()
     assert np.abs([arrows.X, arrows.Y]).max() <= 3.5
     np.testing.assert_allclose([arrows.U, arrows.V], 0.1)
 
 
-def test_refusals(run, tmp_path):
-    team = clpt.Team(members={"a": SCENARIO, "b": SCENARIO}, coupling=0.5)
+def test_refusals(run, made, scenario, tmp_path):
     for given, options, said in (
         (run, {"path": tmp_path / "run.avi"}, r"must end in .gif"),
         (run, {"path": tmp_path / "no" / "run.gif"}, "does not exist"),
-        (run, {"seconds": float("nan")}, "seconds = nan: must be a number"),
         (run, {"fps": "many"}, "fps = 'many': must be a number"),
         (run, {"width": 10}, "width = 10: must be a number from 200"),
         (run, {"seconds": 100, "fps": 20, "width": 1000}, "would take 2.0 GB of memory"),
-        (run.drop_vars("reference"), {}, "the run has no reference over time, axis"),
-        (clpt.simulate(team), {}, "the run is a team's"),
-        (SCENARIO, {}, "must be an xarray.Dataset"),
+        (made["team"], {}, "the run is a team's"),
+        (scenario, {}, "must be an xarray.Dataset"),
     ):
         with pytest.raises(clpt.ClptError, match=said) as caught:
             clpt.animate(given, **options)
@@ -97,9 +93,7 @@ def test_refusals(run, tmp_path):
 
 
 def test_the_command(clpt, refused, run, tmp_path):
-    import clpt_control
-
-    clpt_control.save_run(run, tmp_path / "run.nc")
+    save_run(run, tmp_path / "run.nc")
     out = tmp_path / "film.gif"
     done = clpt("animate", tmp_path / "run.nc", "-o", out, "--seconds", 0.3, "--width", 200)
     assert done.status == 0, done.err
