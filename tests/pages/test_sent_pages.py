@@ -306,8 +306,8 @@ def test_what_cannot_be_read_is_one_sentence(run, refused, tmp_path):
     (tmp_path / "folder").mkdir()
     (tmp_path / "folder" / "run.nc").write_bytes(whole)
     for name, (summary, said) in NO_SUMMARY.items():
-        replay = xarray.Dataset({"summary": ((), summary), "clpe_adaptive": ("dive", [1.0])})
-        replay.to_netcdf(tmp_path / name)
+        held = {"summary": ((), summary), "clpe_adaptive": ("dive", [1.0])}
+        xarray.Dataset(held, attrs={"estimator": "kalman"}).to_netcdf(tmp_path / name)
         assert said in refused("report", tmp_path / name, "-o", tmp_path / "r.html")
     for name, (content, said) in {
         **NO_PAGE,
