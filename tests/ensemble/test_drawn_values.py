@@ -12,7 +12,6 @@ import clpt_control
 from clpt_control.ensemble.drawn_values import draw_members, read_varies
 from clpt_control.ensemble.of_scenarios import VariedScenario, variable_values
 from clpt_control.ensemble.run import run_ensemble
-from clpt_control.ensemble.spread import ensemble_plot
 from clpt_control.errors import ClptError
 from clpt_control.simulation.summary import run_and_report
 
@@ -150,14 +149,6 @@ def test_reference_numbers(reference, name):
     for t in {"100", "200", "2000"} & wanted.keys():
         got = float(data["flow_parameter_error"].sel(mark=float(t))[0])
         assert abs(got - wanted[t]) < 1e-6
-
-
-@pytest.mark.parametrize("duration", [10, 125])
-def test_the_figure(scenario, duration):
-    data = run_ensemble(scenario.with_values({"run.duration": duration}), VARY, 8)
-    axes = ensemble_plot(data)
-    assert [len(ax.get_title(loc="left")) > 0 for ax in axes] == [True, True]
-    assert axes[1].get_yscale() == "log"
 
 
 def test_the_command(clpt, printed, refused, quick, tmp_path):

@@ -97,21 +97,6 @@ def test_a_member_has_the_same_bits_in_any_company(lanes):
 
 
 @pytest.mark.parametrize("lanes", [False, True])
-def test_a_member_that_fails_leaves_the_others_alone(lanes):
-    values = {"learning.position": np.zeros((9, 2)), "learning.gain": np.full(9, 0.8)}
-    ensemble = ensemble_of(values, lanes, 20)
-    members = ensemble.members(values)
-    healthy = ensemble.run(members, np.array([0.0, 20.0]))
-    members.x0[4, 2] = np.nan
-    found = ensemble.run(members, np.array([0.0, 20.0]))
-    assert list(found.status) == [1, 1, 1, 1, 3, 1, 1, 1, 1]
-    assert found.reached[4] == 1
-    others = np.arange(9) != 4
-    np.testing.assert_array_equal(found.states[others], healthy.states[others])
-    assert np.isnan(found.states[4, -1]).all()
-
-
-@pytest.mark.parametrize("lanes", [False, True])
 def test_a_stiff_member_does_not_hold_up_the_rest(lanes):
     values = {"learning.gain": np.array([0.01, 1e9, 0.01])}
     ensemble = ensemble_of(values, lanes, 5)
