@@ -2,8 +2,6 @@
 
 import numpy as np
 import pytest
-from pictures import inked
-from processes import ran
 from responses import response
 
 import clpt_control as clpt
@@ -114,22 +112,6 @@ def test_the_mean_square_bound_is_tight():
     delta = np.ones((len(times), 1))
     assert 0.98 < mean_square_sides(times, states[:, :1], delta, 0.0, 1.0).tightness < 1
     assert not mean_square_sides(times, 1.1 * states[:, :1], delta, 0.0, 1.0).holds
-
-
-@pytest.mark.slow
-def test_the_study_of_bounds(tmp_path):
-    import sys
-    from pathlib import Path
-
-    words = "-m", "analysis.disturbance_bounds", "--out", tmp_path
-    done = ran(sys.executable, *words, cwd=Path(__file__).parents[2])
-    assert "Eq. (33) is violated in 14 of 17 runs" in done.stdout
-    assert "the mean-square bound in 0, the corrected bound in 0." in done.stdout
-    assert "The worst disturbance on axis 1 makes |e| = 5.23 Dmax" in done.stdout
-    rows = (tmp_path / "disturbance_bounds.md").read_text().splitlines()
-    assert len(rows) == 19
-    assert any(row.startswith("| 0.05 | 3.5 | 0.050 | 0.0720 | 1.440 |") for row in rows)
-    assert inked(tmp_path / "disturbance_bounds.png") > 0.01
 
 
 def test_learned_speed_and_current_are_those_of_the_adcp(facts):
