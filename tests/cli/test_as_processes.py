@@ -1,6 +1,7 @@
-"""Interrupts: none is lost, whenever it comes, and each is answered in one line."""
+"""Commands as processes: interrupts, the same bytes, damaged inputs."""
 
 import fnmatch
+import json
 import os
 import random
 import re
@@ -12,7 +13,7 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
-from processes import CLPT, GUARD, await_line, interrupt, started, without_progress
+from processes import CLPT, GUARD, await_line, interrupt, ran, started, without_progress
 from written import COMMANDS, ENSEMBLE, FOLLOW, RUN, write_each
 
 LINE = "clpt: interrupted; nothing half-written was left\n"
@@ -195,3 +196,72 @@ def test_interrupts_at_random_from_the_first_import_on(files, part):
         for path in new:
             path.unlink(missing_ok=True)
     assert {path: path.stat().st_mtime_ns for path in before} == before
+
+
+# --- the same bytes: cold and warm cache, 1 and 4 threads, any hashes ----------------------------
+
+THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
+TIMED = ("refute", "replay --follow")  # which tell how long something took, or when it was
+SAME = [words for words in COMMANDS if not " ".join(words).startswith(TIMED)]
+OFTEN = "diagram"  # in `make test`; the others by `make test-processes`
+
+
+def held(folder):
+    files = (path for path in sorted(folder.rglob("*")) if path.is_file())
+    return {str(path.relative_to(folder)): path.read_bytes() for path in files}
+
+
+@pytest.fixture(scope="module")
+def given(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("given")
+    write_each(folder, 420)
+    return held(folder)
+
+
+@pytest.mark.parametrize(
+    "words", [c if c[0] == OFTEN else pytest.param(c, marks=pytest.mark.processes) for c in SAME]
+)
+def test_the_same_command_gives_the_same_bytes(given, tmp_path, words):
+    found = []
+    for seed, threads in (("1", "1"), ("2", "1" if words[0] == "design" else "4")):
+        work = tmp_path / "work"  # the same name: it is part of what is printed
+        for name, content in given.items():
+            (work / name).parent.mkdir(parents=True, exist_ok=True)
+            (work / name).write_bytes(content)
+        env = {**os.environ, **dict.fromkeys(THREADS, threads), "PYTHONHASHSEED": seed}
+        env["CLPT_CONTROL_CACHE"] = str(tmp_path / "cache")  # cold, then warm
+        more = ("--threads", threads) if words[0] == "ensemble" else ()
+        done = ran(*CLPT, *words, *more, cwd=work, env=env)
+        assert without_progress(done.stderr) == ""
+        found.append((done.stdout, held(work)))
+        work.rename(tmp_path / f"work{seed}")
+    (said, files), (again, others) = found
+    assert said == again
+    assert files.keys() == others.keys()
+    assert [name for name in files if files[name] != others[name]] == []
+
+
+# --- damaged inputs, which `damaged_inputs` makes; it says what an answer is ---------------------
+
+FORKED = pytest.mark.skipif(not hasattr(os, "fork"), reason="cases are forked")
+CASES = Path(__file__).parents[1] / "damaged_inputs.py"
+
+
+def wrong_answers(*words):
+    """Return how many cases were answered, and those that were answered wrongly."""
+    ended = ran(sys.executable, CASES, *words, env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
+    answers = [json.loads(line) for line in ended.stdout.splitlines()]
+    keys = ("case", "wrong", "words", "how", "err")
+    return len(answers), [{key: one[key] for key in keys} for one in answers if one["wrong"]]
+
+
+@FORKED
+def test_damaged_inputs_are_answered():
+    """A share of them; `make test-slow` asks 3,000."""
+    assert wrong_answers(0, 40, 0) == (40, [])
+
+
+@FORKED
+@pytest.mark.slow
+def test_many_damaged_inputs_are_answered():
+    assert wrong_answers(1000, 3000) == (3000, [])
