@@ -229,25 +229,22 @@ def test_nothing_that_is_printed_steers_the_terminal(clpt, refused, monkeypatch)
         ("run", file, "--out", run),
         ("run", run, "--out", HOSTILE, "--figures", f"f {HOSTILE}"),
         ("report", run, "-o", f"p {HOSTILE}.html"),
-        ("estimate", run),
         ("excitation", file),
         ("diagram", file),
         ("ensemble", file, *vary),
-        ("ensemble", file, *vary, "--seed", "1"),
         ("report", f"e {HOSTILE}", "-o", "e.html"),
     ):
         outcome = clpt(*words)
-        assert outcome.status == 0 or "give another --out" in outcome.err, outcome
+        assert outcome.status == 0, outcome
         assert not steers(outcome.out + outcome.err), words
     for words in (
         ("run", "k.toml", "--out", run),
         ("run", file, "--out", f"no {HOSTILE}/run.nc"),
         (f"run{HOSTILE}",),
-        ("run", f"{HOSTILE}.toml", "--out", run),
         ("laws", HOSTILE),
+        ("ensemble", file, *vary, "--seed", "1"),
         ("ensemble", file, "--members", "2", "--vary", f"{HOSTILE}=1:2", "--out", "e"),
         ("replay", f"{HOSTILE}.nc"),
-        ("tides", f"{HOSTILE}.csv", "--constituents", "M2"),
         ("fit", f"{HOSTILE}.nc", "--out", "x.toml"),
     ):
         said = refused(*words)

@@ -32,15 +32,12 @@ WRONG = [  # changed keys, words that the line must hold, the first the key
     ({"learning." + "g" * 5000: 1.0}, "unknown key learning.ggg", "feedback"),
     ({"basis.widths": None}, "basis.widths", "missing"),
     ({"flow.parameters": [[1.0, 2.0], [1.0, 2.0]]}, "flow.parameters", "2 rows of 3"),
-    ({"flow.parameters": [[1.0, 2.0, 3.0]] * 3}, "flow.parameters", "at most 2 items"),
     ({"basis.widths": [5.0, 5.0]}, "basis.widths", "3 entries"),
     ({"vehicle.position": [float("nan"), 0.0]}, "vehicle.position[0]", "finite"),
     ({"vehicle.position": 3.0}, "vehicle.position = 3.0: must be a list, in brackets"),
-    ({"basis.widths": [5.0, -5.0, 5.0]}, "basis.widths[1]", "greater than 0"),
     ({"basis.periods": [0.0, 1.0, 1.0]}, "basis.periods[0]", "positive"),
     ({"vehicle.feedback": [1.0, 0.0]}, "vehicle.feedback[1]", "greater than 0"),
     ({"learning.gain": -0.8}, "learning.gain", "-0.8", "greater than or equal to 0"),
-    ({"learning.gain": "0.8"}, "learning.gain", "'0.8'", "number"),
     ({"learning.gain": True}, "learning.gain", "number"),
     ({"learning.gain": 10**400}, "learning.gain", "number"),
     ({"basis.kernel": "gauss"}, "basis.kernel", "'gaussian-sigma'"),
@@ -52,11 +49,9 @@ WRONG = [  # changed keys, words that the line must hold, the first the key
     ({"flow.outside": "clip"}, "flow.outside", "only with flow.field"),
     ({"flow.field": "field.nc"}, "flow.parameters", "one of the two"),
     ({"flow.parameters": None, "flow.field": "f" * 5000}, "flow.field", "no such file"),
-    ({"localization": {"noise": 0.1, "noise_period": 1e-300}}, ".noise_period", "at least"),
     ({"localization": {"noise": 0.1}}, "localization.noise_period"),
     ({"localization": {"noise": 0.1, "noise_period": 1.0, "seed": 2**63}}, ".seed", "less than"),
     ({"flow.disturbance": {**NOISE, "kind": "square"}}, "flow.disturbance.period", "at least"),
-    ({"flow.disturbance": {**NOISE, "seed": 1}}, "flow.disturbance.period", "at least"),
     ({"flow.disturbance": {**NOISE, "kind": "sine", "seed": 1}}, ".seed", "noise"),
     ({"flow.disturbance": {"kind": "square", "amplitude": [1.0, 0.0]}}, ".period", "required"),
     ({"reference": {"kind": "waypoints", "dwell": 1.0, "points": []}}, ".points = []: must have"),
@@ -131,16 +126,9 @@ def test_names_that_no_file_can_have(refused_for, name):
         (*RUN, "--figures", name),
         ("ensemble", "s.toml", "--members", 2, "--vary", "learning.gain=1:2", "--out", name),
         ("init", f"{name}.toml"),
-        ("diagram", "s.toml", "--out", f"{name}.svg"),
     ):
         refused_for(words, *arguments)
-    for arguments in (
-        ("run", f"{name}.toml", "--out", "run.nc"),
-        ("excitation", name),
-        ("run", f"{name}.nc", "--out", "run.nc"),
-        ("replay", name),
-        ("tides", name, "--constituents", "M2"),
-    ):
+    for arguments in (("run", f"{name}.nc", "--out", "run.nc"), ("excitation", name)):
         assert len(refused_for(["no such file" * (name == "\udcff")], *arguments)) < 1500
 
 
@@ -182,7 +170,6 @@ def test_jumps_are_not_listed_without_end():
     [
         {"learning.gain": 2.0**63},
         {"reference.radius": 1e154},
-        {"basis.periods": [1e-300, 1.0, 1.0]},
         {"flow.disturbance": {"kind": "sine", "amplitude": [0.1, 0.1], "period": 1e-300}},
         {"flow.parameters": [[1e300, 1.0, 1.0], [1.0, 1.0, 1.0]]},
     ],

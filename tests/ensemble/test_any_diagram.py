@@ -235,10 +235,9 @@ def test_a_slash_in_a_name_is_kept_in_files(tmp_path):
     assert here.equals(there)
     assert here.equals(again)
     np.testing.assert_array_equal(here["west/y"].isel(member=0), run["west/y"])
-    for name in (" y", "<y>", "y" * 300):
-        run = clpt.simulate(control.ss(-1, 1, 1, 0, outputs=name), TIMES, 1.0)
-        with pytest.raises(clpt.ClptError, match=r"run.nc: NetCDF has no name '.*call it othe"):
-            clpt.save_run(run, tmp_path / "run.nc")
+    odd = clpt.simulate(control.ss(-1, 1, 1, 0, outputs="<y>"), TIMES, 1.0)
+    with pytest.raises(clpt.ClptError, match=r"run.nc: NetCDF has no name '.*call it othe"):
+        clpt.save_run(odd, tmp_path / "run.nc")
 
 
 def test_what_is_read_otherwise_is_found_before_members_run():
