@@ -170,7 +170,7 @@ def test_jumps_are_not_listed_without_end():
     [
         {"learning.gain": 2.0**63},
         {"reference.radius": 1e154},
-        {"flow.disturbance": {"kind": "sine", "amplitude": [0.1, 0.1], "period": 1e-300}},
+        {"basis.periods": [1e-300, 1.0, 1.0]},
         {"flow.parameters": [[1e300, 1.0, 1.0], [1.0, 1.0, 1.0]]},
     ],
 )

@@ -19,7 +19,7 @@ from clpt_control.scenario.file import scenario_to_text
 from clpt_control.scenario.learning import KINDS, Learning
 from clpt_control.scenario.quantities import CALL_TIME_NAMES
 from clpt_control.scenario.tables import Disturbance, Kernel
-from clpt_control.scenario.team import team_from_text, team_to_text
+from clpt_control.scenario.team import system_from_text, team_to_text
 from clpt_control.theory.proving.theorem_loop import AT_FIXES
 
 PAPER = clpt.paper_scenario()
@@ -241,7 +241,7 @@ def titled():
 
 @pytest.mark.parametrize("of", [team(0.25, ROW, **DIFFERENT), clpt.load_team(FILE), titled()])
 def test_a_team_comes_back_from_its_text(of, tmp_path):
-    back = team_from_text(team_to_text(of), "mine", tmp_path)
+    back = system_from_text(team_to_text(of), "mine", tmp_path)
     assert back == of
     assert [one.title for one in back.members.values()] == [m.title for m in of.members.values()]
 
@@ -263,7 +263,7 @@ def test_each_vehicle_has_its_own_noise():
         vehicle(localization={"noise": 0.02, "noise_period": 0.5, "seed": seed}) for seed in (1, 2)
     ]
     of = team(a=noisy[0], b=noisy[1], c=STRAIT)
-    assert team_from_text(team_to_text(of), "mine", FILE.parent) == of
+    assert system_from_text(team_to_text(of), "mine", FILE.parent) == of
     run = clpt.simulate(of, [0.0, 1.0])
     noise = (run.measured_position - run.position).values
     assert abs(noise[0] - noise[1]).max() > 1e-3
@@ -306,7 +306,7 @@ def test_each_mistake_is_a_sentence(tmp_path, old, new, said):
     if "members = 1" in new:
         text = text.partition("[other]")[0]
     with pytest.raises(clpt.ScenarioError, match=said) as caught:
-        team_from_text(text, "mine", tmp_path)
+        system_from_text(text, "mine", tmp_path)
     assert "\n" not in str(caught.value)
 
 
