@@ -5,22 +5,25 @@ initial state, and fill whole columns for all members.  Members are made one by 
 which others are computed (frequencies from periods), of those that move breakpoints, and of inputs.
 What cannot be compiled runs in Python, one member after the other; so does discrete time.
 
-A thread and a far machine run and summarise members in the same way; a system's `Varied` travels
-pickled.
+What is varied, a `VariedScenario` or a `VariedDiagram`, says of each key whether it may vary, where
+its value lies and whether members are made one by one of it (`why_not`, `check`, `place`,
+`one_by_one`); makes one `member` of values; and knows the `arrays` of its summaries and how it is
+summarised (`summarise`).  It travels pickled: a thread and a far machine run and summarise members
+in the same way.
 """
 
 import hashlib
 import pickle
 import threading
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache, partial
 from importlib.metadata import version
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
-from ..diagrams.varied import Place, read_as_number
+from ..diagrams.varied import read_as_number
 from ..diagrams.wiring import Wiring
 from ..errors import DiagramError, SimulationError
 from ..native import numbering
@@ -29,7 +32,7 @@ from ..native.ending import STUCK, sampled_start
 from ..native.engines import make_runner, run_compared, warn_python
 from ..native.machine import LANES, processor
 from ..native.python_diagram import PythonDiagram
-from ..native.schedule import Inputs, Schedule
+from ..native.schedule import Schedule
 from ..native.sliding import go_on
 
 BATCH_BYTES = 64_000_000  # states in flight, a thread
@@ -37,48 +40,7 @@ MOST_MEMBERS = 512  # a batch
 TRIED = 5  # members whose records are compared with Python, before any runs
 Values = dict[str, np.ndarray]  # what varies, or summaries, each with a row for each member
 Member = tuple[Sequence[Any], np.ndarray, Any]  # parameters of all blocks, start, inputs
-
-
-class Varied(Protocol):
-    """A system that is run many times: what may vary in it, how it runs, and its summaries."""
-
-    name: str
-    title: str
-    values: Values  # of all that may vary, in the system itself
-    params: Mapping[str, Any] = {}
-    inputs: Inputs | None = None
-    wiring: Wiring
-    start: np.ndarray  # the initial state
-    state_times: np.ndarray  # the times of members' states
-    options: Mapping[str, Any]  # tolerances and method
-    needs_signals: bool = True  # whether summaries need the signals too, member by member
-    encoding: Mapping[str, Any] = {}  # of the dataset
-
-    def why_not(self, key: str) -> str:
-        """Return why a key cannot vary."""
-
-    def check(self, key: str, value: np.ndarray) -> None:
-        """Refuse a value that is not allowed."""
-
-    def place(self, key: str) -> Place:
-        """Return where the value of a key that varies lies."""
-
-    def one_by_one(self, key: str) -> bool:
-        """Return whether members are made one by one of a key's values."""
-
-    def member(self, values: Values) -> Member:
-        """Return one member with some values of its own."""
-
-    def arguments(self, path: Any) -> dict[str, Any]:
-        """Return what identifies it, for a store at a path."""
-
-    def arrays(self, values: Values) -> Any:
-        """Return all arrays of the store, for the values of all members."""
-
-    def summarise(
-        self, ensemble: "Ensemble", members: "Members", values: Values, run: "States"
-    ) -> Values:
-        """Return the summaries of members; those that failed may hold any number."""
+Varied = Any  # a `VariedScenario` or a `VariedDiagram`
 
 
 @dataclass

@@ -31,15 +31,18 @@ from ..simulation.integrate import request_of, sizes_of_run
 from ..simulation.running import labels_of, signal_units
 from ..simulation.starts import stacked_state
 from .drawn_values import Vary, what_may_vary
-from .members import Ensemble, Member, Members, States, Values, Varied, hash_of
+from .members import Ensemble, Member, Members, States, Values, hash_of
 from .summaries import Arrays, ends_of
 
 RESULT = "time", "member", "status", "end"  # names of a result, beside those of ports
 SUMMARIES = {"final": "at the end", "rms": "root mean square", "max": "largest magnitude"}
 
 
-class VariedDiagram(Varied):
+class VariedDiagram:
     """A diagram as it was read, how it is run, and what varies in it."""
+
+    needs_signals = True  # for its summaries, member by member
+    encoding: Mapping[str, Any] = {}  # of the dataset
 
     def __init__(
         self,

@@ -1,6 +1,6 @@
 """The members of a scenario: its keys that may vary, and where its loop holds their values."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -19,12 +19,15 @@ from ..scenario.quantities import QUANTITIES, STARTS, key_hint, keys_of, keys_of
 from ..simulation.loops import changed_blocks
 from ..simulation.starts import state_columns, state_of
 from .drawn_values import what_may_vary
-from .members import Member, Values, Varied, hash_of
+from .members import Member, Values, hash_of
 from .summaries import arrays_of, marks_of, sample_times_of, summarise
 
 
-class VariedScenario(Varied):
+class VariedScenario:
     """A scenario's loop that is run many times; `changes` are the user's own parts."""
+
+    params: Mapping[str, Any] = {}
+    inputs = None
 
     def __init__(
         self,
@@ -103,7 +106,7 @@ class VariedScenario(Varied):
         return changed_blocks(self.scenario, self.changes)
 
     @cached_property
-    def wiring(self) -> Wiring:  # type: ignore[override]  # made when it is asked for
+    def wiring(self) -> Wiring:
         """Its loop."""
         return wiring_of_blocks(self.blocks)
 
@@ -113,7 +116,7 @@ class VariedScenario(Varied):
         return state_columns(self.blocks)
 
     @cached_property
-    def start(self) -> np.ndarray:  # type: ignore[override]
+    def start(self) -> np.ndarray:
         """The initial state."""
         return state_of(self.scenario, self.blocks, self.changes.law)
 

@@ -85,7 +85,7 @@ def ensemble_summary(data: "xarray.Dataset") -> dict[str, Any]:
     {'finished': 3}
     """
     refuse_diagram("ensemble_summary", data)
-    check_holds("ensemble_summary: data", data, ["status", "clpe_rms"], ENSEMBLE)
+    check_holds("ensemble_summary: data", data, ["status", "clpe_rms", "clpe_rms_whole"], ENSEMBLE)
     status = data["status"].values
     failed = np.flatnonzero(status != 1)
     summary = {

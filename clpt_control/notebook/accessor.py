@@ -19,6 +19,7 @@ from ..equations.ports import ports_of
 from ..errors import DataError
 from ..files import beside, check_writable, write_file
 from ..scenario.file import BEYOND
+from ..scenario.recorded_run import kind_of
 from ..simulation.comparing import named, ports_along, signals_of
 
 if TYPE_CHECKING:
@@ -28,28 +29,14 @@ if TYPE_CHECKING:
     from ..scenario import Scenario, Team
 
 
-KINDS: dict[str, tuple[str, Any, str]] = {  # what says so, and the plot that shows most
-    "team": ("team", simulation, "team_plot"),
-    "ensemble": ("ensemble", ensemble, "ensemble_plot"),
-    "run": ("scenario", simulation, "run_plot"),
-    "replay": ("estimator", replay, "replay_plot"),
-    "diagram": ("engine", simulation, "response_plot"),
+PLOTS: dict[str, tuple[Any, str]] = {  # of a kind of dataset, the one that shows most
+    "team": (simulation, "team_plot"),
+    "ensemble": (ensemble, "ensemble_plot"),
+    "run": (simulation, "run_plot"),
+    "replay": (replay, "replay_plot"),
+    "diagram": (simulation, "response_plot"),
 }
 LONGEST = 60  # letters of a name in MATLAB, of which 63 count
-
-
-def _kind(data: "xarray.Dataset") -> str:
-    return next((name for name, kind in KINDS.items() if kind[0] in data.attrs), "")
-
-
-def kind_of(data: "xarray.Dataset") -> str:
-    """Return what a dataset of clpt is, one of `KINDS`."""
-    if kind := _kind(data):
-        return kind
-    raise DataError(
-        "the dataset is none of clpt's: its attributes say neither run, ensemble nor replay; "
-        "clpt.load_run reads a run"
-    )
 
 
 # --- as a table ----------------------------------------------------------------------------------
@@ -120,7 +107,12 @@ class ClptAccessor:
     @property
     def kind(self) -> str:
         """What the dataset is: "run", "team", "diagram", "ensemble" or "replay"."""
-        return kind_of(self._data)
+        if kind := kind_of(self._data):
+            return kind
+        raise DataError(
+            "the dataset is none of clpt's: its attributes say neither run, ensemble nor replay; "
+            "clpt.load_run reads a run"
+        )
 
     @property
     def scenario(self) -> "Scenario | Team":
@@ -135,7 +127,7 @@ class ClptAccessor:
         It is drawn on given axes or on a new figure; the Axes are returned.  A run takes a `label`
         and a `color` too, as `clpt_control.compare` gives them.
         """
-        _, room, plot = KINDS[self.kind]
+        room, plot = PLOTS[self.kind]
         return getattr(room, plot)(self._data, ax=ax, **options)
 
     def linearize(
@@ -185,6 +177,6 @@ class ClptAccessor:
         return table
 
     def __repr__(self) -> str:
-        kind = _kind(self._data)
+        kind = kind_of(self._data)
         what = f"{kind} {self._data.attrs.get('title', '')}".strip() if kind else "none of clpt's"
         return f"<clpt of a dataset: {what}>"

@@ -9,10 +9,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Union
 
 from ..arguments import public
-from ..errors import ClptError, DataError
+from ..errors import DataError
 from ..figures import checked_formats
 from ..files import check_writable, make_folder, write_together
 from ..files.reading import open_netcdf
+from ..scenario.recorded_run import check_response, check_run, is_response, kind_of
 
 if TYPE_CHECKING:
     import xarray
@@ -20,7 +21,6 @@ if TYPE_CHECKING:
     from ..replay.replay import Replay
     from .page import Page
 
-KNOWN = "give run.nc, the folder of an ensemble, or a replay's replay.nc"
 NEEDED = (  # variables of a run
     *("time", "position", "predicted_position", "clpe", "feedback_gain", "feedforward_gain"),
     "flow_parameters_estimate",
@@ -82,7 +82,7 @@ def report(
     if isinstance(run, str | Path):
         source, name = read(Path(run)), str(Path(run))
     results: dict[Path, Any] = {}
-    if hasattr(source, "steps") or "dive" in source.dims:
+    if hasattr(source, "steps") or kind_of(source) == "replay":
         replay = replay_facts(source, name)
         if figures is not None:
             raise DataError("figures: a replay's are written by `clpt replay --out`; leave it out")
@@ -111,18 +111,16 @@ def report(
 
 def page_of(data: "xarray.Dataset", title: str | None = None) -> "Page":
     """Return the page of a run, of a team's run, of a diagram's or of an ensemble."""
-    from ..scenario.recorded_run import check_response, check_run, is_response
     from ..scenario.team import system_of_run
+    from .ensemble_page import ensemble_page
     from .run_page import diagram_page, run_page
 
+    if kind_of(data) == "ensemble":
+        return ensemble_page(data, title)
     of_run = title or str(data.attrs.get("title") or "A run without a title")
     if is_response(data):
         check_response(data)
         return diagram_page(data, of_run)
-    if is_ensemble(data):
-        from .ensemble_page import ensemble_page
-
-        return ensemble_page(data, title)
     system = system_of_run(data)
     check_run(data, system, *NEEDED)
     return run_page(data, system, of_run)
@@ -151,14 +149,11 @@ def read(path: Path) -> "xarray.Dataset":
         from ..ensemble.store import open_ensemble
 
         return open_ensemble(path)
-    from ..scenario.recorded_run import is_response
     from ..simulation.run_file import load_run
 
     with open_netcdf(path) as data:
-        if "dive" in data.dims:
+        if kind_of(data) == "replay":
             return data.load()
-        if "clpe" not in data.variables and not is_response(data):
-            raise DataError(f"{path}: is NetCDF, but no run and no replay; {KNOWN}")
     return load_run(path)
 
 
@@ -178,17 +173,3 @@ def replay_facts(replay: Any, name: str) -> dict[str, Any]:
     if not found.get("each_dive") or found.get("next_dive") is None:
         raise DataError(f"{name}: is a replay without a dive; there is nothing to show yet")
     return {"vehicle": "glider", "aim": [], **found}
-
-
-def is_ensemble(data: "xarray.Dataset") -> bool:
-    """Return whether a dataset is an ensemble; refuse one that has lost what it varied."""
-    if "member" not in data.dims:
-        return False
-    from ..ensemble.spread import refuse_diagram
-
-    refuse_diagram("report", data)
-    missing = {"clpe_rms_whole", "status"} - set(data.variables)
-    missing |= {"scenario", "ensemble"} - set(data.attrs)
-    if missing:
-        raise ClptError(f"the ensemble has no {min(missing)}; `clpt ensemble` writes whole ones")
-    return True

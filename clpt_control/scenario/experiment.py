@@ -31,6 +31,10 @@ Nested = dict[str, Any]  # tables of a scenario, as TOML has them
 MOST_JUMPS = 10**7  # of one block in a run
 MOST_BYTES = 4 * 10**9  # of memory that a run may take
 FINE = 2000  # samples of a run beside its own
+SPANS = (  # keys of times from one jump to the next
+    *("reference.dwell", "flow.disturbance.period", "learning.sample"),
+    *("localization.interval", "localization.noise_period"),
+)
 NUMBERS = 110, 24  # of a sample, and of a sample for each function: measured, twice at most
 AT_FIXES = " or ".join(law.name for law in LAWS.values() if law.at_fixes)
 
@@ -89,14 +93,7 @@ class Scenario(tables.Table):
                     f"{key}: nothing is learned before t = {time}, and run.duration is "
                     f"{self.run.duration}; must be at most that"
                 )
-        disturbance = self.flow.disturbance
-        spans = {"reference.dwell": self.reference.dwell}
-        if disturbance is not None and disturbance.kind in ("square", "noise"):
-            spans["flow.disturbance.period"] = disturbance.period or 1.0
-        if sample is not None:
-            spans["learning.sample"] = sample
-        if fixes is not None:
-            spans |= fixes.spans
+        spans = {key: value for key, value, _ in self.every_key() if value and key in SPANS}
         N, samples = self.basis.N, self.run.duration / self.run.output_step
         size = 8 * (NUMBERS[0] + NUMBERS[1] * N) * (samples + FINE)
         if size > MOST_BYTES:

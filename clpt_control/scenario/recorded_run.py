@@ -32,6 +32,13 @@ DIMS = {  # variable of a run -> its dimensions, after those of a team
 SHARED = ("time", "flow_parameters", "lyapunov")  # by the vehicles of a team
 TEXTS = ("title", "source", "software", "status", "message", "engine", "method")  # attributes
 LARGEST = 1e75  # number whose fourth power is finite
+KINDS = {  # of datasets -> the attribute that says so; the first counts
+    "team": TEAM,
+    "ensemble": "ensemble",
+    "run": "scenario",
+    "replay": "estimator",
+    "diagram": "engine",
+}
 MOST_WAYPOINTS = 1e6  # of a run, unless its scenario has more
 
 
@@ -46,11 +53,14 @@ def unknown_parts(run: "xarray.Dataset") -> set[str]:
     return {*changed, *own_parts(run.attrs)}
 
 
+def kind_of(data: "xarray.Dataset") -> str:
+    """Return what a dataset is, one of `KINDS`, or nothing."""
+    return next((kind for kind, name in KINDS.items() if name in data.attrs), "")
+
+
 def is_response(run: "xarray.Dataset") -> bool:
     """Return whether a dataset is the run of a diagram that has no scenario."""
-    return (
-        "engine" in run.attrs and not {"scenario", TEAM, "ensemble", "estimator"} & run.attrs.keys()
-    )
+    return kind_of(run) == "diagram"
 
 
 def check_response(run: "xarray.Dataset") -> None:

@@ -202,15 +202,15 @@ def load_team(path: str | Path) -> Team:
 def load_either(path: str | Path) -> Scenario | Team:
     """Read a scenario or a team from a TOML file or a run's NetCDF file."""
     path = Path(path)
-    text = file.read_text(path)
-    read = team_from_text if "team" in file.tables_of(text, str(path)) else file.scenario_from_text
-    return read(text, str(path), path.parent)
+    return system_from_text(file.read_text(path), str(path), path.parent)
 
 
-def team_from_text(text: str, name: str, folder: Path | None) -> Team:
-    """Read a team of TOML text; `name` begins each error, `folder` holds its files, if any."""
+def system_from_text(text: str, name: str, folder: Path | None) -> Scenario | Team:
+    """Read a scenario or a team of TOML text; `name` begins errors, `folder` holds its files."""
     common = file.tables_of(text, name)
-    team = _table(common.pop("team", None), f"{name}: team")
+    if "team" not in common:
+        return checked_scenario(common, name, folder)
+    team = _table(common.pop("team"), f"{name}: team")
     vehicles = _table(team.pop("members", None), f"{name}: team.members")
     members = {
         member: checked_scenario(
@@ -280,4 +280,4 @@ def system_of_run(run: Any, files: bool = True) -> Scenario | Team:
     if file.TEAM not in attributes:
         return file.scenario_of_run(run, files)
     folder = file.folder_of(run) if files else None
-    return team_from_text(str(attributes[file.TEAM]), "the run", folder)
+    return system_from_text(str(attributes[file.TEAM]), "the run", folder)

@@ -2,11 +2,12 @@
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 from pictures import inked
 
 import clpt_control as clpt
-from analysis import shelf
+from analysis import against_adcp, laws, mean_square, shelf, worst_disturbance
 from examples import auv, mrac, pendulum, tank
 
 
@@ -64,8 +65,6 @@ def test_the_shelf_has_a_panel_for_each_part(tmp_path):
 
 
 def test_each_study_leaves_a_table_and_a_figure(tmp_path):
-    from analysis import against_adcp, mean_square, worst_disturbance
-
     mean_square.main(tmp_path)
     worst_disturbance.main(tmp_path, end=30.0)
     glider = Path(__file__).parents[1] / "data" / "glider"
@@ -76,3 +75,15 @@ def test_each_study_leaves_a_table_and_a_figure(tmp_path):
         assert all(line.startswith("| ") for line in (lines[0], *lines[2:]))
         assert inked(tmp_path / f"{name}.png") > 0.005
     assert "False" not in (tmp_path / "mean_square.md").read_text("utf-8")
+
+
+def test_which_law_when_compares_fast_laws_with_the_papers():
+    paper, clear = clpt.paper_scenario(), laws.PAPER["as assumed"]
+    keys = laws.candidates(paper)
+    printed, memory = (
+        laws.on_papers_scenario(paper, {**keys[name], **clear}, 4)
+        for name in (laws.PRINTED, "composite-memory")
+    )
+    assert np.all(printed.error[1:] > 0.05)
+    assert memory.error[2] < 0.01 * printed.error[1]
+    assert memory.clpe[2] < 0.01 * printed.clpe[1]

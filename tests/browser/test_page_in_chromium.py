@@ -6,7 +6,6 @@ Run by `make test-browser`; skipped, with the reason, where no Chromium is insta
 import json
 import re
 import shutil
-import subprocess
 
 import pytest
 from processes import CLPT, ran
@@ -17,14 +16,8 @@ from clpt_control.gliders.dive_table import write_dive_table
 NAMES = ("chromium", "chromium-browser", "google-chrome")
 CHROMIUM = next(filter(None, map(shutil.which, NAMES)), "")
 QUIET = [
-    "--headless",
-    "--no-sandbox",
-    "--disable-gpu",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-sync",
-    "--disable-background-networking",
-    "--disable-component-update",
+    *("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"),
+    *("--disable-sync", "--disable-background-networking", "--disable-component-update"),
     "--enable-logging=stderr",
 ]
 PROBE = """
@@ -82,8 +75,7 @@ def page(tmp_path_factory):
     """The page of sixty dives, aimed at a waypoint."""
     folder = tmp_path_factory.mktemp("page")
     write_dive_table(fixes_of(60), folder / "dives.csv")
-    words = ("replay", folder / "dives.csv", "--aim", "40.5", "9.0", "--out", folder / "out")
-    subprocess.run([*CLPT, *map(str, words)], check=True, capture_output=True)
+    ran(*CLPT, "replay", "dives.csv", "--aim", 40.5, 9.0, "--out", "out", cwd=folder)
     return folder / "out" / "replay.html"
 
 
@@ -102,15 +94,15 @@ def test_the_page_obeys_its_own_policy(page, tmp_path):
     assert re.search(r'<svg id="map"[^>]*style="[^"]*--k', tree)
 
 
-def asked(page, probe, tmp_path, width):
+def asked(page, probe, tmp_path, width, *words):
     """What a probe finds in a page on a screen so wide."""
     text = re.sub(r"<meta http-equiv[^>]*>", "", page.read_text("utf-8"))
     probed = tmp_path / "probed.html"
     probed.write_text(text.replace("<head>", "<head>" + probe, 1), "utf-8")
     frame = tmp_path / "frame.html"
     frame.write_text(FRAME.format(page=probed.as_uri(), width=width), "utf-8")
-    size = f"--window-size={max(width, 500)},900"
-    tree, _ = shown(frame, tmp_path / "profile", size, "--virtual-time-budget=5000")
+    words = (f"--window-size={max(width, 500)},900", "--virtual-time-budget=5000", *words)
+    tree, _ = shown(frame, tmp_path / "profile", *words)
     return json.loads(re.search(r"<body>(.*?)</body>", tree, re.S)[1])
 
 
@@ -118,8 +110,7 @@ def test_the_words_of_a_fleet_are_whole_on_a_telephone(tmp_path):
     for name in ("north", "a_long_name_of_a_vehicle_2026"):
         (tmp_path / "fleet" / name).mkdir(parents=True)
         write_dive_table(fixes_of(15), tmp_path / "fleet" / name / "dives.csv")
-    words = ("replay", "--fleet", tmp_path / "fleet", "--out", tmp_path / "out")
-    subprocess.run([*CLPT, *map(str, words)], check=True, capture_output=True)
+    ran(*CLPT, "replay", "--fleet", "fleet", "--out", "out", cwd=tmp_path)
     found = asked(tmp_path / "out" / "fleet.html", WORDS, tmp_path, 390)
     assert found["words"] > 10
     assert found["broken"] == []

@@ -1,18 +1,15 @@
-"""A page to send in headless Chromium: whole, quiet, read in light, dark, small and on paper.
-
-Run by `make test-browser`; skipped, with the reason, where no Chromium is installed.
-"""
+"""Pages to send, and what a notebook shows, in headless Chromium, in light and dark."""
 
 import json
 import re
-import subprocess
 
 import pytest
-from processes import CLPT, GUARD
-from test_page_in_chromium import CHROMIUM, FRAME, IN_CHROMIUM, QUIET, shown
+from processes import CLPT, ran
+from test_page_in_chromium import CHROMIUM, IN_CHROMIUM, QUIET, asked, shown
+
+import clpt_control as clpt
 
 DARK = "--blink-settings=preferredColorScheme=0"
-LEAST = 4.5  # contrast of text, WCAG 2.2, 1.4.3
 PROBE = """
 <script>
 const channels = (colour) => colour.match(/[\\d.]+/g).map(Number);
@@ -40,7 +37,7 @@ addEventListener("load", () => {
     fetched: performance.getEntriesByType("resource").map((one) => one.name),
     sections: [...document.querySelectorAll("section h2")].map((one) => one.id),
     texts: texts.length, dark: matchMedia("(prefers-color-scheme: dark)").matches,
-    faint: texts.filter((one) => contrast(one) < LEAST).map((one) => one.outerHTML.slice(0, 90)),
+    faint: texts.filter((one) => contrast(one) < 4.5).map((one) => one.outerHTML.slice(0, 90)),
     flat: [...document.querySelectorAll("figure svg")].filter(
       (one) => one.getBoundingClientRect().height < 100).length,
   }), "*");
@@ -61,11 +58,10 @@ def pages(tmp_path_factory):
     folder = tmp_path_factory.mktemp("pages")
 
     def clpt(*words):
-        subprocess.run([*CLPT, *map(str, words)], check=True, capture_output=True, cwd=folder)
+        ran(*CLPT, *words, cwd=folder)
 
     clpt("init", "run.toml")
-    text = (folder / "run.toml").read_text("utf-8")
-    text = re.sub(r"^duration = .*$", "duration = 400", text, flags=re.M)
+    text = (folder / "run.toml").read_text("utf-8").replace("duration = 2000", "duration = 400")
     (folder / "run.toml").write_text(text, "utf-8")
     member = "[team]\ncoupling = 0.5\n[team.members]\na = {}\nb = {}\n"
     (folder / "team.toml").write_text(f"{text}\n{member}", "utf-8")
@@ -89,16 +85,8 @@ def test_the_page_is_quiet(pages, tmp_path, name):
 @pytest.mark.parametrize("width", [390, 1280])
 @pytest.mark.parametrize("name", SECTIONS)
 def test_the_page_is_read_on_its_screen(pages, tmp_path, name, width, theme):
-    text = (pages / f"{name}.html").read_text("utf-8")
-    text = re.sub(r"<meta http-equiv[^>]*>", "", text)
-    probed = tmp_path / "probed.html"
-    probed.write_text(text + PROBE.replace("LEAST", str(LEAST)), "utf-8")
-    frame = tmp_path / "frame.html"
-    frame.write_text(FRAME.format(page=probed.as_uri(), width=width), "utf-8")
-    words = [f"--window-size={max(width, 500)},900", "--virtual-time-budget=5000"]
-    words += [DARK] if theme == "dark" else []
-    tree, _ = shown(frame, tmp_path / "profile", *words)
-    found = json.loads(re.search(r"<body>(.*?)</body>", tree, re.S)[1])
+    words = [DARK] if theme == "dark" else []
+    found = asked(pages / f"{name}.html", PROBE, tmp_path, width, *words)
     assert found["inner"] == width
     assert found["wide"] <= width
     assert found["fetched"] == []
@@ -113,8 +101,48 @@ def test_the_page_prints(pages, tmp_path):
     """As pages of paper, with the scenario unfolded."""
     made = tmp_path / "run.pdf"
     profile = f"--user-data-dir={tmp_path / 'profile'}"
-    words = [profile, f"--print-to-pdf={made}", (pages / "run.html").as_uri()]
-    subprocess.run([CHROMIUM, *QUIET, *words], capture_output=True, timeout=GUARD, check=True)
+    ran(CHROMIUM, *QUIET, profile, f"--print-to-pdf={made}", (pages / "run.html").as_uri())
     content = made.read_bytes()
     assert content.startswith(b"%PDF-")
     assert 2 <= len(re.findall(rb"/Type\s*/Page\b", content)) <= 8
+
+
+# --- what a notebook shows takes the colours of its page -----------------------------------------
+
+PAGE = """
+<!DOCTYPE html><meta charset="utf-8"><body style="color:{ink};background:{paper}">{body}<script>
+addEventListener("load", () => {{
+  const of = (name, key) => [...document.querySelectorAll(name)].map((one) =>
+    getComputedStyle(one)[key]);
+  const found = {{
+    text: [...new Set(of(".clpt td, .clpt strong, .clpt pre", "color"))],
+    lines: [...new Set(of(".clpt svg path", "stroke"))].filter((one) => one !== "none"),
+    letters: [...new Set(of(".clpt svg text", "fill"))],
+    behind: [...new Set(of(".clpt, .clpt table, .clpt td, .clpt svg", "backgroundColor"))],
+    fetched: performance.getEntriesByType("resource").map((one) => one.name),
+    wide: document.documentElement.scrollWidth - innerWidth,
+  }};
+  document.body.textContent = JSON.stringify(found);
+}});
+</script>
+"""
+
+
+@pytest.mark.parametrize(
+    ("ink", "paper"), [("rgb(1, 2, 3)", "white"), ("rgb(230, 231, 232)", "#111")]
+)
+def test_they_take_the_colours_of_the_page(ink, paper, tmp_path):
+    scenario = clpt.paper_scenario().with_values({"run.duration": 40})
+    loop = clpt.closed_loop(scenario)
+    things = scenario, loop, clpt.draw(loop)
+    body = "".join(thing._repr_html_() for thing in things)
+    page = tmp_path / "page.html"
+    page.write_text(PAGE.format(ink=ink, paper=paper, body=body), "utf-8")
+    tree, console = shown(page, tmp_path / "profile", "--window-size=600,900")
+    assert console == []
+    found = json.loads(re.search(r"<body[^>]*>(.*?)</body>", tree, re.S)[1])
+    assert found["text"] == found["letters"] == [ink]
+    assert ink in found["lines"]
+    assert found["behind"] == ["rgba(0, 0, 0, 0)"]
+    assert found["fetched"] == []
+    assert found["wide"] <= 0

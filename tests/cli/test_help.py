@@ -30,8 +30,8 @@ def test_the_page_lists_every_command_in_one_line(clpt, words):
     assert [line for line in lines if "  clpt init mine.toml" in line]
 
 
-@pytest.mark.parametrize("name", [None, *COMMANDS])
-def test_help_is_of_shell_words_and_80_columns(clpt, name, monkeypatch):
+@pytest.mark.parametrize("name", ["", *COMMANDS])
+def test_help_is_of_shell_words_80_columns_and_an_example(clpt, name, monkeypatch):
     monkeypatch.setenv("COLUMNS", "200")
     text = clpt(*([name] if name else []), "--help").out
     assert max(map(len, text.splitlines())) <= WIDTH
@@ -41,11 +41,8 @@ def test_help_is_of_shell_words_and_80_columns(clpt, name, monkeypatch):
     for line in entries:
         assert not TYPES.search(re.split(r"\s{2,}", line.strip())[0]), line
     assert "[default: inf]" not in text
-
-
-@pytest.mark.parametrize("name", COMMANDS)
-def test_help_has_an_example_of_the_command(clpt, name):
-    text = clpt(name, "--help").out
+    if not name:
+        return
     example = text.split("\n  Example:\n")[1].split("\n\n")[0].replace("\\\n", " ").split()
     assert example[:2] == ["clpt", name]
     options = re.findall(r"^  (-\S+?)[ ,]", text, re.M) + re.findall(r" (--[\w-]+)", text)
@@ -62,34 +59,19 @@ def test_the_version_is_that_of_the_package(clpt):
 
 
 @pytest.mark.parametrize(
-    ("words", "near"),
+    ("words", "said"),
     [
-        (["rnu"], "run"),
-        (["ensmble"], "ensemble"),
-        (["run", "x.toml", "--figure", "f"], "--figures"),
-        (["replay", "--samples"], "--sample"),
-        (["--versoin"], "--version"),
+        (["rnu"], "; did you mean .*run.*\\?"),
+        (["run", "x.toml", "--figure", "f"], "; did you mean .*--figures.*\\?"),
+        (["--versoin"], "; did you mean .*--version.*\\?"),
+        (["run"], "(?i)scenario.*; `clpt run --help` shows what it takes"),
+        (["run", "x.toml", "--out"], "--out.*; `clpt run --help` shows what it takes"),
+        (["nothing-like-it"], "nothing-like-it.*; `clpt --help` shows what it takes"),
+        (["tides", "a.csv", "--at", "3"], "--at.*; `clpt tides --help` shows what it takes"),
     ],
 )
-def test_what_is_misspelt_finds_the_near_name(refused, words, near):
-    assert re.search(rf"; did you mean .*{near}\b.*\?\n$", refused(*words))
-
-
-@pytest.mark.parametrize(
-    ("words", "lacks"),
-    [
-        (["run"], "scenario"),
-        (["run", "x.toml"], "--out"),
-        (["run", "x.toml", "--out"], "--out"),
-        (["nothing-like-it"], "nothing-like-it"),
-        (["tides", "a.csv", "--at", "3"], "`clpt tides --help` shows what it takes"),
-        (["replay", "--every"], "`clpt replay --help` shows what it takes"),
-    ],
-)
-def test_what_lacks_names_the_help(refused, words, lacks):
-    said = refused(*words)
-    assert lacks in said.lower()
-    assert re.search(r"`clpt[ \w]* --help` shows", said)
+def test_what_is_misspelt_or_lacks_is_said(refused, words, said):
+    assert re.search(rf"{said}\n$", refused(*words))
 
 
 def test_the_module_is_the_command(clpt):

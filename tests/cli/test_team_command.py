@@ -42,17 +42,9 @@ def test_the_excitation_of_a_team(clpt, printed):
     assert "the team:" not in shown.out
 
 
-@pytest.mark.parametrize(
-    "arguments",
-    [
-        ("diagram",),
-        ("ensemble", "--members", "3", "--vary", "learning.gain=1:2", "--out", "e.zarr"),
-        ("excitation", "--figure", "x.png"),
-    ],
-    ids=lambda arguments: arguments[0],
-)
-def test_what_takes_no_team_says_so(refused, arguments):
-    assert "team" in refused(arguments[0], FILE, *arguments[1:])
+def test_what_takes_no_team_says_so(refused):
+    for command, *more in (("diagram",), ("excitation", "--figure", "x.png")):
+        assert "team" in refused(command, FILE, *more)
 
 
 def test_the_example_draws_what_it_says(capsys):
@@ -100,20 +92,15 @@ def test_excitation_finds_the_eigenvalue_of_the_design(printed):
         assert min(v[0] for v in values) == pytest.approx(report[key]["of_the_run"], rel=1e-9)
 
 
-@pytest.mark.parametrize(
-    ("words", "said"),
-    [
+@pytest.mark.usefixtures("paper")
+def test_a_mistake_is_one_sentence(refused_for):
+    for words, said in (
         (("--length", "-1"), "length = -1.0: must be a number, positive and finite"),
         (("--area", "1", "2", "1", "2"), "with vehicle.position in it"),
         (("--figure", "new.gif"), "must end in .png, .pdf or .svg"),
         (("--out", "new.nc"), "must end in .toml"),
-    ],
-    ids=str,
-)
-@pytest.mark.usefixtures("paper")
-def test_a_mistake_is_one_sentence(refused, words, said):
-    assert said in refused("design", "paper.toml", "--out", "new.toml", *words)
-    assert [*Path().iterdir()] == [Path("paper.toml")]
+    ):
+        refused_for([said], "design", "paper.toml", "--out", "new.toml", *words)
 
 
 PAPER = clpt_control.paper_scenario()
@@ -128,7 +115,10 @@ def run(tmp_path_factory):
     return file
 
 
-@pytest.mark.parametrize("method", ["least-squares", "kalman", "tomography"])
+METHODS = ("least-squares", "kalman", "tomography")
+
+
+@pytest.mark.parametrize("method", METHODS)
 def test_a_run_gives_a_scenario_with_the_flow_known(clpt, printed, run, method):
     found = printed("estimate", run, "--method", method, "--until", 200, "--out", "known.toml")
     assert found["fixes"] == 101
@@ -145,49 +135,35 @@ def test_a_run_gives_a_scenario_with_the_flow_known(clpt, printed, run, method):
 
 def test_the_table_is_printed(clpt, run):
     outcome = clpt("estimate", run, "--every", 20)
-    assert outcome.status == 0
     assert "13 fixes" in " ".join(outcome.out.split())
     assert "condition number: " in outcome.out
     assert "standard deviation (m/s)" in outcome.out
     assert re.search(r"rms of misses left: \S+ m\nlargest error: \S+ m/s\n", outcome.out)
 
 
-def test_mistakes_are_one_sentence(clpt, refused, run):
+def test_mistakes_are_one_sentence(refused_for, run):
     clpt_control.save_scenario(PAPER, "paper.toml")
+    before = run.read_bytes()
     for arguments, said in (
         ((run, "--method", "guess"), "method 'guess': must be one of least-squares"),
         ((run, "--every", 0), "every = 0: must be positive"),
+        ((run, "--every", "1e-300"), "every = 1e-300: must be positive, at most the run's length"),
         ((run, "--until", 900), "--until 900: must lie within the run"),
         ((run, "--prior", -1), "prior: must be a positive number"),
+        *(((run, "--noise", "1e-320", "--method", one), "a smaller prior") for one in METHODS),
         (("paper.toml",), "is no run; `clpt run"),
         (("none.nc",), "none.nc"),
+        ((run, "--out", run), "a scenario's name must end in .toml"),
     ):
-        assert said in refused("estimate", *arguments, "--out", "out.toml")
-        assert not Path("out.toml").exists()
-    before = run.read_bytes()
-    outcome = clpt("estimate", run, "--out", run)
-    assert (outcome.status, run.read_bytes() == before) == (2, True)
-    assert "a scenario's name must end in .toml" in outcome.err
+        refused_for([said], "estimate", *arguments)
+    assert run.read_bytes() == before
 
 
-@pytest.mark.parametrize("method", ["least-squares", "kalman", "tomography"])
-@pytest.mark.parametrize(
-    ("words", "said"),
-    [
-        (("--every", "1e-300"), "every = 1e-300: must be positive, at most the run's length"),
-        (("--noise", "1e-320"), "give a smaller prior"),
-    ],
-    ids=str,
-)
-def test_numbers_that_no_estimate_can_have_are_one_sentence(refused, run, method, words, said):
-    assert said in refused("estimate", run, "--method", method, "--json", *words)
-
-
-@pytest.mark.parametrize("words", [("--prior", "1e150"), ("--noise", "1e-150")], ids=str)
-def test_a_prior_that_says_nothing_leaves_what_the_fixes_say(printed, run, words):
-    found = printed("estimate", run, *words)
-    np.testing.assert_allclose(found["theta"], THETA, rtol=0.05)
-    assert all(0 <= sd < 1 for sd in found["standard_deviation"])
+def test_a_prior_that_says_nothing_leaves_what_the_fixes_say(printed, run):
+    for words in (("--prior", "1e150"), ("--noise", "1e-150")):
+        found = printed("estimate", run, *words)
+        np.testing.assert_allclose(found["theta"], THETA, rtol=0.05)
+        assert all(0 <= sd < 1 for sd in found["standard_deviation"])
 
 
 # --- certificates ------------------------------------------------------------------------------

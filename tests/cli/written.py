@@ -12,6 +12,32 @@ from clpt_control.gliders.dive_files import sample_dives
 from clpt_control.scenario.file import paper_text, toml
 
 RUN = ("run", "s.toml", "--out", "run.nc")
+ENSEMBLE = ("ensemble", "s.toml", "--vary", "learning.gain=1:2", "--out", "e.zarr", "--members")
+FOLLOW = ("replay", "--follow", "in", "--out", "out", "--patience", "0", "--json")
+COMMANDS = {  # of files as `write_each` writes -> what is made: all of it, or nothing; None: a part
+    ("--help",): (),
+    ("init", "mine.toml"): ("mine.toml",),
+    (*RUN, "--figures", "out"): ("run.nc", "figure?.png"),
+    ("run", "team.toml", "--out", "run.nc"): ("run.nc",),
+    ("diagram", "s.toml", "-o", "d.svg"): ("d.svg",),
+    (*ENSEMBLE, "64", "--chunk", "8", "--trajectories"): None,
+    ("laws", "concurrent", "--json"): (),
+    ("report", "r.nc", "-o", "r.html"): ("r.html",),
+    ("replay", "in", "--out", "out", "--aim", "-43.1", "8.5"): ("replay.*", "*.png", "*.kml"),
+    (*ENSEMBLE, "64", "--chunk", "8", "--dask", "local", "--threads", "1"): None,
+    ("paper", "--out", "out"): ("run.nc", "figure?.png"),
+    ("tune", "s.toml", "--members", "3", "--law", "learned-flow", "--out", "t.toml"): ("t.toml",),
+    ("prove", "--theorem", "3.2", "--again"): (),
+    ("refute", "sigma", "--budget", "3", "--out", "broken.toml"): ("broken.toml",),
+    ("excitation", "s.toml", "--figure", "x.png"): ("x.png",),
+    ("certify", "s.toml", "--json"): (),
+    ("design", "s.toml", "--out", "b.toml", "--figure", "b.png"): ("b.toml", "b.png"),
+    ("fit", "c.nc", "--out", "f.toml", "--json"): ("f.toml", "f_field.nc"),
+    ("tides", "r.csv", "--constituents", "M2,S2"): (),
+    ("estimate", "r.nc", "--out", "known.toml"): ("known.toml",),
+    FOLLOW: None,
+    ("animate", "r.nc", "-o", "r.gif", "--seconds", "1"): ("r.gif",),
+}
 
 
 def write(changes, path="s.toml"):

@@ -1,16 +1,15 @@
 """One small ensemble, asked by many tests."""
 
 import pytest
-from ensemble_stores import VARY
+from swept import VARY
 
-import clpt_control
-from clpt_control.ensemble.run import run_ensemble
+import clpt_control as clpt
 
 
 @pytest.fixture(scope="module")
 def scenario():
     """Two and a half rounds of the paper's waypoints, four times faster."""
-    return clpt_control.paper_scenario().with_values({"run.duration": 125, "reference.dwell": 5})
+    return clpt.paper_scenario().with_values({"run.duration": 125, "reference.dwell": 5})
 
 
 @pytest.fixture(scope="module")
@@ -21,4 +20,4 @@ def quick(scenario):
 @pytest.fixture(scope="module")
 def whole(scenario):
     """One thread, one chunk, trajectories: what all other ways must give."""
-    return run_ensemble(scenario, VARY, 40, seed=3, threads=1, trajectories=True)
+    return clpt.run_ensemble(scenario, VARY, 40, seed=3, threads=1, trajectories=True)

@@ -1,11 +1,25 @@
-"""Diagrams that ensembles sweep, and their closed forms."""
+"""What ensembles sweep, with closed forms, and how their stores and datasets are compared."""
 
 import control
 import numpy as np
 
 import clpt_control as clpt
 
+VARY = ["learning.gain=0.2:2.0", "flow.parameters~normal:0.1", "learning.position=-1:1"]
 TIMES = np.linspace(0.0, 5.0, 51)
+
+
+def files(folder):
+    """Every file of a store with its bytes."""
+    paths = sorted(path for path in folder.rglob("*") if path.is_file())
+    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in paths}
+
+
+def assert_identical(one, other):
+    assert set(one.variables) == set(other.variables)
+    for name in one.variables:
+        assert one[name].dims == other[name].dims
+        assert one[name].values.tobytes() == other[name].values.tobytes(), name
 
 
 def system(update, **more):
@@ -24,21 +38,31 @@ def pulled(t, x, u, p):
     return -p.K * x.x + u.f
 
 
+def spring(name, K, port, **more):
+    return clpt.Block(
+        name,
+        update=pulled,
+        output=lambda t, x, u, p: x.x,
+        inputs={"f": 2},
+        outputs={port: 2},
+        states={"x": 2},
+        parameters={"K": np.array(K), **more},
+    )
+
+
 def springs():
-    """Two blocks of one kind, with equal numbers, and a nonlinear system beside them."""
-    made = [
-        clpt.Block(
-            name,
-            update=pulled,
-            output=lambda t, x, u, p: x.x,
-            inputs={"f": 2},
-            outputs={port: 2},
-            states={"x": 2},
-            parameters={"K": np.array([1.0, 2.0]), "turns": 3},
-        )
-        for name, port in (("one", "a"), ("two", "b"))
-    ]
+    """Two blocks of one kind, with equal numbers."""
+    made = [spring(name, [1.0, 2.0], port, turns=3) for name, port in (("one", "a"), ("two", "b"))]
     return clpt.connect(made, external="f", name="springs")
+
+
+def two_shapes(two):
+    """One name has the shape that python-control hands down."""
+    made = [
+        system(lambda t, x, u, p: -x, params={"K": 1.0}, name="a"),
+        system(lambda t, x, u, p: -p["K"][1] * x, params={"K": two}, name="b"),
+    ]
+    return control.interconnect(made, connections=False, outlist=["b.y"], outputs=["y"])
 
 
 def unread(t, x, u, p):

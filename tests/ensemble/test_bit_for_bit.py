@@ -4,37 +4,46 @@ import importlib.util
 import json
 import multiprocessing
 import os
+import random
 import re
-import shutil
 import signal
 import socket
 import subprocess
 import sys
 import time
-import tracemalloc
+import warnings
 from pathlib import Path
 
+import law_blocks
+import numpy as np
 import pytest
-from ensemble_stores import VARY, assert_identical, files
+from adaptive_loop import mrac
 from processes import CLPT, GUARD, await_line, listening, started, without_progress
+from random_diagrams import random_diagram
+from swept import TIMES, VARY, assert_identical, files, lag, system, unread
 
-import clpt_control
+import clpt_control as clpt
+from clpt_control.diagrams.varied import place_of
+from clpt_control.ensemble.drawn_values import read_varies
 from clpt_control.ensemble.members import Ensemble
+from clpt_control.ensemble.of_diagrams import VariedDiagram
 from clpt_control.ensemble.run import run_ensemble
 from clpt_control.ensemble.store import open_store
-from clpt_control.errors import ClptError, DataError, ScenarioError, SimulationError
+from clpt_control.equations.ports import ports_of
+from clpt_control.errors import ClptError, DataError, DiagramError, ScenarioError, SimulationError
+
+DASK = pytest.mark.skipif(not importlib.util.find_spec("distributed"), reason="no Dask")
+LINUX = pytest.mark.skipif(not Path("/proc/self/net/tcp").exists(), reason="no /proc/net")
 
 
-@pytest.mark.parametrize(("threads", "chunk"), [(1, 7), (2, 3), (3, 1000)])
-def test_threads_and_chunks_do_not_matter(scenario, whole, tmp_path, threads, chunk):
+@pytest.mark.parametrize(("threads", "chunk", "batch"), [(1, 7, None), (2, 3, None), (3, 40, 8)])
+def test_threads_chunks_and_batches_do_not_matter(
+    scenario, whole, tmp_path, monkeypatch, threads, chunk, batch
+):
+    if batch is not None:
+        monkeypatch.setattr(Ensemble, "batch", batch)
     given = {"seed": 3, "trajectories": True, "threads": threads, "chunk": chunk}
     data = run_ensemble(scenario, VARY, 40, out=tmp_path / "e.zarr", **given)
-    assert_identical(data, whole)
-
-
-def test_the_batch_does_not_matter(scenario, whole, monkeypatch):
-    monkeypatch.setattr(Ensemble, "batch", 8)
-    data = run_ensemble(scenario, VARY, 40, seed=3, threads=2, trajectories=True)
     assert_identical(data, whole)
 
 
@@ -56,7 +65,7 @@ run_ensemble(
 
 def test_killed_and_started_again(quick, tmp_path):
     members, file = 120, tmp_path / "scenario.toml"
-    clpt_control.save_scenario(quick, file)
+    clpt.save_scenario(quick, file)
     out, wanted = tmp_path / "killed.zarr", tmp_path / "whole.zarr"
     words = [sys.executable, "-c", KILLED, file, out, members, *VARY]
     with started(words, stderr=None) as work:
@@ -64,136 +73,119 @@ def test_killed_and_started_again(quick, tmp_path):
     missing = open_store(out).missing()
     assert 0 < len(missing) < members // 20
     counts = []
-    again = clpt_control.load_scenario(file)
+    again = clpt.load_scenario(file)
     run_ensemble(again, VARY, members, seed=1, out=out, chunk=20, progress=counts.append)
-    assert counts[0] == members - 20 * len(missing)
-    assert counts[-1] == members
+    assert (counts[0], counts[-1]) == (members - 20 * len(missing), members)
     run_ensemble(again, VARY, members, seed=1, out=wanted, chunk=20)
     assert files(out) == files(wanted)
 
 
-def test_an_interrupt_leaves_whole_chunks(quick, tmp_path):
-    def stop(done):
-        if done >= 30:
-            raise KeyboardInterrupt
-
-    out = tmp_path / "e.zarr"
-    with pytest.raises(KeyboardInterrupt):
-        run_ensemble(quick, VARY, 100, out=out, chunk=10, threads=2, progress=stop)
-    assert 0 < len(open_store(out).missing()) < 10
-    data = run_ensemble(quick, VARY, 100, out=out, chunk=10)
-    assert_identical(data, run_ensemble(quick, VARY, 100))
+# --- any diagram ---------------------------------------------------------------------------------
 
 
-def test_a_whole_ensemble_is_not_run_again(quick, tmp_path, monkeypatch):
-    first = run_ensemble(quick, VARY, 20, out=tmp_path / "e.zarr").load()
-    monkeypatch.setattr(Ensemble, "summaries", None)
-    assert_identical(run_ensemble(quick, VARY, 20, out=tmp_path / "e.zarr"), first)
-
-
-def edited(key, value):
-    def edit(path):
-        metadata = json.loads(path.read_text())
-        metadata[key] = value
-        path.write_text(json.dumps(metadata))
-
-    return edit
-
-
-def flipped(path):
-    raw = bytearray(path.read_bytes())
-    raw[len(raw) // 2] ^= 0xFF
-    path.write_bytes(raw)
-
-
-LOST = {  # file -> what happens to it
-    "gain_error/zarr.json": Path.unlink,
-    "learning.gain/zarr.json": edited("shape", [7]),
-    "end/zarr.json": edited("data_type", "float32"),
-    "mark/zarr.json": edited("dimension_names", ["time"]),
-    "alpha/zarr.json": edited("attributes", {}),
-    "done/zarr.json": edited("shape", [9]),
-    "clpe_rms/zarr.json": edited("fill_value", 0.0),
-    "zarr.json": flipped,
-    "time/c/0": flipped,
-    "learning.gain/c/1": flipped,
-    "member/c/0": Path.unlink,
-}
-
-
-@pytest.fixture(scope="module")
-def stored(scenario, tmp_path_factory):
-    """A whole store of a short ensemble, with how to run it."""
-    quick = scenario.with_values({"run.duration": 10})
-    out = tmp_path_factory.mktemp("stored") / "e.zarr"
-
-    def run(path):
-        return run_ensemble(quick, VARY[0], 6, out=path, chunk=3, threads=1, trajectories=True)
-
-    run(out)
-    return out, run
-
-
-@pytest.mark.parametrize("name", LOST)
-def test_a_store_without_what_it_must_hold_is_named_and_left(stored, tmp_path, name):
-    whole, run = stored
-    out = tmp_path / "e.zarr"
-    shutil.copytree(whole, out)
-    LOST[name](out / name)
-    before = files(out)
-    array = re.escape(name.partition("/")[0])
-    with pytest.raises(DataError, match=rf"e\.zarr: is (no ensemble|damaged, .*its {array} is)"):
-        run(out)
-    assert files(out) == before
-
-
-@pytest.mark.parametrize("size", [10**6, 3 * 10**7])
-def test_an_array_that_says_it_holds_much_is_refused_unread(stored, tmp_path, size):
-    out = shutil.copytree(stored[0], tmp_path / "e.zarr")
-    form = out / "learning.gain" / "zarr.json"
-    form.write_text(json.dumps(json.loads(form.read_text()) | {"shape": [size]}))
-    tracemalloc.start()
-    with pytest.raises(DataError, match=r"its learning\.gain is not as it was made"):
-        open_store(out)
-    assert tracemalloc.get_traced_memory()[1] < 10**7
-    tracemalloc.stop()
-
-
-def shortened(path):
-    path.write_bytes(path.read_bytes()[:-6])
+def drawn(seed):
+    """Return a random diagram, its inputs, and some of its names, all in a small range."""
+    draw = random.Random(seed)
+    diagram = random_diagram(draw)
+    varied = VariedDiagram(diagram, (), TIMES[:5], 0.1)
+    names = sorted(name for name in varied.names if varied.why_not(name))
+    places = {n: place_of(n, varied.names, varied.given) for n in names}
+    free = [n for n, at in places.items() if at and np.ndim(varied._value(at)) == 0]
+    picked = draw.sample(free, min(3, len(free)))
+    return diagram, dict.fromkeys(picked, "0.5:0.9")
 
 
 @pytest.mark.parametrize(
-    ("name", "damage"),
-    [
-        ("gain_error/c/0/0", flipped),
-        ("alpha/c/1/0/0/0", flipped),
-        ("gain_error/c/1/0", shortened),
-        ("done/c/0", shortened),  # a checksum
-        ("clpe_rms_whole/c/1", Path.unlink),
-        ("alpha/c/1/0/0/0", Path.unlink),
-    ],
+    "first", [1, *(pytest.param(k, marks=pytest.mark.slow) for k in range(3, 23, 2))]
 )
-def test_a_damaged_chunk_is_run_again(stored, tmp_path, name, damage):
-    whole, run = stored
+def test_threads_and_chunks_do_not_matter_to_any_diagram(first):
+    compared = 0
+    for seed in range(first, first + 2):
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                diagram, vary = drawn(seed)
+                given = {"members": 11, "timepts": TIMES[:5], "inputs": 0.1, "trajectories": True}
+                whole = clpt.run_ensemble(diagram, vary, threads=1, **given)
+                cut = clpt.run_ensemble(diagram, vary, threads=3, chunk=4, **given)
+        except ClptError:  # a loop of functions, or nothing that is left to vary
+            continue
+        assert_identical(whole, cut)
+        compared += 1
+    assert compared
+
+
+@pytest.mark.parametrize(
+    "seed", [13, 34, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (15, 42, 44))]
+)
+def test_members_are_what_python_runs_block_by_block(seed):
+    draw = random.Random(seed)
+    diagram = random_diagram(draw)
+    first = VariedDiagram(diagram, (), TIMES[:5], 0.1, 0.2)
+    names = [name for name in sorted(first.names) if place_of(name, first.names, first.given)]
+    vary = dict.fromkeys(draw.sample(names, min(4, len(names))), "0.4:0.9")
+    varied = VariedDiagram(diagram, read_varies(vary), TIMES[:5], 0.1, 0.2)
+    given = {"timepts": TIMES[:5], "inputs": 0.1, "initial_state": 0.2, "trajectories": True}
+    data = clpt.run_ensemble(diagram, vary, 5, **given)
+    python = Ensemble(varied, vary, "python")
+    for m in range(5):
+        own = {key: data[key].values[m] for key in vary}
+        parameters, start, inputs = varied.member(own)
+        alone = python.native.with_parameters(parameters)
+        solution = alone.run(start, TIMES[:5], inputs=inputs, method="dop853")
+        signals = alone.signals(solution, inputs)
+        every = np.vstack([signals.T, inputs.along(solution.t)])
+        wanted = (varied.wiring.output_map @ every).T
+        for port, places in ports_of(varied.outputs).items():
+            found = data[port if port in data else f"{port}_"].values[m].reshape(5, -1)
+            size = 1 + np.abs(wanted[:, places]).max()
+            np.testing.assert_allclose(found, wanted[:, places], rtol=0, atol=1e-6 * size)
+
+
+def test_a_folder_goes_on_and_refuses_another_diagram(tmp_path):
+    def stop(done):
+        if done >= 10:
+            raise KeyboardInterrupt
+
     out = tmp_path / "e.zarr"
-    shutil.copytree(whole, out)
-    damage(out / name)
-    run(out)
-    assert files(out) == files(whole)
+    given = {"vary": "tau=0.5:2", "members": 100, "timepts": TIMES, "inputs": 1.0, "chunk": 10}
+    with pytest.raises(KeyboardInterrupt):
+        clpt.run_ensemble(lag(), out=out, progress=stop, threads=2, **given)
+    assert 0 < len(open_store(out).missing()) < 10
+    counts = []
+    data = clpt.run_ensemble(lag(), out=out, progress=counts.append, **given)
+    assert 0 < counts[0] < 100
+    assert_identical(data, clpt.run_ensemble(lag(), **given))
+    before = files(out)
+    other = system(lambda t, x, u, p: (u - 2 * x) / p["tau"], inputs=1, params={"tau": 1.0})
+    for of, more in ((other, {}), (lag(), {"inputs": 2.0}), (lag(), {"rtol": 1e-9})):
+        with pytest.raises(DataError, match="holds an ensemble of another diagram; give another"):
+            clpt.run_ensemble(of, out=out, **given | more)
+    assert files(out) == before
+    with pytest.raises(DataError, match="is an ensemble of a diagram, not of a scenario"):
+        clpt.report(out, tmp_path / "page.html")
+    odd = system(unread, params={"a": 1.0}, name="odd")
+    with pytest.raises(DiagramError, match=r"^out: odd\.update: "):  # it cannot be told from others
+        clpt.run_ensemble(odd, {"a": [1.0]}, timepts=TIMES, out=tmp_path / "odd.zarr")
+    assert [*tmp_path.iterdir()] == [out]
 
 
-def test_a_store_that_memory_does_not_suffice_for_is_removed(quick, tmp_path, monkeypatch):
-    def too_much(work, values):
-        raise MemoryError
-
-    monkeypatch.setattr(Ensemble, "summaries", too_much)
-    with pytest.raises(MemoryError):
-        run_ensemble(quick, VARY[0], 4, out=tmp_path / "e.zarr", threads=1)
-    assert not list(tmp_path.iterdir())
+# --- by other processes --------------------------------------------------------------------------
 
 
-DASK = pytest.mark.skipif(not importlib.util.find_spec("distributed"), reason="no Dask")
+@pytest.mark.processes
+@DASK
+@pytest.mark.parametrize("of", ["a diagram", "a law"])
+def test_a_cluster_gets_the_block(quick, tmp_path, of):
+    loop, given = mrac(), {"vary": {"gain": [0.5, 1.0], "plant.a": [-1.0, 0.0]}, "inputs": 1.0}
+    given |= {"timepts": TIMES}
+    if of == "a law":
+        loop = clpt.closed_loop(quick, law=law_blocks.papers_law(gain=1.1))
+        given = {"vary": "flow.parameters~normal:0.1", "members": 8}
+    here = run_ensemble(loop, chunk=2, **given)
+    there = run_ensemble(loop, out=tmp_path / "e", threads=1, dask="local", chunk=2, **given)
+    for name in here.data_vars:
+        assert here[name].values.tobytes() == there[name].values.tobytes(), name
 
 
 @pytest.mark.processes
@@ -217,9 +209,6 @@ def test_a_dask_worker_is_killed(scenario, tmp_path):
     assert_identical(data, run_ensemble(scenario, VARY, **given))
 
 
-LINUX = pytest.mark.skipif(not Path("/proc/self/net/tcp").exists(), reason="no /proc/net")
-
-
 @LINUX
 @DASK
 def test_processes_of_this_machine_take_no_connections(quick, tmp_path):
@@ -232,9 +221,8 @@ def test_processes_of_this_machine_take_no_connections(quick, tmp_path):
     with socket.create_server(("127.0.0.1", 0)) as known:
         [address] = listening([os.getpid()])  # the test sees what is there
         assert int(address.split(":")[1], 16) == known.getsockname()[1]
-    run_ensemble(
-        quick, VARY, 8, out=tmp_path / "e.zarr", chunk=4, threads=1, dask="local", progress=look
-    )
+    given = {"out": tmp_path / "e.zarr", "chunk": 4, "threads": 1, "dask": "local"}
+    run_ensemble(quick, VARY, 8, progress=look, **given)
     assert found == [(0, []), (1, []), (1, [])]
     for one in multiprocessing.active_children():
         one.join(GUARD)
@@ -262,45 +250,43 @@ def test_a_process_of_this_machine_is_killed(quick, tmp_path):
 @pytest.mark.processes
 @DASK
 def test_a_lost_scheduler_is_one_sentence(scenario, tmp_path):
-    clpt_control.save_scenario(scenario, tmp_path / "s.toml")
+    clpt.save_scenario(scenario, tmp_path / "s.toml")
     known, out = tmp_path / "scheduler.json", tmp_path / "e.zarr"
     words = ("ensemble", tmp_path / "s.toml", "--vary", VARY[0], "--members", "400", "--out", out)
-    words = (*CLPT, *words, "--chunk", "4")
-    dask = (sys.executable, "-m", "distributed.cli.dask_{}", "--scheduler-file", known)
-    here = ("--host", "127.0.0.1", "--no-dashboard")
+    here = ("--scheduler-file", known, "--host", "127.0.0.1", "--no-dashboard")
     quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
 
     def service(name, *more):
-        return started((*dask[:2], dask[2].format(name), *dask[3:], *here, *more), **quiet)
+        return started(
+            [sys.executable, "-m", f"distributed.cli.dask_{name}", *here, *more], **quiet
+        )
+
+    def wait(for_what, process):
+        while not for_what():
+            assert process.poll() is None
+            time.sleep(0.05)
 
     with service("scheduler", "--port", "0") as scheduler, service("worker", "--nthreads", "1"):
-        while not known.exists() or not known.read_text().endswith("}"):
-            assert scheduler.poll() is None
-            time.sleep(0.05)
+        wait(lambda: known.exists() and known.read_text().endswith("}"), scheduler)
         address = json.loads(known.read_text())["address"]
-        with started((*words, "--dask", address)) as process:
-            while not (out / "done").exists() or len(open_store(out, "r").missing()) > 95:
-                assert process.poll() is None
-                time.sleep(0.05)
+        with started((*CLPT, *words, "--chunk", "4", "--dask", address)) as process:
+            begun = out / "done"
+            wait(lambda: begun.exists() and len(open_store(out, "r").missing()) <= 95, process)
             scheduler.kill()
             said, err = process.communicate(timeout=GUARD)
     lost = f"clpt: dask: the scheduler {address} was lost; what is done is kept; {out} holds "
     assert (process.returncode, said) == (1, "")
     told = without_progress(err).removeprefix(lost)
     assert re.fullmatch(r"\d+ of 400 members; the same command goes on from there\n", told)
-    left = len(open_store(out, "r").missing())
-    assert 0 < left <= 95
+    assert 0 < len(open_store(out, "r").missing()) <= 95
     data = run_ensemble(scenario, VARY[0], 400, out=out, chunk=4)
     assert_identical(data, run_ensemble(scenario, VARY[0], 400, chunk=4))
 
 
-def test_dask_that_is_not_installed(quick, tmp_path, monkeypatch):
+def test_dask_needs_its_package_and_a_folder(quick, tmp_path, monkeypatch):
+    with pytest.raises(ScenarioError, match="needs out"):
+        run_ensemble(quick, VARY, 4, dask="local")
     monkeypatch.setitem(sys.modules, "distributed", None)
     with pytest.raises(ClptError, match="distributed: is not installed; pip install"):
         run_ensemble(quick, VARY, 4, out=tmp_path / "e.zarr", dask="local")
-    assert not (tmp_path / "e.zarr").exists()
-
-
-def test_dask_needs_a_folder(quick):
-    with pytest.raises(ScenarioError, match="needs out"):
-        run_ensemble(quick, VARY, 4, dask="local")
+    assert not list(tmp_path.iterdir())

@@ -1,20 +1,21 @@
-"""Values of members, and the members that have them."""
+"""Values of members: how they are drawn, what is refused; members that have them; the command."""
 
 import json
 from pathlib import Path
 
 import numpy as np
 import pytest
-from ensemble_stores import VARY
+from pictures import inked
+from swept import VARY
 
 import clpt_control
 from clpt_control.ensemble.drawn_values import draw_members, read_varies
 from clpt_control.ensemble.of_scenarios import VariedScenario, variable_values
 from clpt_control.ensemble.run import run_ensemble
-from clpt_control.ensemble.spread import ensemble_summary
+from clpt_control.errors import ClptError
 from clpt_control.simulation.summary import run_and_report
 
-HERE = Path(__file__).parents[1]
+REFERENCE = Path(__file__).parents[1] / "reference"
 
 
 def draw(scenario, vary, members, design="lhs", seed=0):
@@ -23,12 +24,10 @@ def draw(scenario, vary, members, design="lhs", seed=0):
 
 def test_a_latin_hypercube_draws_once_from_each_part(scenario):
     values = draw(scenario, ["learning.gain=0.2:2.0", "learning.position=-1:1"], 64, seed=5)
-    for column in (
-        (values["learning.gain"] - 0.2) / 1.8,
-        *((values["learning.position"].T + 1) / 2),
-    ):
+    position = values["learning.position"].T
+    for column in ((values["learning.gain"] - 0.2) / 1.8, *((position + 1) / 2)):
         assert sorted(np.floor(column * 64).astype(int)) == list(range(64))
-    assert np.abs(np.corrcoef(values["learning.position"].T)[0, 1]) < 0.5
+    assert np.abs(np.corrcoef(position)[0, 1]) < 0.5
 
 
 @pytest.mark.parametrize("design", ["lhs", "random"])
@@ -44,9 +43,7 @@ def test_normal_has_an_absolute_deviation_about_the_scenario(scenario, design):
 def test_a_grid_has_every_combination(scenario):
     vary = ["learning.gain=[0.5, 1, 2]", "reference.radius=2:4", "vehicle.feedforward=0.5:1.5"]
     values = draw(scenario, vary, 3 * 27, "grid")
-    found = np.column_stack(
-        [values["learning.gain"], values["reference.radius"], values["vehicle.feedforward"]]
-    )
+    found = np.column_stack([*values.values()])
     assert len(np.unique(found, axis=0)) == 81
     assert set(values["learning.gain"]) == {0.5, 1.0, 2.0}
     assert set(values["reference.radius"]) == {2.0, 3.0, 4.0}
@@ -68,6 +65,52 @@ def test_values_depend_on_seed_design_members_and_number_alone(scenario):
     assert all(alone.tobytes() != other["learning.gain"].tobytes() for other in others)
 
 
+GAIN, GRID = VARY[0], {"design": "grid"}
+MISTAKES = [
+    ("learning.gain", {}, "must be KEY=LOW:HIGH"),
+    ("learning.gain=2:1", {}, "the first is the smaller"),
+    ("learning.gain=0:inf", {}, "two finite numbers"),
+    ("learning.gain~gamma:1", {}, "KEY~normal:DEVIATION"),
+    ("learning.gain=" + "[" * 5000, {}, "KEY=[VALUE, ...]"),
+    (f"learning.gain=[{'1' * 5000}]", {}, "KEY=[VALUE, ...]"),
+    (f"learning.gain=[{'1' * 400}]", {}, "each value must be a number"),
+    ("learning.gain=[true]", {}, "each value must be a number"),
+    ("learning.position=[[1, 2, 3]]", {}, "must be an array of shape (2,)"),
+    ([], {}, "name at least one key"),
+    (["learning.gain=1:2", "learning.gain=1:2"], {}, "named 2 times"),
+    ("learning.gian=1:2", {}, "did you mean learning.gain? May vary: basis.centers"),
+    ("nothing=1:2", {}, "nothing cannot vary; may vary: basis.centers"),
+    ("adaptation.gain=1:2", {}, "the scenario's key is learning.gain"),
+    ("reference.count=5:10", {}, "cannot vary; "),
+    ("run.duration=1:2", {}, "cannot vary; "),
+    ("learning.gain=-1:2", {}, "to 0; narrow learning.gain=-1:2"),
+    ("learning.gain=[1, 2, -3, 4]", {"members": 4, **GRID}, "member 2: learning.gain = -3.0: mu"),
+    (GAIN, {"members": 0}, "members = 0: must be a whole number, at least 1"),
+    (GAIN, {"members": 2.5}, "members = 2.5: must be a whole number"),
+    (GAIN, {"members": 10**20}, "would draw 1e+20 numbers; at most 2e+08"),
+    (GAIN, {"members": 10**20, **GRID}, "would draw 1e+20 numbers"),
+    (GAIN, {"seed": -1}, "seed = -1: must be a whole number"),
+    (GAIN, {"design": "sobol"}, "must be one of lhs, grid, random"),
+    (GAIN, {"chunk": 0}, "chunk = 0: must be a whole number"),
+    (GAIN, {"threads": 0}, "threads = 0: must be a whole number"),
+    (GAIN, {"times": [11.0]}, "11.0 must lie between 0 and run.duration = 10"),
+    ("learning.gain=[1, 2]", {**GRID, "members": 5}, "must have 2 members"),
+    (["learning.gain=[1, 2]", "learning.position=0:1"], GRID, "have 2 n^2 members"),
+]
+
+
+@pytest.mark.parametrize(("vary", "more", "sentence"), MISTAKES)
+def test_mistakes_are_one_sentence(quick, tmp_path, vary, more, sentence):
+    with pytest.raises(ClptError) as error:
+        run_ensemble(quick, vary, out=tmp_path / "e.zarr", **{"members": 10, **more})
+    assert sentence in str(error.value)
+    assert "\n" not in str(error.value)
+    assert list(tmp_path.iterdir()) == []
+
+
+# --- what members are, and show ------------------------------------------------------------------
+
+
 def test_every_key_that_may_vary_can(quick):
     square = {"kind": "square", "amplitude": [0.05, 0.0], "period": 1.8}
     disturbed = quick.with_values({"flow.disturbance": square})
@@ -84,53 +127,41 @@ def test_every_key_that_may_vary_can(quick):
 def test_a_member_is_a_run_of_its_own(scenario, whole, number):
     own = {vary.split("=")[0].split("~")[0]: None for vary in VARY}
     values = {key: whole[key].values[number] for key in own}
-    report = run_and_report(scenario.with_values(values))
-    run, summary = report.run, report.summary
+    run, _, summary = run_and_report(scenario.with_values(values))
     for name in ("position", "predicted_position", "alpha", "feedback_gain", "feedforward_gain"):
         np.testing.assert_allclose(whole[name][number], run[name], rtol=0, atol=1e-6)
     np.testing.assert_array_equal(whole["time"], run["time"])
-    last = summary["max_flow_parameter_error"]["100"]
-    error = whole["flow_parameter_error"].sel(mark=100)[number]
-    assert abs(float(error) - last) < 1e-6
-    gain = whole["gain_error"].sel(mark=100)[number]
-    assert abs(float(gain) - summary["max_gain_error"]["100"]) < 1e-6
-
-
-def test_mean_squares_are_those_of_clpt_run(scenario):
-    data = run_ensemble(scenario, "learning.gain=[0.8]", 1)
-    wanted = run_and_report(scenario).summary
-    np.testing.assert_allclose(data["clpe_rms"][0], wanted["clpe_rms_per_cycle"], atol=1e-7)
-    assert abs(float(data["clpe_rms_whole"][0]) - wanted["clpe_rms"]) < 1e-7
-    assert data.sizes["cycle"] == 2
+    member = whole.isel(member=number)
+    for name in ("flow_parameter_error", "gain_error"):
+        error = float(member[name].sel(mark=100))
+        assert error == pytest.approx(summary[f"max_{name}"]["100"], abs=1e-6)
+    np.testing.assert_allclose(member.clpe_rms, summary["clpe_rms_per_cycle"], atol=1e-7)
+    assert float(member.clpe_rms_whole) == pytest.approx(summary["clpe_rms"], abs=1e-7)
+    assert member.sizes["cycle"] == 2
 
 
 @pytest.mark.parametrize("name", ["paper", "known_flow_biased"])
 def test_reference_numbers(reference, name):
-    found = [path for path in (HERE / "reference").glob("*.toml") if path.stem == name]
-    if not found:
-        pytest.skip(f"no reference scenario {name}")
-    scenario = clpt_control.load_scenario(found[0])
-    gain = scenario.learning.gain
-    data = run_ensemble(scenario, f"learning.gain=[{gain}]", 1)
-    numbers = reference[found[0].stem]
+    scenario, numbers = clpt_control.load_scenario(REFERENCE / f"{name}.toml"), reference[name]
+    data = run_ensemble(scenario, f"learning.gain=[{scenario.learning.gain}]", 1)
     np.testing.assert_allclose(data["clpe_rms"][0], numbers["clpe_rms_per_cycle"], atol=1e-6)
     wanted = numbers.get("max_flow_parameter_error") or {}
-    for t in ("100", "200", "2000"):
-        if t in wanted:
-            got = float(data["flow_parameter_error"].sel(mark=float(t))[0])
-            assert abs(got - wanted[t]) < 1e-6
+    for t in {"100", "200", "2000"} & wanted.keys():
+        got = float(data["flow_parameter_error"].sel(mark=float(t))[0])
+        assert abs(got - wanted[t]) < 1e-6
 
 
-def test_a_member_that_fails_costs_itself_alone(quick):
-    vary = "vehicle.position=[[0, 0], [1e200, 0], [0, 0]]"
-    data = run_ensemble(quick, vary, 3, "grid")
-    status = data["status"].values
-    assert status[0] == status[2] == 1
-    assert status[1] in (2, 3)
-    assert np.isnan(data["clpe_rms_whole"][1])
-    assert float(data["end"][1]) < 10 == float(data["end"][0])
-    summary = ensemble_summary(data)
-    assert summary["ended"]["finished"] == 2
-    assert summary["first_failed"] == 1
-    assert summary["units"] == {"length": "m", "time": "s"}
-    assert data["gain_error"][0].values.tobytes() == data["gain_error"][2].values.tobytes()
+def test_the_command(clpt, printed, refused, quick, tmp_path):
+    file, out, figure = tmp_path / "s.toml", tmp_path / "e.zarr", tmp_path / "e.png"
+    clpt_control.save_scenario(quick, file)
+    many = ("--members", 12, "--vary", VARY[0], "--vary", VARY[1], "--seed", 4, "--out", out)
+    found = printed("ensemble", file, *many, "--figure", figure)
+    assert found["ended"] == {"finished": 12}
+    assert inked(figure) > 0.01
+    table = clpt("ensemble", file, *many)
+    assert f"{quick.title or file}: 12 finished" in table.out
+    wrong = ("--members", 3, "--vary", "x=1:2", "--out", tmp_path / "f.zarr")
+    assert "x cannot vary; may vary" in refused("ensemble", file, *wrong)
+    assert not (tmp_path / "f.zarr").exists()
+    named = refused("ensemble", file, *many, "--figure", tmp_path / "e.gif")
+    assert ".png, .pdf or .svg" in named

@@ -1,14 +1,13 @@
-"""Ensembles of any law: each member is the run of its scenario, to the last bit."""
+"""Ensembles of any law, and with parts of one's own: each member is the run of its scenario."""
 
 import importlib.util
 import threading
 
 import control
-import law_blocks
 import numpy as np
 import pytest
-from ensemble_stores import assert_identical
-from law_blocks import EACH, HELD
+from law_blocks import EACH, HELD, papers_law, remembering_law
+from swept import assert_identical
 
 import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS
@@ -17,35 +16,49 @@ from clpt_control.equations import Block
 from clpt_control.errors import DataError, DiagramError, ScenarioError
 from clpt_control.theory.proving.theorem_loop import AT_FIXES
 
+THETA = "flow.parameters~normal:0.1"
+GAIN = "learning.gain=0.2:2.0"
 
-def assert_members_are_runs(data, scenario, *keys):
+
+def assert_members_are_runs(data, scenario, *keys, **changes):
     """Each member's last errors are those of its own run."""
-    theta = np.array(scenario.flow.parameters)
     for member in data.member.values:
-        run = clpt.simulate(scenario.with_values({k: data[k].values[member] for k in keys}))
-        error = np.abs(run.flow_parameters_estimate.values[-1] - theta).max()
+        own = scenario.with_values({k: data[k].values[member] for k in keys})
+        run = clpt.simulate(clpt.closed_loop(own, **changes) if changes else own)
+        error = np.abs(run.flow_parameters_estimate.values[-1] - run.flow_parameters.values).max()
         assert float(data.flow_parameter_error[member, -1]) == pytest.approx(error, rel=1e-6)
         if "gain_error" not in data:
             continue
-        gains = np.concatenate([run.feedback_gain[-1], run.feedforward_gain[-1]])
-        wrong = np.abs(gains - 1.0).max()
+        true = own.vehicle.feedback, own.vehicle.feedforward
+        wrong = np.abs(np.array([run.feedback_gain[-1], run.feedforward_gain[-1]]) - true).max()
         assert float(data.gain_error[member, -1]) == pytest.approx(wrong, rel=1e-6, abs=1e-12)
 
 
+ONE_EACH = {"learning.gain": None, "learning.gains": EACH}
+NOISY = {  # noise of the flow and of the position begin with one seed, and change together
+    "flow.disturbance": {"kind": "noise", "amplitude": [0.05, 0.02], "period": 1.8},
+    "localization": {"noise": 0.02, "noise_period": 1.8},
+}
+SEEDS = ["flow.disturbance.seed", "localization.seed"]
+
+
 @pytest.mark.parametrize(
-    ("values", "key"),
+    ("values", "keys", "range_"),
     [
-        ({"learning.gain": None, "learning.gains": EACH}, "learning.gains.parameters"),
-        ({"learning.gain": None, "learning.gains": EACH}, "learning.gains.feedforward"),
-        (HELD, "learning.gain"),
-        (HELD, "learning.feedback"),
+        (ONE_EACH, ["learning.gains.parameters"], "0.2:2.0"),
+        (ONE_EACH, ["learning.gains.feedforward"], "0.2:2.0"),
+        (HELD, ["learning.gain"], "0.2:2.0"),
+        (HELD, ["learning.feedback"], "0.2:2.0"),
+        (NOISY, SEEDS, "[0, 1]"),
+        (NOISY, SEEDS[:1], "[0, 1]"),
+        (NOISY, ["flow.disturbance.period"], "[1.8, 2.5]"),
     ],
 )
-def test_gains_vary_one_by_one(quick, values, key):
+def test_keys_vary_one_by_one(quick, values, keys, range_):
     scenario = quick.with_values(values)
-    data = run_ensemble(scenario, f"{key}=0.2:2.0", 3)
-    assert_members_are_runs(data, scenario, key)
-    assert len(set(data.flow_parameter_error.values[:, -1])) == 3
+    data = run_ensemble(scenario, [f"{key}={range_}" for key in keys], 4)
+    assert_members_are_runs(data, scenario, *keys)
+    assert len(set(data.flow_parameter_error.values[:, -1])) >= 2
 
 
 BESIDE = {"switching-sigma", "e-modification", "dead-zone", "normalised-gradient"}
@@ -74,94 +87,7 @@ def test_every_law_makes_ensembles_and_its_settings_vary(quick, name):
     assert_members_are_runs(data, scenario, *varied)
 
 
-@pytest.mark.parametrize(
-    ("law", "key"), [("learned-flow", "learning.gain"), ("sigma", "learning.sigma.leak")]
-)
-def test_what_a_law_given_in_python_does_not_read_cannot_vary(quick, law, key):
-    scenario = quick.with_values({"learning.law": law, key: 0.5})
-    loop = clpt.closed_loop(scenario, law=law_blocks.remembering_law())
-    with pytest.raises(ScenarioError, match=f"^vary: {key} cannot vary; .* given in Python vary"):
-        run_ensemble(loop, f"{key}=0.2:2.0", 3)
-
-
-def test_a_part_of_ones_own_varies_where_the_loop_is_a_diagram(quick):
-    loop = clpt.closed_loop(quick, law=law_blocks.papers_law(name="adaptation"))
-    with pytest.raises(ScenarioError, match=r"^vary: adaptation.gain cannot vary; .* timepts"):
-        run_ensemble(loop, {"adaptation.gain": [0.5, 2.0]})
-    times = np.arange(1.0, 4.0)  # it runs from t = 0
-    data = run_ensemble(loop, {"adaptation.gain": [0.5, 2.0]}, timepts=times, trajectories=True)
-    alone = clpt.simulate(loop, times, params={"adaptation.gain": 2.0})
-    np.testing.assert_allclose(data.e[1], alone.clpe, atol=1e-12)
-    np.testing.assert_allclose(data.e_max[1], np.abs(alone.clpe).max("time"), atol=1e-12)
-    np.testing.assert_allclose(data.e_rms[1] ** 2, (alone.clpe**2).integrate("time") / 2)
-
-
-def test_a_block_takes_the_laws_place(quick, tmp_path):
-    law, given = law_blocks.remembering_law(), {"members": 12, "chunk": 4}
-    given["vary"] = "flow.parameters~normal:0.1"
-    data = run_ensemble(clpt.closed_loop(quick, law=law), threads=2, **given)
-    given["out"] = tmp_path / "e.zarr"
-    stored = run_ensemble(clpt.closed_loop(quick, law=law), **given)
-    assert_identical(stored, data)
-    for other in (None, law_blocks.remembering_law(gain=0.9), law_blocks.papers_law()):
-        with pytest.raises(DataError, match="holds an ensemble of"):
-            run_ensemble(clpt.closed_loop(quick, law=other), **given)
-
-
-@pytest.mark.processes
-@pytest.mark.skipif(not importlib.util.find_spec("distributed"), reason="Dask is not installed")
-def test_a_cluster_gets_the_block(quick, tmp_path):
-    loop = clpt.closed_loop(quick, law=law_blocks.papers_law(gain=1.1))
-    given = {"vary": "flow.parameters~normal:0.1", "members": 8, "chunk": 4}
-    here = run_ensemble(loop, **given)
-    data = run_ensemble(loop, out=tmp_path / "e.zarr", threads=1, dask="local", **given)
-    assert_identical(data, here)
-
-
-def without_states(t, x, u, p):
-    """alpha = 0, K = Gamma = 1, section III."""
-    return {"alpha": 0.0, "K": 1.0, "Gamma": 1.0}
-
-
-def test_what_members_cannot_be_summarised_from_is_refused(quick):
-    ports = {"alpha": 6, "K": 2, "Gamma": 2}
-    fixed = Block("fixed", output=without_states, outputs=ports)
-    with pytest.raises(DiagramError, match="fixed: alpha is no state of it"):
-        run_ensemble(clpt.closed_loop(quick, law=fixed), "flow.parameters~normal:0.1", 3)
-
-
-def test_an_ensemble_with_a_lag_is_runs_with_a_lag(quick, tmp_path):
-    lag = {("v_x", "vehicle"): control.tf(1, [0.5, 1], name="lag")}
-    key, values = "learning.gain", [0.4, 1.2]
-    for scenario in (quick, quick.with_values({"vehicle.max_speed": 3.0})):
-        data = run_ensemble(
-            clpt.closed_loop(scenario, insert=lag), f"{key}={values}", 2, design="grid"
-        )
-        for m, value in enumerate(values):
-            run = clpt.simulate(clpt.closed_loop(scenario.with_values({key: value}), insert=lag))
-            error = abs(run.flow_parameters_estimate[-1] - run.flow_parameters).max()
-            assert float(data.flow_parameter_error[m, -1]) == pytest.approx(float(error), abs=1e-6)
-    stored = {"vary": f"{key}=0.2:2.0", "members": 3, "out": tmp_path / "e.zarr"}
-    first, again = (run_ensemble(clpt.closed_loop(quick, insert=lag), **stored) for _ in range(2))
-    assert_identical(first, again)
-    slower = {("v_x", "vehicle"): control.tf(1, [0.6, 1], name="lag")}
-    for other in (None, slower):
-        with pytest.raises(DataError, match="holds an ensemble of"):
-            run_ensemble(clpt.closed_loop(quick, insert=other), **stored)
-
-
-def test_an_ensemble_refuses_what_is_not_compiled(quick):
-    saturation = control.nlsys(
-        None, lambda t, x, u, params: np.clip(u, -1, 1), inputs=2, outputs=2, name="saturation"
-    )
-    with pytest.raises(DiagramError, match="saturation: is a NonlinearIOSystem; an ensemble takes"):
-        run_ensemble(
-            clpt.closed_loop(quick, insert={"v_x": saturation}), "learning.gain=0.2:2.0", 3
-        )
-    ports = {"inputs": ["v_x[0]", "v_x[1]"], "outputs": ["x[0]", "x[1]"]}
-    boat = control.ss(-np.eye(2), np.eye(2), 2 * np.eye(2), 0, **ports, name="boat")
-    with pytest.raises(DiagramError, match="boat: x is no state of it"):
-        run_ensemble(clpt.closed_loop(quick, replace={"vehicle": boat}), "learning.gain=0.2:2.0", 3)
+# --- parts of one's own --------------------------------------------------------------------------
 
 
 def frozen_law(kept=None):
@@ -171,52 +97,101 @@ def frozen_law(kept=None):
         """All held, section III."""
         return np.zeros(10) * (kept is None)
 
-    own = law_blocks.papers_law()
+    own = papers_law()
     return Block("local", update=local, inputs=own.input_ports, states=own.state_ports)
 
 
-def test_a_law_made_in_place_runs_on_threads(quick):
-    vary = "flow.parameters~normal:0.1"
-    data = run_ensemble(clpt.closed_loop(quick, law=frozen_law()), vary, 3, trajectories=True)
-    for m, theta in enumerate(data["flow.parameters"].values):
-        own = quick.with_values({"flow.parameters": theta})
-        run = clpt.simulate(clpt.closed_loop(own, law=frozen_law()))
-        np.testing.assert_allclose(data.position[m], run.position, rtol=0, atol=1e-7)
+def halving():
+    """A part with a number that is equal to that of a key, and stays."""
+    ports = {"inputs": {"v_x": 2}, "outputs": {"y": 2}, "parameters": {"KD": np.ones(2)}}
+    return Block("part", output=lambda t, x, u, p: 0.5 * p.KD * u.v_x, **ports)
+
+
+def slow(tau):
+    return {"insert": {("v_x", "vehicle"): control.tf(1, [tau, 1], name="lag")}}
+
+
+@pytest.mark.parametrize(
+    ("changes", "values", "vary"),
+    [
+        (slow(0.5), {}, GAIN),
+        (slow(0.5), {"vehicle.max_speed": 3.0}, GAIN),
+        ({"law": frozen_law()}, {}, THETA),
+        ({"law": remembering_law()}, {}, THETA),
+        ({"insert": {("v_x", "vehicle"): halving()}}, {}, "vehicle.feedback=[[1, 1], [2, 0.5]]"),
+    ],
+)
+def test_members_with_parts_of_ones_own_are_runs_with_them(quick, changes, values, vary):
+    scenario = quick.with_values(values)
+    data = run_ensemble(clpt.closed_loop(scenario, **changes), vary, 2)
+    assert_members_are_runs(data, scenario, vary.split("=")[0].split("~")[0], **changes)
+
+
+@pytest.mark.parametrize(
+    ("own", "others"),
+    [
+        ({"law": remembering_law()}, [{"law": remembering_law(gain=0.9)}, {"law": papers_law()}]),
+        (slow(0.5), [slow(0.6)]),
+    ],
+)
+def test_a_folder_tells_parts_apart(quick, tmp_path, own, others):
+    given = {"vary": THETA, "members": 12, "chunk": 4}
+    data = run_ensemble(clpt.closed_loop(quick, **own), threads=2, **given)
+    given["out"] = tmp_path / "e.zarr"
+    for _ in range(2):
+        assert_identical(run_ensemble(clpt.closed_loop(quick, **own), **given), data)
+    for other in (*others, {}):
+        with pytest.raises(DataError, match="holds an ensemble of"):
+            run_ensemble(clpt.closed_loop(quick, **other), **given)
+
+
+def without_states(t, x, u, p):
+    """alpha = 0, K = Gamma = 1, section III."""
+    return {"alpha": 0.0, "K": 1.0, "Gamma": 1.0}
+
+
+FIXED = Block("fixed", output=without_states, outputs={"alpha": 6, "K": 2, "Gamma": 2})
+LIMIT = control.nlsys(None, lambda t, x, u, p: np.clip(u, -1, 1), inputs=2, outputs=2, name="limit")
+BOAT = control.ss(-np.eye(2), np.eye(2), 2 * np.eye(2), 0, name="boat")
+BOAT.set_inputs(["v_x[0]", "v_x[1]"])
+BOAT.set_outputs(["x[0]", "x[1]"])
+PAPERS = papers_law(name="adaptation")
+
+
+@pytest.mark.parametrize(
+    ("changes", "vary", "said"),
+    [
+        ({"law": FIXED}, THETA, "fixed: alpha is no state of it"),
+        ({"insert": {"v_x": LIMIT}}, GAIN, "limit: is a NonlinearIOSystem; an ensemble takes"),
+        ({"replace": {"vehicle": BOAT}}, GAIN, "boat: x is no state of it"),
+        ({"law": PAPERS}, GAIN, "^vary: learning.gain cannot vary; .* given in Python vary"),
+        ({"law": PAPERS}, "adaptation.gain=1:2", r"^vary: adaptation.gain cannot vary; .* timepts"),
+    ],
+)
+def test_what_members_cannot_be_made_of_is_refused(quick, changes, vary, said):
+    with pytest.raises((DiagramError, ScenarioError), match=said):
+        run_ensemble(clpt.closed_loop(quick, **changes), vary, 3)
+
+
+def test_what_a_law_given_in_python_does_not_read_cannot_vary(quick):
+    scenario = quick.with_values({"learning.law": "sigma", "learning.sigma.leak": 0.5})
+    loop = clpt.closed_loop(scenario, law=remembering_law())
+    with pytest.raises(ScenarioError, match=r"^vary: learning\.sigma\.leak cannot vary"):
+        run_ensemble(loop, "learning.sigma.leak=0.2:2.0", 3)
+
+
+def test_a_part_of_ones_own_varies_where_the_loop_is_a_diagram(quick):
+    loop, times = clpt.closed_loop(quick, law=PAPERS), np.arange(1.0, 4.0)  # it runs from t = 0
+    data = run_ensemble(loop, {"adaptation.gain": [0.5, 2.0]}, timepts=times, trajectories=True)
+    alone = clpt.simulate(loop, times, params={"adaptation.gain": 2.0})
+    np.testing.assert_allclose(data.e[1], alone.clpe, atol=1e-12)
+    np.testing.assert_allclose(data.e_max[1], np.abs(alone.clpe).max("time"), atol=1e-12)
+    np.testing.assert_allclose(data.e_rms[1] ** 2, (alone.clpe**2).integrate("time") / 2)
 
 
 @pytest.mark.skipif(not importlib.util.find_spec("distributed"), reason="Dask is not installed")
 def test_a_law_that_cannot_be_sent_is_refused(quick, tmp_path):
     loop = clpt.closed_loop(quick, law=frozen_law(threading.Lock()))
-    given = {"vary": "flow.parameters~normal:0.1", "members": 3, "out": tmp_path / "e.zarr"}
     with pytest.raises(DiagramError, match="local: cannot be sent to workers; define"):
-        run_ensemble(loop, dask="local", **given)
+        run_ensemble(loop, THETA, 3, out=tmp_path / "e.zarr", dask="local")
     assert not (tmp_path / "e.zarr").exists()
-
-
-def test_equal_numbers_of_two_keys_vary_apart(quick):
-    """Noise of the flow and of the position begin with one seed, and change together."""
-    noise = {"kind": "noise", "amplitude": [0.05, 0.02], "period": 1.8}
-    seen = {"noise": 0.02, "noise_period": 1.8}
-    noisy = quick.with_values({"flow.disturbance": noise, "localization": seen})
-    seeds = ["flow.disturbance.seed", "localization.seed"]
-    for keys, levels in ((seeds, [0, 1]), (["flow.disturbance.period"], [1.8, 2.5])):
-        data = run_ensemble(noisy, [f"{key}={levels}" for key in keys], 4)
-        assert_members_are_runs(data, noisy, *keys)
-
-
-def test_a_part_of_ones_own_keeps_numbers_that_are_equal_to_a_keys(quick):
-    def halved(t, x, u, p):
-        return 0.5 * p.KD * u.v_x
-
-    part = Block(
-        "part", output=halved, inputs={"v_x": 2}, outputs={"y": 2}, parameters={"KD": np.ones(2)}
-    )
-
-    def loop(scenario):
-        return clpt.closed_loop(scenario, insert={("v_x", "vehicle"): part})
-
-    key, values = "vehicle.feedback", [[1.0, 1.0], [2.0, 0.5]]
-    data = run_ensemble(loop(quick), {key: values}, trajectories=True)
-    for m, value in enumerate(values):
-        run = clpt.simulate(loop(quick.with_values({key: value})))
-        np.testing.assert_allclose(data.position[m], run.position, rtol=0, atol=1e-7)

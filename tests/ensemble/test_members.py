@@ -97,34 +97,12 @@ def test_a_member_has_the_same_bits_in_any_company(lanes):
 
 
 @pytest.mark.parametrize("lanes", [False, True])
-def test_a_member_that_fails_leaves_the_others_alone(lanes):
-    values = {"learning.position": np.zeros((9, 2)), "learning.gain": np.full(9, 0.8)}
-    ensemble = ensemble_of(values, lanes, 20)
-    members = ensemble.members(values)
-    healthy = ensemble.run(members, np.array([0.0, 20.0]))
-    members.x0[4, 2] = np.nan
-    found = ensemble.run(members, np.array([0.0, 20.0]))
-    assert list(found.status) == [1, 1, 1, 1, 3, 1, 1, 1, 1]
-    assert found.reached[4] == 1
-    others = np.arange(9) != 4
-    np.testing.assert_array_equal(found.states[others], healthy.states[others])
-    assert np.isnan(found.states[4, -1]).all()
-
-
-@pytest.mark.parametrize("lanes", [False, True])
 def test_a_stiff_member_does_not_hold_up_the_rest(lanes):
-    scenario = clpt.paper_scenario().with_values({"run.duration": 5})
-    ensemble = Ensemble(VariedScenario(scenario), ["learning.gain"])
-    ensemble.lanes = ensemble.lanes if lanes else 1
-    members = ensemble.members({"learning.gain": np.array([0.01, 1e9, 0.01])})
-    runs = Batch(
-        ensemble.native.callee(ensemble.lanes),
-        members.x0,
-        members.P,
-        np.array([0.0, 5.0]),
-        members.schedules,
-        members.group,
-    )
+    values = {"learning.gain": np.array([0.01, 1e9, 0.01])}
+    ensemble = ensemble_of(values, lanes, 5)
+    members = ensemble.members(values)
+    rows = members.x0, members.P, np.array([0.0, 5.0]), members.schedules, members.group
+    runs = Batch(ensemble.native.callee(ensemble.lanes), *rows)
     runs.adaptive(1e-8, 1e-10, most=40)
     assert list(runs.status) == [numbering.FINISHED, numbering.TOO_MANY, numbering.FINISHED]
     assert runs.counts[1, [0, 3]].sum() == 40
@@ -154,7 +132,14 @@ def test_every_way_in_which_a_member_ends_has_a_name():
     ends = [numbering.RUNNING, numbering.FINISHED, numbering.TOO_SMALL, numbering.NOT_FINITE]
     ends += [numbering.LEFT, numbering.TOO_MANY, numbering.CHATTERS]
     assert ends == list(range(len(STATUS)))
-    data = clpt.run_ensemble(PAPER.with_values({"run.duration": 20}), "learning.gain=1:2", 2)
+    vary = "vehicle.position=[[0, 0], [1e200, 0], [0, 0]]"
+    data = clpt.run_ensemble(PAPER.with_values({"run.duration": 20}), vary, 3, "grid")
     assert len(data.status.flag_values) == len(data.status.flag_meanings.split()) == len(STATUS)
+    assert np.isfinite(data.clpe_rms_whole).values.tolist() == [True, False, True]
+    assert float(data.end[1]) < 20 == float(data.end[0])
+    assert data.gain_error[0].values.tobytes() == data.gain_error[2].values.tobytes()
     data.status[1] = numbering.CHATTERS
-    assert ensemble_summary(data)["ended"] == {"finished": 1, "chatters": 1}
+    summary = ensemble_summary(data)
+    assert summary["ended"] == {"finished": 2, "chatters": 1}
+    assert summary["first_failed"] == 1
+    assert summary["units"] == {"length": "m", "time": "s"}

@@ -1,16 +1,18 @@
-"""`dataset.clpt`: there whichever import came first, and one sentence for what is not ours."""
+"""`dataset.clpt`: there whichever import came first; a run as a table; what is not ours."""
 
+import csv
 import subprocess
 import sys
 
+import control
 import numpy as np
 import pytest
 import xarray
 from made_fields import uniform_field
+from scipy.io import loadmat
 
 import clpt_control as clpt
 
-SCENARIO = clpt.paper_scenario().with_values({"run.duration": 40.0})
 ORDERS = (
     "import clpt_control, xarray",
     "import xarray, clpt_control",
@@ -25,68 +27,55 @@ def test_it_is_there_whichever_was_imported_first(order):
     subprocess.run([sys.executable, "-W", "error", "-c", code], check=True)
 
 
-def test_a_run_and_its_file_as_xarray_opens_it(tmp_path):
-    run = clpt.simulate(SCENARIO)
+def test_a_run_and_its_file_as_xarray_opens_it(made, scenario, tmp_path):
+    run = made["run"]
     clpt.save_run(run, tmp_path / "run.nc")
     with xarray.open_dataset(tmp_path / "run.nc") as opened:
         for one in (opened, run.isel(time=slice(3, 20))):
             assert one.clpt.kind == "run"
-            assert one.clpt.scenario == SCENARIO
+            assert one.clpt.scenario == scenario
             assert len(one.clpt.plot()) == 7
-        made = clpt.report(opened.isel(time=[-1]), tmp_path / "page.html")
-    assert made["kind"] == "Run of a scenario"
+        report = clpt.report(opened.isel(time=[-1]), tmp_path / "page.html")
+    assert report["kind"] == "Run of a scenario"
 
 
-def test_a_field_is_found_from_the_file_alone(tmp_path):
+def test_a_field_is_found_from_the_file_alone(scenario, tmp_path):
     """The scenario's field is relative to its file, also for xarray's own opening."""
     uniform_field(tmp_path / "field.nc")
-    scenario = SCENARIO.with_values({"flow": {"field": str(tmp_path / "field.nc")}})
-    clpt.save_scenario(scenario, tmp_path / "s.toml")
-    run = clpt.simulate(clpt.load_scenario(tmp_path / "s.toml"))
-    clpt.save_run(run, tmp_path / "run.nc")
+    flow = {"flow": {"field": str(tmp_path / "field.nc")}}
+    clpt.save_scenario(scenario.with_values(flow), tmp_path / "s.toml")
+    loaded, vary = clpt.load_scenario(tmp_path / "s.toml"), "learning.gain=0.2:2.0"
+    clpt.save_run(clpt.simulate(loaded), tmp_path / "run.nc")
     with xarray.open_dataset(tmp_path / "run.nc") as opened:
         assert clpt.simulation.track_plot(opened).has_data()
-    loaded, vary = clpt.load_scenario(tmp_path / "s.toml"), "learning.gain=0.2:2.0"
     for out in (None, tmp_path / "e.zarr"):
         data = clpt.ensemble.run_ensemble(loaded, vary, 2, out=out)
         assert data.clpt.scenario.field_path.is_file()
     assert xarray.open_zarr(out, consolidated=False).clpt.scenario.field_path.is_file()
 
 
-def test_teams_ensembles_and_replays(tmp_path):
-    dives, _ = clpt.gliders.usable(clpt.gliders.sample_dives())
-    replay = clpt.replay.replay_dives(dives[:5])
-    data = clpt.replay.replay_dataset(replay)
-    team = clpt.Team(members={"a": SCENARIO, "b": SCENARIO}, coupling=0.5)
-    made = {
-        "team": (clpt.simulate(team), 3),
-        "ensemble": (clpt.ensemble.run_ensemble(SCENARIO, "learning.gain=0.2:2.0", 2), 2),
-        "replay": (data, 5),
-    }
-    for kind, (one, count) in made.items():
+def test_teams_ensembles_and_replays(made, scenario, tmp_path):
+    replay, data = made["replay"], clpt.replay.replay_dataset(made["replay"])
+    for kind, one, count in (
+        ("team", made["team"], 3),
+        ("ensemble", made["ensemble"], 2),
+        ("replay", data, 5),
+    ):
         assert one.clpt.kind == kind
         assert len(one.clpt.plot()) == count
         assert f"clpt of a dataset: {kind}" in repr(one.clpt)
-    assert made["team"][0].clpt.scenario == team
-    assert made["ensemble"][0].clpt.scenario == SCENARIO
+    assert [*made["team"].clpt.scenario.members.values()] == [scenario, scenario]
+    assert made["ensemble"].clpt.scenario == scenario
     data.to_netcdf(tmp_path / "replay.nc")
     with xarray.open_dataset(tmp_path / "replay.nc") as opened:  # times decoded
-        for of_data, of_replay in zip(
-            clpt.replay.current_plot(opened), clpt.replay.current_plot(replay), strict=True
-        ):
-            for a, b in zip(of_data.lines, of_replay.lines, strict=True):
-                np.testing.assert_array_equal(a.get_xydata(), b.get_xydata())
-        shown, own = clpt.replay.map_plot(opened), clpt.replay.map_plot(replay)
-        assert shown.get_title(loc="left") == own.get_title(loc="left")
-        for a, b in zip(shown.lines, own.lines, strict=True):
-            np.testing.assert_allclose(a.get_xydata(), b.get_xydata(), atol=1e-3)
-        heights = [line.get_ydata() for line in clpt.replay.dive_clpe_plot(opened).lines]
-        np.testing.assert_array_equal(
-            heights, [line.get_ydata() for line in clpt.replay.dive_clpe_plot(replay).lines]
-        )
+        for plot in (clpt.replay.current_plot, clpt.replay.map_plot, clpt.replay.dive_clpe_plot):
+            for of_data, own in zip(np.ravel(plot(opened)), np.ravel(plot(replay)), strict=True):
+                assert of_data.get_title(loc="left") == own.get_title(loc="left")
+                for a, b in zip(of_data.lines, own.lines, strict=True):
+                    np.testing.assert_allclose(a.get_ydata(), b.get_ydata(), atol=1e-3)
 
 
-def test_what_is_not_ours_is_one_sentence():
+def test_what_is_not_ours_is_one_sentence(made):
     foreign = xarray.Dataset({"a": 1})
     assert repr(foreign.clpt) == "<clpt of a dataset: none of clpt's>"
     for ask in (
@@ -96,15 +85,15 @@ def test_what_is_not_ours_is_one_sentence():
         lambda: clpt.replay.map_plot(foreign),
         lambda: clpt.animate(foreign),
         lambda: clpt.report(foreign, "page.html"),
-        lambda: clpt.replay.map_plot(clpt.simulate(SCENARIO)),
+        lambda: clpt.replay.map_plot(made["run"]),
     ):
         with pytest.raises(clpt.ClptError) as caught:
             ask()
         assert "\n" not in str(caught.value)
 
 
-def test_a_run_is_linearized_at_one_of_its_times():
-    scenario = clpt.theory.started_true(SCENARIO)
+def test_a_run_is_linearized_at_one_of_its_times(scenario):
+    scenario = clpt.theory.started_true(scenario)
     run = clpt.simulate(scenario)
     made = run.clpt.linearize(10.0, input="zc", output="x", minimal=True)
     steered = clpt.closed_loop(scenario, external="zc")
@@ -122,3 +111,101 @@ def test_a_run_is_linearized_at_one_of_its_times():
     changed = clpt.simulate(scenario, params={"basis_x.widths": [1.0, 2.0, 3.0]})
     with pytest.raises(clpt.DataError, match="does not hold its diagram"):
         changed.clpt.linearize(10.0)
+
+
+# --- a run as a table, read back by csv and by scipy.io.loadmat ----------------------------------
+
+TIMES = np.linspace(0.0, 2.0, 11)
+
+
+def run_of_a_diagram(ports=("h", "q"), units=None):
+    state, u = ports
+    block = clpt.Block(
+        "tank",
+        update=lambda t, x, u_, p: [u_[0] - x[0], x[0] - x[1]],
+        inputs={u: 1},
+        states={state: 2},
+        units=units,
+    )
+    return clpt.simulate(block, TIMES, np.sin(TIMES))
+
+
+def test_a_csv_file_is_the_run_to_the_last_digit(tmp_path):
+    run = run_of_a_diagram(units={"h": "m", "q": "m3/s"})
+    table = run.clpt.table(tmp_path / "run.csv")
+    with (tmp_path / "run.csv").open(newline="") as file:
+        head, *rows = csv.reader(file)
+    assert head == [*table.columns] == ["time", "h[0] (m)", "h[1] (m)", "q (m3/s)"]
+    read = np.array(rows, dtype=float)
+    np.testing.assert_array_equal(read, table)
+    own = [run.time, run.h.sel(h_index=0), run.h.sel(h_index=1), run.q]
+    np.testing.assert_array_equal(read.T, own)
+
+
+def test_a_mat_file_has_a_matrix_for_each_port(tmp_path):
+    run = run_of_a_diagram(units={"h": "m"})
+    run.clpt.table(tmp_path / "run.mat")
+    read = loadmat(tmp_path / "run.mat", simplify_cells=True)
+    assert {name for name in read if name[0] != "_"} == {
+        *("time", "h", "q", "units", "signals", "title")
+    }
+    np.testing.assert_array_equal(read["time"], TIMES)
+    np.testing.assert_array_equal(read["h"], run.h)
+    np.testing.assert_array_equal(read["q"], run.q)
+    assert read["title"] == "Response of tank"
+    assert read["units"]["h"] == "m"
+    assert not len(read["units"]["q"])
+    assert read["signals"]["h"].tolist() == ["h[0]", "h[1]"]
+    shapes = loadmat(tmp_path / "run.mat")
+    assert shapes["time"].shape == (11, 1)
+    assert shapes["h"].shape == (11, 2)
+    assert shapes["q"].shape == (11, 1)
+
+
+def test_a_run_of_a_scenario_and_of_a_team(made, tmp_path):
+    run, both = made["run"], made["team"]
+    table = run.clpt.table(tmp_path / "run.mat")
+    read = loadmat(tmp_path / "run.mat", simplify_cells=True)
+    np.testing.assert_array_equal(read["alpha"], run.alpha.values.reshape(len(run.time), -1))
+    assert read["signals"]["alpha"][4] == "alpha axis 2 basis 2"
+    assert [*table.columns[:3]] == ["time (s)", "position axis 1 (m)", "position axis 2 (m)"]
+    assert "flow_parameters" not in read  # which are no signals
+    own = both.position.sel(vehicle="b", axis=1)
+    np.testing.assert_array_equal(both.clpt.table()["position vehicle b axis 1 (m)"], own)
+
+
+@pytest.mark.parametrize(
+    ("h", "q", "names"),
+    [
+        ("_e", "q", {"x__e", "q"}),
+        ("x" * 80, "q", {"x" * 60, "q"}),
+        ("\u00fc", "q", {"x__", "q"}),
+        ("a b", "a_b", {"a_b", "a_b_"}),
+    ],
+)
+def test_names_are_those_that_matlab_allows(tmp_path, h, q, names):
+    run = run_of_a_diagram().rename(h=h, q=q)
+    run.clpt.table(tmp_path / "run.mat")
+    read = {name for name in loadmat(tmp_path / "run.mat") if name[:2] != "__"}
+    assert read - {"time", "units", "signals", "title"} == names
+
+
+def test_it_refuses_in_a_sentence(tmp_path):
+    run = run_of_a_diagram()
+    for path in (tmp_path / "run.xls", tmp_path / "nowhere/run.csv", tmp_path / "nowhere/run.mat"):
+        with pytest.raises(clpt.DataError) as caught:
+            run.clpt.table(path)
+        assert "\n" not in str(caught.value)
+    for none in (run.isel(time=3), run.rename(h="time", time="t")):
+        with pytest.raises(clpt.DataError, match="no signal along time"):
+            none.clpt.table()
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_columns_of_members_name_what_varied():
+    lag = control.ss(-1, 1, 1, 0, inputs="u", outputs="y", name="lag")
+    times = np.linspace(0.0, 1.0, 3)
+    data = clpt.run_ensemble(lag, {"u": [1, 2]}, timepts=times, trajectories=True)
+    table = data.clpt.table()
+    assert [*table.columns] == ["time", "y u 1.0", "y u 2.0"]
+    np.testing.assert_allclose(table.values[:, 2], 2.0 * (1.0 - np.exp(-times)), atol=1e-6)

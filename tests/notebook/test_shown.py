@@ -3,7 +3,6 @@
 import re
 from dataclasses import replace
 
-import numpy as np
 import pytest
 from html_reader import Reader
 
@@ -63,36 +62,23 @@ def test_a_thing_shows_itself(made, name):
     assert not re.search(own, html)  # takes the page's colour
 
 
-def test_what_has_no_table_says_itself_in_one_line():
-    hours = np.arange(721)
-    dates = np.datetime64("2019-01-01") + hours.astype("m8[h]")
-    wave = np.cos(np.radians(28.984104) * hours)
+def test_what_has_no_table_says_itself_in_one_line(made):
     run = clpt.simulate(clpt.paper_scenario().with_values({"run.duration": 20}))
-    of_sample = clpt.currents.read_record(clpt.currents.sample_currents(), at=(41.2, -69.5))
-    things = {
-        "CurrentRecord of maracoos_hfr_2019-01-01.nc: 24 times": of_sample,
-        "TidalFit of 721 samples over 720 h: M2": clpt.currents.fit_tides(
-            dates, wave, 0.5 * wave, 41.0, ["M2"]
-        ),
+    for said, thing in {
         "FlowEstimate: theta ": clpt.estimation.flow_estimate(run, "kalman"),
         "Search of learned-flow: not refuted in ": clpt.refute("learned-flow", budget=0.5),
         "NativeDiagram: 1 blocks, 1 states": clpt.native.compile(clpt.parts.lag(1.0)),
-    }
-    dives = clpt.replay.replay_dives(clpt.gliders.sample_dives())
-    things["NextDive: up 2016-02-03 14:21 UTC +- "] = clpt.replay.next_dive(dives)
-    things["Aim: aim at 42 48.00 S 8 24.00 E"] = clpt.replay.aims(dives, [(-42.8, 8.4)])[0]
-    for said, thing in things.items():
+        "NextDive: up 2016-02-01 ": clpt.replay.next_dive(made["Replay"]),
+        "Aim: aim at 42 48.00 S 8 24.00 E": clpt.replay.aims(made["Replay"], [(-42.8, 8.4)])[0],
+    }.items():
         assert repr(thing).startswith(f"<{said}"), repr(thing)
         assert len(repr(thing)) < 300
 
 
-def test_names_are_shown_as_they_are(made):
-    assert "&lt;b onload=&quot;x&quot;&gt;&amp;" in made["Scenario"]._repr_html_()
-    assert "&lt;b onload=&quot;x&quot;&gt;&amp;" in made["Replay"]._repr_html_()
+def test_names_are_shown_as_they_are_and_keys_that_were_given(made):
+    for name in ("Scenario", "Replay"):
+        assert "&lt;b onload=&quot;x&quot;&gt;&amp;" in made[name]._repr_html_()
     assert "d&lt;i&gt;" in made["Diagram"]._repr_html_()
-
-
-def test_a_scenario_shows_the_keys_it_was_given(made):
     html = made["Scenario"]._repr_html_()
     assert "learning.gain</th><td>0.8<" in html
     assert "run.duration</th><td>60" in html
@@ -119,9 +105,3 @@ def test_what_cannot_be_wired_says_why():
     assert "<svg" not in circle._repr_html_()
     assert "<p>" in circle._repr_html_()
     assert repr(circle).startswith("<Diagram circle: 2 blocks")
-
-
-def test_what_is_no_diagram_is_one_sentence():
-    for given in ("loop", None, clpt.paper_scenario()):
-        with pytest.raises(clpt.ClptError, match=r"must be a diagram; clpt\.closed_loop"):
-            clpt.draw(given)

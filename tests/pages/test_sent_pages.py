@@ -7,11 +7,12 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 import xarray
-from html_reader import Reader, fetching_nothing
+from html_reader import fetching_nothing
 from matplotlib.figure import Figure
 from synthetic_vehicle import fixes_of
 
 import clpt_control as clpt
+from clpt_control.ensemble.store import Store
 from clpt_control.errors import ClptError, DataError
 from clpt_control.figures import inline_svg, new_figure
 from clpt_control.pages.page import page_html
@@ -21,24 +22,8 @@ from clpt_control.simulation.summary import run_and_report
 
 EVIL = "</title></style><script>alert(1)</script><img src=x onerror='alert(2)'>\"&amp;"
 SECTIONS = ["achieved", "loop", "track", "clpe", "learning", "excitation", "scenario", "versions"]
+VARY = "learning.gain=0.2:2.0"
 SHORT = clpt.paper_scenario().with_values({"run.duration": 40, "title": "Two waypoints"})
-
-
-def many(N):
-    """The paper's vehicle in a flow of N functions."""
-    spread = np.random.default_rng(0).uniform(-5, 5, (N, 2)).tolist()
-    return SHORT.with_values(
-        {
-            "basis.centers": spread,
-            "basis.widths": [5.0] * N,
-            "basis.periods": [float("inf")] * N,
-            "basis.phases": None,
-            "flow.parameters": np.full((2, N), 0.1),
-            "model.parameters": None,
-            "learning.parameters": None,
-            "run.duration": 60,
-        }
-    )
 
 
 @pytest.fixture(scope="module")
@@ -92,10 +77,9 @@ def test_a_run_has_its_page(page):
     ids = [names["id"] for tag, names in read.tags if tag == "h2"]
     assert ids == SECTIONS
     assert [tag for tag, _ in read.tags].count("svg") == 7
+    assert {"adaptation", "gain (1/s)"} <= set(read.texts)  # of figures
     text = " ".join(read.texts)
-    assert (
-        "at 10 waypoints, 20 s at each, for 40 s in a flow of 3 functions; law learned-flow" in text
-    )
+    assert "at 10 waypoints, 20 s at each, for 40 s in a flow of 3 functions; law learn" in text
     assert "gain = 0.8" in text
     assert len(page) < 1_000_000
 
@@ -106,12 +90,6 @@ def test_each_figure_of_a_run_has_words_of_its_own(run):
     assert len(captions) == len(set(captions.values()))
 
 
-def test_texts_of_a_figure_stay_texts(page):
-    texts = Reader(page).texts
-    assert "adaptation" in texts
-    assert "gain (1/s)" in texts
-
-
 def test_nothing_of_a_run_is_markup(run, monkeypatch):
     monkeypatch.setattr("clpt_control.pages.page.inline_svg", lambda *_: "")
     scenario = run.attrs["scenario"].replace("Two waypoints", EVIL.replace('"', '\\"'))
@@ -120,28 +98,13 @@ def test_nothing_of_a_run_is_markup(run, monkeypatch):
     assert sum(EVIL in text for text in read.texts) >= 4
 
 
-@pytest.mark.parametrize("name", ["clpe", "alpha", "feedback_gain", "flow_parameters_estimate"])
-def test_a_number_that_is_none_is_refused(run, name):
-    bad = run.copy(deep=True)
-    bad[name][-1] = np.nan
-    if name == "alpha":  # not shown
-        page_of(bad)
-        return
-    with pytest.raises(DataError, match=f"run's {name} holds what is no finite number"):
-        page_of(bad)
-
-
-def test_what_is_no_run_is_refused(run, tmp_path):
-    for bad, said in (
-        (run.drop_vars("position"), "has no position over time, axis"),
-        (run.rename(axis="side"), "has no position over time, axis"),
-        (run.isel(time=slice(0)), "has no sample"),
-        (run.drop_attrs(), "carries no scenario"),
-        (3, "run = 3: must be"),
-    ):
-        with pytest.raises(ClptError, match=said):
-            clpt.report(bad, tmp_path / "r.html")
-    assert list(tmp_path.iterdir()) == []
+def test_a_number_that_is_none_is_refused(run):
+    for name in ("clpe", "feedback_gain", "flow_parameters_estimate"):
+        bad = run.copy(deep=True)
+        bad[name][-1] = np.nan
+        with pytest.raises(DataError, match=f"run's {name} holds what is no finite number"):
+            page_of(bad)
+    page_of(run.assign(alpha=run.alpha.where(run.time > 30)))  # not shown
 
 
 def test_one_sample_is_said(run):
@@ -160,30 +123,26 @@ def test_two_samples_of_a_vehicle_at_rest_in_still_water_are_drawn():
 
 
 @pytest.mark.slow
-def test_fifty_functions_and_many_samples_stay_small():
-    run = clpt.simulate(many(50))
-    long = run.interp(time=np.linspace(0, 60, 60_001)).assign(flow_parameters=run.flow_parameters)
+def test_many_samples_stay_small(run):
+    long = run.interp(time=np.linspace(0, 40, 60_001)).assign(flow_parameters=run.flow_parameters)
     text = page_html(page_of(long))
     checked(text)
     assert "Drawn from 1 in 11 of 60001 samples" in text
     assert len(text) < 2_000_000
 
 
-def test_a_run_that_ended_early_says_so(run):
-    text = words(run.assign_attrs(status="stopped", message="it left the field"))
-    assert "The run ended early: it left the field." in text
-
-
 def test_what_the_scenario_does_not_hold_is_said(run):
-    text = words(run.assign_attrs(own_law="mine"))
-    assert "what its scenario does not hold: a law given in Python, mine" in text
-    changed = words(run.assign_attrs(parameters_changed='{"a.b": 1}'))
     steered = clpt.closed_loop(SHORT, external=("zc",))
     times, start = np.linspace(0, 40, 41), clpt.initial_state(SHORT)
-    steps = words(clpt.simulate(steered, times, inputs=[3, 0], initial_state=start))
-    assert "may be others than drawn" in steps
-    assert "Eigenvalues" not in steps
-    assert "what its scenario does not hold: parameters given at call time, {" in changed
+    steps = clpt.simulate(steered, times, inputs=[3, 0], initial_state=start)
+    assert "Eigenvalues" not in words(steps)
+    for data, said in (
+        (steps, "may be others than drawn"),
+        (run.assign_attrs(own_law="mine"), "does not hold: a law given in Python, mine"),
+        (run.assign_attrs(parameters_changed='{"a.b": 1}'), "hold: parameters given at call time"),
+        (run.assign_attrs(status="stopped", message="it left"), "The run ended early: it left."),
+    ):
+        assert said in words(data)
 
 
 @pytest.fixture(scope="module")
@@ -238,6 +197,49 @@ def test_damaged_figures_of_a_run_are_not_believed(damage, found):
     assert "samples of the file" in words(found.run.assign_attrs(summary=json.dumps(summary)))
 
 
+def test_an_ensemble_has_its_page_and_figures(printed, tmp_path):
+    out, page, folder = tmp_path / "e.zarr", tmp_path / "r.html", tmp_path / "f"
+    clpt.run_ensemble(SHORT, VARY, 6, out=out)
+    found = printed("report", out, "-o", page, "--figures", folder)
+    text = page.read_text("utf-8")
+    checked(text)
+    assert "6 finished" in text
+    assert "=0.2:2.0" in text
+    assert found["bytes"] == page.stat().st_size
+    names = [str(folder / f"ensemble.{kind}") for kind in ("pdf", "svg")]
+    assert sorted(found["figures"]) == sorted(map(str, folder.iterdir())) == names
+
+
+def test_an_ensemble_that_failed_has_its_page():
+    long = SHORT.with_values({"run.duration": 250})
+    text = words(clpt.run_ensemble(long, "vehicle.position=[[1e200,0],[1e201,0]]", 2))
+    assert "2 of 2 runs did not come to their end" in text
+    assert "2 step too small" in text
+    assert "the first member that did not finish is 0" in text
+
+
+@pytest.mark.parametrize("done", [0, 1])
+def test_an_ensemble_under_way_says_how_far_it_is(tmp_path, monkeypatch, done):
+    write, count = Store.write, []
+
+    def stops(self, index, arrays):
+        if len(count) == done:
+            raise KeyboardInterrupt
+        count.append(index)
+        write(self, index, arrays)
+
+    monkeypatch.setattr(Store, "write", stops)
+    # a process that is killed removes nothing
+    monkeypatch.setattr("clpt_control.ensemble.run.remove_empty", lambda store: None)
+    with pytest.raises(KeyboardInterrupt):
+        clpt.run_ensemble(SHORT, VARY, 6, out=tmp_path / "e.zarr", chunk=2, threads=1)
+    said = clpt.report(tmp_path / "e.zarr", tmp_path / "e.html")["sentences"]
+    text = (tmp_path / "e.html").read_text("utf-8")
+    checked(text)
+    for told in (text, said[1]):  # on the page, and where the command ran
+        assert f"not complete: {2 * done} of 6 members are done" in told
+
+
 def test_a_team_has_its_page(tmp_path):
     team = clpt.Team(members={"a": SHORT, "b": SHORT}, coupling=0.5)
     clpt.save_run(clpt.simulate(team), tmp_path / "team.nc")
@@ -254,29 +256,16 @@ def test_a_replay_has_the_page_of_the_watch(tmp_path):
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_the_command_looks_at_what_a_file_is(clpt, tmp_path):
-    clpt("replay", "--sample", "--out", tmp_path / "replay")
-    page = (tmp_path / "replay" / "replay.html").read_bytes()
-    assert (
-        clpt("report", tmp_path / "replay" / "replay.nc", "-o", tmp_path / "again.html").status == 0
-    )
-    assert (tmp_path / "again.html").read_bytes() == page
-
-
-@pytest.mark.usefixtures("undrawn")
-def test_figures_have_the_formats_that_are_asked_for(run, clpt, tmp_path):
+def test_the_command_looks_at_what_a_file_is_and_figures_have_their_formats(run, clpt, tmp_path):
+    twice = ("--format", "svg", "--format", "pdf", "--format", "svg")
+    out, again = tmp_path / "replay", tmp_path / "again.html"
+    assert clpt("replay", "--sample", "--out", out, *twice).status == 0
+    drawn = {path.name for path in out.iterdir() if path.suffix in (".svg", ".pdf", ".png")}
+    assert drawn == {f"{n}.{k}" for n in ("map", "clpe", "current") for k in ("svg", "pdf")}
+    assert clpt("report", out / "replay.nc", "-o", again).status == 0
+    assert again.read_bytes() == (out / "replay.html").read_bytes()
     with pytest.raises(ClptError, match="format 'gif': must be one of png, pdf, svg"):
         report(run, tmp_path / "r.html", figures=tmp_path, formats=["gif"])
-    twice = ("--format", "svg", "--format", "pdf", "--format", "svg")
-    assert clpt("replay", "--sample", "--out", tmp_path / "p", *twice).status == 0
-    drawn = {path.name for path in (tmp_path / "p").iterdir() if "." in path.name}
-    assert {f"{n}.{k}" for n in ("map", "clpe", "current") for k in ("svg", "pdf")} <= drawn
-    assert not [name for name in drawn if name.endswith(".png")]
-    clpt("init", tmp_path / "s.toml")
-    words = ("run", tmp_path / "s.toml", "--out", tmp_path / "r.nc", "--figures", tmp_path / "f")
-    assert "finished" in clpt(*words, "--format", "svg").out
-    names = sorted(path.name for path in (tmp_path / "f").iterdir())
-    assert names == [f"figure{k}.svg" for k in (1, 2, 3, 4)]
 
 
 NO_PAGE = {  # name -> (content, words of the line)
@@ -299,8 +288,8 @@ def test_what_cannot_be_read_is_one_sentence(run, refused, tmp_path):
     (tmp_path / "folder").mkdir()
     (tmp_path / "folder" / "run.nc").write_bytes(whole)
     for name, (summary, said) in NO_SUMMARY.items():
-        replay = xarray.Dataset({"summary": ((), summary), "clpe_adaptive": ("dive", [1.0])})
-        replay.to_netcdf(tmp_path / name)
+        held = {"summary": ((), summary), "clpe_adaptive": ("dive", [1.0])}
+        xarray.Dataset(held, attrs={"estimator": "kalman"}).to_netcdf(tmp_path / name)
         assert said in refused("report", tmp_path / name, "-o", tmp_path / "r.html")
     for name, (content, said) in {
         **NO_PAGE,

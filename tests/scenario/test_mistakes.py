@@ -1,4 +1,4 @@
-"""Every way to make a scenario: a wrong value is a ScenarioError of one sentence."""
+"""Every way to make a scenario or a team: a wrong value is a ScenarioError of one sentence."""
 
 import copy
 import pickle
@@ -8,6 +8,8 @@ from typing import get_args
 import numpy as np
 import pytest
 from law_blocks import EACH
+from strait import DIFFERENT, FILE, ROW, team, vehicle
+from strait import PAPER as STRAIT
 
 import clpt_control as clpt
 from clpt_control.blocks import disturbance, flow
@@ -17,18 +19,15 @@ from clpt_control.scenario.file import scenario_to_text
 from clpt_control.scenario.learning import KINDS, Learning
 from clpt_control.scenario.quantities import CALL_TIME_NAMES
 from clpt_control.scenario.tables import Disturbance, Kernel
+from clpt_control.scenario.team import system_from_text, team_to_text
 from clpt_control.theory.proving.theorem_loop import AT_FIXES
 
 PAPER = clpt.paper_scenario()
 WRONG = {
     "learning.gain = -1: must be": {"learning": {"gain": -1}},
-    "learning.gain = 1e-320: must be 0, if allowed, or between": {"learning": {"gain": 1e-320}},
-    "basis.widths": {"basis": {"widths": [1.0]}},
     "unknown key flow.disturbance.perod; did you mean period?": {
         "flow": {"disturbance": {"kind": "sine", "amplitude": [1.0, 0.0], "period": 1, "perod": 2}}
     },
-    "unknown key lerning; did you mean learning?": {"lerning": {}},
-    "basis = 3: must be a table of keys": {"basis": 3},
     "adaptation.gain is the name at call time.* key is learning.gain": {"adaptation": {"gain": 2}},
 }
 
@@ -48,7 +47,7 @@ def wait_for_error(make, words):
 
 
 @pytest.mark.parametrize("words", WRONG)
-def test_a_wrong_value_is_one_sentence(words, tmp_path):
+def test_a_wrong_value_is_one_sentence(words):
     tables = document(WRONG[words])
     wait_for_error(lambda: clpt.Scenario(**tables), words)
     wait_for_error(lambda: clpt.Scenario.model_validate(tables), words)
@@ -68,31 +67,36 @@ def test_a_table_of_its_own_is_checked_too():
     wait_for_error(lambda: PAPER.with_values({"learning.gain.x": 2}), "gain is no table")
 
 
-def test_a_right_scenario_is_the_same_by_every_way():
+def test_a_right_scenario_is_the_same_by_every_way(tmp_path):
     assert clpt.Scenario(**document()) == PAPER == clpt.Scenario.model_validate(document())
     assert pickle.loads(pickle.dumps(PAPER)) == PAPER == copy.deepcopy(PAPER)
+    clpt.save_scenario(PAPER, file := tmp_path / "mine.toml")
+    file.write_bytes(b"\xef\xbb\xbf" + file.read_bytes())  # a byte order mark
+    assert clpt.load_scenario(file) == PAPER
+
+
+NOISE = {"kind": "noise", "amplitude": [0.1, 0.0], "period": 2.0}
+KNOWN = {"learning.law": "known-flow", "learning.parameters": None}
+KNOWN |= {"learning.theta_estimate": [[1, 1, 1]] * 2}
+
+
+def where_it_is(key):
+    """Return what else a scenario has that has a key."""
+    if "disturbance" in key:
+        return {"flow.disturbance": NOISE}
+    if key in ("localization.interval", "localization.latency", "localization.dropouts"):
+        return {"learning.law": "fix-regression", **AT_FIXES}
+    if "localization" in key:
+        return {"localization": {"noise": 0.1, "noise_period": 2.0}}
+    if key.startswith("learning.gains."):
+        return {"learning.gain": None, "learning.gains": EACH}
+    of_key = {"vehicle.max_speed": {"vehicle.max_speed": 1.5}, "learning.theta_estimate": KNOWN}
+    return of_key.get(key, {})
 
 
 @pytest.mark.parametrize("key", CALL_TIME_NAMES)
 def test_an_error_about_one_name_says_the_other(key):
-    scenario = PAPER
-    if "disturbance" in key:
-        square = {"kind": "square", "amplitude": [0.1, 0.0], "period": 2.0}
-        scenario = scenario.with_values({"flow.disturbance": square})
-    if key == "flow.disturbance.seed":
-        scenario = scenario.with_values({"flow.disturbance.kind": "noise"})
-    if key == "vehicle.max_speed":
-        scenario = scenario.with_values({key: 1.5})
-    if "localization" in key:
-        scenario = scenario.with_values({"localization": {"noise": 0.1, "noise_period": 2.0}})
-    if key in ("localization.interval", "localization.latency", "localization.dropouts"):
-        scenario = PAPER.with_values({"learning.law": "fix-regression", **AT_FIXES})
-    if key == "learning.theta_estimate":
-        law = {"learning.law": "known-flow", "learning.parameters": None, key: [[1, 1, 1]] * 2}
-        scenario = scenario.with_values(law)
-    if key.startswith("learning.gains."):
-        each = {"parameters": 0.8, "feedback": 0.5, "feedforward": 0.4}
-        scenario = scenario.with_values({"learning.gain": None, "learning.gains": each})
+    scenario = PAPER.with_values(where_it_is(key))
     loop = clpt.closed_loop(scenario)
     parameters = {
         f"{block.name}.{field}": value
@@ -116,14 +120,8 @@ def test_an_error_about_one_name_says_the_other(key):
         scenario.with_values({known[0]: value})
 
 
-def test_a_byte_order_mark_is_no_mistake(tmp_path):
-    file = tmp_path / "mine.toml"
-    clpt.save_scenario(PAPER, file)
-    file.write_bytes(b"\xef\xbb\xbf" + file.read_bytes())
-    assert clpt.load_scenario(file) == PAPER
-
-
 NONE = {"learning.gain": None}
+UNUSED = r"parameters: .* adapts feedback, feedforward here"
 
 
 @pytest.mark.parametrize(
@@ -147,28 +145,13 @@ NONE = {"learning.gain": None}
             {"learning.adapt_gains": False, "learning.feedback": None},
             "learning.feedback: is required by .* with adapt_gains = false",
         ),
+        ({**KNOWN, **NONE, "learning.gains": EACH}, UNUSED),
+        ({"learning.law": "composite-least-squares", **NONE, "learning.gains": EACH}, UNUSED),
     ],
 )
 def test_a_mistake_is_a_sentence(values, said):
     with pytest.raises(ScenarioError, match=said):
         PAPER.with_values(values)
-
-
-def test_gains_that_the_law_does_not_use_are_refused():
-    known = {
-        "learning.law": "known-flow",
-        "learning.parameters": None,
-        "learning.theta_estimate": [[1, 1, 1]] * 2,
-    }
-    weighted = {"learning.law": "composite-least-squares"}
-    for law in (known, weighted):
-        with pytest.raises(
-            ScenarioError, match=r"parameters: .* adapts feedback, feedforward here"
-        ):
-            PAPER.with_values({**law, **NONE, "learning.gains": EACH})
-    used = {"feedback": 0.3, "feedforward": 0.5}
-    gains = PAPER.with_values({**known, **NONE, "learning.gains": used}).learning.used_gains
-    assert gains == (0.0, 0.3, 0.5, False)
 
 
 @pytest.mark.parametrize(
@@ -181,6 +164,7 @@ def test_gains_that_the_law_does_not_use_are_refused():
             {**NONE, "learning.gains": {"parameters": 2.0}, "learning.adapt_gains": False},
             (2.0, 0.0, 0.0, False),
         ),
+        ({**KNOWN, **NONE, "learning.gains": {**EACH, "parameters": None}}, (0, 0.3, 0.5, False)),
     ],
 )
 def test_gains_are_those_that_adapt(values, gains):
@@ -219,8 +203,7 @@ def test_a_laws_own_table_is_checked_like_all_else(name):
     assert list(PAPER.with_values(mine).learning.settings) == list(law.settings)
 
 
-@pytest.mark.parametrize("value", [1e300, 1e-300])
-@pytest.mark.parametrize("key", ["prior", "noise"])
+@pytest.mark.parametrize(("key", "value"), [("prior", 1e300), ("noise", 1e-300)])
 def test_a_setting_whose_square_is_no_number_is_refused(key, value):
     """Laws square their settings: 1e300 overflows, 1e-300 is a standard deviation of nothing."""
     mine = {"learning.law": "kalman-flow", "learning.parameters": None}
@@ -228,12 +211,125 @@ def test_a_setting_whose_square_is_no_number_is_refused(key, value):
         PAPER.with_values({**mine, f"learning.kalman_flow.{key}": value})
 
 
+def test_every_choice_is_made():
+    assert set(get_args(Kernel)) == set(flow.KERNELS)
+    kinds = get_args(Disturbance.model_fields["kind"].annotation)
+    assert set(kinds) == set(disturbance.KINDS)
+
+
+# --- a team --------------------------------------------------------------------------------------
+
+TEXT = FILE.read_text()
+EDGES, OWN = '[["west", "east"]]', "vehicle.position = [11, 0]"
+
+
+def test_the_example_says_what_it_says():
+    of = clpt.load_team(FILE)
+    assert list(of.members) == ["west", "east"]
+    assert of.edges == (("west", "east"),)
+    assert of.members["west"].vehicle.position == (-11.0, 0.0)
+    assert of.members["west"].vehicle.feedback == of.members["east"].vehicle.feedback
+    assert of.members["east"].reference.points[0] == (15.0, -2.0)
+    assert of.connectivity == pytest.approx(2.0)
+
+
+def titled():
+    """Vehicles with titles of their own."""
+    named = {"title": "one"}
+    return team(a=vehicle(**named), b=vehicle(title="two"), c=vehicle(title=""), d=vehicle(**named))
+
+
+@pytest.mark.parametrize("of", [team(0.25, ROW, **DIFFERENT), clpt.load_team(FILE), titled()])
+def test_a_team_comes_back_from_its_text(of, tmp_path):
+    back = system_from_text(team_to_text(of), "mine", tmp_path)
+    assert back == of
+    assert [one.title for one in back.members.values()] == [m.title for m in of.members.values()]
+
+
+def test_a_team_comes_back_from_its_run(tmp_path):
+    of = team(0.25, ROW, **DIFFERENT)
+    run = clpt.simulate(of, [0.0, 1.0])
+    clpt.save_run(run, tmp_path / "run.nc")
+    assert clpt.load_team(tmp_path / "run.nc") == of
+    again = clpt.load_run(tmp_path / "run.nc")
+    np.testing.assert_array_equal(again.alpha, run.alpha)
+    assert list(again.vehicle.values) == ["a", "b", "c"]
+    with pytest.raises(clpt.ClptError, match="it is a team's"):
+        clpt.load_scenario(tmp_path / "run.nc")
+
+
+def test_each_vehicle_has_its_own_noise():
+    noisy = [
+        vehicle(localization={"noise": 0.02, "noise_period": 0.5, "seed": seed}) for seed in (1, 2)
+    ]
+    of = team(a=noisy[0], b=noisy[1], c=STRAIT)
+    assert system_from_text(team_to_text(of), "mine", FILE.parent) == of
+    run = clpt.simulate(of, [0.0, 1.0])
+    noise = (run.measured_position - run.position).values
+    assert abs(noise[0] - noise[1]).max() > 1e-3
+    assert abs(noise[2]).max() == 0
+    with pytest.raises(clpt.ScenarioError, match=r"members.b: localization.seed = 1 is that of a"):
+        team(a=noisy[0], b=noisy[0])
+
+
+def test_left_out_edges_join_all():
+    assert team(a=STRAIT, b=STRAIT, c=STRAIT).edges == (("a", "b"), ("a", "c"), ("b", "c"))
+
+
 @pytest.mark.parametrize(
-    ("allowed", "made"),
+    ("old", "new", "said"),
     [
-        (get_args(Kernel), flow.KERNELS),
-        (get_args(Disturbance.model_fields["kind"].annotation), disturbance.KINDS),
+        ("coupling = 0.5", "", "mine, team: missing key coupling"),
+        ("coupling = 0.5", "coupling = -1", "team: coupling = -1: must be greater than or equal"),
+        ("coupling = 0.5", "coupling = nan", "team: coupling = nan: must be a finite number"),
+        ("coupling = 0.5", "couplng = 0.5", "unknown key couplng; did you mean coupling"),
+        ('"east"]]', '"est"]]', r"edges\[0\]: there is no vehicle 'est'; must be among west, east"),
+        ('"east"]]', '"west"]]', r"edges\[0\] = \['west', 'west'\]: must join two vehicles"),
+        ('"east"]]', '"east"], ["east", "west"]]', r"edges\[1\] = .*: must join two .* each pair"),
+        (EDGES, "[]", "edges: no path joins all vehicles"),
+        (EDGES, '["west"]', r"edges\[0\] = 'west': must be a list"),
+        (EDGES, '[["west"]]', r"missing key edges\[0\]\[1\]"),
+        ("[team.members.west]", '[team.members."we st"]', "the name 'we st' of a vehicle must be"),
+        (OWN, "run.duration = 7.0", "members.east: its run is not that of west"),
+        (OWN, "learning.gain = 1", "members.east: its learning is not that of west"),
+        (OWN, "vehicle.pos = 1", "east: unknown key vehicle.pos"),
+        (OWN, "vehicle = 1", "east: vehicle = 1: must be a table of keys"),
+        ("gain = 4.0", "", "west: learning.gain: is required"),
+        ('"learned-flow"', '"sigma"', 'learning.law = "sigma": must be "learned-flow"'),
+        ("[team]", "[team]\nmembers = 1\n[other]", "team.members = 1: must be a table of keys"),
     ],
+    ids=str,
 )
-def test_every_choice_is_made(allowed, made):
-    assert set(allowed) == set(made)
+def test_each_mistake_is_a_sentence(tmp_path, old, new, said):
+    assert old in TEXT
+    text = TEXT.replace(old, new)
+    if "members = 1" in new:
+        text = text.partition("[other]")[0]
+    with pytest.raises(clpt.ScenarioError, match=said) as caught:
+        system_from_text(text, "mine", tmp_path)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("other", "said"),
+    [
+        ({}, "members: has 1 vehicles; must have 2 to 100"),
+        ({"b": vehicle(basis_widths=[5, 5, 4])}, "members.b: its basis is not that of a"),
+        ({"b": vehicle(flow_parameters=[[1, 2, 3]] * 2)}, "its flow is not that of a"),
+        ({"b": vehicle(units_length="km")}, "its units is not that of a"),
+        ({"b": 3}, "members.b = 3"),
+        ({"b": {"run": {"durat": 3.0}}}, r"key members\.b\.run\.durat; did you mean dur"),
+    ],
+    ids=str,
+)
+def test_vehicles_share_one_flow(other, said):
+    with pytest.raises(clpt.ScenarioError, match=said):
+        clpt.Team(members={"a": STRAIT, **other}, coupling=0.5)
+
+
+def test_a_scenario_is_no_team_and_a_team_none(tmp_path):
+    clpt.save_scenario(STRAIT, tmp_path / "one.toml")
+    with pytest.raises(clpt.ScenarioError, match="is a scenario of one vehicle"):
+        clpt.load_team(tmp_path / "one.toml")
+    with pytest.raises(clpt.ScenarioError, match=r"has a table \[team\].*clpt.load_team"):
+        clpt.load_scenario(FILE)

@@ -1,6 +1,7 @@
-"""Interrupts: none is lost, whenever it comes, and each is answered in one line."""
+"""Commands as processes: interrupts, the same bytes, damaged inputs."""
 
 import fnmatch
+import json
 import os
 import random
 import re
@@ -12,8 +13,8 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
-from processes import CLPT, GUARD, await_line, interrupt, started, without_progress
-from written import write_each
+from processes import CLPT, GUARD, await_line, interrupt, ran, started, without_progress
+from written import COMMANDS, ENSEMBLE, FOLLOW, RUN, write_each
 
 LINE = "clpt: interrupted; nothing half-written was left\n"
 HELD = r"clpt: interrupted; e\.zarr holds \d+ of \d+ members; the same command goes on from there\n"
@@ -46,40 +47,24 @@ def names(folder):
     return sorted(path.name for path in folder.rglob("*") if path.is_file())
 
 
-RUN = ("run", "s.toml", "--out", "run.nc")
-TIDES = ("tides", "r.csv", "--constituents", "M2")
-ENSEMBLE = ("ensemble", "s.toml", "--vary", "learning.gain=1:2", "--out", "e.zarr", "--members")
-FOLLOW = ("replay", "--follow", "in", "--out", "out", "--patience", "0", "--json")
+IMPORTS = {  # what is imported when the interrupt comes -> the command
+    "typer": RUN,
+    "clpt_control.estimation.estimators": FOLLOW,
+    "numpy": FOLLOW,
+    "llvmlite.binding": RUN,
+    "netCDF4": RUN,
+    "utide.harmonics": ("tides", "r.csv", "--constituents", "M2"),
+    "zarr": (*ENSEMBLE, "8"),
+    "clpt_control.diagrams.drawing": ("diagram", "s.toml", "-o", "d.svg"),
+}
 
 
 @pytest.mark.parametrize(
-    ("module", "words"),
-    [
-        ("typer", RUN),
-        ("clpt_control.estimation.estimators", FOLLOW),
-        *(
-            pytest.param(*case, marks=pytest.mark.processes)
-            for case in (
-                ("numpy", RUN),
-                ("pydantic", RUN),
-                ("llvmlite", RUN),
-                ("llvmlite.binding", RUN),
-                ("netCDF4", RUN),
-                ("clpt_control.native.numbering", RUN),
-                ("utide", TIDES),
-                ("utide.harmonics", TIDES),
-                ("numpy", FOLLOW),
-                ("matplotlib", FOLLOW),
-                ("netCDF4", FOLLOW),
-                ("zarr", (*ENSEMBLE, "8")),
-                ("control", ("excitation", "s.toml")),
-                ("clpt_control.diagrams.drawing", ("diagram", "s.toml", "-o", "d.svg")),
-            )
-        ),
-    ],
+    "module",
+    [pytest.param(n, marks=[pytest.mark.processes] * (k > 1)) for k, n in enumerate(IMPORTS)],
 )
-def test_an_interrupt_in_an_import_is_an_interrupt(files, module, words):
-    before = names(files)
+def test_an_interrupt_in_an_import_is_an_interrupt(files, module):
+    before, words = names(files), IMPORTS[module]
     with started([sys.executable, "-c", IN_IMPORT, module, *words], cwd=files) as process:
         out, err = process.communicate(timeout=GUARD)
     assert (process.returncode, out, without_progress(err)) == (130, "", LINE)
@@ -146,16 +131,6 @@ def test_one_long_call_is_ended_with_its_half_written_files(tmp_path):
     assert names(tmp_path) == []
 
 
-def test_an_interrupt_of_code_that_python_ran_from_text():
-    work = """
-    from contextlib import suppress
-    with suppress(KeyboardInterrupt):
-        exec("signal.raise_signal(signal.SIGINT)")
-    return 0
-"""
-    assert ended(work) == (130, "", LINE)
-
-
 @pytest.mark.processes
 @pytest.mark.skipif(not hasattr(signal, "pthread_sigmask"), reason="no POSIX signals")
 def test_a_cluster_ends_with_the_command(files):
@@ -181,29 +156,6 @@ sys.stdout.flush()
 clpt_start.main()
 """
 ROOT = Path(__file__).parents[2]
-COMMANDS = {  # -> what it writes: all of it, or nothing; None: a part may be there
-    ("--help",): (),
-    ("init", "mine.toml"): ("mine.toml",),
-    ("run", "s.toml", "--out", "run.nc", "--figures", "out"): ("run.nc", "figure?.png"),
-    ("diagram", "s.toml", "-o", "d.svg"): ("d.svg",),
-    (*ENSEMBLE, "64", "--chunk", "8"): None,
-    ("laws", "concurrent", "--json"): (),
-    ("report", "r.nc", "-o", "r.html"): ("r.html",),
-    ("replay", "in", "--out", "out"): ("replay.*", "*.png", "*.kml", "next.geojson"),
-    (*ENSEMBLE, "64", "--chunk", "8", "--dask", "local", "--threads", "1"): None,
-    ("paper", "--out", "out"): ("run.nc", "figure?.png"),
-    ("tune", "s.toml", "--members", "3", "--law", "learned-flow", "--out", "t.toml"): ("t.toml",),
-    ("prove", "--again"): (),
-    ("refute", "sigma", "--budget", "3", "--out", "broken.toml"): ("broken.toml",),
-    ("excitation", "s.toml", "--figure", "x.png"): ("x.png",),
-    ("certify", "s.toml"): (),
-    ("design", "s.toml", "--out", "b.toml", "--figure", "b.png"): ("b.toml", "b.png"),
-    ("fit", "c.nc", "--out", "f.toml"): ("f.toml", "f_field.nc"),
-    TIDES: (),
-    ("estimate", "r.nc", "--out", "known.toml"): ("known.toml",),
-    FOLLOW: None,
-    ("animate", "r.nc", "-o", "r.gif", "--seconds", "1"): ("r.gif",),
-}
 TRIED = 5  # interrupts of one test; all sixty are 300
 
 
@@ -244,3 +196,72 @@ def test_interrupts_at_random_from_the_first_import_on(files, part):
         for path in new:
             path.unlink(missing_ok=True)
     assert {path: path.stat().st_mtime_ns for path in before} == before
+
+
+# --- the same bytes: cold and warm cache, 1 and 4 threads, any hashes ----------------------------
+
+THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
+TIMED = ("refute", "replay --follow")  # which tell how long something took, or when it was
+SAME = [words for words in COMMANDS if not " ".join(words).startswith(TIMED)]
+OFTEN = "diagram"  # in `make test`; the others by `make test-processes`
+
+
+def held(folder):
+    files = (path for path in sorted(folder.rglob("*")) if path.is_file())
+    return {str(path.relative_to(folder)): path.read_bytes() for path in files}
+
+
+@pytest.fixture(scope="module")
+def given(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("given")
+    write_each(folder, 420)
+    return held(folder)
+
+
+@pytest.mark.parametrize(
+    "words", [c if c[0] == OFTEN else pytest.param(c, marks=pytest.mark.processes) for c in SAME]
+)
+def test_the_same_command_gives_the_same_bytes(given, tmp_path, words):
+    found = []
+    for seed, threads in (("1", "1"), ("2", "1" if words[0] == "design" else "4")):
+        work = tmp_path / "work"  # the same name: it is part of what is printed
+        for name, content in given.items():
+            (work / name).parent.mkdir(parents=True, exist_ok=True)
+            (work / name).write_bytes(content)
+        env = {**os.environ, **dict.fromkeys(THREADS, threads), "PYTHONHASHSEED": seed}
+        env["CLPT_CONTROL_CACHE"] = str(tmp_path / "cache")  # cold, then warm
+        more = ("--threads", threads) if words[0] == "ensemble" else ()
+        done = ran(*CLPT, *words, *more, cwd=work, env=env)
+        assert without_progress(done.stderr) == ""
+        found.append((done.stdout, held(work)))
+        work.rename(tmp_path / f"work{seed}")
+    (said, files), (again, others) = found
+    assert said == again
+    assert files.keys() == others.keys()
+    assert [name for name in files if files[name] != others[name]] == []
+
+
+# --- damaged inputs, which `damaged_inputs` makes; it says what an answer is ---------------------
+
+FORKED = pytest.mark.skipif(not hasattr(os, "fork"), reason="cases are forked")
+CASES = Path(__file__).parents[1] / "damaged_inputs.py"
+
+
+def wrong_answers(*words):
+    """Return how many cases were answered, and those that were answered wrongly."""
+    ended = ran(sys.executable, CASES, *words, env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
+    answers = [json.loads(line) for line in ended.stdout.splitlines()]
+    keys = ("case", "wrong", "words", "how", "err")
+    return len(answers), [{key: one[key] for key in keys} for one in answers if one["wrong"]]
+
+
+@FORKED
+def test_damaged_inputs_are_answered():
+    """A share of them; `make test-slow` asks 3,000."""
+    assert wrong_answers(0, 40, 0) == (40, [])
+
+
+@FORKED
+@pytest.mark.slow
+def test_many_damaged_inputs_are_answered():
+    assert wrong_answers(1000, 3000) == (3000, [])

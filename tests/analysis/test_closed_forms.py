@@ -1,0 +1,249 @@
+"""Studies against closed forms: margins, the worst disturbance, mean squares, headlines."""
+
+from dataclasses import replace
+
+import control
+import numpy as np
+import pytest
+from pictures import inked
+from responses import response
+
+import clpt_control as clpt
+from analysis.against_adcp import compared, read_adcp
+from analysis.headlines import headline, main, record
+from analysis.margins import KINDS, closed_form, margin
+from analysis.mean_square import mean_square_bound, mean_square_sides
+from analysis.worst_disturbance import influences, peak_gains, regressor_matrices, worst_disturbance
+from clpt_control.geodesy import place_from
+from clpt_control.gliders import read_dives, sample_dives, usable
+from clpt_control.replay import next_dive, replay_dives
+from clpt_control.theory.counterexamples import exact_run, scalar_matrix, with_square_wave
+from clpt_control.theory.excitation.regressor import error_matrices, joint_regressor
+
+
+def test_peak_gain_in_closed_form():
+    """One lag: (1 - e^{-kt})/k; adaptation at 10 rad/s: near 4/pi."""
+    lag = np.full((1000, 1, 1), -2.0)
+    assert peak_gains(lag, 0.001, [1000]) == pytest.approx((1 - np.exp(-2)) / 2, rel=1e-5)
+    ringing = np.broadcast_to(scalar_matrix(1.0, gain=100.0), (2000, 2, 2))
+    assert peak_gains(ringing, 0.01, [2000]) == pytest.approx(4 / np.pi, rel=3e-3)
+
+
+def test_the_worst_disturbance_is_attained_by_the_closed_loop():
+    """Bang-bang Delta = Dmax sign(c Phi b) in the wired diagram; (33) claims 1."""
+    paper, step, end, size = clpt.paper_scenario(), 0.04, 161.0, 0.001
+    A = regressor_matrices(paper, end, step)[0]
+    influence = influences(A, step, [len(A)])[:, 0]
+    predicted = peak_gains(A, step, [len(A)])[0]
+    scenario = with_square_wave(paper, size, 3.5).with_values({"run.duration": end})
+    loop = clpt.closed_loop(scenario, external=("delta",))
+    run = response(
+        loop,
+        np.linspace(0.0, end, len(influence)),
+        inputs=[size * np.sign(influence), 0.0],
+        rtol=1e-6,
+        atol=1e-9,
+        initial_state=clpt.initial_state(scenario),
+    )
+    reached = abs(run.states[0, -1] - run.states[2, -1]) / size
+    assert reached == pytest.approx(predicted, rel=0.01)
+    assert reached > 2.5
+
+
+@pytest.mark.slow
+def test_the_worst_disturbance_of_the_second_and_later_cycles():
+    found = worst_disturbance(clpt.paper_scenario(), 400.0, 800.0)
+    assert found.peaks == pytest.approx((5.234, 4.744), rel=1e-3)
+
+
+def test_mean_square_bound_along_the_papers_runs():
+    paper = clpt.paper_scenario().with_values({"run.duration": 200, "run.output_step": 0.02})
+    disturbed = {"kind": "noise", "amplitude": [0.1, 0.2], "period": 0.5, "seed": 3}
+    for scenario in (
+        paper,
+        paper.with_values({"flow.disturbance": disturbed}),
+        with_square_wave(paper, 0.05, 3.5),
+    ):
+        found = mean_square_bound(clpt.simulate(scenario), scenario)
+        assert found.holds
+        assert 0.01 < found.tightness < 1
+
+
+def random_runs(rng, count):
+    """Random regressors and disturbances; half of these push where e already is."""
+    k, gain = 10 ** rng.uniform(-1, 1, 2)
+    scale = rng.choice([0.1, 1.0, 5.0], count)[:, None]
+    start = state = rng.normal(size=(count, 4)) * rng.choice([0.0, 1.0], count)[:, None]
+    pushing = rng.random(count) < 0.5
+    end, times, states, drives = 0.0, [], [], []
+    for _ in range(12):
+        phi, z, zc = (rng.normal(size=(count, n)) * scale for n in (1, 2, 2))
+        drive = np.zeros((count, 4))
+        push = np.where(state[:, 0] < 0, -1.0, 1.0) * 2 * k
+        drive[:, 0] = np.where(pushing, push, rng.normal(size=count))
+        A = error_matrices(phi, z, zc, [k, k], gain)[0]
+        duration = rng.uniform(0.1, 2)
+        each = zip(A, drive, state, strict=True)
+        runs = [exact_run([(duration, *one, 100)], own) for *one, own in each]
+        piece_times, reached = runs[0][0], np.stack([run for _, run in runs], axis=1)
+        times.append(end + piece_times)
+        states.append(reached)
+        drives.append(np.broadcast_to(drive, reached.shape))
+        end, state = times[-1][-1], reached[-1]
+    V0 = (start[:, 0] ** 2 + np.sum(start[:, 1:] ** 2, axis=1) / gain) / 2
+    e, delta = (np.concatenate(values)[..., :1] for values in (states, drives))
+    return np.concatenate(times), e, delta, V0, k
+
+
+def test_the_mean_square_bound_holds_for_random_disturbances():
+    rng = np.random.default_rng(11)
+    runs = violated = 0
+    tightest = 0.0
+    for _ in range(3):
+        times, e, delta, V0, k = random_runs(rng, 50)
+        found = mean_square_sides(times, e, delta, V0, k)
+        assert found.holds
+        runs += found.left.shape[1]
+        tightest = max(tightest, found.tightness)
+        largest = np.abs(delta[..., 0]).max(0) / k
+        second_half = np.abs(e[len(times) // 2 :, :, 0]).max(0)
+        violated += np.sum(second_half > largest)
+    assert runs == 150
+    assert 0.3 < tightest < 1
+    assert violated > 15, "the same runs violate Eq. (33)"
+
+
+def test_the_mean_square_bound_is_tight():
+    """Slow adaptation, Delta held: int e^2 comes as near as one likes; twice is too much."""
+    A = scalar_matrix(1.0, gain=1e-9)
+    times, states = exact_run([(200.0, A, np.array([1.0, 0.0]), 4000)], np.zeros(2))
+    delta = np.ones((len(times), 1))
+    assert 0.98 < mean_square_sides(times, states[:, :1], delta, 0.0, 1.0).tightness < 1
+    assert not mean_square_sides(times, 1.1 * states[:, :1], delta, 0.0, 1.0).holds
+
+
+def test_learned_speed_and_current_are_those_of_the_adcp(facts):
+    dives, skipped = usable(read_dives(facts / "glider" / "sg171_dives.csv")[0])
+    found = compared(dives, read_adcp(facts / "glider" / "sg171_adcp.csv"))
+    assert (len(dives), skipped) == (10, [])
+    assert 1.3 < found.measured < 1.6
+    assert abs(found.learned - found.measured) < found.standard_error < 0.15
+    assert found.learned == pytest.approx(1.48, abs=0.11)
+    assert found.current < 0.012 < 0.03 < found.in_file
+
+
+# --- margins -------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "kind",
+    [next(iter(KINDS)), *(pytest.param(kind, marks=pytest.mark.slow) for kind in [*KINDS][1:])],
+)
+def test_where_w_is_held_the_margin_is_the_closed_form(kind):
+    """A steady flow and one waypoint, where the vehicle stands; 3 % are the bisection's."""
+    still = {
+        "basis.periods": [float("inf")] * 3,
+        "basis.kernel": "gaussian",
+        "reference": {"kind": "waypoints", "points": [[3, 2]], "dwell": 20},
+        "run.duration": 200,
+        "run.output_step": 0.25,
+    }
+    scenario = clpt.paper_scenario().with_values(still)
+    end = clpt.simulate(scenario).position.values[-1]
+    scenario = scenario.with_values({"vehicle.position": end})
+    along = joint_regressor(clpt.theory.started_true(scenario), 20.0, 20.0)
+    g = 0.8 * np.max(np.sum(along.w**2, axis=-1))
+    assert margin(scenario, kind) == pytest.approx(closed_form(kind, 1.0, g), rel=0.055)
+
+
+@pytest.mark.parametrize(("k", "g"), [(1.0, 5.0), (0.4, 2.0), (2.0, 30.0)])
+def test_the_closed_forms_are_where_a_pole_crosses(k, g):
+    """The poles of the linear loops, a hair below and above."""
+    plant = control.tf([g], [1, k, 0])
+    h = closed_form("sampler", k, g)
+    for share, stable in ((0.98, True), (1.02, False)):
+        tau = share * closed_form("lag", k, g)
+        poles = control.feedback(plant * control.tf([1], [tau, 1])).poles()
+        assert (poles.real.max() < 0) == stable
+        late = control.tf(*control.pade(share * closed_form("delay", k, g), 6))
+        assert (control.feedback(plant * late).poles().real.max() < 0) == stable
+        a, step = np.exp(-k * share * h), share * h
+        held = np.array([[a, (1 - a) / k], [-g * step, 1.0]])
+        assert (np.abs(np.linalg.eigvals(held)).max() < 1) == stable
+    assert closed_form("lag", 2.0, 3.0) == np.inf
+
+
+def rohrs(w, unmodelled):
+    """Rohrs' loop: y_p = 2/(s+1) 229/(s^2+30s+229) u, model 3/(s+3), both gains adapted by 1."""
+
+    def law(t, x, u, p):
+        r, y, ym = u[0], u[1], u[2]
+        e = y - ym
+        return [-e * r, -e * y]
+
+    reference = control.nlsys(
+        None, lambda t, x, u, p: [0.3 + 1.85 * np.sin(w * t)], inputs=0, outputs=["r"], name="ref"
+    )
+    plant = control.tf([2], [1, 1])
+    if unmodelled:
+        plant = plant * control.tf([229], [1, 30, 229])
+    plant = control.ss(plant, inputs=["u"], outputs=["y"], name="plant")
+    model = control.ss(control.tf([3], [1, 3]), inputs=["r"], outputs=["ym"], name="model")
+    adaptation = control.nlsys(
+        law,
+        lambda t, x, u, p: [x[0] * u[0] + x[1] * u[1], x[0], x[1]],
+        inputs=["r", "y", "ym"],
+        outputs=["u", "kr", "ky"],
+        states=2,
+        name="law",
+    )
+    loop = control.interconnect(
+        [reference, plant, model, adaptation], outputs=["y", "ym", "kr", "ky"], inputs=[]
+    )
+    start = np.zeros(loop.nstates)
+    names = list(loop.state_labels)
+    start[[k for k, name in enumerate(names) if "law" in name]] = [1.14, -0.65]
+    return clpt.simulate(loop, np.linspace(0, 40, 801), initial_state=start)
+
+
+def test_rohrs_example_loses_stability_by_the_lag_alone():
+    """At the frequency where the unmodelled phase is 180 degrees ky drifts until all is lost."""
+    kept = rohrs(16.1, False)
+    assert np.all(np.abs(kept.y.values) < 3)
+    with pytest.raises(clpt.SimulationError, match=r"the integration stopped at t = 2\d\."):
+        rohrs(16.1, True)
+
+
+# --- the judge of a replay's headline ------------------------------------------------------------
+
+DIVES = usable(sample_dives())[0]
+
+
+def test_a_fix_on_the_ellipse_is_one_half_axis_away():
+    replay = replay_dives(DIVES[:6])
+    said = next_dive(replay).as_dict()
+    turn = np.radians(said["ellipse_90_bearing"])
+    along = np.array([np.sin(turn), np.cos(turn)])
+    across = np.array([np.cos(turn), -np.sin(turn)])
+    for way in (said["ellipse_90_long"] * along, -said["ellipse_90_short"] * across):
+        lat, lon = place_from(said["latitude"], said["longitude"], *way)
+        found = headline(replay, replace(DIVES[6], lat_gpse=lat, lon_gpse=lon))
+        assert found.away == pytest.approx(1.0, rel=1e-3)
+        assert found.miss == pytest.approx(np.hypot(*way), rel=1e-6)
+    assert found.size**2 == pytest.approx(said["ellipse_90_long"] * said["ellipse_90_short"])
+
+
+def test_a_pair_with_dives_missing_between_is_left_out():
+    whole = record(DIVES[:6])
+    holed = record(usable([*DIVES[:3], *DIVES[4:6]])[0])
+    assert len(whole) == 5
+    assert len(holed) == 3
+    assert holed[:2] == pytest.approx(whole[:2], nan_ok=True)
+
+
+def test_the_table_has_a_row_for_each_vehicle(tmp_path, capsys):
+    main(out=tmp_path)
+    lines = (tmp_path / "headlines.md").read_text().splitlines()
+    assert capsys.readouterr().out.splitlines() == lines
+    assert [line.split(" | ")[:2] for line in lines[2:]] == [["| SG542", "13"]]
+    assert inked(tmp_path / "headlines.png") > 0.005

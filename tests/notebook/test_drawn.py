@@ -1,0 +1,180 @@
+"""Every plot draws on given axes, returns them, and leaves pyplot as it was; films."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+from made_fields import uniform_field
+from matplotlib.axes import Axes
+from matplotlib.colors import to_rgb
+from matplotlib.quiver import Quiver
+from PIL import Image
+
+import clpt_control as clpt
+from clpt_control import save_run
+from clpt_control.figures import BLUE, GREEN, figure_of, inline_svg, new_figure
+from clpt_control.simulation.film import draw_samples
+
+PLOTS = {  # name -> what it draws, how many axes
+    "simulation.track_plot": ("run", 1),
+    "simulation.clpe_plot": ("run", 2),
+    "simulation.learning_plot": ("run", 2),
+    "simulation.run_plot": ("run", 7),
+    "simulation.team_plot": ("team", 3),
+    "simulation.response_plot": ("diagram", 2),
+    "ensemble.ensemble_plot": ("ensemble", 2),
+    "theory.excitation_plot": ("run", 4),
+    "theory.design_plot": ("design", 3),
+    "replay.map_plot": ("replay", 1),
+    "replay.dive_clpe_plot": ("replay", 1),
+    "replay.current_plot": ("replay", 3),
+    "replay.replay_plot": ("replay", 5),
+}
+track_plot = clpt.simulation.track_plot
+
+
+def test_all_plots_are_asked():
+    rooms = ("simulation", "ensemble", "theory", "replay", "currents")
+    public = {f"{room}.{name}" for room in rooms for name in getattr(clpt, room).__all__}
+    assert {name for name in public if name.endswith("_plot")} == set(PLOTS)
+
+
+@pytest.mark.parametrize("name", PLOTS)
+def test_on_given_axes(name, made):
+    """Something is drawn on each, nothing elsewhere, they come back; wrong ones are a sentence."""
+    (kind, count), (room, function) = PLOTS[name], name.split(".")
+    plot = getattr(getattr(clpt, room), function)
+    figure, axes = plt.subplots(1, count + 1)
+    drawn = plot(made[kind], ax=axes[0] if count == 1 else list(axes[:count]))
+    assert list(np.ravel(np.asarray(drawn, object))) == list(axes[:count])
+    assert isinstance(drawn, Axes) == (count == 1)
+    assert all(one.has_data() or one.texts for one in axes[:count])
+    assert not axes[count].has_data()
+    figure.draw_without_rendering()
+    many = rf"has {count + 1} Axes; this plot draws on {count}" if count > 1 else "must be an Axes"
+    for wrong, said in ((axes, many), (figure, r"must be (an|matplotlib) Axes")):
+        with pytest.raises(clpt.ClptError, match=said) as caught:
+            plot(made[kind], ax=wrong)
+        assert "\n" not in str(caught.value)
+    assert plt.get_fignums() == [figure.number]
+
+
+def test_without_axes_a_plot_is_the_figure_of_pyplot_or_of_a_file(made, monkeypatch):
+    ax = track_plot(made["run"])
+    assert plt.gcf() is ax.figure
+    plt.close("all")
+    assert figure_of(track_plot, made["run"]).axes
+    assert plt.get_fignums() == []
+
+    def closed(**_):
+        raise ImportError("headless")  # a window cannot be opened
+
+    monkeypatch.setattr(plt, "figure", closed)
+    assert track_plot(made["run"]).has_data()
+
+
+def test_what_is_no_run_is_one_sentence(made):
+    for given, said in (
+        (made["replay"], "must be an xarray.Dataset"),
+        (made["team"], "team's; clpt.simulation.team_plot"),
+        (made["run"].drop_attrs(), "carries no scenario"),
+        (made["run"].isel(time=-1), "has no time over time, as its scenario has"),
+    ):
+        with pytest.raises(clpt.ClptError, match=said):
+            track_plot(given)
+    for plot in (clpt.ensemble.ensemble_plot, clpt.simulation.team_plot, clpt.replay.map_plot):
+        with pytest.raises(clpt.ClptError):
+            plot(made["run"])
+    with pytest.raises(clpt.DataError, match="the run has no alpha over vehicle 2, time"):
+        clpt.simulation.team_plot(made["team"].drop_vars("alpha"))
+
+
+def test_texts_of_figures_are_no_latex_whatever_the_users_style(made, tmp_path):
+    with plt.rc_context({"text.usetex": True}):
+        text = inline_svg(figure_of(clpt.simulation.clpe_plot, made["run"]), "clpe", "CLPE")
+        clpt.animate(made["run"], tmp_path / "run.gif", seconds=0.2, fps=5, width=200)
+    assert ">CLPE (m)<" in text
+
+
+# --- films ---------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def run(made):
+    return made["run"]
+
+
+def test_a_film_has_its_frames(run, clpt, refused, tmp_path):
+    file, words = tmp_path / "run.gif", ("animate", tmp_path / "run.nc", "-o")
+    save_run(run, tmp_path / "run.nc")
+    done = clpt(*words, file, "--seconds", 1, "--fps", 10, "--width", 300)
+    assert done.out == f"{file}: written\n"
+    assert "must end in .gif" in refused(*words, tmp_path / "film.doc")
+    with Image.open(file) as film:
+        assert film.n_frames == 10
+        assert film.width == 300
+        for k in range(10):
+            film.seek(k)
+            assert film.info["duration"] == 100
+            pixels = np.asarray(film.convert("RGB")).reshape(-1, 3)
+            for colour in (BLUE, GREEN):  # vehicle and prediction are there
+                near = np.abs(pixels / 255 - to_rgb(colour)).max(axis=1) < 0.03
+                assert near.sum() > 10
+    assert {one.name for one in tmp_path.iterdir()} == {"run.nc", "run.gif"}
+
+
+def test_hundredths_of_a_second_are_whole_and_the_film_lasts_as_long(run):
+    made = clpt.animate(run, seconds=0.25, fps=12, width=200)
+    assert made.frames == 3  # of 0.08 s
+    assert made.seconds == pytest.approx(0.24)
+
+
+def drawn(run, at):
+    """Return the lines by name, and the arrows, that are drawn of a sample."""
+    _, ax = new_figure()
+    next(draw_samples(ax, run, np.array([at])))
+    arrows = {one.get_label(): one for one in ax.collections if isinstance(one, Quiver)}
+    return {one.get_label(): one.get_xydata() for one in ax.lines}, arrows
+
+
+def test_what_is_shown_is_the_runs_own(run, scenario):
+    velocity = clpt.simulation.flow_velocity
+    for k in (0, 7, 20, 40):
+        lines, arrows = drawn(run, k)
+        np.testing.assert_array_equal(lines["vehicle"], run.position[[k]])
+        np.testing.assert_array_equal(lines["prediction"], run.predicted_position[[k]])
+        np.testing.assert_array_equal(lines["waypoint, now"], run.reference[[k]])
+        grid = np.column_stack([arrows["true flow"].X, arrows["true flow"].Y])
+        flow = np.column_stack([arrows["true flow"].U, arrows["true flow"].V])
+        np.testing.assert_allclose(flow, velocity(scenario, grid, run.time[k]), atol=1e-12)
+        if k:
+            theta = run.flow_parameters_estimate.values[k]
+            learned = velocity(scenario, grid, run.time[k], theta)
+            along = np.column_stack([arrows["learned flow"].U, arrows["learned flow"].V])
+            assert np.all(np.sum(along * learned, axis=1) >= 0)  # long ones are shortened
+            turned = along[:, 0] * learned[:, 1] - along[:, 1] * learned[:, 0]
+            np.testing.assert_allclose(turned, 0.0, atol=1e-12)
+
+
+def test_arrows_stand_within_a_field(scenario, tmp_path):
+    uniform_field(tmp_path / "field.nc", half=3.5)
+    flow = {"field": str(tmp_path / "field.nc"), "outside": "clip"}
+    run = clpt.simulate(scenario.with_values({"flow": flow}))
+    (arrows, *_) = drawn(run, 10)[1].values()
+    assert np.abs([arrows.X, arrows.Y]).max() <= 3.5
+    np.testing.assert_allclose([arrows.U, arrows.V], 0.1)
+
+
+def test_refusals(run, made, scenario, tmp_path):
+    for given, options, said in (
+        (run, {"path": tmp_path / "run.avi"}, r"must end in .gif"),
+        (run, {"path": tmp_path / "no" / "run.gif"}, "does not exist"),
+        (run, {"fps": "many"}, "fps = 'many': must be a number"),
+        (run, {"width": 10}, "width = 10: must be a number from 200"),
+        (run, {"seconds": 100, "fps": 20, "width": 1000}, "would take 2.0 GB of memory"),
+        (made["team"], {}, "the run is a team's"),
+        (scenario, {}, "must be an xarray.Dataset"),
+    ):
+        with pytest.raises(clpt.ClptError, match=said) as caught:
+            clpt.animate(given, **options)
+        assert "\n" not in str(caught.value)
+    assert list(tmp_path.iterdir()) == []
