@@ -116,13 +116,15 @@ def test_threads_and_chunks_do_not_matter_to_any_diagram(first):
 
 
 @pytest.mark.parametrize(
-    "seed", [13, 34, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (15, 42, 44))]
+    "seed", [16, 40, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (0, 3, 51))]
 )
 def test_members_are_what_python_runs_block_by_block(seed):
     draw = random.Random(seed)
     diagram = random_diagram(draw)
     first = VariedDiagram(diagram, (), TIMES[:5], 0.1, 0.2)
     names = [name for name in sorted(first.names) if place_of(name, first.names, first.given)]
+    # "v" of all blocks and "system0.v" are one number
+    names = [name for name in names if not any(one.endswith(f".{name}") for one in names)]
     vary = dict.fromkeys(draw.sample(names, min(4, len(names))), "0.4:0.9")
     varied = VariedDiagram(diagram, read_varies(vary), TIMES[:5], 0.1, 0.2)
     given = {"timepts": TIMES[:5], "inputs": 0.1, "initial_state": 0.2, "trajectories": True}
