@@ -130,10 +130,11 @@ def _linker() -> Any:
     return llvm.create_lljit_compiler(target_machine(), use_jit_link=True)
 
 
-def _load(name: str, text: Callable[[], str], names: Iterable[str]) -> Any:
+def _load(name: str, text: Callable[[], str], names: Iterable[str], plain: bool = False) -> Any:
     """Return the addresses of functions in code from the cache, or else compiled.
 
-    They are valid for as long as what is returned lives.
+    They are valid for as long as what is returned lives.  In `plain` text, and in text without
+    branches, most of LLVM's passes find nothing.
     """
     if (code := cached_code(name)) is None:
         machine, parsed = target_machine(), llvm.parse_assembly(printed := text())
@@ -144,7 +145,7 @@ def _load(name: str, text: Callable[[], str], names: Iterable[str]) -> Any:
         options.loop_unrolling = options.loop_interleaving = False
         passes = llvm.create_pass_builder(machine, options)
         manager = passes.getModulePassManager()
-        if not BRANCHES.search(printed):  # the other passes find nothing there
+        if plain or not BRANCHES.search(printed):
             manager = llvm.create_new_module_pass_manager()
             manager.add_instruction_combine_pass()
         manager.run(parsed, passes)
@@ -160,13 +161,15 @@ class Machine:
     """Functions of arrays as machine code.
 
     `addresses` holds the address of each, valid for as long as this object lives.  `source` stands
-    for all that the text of `module` depends on.
+    for all that the text of `module` depends on; `plain` is that of `_load`.
     """
 
     @one_at_a_time
-    def __init__(self, names: Iterable[str], source: str, module: Callable[[], Any]):
-        names = tuple(names)
-        self._code = _load(code_name(source, _printers()), lambda: str(module()), names)
+    def __init__(
+        self, names: Iterable[str], source: str, module: Callable[[], Any], plain: bool = False
+    ):
+        name, names = code_name(source, _printers()), tuple(names)
+        self._code = _load(name, lambda: str(module()), names, plain)
         self.addresses = {name: self._code[name] for name in names}
 
 
