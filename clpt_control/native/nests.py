@@ -12,7 +12,19 @@ from .components import Write, row_strides
 from .llvm_function import Function
 from .machine import LANES
 from .plan import Nest, Program
-from .vectors import WORD, calculate, constant, elements, gathered, horizontal_sum, splat, width_of
+from .vectors import (
+    INLINE,
+    WORD,
+    calculate,
+    calculate_tape,
+    constant,
+    elements,
+    gathered,
+    horizontal_sum,
+    splat,
+    tape_of,
+    width_of,
+)
 
 UNROLLED, UNROLLED_RUNS = 4, 8  # the longest loop that unrolls: most loops, inner ones in lanes
 MOST_INLINED = 64  # calls of a function; LLVM takes minutes for thousands in one piece of code
@@ -21,11 +33,11 @@ Key = tuple[int, tuple[int, ...], bool]  # component, loops of its axes, for eig
 
 def print_program(program: Program, names: tuple[str, ...], lanes: int) -> ir.Module:
     """Return a module of LLVM with some of a program's functions."""
-    module = ir.Module()
+    module, calls = ir.Module(), Counter(one.name for one in program.components)
+    few = {one for one in INLINE if calls[one] <= MOST_INLINED}
     with deep():
         for name in names:
-            _Nests(module, name, lanes, program)
-    calls = Counter(one.name for one in program.components)
+            _Nests(module, name, lanes, program, few)
     for function in module.functions:
         if calls[function.name.partition(".")[0]] > MOST_INLINED:
             function.attributes.discard("alwaysinline")
@@ -39,9 +51,10 @@ class _Nests(Function):
     A value is printed when it is first used, at the beginning of the innermost of its loops.
     """
 
-    def __init__(self, module: ir.Module, name: str, lanes: int, program: Program):
+    def __init__(self, module: ir.Module, name: str, lanes: int, program: Program, few: set):
         super().__init__(module, name, lanes, program.constants)
         self.all, self.prepared = program.components, {} if name == "prepare" else program.prepared
+        self.inline = few if name in ("derivative", "staged") else set()
         nests = program.functions["derivative" if name == "staged" else name]
         rates = [prod(one.lengths) for nest in nests for one in nest.items if one.array == "D"]
         self.rates_at = -sum(rates) if name == "staged" else 0  # in D, of the stage before
@@ -154,6 +167,9 @@ class _Nests(Function):
             table, place = self.all[arguments[1][0]], self.argument(arguments[0], loops, wide)
             return lambda: self.lookup(place, *table.arguments[:4])
         values = [self.argument(a, loops, wide) for a in arguments]
+        if name in self.inline and loops and type(self.indices[loops[-1]]) is not int:
+            self.chained = True
+            return lambda: calculate_tape(builder, tape_of(name, len(values)), width, values)
         return lambda: calculate(builder, name, width, values)
 
     def at_stage(self, array: str, first: int, moves: Any, stride: int | None) -> Any:
