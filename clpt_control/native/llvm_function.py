@@ -151,11 +151,12 @@ class Function:
             phis[-1].add_incoming(first, before)
         self.chained = False
         results, left = body(index, phis), indices[:0]
-        if self.chained and builder.block is inside and len(indices) >= 4:
-            results = body(builder.add(index, ir.Constant(WORD, indices.step)), results)
+        if self.chained and builder.block is inside:
+            if len(indices) >= 4:
+                results = body(builder.add(index, ir.Constant(WORD, indices.step)), results)
+                pairs = len(indices) // 2 * 2
+                left, indices = indices[pairs:], indices[:pairs:2]
             spread(inside)
-            pairs = len(indices) // 2 * 2
-            left, indices = indices[pairs:], indices[:pairs:2]
         following = builder.add(index, ir.Constant(WORD, indices.step))
         index.add_incoming(following, builder.block)
         for phi, value in zip(phis, results, strict=True):
