@@ -12,21 +12,10 @@ from .components import Write, row_strides
 from .llvm_function import Function
 from .machine import LANES
 from .plan import Nest, Program
-from .vectors import (
-    INLINE,
-    WORD,
-    calculate,
-    calculate_tape,
-    constant,
-    elements,
-    gathered,
-    horizontal_sum,
-    splat,
-    tape_of,
-    width_of,
-)
+from .vectors import WORD, calculate, constant, elements, gathered, horizontal_sum, splat, width_of
 
 UNROLLED, UNROLLED_RUNS = 4, 8  # the longest loop that unrolls: most loops, inner ones in lanes
+CHAINS = ("exp", "sin", "cos")  # always inlined, where there are few
 MOST_INLINED = 64  # calls of a function; LLVM takes minutes for thousands in one piece of code
 Key = tuple[int, tuple[int, ...], bool]  # component, loops of its axes, for eight iterations
 
@@ -34,14 +23,14 @@ Key = tuple[int, tuple[int, ...], bool]  # component, loops of its axes, for eig
 def print_program(program: Program, names: tuple[str, ...], lanes: int) -> ir.Module:
     """Return a module of LLVM with some of a program's functions."""
     module, calls = ir.Module(), Counter(one.name for one in program.components)
-    few = {one for one in INLINE if calls[one] <= MOST_INLINED}
+    few = {one for one in CHAINS if calls[one] <= MOST_INLINED}
     with deep():
         for name in names:
             _Nests(module, name, lanes, program, few)
     for function in module.functions:
-        if calls[function.name.partition(".")[0]] > MOST_INLINED:
-            function.attributes.discard("alwaysinline")
-            function.attributes.add("noinline")
+        name = function.name.partition(".")[0]
+        if name in few or calls[name] > MOST_INLINED:
+            function.attributes.add("alwaysinline" if name in few else "noinline")
     return module
 
 
@@ -167,10 +156,9 @@ class _Nests(Function):
             table, place = self.all[arguments[1][0]], self.argument(arguments[0], loops, wide)
             return lambda: self.lookup(place, *table.arguments[:4])
         values = [self.argument(a, loops, wide) for a in arguments]
-        if name in self.inline and loops and type(self.indices[loops[-1]]) is not int:
-            self.chained = True
-            return lambda: calculate_tape(builder, tape_of(name, len(values)), width, values)
-        return lambda: calculate(builder, name, width, values)
+        inline = bool(loops) and name in self.inline and type(self.indices[loops[-1]]) is not int
+        self.chained |= inline
+        return lambda: calculate(builder, name, width, values, inline)
 
     def at_stage(self, array: str, first: int, moves: Any, stride: int | None) -> Any:
         """Return a number that is read; `staged`, a state at the stage."""
