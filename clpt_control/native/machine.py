@@ -185,14 +185,14 @@ def _printers() -> str:
 
 
 def _entry(address: int) -> Callable[..., int]:
-    """Return a function of the solver; it takes whole numbers, and contiguous arrays."""
+    """Return a function of the solver; it takes the numbers of its arguments."""
     function = CFUNCTYPE(c_int64, c_void_p)(address)
+    return lambda numbers: function(addressof(c_char.from_buffer(numbers.data)))
 
-    def call(*arguments: Any) -> int:
-        numbers = np.array(flattened(arguments), dtype=np.int64)
-        return function(addressof(c_char.from_buffer(numbers.data)))
 
-    return call
+def numbers_of(*arguments: Any) -> np.ndarray:
+    """Return the numbers of whole numbers, contiguous arrays, and tuples of these."""
+    return np.array(flattened(arguments), dtype=np.int64)
 
 
 def flattened(arguments: tuple) -> list[Any]:
