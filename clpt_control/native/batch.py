@@ -19,7 +19,7 @@ from ..errors import SimulationError
 from ..progress.interrupt import check
 from . import numbering
 from .jacobian import Jacobian
-from .machine import LANES, compiled_solver
+from .machine import LANES, compiled_solver, numbers_of
 from .schedule import Schedule
 
 PAUSE = 0.05  # seconds of a call
@@ -59,10 +59,10 @@ class Callee(NamedTuple):
         """The solver's `shape`: numbers of lanes, of states, and so on to `decided`."""
         return self[2:9]
 
-    def call(self, name: str, *arguments: Any) -> int:
-        """Call a function of the solver; raise the error that Python raised within it."""
+    def call(self, name: str, numbers: np.ndarray) -> int:
+        """Call a function of the solver on numbers; raise the error that Python raised within."""
         with np.errstate(all="ignore"):
-            result = getattr(compiled_solver(), name)(self.functions, *arguments)
+            result = getattr(compiled_solver(), name)(numbers)
         if self.raised:
             raise self.raised.pop()
         return result
@@ -80,7 +80,8 @@ class Callee(NamedTuple):
         out, which = np.empty((len(times), count)), np.searchsorted(pieces.edges, times, "right")
         points, each = (times, which, np.zeros(1), x.ravel()), (pieces.places, pieces.values)
         decisions, arrays = (self.decided_at, self.decided), (P, self.tables, W, D)
-        self.call("evaluate", role, self.nstates, decisions, points, each, arrays, out)
+        how = self.functions, role, self.nstates, decisions
+        self.call("evaluate", numbers_of(*how, points, each, arrays, out))
         return out
 
 
@@ -135,6 +136,10 @@ class Batch:
         whole = np.full((5, lanes), -1, dtype=np.int64)
         self.lane = self.numbers, whole, np.array([0, m, 0], dtype=np.int64)
         self.arrays, self.linear = (self.Z, P, callee.tables, W, D), callee.linear.for_solver
+        self._tolerances = np.zeros(2)
+        batch = self.runs, self.schedule, self.times, self.results, self.lane, self.arrays
+        how = callee.functions, callee.shape, self._tolerances
+        self._call = numbers_of(*how, batch, self.linear, 0, 0)
 
     @property
     def now(self) -> float:
@@ -181,10 +186,8 @@ class Batch:
 
     def advance(self, rtol: float, atol: float, budget: int, most: int = MEMBER_STEPS) -> int:
         """Take some steps in each lane; return how many lanes are at work."""
-        tolerances = np.array([max(rtol, 2.3e-14), atol])
-        batch = self.runs, self.schedule, self.times, self.results, self.lane, self.arrays
-        arguments = self.callee.shape, tolerances, batch, self.linear, budget, most
-        return self.callee.call("advance", *arguments)
+        self._tolerances[:], self._call[-2:] = (max(rtol, 2.3e-14), atol), (budget, most)
+        return self.callee.call("advance", self._call)
 
     def _end_if_stiff(self, k: int, rtol: float, atol: float, implicit: Any) -> None:
         """End the run of a lane if it is stiff; its rest begins where it is."""

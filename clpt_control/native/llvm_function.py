@@ -4,7 +4,8 @@
 
 For eight runs side by side every array but T holds eight columns, a run in each, and a loop does
 one iteration at a time.  For one run a loop does eight iterations at once, the last ones with a
-mask; its sums have eight parts, which are added in the same order on every processor.
+mask; its sums have eight parts, which are added in the same order on every processor.  Where an
+iteration is a long chain, such as exp, two are printed at once.
 """
 
 from collections.abc import Callable, Sequence
@@ -18,6 +19,7 @@ from .vectors import BIT, DOUBLE, INT32, WORD, constant, declared, elements, gat
 
 Moves = Sequence[tuple[Any, int]]  # the indices of loops, each with its stride
 Body = Callable[[Any, list], list]  # prints an iteration: index, sums before it -> sums after it
+SLOW = 5  # a root or a quotient takes as long as so many operations
 ARRAYS = ("t", "X", "P", "T", "W", "D")
 
 
@@ -44,6 +46,7 @@ class Function:
                 table.initializer = ir.Constant(kind, numbers)
             self.arrays["K"] = self.builder.bitcast(module.globals["K"], pointer)
         self.lanes = lanes
+        self.chained = False  # whether a long chain of operations was printed
         self.active = LANES  # iterations of those at once that the mask leaves
 
     # --- arrays ---------------------------------------------------------------------------
@@ -146,7 +149,14 @@ class Function:
         for first in sums:
             phis.append(builder.phi(first.type))
             phis[-1].add_incoming(first, before)
-        results = body(index, phis)
+        self.chained = False
+        results, left = body(index, phis), indices[:0]
+        if self.chained and builder.block is inside:
+            if len(indices) >= 4:
+                results = body(builder.add(index, ir.Constant(WORD, indices.step)), results)
+                pairs = len(indices) // 2 * 2
+                left, indices = indices[pairs:], indices[:pairs:2]
+            spread(inside)
         following = builder.add(index, ir.Constant(WORD, indices.step))
         index.add_incoming(following, builder.block)
         for phi, value in zip(phis, results, strict=True):
@@ -154,4 +164,20 @@ class Function:
         more = builder.icmp_signed("<", following, ir.Constant(WORD, indices.stop))
         builder.cbranch(more, inside, after)
         builder.position_at_end(after)
+        for place in left:
+            results = body(place, results)
         return results
+
+
+def spread(block: ir.Block) -> None:
+    """Put operations of a block in the order in which their arguments are known.
+
+    The processor looks only so far ahead: long chains run side by side if they stand so.
+    """
+    known: dict[int, int] = {}
+    begins: dict[int, int] = {}
+    for one in block.instructions:
+        begins[id(one)] = max((known.get(id(a), 0) for a in one.operands), default=0)
+        slow = one.opname == "fdiv" or (one.opname == "call" and "sqrt" in one.callee.name)
+        known[id(one)] = begins[id(one)] + (SLOW if slow else 1)
+    block.instructions.sort(key=lambda one: begins[id(one)])

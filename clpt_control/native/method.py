@@ -383,6 +383,7 @@ def kernels(n: int, lanes: int, method: int, ahead: bool) -> Machine:
         named,
         f"formulas {n} {lanes} {method} {ahead}",
         lambda: print_program(program_of_formulas(named, n), tuple(named), lanes),
+        plain=True,
     )
 
 

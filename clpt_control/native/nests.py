@@ -15,21 +15,22 @@ from .plan import Nest, Program
 from .vectors import WORD, calculate, constant, elements, gathered, horizontal_sum, splat, width_of
 
 UNROLLED, UNROLLED_RUNS = 4, 8  # the longest loop that unrolls: most loops, inner ones in lanes
+CHAINS = ("exp", "sin", "cos")  # always inlined, where there are few
 MOST_INLINED = 64  # calls of a function; LLVM takes minutes for thousands in one piece of code
 Key = tuple[int, tuple[int, ...], bool]  # component, loops of its axes, for eight iterations
 
 
 def print_program(program: Program, names: tuple[str, ...], lanes: int) -> ir.Module:
     """Return a module of LLVM with some of a program's functions."""
-    module = ir.Module()
+    module, calls = ir.Module(), Counter(one.name for one in program.components)
+    few = {one for one in CHAINS if calls[one] <= MOST_INLINED}
     with deep():
         for name in names:
-            _Nests(module, name, lanes, program)
-    calls = Counter(one.name for one in program.components)
+            _Nests(module, name, lanes, program, few)
     for function in module.functions:
-        if calls[function.name.partition(".")[0]] > MOST_INLINED:
-            function.attributes.discard("alwaysinline")
-            function.attributes.add("noinline")
+        name = function.name.partition(".")[0]
+        if name in few or calls[name] > MOST_INLINED:
+            function.attributes.add("alwaysinline" if name in few else "noinline")
     return module
 
 
@@ -39,9 +40,10 @@ class _Nests(Function):
     A value is printed when it is first used, at the beginning of the innermost of its loops.
     """
 
-    def __init__(self, module: ir.Module, name: str, lanes: int, program: Program):
+    def __init__(self, module: ir.Module, name: str, lanes: int, program: Program, few: set):
         super().__init__(module, name, lanes, program.constants)
         self.all, self.prepared = program.components, {} if name == "prepare" else program.prepared
+        self.inline = few if name in ("derivative", "staged") else set()
         nests = program.functions["derivative" if name == "staged" else name]
         rates = [prod(one.lengths) for nest in nests for one in nest.items if one.array == "D"]
         self.rates_at = -sum(rates) if name == "staged" else 0  # in D, of the stage before
@@ -154,7 +156,9 @@ class _Nests(Function):
             table, place = self.all[arguments[1][0]], self.argument(arguments[0], loops, wide)
             return lambda: self.lookup(place, *table.arguments[:4])
         values = [self.argument(a, loops, wide) for a in arguments]
-        return lambda: calculate(builder, name, width, values)
+        inline = bool(loops) and name in self.inline and type(self.indices[loops[-1]]) is not int
+        self.chained |= inline
+        return lambda: calculate(builder, name, width, values, inline)
 
     def at_stage(self, array: str, first: int, moves: Any, stride: int | None) -> Any:
         """Return a number that is read; `staged`, a state at the stage."""

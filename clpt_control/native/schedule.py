@@ -178,7 +178,7 @@ def make_schedule(
     jumps, edges = sweep.breakpoints(t0, t1 + rounding(t1)), kinks
     if len(jumps):
         jumps = moved_back(jumps, np.asarray(times))
-        edges = np.union1d(jumps, moved_to(jumps, kinks))
+        edges = np.union1d(jumps, moved_to(jumps, kinks)) if len(kinks) else jumps
     starts = np.concatenate([[t0], edges[(edges > t0) & (edges < t1)], [t1]])
     if sweep.wiring.dt:
         starts = np.unique(np.asarray(times)[np.searchsorted(times, starts)])

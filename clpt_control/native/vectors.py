@@ -19,7 +19,6 @@ from .elementary import FUNCTIONS, LIBRARY, MAGIC
 from .machine import LANES, scales
 
 DOUBLE, BIT, WORD, INT32 = ir.DoubleType(), ir.IntType(1), ir.IntType(64), ir.IntType(32)
-INLINE = frozenset({"exp", "sin", "cos"})  # always inlined
 
 
 def vector(width: int, entry: ir.Type = DOUBLE) -> ir.Type:
@@ -211,21 +210,24 @@ def tape_of(name: str, count: int) -> list[Operation]:
     return tape.operations[: operand(value) + 1]
 
 
-def calculate(builder: ir.IRBuilder, name: str, width: int, arguments: Sequence[Any]) -> Any:
-    """Return the value of an operation; a long one is a function, printed once a module."""
+def calculate(
+    builder: ir.IRBuilder, name: str, width: int, arguments: Sequence[Any], inline: bool = False
+) -> Any:
+    """Return the value of an operation; a long one is a function, printed once a module.
+
+    With `inline` it is printed in place.
+    """
     values = [constant(a, width) if type(a) is float else a for a in arguments]
     if name in PRIMITIVES:
         return PRIMITIVES[name](builder, *values)
     operations = tape_of(name, len(values))
-    if name not in OUT_OF_LINE:
+    if inline or name not in OUT_OF_LINE:
         return calculate_tape(builder, operations, width, values)
     function_name = f"{name}.{width}"
     if function_name not in builder.module.globals:
         signature = ir.FunctionType(vector(width), [vector(width)] * len(values))
         function = ir.Function(builder.module, signature, function_name)
         function.linkage = "internal"
-        if name in INLINE:
-            function.attributes.add("alwaysinline")
         inner = ir.IRBuilder(function.append_basic_block())
         inner.ret(calculate_tape(inner, operations, width, function.args))
     return builder.call(builder.module.globals[function_name], values)
