@@ -18,7 +18,6 @@ from contextlib import contextmanager, suppress
 from ctypes import CFUNCTYPE, addressof, c_char, c_double, c_int64, c_void_p
 from functools import cache, lru_cache
 from importlib.metadata import version
-from itertools import count
 from pathlib import Path
 from threading import RLock
 from types import SimpleNamespace
@@ -36,7 +35,6 @@ LANES = 8  # runs side by side, or iterations of a loop at once
 MOST_FILES = 4000  # of a family, "solver-" or none, some 6 kB each; the least recently used go
 HASH = hashlib.sha256().digest_size
 LOCK = RLock()
-LIBRARIES = count()  # numbers of what was loaded
 HERE = Path(__file__).parent
 TEXT = HERE / "solver.ll"
 BRANCHES = re.compile(r'\n\s+br |call [^\n@]*@"?(?!"?llvm\.)')  # or calls of its own functions
@@ -87,9 +85,7 @@ def target_machine() -> Any:
     llvm.initialize_native_asmprinter()
     name, features = processor()
     target = llvm.Target.from_default_triple()
-    # code knows its constants by their distance (`_linker`); on Windows it would be no ELF
-    kind = {} if os.name == "nt" else {"codemodel": "small", "reloc": "pic"}
-    return target.create_target_machine(cpu=name, features=features, opt=3, jit=True, **kind)
+    return target.create_target_machine(cpu=name, features=features, opt=3, jit=True)
 
 
 # --- the cache ------------------------------------------------------------------------------
@@ -124,17 +120,10 @@ def cache_code(name: str, code: bytes) -> None:
 # --- code -----------------------------------------------------------------------------------
 
 
-@cache
-def _linker() -> Any:
-    """Return what puts code into memory, in one piece with its constants."""
-    return llvm.create_lljit_compiler(target_machine(), use_jit_link=True)
+def _load(name: str, text: Callable[[], str], plain: bool = False) -> Any:
+    """Return LLVM's engine with code from the cache, or else compiled; it knows the addresses.
 
-
-def _load(name: str, text: Callable[[], str], names: Iterable[str], plain: bool = False) -> Any:
-    """Return the addresses of functions in code from the cache, or else compiled.
-
-    They are valid for as long as what is returned lives.  In `plain` text, and in text without
-    branches, most of LLVM's passes find nothing.
+    In `plain` text, and in text without branches, most of LLVM's passes find nothing.
     """
     if (code := cached_code(name)) is None:
         machine, parsed = target_machine(), llvm.parse_assembly(printed := text())
@@ -151,10 +140,10 @@ def _load(name: str, text: Callable[[], str], names: Iterable[str], plain: bool 
         manager.run(parsed, passes)
         code = bytes(machine.emit_object(parsed))
         cache_code(name, code)
-    library = llvm.JITLibraryBuilder().add_object_img(code).add_current_process()
-    for one in names:
-        library.export_symbol(one)
-    return library.link(_linker(), f"{next(LIBRARIES)}")
+    engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), target_machine())
+    engine.add_object_file(llvm.ObjectFileRef.from_data(code))
+    engine.finalize_object()
+    return engine
 
 
 class Machine:
@@ -168,9 +157,8 @@ class Machine:
     def __init__(
         self, names: Iterable[str], source: str, module: Callable[[], Any], plain: bool = False
     ):
-        name, names = code_name(source, _printers()), tuple(names)
-        self._code = _load(name, lambda: str(module()), names, plain)
-        self.addresses = {name: self._code[name] for name in names}
+        self._engine = _load(code_name(source, _printers()), lambda: str(module()), plain)
+        self.addresses = {name: self._engine.get_function_address(name) for name in names}
 
 
 @cache
@@ -256,6 +244,6 @@ def compiled_solver() -> SimpleNamespace:
         note(f"making the solver's machine code for this processor, a few seconds, {often}")
         return text
 
-    names = "advance", "evaluate"
-    code = _load(f"solver-{code_name(text)}", announced, names)
-    return SimpleNamespace(code=code, **{name: _entry(code[name]) for name in names})
+    engine = _load(f"solver-{code_name(text)}", announced)
+    entries = {name: engine.get_function_address(name) for name in ("advance", "evaluate")}
+    return SimpleNamespace(engine=engine, **{name: _entry(at) for name, at in entries.items()})
