@@ -152,8 +152,7 @@ class Replay:
         Each is carried by the flow model.  Of a record that grows, dives that come first again
         are not learned again.
         """
-        known = [(dive, dive.vehicle, dive.notes) for dive in self._fed]
-        if known != [(dive, dive.vehicle, dive.notes) for dive in dives[: len(known)]]:
+        if [*map(_told, self._fed)] != [*map(_told, dives[: len(self._fed)])]:
             self.steps = []
             self.__post_init__()
         for dive in dives[len(self._fed) :]:
@@ -306,6 +305,12 @@ def next_dive(
     way = (guess.dr_east, guess.dr_north) if through_water is None else through_water
     check_flown(hypot(*way) / T if T > 0 else 0.0, T)
     return replay.surfacing(replay.habits.guess_of(way, T))
+
+
+def _told(dive: Dive) -> tuple:
+    """Return all that a dive tells, to compare."""
+    track = dive.track and tuple(np.asarray(one).tobytes() for one in dive.track)
+    return dive, dive.vehicle, dive.notes, track
 
 
 def _size(vector: np.ndarray) -> float:

@@ -252,6 +252,7 @@ def test_what_changed_is_learned_anew(steps):
     for changed in (
         [*eight[:3], replace(eight[3], notes=("read again",)), *eight[4:]],
         [*eight[:3], tracked(eight[3]), *eight[4:]],
+        [*eight[:3], replace(eight[3], track=tracked(eight[3]).track), *eight[4:]],
         [*eight[:3], replace(eight[3], lat_gpse=eight[3].lat_gpse + 1e-9), *eight[4:]],
         [*eight[:3], *eight[4:]],
         eight[:4],
