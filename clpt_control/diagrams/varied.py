@@ -162,11 +162,13 @@ def varied(wiring: Wiring, given: Sequence, seeds: Sequence[Seeds], count: int) 
     """
     parts = zip(wiring.nodes, given, seeds, strict=True)
     blocks = [VariedBlock(node.system, p, own, count) for node, p, own in parts]
-    inputs, signals, states = (
-        np.hstack([getattr(block, kind) + (1 + count) * getattr(node, kind).start
-                   for node, block in zip(wiring.nodes, blocks, strict=True)])
-        for kind in ("inputs", "outputs", "states")
-    )  # fmt: skip
+
+    def places(kind: str) -> np.ndarray:
+        pairs = zip(wiring.nodes, blocks, strict=True)
+        each = ((getattr(node, kind).start, getattr(block, kind)) for node, block in pairs)
+        return np.hstack([own + (1 + count) * start for start, own in each])
+
+    inputs, signals, states = map(places, ("inputs", "outputs", "states"))
     fed: list[Row] = [{} for _ in range(inputs.size)]
     for node in wiring.nodes:
         own = inputs[:, node.inputs]
