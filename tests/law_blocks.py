@@ -6,7 +6,6 @@ u = e[2], phi_x[N], z[2], zc[2]; states alpha[2N], K[2], Gamma[2], section III.
 import numpy as np
 
 import clpt_control as clpt
-from clpt_control.equations import Block
 from clpt_control.equations.ports import places
 from clpt_control.simulation.starts import state_columns
 
@@ -21,7 +20,7 @@ def remembering(t, x, u, p):
 
 
 def remembering_law(N=3, gain=0.8, start=0.5):
-    return Block(
+    return clpt.Block(
         "mine",
         update=remembering,
         inputs={"e": 2, "phi_x": "N"},
@@ -42,7 +41,7 @@ def papers(t, x, u, p):
 
 def papers_law(N=3, gain=0.8, name="mine"):
     """The paper's own, as a block that no table knows."""
-    return Block(
+    return clpt.Block(
         name,
         update=papers,
         inputs={"e": 2, "phi_x": "N", "z": 2, "zc": 2},
@@ -89,5 +88,4 @@ def alone(law, t, phi, theta, **start):
         state[columns[port]] = np.ravel(value)
     loop = clpt.connect([law], external=list(law.input_ports))
     run = clpt.simulate(loop, t, u, state, rtol=1e-11, atol=1e-13)
-    found = {port: run.states.values.T[column] for port, column in columns.items()}
-    return found, run
+    return {port: run.states.values.T[column] for port, column in columns.items()}, run

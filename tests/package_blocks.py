@@ -83,8 +83,7 @@ def of_size(N):
         if name == "learned-flow":
             yield consensus.pulled_law(block)
         if law.at_fixes:
-            late = scenario.with_values({"localization.latency": 2.0})
-            yield law.block(late.known_to_law)
+            yield law.block(scenario.with_values({"localization.latency": 2.0}).known_to_law)
 
 
 def shelf():

@@ -11,7 +11,6 @@ from responses import response
 from test_documentation import methods, public_objects
 
 import clpt_control as clpt
-from clpt_control.errors import ClptError
 
 SCENARIO = clpt.paper_scenario().with_values({"run.duration": 2})
 LOOP, STEERED = clpt.closed_loop(SCENARIO), clpt.closed_loop(SCENARIO, external="zc")
@@ -63,7 +62,7 @@ WRONG = {
 def test_engines_refuse_the_same_by_its_name(name, engine):
     for wrong in WRONG[name]:
         for system, times in ((SCENARIO, None), (LOOP, [0.0, 2.0]), (STEERED, [0.0, 2.0])):
-            with pytest.raises(ClptError, match=f"{name}|unknown param") as caught:
+            with pytest.raises(clpt.ClptError, match=f"{name}|unknown param") as caught:
                 clpt.simulate(system, **{"timepts": times, name: wrong}, engine=engine)
             assert "\n" not in str(caught.value)
 
@@ -71,7 +70,7 @@ def test_engines_refuse_the_same_by_its_name(name, engine):
 def test_there_is_no_other_engine():
     values = [one.values[0] for one in public_functions()]
     assert {f for f in values if "engine" in inspect.signature(f).parameters} == {clpt.simulate}
-    with pytest.raises(ClptError, match="must be one of native, python"):
+    with pytest.raises(clpt.ClptError, match="must be one of native, python"):
         clpt.simulate(LOOP, [0.0, 2.0], engine="fast")
 
 
@@ -80,7 +79,7 @@ def test_a_tolerance_of_nothing_is_not_the_default():
     start = clpt.initial_state(SCENARIO)
     ran = [response(LOOP, [0.0, 2.0], initial_state=start, atol=a).states for a in (0.1, 1.0)]
     assert abs(ran[0] - ran[1]).max() > 0
-    with pytest.raises(ClptError, match="one of them must be above 0"):
+    with pytest.raises(clpt.ClptError, match="one of them must be above 0"):
         clpt.simulate(LOOP, [0.0, 2.0], rtol=0.0, atol=0.0)
 
 

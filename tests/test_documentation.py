@@ -84,8 +84,7 @@ def test_every_name_says_what_it_is():
 
 def test_docstrings_say_what_is_done():
     words = ("Give", "Gives", "Tell", "Tells", "Say", "Says", "Ask", "Asks", "Let", "Lets")
-    found = [name for name, *_, text in all_docstrings() if text.split(" ", 1)[0] in words]
-    assert found == []
+    assert [name for name, *_, text in all_docstrings() if text.split(" ", 1)[0] in words] == []
 
 
 def test_only_public_names_have_sections():

@@ -36,8 +36,7 @@ def held(path):
 def test_what_is_made_beside_is_seen_at_the_end_if_at_all(tmp_path, folder, fails):
     place = tmp_path / "made"
     with suppress(ZeroDivisionError), beside(place, folder) as made:
-        assert made.parent == tmp_path
-        assert made.is_dir() == folder
+        assert (made.parent, made.is_dir()) == (tmp_path, folder)
         fill(made, "whole")
         assert not place.exists()
         if fails:
@@ -110,8 +109,7 @@ def test_folders_that_stay_empty_go_with_the_command(clpt, tmp_path, monkeypatch
 
     for fails, status in ((True, 2), (False, 0)):
         monkeypatch.setattr(cli, "_run", lambda fails=fails: work(fails))
-        assert clpt().status == status
-        assert [path.name for path in tmp_path.iterdir()] == ["used"]
+        assert (clpt().status, [path.name for path in tmp_path.iterdir()]) == (status, ["used"])
 
 
 @POSIX

@@ -8,7 +8,6 @@ import pytest
 
 import clpt_control as clpt
 from clpt_control import errors
-from clpt_control.errors import DataError
 from clpt_control.units import (
     length_in_metres,
     seconds_since_1970,
@@ -147,11 +146,13 @@ def test_lengths_and_dates():
     "unit", ["", "kelvin", "m", "s", "m s", "m-1 s", "s-1 m", "ms-1", "m/fortnight", "m/s/s", "1"]
 )
 def test_what_is_no_unit_is_refused(unit):
-    with pytest.raises(DataError, match=r"u: units = .* is no speed; must be such as 'm/s'"):
+    with pytest.raises(clpt.DataError, match=r"u: units = .* is no speed; must be such as 'm/s'"):
         speed_in_metres_per_second(unit, "u")
     if unit != "m":
-        with pytest.raises(DataError, match=r"x has units .*; must be such as 'm', 'km' or"):
+        with pytest.raises(clpt.DataError, match=r"x has units .*; must be such as 'm', 'km' or"):
             length_in_metres(unit, "x")
     if unit != "s":
-        with pytest.raises(DataError, match=r"t has units .*; must be such as 's', 'min', 'h'"):
+        with pytest.raises(
+            clpt.DataError, match=r"t has units .*; must be such as 's', 'min', 'h'"
+        ):
             time_in_seconds(unit, "t")

@@ -29,8 +29,7 @@ def test_the_command_prints_a_laws_page(clpt, printed, name):
     outcome = clpt("laws", name)
     assert outcome.status == 0
     listed = printed("laws", name)["laws"]
-    assert list(listed) == [name]
-    assert listed[name]["page"] == LAWS[name].page
+    assert (list(listed), listed[name]["page"]) == ([name], LAWS[name].page)
     assert list(listed[name]["settings"]) == list(LAWS[name].settings)
     assert listed[name]["promises"] == list(promises_in_words(LAWS[name]).values())
     for line in (LAWS[name].page.splitlines()[0], *listed[name]["promises"]):

@@ -33,8 +33,7 @@ def test_one_version_and_one_date():
     assert PROJECT["tool"]["setuptools"]["dynamic"]["version"] == {
         "attr": "clpt_control.__version__"
     }
-    assert version == clpt_control.__version__
-    assert CITATION["version"] == version
+    assert (version, CITATION["version"]) == (clpt_control.__version__, version)
     assert RECIPE["context"]["version"] == version
     assert str(CITATION.get("date-released", "not yet released")) == date
 
@@ -61,8 +60,7 @@ def test_one_description_and_one_licence():
 def test_one_lowest_python():
     lowest = RECIPE["context"]["python_min"]
     named = re.findall(r"Python :: (3\.\d+)", "\n".join(PROJECT["project"]["classifiers"]))
-    assert PROJECT["project"]["requires-python"] == f">={lowest}"
-    assert named[0] == lowest
+    assert (PROJECT["project"]["requires-python"], named[0]) == (f">={lowest}", lowest)
     assert PROJECT["tool"]["mypy"]["python_version"] == lowest
     assert PROJECT["tool"]["ruff"]["target-version"] == f"py{lowest.replace('.', '')}"
 

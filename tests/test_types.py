@@ -5,13 +5,12 @@ from typing import assert_type
 import xarray
 
 import clpt_control as clpt
-from clpt_control.scenario.experiment import Scenario
 
 
 def test_what_simulate_returns_is_known():
     scenario = clpt.paper_scenario().with_values({"run.duration": 2})
     loop = clpt.closed_loop(scenario)
-    assert_type(scenario, Scenario)
+    assert_type(scenario, clpt.Scenario)
     runs = clpt.simulate(scenario), clpt.simulate(scenario, [0.0, 1.0])
     assert_type(runs, tuple[xarray.Dataset, xarray.Dataset])
     response = clpt.simulate(loop, [0.0, 1.0])

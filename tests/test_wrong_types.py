@@ -18,7 +18,6 @@ from test_documentation import methods, public_objects
 import clpt_control as clpt
 from clpt_control.arguments import Seed, fits, kinds_of, plain, public
 from clpt_control.blocks.clpe import clpe
-from clpt_control.simulation.summary import run_and_report
 
 SCENARIO = clpt.paper_scenario().with_values({"run.duration": 40})
 LAP = clpt.paper_scenario().with_values({"run.duration": 2000, "run.output_step": 20})
@@ -147,7 +146,7 @@ def right(tmp_path_factory):
         | {"through_water": (1000.0, 0.0)},
         "aims": {"targets": [(40.0, -70.0)]},
         "period": {"constituent": "M2"},
-        "claims": {"summary": run_and_report(LAP)[2]},
+        "claims": {"summary": clpt.simulation.run_and_report(LAP)[2]},
         "flow_velocity": {"points": np.zeros((2, 2)), "timepts": 0.0},
         "sample_times": {"duration": 1.0, "step": 0.5},
         "team_plot": {"run": clpt.simulate(TEAM, [0.0, 1.0])},
@@ -268,9 +267,7 @@ def test_numbers_of_all_kinds_are_numbers(number):
 
 def test_what_can_be_made_plain_is():
     found = example(1, names=(name for name in "ab"), values=[[1, 2], [3, 4]], pair=[1, 2])
-    assert found[2] == ["a", "b"]
-    assert found[3].shape == (2, 2)
-    assert found[4] == (1, 2)
+    assert (found[2], found[3].shape, found[4]) == (["a", "b"], (2, 2), (1, 2))
 
 
 def test_python_itself_says_what_lacks_or_is_too_much():

@@ -15,8 +15,6 @@ from analysis.margins import KINDS, closed_form, margin
 from analysis.mean_square import mean_square_bound, mean_square_sides
 from analysis.worst_disturbance import influences, peak_gains, regressor_matrices, worst_disturbance
 from clpt_control.geodesy import place_from
-from clpt_control.gliders import read_dives, sample_dives, usable
-from clpt_control.replay import next_dive, replay_dives
 from clpt_control.theory.counterexamples import exact_run, scalar_matrix, with_square_wave
 from clpt_control.theory.excitation.regressor import error_matrices, joint_regressor
 
@@ -106,8 +104,7 @@ def test_the_mean_square_bound_holds_for_random_disturbances():
         runs += found.left.shape[1]
         tightest = max(tightest, found.tightness)
         largest = np.abs(delta[..., 0]).max(0) / k
-        second_half = np.abs(e[len(times) // 2 :, :, 0]).max(0)
-        violated += np.sum(second_half > largest)
+        violated += np.sum(np.abs(e[len(times) // 2 :, :, 0]).max(0) > largest)
     assert runs == 150
     assert 0.3 < tightest < 1
     assert violated > 15, "the same runs violate Eq. (33)"
@@ -123,7 +120,9 @@ def test_the_mean_square_bound_is_tight():
 
 
 def test_learned_speed_and_current_are_those_of_the_adcp(facts):
-    dives, skipped = usable(read_dives(facts / "glider" / "sg171_dives.csv")[0])
+    dives, skipped = clpt.gliders.usable(
+        clpt.gliders.read_dives(facts / "glider" / "sg171_dives.csv")[0]
+    )
     found = compared(dives, read_adcp(facts / "glider" / "sg171_adcp.csv"))
     assert (len(dives), skipped) == (10, [])
     assert 1.3 < found.measured < 1.6
@@ -208,20 +207,19 @@ def rohrs(w, unmodelled):
 
 def test_rohrs_example_loses_stability_by_the_lag_alone():
     """At the frequency where the unmodelled phase is 180 degrees ky drifts until all is lost."""
-    kept = rohrs(16.1, False)
-    assert np.all(np.abs(kept.y.values) < 3)
+    assert np.all(np.abs(rohrs(16.1, False).y.values) < 3)
     with pytest.raises(clpt.SimulationError, match=r"the integration stopped at t = 2\d\."):
         rohrs(16.1, True)
 
 
 # --- the judge of a replay's headline ------------------------------------------------------------
 
-DIVES = usable(sample_dives())[0]
+DIVES = clpt.gliders.usable(clpt.gliders.sample_dives())[0]
 
 
 def test_a_fix_on_the_ellipse_is_one_half_axis_away():
-    replay = replay_dives(DIVES[:6])
-    said = next_dive(replay).as_dict()
+    replay = clpt.replay.replay_dives(DIVES[:6])
+    said = clpt.replay.next_dive(replay).as_dict()
     turn = np.radians(said["ellipse_90_bearing"])
     along = np.array([np.sin(turn), np.cos(turn)])
     across = np.array([np.cos(turn), -np.sin(turn)])
@@ -235,9 +233,8 @@ def test_a_fix_on_the_ellipse_is_one_half_axis_away():
 
 def test_a_pair_with_dives_missing_between_is_left_out():
     whole = record(DIVES[:6])
-    holed = record(usable([*DIVES[:3], *DIVES[4:6]])[0])
-    assert len(whole) == 5
-    assert len(holed) == 3
+    holed = record(clpt.gliders.usable([*DIVES[:3], *DIVES[4:6]])[0])
+    assert (len(whole), len(holed)) == (5, 3)
     assert holed[:2] == pytest.approx(whole[:2], nan_ok=True)
 
 

@@ -13,9 +13,6 @@ from scipy.integrate import quad, simpson
 
 import clpt_control as clpt
 from clpt_control.blocks.laws.remembering import COMPOSITE_MEMORY, CONCURRENT
-from clpt_control.currents.fit import fit_scenario, save_fit
-from clpt_control.errors import ScenarioError
-from clpt_control.simulation.flows import explained_variance
 
 LAWS = ("composite-least-squares", "composite-memory", "least-squares", "normalised-gradient")
 AT_200 = {  # the largest error there; of the paper's law it is 0.257, and at 2000 0.027
@@ -100,13 +97,13 @@ def test_a_prior_of_0_holds_its_parameter():
     ],
 )
 def test_priors_must_fit(table, said):
-    with pytest.raises(ScenarioError, match=said):
+    with pytest.raises(clpt.ScenarioError, match=said):
         with_priors(table)
 
 
 def test_a_track_without_length_needs_the_scales():
     still = {"reference": {"kind": "waypoints", "points": [[0.0, 0.0]], "dwell": 10.0}}
-    with pytest.raises(ScenarioError, match=r"lie at one place.*give prior and noise"):
+    with pytest.raises(clpt.ScenarioError, match=r"lie at one place.*give prior and noise"):
         with_priors({}, **still)
     assert with_priors({"prior": 1.0, "noise": 0.3}, **still).sizes["time"] == 21
 
@@ -114,12 +111,14 @@ def test_a_track_without_length_needs_the_scales():
 def test_a_measured_current_is_learned_in_one_lap(tmp_path):
     """MARACOOS: 27 functions, no prior knowledge of theta, defaults, as a fit writes it."""
     box, tides = (40.9, 41.55, -69.9, -69.0), ("steady", "M2")
-    fitted = fit_scenario(MARACOOS, box, rows=3, columns=3, width_km=15.0, constituents=tides)
-    scenario = save_fit(fitted, tmp_path / "shoals.toml")
+    fitted = clpt.currents.fit_scenario(
+        MARACOOS, box, rows=3, columns=3, width_km=15.0, constituents=tides
+    )
+    scenario = clpt.currents.save_fit(fitted, tmp_path / "shoals.toml")
     scenario = scenario.with_values({"learning.law": LAWS[0], "learning.adapt_gains": False})
     run = clpt.simulate(scenario)
     late = run.clpe.sel(time=slice(18 - 1e-6, None))
-    share = explained_variance(scenario, run)
+    share = clpt.simulation.explained_variance(scenario, run)
     assert float(np.sqrt((late**2).sum("axis").mean())) <= 0.021
     assert share["track"] >= 0.98
     assert share["box"] >= 0.35

@@ -12,7 +12,6 @@ from scipy.integrate import cumulative_simpson
 import clpt_control as clpt
 from clpt_control.blocks.laws.remembering import DREM as LAW
 from clpt_control.blocks.laws.remembering import mixing
-from clpt_control.errors import ScenarioError, SimulationError
 
 STARTS = {"learning.parameters": [[0.3, -0.2, 0.1], [0.0, 0.4, -2.0]]}
 
@@ -98,7 +97,7 @@ def test_the_readout_of_another_start_is_refused_or_right():
     loop, first = clpt.closed_loop(scenario), np.array(STARTS["learning.parameters"])
     begin, t = clpt.initial_state(loop), np.linspace(0.0, 100.0, 101)
     begin[4:10] = first.ravel()
-    with pytest.raises(SimulationError, match=r"alpha is not adaptation\.alpha_0"):
+    with pytest.raises(clpt.SimulationError, match=r"alpha is not adaptation\.alpha_0"):
         clpt.simulate(loop, t, initial_state=begin)
     run = clpt.simulate(loop, t, initial_state=begin, params={"adaptation.alpha_0": first})
     off, read = errors(run)
@@ -137,7 +136,7 @@ def test_six_functions_are_mixed_and_seven_refused():
     assert np.all(np.diff(off, axis=0) <= 1e-10)
     assert off[-1].max() < 1e-9
     assert read[-1].max() < 1e-9
-    with pytest.raises(ScenarioError, match="drem: takes at most 6 functions, not 7"):
+    with pytest.raises(clpt.ScenarioError, match="drem: takes at most 6 functions, not 7"):
         clpt.simulate(of_many(7))
 
 
@@ -146,7 +145,7 @@ def test_six_functions_are_mixed_and_seven_refused():
     [("margin", 1.0, "less than 1"), ("excitation", 2.0, "less than or equal to 1")],
 )
 def test_a_margin_or_an_excitation_that_is_never_reached_is_refused(key, value, said):
-    with pytest.raises(ScenarioError, match=rf"learning.drem.{key} = {value}: must be {said}"):
+    with pytest.raises(clpt.ScenarioError, match=rf"learning.drem.{key} = {value}: must be {said}"):
         of_paper(**{"learning.drem": {key: value}})
 
 

@@ -6,7 +6,6 @@ from law_blocks import alone, everything, square
 
 import clpt_control as clpt
 from clpt_control.blocks.laws import least_squares, paper
-from clpt_control.errors import ScenarioError
 
 PAPER = clpt.paper_scenario()
 THETA = np.array(PAPER.flow.parameters)
@@ -90,7 +89,7 @@ def test_a_block_of_ones_own_may_make_the_estimate():
 
 def test_alpha_and_its_start_are_those_of_the_known_flow_law():
     with pytest.raises(
-        ScenarioError, match=r'parameters: law = "kalman-flow" has no use for it; remove'
+        clpt.ScenarioError, match=r'parameters: law = "kalman-flow" has no use for it; remove'
     ):
         filtered(10.0).with_values({"learning.parameters": THETA})
     start = filtered(10.0).with_values({"model.parameters": 0.5 * THETA})

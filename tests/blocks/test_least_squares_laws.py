@@ -141,8 +141,7 @@ def test_V_weighs_the_error_by_P_also_where_the_regression_is_not_exact(law, apa
         }
     )
     run = clpt.simulate(clpt.closed_loop(scenario))
-    rate = run.phi_f.values**2 / 0.5**2
-    seen = cumulative_trapezoid(rate, dx=0.02, initial=0)
+    seen = cumulative_trapezoid(run.phi_f.values**2 / 0.5**2, dx=0.02, initial=0)
     eta = (run.alpha.values + run.flow_parameters.values)[:, :, 0]
     e = (run.position - run.predicted_position).values
     V = np.sum(e**2 + 0.5**2 * eta**2 * (1 / 2.0**2 + seen)[:, None], axis=1) / 2

@@ -9,8 +9,6 @@ from hypothesis import strategies as st
 
 import clpt_control as clpt
 from clpt_control.blocks import vehicle
-from clpt_control.equations import evaluate
-from clpt_control.errors import ScenarioError
 
 PAPER = clpt.paper_scenario()
 LIMITED = PAPER.with_values({"vehicle.max_speed": 1.5})
@@ -18,8 +16,7 @@ velocity = st.floats(-1e6, 1e6).filter(lambda v: v == 0 or abs(v) > 1e-100)
 
 
 def flown(v, limit):
-    block = vehicle.speed_limit(limit)
-    return np.asarray(block.output(0.0, [], v))
+    return np.asarray(vehicle.speed_limit(limit).output(0.0, [], v))
 
 
 @seed(1)
@@ -75,7 +72,7 @@ def test_a_vehicle_comes_home_at_what_it_is_faster_and_then_settles():
     ],
 )
 def test_what_is_not_allowed_is_said(values, sentence):
-    with pytest.raises(ScenarioError, match=sentence):
+    with pytest.raises(clpt.ScenarioError, match=sentence):
         PAPER.with_values(values)
 
 
@@ -111,7 +108,7 @@ def test_the_vehicle_steers_on_what_it_reads():
 
 def test_the_truth_is_without_noise():
     run = clpt.simulate(NOISY)
-    phi = evaluate(NOISY.basis_block(), run.time.values, run.position.values)
+    phi = clpt.equations.evaluate(NOISY.basis_block(), run.time.values, run.position.values)
     flow = np.einsum("ik,tk->ti", run.flow_parameters.values, phi)
     np.testing.assert_allclose(run.true_flow, flow, rtol=0, atol=1e-12)
     seen = run.measured_position - run.predicted_position

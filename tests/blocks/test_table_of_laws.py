@@ -41,8 +41,7 @@ def rates(block, seed=0):
 @pytest.mark.parametrize("name", LAWS)
 def test_a_law_has_the_ports_of_the_diagram_and_starts_of_its_own_and_holds_gains(name):
     law, block = LAWS[name], made(name, feedback=0.0, feedforward=0.0)
-    assert block.name == "adaptation"
-    assert functions_of(block) == N
+    assert (block.name, functions_of(block)) == ("adaptation", N)
     assert not block.feedthrough
     for port, value in law.starts(theorem_scenario(N, name).known_to_law).items():
         assert np.size(value) == block.state_ports[port]
@@ -58,8 +57,7 @@ def test_V_is_zero_at_the_truth_and_e_squared_over_2_beside_it(name):
     V = LAWS[name].V(block.parameters, TRUTH)
     assert V.output_ports == {"V": 1}
     assert set(V.input_ports) <= {"e", *block.output_ports}
-    known = theorem_scenario(N, name).known_to_law
-    own = LAWS[name].starts(known)
+    own = LAWS[name].starts(theorem_scenario(N, name).known_to_law)
     at = {"alpha": -TRUTH.theta.ravel(), "K": TRUTH.KD, "Gamma": TRUTH.GammaD, **own}
     for e in ([0.0, 0.0],) if LAWS[name].at_fixes else ([0.0, 0.0], [0.3, -0.4]):
         u = np.concatenate([np.ravel(at.get(port, e)) for port in V.input_ports])

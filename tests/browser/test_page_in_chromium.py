@@ -124,8 +124,7 @@ def test_the_page_fits_its_screen(page, tmp_path, width):
     assert found["inner"] == width
     assert found["wide"] <= width
     assert found["beyond"] == [0]  # the table of dives
-    assert found["fetched"] == []
-    assert found["buttons"] == 3
+    assert (found["fetched"], found["buttons"]) == ([], 3)
     assert float(found["k"]) > 0
     assert found["zoom"] == pytest.approx(2)
     assert found["smaller"] == pytest.approx(2)  # marks and numbers keep their size

@@ -89,12 +89,10 @@ def test_the_page_is_read_on_its_screen(pages, tmp_path, name, width, theme):
     found = asked(pages / f"{name}.html", PROBE, tmp_path, width, *words)
     assert found["inner"] == width
     assert found["wide"] <= width
-    assert found["fetched"] == []
-    assert found["dark"] == (theme == "dark")
+    assert (found["fetched"], found["dark"]) == ([], theme == "dark")
     assert found["sections"] == SECTIONS[name]
     assert found["texts"] > 60
-    assert found["faint"] == []
-    assert found["flat"] == 0
+    assert (found["faint"], found["flat"]) == ([], 0)
 
 
 def test_the_page_prints(pages, tmp_path):
@@ -134,8 +132,7 @@ addEventListener("load", () => {{
 def test_they_take_the_colours_of_the_page(ink, paper, tmp_path):
     scenario = clpt.paper_scenario().with_values({"run.duration": 40})
     loop = clpt.closed_loop(scenario)
-    things = scenario, loop, clpt.draw(loop)
-    body = "".join(thing._repr_html_() for thing in things)
+    body = "".join(thing._repr_html_() for thing in (scenario, loop, clpt.draw(loop)))
     page = tmp_path / "page.html"
     page.write_text(PAGE.format(ink=ink, paper=paper, body=body), "utf-8")
     tree, console = shown(page, tmp_path / "profile", "--window-size=600,900")

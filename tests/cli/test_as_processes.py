@@ -127,8 +127,7 @@ def test_one_long_call_is_ended_with_its_half_written_files(tmp_path):
     with started([sys.executable, "-c", MODULE.format(work=work)]) as process:
         await_line(process, process.stdout, "up")
         assert interrupt(process) == ("", LINE)
-    assert process.returncode == 130
-    assert names(tmp_path) == []
+    assert (process.returncode, names(tmp_path)) == (130, [])
 
 
 @pytest.mark.processes
@@ -236,8 +235,7 @@ def test_the_same_command_gives_the_same_bytes(given, tmp_path, words):
         found.append((done.stdout, held(work)))
         work.rename(tmp_path / f"work{seed}")
     (said, files), (again, others) = found
-    assert said == again
-    assert files.keys() == others.keys()
+    assert (said, files.keys()) == (again, others.keys())
     assert [name for name in files if files[name] != others[name]] == []
 
 

@@ -109,8 +109,7 @@ def test_interrupt_ends_cleanly():
     with started([sys.executable, "-c", HEARD, "run", "s.toml", "--out", "run.nc"]) as process:
         await_line(process, process.stderr, "running s.toml")  # its progress
         assert interrupt(process) == ("", "clpt: interrupted; nothing half-written was left\n")
-    assert process.returncode == 130
-    assert [*Path().iterdir()] == [Path("s.toml")]
+    assert (process.returncode, [*Path().iterdir()]) == (130, [Path("s.toml")])
 
 
 STREAMS = {  # what a shell does with streams -> status, what is said on standard error
@@ -163,8 +162,7 @@ def test_an_output_at_the_limit_of_its_size_is_named():
 
 
 def test_too_many_open_files_are_one_sentence(capsys):
-    error = OSError(errno.EMFILE, "Too many open files", "DejaVuSans.ttf")
-    assert cli._answer(error) == 1
+    assert cli._answer(OSError(errno.EMFILE, "Too many open files", "DejaVuSans.ttf")) == 1
     said = "clpt: too many files are open at once; allow more (ulimit -n)\n"
     assert capsys.readouterr().err == said
 

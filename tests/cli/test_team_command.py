@@ -121,8 +121,7 @@ METHODS = ("least-squares", "kalman", "tomography")
 @pytest.mark.parametrize("method", METHODS)
 def test_a_run_gives_a_scenario_with_the_flow_known(clpt, printed, run, method):
     found = printed("estimate", run, "--method", method, "--until", 200, "--out", "known.toml")
-    assert found["fixes"] == 101
-    assert found["units"] == {"length": "m", "time": "s"}
+    assert (found["fixes"], found["units"]) == (101, {"length": "m", "time": "s"})
     np.testing.assert_allclose(found["theta"], THETA, rtol=0.05)
     error = np.abs(np.array(found["theta"]) - THETA).max()
     assert found["largest_error"] == pytest.approx(error)

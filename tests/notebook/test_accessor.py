@@ -32,8 +32,7 @@ def test_a_run_and_its_file_as_xarray_opens_it(made, scenario, tmp_path):
     clpt.save_run(run, tmp_path / "run.nc")
     with xarray.open_dataset(tmp_path / "run.nc") as opened:
         for one in (opened, run.isel(time=slice(3, 20))):
-            assert one.clpt.kind == "run"
-            assert one.clpt.scenario == scenario
+            assert (one.clpt.kind, one.clpt.scenario) == ("run", scenario)
             assert len(one.clpt.plot()) == 7
         report = clpt.report(opened.isel(time=[-1]), tmp_path / "page.html")
     assert report["kind"] == "Run of a scenario"
@@ -61,8 +60,7 @@ def test_teams_ensembles_and_replays(made, scenario, tmp_path):
         ("ensemble", made["ensemble"], 2),
         ("replay", data, 5),
     ):
-        assert one.clpt.kind == kind
-        assert len(one.clpt.plot()) == count
+        assert (one.clpt.kind, len(one.clpt.plot())) == (kind, count)
         assert f"clpt of a dataset: {kind}" in repr(one.clpt)
     assert [*made["team"].clpt.scenario.members.values()] == [scenario, scenario]
     assert made["ensemble"].clpt.scenario == scenario
@@ -152,13 +150,11 @@ def test_a_mat_file_has_a_matrix_for_each_port(tmp_path):
     np.testing.assert_array_equal(read["time"], TIMES)
     np.testing.assert_array_equal(read["h"], run.h)
     np.testing.assert_array_equal(read["q"], run.q)
-    assert read["title"] == "Response of tank"
-    assert read["units"]["h"] == "m"
+    assert (read["title"], read["units"]["h"]) == ("Response of tank", "m")
     assert not len(read["units"]["q"])
     assert read["signals"]["h"].tolist() == ["h[0]", "h[1]"]
     shapes = loadmat(tmp_path / "run.mat")
-    assert shapes["time"].shape == (11, 1)
-    assert shapes["h"].shape == (11, 2)
+    assert (shapes["time"].shape, shapes["h"].shape) == ((11, 1), (11, 2))
     assert shapes["q"].shape == (11, 1)
 
 
@@ -184,8 +180,7 @@ def test_a_run_of_a_scenario_and_of_a_team(made, tmp_path):
     ],
 )
 def test_names_are_those_that_matlab_allows(tmp_path, h, q, names):
-    run = run_of_a_diagram().rename(h=h, q=q)
-    run.clpt.table(tmp_path / "run.mat")
+    run_of_a_diagram().rename(h=h, q=q).clpt.table(tmp_path / "run.mat")
     read = {name for name in loadmat(tmp_path / "run.mat") if name[:2] != "__"}
     assert read - {"time", "units", "signals", "title"} == names
 

@@ -110,8 +110,7 @@ def test_a_film_has_its_frames(run, clpt, refused, tmp_path):
     assert done.out == f"{file}: written\n"
     assert "must end in .gif" in refused(*words, tmp_path / "film.doc")
     with Image.open(file) as film:
-        assert film.n_frames == 10
-        assert film.width == 300
+        assert (film.n_frames, film.width) == (10, 300)
         for k in range(10):
             film.seek(k)
             assert film.info["duration"] == 100
@@ -158,8 +157,7 @@ def test_what_is_shown_is_the_runs_own(run, scenario):
 def test_arrows_stand_within_a_field(scenario, tmp_path):
     uniform_field(tmp_path / "field.nc", half=3.5)
     flow = {"field": str(tmp_path / "field.nc"), "outside": "clip"}
-    run = clpt.simulate(scenario.with_values({"flow": flow}))
-    (arrows, *_) = drawn(run, 10)[1].values()
+    (arrows, *_) = drawn(clpt.simulate(scenario.with_values({"flow": flow})), 10)[1].values()
     assert np.abs([arrows.X, arrows.Y]).max() <= 3.5
     np.testing.assert_allclose([arrows.U, arrows.V], 0.1)
 

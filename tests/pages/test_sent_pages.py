@@ -18,7 +18,6 @@ from clpt_control.figures import inline_svg, new_figure
 from clpt_control.pages.page import page_html
 from clpt_control.pages.results import run_result
 from clpt_control.pages.writing import page_of, report
-from clpt_control.simulation.summary import run_and_report
 
 EVIL = "</title></style><script>alert(1)</script><img src=x onerror='alert(2)'>\"&amp;"
 SECTIONS = ["achieved", "loop", "track", "clpe", "learning", "excitation", "scenario", "versions"]
@@ -74,8 +73,7 @@ def words(data):
 
 def test_a_run_has_its_page(page):
     read = checked(page)
-    ids = [names["id"] for tag, names in read.tags if tag == "h2"]
-    assert ids == SECTIONS
+    assert [names["id"] for tag, names in read.tags if tag == "h2"] == SECTIONS
     assert [tag for tag, _ in read.tags].count("svg") == 7
     assert {"adaptation", "gain (1/s)"} <= set(read.texts)  # of figures
     text = " ".join(read.texts)
@@ -94,8 +92,7 @@ def test_nothing_of_a_run_is_markup(run, monkeypatch):
     monkeypatch.setattr("clpt_control.pages.page.inline_svg", lambda *_: "")
     scenario = run.attrs["scenario"].replace("Two waypoints", EVIL.replace('"', '\\"'))
     bad = run.assign_attrs(title=EVIL, message=EVIL, status=EVIL, software=EVIL, scenario=scenario)
-    read = checked(page_html(page_of(bad)))
-    assert sum(EVIL in text for text in read.texts) >= 4
+    assert sum(EVIL in text for text in checked(page_html(page_of(bad))).texts) >= 4
 
 
 def test_a_number_that_is_none_is_refused(run):
@@ -147,7 +144,7 @@ def test_what_the_scenario_does_not_hold_is_said(run):
 
 @pytest.fixture(scope="module")
 def found():
-    return run_and_report(SHORT)
+    return clpt.simulation.run_and_report(SHORT)
 
 
 def test_figures_of_clpt_run_are_those_of_the_page(found):
@@ -249,8 +246,7 @@ def test_a_team_has_its_page(tmp_path):
 
 
 def test_a_replay_has_the_page_of_the_watch(tmp_path):
-    replay = clpt.replay.replay_dives(fixes_of(4))
-    made = clpt.report(replay, tmp_path / "r.html")
+    made = clpt.report(clpt.replay.replay_dives(fixes_of(4)), tmp_path / "r.html")
     assert made["sentences"][0].startswith("next surfacing ")
     assert "where it comes up next" in (tmp_path / "r.html").read_text("utf-8")
 

@@ -62,8 +62,7 @@ def test_a_filter_is_as_uncertain_as_it_says():
     times = dt * np.arange(20_000)
     walk = np.cumsum(np.sqrt(q) * np.random.default_rng(2).standard_normal(len(times)))
     noise = clpt.simulate(parts.noise(np.sqrt(r), dt, seed=7), times).n.values
-    plant = control.ss(1, 1, 1, 0, dt)
-    filter = parts.kalman_filter(plant, [[q]], [[r]])
+    filter = parts.kalman_filter(control.ss(1, 1, 1, 0, dt), [[q]], [[r]])
     found = clpt.simulate(filter, times, np.stack([0 * times, walk + noise]))
     squared = np.mean((found.x_hat.values.squeeze() - walk)[100:] ** 2)
     assert squared == pytest.approx(float(found.P.values.squeeze()[-1]), rel=0.05)
@@ -112,8 +111,7 @@ def test_forces_do_the_work_of_a_planar_vehicle(engine):
     tau, start = np.array([15.0, -4.0, 3.0]), np.array([0.0, 0, 0.3, 0.5, -0.4, 0.6])
     block = parts.planar_vehicle(M, D, QUADRATIC)
     times = np.linspace(0, 10, 4001)
-    found = run(block, times, [*tau, 0, 0], start, engine=engine)
-    nu = found.nu.values
+    nu = run(block, times, [*tau, 0, 0], start, engine=engine).nu.values
     energy = 0.5 * np.einsum("ti,ij,tj->t", nu, M, nu)
     power = nu @ tau - np.einsum("ti,ij,tj->t", nu, D, nu)
     power -= np.einsum("ti,ij,tj->t", nu, QUADRATIC, np.abs(nu) * nu)
@@ -136,8 +134,7 @@ def test_coriolis_is_fossens_matrix():
 
 def test_thrusters_push_and_turn():
     places, angles = [(-0.8, -0.2), (-0.8, 0.2), (1.0, 0.0)], [0.0, 0.0, np.pi / 2]
-    block = parts.thrusters(places, angles, -10, 20, lag=0.5)
-    found = run(block, TIMES, [50.0, 10.0, -4.0])
+    found = run(parts.thrusters(places, angles, -10, 20, lag=0.5), TIMES, [50.0, 10.0, -4.0])
     force = np.outer(1 - np.exp(-TIMES / 0.5), [20.0, 10.0, -4.0])
     exact = [
         force[:, 0] + force[:, 1],

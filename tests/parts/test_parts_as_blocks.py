@@ -10,7 +10,6 @@ from test_parts_closed_forms import TIMES
 
 import clpt_control as clpt
 from clpt_control import parts
-from clpt_control.errors import ArgumentError, BlockError
 
 
 def test_a_source_has_nothing_to_linearize_along():
@@ -41,7 +40,7 @@ MISTAKES = r"""
 @pytest.mark.parametrize("mistake", MISTAKES.strip().splitlines())
 def test_mistakes_are_told(mistake):
     call, said = mistake.split(" -> ")
-    with pytest.raises((BlockError, ArgumentError), match=re.escape(said)):
+    with pytest.raises((clpt.BlockError, clpt.ArgumentError), match=re.escape(said)):
         eval(call.strip(), {"parts": parts, "control": control, "np": np})
 
 
@@ -83,8 +82,7 @@ def test_a_block_of_discrete_time_iterates_and_samples():
         return 2 * x.x + u.u
 
     twice = clpt.Block("twice", update=double, inputs={"u": 1}, states={"x": 1}, dt=0.5)
-    alone = clpt.simulate(twice, [0, 0.5, 1.0], 1.0)
-    assert alone.x.values.tolist() == [0, 1, 3]
+    assert clpt.simulate(twice, [0, 0.5, 1.0], 1.0).x.values.tolist() == [0, 1, 3]
     theirs = control.input_output_response(twice, np.array([0, 0.5, 1.0]), np.ones(3))
     assert theirs.outputs.tolist() == [0, 1, 3]
     loop = clpt.connect([twice, parts.lag(1.0, u="x", y="y")], external="u")

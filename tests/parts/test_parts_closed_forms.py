@@ -195,8 +195,7 @@ def test_an_unlimited_sampled_pid_is_the_transfer_function_in_z():
     z.dt = dt
     feedback = kp + ki * dt / (z - 1) + kd * (z - 1) / ((tf + dt) * z - tf)
     made = control.tf(feedback.num, feedback.den, dt)
-    rng = np.random.default_rng(1)
-    y = rng.standard_normal(len(times))
+    y = np.random.default_rng(1).standard_normal(len(times))
     block = parts.pid(kp, ki, kd, filter=tf, dt=dt)
     found = clpt.simulate(block, times, np.stack([np.zeros(len(times)), y]))
     expected = control.forced_response(made, times, -y)
@@ -221,8 +220,7 @@ def test_the_integral_follows_a_limited_command(dt):
 
 def test_back_calculation_settles_where_it_should():
     """While u is limited, I' = Ki e + (high - v)/Tt: v settles at high + Tt Ki e."""
-    block = parts.pid(2.0, 1.0, high=0.5, tracking=0.2)
-    found = run(block, [0.0, 10.0], [3.0, 0.0])
+    found = run(parts.pid(2.0, 1.0, high=0.5, tracking=0.2), [0.0, 10.0], [3.0, 0.0])
     v = 2.0 * 3.0 + float(found.states[-1, 0])
     assert v == pytest.approx(0.5 + 0.2 * 1.0 * 3.0, abs=1e-9)
     assert float(found.u[-1]) == 0.5

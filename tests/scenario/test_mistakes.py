@@ -62,8 +62,7 @@ def test_a_table_of_its_own_is_checked_too():
     other = {"reference.kind": "waypoints"}
     wait_for_error(lambda: PAPER.with_values(other), "missing key reference.points")
     given = PAPER.with_values({**other, "reference.points": [[0, 1]]}).reference
-    assert given.points == ((0, 1),)
-    assert given.dwell == PAPER.reference.dwell
+    assert (given.points, given.dwell) == (((0, 1),), PAPER.reference.dwell)
     wait_for_error(lambda: PAPER.with_values({"learning.gain.x": 2}), "gain is no table")
 
 
@@ -170,8 +169,7 @@ def test_a_mistake_is_a_sentence(values, said):
 def test_gains_are_those_that_adapt(values, gains):
     scenario = PAPER.with_values(values)
     assert scenario.learning.used_gains == gains
-    text = scenario_to_text(scenario)
-    assert clpt.Scenario.model_validate(tomllib.loads(text)) == scenario
+    assert clpt.Scenario.model_validate(tomllib.loads(scenario_to_text(scenario))) == scenario
 
 
 @pytest.mark.parametrize("name", LAWS)
@@ -213,8 +211,7 @@ def test_a_setting_whose_square_is_no_number_is_refused(key, value):
 
 def test_every_choice_is_made():
     assert set(get_args(Kernel)) == set(flow.KERNELS)
-    kinds = get_args(Disturbance.model_fields["kind"].annotation)
-    assert set(kinds) == set(disturbance.KINDS)
+    assert set(get_args(Disturbance.model_fields["kind"].annotation)) == set(disturbance.KINDS)
 
 
 # --- a team --------------------------------------------------------------------------------------
@@ -225,8 +222,7 @@ EDGES, OWN = '[["west", "east"]]', "vehicle.position = [11, 0]"
 
 def test_the_example_says_what_it_says():
     of = clpt.load_team(FILE)
-    assert list(of.members) == ["west", "east"]
-    assert of.edges == (("west", "east"),)
+    assert (list(of.members), of.edges) == (["west", "east"], (("west", "east"),))
     assert of.members["west"].vehicle.position == (-11.0, 0.0)
     assert of.members["west"].vehicle.feedback == of.members["east"].vehicle.feedback
     assert of.members["east"].reference.points[0] == (15.0, -2.0)
