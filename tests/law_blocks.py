@@ -51,6 +51,11 @@ def papers_law(N=3, gain=0.8, name="mine"):
     )
 
 
+def still(row, N=1, **own):
+    """Make a law of the table whose K and Gamma stand, beside a model of calm water."""
+    return row.of(N, **{"alpha_M": np.zeros((2, N)), "gain_K": 0.0, "gain_Gamma": 0.0, **own})
+
+
 def of_law(law, values, held=False):
     """The paper's scenario with a law at its defaults; K and Gamma are adapted, or held true."""
     own = HELD if held else {"learning.gain": None}

@@ -34,14 +34,11 @@ def test_a_block_is_asked_at_many_places_and_times(kernel, formula):
     one = [[1.0, -2.0]], [3.0], [0.7], [-math.pi / 2]
     block = flow.flow_basis("basis_x", "x", kernel, *one)
     rng = np.random.default_rng(4)
-    t, x = rng.uniform(0, 20, 50), rng.uniform(-5, 5, (50, 2))
+    times, x = rng.uniform(0, 20, 50), rng.uniform(-5, 5, (50, 2))
     shape = formula(np.hypot(x[:, 0] - 1.0, x[:, 1] + 2.0))
-    np.testing.assert_allclose(
-        clpt.equations.evaluate(block, t, x)[:, 0], shape * np.sin(0.7 * t), atol=1e-14
-    )
-    np.testing.assert_allclose(
-        clpt.equations.evaluate(block, 5.0, x)[:, 0], shape * math.sin(3.5), atol=1e-14
-    )
+    for t in (times, 5.0):
+        found = clpt.equations.evaluate(block, t, x)[:, 0]
+        np.testing.assert_allclose(found, shape * np.sin(0.7 * np.array(t)), atol=1e-14)
     assert clpt.equations.evaluate(block, 5.0, x[0]).shape == (1, 1)
 
 
@@ -49,28 +46,27 @@ def test_a_block_is_asked_at_many_places_and_times(kernel, formula):
 
 
 def test_disturbance_is_added_to_the_flow():
-    p = np.array([[1.0, 2], [3, 4]])
-    calm, windy = flow.true_flow(p), flow.true_flow(p, disturbed=True)
-    u = [9.0, 9.0, 0.25, 0.5]
-    np.testing.assert_array_equal(calm.output(0, [], u), [1.25, 2.75])
-    np.testing.assert_array_equal(windy.output(0, [], [*u, 0.5, -2.75]), [1.75, 0.0])
+    p, u = np.array([[1.0, 2], [3, 4]]), [9.0, 9.0, 0.25, 0.5]
+    assert flow.true_flow(p).output(0, [], u).tolist() == [1.25, 2.75]
+    windy = flow.true_flow(p, disturbed=True)
+    assert windy.output(0, [], [*u, 0.5, -2.75]).tolist() == [1.75, 0.0]
 
 
 # --- reference, section IV --------------------------------------------------------------------
 
 
 def test_pinned_interval_stands():
-    block = reference.reference([[1, 1], [2, 2], [3, 3]], dwell=2.0)
+    block, pinned = reference.reference([[1, 1], [2, 2], [3, 3]], 2.0), {"reference.interval": 4.0}
     for t in (0.0, 1.9, 2.0, 77.0):
-        assert block.output(t, [], [], params={"reference.interval": 4.0})[0] == 2
+        assert block.output(t, [], [], params=pinned)[0] == 2
 
 
 def test_multiples_are_single_rounded_products():
     times = multiples(0.1, 0.0, 1000.0)
     np.testing.assert_array_equal(times, [0.1 * k for k in range(1, len(times) + 1)])
     assert times[-1] <= 1000.0 < 0.1 * (len(times) + 1)
-    assert multiples(2.0, 4.0, 8.0).tolist() == [6.0, 8.0]
-    assert (multiples(2.0, 4.5, 5.5).tolist(), multiples(2.0, -9.0, 1.0).tolist()) == ([], [])
+    ends = ((4.0, 8.0), (4.5, 5.5), (-9.0, 1.0))
+    assert [multiples(2.0, *between).tolist() for between in ends] == [[6.0, 8.0], [], []]
 
 
 def test_multiples_are_counted_as_they_are_listed():
@@ -82,10 +78,6 @@ def test_multiples_are_counted_as_they_are_listed():
 
 
 # --- disturbances, Eq. (32) -------------------------------------------------------------------
-
-
-def delta(block, t):
-    return block.output(t, [], [])
 
 
 def noise_at(block, **numbers):
@@ -135,11 +127,10 @@ def test_noise_of_seeds_axes_and_lags_is_not_correlated(noises):
 def test_the_largest_seed_of_a_scenario_is_no_smaller_one_again():
     """The hash counts modulo a prime."""
     largest = int(disturbance.MODULUS) - 1
-    table = {"kind": "noise", "amplitude": [1.0, 1.0], "period": 1.0}
-    paper = clpt.paper_scenario()
-    paper.with_values({"flow.disturbance": {**table, "seed": largest}})
+    table = {"kind": "noise", "amplitude": [1.0, 1.0], "period": 1.0, "seed": largest}
+    paper = clpt.paper_scenario().with_values({"flow.disturbance": table})
     with pytest.raises(clpt.ScenarioError, match="seed"):
-        paper.with_values({"flow.disturbance": {**table, "seed": largest + 1}})
+        paper.with_values({"flow.disturbance.seed": largest + 1})
 
 
 # --- gridded flow, in place of Eq. (3) --------------------------------------------------------
@@ -154,11 +145,9 @@ def gridded(u, v, **options):
 def test_spline_goes_through_the_grid():
     values = np.random.default_rng(6).normal(size=(2, 6, 9, 7))
     block = gridded(lambda *_: values[0], lambda *_: values[1])
-    for m in range(6):
-        for j in range(9):
-            for i in range(7):
-                at = block.output(2.0 * m, [], [-3.0 + i, -2.0 + 0.5 * j])
-                np.testing.assert_allclose(at, values[:, m, j, i], atol=1e-12)
+    for m, j, i in np.ndindex(6, 9, 7):
+        at = block.output(2.0 * m, [], [-3.0 + i, -2.0 + 0.5 * j])
+        np.testing.assert_allclose(at, values[:, m, j, i], atol=1e-12)
 
 
 def test_spline_gives_cubics_back_up_to_the_edges():
@@ -170,5 +159,5 @@ def test_spline_gives_cubics_back_up_to_the_edges():
     block = gridded(u, lambda t, y, x: t * y * x)
     edges = (0.0, -2.0, -3.0), (10.0, 2.0, 3.0)
     for t, y, x in (*edges, (0.3, -1.9, -2.8), (9.6, 1.8, 2.7), (4.7, 0.3, -1.1)):
-        at = block.output(t, [], [x, y])
-        np.testing.assert_allclose(at, [u(t, y, x), t * y * x], atol=1e-10)
+        wanted = pytest.approx([u(t, y, x), t * y * x], abs=1e-10, rel=1e-7)
+        assert block.output(t, [], [x, y]) == wanted

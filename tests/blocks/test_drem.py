@@ -6,7 +6,7 @@ Q = int phi_f^2/(1 + phi_f^2), Delta = Q/max(Q, 1/l) and eta = eta(0) exp(-g int
 
 import numpy as np
 import pytest
-from law_blocks import HELD, alone, of_law
+from law_blocks import HELD, alone, of_law, still
 from scipy.integrate import cumulative_simpson
 
 import clpt_control as clpt
@@ -50,8 +50,7 @@ def test_one_function_is_the_closed_form():
     g, c, pole = 0.7, 0.6, 1.5
     theta, first = np.array([[0.6], [-0.4]]), np.array([[0.2], [0.5]])
     own = {"rate": g, "excitation": c, "margin": 0.3, "filter": pole, "alpha_0": first}
-    law = LAW.of(1, **own, gain_K=0.0, gain_Gamma=0.0, forgetting=0.0)
-    t = np.linspace(0, 8, 1601)
+    t, law = np.linspace(0, 8, 1601), still(LAW, **own, forgetting=0.0)
     states, run = alone(law, t, np.ones((1, 1601)), theta, alpha=first, w=1.0)
     phi_f = 1 - np.exp(-pole * t)
     Q = cumulative_simpson(phi_f**2 / (1 + phi_f**2), x=t, initial=0)
@@ -62,20 +61,16 @@ def test_one_function_is_the_closed_form():
     np.testing.assert_allclose(alpha, w * (theta + first) - theta, atol=2e-5)
     late = left < 0.7
     assert 0.1 < late.mean() < 0.9
-    readout = run.readout.values.T
-    np.testing.assert_allclose(readout[:, late], np.tile(theta, late.sum()))
-    np.testing.assert_allclose(readout[:, ~late], -alpha[:, ~late])
+    np.testing.assert_allclose(run.readout.values.T, np.where(late, theta, -alpha))
 
 
 @pytest.mark.parametrize("held", [{}, HELD], ids=["adapted", "held"])
 def test_each_error_only_shrinks_and_together(held):
     run = clpt.simulate(of_paper(**{**STARTS, **held, "run.output_step": 0.1}))
-    off, _ = errors(run)
+    (off, _), w = errors(run), run.error_left.values
     assert np.all(np.diff(off, axis=0) <= 1e-13)
-    first, w = off[0], run.error_left.values
-    np.testing.assert_allclose(off, w[:, None, None] * first, atol=1e-12)
-    assert w[0] == 1
-    assert w[-1] < 1e-9
+    np.testing.assert_allclose(off, w[:, None, None] * off[0], atol=1e-12)
+    assert w[-1] < 1e-9 < 1 == w[0]
 
 
 @pytest.mark.parametrize("margin", [0.1, 0.5])
@@ -87,8 +82,7 @@ def test_theta_is_read_in_finite_time(margin):
     assert read[right].max() < 1e-11
     np.testing.assert_array_equal(read[~right], off[~right])
     assert off[right][0].max() > 0.5  # the estimate itself is not there yet
-    assert right[-1]
-    assert not right[0]
+    assert right[[0, -1]].tolist() == [False, True]
 
 
 def test_the_readout_of_another_start_is_refused_or_right():
@@ -101,8 +95,7 @@ def test_the_readout_of_another_start_is_refused_or_right():
         clpt.simulate(loop, t, initial_state=begin)
     run = clpt.simulate(loop, t, initial_state=begin, params={"adaptation.alpha_0": first})
     off, read = errors(run)
-    assert off[-1].max() > 0.1
-    assert read[-1].max() < 1e-11
+    assert read[-1].max() < 1e-11 < 0.1 < off[-1].max()
     late = clpt.simulate(loop, t[50:], initial_state=clpt.state_at(clpt.simulate(scenario), 50.0))
     assert errors(late)[1][-1].max() < 1e-11  # goes on
 
@@ -118,15 +111,12 @@ def of_many(N):
     """The paper's scenario with more functions on two rings."""
     turn = 2 * np.pi * np.arange(N) / N
     ring = (5 + 3 * (np.arange(N) % 2)) * np.array([np.cos(turn), np.sin(turn)])
+    basis = {"centers": ring.T.tolist(), "widths": [3.0] * N, "phases": [0.0] * N}
     return of_paper(
         **{
-            "basis.centers": ring.T.tolist(),
-            "basis.widths": [3.0] * N,
-            "basis.periods": [9.0 + 2 * k for k in range(N)],
-            "basis.phases": [0.0] * N,
+            "basis": {"kernel": "exponential", "periods": [9.0 + 2 * k for k in range(N)], **basis},
             "flow.parameters": np.linspace(-1, 1, 2 * N).reshape(2, N).tolist(),
-            "model.parameters": [[0.0] * N] * 2,
-            "learning.parameters": [[0.0] * N] * 2,
+            **dict.fromkeys(["model.parameters", "learning.parameters"], [[0.0] * N] * 2),
         }
     )
 
@@ -134,8 +124,7 @@ def of_many(N):
 def test_six_functions_are_mixed_and_seven_refused():
     off, read = errors(clpt.simulate(of_many(6)))
     assert np.all(np.diff(off, axis=0) <= 1e-10)
-    assert off[-1].max() < 1e-9
-    assert read[-1].max() < 1e-9
+    assert max(off[-1].max(), read[-1].max()) < 1e-9
     with pytest.raises(clpt.ScenarioError, match="drem: takes at most 6 functions, not 7"):
         clpt.simulate(of_many(7))
 

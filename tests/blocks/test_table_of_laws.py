@@ -15,6 +15,7 @@ from clpt_control.theory.proving.theorem_loop import theorem_scenario
 
 N = 2
 TRUTH = Truth(np.array([[0.1, 0.2], [-0.1, -0.2]]), np.array([1.0, 0.7]), np.array([1.2, -0.5]))
+AT_TRUTH = {"alpha": -TRUTH.theta.ravel(), "K": TRUTH.KD, "Gamma": TRUTH.GammaD}
 
 
 def made(name, **gains):
@@ -57,8 +58,7 @@ def test_V_is_zero_at_the_truth_and_e_squared_over_2_beside_it(name):
     V = LAWS[name].V(block.parameters, TRUTH)
     assert V.output_ports == {"V": 1}
     assert set(V.input_ports) <= {"e", *block.output_ports}
-    own = LAWS[name].starts(theorem_scenario(N, name).known_to_law)
-    at = {"alpha": -TRUTH.theta.ravel(), "K": TRUTH.KD, "Gamma": TRUTH.GammaD, **own}
+    at = AT_TRUTH | LAWS[name].starts(theorem_scenario(N, name).known_to_law)
     for e in ([0.0, 0.0],) if LAWS[name].at_fixes else ([0.0, 0.0], [0.3, -0.4]):
         u = np.concatenate([np.ravel(at.get(port, e)) for port in V.input_ports])
         far = np.maximum(np.abs(e) - getattr(block.parameters, "zone", 0.0), 0.0)
@@ -68,36 +68,27 @@ def test_V_is_zero_at_the_truth_and_e_squared_over_2_beside_it(name):
 @pytest.mark.parametrize("name", ["learned-flow", "known-flow"])
 def test_V_weighs_each_error_by_its_gain(name):
     V = LAWS[name].V(made(name).parameters, TRUTH)
-    off = {"alpha": 0.1, "K": 0.2, "Gamma": 0.3}
-    true = {"e": np.zeros(2), "alpha": -TRUTH.theta.ravel(), "K": TRUTH.KD, "Gamma": TRUTH.GammaD}
-    u = np.concatenate([true[port] + off.get(port, 0.0) for port in V.input_ports])
+    off = {"e": 0.0, "alpha": 0.1, "K": 0.2, "Gamma": 0.3}
+    u = np.concatenate([AT_TRUTH.get(port, np.zeros(2)) + off[port] for port in V.input_ports])
     alpha = 2 * N * 0.1**2 / 0.5 if name == "learned-flow" else 0.0
     wanted = (alpha + 2 * 0.2**2 / 0.3 + 2 * 0.3**2 / 0.2) / 2
     assert V.output(0.0, [], u)[0] == pytest.approx(wanted, rel=1e-14)
 
 
-COUNTS = ("drem", "kalman-flow")  # a determinant, an identity
-
-
 @pytest.mark.parametrize("name", [name for name in LAWS if name != "known-flow"])
 def test_rates_are_read_for_every_N_unless_they_count(name):
-    record = made(name).array_record("update")
-    of_any_size = any("N" in operation.shape for operation in record.operations)
-    assert of_any_size == (name not in COUNTS)
+    operations = made(name).array_record("update").operations
+    counts = name in ("drem", "kalman-flow")  # a determinant, an identity
+    assert any("N" in operation.shape for operation in operations) != counts
 
 
 KEYS = {
-    "learning.gain": 1.3,
-    "vehicle.feedback": [1.1, 0.8],
-    "vehicle.feedforward": [1.1, -0.6],
-    "vehicle.position": [5.0, 6.0],
-    "reference.dwell": 17.0,
+    **{"learning.gain": 1.3, "vehicle.feedback": [1.1, 0.8], "vehicle.feedforward": [1.1, -0.6]},
+    **{"vehicle.position": [5.0, 6.0], "reference.dwell": 17.0, "localization.interval": 6.0},
+    **{"localization.latency": 0.5, "localization.noise": 0.2},
     "model.parameters": [[0.1, 0.2], [0.3, 0.4]],
     "learning.parameters": [[0.5, 0.2], [0.3, 0.4]],
     "learning.theta_estimate": [[0.5, 0.2], [0.3, 0.4]],
-    "localization.interval": 6.0,
-    "localization.latency": 0.5,
-    "localization.noise": 0.2,
 }
 
 
@@ -106,8 +97,7 @@ def test_what_a_law_is_made_of_is_what_changes_it(name):
     """A key is in another form in a law where its value changes more than what holds it."""
     law, scenario = LAWS[name], theorem_scenario(N, name)
 
-    def values(one):
-        known = one.known_to_law
+    def values(known):
         return {**law.parameters_of(known)._asdict(), **law.starts(known)}
 
     for key, value in KEYS.items():
@@ -115,8 +105,8 @@ def test_what_a_law_is_made_of_is_what_changes_it(name):
             other = scenario.with_values({key: value})
         except ScenarioError:
             continue  # the law has no use for it
-        first, second = values(scenario), values(other)
-        held = {field for field in first if key in keys_of(other, f"adaptation.{field}")}
-        held = set() if key in keys_of_law(other) else held
-        moved = {field for field in first if not np.array_equal(first[field], second[field])}
-        assert bool(moved - held) == (key in keys_of_law(other)), (key, moved, held)
+        first, second = values(scenario.known_to_law), values(other.known_to_law)
+        formed = key in keys_of_law(other)
+        held = {one for one in first if not formed and key in keys_of(other, f"adaptation.{one}")}
+        moved = {one for one in first if not np.array_equal(first[one], second[one])}
+        assert bool(moved - held) == formed, (key, moved, held)

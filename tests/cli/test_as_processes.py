@@ -13,8 +13,8 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
-from processes import CLPT, GUARD, await_line, interrupt, ran, started, without_progress
-from written import COMMANDS, ENSEMBLE, FOLLOW, RUN, write_each
+from processes import CLPT, CODE, GUARD, await_line, interrupt, ran, started, without_progress
+from written import COMMANDS, ENSEMBLE, FOLLOW, RUN, seldom, write_each
 
 LINE = "clpt: interrupted; nothing half-written was left\n"
 HELD = r"clpt: interrupted; e\.zarr holds \d+ of \d+ members; the same command goes on from there\n"
@@ -59,15 +59,11 @@ IMPORTS = {  # what is imported when the interrupt comes -> the command
 }
 
 
-@pytest.mark.parametrize(
-    "module",
-    [pytest.param(n, marks=[pytest.mark.processes] * (k > 1)) for k, n in enumerate(IMPORTS)],
-)
+@pytest.mark.parametrize("module", seldom(IMPORTS, 2))
 def test_an_interrupt_in_an_import_is_an_interrupt(files, module):
     before, words = names(files), IMPORTS[module]
-    with started([sys.executable, "-c", IN_IMPORT, module, *words], cwd=files) as process:
-        out, err = process.communicate(timeout=GUARD)
-    assert (process.returncode, out, without_progress(err)) == (130, "", LINE)
+    done = ran(sys.executable, "-c", IN_IMPORT, module, *words, cwd=files, status=130)
+    assert (done.stdout, without_progress(done.stderr)) == ("", LINE)
     assert not [name for name in names(files) if name.endswith((".part", ".partial"))]
     assert set(before) <= set(names(files))
 
@@ -96,12 +92,6 @@ DROPPED = """
 """
 
 
-def ended(work):
-    with started([sys.executable, "-c", MODULE.format(work=work)]) as process:
-        out, err = process.communicate(timeout=GUARD)
-    return process.returncode, out, err
-
-
 THEN = {
     "the next look": "interrupt.PATIENCE = 1e6; interrupt.check(); print('never')",
     "a wait": "interrupt.PATIENCE = 1e6; interrupt.wait(1e9)",
@@ -113,7 +103,9 @@ THEN = {
 
 @pytest.mark.parametrize("then", THEN)
 def test_an_interrupt_that_a_callback_drops_ends_the_command_by(then):
-    assert ended(DROPPED.format(then=THEN[then])) == (130, "dropped\n", LINE)
+    work = DROPPED.format(then=THEN[then])
+    done = ran(sys.executable, "-c", MODULE.format(work=work), status=130)
+    assert (done.stdout, done.stderr) == ("dropped\n", LINE)
 
 
 def test_one_long_call_is_ended_with_its_half_written_files(tmp_path):
@@ -136,8 +128,7 @@ def test_a_cluster_ends_with_the_command(files):
     pytest.importorskip("distributed")
     words = (*ENSEMBLE, "3000", "--chunk", "20", "--dask", "local", "--threads", "1")
     hear = "import clpt_control.progress as c; c.PATIENCE = c.LOG_EVERY = 0.0\n"
-    code = CLPT[2].replace("from clpt", f"{hear}from clpt", 1)
-    with started([sys.executable, "-c", code, *words], cwd=files) as process:
+    with started([sys.executable, "-c", hear + CODE, *words], cwd=files) as process:
         await_line(process, process.stderr, "20 of 3000 members")
         out, err = interrupt(process)
     assert (out, bool(re.fullmatch(HELD, err))) == ("", True), err
@@ -171,9 +162,7 @@ def interrupted_after(seconds, words, folder):
 
 
 @pytest.mark.skipif(not hasattr(os, "killpg"), reason="no groups of processes")
-@pytest.mark.parametrize(
-    "part", [0, *(pytest.param(k, marks=pytest.mark.processes) for k in range(1, 60))]
-)
+@pytest.mark.parametrize("part", seldom(range(60)))
 def test_interrupts_at_random_from_the_first_import_on(files, part):
     chance = random.Random(part)
     before = {path: path.stat().st_mtime_ns for path in files.rglob("*") if path.is_file()}
@@ -181,18 +170,16 @@ def test_interrupts_at_random_from_the_first_import_on(files, part):
         words = [*COMMANDS][k % len(COMMANDS)]
         seconds = chance.uniform(0.0, 1.0 if k % 2 == 0 or part == 0 else 6.0)
         status, err = interrupted_after(seconds, words, files)
-        told = (seconds, words, status, err)
+        told, made = (seconds, words, status, err), COMMANDS[words] or ()
         finished = status == 0 and not re.search("Traceback|fault", err)  # before the interrupt
-        ended = status == 130 and (err == LINE or bool(re.fullmatch(HELD, err)))
-        assert finished or ended, told
-        new = [path for path in files.rglob("*") if path not in before and path.is_file()]
-        whole = COMMANDS[words]
-        assert not [one.name for one in new if one.name.endswith((".part", ".partial"))], told
-        if whole is not None:
-            assert not new or all(fnmatch.filter([p.name for p in new], one) for one in whole), told
+        assert finished or (status == 130 and re.fullmatch(f"{LINE}|{HELD}", err)), told
+        paths = [path for path in files.rglob("*") if path not in before and path.is_file()]
+        new = [path.name for path in paths]
+        assert not [one for one in new if one.endswith((".part", ".partial"))], told
+        assert not new or all(fnmatch.filter(new, one) for one in made), told
         for name in ("out", "e.zarr"):
             shutil.rmtree(files / name, ignore_errors=True)
-        for path in new:
+        for path in paths:
             path.unlink(missing_ok=True)
     assert {path: path.stat().st_mtime_ns for path in before} == before
 
@@ -202,7 +189,7 @@ def test_interrupts_at_random_from_the_first_import_on(files, part):
 THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 TIMED = ("refute", "replay --follow")  # which tell how long something took, or when it was
 SAME = [words for words in COMMANDS if not " ".join(words).startswith(TIMED)]
-OFTEN = "diagram"  # in `make test`; the others by `make test-processes`
+SAME.sort(key=lambda words: words[0] != "diagram")
 
 
 def held(folder):
@@ -212,21 +199,16 @@ def held(folder):
 
 @pytest.fixture(scope="module")
 def given(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("given")
-    write_each(folder, 420)
-    return held(folder)
+    write_each(folder := tmp_path_factory.mktemp("given"), 420)
+    return folder
 
 
-@pytest.mark.parametrize(
-    "words", [c if c[0] == OFTEN else pytest.param(c, marks=pytest.mark.processes) for c in SAME]
-)
+@pytest.mark.parametrize("words", seldom(SAME))
 def test_the_same_command_gives_the_same_bytes(given, tmp_path, words):
     found = []
     for seed, threads in (("1", "1"), ("2", "1" if words[0] == "design" else "4")):
         work = tmp_path / "work"  # the same name: it is part of what is printed
-        for name, content in given.items():
-            (work / name).parent.mkdir(parents=True, exist_ok=True)
-            (work / name).write_bytes(content)
+        shutil.copytree(given, work)
         env = {**os.environ, **dict.fromkeys(THREADS, threads), "PYTHONHASHSEED": seed}
         env["CLPT_CONTROL_CACHE"] = str(tmp_path / "cache")  # cold, then warm
         more = ("--threads", threads) if words[0] == "ensemble" else ()
@@ -245,21 +227,12 @@ FORKED = pytest.mark.skipif(not hasattr(os, "fork"), reason="cases are forked")
 CASES = Path(__file__).parents[1] / "damaged_inputs.py"
 
 
-def wrong_answers(*words):
-    """Return how many cases were answered, and those that were answered wrongly."""
+@FORKED
+@pytest.mark.parametrize("words", [(0, 40, 0), pytest.param((1000, 3000), marks=pytest.mark.slow)])
+def test_damaged_inputs_are_answered(words):
+    """A share of them; `make test-slow` asks 3,000."""
     ended = ran(sys.executable, CASES, *words, env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
     answers = [json.loads(line) for line in ended.stdout.splitlines()]
     keys = ("case", "wrong", "words", "how", "err")
-    return len(answers), [{key: one[key] for key in keys} for one in answers if one["wrong"]]
-
-
-@FORKED
-def test_damaged_inputs_are_answered():
-    """A share of them; `make test-slow` asks 3,000."""
-    assert wrong_answers(0, 40, 0) == (40, [])
-
-
-@FORKED
-@pytest.mark.slow
-def test_many_damaged_inputs_are_answered():
-    assert wrong_answers(1000, 3000) == (3000, [])
+    assert [{key: one[key] for key in keys} for one in answers if one["wrong"]] == []
+    assert len(answers) == words[1]

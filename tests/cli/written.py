@@ -1,14 +1,15 @@
 """Files that commands are given: the paper's scenario with changed keys, and one of each kind."""
 
+import shutil
 import tomllib
-from importlib import resources
 from pathlib import Path
 
+import pytest
+from strait import FILE
 from synthetic_vehicle import one_file_each
 from tidal_records import times, waves, write_table
 
-import clpt_control
-from clpt_control.gliders.dive_files import sample_dives
+import clpt_control as clpt
 from clpt_control.scenario.file import paper_text, toml
 
 RUN = ("run", "s.toml", "--out", "run.nc")
@@ -40,6 +41,12 @@ COMMANDS = {  # of files as `write_each` writes -> what is made: all of it, or n
 }
 
 
+def seldom(cases, often=1):
+    """Leave all but the first cases to `make test-processes`."""
+    rare = [pytest.mark.processes]
+    return [pytest.param(one, marks=rare * (k >= often)) for k, one in enumerate(cases)]
+
+
 def write(changes, path="s.toml"):
     tables = tomllib.loads(paper_text())
     for key, value in changes.items():
@@ -47,20 +54,19 @@ def write(changes, path="s.toml"):
         table = tables
         for name in place:
             table = table.setdefault(name, {})
+        table[last] = value
         if value is None:
             del table[last]
-        else:
-            table[last] = value
     Path(path).write_text(toml(tables))
 
 
 def write_each(folder, duration):
     """Write a scenario, its run, a team, a current, a tidal record and dives."""
-    scenario = clpt_control.paper_scenario().with_values({"run.duration": duration})
-    clpt_control.save_scenario(scenario, folder / "s.toml")
-    clpt_control.save_run(clpt_control.simulate(scenario), folder / "r.nc")
-    for name, file in (("team.toml", "team.toml"), ("c.nc", "maracoos_hfr_2019-01-01.nc")):
-        (folder / name).write_bytes((resources.files("clpt_control.data") / file).read_bytes())
+    scenario = clpt.paper_scenario().with_values({"run.duration": duration})
+    clpt.save_scenario(scenario, folder / "s.toml")
+    clpt.save_run(clpt.simulate(scenario), folder / "r.nc")
+    for name, file in (("team.toml", FILE), ("c.nc", clpt.currents.sample_currents())):
+        shutil.copyfile(file, folder / name)
     write_table(folder / "r.csv", times(20), waves(times(20)))
     (folder / "in").mkdir()
-    one_file_each(folder / "in", sample_dives()[:4])
+    one_file_each(folder / "in", clpt.gliders.sample_dives()[:4])
