@@ -43,23 +43,16 @@ NAMES = "Scenario Team Diagram Drawing Replay Verdict Excitation Movie"
 @pytest.mark.parametrize("name", NAMES.split())
 def test_a_thing_shows_itself(made, name):
     """One short line as text; as HTML whole, small and harmless."""
-    thing = made[name]
-    line = repr(thing)
-    assert line.startswith(f"<{name}")
-    assert line.endswith(">")
-    assert len(line) < 200
-    assert "\n" not in line
-    html = thing._repr_html_()
+    assert re.fullmatch(f"<{name}.{{0,190}}>", repr(made[name]))
+    html = made[name]._repr_html_()
     tags = Reader(html).tags
     assert not {"b", "i", "script", "iframe", "link"} & {tag for tag, _ in tags}
     named = [pair for _, names in tags for pair in names.items()]
     far = [v or "" for k, v in named if k in ("src", "href") or "http" in (v or "")]
     assert all(one.startswith("data:image/gif;base64,") for one in far)
-    assert "url(" not in html.replace("url(#", "")
-    if name != "Movie":
-        assert len(html) < 40_000
+    assert name == "Movie" or len(html) < 40_000
     own = r"(fill|stroke|color)[:=]\W?(black|white|000|fff)"
-    assert not re.search(own, html)  # takes the page's colour
+    assert not re.search(rf"{own}|url\([^#]", html)  # takes the page's colour
 
 
 def test_what_has_no_table_says_itself_in_one_line(made):
@@ -76,32 +69,29 @@ def test_what_has_no_table_says_itself_in_one_line(made):
 
 
 def test_names_are_shown_as_they_are_and_keys_that_were_given(made):
-    for name in ("Scenario", "Replay"):
-        assert "&lt;b onload=&quot;x&quot;&gt;&amp;" in made[name]._repr_html_()
-    assert "d&lt;i&gt;" in made["Diagram"]._repr_html_()
-    html = made["Scenario"]._repr_html_()
-    assert "learning.gain</th><td>0.8<" in html
-    assert "run.duration</th><td>60" in html
+    evil = "&lt;b onload=&quot;x&quot;&gt;&amp;"
+    for name, *said in (
+        *(("Replay", evil), ("Diagram", "d&lt;i&gt;")),
+        ("Scenario", evil, "learning.gain</th><td>0.8<", "run.duration</th><td>60"),
+    ):
+        html = made[name]._repr_html_()
+        assert [one for one in said if one not in html] == []
     assert str(made["Scenario"]) == repr(made["Scenario"])
 
 
 def test_python_controls_markdown_is_not_the_same_again(made):
     """It would put the drawing into a notebook twice."""
-    for name in ("Block", "Diagram"):
-        assert made[name]._repr_markdown_() is None
+    assert made["Block"]._repr_markdown_() is made["Diagram"]._repr_markdown_() is None
 
 
 def test_a_large_diagram_is_said_in_words():
     row = [follower(f"b{k}", f"s{k}", f"s{k + 1}") for k in range(70)]
     diagram = clpt.connect(row, external=["s0"], name="chain")
-    html = diagram._repr_html_()
-    assert "more than 60 blocks" in html
-    assert "<svg" not in html
+    assert re.search("(?s)^(?!.*<svg).*more than 60 blocks", diagram._repr_html_())
     assert "70 blocks" in repr(diagram)
 
 
 def test_what_cannot_be_wired_says_why():
     circle = clpt.connect([follower("a", "s", "r"), follower("b", "r", "s")], name="circle")
-    assert "<svg" not in circle._repr_html_()
-    assert "<p>" in circle._repr_html_()
+    assert re.search("(?s)^(?!.*<svg).*<p>", circle._repr_html_())
     assert repr(circle).startswith("<Diagram circle: 2 blocks")

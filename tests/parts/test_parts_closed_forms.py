@@ -1,8 +1,14 @@
-"""Parts against closed forms, python-control and SciPy."""
+"""Parts against closed forms, python-control and SciPy; as blocks: mistakes, names, pickles."""
+
+import pickle
+import re
 
 import control
 import numpy as np
 import pytest
+from scipy.integrate import simpson, solve_ivp
+from scipy.linalg import expm
+from sentences import says
 
 import clpt_control as clpt
 from clpt_control import parts
@@ -29,21 +35,61 @@ def test_limits_and_gaps_are_numpys():
     np.testing.assert_allclose(gap.output(0, [], u), slope, atol=1e-15)
 
 
-@every_engine
-def test_a_table_is_linear_between_its_points(engine):
-    at, values = [-1.0, 0.0, 0.5, 3.0], [2.0, 0.0, 1.0, -4.0]
-    ramp = np.linspace(-2, 4, len(TIMES))
-    found = run(parts.lookup_table(at, values), TIMES, [ramp], engine=engine)
-    np.testing.assert_allclose(found.y, np.interp(ramp, at, values), atol=1e-12)
+def table():
+    """It is linear between its points."""
+    at, values, u = [-1.0, 0.0, 0.5, 3.0], [2.0, 0.0, 1.0, -4.0], np.linspace(-2, 4, len(TIMES))
+    return parts.lookup_table(at, values), [u], {"y": (np.interp(u, at, values), 1e-12)}
 
 
-@every_engine
-def test_a_rate_limit_is_a_ramp_and_then_a_lag(engine):
-    rise, T, wanted = 0.5, 0.2, 2.0
-    end = (wanted - rise * T) / rise  # from there on the rate is less than the limit
+def rate_limit(rise=0.5, T=0.2, wanted=2.0):
+    """A ramp and then a lag, once the rate is less than the limit."""
+    end = (wanted - rise * T) / rise
     exact = np.where(end > TIMES, rise * TIMES, wanted - rise * T * np.exp(-(TIMES - end) / T))
-    found = run(parts.rate_limit(rise, lag=T), TIMES, wanted, engine=engine)
-    np.testing.assert_allclose(found.y, exact, atol=1e-9)
+    return parts.rate_limit(rise, lag=T), wanted, {"y": (exact, 1e-9)}
+
+
+def backlash(width=1.0, T=0.05, slope=0.4):
+    """On a ramp s t: from t0 = w/(2 s) on y = s (t - t0) - s T (1 - exp(-(t - t0)/T))."""
+    since = np.maximum(TIMES - width / 2 / slope, 0.0)
+    exact = slope * since - slope * T * (1 - np.exp(-since / T))
+    return parts.backlash(width, lag=T), [slope * TIMES], {"y": (exact, 1e-9)}
+
+
+def lag():
+    return parts.lag(2.0, gain=3.0), 1.0, {"y": (3 * (1 - np.exp(-TIMES / 2)), 1e-10)}
+
+
+def point_vehicle(m=60.0, d=30.0, F=15.0, c=0.2):
+    v = F / d * (1 - np.exp(-d / m * TIMES))
+    exact = {"v": (v, 1e-10), "x": ((c + F / d) * TIMES - m / d * v, 1e-9)}
+    return parts.point_vehicle(m, d, axes=1), [F, c], exact
+
+
+def quadratic_drag(m=60.0, q=20.0, F=15.0):
+    exact = np.sqrt(F / q) * np.tanh(np.sqrt(F * q) / m * TIMES)
+    return parts.point_vehicle(m, 0.0, q, axes=1), [F, 0.0], {"v": (exact, 1e-9)}
+
+
+def thrusters():
+    """They push and turn."""
+    block = parts.thrusters(
+        [(-0.8, -0.2), (-0.8, 0.2), (1.0, 0.0)], [0.0, 0.0, np.pi / 2], -10, 20, lag=0.5
+    )
+    a, b, c = np.outer([20.0, 10.0, -4.0], 1 - np.exp(-TIMES / 0.5))
+    exact = np.transpose([a + b, c, 0.2 * (a - b) + c])
+    return block, [50.0, 10.0, -4.0], {"tau": (exact, 1e-8)}
+
+
+FORMS = (table, rate_limit, backlash, lag, point_vehicle, quadratic_drag, thrusters)
+
+
+@every_engine
+@pytest.mark.parametrize("form", FORMS, ids=lambda form: form.__name__)
+def test_a_part_is_its_closed_form(form, engine):
+    part, inputs, exact = form()
+    found = run(part, TIMES, inputs, engine=engine)
+    for port, (values, tolerance) in exact.items():
+        np.testing.assert_allclose(found[port], values, atol=tolerance)
 
 
 def test_a_sampled_rate_limit_falls_at_its_own_rate():
@@ -54,20 +100,6 @@ def test_a_sampled_rate_limit_falls_at_its_own_rate():
 
 
 # --- what remembers -----------------------------------------------------------------------------
-
-
-@every_engine
-def test_a_gap_is_crossed_and_then_teeth_carry_along(engine):
-    """On a ramp s t: from t0 = w/(2 s) on y = s (t - t0) - s T (1 - exp(-(t - t0)/T))."""
-    width, T, slope = 1.0, 0.05, 0.4
-    since = np.maximum(TIMES - width / 2 / slope, 0.0)
-    exact = slope * since - slope * T * (1 - np.exp(-since / T))
-    found = run(parts.backlash(width, lag=T), TIMES, [slope * TIMES], engine=engine)
-    np.testing.assert_allclose(found.y, exact, atol=1e-9)
-
-
-def wave_of(size):
-    return clpt.Block("wave", output=lambda t, x, u, p: size * np.sin(t), outputs={"u": 1})
 
 
 def test_sampled_backlash_is_the_play_and_continuous_tends_to_it():
@@ -82,7 +114,8 @@ def test_sampled_backlash_is_the_play_and_continuous_tends_to_it():
     late = times > 2 * np.pi
     falling = late & (np.cos(times) < 0) & (u < size - width)
     np.testing.assert_allclose(y[falling], u[falling] + width / 2, atol=1e-4)
-    off, wave = [], wave_of(size)
+    wave = clpt.Block("wave", output=lambda t, x, u, p: 2.0 * np.sin(t), outputs={"u": 1})
+    off = []
     for lag in (0.02, 0.005):
         close = run(clpt.connect([wave, parts.backlash(width, lag=lag)]), times)
         off.append(np.abs(close.y.values - y).max())
@@ -93,18 +126,14 @@ def test_sampled_backlash_is_the_play_and_continuous_tends_to_it():
 @every_engine
 def test_a_relay_in_a_loop_has_the_period_of_the_textbook(engine):
     """x' = -x + u, u = -sgn with hysteresis h: each half period lasts log((1 + h)/(1 - h))."""
-    h = 0.3
+    h, k = 0.3, np.arange(8)
     switch = parts.relay(on=h, off=-h, low=1.0, high=-1.0, lag=1e-3, u="x", y="u")
-    plant = parts.lag(1.0, u="u", y="x")
-    half = np.log((1 + h) / (1 - h))
-    first = np.log(1 / (1 - h))  # from 0 up to h
-    turns = first + half * np.arange(8)
+    loop = clpt.connect([switch, parts.lag(1.0, u="u", y="x")])
+    turns = np.log(1 / (1 - h)) + k * np.log((1 + h) / (1 - h))  # the first from 0 up to h
     times = np.array([0.0, *np.sort([*turns, *(turns + 0.1)])])
-    found = run(clpt.connect([switch, plant]), times, engine=engine)
-    turning = found.x.values[1::2]
-    np.testing.assert_allclose(turning, h * (-1.0) ** np.arange(8), atol=1e-8)
-    after = h + (-1 - h) * (1 - np.exp(-0.1))
-    np.testing.assert_allclose(found.x.values[2::2], after * (-1.0) ** np.arange(8), atol=1e-8)
+    turning, after = run(loop, times, engine=engine).x.values[1:].reshape(8, 2).T * (-1.0) ** k
+    np.testing.assert_allclose(turning, h, atol=1e-8)
+    np.testing.assert_allclose(after, h + (-1 - h) * (1 - np.exp(-0.1)), atol=1e-8)
 
 
 def test_a_sampled_relay_keeps_in_between():
@@ -118,22 +147,15 @@ def test_a_sampled_relay_keeps_in_between():
     np.testing.assert_array_equal(found, wanted)
 
 
-# --- lags and delays ----------------------------------------------------------------------------
-
-
-@every_engine
-def test_a_lag_is_an_exponential(engine):
-    found = run(parts.lag(2.0, gain=3.0), TIMES, 1.0, engine=engine)
-    np.testing.assert_allclose(found.y, 3 * (1 - np.exp(-TIMES / 2)), atol=1e-10)
+# --- delays -------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("order", [1, 2, 3, 5, 8, 40])
 def test_a_continuous_delay_is_pades(order):
     """One of high order, which python-control's cannot be, is the delay itself."""
     T, s = 0.7, 1j * np.logspace(-2, 2 if order < 9 else 1.5, 40)
-    linear = clpt.linearize(parts.delay(T, order), np.zeros(order), [0.0])
-    num, den = control.pade(T, min(order, 8), min(order, 8) - 1)
-    exact = control.tf(num, den)(s) if order < 9 else np.exp(-s * T)
+    linear, n = clpt.linearize(parts.delay(T, order), np.zeros(order), [0.0]), min(order, 8)
+    exact = control.tf(*control.pade(T, n, n - 1))(s) if order < 9 else np.exp(-s * T)
     np.testing.assert_allclose(linear(s).squeeze(), exact, atol=1e-10 if order < 9 else 1e-8)
     low = s[np.abs(s) * T < order / 2]
     off = np.abs(linear(low).squeeze() - np.exp(-low * T)).max()
@@ -149,12 +171,11 @@ def test_a_sampled_delay_in_a_continuous_loop_is_exact():
     error = control.summing_junction(["r", "-y"], "e", name="error")
     plant = control.ss(0, 1, 1, 0, inputs="v", outputs="y", name="plant")
     loop = clpt.connect([error, gain, parts.delay(1.0, dt=dt, u="u", y="v"), plant], external="r")
-    found = run(loop, times, 1.0)
     y, line = [0.0], [0.0, 0.0]
     for _ in times[1:]:
         line = [0.3 * (1 - y[-1]), *line]
         y.append(y[-1] + dt * line.pop())
-    np.testing.assert_allclose(found.y, y, atol=1e-9)
+    np.testing.assert_allclose(run(loop, times, 1.0).y, y, atol=1e-9)
 
 
 def test_a_hold_in_front_of_a_lag_is_c2d():
@@ -177,11 +198,9 @@ def test_a_hold_in_front_of_a_lag_is_c2d():
 @pytest.mark.parametrize("kd", [0.0, 0.6])
 def test_an_unlimited_pid_is_the_transfer_function(engine, kd):
     kp, ki, tf = 2.0, 0.8, 0.1
-    plant = control.ss([[0, 1], [-1, -0.4]], [[0], [1]], [[1, 0]], 0, name="plant")
-    plant.set_inputs(["u"])
-    plant.set_outputs(["y"])
+    names, s = {"inputs": "u", "outputs": "y", "name": "plant"}, control.tf("s")
+    plant = control.ss([[0, 1], [-1, -0.4]], [[0], [1]], [[1, 0]], 0, **names)
     ours = clpt.connect([parts.pid(kp, ki, kd, filter=tf), plant], external="r")
-    s = control.tf("s")
     forward = plant * (kp + ki / s)
     closed = forward / (1 + plant * (kp + ki / s + kd * s / (1 + tf * s)))
     expected = control.forced_response(control.ss(closed), TIMES, np.ones(len(TIMES)))
@@ -190,15 +209,11 @@ def test_an_unlimited_pid_is_the_transfer_function(engine, kd):
 
 def test_an_unlimited_sampled_pid_is_the_transfer_function_in_z():
     kp, ki, kd, tf, dt = 1.2, 0.3, 0.4, 0.2, 0.5
-    times = dt * np.arange(30)
-    z = control.tf("z")
-    z.dt = dt
+    times, z = dt * np.arange(30), control.tf([1, 0], [1], dt)
     feedback = kp + ki * dt / (z - 1) + kd * (z - 1) / ((tf + dt) * z - tf)
-    made = control.tf(feedback.num, feedback.den, dt)
     y = np.random.default_rng(1).standard_normal(len(times))
-    block = parts.pid(kp, ki, kd, filter=tf, dt=dt)
-    found = clpt.simulate(block, times, np.stack([np.zeros(len(times)), y]))
-    expected = control.forced_response(made, times, -y)
+    found = clpt.simulate(parts.pid(kp, ki, kd, filter=tf, dt=dt), times, np.stack([0 * y, y]))
+    expected = control.forced_response(feedback, times, -y)
     np.testing.assert_allclose(found.u, expected.y.squeeze(), atol=1e-10)
 
 
@@ -213,17 +228,15 @@ def test_the_integral_follows_a_limited_command(dt):
     times = np.linspace(0, 60, 3001)
     with_it, without = (run(tank(0.5, t, dt), times, 10.0, rtol=1e-8) for t in (1.0, np.inf))
     assert np.all(np.abs(with_it.u) <= 0.5)
-    assert without.y.max() > 15
-    assert with_it.y.max() < 10.5
+    assert with_it.y.max() < 10.5 < 15 < without.y.max()
     assert abs(with_it.y[-1] - 10) < 1e-3
 
 
 def test_back_calculation_settles_where_it_should():
     """While u is limited, I' = Ki e + (high - v)/Tt: v settles at high + Tt Ki e."""
-    found = run(parts.pid(2.0, 1.0, high=0.5, tracking=0.2), [0.0, 10.0], [3.0, 0.0])
-    v = 2.0 * 3.0 + float(found.states[-1, 0])
-    assert v == pytest.approx(0.5 + 0.2 * 1.0 * 3.0, abs=1e-9)
-    assert float(found.u[-1]) == 0.5
+    found = run(parts.pid(2.0, 1.0, high=0.5, tracking=0.2), [0.0, 10.0], [3.0, 0.0])[{"time": -1}]
+    assert 2.0 * 3.0 + found.states.values[0] == pytest.approx(0.5 + 0.2 * 1.0 * 3.0, abs=1e-9)
+    assert found.u == 0.5
 
 
 def test_a_sampled_integral_that_is_limited_does_not_run_away():
@@ -237,3 +250,169 @@ def test_a_sampled_integral_that_is_limited_does_not_run_away():
 def test_gains_of_two_signs_have_times_of_their_magnitudes():
     made = parts.pid(1.0, -0.1, 0.5).parameters
     assert (made.filter, made.tracking) == pytest.approx((0.05, np.sqrt(5.0)))
+
+
+# --- estimators ---------------------------------------------------------------------------------
+
+A, B, C = np.array([[0.0, 1.0], [-1.0, 0.3]]), np.array([[0.0], [1.0]]), np.array([[1.0, 0.0]])
+Q, R = np.array([[0.3, 0.1], [0.1, 0.5]]), np.array([[0.2]])
+
+
+def test_the_error_of_an_observer_decays_by_its_poles():
+    L, start = control.place(A.T, C.T, [-2.0, -3.0]).T, np.array([1.0, -0.5])
+    plant = control.ss(A, B, C, 0, inputs="u", outputs="y", name="plant")
+    loop = clpt.connect([plant, parts.observer(plant, L)], external="u")
+    found = run(loop, TIMES, [np.sin(TIMES)], [*start, 0, 0])
+    exact = [expm((A - L @ C) * t) @ start for t in TIMES]
+    x = found.states.values
+    np.testing.assert_allclose(x[:, :2] - x[:, 2:], exact, atol=1e-8)
+
+
+def test_a_kalman_bucy_filter_settles_at_care():
+    filter = parts.kalman_filter(control.ss(A, B, C, 0), Q, R, P0=2 * np.eye(2))
+    found = run(filter, [0.0, 1.0, 60.0], [0.0, 0.0])
+
+    def riccati(t, P):
+        P = P.reshape(2, 2)
+        return (A @ P + P @ A.T + Q - P @ C.T @ np.linalg.inv(R) @ C @ P).ravel()
+
+    exact = solve_ivp(riccati, (0, 1), 2 * np.eye(2).ravel(), rtol=1e-11, atol=1e-12).y[:, -1]
+    settled = control.lqe(A, np.eye(2), C, Q, R)[1].ravel()
+    P = found.P.values.reshape(3, 4)
+    np.testing.assert_array_equal(P[0], 2 * np.eye(2).ravel())
+    np.testing.assert_allclose(P[1:], [exact, settled], atol=1e-8)
+
+
+def test_a_sampled_kalman_filter_settles_at_dare():
+    F = expm(0.1 * A)
+    plant = control.ss(F, B, C, 0, 0.1)
+    found = clpt.simulate(parts.kalman_filter(plant, Q, R), 0.1 * np.arange(200), [0.0, 1.0])
+    L, P, _ = control.dlqe(F, np.eye(2), C, Q, R)
+    K = P @ C.T / (C @ P @ C.T + R)
+    np.testing.assert_allclose(found.P[-1].values.reshape(2, 2), P - K @ C @ P, atol=1e-10)
+    kept = (np.eye(2) - K @ C) @ F  # steady: x = F x_hat, x_hat = x + K (1 - C x)
+    assert np.max(np.abs(np.linalg.eigvals(kept))) < 0.95
+    steady = np.linalg.solve(np.eye(2) - kept, K[:, 0])
+    np.testing.assert_allclose(found.x_hat[-1].values, steady, atol=1e-3)
+    np.testing.assert_allclose(F @ K, L, atol=1e-10)
+
+
+def test_a_filter_is_as_uncertain_as_it_says():
+    """Of a random walk seen with noise the mean square error is P."""
+    dt, q, r = 1.0, 0.04, 1.0
+    times = dt * np.arange(20_000)
+    walk = np.cumsum(np.sqrt(q) * np.random.default_rng(2).standard_normal(len(times)))
+    seen = walk + clpt.simulate(parts.noise(np.sqrt(r), dt, seed=7), times).n.values
+    filter = parts.kalman_filter(control.ss(1, 1, 1, 0, dt), [[q]], [[r]])
+    found = clpt.simulate(filter, times, np.stack([0 * times, seen]))
+    squared = np.mean((found.x_hat.values.squeeze() - walk)[100:] ** 2)
+    assert squared == pytest.approx(float(found.P.values.squeeze()[-1]), rel=0.05)
+
+
+def test_noise_is_the_same_everywhere_and_a_signals_own():
+    """Of the hash `blocks/test_blocks_closed_forms` asks whether it is white and normal."""
+    source = parts.noise([2.0, 0.5], period=0.1, signals=2, seed=3)
+    middles = 0.1 * np.arange(20_000) + 0.05
+    found = run(source, middles).n.values
+    others = run(source, middles[:500], engine="python").n.values
+    np.testing.assert_allclose(found[:500], others, rtol=1e-13)
+    np.testing.assert_allclose(found.std(0), [2.0, 0.5], rtol=0.02)
+    np.testing.assert_allclose(found.mean(0), 0, atol=0.04)
+    other = run(parts.noise(2.0, period=0.1, seed=4), middles).n.values.squeeze()
+    for one in (other, found[:, 1]):
+        assert abs(np.corrcoef(one, found[:, 0])[0, 1]) < 0.03
+
+
+# --- vehicles -----------------------------------------------------------------------------------
+
+
+M = np.array([[60.0, 0, 0], [0, 90, 5], [0, 5, 20]])
+D, QUADRATIC = np.diag([30.0, 60, 20]), np.diag([10.0, 20, 5])
+
+
+@every_engine
+def test_forces_do_the_work_of_a_planar_vehicle(engine):
+    """nu^T M nu / 2 grows by nu^T (tau - D nu - Q |nu| nu): C takes and gives nothing."""
+    tau, start = np.array([15.0, -4.0, 3.0]), [0.0, 0, 0.3, 0.5, -0.4, 0.6]
+    block, times = parts.planar_vehicle(M, D, QUADRATIC), np.linspace(0, 10, 4001)
+    nu = run(block, times, [*tau, 0, 0], start, engine=engine).nu.values
+    first, last = (0.5 * nu[k] @ M @ nu[k] for k in (0, -1))
+    power = np.sum(nu * (tau - nu @ D - np.abs(nu) * nu @ QUADRATIC), axis=1)
+    assert last - first == pytest.approx(simpson(power, x=times), abs=1e-8)
+
+
+def test_coriolis_is_fossens_matrix():
+    rng = np.random.default_rng(3)
+    for nu, tau in rng.standard_normal((20, 2, 3)):
+        a, b = M[1, 1] * nu[1] + M[1, 2] * nu[2], M[0, 0] * nu[0]
+        coriolis = np.array([[0, 0, -a], [0, 0, b], [a, -b, 0]])
+        rate = np.linalg.solve(M, tau - coriolis @ nu - D @ nu)
+        found = parts.planar_vehicle(M, D).dynamics(0, [0, 0, rng.normal(), *nu], [*tau, 0, 0])
+        np.testing.assert_allclose(found[3:], rate, atol=1e-12)
+
+
+# --- as blocks: mistakes, names ------------------------------------------------------------------
+
+MISTAKES = r"""
+    parts.saturation(1, -1) -> saturation: low = 1: must be below high = -1
+    parts.rate_limit(1.0) -> give lag, in continuous time, or dt
+    parts.delay(1.0, dt=0.3) -> delay = 1.0: must be a multiple of dt = 0.3
+    parts.lag(0.0) -> lag = 0.0: must be positive
+    parts.saturation([0, 1], 3, signals=3) -> must be one number, or 3
+    parts.pid(1, 0.1, hgih=1) -> has no port or parameter 'hgih', but
+    parts.pid(1, 1, dt=1, tracking=0.5) -> tracking = 0.5: must be above half of
+    parts.pid(1, r="a", y="a") -> pid: its inputs would be a, a; each needs its own
+    parts.observer(control.ss(-np.eye(2), np.eye(2), [[1, 2]], 0), [[1, 2]]) -> must be (2, 1)
+    parts.lookup_table([0, 0], [1, 2]) -> two or more increasing numbers
+    parts.planar_vehicle(np.ones((3, 3)), np.eye(3)) -> m12 = m13 = 0
+    parts.kalman_filter(control.ss(-1, 1, 1, 0), [[1]], [[0]]) -> and R definite
+    parts.kalman_filter(control.ss(-1, 1, 1, 0), [[1]], [[1]], [[-1]]) -> P0: must be
+    clpt.linearize(parts.noise(1.0, 0.1), [], [], t=0.0) -> noise: has no states and no inputs
+"""
+
+
+@pytest.mark.parametrize("mistake", MISTAKES.strip().splitlines())
+def test_mistakes_are_told(mistake):
+    call, said = mistake.split(" -> ")
+    errors = clpt.DiagramError, clpt.BlockError, clpt.ArgumentError
+    says(errors, re.escape(said), eval, call.strip(), globals())
+
+
+SAMPLED = (
+    *(parts.pid(2, 0.7, 0.1, dt=0.1), parts.rate_limit(1, dt=0.1)),
+    *(parts.backlash(1, dt=0.1), parts.relay(1, -1, dt=0.1)),
+)
+
+
+@pytest.mark.parametrize("made", SAMPLED, ids=lambda one: one.name)
+def test_the_time_of_sampling_is_no_parameter(made):
+    """It changed the equations, while the part sampled as before."""
+    given, said = ([0.0, 0.1, 0.2], [1.0] * made.ninputs), f"unknown parameter '{made.name}.dt'"
+    says(clpt.ClptError, said, clpt.simulate, made, *given, params={f"{made.name}.dt": 0.2})
+    pickled = pickle.loads(pickle.dumps(made))
+    assert clpt.simulate(made, *given).equals(clpt.simulate(pickled, *given))
+
+
+@pytest.mark.parametrize("dt", [None, 0.5])
+def test_a_port_is_called_as_arrays_have_it_where_the_part_reads_its_own_name(dt):
+    runs, members = [], []
+    for y in ("warmth", "T"):  # u.T of a block's own equations is a transpose
+        pid = parts.pid(2.0, 0.3, 0.1, dt=dt, y=y, u="v")
+        loop = clpt.connect([pid, parts.lag(5.0, u="v", y=y)], external="r")
+        runs.append(clpt.simulate(loop, TIMES, 1.0)[y].values)
+        many = clpt.run_ensemble(loop, {"pid.kp": [2.0]}, timepts=TIMES, inputs=1.0)
+        members.append(float(many[f"{y}_final"][0]))
+    assert np.array_equal(*runs)
+    assert members == [runs[0][-1]] * 2
+
+
+def test_a_block_of_discrete_time_iterates_and_samples():
+    ports = {"inputs": {"u": 1}, "states": {"x": 1}, "dt": 0.5}
+    twice = clpt.Block("twice", update=lambda t, x, u, p: 2 * x.x + u.u, **ports)
+    assert clpt.simulate(twice, [0, 0.5, 1.0], 1.0).x.values.tolist() == [0, 1, 3]
+    theirs = control.input_output_response(twice, np.array([0, 0.5, 1.0]), np.ones(3))
+    assert theirs.outputs.tolist() == [0, 1, 3]
+    loop = clpt.connect([twice, parts.lag(1.0, u="x", y="y")], external="u")
+    held = clpt.simulate(loop, [0, 0.25, 0.5, 0.75, 1.0], 1.0)
+    assert held.x.values.tolist() == [0, 0, 1, 1, 3]
+    assert twice.copy(name="other").dt == 0.5
