@@ -1,4 +1,6 @@
-"""The page of a replay in headless Chromium: whole, quiet, and no wider than a telephone.
+"""Pages of a replay and to send, and what a notebook shows, in headless Chromium.
+
+They are whole, quiet, no wider than a telephone, and read in light and dark.
 
 Run by `make test-browser`; skipped, with the reason, where no Chromium is installed.
 """
@@ -11,23 +13,21 @@ import pytest
 from processes import CLPT, ran
 from synthetic_vehicle import fixes_of
 
-from clpt_control.gliders.dive_table import write_dive_table
+import clpt_control as clpt
+from clpt_control.gliders import write_dive_table
 
 NAMES = ("chromium", "chromium-browser", "google-chrome")
 CHROMIUM = next(filter(None, map(shutil.which, NAMES)), "")
-QUIET = [
-    *("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"),
-    *("--disable-sync", "--disable-background-networking", "--disable-component-update"),
-    "--enable-logging=stderr",
-]
-PROBE = """
+QUIET = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"]
+QUIET += ["--disable-sync", "--disable-background-networking", "--disable-component-update"]
+REPLAY_PROBE = """
 <script>
 function used() {
-  const before = map.viewBox.baseVal.width, k = +getComputedStyle(map).getPropertyValue("--k");
+  const k = () => +getComputedStyle(map).getPropertyValue("--k"), first = k();
+  const before = map.viewBox.baseVal.width;
   document.querySelector(".buttons button").click();
   document.querySelector("tr[id]").click();
-  return { zoom: before / map.viewBox.baseVal.width,
-    smaller: k / +getComputedStyle(map).getPropertyValue("--k"),
+  return { k: first, zoom: before / map.viewBox.baseVal.width, smaller: first / k(),
     named: document.querySelectorAll("#map .degrees").length,
     said: document.getElementById("said").textContent };
 }
@@ -36,7 +36,7 @@ addEventListener("load", () => parent.postMessage(JSON.stringify({
   beyond: [...document.querySelectorAll(".table")].map((one) => one.scrollWidth - one.clientWidth),
   buttons: document.querySelectorAll(".buttons button").length,
   fetched: performance.getEntriesByType("resource").map((one) => one.name),
-  k: getComputedStyle(map).getPropertyValue("--k"), ...used(),
+  ...used(),
 }), "*"));
 </script>
 """
@@ -81,16 +81,15 @@ def page(tmp_path_factory):
 
 def shown(path, profile, *words):
     """What Chromium makes of a file: its tree, and what its console says."""
-    words = f"--user-data-dir={profile}", *words, "--dump-dom", path.as_uri()
-    done = ran(CHROMIUM, *QUIET, *words)
+    words = f"--user-data-dir={profile}", "--enable-logging=stderr", *words
+    done = ran(CHROMIUM, *QUIET, *words, "--dump-dom", path.as_uri())
     return done.stdout, re.findall(r"CONSOLE.*", done.stderr)
 
 
 def test_the_page_obeys_its_own_policy(page, tmp_path):
     """Its script runs under the policy, and nothing is refused, missed or complained of."""
     tree, console = shown(page, tmp_path / "profile")
-    assert console == []
-    assert tree.count("<button") == 3
+    assert (console, tree.count("<button")) == ([], 3)
     assert re.search(r'<svg id="map"[^>]*style="[^"]*--k', tree)
 
 
@@ -113,31 +112,151 @@ def test_the_words_of_a_fleet_are_whole_on_a_telephone(tmp_path):
     ran(*CLPT, "replay", "--fleet", "fleet", "--out", "out", cwd=tmp_path)
     found = asked(tmp_path / "out" / "fleet.html", WORDS, tmp_path, 390)
     assert found["words"] > 10
-    assert found["broken"] == []
-    assert found["wide"] <= 390
-    assert found["beyond"] == 0
+    assert (found["broken"], found["beyond"], found["wide"] <= 390) == ([], 0, True)
 
 
 @pytest.mark.parametrize("width", [390, 1280])
 def test_the_page_fits_its_screen(page, tmp_path, width):
-    found = asked(page, PROBE, tmp_path, width)
-    assert found["inner"] == width
+    found = asked(page, REPLAY_PROBE, tmp_path, width)
+    wanted = {"inner": width, "beyond": [0], "fetched": [], "buttons": 3}  # beyond: of the table
+    assert {key: found[key] for key in wanted} == wanted
     assert found["wide"] <= width
-    assert found["beyond"] == [0]  # the table of dives
-    assert (found["fetched"], found["buttons"]) == ([], 3)
-    assert float(found["k"]) > 0
-    assert found["zoom"] == pytest.approx(2)
-    assert found["smaller"] == pytest.approx(2)  # marks and numbers keep their size
+    assert found["k"] > 0
     assert found["named"] > 3
+    # marks and numbers keep their size
+    assert (found["zoom"], found["smaller"]) == (pytest.approx(2), pytest.approx(2))
     assert found["said"].startswith("dive 60: surfaced ")
 
 
 def test_the_page_reads_without_a_script(page, tmp_path):
     text = re.sub(r"<script>.*?</script>", "", page.read_text("utf-8"), flags=re.S)
-    still = tmp_path / "still.html"
-    still.write_text(text, "utf-8")
-    tree, console = shown(still, tmp_path / "profile")
-    assert console == []
-    assert tree.count('href="#map-dive') == 60
+    (tmp_path / "still.html").write_text(text, "utf-8")
+    tree, console = shown(tmp_path / "still.html", tmp_path / "profile")
+    assert (console, tree.count('href="#map-dive')) == ([], 60)
     assert len(re.findall(r">\d+°(\d+')?[NESW]<", tree)) > 5
     assert "Next surfacing" in tree
+
+
+# --- pages to send --------------------------------------------------------------------------------
+
+DARK = "--blink-settings=preferredColorScheme=0"
+PROBE = """
+<script>
+const channels = (colour) => colour.match(/[\\d.]+/g).map(Number);
+function light(colour) {
+  const [r, g, b] = channels(colour).map((v) => (v /= 255) <= 0.04045 ? v / 12.92
+    : ((v + 0.055) / 1.055) ** 2.4);
+  return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+}
+function behind(element) {
+  for (; element; element = element.parentElement) {
+    const colour = getComputedStyle(element).backgroundColor;
+    if (channels(colour)[3] !== 0) return colour;
+  }
+}
+function contrast(element) {
+  const style = getComputedStyle(element), drawn = element.closest("svg");
+  const both = [light(drawn ? style.fill : style.color), light(behind(element))];
+  return (Math.max(...both) + 0.05) / (Math.min(...both) + 0.05);
+}
+addEventListener("load", () => {
+  const texts = [...document.body.querySelectorAll("*")].filter((one) => one.tagName !== "SCRIPT"
+    && [...one.childNodes].some((node) => node.nodeType === 3 && node.data.trim()));
+  parent.postMessage(JSON.stringify({
+    inner: innerWidth, wide: document.documentElement.scrollWidth,
+    fetched: performance.getEntriesByType("resource").map((one) => one.name),
+    sections: [...document.querySelectorAll("section h2")].map((one) => one.id),
+    texts: texts.length, dark: matchMedia("(prefers-color-scheme: dark)").matches,
+    faint: texts.filter((one) => contrast(one) < 4.5).map((one) => one.outerHTML.slice(0, 90)),
+    flat: [...document.querySelectorAll("figure svg")].filter(
+      (one) => one.getBoundingClientRect().height < 100).length,
+  }), "*");
+});
+</script>
+"""
+SECTIONS = {
+    "run": ["achieved", "loop", "track", "clpe", "learning", "excitation", "scenario", "versions"],
+    "team": ["achieved", "loop", "track", "excitation", "scenario", "versions"],
+    "ensemble": ["spread", "varied", "scenario", "versions"],
+}
+
+
+@pytest.fixture(scope="module")
+def pages(tmp_path_factory):
+    """Pages of a run, a team's run and an ensemble."""
+    folder = tmp_path_factory.mktemp("pages")
+
+    run = clpt.paper_scenario().with_values({"run.duration": 400})
+    team = clpt.Team(members={"a": run, "b": run}, coupling=0.5)
+    many = clpt.run_ensemble(run, "learning.gain=0.2:2.0", 8)
+    made = {"run": clpt.simulate(run), "team": clpt.simulate(team), "ensemble": many}
+    for name, one in made.items():
+        clpt.report(one, folder / f"{name}.html")
+    return folder
+
+
+@pytest.mark.parametrize("name", SECTIONS)
+def test_the_page_is_quiet(pages, tmp_path, name):
+    tree, console = shown(pages / f"{name}.html", tmp_path / "profile")
+    assert (console, "</footer>" in tree) == ([], True)
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize("width", [390, 1280])
+@pytest.mark.parametrize("name", SECTIONS)
+def test_the_page_is_read_on_its_screen(pages, tmp_path, name, width, theme):
+    words = [DARK] if theme == "dark" else []
+    found = asked(pages / f"{name}.html", PROBE, tmp_path, width, *words)
+    wanted = {"inner": width, "fetched": [], "dark": theme == "dark", "faint": [], "flat": 0}
+    wanted["sections"] = SECTIONS[name]
+    assert {key: found[key] for key in wanted} == wanted
+    assert found["wide"] <= width
+    assert found["texts"] > 60
+
+
+def test_the_page_prints(pages, tmp_path):
+    """As pages of paper, with the scenario unfolded."""
+    made = tmp_path / "run.pdf"
+    profile = f"--user-data-dir={tmp_path / 'profile'}"
+    ran(CHROMIUM, *QUIET, profile, f"--print-to-pdf={made}", (pages / "run.html").as_uri())
+    assert (content := made.read_bytes()).startswith(b"%PDF-")
+    assert 2 <= len(re.findall(rb"/Type\s*/Page\b", content)) <= 8
+
+
+# --- what a notebook shows takes the colours of its page -----------------------------------------
+
+PAGE = """
+<!DOCTYPE html><meta charset="utf-8"><body style="color:{ink};background:{paper}">{body}<script>
+addEventListener("load", () => {{
+  const of = (name, key) => [...document.querySelectorAll(name)].map((one) =>
+    getComputedStyle(one)[key]);
+  const found = {{
+    text: [...new Set(of(".clpt td, .clpt strong, .clpt pre", "color"))],
+    lines: [...new Set(of(".clpt svg path", "stroke"))].filter((one) => one !== "none"),
+    letters: [...new Set(of(".clpt svg text", "fill"))],
+    behind: [...new Set(of(".clpt, .clpt table, .clpt td, .clpt svg", "backgroundColor"))],
+    fetched: performance.getEntriesByType("resource").map((one) => one.name),
+    wide: document.documentElement.scrollWidth - innerWidth,
+  }};
+  document.body.textContent = JSON.stringify(found);
+}});
+</script>
+"""
+
+
+@pytest.mark.parametrize(
+    ("ink", "paper"), [("rgb(1, 2, 3)", "white"), ("rgb(230, 231, 232)", "#111")]
+)
+def test_they_take_the_colours_of_the_page(ink, paper, tmp_path):
+    scenario = clpt.paper_scenario().with_values({"run.duration": 40})
+    loop = clpt.closed_loop(scenario)
+    body = "".join(thing._repr_html_() for thing in (scenario, loop, clpt.draw(loop)))
+    page = tmp_path / "page.html"
+    page.write_text(PAGE.format(ink=ink, paper=paper, body=body), "utf-8")
+    tree, console = shown(page, tmp_path / "profile", "--window-size=600,900")
+    assert console == []
+    found = json.loads(re.search(r"<body[^>]*>(.*?)</body>", tree, re.S)[1])
+    assert found["text"] == found["letters"] == [ink]
+    assert ink in found["lines"]
+    assert (found["behind"], found["fetched"]) == (["rgba(0, 0, 0, 0)"], [])
+    assert found["wide"] <= 0

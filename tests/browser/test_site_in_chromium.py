@@ -103,9 +103,9 @@ def test_every_page_fits_its_screen(served, tmp_path, width, theme):
     pages = json.dumps([*names(), SEARCH])
     text = VISIT.replace("PAGES", pages).replace("SEARCH", SEARCH)
     visits["/visit.html"] = text.replace("WIDTH", str(width)).replace("THEME", theme)
-    size = "--window-size=1400,900", "--virtual-time-budget=600000"
-    profile = f"--user-data-dir={tmp_path / 'profile'}"
-    done = ran(CHROMIUM, *QUIET, profile, *size, "--dump-dom", f"{address}/visit.html")
+    words = "--window-size=1400,900", "--virtual-time-budget=600000"
+    profile = f"--user-data-dir={tmp_path / 'profile'}", "--enable-logging=stderr"
+    done = ran(CHROMIUM, *QUIET, *profile, *words, "--dump-dom", f"{address}/visit.html")
     found = json.loads(re.search(r"<body>(.*?)</body>", done.stdout, re.S)[1])
     assert list(found) == json.loads(pages)
     assert {name: one["wide"] for name, one in found.items() if one["wide"] > one["inner"]} == {}
