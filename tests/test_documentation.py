@@ -23,29 +23,22 @@ def is_code(value):
     return inspect.isfunction(value) or inspect.isclass(value)
 
 
-def rooms():
-    yield clpt_control
-    for name in clpt_control.__all__:
-        if inspect.ismodule(value := getattr(clpt_control, name)):
-            yield value
+TOP = {name: getattr(clpt_control, name) for name in clpt_control.__all__}
+ROOMS = [value for value in TOP.values() if inspect.ismodule(value)]
+EVERY = [clpt_control, *ROOMS]
 
 
 def public_objects():
     """What `clpt.` and the rooms name in `__all__`, once: the public API."""
-    seen = set()
-    for room in rooms():
-        for name in room.__all__:
-            value = getattr(room, name)
-            if is_code(value) and value not in seen:
-                seen.add(value)
-                yield f"{room.__name__}.{name}", value
+    every = [(room, name, getattr(room, name)) for room in EVERY for name in room.__all__]
+    first = {one: f"{room.__name__}.{name}" for room, name, one in reversed(every) if is_code(one)}
+    return [(name, one) for one, name in reversed(first.items())]
 
 
 def methods(cls):
     for name, value in vars(cls).items():
-        if name.startswith(("_", "model_")):  # pydantic's own
-            continue
-        if inspect.isfunction(value) or isinstance(value, property):
+        of_pydantic = name.startswith(("_", "model_"))
+        if (inspect.isfunction(value) or isinstance(value, property)) and not of_pydantic:
             yield name, value
 
 
@@ -68,9 +61,8 @@ def all_docstrings():
 
 
 def test_every_file_says_what_it_is():
-    empty = ("data", "")
-    bare = [name for name, tree in trees().items() if not ast.get_docstring(tree)]
-    assert [name for name in bare if name not in empty] == []
+    bare = {name for name, tree in trees().items() if not ast.get_docstring(tree)}
+    assert bare <= {"data", ""}
 
 
 def test_every_name_says_what_it_is():
@@ -114,12 +106,10 @@ def test_documented(value):
             return
     else:
         signature = inspect.signature(value)
-        names = [name for name in signature.parameters if not name.startswith("_")]
-        if names:
-            assert "Parameters\n---" in text
-            section = text.split("Parameters\n", 1)[1].split("\n\n")[0]
-            missing = [name for name in names if not re.search(rf"\b{name}\b", section)]
-            assert not missing, f"undocumented parameters {missing}"
+        section = re.search(r"(?s)Parameters\n---.*?(\n\n|$)", text)
+        words = set(re.findall(r"\w+", section[0])) if section else set()
+        missing = {name for name in signature.parameters if name[0] != "_"} - words
+        assert not missing, f"undocumented parameters {missing}"
         assert "Returns\n----" in text or signature.return_annotation in (None, "None")
     assert ">>>" in text, "no example"
 
@@ -127,28 +117,19 @@ def test_documented(value):
 def test_every_public_name_stands_in_the_reference():
     """Once, on the page of its room: in a block ```{names} ROOM of docs/reference."""
     block = re.compile(r"^```\{names\} (\S+)\n(.*?)^```", re.M | re.S)
-    shown = [
-        f"{room}.{name}"
-        for page in REFERENCE.glob("*.md")
-        for room, names in block.findall(page.read_text("utf-8"))
-        for name in names.split()
-    ]
-    top, *below = rooms()
-    public = {f"{room.__name__}.{name}" for room in below for name in room.__all__}
-    known = {name.rsplit(".", 1)[1] for name in public} | {room.__name__[13:] for room in below}
-    public |= {f"{top.__name__}.{name}" for name in top.__all__ if name not in known}
+    text = "\n".join(page.read_text("utf-8") for page in REFERENCE.glob("*.md"))
+    shown = [f"{room}.{name}" for room, names in block.findall(text) for name in names.split()]
+    public = {f"{room.__name__}.{name}" for room in ROOMS for name in room.__all__}
+    known = {name.rsplit(".", 1)[1] for name in public} | {room.__name__[13:] for room in ROOMS}
+    public |= {f"clpt_control.{name}" for name in TOP if name not in known}
     assert sorted(shown) == sorted(public)
 
 
 def test_the_reference_begins_with_what_clpt_reaches():
     page = (REFERENCE / "index.md").read_text("utf-8")
-    values = {name: getattr(clpt_control, name) for name in clpt_control.__all__}
-    wanted = [n for n, v in values.items() if is_code(v) and not is_error(v)]
+    errors = {n for n, v in TOP.items() if inspect.isclass(v) and issubclass(v, Exception)}
+    wanted = {name for name, value in TOP.items() if is_code(value)} - errors
     assert [name for name in wanted if f"`clpt.{name}`" not in page] == []
-
-
-def is_error(value):
-    return inspect.isclass(value) and issubclass(value, clpt_control.ClptError)
 
 
 def test_every_key_of_a_scenario_and_every_tide_stands_on_its_page():
@@ -160,12 +141,8 @@ def test_every_key_of_a_scenario_and_every_tide_stands_on_its_page():
 
 def test_equations_are_found_by_their_numbers():
     text = "".join(p.read_text() for p in Path(clpt_control.__file__).parent.rglob("*.py"))
-    missing = [
-        n
-        for n in (1, 2, 3, 4, 5, 6, 7, 10, 13, 14, 15, 17, 20, 21, 22, 23, 24, 27, 28, 32)
-        if f"Eq. ({n})" not in text
-    ]
-    assert missing == []
+    numbers = *range(1, 8), 10, 13, 14, 15, 17, *range(20, 25), 27, 28, 32
+    assert [n for n in numbers if f"Eq. ({n})" not in text] == []
 
 
 def test_every_file_of_the_engine_is_on_its_page():
@@ -184,9 +161,7 @@ FILES = [path for room in ("examples", "analysis") for path in sorted((ROOT / ro
 def is_public(name):
     """Whether `clpt.` or one of its rooms lists a name, such as "replay.aims"."""
     room, _, own = name.rpartition(".")
-    if not room:
-        return own in clpt_control.__all__
-    held = getattr(clpt_control, room, None) if room in clpt_control.__all__ else None
+    held = TOP.get(room) if room else clpt_control
     return inspect.ismodule(held) and own in held.__all__
 
 
@@ -197,11 +172,8 @@ def names_of(tree):
             room = node.module.partition(".")[2]
             yield from (f"{room}.{one.name}".lstrip(".") for one in node.names)
         elif isinstance(node, ast.Import):
-            yield from (
-                one.name.partition(".")[2]
-                for one in node.names
-                if one.name.startswith("clpt_control.")
-            )
+            own = (one.name.partition("clpt_control.") for one in node.names)
+            yield from (name for before, _, name in own if name and not before)
         elif isinstance(node, ast.Attribute) and not node.attr.startswith("__"):
             match node:
                 case ast.Attribute(ast.Name("clpt"), name):
@@ -220,9 +192,8 @@ def test_only_public_names_are_used(path):
 def test_the_style_is_that_of_the_packages_own_figures():
     with plt.style.context("clpt_control.data.house"):
         assert plt.rcParams["axes.prop_cycle"].by_key()["color"] == list(figures.COLOURS)
-        ours = plt.figure().subplots()
-    _, theirs = figures.new_figure()
-    for ax in (ours, theirs):
+        both = plt.figure().subplots(), figures.new_figure()[1]
+    for ax in both:
         assert [ax.spines[side].get_visible() for side in ("top", "right", "left")] == [0, 0, 1]
-    lines = [ax.xaxis.get_gridlines()[0] for ax in (ours, theirs)]
+    lines = [ax.xaxis.get_gridlines()[0] for ax in both]
     assert len({(one.get_visible(), one.get_linewidth(), one.get_alpha()) for one in lines}) == 1

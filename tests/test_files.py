@@ -3,7 +3,6 @@
 import os
 import re
 import struct
-import subprocess
 import sys
 from contextlib import suppress
 from pathlib import Path
@@ -13,11 +12,13 @@ import numpy as np
 import pytest
 import xarray
 import zarr
+from processes import ran
+from sentences import says
 
 import clpt_control
-from clpt_control.errors import DataError
+from clpt_control import DataError
 from clpt_control.figures import new_figure
-from clpt_control.files import beside, make_folder, write_together
+from clpt_control.files import beside, make_folder, write_file, write_together
 from clpt_control.files.reading import open_netcdf, zarr_store
 from clpt_control.gliders.dive_files import read_dive_file
 from clpt_control.progress import interrupt
@@ -29,6 +30,10 @@ def fill(made, text):
 
 def held(path):
     return (path / "inner" if path.is_dir() else path).read_text()
+
+
+def names(folder):
+    return {path.name for path in folder.iterdir()}
 
 
 @pytest.mark.parametrize("folder", [False, True])
@@ -48,29 +53,26 @@ def test_what_is_made_beside_is_seen_at_the_end_if_at_all(tmp_path, folder, fail
 
 def test_a_folder_takes_the_place_of_no_other(tmp_path):
     (tmp_path / "taken").mkdir()
-    (tmp_path / "taken" / "inner").write_text("before")
-    with (
-        pytest.raises(DataError, match="taken: cannot be written: another command made"),
-        beside(tmp_path / "taken", folder=True) as made,
-    ):
+    fill(tmp_path / "taken", "before")
+    said = "taken: cannot be written: another command made"
+    with pytest.raises(DataError, match=said), beside(tmp_path / "taken", folder=True) as made:
         fill(made, "after")
-    assert held(tmp_path / "taken") == "before"
-    assert [path.name for path in tmp_path.iterdir()] == ["taken"]
+    assert (held(tmp_path / "taken"), names(tmp_path)) == ("before", {"taken"})
 
 
 def test_files_that_belong_together_are_all_written_or_none(tmp_path):
-    figure, _ = new_figure()
     data = xarray.Dataset({"u": ("time", [1.0, float("nan")])})
-    results = {tmp_path / "a.txt": "text", tmp_path / "b.nc": data, tmp_path / "c.png": figure}
-    with pytest.raises(DataError, match=r"none/d\.txt: cannot be written: the folder"):
-        write_together({**results, tmp_path / "none" / "d.txt": "text"})
-    assert list(tmp_path.iterdir()) == []
+    results = {"a.txt": "text", "b.nc": data, "c.png": new_figure()[0]}
+    results = {tmp_path / name: one for name, one in results.items()}
+    more = {**results, tmp_path / "none" / "d.txt": "text"}
+    says(DataError, r"none/d\.txt: cannot be written: the folder", write_together, more)
+    assert names(tmp_path) == set()
     write_together(results)
     assert (tmp_path / "a.txt").read_text() == "text"
     with xarray.open_dataset(tmp_path / "b.nc") as read:
         assert read.identical(data)
     assert (tmp_path / "c.png").read_bytes().startswith(b"\x89PNG")
-    assert len(list(tmp_path.iterdir())) == 3
+    assert len(names(tmp_path)) == 3
 
 
 POSIX = pytest.mark.skipif(os.name != "posix", reason="no such modes and processes")
@@ -80,9 +82,8 @@ POSIX = pytest.mark.skipif(os.name != "posix", reason="no such modes and process
 def test_what_a_killed_process_left_goes_when_its_place_is_written_again(tmp_path):
     with beside(tmp_path / "replay.nc") as made:
         here = made.name
-    ended = subprocess.Popen([sys.executable, "-c", ""])
-    ended.wait()
-    dead = re.sub(r"-\d+-", f"-{ended.pid}-", here)
+    ended = ran(sys.executable, "-c", "import os; print(os.getpid())").stdout.strip()
+    dead = re.sub(r"-\d+-", f"-{ended}-", here)
     elsewhere = re.sub(r"\.[0-9a-f]{8}-", ".00000000-", dead)
     other = dead.replace("replay", "other")
     kept = {here, elsewhere, other, ".replay.nc.part", ".replay.nc.mine", f"{dead}2"}
@@ -92,44 +93,36 @@ def test_what_a_killed_process_left_goes_when_its_place_is_written_again(tmp_pat
     with beside(tmp_path / "replay.zarr", folder=True):
         pass
     write_together({tmp_path / "replay.nc": "whole"})
-    assert {path.name for path in tmp_path.iterdir()} == {*kept, "replay.nc", "replay.zarr"}
+    assert names(tmp_path) == {*kept, "replay.nc", "replay.zarr"}
 
 
 def test_folders_that_stay_empty_go_with_the_command(clpt, tmp_path, monkeypatch):
-    from clpt_control import cli, files
-
-    def work(fails):
-        made = make_folder(tmp_path / "out" / "inner")
-        make_folder(tmp_path / "used")
-        (tmp_path / "used" / "file").write_text("")
+    def work(name):
+        made, used = make_folder(tmp_path / "out" / "inner"), make_folder(tmp_path / "used")
+        (used / "file").write_text("")
         assert made.is_dir()
-        if fails:
-            files.write_file(made / ("x" * 300), "")
+        write_file((made / name) if name else (used / "file"), "")
         return 0
 
-    for fails, status in ((True, 2), (False, 0)):
-        monkeypatch.setattr(cli, "_run", lambda fails=fails: work(fails))
-        assert (clpt().status, [path.name for path in tmp_path.iterdir()]) == (status, ["used"])
+    for name, status in (("x" * 300, 2), ("", 0)):
+        monkeypatch.setattr("clpt_control.cli._run", lambda name=name: work(name))
+        assert (clpt().status, names(tmp_path)) == (status, {"used"})
 
 
 @POSIX
-@pytest.mark.parametrize(
-    ("umask", "file", "folder"), [(0o077, 0o600, 0o700), (0o002, 0o664, 0o775)]
-)
+@pytest.mark.parametrize(("umask", "file", "folder"), [(0o77, 0o600, 0o700), (2, 0o664, 0o775)])
 def test_modes_are_those_of_the_umask_or_of_what_is_replaced(tmp_path, umask, file, folder):
     closed = tmp_path / "closed"
-    closed.write_text("before")
-    closed.chmod(0o600)
+    closed.touch(0o600)
     before = os.umask(umask)
     try:
         write_together({tmp_path / "new": "text", closed: "after"})
-        with beside(tmp_path / "made", folder=True) as made:
-            fill(made, "whole")
+        with beside(tmp_path / "made", folder=True):
+            pass
     finally:
         os.umask(before)
     modes = [(tmp_path / name).stat().st_mode & 0o777 for name in ("new", "closed", "made")]
-    assert modes == [file, 0o600, folder]
-    assert closed.read_text() == "after"
+    assert (modes, closed.read_text()) == ([file, 0o600, folder], "after")
 
 
 @pytest.mark.skipif(not Path("/proc/self/fd").is_dir(), reason="written by name there")
@@ -138,15 +131,15 @@ def test_netcdf_is_written_into_folders_of_any_name(tmp_path, monkeypatch, name)
     (tmp_path / name).mkdir()
     monkeypatch.chdir(tmp_path / name)
     write_together({Path("run.nc"): xarray.Dataset({"a": 1.0})})
-    assert [path.name for path in Path().iterdir()] == ["run.nc"]
+    assert names(Path()) == {"run.nc"}
     with open_netcdf("run.nc") as data:
         assert data.a == 1.0
 
 
 def test_a_text_in_netcdf_that_is_no_text_is_named(tmp_path):
-    with pytest.raises(DataError, match=r"run.nc: cannot be written: .* a text in it, holds bytes"):
-        write_together({tmp_path / "run.nc": xarray.Dataset({"a": 1.0}, attrs={"b": "\udcff"})})
-    assert list(tmp_path.iterdir()) == []
+    data = {tmp_path / "run.nc": xarray.Dataset({"a": 1.0}, attrs={"b": "\udcff"})}
+    says(DataError, "run.nc: cannot be written: .* a text in it, holds bytes", write_together, data)
+    assert names(tmp_path) == set()
 
 
 def test_a_link_is_followed_and_stays(tmp_path):
@@ -157,9 +150,8 @@ def test_a_link_is_followed_and_stays(tmp_path):
         link.unlink(missing_ok=True)
         link.symlink_to(place)
         write_together({link: "new"})
-        assert link.is_symlink()
-        assert place.read_text() == "new"
-        assert [path.name for path in (tmp_path / "far").iterdir()] == ["run.txt"]
+        assert (link.is_symlink(), place.read_text()) == (True, "new")
+        assert names(tmp_path / "far") == {"run.txt"}
 
 
 @POSIX
@@ -167,14 +159,11 @@ def test_what_is_no_file_is_not_replaced_and_nothing_is_written(tmp_path):
     os.mkfifo(tmp_path / "pipe")
     (tmp_path / "folder").mkdir()
     (tmp_path / "device").symlink_to(os.devnull)
-    for name, why in (
-        ("pipe", "no regular file"),
-        ("folder", "a folder"),
-        ("device", "no regular file"),
-    ):
-        with pytest.raises(DataError, match=f"{name}: is {why}"):
-            write_together({tmp_path / "first.txt": "text", tmp_path / name: "text"})
-    assert {path.name for path in tmp_path.iterdir()} == {"pipe", "folder", "device"}
+    kinds = {"pipe": "no regular file", "folder": "a folder", "device": "no regular file"}
+    for name, why in kinds.items():
+        both = {tmp_path / "first.txt": "text", tmp_path / name: "text"}
+        says(DataError, f"{name}: is {why}", write_together, both)
+    assert names(tmp_path) == set(kinds)
 
 
 def test_a_small_file_that_says_it_holds_much_is_refused(tmp_path):
@@ -186,8 +175,7 @@ def test_a_small_file_that_says_it_holds_much_is_refused(tmp_path):
         data.createVariable("log_gps_time", float, ("time", "axis"), **shape)
     assert (tmp_path / "r.nc").stat().st_size < 10**5
     for read in (clpt_control.load_run, read_dive_file):
-        with pytest.raises(DataError, match=r"r.nc: holds 1.6e\+04 GB of numbers; at most 4 are"):
-            read(tmp_path / "r.nc")
+        says(DataError, r"r.nc: holds 1.6e\+04 GB of numbers; at most 4 ", read, tmp_path / "r.nc")
 
 
 @pytest.mark.parametrize(
@@ -196,11 +184,10 @@ def test_a_small_file_that_says_it_holds_much_is_refused(tmp_path):
 def test_what_tells_how_numbers_are_decoded_may_be_anything(tmp_path, kind, key):
     with netCDF4.Dataset(tmp_path / "d.nc", "w") as data:
         data.createDimension("dive", 3)
-        one = data.createVariable("u", kind, ("dive",))
-        one[:] = np.ones(3, kind)
-        one.setncattr(key, "x")
-    with pytest.raises(DataError, match=r"d.nc: cannot be read as NetCDF: "):
-        clpt_control.load_run(tmp_path / "d.nc")
+        data.createVariable("u", kind, ("dive",))[:] = np.ones(3, kind)
+        data["u"].setncattr(key, "x")
+    said = "d.nc: cannot be read as NetCDF: "
+    says(DataError, said, clpt_control.load_run, tmp_path / "d.nc")
 
 
 def test_a_number_that_was_overwritten_is_found(tmp_path):
@@ -212,11 +199,8 @@ def test_a_number_that_was_overwritten_is_found(tmp_path):
     (tmp_path / "damaged.nc").write_bytes(data)
     with open_netcdf(tmp_path / "whole.nc", 10**6) as whole:
         np.testing.assert_array_equal(whole.u, numbers)
-    with (
-        pytest.raises(DataError, match=r"damaged.nc: damaged"),
-        open_netcdf(tmp_path / "damaged.nc", 10**6) as damaged,
-    ):
-        damaged.load()
+    with open_netcdf(tmp_path / "damaged.nc", 10**6) as damaged:
+        says(DataError, r"damaged.nc: damaged", damaged.load)
 
 
 def test_a_global_heap_that_does_not_end_is_refused(tmp_path):
@@ -230,8 +214,8 @@ def test_a_global_heap_that_does_not_end_is_refused(tmp_path):
     for longer in (2048, 2048 + 64):  # to where there are zeros
         raw[size : size + 8] = longer.to_bytes(8, "little")
         path.write_bytes(raw)
-        with pytest.raises(DataError, match=r"a.nc: damaged: a heap of its HDF5 does not end"):
-            clpt_control.load_run(path)
+        said = "a.nc: damaged: a heap of its HDF5 does not end"
+        says(DataError, said, clpt_control.load_run, path)
 
 
 @pytest.mark.skipif(not Path("/proc/self/fd").is_dir(), reason="opened by name there")
@@ -251,17 +235,20 @@ def test_what_was_asked_is_what_the_library_opens(tmp_path, monkeypatch):
         path.unlink()
 
 
-@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="pipes with names are not of this system")
-@pytest.mark.parametrize("kind", ["a pipe with a name", "a link"])
+BECOMES = {"a pipe with a name": os.mkfifo, "a link": lambda path: path.symlink_to("moved")}
+
+
+@POSIX
+@pytest.mark.parametrize("kind", BECOMES)
 def test_a_file_of_a_zarr_folder_that_becomes_a_pipe_is_not_waited_for(tmp_path, kind):
     zarr.create_group(tmp_path / "z").create_array("a", data=np.arange(3.0))
     store = zarr_store(tmp_path / "z")
-    np.testing.assert_array_equal(zarr.open_group(store, mode="r")["a"][:], [0.0, 1.0, 2.0])
+
+    def read():
+        return zarr.open_group(store, mode="r")["a"][:].tolist()
+
+    assert read() == [0.0, 1.0, 2.0]
     chunk = tmp_path / "z" / "a" / "c" / "0"
-    chunk.rename(tmp_path / "moved")
-    if kind == "a link":
-        chunk.symlink_to(tmp_path / "moved")
-    else:
-        os.mkfifo(chunk)
-    with pytest.raises((DataError, OSError), match=r"is no regular file|symbolic links"):
-        zarr.open_group(store, mode="r")["a"][:]
+    chunk.rename(chunk.with_name("moved"))
+    BECOMES[kind](chunk)
+    says((DataError, OSError), r"is no regular file|symbolic links", read)
