@@ -199,8 +199,12 @@ def test_a_number_that_was_overwritten_is_found(tmp_path):
     (tmp_path / "damaged.nc").write_bytes(data)
     with open_netcdf(tmp_path / "whole.nc", 10**6) as whole:
         np.testing.assert_array_equal(whole.u, numbers)
-    with open_netcdf(tmp_path / "damaged.nc", 10**6) as damaged:
-        says(DataError, r"damaged.nc: damaged", damaged.load)
+
+    def load():
+        with open_netcdf(tmp_path / "damaged.nc", 10**6) as damaged:
+            damaged.load()
+
+    says(DataError, "damaged.nc: damaged", load)
 
 
 def test_a_global_heap_that_does_not_end_is_refused(tmp_path):

@@ -26,22 +26,15 @@ def test_the_sections_are_those_of_the_laws():
 
 @pytest.mark.parametrize("name", LAWS)
 def test_the_command_prints_a_laws_page(clpt, printed, name):
-    outcome = clpt("laws", name)
-    assert outcome.status == 0
-    listed = printed("laws", name)["laws"]
-    assert (list(listed), listed[name]["page"]) == ([name], LAWS[name].page)
-    assert list(listed[name]["settings"]) == list(LAWS[name].settings)
-    assert listed[name]["promises"] == list(promises_in_words(LAWS[name]).values())
-    for line in (LAWS[name].page.splitlines()[0], *listed[name]["promises"]):
-        assert line in outcome.out
+    law, out = LAWS[name], clpt("laws", name).out
+    [(listed, told)] = printed("laws", name)["laws"].items()
+    assert (listed, told["page"], [*told["settings"]]) == (name, law.page, [*law.settings])
+    assert told["promises"] == list(promises_in_words(law).values())
+    for line in (law.page.splitlines()[0], *told["promises"]):
+        assert line in out
 
 
-def test_the_command_lists_all(clpt, printed):
+def test_the_command_lists_all_and_refuses_others(clpt, printed, refused):
     assert list(printed("laws")["laws"]) == list(LAWS)
     assert all(name in clpt("laws").out for name in LAWS)
-
-
-def test_an_unknown_law_is_refused(clpt):
-    outcome = clpt("laws", "no-law")
-    assert (outcome.status, outcome.out) == (2, "")
-    assert outcome.err == "clpt: no-law: is no law; `clpt laws` lists them\n"
+    assert refused("laws", "no-law") == "clpt: no-law: is no law; `clpt laws` lists them\n"

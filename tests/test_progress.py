@@ -21,26 +21,22 @@ def ticking(monkeypatch):
     monkeypatch.setattr(progress, "LOG_EVERY", 0.0)
 
 
-@pytest.mark.parametrize(
-    ("counted", "said"),
-    [("members", "50 of 100 members, 25 a second, 0:02 left"), ("", "50 %, 0:02 left")],
-)
-def test_lines_say_rate_and_time_left(ticking, capsys, counted, said):
+THERE = "clpt: running: 90 of 100 members were there already", "running: 90 of 100 members"
+SAID = [
+    ("members", (0, 50), ["running: 50 of 100 members, 25 a second, 0:02 left"]),
+    ("", (0, 50), ["running: 50 %, 0:02 left"]),
+    # what was done before is no rate
+    ("members", (90, 92), [*THERE, "running: 92 of 100 members, 1 a second, 0:08 left"]),
+]
+
+
+@pytest.mark.parametrize(("counted", "done", "said"), SAID)
+def test_lines_say_rate_and_time_left(ticking, capsys, counted, done, said):
     with progress.progress_bar("running", 100, counted) as report:
-        report(0)
-        report(50)
-    assert capsys.readouterr().err.splitlines()[-1] == f"running: {said}"
+        for count in done:
+            report(count)
+    assert capsys.readouterr().err.splitlines()[-len(said) :] == said
     assert progress.clock(7265) == "2:01:05"
-
-
-def test_what_was_done_before_is_no_rate(ticking, capsys):
-    with progress.progress_bar("running", 100, "members") as report:
-        report(90)
-        report(92)
-    there, first, last = capsys.readouterr().err.splitlines()
-    assert there == "clpt: running: 90 of 100 members were there already"
-    assert first == "running: 90 of 100 members"
-    assert last == "running: 92 of 100 members, 1 a second, 0:08 left"
 
 
 def test_a_bar_shows_any_name_as_it_is(ticking, monkeypatch):
@@ -53,34 +49,22 @@ def test_a_bar_shows_any_name_as_it_is(ticking, monkeypatch):
     assert "running [red]{x}.toml" in screen.getvalue()
 
 
-ENDED = """
-import os
-from clpt_control.progress.processes import processes
-
-if __name__ == "__main__":
-    with processes(1) as pool:
-        print(pool.submit(abs, -1).result(), flush=True)
-        os._exit(130)
-"""
-
-
-@pytest.mark.skipif(os.name != "posix", reason="semaphores are tidied by another process there")
-def test_a_command_that_ends_with_its_processes_at_work_says_nothing_of_semaphores(tmp_path):
-    (tmp_path / "ended.py").write_text(ENDED)
-    done = ran(sys.executable, "ended.py", status=130, cwd=tmp_path)
-    assert (done.stdout, done.stderr) == ("1\n", "")
-
-
 UNGUARDED = """
+import os
 from clpt_control.progress.processes import processes
 
 print("once", flush=True)
 with processes(1) as pool:
-    print(pool.submit(abs, -1).result())
+    print(pool.submit(abs, -1).result(), flush=True)
+    {then}
 """
+SEMAPHORES = pytest.mark.skipif(os.name != "posix", reason="tidied by another process there")
+ENDS = [("pass", 0), pytest.param("os._exit(130)", 130, marks=SEMAPHORES)]
 
 
-def test_a_script_needs_no_guard_for_its_processes(tmp_path):
-    (tmp_path / "unguarded.py").write_text(UNGUARDED)
-    done = ran(sys.executable, "unguarded.py", cwd=tmp_path)
+@pytest.mark.parametrize(("then", "status"), ENDS)
+def test_a_script_needs_no_guard_and_one_that_ends_at_work_says_nothing(tmp_path, then, status):
+    """Nothing of semaphores."""
+    (tmp_path / "unguarded.py").write_text(UNGUARDED.format(then=then))
+    done = ran(sys.executable, "unguarded.py", status=status, cwd=tmp_path)
     assert (done.stdout, done.stderr) == ("once\n1\n", "")
