@@ -188,47 +188,28 @@ divided_by_itself = changed("K' = -gain*(z*z/z)*e")
 rounded_away = driven("(e + c) - c", two(1e16))
 
 
+THREE_GAINS = "alpha' = gains[0]*dalpha; K' = gains[1]*dK; Gamma' = gains[2]*dGamma"
+A_GAIN_EACH = "alpha' = -gains*outer(e, phi_x); K' = -array([1.0, 2.0])*z*e; Gamma' = 0.3*zc*e"
+ONE_LIST = "alpha' = -gains*outer(e, phi_x); K' = -axes*z*e; Gamma' = axes*zc*e"
+TWO_LISTS = {"gains": [1.0, 2.0], "axes": [1.0, 2.0]}
+AS_MANY = "alpha' = gains[0]*dalpha - (len(gains) - 2.0)*alpha; "
+AS_MANY += "K' = gains[0]*dK; Gamma' = gains[0]*dGamma"
+NAMED_ALIKE = "K' = dK - gain*(x.K - p.K); Gamma' = dGamma + 0.3*(u.z - p.z)"
+FADING = "gain*c*clip(2.0 - linalg.norm(alpha), 0.0, 1.0)"
+ANY_SIGN = "gain*c*clip(linalg.norm(alpha) - 1.0, -1.0, 1.0)"
 RIGHT = {  # name -> (law, whether for every N too)
     "the paper's": (paper, True),
     "its gain called rate": (driven("rate*e", {"rate": 0.5}), True),
     "its gain called gamma": (driven("gamma*e", {"gamma": 0.5}), True),
     "times sin^2 + cos^2": (driven("(sin(e[0])**2 + cos(e[0])**2)*e"), True),
     "clip(e) + (e - clip(e))": (driven("clip(e, -1, 1) + (e - clip(e, -1, 1))"), True),
-    "three gains": (
-        changed(
-            "alpha' = gains[0]*dalpha; K' = gains[1]*dK; Gamma' = gains[2]*dGamma",
-            {"gains": [0.5, 0.2, 0.7]},
-        ),
-        True,
-    ),
-    "a gain each": (
-        changed(
-            "alpha' = -gains*outer(e, phi_x); K' = -array([1.0, 2.0])*z*e; Gamma' = 0.3*zc*e",
-            {"gains": [0.5, 2.0]},
-            **EACH,
-        ),
-        True,
-    ),
-    "one list of gains for functions and for axes": (
-        changed(
-            "alpha' = -gains*outer(e, phi_x); K' = -axes*z*e; Gamma' = axes*zc*e",
-            {"gains": [1.0, 2.0], "axes": [1.0, 2.0]},
-            **EACH,
-        ),
-        True,
-    ),
+    "three gains": (changed(THREE_GAINS, {"gains": [0.5, 0.2, 0.7]}), True),
+    "a gain each": (changed(A_GAIN_EACH, {"gains": [0.5, 2.0]}, **EACH), True),
+    "one list of gains for functions and for axes": (changed(ONE_LIST, TWO_LISTS, **EACH), True),
     "x - z and exp(c)": (driven("exp(c)*(u.x - u.z)", {"c": 0.3}, more={"x": 2}), True),
     "composite": (with_numbers(composite, c=0.5), False),
     "a leak of 0": (with_numbers(constant, c=0.0), True),
-    "as many gains as functions": (
-        changed(
-            "alpha' = gains[0]*dalpha - (len(gains) - 2.0)*alpha; K' = gains[0]*dK; "
-            "Gamma' = gains[0]*dGamma",
-            {"gains": [0.5, 0.5]},
-            **EACH,
-        ),
-        False,
-    ),
+    "as many gains as functions": (changed(AS_MANY, {"gains": [0.5, 0.5]}, **EACH), False),
     "wrong from N = 5 on": (changed(FIFTH), False),
     "a small gain": (with_numbers(paper, gain=1e-8), True),
 }
@@ -241,9 +222,7 @@ REFUTED = {
     "wrong from N = 5 on, N = 6": changed(FIFTH, n=6),
 }
 NOT_PROVED = {  # wrong, or right but not known to be
-    "parameters called K and z": changed(
-        "K' = dK - gain*(x.K - p.K); Gamma' = dGamma + 0.3*(u.z - p.z)", ARRAYS
-    ),
+    "parameters called K and z": changed(NAMED_ALIKE, ARRAYS),
     "two tables": changed(f"K' = dK + (lookup(p.K, {PLACE}) - lookup(p.z, {PLACE}))", ARRAYS),
     "a private state called x": changed(
         "x' = -x.x; alpha' = dalpha - 0.1*(x.x - u.z)[:, None]", **PRIVATE
@@ -256,12 +235,8 @@ NOT_PROVED = {  # wrong, or right but not known to be
     "pulled to the time": changed("alpha' = dalpha - first(gain*(alpha[0, 0] - t))"),
     "log(exp(e))": driven("log(exp(e))"),
     "|e| pulls alpha alone": leak("gain*c*hypot(e[0], e[1])", ("alpha",), two(0.1)),
-    "a leak that fades": leak(
-        "gain*c*clip(2.0 - linalg.norm(alpha), 0.0, 1.0)", ("alpha",), two(0.1)
-    ),
-    "a leak of any sign": leak(
-        "gain*c*clip(linalg.norm(alpha) - 1.0, -1.0, 1.0)", ("alpha",), two(0.1)
-    ),
+    "a leak that fades": leak(FADING, ("alpha",), two(0.1)),
+    "a leak of any sign": leak(ANY_SIGN, ("alpha",), two(0.1)),
     "(e + 1e16) - 1e16": rounded_away,
     "(e + 1e16) - 1e16, a small gain": with_numbers(rounded_away, gain=1e-9),
     "(e + 1e16) - 1e16, a tiny gain": with_numbers(rounded_away, gain=1e-15),

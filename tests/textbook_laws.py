@@ -86,7 +86,9 @@ def shown(make, status="proved", **more):
     return make, more, status
 
 
-EACH = {"gain": 0.5, "zone": np.array([0.1, 0.3])}
+ZONE = {"zone": np.array([0.1, 0.3])}
+EACH = {"gain": 0.5, **ZONE}
+CLIP, PARTLY = "clip(e, -1.0, 1.0)", "s - c*outer(e, phi_x)"
 BEYOND, RISING = "(e - clip(e, -zone, zone))", "(2.0 - exp(-t))"
 CROSSED = "K' = dK + c*zc*e; Gamma' = dGamma - c*z*e"
 
@@ -102,29 +104,20 @@ LAWS = {
     "eps and its cube": shown(seen("eps + eps**3")),
     "tanh of e": shown(driven("tanh(e)"), V=of_e("log(cosh(e))")),
     "atan of e": shown(driven("arctan(e)"), V=of_e("e*arctan(e) - log1p(e**2)/2")),
-    "clip of e": shown(
-        driven("clip(e, -1.0, 1.0)"),
-        V=of_e("e*clip(e, -1.0, 1.0) - clip(e, -1.0, 1.0)**2/2"),  # Huber's
-    ),
+    "clip of e": shown(driven(CLIP), V=of_e(f"e*{CLIP} - {CLIP}**2/2")),  # Huber's
     "e and its cube": shown(driven("e + e**3"), V=of_e("e**2/2 + e**4/4")),
     "the cube of e": shown(driven("e**3"), V=of_e("e**4/4")),
     "e |e|": shown(driven("e*abs(e)"), V=of_e("abs(e)**3/3")),
-    "a dead zone each": shown(
-        driven(BEYOND, EACH), "bounded", V=of_e(f"{BEYOND}**2/2", zone=EACH["zone"])
-    ),
+    "a dead zone each": shown(driven(BEYOND, EACH), "bounded", V=of_e(f"{BEYOND}**2/2", **ZONE)),
     "a cubic leak": shown(leak("gain*c*alpha**2", ("alpha",), two(0.1)), "bounded"),
     "a periodic leak": shown(leak("gain*c*(1 + sin(t))", LEARNED, two(0.1)), "bounded"),
     "alpha = 2 s": shown(through("2*s")),
     "alpha = s + s^3": shown(through("s + s**3"), V=of_state("theta*s + s**2/2 + s**4/4")),
-    "a part in proportion to e": shown(
-        through("s - c*outer(e, phi_x)", two(0.2)), V=of_state("(theta + s)**2/2")
-    ),
+    "a part in proportion to e": shown(through(PARTLY, two(0.2)), V=of_state("(theta + s)**2/2")),
     "a rising gain": shown(scaled(RISING), V=V_of(f"e @ e/2 + off/(2*gain*{RISING})")),
     "least squares": shown(
         lambda: law(least_squares, GAIN, FLOW, **SQUARES),
         V=V_of(WITH_R, {**LEARNED, "R": (N, N)}),
-        invariants=inverse,
-        semidefinite=("R",),
-        losses=squares_lost,
+        **{"invariants": inverse, "semidefinite": ("R",), "losses": squares_lost},
     ),
 }

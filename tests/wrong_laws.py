@@ -37,6 +37,10 @@ def backwards_where(condition):
     return scaled(f"where({condition}, -1.0, 1.0)")
 
 
+EIGHTH = "alpha' = dalpha*where(arange(len(phi_x)) == 7, -1.0, 1.0)"
+FAR_OFF = "where(abs(e) > 1, -1.0, 1.0)"
+
+
 def in_a_box(t, x, u, p):
     """Each alpha stays within -c and c, section III."""
     rates = filled(u, p.gain, u.e)
@@ -45,6 +49,10 @@ def in_a_box(t, x, u, p):
     return rates | {"alpha": np.where(leaves, 0.0, rate)}
 
 
+# turned, without an end, of e alone, nothing, less than nothing, fading
+NO_V = ("e @ e/2 - off", "e @ e/(1 + e @ e)", "e @ e/2", "0.0*e[0]", "-e @ e/2 - off")
+NO_V += ("exp(-t)*(e @ e + off)",)
+WITHOUT_K = "e @ e/2 + sum((theta + alpha)**2)"
 WRONG = {
     **{
         f"sign of {port} at {index}": (flip(port, index), {})
@@ -52,13 +60,7 @@ WRONG = {
         for index in np.ndindex(shape)
     },
     **family("{} in place of e", driven, "e[::-1]", "0*e + sum(e)/2", "e - e[::-1]*2"),
-    **family(
-        "axes swapped in {}",
-        lambda port: changed(f"{port}' = d{port}[::-1]"),
-        "alpha",
-        "K",
-        "Gamma",
-    ),
+    **family("axes swapped in {}", lambda port: changed(f"{port}' = d{port}[::-1]"), *SIGNS),
     **family("{} in place of e", driven, "-tanh(e)", "sin(e)", "e - e**3", "abs(e)", "e**2"),
     **family("{} in place of e", driven, "maximum(e, 0)", "clip(e, 0.1, 1)", "e + 0.1"),
     **family("{} in place of e", driven, "-e*exp(-(e**2))", "-(e**41)", "(e*1e-200)*1e-200"),
@@ -66,23 +68,10 @@ WRONG = {
     **family("a gain times {}", scaled, "0.5 + sin(t)", "sign(z[0])", "sign(alpha[0, 0])"),
     **family("a gain times {}", scaled, "1 - e @ e", "where(e[0] > 0, 0.0, 1.0)", "alpha[0, 0]"),
     **family("a gain times {}", scaled, "tanh(K[0])", "clip(alpha[0, 0], -1, 1)"),
-    **family(
-        "backwards where {}",
-        backwards_where,
-        "e @ e > 25",
-        "abs(alpha[0, 0]) > 10",
-        "zc[0] > 4",
-        "phi_x[0] < 0.1",
-        "t > 100",
-        "t > 1e4",
-        "(e[0] > 2) & (e[0] < 3)",
-    ),
-    **family(
-        "{} learned backwards where e is large",
-        lambda port: scaled("where(abs(e) > 1, -1.0, 1.0)", (port,)),
-        "K",
-        "Gamma",
-    ),
+    **family("where {}", backwards_where, "e @ e > 25", "abs(alpha[0, 0]) > 10", "zc[0] > 4"),
+    **family("where {}", backwards_where, "phi_x[0] < 0.1", "t > 100", "t > 1e4"),
+    **family("where {}", backwards_where, "(e[0] > 2) & (e[0] < 3)"),
+    **family("{} where e is large", lambda port: scaled(FAR_OFF, (port,)), "K", "Gamma"),
     **family("{}", seen, "-tanh(eps)", "sin(eps)", "cos(eps)", "abs(eps)", "eps - eps**3"),
     **family("{}", seen, "clip(eps, 0.1, 1)", "where(abs(eps) > 1, -eps, eps)", "eps[::-1]"),
     **family("{}", seen, "maximum(eps, -eps)", "where(eps > 0, 1.0, 0.5)"),
@@ -101,19 +90,10 @@ WRONG = {
     "alpha = tanh s": case(through("tanh(s)"), V=of_state("theta*s + log(cosh(s))")),
     "K is driven by a state": case(changed("K' = dK + s; s' = s", states=MORE)),
     "K is driven by a filter": case(changed("K' = dK + s; s' = e[0] - s", states=MORE)),
-    "wrong from N = 8 on": case(
-        changed("alpha' = dalpha*where(arange(len(phi_x)) == 7, -1.0, 1.0)", n=8)
-    ),
-    "turned, V turned": case(turned, V=V_of("e @ e/2 - off")),
-    "turned, V without an end": case(turned, V=V_of("e @ e/(1 + e @ e)")),
-    "turned, V of e alone": case(turned, V=V_of("e @ e/2")),
-    "turned, V = 0": case(turned, V=V_of("0.0*e[0]")),
-    "turned, V = -V": case(turned, V=V_of("-e @ e/2 - off")),
-    "turned, V fades": case(turned, V=V_of("exp(-t)*(e @ e + off)")),
+    "wrong from N = 8 on": case(changed(EIGHTH, n=8)),
+    **{f"turned, V = {V}": case(turned, V=V_of(V)) for V in NO_V},
     "e alone, V of e to 1": case(scaled("0.0"), V=V_of("minimum(e @ e, 1.0)")),
-    "nothing learned, V without K": case(
-        scaled("0.0", ("K",)), V=V_of("e @ e/2 + sum((theta + alpha)**2)")
-    ),
+    "nothing learned, V without K": case(scaled("0.0", ("K",)), V=V_of(WITHOUT_K)),
     "sign(e), V = |e|": case(driven("-sign(e)"), V=V_of("sum(abs(e)) + off")),
     "a box left outward": case(changed("alpha' = where((alpha >= 2) & (dalpha < 0), 0.0, dalpha)")),
     "a box too small": case(lambda: law(in_a_box, two(2.0))),
