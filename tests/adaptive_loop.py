@@ -6,8 +6,8 @@ import control
 def mrac():
     """Model reference adaptive control of x' = a x + b u."""
     plant = control.nlsys(
-        lambda t, x, u, p: [p["a"] * x[0] + p["b"] * u[0]],
-        name="plant", states=["x"], inputs=["u"], outputs=["y"], params={"a": 1.0, "b": 3.0},
+        lambda t, x, u, p: [p["a"] * x[0] + p["b"] * u[0]], name="plant", states=["x"],
+        inputs=["u"], outputs=["y"], params={"a": 1.0, "b": 3.0},
     )  # fmt: skip
 
     def update(t, x, u, p):

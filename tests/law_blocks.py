@@ -14,41 +14,31 @@ TRUE_GAINS = {"learning.feedback": [1, 1], "learning.feedforward": [1, 1]}
 HELD = {"learning.adapt_gains": False, **TRUE_GAINS}
 
 
+LEARNED = {"alpha": (2, "N"), "K": 2, "Gamma": 2}
+
+
 def remembering(t, x, u, p):
     """alpha' = -gamma e phi^T, K and Gamma held, and a count m' = p.start, section III."""
     return {"alpha": -p.gain * np.outer(u.e, u.phi_x), "K": 0.0, "Gamma": 0.0, "m": p.start}
 
 
 def remembering_law(N=3, gain=0.8, start=0.5):
-    return clpt.Block(
-        "mine",
-        update=remembering,
-        inputs={"e": 2, "phi_x": "N"},
-        states={"alpha": (2, "N"), "K": 2, "Gamma": 2, "m": 1},
-        parameters={"gain": gain, "start": start},
-        sizes={"N": N},
-    )
+    ports = {"inputs": {"e": 2, "phi_x": "N"}, "states": {**LEARNED, "m": 1}, "sizes": {"N": N}}
+    own = {"gain": gain, "start": start}
+    return clpt.Block("mine", update=remembering, parameters=own, **ports)
 
 
 def papers(t, x, u, p):
     """Eqs. (21)-(23), one gain for all."""
-    return {
-        "alpha": -p.gain * np.outer(u.e, u.phi_x),
-        "K": -p.gain * u.z * u.e,
-        "Gamma": p.gain * u.zc * u.e,
-    }
+    alpha = -p.gain * np.outer(u.e, u.phi_x)
+    return {"alpha": alpha, "K": -p.gain * u.z * u.e, "Gamma": p.gain * u.zc * u.e}
 
 
 def papers_law(N=3, gain=0.8, name="mine"):
     """The paper's own, as a block that no table knows."""
-    return clpt.Block(
-        name,
-        update=papers,
-        inputs={"e": 2, "phi_x": "N", "z": 2, "zc": 2},
-        states={"alpha": (2, "N"), "K": 2, "Gamma": 2},
-        parameters={"gain": gain},
-        sizes={"N": N},
-    )
+    inputs = {"e": 2, "phi_x": "N", "z": 2, "zc": 2}
+    ports = {"inputs": inputs, "states": LEARNED, "sizes": {"N": N}}
+    return clpt.Block(name, update=papers, parameters={"gain": gain}, **ports)
 
 
 def still(row, N=1, **own):

@@ -38,8 +38,7 @@ def stepping(before=1.0, behind=3.0, little=0.0):
 
 def pendulum():
     def update(t, x, u, p):
-        pull = -p["g"] / p["l"] * np.sin(x[0])
-        return [x[1], pull - p["c"] * x[1] * abs(x[1]) + u[0]]
+        return [x[1], -p["g"] / p["l"] * np.sin(x[0]) - p["c"] * x[1] * abs(x[1]) + u[0]]
 
     return control.nlsys(
         update, lambda t, x, u, p: [p["l"] * np.sin(x[0])], name="pendulum",
@@ -49,14 +48,12 @@ def pendulum():
 
 
 def discrete():
-    ports = {"name": "pi", "inputs": "e", "outputs": "u"}
-    controller = control.ss([[1.0]], [[0.1]], [[0.8]], [[2.0]], True, **ports)
-
-    def update(t, x, u, p):
-        return [x[0] + p["h"] * (-p["k"] * x[0] ** 3 + u[0])]
-
-    plant = control.nlsys(update, None, name="plant", states=["x"], inputs=["u"], outputs=["y"],
-                          params={"h": 0.1, "k": 0.7}, dt=True)  # fmt: skip
+    pi = {"name": "pi", "inputs": "e", "outputs": "u"}
+    controller = control.ss([[1.0]], [[0.1]], [[0.8]], [[2.0]], True, **pi)
+    plant = control.nlsys(
+        lambda t, x, u, p: [x[0] + p["h"] * (-p["k"] * x[0] ** 3 + u[0])], None, name="plant",
+        states=["x"], inputs=["u"], outputs=["y"], params={"h": 0.1, "k": 0.7}, dt=True,
+    )  # fmt: skip
     error = control.summing_junction(["r", "-y"], "e", name="error")
     error.dt = True
     return control.interconnect(
@@ -84,20 +81,17 @@ def sampled_tank():
 
 def tanks():
     """Two tanks whose areas stand in one array."""
-
-    def update(t, x, u, p):
-        return (u[0] - x) / np.array([p["area"], p["wide"]])
-
-    sizes = {"states": 2, "inputs": 1, "outputs": 2}
-    return control.nlsys(update, None, name="tanks", params={"area": 1.0, "wide": 2.0}, **sizes)
+    return control.nlsys(
+        lambda t, x, u, p: (u[0] - x) / np.array([p["area"], p["wide"]]), None, name="tanks",
+        params={"area": 1.0, "wide": 2.0}, states=2, inputs=1, outputs=2,
+    )  # fmt: skip
 
 
 def van_der_pol():
-    def update(t, x, u, p):
-        return [x[1], p["mu"] * (1.0 - x[0] ** 2) * x[1] - x[0]]
-
-    names = {"states": ["x", "v"], "inputs": 0, "outputs": ["x", "v"]}
-    return control.nlsys(update, None, name="vdp", params={"mu": 500.0}, **names)
+    return control.nlsys(
+        lambda t, x, u, p: [x[1], p["mu"] * (1.0 - x[0] ** 2) * x[1] - x[0]], None, name="vdp",
+        params={"mu": 500.0}, states=["x", "v"], inputs=0, outputs=["x", "v"],
+    )  # fmt: skip
 
 
 def with_a_table():

@@ -36,20 +36,14 @@ def of_no_size():
     axes = [np.linspace(0, 90, 5), np.linspace(-4, 4, 6), np.linspace(-5, 5, 7)]
     grid = GriddedField(*axes, *rng.standard_normal((2, 5, 6, 7)))
     return [
-        clpe.clpe(),
-        vehicle.vehicle(),
-        vehicle.vehicle(localization.TRUE),
-        vehicle.speed_limit(1.5),
-        vehicle.hedging(),
-        learner.learning_model(),
+        *(clpe.clpe(), vehicle.vehicle(), vehicle.vehicle(localization.TRUE)),
+        *(vehicle.speed_limit(1.5), vehicle.hedging(), learner.learning_model()),
         learner.learning_model(hedged=True),
         *(reference.reference(rng.uniform(-3, 3, (n, 2)), dwell=1.7) for n in (1, 2, 7)),
         reference.reference(reference.circle(3.0, 10), dwell=0.1),
         *(disturbance.disturbance(k, [0.3, -0.7], 1.3, 5.0) for k in disturbance.KINDS),
-        localization.measurement(0.3, 1.3, 5.0),
-        localization.fixes(0.3, 5.0, 0.4, 5.0),
-        field.gridded_flow(grid),
-        field.gridded_flow(grid, "clip", disturbed=True),
+        *(localization.measurement(0.3, 1.3, 5.0), localization.fixes(0.3, 5.0, 0.4, 5.0)),
+        *(field.gridded_flow(grid), field.gridded_flow(grid, "clip", disturbed=True)),
         consensus.total_candidate(["a", "b", "c"]),
     ]
 
@@ -71,8 +65,7 @@ def of_size(N):
         learner.learning_controller(N),
         learner.known_flow_injection(b, a),
         learner.learned_flow_injection(a),
-        clpe.error_system(N, KD),
-        clpe.parameter_system(N, 0.7),
+        *(clpe.error_system(N, KD), clpe.parameter_system(N, 0.7)),
     ]
     yield from (consensus.consensus_block("a", s, N, 0.4) for s in ([], ["b"], ["b", "c"]))
     yield from (lyapunov.lyapunov_candidate(law, weights) for law in lyapunov.CANDIDATES)

@@ -13,9 +13,8 @@ CODE = (
     "from clpt_control.cli import main; main()"
 )
 CLPT = [sys.executable, "-c", CODE]
-PROGRESS = re.compile(
-    r".*: \d+ %.*|.*: \d+ of \d+ (members|frames).*|clpt: making the solver.*"
-)  # lines that only a slow machine shows
+# lines that only a slow machine shows
+PROGRESS = re.compile(r".*: \d+ %.*|.*: \d+ of \d+ (members|frames).*|clpt: making the solver.*")
 
 
 @contextmanager
@@ -67,14 +66,10 @@ def without_progress(text):
 def listening(pids):
     """Give the local addresses, as Linux writes them, at which processes take connections."""
     held = set()
-    for pid in pids:
-        for number in Path(f"/proc/{pid}/fd").iterdir():
-            with suppress(OSError):
-                held.add(str(number.readlink()))
-    rows = [
-        row.split()
-        for kind in ("tcp", "tcp6", "udp", "udp6")
-        for row in Path(f"/proc/self/net/{kind}").read_text().splitlines()[1:]
-    ]
+    for number in (one for pid in pids for one in Path(f"/proc/{pid}/fd").iterdir()):
+        with suppress(OSError):
+            held.add(str(number.readlink()))
+    tables = (Path(f"/proc/self/net/{kind}") for kind in ("tcp", "tcp6", "udp", "udp6"))
+    rows = [row.split() for one in tables for row in one.read_text().splitlines()[1:]]
     states = ("0A", "07")  # of TCP: listens; of UDP: has no peer
     return [row[1] for row in rows if row[3] in states and f"socket:[{row[9]}]" in held]

@@ -56,18 +56,11 @@ def random_block(random, name, dt=0):
     numbers = np.random.default_rng(random.randrange(2**32))
     a, b = numbers.normal(size=2)
     parameters = {"a": a, "b": b, **{k: numbers.normal(size=s) for k, s in NUMBERS.items()}}
-    block = Block(
-        name,
-        update=space.get("update"),
-        output=space.get("output"),
-        inputs=u,
-        outputs=y or None,
-        states=x or None,
-        parameters=parameters | ({"interval": -1.0} if interval else {}),
-        breakpoints=jumps if interval else None,
-        jump=space.get("jump"),
-        dt=dt,
-    )
+    ports = {"inputs": u, "outputs": y or None, "states": x or None, "dt": dt}
+    functions = {role: space.get(role) for role in ("update", "output", "jump")}
+    if interval:
+        parameters, ports["breakpoints"] = parameters | {"interval": -1.0}, jumps
+    block = Block(name, parameters=parameters, **functions, **ports)
     block.late = plain or later
     return block
 
@@ -85,14 +78,9 @@ def random_system(random, name, dt=0):
     numbers = np.random.default_rng(random.randrange(2**32))
     params = {"a": 0.7, "b": -1.3, **{k: numbers.normal(size=s) for k, s in NUMBERS.items()}}
     sizes = {"states": x, "inputs": u, "outputs": y}
-    return control.nlsys(
-        space.get("update"),
-        space["output"],
-        params=params,
-        name=name,
-        dt=dt,
-        **{kind: n for kind, own in sizes.items() for (n,) in own.values()},
-    )
+    sizes = {kind: n for kind, own in sizes.items() for (n,) in own.values()}
+    functions = space.get("update"), space["output"]
+    return control.nlsys(*functions, params=params, name=name, dt=dt, **sizes)
 
 
 def random_diagram(random, blocks=None, nested=True, dt=0):
@@ -100,20 +88,14 @@ def random_diagram(random, blocks=None, nested=True, dt=0):
     parts: list[Any] = []
     for k in range(blocks or random.randrange(1, 5)):
         draw = random.random()
-        if draw < 0.12:
-            parts.append(linear_part(random, f"linear{k}", dt))
-        elif draw < 0.25 and nested:
-            inner = random_diagram(random, random.randrange(1, 3), False, dt)
-            inner.name = f"inner{k}"
-            parts.append(inner)
-        elif draw < 0.4:
-            parts.append(random_system(random, f"system{k}", dt))
+        if 0.12 <= draw < 0.25 and nested:
+            parts.append(random_diagram(random, random.randrange(1, 3), False, dt))
+            parts[-1].name = f"inner{k}"
         else:
-            parts.append(random_block(random, f"block{k}", dt))
+            make = linear_part if draw < 0.12 else random_system if draw < 0.4 else random_block
+            parts.append(make(random, f"{make.__name__}{k}", dt))
     if all(isinstance(part, control.StateSpace) for part in parts):
-        parts.append(
-            random_block(random, "more", dt)
-        )  # python-control refuses some of linear parts
+        parts.append(random_block(random, "more", dt))  # python-control refuses some of linear ones
     return wired(random, parts)
 
 
@@ -155,8 +137,7 @@ def wired(random, parts):
                     feeds[to, random.randrange(outside)] = 1.0
                 continue
             for _ in range(1 if random.random() < 0.8 else 2):
-                count = len(allowed)
-                pick = j % count if in_order else random.randrange(count)
+                pick = j % len(allowed) if in_order else random.randrange(len(allowed))
                 sign = 1.0 if in_order or random.random() < 0.6 else -1.0
                 gain = 1.0 if in_order or random.random() < 0.7 else random.uniform(-2, 2)
                 wires[to, allowed[pick]] += sign * gain
@@ -164,12 +145,9 @@ def wired(random, parts):
         feeds[0, ~feeds.any(axis=0)] = 1.0  # what feeds nothing else
     feeds = feeds[:, feeds.any(axis=0)]
     shown = [s for s in range(len(owners)) if random.random() < 0.7] or [0][: len(owners)]
-    diagram = control.InterconnectedSystem(
-        parts,
-        inputs=[f"in{k}" for k in range(feeds.shape[1])],
-        outputs=[f"out{k}" for k in range(len(shown))],
-        name=f"diagram{next(_names)}",
-    )
+    counts = {"inputs": ("in", feeds.shape[1]), "outputs": ("out", len(shown))}
+    ports = {kind: [f"{own}{k}" for k in range(n)] for kind, (own, n) in counts.items()}
+    diagram = control.InterconnectedSystem(parts, name=f"diagram{next(_names)}", **ports)
     diagram.set_connect_map(wires)
     diagram.set_input_map(feeds)
     diagram.set_output_map(np.eye(len(owners), len(owners) + taken)[shown])

@@ -50,13 +50,10 @@ def functions_scale_with_their_width():
         assert math.isclose(wide, phi(kernel, (0.6, -0.9)), rel_tol=1e-13)
 
 
-def waypoints_are_taken_in_turn():
+def waypoints_are_taken_in_turn_and_jump_at_multiples_of_the_dwell():
     block = reference.reference(POINTS, 20.0)
     zc = [block.output(20.0 * j + 7.0, [], []) for j in range(7)]
     assert np.array_equal(zc, POINTS[[0, 1, 2, 0, 1, 2, 0]])
-
-
-def waypoints_jump_at_multiples_of_the_dwell():
     block = reference.reference(POINTS, 0.1)
     for j in (0, 3, 40):
         piece = block.breakpoints(0.1 * j, 0.1 * j + 1.0)
@@ -77,24 +74,24 @@ def disturbances_start_as_they_say():
         return disturbance.disturbance(kind, [0.3, -0.2], period=2.0).output(t, [], [])
 
     a = np.array([0.3, -0.2])
-    assert np.allclose(at("constant", 1.7), a)
-    for t, factor in ((0.0, 0.0), (0.5, 1.0), (1.0, 0.0), (1.5, -1.0), (2.0, 0.0)):
-        assert np.allclose(at("sine", t), factor * a, atol=1e-15)
+    for kind, factors in (
+        ("constant", {1.7: 1.0}),
+        ("sine", {0.0: 0.0, 0.5: 1.0, 1.0: 0.0, 1.5: -1.0, 2.0: 0.0}),
+        ("square", {0.0: 1.0, 0.9: 1.0, 1.1: -1.0, 1.9: -1.0, 2.1: 1.0}),
+    ):
+        found = [at(kind, t) for t in factors]
+        assert np.allclose(found, np.outer([*factors.values()], a), atol=1e-15)
     for t in np.linspace(0.0, 4.0, 9):
         assert np.allclose(at("sine", t) ** 2 + at("sine", t + 0.5) ** 2, a**2)
-    for t, factor in ((0.0, 1.0), (0.9, 1.0), (1.1, -1.0), (1.9, -1.0), (2.1, 1.0)):
-        assert np.allclose(at("square", t), factor * a)
     block = disturbance.disturbance("square", [1.0, 1.0], period=2.0)
     assert np.array_equal(block.breakpoints(0.0, 3.5), [1.0, 2.0, 3.0])
 
 
 def noise_is_normal():
-    draws = np.array(
-        [[disturbance.normal(7.0, float(k), i) for i in range(2)] for k in range(4000)]
-    )
-    assert np.abs(draws.mean(0)).max() < 0.06
-    assert np.abs(draws.std(0) - 1).max() < 0.06
-    assert abs(np.corrcoef(draws.T)[0, 1]) < 0.06
+    draws = np.array([[disturbance.normal(7.0, float(k), i) for k in range(4000)] for i in (0, 1)])
+    assert np.abs(draws.mean(1)).max() < 0.06
+    assert np.abs(draws.std(1) - 1).max() < 0.06
+    assert abs(np.corrcoef(draws)[0, 1]) < 0.06
     M = disturbance.MODULUS
     small = [disturbance.remainder(a) for a in (0.0, 5.0, M, 2.0 * M + 7.0, 3.0 * M - 1.0)]
     assert small == [0, 5, 0, 7, M - 1]
@@ -111,11 +108,9 @@ def noise_is_hashed_on_whole_numbers_below_two_to_53():
     space = {**disturbance.hash_fraction.__globals__, "remainder": remainder}
     hashed = FunctionType(disturbance.hash_fraction.__code__, space)
     any_whole = sympy.AccumBounds(0, M - 1)
-    for axis in range(2):
-        for stream in range(2):
-            share = hashed(any_whole, any_whole, axis, stream)
-            assert share.min > 0
-            assert share.max < 1
+    for axis, stream in np.ndindex(2, 2):
+        share = hashed(any_whole, any_whole, axis, stream)
+        assert 0 < share.min <= share.max < 1
     ends = [(a.min, a.max) if isinstance(a, sympy.AccumBounds) else (a, a) for a in arguments]
     assert all(low >= 0 and high < 2**53 for low, high in ends)
 
@@ -131,33 +126,33 @@ def positions_are_read_with_numbers_of_their_own():
         assert np.allclose(fixed, [*(x + noise), 1.0], rtol=0.0, atol=1e-14)
 
 
+SIDES = (3, 4, 5), (1.0, -2.0, 3.0), (2.0, 1.0, 3.0)
+
+
 def gridded_flows_reproduce_linear_ones():
     """A spline whose coefficients are linear is that line; beyond the edges it is held."""
-    shape, start, step = (3, 4, 5), (1.0, -2.0, 3.0), (2.0, 1.0, 3.0)
-    axes = [s + d * np.arange(n) for n, s, d in zip(shape, start, step, strict=True)]
-    wider = [s + d * np.arange(-1, n + 1) for n, s, d in zip(shape, start, step, strict=True)]
-    t, x2, x1 = np.meshgrid(*wider, indexing="ij")
-    grid = GriddedField(*axes, np.zeros(shape), np.zeros(shape))
-    params = {
-        "true_flow.u": (7 - 2 * t + x2 + 5 * x1).ravel(),
-        "true_flow.v": (t + 10 * x2 - 3 * x1).ravel(),
-    }
+    axes = [s + d * np.arange(n) for n, s, d in zip(*SIDES, strict=True)]
+    wider = [s + d * np.arange(-1, n + 1) for n, s, d in zip(*SIDES, strict=True)]
+    grid = GriddedField(*axes, np.zeros(SIDES[0]), np.zeros(SIDES[0]))
+
+    def line(t, x2, x1):
+        return np.array([7 - 2 * t + x2 + 5 * x1, t + 10 * x2 - 3 * x1])
+
+    u, v = line(*np.meshgrid(*wider, indexing="ij"))
+    params = {"true_flow.u": u.ravel(), "true_flow.v": v.ravel()}
+    first, last = np.array([(a[0], a[-1]) for a in axes]).T
     rng = np.random.default_rng(3)
-    for disturbed in (False, True):
-        block = field.gridded_flow(grid, disturbed=disturbed, outside="clip")
-        delta = [0.25, -0.5] if disturbed else []
-        added = np.array(delta or [0.0, 0.0])
+    for delta in ([], [0.25, -0.5]):
+        block = field.gridded_flow(grid, disturbed=bool(delta), outside="clip")
         for share in [*rng.random((40, 3)), np.zeros(3), np.ones(3), 2 * np.ones(3), -np.ones(3)]:
-            place = [a[0] + s * (a[-1] - a[0]) for a, s in zip(axes, share, strict=True)]
+            place = first + share * (last - first)
             flow = block.output(place[0], [], [place[2], place[1], *delta], params)
-            at = [float(np.clip(v, a[0], a[-1])) for v, a in zip(place, axes, strict=True)]
-            wanted = [7 - 2 * at[0] + at[1] + 5 * at[2], at[0] + 10 * at[1] - 3 * at[2]]
-            assert np.allclose(flow, wanted + added, rtol=1e-12, atol=1e-11)
+            wanted = line(*np.clip(place, first, last)) + (delta or 0.0)
+            assert np.allclose(flow, wanted, rtol=1e-12, atol=1e-11)
 
 
 def guards_know_the_edge():
-    shape, start, step = (3, 4, 5), (1.0, -2.0, 3.0), (2.0, 1.0, 3.0)
-    sides = {"shape": shape, "start": start, "step": step}
+    sides = dict(zip(("shape", "start", "step"), SIDES, strict=True))
     p = Parameters(**{name: np.array(a, dtype=float) for name, a in sides.items()})
     places = ((2.0, 6.0, 0.0), (2.0, 0.0, 0.0), (6.0, 6.0, 0.0))
     near = [field.inside(t, np.zeros(0), np.array([x1, x2]), p) for t, x1, x2 in places]
@@ -165,16 +160,10 @@ def guards_know_the_edge():
 
 
 CHECKS = [
-    functions_are_even_isotropic_and_fall,
-    functions_oscillate_with_their_tide,
-    functions_scale_with_their_width,
-    waypoints_are_taken_in_turn,
-    waypoints_jump_at_multiples_of_the_dwell,
-    circles_turn_left_from_the_east,
-    disturbances_start_as_they_say,
-    noise_is_normal,
+    *(functions_are_even_isotropic_and_fall, functions_oscillate_with_their_tide),
+    *(functions_scale_with_their_width, circles_turn_left_from_the_east),
+    waypoints_are_taken_in_turn_and_jump_at_multiples_of_the_dwell,
+    *(disturbances_start_as_they_say, noise_is_normal, guards_know_the_edge),
     noise_is_hashed_on_whole_numbers_below_two_to_53,
-    positions_are_read_with_numbers_of_their_own,
-    guards_know_the_edge,
-    gridded_flows_reproduce_linear_ones,
+    *(positions_are_read_with_numbers_of_their_own, gridded_flows_reproduce_linear_ones),
 ]
