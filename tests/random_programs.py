@@ -83,61 +83,45 @@ SEEN = [  # of an array {1}, some are copies
     *("{1}[::-1]", "np.asarray({1})", "{1}.reshape(1, -1)[0]", "np.ravel({1}[::2])", "+{1}"),
     *("np.transpose({1}[None])[:, 0]", "np.prod({1}[None], axis=0)", "{1}[...]", "{1}.copy()"),
     *("np.squeeze({1}[None], 0)", "np.flip({1})", "np.split({1}, [0])[1]", "np.hsplit({1}, 1)[0]"),
-    *(
-        "np.moveaxis({1}[None], 0, 1)[:, 0]",
-        "np.rot90({1}[None], 2)[0]",
-        "np.atleast_3d({1})[0, :, 0]",
-    ),
-    *("np.sum({1}[None], axis=0)", "np.maximum.reduce({1}[None])", "np.where(True, {1}, 0.0)"),
+    *("np.moveaxis({1}[None], 0, 1)[:, 0]", "np.rot90({1}[None], 2)[0]"),
+    *("np.atleast_3d({1})[0, :, 0]", "np.sum({1}[None], axis=0)"),
+    *("np.maximum.reduce({1}[None])", "np.where(True, {1}, 0.0)"),
 ]
 CHANGES = [
     *("{2}[0] = {s}", "{2} += {l}", "{2}.put([0], 0.5)", "np.copyto({2}, {l})"),
     "{1}[0], {2}[-1] = {2}[-1], {1}[0]",
 ]
 IF = "1?if {C}:\n    {1} = {s}\nelse:\n    {1} = {s}"
+LOOPS = [
+    "for {2} in {w}:\n    {1} += {2} * {s}",
+    "for {2}, b in zip({w}, {w}):\n    {1} = 0.7 * {1} + {2} * b",
+    "for {2}, b in enumerate({w}):\n    {1} -= b / ({2} + 1)",
+    "{2} = {1|3|5}\nwhile {2} > 0:\n    {2} -= 1\n    {1} = math.sin({1}) + {2} * {l}",
+    "for {2} in range({n}):\n    if {2} % 2:\n        continue\n"
+    "    {1} += ({w})[{2}] * ({w})[{n} - 1 - {2}]",
+    "for {2} in range(len({w})):\n    {1} = np.tanh({1}) * ({w})[{2}] + {s}",
+]
+LOOPS = [f"{{1}} = {{l}}\n{loop}" for loop in LOOPS]
+FILLED = [
+    "{1} = np.{zeros|ones}({n})\nfor {2} in range({n}):\n    {1}[{2}] {=|+=} {s} * {2}",
+    "{1} = np.zeros({n})\n{1}[:{n} - 1] = ({v})[1:]\n{1}[-1] = {s}\n{1} *= {l}",
+    "{1} = np.zeros({n} + 1)\n{1}[1:] = {v}\n{1}b = {1}[1:]\n{1}b[0] {=|-=} {s}\n{1} = {1}[:-1]",
+]
+SHARED = product(("{v}", "np.zeros({n})", "np.linspace(0.0, 1.0, {n})"), SEEN, CHANGES)
+SHARED = [f"{{1}} = np.array({start})\n{{2}} = {seen}\n{change}" for start, seen, change in SHARED]
 STATEMENTS = [  # and what their names are: numbers, a first element, a vector, a matrix
     (["{1} = {s}"], "s1"),
     (["{1} = {v}"], "v1"),
     (["1?{1} = {s}\nif {C}:\n    {1} {=|+=|*=} {s}", IF, IF.replace("1?if {C}", "2?if {c}")], "s1"),
-    *[
-        (
-            [
-                "{1} = {l}\nfor {2} in {w}:\n    {1} += {2} * {s}",
-                "{1} = {l}\nfor {2}, b in zip({w}, {w}):\n    {1} = 0.7 * {1} + {2} * b",
-                "{1} = {l}\nfor {2}, b in enumerate({w}):\n    {1} -= b / ({2} + 1)",
-                "{1} = {l}\n{2} = {1|3|5}\nwhile {2} > 0:\n    {2} -= 1\n"
-                "    {1} = math.sin({1}) + {2} * {l}",
-                "{1} = {l}\nfor {2} in range({n}):\n    if {2} % 2:\n        continue\n"
-                "    {1} += ({w})[{2}] * ({w})[{n} - 1 - {2}]",
-                "{1} = {l}\nfor {2} in range(len({w})):\n    {1} = np.tanh({1}) * ({w})[{2}] + {s}",
-            ],
-            "s1",
-        )
-    ]
-    * 2,
-    (
-        [
-            "{1} = np.{zeros|ones}({n})\nfor {2} in range({n}):\n    {1}[{2}] {=|+=} {s} * {2}",
-            "{1} = np.zeros({n})\n{1}[:{n} - 1] = ({v})[1:]\n{1}[-1] = {s}\n{1} *= {l}",
-            "{1} = np.zeros({n} + 1)\n{1}[1:] = {v}\n{1}b = {1}[1:]\n{1}b[0] {=|-=} {s}\n"
-            "{1} = {1}[:-1]",
-        ],
-        "v1",
-    ),
+    *[(LOOPS, "s1")] * 2,
+    (FILLED, "v1"),
     (["{1} = np.outer({v}, {m})", "{1} = np.outer({v}, {m})\n{1}[0] *= 0.5"], "M1"),
     (["{1} = np.outer({m}, {v}).T"], "M1"),
     (["{1}, {2} = bend({l}, {s})", "{1}, {2} = bend(b={l}, a={l})"], "s1 s2"),
     (["def {2}(v, k={l}):\n    return v * k + {l}\n{1} = {2}({l}) * {2}({l}, {l})"], "s1"),
     (["{2} = {s}\n{1} = (lambda v: v * {2} - {l})({l})"], "s1 s2"),
     (["3?{1} = sorted([{l}, {l}, {l}]{|, reverse=True})[1]"], "s1"),
-    (
-        [
-            f"{{1}} = np.array({start})\n{{2}} = {seen}\n{change}"
-            for start in ("{v}", "np.zeros({n})", "np.linspace(0.0, 1.0, {n})")
-            for seen, change in product(SEEN, CHANGES)
-        ],
-        "v1 e2",
-    ),
+    (SHARED, "v1 e2"),
 ]
 
 
@@ -195,11 +179,8 @@ class Writer:
             "s": lambda: self.scalar(depth),
             "S": lambda: ", ".join(self.scalar(1) for _ in range(n)),
             "l": self.leaf,
-            "v": lambda: self.vector(n, depth),
-            "w": lambda: self.vector(n, 0),
-            "m": lambda: self.vector(m, 0),
-            "M": lambda: M,
-            "n": lambda: str(n),
+            **{"v": lambda: self.vector(n, depth), "w": lambda: self.vector(n, 0)},
+            **{"m": lambda: self.vector(m, 0), "M": lambda: M, "n": lambda: str(n)},
             "f": lambda: f"{self.random.uniform(0.3, 2):.2f}",
             "c": lambda: self.expand(COMPARISONS, 0)[0],
             "C": lambda: self.expand(CONDITIONS, 1)[0],
@@ -231,9 +212,8 @@ class Writer:
     def vector(self, n, depth=2):
         if depth <= 0 or self.chance(0.2):
             longer = [f"{v}[{m - n}:]" for m, names in self.vectors.items() if m > n for v in names]
-            return self.choice(
-                [*self.vectors.get(n, []) * 3, *longer, f"np.full({n}, {self.leaf()})"]
-            )
+            own = self.vectors.get(n, []) * 3
+            return self.choice([*own, *longer, f"np.full({n}, {self.leaf()})"])
         known = any(rows == n for rows, _ in self.matrices)
         return self.expand([*VECTORS, *["({M} @ {w})"] * known], depth - 1, n, n)[0]
 
@@ -267,8 +247,7 @@ class Writer:
             return "{" + ", ".join(f'"{port}": {value}' for port, value in ports) + "}"
         if self.chance(0.5):
             return f"np.concatenate([{', '.join(values)}])"
-        every = (f"*({value})" for value in values)
-        return f"[{', '.join(every)}]"
+        return f"[*({'), *('.join(values)})]"
 
     def text(self, name, returns):
         for _ in range(self.random.randrange(1, 6)):

@@ -70,15 +70,10 @@ def thinned(source, target, names, kept, summed=()):
                     values = np.take(values, kept[dim], axis)
             grows = any(old.dimensions[dim].isunlimited() for dim in was.dimensions)
             large = np.size(values) > LARGE and new.data_model != "NETCDF3_CLASSIC"
-            packed = {"compression": "zlib"} if large else {}
-            made = new.createVariable(
-                name,
-                was.dtype,
-                was.dimensions,
-                fill_value=getattr(was, "_FillValue", None),
-                chunksizes=values.shape if large or grows else None,
-                **packed,
-            )
+            how = {"compression": "zlib"} if large else {}
+            how["chunksizes"] = values.shape if large or grows else None
+            how["fill_value"] = getattr(was, "_FillValue", None)
+            made = new.createVariable(name, was.dtype, was.dimensions, **how)
             made.set_auto_maskandscale(False)
             made.setncatts(dict(list(kept_of(was, SAYS.split()).items())[:MANY]))
             made[...] = values
@@ -87,12 +82,8 @@ def thinned(source, target, names, kept, summed=()):
 def kept_of(item, names):
     """Return attributes by name, of a long text its beginning."""
     found = {name: item.getncattr(name) for name in names if name in item.ncattrs()}
-    return {
-        name: f"{value[:LONGEST]} (cut)"
-        if isinstance(value, str) and len(value) > LONGEST
-        else value
-        for name, value in found.items()
-    }
+    long = [n for n, value in found.items() if isinstance(value, str) and len(value) > LONGEST]
+    return found | {name: f"{found[name][:LONGEST]} (cut)" for name in long}
 
 
 def every(k, count, *also):
@@ -107,11 +98,8 @@ def dive(source, target, k, copies=1):
         for name in ("depth", "ctd_depth", "eng_depth"):
             if name in data.variables:
                 deepest.setdefault(data[name].dimensions[0], []).append(np.nanargmax(data[name][:]))
-        kept = {
-            name: every(k, len(dim), *deepest.get(name, ()))
-            for name, dim in data.dimensions.items()
-            if name.endswith("_data_point")
-        }
+        dims = {n: len(dim) for n, dim in data.dimensions.items() if n.endswith("_data_point")}
+        kept = {name: every(k, n, *deepest.get(name, ())) for name, n in dims.items()}
     thinned(source, target, OF_A_DIVE.split() + STEPS, kept, STEPS)
     target.write_bytes(target.read_bytes() * copies)
 
@@ -128,10 +116,8 @@ def mission(source, target, names, rows, k):
 
 def dive_rows(source, target):
     """Draw a row for each dive of a vehicle: fixes, dead reckoning and the file's own current."""
-    lines = [
-        "dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dr_east_m,dr_north_m,"
-        "dac_east,dac_north"
-    ]
+    lines = ["dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse"]
+    lines[0] += ",dr_east_m,dr_north_m,dac_east,dac_north"
     for path in sorted(source.glob("*.nc")):
         with netCDF4.Dataset(path) as data:
             fixes = [data[f"log_gps_{name}"][:].tolist() for name in ("time", "lat", "lon")]
@@ -187,26 +173,17 @@ def main(shared):
     segments(shared / "glider/slocum_rosie", HERE / "glider/slocum_rosie")
     for name in ("sea035m10_dives.csv", "sg542_2016_dives.csv", "sg171_adcp.csv"):
         shutil.copyfile(shared / "glider" / name, HERE / "glider" / name)
+    radar = {"time": (0, 23), "lat": (40.84, 41.61), "lon": (-69.98, -68.92)}
+    rtofs = {"time": (0, 8), "lat": (47.5, 48.1), "lon": (-125.3, -124.2)}
+    cmems = {"time": (0, 5), "latitude": (24.0, 31.0), "longitude": (-84.0, -76.0)}
+    shipped = "maracoos_hfr_2019-01-01.nc"  # with the package
+    corner(shared / "field" / shipped, PACKAGE / shipped, ("u", "v"), **radar)
+    grids, target = shared / "grids", HERE / "grids"
     for name, names, spans in (
-        (
-            "field/maracoos_hfr_2019-01-01.nc",
-            ("u", "v"),
-            {"time": (0, 23), "lat": (40.84, 41.61), "lon": (-69.98, -68.92)},
-        ),
-        (
-            "grids/wa_RTOFS_global.nc",
-            ("water_u", "water_v"),
-            {"time": (0, 8), "lat": (47.5, 48.1), "lon": (-125.3, -124.2)},
-        ),
-        (
-            "grids/cmems_1deg.nc",
-            ("uo", "vo", "depth"),
-            {"time": (0, 5), "latitude": (24.0, 31.0), "longitude": (-84.0, -76.0)},
-        ),
+        ("wa_RTOFS_global.nc", ("water_u", "water_v"), rtofs),
+        ("cmems_1deg.nc", ("uo", "vo", "depth"), cmems),
     ):
-        shipped = name.startswith("field/")  # with the package
-        target = PACKAGE / Path(name).name if shipped else HERE / name
-        corner(shared / name, target, names, **spans)
+        corner(grids / name, target / name, names, **spans)
 
 
 if __name__ == "__main__":
