@@ -62,11 +62,10 @@ def blocks(path):
     if text.startswith("---") and "kernelspec" in text.split("---")[1]:
         return
     for found in FENCE.finditer(text):
-        _, language, inside = found.groups()
-        if not language.startswith("{"):
-            line = text[: found.start()].count("\n") + 2
-            yield Block(language, inside, line, text[end : found.start()])
+        start, before, (_, language, inside) = found.start(), end, found.groups()
         end = found.end()
+        if not language.startswith("{"):
+            yield Block(language, inside, text[:start].count("\n") + 2, text[before:start])
 
 
 def test_a_console_that_says_something_else_is_found():
@@ -92,9 +91,7 @@ def test_every_block_runs(path, tmp_path, monkeypatch):
         pytest.skip("no shell: sh is not on PATH")
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("MPLBACKEND", "agg")
-    monkeypatch.setenv(
-        "PATH", os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
-    )
+    monkeypatch.setenv("PATH", str(Path(sys.executable).parent), prepend=os.pathsep)
     page, printed = ModuleType("page"), ""
     monkeypatch.setitem(sys.modules, "page", page)  # its functions are found there, as in a script
     for block in blocks(path):
@@ -107,46 +104,41 @@ def test_every_block_runs(path, tmp_path, monkeypatch):
 
 def run(block, space, where):
     """Run a block; return what Python printed."""
-    if (name := FILE.match(block.text)) and block.language in ("python", "toml", "csv"):
-        Path(name[1]).write_text(block.text, "utf-8")
-    elif block.language == "python":
-        printed = io.StringIO()
-        code = compile("\n" * (block.line - 1) + block.text, where, "exec")
-        with contextlib.redirect_stdout(printed):
-            exec(code, space)
-        return printed.getvalue()
-    elif block.language == "toml":
-        tomllib.loads(block.text)
-    elif block.language == "sh":
-        status, out = shell(block.text)
-        assert status == 0, f"{where}: status {status}: {out}"
-    elif block.language == "console":
-        check_console(block.text, where)
-    elif block.language == "c" and shutil.which("cc"):
-        Path("main.c").write_text(block.text, "utf-8")
-        status, out = shell("cc -std=c99 -Wall -Wextra -pedantic main.c -o main -lm; ./main")
-        assert status == 0, f"{where}: status {status}: {out}"
-        return out
+    name = FILE.match(block.text)
+    match block.language:
+        case "python" | "toml" | "csv" if name:
+            Path(name[1]).write_text(block.text, "utf-8")
+        case "python":
+            code = compile("\n" * (block.line - 1) + block.text, where, "exec")
+            with contextlib.redirect_stdout(io.StringIO()) as printed:
+                exec(code, space)
+            return printed.getvalue()
+        case "toml":
+            tomllib.loads(block.text)
+        case "sh":
+            shell(block.text, where)
+        case "console":
+            check_console(block.text, where)
+        case "c" if shutil.which("cc"):
+            Path("main.c").write_text(block.text, "utf-8")
+            words = "cc -std=c99 -Wall -Wextra -pedantic main.c -o main -lm; ./main"
+            return shell(words, where)
     return ""
 
 
-def shell(commands):
-    """Run commands, the first that fails ends them; return the status and all that is said."""
-    done = subprocess.run(
-        ["sh", "-e", "-c", commands],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-        timeout=GUARD,
-    )
-    return done.returncode, done.stdout
+def shell(commands, where=None):
+    """Run commands, the first that fails ends them; return all that is said."""
+    both = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True}
+    done = subprocess.run(["sh", "-e", "-c", commands], timeout=GUARD, **both)
+    assert done.returncode == 0 or not where, f"{where}: status {done.returncode}: {done.stdout}"
+    return done.stdout
 
 
 def check_console(text, where):
     """Run what stands after `$`; what is shown below must be what is said, but for `...`."""
     for part in re.split(r"^\$ ", text, flags=re.M)[1:]:
         command, shown = re.match(r"((?:[^\n]*\\\n)*[^\n]*\n?)(.*)", part, re.S).groups()
-        _, out = shell(command)
+        out = shell(command)
         said = words(out)
         for piece in re.split(r"^\s*\.\.\.\s*$", shown, flags=re.M):
             wanted = words(piece)
