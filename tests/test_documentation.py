@@ -61,8 +61,7 @@ def all_docstrings():
 
 
 def test_every_file_says_what_it_is():
-    bare = {name for name, tree in trees().items() if not ast.get_docstring(tree)}
-    assert bare <= {"data", ""}
+    assert {name for name, tree in trees().items() if not ast.get_docstring(tree)} <= {"data", ""}
 
 
 def test_every_name_says_what_it_is():

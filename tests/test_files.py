@@ -186,8 +186,7 @@ def test_what_tells_how_numbers_are_decoded_may_be_anything(tmp_path, kind, key)
         data.createDimension("dive", 3)
         data.createVariable("u", kind, ("dive",))[:] = np.ones(3, kind)
         data["u"].setncattr(key, "x")
-    said = "d.nc: cannot be read as NetCDF: "
-    says(DataError, said, clpt_control.load_run, tmp_path / "d.nc")
+    says(DataError, "d.nc: cannot be read as NetCDF: ", clpt_control.load_run, tmp_path / "d.nc")
 
 
 def test_a_number_that_was_overwritten_is_found(tmp_path):

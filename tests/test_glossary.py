@@ -78,8 +78,7 @@ ROOMS = [name for name in clpt.__all__ if inspect.ismodule(getattr(clpt, name))]
 
 def test_every_error_is_a_name_of_the_package():
     every = inspect.getmembers(errors, inspect.isclass)
-    own = {name for name, one in every if one.__module__ == errors.__name__}
-    assert own <= set(clpt.__all__)
+    assert {name for name, one in every if one.__module__ == errors.__name__} <= set(clpt.__all__)
 
 
 @pytest.mark.parametrize("room", ["", *ROOMS])

@@ -49,8 +49,7 @@ class Block(NamedTuple):
 
 def pages():
     """README, CONTRIBUTING and every page of docs that is no notebook."""
-    found = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted(ROOT.glob("docs/**/*.md"))]
-    for path in found:
+    for path in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted(ROOT.glob("docs/**/*.md"))]:
         if any(blocks(path)):
             name = str(path.relative_to(ROOT))
             slow = pytest.mark.slow if path.name in SLOW or name == FILM else ()

@@ -34,8 +34,7 @@ def test_step_response_agrees_with_theory(study):
     values = {name: float(value) for name, value in study("step_response")}
     assert values["largest difference of the two responses"] < 1e-6
     assert values["largest |zc -> e|, learner true"] < 1e-5
-    slope = values["initial slope of it (theory: GammaD - Gamma)"]
-    assert slope == pytest.approx(0.1, rel=0.02)
+    assert values["initial slope of it (theory: GammaD - Gamma)"] == pytest.approx(0.1, rel=0.02)
 
 
 def test_forecasts_of_flow_estimators(study, tmp_path):
@@ -74,8 +73,7 @@ def test_measured_current_example(tmp_path):
 
 
 def test_forecasts_of_gliders_in_made_seas(study):
-    rows = study("glider_forecasts", "--vehicles", "3")
-    ratios = {row[0]: float(row[1]) for row in rows[:16]}
+    ratios = {row[0]: float(row[1]) for row in study("glider_forecasts", "--vehicles", "3")[:16]}
     assert len(ratios) == 16
     assert max(ratios.values()) < 1.15
     assert ratios["shelf, M2"] < 0.4

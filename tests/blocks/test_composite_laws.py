@@ -142,8 +142,7 @@ def test_a_law_with_a_memory_learns_exponentially_after_one_round(law, memory, h
     assert middle < 0.5 * early
     fallen, to_nothing = np.log(early / middle), np.log(middle / 1e-11)
     assert np.log(middle / max(late, 1e-11)) >= min(2 * fallen, to_nothing) * 0.9
-    least = np.linalg.eigvalsh(square(run, memory))[:, 0]
-    assert np.all(np.diff(least) >= -1e-7)
+    assert np.all(np.diff(np.linalg.eigvalsh(square(run, memory))[:, 0]) >= -1e-7)
 
 
 @pytest.mark.parametrize("law", ["projection", "switching-sigma"])

@@ -191,8 +191,7 @@ def test_alpha_and_its_start_are_those_of_the_known_flow_law():
     said = 'parameters: law = "kalman-flow" has no use for it; remove'
     with pytest.raises(clpt.ScenarioError, match=said):
         filtered(10.0).with_values({"learning.parameters": TRUE})
-    start = filtered(10.0).with_values({"model.parameters": 0.5 * TRUE})
-    run = clpt.simulate(start)
+    run = clpt.simulate(filtered(10.0).with_values({"model.parameters": 0.5 * TRUE}))
     np.testing.assert_array_equal(run.flow_parameters_estimate[0], 0.5 * TRUE)
     np.testing.assert_array_equal(run.alpha[-1], 0.5 * TRUE)
 

@@ -127,8 +127,7 @@ def test_a_measured_track_feeds_the_learner_alone():
 
 def test_a_seed_varies_by_a_list_and_every_member_has_its_own_noise():
     seeds, how = "localization.seed=[0, 1, 2, 3]", {"design": "grid", "trajectories": True}
-    many = clpt.run_ensemble(NOISY, seeds, 4, **how)
-    for k, position in enumerate(many.position.values):
+    for k, position in enumerate(clpt.run_ensemble(NOISY, seeds, 4, **how).position.values):
         own = clpt.simulate(NOISY.with_values({"localization.seed": k}))
         np.testing.assert_allclose(position, own.position, rtol=0, atol=1e-10)
     for vary, said in (("=0:3", "list the values"), ("=[1, 2.5]", "must be a whole number")):

@@ -72,8 +72,7 @@ def test_a_loop_is_drawn_and_exported(clpt, refused_for):
     before = Path("p.toml").read_text()
     assert re.match("(?s)flowchart.*learning_controller", clpt("diagram", "p.toml").out)
     refused_for([".svg"], "diagram", "p.toml", "-o", "p.docx")
-    said = "a program's name must end in .c, .h or .fmu"
-    refused_for([said], "export", "p.toml", "-o", "p.toml")
+    refused_for(["a program's name must end in .c, .h or .fmu"], "export", "p.toml", "-o", "p.toml")
     assert Path("p.toml").read_text() == before
     for command, name in (("diagram", "p.svg"), ("export", "p.c"), ("export", "p.fmu")):
         assert clpt(command, "p.toml", "-o", name).out == f"{name}: written\n"

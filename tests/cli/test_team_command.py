@@ -15,8 +15,7 @@ from examples import team as example
 
 
 def test_a_team_runs_and_runs_again(clpt, printed):
-    of = team(a=vehicle(), b=vehicle(reference_radius=2.0))
-    Path("team.toml").write_text(team_to_text(of))
+    Path("team.toml").write_text(team_to_text(team(a=vehicle(), b=vehicle(reference_radius=2.0))))
     words = ("run", "team.toml", "--out", "run.nc")
     out = clpt(*words, "--figures", "figures").out
     assert re.search(r"b: largest flow parameter error \(m/s\) +│ [-.\de]+ at t = 12", out)

@@ -91,8 +91,7 @@ def test_a_run_is_linearized_at_one_of_its_times(scenario):
     assert run.clpt.linearize(10.0).ninputs == 0
     cut = run.clpt.linearize(10.0, input="x", output="alpha")
     assert cut.state_labels[0] == "learning_model_z[0]"
-    said = "has no 'nothing'"
-    says(clpt.ArgumentError, said, run.clpt.linearize, 10.0, output="nothing")
+    says(clpt.ArgumentError, "has no 'nothing'", run.clpt.linearize, 10.0, output="nothing")
     changed = clpt.simulate(scenario, params={"basis_x.widths": [1.0, 2.0, 3.0]})
     says(clpt.DataError, "does not hold its diagram", changed.clpt.linearize, 10.0)
 
@@ -168,7 +167,6 @@ def test_it_refuses_in_a_sentence(tmp_path):
 
 def test_columns_of_members_name_what_varied():
     lag, times = clpt.parts.lag(1.0), np.linspace(0.0, 1.0, 3)
-    data = clpt.run_ensemble(lag, {"u": [1, 2]}, timepts=times, trajectories=True)
-    table = data.clpt.table()
+    table = clpt.run_ensemble(lag, {"u": [1, 2]}, timepts=times, trajectories=True).clpt.table()
     assert [*table.columns] == ["time", "y u 1.0", "y u 2.0"]
     np.testing.assert_allclose(table.values[:, 2], 2.0 * (1.0 - np.exp(-times)), atol=1e-6)

@@ -49,8 +49,7 @@ def test_on_given_axes(kind, name, count, made):
 
 
 def test_without_axes_a_plot_is_the_figure_of_pyplot_or_of_a_file(made, monkeypatch):
-    ax = track_plot(made["run"])
-    assert plt.gcf() is ax.figure
+    assert plt.gcf() is track_plot(made["run"]).figure
     plt.close("all")
     assert figure_of(track_plot, made["run"]).axes
     assert plt.get_fignums() == []
@@ -132,8 +131,7 @@ def test_what_is_shown_is_the_runs_own(run, scenario):
         grid, flow = np.column_stack([true.X, true.Y]), np.column_stack([true.U, true.V])
         np.testing.assert_allclose(flow, velocity(scenario, grid, run.time[k]), atol=1e-12)
         if k:
-            theta = run.flow_parameters_estimate.values[k]
-            u, v = velocity(scenario, grid, run.time[k], theta).T
+            u, v = velocity(scenario, grid, run.time[k], run.flow_parameters_estimate.values[k]).T
             along = arrows["learned flow"]
             assert np.all(along.U * u + along.V * v >= 0)  # long ones are shortened
             np.testing.assert_allclose(along.U * v - along.V * u, 0.0, atol=1e-12)

@@ -111,8 +111,7 @@ def test_sampled_backlash_is_the_play_and_continuous_tends_to_it():
     assert y[times < 3].max() == pytest.approx(size - width / 2, abs=1e-4)
     resting = (times > np.pi / 2) & (times < np.pi - np.arcsin(1 - width / size) - dt)
     assert np.ptp(y[resting]) == 0.0
-    late = times > 2 * np.pi
-    falling = late & (np.cos(times) < 0) & (u < size - width)
+    falling = (times > 2 * np.pi) & (np.cos(times) < 0) & (u < size - width)
     np.testing.assert_allclose(y[falling], u[falling] + width / 2, atol=1e-4)
     wave = clpt.Block("wave", output=lambda t, x, u, p: 2.0 * np.sin(t), outputs={"u": 1})
     off = []
@@ -158,8 +157,7 @@ def test_a_continuous_delay_is_pades(order):
     exact = control.tf(*control.pade(T, n, n - 1))(s) if order < 9 else np.exp(-s * T)
     np.testing.assert_allclose(linear(s).squeeze(), exact, atol=1e-10 if order < 9 else 1e-8)
     low = s[np.abs(s) * T < order / 2]
-    off = np.abs(linear(low).squeeze() - np.exp(-low * T)).max()
-    assert off < (0.11 if order == 1 else 0.03)
+    assert np.abs(linear(low).squeeze() - np.exp(-low * T)).max() < (0.11 if order == 1 else 0.03)
     assert np.all(linear.poles().real < 0)
 
 
@@ -345,8 +343,7 @@ def test_coriolis_is_fossens_matrix():
     rng = np.random.default_rng(3)
     for nu, tau in rng.standard_normal((20, 2, 3)):
         a, b = M[1, 1] * nu[1] + M[1, 2] * nu[2], M[0, 0] * nu[0]
-        coriolis = np.array([[0, 0, -a], [0, 0, b], [a, -b, 0]])
-        rate = np.linalg.solve(M, tau - coriolis @ nu - D @ nu)
+        rate = np.linalg.solve(M, tau - np.array([[0, 0, -a], [0, 0, b], [a, -b, 0]]) @ nu - D @ nu)
         found = parts.planar_vehicle(M, D).dynamics(0, [0, 0, rng.normal(), *nu], [*tau, 0, 0])
         np.testing.assert_allclose(found[3:], rate, atol=1e-12)
 
@@ -413,6 +410,5 @@ def test_a_block_of_discrete_time_iterates_and_samples():
     theirs = control.input_output_response(twice, np.array([0, 0.5, 1.0]), np.ones(3))
     assert theirs.outputs.tolist() == [0, 1, 3]
     loop = clpt.connect([twice, parts.lag(1.0, u="x", y="y")], external="u")
-    held = clpt.simulate(loop, [0, 0.25, 0.5, 0.75, 1.0], 1.0)
-    assert held.x.values.tolist() == [0, 0, 1, 1, 3]
+    assert clpt.simulate(loop, [0, 0.25, 0.5, 0.75, 1.0], 1.0).x.values.tolist() == [0, 0, 1, 1, 3]
     assert twice.copy(name="other").dt == 0.5

@@ -51,8 +51,7 @@ def test_a_wrong_value_is_one_sentence(words):
 
 
 def test_a_table_of_its_own_is_checked_too():
-    said = "learning: law = 'none': must be"
-    says(ScenarioError, said, Learning, law="none", gain=1.0)
+    says(ScenarioError, "learning: law = 'none': must be", Learning, law="none", gain=1.0)
     says(ScenarioError, "missing key basis.kernel .and", clpt.Scenario, basis={})
     says(ScenarioError, "3: must be a table of keys", clpt.Scenario.model_validate, 3)
     says(clpt.ArgumentError, "must be Mapping", PAPER.with_values, [2])
