@@ -4,6 +4,7 @@ import ast
 import functools
 import inspect
 import re
+import runpy
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -14,6 +15,7 @@ import clpt_control
 from clpt_control import figures
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.scenario.tidal_periods import SPEEDS
+from clpt_control.theory.promises import promises_in_words
 
 EQUATION = ["t", "x", "u", "p"]
 REFERENCE = Path(__file__).parent.parent / "docs" / "reference"
@@ -196,3 +198,34 @@ def test_the_style_is_that_of_the_packages_own_figures():
         assert [ax.spines[side].get_visible() for side in ("top", "right", "left")] == [0, 0, 1]
     lines = [ax.xaxis.get_gridlines()[0] for ax in both]
     assert len({(one.get_visible(), one.get_linewidth(), one.get_alpha()) for one in lines}) == 1
+
+
+# --- docs/each_law.md ----------------------------------------------------------------------------
+
+TOOL = ROOT / "tools" / "print_laws.py"
+PAGE = ROOT / "docs" / "each_law.md"
+
+
+@pytest.mark.skipif(not TOOL.exists(), reason="installed without tools")
+def test_the_sections_are_those_of_the_laws():
+    tool = runpy.run_path(str(TOOL))
+    text = PAGE.read_text("utf-8")
+    assert tool["whole_page"]() == text, "run python tools/print_laws.py"
+    for law in LAWS.values():
+        assert re.search(rf"^## .*`{law.name}`", text, re.M)
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_the_command_prints_a_laws_page(clpt, printed, name):
+    law, out = LAWS[name], clpt("laws", name).out
+    [(listed, told)] = printed("laws", name)["laws"].items()
+    assert (listed, told["page"], [*told["settings"]]) == (name, law.page, [*law.settings])
+    assert told["promises"] == list(promises_in_words(law).values())
+    for line in (law.page.splitlines()[0], *told["promises"]):
+        assert line in out
+
+
+def test_the_command_lists_all_and_refuses_others(clpt, printed, refused):
+    assert list(printed("laws")["laws"]) == list(LAWS)
+    assert all(name in clpt("laws").out for name in LAWS)
+    assert refused("laws", "no-law") == "clpt: no-law: is no law; `clpt laws` lists them\n"

@@ -9,6 +9,7 @@ its first line: `# not run by the tests: REASON`.  Notebooks are run by `make do
 """
 
 import contextlib
+import importlib.util
 import io
 import os
 import re
@@ -22,14 +23,14 @@ from types import ModuleType
 from typing import NamedTuple
 
 import pytest
-from processes import GUARD
+from processes import GUARD, ran
 from typer.main import get_command
 
 from clpt_control.cli import application
 
 ROOT = Path(__file__).parent.parent
 # `clpt tune` and `clpt design` look for minutes; cluster, watch, film and pages to send take a
-# quarter of one; test_core_install runs the ten lines of README
+# quarter of one; test_release runs the ten lines of README
 SLOW = {"laws.md", "theory.md", "ensembles.md", "gliders.md", "measured_current.md"}
 SLOW |= {"start.md", "report.md", "team.md", "README.md"}
 FILM = "docs/index.md"
@@ -163,3 +164,30 @@ def parts(text):
     lines = [re.sub(r'%"\.\d+"', "%", line).rstrip() for line in text.strip().splitlines()]
     whole = "\n".join(lines)
     return NUMBER.sub("#", whole), [float(n) for n in NUMBER.findall(whole)]
+
+
+# --- notebooks -----------------------------------------------------------------------------------
+
+CELL = re.compile(r"^```\{code-cell\}[^\n]*\n(?::[^\n]*\n)*(.*?)^```$", re.M | re.S)
+PAGES = [
+    path
+    for folder in ("tutorials", "gallery")
+    for path in sorted((ROOT / "docs" / folder).glob("*.md"))
+    if CELL.search(path.read_text("utf-8"))
+]
+
+
+def test_there_are_pages():
+    assert len(PAGES) > 10
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("path", PAGES, ids=lambda path: path.stem)
+def test_the_cells_run(path, tmp_path):
+    code = "\n".join(CELL.findall(path.read_text("utf-8")))
+    if "IPython" in code and importlib.util.find_spec("IPython") is None:
+        pytest.skip("IPython is not installed; `make docs` installs it")
+    (tmp_path / "page.py").write_text(
+        f"import matplotlib\n\nmatplotlib.use('agg')\n{code}", "utf-8"
+    )
+    ran(sys.executable, "page.py", cwd=tmp_path)

@@ -1,11 +1,17 @@
 """What is published agrees with itself: version, date, dependencies, licence, entry point."""
 
+import json
+import os
 import re
+import sys
 import tomllib
 from pathlib import Path
 
+import pytest
 import yaml
 from packaging.requirements import Requirement
+from processes import ran
+from tidal_records import times, waves, write_table
 
 import clpt_control
 
@@ -71,3 +77,114 @@ def test_pinned_versions_are_allowed():
     for needed in map(Requirement, sum(extras, PROJECT["project"]["dependencies"])):
         pinned = pins.get(needed.name.lower().replace("_", "-"), "")
         assert not needed.specifier or needed.specifier.contains(pinned), f"{needed}: {pinned}"
+
+
+# --- SECURITY.md ---------------------------------------------------------------------------------
+
+ROWS = [
+    line
+    for line in (HOUSE / "SECURITY.md").read_text("utf-8").splitlines()
+    if line.startswith("| ") and not line.endswith("| tests |")
+]
+
+
+def test_each_line_has_its_tests():
+    texts = [path.read_text("utf-8") for path in (HOUSE / "tests").rglob("test_*.py")]
+    there = {name for text in texts for name in re.findall(r"^def (test_\w+)\(", text, re.M)}
+    assert len(ROWS) > 12
+    for row in ROWS:
+        named = re.findall(r"`(test_\w+)`", row.rsplit("|", 2)[1])
+        assert named, row
+        assert set(named) <= there, row
+
+
+# --- the core alone ------------------------------------------------------------------------------
+
+EXTRAS = PROJECT["project"]["optional-dependencies"]
+MODULES = {Requirement(one).name for extra in ("sea", "ensemble") for one in EXTRAS[extra]}
+BLOCKED = f"""
+import os, sys
+from importlib.machinery import PathFinder
+
+class Lacking(PathFinder):
+    @classmethod
+    def find_spec(cls, name, path=None, target=None):
+        absent = name.partition(".")[0] in {MODULES - {"pandas"}}  # xarray brings pandas
+        return None if absent else super().find_spec(name, path, target)
+
+sys.meta_path[sys.meta_path.index(PathFinder)] = Lacking
+os.environ["MPLBACKEND"] = "agg"
+"""
+CORE = """
+import clpt_control as clpt
+from law_blocks import papers_law
+
+law = papers_law()
+assert clpt.theory.prove(law, points=100).status == "proved"
+short = scenario.with_values({"run.duration": 40})
+own = clpt.simulate(clpt.closed_loop(short, law=law))
+assert own.clpt.kind == "run"
+clpt.report(own.isel(time=[-1]), "page.html")
+clpt.save_run(own, "own.nc")
+clpt.save_run(clpt.simulate(short), "run.nc")
+assert clpt.load_run("own.nc").alpha.equals(own.alpha)
+assert clpt.load_scenario("run.nc") == short
+"""
+
+
+def test_the_core_is_at_most_ten_packages():
+    assert len(PROJECT["project"]["dependencies"]) <= 10
+    reasons = (HOUSE / "CONTRIBUTING.md").read_text().replace("-", "_")
+    for one in PROJECT["project"]["dependencies"]:
+        assert re.search(rf"^\|.*\b{Requirement(one).name.replace('-', '_')}\b", reasons, re.M)
+
+
+COMMANDS = {
+    "replay --sample": "pyproj",
+    "ensemble mine.toml --vary learning.gain=0.2:2.0 --members 3 --out e.zarr": "zarr",
+    "tune mine.toml": "zarr",
+    "tides record.csv --constituents M2 --latitude 41.2": "utide",
+    "fit current.nc --out fit.toml": "netCDF4",
+}
+TOLD = f"""
+import contextlib, io, json
+from clpt_control.cli import main
+told = {{}}
+for words in {["init mine.toml", "laws", *COMMANDS]}:
+    sys.argv = ["clpt", *words.split()]
+    with contextlib.redirect_stderr(io.StringIO()) as complaint:
+        try:
+            status = main()
+        except SystemExit as ended:
+            status = ended.code
+    told[words] = [status or 0, " ".join(complaint.getvalue().split())]
+open("told.json", "w").write(json.dumps(told))
+"""
+
+
+@pytest.fixture(scope="module")
+def said(tmp_path_factory):
+    """The status and complaint of commands, in a process that runs ten lines and a law first."""
+    folder = tmp_path_factory.mktemp("core")
+    (folder / "current.nc").write_bytes(b"\x89HDF\r\n\x1a\n" + bytes(100))
+    write_table(folder / "record.csv", times(20), waves(times(20)))
+    readme = (HOUSE / "README.md").read_text()
+    [lines] = re.findall(r"## Ten lines.*?```python\n(.*?)```", readme, re.S)
+    (folder / "mine.py").write_text(BLOCKED + "import xarray\n" + lines + CORE + TOLD)
+    places = [str(Path(__file__).parent), os.environ.get("PYTHONPATH", "")]
+    env = os.environ | {"PYTHONPATH": os.pathsep.join(places)}
+    ran(sys.executable, "mine.py", cwd=folder, env=env)
+    assert (folder / "page.html").stat().st_size > 10_000
+    return json.loads((folder / "told.json").read_text())
+
+
+def test_the_ten_lines_a_proof_a_law_a_page_and_commands_need_no_extra(said):
+    assert said["init mine.toml"][0] == said["laws"][0] == 0
+
+
+@pytest.mark.parametrize("words", COMMANDS)
+def test_what_is_missing_is_said_by_name_with_the_command(said, words):
+    package, (status, complaint) = COMMANDS[words], said[words]
+    extra = "ensemble" if package == "zarr" else "sea"
+    wanted = f"{package}: is not installed; pip install 'clpt-control[{extra}]' installs it"
+    assert (status, wanted in complaint) == (2, True)

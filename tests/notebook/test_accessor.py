@@ -16,7 +16,7 @@ import clpt_control as clpt
 ORDERS = "clpt_control, xarray", "xarray, clpt_control", "clpt_control.scenario, xarray.core"
 
 
-@pytest.mark.processes  # test_core_install asks one of them
+@pytest.mark.processes  # test_release asks one of them
 @pytest.mark.parametrize("order", ORDERS)
 def test_it_is_there_whichever_was_imported_first(order):
     code = f"import {order}; import xarray; xarray.Dataset().clpt"
