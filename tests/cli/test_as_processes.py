@@ -18,10 +18,11 @@ from written import COMMANDS, ENSEMBLE, FOLLOW, RUN, seldom, write_each
 
 LINE = "clpt: interrupted; nothing half-written was left\n"
 HELD = r"clpt: interrupted; e\.zarr holds \d+ of \d+ members; the same command goes on from there\n"
-IN_IMPORT = """
-import os, signal, sys
+HEARS = """
+import hashlib, os, signal, sys
 signal.signal(signal.SIGINT, signal.default_int_handler)
-
+"""
+IN_IMPORT = f"""{HEARS}
 class Interrupted:
     def find_spec(self, name, path=None, target=None):
         if name == chosen and not done:
@@ -68,15 +69,13 @@ def test_an_interrupt_in_an_import_is_an_interrupt(files, module):
     assert set(before) <= set(names(files))
 
 
-MODULE = """
-import hashlib, signal, sys
-signal.signal(signal.SIGINT, signal.default_int_handler)
+MODULE = f"""{HEARS}
 from clpt_control import cli
 from clpt_control.progress import interrupt
 interrupt.PATIENCE = 0.1
 
 def work():
-{work}
+WORK
 
 cli._run = work
 cli.main()
@@ -104,7 +103,7 @@ THEN = {
 @pytest.mark.parametrize("then", THEN)
 def test_an_interrupt_that_a_callback_drops_ends_the_command_by(then):
     work = DROPPED.format(then=THEN[then])
-    done = ran(sys.executable, "-c", MODULE.format(work=work), status=130)
+    done = ran(sys.executable, "-c", MODULE.replace("WORK", work), status=130)
     assert (done.stdout, done.stderr) == ("dropped\n", LINE)
 
 
@@ -116,7 +115,7 @@ def test_one_long_call_is_ended_with_its_half_written_files(tmp_path):
         print("up", flush=True)
         hashlib.pbkdf2_hmac("sha256", b"", b"", 2_000_000_000)  # in C, for most of an hour
 """
-    with started([sys.executable, "-c", MODULE.format(work=work)]) as process:
+    with started([sys.executable, "-c", MODULE.replace("WORK", work)]) as process:
         await_line(process, process.stdout, "up")
         assert interrupt(process) == ("", LINE)
     assert (process.returncode, names(tmp_path)) == (130, [])
@@ -131,13 +130,10 @@ def test_a_cluster_ends_with_the_command(files):
     with started([sys.executable, "-c", hear + CODE, *words], cwd=files) as process:
         await_line(process, process.stderr, "20 of 3000 members")
         out, err = interrupt(process)
-    assert (out, bool(re.fullmatch(HELD, err))) == ("", True), err
-    assert process.returncode == 130
+    assert (out, process.returncode, bool(re.fullmatch(HELD, err))) == ("", 130, True), err
 
 
-START = """
-import signal, sys
-signal.signal(signal.SIGINT, signal.default_int_handler)
+START = f"""{HEARS}
 sys.path.insert(0, sys.argv[1])
 import clpt_start
 sys.argv[:2] = ["clpt"]
@@ -146,13 +142,12 @@ sys.stdout.flush()
 clpt_start.main()
 """
 ROOT = Path(__file__).parents[2]
-TRIED = 5  # interrupts of one test; all sixty are 300
 
 
 def interrupted_after(seconds, words, folder):
     """Interrupt a command and its own processes, as a terminal does; what it says, its status."""
-    start = [sys.executable, "-c", START, ROOT, *words]
-    with started(start, cwd=folder, start_new_session=True) as process:
+    start, own = [sys.executable, "-c", START, ROOT, *words], {"start_new_session": True}
+    with started(start, cwd=folder, **own) as process:
         assert process.stdout.read(1) == "."
         time.sleep(seconds)
         with suppress(ProcessLookupError):
@@ -166,7 +161,7 @@ def interrupted_after(seconds, words, folder):
 def test_interrupts_at_random_from_the_first_import_on(files, part):
     chance = random.Random(part)
     before = {path: path.stat().st_mtime_ns for path in files.rglob("*") if path.is_file()}
-    for k in range(TRIED * part, TRIED * (part + 1)):
+    for k in range(5 * part, 5 * (part + 1)):  # all sixty tests are 300
         words = [*COMMANDS][k % len(COMMANDS)]
         seconds = chance.uniform(0.0, 1.0 if k % 2 == 0 or part == 0 else 6.0)
         status, err = interrupted_after(seconds, words, files)

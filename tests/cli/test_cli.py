@@ -6,7 +6,6 @@ import os
 import re
 import shlex
 import shutil
-import subprocess
 import sys
 import unicodedata
 import zipfile
@@ -16,6 +15,7 @@ import numpy as np
 import pytest
 from processes import CLPT, CODE, await_line, interrupt, ran, started, without_progress
 from responses import states_of
+from sentences import says
 from written import COMMANDS, FOLLOW, seldom, write, write_each
 
 import clpt_control
@@ -111,10 +111,6 @@ STREAMS = {  # what a shell does with streams -> status, what is said on standar
 STREAMED = ("--help", "laws", "run", "report", "prove", "replay")
 
 
-def heard(*words):
-    return subprocess.run(words, capture_output=True, text=True)
-
-
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full")
 @pytest.mark.parametrize("stream", STREAMS)
 @pytest.mark.parametrize("words", seldom([c for c in COMMANDS if c[0] in STREAMED and c != FOLLOW]))
@@ -123,9 +119,9 @@ def test_streams_that_are_closed_full_or_not_read(words, stream):
         write_each(Path(), 40)
     before = {*Path().iterdir()}
     line = f'"$0" -c "$1" {shlex.join(words)} {stream}; exit ${{PIPESTATUS[0]}}'
-    done = heard("bash", "-c", line, sys.executable, HEARD)
     status, said = STREAMS[stream]
-    assert (done.returncode, without_progress(done.stderr)) == (status, said)
+    done = ran("bash", "-c", line, sys.executable, HEARD, status=status)
+    assert without_progress(done.stderr) == said
     new = {*Path().iterdir()} - before
     assert bool(new) == (bool(COMMANDS[words]) and not stream.startswith(">&-"))
     assert all(path.stat().st_size for path in new)
@@ -135,9 +131,9 @@ def test_streams_that_are_closed_full_or_not_read(words, stream):
 def test_an_output_at_the_limit_of_its_size_is_named():
     buffered = "unset PYTHONUNBUFFERED"  # else Python itself forgets the rest of a write
     line = f'ulimit -f 1; {buffered}; "$0" -c "$1" --help > help.txt'
-    done = heard("bash", "-c", line, sys.executable, CODE)
+    done = ran("bash", "-c", line, sys.executable, CODE, status=2)
     said = "clpt: standard output: may not become larger; allow more (ulimit -f)\n"
-    assert (done.returncode, done.stderr) == (2, said)
+    assert done.stderr == said
 
 
 def test_too_many_open_files_are_one_sentence(capsys):
@@ -175,14 +171,10 @@ assert seen == ["pickle.find_class", "socket.bind"]  # they are heard
 
 def test_no_connection_is_opened_and_nothing_is_unpickled():
     write({"run.duration": 20})
-    lines = (
-        "run s.toml --out r.nc",
-        "ensemble s.toml --members 4 --vary learning.gain=1:2 --out e.zarr",
-        "report e.zarr",
-        "replay --sample --json",
-    )
-    done = heard(sys.executable, "-c", WATCHED, *lines)
-    assert (done.returncode, without_progress(done.stderr)) == (0, "")
+    vary = "--members 4 --vary learning.gain=1:2 --out e.zarr"
+    lines = ["run s.toml --out r.nc", f"ensemble s.toml {vary}", "report e.zarr"]
+    lines += ["replay --sample --json"]
+    assert without_progress(ran(sys.executable, "-c", WATCHED, *lines).stderr) == ""
 
 
 HOSTILE = "\x1b]0;owned\x07\x1b[2J\r\x9b31m\u202e\u2066\x7f\b"
@@ -203,25 +195,18 @@ def test_nothing_that_is_printed_steers_the_terminal(clpt, refused, monkeypatch)
     Path("k.toml").write_text(Path(file).read_text() + f"\n[run.{key}]\n{key} = {key}\n")
     vary = ("--members", "2", "--vary", "learning.gain=1:2", "--out", f"e {HOSTILE}")
     for words in (
-        ("run", file, "--out", run),
+        *(("run", file, "--out", run), ("excitation", file), ("diagram", file)),
         ("run", run, "--out", HOSTILE, "--figures", f"f {HOSTILE}"),
-        ("report", run, "-o", f"p {HOSTILE}.html"),
-        ("excitation", file),
-        ("diagram", file),
-        ("ensemble", file, *vary),
+        *(("report", run, "-o", f"p {HOSTILE}.html"), ("ensemble", file, *vary)),
         ("report", f"e {HOSTILE}", "-o", "e.html"),
     ):
         status, *said = clpt(*words)
         assert (status, steers("".join(said))) == (0, set()), words
     for words in (
-        ("run", "k.toml", "--out", run),
-        ("run", file, "--out", f"no {HOSTILE}/run.nc"),
-        (f"run{HOSTILE}",),
-        ("laws", HOSTILE),
-        ("ensemble", file, *vary, "--seed", "1"),
+        *(("run", "k.toml", "--out", run), ("run", file, "--out", f"no {HOSTILE}/run.nc")),
+        *((f"run{HOSTILE}",), ("laws", HOSTILE), ("ensemble", file, *vary, "--seed", "1")),
         ("ensemble", file, "--members", "2", "--vary", f"{HOSTILE}=1:2", "--out", "e"),
-        ("replay", f"{HOSTILE}.nc"),
-        ("fit", f"{HOSTILE}.nc", "--out", "x.toml"),
+        *(("replay", f"{HOSTILE}.nc"), ("fit", f"{HOSTILE}.nc", "--out", "x.toml")),
     ):
         said = refused(*words)
         assert (steers(said), r"\x1b" in said) == (set(), True), words
@@ -263,8 +248,8 @@ def test_brackets_in_tables_are_as_they_are(capsys):
 
 
 def test_figures_that_json_cannot_hold_are_said(capsys):
-    with pytest.raises(clpt_control.SimulationError, match="not finite, which JSON cannot hold"):
-        print_json({"figure": float("inf")})
+    said = "a figure is not finite, which JSON cannot hold"
+    says(clpt_control.SimulationError, said, print_json, {"figure": float("inf")})
     assert capsys.readouterr().out == ""
 
 
@@ -309,20 +294,21 @@ def test_the_version_is_that_of_the_package(clpt):
     assert {"control", "llvmlite"} <= {line.split()[0] for line in others}
 
 
-@pytest.mark.parametrize(
-    ("words", "said"),
-    [
-        (["rnu"], "; did you mean .*run.*\\?"),
-        (["run", "x.toml", "--figure", "f"], "; did you mean .*--figures.*\\?"),
-        (["--versoin"], "; did you mean .*--version.*\\?"),
-        (["run"], "(?i)scenario.*; `clpt run --help` shows what it takes"),
-        (["run", "x.toml", "--out"], "--out.*; `clpt run --help` shows what it takes"),
-        (["nothing-like-it"], "nothing-like-it.*; `clpt --help` shows what it takes"),
-        (["tides", "a.csv", "--at", "3"], "--at.*; `clpt tides --help` shows what it takes"),
-    ],
-)
-def test_what_is_misspelt_or_lacks_is_said(refused, words, said):
-    assert re.search(rf"{said}\n$", refused(*words))
+MISSPELT = r"""
+    rnu -> ; did you mean .*run.*\?
+    run x.toml --figure f -> ; did you mean .*--figures.*\?
+    --versoin -> ; did you mean .*--version.*\?
+    run -> (?i)scenario.*; `clpt run --help` shows what it takes
+    run x.toml --out -> --out.*; `clpt run --help` shows what it takes
+    nothing-like-it -> nothing-like-it.*; `clpt --help` shows what it takes
+    tides a.csv --at 3 -> --at.*; `clpt tides --help` shows what it takes
+"""
+
+
+@pytest.mark.parametrize("line", MISSPELT.strip().splitlines())
+def test_what_is_misspelt_or_lacks_is_said(refused, line):
+    words, said = line.split(" -> ")
+    assert re.search(rf"{said}\n$", refused(*words.split()))
 
 
 def test_the_module_is_the_command(clpt):
@@ -340,15 +326,12 @@ _clpt_completion clpt; printf "%s\n" "${COMPREPLY[@]}"
 """
 
 
+OFFERED = [(["re"], ["refute", "replay", "report"]), (["run", "--fi"], ["--figures"])]
+OFFERED += [(["run", "mine"], [])]  # files, by bash itself
+
+
 @pytest.mark.skipif(not shutil.which("bash"), reason="no bash")
-@pytest.mark.parametrize(
-    ("words", "offered"),
-    [
-        (["re"], ["refute", "replay", "report"]),
-        (["run", "--fi"], ["--figures"]),
-        (["run", "mine"], []),  # files, by bash itself
-    ],
-)
+@pytest.mark.parametrize(("words", "offered"), OFFERED)
 def test_bash_completes(tmp_path, words, offered):
     """By bash's own completion function, of the last word."""
     command = tmp_path / "clpt"
@@ -360,19 +343,16 @@ def test_bash_completes(tmp_path, words, offered):
     assert (done.stdout.split(), done.stderr) == (offered, "")
 
 
-@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
-def test_each_shell_has_its_script(clpt, monkeypatch, shell):
-    monkeypatch.setenv("_CLPT_COMPLETE", f"source_{shell}")
-    status, out, err = clpt()
-    assert (status, err, f"complete_{shell}" in out) == (0, "", True)
-
-
-@pytest.mark.parametrize(("words", "status"), [("clpt r", 0), ("clpt run mine", 1)])
-def test_fish_is_told_whether_there_are_words_or_files(clpt, monkeypatch, words, status):
+def test_each_shell_has_its_script_and_fish_is_told_of_words_or_files(clpt, monkeypatch):
+    for shell in ("bash", "zsh", "fish"):
+        monkeypatch.setenv("_CLPT_COMPLETE", f"source_{shell}")
+        status, out, err = clpt()
+        assert (status, err, f"complete_{shell}" in out) == (0, "", True)
     monkeypatch.setenv("_CLPT_COMPLETE", "complete_fish")
     monkeypatch.setenv("_TYPER_COMPLETE_FISH_ACTION", "is-args")
-    monkeypatch.setenv("_TYPER_COMPLETE_ARGS", words)
-    assert clpt().status == status
+    for words, status in (("clpt r", 0), ("clpt run mine", 1)):
+        monkeypatch.setenv("_TYPER_COMPLETE_ARGS", words)
+        assert clpt().status == status
 
 
 COMPLETING = {"_CLPT_COMPLETE": "complete_bash", "COMP_CWORD": "1", "COMP_WORDS": "clpt ref"}
