@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from law_blocks import alone, everything, of_law, off, square, still
 from scipy.integrate import cumulative_trapezoid, quad, simpson
+from sentences import says
 
 import clpt_control as clpt
 from clpt_control.blocks.laws.least_squares import LEAST_SQUARES, NORMALISED_GRADIENT
@@ -93,15 +94,14 @@ def test_the_bounds_of_P_are_kept(law, seed):
         assert np.all(np.sum(eta**2, axis=(1, 2)) <= priors.sum() * size * (1 + 1e-9))
 
 
+APART = {
+    "flow.disturbance": {"kind": "constant", "amplitude": [0.3, -0.2]},
+    "localization": {"noise": 0.3, "noise_period": 5},
+}
+
+
 @pytest.mark.parametrize("law", LAWS)
-@pytest.mark.parametrize(
-    "apart",
-    [
-        {"flow.disturbance": {"kind": "constant", "amplitude": [0.3, -0.2]}},
-        {"localization": {"noise": 0.3, "noise_period": 5}},
-    ],
-    ids=["disturbance", "noise"],
-)
+@pytest.mark.parametrize("apart", APART)
 def test_V_weighs_the_error_by_P_also_where_the_regression_is_not_exact(law, apart):
     """2 V = |e|^2 + r^2 |eta|^2/(w P), 1/P = 1/P(0) + int phi_f^2/r^2, of one function."""
     own = {"noise": 0.5, "prior": 2.0, "forgetting": 0.0}
@@ -113,7 +113,7 @@ def test_V_weighs_the_error_by_P_also_where_the_regression_is_not_exact(law, apa
         "model.parameters": [[0.0], [0.0]],
         **{"learning.parameters": None, "learning.gain": None},
         "learning." + law.replace("-", "_"): own,
-        **{"run.duration": 60, "run.output_step": 0.02, **apart},
+        **{"run.duration": 60, "run.output_step": 0.02, apart: APART[apart]},
     }
     run = clpt.simulate(clpt.closed_loop(of_law(law, values, held=True)))
     total = cumulative_trapezoid(run.phi_f.values**2 / 0.5**2, dx=0.02, initial=0)
@@ -189,8 +189,7 @@ def test_a_block_of_ones_own_may_make_the_estimate():
 
 def test_alpha_and_its_start_are_those_of_the_known_flow_law():
     said = 'parameters: law = "kalman-flow" has no use for it; remove'
-    with pytest.raises(clpt.ScenarioError, match=said):
-        filtered(10.0).with_values({"learning.parameters": TRUE})
+    says(clpt.ScenarioError, said, filtered(10.0).with_values, {"learning.parameters": TRUE})
     run = clpt.simulate(filtered(10.0).with_values({"model.parameters": 0.5 * TRUE}))
     np.testing.assert_array_equal(run.flow_parameters_estimate[0], 0.5 * TRUE)
     np.testing.assert_array_equal(run.alpha[-1], 0.5 * TRUE)
