@@ -17,7 +17,9 @@ import clpt_control
 
 HOUSE = Path(__file__).parent.parent
 CONDA = {"matplotlib": "matplotlib-base"}  # without a window's toolkit
-PROJECT = tomllib.loads((HOUSE / "pyproject.toml").read_text())
+WHOLE = tomllib.loads((HOUSE / "pyproject.toml").read_text())
+PROJECT, TOOLS = WHOLE["project"], WHOLE["tool"]
+EXTRAS = PROJECT["optional-dependencies"]
 RECIPE = yaml.safe_load((HOUSE / "conda-recipe" / "recipe.yaml").read_text())
 CITATION = yaml.safe_load((HOUSE / "CITATION.cff").read_text())
 
@@ -32,67 +34,56 @@ def conda_bounds(requirements):
     return dict(text.rsplit(" ", 1) for text in requirements if not text.startswith("python "))
 
 
-def test_one_version_and_one_date():
-    said = re.search(r"^## (\S+), (.+)$", (HOUSE / "CHANGELOG.md").read_text(), re.M)
-    version, date = said.groups()
-    assert PROJECT["project"]["dynamic"] == ["version"]
-    dynamic = PROJECT["tool"]["setuptools"]["dynamic"]["version"]
-    assert dynamic == {"attr": "clpt_control.__version__"}
-    assert version == clpt_control.__version__ == CITATION["version"]
-    assert RECIPE["context"]["version"] == version
-    assert str(CITATION.get("date-released", "not yet released")) == date
+VERSION, DATE = re.search(r"(?m)^## (\S+), (.+)$", (HOUSE / "CHANGELOG.md").read_text()).groups()
+LOWEST, ABOUT = RECIPE["context"]["python_min"], RECIPE["about"]
+NAMED = re.findall(r"Python :: (3\.\d+)", "\n".join(PROJECT["classifiers"]))
+SAME = [
+    (VERSION, clpt_control.__version__, CITATION["version"], RECIPE["context"]["version"]),
+    (["version"], PROJECT["dynamic"]),
+    ({"attr": "clpt_control.__version__"}, TOOLS["setuptools"]["dynamic"]["version"]),
+    (DATE, str(CITATION.get("date-released", "not yet released"))),
+    (ABOUT["summary"], PROJECT["description"]),
+    (ABOUT["license"], PROJECT["license"], CITATION["license"]),
+    ([ABOUT["license_file"]], PROJECT["license-files"]),
+    (LOWEST, NAMED[0], TOOLS["mypy"]["python_version"]),
+    (f">={LOWEST}", PROJECT["requires-python"]),
+    (f"py{LOWEST.replace('.', '')}", TOOLS["ruff"]["target-version"]),
+]
+
+
+@pytest.mark.parametrize("said", SAME, ids=lambda said: str(said[0]))
+def test_what_several_files_say_is_the_same(said):
+    assert all(one == said[0] for one in said)
+    assert (HOUSE / ABOUT["license_file"]).is_file()
 
 
 def test_the_conda_recipe_takes_what_pip_takes():
-    extras = PROJECT["project"]["optional-dependencies"]
     needs = RECIPE["requirements"]
-    assert conda_bounds(needs["run"]) == bounds(PROJECT["project"]["dependencies"])
-    assert conda_bounds(needs["run_constraints"]) == bounds(extras["sea"] + extras["ensemble"])
-    builds = bounds(PROJECT["build-system"]["requires"])
+    assert conda_bounds(needs["run"]) == bounds(PROJECT["dependencies"])
+    assert conda_bounds(needs["run_constraints"]) == bounds(EXTRAS["sea"] + EXTRAS["ensemble"])
+    builds = bounds(WHOLE["build-system"]["requires"])
     assert builds.items() <= dict(t.split(" ", 1) for t in needs["host"] if " " in t).items()
-    [(name, target)] = PROJECT["project"]["scripts"].items()
+    [(name, target)] = PROJECT["scripts"].items()
     assert RECIPE["build"]["python"]["entry_points"] == [f"{name} = {target}"]
-
-
-def test_one_description_and_one_licence():
-    about, project = RECIPE["about"], PROJECT["project"]
-    assert about["summary"] == project["description"]
-    assert about["license"] == project["license"] == CITATION["license"]
-    assert [about["license_file"]] == project["license-files"]
-    assert (HOUSE / about["license_file"]).is_file()
-
-
-def test_one_lowest_python():
-    lowest = RECIPE["context"]["python_min"]
-    named = re.findall(r"Python :: (3\.\d+)", "\n".join(PROJECT["project"]["classifiers"]))
-    assert (PROJECT["project"]["requires-python"], named[0]) == (f">={lowest}", lowest)
-    assert PROJECT["tool"]["mypy"]["python_version"] == lowest
-    assert PROJECT["tool"]["ruff"]["target-version"] == f"py{lowest.replace('.', '')}"
 
 
 def test_pinned_versions_are_allowed():
     pins = dict(line.split("==") for line in (HOUSE / "constraints.txt").read_text().split())
     pins = {name.lower().replace("_", "-"): version for name, version in pins.items()}
-    extras = PROJECT["project"]["optional-dependencies"].values()
-    for needed in map(Requirement, sum(extras, PROJECT["project"]["dependencies"])):
+    for needed in map(Requirement, sum(EXTRAS.values(), PROJECT["dependencies"])):
         pinned = pins.get(needed.name.lower().replace("_", "-"), "")
         assert not needed.specifier or needed.specifier.contains(pinned), f"{needed}: {pinned}"
 
 
 # --- SECURITY.md ---------------------------------------------------------------------------------
 
-ROWS = [
-    line
-    for line in (HOUSE / "SECURITY.md").read_text("utf-8").splitlines()
-    if line.startswith("| ") and not line.endswith("| tests |")
-]
-
 
 def test_each_line_has_its_tests():
+    rows = re.findall(r"(?m)^\| .*(?<!\| tests \|)$", (HOUSE / "SECURITY.md").read_text("utf-8"))
     texts = [path.read_text("utf-8") for path in (HOUSE / "tests").rglob("test_*.py")]
     there = {name for text in texts for name in re.findall(r"^def (test_\w+)\(", text, re.M)}
-    assert len(ROWS) > 12
-    for row in ROWS:
+    assert len(rows) > 12
+    for row in rows:
         named = re.findall(r"`(test_\w+)`", row.rsplit("|", 2)[1])
         assert named, row
         assert set(named) <= there, row
@@ -100,7 +91,6 @@ def test_each_line_has_its_tests():
 
 # --- the core alone ------------------------------------------------------------------------------
 
-EXTRAS = PROJECT["project"]["optional-dependencies"]
 MODULES = {Requirement(one).name for extra in ("sea", "ensemble") for one in EXTRAS[extra]}
 BLOCKED = f"""
 import os, sys
@@ -133,9 +123,9 @@ assert clpt.load_scenario("run.nc") == short
 
 
 def test_the_core_is_at_most_ten_packages():
-    assert len(PROJECT["project"]["dependencies"]) <= 10
+    assert len(PROJECT["dependencies"]) <= 10
     reasons = (HOUSE / "CONTRIBUTING.md").read_text().replace("-", "_")
-    for one in PROJECT["project"]["dependencies"]:
+    for one in PROJECT["dependencies"]:
         assert re.search(rf"^\|.*\b{Requirement(one).name.replace('-', '_')}\b", reasons, re.M)
 
 

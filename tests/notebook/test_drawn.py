@@ -95,12 +95,12 @@ def run(made):
     return made["run"]
 
 
-def test_a_film_has_its_frames(run, clpt, refused, tmp_path):
+def test_a_film_has_its_frames(run, clpt, refused_for, tmp_path):
     file, words = tmp_path / "run.gif", ("animate", tmp_path / "run.nc", "-o")
     save_run(run, tmp_path / "run.nc")
     done = clpt(*words, file, "--seconds", 1, "--fps", 10, "--width", 300)
     assert done.out == f"{file}: written\n"
-    assert "must end in .gif" in refused(*words, tmp_path / "film.doc")
+    refused_for(["must end in .gif"], *words, tmp_path / "film.doc")
     with Image.open(file) as film:
         assert (film.n_frames, film.width) == (10, 300)
         for frame in ImageSequence.Iterator(film):
@@ -113,8 +113,7 @@ def test_a_film_has_its_frames(run, clpt, refused, tmp_path):
 
 def test_hundredths_of_a_second_are_whole_and_the_film_lasts_as_long(run):
     made = clpt.animate(run, seconds=0.25, fps=12, width=200)
-    assert made.frames == 3  # of 0.08 s
-    assert made.seconds == pytest.approx(0.24)
+    assert (made.frames, made.seconds) == (3, pytest.approx(0.24))  # of 0.08 s
 
 
 def drawn(run, at):
@@ -129,9 +128,9 @@ def test_what_is_shown_is_the_runs_own(run, scenario):
     velocity = clpt.simulation.flow_velocity
     for k in (0, 7, 20, 40):
         lines, arrows = drawn(run, k)
-        names = {"vehicle": "position", "prediction": "predicted_position"}
-        for label, name in {**names, "waypoint, now": "reference"}.items():
-            np.testing.assert_array_equal(lines[label], run[name][[k]])
+        own = [run.position[[k]], run.predicted_position[[k]], run.reference[[k]]]
+        found = [lines[label] for label in ("vehicle", "prediction", "waypoint, now")]
+        np.testing.assert_array_equal(found, own)
         true = arrows["true flow"]
         grid, flow = np.column_stack([true.X, true.Y]), np.column_stack([true.U, true.V])
         np.testing.assert_allclose(flow, velocity(scenario, grid, run.time[k]), atol=1e-12)
