@@ -39,11 +39,9 @@ class Alter(ast.NodeTransformer):
 
 def altered(function, which, terms=False):
     """The code with one alteration, or None where there are fewer."""
-    lines, first = inspect.getsourcelines(function)
-    change = Alter(which, terms)
+    (lines, first), change, space = inspect.getsourcelines(function), Alter(which, terms), {}
     tree = change.visit(ast.parse(textwrap.dedent("".join(lines))))
     tree = ast.increment_lineno(ast.fix_missing_locations(tree), first - 1)
-    space = {}
     exec(compile(tree, function.__code__.co_filename, "exec"), dict(function.__globals__), space)
     return space[function.__name__].__code__ if change.left < 0 else None
 

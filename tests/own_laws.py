@@ -49,14 +49,9 @@ def formula(text, states=(), parameters=()):
 
 def law(update, parameters=GAIN, more=None, n=N, **ports):
     """Make a law of a function, with further inputs, or other states and outputs."""
-    return Block(
-        "own",
-        update=update,
-        inputs={"e": 2, "phi_x": "N", "z": 2, "zc": 2, **(more or {})},
-        parameters=parameters,
-        sizes={"N": n},
-        **({"states": LEARNED} | ports),
-    )
+    inputs = {"e": 2, "phi_x": "N", "z": 2, "zc": 2, **(more or {})}
+    ports = {"states": LEARNED, "sizes": {"N": n}, "inputs": inputs} | ports
+    return Block("own", update=update, parameters=parameters, **ports)
 
 
 def two(c, gain=0.5):
@@ -114,13 +109,10 @@ def seen(text, c=0.3):
 def V_of(level, inputs=LEARNED, **parameters):
     """Make V of the truth, whatever vehicle and flow there are; `off` are all squared errors."""
     V = formula(level, (), {**GAIN, **dict.fromkeys(Truth._fields), **parameters})
+    ports = {"inputs": {"e": 2, **inputs}, "outputs": {"V": 1}, "shapes": {"theta": (2, "N")}}
+    ports["output"] = lambda t, x, u, p: {"V": V(t, x, u, p)}
     return lambda truth: Block(
-        "level",
-        output=lambda t, x, u, p: {"V": V(t, x, u, p)},
-        inputs={"e": 2, **inputs},
-        outputs={"V": 1},
-        parameters={**GAIN, **truth._asdict(), **parameters},
-        shapes={"theta": (2, "N")},
+        "level", parameters={**GAIN, **truth._asdict(), **parameters}, **ports
     )
 
 

@@ -20,8 +20,8 @@ PROGRESS = re.compile(r".*: \d+ %.*|.*: \d+ of \d+ (members|frames).*|clpt: maki
 @contextmanager
 def started(words, **options):
     """Start a process; its pipes are closed and it is gone at the end."""
-    options = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True, **options}
-    with subprocess.Popen(list(map(str, words)), **options) as process:
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+    with subprocess.Popen(list(map(str, words)), **pipes | options) as process:
         try:
             yield process
         finally:

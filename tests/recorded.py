@@ -19,10 +19,8 @@ def run(block, role, t, x, u):
 
 def as_it_runs(block, role, t, x, u, tolerance=1e-14):
     """Compare the two, and the scalars' record with them; return the numbers."""
-    wanted = run(block, role, t, x, u)
-    np.testing.assert_allclose(
-        recorded(block, role, t, x, u), wanted, rtol=tolerance, atol=tolerance
-    )
+    wanted, found = run(block, role, t, x, u), recorded(block, role, t, x, u)
+    np.testing.assert_allclose(found, wanted, rtol=tolerance, atol=tolerance)
     return wanted
 
 

@@ -22,14 +22,9 @@ def response(system, *args, **kwargs):
             found.append(values.reshape(len(values), -1)[:, int(number.rstrip("]") or 0)])
         return np.array(found)
 
-    return SimpleNamespace(
-        time=run.time.values,
-        outputs=signals(system.output_labels),
-        states=run.states.values.T,
-        inputs=signals(system.input_labels),
-        output_labels=system.output_labels,
-        message=run.attrs["message"],
-    )
+    shown = {"message": run.attrs["message"], "output_labels": system.output_labels}
+    shown |= {"inputs": signals(system.input_labels), "outputs": signals(system.output_labels)}
+    return SimpleNamespace(time=run.time.values, states=run.states.values.T, **shown)
 
 
 def states_of(run):

@@ -30,14 +30,11 @@ def rounding_of(diagram: Any, t: float, x: Any, u: Any) -> np.ndarray:
 
     found = []
     for _ in range(RUNS):
-        parameters = [
-            p._replace(**{name: near(value) for name, value in p._asdict().items()})
-            for p in sweep.parameters
-        ]
-        other = Sweep(sweep.wiring, parameters)
+        numbers = ({n: near(value) for n, value in p._asdict().items()} for p in sweep.parameters)
+        each = zip(sweep.parameters, numbers, strict=True)
+        other = Sweep(sweep.wiring, [p._replace(**own) for p, own in each])
         other.enter(t)
-        at, states, inputs = near(np.float64(t)), near(np.asarray(x)), near(np.asarray(u))
-        values = [other.derivative(at, states, inputs), other.outputs()]
-        values.append(other.jump(at, states, inputs, other.jumping))
+        at = near(np.float64(t)), near(np.asarray(x)), near(np.asarray(u))
+        values = other.derivative(*at), other.outputs(), other.jump(*at, other.jumping)
         found.append(np.concatenate(values))
     return MORE * (np.nanmax(found, axis=0) - np.nanmin(found, axis=0))

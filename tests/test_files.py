@@ -24,12 +24,8 @@ from clpt_control.gliders.dive_files import read_dive_file
 from clpt_control.progress import interrupt
 
 
-def fill(made, text):
-    (made / "inner" if made.is_dir() else made).write_text(text)
-
-
-def held(path):
-    return (path / "inner" if path.is_dir() else path).read_text()
+def inner(path):
+    return path / "inner" if path.is_dir() else path
 
 
 def names(folder):
@@ -42,22 +38,22 @@ def test_what_is_made_beside_is_seen_at_the_end_if_at_all(tmp_path, folder, fail
     place = tmp_path / "made"
     with suppress(ZeroDivisionError), beside(place, folder) as made:
         assert (made.parent, made.is_dir()) == (tmp_path, folder)
-        fill(made, "whole")
+        inner(made).write_text("whole")
         assert not place.exists()
         if fails:
             raise ZeroDivisionError
     assert list(tmp_path.iterdir()) == ([] if fails else [place])
-    assert fails or held(place) == "whole"
+    assert fails or inner(place).read_text() == "whole"
     assert interrupt.unfinished == set()
 
 
 def test_a_folder_takes_the_place_of_no_other(tmp_path):
-    (tmp_path / "taken").mkdir()
-    fill(tmp_path / "taken", "before")
+    (taken := tmp_path / "taken").mkdir()
+    inner(taken).write_text("before")
     said = "taken: cannot be written: another command made"
-    with pytest.raises(DataError, match=said), beside(tmp_path / "taken", folder=True) as made:
-        fill(made, "after")
-    assert (held(tmp_path / "taken"), names(tmp_path)) == ("before", {"taken"})
+    with pytest.raises(DataError, match=said), beside(taken, folder=True) as made:
+        inner(made).write_text("after")
+    assert (inner(taken).read_text(), names(tmp_path)) == ("before", {"taken"})
 
 
 def test_files_that_belong_together_are_all_written_or_none(tmp_path):
@@ -170,18 +166,17 @@ def test_a_small_file_that_says_it_holds_much_is_refused(tmp_path):
     with netCDF4.Dataset(tmp_path / "r.nc", "w") as data:
         for name in ("time", "axis"):
             data.createDimension(name, 10**6)
-        shape = {"chunksizes": (10**3, 10**3), "zlib": True}
-        data.createVariable("clpe", float, ("time", "axis"), **shape)
-        data.createVariable("log_gps_time", float, ("time", "axis"), **shape)
+        for name in ("clpe", "log_gps_time"):
+            shape = {"chunksizes": (10**3, 10**3), "zlib": True}
+            data.createVariable(name, float, ("time", "axis"), **shape)
     assert (tmp_path / "r.nc").stat().st_size < 10**5
     for read in (clpt_control.load_run, read_dive_file):
         says(DataError, r"r.nc: holds 1.6e\+04 GB of numbers; at most 4 ", read, tmp_path / "r.nc")
 
 
-@pytest.mark.parametrize(
-    ("kind", "key"), [("i2", "scale_factor"), ("f8", "add_offset"), ("S1", "_Encoding")]
-)
-def test_what_tells_how_numbers_are_decoded_may_be_anything(tmp_path, kind, key):
+@pytest.mark.parametrize("how", ["i2 scale_factor", "f8 add_offset", "S1 _Encoding"])
+def test_what_tells_how_numbers_are_decoded_may_be_anything(tmp_path, how):
+    kind, key = how.split()
     with netCDF4.Dataset(tmp_path / "d.nc", "w") as data:
         data.createDimension("dive", 3)
         data.createVariable("u", kind, ("dive",))[:] = np.ones(3, kind)
@@ -211,11 +206,10 @@ def test_a_global_heap_that_does_not_end_is_refused(tmp_path):
     path = tmp_path / "a.nc"
     xarray.Dataset({"a": ("x", [1.0, 2.0]), "x": [0, 1]}).to_netcdf(path)
     raw = bytearray(path.read_bytes())
-    heap = raw.index(b"GCOL")
-    size = heap + 24  # of its first object
-    assert struct.unpack_from("<HHIQ", raw, heap + 16)[0] == 1
+    first = raw.index(b"GCOL") + 16  # object: its number, and its size 8 bytes on
+    assert struct.unpack_from("<H", raw, first)[0] == 1
     for longer in (2048, 2048 + 64):  # to where there are zeros
-        raw[size : size + 8] = longer.to_bytes(8, "little")
+        struct.pack_into("<Q", raw, first + 8, longer)
         path.write_bytes(raw)
         said = "a.nc: damaged: a heap of its HDF5 does not end"
         says(DataError, said, clpt_control.load_run, path)

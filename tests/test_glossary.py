@@ -28,7 +28,7 @@ def rows():
     table = PAGE.read_text("utf-8").split("| symbol |")[1].split("\n\n")[0]
     names = ["word", "port", "key", "variable"]
     for line in table.splitlines()[2:]:
-        cells = [cell.strip() for cell in re.split(r"(?<!\\)\|", line)[2:]]
+        cells = re.split(r"(?<!\\)\|", line)[2:]
         yield {n: re.findall(r"`([^`]+)`", cell) for n, cell in zip(names, cells, strict=False)}
 
 

@@ -16,7 +16,7 @@ from clpt_control import progress
 def ticking(monkeypatch):
     """A clock that moves by a second whenever it is asked, and no patience."""
     ticks = count(0.0, 1.0)
-    monkeypatch.setattr(progress, "time", SimpleNamespace(monotonic=lambda: next(ticks)))
+    monkeypatch.setattr(progress, "time", SimpleNamespace(monotonic=ticks.__next__))
     monkeypatch.setattr(progress, "PATIENCE", 0.0)
     monkeypatch.setattr(progress, "LOG_EVERY", 0.0)
 
@@ -40,9 +40,8 @@ def test_lines_say_rate_and_time_left(ticking, capsys, counted, done, said):
 
 
 def test_a_bar_shows_any_name_as_it_is(ticking, monkeypatch):
-    screen = io.StringIO()
+    monkeypatch.setattr("sys.stderr", screen := io.StringIO())
     screen.isatty = lambda: True
-    monkeypatch.setattr("sys.stderr", screen)
     with progress.progress_bar("running [red]{x}.toml", 4.0) as report:
         report(0)
         report(1)
