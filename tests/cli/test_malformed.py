@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from made_fields import uniform_field
 from processes import ran
+from sentences import says
 from written import RUN, write
 
 import clpt_control
@@ -19,10 +20,9 @@ from clpt_control.equations.declaration import multiples
 from clpt_control.scenario.file import paper_text
 
 LARGE = 20_000
-MANY = {"basis.centers": [[1.0, 1.0]] * LARGE, "basis.phases": None}
+MANY = {"basis.centers": [[1.0, 1.0]] * LARGE, "flow.parameters": [[0.1] * LARGE] * 2}
 MANY |= {f"basis.{key}": [1.0] * LARGE for key in ("widths", "periods")}
-MANY |= {"flow.parameters": [[0.1] * LARGE] * 2}
-MANY |= dict.fromkeys(("model.parameters", "learning.parameters"))
+MANY |= dict.fromkeys(("basis.phases", "model.parameters", "learning.parameters"))
 NOISE = {"kind": "noise", "amplitude": [0.1, 0.1], "period": 1e-300}
 
 KNOWN = {"learning.law": "known-flow", "learning.parameters": None}
@@ -110,8 +110,7 @@ def test_names_that_no_file_can_have(refused_for, name):
     write({})
     words = ["bytes that are no text" if name == "\udcff" else "name is too long"]
     for arguments in (
-        ("run", "s.toml", "--out", f"{name}.nc"),
-        (*RUN, "--figures", name),
+        *(("run", "s.toml", "--out", f"{name}.nc"), (*RUN, "--figures", name)),
         ("ensemble", "s.toml", "--members", 2, "--vary", "learning.gain=1:2", "--out", name),
         ("init", f"{name}.toml"),
     ):
@@ -146,8 +145,7 @@ def test_a_diagram_that_python_control_cannot_hold_is_refused(refused_for, monke
 
 def test_jumps_are_not_listed_without_end():
     for period, said in ((1e-300, "multiples from 0 to 2000; at most 2e"), (0.0, "a period of 0")):
-        with pytest.raises(clpt_control.BlockError, match=said):
-            multiples(period, 0.0, 2000.0)
+        says(clpt_control.BlockError, said, multiples, period, 0.0, 2000.0)
 
 
 @pytest.mark.parametrize(
