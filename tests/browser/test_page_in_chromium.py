@@ -233,16 +233,16 @@ function found() {
 """
 
 
-@pytest.mark.parametrize(
-    ("ink", "paper"), [("rgb(1, 2, 3)", "white"), ("rgb(230, 231, 232)", "#111")]
-)
-def test_they_take_the_colours_of_the_page(ink, paper, tmp_path):
+INKS = {"white": "rgb(1, 2, 3)", "#111": "rgb(230, 231, 232)"}
+
+
+@pytest.mark.parametrize("paper", INKS)
+def test_they_take_the_colours_of_the_page(paper, tmp_path):
     scenario = clpt.paper_scenario().with_values({"run.duration": 40})
     loop = clpt.closed_loop(scenario)
     body = "".join(thing._repr_html_() for thing in (scenario, loop, clpt.draw(loop)))
-    head = (
-        f'<!DOCTYPE html><head><meta charset="utf-8"><body style="color:{ink};background:{paper}">'
-    )
+    ink, head = INKS[paper], '<!DOCTYPE html><head><meta charset="utf-8">'
+    head += f'<body style="color:{INKS[paper]};background:{paper}">'
     (tmp_path / "page.html").write_text(head + body, "utf-8")
     found = asked(tmp_path / "page.html", COLOURS, tmp_path, 600)
     assert found["text"] == found["letters"] == [ink]

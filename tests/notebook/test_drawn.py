@@ -54,7 +54,7 @@ def test_on_given_axes(kind, name, count, made):
 
 
 def test_without_axes_a_plot_is_the_figure_of_pyplot_or_of_a_file(made, monkeypatch):
-    assert plt.gcf() is track_plot(made["run"]).figure
+    assert track_plot(made["run"]).figure is plt.gcf()
     plt.close("all")
     assert figure_of(track_plot, made["run"]).axes
     assert plt.get_fignums() == []

@@ -72,9 +72,8 @@ def quadratic_drag(m=60.0, q=20.0, F=15.0):
 
 def thrusters():
     """They push and turn."""
-    block = parts.thrusters(
-        [(-0.8, -0.2), (-0.8, 0.2), (1.0, 0.0)], [0.0, 0.0, np.pi / 2], -10, 20, lag=0.5
-    )
+    places, angles = [(-0.8, -0.2), (-0.8, 0.2), (1.0, 0.0)], [0.0, 0.0, np.pi / 2]
+    block = parts.thrusters(places, angles, -10, 20, lag=0.5)
     a, b, c = np.outer([20.0, 10.0, -4.0], 1 - np.exp(-TIMES / 0.5))
     exact = np.transpose([a + b, c, 0.2 * (a - b) + c])
     return block, [50.0, 10.0, -4.0], {"tau": (exact, 1e-8)}

@@ -118,9 +118,8 @@ OF_EACH = {**NONE, "learning.gains": EACH}
 OF_PARAMETERS = {**NONE, "learning.gains": {"parameters": 2.0}}
 
 
-@pytest.mark.parametrize(
-    ("values", "said"),
-    [
+def test_a_mistake_is_a_sentence():
+    for values, said in (
         ({"learning.law": "known"}, r"learning.law = 'known': must be '.*`clpt laws`"),
         (NONE, r"learning.gain: is required by law = \"learned-flow\""),
         ({"learning.gains": EACH}, "learning.gains: give either gain or gains"),
@@ -129,28 +128,23 @@ OF_PARAMETERS = {**NONE, "learning.gains": {"parameters": 2.0}}
         ({**NONE, "learning.gains": {**EACH, "K": 1}}, r"unknown key learning.gains.K.*feedback"),
         ({"learning.adapt_gains": 0}, "learning.adapt_gains = 0: must be a valid boolean"),
         ({**OF_EACH, **HELD}, "learning.gains.feedback: .* adapts parameters here; .* no other"),
-        (
-            {**HELD, "learning.feedback": None},
-            "learning.feedback: is required by .* with adapt_gains = false",
-        ),
+        ({**HELD, "learning.feedback": None}, "feedback: is required by .* with adapt_gains = fal"),
         ({**KNOWN, **OF_EACH}, UNUSED),
         ({"learning.law": "composite-least-squares", **OF_EACH}, UNUSED),
-    ],
-)
-def test_a_mistake_is_a_sentence(values, said):
-    says(ScenarioError, said, PAPER.with_values, values)
+    ):
+        says(ScenarioError, said, PAPER.with_values, values)
 
 
-@pytest.mark.parametrize(
-    ("values", "gains"),
-    [
-        ({}, (0.8, 0.8, 0.8, True)),
-        (OF_EACH, (0.8, 0.3, 0.5, False)),
-        (HELD, (0.8, 0.0, 0.0, False)),
-        ({**OF_PARAMETERS, **HELD}, (2.0, 0.0, 0.0, False)),
-        ({**KNOWN, **NONE, "learning.gains": {**EACH, "parameters": None}}, (0, 0.3, 0.5, False)),
-    ],
-)
+GAINS = [
+    ({}, (0.8, 0.8, 0.8, True)),
+    (OF_EACH, (0.8, 0.3, 0.5, False)),
+    (HELD, (0.8, 0.0, 0.0, False)),
+    ({**OF_PARAMETERS, **HELD}, (2.0, 0.0, 0.0, False)),
+    ({**KNOWN, **NONE, "learning.gains": {**EACH, "parameters": None}}, (0, 0.3, 0.5, False)),
+]
+
+
+@pytest.mark.parametrize(("values", "gains"), GAINS)
 def test_gains_are_those_that_adapt(values, gains):
     scenario = PAPER.with_values(values)
     assert scenario.learning.used_gains == gains
@@ -183,12 +177,13 @@ def test_a_laws_own_table_is_checked_like_all_else(name):
     assert list(PAPER.with_values(mine).learning.settings) == list(law.settings)
 
 
-@pytest.mark.parametrize(("key", "value"), [("prior", 1e300), ("noise", 1e-300)])
-def test_a_setting_whose_square_is_no_number_is_refused(key, value):
+def test_a_setting_whose_square_is_no_number_is_refused():
     """Laws square their settings: 1e300 overflows, 1e-300 is a standard deviation of nothing."""
     mine = {"learning.law": "kalman-flow", "learning.parameters": None}
-    said, changed = f"learning.kalman_flow.{key}", {**mine, f"learning.kalman_flow.{key}": value}
-    says(ScenarioError, f"{said} = .*: must be .* 1e100", PAPER.with_values, changed)
+    for key, value in (("prior", 1e300), ("noise", 1e-300)):
+        key = f"learning.kalman_flow.{key}"
+        said = f"{key} = .*: must be .* 1e100"
+        says(ScenarioError, said, PAPER.with_values, {**mine, key: value})
 
 
 def test_every_choice_is_made():
@@ -279,20 +274,16 @@ def test_each_mistake_is_a_sentence(tmp_path, old, new, said):
     says(ScenarioError, said, system_from_text, text, "mine", tmp_path)
 
 
-@pytest.mark.parametrize(
-    ("other", "said"),
-    [
+def test_vehicles_share_one_flow():
+    for other, said in (
         ({}, "members: has 1 vehicles; must have 2 to 100"),
         ({"b": vehicle(basis_widths=[5, 5, 4])}, "members.b: its basis is not that of a"),
         ({"b": vehicle(flow_parameters=[[1, 2, 3]] * 2)}, "its flow is not that of a"),
         ({"b": vehicle(units_length="km")}, "its units is not that of a"),
         ({"b": 3}, "members.b = 3"),
         ({"b": {"run": {"durat": 3.0}}}, r"key members\.b\.run\.durat; did you mean dur"),
-    ],
-    ids=str,
-)
-def test_vehicles_share_one_flow(other, said):
-    says(ScenarioError, said, clpt.Team, members={"a": STRAIT, **other}, coupling=0.5)
+    ):
+        says(ScenarioError, said, clpt.Team, members={"a": STRAIT, **other}, coupling=0.5)
 
 
 def test_a_scenario_is_no_team_and_a_team_none(tmp_path):
