@@ -47,11 +47,8 @@ def random_block(random, name, dt=0):
     roles = {"update": (x, {"x": x, "u": u}), "output": (y, {"x": x, "u": {} if later else u})}
     if interval:
         roles["jump"] = roles["update"]
-    texts = [
-        program(random, role, takes, returns, NUMBERS, interval)
-        for role, (returns, takes) in roles.items()
-        if returns
-    ]
+    drawn = ((role, *both) for role, both in roles.items() if both[0])
+    texts = [program(random, role, u, y, NUMBERS, interval) for role, y, u in drawn]
     space = executed("\n".join(texts))
     numbers = np.random.default_rng(random.randrange(2**32))
     a, b = numbers.normal(size=2)
