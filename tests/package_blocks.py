@@ -58,12 +58,10 @@ def of_size(N):
     yield from (flow.flow_basis("basis_x", "x", kernel, *basis) for kernel in flow.KERNELS)
     yield from (flow.true_flow(theta, disturbed) for disturbed in (False, True))
     yield from [
-        flow.flow_basis("basis_z", "z", "exponential", *basis),
-        flow.modeled_flow(a),
+        *(flow.flow_basis("basis_z", "z", "exponential", *basis), flow.modeled_flow(a)),
         vehicle.vehicle_controller(a, KD, GammaD),
         vehicle.vehicle_controller(a, KD, GammaD, limited=True, position="z"),
-        learner.learning_controller(N),
-        learner.known_flow_injection(b, a),
+        *(learner.learning_controller(N), learner.known_flow_injection(b, a)),
         learner.learned_flow_injection(a),
         *(clpe.error_system(N, KD), clpe.parameter_system(N, 0.7)),
     ]
@@ -85,15 +83,11 @@ def shelf():
     covariances = [[1, 0.2], [0.2, 0.5]], [[0.1, 0.01], [0.01, 0.3]]
     M, Q = [[60, 0, 0], [0, 90, 5], [0, 5, 20]], np.diag([20.0, 40, 10])
     yield from [
-        parts.saturation(-1, [0.5, 1.0], signals=2),
-        parts.dead_zone(-0.3, 0.2, signals=2),
+        *(parts.saturation(-1, [0.5, 1.0], signals=2), parts.dead_zone(-0.3, 0.2, signals=2)),
         parts.lookup_table([-1, 0, 3], [0, 10, 20], signals=2),
-        parts.lag(2.0, 3.0, signals=2, u="v_c", y="v_x"),
-        parts.delay(0.7, 3, signals=2),
-        parts.delay(0.75, dt=0.25, signals=2),
-        parts.hold(0.5, signals=2),
-        parts.noise(0.3, 1.3, signals=3, seed=5),
-        parts.point_vehicle([60, 90], 30, 20),
+        *(parts.lag(2.0, 3.0, signals=2, u="v_c", y="v_x"), parts.hold(0.5, signals=2)),
+        *(parts.delay(0.7, 3, signals=2), parts.delay(0.75, dt=0.25, signals=2)),
+        *(parts.noise(0.3, 1.3, signals=3, seed=5), parts.point_vehicle([60, 90], 30, 20)),
         parts.planar_vehicle(M, np.diag([30, 60, 20]), Q),
         parts.thrusters([(-0.8, -0.2), (-0.8, 0.2)], [0.1, 0], -10, 20, 0.3),
     ]

@@ -137,9 +137,9 @@ def test_an_output_at_the_limit_of_its_size_is_named():
 
 
 def test_too_many_open_files_are_one_sentence(capsys):
-    assert cli._answer(OSError(errno.EMFILE, "Too many open files", "DejaVuSans.ttf")) == 1
+    answer = cli._answer(OSError(errno.EMFILE, "Too many open files", "DejaVuSans.ttf"))
     said = "clpt: too many files are open at once; allow more (ulimit -n)\n"
-    assert capsys.readouterr().err == said
+    assert (answer, capsys.readouterr().err) == (1, said)
 
 
 WATCHED = """
