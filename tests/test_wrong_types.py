@@ -127,7 +127,7 @@ def right(tmp_path_factory):
         "flow_velocity": {"points": np.zeros((2, 2)), "timepts": 0.0},
         "sample_times": {"duration": 1.0, "step": 0.5},
         "team_plot": {"run": clpt.simulate(TEAM, [0.0, 1.0])},
-        "error_matrices": {"phi": np.zeros((2, 3)), "z": both, "zc": both, "KD": [1], "gain": 1},
+        "error_matrices": {"phi": np.zeros((2, 3)), "z": both, "zc": both, "KD": [1, 1], "gain": 1},
         "ultimate_bound": {"window": 1.0, "largest_disturbance": 1.0, "drop": 0.5},
         **{"state_at": {"t": 0.0}, "load_run": {"path": folder / "run.nc"}},
         **{"save_run": {"path": folder / "other.nc"}, "draw": {"path": folder / "loop.svg"}},
@@ -159,7 +159,7 @@ def test_wrong_arguments_are_one_sentence(function, right, tmp_path, monkeypatch
     needed = [n for n, one in parameters.items() if n in named or one.default is one.empty]
     given = {name: named.get(name, OF_PARTS.get(name)) for name in needed}
     given |= own.get(function.__qualname__, {})
-    for argument in set(parameters) - {"self", "optional"}:
+    for argument in [one for one in parameters if one not in ("self", "optional")]:
         for label, value in wrong_values().items():
             if callable(value) and argument in CALLED:
                 continue
