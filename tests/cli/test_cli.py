@@ -11,6 +11,7 @@ import unicodedata
 import zipfile
 from pathlib import Path
 
+import control
 import numpy as np
 import pytest
 from processes import CLPT, CODE, await_line, interrupt, ran, started, without_progress
@@ -19,7 +20,7 @@ from sentences import says
 from written import COMMANDS, FOLLOW, seldom, write, write_each
 
 import clpt_control
-from clpt_control import cli, parts
+from clpt_control import cli
 from clpt_control.cli import application
 from clpt_control.cli.printing import print_json, print_table
 
@@ -84,7 +85,8 @@ def test_a_loop_is_drawn_and_exported(clpt, refused_for):
 
 
 def test_export_of_a_diagrams_run_has_its_start(clpt):
-    run = clpt_control.simulate(clpt_control.connect([parts.lag(1.0)], "u"), [0, 1], 0.0, [3.0])
+    loop = clpt_control.connect([control.tf(1, [1, 1], inputs="u", outputs="y", name="lag")], "u")
+    run = clpt_control.simulate(loop, [0, 1], 0.0, [3.0])
     clpt_control.save_run(run, "run.nc")
     clpt("export", "run.nc", "-o", "run.c")
     assert "diagram_x0[] = {3.0};" in Path("run.c").read_text()

@@ -5,6 +5,7 @@ import re
 import sys
 from dataclasses import replace
 
+import control
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
@@ -413,7 +414,8 @@ def test_it_refuses_in_a_sentence(tmp_path):
 
 
 def test_columns_of_members_name_what_varied():
-    lag, times = clpt.parts.lag(1.0), np.linspace(0.0, 1.0, 3)
+    lag = control.ss(-1, 1, 1, 0, inputs="u", outputs="y", name="lag")
+    times = np.linspace(0.0, 1.0, 3)
     table = clpt.run_ensemble(lag, {"u": [1, 2]}, timepts=times, trajectories=True).clpt.table()
     assert [*table.columns] == ["time", "y u 1.0", "y u 2.0"]
     np.testing.assert_allclose(table.values[:, 2], 2.0 * (1.0 - np.exp(-times)), atol=1e-6)
