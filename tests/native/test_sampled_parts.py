@@ -52,11 +52,17 @@ def whole():
     return control.interconnect(in_a_row(), inputs="e", outputs="v", name="whole")
 
 
+def stepped(t, x, u, params):
+    return np.clip(x + 0.1 * u, -params["limit"], params["limit"])
+
+
+def ruled(t, x, u, params):
+    return params["gain"] * (x + u) + 0.05 * np.sin(t)
+
+
 def limited(gain=0.9):
-    step = lambda t, x, u, p: np.clip(x + 0.1 * u, -p["limit"], p["limit"])  # noqa: E731
-    rule = lambda t, x, u, p: p["gain"] * (x + u) + 0.05 * np.sin(t)  # noqa: E731
     ports, params = {"inputs": "e", "outputs": "v", "states": 1}, {"limit": 0.4, "gain": gain}
-    return control.nlsys(step, rule, **ports, dt=DT, params=params, name="limited")
+    return control.nlsys(stepped, ruled, **ports, dt=DT, params=params, name="limited")
 
 
 def loop_of(*parts):
