@@ -171,7 +171,7 @@ def with_numbers(make, **parameters):
 
 
 ARRAYS = {"gain": 0.5, "K": np.array([1.0, 2.0]), "z": np.array([0.1, 0.2])}
-EACH = {"shapes": {"gains": "N"}}
+EACH, EACH_ITS_OWN = {"shapes": {"gains": "N"}}, "alpha' = -gains*outer(e, phi_x)"
 MORE = {**LEARNED, "s": 1}
 PLACE = "clip(floor(e[0]), 0.0, 1.0)"
 FIFTH = "alpha' = dalpha*where(arange(len(phi_x)) == 4, -1.0, 1.0)"
@@ -188,49 +188,39 @@ divided_by_itself = changed("K' = -gain*(z*z/z)*e")
 rounded_away = driven("(e + c) - c", two(1e16))
 
 
-RIGHT = {  # name -> (law, whether for every N too)
-    "the paper's": (paper, True),
-    "its gain called rate": (driven("rate*e", {"rate": 0.5}), True),
-    "its gain called gamma": (driven("gamma*e", {"gamma": 0.5}), True),
-    "times sin^2 + cos^2": (driven("(sin(e[0])**2 + cos(e[0])**2)*e"), True),
-    "clip(e) + (e - clip(e))": (driven("clip(e, -1, 1) + (e - clip(e, -1, 1))"), True),
-    "three gains": (
-        changed(
-            "alpha' = gains[0]*dalpha; K' = gains[1]*dK; Gamma' = gains[2]*dGamma",
-            {"gains": [0.5, 0.2, 0.7]},
-        ),
-        True,
+RIGHT = {  # for every N
+    "the paper's": paper,
+    "its gain called rate": driven("rate*e", {"rate": 0.5}),
+    "its gain called gamma": driven("gamma*e", {"gamma": 0.5}),
+    "times sin^2 + cos^2": driven("(sin(e[0])**2 + cos(e[0])**2)*e"),
+    "clip(e) + (e - clip(e))": driven("clip(e, -1, 1) + (e - clip(e, -1, 1))"),
+    "three gains": changed(
+        "alpha' = gains[0]*dalpha; K' = gains[1]*dK; Gamma' = gains[2]*dGamma",
+        {"gains": [0.5, 0.2, 0.7]},
     ),
-    "a gain each": (
-        changed(
-            "alpha' = -gains*outer(e, phi_x); K' = -array([1.0, 2.0])*z*e; Gamma' = 0.3*zc*e",
-            {"gains": [0.5, 2.0]},
-            **EACH,
-        ),
-        True,
+    "a gain each": changed(
+        f"{EACH_ITS_OWN}; K' = -array([1.0, 2.0])*z*e; Gamma' = 0.3*zc*e",
+        {"gains": [0.5, 2.0]},
+        **EACH,
     ),
-    "one list of gains for functions and for axes": (
-        changed(
-            "alpha' = -gains*outer(e, phi_x); K' = -axes*z*e; Gamma' = axes*zc*e",
-            {"gains": [1.0, 2.0], "axes": [1.0, 2.0]},
-            **EACH,
-        ),
-        True,
+    "one list of gains for functions and for axes": changed(
+        f"{EACH_ITS_OWN}; K' = -axes*z*e; Gamma' = axes*zc*e",
+        {"gains": [1.0, 2.0], "axes": [1.0, 2.0]},
+        **EACH,
     ),
-    "x - z and exp(c)": (driven("exp(c)*(u.x - u.z)", {"c": 0.3}, more={"x": 2}), True),
-    "composite": (with_numbers(composite, c=0.5), False),
-    "a leak of 0": (with_numbers(constant, c=0.0), True),
-    "as many gains as functions": (
-        changed(
-            "alpha' = gains[0]*dalpha - (len(gains) - 2.0)*alpha; K' = gains[0]*dK; "
-            "Gamma' = gains[0]*dGamma",
-            {"gains": [0.5, 0.5]},
-            **EACH,
-        ),
-        False,
+    "x - z and exp(c)": driven("exp(c)*(u.x - u.z)", {"c": 0.3}, more={"x": 2}),
+    "a leak of 0": with_numbers(constant, c=0.0),
+    "a small gain": with_numbers(paper, gain=1e-8),
+}
+FOR_TWO = {  # right for N = 2, and not for every N
+    "composite": with_numbers(composite, c=0.5),
+    "as many gains as functions": changed(
+        "alpha' = gains[0]*dalpha - (len(gains) - 2.0)*alpha; K' = gains[0]*dK; "
+        "Gamma' = gains[0]*dGamma",
+        {"gains": [0.5, 0.5]},
+        **EACH,
     ),
-    "wrong from N = 5 on": (changed(FIFTH), False),
-    "a small gain": (with_numbers(paper, gain=1e-8), True),
+    "wrong from N = 5 on": changed(FIFTH),
 }
 BOUNDED = {"leak": constant, "leak of alpha": leak("gain*c", ("alpha",), two(0.1))}
 REFUTED = {

@@ -123,17 +123,17 @@ def test_a_long_run_is_made_of_many_calls():
     assert len(seen) > 2
 
 
+MISFITS = [
+    ([0, 0.5, 1.5], {}, r"timepts: .*\(dt = 0\.5\) takes times that are 0\.5 apart; .* 1"),
+    ([0.0, 1.0, 3.0], {"system": first_order(True)}, "evenly spaced"),
+    ([0.0, 0.1], {"system": control.tf([2], [1], 0.5)}, r"takes times that are 0\.5 apart"),
+    ([0.0, 0.5], {"rtol": 1e-6}, "rtol: a diagram of discrete time has none"),
+    ([0.0, 0.5], {"stop": lambda t, y, u: 1.0}, "stop: a diagram of discrete time"),
+]
+
+
 @every_engine
-@pytest.mark.parametrize(
-    ("times", "given", "said"),
-    [
-        ([0, 0.5, 1.5], {}, r"timepts: .*\(dt = 0\.5\) takes times that are 0\.5 apart; .* 1"),
-        ([0.0, 1.0, 3.0], {"system": first_order(True)}, "evenly spaced"),
-        ([0.0, 0.1], {"system": control.tf([2], [1], 0.5)}, r"takes times that are 0\.5 apart"),
-        ([0.0, 0.5], {"rtol": 1e-6}, "rtol: a diagram of discrete time has none"),
-        ([0.0, 0.5], {"stop": lambda t, y, u: 1.0}, "stop: a diagram of discrete time"),
-    ],
-)
+@pytest.mark.parametrize(("times", "given", "said"), MISFITS)
 def test_what_does_not_fit_is_refused(times, given, said, engine):
     given = {"system": first_order(), **given}
     with pytest.raises(ClptError, match=said) as caught:

@@ -67,18 +67,18 @@ def test_a_run_beyond_the_edge_ends_at_once():
         clpt.simulate(falling(), [0.0, 1.0], initial_state=[-1.0])
 
 
-@pytest.mark.parametrize(
-    ("guard", "said"),
-    [
-        ({"policy": "halt"}, 'policy \'halt\' must be "raise" or "stop"'),
-        ({"sentence": "left"}, "Guard: sentence = .left.: must be a function"),
-        ({"distance": lambda t, x, u, p: float(print("side effect")) + x[0]},
-         r"stone\.guard: <lambda>, line \d+: TypeError"),
-        ({"distance": lambda t, x, u, p: None}, r"stone\.guard"),
-        ({"distance": lambda t, x, u, p, y: None}, r"stone\.guard"),
-        ({"distance": 3}, "Guard: distance = 3: must be a function"),
-    ],
-)  # fmt: skip
+NO_GUARDS = [
+    ({"policy": "halt"}, 'policy \'halt\' must be "raise" or "stop"'),
+    ({"sentence": "left"}, "Guard: sentence = .left.: must be a function"),
+    ({"distance": lambda t, x, u, p: float(print("side effect")) + x[0]},
+     r"stone\.guard: <lambda>, line \d+: TypeError"),
+    ({"distance": lambda t, x, u, p: None}, r"stone\.guard"),
+    ({"distance": lambda t, x, u, p, y: None}, r"stone\.guard"),
+    ({"distance": 3}, "Guard: distance = 3: must be a function"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("guard", "said"), NO_GUARDS)
 def test_a_guard_that_no_run_could_ask_is_refused(guard, said):
     with pytest.raises(ClptError, match=said) as caught:
         falling(**guard)
@@ -112,17 +112,17 @@ def test_a_diagram_without_states_ends_where_the_condition_falls(engine):
     assert stopped(lambda t, y, u: False).sizes["time"] == 1
 
 
+STOPS = [
+    lambda t, y, u: u[0] / 2 - y[0],
+    lambda t, y, u: y[0] < 0.5,
+    lambda t, y, u: bool(y[0] < 0.5 and t < 4),
+    lambda t, y, u: np.logical_and(t < 4, y < 0.5),
+    lambda t, y, u: t < np.log(2.0),
+]
+
+
 @every_engine
-@pytest.mark.parametrize(
-    "stop",
-    [
-        lambda t, y, u: u[0] / 2 - y[0],
-        lambda t, y, u: y[0] < 0.5,
-        lambda t, y, u: bool(y[0] < 0.5 and t < 4),
-        lambda t, y, u: np.logical_and(t < 4, y < 0.5),
-        lambda t, y, u: t < np.log(2.0),
-    ],
-)
+@pytest.mark.parametrize("stop", STOPS)
 def test_a_run_ends_where_a_condition_is_no_longer_true_or_falls_to_zero(stop, engine):
     lag, close = control.ss(-1, 1, 1, 0, name="lag"), {"rtol": 1e-11, "atol": 1e-12}
     run = clpt.simulate(lag, [0.0, 5.0], 1.0, stop=stop, engine=engine, **close)

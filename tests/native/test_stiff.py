@@ -209,15 +209,15 @@ def test_a_stiff_law_runs_through_its_waypoints():
         assert np.max(np.abs(found.x - exact) / (1.0 + np.abs(exact))) < 10.0 * rtol
 
 
-@pytest.mark.parametrize(
-    ("engine", "method"),
-    [
-        (NativeDiagram, "auto"),
-        (NativeDiagram, "rodas5p"),
-        (PythonDiagram, "rodas5p"),
-        pytest.param(PythonDiagram, "auto", marks=pytest.mark.slow),
-    ],
-)
+WAYS = [
+    (NativeDiagram, "auto"),
+    (NativeDiagram, "rodas5p"),
+    (PythonDiagram, "rodas5p"),
+    pytest.param(PythonDiagram, "auto", marks=pytest.mark.slow),
+]
+
+
+@pytest.mark.parametrize(("engine", "method"), WAYS)
 def test_jumps_of_stiff_states(engine, method):
     """s falls to cos t at once, and is doubled each second."""
     rate = lambda t, x, u, p: -1e6 * (x - np.cos(t)) - np.sin(t)  # noqa: E731

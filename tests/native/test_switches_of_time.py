@@ -60,15 +60,15 @@ def test_a_phase_that_turns_many_times_in_a_step_meets_each_switch(level, freque
     np.testing.assert_allclose(found.states[-1, 1], 10.0 * CARRIERS["sine"][1](level), rtol=1e-8)
 
 
+SWINGS = [
+    *((frequency, engine) for frequency in (1.0, 10.0) for engine in ("native", "python")),
+    (137.0, "native"),
+    pytest.param(137.0, "python", marks=pytest.mark.slow),
+]
+
+
 @pytest.mark.parametrize("level", [0.5, 0.9, 0.95])
-@pytest.mark.parametrize(
-    ("frequency", "engine"),
-    [
-        *((frequency, engine) for frequency in (1.0, 10.0) for engine in ("native", "python")),
-        (137.0, "native"),
-        pytest.param(137.0, "python", marks=pytest.mark.slow),
-    ],
-)
+@pytest.mark.parametrize(("frequency", "engine"), SWINGS)
 def test_a_run_stops_where_a_swinging_output_first_reaches_a_level(frequency, level, engine):
     """y = t/10 sin(2 pi f t), whose rates are constant: no error shortens a step."""
 

@@ -100,7 +100,7 @@ def test_limits_are_kept_over_the_whole_run(paper, quickly):
     assert (made.waypoints.shape, made.reference.dwell) == ((6, 2), 15.0)
     assert closed_length(made.waypoints) <= 12.0 * (1 + 1e-9)
     run = clpt.simulate(clpt.closed_loop(made), times, initial_state=clpt.initial_state(made))
-    for places in (made.waypoints, run.x.values):
+    for places in (made.waypoints, run.position.values):
         assert np.all(places >= np.array(area[::2]) - 1e-9)
         assert np.all(places <= np.array(area[1::2]) + 1e-9)
     assert np.hypot(*run.v_x.values.T).max() <= 2.6 * (1 + 1e-9)
@@ -137,15 +137,15 @@ def test_the_papers_track_can_be_2_3_times_better(paper):
     assert found.report["ratio"] > 2.3
 
 
+SOONER = [
+    ("learned-flow", None, (1045.6, 110.0)),
+    ("least-squares", 1e-3, (197.4, 190.0)),
+    ("composite-memory", 1e-3, (31.2, 31.2)),
+]
+
+
 @SLOW
-@pytest.mark.parametrize(
-    ("law", "level", "times"),
-    [
-        ("learned-flow", None, (1045.6, 110.0)),
-        ("least-squares", 1e-3, (197.4, 190.0)),
-        ("composite-memory", 1e-3, (31.2, 31.2)),
-    ],
-)
+@pytest.mark.parametrize(("law", "level", "times"), SOONER)
 def test_a_track_for_a_law_is_one_on_which_it_learns_sooner(law, level, times):
     """The paper's law learned in 1046 s, and never on the track of the largest eigenvalue."""
     paper = clpt.paper_scenario().with_values({"learning.law": law})
@@ -200,20 +200,17 @@ def test_what_is_searched_for_is_what_v_falls_by(paper, change):
         assert found[i, 0] == pytest.approx(1 - np.linalg.norm(V, 2) ** 2, rel=2e-3)
 
 
-@pytest.mark.parametrize(
-    ("limits", "said"),
-    [
-        ({"goal": "speed"}, "goal 'speed': must be one of law, kappa"),
-        ({"length": float("nan")}, "length = nan: must be"),
-        ({"area": (1.0, 1.0, 0.0, 2.0)}, "each pair increasing"),
-        ({"area": (1.0, 2.0, 1.0, 2.0)}, "with vehicle.position in it"),
-        ({"window": 500.0}, "must be positive and lie within the run"),
-        pytest.param(
-            {"max_speed": 0.05, "window": 60.0}, "no track was found that keeps", marks=SLOW
-        ),
-    ],
-    ids=str,
-)
+IMPOSSIBLE = [
+    ({"goal": "speed"}, "goal 'speed': must be one of law, kappa"),
+    ({"length": float("nan")}, "length = nan: must be"),
+    ({"area": (1.0, 1.0, 0.0, 2.0)}, "each pair increasing"),
+    ({"area": (1.0, 2.0, 1.0, 2.0)}, "with vehicle.position in it"),
+    ({"window": 500.0}, "must be positive and lie within the run"),
+    pytest.param({"max_speed": 0.05, "window": 60.0}, "no track was found that keeps", marks=SLOW),
+]
+
+
+@pytest.mark.parametrize(("limits", "said"), IMPOSSIBLE, ids=str)
 def test_impossible_limits_are_refused_in_a_sentence(paper, limits, said):
     with pytest.raises(clpt.ClptError, match=said) as caught:
         clpt.theory.design_track(paper, **limits)

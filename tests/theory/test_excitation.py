@@ -225,13 +225,13 @@ def test_the_ceiling_is_an_identity_of_the_blocks():
             assert w @ c == pytest.approx(rate[own[i]] + pulled)
 
 
-@pytest.mark.parametrize(
-    ("key", "value"),
-    [
-        ("vehicle.max_speed", 1.0),
-        ("flow.disturbance", {"kind": "constant", "amplitude": [0.1, 0.0]}),
-    ],
-)
+MOVED = [
+    ("vehicle.max_speed", 1.0),
+    ("flow.disturbance", {"kind": "constant", "amplitude": [0.1, 0.0]}),
+]
+
+
+@pytest.mark.parametrize(("key", "value"), MOVED)
 def test_where_something_else_moves_the_vehicle_there_is_no_ceiling(key, value):
     scenario = PAPER.with_values({"run.duration": 60, key: value})
     assert gramian(scenario, 20.0, 20.0).ceilings == {}
@@ -258,14 +258,15 @@ def test_the_pooled_gramian_is_the_sum_with_gains_of_their_own(rough, monkeypatc
 ALIKE = team(a=vehicle(), b=vehicle())
 
 
+NOT_POOLED = [
+    (3, (), "must be a Scenario, a Team, an xarray.Dataset or a Regressor"),
+    (ALIKE, (50.0,), "window 50 from 0: must be positive and lie"),
+    (ALIKE, (-1.0, 0.0), "window -1 from 0: must be positive"),
+]
+
+
 @pytest.mark.parametrize(
-    ("source", "arguments", "said"),
-    [
-        (3, (), "must be a Scenario, a Team, an xarray.Dataset or a Regressor"),
-        (ALIKE, (50.0,), "window 50 from 0: must be positive and lie"),
-        (ALIKE, (-1.0, 0.0), "window -1 from 0: must be positive"),
-    ],
-    ids=["number", "too long", "negative"],
+    ("source", "arguments", "said"), NOT_POOLED, ids=["number", "too long", "negative"]
 )
 def test_what_has_no_pooled_gramian(source, arguments, said):
     with pytest.raises(clpt_package.ClptError, match=said):

@@ -37,7 +37,8 @@ def slow(names, which):
     return [pytest.param(n, marks=pytest.mark.slow) if n in which else n for n in names]
 
 
-SHOWN = {name: (make, {}, "proved", every) for name, (make, every) in own_laws.RIGHT.items()}
+SHOWN = {name: (make, {}, "proved", True) for name, make in own_laws.RIGHT.items()}
+SHOWN |= {name: (make, {}, "proved", False) for name, make in own_laws.FOR_TWO.items()}
 SHOWN |= {f"bounded, {name}": (m, {}, "bounded", None) for name, m in own_laws.BOUNDED.items()}
 SHOWN |= {name: (*row, None) for name, row in textbook_laws.LAWS.items()}
 of = partial(prove, points=POINTS)
@@ -109,20 +110,20 @@ def of_KD(truth):
     return lyapunov_candidate("learned-flow", weighted([0.5] * 3, *own))
 
 
-@pytest.mark.parametrize(
-    ("make", "V", "status"),
-    [
-        # of Cauchy, and a pseudo-Huber; the third ends at a half
-        (driven("e/(1 + e**2)"), of_e("log(1 + e**2)/2"), "proved"),
-        (driven("e/sqrt(1 + e**2)"), of_e("sqrt(1 + e**2) - 1"), "proved"),
-        (driven("e/(1 + e**2)**2"), of_e("0.5 - 0.5/(1 + e**2)"), "open"),
-        # what does not fit refutes no law
-        (own_laws.paper, of_gain(0.5), "proved"),
-        (own_laws.paper, of_gain(0.7), "open"),
-        (own_laws.paper, of_KD, "open"),
-        *((make, None, "open") for make in own_laws.NOT_REFUTED.values()),
-    ],
-)
+OTHER_V = [
+    # of Cauchy, and a pseudo-Huber; the third ends at a half
+    (driven("e/(1 + e**2)"), of_e("log(1 + e**2)/2"), "proved"),
+    (driven("e/sqrt(1 + e**2)"), of_e("sqrt(1 + e**2) - 1"), "proved"),
+    (driven("e/(1 + e**2)**2"), of_e("0.5 - 0.5/(1 + e**2)"), "open"),
+    # what does not fit refutes no law
+    (own_laws.paper, of_gain(0.5), "proved"),
+    (own_laws.paper, of_gain(0.7), "open"),
+    (own_laws.paper, of_KD, "open"),
+    *((make, None, "open") for make in own_laws.NOT_REFUTED.values()),
+]
+
+
+@pytest.mark.parametrize(("make", "V", "status"), OTHER_V)
 def test_a_V_shows_what_it_can(make, V, status):
     found = of(make(), *[V] * (V is not None))
     assert found.status == status
@@ -169,14 +170,14 @@ def test_a_proof_can_be_interrupted(monkeypatch):
 UNITY = "{0}(clip(e[0], -{1}, {1}))/{0}(clip(e[0], -{1}, {1}))*e"
 
 
-@pytest.mark.parametrize(
-    ("make", "said"),
-    [
-        (own_laws.divided_by_itself, "own.update divides by z_1, which may be zero"),
-        *((driven(UNITY.format(name, 5.0)), "") for name in ("exp", "cosh")),
-        *((driven(UNITY.format(name, 1000.0)), "too large") for name in ("exp", "cosh")),
-    ],
-)
+NO_VALUE = [
+    (own_laws.divided_by_itself, "own.update divides by z_1, which may be zero"),
+    *((driven(UNITY.format(name, 5.0)), "") for name in ("exp", "cosh")),
+    *((driven(UNITY.format(name, 1000.0)), "too large") for name in ("exp", "cosh")),
+]
+
+
+@pytest.mark.parametrize(("make", "said"), NO_VALUE)
 def test_what_has_no_value_says_so(make, said):
     """e^(clip(e)) is a number for bounds of 5, not of 1000."""
     step = next(step for step in of(make()).steps if "value everywhere" in step.claim)
@@ -206,14 +207,14 @@ def test_what_holds_for_the_parameters_as_they_are_says_so(b, status):
     assert "and the parameters as they are" in step.claim
 
 
-@pytest.mark.parametrize(
-    ("make", "hidden"),
-    [
-        (own_laws.composite, "flow_x, the true flow, which no vehicle measures"),
-        (beside("s' = V - s", {"s": 1}, more={"V": 1}), "V, made of the truth, which no vehicle"),
-        (own_laws.paper, ""),
-    ],
-)
+HIDDEN = [
+    (own_laws.composite, "flow_x, the true flow, which no vehicle measures"),
+    (beside("s' = V - s", {"s": 1}, more={"V": 1}), "V, made of the truth, which no vehicle"),
+    (own_laws.paper, ""),
+]
+
+
+@pytest.mark.parametrize(("make", "hidden"), HIDDEN)
 def test_a_proof_says_what_no_vehicle_measures(make, hidden):
     said = " ".join(step.claim for step in of(make()).steps)
     assert ("measures" in said) == bool(hidden)
@@ -252,18 +253,19 @@ def squared(t, x, u, p):
     return {port: getattr(x, port) for port in LEARNED} | {"s": x.s**2 + 2}
 
 
+ENDING = [
+    (beside("s' = 0*s", {"s": 1}, GAIN | TICKS["parameters"],
+            breakpoints=whole_times, jump=squared), "s"),
+    (changed(  # of s[3, N] two rows are alpha; the third leaves in finite time
+        "s' = stack([*dalpha, s[2]**2 + 1])", states={"s": (3, "N"), "K": 2, "Gamma": 2},
+        output=lambda t, x, u, p: {"alpha": x.s[:2], "K": x.K, "Gamma": x.Gamma},
+        outputs=LEARNED), "own:s_3[1], own:s_3[2]"),
+]  # fmt: skip
+
+
 @pytest.mark.parametrize(
-    ("make", "ends"),
-    [
-        (beside("s' = 0*s", {"s": 1}, GAIN | TICKS["parameters"],
-                breakpoints=whole_times, jump=squared), "s"),
-        (changed(  # of s[3, N] two rows are alpha; the third leaves in finite time
-            "s' = stack([*dalpha, s[2]**2 + 1])", states={"s": (3, "N"), "K": 2, "Gamma": 2},
-            output=lambda t, x, u, p: {"alpha": x.s[:2], "K": x.K, "Gamma": x.Gamma},
-            outputs=LEARNED), "own:s_3[1], own:s_3[2]"),
-    ],
-    ids=["a jump that squares", "a state beside those that make alpha"],
-)  # fmt: skip
+    ("make", "ends"), ENDING, ids=["a jump that squares", "a state beside those that make alpha"]
+)
 def test_a_state_that_may_end_is_said(make, ends):
     assert of(make()).status == f"proved as long as {ends} exist"
 
@@ -294,26 +296,26 @@ def test_a_V_with_what_states_keep_may_be_made_of_parameters_too(monkeypatch):
     assert seeds == [7]
 
 
-@pytest.mark.parametrize(
-    ("rates", "sizes", "kept"),
-    [
-        ("r' = 1 + r**2", {"r": 1}, lambda s: {}),  # ends at pi/2
-        ("r' = 0*r - 1.0; q' = q**2", {"r": 1, "q": 1}, lambda s: {"q": 1 / s["r"]}),
-    ],
-)
+KEEPING = [
+    ("r' = 1 + r**2", {"r": 1}, lambda s: {}),  # ends at pi/2
+    ("r' = 0*r - 1.0; q' = q**2", {"r": 1, "q": 1}, lambda s: {"q": 1 / s["r"]}),
+]
+
+
+@pytest.mark.parametrize(("rates", "sizes", "kept"), KEEPING)
 def test_a_law_that_keeps_relations_is_asked_for_states_that_end(rates, sizes, kept):
     more = {"invariants": lambda s, p, truth: kept(s), "losses": lambda s, p, truth: []}
     found = of(beside(rates, sizes)(), of_e("e**2/2"), **more)
     assert found.status == f"proved as long as {', '.join(sizes)} exist"
 
 
-@pytest.mark.parametrize(
-    ("rates", "kept", "said"),
-    [
-        ("P' = P*sum(alpha**2); R' = -R*sum(alpha**2)", lambda s: {"P": 1 / s["R"]}, "x, z, alpha"),
-        ("P' = 0*P; R' = -sqrt(abs(R))", lambda s: {}, "c^T M' c >= 0"),
-    ],
-)
+KEEPING_A_MATRIX = [
+    ("P' = P*sum(alpha**2); R' = -R*sum(alpha**2)", lambda s: {"P": 1 / s["R"]}, "x, z, alpha"),
+    ("P' = 0*P; R' = -sqrt(abs(R))", lambda s: {}, "c^T M' c >= 0"),
+]
+
+
+@pytest.mark.parametrize(("rates", "kept", "said"), KEEPING_A_MATRIX)
 def test_a_law_that_keeps_a_matrix_is_asked_for_its_end(rates, kept, said):
     """P = 1/R may end where V holds R eta^2 alone; R = -t^2/4 leaves 0 as well."""
 
@@ -339,18 +341,15 @@ def test_a_law_called_as_a_block_that_holds_the_truth_is_refused():
         of(own.copy("error_system"))
 
 
-@pytest.mark.parametrize(
-    ("values", "said"),
-    [
-        ({"flow.disturbance": {"kind": "constant", "amplitude": [0.1, 0.1]}}, "a disturbance"),
-        ({"localization": {"noise": 0.1, "noise_period": 1.0}}, "noise in its positions"),
-        (
-            {"vehicle.max_speed": 1.0, "learning.hedging": False},
-            "a limit of its speed without hedging",
-        ),
-        ({"learning.adapt_gains": False}, "K and Gamma that are held"),
-    ],
-)
+RISING = [
+    ({"flow.disturbance": {"kind": "constant", "amplitude": [0.1, 0.1]}}, "a disturbance"),
+    ({"localization": {"noise": 0.1, "noise_period": 1.0}}, "noise in its positions"),
+    ({"vehicle.max_speed": 1.0, "learning.hedging": False}, "a limit of its speed without hedging"),
+    ({"learning.adapt_gains": False}, "K and Gamma that are held"),
+]
+
+
+@pytest.mark.parametrize(("values", "said"), RISING)
 def test_a_loop_whose_V_may_rise_is_not_judged_by_its_law(values, said):
     """From a true start V is 0, and rises: what is proved of the law is not so of the loop.
 

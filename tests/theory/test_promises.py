@@ -62,15 +62,15 @@ def test_each_promise_has_a_predicate_and_conditions():
     assert {name for promise in promises for name in promise.where} == set(CONDITIONS)
 
 
-@pytest.mark.parametrize(
-    ("law", "values", "asked"),
-    [
-        ("drem", {"localization": {"noise": 0.02, "noise_period": 1.0}}, set()),
-        ("projection", {"learning.projection.largest_feedforward": 1.0}, {"balls"}),
-        ("dead-zone", {"flow.disturbance": DELTA}, {"falls", "zone"}),
-        ("dead-zone", {"flow.disturbance": DELTA | {"kind": "noise"}}, set()),  # it has no bound
-    ],
-)
+ASKED = [
+    ("drem", {"localization": {"noise": 0.02, "noise_period": 1.0}}, set()),
+    ("projection", {"learning.projection.largest_feedforward": 1.0}, {"balls"}),
+    ("dead-zone", {"flow.disturbance": DELTA}, {"falls", "zone"}),
+    ("dead-zone", {"flow.disturbance": DELTA | {"kind": "noise"}}, set()),  # it has no bound
+]
+
+
+@pytest.mark.parametrize(("law", "values", "asked"), ASKED)
 def test_a_promise_is_asked_only_where_its_conditions_hold(law, values, asked):
     assert set(checked_promises(with_law(law).with_values(values))) == asked
 

@@ -61,14 +61,13 @@ def test_of_a_model_reference_loop_it_is_the_textbooks(filtered):
     assert sympy.expand(found.rate + 4 * (y - ym) ** 2) == 0
 
 
-@pytest.mark.parametrize(
-    "scenario",
-    [
-        theorem_scenario(1, "learned-flow"),
-        pytest.param(clpt.paper_scenario(), marks=pytest.mark.slow),
-    ],
-    ids=lambda scenario: f"N = {scenario.basis.N}",
-)
+PAPERS = [
+    theorem_scenario(1, "learned-flow"),
+    pytest.param(clpt.paper_scenario(), marks=pytest.mark.slow),
+]
+
+
+@pytest.mark.parametrize("scenario", PAPERS, ids=lambda scenario: f"N = {scenario.basis.N}")
 def test_of_the_papers_loop_it_is_its_eq_24(scenario):
     loop = clpt.closed_loop(scenario, external="zc")
     theta, gamma = np.array(scenario.flow.parameters), sympy.Rational(str(scenario.learning.gain))
@@ -123,15 +122,15 @@ def test_of_what_leaves_its_rest_nothing_is_proved(text):
 MANY = control.ss(-np.eye(17), np.zeros((17, 0)), np.eye(17), np.zeros((17, 0)))
 
 
-@pytest.mark.parametrize(
-    ("plant", "more", "said"),
-    [
-        ("x' = 1 - x", {}, r"x' = 1 at the rest"),
-        ("x' = -1/x", {}, r"x' has no value at the rest"),
-        ("x' = -x", {"claim": lambda s: -s.x}, "leave the claim out: it is of a V that is given"),
-        (MANY, {}, "has 17 states; a V is searched for of at most 16"),
-    ],
-)
+NO_SEARCH = [
+    ("x' = 1 - x", {}, r"x' = 1 at the rest"),
+    ("x' = -1/x", {}, r"x' has no value at the rest"),
+    ("x' = -x", {"claim": lambda s: -s.x}, "leave the claim out: it is of a V that is given"),
+    (MANY, {}, "has 17 states; a V is searched for of at most 16"),
+]
+
+
+@pytest.mark.parametrize(("plant", "more", "said"), NO_SEARCH)
 def test_what_cannot_be_searched_for_is_refused(plant, more, said):
     with pytest.raises(clpt.DiagramError, match=said):
         lyapunov(written(plant)[0] if isinstance(plant, str) else plant, **more)
@@ -215,16 +214,16 @@ def test_what_is_not_shown_is_open(rate):
     assert (found.status, found.level) == ("open", None)
 
 
-@pytest.mark.parametrize(
-    ("text", "within", "sentence"),
-    [
-        ("x' = -x", {"q": (-1, 1)}, "has no 'q'; states are x"),
-        ("x' = -x", {"x": (1, 2)}, "x from 1 to 2; must be finite, with the rest, 0, between"),
-        ("x' = -x", {"x": (-1, np.inf)}, "must be finite"),
-        ("x' = -x", {"x": (-1, 0, 1)}, "must be an array of numbers"),
-        ("x' = -x*(2 + sin(t))", {"x": (-1, 1)}, "no region that lasts, for it moves with t"),
-    ],
-)
+NO_REGION = [
+    ("x' = -x", {"q": (-1, 1)}, "has no 'q'; states are x"),
+    ("x' = -x", {"x": (1, 2)}, "x from 1 to 2; must be finite, with the rest, 0, between"),
+    ("x' = -x", {"x": (-1, np.inf)}, "must be finite"),
+    ("x' = -x", {"x": (-1, 0, 1)}, "must be an array of numbers"),
+    ("x' = -x*(2 + sin(t))", {"x": (-1, 1)}, "no region that lasts, for it moves with t"),
+]
+
+
+@pytest.mark.parametrize(("text", "within", "sentence"), NO_REGION)
 def test_a_box_or_a_system_that_has_no_region_is_refused(text, within, sentence):
     with pytest.raises(ClptError, match=sentence):
         lyapunov(*written(text), within=within)

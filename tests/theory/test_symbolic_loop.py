@@ -239,18 +239,18 @@ PAIRS, ONES, SHARE = (
 )
 
 
-@pytest.mark.parametrize(
-    ("function", "claim", "shown"),
-    [
-        (PAIRS, lambda e, phi: np.sum(phi) ** 2, True),
-        (PAIRS, lambda e, phi: np.sum(phi**2), False),
-        (elementary, lambda e, phi: 0.0, False),
-        (ONES, lambda e, phi: e[0], False),
-        (ONES, lambda e, phi: e[0] * np.sum(0 * phi + 1), True),
-        (SHARE, lambda e, phi: 1 - 1 / (1 + np.sum(phi**2)), True),  # of a sum, which is an atom
-        (SHARE, lambda e, phi: 1 - 1 / (1 + np.sum(phi) ** 2), False),
-    ],
-)
+CLAIMS = [
+    (PAIRS, lambda e, phi: np.sum(phi) ** 2, True),
+    (PAIRS, lambda e, phi: np.sum(phi**2), False),
+    (elementary, lambda e, phi: 0.0, False),
+    (ONES, lambda e, phi: e[0], False),
+    (ONES, lambda e, phi: e[0] * np.sum(0 * phi + 1), True),
+    (SHARE, lambda e, phi: 1 - 1 / (1 + np.sum(phi**2)), True),  # of a sum, which is an atom
+    (SHARE, lambda e, phi: 1 - 1 / (1 + np.sum(phi) ** 2), False),
+]
+
+
+@pytest.mark.parametrize(("function", "claim", "shown"), CLAIMS)
 def test_only_what_holds_for_every_N_is_shown(function, claim, shown):
     assert vanish(*loop_of(function, claim))[0] == shown
 

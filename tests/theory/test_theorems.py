@@ -98,14 +98,13 @@ def test_prove_one_theorem_and_refuse_another(clpt, refused):
     assert "3.1, 3.2, 3.3, 3.4" in refused("prove", "--theorem", "4.1")
 
 
-@pytest.mark.parametrize(
-    ("turn", "said"),
-    [
-        (lambda p: np.where(p.gain == 0.8, -1.0, 1.0), "left over"),
-        (lambda p: -1.0 if p.gain == 0.8 else 1.0, "asks for the value of its parameter gain"),
-    ],
-    ids=["where", "if"],
-)
+TURNS = [
+    (lambda p: np.where(p.gain == 0.8, -1.0, 1.0), "left over"),
+    (lambda p: -1.0 if p.gain == 0.8 else 1.0, "asks for the value of its parameter gain"),
+]
+
+
+@pytest.mark.parametrize(("turn", "said"), TURNS, ids=["where", "if"])
 def test_a_law_that_turns_at_the_papers_gain_is_not_proved(monkeypatch, turn, said):
     right = LAWS["learned-flow"]
 
@@ -180,14 +179,14 @@ def too_fast(t, x, u, p):
     return 2 * u.v_c
 
 
-@pytest.mark.parametrize(
-    ("module", "name", "wrong", "claim"),
-    [
-        (learner, "model", added, "V' = -e^T KD e"),
-        (vehicle, "limited", too_fast, "up to |v_c| = v_max"),
-        (vehicle, "difference", too_fast, "V' = -e^T KD e"),
-    ],
-)
+WRONG = [
+    (learner, "model", added, "V' = -e^T KD e"),
+    (vehicle, "limited", too_fast, "up to |v_c| = v_max"),
+    (vehicle, "difference", too_fast, "V' = -e^T KD e"),
+]
+
+
+@pytest.mark.parametrize(("module", "name", "wrong", "claim"), WRONG)
 def test_a_wrong_equation_is_not_proved(module, name, wrong, claim, monkeypatch):
     monkeypatch.setattr(module, name, wrong)
     proof = proof_or_failure("failed", LIMITED_SPEED["with hedging"])
