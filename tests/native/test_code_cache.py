@@ -16,10 +16,9 @@ from llvmlite import ir
 
 from clpt_control import Block
 from clpt_control.files import CACHE, cache_folder, trusted
-from clpt_control.native import machine
+from clpt_control.native import NativeDiagram, machine
 from clpt_control.native.llvm_function import Function
 from clpt_control.native.machine import Machine, cache_code, cached_code, code_name
-from clpt_control.native.native_diagram import NativeDiagram
 
 
 @pytest.fixture

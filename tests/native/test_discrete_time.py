@@ -8,7 +8,6 @@ import pytest
 from random_diagrams import random_diagram
 
 import clpt_control as clpt
-from clpt_control.errors import ClptError, SimulationError
 
 DT, STEPS = 0.5, 12
 TIMES = DT * np.arange(STEPS)
@@ -136,7 +135,7 @@ MISFITS = [
 @pytest.mark.parametrize(("times", "given", "said"), MISFITS)
 def test_what_does_not_fit_is_refused(times, given, said, engine):
     given = {"system": first_order(), **given}
-    with pytest.raises(ClptError, match=said) as caught:
+    with pytest.raises(clpt.ClptError, match=said) as caught:
         clpt.simulate(
             timepts=times, inputs=1.0, engine=engine, **{"system": first_order(), **given}
         )
@@ -147,5 +146,5 @@ def test_what_does_not_fit_is_refused(times, given, said, engine):
 def test_a_number_that_is_not_finite_is_named(engine):
     grown = lambda t, x, u, params: 10 * x**2  # noqa: E731
     system = control.nlsys(grown, None, inputs=1, outputs=1, states=1, dt=1, name="burst")
-    with pytest.raises(SimulationError, match=r"t = \d+: .* of block burst is not finite"):
+    with pytest.raises(clpt.SimulationError, match=r"t = \d+: .* of block burst is not finite"):
         clpt.simulate(system, np.arange(30.0), 0.0, [2.0], engine=engine)

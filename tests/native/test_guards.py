@@ -8,12 +8,9 @@ from written_systems import written
 
 import clpt_control as clpt
 from clpt_control.diagrams.wiring import wiring_of
-from clpt_control.equations import Block
 from clpt_control.equations.declaration import Guard
-from clpt_control.errors import ClptError, SimulationError
-from clpt_control.native import numbering
+from clpt_control.native import NativeDiagram, numbering
 from clpt_control.native.machine import LANES
-from clpt_control.native.native_diagram import NativeDiagram
 
 
 def height(t, x, u, p):
@@ -30,7 +27,7 @@ def falling(**guard):
 
 
 def moving(rate, guard):
-    return Block("stone", update=lambda t, x, u, p: rate, states={"h": 1}, guard=guard)
+    return clpt.Block("stone", update=lambda t, x, u, p: rate, states={"h": 1}, guard=guard)
 
 
 every_engine = pytest.mark.parametrize("engine", ["native", "python"])
@@ -51,7 +48,7 @@ def test_a_look_that_meets_the_edge_itself_finds_the_crossing(engine):
 @pytest.mark.parametrize("step", [None, 0.25], ids=["DOP853", "RK4"])
 @pytest.mark.parametrize(("advice", "more"), [("", ""), ("drop it", "; drop it")])
 def test_a_run_that_fails_says_what_its_own_guard_says(engine, step, advice, more):
-    with pytest.raises(SimulationError, match=f"^it landed at time 2{more}$"):
+    with pytest.raises(clpt.SimulationError, match=f"^it landed at time 2{more}$"):
         ENGINES[engine](falling(advice=advice)).run([2.0], [0.0, 5.0], step=step)
 
 
@@ -63,7 +60,7 @@ def test_a_run_that_stops_keeps_what_was_reached(engine):
 
 
 def test_a_run_beyond_the_edge_ends_at_once():
-    with pytest.raises(SimulationError, match="landed at time 0"):
+    with pytest.raises(clpt.SimulationError, match="landed at time 0"):
         clpt.simulate(falling(), [0.0, 1.0], initial_state=[-1.0])
 
 
@@ -80,10 +77,10 @@ NO_GUARDS = [
 
 @pytest.mark.parametrize(("guard", "said"), NO_GUARDS)
 def test_a_guard_that_no_run_could_ask_is_refused(guard, said):
-    with pytest.raises(ClptError, match=said) as caught:
+    with pytest.raises(clpt.ClptError, match=said) as caught:
         falling(**guard)
     assert "\n" not in str(caught.value)
-    with pytest.raises(ClptError, match="guard = a function: must be a Guard"):
+    with pytest.raises(clpt.ClptError, match="guard = a function: must be a Guard"):
         moving(-1.0, height)
 
 

@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 import clpt_control as clpt
-from clpt_control.errors import SimulationError
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
 
@@ -40,9 +39,9 @@ IGNORED = [
 def test_every_engine_refuses_what_it_would_have_to_ignore(made, changes, sentence):
     runner = made(clpt.closed_loop(clpt.paper_scenario()))
     given = {"x0": np.zeros(14), "times": [0.0, 1.0], **changes}
-    with pytest.raises(SimulationError, match=re.escape(sentence)):
+    with pytest.raises(clpt.SimulationError, match=re.escape(sentence)):
         runner.run(given.pop("x0"), given.pop("times"), **given)
-    with pytest.raises(SimulationError, match="starts: must have 14 numbers"):
+    with pytest.raises(clpt.SimulationError, match="starts: must have 14 numbers"):
         runner.run_many(np.zeros((3, 13)), [0.0, 1.0])
 
 

@@ -8,7 +8,6 @@ from scipy.linalg import expm
 import clpt_control as clpt
 from clpt_control.conformance import readings
 from clpt_control.equations import Block, Sampled
-from clpt_control.errors import ClptError
 
 DT = 0.5
 TIMES = DT * np.arange(41)
@@ -197,7 +196,7 @@ REFUSED = {
 
 @pytest.mark.parametrize("said", REFUSED)
 def test_what_is_refused(said):
-    with pytest.raises(ClptError, match=said):
+    with pytest.raises(clpt.ClptError, match=said):
         REFUSED[said]()
 
 

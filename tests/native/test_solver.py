@@ -11,7 +11,6 @@ from written_systems import written
 
 import clpt_control as clpt
 from clpt_control.diagrams.wiring import wiring_of
-from clpt_control.equations import Block
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
 
@@ -98,7 +97,7 @@ def test_what_a_function_raises_ends_the_run(error):
             raise error("enough")
         return [-x[0]]
 
-    runner = PythonDiagram(Block("weary", update=rates, states={"s": 1}))
+    runner = PythonDiagram(clpt.Block("weary", update=rates, states={"s": 1}))
     with pytest.raises(KeyboardInterrupt if error is KeyboardInterrupt else clpt.ClptError):
         runner.run([1.0], [0.0, 20.0])
     assert sum(t > 1.0 for t in asked) == 1

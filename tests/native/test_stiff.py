@@ -15,9 +15,7 @@ from clpt_control.diagrams.wiring import wiring_of
 from clpt_control.ensemble.members import Ensemble
 from clpt_control.ensemble.of_scenarios import VariedScenario
 from clpt_control.equations import Block, Guard
-from clpt_control.native import batch, numbering
-from clpt_control.native.batch import Batch
-from clpt_control.native.native_diagram import NativeDiagram
+from clpt_control.native import NativeDiagram, batch, numbering
 from clpt_control.native.python_diagram import PythonDiagram
 
 sys.path.insert(0, str(Path(__file__).parents[2]))  # benchmarks/ is no installed package
@@ -142,7 +140,7 @@ def test_slopes_are_exact(case):
     pieces = [runner.schedule(tuple(times))]
     runner.sweep.enter(t)
     for x in np.random.default_rng(1).normal(size=(3 if n else 0, n)):
-        step = Batch(runner.implicit(), x[None], P, times, pieces)
+        step = batch.Batch(runner.implicit(), x[None], P, times, pieces)
         step.advance(1e-3, 1e-3, 1)
         places = step.callee.linear.places
         found = np.zeros((n, n + 1))

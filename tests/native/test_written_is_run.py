@@ -15,7 +15,6 @@ from written_systems import ticking
 import clpt_control as clpt
 from clpt_control.conformance import readings
 from clpt_control.equations import Block, lookup
-from clpt_control.errors import BlockError, ClptError, DiagramError
 
 
 def without_source(body, name="f", **names):
@@ -37,7 +36,7 @@ WRONG = {
 
 @pytest.mark.parametrize("body", WRONG)
 def test_what_is_returned_must_fit_the_ports(body):
-    with pytest.raises(BlockError, match=WRONG[body]) as caught:
+    with pytest.raises(clpt.BlockError, match=WRONG[body]) as caught:
         static(without_source(body), 2, parameters={"m": np.ones((2, 2))})
     assert str(caught.value).startswith("mine.output")
     assert "\n" not in str(caught.value)
@@ -124,19 +123,19 @@ def test_a_zero_that_comes_through_a_wire_has_no_sign():
 
 @pytest.mark.parametrize("value", [[[1.0], [2.0, 3.0]], 1j, "a", None])
 def test_parameters_that_are_no_numbers_are_refused(value):
-    with pytest.raises(BlockError, match=r"mine\.large"):
+    with pytest.raises(clpt.BlockError, match=r"mine\.large"):
         static(lambda t, x, u, p: -u[0], 1, parameters={"large": value})
 
 
 def test_what_is_no_diagram_is_refused():
     for system in (control.tf([1], [1, 1]), 5, None):
-        with pytest.raises(ClptError, match="must be a diagram"):
+        with pytest.raises(clpt.ClptError, match="must be a diagram"):
             readings(system)
-    with pytest.raises(DiagramError, match="no blocks"):
+    with pytest.raises(clpt.DiagramError, match="no blocks"):
         clpt.connect([])
 
 
 @pytest.mark.parametrize("times", [[1.5, 0.5], [0.5, math.nan], None, 0.5, ["a"], [[0.5, 1.5]]])
 def test_breakpoints_that_are_no_increasing_times_are_refused(times):
-    with pytest.raises(BlockError, match="must be increasing times"):
+    with pytest.raises(clpt.BlockError, match="must be increasing times"):
         ticking(lambda t, x, u, p: p.interval, None, breakpoints=lambda p, t0, t1: times)

@@ -5,7 +5,6 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import clpt_control as clpt
-from clpt_control.errors import ClptError
 from clpt_control.theory.excitation import certificates
 from clpt_control.theory.excitation.certificates import (
     collocation,
@@ -178,5 +177,5 @@ LIMITS = [
 def test_times_and_bounds_at_their_limits(function, given, wanted):
     assert function(*given) == wanted
     for drop in (-0.1, 1.1, np.nan):
-        with pytest.raises(ClptError, match="drop"):
+        with pytest.raises(clpt.ClptError, match="drop"):
             ultimate_bound(10.0, 0.1, drop)

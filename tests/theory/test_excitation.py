@@ -11,13 +11,11 @@ from strait import DIFFERENT, ROW, team, vehicle
 import clpt_control as clpt_package
 from clpt_control.blocks.reference import circle
 from clpt_control.equations import evaluate
-from clpt_control.errors import ScenarioError
 from clpt_control.pages.results import excitation_result
+from clpt_control.theory import certificate, excitation_plot, gramian, started_true
 from clpt_control.theory.excitation import certificates, regressor
-from clpt_control.theory.excitation.certificates import certificate
-from clpt_control.theory.excitation.excitation_report import excitation_plot, excitation_report
-from clpt_control.theory.excitation.gramian import gramian, sliding_excitation, started_true
-from clpt_control.theory.excitation.regressor import quadrature
+from clpt_control.theory.excitation.excitation_report import excitation_report
+from clpt_control.theory.excitation.gramian import sliding_excitation
 from clpt_control.theory.proving.lemmas import circle_step
 
 KERNELS = {"exponential": (4.3331, 4.6692), "gaussian": (0.19002, 0.19353)}
@@ -78,7 +76,7 @@ def test_a_learner_that_swings_within_a_dwell_has_the_gramian_of_a_fine_sum(pape
 
 
 def test_no_node_lies_on_a_switch_and_weights_sum_to_the_window(paper):
-    cuts, times, weights = quadrature(paper, 13.0, 71.5, np.array([20.0, 33.3]))
+    cuts, times, weights = regressor.quadrature(paper, 13.0, 71.5, np.array([20.0, 33.3]))
     assert weights.sum() == pytest.approx(58.5, abs=1e-10)
     assert {20.0, 33.3, 40.0, 60.0} <= set(cuts.tolist())
     assert np.all(np.diff(times.ravel()) > 0)
@@ -147,10 +145,10 @@ def test_a_gridded_field_needs_no_theta(tmp_path):
     flow = {"flow": {"field": str(tmp_path / "field.nc")}, "run.duration": 100}
     scenario = PAPER.with_values(flow)
     assert len(excitation_report(scenario, 50.0, 20.0)["eigenvalues"]["x1"]) == 5
-    with pytest.raises(ScenarioError, match="gridded"):
+    with pytest.raises(clpt_package.ScenarioError, match="gridded"):
         started_true(scenario)
     stopped = scenario.with_values({"flow.outside": "stop", "reference.radius": 30})
-    with pytest.raises(ScenarioError, match="the run ended before: stopped"):
+    with pytest.raises(clpt_package.ScenarioError, match="the run ended before: stopped"):
         gramian(stopped, 50.0, 20.0)
     run = clpt_package.simulate(stopped.with_values({"run.output_step": 0.01}))
     assert len(gramian(run).eigenvalues["x2"]) == 5
@@ -161,7 +159,7 @@ def test_a_gridded_field_needs_no_theta(tmp_path):
     [(0, 0), (-1, 0), (500, 0), (200, 300), (10, -1), (np.inf, 0), (10, np.inf)],
 )
 def test_a_window_outside_the_run_is_refused(paper, window, start):
-    with pytest.raises(ScenarioError, match="within the run, 0 to 400 s"):
+    with pytest.raises(clpt_package.ScenarioError, match="within the run, 0 to 400 s"):
         gramian(paper, window, start)
 
 

@@ -14,10 +14,9 @@ from package_blocks import BLOCKS
 from source_checks import CHECKS
 
 from clpt_control.blocks.laws.table import LAWS
+from clpt_control.theory import audit, misprints
 from clpt_control.theory.proving import all_proofs, invariant_loop, theorem_loop, theorems
-from clpt_control.theory.proving.misprints import misprints
 from clpt_control.theory.proving.proof import proof_or_failure
-from clpt_control.theory.proving.theorems import THEOREMS, audit
 
 FIRST = {"clpe": "3.3"}  # where to look first; every theorem is tried before giving up
 ALL_SIZES = invariant_loop.SIZES
@@ -103,7 +102,7 @@ def caught_by(function, code, first):
                 if said(law) != before:
                     return law
     with exchanged(function, code):
-        for number in sorted(THEOREMS, key=lambda n: n != first):
+        for number in sorted(theorems.THEOREMS, key=lambda n: n != first):
             for step in audit(number)[number].failed:
                 return f"{number}: {step.claim}"
         for misprint in misprints():

@@ -17,12 +17,10 @@ import clpt_control as clpt
 from clpt_control.blocks.lyapunov import lyapunov_candidate, weighted
 from clpt_control.errors import ClptError, DiagramError
 from clpt_control.progress import interrupt
-from clpt_control.theory.excitation.gramian import started_true
+from clpt_control.theory import audit, prove, started_true
 from clpt_control.theory.proving import invariants
-from clpt_control.theory.proving.own_law import prove
 from clpt_control.theory.proving.proof import exact
 from clpt_control.theory.proving.theorem_loop import theorem_scenario
-from clpt_control.theory.proving.theorems import audit
 
 pytestmark = pytest.mark.usefixtures("few_calls")
 POINTS = 100  # of running blocks in each case; the default is 10,000
@@ -263,9 +261,7 @@ ENDING = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    ("make", "ends"), ENDING, ids=["a jump that squares", "a state beside those that make alpha"]
-)
+@pytest.mark.parametrize(("make", "ends"), ENDING)
 def test_a_state_that_may_end_is_said(make, ends):
     assert of(make()).status == f"proved as long as {ends} exist"
 

@@ -9,7 +9,6 @@ import clpt_control as clpt_package
 from clpt_control.blocks.laws.law import Promise
 from clpt_control.blocks.laws.paper import learned_flow
 from clpt_control.blocks.laws.table import LAWS
-from clpt_control.errors import ClptError
 from clpt_control.theory.promises import (
     CHECKS,
     CONDITIONS,
@@ -128,7 +127,7 @@ def test_a_law_that_breaks_its_promise_is_found_out(name, monkeypatch):
 
 @pytest.mark.parametrize(("law", "budget"), [("no-law", 1.0), ("sigma", 0.0), ("sigma", np.inf)])
 def test_what_cannot_be_searched_is_refused(law, budget):
-    with pytest.raises(ClptError, match=r"law: 'no-law'|budget"):
+    with pytest.raises(clpt_package.ClptError, match=r"law: 'no-law'|budget"):
         refute(law, budget=budget)
 
 

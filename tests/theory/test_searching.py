@@ -9,7 +9,6 @@ from hypothesis import strategies as st
 from written_systems import NUMPY, written
 
 import clpt_control as clpt
-from clpt_control.errors import ClptError
 from clpt_control.theory import lyapunov
 from clpt_control.theory.proving.theorem_loop import theorem_scenario
 from clpt_control.theory.proving.words import CLIP, GT, MAXIMUM, SIGN, WHERE
@@ -225,7 +224,7 @@ NO_REGION = [
 
 @pytest.mark.parametrize(("text", "within", "sentence"), NO_REGION)
 def test_a_box_or_a_system_that_has_no_region_is_refused(text, within, sentence):
-    with pytest.raises(ClptError, match=sentence):
+    with pytest.raises(clpt.ClptError, match=sentence):
         lyapunov(*written(text), within=within)
 
 
@@ -273,5 +272,5 @@ def test_what_has_no_value_in_a_box_is_not_enclosed():
     for e in (1 / X, sympy.log(X), sympy.sqrt(X), X ** sympy.Rational(-1, 3), 0 * Y + X**-2):
         low, high = enclosed(e, box)
         assert np.isfinite([low, high]).all(axis=0).tolist() == [False, True]
-    with pytest.raises(ClptError, match="no function whose range in a box is known"):
+    with pytest.raises(clpt.ClptError, match="no function whose range in a box is known"):
         enclosed(sympy.gamma(X), box)

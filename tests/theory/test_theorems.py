@@ -10,14 +10,11 @@ from analysis.theorems import page
 from clpt_control.blocks import consensus as blocks
 from clpt_control.blocks import learner, vehicle
 from clpt_control.blocks.laws.table import LAWS
-from clpt_control.errors import DiagramError, ScenarioError
-from clpt_control.theory import counterexamples
+from clpt_control.theory import audit, counterexamples, misprints
 from clpt_control.theory.proving import all_proofs
 from clpt_control.theory.proving.all_proofs import GRAPHS, LIMITED_SPEED, statements, team_steps
-from clpt_control.theory.proving.misprints import misprints
 from clpt_control.theory.proving.outcomes import CachedOutcomes, prove_all
 from clpt_control.theory.proving.proof import Step, checked, cited, proof_or_failure, theorem
-from clpt_control.theory.proving.theorems import audit
 
 
 @pytest.fixture(scope="module")
@@ -122,7 +119,7 @@ def test_a_step_that_cannot_be_checked_fails():
     def fails(error):
         raise error
 
-    step = checked("V falls", lambda: fails(DiagramError("alpha' has no value")))
+    step = checked("V falls", lambda: fails(package.DiagramError("alpha' has no value")))
     assert (step.holds, step.detail) == (False, "cannot be checked: alpha' has no value")
     for asked in (checked, proof_or_failure):  # an error of the package says nothing of a claim
         with pytest.raises(ZeroDivisionError):
@@ -165,7 +162,7 @@ def test_a_certificate_holds_along_a_hedged_run_and_is_refused_without():
     found = package.theory.certificate(scenario, 80.0, 20.0)
     V = package.simulate(scenario, [0.0, 20.0, 100.0]).lyapunov.values
     assert V[2] / V[1] <= found.contraction < 1
-    with pytest.raises(ScenarioError, match=r"no certificate: learning\.hedging = false"):
+    with pytest.raises(package.ScenarioError, match=r"no certificate: learning\.hedging = false"):
         package.theory.certificate(scenario.with_values({"learning.hedging": False}), 80.0, 20.0)
 
 
@@ -277,5 +274,5 @@ def test_zc_exciting_is_not_enough():
 
 def test_a_field_has_no_bound_to_compare_with():
     flow = PAPER.flow.model_copy(update={"parameters": None, "field": "current.nc"})
-    with pytest.raises(ScenarioError, match="gridded field"):
+    with pytest.raises(package.ScenarioError, match="gridded field"):
         counterexamples.drive_along(PAPER.model_copy(update={"flow": flow}), None)
