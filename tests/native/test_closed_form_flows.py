@@ -11,8 +11,7 @@ from clpt_control.native import numbering
 from clpt_control.native.machine import LANES
 
 N = 6  # copies of a flow, each with its rate
-RATES = np.linspace(0.5, 2.0, N)
-TIMES = np.array([0.0, 0.3, 1.0, 1.7, 2.0])
+RATES, TIMES = np.linspace(0.5, 2.0, N), np.array([0.0, 0.3, 1.0, 1.7, 2.0])
 
 
 def jumped(t, q, r, a, dwell=0.7):

@@ -18,8 +18,7 @@ def first_order(dt=DT):
 
 
 def two_by_three():
-    rng = np.random.default_rng(7)
-    shapes = ((5, 5), (5, 3), (2, 5), (2, 3))
+    rng, shapes = np.random.default_rng(7), ((5, 5), (5, 3), (2, 5), (2, 3))
     A, *others = (rng.normal(size=shape) for shape in shapes)
     return control.ss(0.4 * A, *others, DT, name="two_by_three")
 
@@ -117,8 +116,7 @@ def test_a_long_run_is_made_of_many_calls():
     system = control.ss([[1.0]], [[1.0]], [[1.0]], 0, 1, name="sum")
     run = clpt.simulate(system, times, 1.0, progress=seen.append)
     np.testing.assert_array_equal(run.y.values.ravel(), times)
-    assert seen == sorted(seen)
-    assert seen[-1] == 400_000
+    assert (seen, seen[-1]) == (sorted(seen), 400_000)
     assert len(seen) > 2
 
 

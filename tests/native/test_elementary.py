@@ -87,8 +87,7 @@ def relative_error(got, a, exact):
 
 # --- accuracy ---------------------------------------------------------------------------------
 
-RNG = np.random.default_rng(3)
-COUNT = 400
+RNG, COUNT = np.random.default_rng(3), 400
 
 
 def uniform(low, high):

@@ -70,8 +70,7 @@ def test_a_run_goes_on_from_where_it_is_stiff():
     """Samples before, between and at the end are those of one method; the attributes say when."""
     block = Block("late", update=PROBLEMS["late"].rates, states={"s": 1})
     times = np.append(np.linspace(0.0, 1e-4, 41), np.linspace(0.1, 10.0, 100))
-    run = clpt.simulate(block, times, initial_state=[0.0], rtol=1e-9, atol=1e-9)
-    lag = 1e7
+    run, lag = clpt.simulate(block, times, initial_state=[0.0], rtol=1e-9, atol=1e-9), 1e7
     exact = lag * (lag * np.cos(times) + np.sin(times)) / (lag**2 + 1.0)
     exact -= exact[0] * np.exp(-lag * times)
     np.testing.assert_allclose(run["s"].values.ravel(), exact, atol=1e-8)
@@ -142,8 +141,7 @@ def test_slopes_are_exact(case):
     for x in np.random.default_rng(1).normal(size=(3 if n else 0, n)):
         step = batch.Batch(runner.implicit(), x[None], P, times, pieces)
         step.advance(1e-3, 1e-3, 1)
-        places = step.callee.linear.places
-        found = np.zeros((n, n + 1))
+        places, found = step.callee.linear.places, np.zeros((n, n + 1))
         found[:, :n] = step.linear[0][: n * n].reshape(n, n).T[np.ix_(places, places)]
         found[:, n] = step.Z[numbering.TIME_SLOPE * n : (numbering.TIME_SLOPE + 1) * n]
         wanted = np.empty_like(found)
@@ -232,8 +230,7 @@ def test_a_guard_ends_a_stiff_run_where_it_is_left():
     guard = Guard(lambda t, x, u, p: 0.5 - x[0], "stop", lambda t, u, p: "too high")
     warned = NativeDiagram(Block("warned", update=rate, states={"s": 1}, guard=guard))
     found = warned.run([0.0], np.linspace(0.0, 2.0, 21), rtol=1e-9, atol=1e-9)
-    assert found.status == "stopped"
-    assert found.t[-1] == pytest.approx(np.arcsin(0.5), abs=1e-8)
+    assert (found.status, found.t[-1]) == ("stopped", pytest.approx(np.arcsin(0.5), abs=1e-8))
     np.testing.assert_allclose(found.x[:, 0], np.sin(found.t), atol=1e-7)
 
 

@@ -56,8 +56,7 @@ def of_small_numbers(t, x, u, p):
 
 
 LARGE = {"large": 1.5 * 2.0**52}  # added and taken off it rounds to whole numbers
-ROOT = 2.0 * math.sqrt(2.0)
-BODY = "return [s(u[0]), w(u[0], 2.0)]"
+ROOT, BODY = 2.0 * math.sqrt(2.0), "return [s(u[0]), w(u[0], 2.0)]"
 CASES = {  # -> function, inputs, outputs, parameters
     "a table from its end": (
         lambda t, x, u, p: [lookup(p.table, k + 0.0 * u[0]) for k in (-1.0, -2.0, 1.9)],

@@ -99,8 +99,7 @@ def half(s):
 # --- families of equations -----------------------------------------------------------------------
 
 PENDULUM = "theta' = omega; omega' = -g*sin(theta) - 0.1*omega; g = 9.8"
-ENERGY = "V = omega**2/2 + g*(1 - cos(theta))"
-TURNED = "V = w**2/2 + 1 - cos(th)"
+ENERGY, TURNED = "V = omega**2/2 + g*(1 - cos(theta))", "V = w**2/2 + 1 - cos(th)"
 NEURONS = "V = exp(x) - x - 1 + 1.3*log(cosh(y))"
 
 
@@ -263,8 +262,7 @@ OPEN = {  # no point shows it, or none is looked for
 BESIDE = {  # V' <= 0 is right, and more is to be said
     "V of what runs with time": ("but for x", "x' = 1 + 0*x; V = (x - t)**2"),
     "V that a parameter of zero lets go": (
-        "but for x",
-        "x' = x; y' = 0*k - y; V = (y + k*x)**2 + y**2; k = 0",
+        "but for x", "x' = x; y' = 0*k - y; V = (y + k*x)**2 + y**2; k = 0"
     ),
     "oscillators that agree": ("but for a", "a' = sin(b - a); b' = sin(a - b); V = 1 - cos(a - b)"),
     "an angle that drives": ("but for th, y", f"th' = w; w' = -sin(th); y' = th - y; {TURNED}"),
@@ -272,24 +270,20 @@ BESIDE = {  # V' <= 0 is right, and more is to be said
     "V that misses a state": ("but for y", "x' = -x; y' = y; V = x**2/2"),
     "a jump of what V misses": ("but for n", (memory(0.5, 3.0), lambda s: s.m**2)),
     "V that misses two integrators": (  # whose eigenvalues are -1e-10 in floating point
-        "but for y, z",
-        "x' = -x; y' = (3*y + x)/10 - 9*z/100; z' = y - 3*z/10; V = x**2/2",
+        "but for y, z", "x' = -x; y' = (3*y + x)/10 - 9*z/100; z' = y - 3*z/10; V = x**2/2"
     ),
     "a jump that rises at no breakpoint": (
-        "between jumps",
-        (jumping(lambda t, x, p: (1 + np.sin(np.pi * t) ** 2) * x.m),),
+        "between jumps", (jumping(lambda t, x, p: (1 + np.sin(np.pi * t) ** 2) * x.m),)
     ),
     "a jump that would rise before the first breakpoint": (
-        "between jumps",
-        (jumping(lambda t, x, p: np.where(p.interval < 0.5, 2.0, 0.5) * x.m),),
+        "between jumps", (jumping(lambda t, x, p: np.where(p.interval < 0.5, 2.0, 0.5) * x.m),)
     ),
     "an angle that ends": (
-        "as long as th exist",
-        f"th' = w*(1 + th**2); w' = -sin(th)*(1 + th**2); {TURNED}",
+        "as long as th exist", f"th' = w*(1 + th**2); w' = -sin(th)*(1 + th**2); {TURNED}"
     ),
     "V of the sum alone": ("as long as x exist", "x' = -x + y**3; y' = -y - y**3; V = (x + y)**2"),
     "V that misses a state that ends": ("as long as y exist", "x' = -x; y' = 1 + y**2; V = x**2/2"),
-}
+}  # fmt: skip
 CASES = {
     name: (status, *filled(*((row,) if isinstance(row, str) else row)))
     for said, rows in {"proved": RIGHT, "refuted": REFUTED, "open": OPEN, "": BESIDE}.items()

@@ -137,8 +137,7 @@ def test_a_process_that_ends_amid_its_work_ends_no_other(monkeypatch):
         assert prove_all(wanted, pool=pool) == {one: one.name for one in wanted}
     for thread in set(threading.enumerate()) - before:
         thread.join(GUARD)
-    assert sorted(asked) == sorted(wanted)
-    assert raised == []
+    assert (sorted(asked), raised) == (sorted(wanted), [])
 
 
 @pytest.mark.processes

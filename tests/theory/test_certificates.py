@@ -29,8 +29,7 @@ EACH = 100  # regressors of each group
 
 def random_regressors(seed, window, size=1.0, pieces=6, N=1):
     """Sums of sines with a jump at each piece, at Gauss-Legendre nodes."""
-    rng = np.random.default_rng(seed)
-    lengths = np.full(pieces, window / pieces)
+    rng, lengths = np.random.default_rng(seed), np.full(pieces, window / pieces)
     times = (np.arange(pieces)[:, None] + (1 + NODE) / 2) * lengths[0]
     weights = np.tile(lengths[0] * WEIGHT / 2, (pieces, 1))
     amplitude = rng.normal(size=(EACH, N + 4, 3)) * size

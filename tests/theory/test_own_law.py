@@ -288,8 +288,7 @@ def test_a_V_with_what_states_keep_may_be_made_of_parameters_too(monkeypatch):
     seeds, shown = [], exact("the running blocks give the same V'", True)
     step = lambda read, points, seed: seeds.append(seed) or shown  # noqa: E731
     monkeypatch.setattr(invariants, "running_step", step)
-    assert of(make(), seed=7, **own).status == status
-    assert seeds == [7]
+    assert (of(make(), seed=7, **own).status, seeds) == (status, [7])
 
 
 KEEPING = [

@@ -65,8 +65,7 @@ def test_symbols_have_the_papers_names():
 
 
 x, y, z = sympy.symbols("x y z", real=True)
-f = sympy.Function("f")(x)
-d = 1 + x**2
+f, d = sympy.Function("f")(x), 1 + x**2
 
 HIDDEN = (x + y) ** 2 - x**2 - 2 * x * y - y**2
 VANISHES = [
