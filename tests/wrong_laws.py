@@ -4,8 +4,8 @@ Each is a law and what else `prove` is given.  A wrong one is wrong for some flo
 """
 
 import numpy as np
+import own_laws
 from own_laws import MORE, N, V_of, changed, driven, filled, law, leak, scaled, seen, turned, two
-from textbook_laws import of_state, through
 
 SIGNS = {"alpha": (2, N), "K": (2,), "Gamma": (2,)}
 
@@ -83,8 +83,12 @@ WRONG = {
     **family("a matrix {}", by_matrix, "[[1.0, 2.0], [2.0, 1.0]]", "[[-1.0, 0.0], [0.0, 1.0]]"),
     **family("a matrix {}", by_matrix, "[[0.0, 1.0], [-1.0, 0.0]]", "[[1.0, 1.0], [1.0, 1.0]]"),
     **family("a matrix {}", by_matrix, "[[1.0, 3.0], [0.0, 1.0]]"),
-    **family("alpha = {}", through, "-2*s", "s**2", "sin(s)", "-s - s**3", "s + outer(e, phi_x)"),
-    "alpha = tanh s": case(through("tanh(s)"), V=of_state("theta*s + log(cosh(s))")),
+    **family(
+        "alpha = {}", own_laws.through, "-2*s", "s**2", "sin(s)", "-s - s**3", "s + outer(e, phi_x)"
+    ),
+    "alpha = tanh s": case(
+        own_laws.through("tanh(s)"), V=own_laws.of_state("theta*s + log(cosh(s))")
+    ),
     "K is driven by a state": case(changed("K' = dK + s; s' = s", states=MORE)),
     "K is driven by a filter": case(changed("K' = dK + s; s' = e[0] - s", states=MORE)),
     "wrong from N = 8 on": case(

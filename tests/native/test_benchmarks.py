@@ -53,8 +53,7 @@ def test_traced_equations_are_the_diagram():
 def test_the_quick_run_leaves_its_tables(tmp_path):
     words = ["--quick", "--engines", "c", "--sections", "paper,particles", "--out"]
     ran(sys.executable, "-m", "benchmarks.bench", *words, tmp_path, cwd=ROOT)
-    results = json.loads((tmp_path / "performance.json").read_text())
-    assert results["paper"][0]["error"] < 1e-7
+    assert json.loads((tmp_path / "performance.json").read_text())["paper"][0]["error"] < 1e-7
     text = (tmp_path / "performance.md").read_text()
     assert all(words in text for words in ("## The paper's run", "| C [1] |"))
     assert inked(tmp_path / "performance.png") > 0.01

@@ -52,8 +52,7 @@ def printed(name, count, form):
 def machine(name, count, form):
     """Machine code of an operation of `count` numbers, in one form."""
     made = Machine(["f"], f"test {name} {count} {form}", lambda: printed(name, count, form))
-    kind = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 6)
-    return made, kind(made.addresses["f"])
+    return made, ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 6)(made.addresses["f"])
 
 
 def calculated(name, form, *arrays):
@@ -187,8 +186,7 @@ def test_special_arguments(name):
 @pytest.mark.parametrize("name", ["atan2", "hypot"])
 def test_accuracy_of_pairs(name, scale):
     pairs = scale * np.stack([both(powers(-2, 2)), both(powers(-2, 2))], 1)
-    found = everywhere(name, *pairs.T)
-    assert relative_error(found, pairs, getattr(mpmath, name)) <= 3e-16
+    assert relative_error(everywhere(name, *pairs.T), pairs, getattr(mpmath, name)) <= 3e-16
 
 
 def test_accuracy_of_powers():

@@ -40,8 +40,7 @@ def test_a_look_that_meets_the_edge_itself_finds_the_crossing(engine):
         return np.where(x[0] < 0.25, 1.0, np.where(x[0] < 0.6, -5e-10, -1.0))
 
     stone = moving(1.0, Guard(on_the_edge, "stop", landed))
-    found = ENGINES[engine](stone).run([0.0], [0.0, 2.0], max_step=1.0)
-    assert 0.25 <= found.t[-1] <= 0.6
+    assert 0.25 <= ENGINES[engine](stone).run([0.0], [0.0, 2.0], max_step=1.0).t[-1] <= 0.6
 
 
 @every_form

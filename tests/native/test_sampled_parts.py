@@ -22,8 +22,7 @@ def tanks(name="tanks"):
 
 def moved(x, v, since):
     """Return the exact state of the tanks, v being held."""
-    both = np.block([[A, B], [np.zeros((1, 3))]])
-    return (expm(both * since) @ np.append(x, v))[:2]
+    return (expm(np.block([[A, B], [np.zeros((1, 3))]]) * since) @ np.append(x, v))[:2]
 
 
 def error():
@@ -33,8 +32,7 @@ def error():
 def pid(made="v"):
     """A PID of Tustin's integral and a difference as derivative."""
     integral = control.tf([DT / 2, DT / 2], [1, -1], DT)
-    difference = control.tf([1, -1], [DT, 0], DT)
-    made_of = 1.2 + 0.3 * integral + 0.4 * difference
+    made_of = 1.2 + 0.3 * integral + 0.4 * control.tf([1, -1], [DT, 0], DT)
     return control.tf(made_of.num, made_of.den, DT, inputs="e", outputs=made, name="pid")
 
 

@@ -270,8 +270,7 @@ def test_stiff_members_are_run_one_by_one_and_change_no_other(lanes):
     np.testing.assert_array_equal(found.states[[0, 2]], ended(0.01, 0.02).states)
     beside = ended(3e5, *np.geomspace(1e4, 1e7, 9), 1e6)  # others, each stiff in its time
     np.testing.assert_array_equal(beside.states[[-1, 0]], found.states[[1, 3]])
-    at_once = ended(*[1e6] * 8)
-    np.testing.assert_array_equal(at_once.states, np.tile(found.states[1], (8, 1, 1)))
+    np.testing.assert_array_equal(ended(*[1e6] * 8).states, np.tile(found.states[1], (8, 1, 1)))
     runner, start = loop_of({**values, "learning.gain": 1e6})
     whole = runner.run(start, times, rtol=1e-6, atol=1e-8)
     assert "Rodas5P" in whole.method

@@ -60,8 +60,7 @@ def test_collocation_agrees_with_scipy(gain):
     rows, end = propagate(regressors(*w(times)), np.array([1.0, 0.5]), gain, np.full(24, 0.125))
 
     def rate(t, flat):
-        here = error_matrices(*w(t), [1.0, 0.5], gain)[1]
-        return (here @ flat.reshape(4, 4)).ravel()
+        return (error_matrices(*w(t), [1.0, 0.5], gain)[1] @ flat.reshape(4, 4)).ravel()
 
     at = np.append(times, 3.0)
     truth = solve_ivp(rate, (0, 3), np.eye(4).ravel(), "DOP853", at, rtol=1e-11, atol=1e-12)
@@ -139,8 +138,7 @@ def test_the_corrected_bound_is_never_violated(group):
         if j >= count // 2:
             largest = np.maximum(largest, np.hypot(*state[..., 0]))
     for shares in (drop.min(0), rho.min(0)):  # exact, and guaranteed
-        bounds = [ultimate_bound(window, 0.05, share) for share in shares]
-        assert np.all(largest <= bounds)
+        assert np.all(largest <= [ultimate_bound(window, 0.05, share) for share in shares])
     assert largest.max() > 0.05 / max(KD) / 20
 
 

@@ -84,8 +84,7 @@ def test_the_best_track_between_two_places(two_places, limit):
     }[limit]
     best, given = best * mu, given | {limit: own}
     found = design_track(two_places, window=80, start=80, **given)
-    reached = found.report["after"]["smallest_eigenvalue"]
-    assert 0.99 * best < reached <= best * (1 + 1e-6)
+    assert 0.99 * best < found.report["after"]["smallest_eigenvalue"] <= best * (1 + 1e-6)
     first, second = np.abs(np.diff(found.scenario.waypoints, axis=0)[0])
     assert first == pytest.approx(second, rel=0.02)
 
@@ -130,8 +129,7 @@ def test_no_design_is_worse_than_the_start_and_a_seed_repeats_it(paper, short, q
 @SLOW
 def test_the_papers_track_can_be_2_3_times_better(paper):
     found = design_track(paper, window=200, start=200)
-    closed = found.report["after"]["closed_length"]
-    assert closed <= closed_length(paper.waypoints) * (1 + 1e-9)
+    assert found.report["after"]["closed_length"] <= closed_length(paper.waypoints) * (1 + 1e-9)
     assert (len(found.scenario.waypoints), found.scenario.reference.dwell) == (10, 20.0)
     assert found.report["before"]["smallest_eigenvalue"] == pytest.approx(4.333, abs=1e-3)
     assert found.report["ratio"] > 2.3

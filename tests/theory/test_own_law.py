@@ -7,9 +7,7 @@ import control
 import numpy as np
 import own_laws
 import pytest
-import textbook_laws
-from own_laws import GAIN, LEARNED, V_of, beside, changed, driven
-from textbook_laws import WITH_R, of_e
+from own_laws import GAIN, LEARNED, WITH_R, V_of, beside, changed, driven, of_e
 from written_systems import TICKS, whole_times
 from wrong_laws import WRONG
 
@@ -38,7 +36,7 @@ def slow(names, which):
 SHOWN = {name: (make, {}, "proved", True) for name, make in own_laws.RIGHT.items()}
 SHOWN |= {name: (make, {}, "proved", False) for name, make in own_laws.FOR_TWO.items()}
 SHOWN |= {f"bounded, {name}": (m, {}, "bounded", None) for name, m in own_laws.BOUNDED.items()}
-SHOWN |= {name: (*row, None) for name, row in textbook_laws.LAWS.items()}
+SHOWN |= {name: (*row, None) for name, row in own_laws.TEXTBOOK.items()}
 of = partial(prove, points=POINTS)
 
 
@@ -283,7 +281,7 @@ def test_no_law_is_told_the_truth_by_what_it_keeps(measure):
 
 def test_a_V_with_what_states_keep_may_be_made_of_parameters_too(monkeypatch):
     """The seed is that of the points here, too."""
-    make, more, status = textbook_laws.LAWS["least squares"]
+    make, more, status = own_laws.TEXTBOOK["least squares"]
     own = more | {"V": lambda truth, p: more["V"](truth)}
     seeds, shown = [], exact("the running blocks give the same V'", True)
     step = lambda read, points, seed: seeds.append(seed) or shown  # noqa: E731
@@ -355,9 +353,3 @@ def test_a_loop_whose_V_may_rise_is_not_judged_by_its_law(values, said):
         assert clpt.simulate(scenario, [0.0, 60.0]).lyapunov.values[1] > 1e-6
     with pytest.raises(DiagramError, match=f"has {said}, so V' is not its law's alone; a law is"):
         of(clpt.closed_loop(scenario))
-
-
-def test_two_states_of_one_symbol_are_refused():
-    """K[2] is K_1 and K_2, and so is a state K_1."""
-    with pytest.raises(DiagramError, match="two states are called K_1; rename one"):
-        of(beside("K_1' = K_1", {"K_1": ()})())

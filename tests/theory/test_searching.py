@@ -39,8 +39,7 @@ def test_what_is_found_is_proved_and_falls_along_a_run_of_python_control(name):
     assert found.status == ("proved but for q" if turned else "proved"), found
     V = sympy.lambdify(list(clpt.equations(own).motion), found.V)
     close, t = {"rtol": 1e-10, "atol": 1e-12}, np.linspace(0, 10, 401)
-    run = control.input_output_response(own, t, 0, start, solve_ivp_kwargs=close)
-    values = V(*run.states)
+    values = V(*control.input_output_response(own, t, 0, start, solve_ivp_kwargs=close).states)
     assert np.all(np.diff(values) <= 1e-8 * values[0])
     assert values.min() > -1e-12
 
