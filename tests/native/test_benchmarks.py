@@ -69,12 +69,7 @@ def test_the_drifter_block_moves_as_the_c_program():
     from benchmarks import advection
     from benchmarks.drifter import drifter
 
-    block, h = drifter(*advection.current()), advection.STEP
-    expected, _ = advection.run_c(1)
-    x, k, p = np.array(advection.starts(1)).ravel(), np.zeros((4, 2)), block.parameters
-    for step in range(advection.STEPS):
-        for s, (lag, share) in enumerate([(0, 0.0), (0, 0.5), (1, 0.5), (2, 1.0)]):
-            there = x + h * share * k[lag]
-            k[s] = block.values("update", 2, h * (step + share), there, (), p)
-        x = x + h / 6 * (k[0] + 2 * k[1] + 2 * k[2] + k[3])
+    expected, end = advection.run_c(1)[0], advection.STEP * advection.STEPS
+    runner = clpt.native.compile(drifter(*advection.current()))
+    x = runner.run(np.ravel(advection.starts(1)), [0.0, end], step=advection.STEP).x[-1]
     np.testing.assert_allclose(x, expected[:, 0], rtol=1e-12)

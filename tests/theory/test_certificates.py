@@ -159,20 +159,12 @@ def test_the_paper_s_contraction(true_paper):
     assert "simulated" in found.trajectory
 
 
-LIMITS = [
-    (ultimate_bound, (10.0, 0.1, 0.0), np.inf),
-    (ultimate_bound, (10.0, 0.1, 1.0), pytest.approx(2.0)),
-    (ultimate_bound, (1.0, 1.0, 1e-20), pytest.approx(2e20)),
-    (time_to_tenth, (10.0, 0.0), np.inf),
-    (time_to_tenth, (10.0, 0.5), 70.0),  # of V a half each: 2^-7 < 0.01 < 2^-6
-    (time_to_tenth, (10.0, 0.99), 10.0),
-    (time_to_tenth, (10.0, 1.0), 10.0),
-]
-
-
-@pytest.mark.parametrize(("function", "given", "wanted"), LIMITS)
-def test_times_and_bounds_at_their_limits(function, given, wanted):
-    assert function(*given) == wanted
+def test_times_and_bounds_at_their_limits():
+    assert ultimate_bound(10.0, 0.1, 0.0) == np.inf
+    assert ultimate_bound(10.0, 0.1, 1.0) == pytest.approx(2.0)
+    assert ultimate_bound(1.0, 1.0, 1e-20) == pytest.approx(2e20)
+    drops = 0.0, 0.5, 0.99, 1.0  # of V a half each: 2^-7 < 0.01 < 2^-6
+    assert [time_to_tenth(10.0, drop) for drop in drops] == [np.inf, 70.0, 10.0, 10.0]
     for drop in (-0.1, 1.1, np.nan):
         with pytest.raises(clpt.ClptError, match="drop"):
             ultimate_bound(10.0, 0.1, drop)

@@ -78,18 +78,9 @@ def test_a_claim_is_compared_exactly():
     assert "not as claimed" in wrong.claim
 
 
-SUMS = {
-    "x**2 + x*y + y**2": True,
-    "x**2 + 3*x*y + y**2": False,
-    "(y + x**3)**2 + x**2": True,
-    "x**4 - 2*x**3 + 0.999*x**2": False,
-    "k*(1 - cos(x)) + y**2": True,
-    "x**2*exp(-y)": True,
-    "exp(x) - x - 1": True,
-    "x**3": False,
-    "x*atan(x) - log(1 + x**2)/2": True,
-    "x**2*y**2 - x*y": False,
-}
+SUMS = "x**2 + x*y + y**2; (y + x**3)**2 + x**2; k*(1 - cos(x)) + y**2; exp(x) - x - 1"
+RISING = "x**2*exp(-y); x*atan(x) - log(1 + x**2)/2"
+NO_SUMS = "x**2 + 3*x*y + y**2; x**4 - 2*x**3 + 0.999*x**2; x**3; x**2*y**2 - x*y"
 
 
 @pytest.mark.parametrize("chance", [1, 12, 16])
@@ -105,12 +96,12 @@ def test_what_has_no_factors_is_told_whatever_places_sympy_draws(chance):
     assert sympy.expand(factored(whole) - whole) == 0
 
 
-@pytest.mark.parametrize("text", SUMS)
+@pytest.mark.parametrize("text", f"{SUMS}; {RISING}; {NO_SUMS}".split("; "))
 def test_sums_of_squares(text):
     names = {s: sympy.Symbol(s, real=True) for s in "xy"} | {"k": sympy.Symbol("k", positive=True)}
     V = sympy.nsimplify(sympy.sympify(text, locals=names), rational=True)
     found = squares(V, {names["k"]})
-    assert (found is not None) == SUMS[text]
+    assert (found is None) == (text in NO_SUMS.split("; "))
     if found is not None:
         assert sympy.simplify(sympy.Add(*found.terms) + found.constant - V) == 0
         random = np.random.default_rng(0)

@@ -150,10 +150,9 @@ def test_the_command_says_that_nothing_was_found(clpt, refused, tmp_path):
     assert "seed = -5" in refused("refute", "known-flow", "--seed", -5)
 
 
-@pytest.mark.parametrize(
-    ("loose", "tight", "broken"),
-    [(1.053, 1.0032, False), (2.0, 1.0005, False), (2.0, 1.99, True), (np.inf, np.inf, True)],
-)
-def test_what_the_solver_leaves_breaks_no_promise(loose, tight, broken):
+def test_what_the_solver_leaves_breaks_no_promise():
     """An error of 2e-12, read beside 1e-9 of what it was, is 1.003 times as large as before."""
-    assert lasts(loose, tight) == broken
+    for once, again in ((1.053, 1.0032), (2.0, 1.0005)):
+        assert not lasts(once, again)
+    for once, again in ((2.0, 1.99), (np.inf, np.inf)):
+        assert lasts(once, again)
