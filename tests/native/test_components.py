@@ -99,7 +99,7 @@ def test_every_form_is_numpys(update):
 
 def meeting(one):
     """Return a diagram in which alpha phi of one block meets - alpha phi of another, or its own."""
-    basis = lambda t, x, u, p: np.exp(-np.arange(1.0, 6.0) * u.z[0] ** 2)  # noqa: E731
+    basis = lambda t, x, u, p: {"phi": np.exp(-np.arange(1.0, 6.0) * u.z[0] ** 2)}  # noqa: E731
     opposed = lambda t, x, u, p: {  # noqa: E731
         "z": u.plus + u.minus - x.z,
         "alpha": np.outer(u.plus, np.ones(5)),
@@ -107,7 +107,7 @@ def meeting(one):
     own = {"states": {"z": 2, "alpha": (2, 5)}, "inputs": {"plus": 2, "minus": 2}}
     size = {"inputs": {"alpha": (2, "N"), "phi": "N"}, "sizes": {"N": 5}}
     made = [
-        Block("basis", output=basis, inputs={"z": 2}, outputs={"phi": 5}),
+        Block("basis", output=basis, inputs={"z": 2}, outputs={"phi": "M"}, sizes={"M": 5}),
         Block("model", update=opposed, **own),
     ]
     if one:
