@@ -49,9 +49,14 @@ def formula(text, states=(), parameters=()):
 
 def law(update, parameters=GAIN, more=None, n=N, **ports):
     """Make a law of a function, with further inputs, or other states and outputs."""
-    inputs = {"e": 2, "phi_x": "N", "z": 2, "zc": 2, **(more or {})}
-    ports = {"states": LEARNED, "sizes": {"N": n}, "inputs": inputs} | ports
-    return Block("own", update=update, parameters=parameters, **ports)
+    return Block(
+        "own",
+        update=update,
+        inputs={"e": 2, "phi_x": "N", "z": 2, "zc": 2, **(more or {})},
+        parameters=parameters,
+        sizes={"N": n},
+        **({"states": LEARNED} | ports),
+    )
 
 
 def two(c, gain=0.5):
@@ -109,10 +114,13 @@ def seen(text, c=0.3):
 def V_of(level, inputs=LEARNED, **parameters):
     """Make V of the truth, whatever vehicle and flow there are; `off` are all squared errors."""
     V = formula(level, (), {**GAIN, **dict.fromkeys(Truth._fields), **parameters})
-    ports = {"inputs": {"e": 2, **inputs}, "outputs": {"V": 1}, "shapes": {"theta": (2, "N")}}
-    ports["output"] = lambda t, x, u, p: {"V": V(t, x, u, p)}
     return lambda truth: Block(
-        "level", parameters={**GAIN, **truth._asdict(), **parameters}, **ports
+        "level",
+        output=lambda t, x, u, p: {"V": V(t, x, u, p)},
+        inputs={"e": 2, **inputs},
+        outputs={"V": 1},
+        parameters={**GAIN, **truth._asdict(), **parameters},
+        shapes={"theta": (2, "N")},
     )
 
 
@@ -163,7 +171,7 @@ def with_numbers(make, **parameters):
 
 
 ARRAYS = {"gain": 0.5, "K": np.array([1.0, 2.0]), "z": np.array([0.1, 0.2])}
-EACH = {"shapes": {"gains": "N"}}
+EACH, EACH_ITS_OWN = {"shapes": {"gains": "N"}}, "alpha' = -gains*outer(e, phi_x)"
 MORE = {**LEARNED, "s": 1}
 PLACE = "clip(floor(e[0]), 0.0, 1.0)"
 FIFTH = "alpha' = dalpha*where(arange(len(phi_x)) == 4, -1.0, 1.0)"
@@ -180,30 +188,39 @@ divided_by_itself = changed("K' = -gain*(z*z/z)*e")
 rounded_away = driven("(e + c) - c", two(1e16))
 
 
-THREE_GAINS = "alpha' = gains[0]*dalpha; K' = gains[1]*dK; Gamma' = gains[2]*dGamma"
-A_GAIN_EACH = "alpha' = -gains*outer(e, phi_x); K' = -array([1.0, 2.0])*z*e; Gamma' = 0.3*zc*e"
-ONE_LIST = "alpha' = -gains*outer(e, phi_x); K' = -axes*z*e; Gamma' = axes*zc*e"
-TWO_LISTS = {"gains": [1.0, 2.0], "axes": [1.0, 2.0]}
-AS_MANY = "alpha' = gains[0]*dalpha - (len(gains) - 2.0)*alpha; "
-AS_MANY += "K' = gains[0]*dK; Gamma' = gains[0]*dGamma"
-NAMED_ALIKE = "K' = dK - gain*(x.K - p.K); Gamma' = dGamma + 0.3*(u.z - p.z)"
-FADING = "gain*c*clip(2.0 - linalg.norm(alpha), 0.0, 1.0)"
-ANY_SIGN = "gain*c*clip(linalg.norm(alpha) - 1.0, -1.0, 1.0)"
-RIGHT = {  # name -> (law, whether for every N too)
-    "the paper's": (paper, True),
-    "its gain called rate": (driven("rate*e", {"rate": 0.5}), True),
-    "its gain called gamma": (driven("gamma*e", {"gamma": 0.5}), True),
-    "times sin^2 + cos^2": (driven("(sin(e[0])**2 + cos(e[0])**2)*e"), True),
-    "clip(e) + (e - clip(e))": (driven("clip(e, -1, 1) + (e - clip(e, -1, 1))"), True),
-    "three gains": (changed(THREE_GAINS, {"gains": [0.5, 0.2, 0.7]}), True),
-    "a gain each": (changed(A_GAIN_EACH, {"gains": [0.5, 2.0]}, **EACH), True),
-    "one list of gains for functions and for axes": (changed(ONE_LIST, TWO_LISTS, **EACH), True),
-    "x - z and exp(c)": (driven("exp(c)*(u.x - u.z)", {"c": 0.3}, more={"x": 2}), True),
-    "composite": (with_numbers(composite, c=0.5), False),
-    "a leak of 0": (with_numbers(constant, c=0.0), True),
-    "as many gains as functions": (changed(AS_MANY, {"gains": [0.5, 0.5]}, **EACH), False),
-    "wrong from N = 5 on": (changed(FIFTH), False),
-    "a small gain": (with_numbers(paper, gain=1e-8), True),
+RIGHT = {  # for every N
+    "the paper's": paper,
+    "its gain called rate": driven("rate*e", {"rate": 0.5}),
+    "its gain called gamma": driven("gamma*e", {"gamma": 0.5}),
+    "times sin^2 + cos^2": driven("(sin(e[0])**2 + cos(e[0])**2)*e"),
+    "clip(e) + (e - clip(e))": driven("clip(e, -1, 1) + (e - clip(e, -1, 1))"),
+    "three gains": changed(
+        "alpha' = gains[0]*dalpha; K' = gains[1]*dK; Gamma' = gains[2]*dGamma",
+        {"gains": [0.5, 0.2, 0.7]},
+    ),
+    "a gain each": changed(
+        f"{EACH_ITS_OWN}; K' = -array([1.0, 2.0])*z*e; Gamma' = 0.3*zc*e",
+        {"gains": [0.5, 2.0]},
+        **EACH,
+    ),
+    "one list of gains for functions and for axes": changed(
+        f"{EACH_ITS_OWN}; K' = -axes*z*e; Gamma' = axes*zc*e",
+        {"gains": [1.0, 2.0], "axes": [1.0, 2.0]},
+        **EACH,
+    ),
+    "x - z and exp(c)": driven("exp(c)*(u.x - u.z)", {"c": 0.3}, more={"x": 2}),
+    "a leak of 0": with_numbers(constant, c=0.0),
+    "a small gain": with_numbers(paper, gain=1e-8),
+}
+FOR_TWO = {  # right for N = 2, and not for every N
+    "composite": with_numbers(composite, c=0.5),
+    "as many gains as functions": changed(
+        "alpha' = gains[0]*dalpha - (len(gains) - 2.0)*alpha; K' = gains[0]*dK; "
+        "Gamma' = gains[0]*dGamma",
+        {"gains": [0.5, 0.5]},
+        **EACH,
+    ),
+    "wrong from N = 5 on": changed(FIFTH),
 }
 BOUNDED = {"leak": constant, "leak of alpha": leak("gain*c", ("alpha",), two(0.1))}
 REFUTED = {
@@ -214,7 +231,9 @@ REFUTED = {
     "wrong from N = 5 on, N = 6": changed(FIFTH, n=6),
 }
 NOT_PROVED = {  # wrong, or right but not known to be
-    "parameters called K and z": changed(NAMED_ALIKE, ARRAYS),
+    "parameters called K and z": changed(
+        "K' = dK - gain*(x.K - p.K); Gamma' = dGamma + 0.3*(u.z - p.z)", ARRAYS
+    ),
     "two tables": changed(f"K' = dK + (lookup(p.K, {PLACE}) - lookup(p.z, {PLACE}))", ARRAYS),
     "a private state called x": changed(
         "x' = -x.x; alpha' = dalpha - 0.1*(x.x - u.z)[:, None]", **PRIVATE
@@ -227,8 +246,12 @@ NOT_PROVED = {  # wrong, or right but not known to be
     "pulled to the time": changed("alpha' = dalpha - first(gain*(alpha[0, 0] - t))"),
     "log(exp(e))": driven("log(exp(e))"),
     "|e| pulls alpha alone": leak("gain*c*hypot(e[0], e[1])", ("alpha",), two(0.1)),
-    "a leak that fades": leak(FADING, ("alpha",), two(0.1)),
-    "a leak of any sign": leak(ANY_SIGN, ("alpha",), two(0.1)),
+    "a leak that fades": leak(
+        "gain*c*clip(2.0 - linalg.norm(alpha), 0.0, 1.0)", ("alpha",), two(0.1)
+    ),
+    "a leak of any sign": leak(
+        "gain*c*clip(linalg.norm(alpha) - 1.0, -1.0, 1.0)", ("alpha",), two(0.1)
+    ),
     "(e + 1e16) - 1e16": rounded_away,
     "(e + 1e16) - 1e16, a small gain": with_numbers(rounded_away, gain=1e-9),
     "(e + 1e16) - 1e16, a tiny gain": with_numbers(rounded_away, gain=1e-15),
@@ -252,6 +275,121 @@ TOO_MUCH = {  # -> what is said
     "a throw": (driven("e*random.default_rng().random()"), "^own.update: .* draws by chance"),
     "no law": (clpe, r"makes alpha\[2N\], K\[2\] and Gamma\[2\]"),
     "one z": (lambda: law(of_other_ports, GAIN, {"zc": 3, "z": 1}), "'zc?' has 2 signals"),
+    "two states of one symbol": (  # K[2] is K_1 and K_2, and so is a state K_1
+        beside("K_1' = K_1", {"K_1": ()}),
+        "two states are called K_1; rename one",
+    ),
     "no name": (lambda: Block("", update=memory, states=MORE), "must not be empty"),
     "a port with a dot": (driven("e", more={"a.b": 1}), "'a.b' of a block"),
+}
+
+
+# --- right laws of textbooks ----------------------------------------------------------------------
+
+MATRIX = {**GAIN, "M": np.array([[2.0, 1.0], [1.0, 2.0]])}
+
+
+def of_e(measure, **parameters):
+    """Make V of the truth, with a measure of e."""
+    return V_of(f"sum({measure}) + off/(2*gain)", **parameters)
+
+
+MAPPED = {"s": (2, "N"), "K": 2, "Gamma": 2}
+
+
+def through(alpha, parameters=GAIN):
+    """Make a law whose alpha is made of a state s."""
+    own = formula(alpha, MAPPED, parameters)
+
+    def output(t, x, u, p):
+        """alpha of s, section III."""
+        return {"alpha": own(t, x, u, p), "K": x.K, "Gamma": x.Gamma, "s": x.s}
+
+    outputs = {**LEARNED, "s": (2, "N")}
+    return changed("s' = dalpha", parameters, states=MAPPED, outputs=outputs, output=output)
+
+
+def of_state(level):
+    """V with a level of s for alpha's errors."""
+    off = "sum((K - KD)**2) + sum((Gamma - GammaD)**2)"
+    return V_of(f"e @ e/2 + (sum({level}) + ({off})/2)/gain", MAPPED)
+
+
+def least_squares(t, x, u, p):
+    """Least squares of the flow along the way, section III, as an engineer writes it."""
+    Pphi = x.P @ u.phi_x
+    eps = u.flow_x + x.alpha @ u.phi_x
+    return filled(u, p.gain, u.e) | {
+        "alpha": -np.outer(p.gain * u.e + eps, Pphi),
+        "P": -np.outer(Pphi, Pphi),
+        "R": np.outer(u.phi_x, u.phi_x),
+    }
+
+
+SQUARES = {"states": {**LEARNED, "P": (N, N), "R": (N, N)}}
+WITH_R = (  # V with the information R, the inverse of P
+    "e @ e/2 + (sum(((theta + alpha) @ R)*(theta + alpha))"
+    " + sum((K - KD)**2) + sum((Gamma - GammaD)**2))/(2*gain)"
+)
+
+
+def inverse(s, p, truth):
+    """P is the inverse of R."""
+    (a, b), (_, d) = s["R"]
+    det = a * d - b**2
+    return {"R": (s["R"] + s["R"].T) / 2, "P": np.array([[d, -b], [-b, a]]) / det}
+
+
+def squares_lost(s, p, truth):
+    """What V' loses."""
+    eps = (truth.theta + s["alpha"]) @ s["phi_x"]
+    return [(np.sum(eps**2), 1 / (2 * p.gain))]
+
+
+def shown(make, status="proved", **more):
+    """A law, what else `prove` is given, and what it says."""
+    return make, more, status
+
+
+ZONES = {"gain": 0.5, "zone": np.array([0.1, 0.3])}
+BEYOND, RISING = "(e - clip(e, -zone, zone))", "(2.0 - exp(-t))"
+CROSSED = "K' = dK + c*zc*e; Gamma' = dGamma - c*z*e"
+
+TEXTBOOK = {  # each with the V that proves it in two lines, or the default
+    "a matrix of gains": shown(changed("alpha' = -outer(e, M @ phi_x)", MATRIX)),
+    "axes mixed": shown(changed("alpha' = -outer(M @ e, phi_x)", MATRIX)),
+    "gains crossed": shown(changed(CROSSED, two(0.1), n=1)),
+    "tanh of eps": shown(seen("tanh(eps)")),
+    "sign of eps": shown(seen("sign(eps)")),
+    "clip of eps": shown(seen("clip(eps, -0.2, 0.2)")),
+    "a dead zone of eps": shown(seen("(eps - clip(eps, -0.3, 0.3))")),
+    "eps exp(-eps^2)": shown(seen("eps*exp(-eps**2)")),
+    "eps and its cube": shown(seen("eps + eps**3")),
+    "tanh of e": shown(driven("tanh(e)"), V=of_e("log(cosh(e))")),
+    "atan of e": shown(driven("arctan(e)"), V=of_e("e*arctan(e) - log1p(e**2)/2")),
+    "clip of e": shown(
+        driven("clip(e, -1.0, 1.0)"),
+        V=of_e("e*clip(e, -1.0, 1.0) - clip(e, -1.0, 1.0)**2/2"),  # Huber's
+    ),
+    "e and its cube": shown(driven("e + e**3"), V=of_e("e**2/2 + e**4/4")),
+    "the cube of e": shown(driven("e**3"), V=of_e("e**4/4")),
+    "e |e|": shown(driven("e*abs(e)"), V=of_e("abs(e)**3/3")),
+    "a dead zone each": shown(
+        driven(BEYOND, ZONES), "bounded", V=of_e(f"{BEYOND}**2/2", zone=ZONES["zone"])
+    ),
+    "a cubic leak": shown(leak("gain*c*alpha**2", ("alpha",), two(0.1)), "bounded"),
+    "a periodic leak": shown(leak("gain*c*(1 + sin(t))", LEARNED, two(0.1)), "bounded"),
+    "alpha = 2 s": shown(through("2*s")),
+    "alpha = s + s^3": shown(through("s + s**3"), V=of_state("theta*s + s**2/2 + s**4/4")),
+    "a part in proportion to e": shown(
+        through("s - c*outer(e, phi_x)", two(0.2)), V=of_state("(theta + s)**2/2")
+    ),
+    "a rising gain": shown(scaled(RISING), V=V_of(f"e @ e/2 + off/(2*gain*{RISING})")),
+    "least squares": shown(
+        lambda: law(least_squares, GAIN, FLOW, **SQUARES),
+        V=V_of(WITH_R, {**LEARNED, "R": (N, N)}),
+        invariants=inverse,
+        semidefinite=("R",),
+        losses=squares_lost,
+    ),
 }

@@ -1,81 +1,46 @@
 """Flows that are known in closed form, on every engine and by both methods."""
 
-import math
-
 import numpy as np
 import pytest
 from engines import ENGINES, side_by_side
+from own_laws import formula
 
 from clpt_control.equations import Block
+from clpt_control.equations.declaration import Each
 from clpt_control.native import numbering
 from clpt_control.native.machine import LANES
 
 N = 6  # copies of a flow, each with its rate
-RATES = np.linspace(0.5, 2.0, N)
-TIMES = np.array([0.0, 0.3, 1.0, 1.7, 2.0])
+RATES, TIMES = np.linspace(0.5, 2.0, N), np.array([0.0, 0.3, 1.0, 1.7, 2.0])
 
 
-def rotation(t, x, u, p):
-    return {"x": -p.a * x.y, "y": p.a * x.x}
-
-
-def saddle(t, x, u, p):
-    return {"x": p.a * x.x, "y": -p.a * x.y}
-
-
-def growth(t, x, u, p):
-    return {"x": p.a * x.x * (1.0 - x.x), "y": p.a * x.y}
-
-
-def oscillator(t, x, u, p):
-    return {"x": x.y, "y": -(p.a**2) * x.x + np.cos(t)}
-
-
-def jump(t, x, u, p):
-    return {"x": p.a * p.interval, "y": p.interval * x.x}
-
-
-def rotated(t, x, y, a):
-    return x * np.cos(a * t) - y * np.sin(a * t), x * np.sin(a * t) + y * np.cos(a * t)
-
-
-def torn(t, x, y, a):
-    return x * np.exp(a * t), y * np.exp(-a * t)
-
-
-def grown(t, x, y, a):
-    return x / (x + (1 - x) * np.exp(-a * t)), y * np.exp(a * t)
-
-
-def driven(t, x, y, a):
-    """x'' = -a^2 x + cos t: the forced part and what starts freely."""
-    forced = 1 / (a**2 - 1)
-    free = x - forced
-    place = free * np.cos(a * t) + y / a * np.sin(a * t) + forced * np.cos(t)
-    speed = -free * a * np.sin(a * t) + y * np.cos(a * t) - forced * np.sin(t)
-    return place, speed
-
-
-def jumped(t, x, y, a, dwell=0.7):
-    """Interval k from k dwell on: x is straight there and y a parabola."""
+def jumped(t, q, r, a, dwell=0.7):
+    """Interval k from k dwell on: q is straight there and r a parabola."""
     k = 0
     while t > 0:
         h = min(t, dwell)
-        x, y, t, k = x + a * k * h, y + k * (x * h + a * k * h**2 / 2), t - h, k + 1
-    return x, y
+        q, r, t, k = q + a * k * h, r + k * (q * h + a * k * h**2 / 2), t - h, k + 1
+    return q, r
 
 
-def every(p, t0, t1):
-    times = 0.7 * np.arange(1, math.floor(t1 / 0.7) + 1)
-    return times[(times > t0) & (times <= t1)]
+def solved(q, r):
+    """Where a flow is at t."""
+    return eval(f"lambda t, q, r, a: ({q}, {r})", vars(np))
 
 
-FLOWS = {
-    "rotation": (rotation, rotated),
-    "saddle": (saddle, torn),
-    "growth": (growth, grown),
-    "oscillator": (oscillator, driven),
-    "jump": (jump, jumped),
+FLOWS = {  # rates of q and r, and where they are at t
+    "rotation": ("-a*r", "a*q", solved("q*cos(a*t) - r*sin(a*t)", "q*sin(a*t) + r*cos(a*t)")),
+    "saddle": ("a*q", "-a*r", solved("q*exp(a*t)", "r*exp(-a*t)")),
+    "growth": ("a*q*(1 - q)", "a*r", solved("q/(q + (1 - q)*exp(-a*t))", "r*exp(a*t)")),
+    "oscillator": (  # q'' = -a^2 q + cos t: the forced part and what starts freely
+        "r",
+        "-(a**2)*q + cos(t)",
+        solved(
+            "(q - 1/(a**2 - 1))*cos(a*t) + r/a*sin(a*t) + cos(t)/(a**2 - 1)",
+            "-a*(q - 1/(a**2 - 1))*sin(a*t) + r*cos(a*t) - sin(t)/(a**2 - 1)",
+        ),
+    ),
+    "jump": ("a*interval", "interval*q", jumped),
 }
 
 
@@ -92,18 +57,14 @@ def states(engine, block, x0, step):
 @pytest.mark.parametrize("engine", [*ENGINES, "lanes"])
 @pytest.mark.parametrize("flow", FLOWS)
 def test_flow(flow, engine, method):
-    update, exact = FLOWS[flow]
-    jumps = flow == "jump"
-    block = Block(
-        flow,
-        update=update,
-        states={"x": "N", "y": "N"},
-        parameters={"a": RATES, **({"interval": -1.0} if jumps else {})},
-        shapes={"a": "N"},
-        breakpoints=every if jumps else None,
-    )
+    *rates, exact = FLOWS[flow]
+    known, jumps = {"a": RATES}, {"breakpoints": Each("dwell")} if flow == "jump" else {}
+    known |= {"dwell": 0.7, "interval": -1.0} if jumps else {}
+    q, r = (formula(text, "qr", known) for text in rates)
+    update = lambda *at: {"q": q(*at), "r": r(*at)}  # noqa: E731
+    own = {"states": {"q": "N", "r": "N"}, "parameters": known, "shapes": {"a": "N"}, **jumps}
     x, y = np.linspace(0.2, 1.5, N), np.linspace(-1.0, 1.0, N)
-    found = states(engine, block, np.concatenate([x, y]), 0.02 if method == "RK4" else None)
+    step, error = (0.02, 3e-7) if method == "RK4" else (None, 1e-9)
+    found = states(engine, Block(flow, update=update, **own), np.concatenate([x, y]), step)
     wanted = [np.concatenate(exact(t, x, y, RATES)) for t in TIMES]
-    error = 3e-7 if method == "RK4" else 1e-9
     np.testing.assert_allclose(found, wanted, rtol=error, atol=error)

@@ -16,10 +16,9 @@ from llvmlite import ir
 
 from clpt_control import Block
 from clpt_control.files import CACHE, cache_folder, trusted
-from clpt_control.native import machine
+from clpt_control.native import NativeDiagram, machine
 from clpt_control.native.llvm_function import Function
 from clpt_control.native.machine import Machine, cache_code, cached_code, code_name
-from clpt_control.native.native_diagram import NativeDiagram
 
 
 @pytest.fixture
@@ -38,8 +37,7 @@ def test_a_folder_of_others_is_not_used(folder, monkeypatch):
     assert folder.stat().st_mode & 0o777 == 0o700
     for mode in (0o770, 0o702, 0o777):
         folder.chmod(mode)
-        assert not trusted(folder.stat())
-        assert cache_folder() is None
+        assert (trusted(folder.stat()), cache_folder()) == (False, None)
     folder.chmod(0o755)
     assert cache_folder() == folder
     owner = folder.stat().st_uid
@@ -56,11 +54,10 @@ def test_the_users_own_folder_comes_from_home(monkeypatch, tmp_path):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setenv("HOME", str(tmp_path))
     assert cache_folder() == tmp_path / ".cache" / "clpt-control"
-    monkeypatch.setattr(os, "access", lambda path, mode: False)  # it is read-only
-    assert cache_folder() is None
-    monkeypatch.undo()
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "access", lambda path, mode: False)  # it is read-only
+        assert cache_folder() is None
     monkeypatch.setenv("HOME", os.devnull + "/none")
-    monkeypatch.delenv(CACHE, raising=False)
     assert cache_folder() is None
 
 
@@ -82,19 +79,19 @@ def test_what_is_kept_is_the_users_own_whatever_the_umask(folder):
     before = os.umask(0o002)
     try:
         cache_code("some", b"0123456789")
-        path = folder / "some.o"
-        assert (path.stat().st_mode & 0o777, cached_code("some")) == (0o600, b"0123456789")
-        for place in (folder, path):
-            place.chmod(0o777)
-            assert cached_code("some") is None
-            place.chmod(0o700)
-        cache_code("some", b"9876543210")  # and is trusted again
-        assert cached_code("some") == b"9876543210"
-        path.unlink()
-        os.mkfifo(path)  # which a reader would wait for
-        assert cached_code("some") is None
     finally:
         os.umask(before)
+    path = folder / "some.o"
+    assert (path.stat().st_mode & 0o777, cached_code("some")) == (0o600, b"0123456789")
+    for place in (folder, path):
+        place.chmod(0o777)
+        assert cached_code("some") is None
+        place.chmod(0o700)
+    cache_code("some", b"9876543210")  # and is trusted again
+    assert cached_code("some") == b"9876543210"
+    path.unlink()
+    os.mkfifo(path)  # which a reader would wait for
+    assert cached_code("some") is None
 
 
 def test_few_files_stay(folder, monkeypatch):
@@ -118,22 +115,20 @@ def test_nothing_can_be_kept_and_the_work_goes_on(monkeypatch):
 
 def test_the_name_changes_with_what_is_compiled(monkeypatch):
     names = {code_name("text"), code_name("another")}
-    monkeypatch.setattr(machine, "processor", lambda: ("another", "+fma"))
-    names.add(code_name("text"))
-    monkeypatch.setattr(machine, "version", lambda name: "9")
-    names.add(code_name("text"))
+    for part, other in (("processor", lambda: ("another", "+fma")), ("version", lambda name: "9")):
+        monkeypatch.setattr(machine, part, other)
+        names.add(code_name("text"))
     assert len(names) == 4
 
 
 def test_the_text_of_the_solver_is_of_its_source():
     """`make solver` prints it anew."""
-    root = Path(__file__).parents[2]
-    pages = ("numbering", "looks", "kinks", "implicit", "pieces", "solver")
-    sources = [root / "clpt_control" / "native" / f"{one}.py" for one in pages]
-    texts = (one.read_bytes() for one in (*sources, root / "tools" / "print_solver.py"))
-    wanted = hashlib.sha256(b"".join(texts)).hexdigest()
+    root, wanted = Path(__file__).parents[2], hashlib.sha256()
+    for page in ("numbering", "looks", "kinks", "implicit", "pieces", "solver"):
+        wanted.update((root / "clpt_control" / "native" / f"{page}.py").read_bytes())
+    wanted.update((root / "tools" / "print_solver.py").read_bytes())
     first, text = machine.TEXT.read_text("utf-8").split("\n", 1)
-    assert first == f"; sha256 {wanted}"
+    assert first == f"; sha256 {wanted.hexdigest()}"
     assert not re.search(r"target|\bx86|/home|/work|/root", text)
 
 
@@ -168,9 +163,8 @@ def test_threads_that_compile_at_once_get_the_same_code():
 
 
 def test_each_thread_runs_a_shared_block_with_its_own_params():
-    block = Block(
-        "plant", update=lambda t, x, u, p: -p.rate * x, states={"x": 1}, parameters={"rate": 1.0}
-    )
+    own = {"states": {"x": 1}, "parameters": {"rate": 1.0}}
+    block = Block("plant", update=lambda t, x, u, p: -p.rate * x, **own)
     rates, times = 1.0 + 0.3 * (np.arange(48) % 8), np.linspace(0.0, 1.0, 20)
 
     def run(rate):
@@ -178,7 +172,7 @@ def test_each_thread_runs_a_shared_block_with_its_own_params():
         return control.input_output_response(block, times, 0, [1.0], **asked).states[0]
 
     with ThreadPoolExecutor(8) as pool:
-        found = np.array(list(pool.map(run, rates)))
+        found = list(pool.map(run, rates))
     np.testing.assert_allclose(found, np.exp(-np.outer(rates, times)), atol=1e-5)
 
 
@@ -189,14 +183,13 @@ def test_a_folder_renamed_by_others_meanwhile_is_not_read_or_written(folder):
     It holds a file that is the user's own by a link, as whoever may rename in the parent folder
     can make it: the file alone does not tell.
     """
-    own, theirs, link = (folder.with_name(name) for name in ("own", "theirs", "link"))
+    own, theirs, link, foreign = map(folder.with_name, ("own", "theirs", "link", "foreign.o"))
     folder.symlink_to(own)
     own.mkdir(mode=0o700)
     cache_code("some", b"own")
     theirs.mkdir()
-    (theirs / "some.o").symlink_to(folder.with_name("foreign.o"))
-    foreign = hashlib.sha256(b"foreign").digest() + b"foreign"
-    folder.with_name("foreign.o").write_bytes(foreign)
+    (theirs / "some.o").symlink_to(foreign)
+    foreign.write_bytes(hashlib.sha256(b"foreign").digest() + b"foreign")
     theirs.chmod(0o777)
     swaps, ended = [0], threading.Event()
 
@@ -207,15 +200,15 @@ def test_a_folder_renamed_by_others_meanwhile_is_not_read_or_written(folder):
                 link.replace(folder)
             swaps[0] += 1
 
-    other = threading.Thread(target=swap)
-    other.start()
-    try:
-        found = Counter(cached_code("some") for _ in range(20_000))
-        for _ in range(2_000):
-            cache_code("new", b"new")
-    finally:
-        ended.set()
-        other.join()
+    with ThreadPoolExecutor(1) as pool:
+        other = pool.submit(swap)
+        try:
+            found = Counter(cached_code("some") for _ in range(20_000))
+            for _ in range(2_000):
+                cache_code("new", b"new")
+        finally:
+            ended.set()
+        other.result()
     assert swaps[0] > 100
     assert set(found) <= {b"own", None}
     assert found[b"own"] > 100

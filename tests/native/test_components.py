@@ -1,5 +1,7 @@
 """Machine code of records of arrays: every operation, in every form, against NumPy's."""
 
+from itertools import product
+
 import control
 import numpy as np
 import pytest
@@ -77,51 +79,37 @@ def block_of(update):
     """Return a block with states of every kind."""
     random = np.random.default_rng(5)
     parameters = {"m": random.normal(size=(11, 11)) / 11, "w": random.uniform(1, 2, 11)}
-    return Block(
-        "block",
-        update=update,
-        states=STATES,
-        parameters=parameters,
-        shapes={"m": ("N", "N"), "w": "N"},
-        sizes=SIZES,
-    )
+    own = {"states": STATES, "shapes": {"m": ("N", "N"), "w": "N"}, "sizes": SIZES}
+    return Block("block", update=update, parameters=parameters, **own)
+
+
+def as_python(diagram, points):
+    """Each form of machine code gives what Python does."""
+    ask = readings(diagram)
+    for x, name in product(points, ("native", "scalar", "looped", "lanes")):
+        found, wanted = (ask[one](0.7, x, [])[0] for one in (name, "python"))
+        np.testing.assert_allclose(found, wanted, rtol=1e-12, atol=1e-13, err_msg=name)
 
 
 @pytest.mark.parametrize("update", PROGRAMS)
 def test_every_form_is_numpys(update):
-    block, random = block_of(update), np.random.default_rng(1)
-    asked = readings(block)
-    for _ in range(3):
-        x = random.normal(size=block.nstates)
-        wanted = asked["python"](0.7, x, [])[0]
-        for name in ("native", "scalar", "looped", "lanes"):
-            np.testing.assert_allclose(
-                asked[name](0.7, x, [])[0], wanted, rtol=1e-12, atol=1e-13, err_msg=name
-            )
-
-
-def basis(function):
-    """Return a basis of five functions."""
-    return Block("basis", output=function, inputs={"z": 2}, outputs={"phi": "M"}, sizes={"M": 5})
-
-
-def opposed(t, x, u, p):
-    """Return what cancels where two blocks meet."""
-    return {"z": u.plus + u.minus - x.z, "alpha": np.outer(u.plus, np.ones(5))}
+    block = block_of(update)
+    as_python(block, np.random.default_rng(1).normal(size=(3, block.nstates)))
 
 
 def meeting(one):
     """Return a diagram in which alpha phi of one block meets - alpha phi of another, or its own."""
-    made = [
-        basis(lambda t, x, u, p: {"phi": np.exp(-np.arange(1.0, 6.0) * u.z[0] ** 2)}),
-        Block(
-            "model",
-            update=opposed,
-            inputs={"plus": 2, "minus": 2},
-            states={"z": 2, "alpha": (2, 5)},
-        ),
-    ]
+    basis = lambda t, x, u, p: {"phi": np.exp(-np.arange(1.0, 6.0) * u.z[0] ** 2)}  # noqa: E731
+    opposed = lambda t, x, u, p: {  # noqa: E731
+        "z": u.plus + u.minus - x.z,
+        "alpha": np.outer(u.plus, np.ones(5)),
+    }
+    own = {"states": {"z": 2, "alpha": (2, 5)}, "inputs": {"plus": 2, "minus": 2}}
     size = {"inputs": {"alpha": (2, "N"), "phi": "N"}, "sizes": {"N": 5}}
+    made = [
+        Block("basis", output=basis, inputs={"z": 2}, outputs={"phi": "M"}, sizes={"M": 5}),
+        Block("model", update=opposed, **own),
+    ]
     if one:
         own = lambda t, x, u, p: {"plus": u.alpha @ u.phi, "minus": -u.alpha @ u.phi}  # noqa: E731
         return connect([*made, Block("both", output=own, outputs={"plus": 2, "minus": 2}, **size)])
@@ -130,34 +118,21 @@ def meeting(one):
     return connect([*made, up, down])
 
 
-def sums(native):
-    """Return how many sums the rates of the model take."""
-    items = [item for nest in native.code.program.functions["derivative"] for item in nest.items]
-    return sum(item.summed for item in items)
-
-
-def test_terms_of_different_blocks_cancel_and_those_of_one_do_not():
-    for one in (True, False):
-        native = NativeDiagram(meeting(one))
-        assert sums(native) == (4 if one else 2)  # two are left for alpha'
-        ask = readings(meeting(one))
-        x = np.random.default_rng(2).normal(size=12)
-        for name in ("native", "looped", "lanes"):
-            np.testing.assert_allclose(
-                ask[name](0.0, x, [])[0], ask["python"](0.0, x, [])[0], rtol=1e-12, atol=1e-13
-            )
+@pytest.mark.parametrize(("one", "left"), [(True, 4), (False, 2)])
+def test_terms_of_different_blocks_cancel_and_those_of_one_do_not(one, left):
+    """The rates of the model take so many sums, two of them for alpha'."""
+    nests = NativeDiagram(meeting(one)).code.program.functions["derivative"]
+    assert sum(item.summed for nest in nests for item in nest.items) == left
+    as_python(meeting(one), np.random.default_rng(2).normal(size=(1, 12)))
 
 
 def test_a_large_matrix_is_a_loop():
     random = np.random.default_rng(0)
     system = control.ss(random.normal(size=(60, 60)), np.ones((60, 1)), np.ones((1, 60)), 0)
-    program = NativeDiagram(wiring_of(system)).code.program
-    assert len(program.components) < 200
-    x = random.normal(size=60)
-    for name in ("native", "lanes"):
-        np.testing.assert_allclose(
-            readings(system)[name](0.0, x, [0.5])[0], system.A @ x + 0.5, rtol=1e-12, atol=1e-12
-        )
+    assert len(NativeDiagram(wiring_of(system)).code.program.components) < 200
+    x, asks = random.normal(size=60), readings(system)
+    found = [asks[name](0.0, x, [0.5])[0] for name in ("native", "lanes")]
+    np.testing.assert_allclose(found, [system.A @ x + 0.5] * 2, rtol=1e-12, atol=1e-12)
 
 
 def test_products_of_small_matrices_are_loops_where_they_are_many():
@@ -171,23 +146,18 @@ def test_products_of_small_matrices_are_loops_where_they_are_many():
         return series
 
     block = Block("turn", update=turn, states={"S": (n, n)})
-    native = NativeDiagram(block)
-    assert len(native.code.program.components) < 200
+    assert len(NativeDiagram(block).code.program.components) < 200
     S = np.random.default_rng(3).normal(size=(n, n)) / n
-    wanted = scipy.linalg.expm(S - S.T).ravel()
     found = readings(block)["native"](0.0, S.ravel(), [])[0]
-    np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(found, scipy.linalg.expm(S - S.T).ravel(), rtol=0, atol=1e-12)
 
 
 def test_many_inputs_that_nothing_feeds_are_a_whole_array():
     """They are 0, which stood as one number where an array was joined, and reshaped."""
-    lags, source = (
-        control.nlsys(rates, None, name=name, inputs=20, outputs=20, states=20)
-        for name, rates in (
-            ("lags", lambda t, x, u, p: np.sin(np.r_[u, u.reshape(4, 5)[:, 2]])[4:] - x),
-            ("source", lambda t, x, u, p: u - x),
-        )
-    )
+    sizes = {"inputs": 20, "outputs": 20, "states": 20}
+    joined = lambda t, x, u, p: np.sin(np.r_[u, u.reshape(4, 5)[:, 2]])[4:] - x  # noqa: E731
+    lags = control.nlsys(joined, None, name="lags", **sizes)
+    source = control.nlsys(lambda t, x, u, p: u - x, None, name="source", **sizes)
     outer = [f"source.u[{k}]" for k in range(20)]
     loop = control.interconnect([lags, source], False, outer, ["lags.y[0]", "lags.y[7]"])
     run = clpt.simulate(loop, [0.0, 1.0], initial_state=np.ones(40))
@@ -211,11 +181,10 @@ def test_a_function_that_is_called_often_is_written_once(count):
 
 
 def test_a_state_that_is_looked_up_by_its_place_moves_within_a_step():
-    def rates(t, x, u, p):  # y' = z[k], where z = (1 + t, 2 - 3 t) and k rests at 1
-        return {"z": [1.0, -3.0], "k": 0.0, "y": x.z[int(x.k[0])]}
-
-    block = Block("b", update=rates, states={"z": 2, "k": 1, "y": 1})
-    native, times = NativeDiagram(wiring_of(block)), np.array([0.0, 0.7, 3.0])
+    """y' = z[k], where z = (1 + t, 2 - 3 t) and k rests at 1."""
+    rates = lambda t, x, u, p: {"z": [1.0, -3.0], "k": 0.0, "y": x.z[int(x.k[0])]}  # noqa: E731
+    native = NativeDiagram(wiring_of(Block("b", update=rates, states={"z": 2, "k": 1, "y": 1})))
+    times = np.array([0.0, 0.7, 3.0])
     y = native.run([1.0, 2.0, 1.0, 0.0], times).x[:, 3]
     assert not native.code.program.staged
     np.testing.assert_allclose(y, 2.0 * times - 1.5 * times**2, rtol=0, atol=1e-12)

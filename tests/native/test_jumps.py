@@ -13,6 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from responses import response
 from scipy.linalg import expm
+from written_systems import ticking
 
 import clpt_control as clpt
 from clpt_control.equations import Block, Guard
@@ -42,19 +43,14 @@ def grow(t, x, u, p):
 
 def saw(jump=scale, period=1.0, factor=0.0, **more):
     """Return an integrator of 1 that jumps at multiples of a period."""
-    return Block(
-        "saw",
-        update=grow,
-        states={"s": 1},
-        parameters={"period": period, "factor": factor, "interval": -1.0},
-        breakpoints=ticks,
-        jump=jump,
-        **more,
-    )
+    own = {"period": period, "factor": factor, "interval": -1.0}
+    more |= {"states": {"s": 1}, "parameters": own, "breakpoints": ticks}
+    return Block("saw", update=grow, jump=jump, **more)
 
 
 every_engine = pytest.mark.parametrize("engine", ENGINES)
 every_step = pytest.mark.parametrize("step", [None, 0.1], ids=["DOP853", "RK4"])
+at_the_end_or_on_the_way = pytest.mark.parametrize("end", [2.0, 2.5])
 
 
 @every_engine
@@ -82,14 +78,8 @@ def test_a_jump_reads_an_input_of_the_diagram(engine):
 def test_a_jump_before_time_0_is_refused_and_none_is_missed():
     """Intervals are counted from 0 on: the jump at -1 was passed over."""
     at = np.array([-1.0, 1.0])
-    block = Block(
-        "once",
-        update=grow,
-        states={"s": 1},
-        parameters={"interval": -1.0},
-        breakpoints=lambda p, t0, t1: at[(at > t0) & (at <= t1)],
-        jump=lambda t, x, u, p: x.s + 10.0,
-    )
+    own = {"breakpoints": lambda p, t0, t1: at[(at > t0) & (at <= t1)], "name": "once"}
+    block = ticking(grow, lambda t, x, u, p: x.s + 10.0, **own)
     with pytest.raises(BlockError, match=r"once: jumps at -1, .* begin the run at 0 or later"):
         clpt.simulate(block, [-2.0, 0.0, 2.0])
     assert clpt.simulate(block, [-0.5, 0.0, 2.0]).s.values.tolist() == pytest.approx([0, 0.5, 12.5])
@@ -106,12 +96,11 @@ def test_a_given_interval_does_not_end(engine):
 
 @every_engine
 @every_step
-@pytest.mark.parametrize("end", [2.0, 2.5], ids=["at the end", "on the way"])
+@at_the_end_or_on_the_way
 def test_a_guard_sees_a_state_after_its_jump(engine, step, end):
     guard = Guard(lambda t, x, u, p: x[0] + 1.0, "stop", lambda t, u, p: f"too low at {t:g}")
-    found = ENGINES[engine](saw(period=2.0, factor=-3.0, guard=guard)).run(
-        [0.0], [0.0, 1.0, end], step=step
-    )
+    runner = ENGINES[engine](saw(period=2.0, factor=-3.0, guard=guard))
+    found = runner.run([0.0], [0.0, 1.0, end], step=step)
     assert (found.status, found.message) == ("stopped", "stopped: too low at 2")
     np.testing.assert_allclose(found.t, [0.0, 1.0, 2.0])
     np.testing.assert_allclose(found.x[:, 0], [0.0, 1.0, -6.0], atol=1e-12)
@@ -119,7 +108,7 @@ def test_a_guard_sees_a_state_after_its_jump(engine, step, end):
 
 @every_engine
 @every_step
-@pytest.mark.parametrize("end", [2.0, 2.5], ids=["at the end", "on the way"])
+@at_the_end_or_on_the_way
 def test_a_jump_to_nowhere_is_named(engine, step, end):
     block = saw(lambda t, x, u, p: x[0] / p.factor, period=2.0)
     with pytest.raises(SimulationError, match=r"t = 2: state s\[0\] of block saw is not finite"):
@@ -139,8 +128,7 @@ def test_python_control_refuses_to_integrate_over_jumps():
 def test_python_control_reads_points_and_the_time_between_jumps():
     diagram = clpt.connect([saw(inputs={"r": 1})], external=["r"])
     for t in (0.3, 1.7, 5.0):
-        assert diagram.dynamics(t, [2.0], [0.0]) == [1.0]
-        assert diagram.output(t, [2.0], [0.0]) == [2.0]
+        assert (diagram.dynamics(t, [2.0], [0.0]), diagram.output(t, [2.0], [0.0])) == (1.0, 2.0)
         assert diagram.linearize([2.0], [0.0], t=t).A == [[0.0]]
     for times, params in (([1.0, 1.9], {}), ([0.0, 3.0], {"saw.interval": 0.0})):
         found = control.input_output_response(diagram, times, 0.0, [0.0], params=params)
@@ -150,13 +138,12 @@ def test_python_control_reads_points_and_the_time_between_jumps():
 # --- blocks -----------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("lacking", ["breakpoints", "states"])
+@pytest.mark.parametrize("lacking", [{"breakpoints": None}, {"states": None, "update": None}])
 def test_a_jump_needs_states_and_breakpoints(lacking):
     said = r"^b: a jump sets states at the block's own breakpoints; give `breakpoints` and `states`"
-    own = {"update": scale, "states": {"s": 1}, "breakpoints": ticks}
-    own |= {"breakpoints": None} if lacking == "breakpoints" else {"update": None, "states": None}
+    own = {"update": scale, "states": {"s": 1}, "breakpoints": ticks, "jump": scale} | lacking
     with pytest.raises(BlockError, match=said):
-        Block("b", output=scale, outputs={"y": 1}, inputs={"u": 1}, jump=scale, **own)
+        Block("b", output=scale, outputs={"y": 1}, inputs={"u": 1}, **own)
 
 
 @every_engine
@@ -170,12 +157,8 @@ def test_a_jump_may_branch(engine):
 def test_a_wire_carries_no_minus_zero_into_a_state(engine):
     """What a wire feeds is a sum that begins at 0.0, and atan2(-0.0, -1) would be -pi."""
     source = Block("source", output=lambda t, x, u, p: -0.0 * np.cos(t), outputs={"r": 1})
-    turned = saw(
-        lambda t, x, u, p: u.r,
-        inputs={"r": 1},
-        output=lambda t, x, u, p: np.arctan2(x.s, -1.0),
-        outputs={"angle": 1},
-    )
+    angle = {"output": lambda t, x, u, p: np.arctan2(x.s, -1.0), "outputs": {"angle": 1}}
+    turned = saw(lambda t, x, u, p: u.r, inputs={"r": 1}, **angle)
     run = ENGINES[engine](clpt.connect([source, turned]))
     assert run.signals(run.run([0.0], [0.0, 1.0]), None)[-1, -1] == np.pi
 
@@ -223,42 +206,32 @@ def drawn(random, sizes):
 
 
 def diagram_of(sizes, parameters, jumping):
-    blocks = [
-        Block(
-            f"b{k}",
-            update=rate,
-            states={f"s{k}": n},
-            inputs={f"s{j}": sizes[j] for j in range(len(sizes)) if j != k},
-            parameters=p,
-            breakpoints=ticks,
-            jump=jump if jumping[k] else None,
-        )
-        for k, (n, p) in enumerate(zip(sizes, parameters, strict=True))
-    ]
-    return clpt.connect(blocks)
+    def block(k):
+        others = {f"s{j}": size for j, size in enumerate(sizes) if j != k}
+        own = {"update": rate, "states": {f"s{k}": sizes[k]}, "inputs": others}
+        own |= {"parameters": parameters[k], "breakpoints": ticks}
+        return Block(f"b{k}", jump=jump if jumping[k] else None, **own)
+
+    return clpt.connect([block(k) for k in range(len(sizes))])
 
 
 def exact(sizes, parameters, jumping, x, times):
     """States by matrix exponentials from breakpoint to breakpoint."""
-    firsts = np.cumsum([0, *sizes])
-    order = [
-        [*range(firsts[k], firsts[k + 1]), *range(firsts[k]), *range(firsts[k + 1], firsts[-1])]
-        for k in range(len(sizes))
-    ]
+    places = np.split(np.arange(sum(sizes)), np.cumsum(sizes)[:-1])
+    order = [[*own, *np.setdiff1d(np.arange(sum(sizes)), own)] for own in places]
     ends = [np.round(ticks(p, 0.0, END), 9) for p in parameters]
     found, t, intervals = [], 0.0, [0] * len(sizes)
     for stop in np.union1d(np.concatenate(ends), times):
         M = np.zeros((len(x) + 1, len(x) + 1))
-        for k, p in enumerate(parameters):
-            own = slice(firsts[k], firsts[k + 1])
-            M[own, order[k]] = p.A
+        for own, k, p in zip(places, range(len(sizes)), parameters, strict=True):
+            M[np.ix_(own, order[k])] = p.A
             M[own, -1] = p.c * intervals[k]
         x, t = (expm(M * (stop - t)) @ np.append(x, 1.0))[:-1], stop
         before = x.copy()
-        for k, p in enumerate(parameters):
+        for own, k, p in zip(places, range(len(sizes)), parameters, strict=True):
             intervals[k] += int(stop in ends[k])
             if jumping[k] and stop in ends[k]:
-                x[firsts[k] : firsts[k + 1]] = p.J @ before[order[k]] + p.d * intervals[k]
+                x[own] = p.J @ before[order[k]] + p.d * intervals[k]
         if stop in times:
             found.append(x)
     return np.array(found)
@@ -279,17 +252,19 @@ def test_every_engine_follows_matrix_exponentials(seed):
     members = [drawn(random, sizes) for _ in range(LANES + 3)]
     starts = random.normal(size=(len(members), sum(sizes)))
     times = np.round(np.sort([0.0, *random.uniform(0.0, END, 4), 1.0, END]), 9)
-    wanted = np.array(
-        [exact(sizes, p, jumping, x, times) for p, x in zip(members, starts, strict=True)]
+    runs = zip(members, starts, strict=True)
+    wanted = np.array([exact(sizes, p, jumping, x, times) for p, x in runs])
+    diagrams, tight = (
+        [diagram_of(sizes, p, jumping) for p in members],
+        {"rtol": 1e-11, "atol": 1e-12},
     )
-    diagrams = [diagram_of(sizes, p, jumping) for p in members[:2]]
     for form in ("unrolled", "looped"):
-        for diagram, x, states in zip(diagrams, starts, wanted, strict=False):
-            found = NativeDiagram(diagram, form=form).run(x, times, rtol=1e-11, atol=1e-12)
+        for diagram, x, states in zip(diagrams[:2], starts, wanted, strict=False):
+            found = NativeDiagram(diagram, form=form).run(x, times, **tight)
             close(found.x, states, 1e-8, (seed, form))
-        first = NativeDiagram(diagrams[0]).run(starts[0], times[:4], rtol=1e-11, atol=1e-12)
-        again = NativeDiagram(diagrams[0]).run(first.x[-1], times[3:], rtol=1e-11, atol=1e-12)
-        close(again.x, wanted[0][3:], 1e-8, (seed, "cut"))
+    whole = NativeDiagram(diagrams[0])
+    first = whole.run(starts[0], times[:4], **tight)
+    close(whole.run(first.x[-1], times[3:], **tight).x, wanted[0][3:], 1e-8, (seed, "cut"))
     in_python = PythonDiagram(diagrams[0]).run(starts[0], times, rtol=1e-7, atol=1e-9).x
     close(in_python, wanted[0], 1e-4, (seed, "python"))
     runner = NativeDiagram(diagrams[0], form="unrolled")
@@ -297,7 +272,7 @@ def test_every_engine_follows_matrix_exponentials(seed):
     for row, own in zip(P, members, strict=True):
         packed = runner.layout.packed(own)
         row[: len(packed)] = packed
-    schedules = [NativeDiagram(diagram_of(sizes, p, jumping)).schedule((0.0, END)) for p in members]
+    schedules = [NativeDiagram(diagram).schedule((0.0, END)) for diagram in diagrams]
     for lanes in (1, LANES):
         batch = side_by_side(runner, lanes, starts, times, None, P, schedules, 1e-11)
         assert set(batch.status) == {numbering.FINISHED}

@@ -42,8 +42,7 @@ def asked(seed):
     for point in range(POINTS):
         t = float(numbers.uniform(0.0, 5.0))
         x = numbers.normal(size=diagram.nstates or 0) * (1.0, 0.1, 4.0)[point % 3]
-        u = numbers.normal(size=diagram.ninputs or 0)
-        found = {}
+        u, found = numbers.normal(size=diagram.ninputs or 0), {}
         for name, ask in asks.items():
             try:
                 found[name] = np.concatenate([*ask(t, x, u), *after(name, ask, t, x, u)])

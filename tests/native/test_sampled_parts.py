@@ -8,7 +8,6 @@ from scipy.linalg import expm
 import clpt_control as clpt
 from clpt_control.conformance import readings
 from clpt_control.equations import Block, Sampled
-from clpt_control.errors import ClptError
 
 DT = 0.5
 TIMES = DT * np.arange(41)
@@ -23,8 +22,7 @@ def tanks(name="tanks"):
 
 def moved(x, v, since):
     """Return the exact state of the tanks, v being held."""
-    both = np.block([[A, B], [np.zeros((1, 3))]])
-    return (expm(both * since) @ np.append(x, v))[:2]
+    return (expm(np.block([[A, B], [np.zeros((1, 3))]]) * since) @ np.append(x, v))[:2]
 
 
 def error():
@@ -34,8 +32,7 @@ def error():
 def pid(made="v"):
     """A PID of Tustin's integral and a difference as derivative."""
     integral = control.tf([DT / 2, DT / 2], [1, -1], DT)
-    difference = control.tf([1, -1], [DT, 0], DT)
-    made_of = 1.2 + 0.3 * integral + 0.4 * difference
+    made_of = 1.2 + 0.3 * integral + 0.4 * control.tf([1, -1], [DT, 0], DT)
     return control.tf(made_of.num, made_of.den, DT, inputs="e", outputs=made, name="pid")
 
 
@@ -53,9 +50,7 @@ def whole():
 
 
 def stepped(t, x, u, params):
-    integral = x[0] + 0.1 * u[0]
-    most = np.sign(integral) * params["limit"]
-    return np.where(np.abs(integral) > params["limit"], most, integral)
+    return np.clip(x + 0.1 * u, -params["limit"], params["limit"])
 
 
 def ruled(t, x, u, params):
@@ -65,6 +60,11 @@ def ruled(t, x, u, params):
 def limited(gain=0.9):
     ports, params = {"inputs": "e", "outputs": "v", "states": 1}, {"limit": 0.4, "gain": gain}
     return control.nlsys(stepped, ruled, **ports, dt=DT, params=params, name="limited")
+
+
+def loop_of(*parts):
+    """Parts between the error and the tanks."""
+    return clpt.connect([error(), *parts, tanks()], external="r")
 
 
 LOOPS = {  # the parts of a loop, call-time parameters, and the one controller that they are
@@ -82,30 +82,27 @@ LOOPS = {  # the parts of a loop, call-time parameters, and the one controller t
 def test_a_sampled_controller_on_a_tank_at_its_samples_and_between(case, engine):
     """At samples it is the loop of discrete time, the plant under zero-order hold."""
     parts, params, controller = LOOPS[case]
-    loop = clpt.connect([error(), *parts(), tanks()], external="r")
+    loop = loop_of(*parts())
     assert loop.dt == 0
     fine = np.union1d(TIMES, np.linspace(0.0, TIMES[-1], 57))
     run = clpt.simulate(loop, fine, 1.0, params=params, engine=engine, **TIGHT)
-    held = control.c2d(tanks(), DT, "zoh")
-    held = control.ss(held.A, held.B, held.C, held.D, DT, inputs="v", outputs="y", name="held")
+    held = control.c2d(tanks(), DT, "zoh", name="held", copy_names=True)
     wired = control.interconnect(
         [error(), controller(), held], inputs="r", outputs=["y", "v"], check_unused=False
     )
     y, v = control.input_output_response(wired, TIMES, np.ones(len(TIMES))).outputs
     at, k = np.isin(fine, TIMES), np.searchsorted(TIMES, fine, side="right") - 1
-    np.testing.assert_allclose(run.y[at], y, atol=1e-9)
-    np.testing.assert_allclose(run.v[at], v, atol=1e-9)
+    np.testing.assert_allclose([run.y[at], run.v[at]], [y, v], atol=1e-9)
     assert run.attrs["engine"] == engine
     np.testing.assert_allclose(run.v, run.v[at][k], atol=0)
-    between = [
-        moved(run.states[at][j, -2:], v[j], t - TIMES[j]) for t, j in zip(fine, k, strict=True)
-    ]
+    starts = run.states[at][:, -2:].values
+    between = [moved(starts[j], v[j], t - TIMES[j]) for t, j in zip(fine, k, strict=True)]
     np.testing.assert_allclose(run.states[:, -2:], between, atol=1e-9)
 
 
 @pytest.mark.parametrize("start", [1e6, 1e8, 1.7e9])
 def test_a_sampled_loop_may_begin_long_after_zero(start):
-    loop = clpt.connect([error(), pid(), tanks()], external="r")
+    loop = loop_of(pid())
     early, late = (clpt.simulate(loop, t, inputs=1.0, **TIGHT) for t in (TIMES, start + TIMES))
     np.testing.assert_allclose(late["y"], early["y"], atol=1e-15 * start)
 
@@ -114,12 +111,9 @@ def test_a_sampled_loop_may_begin_long_after_zero(start):
 def test_two_rates_in_one_loop(engine):
     """The inner at 0.1, the outer at 0.3: exact from one grid of 0.1 to the next."""
     inner = control.tf([0.5], [1], 0.1, inputs="w", outputs="v", name="inner")
-    outer = control.ss(
-        [[1.0]], [[0.3]], [[1.0]], [[0.8]], 0.3, inputs="e", outputs="w", name="outer"
-    )
-    loop = clpt.connect([error(), outer, inner, tanks()], external="r")
+    outer = control.ss(1, 0.3, 1, 0.8, 0.3, inputs="e", outputs="w", name="outer")
     times = np.arange(0, 61) * 0.1
-    run = clpt.simulate(loop, times, 1.0, engine=engine, **TIGHT)
+    run = clpt.simulate(loop_of(outer, inner), times, 1.0, engine=engine, **TIGHT)
     x, s, held, found = np.zeros(2), 0.0, 0.0, []
     for k in range(len(times)):
         if k % 3 == 0:
@@ -133,11 +127,9 @@ def test_two_rates_in_one_loop(engine):
 @every_engine
 def test_two_rates_meet_where_the_input_is_sampled(engine):
     """6 x 0.1, 2 x 0.3 and a sample of r are one time, and not one float."""
-    fast = clpt.parts.hold(0.1, name="fast", u="r", y="h")
-    slow = clpt.parts.hold(0.3, name="slow", u="h", y="g")
-    loop = clpt.connect([fast, slow, clpt.parts.lag(1.0, u="g", y="y")], external="r")
-    times = np.arange(15) / 5
-    r = np.random.default_rng(2).standard_normal(15)
+    holds = [clpt.parts.hold(0.1, name="fast", u="r", y="h"), clpt.parts.hold(0.3, u="h", y="g")]
+    loop = clpt.connect([*holds, clpt.parts.lag(1.0, u="g", y="y")], external="r")
+    times, r = np.arange(15) / 5, np.random.default_rng(2).standard_normal(15)
     run = clpt.simulate(loop, times, [r], engine=engine)
     for port, dt in (("h", 0.1), ("g", 0.3)):
         expected = np.interp(dt * np.floor(times / dt + 1e-9), times, r)
@@ -146,7 +138,7 @@ def test_two_rates_meet_where_the_input_is_sampled(engine):
 
 def test_a_run_goes_on_where_another_ended():
     """Also from between two samples, where what is held is in the state."""
-    loop = clpt.connect([error(), pid(), tanks()], external="r")
+    loop = loop_of(pid())
     whole = clpt.simulate(loop, [0.0, 2.0, 3.3, 6.0], 1.0, **TIGHT)
     for k in (1, 2):
         rest = clpt.simulate(loop, whole.time[k:], 1.0, whole.states[k].values, **TIGHT)
@@ -164,16 +156,19 @@ def test_a_run_that_begins_before_time_0_is_refused(part):
 
 def test_many_runs_begin_with_what_is_held():
     """Parameters of a part may be called as a block calls its own: `interval` is one."""
-    sizes = {"inputs": "y", "outputs": "v", "dt": DT, "params": {"interval": -3.0}}
-    part = control.nlsys(None, lambda t, x, u, params: params["interval"] * u, **sizes, name="p")
+    own = {"inputs": "y", "outputs": "v", "dt": DT, "params": {"interval": -3.0}, "name": "p"}
+    part = control.nlsys(None, lambda t, x, u, params: params["interval"] * u, **own)
     native = clpt.native.compile(clpt.connect([part, tanks()]))
-    starts = np.array([[9.0, 0.5, 0.1 * k] for k in range(9)])
-    found = native.run_many(starts, TIMES[:4], rtol=1e-10, atol=1e-12)
-    for start, own in zip(starts, found, strict=True):
-        one = native.run(start, TIMES[:4], rtol=1e-10, atol=1e-12)
-        np.testing.assert_allclose(own, one.x, atol=1e-9)
-        assert own[0, 0] == start[2]  # y, not the 9 that was given
-        np.testing.assert_allclose(native.signals(one)[:, 0], -3.0 * own[:, 2], atol=1e-9)
+    starts, close = (
+        np.array([[9.0, 0.5, 0.1 * k] for k in range(9)]),
+        {"rtol": 1e-10, "atol": 1e-12},
+    )
+    found = native.run_many(starts, TIMES[:4], **close)
+    alone = [native.run(start, TIMES[:4], **close) for start in starts]
+    np.testing.assert_allclose(found, [one.x for one in alone], atol=1e-9)
+    assert found[:, 0, 0].tolist() == starts[:, 2].tolist()  # y, not the 9 that was given
+    signals = [native.signals(one)[:, 0] for one in alone]
+    np.testing.assert_allclose(signals, -3.0 * found[:, :, 2], atol=1e-9)
     step = native.run(starts[3], TIMES[:4], step=0.05).x
     np.testing.assert_allclose(step, found[3], atol=1e-7)
 
@@ -190,9 +185,7 @@ REFUSED = {
         clpt.connect([error(), pid(), DIRECT], external="r"), TIMES, 1.0
     ),
     "dt = True does not say how often": lambda: clpt.connect([OPEN, tanks()]),
-    "its states jump": lambda: control.input_output_response(
-        clpt.connect([error(), pid(), tanks()], external="r"), TIMES, TIMES
-    ),
+    "its states jump": lambda: control.input_output_response(loop_of(pid()), TIMES, TIMES),
     r"adaptation: period = 0\.0: must be a positive time": lambda: Sampled(law(), 0.0),
     "adaptation: period = inf": lambda: Sampled(law(), np.inf),
     "breakpoints or a guard": lambda: Sampled(law(**{"learning.law": "concurrent"}), 1.0),
@@ -201,21 +194,19 @@ REFUSED = {
 
 @pytest.mark.parametrize("said", REFUSED)
 def test_what_is_refused(said):
-    with pytest.raises(ClptError, match=said):
+    with pytest.raises(clpt.ClptError, match=said):
         REFUSED[said]()
 
 
 @every_engine
 def test_a_switch_that_is_sampled_does_not_chatter(engine):
     """x' = -0.2 x + v, v = sign(1 - x) each 0.1: exact from sample to sample."""
-    switch = control.nlsys(
-        None, lambda t, x, u, params: np.sign(u), inputs="e", outputs="v", dt=0.1, name="switch"
-    )
+    own = {"inputs": "e", "outputs": "v", "dt": 0.1, "name": "switch"}
+    switch = control.nlsys(None, lambda t, x, u, params: np.sign(u), **own)
     tank = control.ss(-0.2, 1, 1, 0, inputs="v", outputs="y", name="tank")
+    times, x, found = 0.1 * np.arange(401), 0.0, []
     loop = clpt.connect([error(), switch, tank], external="r")
-    times = 0.1 * np.arange(401)
     run = clpt.simulate(loop, times, 1.0, engine=engine, **TIGHT)
-    x, found = 0.0, []
     for _ in times:
         found.append(x)
         x = x * np.exp(-0.02) + 5 * np.sign(1 - x) * (1 - np.exp(-0.02))
@@ -224,27 +215,20 @@ def test_a_switch_that_is_sampled_does_not_chatter(engine):
 
 def test_a_sampled_law_reads_alike_in_every_engine():
     loop = clpt.closed_loop(clpt.paper_scenario(), law=Sampled(law(), 0.5))
-    x = np.random.default_rng(2).normal(size=loop.nstates)
-    jumped = {
-        name: ask.jump(3.2, x, []) for name, ask in readings(loop).items() if name != "control"
-    }
-    for name, found in jumped.items():
-        np.testing.assert_allclose(found, jumped["python"], rtol=1e-12, err_msg=name)
+    x, asks = np.random.default_rng(2).normal(size=loop.nstates), readings(loop)
     moved = x[4:14] + 0.5 * law().dynamics(0.0, x[4:14], x[14:])
-    np.testing.assert_allclose(jumped["python"][4:14], moved, rtol=1e-12)
-
-
-def drift(t, x, u, p):
-    return {"a": 1.0, "b": t * np.ones((2, 2)) * u.w[0]}
+    jumped = asks["python"].jump(3.2, x, [])
+    np.testing.assert_allclose(jumped[4:14], moved, rtol=1e-12)
+    for name in asks.keys() - {"control"}:
+        np.testing.assert_allclose(asks[name].jump(3.2, x, []), jumped, rtol=1e-12, err_msg=name)
 
 
 @every_engine
 def test_euler_of_constant_rates_and_of_time(engine):
-    block = Block("drift", update=drift, inputs={"w": 1}, states={"a": 2, "b": (2, 2)})
-    loop = clpt.connect([Sampled(block, 0.5)], external="w")
-    times = np.arange(9) * 0.25
-    run = clpt.simulate(loop, times, 3.0, engine=engine)
-    k = np.floor(times / 0.5)
+    rates = lambda t, x, u, p: {"a": 1.0, "b": t * np.ones((2, 2)) * u.w[0]}  # noqa: E731
+    block = Block("drift", update=rates, inputs={"w": 1}, states={"a": 2, "b": (2, 2)})
+    loop, times = clpt.connect([Sampled(block, 0.5)], external="w"), np.arange(9) * 0.25
+    run, k = clpt.simulate(loop, times, 3.0, engine=engine), np.floor(times / 0.5)
     np.testing.assert_allclose(run["a"].values, np.outer(0.5 * k, [1, 1]), atol=1e-12)
     sums = np.outer(3.0 * 0.25 * k * (k - 1) / 2, np.ones(4))
     np.testing.assert_allclose(run["b"].values.reshape(9, 4), sums, atol=1e-12)
@@ -252,14 +236,13 @@ def test_euler_of_constant_rates_and_of_time(engine):
 
 def test_conformance_holds():
     """By itself a block holds what it is given."""
-    loop = clpt.connect([error(), limited(), pid("w"), tanks()], external="r")
-    for block in loop.syslist[1:3]:
+    for block in loop_of(limited(), pid("w")).syslist[1:3]:
         report = clpt.conformance.check_block(block)
         assert not report.failures, report
 
 
 def test_a_sampled_nlsys_takes_its_own_params():
-    loop = clpt.connect([error(), limited(), tanks()], external="r")
+    loop = loop_of(limited())
 
     def end(**params):
         named = {name.replace("_", "."): value for name, value in params.items()}

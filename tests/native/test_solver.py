@@ -7,20 +7,17 @@ import control
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from written_systems import written
 
 import clpt_control as clpt
-from clpt_control.equations import Block
+from clpt_control.diagrams.wiring import wiring_of
 from clpt_control.native.native_diagram import NativeDiagram
 from clpt_control.native.python_diagram import PythonDiagram
 
 every_engine = pytest.mark.parametrize("engine", [NativeDiagram, PythonDiagram])
 
 
-def hunted(t, x, u, p):
-    """Lotka and Volterra's equations."""
-    return [x[0] * (1.1 - 0.9 * x[1]), x[1] * (1.3 * x[0] - 0.7)]
-
-
+HUNTED, _ = written("q' = q*(1.1 - 0.9*r); r' = r*(1.3*q - 0.7)")  # Lotka and Volterra's equations
 START, TIMES = np.array([1.0, 0.4]), np.linspace(0.0, 9.0, 91)
 METHODS = {"dop853": "DOP853", "dopri5": "RK45"}  # the names are SciPy's
 
@@ -30,39 +27,33 @@ METHODS = {"dop853": "DOP853", "dopri5": "RK45"}  # the names are SciPy's
 @pytest.mark.parametrize("tolerance", [1e-3, 1e-6, 1e-9, 1e-12])
 def test_steps_and_dense_output_are_scipys(engine, tolerance, method):
     close = {"rtol": tolerance, "atol": tolerance}
-    block = Block("hunted", update=hunted, states={"s": 2})
-    found = engine(block).run(START, TIMES, method=method, **close)
-    of_time, span = (lambda t, x: hunted(t, x, None, None)), (0.0, 9.0)
-    theirs = solve_ivp(of_time, span, START, METHODS[method], dense_output=True, **close)
-    assert found.method == method.upper()
-    assert found.statistics["steps"] == len(theirs.t) - 1
+    found = engine(wiring_of(HUNTED)).run(START, TIMES, method=method, **close)
+    of_time, own = (lambda t, x: HUNTED.dynamics(t, x, [])), METHODS[method]
+    theirs = solve_ivp(of_time, (0.0, 9.0), START, own, dense_output=True, **close)
+    assert (found.method, found.statistics["steps"]) == (method.upper(), len(theirs.t) - 1)
     np.testing.assert_allclose(found.x, theirs.sol(TIMES).T, rtol=0, atol=1e-10)
 
 
 @every_engine
 def test_rounding_of_times_adds_no_fixed_step(engine):
     """Samples 0.1 apart are two steps of 0.05 apart, also where times are known to 2e-13 alone."""
-    block = Block("hunted", update=hunted, states={"s": 2})
-    found = engine(block).run(START, 1500.0 + 0.1 * np.arange(101), step=0.05)
-    assert found.statistics["steps"] == 200
-
-
-def fading(t, x, u, p):
-    """One state fades, one follows it at once: the step is kept short by the second alone."""
-    return [-x[0], 30.0 * (x[0] - x[1])]
+    times = 1500.0 + 0.1 * np.arange(101)
+    assert engine(wiring_of(HUNTED)).run(START, times, step=0.05).statistics["steps"] == 200
 
 
 @every_engine
 @pytest.mark.parametrize("rtol", [1e-6, 1e-8, 1e-10, 1e-12])
 def test_samples_within_a_step_are_as_exact_as_its_ends(engine, rtol):
-    """SciPy's are up to 12,000 tolerances off."""
+    """One state fades, one follows it at once and alone keeps the step short.
+
+    SciPy's samples are up to 12,000 tolerances off.
+    """
     times = np.linspace(0.0, 10.0, 301)
     slow, fast = np.exp(-times), np.exp(-30.0 * times)
     exact = np.column_stack([slow, (30.0 * slow - fast) / 29.0])
-    runner = engine(Block("fading", update=fading, states={"s": 2}))
+    runner = engine(wiring_of(written("q' = -q; r' = 30*(q - r)")[0]))
     found = runner.run([1.0, 1.0], times, rtol=rtol, atol=1e-3 * rtol, method="dop853")
-    off = np.abs(found.x - exact) / (1e-3 * rtol + rtol * exact)
-    assert off.max() < 200.0
+    assert np.max(np.abs(found.x - exact) / (1e-3 * rtol + rtol * exact)) < 200.0
     assert found.statistics["steps"] < 250  # most samples lie within steps
 
 
@@ -78,9 +69,7 @@ INPUTS = {
 
 
 def pendulum(sine):
-    def rates(t, x, u, params):
-        return [x[1], -sine(x[0]) - 0.1 * x[1] + u[0]]
-
+    rates = lambda t, x, u, params: [x[1], -sine(x[0]) - 0.1 * x[1] + u[0]]  # noqa: E731
     return control.nlsys(rates, None, states=2, inputs=1, outputs=2, name="pendulum")
 
 
@@ -107,7 +96,7 @@ def test_what_a_function_raises_ends_the_run(error):
             raise error("enough")
         return [-x[0]]
 
-    runner = PythonDiagram(Block("weary", update=rates, states={"s": 1}))
+    runner = PythonDiagram(clpt.Block("weary", update=rates, states={"s": 1}))
     with pytest.raises(KeyboardInterrupt if error is KeyboardInterrupt else clpt.ClptError):
         runner.run([1.0], [0.0, 20.0])
     assert sum(t > 1.0 for t in asked) == 1

@@ -1,25 +1,31 @@
 """Stiff equations: exact to the tolerance, found by themselves, and nothing else taken for them."""
 
 import random
+import re
 import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 from random_diagrams import random_diagram
+from written_systems import ticking, written
 
 import clpt_control as clpt
+from clpt_control.diagrams.wiring import wiring_of
 from clpt_control.ensemble.members import Ensemble
 from clpt_control.ensemble.of_scenarios import VariedScenario
 from clpt_control.equations import Block, Guard
-from clpt_control.native import batch, numbering
-from clpt_control.native.batch import Batch
-from clpt_control.native.native_diagram import NativeDiagram
+from clpt_control.native import NativeDiagram, batch, numbering
 from clpt_control.native.python_diagram import PythonDiagram
 
 sys.path.insert(0, str(Path(__file__).parents[2]))  # benchmarks/ is no installed package
 
 from benchmarks.stiff_problems import PROBLEMS
+
+
+def wired(text):
+    """What is written, to be run."""
+    return wiring_of(written(text)[0])
 
 
 def run_of(problem, rtol, engine=NativeDiagram, **more):
@@ -46,14 +52,10 @@ def test_python_runs_them_as_machine_code_does(name):
     assert run_of(PROBLEMS[name], 1e-6, PythonDiagram, method="rodas5p")[1] < 10.0
 
 
-def swung(t, x, u, p):
-    """A pendulum that is pushed."""
-    return [x[1], -np.sin(x[0]) + np.cos(2.0 * t) * x[1]]
-
-
 @pytest.mark.parametrize("engine", [NativeDiagram, PythonDiagram])
 def test_runs_show_order_five(engine):
-    runner = engine(Block("swung", update=swung, states={"s": 2}))
+    """A pendulum that is pushed."""
+    runner = engine(wired("x' = v; v' = -sin(x) + cos(2*t)*v"))
     start, ends, errors = [1.0, 0.3], [0.0, 4.0], []
     exact = runner.run(start, ends, rtol=1e-13, atol=1e-14, method="dop853").x
     for count in (16, 32, 64):
@@ -68,21 +70,18 @@ def test_a_run_goes_on_from_where_it_is_stiff():
     """Samples before, between and at the end are those of one method; the attributes say when."""
     block = Block("late", update=PROBLEMS["late"].rates, states={"s": 1})
     times = np.append(np.linspace(0.0, 1e-4, 41), np.linspace(0.1, 10.0, 100))
-    run = clpt.simulate(block, times, initial_state=[0.0], rtol=1e-9, atol=1e-9)
-    lag = 1e7
+    run, lag = clpt.simulate(block, times, initial_state=[0.0], rtol=1e-9, atol=1e-9), 1e7
     exact = lag * (lag * np.cos(times) + np.sin(times)) / (lag**2 + 1.0)
     exact -= exact[0] * np.exp(-lag * times)
     np.testing.assert_allclose(run["s"].values.ravel(), exact, atol=1e-8)
-    first, _, when = run.attrs["method"].partition(", from t = ")
-    assert first == "DOP853"
-    assert when.endswith(" Rodas5P")
-    assert 0.0 < float(when.split()[0]) < 1e-3
+    when = re.fullmatch(r"DOP853, from t = (\S+).* Rodas5P", run.attrs["method"])[1]
+    assert 0.0 < float(when) < 1e-3
     assert run.attrs["solver_steps"] < 1_000
 
 
 def test_a_loose_run_in_python_goes_on_from_where_it_is_stiff():
-    block = Block("lag", update=lambda t, x, u, p: [-1e5 * (x[0] - np.cos(t))], states={"s": 1})
-    found = PythonDiagram(block).run([0.0], [0.0, 1.0], rtol=1e-4, atol=1e-6)
+    runner = PythonDiagram(wired("x' = -1e5*(x - cos(t))"))
+    found = runner.run([0.0], [0.0, 1.0], rtol=1e-4, atol=1e-6)
     assert found.method.startswith("DOPRI5, from t = ")
     assert found.statistics["evaluations"] < 20_000
     assert found.x[-1, 0] == pytest.approx(np.cos(1.0), abs=1e-3)
@@ -136,14 +135,13 @@ SLOPES = {
 def test_slopes_are_exact(case):
     diagram, form = SLOPES[case]
     runner, t = NativeDiagram(diagram, form=form), 0.7
-    n, pieces = runner.nstates, [runner.schedule((t, t + 1e-9))]
+    n, times, P = runner.nstates, np.array([t, t + 1e-9]), runner.parameters()[None]
+    pieces = [runner.schedule(tuple(times))]
     runner.sweep.enter(t)
     for x in np.random.default_rng(1).normal(size=(3 if n else 0, n)):
-        P, times = runner.parameters()[None], np.array([t, t + 1e-9])
-        step = Batch(runner.implicit(), x[None], P, times, pieces)
+        step = batch.Batch(runner.implicit(), x[None], P, times, pieces)
         step.advance(1e-3, 1e-3, 1)
-        places = step.callee.linear.places
-        found = np.zeros((n, n + 1))
+        places, found = step.callee.linear.places, np.zeros((n, n + 1))
         found[:, :n] = step.linear[0][: n * n].reshape(n, n).T[np.ix_(places, places)]
         found[:, n] = step.Z[numbering.TIME_SLOPE * n : (numbering.TIME_SLOPE + 1) * n]
         wanted = np.empty_like(found)
@@ -161,51 +159,45 @@ def test_a_chain_takes_few_derivatives_and_a_narrow_band():
     assert linear.band[2] == NativeDiagram(COUPLED).implicit().linear.band[2] == 1  # exact
 
 
-def rooted(t, x, u, p):
-    """The slope of the root is infinite where the run begins."""
-    return [-1e5 * (x[0] - np.sqrt(x[1])), 1.0 + 0.0 * x[0]]
-
-
 def test_a_slope_that_is_infinite_ends_no_run():
-    runner = NativeDiagram(Block("rooted", update=rooted, states={"s": 2}))
+    """The slope of the root is infinite where the run begins."""
+    runner = NativeDiagram(wired("x' = -1e5*(x - sqrt(y)); y' = 1 + 0*x"))
     found = runner.run([0.0, 0.0], [0.0, 4.0], rtol=1e-8, atol=1e-8, method="rodas5p")
-    assert found.x[-1, 1] == pytest.approx(4.0)
-    assert found.x[-1, 0] == pytest.approx(2.0 - 2.5e-6, abs=1e-7)
+    np.testing.assert_allclose(found.x[-1], [2.0 - 2.5e-6, 4.0], atol=1e-7)
 
 
 # --- what is not stiff --------------------------------------------------------------------------
 
 
-def clipped(t, x, u, p):
-    """A stiff spring that gives way."""
-    return [x[1], -np.clip(1e9 * x[0], -50.0, 50.0) - 1e5 * x[1] + np.sin(t)]
-
-
 def test_stiffness_beside_a_kink_is_found():
-    runner = NativeDiagram(Block("clipped", update=clipped, states={"s": 2}))
+    """A stiff spring that gives way."""
+    runner = NativeDiagram(wired("x' = v; v' = -clip(1e9*x, -50, 50) - 1e5*v + sin(t)"))
     found = runner.run([1e-9, 0.0], [0.0, 3.0], rtol=1e-6, atol=1e-12)
     assert "Rodas5P" in found.method
     assert found.x[-1, 0] == pytest.approx((np.sin(3.0) - 1e-4 * np.cos(3.0)) / 1e9, rel=1e-4)
 
 
 def test_runs_that_are_not_stiff_stay_with_the_explicit_method():
-    scenario = clpt.paper_scenario().with_values({"run.duration": 200})
-    runner = NativeDiagram(clpt.closed_loop(scenario))
-    start, times = clpt.initial_state(scenario), np.linspace(0.0, 200.0, 11)
+    runner, start = loop_of({"run.duration": 200})
+    times = np.linspace(0.0, 200.0, 11)
     by_itself, asked = (runner.run(start, times, method=m) for m in (None, "dop853"))
     assert by_itself.method == "DOP853"
     np.testing.assert_array_equal(by_itself.x, asked.x)
+
+
+def loop_of(values):
+    """The paper's loop with values, to be run, and its start."""
+    scenario = clpt.paper_scenario().with_values(values)
+    return NativeDiagram(clpt.closed_loop(scenario)), clpt.initial_state(scenario)
 
 
 # --- in a diagram with pieces, jumps and guards -------------------------------------------------
 
 
 def test_a_stiff_law_runs_through_its_waypoints():
-    values = {"learning.law": "composite-memory", "run.duration": 100}
-    gain = {"learning.composite_memory.memory_gain": 1e4}
-    scenario = clpt.paper_scenario().with_values({**values, **gain})
-    runner = NativeDiagram(clpt.closed_loop(scenario))
-    start, times = clpt.initial_state(scenario), np.linspace(0.0, 100.0, 101)
+    gain = {"learning.composite_memory.memory_gain": 1e4, "run.duration": 100}
+    runner, start = loop_of({"learning.law": "composite-memory", **gain})
+    times = np.linspace(0.0, 100.0, 101)
     exact = runner.run(start, times, rtol=1e-11, atol=1e-13, method="rodas5p").x
     for rtol in (1e-4, 1e-7):
         found = runner.run(start, times, rtol=rtol, atol=1e-2 * rtol)
@@ -213,25 +205,19 @@ def test_a_stiff_law_runs_through_its_waypoints():
         assert np.max(np.abs(found.x - exact) / (1.0 + np.abs(exact))) < 10.0 * rtol
 
 
-@pytest.mark.parametrize(
-    ("engine", "method"),
-    [
-        (NativeDiagram, "auto"),
-        (NativeDiagram, "rodas5p"),
-        (PythonDiagram, "rodas5p"),
-        pytest.param(PythonDiagram, "auto", marks=pytest.mark.slow),
-    ],
-)
+WAYS = [
+    (NativeDiagram, "auto"),
+    (NativeDiagram, "rodas5p"),
+    (PythonDiagram, "rodas5p"),
+    pytest.param(PythonDiagram, "auto", marks=pytest.mark.slow),
+]
+
+
+@pytest.mark.parametrize(("engine", "method"), WAYS)
 def test_jumps_of_stiff_states(engine, method):
     """s falls to cos t at once, and is doubled each second."""
-    block = Block(
-        "kicked",
-        update=lambda t, x, u, p: [-1e6 * (x[0] - np.cos(t)) - np.sin(t)],
-        states={"s": 1},
-        parameters={"interval": -1.0},
-        breakpoints=lambda p, t0, t1: [t for t in range(1, 20) if t0 < t <= t1],
-        jump=lambda t, x, u, p: [2.0 * x[0]],
-    )
+    rate = lambda t, x, u, p: -1e6 * (x - np.cos(t)) - np.sin(t)  # noqa: E731
+    block = ticking(rate, lambda t, x, u, p: 2.0 * x)
     times = np.array([0.0, 0.5, 1.0, 1.5, 2.0, 2.5])
     found = engine(block).run([1.0], times, rtol=1e-8, atol=1e-8, method=method)
     assert "Rodas5P" in found.method
@@ -240,15 +226,11 @@ def test_jumps_of_stiff_states(engine, method):
 
 
 def test_a_guard_ends_a_stiff_run_where_it_is_left():
-    block = Block(
-        "warned",
-        update=lambda t, x, u, p: [-1e6 * (x[0] - np.sin(t)) + np.cos(t)],
-        states={"s": 1},
-        guard=Guard(lambda t, x, u, p: 0.5 - x[0], "stop", lambda t, u, p: "too high"),
-    )
-    found = NativeDiagram(block).run([0.0], np.linspace(0.0, 2.0, 21), rtol=1e-9, atol=1e-9)
-    assert found.status == "stopped"
-    assert found.t[-1] == pytest.approx(np.arcsin(0.5), abs=1e-8)
+    rate = lambda t, x, u, p: -1e6 * (x - np.sin(t)) + np.cos(t)  # noqa: E731
+    guard = Guard(lambda t, x, u, p: 0.5 - x[0], "stop", lambda t, u, p: "too high")
+    warned = NativeDiagram(Block("warned", update=rate, states={"s": 1}, guard=guard))
+    found = warned.run([0.0], np.linspace(0.0, 2.0, 21), rtol=1e-9, atol=1e-9)
+    assert (found.status, found.t[-1]) == ("stopped", pytest.approx(np.arcsin(0.5), abs=1e-8))
     np.testing.assert_allclose(found.x[:, 0], np.sin(found.t), atol=1e-7)
 
 
@@ -258,19 +240,14 @@ def test_a_guard_ends_a_stiff_run_where_it_is_left():
 @pytest.mark.parametrize("method", ["auto", "rodas5p"])
 def test_no_step_is_longer_than_asked(method):
     """A pulse of 0.05 s at t = 500."""
-    pulse = Block(
-        "pulse",
-        update=lambda t, x, u, p: [np.exp(-(((t - 500.0) / 0.02) ** 2)) + 0.0 * x[0]],
-        states={"s": 1},
-    )
+    pulse, _ = written("s' = exp(-(((t - 500)/0.02)**2)) + 0*s")
     run = clpt.simulate(pulse, [0.0, 1000.0], max_step=0.1, method=method)
-    assert float(run["s"][-1]) == pytest.approx(0.02 * np.sqrt(np.pi), abs=1e-8)
+    assert float(run.s[-1]) == pytest.approx(0.02 * np.sqrt(np.pi), abs=1e-8)
     assert run.attrs["solver_steps"] >= 10_000
 
 
 def test_the_first_step_is_the_one_asked_for():
-    block = Block("still", update=lambda t, x, u, p: [0.0 * x[0]], states={"s": 1})
-    runner = NativeDiagram(block)
+    runner = NativeDiagram(wired("s' = 0*s"))
     assert runner.run([1.0], [0.0, 1.0], first_step=1.0).statistics["steps"] == 1
     assert runner.run([1.0], [0.0, 1.0], first_step=1e-3).statistics["steps"] > 3
 
@@ -280,25 +257,22 @@ def test_the_first_step_is_the_one_asked_for():
 
 @pytest.mark.parametrize("lanes", [False, True])
 def test_stiff_members_are_run_one_by_one_and_change_no_other(lanes):
-    run = {"run.duration": 20, "run.rtol": 1e-6, "run.atol": 1e-8}
-    scenario = clpt.paper_scenario().with_values(run)
+    values = {"run.duration": 20, "run.rtol": 1e-6, "run.atol": 1e-8}
+    scenario, times = clpt.paper_scenario().with_values(values), np.array([0.0, 10.0, 20.0])
     ensemble = Ensemble(VariedScenario(scenario), ["learning.gain"])
     ensemble.lanes = ensemble.lanes if lanes else 1
 
     def ended(*gains):
-        members = ensemble.members({"learning.gain": np.array(gains)})
-        return ensemble.run(members, np.array([0.0, 10.0, 20.0]))
+        return ensemble.run(ensemble.members({"learning.gain": np.array(gains)}), times)
 
     found = ended(0.01, 1e6, 0.02, 3e5)
     assert list(found.status) == [numbering.FINISHED] * 4
     np.testing.assert_array_equal(found.states[[0, 2]], ended(0.01, 0.02).states)
     beside = ended(3e5, *np.geomspace(1e4, 1e7, 9), 1e6)  # others, each stiff in its time
     np.testing.assert_array_equal(beside.states[[-1, 0]], found.states[[1, 3]])
-    at_once = ended(*[1e6] * 8)
-    np.testing.assert_array_equal(at_once.states, np.tile(found.states[1], (8, 1, 1)))
-    one = scenario.with_values({"learning.gain": 1e6})
-    runner = NativeDiagram(clpt.closed_loop(one))
-    whole = runner.run(clpt.initial_state(one), [0.0, 10.0, 20.0], rtol=1e-6, atol=1e-8)
+    np.testing.assert_array_equal(ended(*[1e6] * 8).states, np.tile(found.states[1], (8, 1, 1)))
+    runner, start = loop_of({**values, "learning.gain": 1e6})
+    whole = runner.run(start, times, rtol=1e-6, atol=1e-8)
     assert "Rodas5P" in whole.method
     apart = 1e-5 if lanes else 1e-12  # lanes sum in another order, so that errors are others
     np.testing.assert_allclose(found.states[1], whole.x, rtol=0, atol=apart)

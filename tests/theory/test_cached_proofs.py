@@ -1,6 +1,5 @@
 """Verdicts that are kept: of the same equations by the same prover, and of nothing else."""
 
-import json
 import multiprocessing
 import os
 import threading
@@ -17,6 +16,12 @@ from clpt_control.theory.proving.outcomes import CachedOutcomes, digest, prove_a
 from clpt_control.theory.proving.proof import Step, theorem
 
 SHORT = Statement("limited_speed", "without hedging")
+of_its_own = pytest.mark.usefixtures("folder")
+
+
+def kept():
+    """What a process would find to be judged already."""
+    return CachedOutcomes().outcomes
 
 
 @pytest.fixture
@@ -24,55 +29,49 @@ def folder(monkeypatch, tmp_path):
     monkeypatch.setenv(CACHE, str(tmp_path / "cache"))
 
 
-@pytest.mark.usefixtures("folder")
-def test_the_second_time_says_the_same_and_that_it_was_judged_before(clpt, monkeypatch):
-    first = clpt("prove", "--theorem", "3.3")
+@of_its_own
+def test_the_second_time_says_the_same_and_that_it_was_judged_before(clpt, printed, monkeypatch):
+    words = ("prove", "--theorem", "3.3")
+    first = clpt(*words)
     assert first.status == 0
     with monkeypatch.context() as patch:
         patch.setattr(Statement, "prove", None)  # nothing is judged
-        second = clpt("prove", "--theorem", "3.3")
-        printed = json.loads(clpt("prove", "--theorem", "3.3", "--json").out)
+        second, judged = clpt(*words), printed(*words)["judged"]
     told, last = second.out.rstrip("\n").rsplit("\n", 1)
     assert told == first.out.rstrip("\n")
     assert last.startswith("judged on 2")
-    assert printed["judged"]["before"] is True
-    assert printed["judged"]["time"] in last
-    printed = json.loads(clpt("prove", "--theorem", "3.3", "--json", "--again").out)
-    assert printed["judged"]["before"] is False
+    assert judged["time"] in last
+    assert (judged["before"], printed(*words, "--again")["judged"]["before"]) == (True, False)
 
 
-@pytest.mark.usefixtures("folder")
+@of_its_own
 def test_what_other_files_gave_is_not_read(monkeypatch, tmp_path):
     law = tmp_path / "package" / "law.py"
     law.parent.mkdir()
     monkeypatch.setattr(outcomes, "PACKAGE", law.parent)
     law.write_text("rate = -e * phi")
     CachedOutcomes().store({part: good(part) for part in statements()})
-    assert set(CachedOutcomes().outcomes) == set(statements())
+    assert set(kept()) == set(statements())
     law.write_text("rate = e * phi")
-    assert CachedOutcomes().outcomes == {}
+    assert kept() == {}
     law.write_text("rate = -e * phi")
-    assert set(CachedOutcomes().outcomes) == set(statements())
+    assert set(kept()) == set(statements())
     for own in ("paper.toml", "solver.ll"):  # counterexamples are computed with both
         law.with_name(own).write_text("1")
-        assert CachedOutcomes().outcomes == {}
+        assert kept() == {}
         law.with_name(own).unlink()
     law.rename(law.with_name("other.py"))
-    assert CachedOutcomes().outcomes == {}
+    assert kept() == {}
 
 
-def wrong_kinematics(t, x, u, p):
-    """x' = F_R - v, not Eq. (1)."""
-    return u.flow_x - u.v_x
-
-
-@pytest.mark.usefixtures("folder")
+@of_its_own
 def test_what_fails_is_named_and_not_kept(clpt, monkeypatch):
-    monkeypatch.setattr(vehicle, "kinematics", wrong_kinematics)
+    """x' = F_R - v, not Eq. (1)."""
+    monkeypatch.setattr(vehicle, "kinematics", lambda t, x, u, p: u.flow_x - u.v_x)
     outcome = clpt("prove", "--theorem", "3.2")
     assert outcome.status == 1
     assert "the proof fails: Theorem 3.2 at step 'V' = -e^T KD e, for every N'" in outcome.err
-    assert Statement("theorems", "3.2") not in CachedOutcomes().outcomes
+    assert Statement("theorems", "3.2") not in kept()
 
 
 def good(part):
@@ -93,31 +92,29 @@ def test_versions_processor_and_engine_are_part_of_the_name(monkeypatch):
     monkeypatch.setenv(outcomes.ENGINE, "python")
     names.add(digest())
     monkeypatch.setattr(outcomes.platform, "python_version", lambda: "4.0")
-    names.add(digest())
-    assert len(names) == len(outcomes.REQUIRED) + 4
+    assert len(names | {digest()}) == len(outcomes.REQUIRED) + 4
 
 
-@pytest.mark.usefixtures("folder")
+@of_its_own
 def test_what_others_could_have_written_or_is_damaged_is_not_read():
     CachedOutcomes().store({SHORT: good(SHORT)})
     path = CachedOutcomes().path
-    assert CachedOutcomes().outcomes == {SHORT: good(SHORT)}
+    assert kept() == {SHORT: good(SHORT)}
     text = path.read_text()
     if hasattr(os, "getuid"):
         path.chmod(0o666)
-        assert CachedOutcomes().outcomes == {}
+        assert kept() == {}
         path.chmod(0o644)
     for damaged in (text[:-5], "{}", '[{"part": ["laws"]}]'):
         path.write_text(damaged)
-        assert CachedOutcomes().outcomes == {}
+        assert kept() == {}
 
 
 def test_without_a_folder_nothing_is_kept_and_the_work_goes_on(monkeypatch):
     monkeypatch.setenv(CACHE, os.devnull + "/none/at/all")
-    kept = CachedOutcomes()
-    kept.store({SHORT: good(SHORT)})
-    assert kept.outcomes == {SHORT: good(SHORT)}
-    assert CachedOutcomes().outcomes == {}
+    own = CachedOutcomes()
+    own.store({SHORT: good(SHORT)})
+    assert (own.outcomes, kept()) == ({SHORT: good(SHORT)}, {})
 
 
 @pytest.mark.processes
@@ -138,17 +135,16 @@ def test_a_process_that_ends_amid_its_work_ends_no_other(monkeypatch):
         assert prove_all(wanted, pool=pool) == {one: one.name for one in wanted}
     for thread in set(threading.enumerate()) - before:
         thread.join(GUARD)
-    assert sorted(asked) == sorted(wanted)
-    assert raised == []
+    assert (sorted(asked), raised) == (sorted(wanted), [])
 
 
 @pytest.mark.processes
-@pytest.mark.usefixtures("folder")
+@of_its_own
 def test_two_processes_judge_the_same_and_what_is_kept_comes_back(monkeypatch):
     wanted = [SHORT, Statement("misprints"), Statement("laws", "known-flow")]
     alone, asked = prove_all(wanted), []
     CachedOutcomes().store(alone)
-    assert CachedOutcomes().outcomes == alone
+    assert kept() == alone
 
     def prove(part):  # the other process knows it by this name, and has the real one
         asked.append(part)

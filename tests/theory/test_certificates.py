@@ -2,12 +2,11 @@
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 import clpt_control as clpt
-from clpt_control.errors import ClptError
 from clpt_control.theory.excitation import certificates
 from clpt_control.theory.excitation.certificates import (
-    certificate,
     collocation,
     propagate,
     time_to_tenth,
@@ -30,8 +29,7 @@ EACH = 100  # regressors of each group
 
 def random_regressors(seed, window, size=1.0, pieces=6, N=1):
     """Sums of sines with a jump at each piece, at Gauss-Legendre nodes."""
-    rng = np.random.default_rng(seed)
-    lengths = np.full(pieces, window / pieces)
+    rng, lengths = np.random.default_rng(seed), np.full(pieces, window / pieces)
     times = (np.arange(pieces)[:, None] + (1 + NODE) / 2) * lengths[0]
     weights = np.tile(lengths[0] * WEIGHT / 2, (pieces, 1))
     amplitude = rng.normal(size=(EACH, N + 4, 3)) * size
@@ -42,37 +40,27 @@ def random_regressors(seed, window, size=1.0, pieces=6, N=1):
     return *np.split(waves + jumps, [N, N + 2], axis=-1), weights
 
 
-def drops(KD, gain, window, seed, size=1.0):
-    phi, z, zc, weights = random_regressors(seed, window, size)
-    return window_drops(regressors(phi, z, zc), weights, KD, gain)
-
-
 @pytest.mark.parametrize("group", range(5))
 @pytest.mark.parametrize("size", [0.1, 1.0])
 def test_rho_never_exceeds_the_exact_drop(group, size):
-    drop, rho = drops(*GROUPS[group], seed=group, size=size)
+    KD, gain, window = GROUPS[group]
+    *w, weights = random_regressors(group, window, size)
+    drop, rho = window_drops(regressors(*w), weights, KD, gain)
     assert rho.shape == (2, EACH)
-    assert np.all(rho > 0)
-    assert np.all(rho <= drop)
-    assert np.all(drop <= 1 + 1e-9)
+    assert np.all((rho > 0) & (rho <= drop) & (drop <= 1 + 1e-9))
 
 
 @pytest.mark.parametrize("gain", [0.0, 0.8, 30.0])
 def test_collocation_agrees_with_scipy(gain):
-    from scipy.integrate import solve_ivp
-
     def w(t):
-        return np.array([np.sin(t), 1 + np.cos(2 * t), np.exp(-t), 2.0, -1.0])
+        whole = np.stack([np.sin(t), 1 + np.cos(2 * t), np.exp(-t), 2.0 + 0 * t, -1.0 + 0 * t], -1)
+        return np.split(whole, [1, 3], axis=-1)
 
     times = (np.arange(24)[:, None] + (1 + NODE) / 2) * 0.125
-    values = np.moveaxis(np.array([[w(t) for t in row] for row in times]), -1, 0)
-    phi, z, zc = (np.moveaxis(values[s], 0, -1) for s in (slice(1), slice(1, 3), slice(3, 5)))
-    rows, end = propagate(regressors(phi, z, zc), np.array([1.0, 0.5]), gain, np.full(24, 0.125))
+    rows, end = propagate(regressors(*w(times)), np.array([1.0, 0.5]), gain, np.full(24, 0.125))
 
     def rate(t, flat):
-        v = w(t)
-        here = error_matrices(v[:1], v[1:3], v[3:5], [1.0, 0.5], gain)[1]
-        return (here @ flat.reshape(4, 4)).ravel()
+        return (error_matrices(*w(t), [1.0, 0.5], gain)[1] @ flat.reshape(4, 4)).ravel()
 
     at = np.append(times, 3.0)
     truth = solve_ivp(rate, (0, 3), np.eye(4).ravel(), "DOP853", at, rtol=1e-11, atol=1e-12)
@@ -82,20 +70,16 @@ def test_collocation_agrees_with_scipy(gain):
 
 
 def test_w_on_cut_pieces_is_the_polynomial_through_its_nodes():
-    starts, ends = np.array([0.0, 0.4]), np.array([0.4, 1.0])
-
-    def places(a, b):
-        return a[:, None] + (b - a)[:, None] * (1 + NODE) / 2
-
-    def w(t):
+    def w(cuts):
+        t = cuts[:-1, None] + np.diff(cuts)[:, None] * (1 + NODE) / 2
         return np.stack([np.sin(3 * t), 20 * np.cos(5 * t)], axis=-1)
 
-    weights = (ends - starts)[:, None] * WEIGHT / 2
-    found, finer = certificates.finely(w(places(starts, ends)), weights)
+    whole = np.array([0.0, 0.4, 1.0])
+    found, finer = certificates.finely(w(whole), np.diff(whole)[:, None] * WEIGHT / 2)
     parts = len(finer) // 2
     assert parts > 1
     cuts = np.concatenate([np.linspace(0.0, 0.4, parts + 1)[:-1], np.linspace(0.4, 1, parts + 1)])
-    np.testing.assert_allclose(found, w(places(cuts[:-1], cuts[1:])), atol=1e-6)
+    np.testing.assert_allclose(found, w(cuts), atol=1e-6)
     np.testing.assert_allclose(finer.sum(axis=1), np.diff(cuts))
 
 
@@ -111,63 +95,50 @@ def collocated(A, length):
 
 
 def test_more_parameters_than_samples_are_guaranteed_nothing():
-    weights = np.tile(WEIGHT / 2, (1, 1))
     rng = np.random.default_rng(8)
-    phi, z, zc = (rng.normal(size=(1, NODES, n)) for n in (NODES, 2, 2))
-    drop, rho = window_drops(regressors(phi, z, zc), weights, [1.0, 1.0], 0.8)
-    assert np.all(rho == 0)
-    assert np.all(drop == 0)
+    w = regressors(*(rng.normal(size=(1, NODES, n)) for n in (NODES, 2, 2)))
+    drop, rho = window_drops(w, WEIGHT[None] / 2, [1.0, 1.0], 0.8)
+    assert not rho.any()
+    assert not drop.any()
 
 
 def test_the_axes_do_not_meet_and_the_matrices_are_the_diagram_s():
-    scenario = clpt.paper_scenario()
-    loop = clpt.error_loop(scenario)
-    rng = np.random.default_rng(3)
-    phi, z, zc = rng.normal(size=3), rng.normal(size=2), rng.normal(size=2)
-    u = np.concatenate([phi, z, zc])
-    whole = np.column_stack([loop.dynamics(0, unit, u) for unit in np.eye(12)])
+    scenario, rng = clpt.paper_scenario(), np.random.default_rng(3)
+    loop, w = clpt.error_loop(scenario), [rng.normal(size=n) for n in (3, 2, 2)]
+    columns = [loop.dynamics(0, unit, np.concatenate(w)) for unit in np.eye(12)]
     order = [label.split("[")[0] for label in loop.state_labels]
     assert order == sorted(order)  # e, then eta
     rebuilt = np.zeros((12, 12))
-    matrices = error_matrices(phi, z, zc, scenario.vehicle.feedback, scenario.learning.gain)
+    matrices = error_matrices(*w, scenario.vehicle.feedback, scenario.learning.gain)
     for i, A in enumerate(matrices):
         own = [i, 2 + 3 * i, 3 + 3 * i, 4 + 3 * i, 8 + i, 10 + i]
         rebuilt[np.ix_(own, own)] = A
-    np.testing.assert_allclose(rebuilt, whole, atol=1e-15)
+    np.testing.assert_allclose(rebuilt, np.transpose(columns), atol=1e-15)
 
 
 @pytest.mark.parametrize("group", range(5))
 def test_the_corrected_bound_is_never_violated(group):
     """500 disturbances: square waves, sines and noise, on periodic exciting regressors."""
     KD, gain, window = GROUPS[group]
-    phi, z, zc, weights = random_regressors(20 + group, window)
-    drop, rho = window_drops(regressors(phi, z, zc), weights, KD, gain)
-    lengths = weights.sum(1)
-    pieces = len(lengths)
-    A = error_matrices(phi, z, zc, KD, gain)
-    steps = np.stack(  # the transition over each piece, beside a constant push on e
-        [collocated(_pushed(A[..., k, :, :, :]), lengths[k]) for k in range(pieces)]
-    )
-    rng = np.random.default_rng(40 + group)
-    count = 300 * pieces
-    kind = rng.integers(0, 3, EACH)
-    angle = rng.uniform(0, 2 * np.pi, (EACH, 1)) + rng.uniform(0.05, 3, (EACH, 1)) * np.arange(
-        count
-    )
-    signal = np.where(kind[:, None] == 0, np.sign(np.sin(angle)), np.sin(angle))
-    signal = np.where(kind[:, None] == 2, rng.uniform(-1, 1, (EACH, count)), signal)
+    *w, weights = random_regressors(20 + group, window)
+    drop, rho = window_drops(regressors(*w), weights, KD, gain)
+    A = _pushed(error_matrices(*w, KD, gain))  # the transition of each, beside a push on e
+    steps = [collocated(A[..., k, :, :, :], length) for k, length in enumerate(weights.sum(1))]
+    rng, count = np.random.default_rng(40 + group), 300 * len(steps)
+    kind = rng.integers(0, 3, (EACH, 1))
+    begin, turn = rng.uniform(0, 2 * np.pi, (EACH, 1)), rng.uniform(0.05, 3, (EACH, 1))
+    wave = np.sin(begin + turn * np.arange(count))
+    signal = np.choose(kind, [np.sign(wave), wave, rng.uniform(-1, 1, (EACH, count))])
     heading = rng.uniform(0, 2 * np.pi, EACH)
     delta = 0.05 * np.stack([np.cos(heading), np.sin(heading)])[..., None] * signal
     state, largest = np.zeros((2, EACH, 5)), np.zeros(EACH)
     for j in range(count):
         state[..., -1] = delta[..., j]
-        state = np.einsum("abpq,abq->abp", steps[j % pieces], state)
+        state = np.einsum("abpq,abq->abp", steps[j % len(steps)], state)
         if j >= count // 2:
             largest = np.maximum(largest, np.hypot(*state[..., 0]))
-    exact, guaranteed = drop.min(0), rho.min(0)
-    for k in range(EACH):
-        assert largest[k] <= ultimate_bound(window, 0.05, exact[k])
-        assert largest[k] <= ultimate_bound(window, 0.05, guaranteed[k])
+    for shares in (drop.min(0), rho.min(0)):  # exact, and guaranteed
+        assert np.all(largest <= [ultimate_bound(window, 0.05, share) for share in shares])
     assert largest.max() > 0.05 / max(KD) / 20
 
 
@@ -181,7 +152,7 @@ def _pushed(A):
 
 
 def test_the_paper_s_contraction(true_paper):
-    found = certificate(joint_regressor(true_paper, 200.0, 200.0))
+    found = certificates.certificate(joint_regressor(true_paper, 200.0, 200.0))
     assert found.contraction == pytest.approx(0.67988, abs=1e-4)
     assert found.drop == pytest.approx(1 - found.contraction, abs=1e-12)
     assert 0 < found.rho < found.drop
@@ -192,10 +163,8 @@ def test_times_and_bounds_at_their_limits():
     assert ultimate_bound(10.0, 0.1, 0.0) == np.inf
     assert ultimate_bound(10.0, 0.1, 1.0) == pytest.approx(2.0)
     assert ultimate_bound(1.0, 1.0, 1e-20) == pytest.approx(2e20)
-    assert time_to_tenth(10.0, 0.0) == np.inf
-    assert time_to_tenth(10.0, 0.5) == 70.0  # of V a half each: 2^-7 < 0.01 < 2^-6
-    assert time_to_tenth(10.0, 0.99) == 10.0
-    assert time_to_tenth(10.0, 1.0) == 10.0
+    drops = 0.0, 0.5, 0.99, 1.0  # of V a half each: 2^-7 < 0.01 < 2^-6
+    assert [time_to_tenth(10.0, drop) for drop in drops] == [np.inf, 70.0, 10.0, 10.0]
     for drop in (-0.1, 1.1, np.nan):
-        with pytest.raises(ClptError, match="drop"):
+        with pytest.raises(clpt.ClptError, match="drop"):
             ultimate_bound(10.0, 0.1, drop)

@@ -9,7 +9,6 @@ import clpt_control as clpt_package
 from clpt_control.blocks.laws.law import Promise
 from clpt_control.blocks.laws.paper import learned_flow
 from clpt_control.blocks.laws.table import LAWS
-from clpt_control.errors import ClptError
 from clpt_control.theory.promises import (
     CHECKS,
     CONDITIONS,
@@ -22,6 +21,7 @@ from clpt_control.theory.refuting import BROKEN, NUMBERS, TIGHT, drawn, lasts, r
 
 LONG = 300.0  # seconds; what is wrong is found long before
 PAPER = clpt_package.paper_scenario()
+DELTA = {"kind": "sine", "amplitude": [1e-3, 1e-3], "period": 5.0}
 
 
 def with_law(name):
@@ -31,8 +31,7 @@ def with_law(name):
     values |= {"learning.theta_estimate": [[0.9, 0.5, 0.7]] * 2} if row.given_estimate else {}
     values |= {"learning.parameters": None} if row.alpha_is_constant else {}
     if row.at_fixes:
-        dropped = ("gain", "feedback", "feedforward")
-        values |= dict.fromkeys([f"learning.{key}" for key in dropped])
+        values |= {f"learning.{key}": None for key in ("gain", "feedback", "feedforward")}
         values |= {"localization.interval": 5.0, "basis.widths": [2 * UNIFORM] * 3}
     return PAPER.with_values(values)
 
@@ -48,12 +47,11 @@ def test_a_law_keeps_its_promises_on_the_papers_scenario(name):
 def test_what_is_not_known_of_the_flow_may_cost_what_v_does_not_hold():
     """From a true start V(0) is 0: all that is allowed is of theta_hat - theta."""
     scenario = with_law("known-flow")
-    car = scenario.vehicle
-    true = {"position": car.position, "feedback": car.feedback, "feedforward": car.feedforward}
-    found = checked_promises(
-        scenario.with_values({f"learning.{key}": value for key, value in true.items()})
-    )
-    assert 0.0 < found["mean square"] < 1.0
+    true = {
+        f"learning.{key}": getattr(scenario.vehicle, key)
+        for key in ("position", "feedback", "feedforward")
+    }
+    assert 0.0 < checked_promises(scenario.with_values(true))["mean square"] < 1.0
 
 
 def test_each_promise_has_a_predicate_and_conditions():
@@ -63,20 +61,17 @@ def test_each_promise_has_a_predicate_and_conditions():
     assert {name for promise in promises for name in promise.where} == set(CONDITIONS)
 
 
-def test_a_promise_is_asked_only_where_its_conditions_hold():
-    noisy = with_law("drem").with_values({"localization": {"noise": 0.02, "noise_period": 1.0}})
-    assert checked_promises(noisy) == {}
-    outside = with_law("projection").with_values({"learning.projection.largest_feedforward": 1.0})
-    assert set(checked_promises(outside)) == {"balls"}
+ASKED = [
+    ("drem", {"localization": {"noise": 0.02, "noise_period": 1.0}}, set()),
+    ("projection", {"learning.projection.largest_feedforward": 1.0}, {"balls"}),
+    ("dead-zone", {"flow.disturbance": DELTA}, {"falls", "zone"}),
+    ("dead-zone", {"flow.disturbance": DELTA | {"kind": "noise"}}, set()),  # it has no bound
+]
 
 
-def test_noise_has_no_bound():
-    for kind, asked in (("sine", {"falls", "zone"}), ("noise", set())):
-        delta = {"kind": kind, "amplitude": [1e-3, 1e-3], "period": 5.0}
-        assert (
-            set(checked_promises(with_law("dead-zone").with_values({"flow.disturbance": delta})))
-            == asked
-        )
+@pytest.mark.parametrize(("law", "values", "asked"), ASKED)
+def test_a_promise_is_asked_only_where_its_conditions_hold(law, values, asked):
+    assert set(checked_promises(with_law(law).with_values(values))) == asked
 
 
 def test_a_rise_is_seen_whatever_came_between():
@@ -87,10 +82,8 @@ def test_a_rise_is_seen_whatever_came_between():
 
 @pytest.mark.parametrize("name", LAWS)
 def test_every_point_is_a_scenario(name):
-    random = np.random.default_rng(1)
-    for _ in range(20):
-        assert drawn(name, random.random(NUMBERS)).learning.law == name
-    for point in (np.zeros(NUMBERS), np.full(NUMBERS, 1 - 1e-12)):
+    inner = np.random.default_rng(1).random((20, NUMBERS))
+    for point in (*inner, np.zeros(NUMBERS), np.full(NUMBERS, 1 - 1e-12)):
         assert drawn(name, point).learning.law == name
 
 
@@ -128,14 +121,13 @@ def test_a_law_that_breaks_its_promise_is_found_out(name, monkeypatch):
     assert found.status == "refuted"
     assert found.runs <= 100
     again = checked_promises(found.scenario, **TIGHT)
-    assert {what for what, value in again.items() if value > BROKEN} <= breaks
-    assert max(again.values()) > BROKEN
+    assert set() < {what for what, value in again.items() if value > BROKEN} <= breaks
     assert found.broken in promises_in_words(LAWS[name]).values()
 
 
 @pytest.mark.parametrize(("law", "budget"), [("no-law", 1.0), ("sigma", 0.0), ("sigma", np.inf)])
 def test_what_cannot_be_searched_is_refused(law, budget):
-    with pytest.raises(ClptError, match=r"law: 'no-law'|budget"):
+    with pytest.raises(clpt_package.ClptError, match=r"law: 'no-law'|budget"):
         refute(law, budget=budget)
 
 
@@ -143,27 +135,24 @@ def test_the_command_writes_a_scenario_that_repeats_it(clpt, tmp_path, monkeypat
     monkeypatch.setitem(LAWS, "drem", LAWS["drem"]._replace(promises=ANYWHERE))
     file = tmp_path / "broken.toml"
     outcome = clpt("refute", "drem", "--budget", LONG, "--out", file, "--json")
-    assert outcome.status == 1
     report = json.loads(outcome.out)
-    assert report["status"] == "refuted"
+    assert (outcome.status, report["status"]) == (1, "refuted")
     assert report["closest"]["shrinks"] > BROKEN
     assert "drem breaks its promise: each parameter's error only shrinks" in outcome.err
     assert checked_promises(clpt_package.load_scenario(file), **TIGHT)["shrinks"] > BROKEN
 
 
-def test_the_command_says_that_nothing_was_found(clpt, tmp_path):
+def test_the_command_says_that_nothing_was_found(clpt, refused, tmp_path):
     outcome = clpt("refute", "known-flow", "--budget", 0.1, "--out", tmp_path / "none.toml")
     assert outcome.status == 0
     assert "known-flow: not refuted by" in outcome.out
     assert not (tmp_path / "none.toml").exists()
-    outcome = clpt("refute", "known-flow", "--seed", -5)
-    assert (outcome.status, outcome.err.count("\n")) == (2, 1)
-    assert "seed = -5" in outcome.err
+    assert "seed = -5" in refused("refute", "known-flow", "--seed", -5)
 
 
 def test_what_the_solver_leaves_breaks_no_promise():
     """An error of 2e-12, read beside 1e-9 of what it was, is 1.003 times as large as before."""
-    assert not lasts(1.053, 1.0032)
-    assert not lasts(2.0, 1.0005)
-    assert lasts(2.0, 1.99)
-    assert lasts(np.inf, np.inf)
+    for once, again in ((1.053, 1.0032), (2.0, 1.0005)):
+        assert not lasts(once, again)
+    for once, again in ((2.0, 1.99), (np.inf, np.inf)):
+        assert lasts(once, again)

@@ -7,6 +7,7 @@ import pytest
 import sympy
 from own_laws import LEARNED, N, beside, formula
 from responses import response
+from written_systems import whole_times
 
 import clpt_control as clpt
 from clpt_control.blocks.laws import regressions
@@ -27,21 +28,17 @@ pytestmark = pytest.mark.usefixtures("few_calls")
 POINTS = 100
 
 
-def gains(parameters, feedback, feedforward):
-    return LAWS["learned-flow"].of(2, gain=parameters, gain_K=feedback, gain_Gamma=feedforward)
-
-
-def test_a_gain_each_is_proved_for_every_N_and_every_gain():
-    verdict = prove(gains(0.5, 0.2, 0.7), points=POINTS)
-    assert (verdict.status, verdict.for_every_N, verdict.residual) == ("proved", True, 0)
-
-
-def test_gains_held_true_fall_alike_and_others_push():
-    verdict = prove(gains(0.5, 0.0, 0.0), points=POINTS)
-    assert verdict.status != "proved"  # K and Gamma may be anything
-    names = {str(s): s for s in verdict.residual.free_symbols}
+def test_gains_each_of_its_own_and_gains_held_true():
+    """Of gains that are held K and Gamma may be anything; where they are true nothing is left."""
+    each, held = (
+        prove(LAWS["learned-flow"].of(2, gain=0.5, gain_K=k, gain_Gamma=g), points=POINTS)
+        for k, g in ((0.2, 0.7), (0.0, 0.0))
+    )
+    assert (each.status, each.for_every_N, each.residual) == ("proved", True, 0)
+    assert held.status != "proved"
+    names = {str(s): s for s in held.residual.free_symbols}
     true = {names[f"{g}_{i}"]: names[f"{g}D_{i}"] for g in ("K", "Gamma") for i in (1, 2)}
-    assert sympy.expand(verdict.residual.subs(true)) == 0
+    assert sympy.expand(held.residual.subs(true)) == 0
 
 
 def backwards(t, x, u, p):
@@ -98,7 +95,7 @@ def test_without_a_relation_nothing_is_proved(law, port):
     def fewer(s, p, truth):
         return {key: value for key, value in law.invariants(s, p, truth).items() if key != port}
 
-    assert all_proofs.proof_of_law(law._replace(invariants=fewer)).status == "open"
+    assert proof_of_law(law._replace(invariants=fewer)).status == "open"
 
 
 def test_a_law_is_bounded_only_where_every_error_shrinks():
@@ -108,9 +105,9 @@ def test_a_law_is_bounded_only_where_every_error_shrinks():
         kept = law.invariants(s, p, truth)
         return {**kept, "alpha": [np.ravel(kept["alpha"])[0], *np.ravel(s["alpha"])[1:]]}
 
-    assert all_proofs.proof_of_law(law).status == "bounded"
-    assert all_proofs.proof_of_law(law._replace(invariants=fewer)).status == "open"
-    assert all_proofs.proof_of_law(law._replace(readout="b")).status == "open"
+    assert proof_of_law(law).status == "bounded"
+    for change in ({"invariants": fewer}, {"readout": "b"}):
+        assert proof_of_law(law._replace(**change)).status == "open"
 
 
 @pytest.mark.parametrize("law", dearest_slow(KEEPING), ids=name_of)
@@ -119,30 +116,24 @@ def test_a_wrong_rate_of_V_is_not_proved(law):
         first, *others = law.losses(s, p, truth)
         return [(2, *first), *others]
 
-    def twice_gained(s, p, truth):
-        return 2 * law.error_growth(s, p, truth)
-
-    wrong = {"error_growth": twice_gained} if law.makes_estimate else {"losses": twice}
-    found = all_proofs.proof_of_law(law._replace(**wrong))
+    growth = {"error_growth": lambda s, p, truth: 2 * law.error_growth(s, p, truth)}
+    found = proof_of_law(law._replace(**(growth if law.makes_estimate else {"losses": twice})))
     assert found.status == "open"
     assert "left over" in found.claim
 
 
 @pytest.mark.parametrize("law", KEEPING, ids=name_of)
 def test_a_run_starts_and_stays_where_the_relations_hold(law):
-    more = {
-        "vehicle.position": [0.7, -1.1],
-        "learning.parameters": None,
-        f"learning.{'theta_estimate' if law.alpha_is_constant else 'parameters'}": START,
-    }
-    scenario = clpt.paper_scenario().with_values({"learning.law": law.name, **more})
+    start = "theta_estimate" if law.alpha_is_constant else "parameters"
+    own = {"vehicle.position": [0.7, -1.1], "learning.parameters": None, f"learning.{start}": START}
+    scenario = clpt.paper_scenario().with_values({"learning.law": law.name, **own})
     truth, block = truth_of(scenario), law.block(scenario.known_to_law)
     p, shapes = block.parameters, {**block.state_shapes, **block.output_shapes}
     loop, times = clpt.closed_loop(scenario), np.array([0.0, 5.0, 30.0])
     run = response(loop, times, None, clpt.initial_state(scenario), rtol=1e-11, atol=1e-13)
     ports = [label.split("[")[0] for label in loop.output_labels]
-    for k in range(len(times)):
-        flat = {port: run.outputs[[one == port for one in ports], k] for port in set(ports)}
+    for column in run.outputs.T:
+        flat = {port: column[[one == port for one in ports]] for port in set(ports)}
         s = {port: value.reshape(shapes.get(port, -1)) for port, value in flat.items()}
         for port, value in law.invariants(s, p, truth).items():
             np.testing.assert_allclose(s[port], value, atol=1e-9)
@@ -154,50 +145,40 @@ def test_a_run_starts_and_stays_where_the_relations_hold(law):
 WITH_P = [law for law in KEEPING if law.weighted_error is not None]
 
 
+BOUNDS = ("tr P <= k_0 is kept", "P^-1 >= rho P(0)^-1", "P^-1 <= P(0)^-1", "eta is bounded")
+
+
 @pytest.mark.parametrize("law", dearest_slow(WITH_P), ids=name_of)
 def test_the_bounds_of_the_covariance_are_steps_of_the_proof(law):
-    said = [step.claim for step in all_proofs.proof_of_law(law).steps if step.holds]
-    for bound in (
-        "tr P <= k_0 is kept",
-        "P^-1 >= rho P(0)^-1",
-        "P^-1 <= P(0)^-1",
-        "eta is bounded",
-    ):
-        assert any(bound in claim for claim in said)
+    said = " ".join(step.claim for step in proof_of_law(law).steps if step.holds)
+    assert all(bound in said for bound in BOUNDS)
 
 
 @pytest.mark.parametrize("law", dearest_slow(WITH_P), ids=name_of)
 def test_a_covariance_that_may_pass_its_bound_is_not_proved(law, monkeypatch):
-    def unbounded(x, p):
-        return p.forgetting
-
+    unbounded = lambda x, p: p.forgetting  # noqa: E731
     monkeypatch.setattr(regressions.forgetting, "__code__", unbounded.__code__)
-    found = all_proofs.proof_of_law(law)
+    found = proof_of_law(law)
     assert found.status == "open"
     assert any("tr P <= k_0" in step.claim and not step.holds for step in found.steps)
 
 
-@pytest.mark.parametrize(
-    ("change", "said"),
-    [
-        (lambda x: {"origin": x.origin}, "and is kept where they jump"),  # where the last one began
-        (lambda x: {"S": -x.S, "B": -x.B}, "Q_1, Q_2, S >= 0 is not left where they jump"),
-        (lambda x: {"alpha": 0.0}, "V does not rise where they jump"),  # farther from the truth
-    ],
-)
+BREAKING = [
+    (lambda x: {"origin": x.origin}, "and is kept where they jump"),  # where the last one began
+    (lambda x: {"S": -x.S, "B": -x.B}, "Q_1, Q_2, S >= 0 is not left where they jump"),
+    (lambda x: {"alpha": 0.0}, "V does not rise where they jump"),  # farther from the truth
+]
+
+
+@pytest.mark.parametrize(("change", "said"), BREAKING)
 def test_a_jump_that_breaks_the_proof_leaves_the_law_open(change, said):
     def jump(t, x, u, p):
         """As Eqs. (21)-(23) have it, but for what is changed."""
         return next_window(t, x, u, p) | change(x)
 
-    found = all_proofs.proof_of_law(LAW._replace(jump=jump))
+    found = proof_of_law(LAW._replace(jump=jump))
     assert found.status == "open"
     assert found.claim.startswith(said)
-
-
-def ticks(p, t0, t1):
-    times = np.arange(1.0, math.floor(t1) + 1)
-    return times[(times > t0) & (times <= t1)]
 
 
 def jumping(text, gain=0.5):
@@ -211,8 +192,8 @@ def jumping(text, gain=0.5):
         same = {port: getattr(x, port) for port in states}
         return same | {port: one(t, x, u, p) for port, one in after.items()}
 
-    ticking = {"gain": gain, "interval": -1.0}
-    return beside("m' = 0*m", {"m": 1}, ticking, breakpoints=ticks, jump=jump)()
+    ticking = {"breakpoints": whole_times, "jump": jump}
+    return beside("m' = 0*m", {"m": 1}, {"gain": gain, "interval": -1.0}, **ticking)()
 
 
 @pytest.mark.parametrize(
@@ -233,10 +214,6 @@ def test_V_may_fall_where_states_jump(change, holds):
     level = lambda t, x, u, p: {"V": (u.e @ u.e + u.m @ u.m) / 2}  # noqa: E731
     V = Block("lyapunov", output=level, inputs={"e": 2, "m": 1}, outputs={"V": 1})
     assert prove(jumping(change), lambda truth: V, points=200).steps[-1].holds == holds
-
-
-def test_a_wrong_law_is_refuted_all_the_same():
-    assert prove(jumping("m = e @ e", gain=-0.5), points=200).status == "refuted"
 
 
 @pytest.mark.parametrize("read", [symbolic_loop, ArrayLoop])
@@ -267,14 +244,21 @@ def test_a_jump_at_which_V_rises_refutes(change):
     assert not verdict.for_every_N
 
 
+def test_a_wrong_law_is_refuted_all_the_same():
+    assert prove(jumping("m = e @ e", gain=-0.5), points=200).status == "refuted"
+
+
 FIXES = LAWS["fix-regression"]
 AT = clpt.paper_scenario().with_values({"learning.law": FIXES.name, **AT_FIXES})
 
 
-def test_every_step_is_shown():
+def test_every_step_is_shown(monkeypatch):
     steps = fix_steps(FIXES, 50)
-    assert [step.how for step in steps] == ["exact"] * 2 + ["sampled"]
+    assert [step.how for step in steps] == ["exact", "exact", "sampled"]
     assert all(step.holds for step in steps)
+    assert "V" in AtFixes(FIXES, 1, late=False).after(ARRIVE, 1, off=1)  # a fix that is not exact
+    monkeypatch.setattr(invariants, "MOVING", ("x", "z"))  # a law that forgets the integral
+    assert not fix_steps(FIXES, 10)[0].holds
 
 
 @pytest.mark.slow
@@ -283,31 +267,16 @@ def test_a_fix_is_shown_for_three_functions(late):
     assert AtFixes(FIXES, 3, late).learns() == ""
 
 
-def test_a_fix_that_is_not_exact_is_not_what_is_shown():
-    assert "V" in AtFixes(FIXES, 1, late=False).after(ARRIVE, 1, off=1)
-
-
-def test_a_law_that_forgets_the_integral_is_refuted(monkeypatch):
-    monkeypatch.setattr(invariants, "MOVING", ("x", "z"))
-    assert not fix_steps(FIXES, 10)[0].holds
-
-
 def test_V_never_rises_in_a_uniform_current_whatever_is_missing_or_late():
+    uniform = {"kernel": "gaussian", "centers": [[0, 0], [1, 0]], "widths": [1e9] * 2}
     values = {
-        "basis.kernel": "gaussian",
-        "basis.centers": [[0.0, 0.0], [1.0, 0.0]],
-        "basis.widths": [1e9, 1e9],
+        **{f"basis.{key}": value for key, value in uniform.items()},
         "basis.periods": [float("inf"), 12.0],
-        "basis.phases": None,
         "flow.parameters": [[0.3, 0.1], [-0.2, 0.2]],
-        "model.parameters": None,
-        "learning.parameters": None,
-        "localization.dropouts": 0.3,
-        "localization.latency": 2.0,
-        "run.duration": 200.0,
+        **dict.fromkeys(["basis.phases", "model.parameters", "learning.parameters"]),
+        **{"localization.dropouts": 0.3, "localization.latency": 2.0, "run.duration": 200},
     }
-    run = clpt.simulate(AT.with_values(values))
-    V = run.lyapunov.values
+    V = clpt.simulate(AT.with_values(values)).lyapunov.values
     assert np.all(np.diff(V) <= 1e-12 * V[0])
     assert V[-1] < 1e-3 * V[0]
 

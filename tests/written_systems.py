@@ -1,14 +1,16 @@
 """A system as its equations are: "x' = -k*x + d; V = x**2/2; k = 2; input d; at x = 0".
 
-Functions are NumPy's, states stand in their order, and k is a parameter.
+Functions are NumPy's, or Python's, states stand in their order, and k is a parameter.
 """
+
+import builtins
 
 import control
 import numpy as np
 
-from clpt_control.equations import lookup
+from clpt_control.equations import Block, lookup
 
-NUMPY = vars(np) | {"lookup": lookup}
+NUMPY = vars(np) | vars(builtins) | {"lookup": lookup}
 
 
 def system(rates, inputs=(), params=None, **named):
@@ -50,3 +52,16 @@ def signals(level, states):
     code = compile(level or f"({' + '.join(f'{s}**2' for s in states)})/2", "V", "eval")
     names = [name for name in code.co_names if name in states or name not in NUMPY]
     return lambda s: eval(code, NUMPY, {name: getattr(s, name) for name in names})
+
+
+def whole_times(p, t0, t1):
+    """Breakpoints at whole times."""
+    return np.arange(np.floor(t0) + 1, np.floor(t1) + 1)
+
+
+TICKS = {"parameters": {"interval": -1.0}, "breakpoints": whole_times}
+
+
+def ticking(update, jump, name="b", **more):
+    """A block of one state that jumps at whole times."""
+    return Block(name, update=update, jump=jump, states={"s": 1}, **TICKS | more)
