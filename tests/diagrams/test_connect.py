@@ -151,7 +151,7 @@ TABLE = """
     adaptation          | e 2 phi_x 3 z 2 zc 2 | alpha 6 K 2 Gamma 2 | alpha 6 K 2 Gamma 2
 """
 TABLE = {
-    name.strip(): ports for name, *ports in (line.split("|") for line in TABLE.splitlines()[1:-1])
+    name.strip(): ports for name, *ports in (line.split("|") for line in TABLE.splitlines()[1:])
 }
 
 # block | inputs | states | outputs: the table of the design, with N = 3
