@@ -57,9 +57,8 @@ UNFIT = [
 
 @pytest.mark.parametrize(("blocks", "external", "said"), UNFIT, ids=[said for *_, said in UNFIT])
 def test_what_does_not_fit_is_said_with_a_cure(blocks, external, said):
-    with pytest.raises(clpt.ClptError, match=said) as caught:
+    with pytest.raises(clpt.ClptError, match=rf"\A.*{said}.*\Z"):
         wiring_of(clpt.connect(blocks, external))
-    assert "\n" not in str(caught.value)
 
 
 def handing_on(name, port, to, unit):
@@ -125,18 +124,17 @@ def test_ports_in_another_order_than_their_makers():
     def block(name, inputs, outputs):
         return clpt.Block(name, output=lambda t, x, u, p: u, inputs=inputs, outputs=outputs)
 
-    blocks = [
-        block("last", {"d": 1, "c": 2, "w": 1}, {"e": 4}),
-        block("middle", {"b": 2, "a": 2}, {"c": 2, "d": 1, "f": 1}),
-        block("first", {"w": 1, "v": 3}, {"a": 2, "b": 2}),
-    ]
+    last = block("last", {"d": 1, "c": 2, "w": 1}, {"e": 4})
+    middle = block("middle", {"b": 2, "a": 2}, {"c": 2, "d": 1, "f": 1})
+    blocks = [last, middle, block("first", {"w": 1, "v": 3}, {"a": 2, "b": 2})]
     for external, values in ((["v", "w"], [1, 2, 3, 4]), (["w", "v"], [4, 1, 2, 3])):
         run = clpt.simulate(clpt.connect(blocks, external), [0.0, 1.0], values)
         assert run.e[0].values.tolist() == [4, 2, 3, 4]  # d, c, w of a = [4, 1], b = [2, 3]
 
 
 # block | inputs | states | outputs: the table of the design, with N = 3
-TABLE = """
+# block | inputs | states | outputs: the table of the design, with N = 3
+DESIGN = """
     reference           |                                    |                 | zc 2
     basis_x             | x 2                                |                 | phi_x 3
     basis_z             | z 2                                |                 | phi_z 3
@@ -150,9 +148,8 @@ TABLE = """
     clpe                | x 2 z 2                            |                 | e 2
     adaptation          | e 2 phi_x 3 z 2 zc 2 | alpha 6 K 2 Gamma 2 | alpha 6 K 2 Gamma 2
 """
-TABLE = {
-    name.strip(): ports for name, *ports in (line.split("|") for line in TABLE.splitlines()[1:])
-}
+ROWS = [line.split("|") for line in DESIGN.splitlines()[1:]]
+TABLE = {name.strip(): ports for name, *ports in ROWS}
 
 # block | inputs | states | outputs: the table of the design, with N = 3
 

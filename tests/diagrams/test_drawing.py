@@ -120,24 +120,22 @@ def test_mermaid_shows_gains_nested_diagrams_and_parts_of_a_port():
 
 def test_arrows_go_around_boxes_and_join_the_right_ones(drawn):
     diagram, routed, nets, nodes = drawn
+    made = {name: box for name, box in routed.boxes.items() if name in nodes}
     boxes = {
         name: (box.x, box.y - box.height / 2, box.x + box.width, box.y + box.height / 2)
-        for name, box in routed.boxes.items()
-        if name in nodes
+        for name, box in made.items()
     }
     assert set(boxes) == set(flat_names(diagram))
     for a, b in combinations(boxes.values(), 2):
         assert a[2] < b[0] or b[2] < a[0] or a[3] < b[1] or b[3] < a[1]
     pieces = []
     for (k, target), path in routed.paths.items():
-        if target:
-            left, top, _, bottom = boxes[target]
-            assert path[-1][0] == pytest.approx(left)
-            assert top < path[-1][1] < bottom
-        if nets[k].source in boxes:
-            _, top, right, bottom = boxes[nets[k].source]
-            assert path[0][0] == pytest.approx(right)
-            assert top < path[0][1] < bottom
+        for name, side, (x, y) in ((target, 0, path[-1]), (nets[k].source, 2, path[0])):
+            if name in boxes:
+                _, top, _, bottom = boxes[name]
+                assert x == pytest.approx(boxes[name][side])
+                assert top < y < bottom
+        assert not target or target in boxes
         for (x0, y0), (x1, y1) in pairwise(path):
             assert x0 == x1 or y0 == y1
             pieces.append((k, sorted(((x0, y0), (x1, y1)))))
