@@ -8,7 +8,6 @@ import pytest
 from scipy.interpolate import CubicSpline
 
 import clpt_control as clpt
-from clpt_control.equations.declaration import Each
 
 
 def block(rate):
@@ -148,7 +147,8 @@ def test_what_is_given_is_as_in_python_control():
 
 
 def test_the_interval_is_that_of_the_time():
-    ports = {"states": {"y": 1}, "parameters": {"interval": -1.0}, "breakpoints": Each(1.0)}
+    ports = {"states": {"y": 1}, "parameters": {"interval": -1.0}}
+    ports["breakpoints"] = lambda p, t0, t1: np.arange(np.floor(t0) + 1, np.floor(t1) + 1)
     steps = clpt.Block("steps", update=lambda t, x, u, p: {"y": -p.interval * x.y}, **ports)
     assert clpt.linearize(steps, [1.0], t=3.5).A == -3.0
 

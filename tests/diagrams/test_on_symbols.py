@@ -9,7 +9,6 @@ import pytest
 import sympy
 
 import clpt_control as clpt
-from clpt_control.equations.declaration import Each
 from clpt_control.equations.symbolic import rational
 
 PENDULUM = clpt.Block(
@@ -115,7 +114,8 @@ def test_discrete_time_has_next_states_and_no_derivative():
 
 
 def test_jumps_are_shown():
-    ports = {"states": {"m": 1}, "parameters": {"interval": -1.0}, "breakpoints": Each(1.0)}
+    ports = {"states": {"m": 1}, "parameters": {"interval": -1.0}}
+    ports["breakpoints"] = lambda p, t0, t1: np.arange(np.floor(t0) + 1, np.floor(t1) + 1)
     rate, jump = lambda t, x, u, p: -p.interval * x, lambda t, x, u, p: x / 2
     block = clpt.Block("memory", update=rate, jump=jump, **ports)
     for numbers in (False, True):  # the interval is none: it is counted

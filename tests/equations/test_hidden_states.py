@@ -117,7 +117,10 @@ class Machine:
 
     def two_flags(self, t, x, u, p):
         before = self.armed and not self.fired
-        self.armed, self.fired = self.armed or u[0] > 1.0, self.fired or u[0] < -1.0
+        if u[0] > 1.0:
+            self.armed = True
+        if u[0] < -1.0:
+            self.fired = True
         return 1.0 if before else 0.0
 
     def the_time(self, t, x, u, p):

@@ -178,8 +178,9 @@ def test_what_a_function_catches_itself(engine):
 )
 def test_an_ensemble(model, role, end):
     said = rf"^2 of 2 members did .*; the first is member 0: not finite: .*q.{role}: .*: {end}\Z"
-    with pytest.warns(UserWarning, match=said):
+    with pytest.warns(UserWarning, match=said) as caught:
         data = clpt.run_ensemble(model, {"k": [1.0, 2.0]}, timepts=TIMES)
+    assert sum("did not finish" in str(one.message) for one in caught) == 1
     assert np.all(data.status == 3)
 
 
@@ -203,9 +204,9 @@ def drift(outside, u=1.0, v=0.0, end=10.0, *more, external=("v_x",)):
     return clpt.connect([flow, vehicle.vehicle(), *more], external=external)
 
 
+WHERE = r"\(2, 0.5\) km, time 2 h.*x1 -2 to 2, x2 -1"
 LEFT = [  # its start, its span, the field, and what of the place, the time and the bounds is said
-    ([0.0, 0.5], np.linspace(0, 5, 11), {}, r"\(2, 0.5\) km, time 2 h.*x1 -2 to 2"),
-    ([0.0, 0.5], [0, 5], {}, "x2 -1 to 1.* time 0 to 10.*clip.*stop|x2 -1 to 1.*stop.*clip"),
+    ([0.0, 0.5], np.linspace(0, 5, 11), {}, WHERE + " to 1 km, time 0 to 10 h.*clip.*stop"),
     ([0.0, 0.0], [0.0, 5.0], {"u": 0.1, "end": 3.0}, "time 3 h; .*time 0 to 3 h"),
     ([3.0, 0.0], [0.0, 1.0], {}, r"\(3, 0\) km, time 0 h"),
 ]

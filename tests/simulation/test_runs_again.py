@@ -50,13 +50,13 @@ def changes(patch):
     wired = control.ss([[0.0]], *ends, name="a", inputs="u", outputs="y")
     lag = control.ss([[-1.0]], *ends, name="lag")
     loop = control.interconnect([wired], [["a.u", "-a.y"]], ["a.u"], ["a.y"], name="loop")
-    product = lambda x: functools.reduce(lambda a, b: a * b, [RATE, 1.0])  # noqa: E731
+    product = lambda t, x, u, p: [functools.reduce(lambda a, b: a * b, [-RATE, x[0]])]  # noqa: E731
     partial = functools.partial(held, [1.0], less=less)
     return {
         "a global": (system(lambda t, x, u, params: [-RATE * x[0]]), of_global),
         "a global of a helper": (system(lambda t, x, u, params: [-helper(x[0])]), of_global),
         "a global behind math": (system(by_math), of_global),
-        "a global behind functools": (system(of_rate(product)), of_global),
+        "a global behind functools": (system(product), of_global),
         "a list": (system(of_rate(lambda x: TABLE[0])), lambda: TABLE.__setitem__(0, 2.0)),
         "an array": (system(of_rate(lambda x: ROW[0])), lambda: ROW.__setitem__(0, 2.0)),
         "a default": (
