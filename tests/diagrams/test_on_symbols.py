@@ -130,8 +130,8 @@ def test_what_samples_or_cannot_be_read_is_refused():
     for read in (clpt.equations, clpt.linearize):
         with pytest.raises(clpt.DiagramError, match="held: samples its inputs"):
             read(loop)
-    dice = plant_of(lambda t, x, u, p: x * random.random())
-    with pytest.raises(clpt.DiagramError, match="plant"):
+    dice = clpt.Block("dice", update=lambda t, x, u, p: x * random.random(), states={"y": 1})
+    with pytest.raises(clpt.DiagramError, match="dice"):
         clpt.equations(dice)
 
 
