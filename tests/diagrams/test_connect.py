@@ -15,8 +15,9 @@ TIMES = np.linspace(0.0, 3.0, 7)
 ENGINES = ("native", "python")
 
 
-def leaks(t, x, u, params):
-    return -params["k"] * x + u
+def leak(k, name, u, y):
+    rate = lambda t, x, u, p: -p["k"] * x + u  # noqa: E731
+    return control.nlsys(rate, inputs=u, outputs=y, states=1, params={"k": k}, name=name)
 
 
 def through(name, takes, makes):
@@ -29,9 +30,9 @@ def with_a_law(**own):
     return [clpt.parts.lag(1.0, y="h"), clpt.parts.pid(1, 0.1, y="h", **own)]
 
 
-VEHICLE = vehicle.vehicle()
+PAPER, VEHICLE = clpt.paper_scenario(), vehicle.vehicle()
 BASIS = flow.flow_basis("basis_z", "z", "gaussian", np.zeros((2, 2)), *np.eye(3)[:, :2])
-PAPERS = clpt.paper_blocks(clpt.paper_scenario())
+PAPERS = clpt.paper_blocks(PAPER)
 UNFIT = [
     (with_a_law(), (), r"'r'.*there are h, u; external='r' takes it from outside"),
     (with_a_law(), "rr", r"did you mean rr\?; there are h, rr, u"),
@@ -56,16 +57,13 @@ UNFIT = [
 
 @pytest.mark.parametrize(("blocks", "external", "said"), UNFIT, ids=[said for *_, said in UNFIT])
 def test_what_does_not_fit_is_said_with_a_cure(blocks, external, said):
-    with pytest.raises(clpt.ClptError, match=said) as caught:
+    with pytest.raises(clpt.ClptError, match=rf"\A.*{said}.*\Z"):
         wiring_of(clpt.connect(blocks, external))
-    assert "\n" not in str(caught.value)
 
 
 def handing_on(name, port, to, unit):
-    units = {"e": unit} if unit else None
-    return clpt.Block(
-        name, output=lambda t, x, u, p: [u[0]], inputs={port: 1}, outputs={to: 1}, units=units
-    )
+    ports = {"inputs": {port: 1}, "outputs": {to: 1}, "units": {"e": unit} if unit else None}
+    return clpt.Block(name, output=lambda t, x, u, p: [u[0]], **ports)
 
 
 def test_a_port_has_one_unit():
@@ -82,10 +80,6 @@ def test_a_port_has_one_unit():
 
 def test_two_values_of_one_parameter_are_refused():
     """python-control gives both systems that of the last."""
-
-    def leak(k, name, u, y):
-        return control.nlsys(leaks, None, inputs=u, outputs=y, states=1, params={"k": k}, name=name)
-
     with pytest.raises(DiagramError, match=r"k = 3\.0 of two is 1\.0 of one: .*{'one\.k': \.\.\.}"):
         clpt.connect([leak(1.0, "one", "u", "v"), leak(3.0, "two", "v", "y")], external="u")
     loop = clpt.connect([leak(3.0, "one", "u", "v"), leak(3.0, "two", "v", "y")], external="u")
@@ -94,13 +88,11 @@ def test_two_values_of_one_parameter_are_refused():
 
 
 def test_one_vehicle_of_two_diagrams_is_reached_by_its_name():
-    own = clpt.closed_loop(clpt.paper_scenario())
+    own = clpt.closed_loop(PAPER)
     a, b = own.copy(name="a"), own.copy(name="b")
-    both = control.interconnect(
-        [a, b], outlist=["a.e[0]", "b.e[0]"], outputs=2, name="both", check_unused=False
-    )
-    x = np.random.default_rng(1).normal(size=28)
-    start = [*clpt.initial_state(clpt.paper_scenario())] * 2
+    ports = {"outlist": ["a.e[0]", "b.e[0]"], "outputs": 2, "check_unused": False}
+    both = control.interconnect([a, b], **ports)
+    x, start = np.random.default_rng(1).normal(size=28), [*clpt.initial_state(PAPER)] * 2
     one, two = (own.dynamics(1.0, half, [])[4:] for half in (x[:14], x[14:]))
     for changes, factors in (
         ({"a.adaptation.gain": 1.6}, (2, 1)),
@@ -132,67 +124,54 @@ def test_ports_in_another_order_than_their_makers():
     def block(name, inputs, outputs):
         return clpt.Block(name, output=lambda t, x, u, p: u, inputs=inputs, outputs=outputs)
 
-    blocks = [
-        block("last", {"d": 1, "c": 2, "w": 1}, {"e": 4}),
-        block("middle", {"b": 2, "a": 2}, {"c": 2, "d": 1, "f": 1}),
-        block("first", {"w": 1, "v": 3}, {"a": 2, "b": 2}),
-    ]
+    last = block("last", {"d": 1, "c": 2, "w": 1}, {"e": 4})
+    middle = block("middle", {"b": 2, "a": 2}, {"c": 2, "d": 1, "f": 1})
+    blocks = [last, middle, block("first", {"w": 1, "v": 3}, {"a": 2, "b": 2})]
     for external, values in ((["v", "w"], [1, 2, 3, 4]), (["w", "v"], [4, 1, 2, 3])):
         run = clpt.simulate(clpt.connect(blocks, external), [0.0, 1.0], values)
         assert run.e[0].values.tolist() == [4, 2, 3, 4]  # d, c, w of a = [4, 1], b = [2, 3]
 
 
-PAPER = clpt.paper_scenario()
+# block | inputs | states | outputs: the table of the design, with N = 3
+# block | inputs | states | outputs: the table of the design, with N = 3
+DESIGN = """
+    reference           |                                    |                 | zc 2
+    basis_x             | x 2                                |                 | phi_x 3
+    basis_z             | z 2                                |                 | phi_z 3
+    true_flow           | x 2 phi_x 3                        |                 | flow_x 2
+    modeled_flow        | phi_z 3                            |                 | flow_z 2
+    vehicle_controller  | x 2 zc 2 phi_x 3                   |                 | v_x 2
+    vehicle             | flow_x 2 v_x 2                     | x 2             | x 2
+    learning_controller | z 2 zc 2 phi_z 3 alpha 6 K 2 Gamma 2 psi 2 |         | v_z 2
+    learning_model      | flow_z 2 v_z 2                     | z 2             | z 2
+    injection           | phi_x 3 phi_z 3 alpha 6            |                 | psi 2
+    clpe                | x 2 z 2                            |                 | e 2
+    adaptation          | e 2 phi_x 3 z 2 zc 2 | alpha 6 K 2 Gamma 2 | alpha 6 K 2 Gamma 2
+"""
+ROWS = [line.split("|") for line in DESIGN.splitlines()[1:]]
+TABLE = {name.strip(): ports for name, *ports in ROWS}
 
 # block | inputs | states | outputs: the table of the design, with N = 3
-TABLE = [
-    ("reference", {}, {}, {"zc": 2}),
-    ("basis_x", {"x": 2}, {}, {"phi_x": 3}),
-    ("basis_z", {"z": 2}, {}, {"phi_z": 3}),
-    ("true_flow", {"x": 2, "phi_x": 3}, {}, {"flow_x": 2}),
-    ("modeled_flow", {"phi_z": 3}, {}, {"flow_z": 2}),
-    ("vehicle_controller", {"x": 2, "zc": 2, "phi_x": 3}, {}, {"v_x": 2}),
-    ("vehicle", {"flow_x": 2, "v_x": 2}, {"x": 2}, {"x": 2}),
-    (
-        "learning_controller",
-        {"z": 2, "zc": 2, "phi_z": 3, "alpha": 6, "K": 2, "Gamma": 2, "psi": 2},
-        {},
-        {"v_z": 2},
-    ),
-    ("learning_model", {"flow_z": 2, "v_z": 2}, {"z": 2}, {"z": 2}),
-    ("injection", {"phi_x": 3, "phi_z": 3, "alpha": 6}, {}, {"psi": 2}),
-    ("clpe", {"x": 2, "z": 2}, {}, {"e": 2}),
-    (
-        "adaptation",
-        {"e": 2, "phi_x": 3, "z": 2, "zc": 2},
-        {"alpha": 6, "K": 2, "Gamma": 2},
-        {"alpha": 6, "K": 2, "Gamma": 2},
-    ),
-]
 
 
 def flat(ports):
-    return [f"{port}[{k}]" for port, size in ports.items() for k in range(size)]
+    """Labels of the signals of ports, written as `x 2 phi_x 3`."""
+    words = ports.split()
+    sizes = zip(words[::2], map(int, words[1::2]), strict=True)
+    return [f"{port}[{k}]" for port, size in sizes for k in range(size)]
 
 
 def test_closed_loop_is_the_table():
     loop = clpt.closed_loop(PAPER)
     assert isinstance(loop, control.InterconnectedSystem)
-    assert [block.name for block in loop.syslist] == [name for name, *_ in TABLE]
-    for block, (_, inputs, states, outputs) in zip(loop.syslist, TABLE, strict=True):
-        assert block.input_labels == flat(inputs)
-        assert block.state_labels == flat(states)
-        assert block.output_labels == flat(outputs)
-    assert loop.output_labels == [label for *_, outputs in TABLE for label in flat(outputs)]
-    assert loop.ninputs == 0
-    assert loop.nstates == 14
+    labels = {b.name: [b.input_labels, b.state_labels, b.output_labels] for b in loop.syslist}
+    assert [*labels.items()] == [(name, [*map(flat, ports)]) for name, ports in TABLE.items()]
+    assert loop.output_labels == [label for *_, ports in TABLE.values() for label in flat(ports)]
+    assert (loop.ninputs, loop.nstates) == (0, 14)
 
 
-KNOWN = {
-    "learning.law": "known-flow",
-    "learning.parameters": None,
-    "learning.theta_estimate": [[0.9, 0.5, 0.7], [1.0, 0.3, 0.9]],
-}
+KNOWN = {"learning.law": "known-flow", "learning.parameters": None}
+KNOWN["learning.theta_estimate"] = [[0.9, 0.5, 0.7], [1.0, 0.3, 0.9]]
 SQUARE = {"kind": "square", "amplitude": [0.05, 0.02], "period": 1.7951958}
 MAKERS_OF_X = {"true_flow", "vehicle_controller", "vehicle"}
 
@@ -211,28 +190,22 @@ def test_blocks_inputs_and_states_of_other_loops(values, external, without, stat
     loop = clpt.closed_loop(PAPER.with_values(values), external=external)
     assert loop.input_labels == [f"{port}[{k}]" for port in np.ravel(external) for k in (0, 1)]
     blocks = {block.name: block for block in loop.syslist}
-    made = [name for name, *_ in TABLE if name not in without]
+    made = [name for name in TABLE if name not in without]
     assert [name for name in blocks if name != "disturbance"] == made
     assert len(clpt.initial_state(loop)) == loop.nstates == states
-    assert blocks["adaptation"].output_labels == flat({"alpha": 6, "K": 2, "Gamma": 2})
+    assert blocks["adaptation"].output_labels == flat("alpha 6 K 2 Gamma 2")
     if "disturbance" in blocks:
-        assert blocks["true_flow"].input_labels == flat({"x": 2, "phi_x": 3, "delta": 2})
+        assert blocks["true_flow"].input_labels == flat("x 2 phi_x 3 delta 2")
 
 
 def test_initial_state_is_in_the_order_of_the_states():
-    scenario = PAPER.with_values(
-        {
-            "vehicle.position": [1.0, 2.0],
-            "learning.position": [3.0, 4.0],
-            "learning.parameters": [[5.0, 6.0, 7.0], [8.0, 9.0, 10.0]],
-            "learning.feedback": [11.0, 12.0],
-            "learning.feedforward": [13.0, 14.0],
-        }
-    )
+    start = {"position": [3.0, 4.0], "parameters": [[5.0, 6.0, 7.0], [8.0, 9.0, 10.0]]}
+    start |= {"feedback": [11.0, 12.0], "feedforward": [13.0, 14.0]}
+    learning = {f"learning.{key}": value for key, value in start.items()}
+    scenario = PAPER.with_values({"vehicle.position": [1.0, 2.0], **learning})
     assert initial_state(scenario).tolist() == list(range(1, 15))
-    labels = clpt.closed_loop(scenario).state_labels
-    ends = [label.split("_")[-1] for label in labels]
-    assert ends == flat({"x": 2, "z": 2, "alpha": 6, "K": 2, "Gamma": 2})
+    ends = [label.split("_")[-1] for label in clpt.closed_loop(scenario).state_labels]
+    assert ends == flat("x 2 z 2 alpha 6 K 2 Gamma 2")
 
 
 def test_a_diagram_stays_a_diagram():
@@ -248,17 +221,10 @@ def test_a_diagram_stays_a_diagram():
 def test_error_system_reproduces_the_error():
     """Eq. (27) with z eta_3, driven by the closed loop's signals, gives the closed loop's e."""
     loop, errors = clpt.closed_loop(PAPER), clpt.error_loop(PAPER)
-    taken = flat({"phi_x": 3, "z": 2, "zc": 2})
-    both = control.interconnect(
-        [loop, errors],
-        connections=[[f"error_loop.{label}", f"closed_loop.{label}"] for label in taken],
-        outlist=["closed_loop.e[0]", "closed_loop.e[1]"]
-        + [f"error_loop.{label}" for label in errors.output_labels],
-        outputs=14,
-        inputs=0,
-        name="both",
-        check_unused=False,
-    )
+    taken, e = flat("phi_x 3 z 2 zc 2"), ["closed_loop.e[0]", "closed_loop.e[1]"]
+    ports = {"connections": [[f"error_loop.{label}", f"closed_loop.{label}"] for label in taken]}
+    ports["outlist"] = e + [f"error_loop.{label}" for label in errors.output_labels]
+    both = control.interconnect([loop, errors], outputs=14, inputs=0, check_unused=False, **ports)
     x0 = clpt.initial_state(PAPER)
     # eta is what the loop's own parameters, of these signs, are away from the truth
     truth = np.concatenate([np.ravel(PAPER.flow.parameters), [-1, -1, 1, 1]])

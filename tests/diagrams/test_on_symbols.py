@@ -11,34 +11,29 @@ import sympy
 import clpt_control as clpt
 from clpt_control.equations.symbolic import rational
 
-
-def swing(t, x, u, p):
-    return {"theta": x.omega, "omega": -(p.w[0] ** 2) * np.sin(x.theta) - p.w[1] * x.omega}
-
-
 PENDULUM = clpt.Block(
-    "pendulum", update=swing, states={"theta": 1, "omega": 1}, parameters={"w": [2.0, 0.1]}
+    "pendulum",
+    update=lambda t, x, u, p: [x.omega, -(p.w[0] ** 2) * np.sin(x.theta) - p.w[1] * x.omega],
+    **{"states": {"theta": 1, "omega": 1}, "parameters": {"w": [2.0, 0.1]}},
 )
 
 
+def plant_of(rate, **params):
+    """A system of one state, which is its output."""
+    ports = {"inputs": "u", "outputs": "y", "states": "y", "name": "plant"}
+    return control.nlsys(rate, params=params, **ports)
+
+
 def test_a_function_of_python_control():
-    plant = control.nlsys(
-        lambda t, x, u, params: -params["am"] * x[0] + u[0],
-        inputs="u",
-        outputs="y",
-        states="y",
-        params={"am": 2.0},
-        name="plant",
-    )
+    plant = plant_of(lambda t, x, u, params: -params["am"] * x[0] + u[0], am=2.0)
     eq = clpt.equations(plant)
     assert str(eq) == "y' = -am*y + u(t)"
     assert str(eq.derivative(eq["y"] ** 2)) == "2*y*(-am*y + u(t))"
     assert eq.derivative("y") == eq.rates["y"][0]
     assert eq["am"].is_positive
     assert str(clpt.equations(plant, numbers=True)) == "y' = -2*y + u(t)"
-    assert eq._repr_latex_() == (
-        r"$\displaystyle\begin{aligned}\dot{y} &= - \mathrm{am}\,y + u\end{aligned}$"
-    )
+    lines = r"\begin{aligned}\dot{y} &= - \mathrm{am}\,y + u\end{aligned}"
+    assert eq._repr_latex_() == rf"$\displaystyle{lines}$"
     arrays = clpt.equations(PENDULUM)
     assert [str(s) for s in arrays["w"]] == ["w[0]", "w[1]"]
     assert r"\dot{\theta} &= \omega" in arrays._repr_latex_()
@@ -62,14 +57,8 @@ def test_a_state_behind_an_output_of_its_name_has_its_block_before_it():
     """Two blocks of a state x and an output x, which is 2 x + 1."""
 
     def offset(name):
-        return control.nlsys(
-            lambda t, x, u, p: -x,
-            lambda t, x, u, p: 2 * x + 1,
-            inputs="u",
-            states="x",
-            outputs="x",
-            name=name,
-        )
+        functions = (lambda t, x, u, p: -x, lambda t, x, u, p: 2 * x + 1)
+        return control.nlsys(*functions, inputs="u", states="x", outputs="x", name=name)
 
     named = lambda t, x, u, p: {"k": p.k - x.k}  # noqa: E731
     plant = clpt.Block("plant", update=named, states={"k": 1}, parameters={"k": 0.0})
@@ -81,26 +70,19 @@ def test_a_state_behind_an_output_of_its_name_has_its_block_before_it():
     assert both["b.x"] == 2 * both["b.state.x"] + 1
 
 
+ERROR = control.summing_junction(["r", "-y"], "e", name="error")
+PLANT = control.tf([1, 3], [1, 2, 0], inputs="e", outputs="y", name="plant")
 SYSTEMS = {
-    "the paper's loop with places given": lambda: clpt.closed_loop(
-        clpt.paper_scenario(), external="zc"
-    ),
-    "transfer functions": lambda: clpt.connect(
-        [
-            control.summing_junction(["r", "-y"], "e", name="error"),
-            control.tf([1, 3], [1, 2, 0], inputs="e", outputs="y", name="plant"),
-        ],
-        external="r",
-    ),
-    "a pendulum": lambda: control.interconnect([PENDULUM], outlist=["pendulum"]),
+    "the paper's loop with places given": clpt.closed_loop(clpt.paper_scenario(), external="zc"),
+    "transfer functions": clpt.connect([ERROR, PLANT], external="r"),
+    "a pendulum": control.interconnect([PENDULUM], outlist=["pendulum"]),
 }
 
 
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_symbols_are_the_numbers_of_python_control(name):
-    diagram = SYSTEMS[name]()
+    diagram, random = SYSTEMS[name], np.random.default_rng(0)
     eq = clpt.equations(diagram, numbers=True)
-    random = np.random.default_rng(0)
     x, u = random.standard_normal(diagram.nstates), random.standard_normal(diagram.ninputs)
     flat = [*eq.motion, *(s for own in eq.inputs.values() for s in own.flat)]
     known = dict(zip(flat, map(sympy.Float, [*x, *u]), strict=True))
@@ -132,30 +114,23 @@ def test_discrete_time_has_next_states_and_no_derivative():
 
 
 def test_jumps_are_shown():
-    block = clpt.Block(
-        "memory",
-        update=lambda t, x, u, p: {"m": -p.interval * x.m},
-        jump=lambda t, x, u, p: {"m": x.m / 2},
-        states={"m": 1},
-        parameters={"interval": -1.0},
-        breakpoints=lambda p, t0, t1: np.arange(np.floor(t0) + 1, np.floor(t1) + 1),
-    )
+    ports = {"states": {"m": 1}, "parameters": {"interval": -1.0}}
+    ports["breakpoints"] = lambda p, t0, t1: np.arange(np.floor(t0) + 1, np.floor(t1) + 1)
+    rate, jump = lambda t, x, u, p: -p.interval * x, lambda t, x, u, p: x / 2
+    block = clpt.Block("memory", update=rate, jump=jump, **ports)
     for numbers in (False, True):  # the interval is none: it is counted
         shown = str(clpt.equations(block, numbers=numbers))
         assert shown == "m' = -interval*m\nm+ = m/2"
 
 
 def test_what_samples_or_cannot_be_read_is_refused():
-    law = clpt.Block(
-        "held", update=lambda t, x, u, p: {"y": u.v - x.y}, inputs={"v": 1}, states={"y": 1}
-    )
+    rate = lambda t, x, u, p: {"y": u.v - x.y}  # noqa: E731
+    law = clpt.Block("held", update=rate, inputs={"v": 1}, states={"y": 1})
     loop = clpt.connect([clpt.equations.Sampled(law, 0.5)], external="v")
     for read in (clpt.equations, clpt.linearize):
         with pytest.raises(clpt.DiagramError, match="held: samples its inputs"):
             read(loop)
-    dice = clpt.Block(
-        "dice", update=lambda t, x, u, p: {"y": x.y * random.random()}, states={"y": 1}
-    )
+    dice = clpt.Block("dice", update=lambda t, x, u, p: x * random.random(), states={"y": 1})
     with pytest.raises(clpt.DiagramError, match="dice"):
         clpt.equations(dice)
 
@@ -167,21 +142,17 @@ def test_equations_too_long_to_read_are_made_and_counted():
 
     arm = control.nlsys(rate, None, inputs=0, states=5, outputs=5, params={"k": 1.0}, name="arm")
     eq = clpt.equations(arm)
-    lines = repr(eq).splitlines()
     assert len(repr(eq)) < 1000  # it was without end
-    assert re.fullmatch(r"x\[0\]' = \(\d+ parts\)", lines[0])
+    assert re.match(r"x\[0\]' = \(\d+ parts\)\n", repr(eq))
     assert r"\mathrm{(" in eq._repr_latex_()
 
 
 def test_a_param_whose_value_an_if_asks_is_as_it_is():
-    def rate(t, x, u, params):
-        return [(-1.0 if params["mode"] > 0 else 1.0) * params["k"] * x[0]]
-
+    rate = lambda t, x, u, p: [(-1.0 if p["mode"] > 0 else 1.0) * p["k"] * x[0]]  # noqa: E731
     plant = control.nlsys(
-        rate, inputs=0, outputs=["y"], states=["y"], params={"k": 2.0, "mode": 1.0}, name="plant"
+        rate, inputs=0, states=["y"], outputs=["y"], params={"k": 2.0, "mode": 1.0}
     )
     equations = clpt.equations(plant)
     assert str(equations) == "y' = -k*y"
-    assert equations.pinned == [("plant", "mode")]
-    verdict = clpt.theory.lyapunov(plant, lambda s: s.y**2)
-    assert "with the parameters as they are" in str(verdict)
+    assert equations.pinned == [(plant.name, "mode")]
+    assert "with the parameters as they are" in str(clpt.theory.lyapunov(plant, lambda s: s.y**2))

@@ -29,25 +29,15 @@ def system(update, **more):
 
 
 def lag():
-    rate = lambda t, x, u, p: (u - x) / p["tau"]  # noqa: E731
-    return system(rate, inputs=1, outputs=1, states=1, params={"tau": 1.0}, name="lag")
-
-
-def pulled(t, x, u, p):
-    """x' = -K x + u: two numbers."""
-    return -p.K * x.x + u.f
+    ports = {"inputs": 1, "outputs": 1, "states": 1, "params": {"tau": 1.0}, "name": "lag"}
+    return system(lambda t, x, u, p: (u - x) / p["tau"], **ports)
 
 
 def spring(name, K, port, **more):
-    return clpt.Block(
-        name,
-        update=pulled,
-        output=lambda t, x, u, p: x.x,
-        inputs={"f": 2},
-        outputs={port: 2},
-        states={"x": 2},
-        parameters={"K": np.array(K), **more},
-    )
+    """x' = -K x + u: two numbers."""
+    ports = {"inputs": {"f": 2}, "outputs": {port: 2}, "states": {"x": 2}}
+    rate, ports["parameters"] = lambda t, x, u, p: -p.K * x.x + u.f, {"K": np.array(K), **more}
+    return clpt.Block(name, update=rate, output=lambda t, x, u, p: x.x, **ports)
 
 
 def springs():

@@ -119,24 +119,21 @@ def test_threads_and_chunks_do_not_matter_to_any_diagram(first):
     "seed", [16, 40, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (0, 3, 51))]
 )
 def test_members_are_what_python_runs_block_by_block(seed):
-    draw = random.Random(seed)
-    diagram = random_diagram(draw)
-    first = VariedDiagram(diagram, (), TIMES[:5], 0.1, 0.2)
+    diagram, given = random_diagram(draw := random.Random(seed)), (TIMES[:5], 0.1, 0.2)
+    first = VariedDiagram(diagram, (), *given)
     names = [name for name in sorted(first.names) if place_of(name, first.names, first.given)]
     # "v" of all blocks and "system0.v" are one number
     names = [name for name in names if not any(one.endswith(f".{name}") for one in names)]
     vary = dict.fromkeys(draw.sample(names, min(4, len(names))), "0.4:0.9")
-    varied = VariedDiagram(diagram, read_varies(vary), TIMES[:5], 0.1, 0.2)
-    given = {"timepts": TIMES[:5], "inputs": 0.1, "initial_state": 0.2, "trajectories": True}
-    data = clpt.run_ensemble(diagram, vary, 5, **given)
+    varied = VariedDiagram(diagram, read_varies(vary), *given)
+    named = dict(zip(("timepts", "inputs", "initial_state"), given, strict=True))
+    data = clpt.run_ensemble(diagram, vary, 5, trajectories=True, **named)
     python = Ensemble(varied, vary, "python")
     for m in range(5):
-        own = {key: data[key].values[m] for key in vary}
-        parameters, start, inputs = varied.member(own)
+        parameters, start, inputs = varied.member({key: data[key].values[m] for key in vary})
         alone = python.native.with_parameters(parameters)
         solution = alone.run(start, TIMES[:5], inputs=inputs, method="dop853")
-        signals = alone.signals(solution, inputs)
-        every = np.vstack([signals.T, inputs.along(solution.t)])
+        every = np.vstack([alone.signals(solution, inputs).T, inputs.along(solution.t)])
         wanted = (varied.wiring.output_map @ every).T
         for port, places in ports_of(varied.outputs).items():
             found = data[port if port in data else f"{port}_"].values[m].reshape(5, -1)

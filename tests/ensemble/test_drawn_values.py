@@ -1,6 +1,7 @@
 """Values of members: how they are drawn, what is refused; members that have them; the command."""
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -101,10 +102,8 @@ MISTAKES = [
 
 @pytest.mark.parametrize(("vary", "more", "sentence"), MISTAKES)
 def test_mistakes_are_one_sentence(quick, tmp_path, vary, more, sentence):
-    with pytest.raises(ClptError) as error:
+    with pytest.raises(ClptError, match=rf"\A.*{re.escape(sentence)}.*\Z"):
         run_ensemble(quick, vary, out=tmp_path / "e.zarr", **{"members": 10, **more})
-    assert sentence in str(error.value)
-    assert "\n" not in str(error.value)
     assert list(tmp_path.iterdir()) == []
 
 
@@ -125,13 +124,11 @@ def test_every_key_that_may_vary_can(quick):
 
 @pytest.mark.parametrize("number", [0, 17, 39])
 def test_a_member_is_a_run_of_its_own(scenario, whole, number):
-    own = {vary.split("=")[0].split("~")[0]: None for vary in VARY}
-    values = {key: whole[key].values[number] for key in own}
-    run, _, summary = run_and_report(scenario.with_values(values))
+    member, keys = whole.isel(member=number), [re.split("[=~]", vary)[0] for vary in VARY]
+    run, _, summary = run_and_report(scenario.with_values({k: member[k].values for k in keys}))
     for name in ("position", "predicted_position", "alpha", "feedback_gain", "feedforward_gain"):
-        np.testing.assert_allclose(whole[name][number], run[name], rtol=0, atol=1e-6)
+        np.testing.assert_allclose(member[name], run[name], rtol=0, atol=1e-6)
     np.testing.assert_array_equal(whole["time"], run["time"])
-    member = whole.isel(member=number)
     for name in ("flow_parameter_error", "gain_error"):
         error = float(member[name].sel(mark=100))
         assert error == pytest.approx(summary[f"max_{name}"]["100"], abs=1e-6)
@@ -155,11 +152,9 @@ def test_the_command(clpt, printed, refused, quick, tmp_path):
     file, out, figure = tmp_path / "s.toml", tmp_path / "e.zarr", tmp_path / "e.png"
     clpt_control.save_scenario(quick, file)
     many = ("--members", 12, "--vary", VARY[0], "--vary", VARY[1], "--seed", 4, "--out", out)
-    found = printed("ensemble", file, *many, "--figure", figure)
-    assert found["ended"] == {"finished": 12}
+    assert printed("ensemble", file, *many, "--figure", figure)["ended"] == {"finished": 12}
     assert inked(figure) > 0.01
-    table = clpt("ensemble", file, *many)
-    assert f"{quick.title or file}: 12 finished" in table.out
+    assert f"{quick.title or file}: 12 finished" in clpt("ensemble", file, *many).out
     wrong = ("--members", 3, "--vary", "x=1:2", "--out", tmp_path / "f.zarr")
     assert "x cannot vary; may vary" in refused("ensemble", file, *wrong)
     assert not (tmp_path / "f.zarr").exists()

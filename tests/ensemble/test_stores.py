@@ -98,17 +98,17 @@ def test_a_damaged_ensemble_is_a_sentence(whole, out, name, damage, said):
     assert not os.path.lexists("e.html")
 
 
-@pytest.mark.parametrize(
-    ("name", "damage"),
-    [
-        ("gain_error/c/0/0", flipped),
-        ("alpha/c/1/0/0/0", flipped),
-        ("gain_error/c/1/0", shortened),
-        ("done/c/0", shortened),  # a checksum
-        ("clpe_rms_whole/c/1", os.unlink),
-        ("alpha/c/1/0/0/0", os.unlink),
-    ],
-)
+CHUNKS = [
+    ("gain_error/c/0/0", flipped),
+    ("alpha/c/1/0/0/0", flipped),
+    ("gain_error/c/1/0", shortened),
+    ("done/c/0", shortened),  # a checksum
+    ("clpe_rms_whole/c/1", os.unlink),
+    ("alpha/c/1/0/0/0", os.unlink),
+]
+
+
+@pytest.mark.parametrize(("name", "damage"), CHUNKS)
 def test_a_damaged_chunk_is_run_again(whole, out, name, damage):
     damage(out / name)
     if not name.startswith(("alpha", "done")):  # which a page does not read
@@ -149,24 +149,15 @@ def test_what_lacks_is_neither_mixed_nor_written_over(whole, out):
         run_ensemble(out=out, **whole[1])
 
 
-@pytest.mark.parametrize(
-    ("what", "value"),
-    [
-        ("seed", 1),
-        ("members", 7),
-        ("design", "random"),
-        ("vary", "learning.gain=1:2"),
-        ("trajectories", False),
-        ("chunk", 2),
-        ("scenario", 0.9),
-    ],
-)
+OTHERS = {"seed": 1, "members": 7, "design": "random", "vary": "learning.gain=1:2"}
+OTHERS |= {"trajectories": False, "chunk": 2, "scenario": 0.9}
+
+
+@pytest.mark.parametrize(("what", "value"), OTHERS.items())
 def test_another_ensemble_is_refused(whole, out, what, value):
-    before, given = files(out), dict(whole[1])
-    if what == "scenario":
-        given["system"] = given["system"].with_values({"learning.gain": value})
-    else:
-        given[what] = value
+    before, given = files(out), {**whole[1], what: value}
+    if gain := given.pop("scenario", None):
+        given["system"] = given["system"].with_values({"learning.gain": gain})
     with pytest.raises(DataError, match=f"holds an ensemble of another {what}"):
         run_ensemble(out=out, **given)
     assert files(out) == before
@@ -191,26 +182,25 @@ def test_what_ends_an_ensemble_says_what_is_kept(clpt, quick, tmp_path, monkeypa
     from clpt_control import save_scenario
 
     save_scenario(quick, tmp_path / "s.toml")
-    out = tmp_path / "e.zarr"
+    out, write = tmp_path / "e.zarr", Store.write
     words = ("ensemble", tmp_path / "s.toml", "--vary", "learning.gain=1:2", "--threads", "1")
-    words, write = (*words, "--out", out, "--members"), Store.write
 
-    def full(store, index, arrays):
-        if index >= fails:
-            raise DataError("e.zarr: cannot be written: No space left on device")
-        write(store, index, arrays)
+    def asked(after, members="4", chunk="2"):
+        """Run the command, which finds no space after some chunks."""
 
-    monkeypatch.setattr(Store, "write", full)
+        def full(store, index, arrays):
+            if index >= after:
+                raise DataError("e.zarr: cannot be written: No space left on device")
+            write(store, index, arrays)
+
+        monkeypatch.setattr(Store, "write", full)
+        return clpt(*words, "--out", out, "--members", members, "--chunk", chunk)
+
     said = "clpt: e.zarr: cannot be written: No space left on device"
-    fails = 0
-    for members, chunk in (("4", "2"), ("24", "24")):  # of the last, members are done, none stored
-        ended = clpt(*words, members, "--chunk", chunk)
-        assert (ended.status, ended.err.splitlines()[-1]) == (2, said)
-        assert not out.exists()
-    fails = 1
+    for ended in (asked(0), asked(0, "24", "24")):  # of the last, members are done, none stored
+        assert (ended.status, ended.err.splitlines()[-1], out.exists()) == (2, said, False)
     kept = f"{out} holds 2 of 4 members; the same command goes on from there"
-    assert clpt(*words, "4", "--chunk", "2") == (2, "", f"{said}; {kept}\n")
-    fails = 2
-    outcome = clpt(*words, "4", "--chunk", "2")
+    assert asked(1) == (2, "", f"{said}; {kept}\n")
+    outcome = asked(2)
     there = "clpt: running s.toml: 2 of 4 members were there already\n"
     assert (outcome.status, outcome.err) == (0, there)

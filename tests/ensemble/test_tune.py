@@ -34,8 +34,7 @@ def scored(law, score, time=np.inf, failed=0, error=1.0):
 
 def test_of_those_as_good_as_the_best_the_quickest_is_taken():
     near, best, far = scored("a", 1.15, 3.0), scored("b", 1.0, 9.0), scored("c", 1.5, 1.0)
-    broken = scored("d", 0.5, 0.5, failed=1)
-    endless = scored("e", np.inf)
+    broken, endless = scored("d", 0.5, 0.5, failed=1), scored("e", np.inf)
     assert ranked([far, broken, best, endless, near]) == [near, best, far]
     assert ranked([broken, endless]) == []
 
@@ -68,11 +67,10 @@ def test_what_is_drawn_is_drawn_about_the_belief(paper):
     assert unknown.prior == pytest.approx(0.3 * 1.0 * 3.0)  # k = 1/s, the circle reaches 3 m
     assert not np.any(unknown.scenario.flow.parameters)
     told = paper.with_values({"learning.parameters": [[-1, -2, -3], [0, 0, -4]]})
-    np.testing.assert_array_equal(belief(told), [[1, 2, 3], [0, 0, 4]])
-    drawn_about = unknown_of(told, None, None, 4).scenario.flow.parameters
-    np.testing.assert_array_equal(drawn_about, [[1, 2, 3], [0, 0, 4]])
     modelled = paper.with_values({"model.parameters": [[1, 2, 3], [0, 0, 4]]})
-    np.testing.assert_array_equal(belief(modelled), [[1, 2, 3], [0, 0, 4]])
+    drawn_about = unknown_of(told, None, None, 4).scenario.flow.parameters
+    for flow in (belief(told), drawn_about, belief(modelled)):
+        np.testing.assert_array_equal(flow, [[1, 2, 3], [0, 0, 4]])
     noisy = paper.with_values({"localization": {"noise": 0.02, "noise_period": 1}})
     unknown = unknown_of(noisy, 0.5, 0.2, 4)
     assert [*unknown.varies] == ["flow.parameters", "flow.disturbance.seed", "localization.seed"]
@@ -141,29 +139,38 @@ def test_a_measured_current_is_taken_out(facts, tmp_path):
     assert not np.any(tuned.report["belief"])
 
 
-def test_what_cannot_be_tuned_is_refused(paper):
-    for arguments, said in (
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
         ({"members": 2}, "members = 2: must be a whole number, 3 to"),
         ({"seed": -1}, "seed = -1"),
         ({"prior": 0.0}, "prior = 0: must be a positive speed"),
         ({"unmodelled": float("inf")}, "unmodelled = inf"),
         ({"laws": ["magic"]}, "'magic' is no law"),
         ({"laws": ["known-flow"]}, "none of known-flow learns the flow"),
-    ):
-        with pytest.raises(ScenarioError, match=said):
-            tune_law(paper, **arguments)
+    ],
+)
+def test_what_cannot_be_tuned_is_refused(paper, arguments, said):
+    with pytest.raises(ScenarioError, match=said):
+        tune_law(paper, **arguments)
 
 
 def test_the_command_writes_the_choice(clpt, printed, short, tmp_path):
     clpt_control.save_scenario(short, tmp_path / "mine.toml")
-    words = ("tune", tmp_path / "mine.toml", "--members", "3", "--law", "sigma")
-    words = (*words, "--law", "dead-zone")
+    words = (
+        "tune",
+        tmp_path / "mine.toml",
+        "--members",
+        "3",
+        "--law",
+        "sigma",
+        "--law",
+        "dead-zone",
+    )
     report = printed(*words, "--out", tmp_path / "tuned.toml")
-    made = clpt_control.load_scenario(tmp_path / "tuned.toml")
-    assert made.learning.law == report["chosen"]["law"]
-    assert made.learning.gain == report["chosen"]["gain"]
+    made, chosen = clpt_control.load_scenario(tmp_path / "tuned.toml"), report["chosen"]
+    assert (made.learning.law, made.learning.gain) == (chosen["law"], chosen["gain"])
     assert made.flow == short.flow
     shown = clpt(*words)
-    assert shown.status == 0, shown.err
-    assert report["because"] in shown.out
+    assert (shown.status, report["because"] in shown.out) == (0, True), shown.err
     assert clpt("tune", tmp_path / "mine.toml", "--law", "magic").status == 2

@@ -76,10 +76,8 @@ MISTAKES = [  # a diagram, what varies, what else is given, the sentence
 
 @pytest.mark.parametrize(("made", "vary", "more", "sentence"), MISTAKES)
 def test_mistakes_are_one_sentence(tmp_path, made, vary, more, sentence):
-    given = {"timepts": TIMES, "out": tmp_path / "e.zarr", **more}
-    with pytest.raises(ClptError, match=sentence) as error:
-        clpt.run_ensemble(made, vary, **given)
-    assert "\n" not in str(error.value)
+    with pytest.raises(ClptError, match=rf"\A.*{sentence}.*\Z"):
+        clpt.run_ensemble(made, vary, **{"timepts": TIMES, "out": tmp_path / "e.zarr", **more})
     assert not list(tmp_path.iterdir())
 
 
@@ -93,24 +91,18 @@ def test_a_name_that_zarr_does_not_have_is_told(label, tmp_path):
 
 
 def test_an_output_named_as_a_summary_of_another_is_refused():
-    two = control.nlsys(
-        *(lambda t, x, u, p: -p["k"] * x, lambda t, x, u, p: [x[0], 7.0]),
-        inputs=0, states=1, outputs=["y", "y_final"], params={"k": 1.0}, name="two",
-    )  # fmt: skip
-    given = {"vary": {"k": [1.0]}, "timepts": TIMES, "initial_state": 1.0}
+    ports = {"inputs": 0, "states": 1, "outputs": ["y", "y_final"], "params": {"k": 1.0}}
+    functions = (lambda t, x, u, p: -p["k"] * x, lambda t, x, u, p: [x[0], 7.0])
+    two, given = control.nlsys(*functions, **ports), {"timepts": TIMES, "initial_state": 1.0}
     with pytest.raises(ClptError, match="y_final is twice a name of the result"):
-        clpt.run_ensemble(two, trajectories=True, **given)
-    assert clpt.run_ensemble(two, **given).y_final_final.values == 7.0
+        clpt.run_ensemble(two, {"k": [1.0]}, trajectories=True, **given)
+    assert clpt.run_ensemble(two, {"k": [1.0]}, **given).y_final_final.values == 7.0
 
 
 def test_states_and_inputs_bring_their_units():
-    sail = clpt.Block(
-        "sail",
-        update=lambda t, x, u, p: {"s": u.v - x.s, "w": -x.w},
-        inputs={"v": 1},
-        states={"s": 1, "w": 2},
-        units={"v": "m/s", "s": "m", "w": "kg"},
-    )
+    ports = {"inputs": {"v": 1}, "states": {"s": 1, "w": 2}}
+    ports["units"] = {"v": "m/s", "s": "m", "w": "kg"}
+    sail = clpt.Block("sail", update=lambda t, x, u, p: {"s": u.v - x.s, "w": -x.w}, **ports)
     loop = clpt.connect([sail], external="v", name="sailing")
     vary = {"v": [1.0, 2.0], "sail_s[0]": [0.0, 1.0], "sail_w[0]": [0.0]}
     data = clpt.run_ensemble(loop, vary, timepts=TIMES)
@@ -124,14 +116,10 @@ def test_values_that_vary_have_the_units_of_their_keys():
     words = ["flow.parameters~normal:0.1", "vehicle.feedback=0.5:2", "reference.dwell=[19, 20]"]
     words += ["learning.position~normal:1", "learning.gain=1:2"]
     data = clpt.run_ensemble(PAPER.with_values({"units.length": "km"}), words, 2)
-    units = {key: data[key].attrs.get("units") for key in data.coords if "." in key}
-    assert units == {
-        "flow.parameters": "km s-1",
-        "learning.gain": None,  # 1/s2 for alpha, less a length squared for K and Gamma
-        "learning.position": "km",
-        "reference.dwell": "s",
-        "vehicle.feedback": "s-1",
-    }
+    units = {"flow.parameters": "km s-1", "learning.position": "km", "reference.dwell": "s"}
+    units |= {"vehicle.feedback": "s-1"}
+    units["learning.gain"] = None  # 1/s2 for alpha, less a length squared for K and Gamma
+    assert {key: data[key].attrs.get("units") for key in data.coords if "." in key} == units
 
 
 def test_an_ensemble_says_what_it_is_and_is_written_as_netcdf(tmp_path):

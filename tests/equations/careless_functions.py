@@ -64,36 +64,7 @@ LEVER, ASKING = Lever(), Asking()
 # --- truth values --------------------------------------------------------------------------------
 
 
-def is_where_of_truths(t, x, u, p):
-    low = np.where(x > 0.5, u[0] > 0, True)
-    return [np.sum(low), np.sum(np.where(x > 0, True, False)), np.sum(np.where(x > 0, False, low))]
-
-
-def writes_into_truths(t, x, u, p):
-    y = np.array([x[0] > 0, x[1] > 0])
-    y[0] = 2.5
-    return 1.0 * y
-
-
 # --- whole numbers and short floats ------------------------------------------------------------
-
-
-def is_made_by_a_parameter(t, x, u, p):
-    y = np.zeros(p["n"])
-    y[1] = x[0]
-    return [*y, len(np.ones((p["n"], 2))), p.get(f"k{p['n']}", 0.0)]
-
-
-def cuts_what_it_writes(t, x, u, p):
-    y = np.zeros_like(x, dtype=int)
-    y[0] = x[0]
-    return y
-
-
-def cuts_what_is_written_into_a_parameter(t, x, u, p):
-    y = p["A"].copy()
-    y[0] = 1.5 * x[0]
-    return y
 
 
 def is_cut_in_its_place(t, x, u, p):
@@ -117,28 +88,12 @@ def is_divided_in_an_array(t, x, u, p):
         return [99.0]
 
 
-def is_printed(t, x, u, p):
-    print("here")
-    return x
-
-
 def catches_what_numpy_raises(t, x, u, p):
     with np.errstate(all="raise"):
         try:
             return [np.float64(1.0) / x[0]]
         except FloatingPointError:
             return [7.0]
-
-
-def puts_another_mask(t, x, u, p):
-    y = np.zeros(3)
-    y[x > -9] = x[x < 9]
-    return y
-
-
-def is_without_what_is_no_number(t, x, u, p):
-    a = x[0] / x[1]
-    return [a, max(float("nan"), x[0])]
 
 
 # --- what is changed in place ---------------------------------------------------------------------
@@ -170,28 +125,10 @@ def is_whole_numbers_are_cut(t, x, u, p):
     return np.concatenate(rows)
 
 
-def adds_at_places(t, x, u, p):
-    y = np.zeros(3)
-    np.add.at(y, [0, 0], 1.0)
-    return y * x
-
-
 def changes_a_shape(t, x, u, p):
     y = np.outer(x, u)
     y.shape = (2, 3)
     return y @ x
-
-
-def sorts_in_part(t, x, u, p):
-    y = np.array([3.0, 1.0, 2.0])
-    y.partition(1)
-    return y * x
-
-
-def writes_into_an_attribute(t, x, u, p):
-    y = np.asarray(ASKING.table)
-    y[0] = x[0]
-    return ASKING.table
 
 
 def is_limits_into_an_array(t, x, u, p):
@@ -212,11 +149,15 @@ FUNCTIONS = {
 # --- in a line -----------------------------------------------------------------------------------
 
 
+def put(y, place, value):
+    """An array in which one place is written, in its own kind of numbers."""
+    y[place] = value
+    return y
+
+
 def beside(number, cut):
     """An array of 0 and a number, into which another is written: cut, if both were whole."""
-    y = np.array([0, number])
-    y[0] = cut
-    return y
+    return put(np.array([0, number]), 0, cut)
 
 
 def tried(run, otherwise=99.0):
@@ -229,9 +170,8 @@ def tried(run, otherwise=99.0):
 
 def changed(a, u):
     """Return what each name of a number, or of an array without axes, holds where one changes."""
-    b = a
+    b = c = a
     b += u[0]
-    c = a
     c *= u[1]
     return [a * 1.0, b * 1.0, c * 1.0]
 
@@ -253,6 +193,10 @@ COUNTED = """
 AS_PYTHON_HAS_THEM = """
     x[0] * (p["n"] & 1) ; x[0] * ~p["short"] ; np.array([x[0] > 0, x[1] > 0]) ;
     [(x[0] > 0) * (x[1] > 0) * u[0], 1.0 * np.maximum(x[0] > 0, x[1] > 0)] ;
+    [np.sum(np.where(x > 0.5, u[0] > 0, True)), np.sum(np.where(x > 0, True, False))] ;
+    np.sum(np.where(x > 0, False, np.where(x > 0.5, u[0] > 0, True))) ;
+    [*put(np.zeros(p["n"]), 1, x[0]), len(np.ones((p["n"], 2))), p.get(f"k{p['n']}", 0.0)] ;
+    print("here") or x ; [x[0] / x[1], max(float("nan"), x[0])] ;
     np.where((x > 0) ^ (x < 1) | ~(x > -1) & (u[0] > 0), 1.0, 0.0) ;
     [*np.cumsum(x > 0), np.sum(x > 0), sum([x[0] > 0, x[1] > 0]), np.prod(x > 0)] ;
     [*(p["A"] // 2 * x[1]), p["n"] // 2 * x[0], p["n"] ** -1] ; np.argsort(x) ; np.array([1, 2]) ;
@@ -276,6 +220,11 @@ AS_PYTHON_HAS_THEM = """
     [SCATTERED(x[0], u[0]), SCATTERED(x[:2])[0], FLAT(5.0 + x[0], 0.1 * abs(u[0]))]
 """
 WOULD_BE_OTHERS = """
+    1.0 * put(np.array([x[0] > 0, x[1] > 0]), 0, 2.5) ; put(np.zeros_like(x, dtype=int), 0, x[0]) ;
+    put(p["A"].copy(), 0, 1.5 * x[0]) ; put(np.zeros(3), x > -9, x[x < 9]) ;
+    put(np.asarray(ASKING.table), 0, x[0]) * 0.0 + ASKING.table ;
+    [y := np.zeros(3), np.add.at(y, [0, 0], 1.0), y * x][2] ;
+    [y := np.array([3.0, 1.0, 2.0]), y.partition(1), y * x][2] ;
     STEPPED(x[:2]) ; FILLED(x[0]) ; RESCALED(x[0], u[0]) ;
     np.searchsorted([2.0, 1.0, 0.0], x) ; np.interp(x[0], [2.0, 1.0, 0.0], [5.0, 0.0, 1.0]) ;
     np.einsum("ii->i", np.outer(x, x)) ; np.max(np.outer(x, u), 0, np.zeros(2)) ;

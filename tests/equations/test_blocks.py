@@ -30,7 +30,7 @@ class Record:
 
 
 THETA = np.arange(6.0).reshape(2, 3)
-KINDS = [
+KINDS = [  # a dict, lists, a NamedTuple, a dataclass
     {"gain": 0.5, "theta": THETA},
     {"gain": 0.5, "theta": THETA.tolist()},
     Tuple(0.5, THETA),
@@ -43,9 +43,8 @@ def flow(t, x, u, p):
 
 
 def made(parameters, **more):
-    return static(
-        flow, {"phi": "N"}, {"flow": 2}, parameters=parameters, shapes={"theta": (2, "N")}, **more
-    )
+    more |= {"parameters": parameters, "shapes": {"theta": (2, "N")}}
+    return static(flow, {"phi": "N"}, {"flow": 2}, **more)
 
 
 @pytest.mark.parametrize("kind", [lambda rate: rate, partial])
@@ -61,7 +60,7 @@ def test_a_block_says_its_own_equations(kind):
         assert equation_numbers(one) == "Eq. (30)"
 
 
-@pytest.mark.parametrize("parameters", KINDS, ids=["dict", "lists", "NamedTuple", "dataclass"])
+@pytest.mark.parametrize("parameters", KINDS)
 def test_parameters_are_a_dict_a_named_tuple_or_a_dataclass(parameters):
     block, phi = made(parameters), [1, 0, 2]
     p = block.parameters
@@ -95,25 +94,20 @@ def test_parameters_and_ports_have_any_names():
     assert as_it_runs(block, "output", 0.0, [], range(7)).tolist() == [6, *range(0, 14, 2)]
 
 
-WAYS = {  # of one value for ports a[2] and b[2, 2]
-    "a mapping": lambda t, x, u, p: {"a": u.v[:2], "b": np.outer(u.v[:2], u.v[1:])},
-    "a mapping in another order": lambda t, x, u, p: {
-        "b": np.outer(u.v[:2], u.v[1:]), "a": u.v[:2]
-    },
-    "an array": lambda t, x, u, p: np.concatenate([u.v[:2], np.outer(u.v[:2], u.v[1:]).ravel()]),
-    "a list of arrays": lambda t, x, u, p: [u.v[:2], np.outer(u.v[:2], u.v[1:])],
-    "a tuple of numbers": lambda t, x, u, p: (
-        u[0], u[1], u[0] * u[1], u[0] * u[2], u[1] * u[1], u[1] * u[2]
-    ),
-}  # fmt: skip
+WAYS = [  # of one value for ports a[2] and b[2, 2]
+    lambda t, x, u, p: {"a": u.v[:2], "b": np.outer(u.v[:2], u.v[1:])},
+    lambda t, x, u, p: {"b": np.outer(u.v[:2], u.v[1:]), "a": u.v[:2]},
+    lambda t, x, u, p: np.concatenate([u.v[:2], np.outer(u.v[:2], u.v[1:]).ravel()]),
+    lambda t, x, u, p: [u.v[:2], np.outer(u.v[:2], u.v[1:])],
+    lambda t, x, u, p: (u[0], u[1], u[0] * u[1], u[0] * u[2], u[1] * u[1], u[1] * u[2]),
+]
 
 
 @pytest.mark.parametrize("way", WAYS)
 def test_values_may_be_returned_in_any_form(way):
-    block = static(WAYS[way], {"v": 3}, {"a": 2, "b": (2, 2)})
+    block = static(way, {"v": 3}, {"a": 2, "b": (2, 2)})
     found = as_it_runs(block, "output", 0.0, [], [2.0, 3.0, 5.0])
-    wanted = [7] * 2 + [0] * 4 if way == "a number everywhere" else [2, 3, 6, 10, 9, 15]
-    np.testing.assert_array_equal(found, wanted)
+    np.testing.assert_array_equal(found, [2, 3, 6, 10, 9, 15])
     assert block.output_labels == ["a[0]", "a[1]", "b[0]", "b[1]", "b[2]", "b[3]"]
     assert block.output_shapes == {"a": (2,), "b": (2, 2)}
     assert block.output_ports == {"a": 2, "b": 4}
@@ -125,17 +119,16 @@ def riccati(t, x, u, p):
 
 
 def test_states_are_views_of_one_vector():
-    block = Block(
-        "mine", update=riccati, inputs={"rate": 1}, states={"P": ("n", "n"), "K": "n"},
-        sizes={"n": 2},
-    )  # fmt: skip
-    P, K = np.array([[1.0, 2.0], [3.0, 4.0]]), np.array([5.0, 6.0])
-    x = np.concatenate([P.ravel(), K])
+    ports = {"inputs": {"rate": 1}, "states": {"P": ("n", "n"), "K": "n"}, "sizes": {"n": 2}}
+    block, P, x = (
+        Block("mine", update=riccati, **ports),
+        np.array([[1.0, 2], [3, 4]]),
+        np.arange(1.0, 7),
+    )
     wanted = [*(0.5 * P - P @ P).ravel(), *(P[1] + 1.0 * 6.0)]
     np.testing.assert_allclose(as_it_runs(block, "update", 0.0, x, [0.5]), wanted)
     np.testing.assert_array_equal(block.output(0, x, [0.5]), x)
-    assert block.states_are_outputs
-    assert block.output_function is None
+    assert (block.states_are_outputs, block.output_function) == (True, None)
     np.testing.assert_array_equal(recorded(block, "output", 0.0, x, [0.5]), x)
     assert not block.feedthrough
 
@@ -162,32 +155,33 @@ CANNOT = [
 
 @pytest.mark.parametrize(("declared", "words"), CANNOT)
 def test_declarations_that_cannot_work(declared, words):
-    with pytest.raises((ArgumentError, BlockError), match=words) as caught:
+    with pytest.raises((ArgumentError, BlockError), match=rf"\A.*{words}.*\Z"):
         Block("mine", **declared)
-    assert "\n" not in str(caught.value)
 
 
 # --- other names --------------------------------------------------------------------------------
 
 
 def test_a_block_in_a_namespace_is_the_same_under_other_names():
-    block = made(KINDS[0])
+    block, phi = made(KINDS[0]), [1.0, -2.0, 0.5]
+
+    def asked(one):
+        found = one.output(0, [], phi)
+        np.testing.assert_array_equal(recorded(one, "output", 0, [], phi), found)
+        return found.tolist()
+
+    wanted = (0.5 * THETA @ phi).tolist()
     west = within(block, "west")
     assert (west.name, split(west.name)) == ("west/mine", ("west", "mine"))
-    assert west.input_ports == {"west/phi": 3}
-    phi = [1.0, -2.0, 0.5]
-    np.testing.assert_array_equal(west.output(0, [], phi), block.output(0, [], phi))
-    np.testing.assert_array_equal(recorded(west, "output", 0, [], phi), block.output(0, [], phi))
     assert west.array_record("output").leaves("u") == ["west/phi"]
     again = renamed(west, "east", {"west/phi": "psi"}, {"west/flow": "out"})
     assert (again.input_ports, again.output_ports) == ({"psi": 3}, {"out": 2})
-    np.testing.assert_array_equal(recorded(again, "output", 0, [], phi), block.output(0, [], phi))
+    assert asked(west) == asked(again) == wanted
     for twin in (west, copy.deepcopy(block), block.copy(name="twin")):  # are independent
         twin.parameters = twin.parameters._replace(gain=3.0, theta=np.ones((2, 3)))
-        for found in (twin.output(0, [], phi), recorded(twin, "output", 0, [], phi)):
-            np.testing.assert_array_equal(found, [3 * sum(phi)] * 2)
-    assert block.input_ports == {"phi": 3}
-    np.testing.assert_array_equal(block.output(0, [], phi), 0.5 * THETA @ phi)
+        assert asked(twin) == [3 * sum(phi)] * 2
+    assert (west.input_ports, block.input_ports) == ({"west/phi": 3}, {"phi": 3})
+    assert asked(block) == wanted
 
 
 # --- linear systems -------------------------------------------------------------------------------

@@ -24,29 +24,23 @@ def compare(seed):
                 found = recorded(block, role, t, x, u)
             except Unread as why:
                 return str(why).partition(": ")[2]
-            scale = np.abs(found[np.isfinite(found)]).max(initial=1.0)
-            np.testing.assert_allclose(
-                found,
-                run(block, role, t, x, u),
-                rtol=1e-12,
-                atol=1e-12 * scale,
-                err_msg=f"{role} of random_block(Random({seed}))",
-            )
+            near = {
+                "rtol": 1e-12,
+                "atol": 1e-12 * np.abs(found[np.isfinite(found)]).max(initial=1.0),
+            }
+            said = f"{role} of random_block(Random({seed}))"
+            np.testing.assert_allclose(found, run(block, role, t, x, u), err_msg=said, **near)
     return None
 
 
-def compare_all(seeds):
-    """Compare many; hardly any are not read."""
+PARTS = [range(part * PROGRAMS // 4, (part + 1) * PROGRAMS // 4) for part in range(4)]
+MANY = [range(first, first + SLOW // 30) for first in range(10_000, 10_000 + SLOW, SLOW // 30)]
+
+
+@pytest.mark.parametrize(
+    "seeds", [*PARTS, *(pytest.param(seeds, marks=pytest.mark.slow) for seeds in MANY)]
+)
+def test_random_programs_are_read_as_they_run(seeds):
+    """Hardly any are not read."""
     refused = Counter(why for why in map(compare, seeds) if why)
     assert refused.total() <= len(seeds) // 25, refused
-
-
-@pytest.mark.parametrize("part", range(4))
-def test_random_programs_are_read_as_they_run(part):
-    compare_all(range(part * PROGRAMS // 4, (part + 1) * PROGRAMS // 4))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("part", range(30))
-def test_many_random_programs_are_read_as_they_run(part):
-    compare_all(range(10_000 + part * SLOW // 30, 10_000 + (part + 1) * SLOW // 30))

@@ -14,14 +14,9 @@ N, M = 40, 6
 X = np.random.default_rng(0).uniform(-2.0, 2.0, N)
 
 
-def moving(function, n=N):
-    """Return a block of n states with these rates."""
-    return Block("b", update=lambda t, x, u, p: function(x), states={"x": n})
-
-
-def record_of(function):
-    """Return the operations of a function's record."""
-    return moving(function).array_record("update").operations
+def moving(function):
+    """Return a block of N states with these rates."""
+    return Block("b", update=lambda t, x, u, p: function(x), states={"x": N})
 
 
 def looped(x):
@@ -64,8 +59,7 @@ def masses(x):
 
 
 def grid(x):
-    z = x[:36].reshape(M, M)
-    rates = np.zeros((M, M))
+    z, rates = x[:36].reshape(M, M), np.zeros((M, M))
     rates[1:-1, 1:-1] = z[2:, 1:-1] + z[:-2, 1:-1] + z[1:-1, 2:] + z[1:-1, :-2]
     return np.r_[(rates - 4 * z + np.roll(z, 1, axis=1)).ravel(), x[36:]]
 
@@ -94,7 +88,7 @@ LOOPS = {
 def test_a_loop_is_as_python_runs_it_and_short(name):
     function, most = LOOPS[name]
     as_it_runs(moving(function), "update", 0.0, X, [])
-    assert len(record_of(function)) <= most
+    assert len(moving(function).array_record("update").operations) <= most
 
 
 TERMS = {

@@ -75,10 +75,9 @@ def marked_line(function):
 @pytest.mark.parametrize("function", LINES, ids=lambda f: f.__name__)
 def test_unread_by_function_line_and_cause(function):
     named, why = LINES[function]
-    said = rf"^mine\.output: ({named.__name__}|<lambda>), line {marked_line(named)}: .*{why}"
-    with pytest.raises(Unread, match=said) as caught:
+    said = rf"\Amine\.output: ({named.__name__}|<lambda>), line {marked_line(named)}: .*{why}.*\Z"
+    with pytest.raises(Unread, match=said):
         static(function).array_record("output")
-    assert "\n" not in str(caught.value)
 
 
 def test_too_many_ways_are_not_read():
@@ -94,10 +93,8 @@ def test_what_is_not_read_runs_in_python(function):
 
 
 def test_the_record_of_another_role_is_there_all_the_same():
-    block = Block(
-        "mine", update=lambda t, x, u, p: -x, output=is_text, inputs={"u": 1}, states={"x": 1},
-        outputs={"y": 1},
-    )  # fmt: skip
+    ports = {"inputs": {"u": 1}, "states": {"x": 1}, "outputs": {"y": 1}}
+    block = Block("mine", update=lambda t, x, u, p: -x, output=is_text, **ports)
     assert block.array_record("update").shapes == ((1,),)
     with pytest.raises(Unread):
         block.array_record("output")
@@ -120,19 +117,13 @@ def beyond(t, x, u, p):
     ],
 )
 def test_a_mistake_is_told_where_the_block_is_made(function, words):
-    with pytest.raises(BlockError, match=rf"^mine\.output.*{words}") as caught:
+    with pytest.raises(BlockError, match=rf"\Amine\.output.*{words}.*\Z"):
         static(function)
-    assert "\n" not in str(caught.value)
 
 
 def test_why_a_function_cannot_be_read_is_kept_as_its_record_is(monkeypatch):
     asked = []
-
-    def counted(*given):
-        asked.append(1)
-        return read(*given)
-
-    monkeypatch.setattr(system, "read", counted)
+    monkeypatch.setattr(system, "read", lambda *given: asked.append(1) or read(*given))
 
     def waits(t, x, u, params):
         return -params["k"] * waits_for_a_signal(t, x, x, params)
@@ -141,5 +132,4 @@ def test_why_a_function_cannot_be_read_is_kept_as_its_record_is(monkeypatch):
     for params, count in ((None, 1), (None, 1), ({"k": 0.7}, 2), ({"k": 0.7}, 2)):
         with pytest.warns(UserWarning, match="h runs in Python.*no `while` on a signal"):
             run = clpt.simulate(halve, [0.0, 0.1], 0.0, [1.0], params)
-        assert len(asked) == count
-        assert run.attrs["engine"] == "python"
+        assert (len(asked), run.attrs["engine"]) == (count, "python")

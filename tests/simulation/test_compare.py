@@ -13,25 +13,18 @@ SCENARIO = clpt.paper_scenario().with_values({"run.duration": 60.0, "run.output_
 
 
 def tank(units=None):
+    ports = {"inputs": {"q": 1}, "states": {"h": 2}, "parameters": {"a": 0.5}}
+    ports["units"] = {"h": "m", "q": "m3/s"} if units is None else units
     return clpt.Block(
-        "tank",
-        update=lambda t, x, u, p: {"h": [u.q[0] - p.a * x.h[0], x.h[0] - x.h[1]]},
-        inputs={"q": 1},
-        states={"h": 2},
-        parameters={"a": 0.5},
-        units={"h": "m", "q": "m3/s"} if units is None else units,
+        "tank", update=lambda t, x, u, p: [u.q[0] - p.a * x.h[0], x.h[0] - x.h[1]], **ports
     )
 
 
 def gauge():
-    return clpt.Block(
-        "gauge",
-        output=lambda t, x, u, p: {"v": p.k * u.h, "mean": (u.h[0] + u.h[1]) / 2},
-        inputs={"h": 2},
-        outputs={"v": 2, "mean": 1},
-        parameters={"k": np.array([2.0, 3.0])},
-        units={"v": "V"},
-    )
+    ports = {"inputs": {"h": 2}, "outputs": {"v": 2, "mean": 1}, "units": {"v": "V"}}
+    ports["parameters"] = {"k": np.array([2.0, 3.0])}
+    mean = lambda t, x, u, p: {"v": p.k * u.h, "mean": (u.h[0] + u.h[1]) / 2}  # noqa: E731
+    return clpt.Block("gauge", output=mean, **ports)
 
 
 def loop():
@@ -40,9 +33,7 @@ def loop():
 
 def lemniscate():
     return clpt.Block(
-        "lemniscate",
-        output=lambda t, x, u, p: {"zc": [2 * np.cos(t / 20), np.sin(t / 10)]},
-        outputs={"zc": 2},
+        "eight", output=lambda t, x, u, p: [2 * np.cos(t / 20), np.sin(t / 10)], outputs={"zc": 2}
     )
 
 
@@ -53,8 +44,7 @@ def legends(axes):
 @pytest.fixture(scope="module")
 def of_tanks():
     """Two runs of one diagram."""
-    changes = {"0.5": None, "1": {"tank.a": 1.0}}
-    return {name: clpt.simulate(loop(), TIMES, 1.0, params=p) for name, p in changes.items()}
+    return {a: clpt.simulate(loop(), TIMES, 1.0, params={"tank.a": float(a)}) for a in ("0.5", "1")}
 
 
 @pytest.fixture(scope="module")
@@ -76,25 +66,20 @@ def test_dimensions_are_named_after_ports_and_count_from_0():
 
 def test_signals_that_python_control_picks_keep_their_names():
     """``system[[0, 2], 1]`` has the outputs y[0] and y[2], and the input u[1]."""
-    A, B, C = -np.diag([1.0, 2.0, 3.0]), np.ones((3, 2)), np.eye(3)
-    picked = control.ss(A, B, C, 0)[[0, 2], 1]
+    picked = control.ss(-np.diag([1.0, 2.0, 3.0]), np.ones((3, 2)), np.eye(3), 0)[[0, 2], 1]
     run = clpt.simulate(picked, TIMES, 1.0)
     assert list(run.data_vars) == ["y", "y[2]", "u[1]", "states"]
     wanted = (1.0 - np.exp(-3.0 * TIMES)) / 3.0
     np.testing.assert_allclose(run["y[2]"], wanted, atol=1e-8)
-    start = {"x0.x[2]": 1.0}
-    found = clpt.fit_parameters(picked, {"y[2]": wanted}, start, TIMES, 1.0)
-    assert found.values["x0.x[2]"] == pytest.approx(0.0, abs=1e-7)
-    slopes = clpt.sensitivity(picked, TIMES, "y[2]", [*start], 1.0)
+    found = clpt.fit_parameters(picked, {"y[2]": wanted}, {"x0.x[2]": 1.0}, TIMES, 1.0)
+    assert found.values == pytest.approx({"x0.x[2]": 0.0}, abs=1e-7)
+    slopes = clpt.sensitivity(picked, TIMES, "y[2]", "x0.x[2]", 1.0)
     np.testing.assert_allclose(slopes["y[2]"][:, 0], np.exp(-3.0 * TIMES), atol=1e-8)
 
 
 def test_names_that_would_be_one_are_two():
     """Of an output called time, of y beside a port y[0], of a dimension, of what varies."""
-
-    def rates(t, x, u, p):
-        return [-x[0], -2.0 * x[1]]
-
+    rates = lambda t, x, u, p: [-x[0], -2.0 * x[1]]  # noqa: E731
     for names in (["time", "time_"], ["y", "y[0]"]):
         pair = control.nlsys(rates, inputs=0, outputs=names, states=["y", "y_"], name="pair")
         run = clpt.simulate(pair, [0.0, 1.0], 0.0, 1.0)
@@ -107,10 +92,8 @@ def test_names_that_would_be_one_are_two():
     both = {"x": np.zeros((len(TIMES), 2)), "x[0]": 0 * TIMES}
     with pytest.raises(clpt.ClptError, match=r"data: x\[0\] is given twice"):
         clpt.fit_parameters(two, both, {"x0": 0.5}, TIMES)
-    wide = clpt.Block(
-        "a", output=lambda t, x, u, p: {"h": [t, t], "h_index": t}, outputs={"h": 2, "h_index": 1}
-    )
-    run = clpt.simulate(clpt.connect([wide]), [0.0, 1.0])
+    sizes, wide = {"h": 2, "h_index": 1}, lambda t, x, u, p: {"h": [t, t], "h_index": t}
+    run = clpt.simulate(clpt.Block("a", output=wide, outputs=sizes), [0.0, 1.0])
     assert (run.h.dims, run.h_index.dims) == (("time", "h_index_"), ("time",))
     axes = clpt.simulation.response_plot(run)
     assert [line.get_label() for line in axes[0].lines] == ["h[0]", "h[1]"]
@@ -121,19 +104,17 @@ def test_units_of_ports_are_those_of_the_run():
     valve = clpt.parts.saturation(0, 1, u="w", y="q")
     made = clpt.connect([valve, tank(), gauge()], external="w")
     run, units = clpt.simulate(made, TIMES, 1.0), {"h": "m", "v": "V", "q": "m3/s"}
-    names = ("q", "h", "v", "mean", "w")
-    assert {n: run[n].attrs["units"] for n in names if "units" in run[n].attrs} == units
+    units |= {"mean": None, "w": None}
+    assert {name: run[name].attrs.get("units") for name in units} == units
     axes = clpt.simulation.response_plot(run)
     assert {ax.get_ylabel() for ax in axes} == {"h (m)", "v (V)", "mean", "q (m3/s)", "w"}
     drawn = clpt.draw(made).svg
     assert [name in drawn for name in ("h (m)", "q (m3/s)", "mean (")] == [True, True, False]
     a, b = tank().copy(name="a"), tank().copy(name="b")
-    outlist = [["a.h[0]", "b.h[0]"], "a.h[1]", "b.h[1]"]
-    ports = {"inplist": ["a.q[0]"], "outlist": outlist, "outputs": ["sum", "one", "rest"]}
-    made = control.interconnect([a, b], connections=[["b.q[0]", "a.h[0]"]], **ports)
-    run = clpt.simulate(made, TIMES, 1.0)
-    assert "units" not in run["sum"].attrs
-    assert run["one"].attrs["units"] == "m"
+    ports = {"inplist": ["a.q[0]"], "outlist": [["a.h[0]", "b.h[0]"], "a.h[1]", "b.h[1]"]}
+    ports |= {"outputs": ["sum", "one", "rest"], "connections": [["b.q[0]", "a.h[0]"]]}
+    run = clpt.simulate(control.interconnect([a, b], **ports), TIMES, 1.0)
+    assert [run[name].attrs.get("units") for name in ("sum", "one")] == [None, "m"]
 
 
 def test_units_go_along_with_samples_a_file_and_a_new_name(tmp_path):
@@ -141,13 +122,8 @@ def test_units_go_along_with_samples_a_file_and_a_new_name(tmp_path):
     run = clpt.simulate(clpt.connect([tank(), moved], external="q"), TIMES, 1.0)
     assert run.v.attrs["units"] == "V"
     assert dict(tank({}).copy().units) == {}
-    slow = clpt.Block(
-        "slow",
-        update=lambda t, x, u, p: {"w": u.s - x.w},
-        inputs={"s": 2},
-        states={"w": 2},
-        units={"s": "km/h", "w": "km/h"},
-    )
+    ports = {"inputs": {"s": 2}, "states": {"w": 2}, "units": {"s": "km/h", "w": "km/h"}}
+    slow = clpt.Block("slow", update=lambda t, x, u, p: {"w": u.s - x.w}, **ports)
     made = clpt.closed_loop(SCENARIO, insert={("v_x", "vehicle"): slow})
     (part,) = (one for one in made.syslist if one.name == "slow")
     assert part.units_of("input") == part.units_of("output") == ["km/h"] * 2
@@ -162,19 +138,17 @@ def test_units_go_along_with_samples_a_file_and_a_new_name(tmp_path):
 
 @pytest.mark.parametrize("units", [{"g": "m"}, {"h": ""}, {"h": 3}, {"h": "m\n"}])
 def test_units_that_are_none_are_refused(units):
-    with pytest.raises(clpt.ClptError, match="units") as caught:
+    with pytest.raises(clpt.ClptError, match=r"\A.*units.*\Z"):
         tank(units)
-    assert "\n" not in str(caught.value)
 
 
 def test_runs_of_a_diagram_are_told_apart(of_tanks):
-    axes = clpt.compare(of_tanks)
-    assert legends(axes[0]) == ["0.5: h[0]", "0.5: h[1]", "1: h[0]", "1: h[1]"]
-    lines = axes[0].lines
-    assert [line.get_color() for line in lines] == [COLOURS[0]] * 2 + [COLOURS[1]] * 2
-    assert lines[0].get_linestyle() != lines[1].get_linestyle()
-    for line, (name, k) in zip(lines, [("0.5", 0), ("0.5", 1), ("1", 0), ("1", 1)], strict=True):
-        np.testing.assert_array_equal(line.get_ydata(), of_tanks[name].h.sel(h_index=k))
+    (ax, *_) = clpt.compare(of_tanks)
+    assert legends(ax) == ["0.5: h[0]", "0.5: h[1]", "1: h[0]", "1: h[1]"]
+    assert [line.get_color() for line in ax.lines] == np.repeat(COLOURS[:2], 2).tolist()
+    assert ax.lines[0].get_linestyle() != ax.lines[1].get_linestyle()
+    drawn = [line.get_ydata() for line in ax.lines]
+    np.testing.assert_array_equal(drawn, np.vstack([one.h.T for one in of_tanks.values()]))
 
 
 @pytest.mark.parametrize(("plot", "count"), [(None, 7), ("track", 1), ("clpe", 2), ("learning", 2)])
@@ -182,8 +156,7 @@ def test_runs_of_scenarios_are_told_apart(plot, count, of_scenarios):
     axes = clpt.compare(of_scenarios, plot)
     assert np.size(axes) == count
     for ax in np.ravel(axes):
-        colours = {line.get_color() for line in ax.lines}
-        assert {COLOURS[0], COLOURS[1]} <= colours
+        assert {*COLOURS[:2]} <= {line.get_color() for line in ax.lines}
         named = [one for one in ax.lines if one.get_label()[0] != "_"]  # marked, in black and white
         named = [one for one in named if one.get_linestyle() != "None"]
         marks = {line.get_color(): line.get_marker() for line in named}
@@ -192,52 +165,49 @@ def test_runs_of_scenarios_are_told_apart(plot, count, of_scenarios):
     if plot == "learning":
         assert axes[0].get_xlim()[1] == 80.0
     if plot == "track":
-        for k, run in enumerate(of_scenarios.values()):
-            track, line = axes.lines[3 * k : 3 * k + 2]
+        runs, pairs = of_scenarios.values(), [axes.lines[:2], axes.lines[3:5]]
+        for (track, line), run in zip(pairs, runs, strict=True):
             np.testing.assert_array_equal(track.get_xydata(), run.position)
             np.testing.assert_array_equal(line.get_xydata(), run.predicted_position)
             assert line.get_linestyle() == "--"
-        reach = max(abs(one.position).max() for one in of_scenarios.values())
-        assert axes.get_xlim()[1] > reach
+        assert axes.get_xlim()[1] > max(abs(one.position).max() for one in runs)
 
 
 @pytest.mark.parametrize("plot", ["clpe", "learning", "run"])
 def test_legends_of_several_runs_lie_beside_and_leave_the_axes_their_width(plot, of_scenarios):
+    def drawn(axes):
+        np.ravel(axes)[0].figure.canvas.draw()
+        return np.ravel(axes), [one.get_window_extent() for one in np.ravel(axes)]
+
     run = of_scenarios["0.8"]
-    axes = np.ravel(clpt.compare(dict.fromkeys("abcd", run), plot))
-    axes[0].figure.canvas.draw()
+    axes, frames = drawn(clpt.compare(dict.fromkeys("abcd", run), plot))
     legends = [one.get_legend().get_window_extent() for one in axes]
-    frames = [one.get_window_extent() for one in axes]
     for k, legend in enumerate(legends):
         assert not any(legend.overlaps(other) for other in frames + legends[:k])
     if plot == "run":
-        alone, beside = np.ravel(run.clpt.plot()), np.ravel(clpt.compare(of_scenarios))
-        for axes in (alone, beside):
-            axes[0].figure.canvas.draw()
-        widths = [[ax.get_window_extent().width for ax in axes[1:]] for axes in (alone, beside)]
-        assert min(np.divide(widths[1], widths[0])) > 0.8
+        alone, beside = (drawn(one)[1] for one in (run.clpt.plot(), clpt.compare(of_scenarios)))
+        assert min(b.width / a.width for a, b in zip(alone[1:], beside[1:], strict=True)) > 0.8
 
 
 def test_runs_that_are_cut_or_joined(of_tanks, of_scenarios):
-    a, b = of_tanks.values()
+    (a, b), plots = of_tanks.values(), clpt.simulation
     cut = a.isel(time=slice(3, 20))
-    assert len(clpt.simulation.response_plot(cut)[0].lines[0].get_xdata()) == 17
+    assert len(plots.response_plot(cut)[0].lines[0].get_xdata()) == 17
     one = a.isel(h_index=0)[["h"]].clpt.plot()
     np.testing.assert_array_equal(one.lines[0].get_ydata(), a.h[:, 0])
-    both = clpt.simulation.response_plot(xarray.concat([a, b], "run", data_vars="all"))
+    both = plots.response_plot(xarray.concat([a, b], "run", data_vars="all"))
     assert legends(both[0])[:2] == ["h[0] run 0", "h[0] run 1"]
     np.testing.assert_array_equal(both[0].lines[1].get_ydata(), b.h[:, 0])
     paper = of_scenarios["0.8"]
     for plot, run in {
-        clpt.simulation.response_plot: a.isel(time=3),
-        clpt.simulation.track_plot: paper.isel(time=3),
-        clpt.simulation.clpe_plot: xarray.concat([paper, paper], "run", data_vars="all"),
-        clpt.simulation.learning_plot: xarray.concat([paper, paper], "time", data_vars="minimal"),
+        plots.response_plot: a.isel(time=3),
+        plots.track_plot: paper.isel(time=3),
+        plots.clpe_plot: xarray.concat([paper, paper], "run", data_vars="all"),
+        plots.learning_plot: xarray.concat([paper, paper], "time", data_vars="minimal"),
     }.items():
-        with pytest.raises(clpt.DataError) as caught:
+        with pytest.raises(clpt.DataError, match=r"\A.*\Z"):
             plot(run)
-        assert "\n" not in str(caught.value)
-    ax = clpt.simulation.track_plot(paper, label="mine", color="black")
+    ax = plots.track_plot(paper, label="mine", color="black")
     assert (ax.lines[0].get_color(), legends(ax)[0]) == ("black", "mine: track")
 
 
@@ -248,28 +218,26 @@ def test_what_cannot_be_compared_is_one_sentence(of_tanks):
     del unknown.h.attrs["units"]
     clpt.compare({"a": a, "b": unknown})
     for runs, plot, said in (
-        ({str(k): a for k in range(7)}, None, None),
-        ({"a": a}, "map", None),
-        ({"a": a}, "track", None),
+        ({str(k): a for k in range(7)}, None, ""),
+        ({"a": a}, "map", ""),
+        ({"a": a}, "track", ""),
         ({"a": a, "b": a[["h"]]}, None, r"the same signals: choose some, as run\[\['h'\]\]"),
         ({"a": a, "b": other}, None, "not all runs have h in one unit: m, km"),
     ):
-        with pytest.raises(clpt.ClptError, match=said) as caught:
+        with pytest.raises(clpt.ClptError, match=rf"\A.*{said}.*\Z"):
             clpt.compare(runs, plot)
-        assert "\n" not in str(caught.value)
 
 
 def test_no_waypoint_is_told_of_a_reference_of_ones_own(tmp_path):
     made = clpt.closed_loop(SCENARIO, replace={"reference": lemniscate()})
-    outside = clpt.closed_loop(SCENARIO, external="zc")
-    times = np.linspace(0.0, 60.0, 121)
+    outside, times = clpt.closed_loop(SCENARIO, external="zc"), np.linspace(0.0, 60.0, 121)
     zc = np.array([2 * np.cos(times / 20), np.sin(times / 10)])
     for run in (clpt.simulate(made, times), clpt.simulate(outside, times, zc)):
         ax = clpt.simulation.track_plot(run)
-        assert legends(ax) == ["track", "prediction", "desired position", "start"]
+        words = legends(ax)
+        assert words == ["track", "prediction", "desired position", "start"]
         np.testing.assert_allclose(ax.lines[2].get_xydata(), zc.T, atol=1e-12)
-        words = [*legends(ax), ax.get_title(loc="left")]
-        for one in clpt.simulation.clpe_plot(run):
+        for one in (ax, *clpt.simulation.clpe_plot(run)):
             words += [*legends(one), one.get_title(loc="left"), one.get_xlabel()]
         assert not [word for word in words if "waypoint" in word or "interval" in word]
     clpt.report(run, tmp_path / "page.html")

@@ -36,11 +36,9 @@ class InC:
         assert re.findall(r"#include.*", self.text) == ["#include <math.h>"]
         assert not re.search(r"\b(malloc|calloc|free|printf)\b", self.text)
         self.library = library((folder / "made.c").read_bytes(), folder)
-        self.name, states = re.search(r"(\w+)_nx = (\d+)", self.text).groups()
-        self.counts = {"x": int(states)} | {
-            letter: int(re.search(rf"{self.name}_n{letter} = (\d+)", self.text).group(1))
-            for letter in "uyp"
-        }
+        self.name = re.search(r"(\w+)_nx = ", self.text)[1]
+        counts = re.findall(rf"{self.name}_n([xuyp]) = (\d+)", self.text)
+        self.counts = {letter: int(count) for letter, count in counts}
         self.p, self.x0 = self.array("p"), self.array("x")
 
     def array(self, letter):
@@ -55,20 +53,16 @@ class InC:
 
     def computed(self, name, t, x, u):
         """Return outputs or rates."""
-        count = self.counts["y" if name == "outputs" else "x"]
-        found = np.zeros(max(1, count))
+        found = np.zeros(self.counts["y" if name == "outputs" else "x"])
         self.call(name, [t], x, u, self.p, found)
-        return found[:count]
+        return found
 
-    def run(self, x, u, h, steps, begin=False):
+    def run(self, x, u, h, times):
         """Return states after each step, from the first."""
-        x = np.array(x)
-        if begin:
-            self.call("begin", [0.0], x, u, self.p)
-        found = [x.copy()]
-        for k in range(steps):
-            self.call("step", [k * h, h], x, u, self.p)
-            found.append(x.copy())
+        found = [np.array(x)]
+        for t in times[:-1]:
+            found.append(found[-1].copy())
+            self.call("step", [t, h], found[-1], u, self.p)
         return np.array(found)
 
 
@@ -80,20 +74,19 @@ def test_the_numbers_are_those_of_the_blocks(name, tmp_path):
     runner, u = clpt.native.NativeDiagram(system), np.array([*u, 0.0])
     start, m = np.array(start, float), runner.wiring.ninputs
     assert made.x0 == pytest.approx(start)
-    random = np.random.default_rng(1)
+    random, exact = np.random.default_rng(1), {"rel": 1e-12, "abs": 1e-12}
     for t in (0.0, 0.7, 3.1):
         x = start + 0.3 * np.abs(random.standard_normal(len(start)))
         runner.sweep.enter(t)
         rates = runner.sweep.derivative(t, x, u[:m])
-        assert made.computed("rates", t, x, u) == pytest.approx(rates, rel=1e-12, abs=1e-12)
-        assert made.computed("outputs", t, x, u) == pytest.approx(
-            runner.sweep.outputs(), rel=1e-12, abs=1e-12
-        )
-    times = h * np.arange(1001)
-    step = {} if name == "discrete" else {"step": h}
+        assert made.computed("rates", t, x, u) == pytest.approx(rates, **exact)
+        outputs = runner.sweep.outputs()
+        assert made.computed("outputs", t, x, u) == pytest.approx(outputs, **exact)
+    times, step = h * np.arange(1001), {} if name == "discrete" else {"step": h}
     ours = runner.run(start, times, inputs=u[:m] if m else None, **step).x
-    theirs = made.run(start, u, h, 1000, begin="_begin(" in made.text)
-    assert np.abs(theirs - ours).max() <= 1e-12 * max(1.0, np.abs(ours).max())
+    if "_begin(" in made.text:
+        made.call("begin", [0.0], start, u, made.p)
+    assert np.abs(made.run(start, u, h, times) - ours).max() <= 1e-12 * max(1.0, np.abs(ours).max())
 
 
 @needs_cc
@@ -104,14 +97,12 @@ def test_what_samples_takes_new_inputs_by_begin(h, tmp_path):
     made = InC(clpt.connect([hold, lag], "u"), tmp_path)
     assert "where u is new" in made.text
     x, found = made.x0.copy(), []
-    for k in range(round(1.0 / h) + 1):
-        t = k * h
+    for t in h * np.arange(round(1.0 / h) + 1):
         u = np.array([t**2])
         made.call("begin", [t], x, u, made.p)
         found.append(made.computed("outputs", t, x, u))
         made.call("step", [t, h], x, u, made.p)
-    samples = (0.1 * np.arange(11)) ** 2
-    y = [0.0]
+    samples, y = (0.1 * np.arange(11)) ** 2, [0.0]
     for held in samples[:-1]:
         y.append(held + (y[-1] - held) * np.exp(-0.2))
     at_samples = np.array(found)[:: round(0.1 / h)]
@@ -167,25 +158,31 @@ def test_a_gridded_field_is_a_table(tmp_path):
         assert found == pytest.approx(rates, rel=1e-12, abs=1e-12)
 
 
-def test_what_has_no_c_is_said():
-    rate = lambda t, x, u, p: -p["a"] * x  # noqa: E731
-    plant = control.nlsys(rate, states=["y"], inputs=0, params={"a": 1.0}, name="plant")
-    held = clpt.Block(
-        "held", update=lambda t, x, u, p: {"y": -p.a * x.y}, states={"y": 1}, parameters={"a": 1.0}
-    )
-    at_times = lambda p, t0, t1: [t for t in (1.0, 2.5) if t0 < t <= t1]  # noqa: E731
-    odd = clpt.Block("odd", update=lambda t, x, u, p: [p.interval], states={"x": 1},
-                     breakpoints=at_times, parameters={"interval": -1.0})  # fmt: skip
-    unread = control.nlsys(lambda t, x, u, p: [float(str(x[0]))], states=1, inputs=0, name="text")
-    for system, given, said in (
-        (held, {"params": {"held.a": np.nan}}, r"a = nan"),
-        (plant, {"params": {"a": np.inf}}, r"params: a = inf: must be finite"),
-        (plant, {"initial_state": [np.nan]}, r"initial_state = .*: must be finite"),
-        (clpt.connect([odd]), {}, "odd jumps at times that a function"),
-        (unread, {}, "text"),
-    ):
-        with pytest.raises(clpt.ClptError, match=said):
-            clpt.export_c(system, **given)
+ONE = {"inputs": 0, "states": ["y"], "outputs": ["y"], "name": "plant"}
+HELD = control.nlsys(lambda t, x, u, p: -p["a"] * x, params={"a": 1.0}, **ONE)
+UNREAD = control.nlsys(lambda t, x, u, p: [float(str(x[0]))], **ONE)
+ODD = clpt.Block(
+    "odd", update=lambda t, x, u, p: [p.interval], states={"x": 1}, parameters={"interval": -1.0},
+    breakpoints=lambda p, t0, t1: [t for t in (1.0, 2.5) if t0 < t <= t1],
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("system", "given", "said"),
+    [
+        (clpt.parts.lag(1.0), {"params": {"lag.gain": np.nan}}, "gain = nan"),
+        (HELD, {"params": {"a": np.inf}}, "params: a = inf: must be finite"),
+        (HELD, {"initial_state": [np.nan]}, "initial_state = .*: must be finite"),
+        (ODD, {}, "odd jumps at times that a function"),
+        (UNREAD, {}, "plant"),
+    ],
+)
+def test_what_has_no_c_is_said(system, given, said):
+    with pytest.raises(clpt.ClptError, match=said):
+        clpt.export_c(system, **given)
+
+
+def test_what_is_infinite_is_written_as_c_has_it():
     assert "INFINITY" in clpt.export_c(clpt.parts.pid(1, 0.1))  # no limit of its own
     divides = control.nlsys(lambda t, x, u, p: [1 / x[0]], None, name="s", states=1, inputs=0)
     assert "1.0 / x[0]" in clpt.export_c(divides)  # asked at 0, without a warning

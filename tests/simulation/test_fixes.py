@@ -14,21 +14,10 @@ from clpt_control.theory.proving.theorem_loop import AT_FIXES
 TABLE = "learning.fix_regression"
 PAPER = clpt.paper_scenario().with_values({"learning.law": "fix-regression", **AT_FIXES})
 # one steady function so wide that it is 1 to rounding: a uniform current, and m = t
-UNIFORM = PAPER.with_values(
-    {
-        "basis.kernel": "gaussian",
-        "basis.centers": [[0.0, 0.0]],
-        "basis.widths": [1e9],
-        "basis.periods": [float("inf")],
-        "basis.phases": None,
-        "flow.parameters": [[0.3], [-0.2]],
-        "model.parameters": None,
-        "learning.parameters": None,
-        f"{TABLE}.prior": 0.5,
-        f"{TABLE}.noise": 0.1,
-        "run.duration": 60.0,
-    }
-)
+STEADY = {"kernel": "gaussian", "centers": [[0.0, 0.0]], "widths": [1e9], "periods": [np.inf]}
+ONE = {"flow.parameters": [[0.3], [-0.2]], f"{TABLE}.prior": 0.5, f"{TABLE}.noise": 0.1}
+ONE |= {"basis": STEADY, "model.parameters": None, "learning.parameters": None}
+UNIFORM = PAPER.with_values({**ONE, "run.duration": 60.0})
 THETA = np.array([0.3, -0.2])
 
 
@@ -73,17 +62,18 @@ def test_dropouts_are_as_frequent_as_said_and_independent_of_noise():
     few = 4 * np.sqrt(rate * (1 - rate) / count)
     assert abs(1 - found[:, 2].mean() - rate) < few
     apart = found[:, 2] - found[:, 2].mean()
-    assert all(abs(np.mean(apart[a:] * other[b:])) < few for a, b, other in (
-        (1, 0, apart[:-1]), (0, 0, found[:, 0]), (0, 0, found[:, 1])
-    ))  # fmt: skip
+    pairs = (apart[1:], apart[:-1]), (apart, found[:, 0]), (apart, found[:, 1])
+    assert all(abs(np.mean(a * b)) < few for a, b in pairs)
 
 
 def test_steps_of_equal_length_average_the_noise_of_fixes():
     """y_k is theta T + n_k - n_{k-1}; with a wide prior the sum leaves the last n alone."""
-    exact = UNIFORM.with_values({f"{TABLE}.noise": 1e-9, f"{TABLE}.prior": 1e3})
-    noisy = exact.with_values({"localization.noise": 0.05, "localization.interval": 20.0})
-    run = clpt.simulate(noisy)
-    block = localization.fixes(0.05, 20.0, 0.0)
+    exact = {f"{TABLE}.noise": 1e-9, f"{TABLE}.prior": 1e3}
+    noisy = {"localization.noise": 0.05, "localization.interval": 20.0}
+    run, block = (
+        clpt.simulate(UNIFORM.with_values(exact | noisy)),
+        localization.fixes(0.05, 20.0, 0.0),
+    )
     for k in (1, 2, 3):
         n = block.output(20.0 * k, [], [0.0, 0.0])[:2]
         learned = estimates(run.sel(time=20.0 * k))
@@ -92,9 +82,10 @@ def test_steps_of_equal_length_average_the_noise_of_fixes():
 
 def test_nothing_before_it_arrives_depends_on_a_fix():
     late = {"localization.latency": 2.0, "run.duration": 30.0, "run.output_step": 0.5}
-    learns = {f"{TABLE}.noise": 0.3}  # the same r for both
-    calm = clpt.simulate(PAPER.with_values({**late, **learns}))
-    other = clpt.simulate(PAPER.with_values({**late, **learns, "localization.noise": 0.3}))
+    late[f"{TABLE}.noise"] = 0.3  # the same r for both
+    calm, other = (
+        clpt.simulate(PAPER.with_values(late | {"localization.noise": n})) for n in (0.0, 0.3)
+    )
     before = calm.time.values < 7.0
     for name in ("position", "predicted_position", "alpha"):
         apart = np.abs(calm[name] - other[name]).max(dim=calm[name].dims[1:]).values
@@ -106,13 +97,9 @@ def test_ever_more_fixes_give_continuous_least_squares():
     """As T goes to 0 with r^2 = s^2 T, P^-1 is 1/prior^2 + int phi phi^T/s^2 along the track."""
     s, prior, times = 0.3, 0.9, np.linspace(0.0, 20.0, 4001)
     plain = clpt.paper_scenario().with_values({"run.duration": 20.0})
-    track = clpt.simulate(plain, times).position.values
-    phi = evaluate(plain.basis_block(), times, track)
-    information = (
-        np.eye(3) / prior**2 + simpson(phi[:, :, None] * phi[:, None], x=times, axis=0) / s**2
-    )
-    theta = np.array(plain.flow.parameters)
-    limit = theta @ (np.eye(3) - np.linalg.inv(information) / prior**2)
+    phi = evaluate(plain.basis_block(), times, clpt.simulate(plain, times).position.values)
+    seen = simpson(phi[:, :, None] * phi[:, None], x=times, axis=0) / s**2
+    limit = plain.flow.parameters @ (np.eye(3) - np.linalg.inv(np.eye(3) + prior**2 * seen))
     apart = []
     for between in (0.2, 0.1, 0.05):
         own = {f"{TABLE}.noise": s * np.sqrt(between), f"{TABLE}.prior": prior}
@@ -124,58 +111,54 @@ def test_ever_more_fixes_give_continuous_least_squares():
 
 
 def test_the_vehicle_steers_on_its_prediction_alone():
-    calm = PAPER.with_values({"flow.parameters": [[0.0] * 3] * 2})
-    run, still = (
-        clpt.simulate(one, np.linspace(0.0, 5.0, 21), rtol=1e-11, atol=1e-12)
-        for one in (PAPER, calm)
+    calm, exact = (
+        PAPER.with_values({"flow.parameters": [[0.0] * 3] * 2}),
+        {"rtol": 1e-11, "atol": 1e-12},
     )
+    run, still = (clpt.simulate(one, np.linspace(0.0, 5.0, 21), **exact) for one in (PAPER, calm))
     before = run.predicted_position[:-1]  # the first fix no flow is known
     np.testing.assert_allclose(before, still.position[:-1], rtol=0, atol=1e-9)
     assert np.abs(run.clpe[:-1]).max() > 1
     np.testing.assert_allclose(run.clpe[-1], 0.0, atol=1e-12)  # right after the fix
 
 
-LEARNED = {  # the largest error at a time
-    "each 5": ({}, {200: 0.02, 1000: 0.005}),
-    "each 20, limited": ({"localization.interval": 20.0, "vehicle.max_speed": 1.5}, {1000: 0.05}),
-    "each 20": ({"localization.interval": 20.0}, {1000: 0.05}),
-}
+LEARNED = [  # the largest error at a time
+    ({}, {200: 0.02, 1000: 0.005}),
+    ({"localization.interval": 20.0, "vehicle.max_speed": 1.5}, {1000: 0.05}),
+    ({"localization.interval": 20.0}, {1000: 0.05}),
+]
 
 
-@pytest.mark.parametrize("name", LEARNED)
-def test_the_papers_flow_is_learned_at_fixes(name):
-    values, bounds = LEARNED[name]
+@pytest.mark.parametrize(("values", "bounds"), LEARNED)
+def test_the_papers_flow_is_learned_at_fixes(values, bounds):
     run = clpt.simulate(PAPER.with_values({**values, "run.duration": 1000.0}))
     errors = abs(run.flow_parameters_estimate - run.flow_parameters)
     for time, bound in bounds.items():
         assert errors.sel(time=time).max() < bound
 
 
-REFUSED = {
-    "localization.interval": ({"learning.law": "learned-flow", "learning.gain": 0.8}, "fix-reg"),
-    "learning.law": ({"localization": None}, "learns at fixes, and needs localization.interval"),
-    "learning.gain": ({"learning.gain": 0.8}, "has no use for it"),
-    "learning.feedback": ({"learning.feedback": [1.0, 1.0]}, "remove the key"),
-    "localization.dropouts": ({"localization.dropouts": 1.0}, "less than 1"),
-    "localization.latency": ({"localization.latency": 5.0}, "below the interval"),
-    "localization.noise_period": ({"localization.noise_period": 1.0}, "only with interval = 0"),
-}
+NOISY = clpt.paper_scenario().with_values({"localization": {"noise_period": 1.0}})
+REFUSED = [  # the key that is named, the values, the sentence
+    ("learning.law", {"localization": None}, "learns at fixes, and needs localization.interval"),
+    ("learning.gain", {"learning.gain": 0.8}, "has no use for it"),
+    ("learning.feedback", {"learning.feedback": [1.0, 1.0]}, "remove the key"),
+    ("localization.dropouts", {"localization.dropouts": 1.0}, "less than 1"),
+    ("localization.latency", {"localization.latency": 5.0}, "below the interval"),
+    ("localization.noise_period", {"localization.noise_period": 1.0}, "only with interval = 0"),
+    ("localization.interval", {"learning.law": "learned-flow", "learning.gain": 0.8}, "fix-reg"),
+]
 
 
-@pytest.mark.parametrize("key", REFUSED)
-def test_what_does_not_fit_is_said(key):
-    values, said = REFUSED[key]
-    with pytest.raises(clpt.ClptError, match=said) as caught:
+@pytest.mark.parametrize(("key", "values", "said"), REFUSED)
+def test_what_does_not_fit_is_said(key, values, said):
+    with pytest.raises(clpt.ClptError, match=rf"\A(?=.*{key}).*{said}.*\Z"):
         PAPER.with_values(values)
-    assert key in str(caught.value)
-    assert "\n" not in str(caught.value)
 
 
 def test_what_is_of_fixes_alone_or_of_no_fixes_is_said():
-    noisy = clpt.paper_scenario().with_values({"localization": {"noise_period": 1.0}})
     for key in ("latency", "dropouts"):
         with pytest.raises(clpt.ClptError, match=f"localization.{key} = 0.1: is of fixes"):
-            noisy.with_values({f"localization.{key}": 0.1})
+            NOISY.with_values({f"localization.{key}": 0.1})
     with pytest.raises(clpt.DataError, match="z of a recorded run jumps at fixes"):
         clpt.theory.gramian(clpt.simulate(UNIFORM), 20.0, 0.0)
     with pytest.raises(clpt.ClptError, match="reads the position at all times"):

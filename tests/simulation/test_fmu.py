@@ -25,23 +25,20 @@ class Importer:
         with zipfile.ZipFile(path) as file:
             self.model = ElementTree.fromstring(file.read("modelDescription.xml"))
             (source,) = (name for name in file.namelist() if name.endswith(".c"))
-            text = file.read(source)
-        self.library = library(text, folder)
-        self.places = {one.get("name"): k for k, one in enumerate(self.model.iter("Float64"))}
-        self.states = [name for name in self.places if name.startswith("state.")]
-        self.begin(self.model.get("instantiationToken").encode())
-
-    def begin(self, token):
+            self.library = library(file.read(source), folder)
+        self.kinds = {one.get("name"): one.attrib for one in self.model.iter("Float64")}
+        self.states = [name for name in self.kinds if name.startswith("state.")]
         make = self.library.fmi3InstantiateModelExchange
         make.restype = ctypes.c_void_p
-        assert make(b"", b"of another", b"", False, False, None, None) is None
-        self.at = ctypes.c_void_p(make(b"", token, b"", False, False, None, None))
+        token = self.model.get("instantiationToken").encode()
+        other, self.at = (make(b"", t, b"", False, False, None, None) for t in (b"another", token))
+        assert other is None
 
     def call(self, name, *arguments):
-        assert getattr(self.library, f"fmi3{name}")(self.at, *arguments) == 0
+        assert getattr(self.library, f"fmi3{name}")(ctypes.c_void_p(self.at), *arguments) == 0
 
     def exchange(self, kind, names, values):
-        places = (ctypes.c_uint32 * len(names))(*(self.places[name] for name in names))
+        places = (ctypes.c_uint32 * len(names))(*([*self.kinds].index(name) for name in names))
         count, data = ctypes.c_size_t(len(names)), np.array(values, dtype=float)
         self.call(f"{kind}Float64", places, count, data.ctypes.data_as(ctypes.c_void_p), count)
         return data
@@ -62,10 +59,9 @@ class Importer:
         return following.value if flags[4].value else np.inf
 
     def rates(self, t, x):
+        pointer, n, dx = ctypes.c_void_p, ctypes.c_size_t(len(x)), np.zeros(len(x))
         self.call("SetTime", ctypes.c_double(t))
-        pointer, n = ctypes.c_void_p, ctypes.c_size_t(len(x))
         self.call("SetContinuousStates", x.ctypes.data_as(pointer), n)
-        dx = np.zeros(len(x))
         self.call("GetContinuousStateDerivatives", dx.ctypes.data_as(pointer), n)
         return dx
 
@@ -109,25 +105,24 @@ def test_an_importer_gets_the_run(name, tmp_path):
 
 @needs_cc
 def test_values_are_set_and_what_is_fixed_is_not(tmp_path):
-    system = control.nlsys(
-        lambda t, x, u, p: [-p["k"] * x[0] if p["fast"] > 0 else 0 * x[0]], states=["x"],
-        inputs=["u"], outputs=["y"], params={"k": 2.0, "fast": 1.0}, name="lag",
-    )  # fmt: skip
-    clpt.export_fmu(system, tmp_path / "lag.fmu", initial_state=[3.0], params={"k": 4.0})
-    found = Importer(tmp_path / "lag.fmu", tmp_path)
-    kinds = {one.get("name"): one.attrib for one in found.model.iter("Float64")}
-    assert kinds["lag.fast"]["variability"] == "constant"
-    assert kinds["lag.k"]["causality"] == "parameter"
+    def importer(system, **given):
+        clpt.export_fmu(system, tmp_path / "lag.fmu", **given)
+        return Importer(tmp_path / "lag.fmu", tmp_path)
+
+    rate = lambda t, x, u, p: [-p["k"] * x[0] if p["fast"] > 0 else 0 * x[0]]  # noqa: E731
+    ports = {"states": ["x"], "inputs": ["u"], "outputs": ["y"], "name": "lag"}
+    system = control.nlsys(rate, params={"k": 2.0, "fast": 1.0}, **ports)
+    found = importer(system, initial_state=[3.0], params={"k": 4.0})
+    assert found.kinds["lag.fast"]["variability"] == "constant"
+    assert found.kinds["lag.k"]["causality"] == "parameter"
     assert found.get("state.x", "der(state.x)", "lag.k", "y").tolist() == [3.0, -12.0, 4.0, 3.0]
     found.initialize(**{"lag.k": 0.5, "state.x": 2.0})
     assert found.get("der(state.x)", "y").tolist() == [-1.0, 2.0]
     found.call("Reset")
     assert found.get("der(state.x)").tolist() == [-12.0]
     assert found.library.fmi3GetFloat32(found.at) == 3  # an error: there is none
-    clpt.export_fmu(clpt.parts.pid(1.0, 0.2), tmp_path / "free.fmu")
-    free = Importer(tmp_path / "free.fmu", tmp_path).model.iter("Float64")
-    starts = {one.get("name"): one.get("start") for one in free}
-    assert (starts["pid.low"], starts["pid.high"]) == ("-INF", "INF")  # XML Schema, part 2, 3.2.5
+    limits = [importer(clpt.parts.pid(1.0, 0.2)).kinds[f"pid.{end}"] for end in ("low", "high")]
+    assert [one["start"] for one in limits] == ["-INF", "INF"]  # XML Schema, part 2, 3.2.5
 
 
 @pytest.mark.parametrize("lost", ["a compiler", "a folder"])
@@ -162,8 +157,7 @@ def test_the_public_checker_finds_nothing(name, tmp_path):
     file = str(tmp_path / "model.fmu")
     clpt.export_fmu(MODELS[name].system, file, MODELS[name].start)
     assert validate_fmu(file) == []
-    variables = ElementTree.fromstring(zipfile.ZipFile(file).read("modelDescription.xml"))
-    states = [v.get("name") for v in variables.iter("Float64") if v.get("name")[:6] == "state."]
-    options = {"relative_tolerance": 1e-10, "start_values": inputs, "output": states}
+    options = {"relative_tolerance": 1e-10, "start_values": inputs}
+    options["output"] = Importer(file, tmp_path).states
     last = fmpy.simulate_fmu(file, start_time=0.0, stop_time=until, **options)[-1]
     assert end is None or np.allclose([*last][1:], end, rtol=1e-6, atol=1e-8)

@@ -1,5 +1,8 @@
 """The paper's diagram with other parts and numbers: what runs, is recorded and is refused."""
 
+import re
+from functools import partial
+
 import control
 import law_blocks
 import numpy as np
@@ -63,8 +66,7 @@ def test_a_replaced_vehicle_starts_where_the_scenario_says():
     for own, first in ((boat, "boat_x[0]"), (hull, "hull_vehicle_x[0]")):
         run = clpt.simulate(clpt.closed_loop(scenario, replace={"vehicle": own}))
         np.testing.assert_allclose(run.position, plain.position, rtol=0, atol=1e-7)
-        assert run.state.values[0] == first
-        assert "lyapunov" in run
+        assert (run.state.values[0], "lyapunov" in run) == (first, True)
 
 
 def test_a_port_of_one_in_and_one_out_takes_the_names_it_replaces():
@@ -99,9 +101,8 @@ UNFIT = [
 
 @pytest.mark.parametrize(("changes", "said"), UNFIT, ids=[said for _, said in UNFIT])
 def test_what_does_not_fit_is_refused_in_a_sentence(changes, said):
-    with pytest.raises(ClptError, match=said) as caught:
+    with pytest.raises(ClptError, match=rf"\A.*{said}.*\Z"):
         clpt.closed_loop(PAPER, **changes)
-    assert "\n" not in str(caught.value)
 
 
 def test_a_loop_that_knows_its_scenario_is_its_scenario():
@@ -141,19 +142,15 @@ def test_what_was_done_to_a_loop_since_is_in_its_run(change):
             use(loop)
 
 
+def refused(ask, run, said):
+    with pytest.raises(ClptError, match=said):
+        ask(run)
+
+
 def test_nothing_is_told_of_a_run_whose_parts_its_scenario_does_not_hold():
     """A reference that leaves z_2 at rest teaches nothing of Gamma_2; a slow law is no fast one."""
-
-    def refused(ask, run, said):
-        with pytest.raises(ClptError, match=said):
-            ask(run)
-
-    def certificate(run):
-        return clpt.theory.certificate(run, 20.0, 0.0)
-
-    def gramian(run):
-        return clpt.theory.gramian(run, 20.0, 0.0)
-
+    certificate = partial(clpt.theory.certificate, window=20.0, start=0.0)
+    gramian = partial(clpt.theory.gramian, window=20.0, start=0.0)
     times, loop = np.linspace(0, 30, 601), clpt.closed_loop(PAPER)
     lagging = clpt.closed_loop(PAPER, insert={("v_x", "vehicle"): LAG})
     own_law = clpt.closed_loop(PAPER, law=law_blocks.papers_law())
@@ -162,9 +159,8 @@ def test_nothing_is_told_of_a_run_whose_parts_its_scenario_does_not_hold():
     run = clpt.simulate(lagging, times)
     refused(certificate, run, "the run has parts given in Python, v_x to vehicle: lag")
     refused(clpt.estimation.flow_estimate, run, "v_x .* its vehicle is not known")
-    still = clpt.Block(
-        "reference", output=lambda t, x, u, p: {"zc": [np.cos(t), 0.0]}, outputs={"zc": 2}
-    )
+    rests = lambda t, x, u, p: {"zc": [np.cos(t), 0.0]}  # noqa: E731
+    still = clpt.Block("reference", output=rests, outputs={"zc": 2})
     run = clpt.simulate(clpt.closed_loop(PAPER, replace={"reference": still}), times)
     refused(gramian, run, "made with a reference that its scenario does not hold")
     wide = clpt.simulate(loop, times, params={"basis_x.widths": np.full(3, 1e3)})
@@ -177,32 +173,22 @@ def test_nothing_is_told_of_a_run_whose_parts_its_scenario_does_not_hold():
     assert gramian(run).eigenvalues["x1"][0] > 0
 
 
-GYRE = clpt.Block(
-    "gyre",
-    output=lambda t, x, u, p: {"flow_x": 0.3 * np.array([-np.sin(u.x[1]), np.sin(u.x[0])])},
-    inputs={"x": 2, "phi_x": 3},
-    outputs={"flow_x": 2},
-)
-CONTROLLER = clpt.Block(
-    "own",
-    output=lambda t, x, u, p: {"v_x": 2.0 * np.tanh(u.zc - u.x)},
-    inputs={"x": 2, "zc": 2, "phi_x": 3},
-    outputs={"v_x": 2},
-)
-FUNCTIONS = clpt.Block(
-    "b",
-    output=lambda t, x, u, p: {"phi_x": 0.1 * np.array([1, u.x[0], u.x[1]])},
-    inputs={"x": 2},
-    outputs={"phi_x": 3},
-)
+def made(name, output, port, size, **inputs):
+    return clpt.Block(name, output=output, inputs={"x": 2, **inputs}, outputs={port: size})
+
+
+def turning(t, x, u, p):
+    return 0.3 * np.array([-np.sin(u.x[1]), np.sin(u.x[0])])
+
+
+GYRE = made("gyre", turning, "flow_x", 2, phi_x=3)
+PULL = made("own", lambda t, x, u, p: 2.0 * np.tanh(u.zc - u.x), "v_x", 2, zc=2, phi_x=3)
+BASIS = made("b", lambda t, x, u, p: 0.1 * np.array([1, u.x[0], u.x[1]]), "phi_x", 3)
 TOLD = {  # what a page and a film's last picture say of a run: its flow, what was learned of it
-    "scenario": ({}, {"flow_parameter_error", "gain_error", "learned of it", "true arrow"}),
-    "true_flow": ({"true_flow": GYRE}, {"gain_error", "learned of it", "learned arrow"}),
-    "vehicle_controller": (
-        {"vehicle_controller": CONTROLLER},
-        {"flow_parameter_error", "learned of it", "true arrow"},
-    ),
-    "basis_x": ({"basis_x": FUNCTIONS}, {"flow_parameter_error", "gain_error"}),
+    "scenario": ({}, "flow_parameter_error, gain_error, learned of it, true arrow"),
+    "true_flow": ({"true_flow": GYRE}, "gain_error, learned of it, learned arrow"),
+    "controller": ({"vehicle_controller": PULL}, "flow_parameter_error, learned of it, true arrow"),
+    "basis_x": ({"basis_x": BASIS}, "flow_parameter_error, gain_error"),
 }
 
 
@@ -210,29 +196,27 @@ TOLD = {  # what a page and a film's last picture say of a run: its flow, what w
 def test_what_stands_in_place_of_a_truth_leaves_no_error_to_tell(part, tmp_path, undrawn):
     replace, wanted = TOLD[part]
     loop = clpt.closed_loop(PAPER, replace=replace)
-    run = clpt.simulate(loop)
-    clpt.report(run, tmp_path / "run.html")
-    page = (tmp_path / "run.html").read_text("utf-8")
-    many = clpt.run_ensemble(loop, {"vehicle.position": [[0.0, 0.0]]}, out=tmp_path / "many")
-    clpt.report(tmp_path / "many", tmp_path / "many.html")
-    ensemble = (tmp_path / "many.html").read_text("utf-8")
+    run, many = clpt.simulate(loop), tmp_path / "many"
+    data = clpt.run_ensemble(loop, {"vehicle.position": [[0.0, 0.0]]}, out=many)
+    for one in (run, many):
+        clpt.report(one, tmp_path / f"{'run' if one is run else 'many'}.html")
+    page, ensemble = ((tmp_path / f"{n}.html").read_text("utf-8") for n in ("run", "many"))
     told = {"learned of it"} if "what was learned of it by the end" in page else set()
     axes = clpt.simulation.learning_plot(run)
     for error, below in (("flow_parameter_error", 0), ("gain_error", 1)):
         has = f"largest {error.replace('_', ' ')}" in page
-        assert has is (error in many) is (f"{error.split('_')[-2]} error" in ensemble)
+        assert has is (error in data) is (f"{error.split('_')[-2]} error" in ensemble)
         assert has is ("true" in axes[below].get_title(loc="left"))
         told |= {error} if has else set()
     _, ax = new_figure()
     next(draw_samples(ax, run, np.array([run.sizes["time"] - 1])))
     texts = [text.get_text() for text in ax.figure.findobj(Text)]
-    assert ("true flow" in texts) is any("true arrow" in text for text in texts)
-    for kind in ("true", "learned"):
-        if any(text.startswith(f"longest {kind} arrow ") for text in texts):
-            told.add(f"{kind} arrow")
+    arrows = set(re.findall(r"^longest (true|learned) arrow ", "\n".join(texts), re.M))
+    assert ("true flow" in texts) is ("true" in arrows)
+    told |= {f"{kind} arrow" for kind in arrows}
     track = clpt.simulation.track_plot(run).collections
     assert any(isinstance(one, Quiver) for one in track) is ("true arrow" in told)
-    assert told == wanted
+    assert told == set(wanted.split(", "))
 
 
 def test_delta_comes_from_outside():
@@ -289,16 +273,16 @@ def test_the_state_is_in_the_order_of_the_diagram():
     ],
 )
 def test_a_run_is_that_of_the_scenario_that_says_so(name, key, value, tmp_path):
-    run, said = (clpt.simulate(PAPER, params={name: value}), PAPER.with_values({key: value}))
-    for variable, own in clpt.simulate(said).data_vars.items():
-        np.testing.assert_allclose(run[variable], own, rtol=1e-6, atol=1e-9)
+    run, own = (
+        clpt.simulate(PAPER, params={name: value}),
+        clpt.simulate(PAPER.with_values({key: value})),
+    )
+    assert_allclose(run.drop_attrs()[list(own)], own.drop_attrs(), rtol=1e-6, atol=1e-9)
     assert np.all(np.diff(run.lyapunov.values) <= 1e-9)  # V of the parameters that ran falls
     clpt.save_run(run, tmp_path / "run.nc")
     with pytest.raises(DataError, match=rf"parameters given at call time.*{name}"):
         clpt.load_scenario(tmp_path / "run.nc")
-    again = clpt.simulate(clpt.load_diagram(tmp_path / "run.nc"))
-    for variable, own in run.data_vars.items():
-        np.testing.assert_array_equal(again[variable], own)
+    assert_equal(clpt.simulate(clpt.load_diagram(tmp_path / "run.nc")), run)
 
 
 def test_an_initial_state_tolerances_and_noise_are_the_files(tmp_path):

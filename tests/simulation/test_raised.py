@@ -1,6 +1,7 @@
 """What raises, cannot be computed or leaves a field is said in a sentence."""
 
 import math
+import re
 import warnings
 
 import control
@@ -31,15 +32,12 @@ def decay(t, x, u, p):
 
 
 def told(call, kind=clpt.SimulationError):
-    """The sentence of an error; it warns of nothing but that Python runs."""
+    """The sentence of an error, without advice; it warns of nothing but that Python runs."""
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "q runs in Python")
-        with pytest.raises(kind) as caught:
+        with pytest.raises(kind, match=r"\A((?!tol).)*\Z") as caught:
             call()
-    sentence = str(caught.value)
-    assert "\n" not in sentence
-    assert "tol" not in sentence  # no advice
-    return sentence
+    return str(caught.value)
 
 
 def ended(t, x, u, p):
@@ -77,15 +75,13 @@ def test_a_function_that_raises(function, role, engine):
 
 @ENGINES
 def test_in_the_middle_of_a_run(engine):
-    model = system(ended)
-    said = told(lambda: clpt.simulate(model, [0.0, 5.0], engine=engine))
+    said = told(lambda: clpt.simulate(system(ended), [0.0, 5.0], engine=engine))
     line = ended.__code__.co_firstlineno + 2
     end = f"q.update: ended, line {line}: ValueError: table ends at 1 s"
     assert said == f"the integration stopped at t = 1: {end}"
     root = system(lambda t, x, u, p: [-math.sqrt(x[0])])  # from 1 it is 0 at t = 2
     said = told(lambda: clpt.simulate(root, [0.0, 5.0], 0.0, [1.0], engine=engine))
-    assert "q.update: <lambda>, line" in said
-    assert "ValueError: " in said
+    assert re.search("q.update: <lambda>, line.*ValueError: ", said)
 
 
 NO_NUMBERS = {
@@ -101,9 +97,8 @@ NO_NUMBERS = {
 def test_what_is_no_matter_of_numbers(function, engine):
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "q runs in Python")
-        with pytest.raises(clpt.BlockError) as caught:
+        with pytest.raises(clpt.BlockError, match=f"^q.update: {named(function, '')}") as caught:
             clpt.simulate(system(function), TIMES, engine=engine)
-    assert str(caught.value).startswith(f"q.update: {named(function, '')}")
     assert isinstance(caught.value.__cause__, NO_NUMBERS[function])
 
 
@@ -138,10 +133,8 @@ def law(t, x, u, p):
 @ENGINES
 @pytest.mark.parametrize("times", [[0.0, 4.0], TIMES])
 def test_jumps_and_sampled_parts(engine, times):
-    saw = Block(
-        "saw", update=lambda t, x, u, p: [1.0], states={"s": 1}, parameters={"interval": -1.0},
-        breakpoints=Each(1.0), jump=second,
-    )  # fmt: skip
+    ports = {"states": {"s": 1}, "parameters": {"interval": -1.0}, "breakpoints": Each(1.0)}
+    saw = Block("saw", update=lambda t, x, u, p: [1.0], jump=second, **ports)
     said = told(lambda: clpt.simulate(saw, times, engine=engine))
     assert said.startswith("the integration stopped at t = 2: saw.jump: second, line ")
     assert said.endswith("ValueError: no second jump")
@@ -175,18 +168,20 @@ def test_what_a_function_catches_itself(engine):
     assert data.y_final.values == pytest.approx(np.exp([-8.0, -4.0]), abs=1e-8)
 
 
-@pytest.mark.parametrize("role", ["update", "output"])
-def test_an_ensemble(role):
-    model = system(empty) if role == "update" else system(decay, ended)
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
+@pytest.mark.filterwarnings("ignore:q runs in Python")
+@pytest.mark.parametrize(
+    ("model", "role", "end"),
+    [
+        (system(empty), "update", "thruster table is empty"),
+        (system(decay, ended), "output", "table ends at 1 s"),
+    ],
+)
+def test_an_ensemble(model, role, end):
+    said = rf"^2 of 2 members did .*; the first is member 0: not finite: .*q.{role}: .*: {end}\Z"
+    with pytest.warns(UserWarning, match=said) as caught:
         data = clpt.run_ensemble(model, {"k": [1.0, 2.0]}, timepts=TIMES)
+    assert sum("did not finish" in str(one.message) for one in caught) == 1
     assert np.all(data.status == 3)
-    (said,) = [str(one.message) for one in caught if "did not finish" in str(one.message)]
-    assert said.startswith("2 of 2 members did not finish; the first is member 0: not finite: ")
-    end = "table ends at 1 s" if role == "output" else "thruster table is empty"
-    assert said.endswith(f"ValueError: {end}")
-    assert f"q.{role}: " in said
 
 
 @pytest.mark.parametrize("engine", ["native", "python"])
@@ -196,39 +191,42 @@ def test_what_is_infinite_is_named(engine):
     with pytest.raises(SimulationError, match=r"t = 0.*x\[1\].*vehicle"):
         clpt.simulate(PAPER, [0, 1], initial_state=x0, engine=engine)
     burst = clpt.Block("burst", update=lambda t, x, u, p: x[0] ** 2, states={"x": 1})
-    with pytest.raises(SimulationError, match=r"stopped at t = (0\.9|1)") as caught:
+    with pytest.raises(SimulationError, match=r"\A.*stopped at t = (0\.9|1).*\Z"):
         clpt.simulate(burst, [0.0, 2.0], initial_state=[1.0], engine=engine)
-    assert "\n" not in str(caught.value)
 
 
 def drift(outside, u=1.0, v=0.0, end=10.0, *more, external=("v_x",)):
     """A vehicle that swims nowhere in a uniform current on x1 = -2 ... 2, x2 = -1 ... 1."""
     axes = [np.linspace(0, end, 5), np.linspace(-1, 1, 5), np.linspace(-2, 2, 9)]
-    shape = tuple(len(axis) for axis in axes)
-    grid = GriddedField(*axes, np.full(shape, u), np.full(shape, v))
+    grid = GriddedField(*axes, *(np.full((5, 5, 9), speed) for speed in (u, v)))
     units = PAPER.units.model_copy(update={"length": "km", "time": "h"})
     flow = field.gridded_flow(grid, outside, units=units)
     return clpt.connect([flow, vehicle.vehicle(), *more], external=external)
 
 
-def test_leaving_raises_with_position_time_and_bounds():
-    with pytest.raises(SimulationError) as caught:
-        clpt.simulate(drift("raise"), np.linspace(0, 5, 11), initial_state=[0.0, 0.5])
-    sentence = str(caught.value)
-    for part in ("(2, 0.5) km", "time 2 h", "x1 -2 to 2", "x2 -1 to 1", "time 0 to 10"):
-        assert part in sentence, (part, sentence)
-    assert "clip" in sentence
-    assert "stop" in sentence
+WHERE = r"\(2, 0.5\) km, time 2 h.*x1 -2 to 2, x2 -1"
+LEFT = [  # its start, its span, the field, and what of the place, the time and the bounds is said
+    ([0.0, 0.5], np.linspace(0, 5, 11), {}, WHERE + " to 1 km, time 0 to 10 h.*clip.*stop"),
+    ([0.0, 0.0], [0.0, 5.0], {"u": 0.1, "end": 3.0}, "time 3 h; .*time 0 to 3 h"),
+    ([3.0, 0.0], [0.0, 1.0], {}, r"\(3, 0\) km, time 0 h"),
+]
+
+
+@pytest.mark.parametrize(("start", "times", "given", "said"), LEFT)
+def test_leaving_raises_with_position_time_and_bounds(start, times, given, said):
+    with pytest.raises(SimulationError, match=said):
+        clpt.simulate(drift("raise", **given), times, initial_state=start)
 
 
 def test_leaving_stops_where_it_leaves_between_samples():
     run = clpt.simulate(drift("stop"), [0.0, 1.0, 3.0], initial_state=[0.75, 0.5])
     np.testing.assert_allclose(run.time, [0.0, 1.0, 1.25], atol=1e-9)
     np.testing.assert_allclose(run.states, [[0.75, 0.5], [1.75, 0.5], [2.0, 0.5]], atol=1e-8)
-    assert run.message.startswith("stopped")
-    assert "time 1.25 h" in run.message
+    assert re.match("stopped.*time 1.25 h", run.message)
     run = clpt.simulate(drift("stop"), [0.0, 1.0], initial_state=[3.0, 0.0])
     assert run.time.values.tolist() == [0.0]
+    run = clpt.simulate(drift("stop", u=0.1, end=3.0), [0.0, 5.0], initial_state=[0.0, 0.0])
+    np.testing.assert_allclose(run.time, [0.0, 3.0], atol=1e-9)
 
 
 def test_clip_goes_on_with_the_flow_at_the_edge_and_an_end_there_is_inside():
@@ -236,15 +234,6 @@ def test_clip_goes_on_with_the_flow_at_the_edge_and_an_end_there_is_inside():
     np.testing.assert_allclose(run.states[1:], [[4.0, -2.0], [20.0, -10.0]], atol=1e-8)
     run = clpt.simulate(drift("raise"), [0.0, 2.0], initial_state=[0.0, 1.0])
     np.testing.assert_allclose(run.states[-1], [2.0, 1.0], atol=1e-9)
-
-
-def test_leaving_in_time_or_before_the_start():
-    with pytest.raises(SimulationError, match=r"time 3 h; .*time 0 to 3 h"):
-        clpt.simulate(drift("raise", u=0.1, end=3.0), [0.0, 5.0], initial_state=[0.0, 0.0])
-    run = clpt.simulate(drift("stop", u=0.1, end=3.0), [0.0, 5.0], initial_state=[0.0, 0.0])
-    np.testing.assert_allclose(run.time, [0.0, 3.0], atol=1e-9)
-    with pytest.raises(SimulationError, match=r"\(3, 0\) km, time 0 h"):
-        clpt.simulate(drift("raise"), [0.0, 1.0], initial_state=[3.0, 0.0])
 
 
 @pytest.mark.parametrize("farthest", [4.04, 2.02])
@@ -262,8 +251,6 @@ def test_out_and_back_within_a_step_is_found(farthest):
 
 @pytest.mark.parametrize("of", [lambda s: s, clpt.closed_loop], ids=["scenario", "diagram"])
 def test_more_samples_than_memory_holds_are_refused_before_work(of):
-    many = 1e-4 * np.arange(8_000_000)
-    with pytest.raises(
-        SimulationError, match=r"timepts: 8000000 samples of \d+ states and signals"
-    ):
-        clpt.simulate(of(PAPER), many)
+    said = r"timepts: 8000000 samples of \d+ states and signals"
+    with pytest.raises(SimulationError, match=said):
+        clpt.simulate(of(PAPER), 1e-4 * np.arange(8_000_000))

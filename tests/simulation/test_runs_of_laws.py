@@ -3,7 +3,7 @@
 import law_blocks
 import numpy as np
 import pytest
-from law_blocks import EACH, TRUE_GAINS
+from law_blocks import EACH, HELD
 from scipy.integrate import simpson
 
 import clpt_control as clpt
@@ -40,20 +40,15 @@ def test_every_law_runs_and_keeps_its_V(name, tmp_path):
 @pytest.mark.parametrize("name", ["known-flow", "composite-memory"])
 def test_gains_that_are_held_stay(name):
     """That no law's rates move them is asked of blocks."""
-    values = {"learning.adapt_gains": False, "run.duration": 20}
-    start = {"learning.feedback": [0.7, 1.1], "learning.feedforward": [0.9, 1.2]}
-    run = clpt.simulate(with_law(name, **values, **start))
+    held = {"learning.adapt_gains": False, "run.duration": 20, "learning.feedback": [0.7, 1.1]}
+    run = clpt.simulate(with_law(name, **held, **{"learning.feedforward": [0.9, 1.2]}))
     np.testing.assert_array_equal(run.feedback_gain, np.tile([0.7, 1.1], (21, 1)))
     np.testing.assert_array_equal(run.feedforward_gain, np.tile([0.9, 1.2], (21, 1)))
 
 
 @pytest.mark.parametrize(
     "values",
-    [
-        {},
-        {"learning.gain": None, "learning.gains": EACH},
-        {"learning.adapt_gains": False, **TRUE_GAINS},
-    ],
+    [{}, {"learning.gain": None, "learning.gains": EACH}, HELD],
     ids=["one gain", "a gain each", "gains held true"],
 )
 def test_V_of_the_papers_law_falls_by_what_e_takes(values):
@@ -113,6 +108,7 @@ def test_a_gain_of_zero_is_refused_where_nothing_is_without_it():
         clpt.error_loop(each)
 
 
+FINE = {"run.output_step": 5, "run.rtol": 1e-9, "learning.sample": 0.05}
 SLOW = clpt.paper_scenario().with_values(
     {"learning.gain": 0.05, "run.duration": 20, "run.output_step": 5, "run.rtol": 1e-11}
 )
@@ -137,9 +133,7 @@ def test_a_law_that_is_sampled_is_the_sampled_block(period):
 @pytest.mark.parametrize("law", ["known-flow", "kalman-flow", "composite-memory", "drem"])
 def test_every_engine_samples_a_law(law):
     """A law's own states begin where they do without samples."""
-    own = {"learning.law": law, "learning.parameters": None, "run.duration": 1}
-    own |= {"learning.theta_estimate": np.ones((2, 3)).tolist()} if law == "known-flow" else {}
-    scenario = SLOW.with_values({**own, "learning.sample": 0.05, "run.rtol": 1e-9})
+    scenario = with_law(law).with_values({"learning.gain": 0.05, "run.duration": 1} | FINE)
     native, python = (clpt.simulate(scenario, engine=engine) for engine in ("native", "python"))
     np.testing.assert_allclose(native.states, python.states, rtol=1e-6, atol=1e-9)
 
@@ -163,21 +157,25 @@ def test_the_scenarios_method_runs():
 
 
 def test_what_is_not_sampled_says_so():
-    sampled = SLOW.with_values({"learning.sample": 1.0})
-    with pytest.raises(DiagramError, match="sample yours by"):
-        clpt.closed_loop(sampled, law=own_law(SLOW))
-    with pytest.raises(DiagramError, match="proofs speak of continuous time alone"):
-        clpt.theory.prove(clpt.closed_loop(sampled))
-    with pytest.raises(ScenarioError, match=r"learning\.sample cannot vary; "):
-        clpt.ensemble.run_ensemble(sampled, vary="learning.sample=0.5:2.0", members=2)
-    with pytest.raises(ScenarioError, match=r"learning.sample: .* has no use for it"):
-        SLOW.with_values(
-            {"learning": {"law": "fix-regression", "sample": 1.0}, "localization.interval": 5.0}
-        )
-    end = SLOW.run.duration
+    sampled, end = SLOW.with_values({"learning.sample": 1.0}), SLOW.run.duration
+    fixes = {"learning": {"law": "fix-regression", "sample": 1.0}, "localization.interval": 5.0}
     SLOW.with_values({"learning.sample": end})
-    with pytest.raises(ScenarioError, match=r"nothing is learned before t = .*; must be at most"):
-        SLOW.with_values({"learning.sample": 1.01 * end})
     both = {"a": sampled, "b": sampled.with_values({"vehicle.position": [1.0, 0.0]})}
-    with pytest.raises(ClptError, match="a team learns at all times"):
-        clpt.Team(members=both, edges=[("a", "b")], coupling=0.5)
+    for said, ask in {
+        "sample yours by": lambda: clpt.closed_loop(sampled, law=own_law(SLOW)),
+        "proofs speak of continuous time alone": lambda: clpt.theory.prove(
+            clpt.closed_loop(sampled)
+        ),
+        r"learning\.sample cannot vary; ": lambda: clpt.run_ensemble(
+            sampled, "learning.sample=1:2", 2
+        ),
+        r"learning.sample: .* has no use for it": lambda: SLOW.with_values(fixes),
+        r"nothing is learned before t = .*; must be at most": (
+            lambda: SLOW.with_values({"learning.sample": 1.01 * end})
+        ),
+        "a team learns at all times": lambda: clpt.Team(
+            members=both, edges=[("a", "b")], coupling=0.5
+        ),
+    }.items():
+        with pytest.raises(ClptError, match=said):
+            ask()

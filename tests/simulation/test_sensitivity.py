@@ -55,26 +55,20 @@ def test_closed_forms():
 def test_outputs_are_chosen_and_named():
     times = [0.0, 1.0]
     found = clpt.sensitivity(mrac(), times, of=["e", "states"], to="gain", inputs=1.0)
-    assert list(found) == ["e", "states"]
-    assert list(found.parameter.values) == ["gain"]
+    assert (list(found), list(found.parameter.values)) == (["e", "states"], ["gain"])
     units = clpt.sensitivity(clpt.connect([teeth()]), times, "x", "teeth.slope").x.attrs["units"]
     assert units == "m per unit of the parameter"
-    scenario = clpt.paper_scenario()
-    found = clpt.sensitivity(scenario, times, of=["e"], to=["adaptation.gain", "vehicle_x"])
+    both = {"of": ["e"], "to": ["adaptation.gain", "vehicle_x"]}
+    found = clpt.sensitivity(clpt.paper_scenario(), times, **both)
     assert [*found.parameter.values[1:]] == ["x0.vehicle_x[0]", "x0.vehicle_x[1]"]
     assert found.e.dims == ("time", "e_index", "parameter")
 
 
 def teeth():
-    return clpt.Block(
-        "teeth",
-        update=lambda t, x, u, p: [p.slope],
-        states={"x": 1},
-        jump=lambda t, x, u, p: [0.5 * x[0]],
-        breakpoints=Each("period"),
-        parameters={"slope": 1.0, "period": 1.0, "interval": -1.0},
-        units={"x": "m"},
-    )
+    ports = {"states": {"x": 1}, "breakpoints": Each("period"), "units": {"x": "m"}}
+    ports["parameters"] = {"slope": 1.0, "period": 1.0, "interval": -1.0}
+    halved = lambda t, x, u, p: [0.5 * x[0]]  # noqa: E731
+    return clpt.Block("teeth", update=lambda t, x, u, p: [p.slope], jump=halved, **ports)
 
 
 def with_output(output, rate, **params):
@@ -120,11 +114,8 @@ def test_what_moves_a_jump_is_refused(name):
 
 def test_an_endless_limit_beside_a_jump_moves_nothing():
     """There is no run a little to both sides of infinity: it ended in a traceback."""
-    system = autonomous(
-        lambda t, x, u, p: [np.clip(np.where(x[0] < 1.0, 1.0, 3.0), -1.0, p["high"])],
-        **{"high": np.inf},
-    )
-    found = clpt.sensitivity(system, [0.0, 0.5, 2.0], to=["high"]).x
+    rate = lambda t, x, u, p: [np.clip(np.where(x[0] < 1.0, 1.0, 3.0), -1.0, p["high"])]  # noqa: E731
+    found = clpt.sensitivity(autonomous(rate, high=np.inf), [0.0, 0.5, 2.0], to=["high"]).x
     assert found.values[-1] == pytest.approx([0.0])
 
 
@@ -136,58 +127,50 @@ def test_before_and_behind_a_jump_all_is_known():
     assert found.x[-1].values == pytest.approx([0.5 + 0.875, 0.125])  # S halves at each jump
 
 
-def test_systems_without_a_state_an_element_or_a_derivative():
-    ports = {"inputs": 1, "params": {"k": 2.0}}
-    gain, odd_name = (
-        control.nlsys(None, lambda t, x, u, p: [p["k"] * u[0]], outputs=[output], **ports)
-        for output in ("y", "parameter")
-    )
-    found = clpt.sensitivity(gain, [0.0, 1.0], to="k", inputs=3.0)
+def gain(output):
+    ports = {"inputs": 1, "outputs": [output], "params": {"k": 2.0}}
+    return control.nlsys(None, lambda t, x, u, p: [p["k"] * u[0]], **ports)
+
+
+def test_systems_without_a_state():
+    found = clpt.sensitivity(gain("y"), [0.0, 1.0], to="k", inputs=3.0)
     assert found.y.values.tolist() == [[3.0], [3.0]]
-    for system, to, said in (
-        (gain, "x0", "to: nothing is varied"),
-        (odd_name, "k", "parameter: is a dimension"),
-        (control.ss(1, 1, 1, 0, name="p"), "p.A[1,0]", "or an element, counted from 0"),
-        (autonomous(lambda t, x, u, p: [float(str(x[0]))]), "x0", "lag: has no .*<lambda>"),
-    ):
-        with pytest.raises(clpt.SimulationError, match=said):
-            clpt.sensitivity(system, [0.0, 1.0], to=to)
 
 
-@pytest.mark.parametrize(
-    ("given", "said"),
-    [
-        ({"to": "n"}, r"n: .*asks for its value"),
-        ({"to": "q"}, r"must be among k, lag\.k, lag\.n, n, x, x0"),
-        ({"to": "plant.k"}, r"did you mean k\?"),
-        ({"to": "k", "of": "q"}, "must be among x, states"),
-        ({"to": []}, "to: nothing is varied"),
-    ],
-)
-def test_what_is_not_known_is_said(given, said):
-    asking = lambda t, x, u, p: [-p["k"] * x[0] if p["n"] > 2 else -x[0]]  # noqa: E731
+ASKING = autonomous(lambda t, x, u, p: [-p["k"] * x[0] if p["n"] > 2 else -x[0]], k=1.0, n=3.0)
+UNKNOWN = [
+    (gain("y"), {"to": "x0"}, "to: nothing is varied"),
+    (gain("parameter"), {"to": "k"}, "parameter: is a dimension"),
+    (control.ss(1, 1, 1, 0, name="p"), {"to": "p.A[1,0]"}, "or an element, counted from 0"),
+    (autonomous(lambda t, x, u, p: [float(str(x[0]))]), {"to": "x0"}, "lag: has no .*<lambda>"),
+    (ASKING, {"to": "n"}, r"n: .*asks for its value"),
+    (ASKING, {"to": "q"}, r"must be among k, lag\.k, lag\.n, n, x, x0"),
+    (ASKING, {"to": "plant.k"}, r"did you mean k\?"),
+    (ASKING, {"to": "k", "of": "q"}, "must be among x, states"),
+    (ASKING, {"to": []}, "to: nothing is varied"),
+]
+
+
+@pytest.mark.parametrize(("system", "given", "said"), UNKNOWN)
+def test_what_is_not_known_is_said(system, given, said):
     with pytest.raises(clpt.SimulationError, match=said):
-        clpt.sensitivity(autonomous(asking, k=1.0, n=3.0), [0.0, 1.0], **given)
+        clpt.sensitivity(system, [0.0, 1.0], **given)
+
+
+def meeting(t, x, u, p):
+    place = x.reshape(-1, 2)
+    apart = place[:, None, :] - place[None, :, :]
+    near = ((apart**2).sum(-1) + 0.1) ** 1.5
+    pull = (apart / near[..., None]).sum(1)
+    return (0.3 * (np.mean(place, axis=0) - place) - p["g"] * pull).ravel()
 
 
 def test_vehicles_that_have_met_are_not_misread():
     """At rest rates are rounding alone, and stay so where all move by the same."""
-
-    def update(t, x, u, p):
-        place = x.reshape(-1, 2)
-        apart = place[:, None, :] - place[None, :, :]
-        near = ((apart**2).sum(-1) + 0.1) ** 1.5
-        pull = (apart / near[..., None]).sum(1)
-        return (0.3 * (np.mean(place, axis=0) - place) - p["g"] * pull).ravel()
-
-    meeting = control.nlsys(
-        update, None, name="meeting", inputs=0, states=6, outputs=6, params={"g": 0.2}
-    )
+    three = control.nlsys(meeting, inputs=0, states=6, outputs=6, params={"g": 0.2})
     start, times = [0, 0, 1, 0.2, 0.3, 1], np.linspace(0.0, 2.0, 21)
-    for to in ("g", "x0"):
-        found = clpt.sensitivity(meeting, times, to=to, initial_state=start, **EXACT)
-        end = found.y[-1].values
-        mean = 0.0 if to == "g" else np.tile(np.eye(2), (3, 3)) / 3.0
+    for to, mean in (("g", 0.0), ("x0", np.tile(np.eye(2), (3, 3)) / 3.0)):
+        end = clpt.sensitivity(three, times, to=to, initial_state=start, **EXACT).y[-1].values
         np.testing.assert_allclose(end, mean + 0.0 * end, atol=1e-9)
 
 

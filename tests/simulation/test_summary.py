@@ -56,21 +56,14 @@ SELDOM = {
 def test_a_peak_of_CLPE_is_seen_however_rarely_a_waypoint_comes(case):
     """Of a learner that is true but for z(0), in calm water: e = e(0) exp(-KD t)."""
     k, points, dwell, end = SELDOM[case]
-    scenario = PAPER.with_values(
-        {
-            "flow.parameters": np.zeros((2, 3)).tolist(),
-            "vehicle.feedback": [k, k],
-            "vehicle.feedforward": [k, k],
-            "reference": {"kind": "waypoints", "points": points, "dwell": dwell},
-            "learning.gain": 0.0,
-            "learning.feedback": [k, k],
-            "learning.feedforward": [k, k],
-            "learning.position": [0.6, 0.8],
-            "run.duration": end,
-            "run.output_step": end / 10,
-        }
-    )
-    found = summary.run_and_report(scenario).summary
+    gains = {"feedback": [k, k], "feedforward": [k, k]}
+    values = {
+        f"{who}.{gain}": own for who in ("vehicle", "learning") for gain, own in gains.items()
+    }
+    values |= {"flow.parameters": [[0.0] * 3] * 2, "learning.gain": 0.0}
+    values |= {"reference": {"kind": "waypoints", "points": points, "dwell": dwell}}
+    values |= {"learning.position": [0.6, 0.8], "run.duration": end, "run.output_step": end / 10}
+    found = summary.run_and_report(scenario := PAPER.with_values(values)).summary
     assert found["clpe_rms"] == pytest.approx(1 / np.sqrt(2 * k * end), rel=0.06)
     several = clpt.run_ensemble(scenario, {"vehicle.position": [[0.0, 0.0]]})
     assert float(several.clpe_rms_whole[0]) == pytest.approx(found["clpe_rms"], rel=0.5)
@@ -82,15 +75,12 @@ def test_a_run_that_stops_is_kept_to_where_it_stops(end, tmp_path):
     uniform_field(tmp_path / "field.nc", end=end)
     flow = {"field": str(tmp_path / "field.nc"), "outside": "stop"}
     scenario = PAPER.with_values({"flow": flow, "run.duration": 1000.0})
-    found = summary.run_and_report(scenario)
+    run, fine, said = summary.run_and_report(scenario)
     own = clpt.simulate(scenario, np.append(np.arange(int(end) + 1.0), 1000.0))
-    assert found.summary["status"] == "stopped"
-    assert found.summary["end"] == pytest.approx(end)
-    assert len(found.summary["clpe_rms_per_cycle"]) == 3
-    for run in (found.run, own):
-        assert float(run.time[-1]) == pytest.approx(end)
-    np.testing.assert_allclose(found.run.position, own.position, rtol=0, atol=1e-7)
-    assert float(found.fine.time[-1]) == pytest.approx(end, abs=0.1)
+    assert (said["status"], len(said["clpe_rms_per_cycle"])) == ("stopped", 3)
+    assert [said["end"], run.time[-1], own.time[-1]] == pytest.approx([end] * 3)
+    np.testing.assert_allclose(run.position, own.position, rtol=0, atol=1e-7)
+    assert float(fine.time[-1]) == pytest.approx(end, abs=0.1)
 
 
 def test_a_run_of_many_cycles_has_fewer_samples_and_the_same_means():
@@ -112,12 +102,9 @@ def test_what_misses_a_claim_is_not_rounded_to_what_meets_it():
     errors = {"200": 0.0504, "2000": 0.0002}
     found = {"max_flow_parameter_error": errors, "max_gain_error": errors}
     clpe, flow, _ = clpt.simulation.claims({"clpe_rms_per_cycle": [2e-4, 2.008e-5], **found})
-    assert clpe["verdict"] == "fails"
-    assert clpe["measured"] == "0.0002, then 2.01e-05 (10.04 %); last cycle 2.01e-05"
+    measured = "0.0002, then 2.01e-05 (10.04 %); last cycle 2.01e-05"
+    assert (clpe["verdict"], clpe["measured"]) == ("fails", measured)
     assert flow["measured"] == "0.0504 at t = 200, 0.0002 at t = 2000"
-
-
-def test_what_is_no_run_of_the_paper_has_no_claims():
     found = summary.run_and_report(PAPER.with_values({"run.duration": 20.0}))
     with pytest.raises(clpt.DataError, match="from t = 0 to 2000"):
         clpt.simulation.claims(found.summary)

@@ -39,32 +39,27 @@ def test_without_coupling_each_is_alone():
             assert found.summary[key][name] == pytest.approx(alone[key], rel=2e-3)
 
 
-EACH = {"parameters": 1.3, "feedback": 0.2, "feedforward": 0.5}
 GAINS = {  # the values of a vehicle, and gamma
-    "one": (lambda own: {}, 0.8),
-    "each": (lambda own: {"learning.gain": None, "learning.gains": EACH}, 1.3),
-    "held true": (
-        lambda own: {
-            "learning.adapt_gains": False,
-            "learning.feedback": own.feedback,
-            "learning.feedforward": own.feedforward,
-        },
-        0.8,
+    "one": ({}, 0.8),
+    "each": (
+        {"gain": None, "gains": {"parameters": 1.3, "feedback": 0.2, "feedforward": 0.5}},
+        1.3,
     ),
+    "held true": ({"adapt_gains": False}, 0.8),
 }
 
 
 @pytest.mark.parametrize("gains", GAINS)
 def test_V_falls_by_what_is_claimed(gains):
     """V(s) - V(t) is the integral of sum e^T KD e + kappa/gamma sum over edges |apart|^2."""
-    values, gamma = GAINS[gains]
-    tight, kappa = {"run.rtol": 1e-12, "run.atol": 1e-13}, 0.6
-    members = {
-        name: one.with_values(tight | values(one.vehicle)) for name, one in DIFFERENT.items()
-    }
+    (values, gamma), kappa, members = GAINS[gains], 0.6, {}
+    for name, one in DIFFERENT.items():
+        true = {"feedback": one.vehicle.feedback, "feedforward": one.vehicle.feedforward}
+        own = values | true if gains == "held true" else values
+        tight = {"run.rtol": 1e-12, "run.atol": 1e-13}
+        members[name] = one.with_values(tight | {f"learning.{k}": v for k, v in own.items()})
     times = np.linspace(0.0, 12.0, 2401)  # each jump is a sample of even number
-    run = clpt.simulate(team(kappa, ROW, **members), times)
-    falls = np.zeros(len(times))
+    run, falls = clpt.simulate(team(kappa, ROW, **members), times), np.zeros(len(times))
     for name, one in members.items():
         falls += run.clpe.sel(vehicle=name).values ** 2 @ np.array(one.vehicle.feedback)
     for a, b in ROW:
@@ -77,39 +72,24 @@ def test_V_falls_by_what_is_claimed(gains):
 
 
 @pytest.mark.parametrize(
-    ("edges", "connectivity"),
-    [
-        ([("a", "b"), ("b", "c")], 1.0),
-        ([("a", "b"), ("b", "c"), ("c", "a")], 3.0),
-        ([("a", "b"), ("a", "c"), ("a", "d")], 1.0),
-    ],
-    ids=["row", "circle", "star"],
+    ("edges", "connectivity"), [("ab bc", 1.0), ("ab bc ca", 3.0), ("ab ac ad", 1.0)]
 )
 def test_where_nothing_is_seen_the_disagreement_falls_by_the_laplacian(edges, connectivity):
-    """phi = 0 and e = 0: alpha(t) = exp(-kappa L t) alpha(0)."""
+    """phi = 0 and e = 0: alpha(t) = exp(-kappa L t) alpha(0), on a row, a circle and a star."""
+    edges = [tuple(edge) for edge in edges.split()]
     names = sorted({name for edge in edges for name in edge})
-    random, kappa = np.random.default_rng(3), 0.35
-    starts = random.standard_normal((len(names), 2, 3))
-    far = {
-        "basis_kernel": "gaussian",
-        "basis_centers": [[1e3, 0.0]] * 3,
-        "learning_adapt_gains": False,
-        "learning_feedback": [1, 1],
-        "learning_feedforward": [1, 1],
-        "run_rtol": 1e-11,
-    }
-    members = {
-        name: vehicle(**far, learning_parameters=start)
-        for name, start in zip(names, starts, strict=True)
-    }
-    of = team(kappa, edges, **members)
+    starts, kappa = np.random.default_rng(3).standard_normal((len(names), 2, 3)), 0.35
+    far = {"basis_kernel": "gaussian", "basis_centers": [[1e3, 0.0]] * 3, "run_rtol": 1e-11}
+    far |= {"learning_feedback": [1, 1], "learning_feedforward": [1, 1]}
+    far["learning_adapt_gains"] = False
+    pairs = zip(names, starts, strict=True)
+    of = team(kappa, edges, **{n: vehicle(**far, learning_parameters=start) for n, start in pairs})
     assert of.connectivity == pytest.approx(connectivity)
-    run = clpt.simulate(of)
+    run, L = clpt.simulate(of), np.zeros((len(names),) * 2)
     assert float(abs(run.clpe).max()) == 0.0
-    L = np.zeros((len(names),) * 2)
     for edge in edges:
-        a, b = map(names.index, edge)
-        L += np.outer(*[np.eye(len(names))[a] - np.eye(len(names))[b]] * 2)
+        a, b = np.eye(len(names))[[*map(names.index, edge)]]
+        L += np.outer(a - b, a - b)
     for t in (0.0, 2.5, 12.0):
         exact = np.einsum("vw,wik->vik", expm(-kappa * L * t), starts)
         np.testing.assert_allclose(run.alpha.sel(time=t).values, exact, rtol=0, atol=1e-9)
@@ -123,11 +103,9 @@ def test_where_nothing_is_seen_the_disagreement_falls_by_the_laplacian(edges, co
 def test_none_sees_the_whole_flow_yet_the_team_learns_it():
     """Issue: each smallest eigenvalue below 1e-6, all parameters to 1e-3 together."""
     of = clpt.load_team(FILE)
-    theta = np.array(of.first.flow.parameters)
-    end = of.run.duration
+    theta, end = np.array(of.first.flow.parameters), of.run.duration
     run = clpt.simulate(of, [0.0, end])
-    errors = abs(run.flow_parameters_estimate[:, -1] - theta).max(("axis", "basis"))
-    assert float(errors.max()) < 1e-3
+    assert float(abs(run.flow_parameters_estimate[:, -1] - theta).max()) < 1e-3
     for scenario in of.members.values():
         joint = clpt.theory.gramian(scenario, end, 0.0).eigenvalues
         assert max(float(values[0]) for values in joint.values()) < 1e-6
@@ -135,8 +113,7 @@ def test_none_sees_the_whole_flow_yet_the_team_learns_it():
         assert float(abs(alone - theta).max()) > 0.5
     together = clpt.theory.gramian(of, end, 0.0)
     assert max(together.vehicles[name].smallest for name in ("west", "east")) < 1e-6
-    assert together.smallest > 1.0
-    assert together.not_learnable == []
+    assert (together.smallest > 1.0, together.not_learnable) == (True, [])
 
 
 def test_a_team_is_a_diagram_of_python_control():
@@ -169,12 +146,10 @@ def test_one_vehicle_may_have_a_limit_of_speed():
         ({"initial_state": [1.0]}, "initial_state, params: a team has its own"),
         ({"params": {"a/adaptation.gain": 1.0}}, r"params: a team has its own.*team_loop\(team\)"),
     ],
-    ids=str,
 )
 def test_what_a_team_cannot_take(arguments, said):
-    with pytest.raises(clpt.ClptError, match=said) as caught:
+    with pytest.raises(clpt.ClptError, match=rf"\A.*{said}.*\Z"):
         clpt.simulate(team(a=PAPER, b=PAPER), **arguments)
-    assert "\n" not in str(caught.value)
 
 
 @pytest.mark.parametrize("names", [[np.zeros(0), np.ones(3)], ["a", "c"], [1.0, 2.0]], ids=str)
