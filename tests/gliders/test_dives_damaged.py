@@ -9,7 +9,7 @@ from contextlib import suppress
 import netCDF4
 import numpy as np
 import pytest
-from glider_dialects import CTD, EPOCH, SWUM, M, basestation, basestation3, dives_in, fixes, swim
+from glider_dialects import CTD, EPOCH, INFO, SWUM, M, basestation, basestation3, fixes, swim
 from refusals import refuses
 from slocum_bytes import CRC, cac, segment
 
@@ -17,7 +17,6 @@ from clpt_control.errors import DataError
 from clpt_control.gliders import read_dives, usable
 
 nan = np.nan
-GPS = ("gps_info",)
 EAST, NORTH = "east_displacement", "north_displacement"
 times, lats, lons = fixes(7, 8.0)
 since, depth, steps = swim(1800)
@@ -34,7 +33,7 @@ def gps(**changed):
     """Return the fixes of dive 7, one of them changed: lat=(1, 0.0)."""
     columns = {"time": times, "lat": lats, "lon": lons}
     columns |= {name: at(columns[name], *change) for name, change in changed.items()}
-    return {f"log_gps_{k}": (GPS, a, EPOCH if k == "time" else {}) for k, a in columns.items()}
+    return {f"log_gps_{k}": (INFO, a, EPOCH if k == "time" else {}) for k, a in columns.items()}
 
 
 def stepped(place, value):
@@ -61,7 +60,7 @@ NOT_USED = [  # a share of the file, its bytes, a missing variable, or those tha
     (gps(lat=(2, nan)), "no fix after"),
     (gps(time=(1, nan)), "no fix before"),
     (gps(time=(2, times[2] - 6e5)), "swapped times"),
-    ({"log_gps_hdop": (GPS, [1, 1, 99.0], {})}, "GPSE has a hdop of 99"),
+    ({"log_gps_hdop": (INFO, [1, 1, 99.0], {})}, "GPSE has a hdop of 99"),
     (TWO_FIXES, "2 fixes in log_gps_time"),
     ("log_gps_lon", "no variable log_gps_lon"),
     (timed(since, {"units": "fortnights since 1970-01-01"}), "'fortnights since"),
@@ -80,7 +79,7 @@ def test_a_damaged_file_is_named_and_the_good_dives_are_used(damage, why, tmp_pa
     basestation3(tmp_path / "p1230008.nc", number=8)
     path = tmp_path / "p1230007.nc"
     changed = damage if isinstance(damage, dict) else {}
-    basestation3(path, drop=[damage], sizes={"two": 2}, **changed)
+    basestation3(path, drop=[damage], **changed)
     if isinstance(damage, float | bytes):
         raw = path.read_bytes()
         path.write_bytes(raw[: int(damage * len(raw))] if isinstance(damage, float) else damage)
@@ -103,12 +102,12 @@ REPAIRED = [  # what is changed, what is missing, what is said, and whether GPS1
     ({}, ["ctd_time"], NO_TIMES, True),
     (timed(times[1] + since[::-1]), (), NO_TIMES, True),
     (timed(at(times[1] + since, 9, nan)), (), NO_TIMES, True),
-    ({"log_gps_qc": (GPS, [1.0, 1.0, 4.0], {})}, (), "the file flags GPSE 4", True),
+    ({"log_gps_qc": (INFO, [1.0, 1.0, 4.0], {})}, (), "the file flags GPSE 4", True),
     ({"GPSE_qc": ((), "4", {})}, (), "the file flags GPSE 4", True),
     (gps(time=(1, times[1] - 9000)), (), OLD, False),
     (gps(time=(0, times[1] + 700)), (), "which is left out", False),
     (gps(lat=(0, 0.0), lon=(0, 0.0)), (), "", False),
-    ({"log_gps_hdop": (GPS, [99.0, 1, 1], {})}, (), "GPS1 has a hdop of 99", False),
+    ({"log_gps_hdop": (INFO, [99.0, 1, 1], {})}, (), "GPS1 has a hdop of 99", False),
     ({}, ["ctd_depth", "eng_depth"], "", True),
     (stepped(700, nan), (), "1 of 1800 samples", True),
     (GLIDE_SLOPE, [EAST, NORTH], "dead reckoning of the glide-slope model", True),
@@ -117,7 +116,7 @@ REPAIRED = [  # what is changed, what is missing, what is said, and whether GPS1
 
 @pytest.mark.parametrize(("changed", "drop", "said", "first"), REPAIRED)
 def test_what_can_be_repaired_is_and_says_so(changed, drop, said, first, tmp_path):
-    dive = dives_in(basestation3(tmp_path / "p1230007.nc", drop=drop, **changed))[0]
+    dive = read_dives(basestation3(tmp_path / "p1230007.nc", drop=drop, **changed))[0][0]
     assert [one.number for one in usable([dive])[0]] == [7]
     assert said in "; ".join(dive.notes)
     assert (dive.dr_east, dive.dr_north) == pytest.approx(tuple(SWUM), rel=1e-6)

@@ -92,7 +92,7 @@ def on_their_own(columns):
     for name in ("LATITUDE_GPS", "LONGITUDE_GPS"):
         own[name] = ("N_GPS",), columns.pop(name)[FIX], {}
     columns |= {name: np.delete(column, FIX) for name, column in columns.items()}
-    return {"sizes": {"N_GPS": len(FIX)}, **own}
+    return own
 
 
 @pytest.mark.parametrize("lon", [8.0, DATE_LINE])

@@ -151,7 +151,7 @@ def seaglider(path, target=b"-4200.000,900.000", heading=-1.0, radius=1000.0):
         "log_HEADING": ((), heading, {}),
         "log_TGT_RADIUS": ((), radius, {}),
     }
-    basestation3(path, sizes={"letters": 20}, **plans)
+    basestation3(path, **plans)
     return read_dives(path)[0][0]
 
 
