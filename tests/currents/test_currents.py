@@ -294,8 +294,7 @@ def test_files_that_are_no_data(tmp_path):
 
 def test_maracoos_is_read_as_its_provenance_says():
     currents = read_currents(sample_currents(), BOX)
-    assert currents.u.shape == (24, 12, 16)
-    assert currents.start == "2019-01-01T00:00:00"
+    assert (currents.u.shape, currents.start) == ((24, 12, 16), "2019-01-01T00:00:00")
     assert (~currents.measured).mean() == pytest.approx(0.28, abs=0.005)
     assert currents.measured.all(axis=0).sum() == 84
     speed = np.sqrt(np.nanmean(currents.u**2 + currents.v**2))

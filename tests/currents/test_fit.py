@@ -163,8 +163,7 @@ def test_a_field_is_written_beside_its_scenario_or_neither(fit, tmp_path):
 def test_saved_scenario_and_field_belong_together(fit, tmp_path):
     scenario = save_fit(fit, tmp_path / "north.toml")
     assert sorted(p.name for p in tmp_path.iterdir()) == ["north.toml", "north_field.nc"]
-    assert scenario.flow.field == "north_field.nc"
-    assert scenario.learning.parameters is None
+    assert (scenario.flow.field, scenario.learning.parameters) == ("north_field.nc", None)
     assert scenario.learning.gain == 5.0
     assert scenario.vehicle.position == scenario.learning.position == (12.0, 0.0)
     assert scenario.run.duration == 24.0

@@ -182,8 +182,7 @@ def test_the_command_prints_constants(clpt, tmp_path):
     arguments = ("tides", path, "--constituents", "M2,S2,K1,O1")
     status, out, err = clpt(*arguments, "--json")
     report = json.loads(out)
-    assert (status, err) == (0, "")
-    assert list(report["constituents"]) == list(KNOWN)
+    assert (status, err, list(report["constituents"])) == (0, "", list(KNOWN))
     middle = np.datetime64(report["nodal_time"])
     k = np.flatnonzero(time == middle)[0]
     for axis, key in enumerate(("east", "north")):
@@ -336,8 +335,7 @@ def profiler(system="earth", **attrs):
 def test_a_profilers_file_is_a_record(tmp_path):
     profiler(declination=-14.0).to_netcdf(tmp_path / "adcp.nc")
     record = read_record(tmp_path / "adcp.nc")
-    assert record.u.mean() == pytest.approx(0.4, abs=0.01)
-    assert record.v == pytest.approx(0.2)
+    assert (record.u.mean(), record.v) == (pytest.approx(0.4, abs=0.01), pytest.approx(0.2))
     assert record.latitude == 41.0
     profiler().to_netcdf(tmp_path / "magnetic.nc")
     refuses("set_declination", read_record, tmp_path / "magnetic.nc")

@@ -56,8 +56,7 @@ def test_basestation_files_of_both_kinds(make, lon, tmp_path):
     dive = dives_in(make(tmp_path / "p1230007.nc", lon=lon))[0]
     assert swam(dive)
     half_way(dive)
-    assert (dive.number, dive.kind, dive.magvar) == (7, "Seaglider", made.VARIATION)
-    assert dive.notes == ()
+    assert (dive.number, dive.kind, dive.magvar, dive.notes) == (7, "Seaglider", made.VARIATION, ())
     assert (dive.dac_east, dive.dac_north) == pytest.approx(made.current())
     assert usable([dive])[0] == [dive]
 
@@ -118,8 +117,7 @@ def test_og1_dives_without_numbers_depth_or_phase(count, tmp_path):
     dives = mission(tmp_path, columns, drop=drop)
     assert [dive.number for dive in dives] == [1, 2, 3]
     for dive in dives:
-        assert way(dive) == pytest.approx(made.SWUM)
-        assert (dive.depth_max is None) == ("DEPTH" in drop)
+        assert (way(dive), dive.depth_max is None) == (pytest.approx(made.SWUM), "DEPTH" in drop)
 
 
 def test_og1_dead_reckoning_of_speed_and_heading(tmp_path):
@@ -134,8 +132,7 @@ def test_og1_dead_reckoning_of_speed_and_heading(tmp_path):
         igrf = variation(middle, dive.lat_gps2, dive.lon_gps2)
         bearing = np.radians(made.BEARING - made.VARIATION + igrf)
         there = made.SPEED * (made.DURATION - 200.0) * np.array([np.sin(bearing), np.cos(bearing)])
-        assert way(dive) == pytest.approx(there)
-        assert (dive.turned, dive.magvar) == (igrf, igrf)
+        assert (way(dive), dive.turned, dive.magvar) == (pytest.approx(there), igrf, igrf)
         assert f"magnetic, variation {igrf:.0f} degrees (by IGRF" in dive.notes[0]
         back = with_variation(dive, made.VARIATION)
         assert swam(back)
@@ -198,8 +195,7 @@ def test_dives_with_no_fix_between_them_are_one(tmp_path):
     assert dive.notes == ("no fix between dives 1 and 3: taken as one",)
     assert (dive.t_gps2, dive.t_gpse) == (made.T0, made.T0 + 20000 + made.DURATION)
     assert dive.gps_east == pytest.approx(3 * made.GPS_EAST)
-    assert way(dive) == pytest.approx(3 * made.SWUM)
-    assert dive.dac_east is None
+    assert (way(dive), dive.dac_east) == (pytest.approx(3 * made.SWUM), None)
     assert usable([dive])[0] == [dive]
 
 
@@ -247,8 +243,7 @@ TWICE = "400 samples have the time of the one before, left out"
 def test_rows_in_any_order_and_twice(tmp_path):
     for change, note in (np.flip, SORTED), (lambda column: np.repeat(column, 2), TWICE):
         for dive in mission(tmp_path, {name: change(a) for name, a in og1_rows().items()}):
-            assert way(dive) == pytest.approx(made.SWUM)
-            assert dive.notes == (note,)
+            assert (way(dive), dive.notes) == (pytest.approx(made.SWUM), (note,))
             assert np.all(np.diff(dive.track[0]) > 0)
 
 
@@ -282,8 +277,7 @@ def test_rows_of_other_instruments_have_no_step(tmp_path):
         columns[step][rows + 1] += columns[step][rows]
         columns[step][rows] = np.nan
     for dive in mission(tmp_path, columns):
-        assert way(dive) == pytest.approx(made.SWUM)
-        assert dive.notes == ()
+        assert (way(dive), dive.notes) == (pytest.approx(made.SWUM), ())
 
 
 def put(name, rows, value):

@@ -240,8 +240,7 @@ def test_vehicles_years_apart_are_noted():
 def test_two_vehicles_in_one_input_are_not_mixed():
     ours, theirs = [at(k, 40.0) for k in (10, 12, 14)], [at(k, -40.0) for k in (11, 13, 15)]
     used, skipped = usable([*ours, *theirs])
-    assert used == ours
-    assert [one.dive for one in skipped] == [11, 13, 15]
+    assert (used, [one.dive for one in skipped]) == (ours, [11, 13, 15])
     why = "starts 8859 km from where dive 10 ended 0.3 h before; another vehicle? replay each on "
     assert skipped[0].why == f"{why}its own"
 

@@ -103,8 +103,7 @@ def between(lat1, lon1, lat2, lon2):
 
 def test_basestation3_files_say_what_they_hold(facts):
     dives, skipped = read_dives(facts / "glider" / "sg171")
-    assert skipped == []
-    assert [dive.number for dive in dives] == [100, 101, 102]
+    assert (skipped, [dive.number for dive in dives]) == ([], [100, 101, 102])
     for dive in dives:
         assert dive.notes == ()
         with netCDF4.Dataset(facts / "glider" / "sg171" / f"p1710{dive.number}.nc") as data:
@@ -159,8 +158,7 @@ def test_an_early_og1_mission_is_read_as_it_was_meant(facts):
         times = data["TIME_GPS"][:][is_fix] / 1e9
         assert data["DEPTH"][:][is_fix].max() == pytest.approx(251, abs=1)
         gaps = np.flatnonzero(np.diff(times) > 600)
-        assert unread == []
-        assert [dive.t_gps2 for dive in dives] == pytest.approx(times[gaps])
+        assert (unread, [dive.t_gps2 for dive in dives]) == ([], pytest.approx(times[gaps]))
         assert [dive.duration for dive in dives] == pytest.approx(np.diff(times)[gaps])
         used, skipped = usable(dives)
         (climb,) = (one.why for one in skipped if one.dive == 5)  # whose samples are missing

@@ -46,8 +46,7 @@ def test_the_triangle_of_currents(x, y, east, north, s):
         assert length / tau == pytest.approx(made, rel=1e-6, abs=1e-6 * s) or current > s
         assert min(abs(length / tau - made), abs(length / tau - other)) < 1e-6 * (s + current)
     else:
-        assert state == AGAINST
-        assert tau is None
+        assert (state, tau) == (AGAINST, None)
         assert current > s  # in a slower current every place can be made
         a = np.linspace(0, 2 * math.pi, 721)
         best = np.hypot(*((g - c)[:, None] - s * np.array([np.sin(a), np.cos(a)]))).min()
@@ -109,8 +108,7 @@ def test_what_cannot_be_made_is_said():
     replay = known(0.4, 0.0)
     legs = aims(replay, [away(replay, -30e3, 0.0), (40.0, 9.0)])
     assert [leg.state for leg in legs] == [AGAINST]  # and none after it
-    assert legs[0].heading == pytest.approx(270, abs=0.5)
-    assert legs[0].dives is None
+    assert (legs[0].heading, legs[0].dives) == (pytest.approx(270, abs=0.5), None)
     assert legs[0].made_good < 0
     assert aims(replay, [away(replay, 60e3, 0.0)])[0].state == UNDER_WAY
     near = aims(replay, [away(replay, 1000.0, 0.0)])[0]
@@ -231,8 +229,7 @@ def test_a_known_current_carries_it_there_when_the_triangle_says(steady):
     took = {key: seconds(one[key]) - steady.steps[-1].dive.t_gpse for key in route.SHARES}
     assert took["time"] == pytest.approx(due, rel=0.04)
     assert 0.85 * due < took["not_before"] < took["time"] < took["by"] < 1.15 * due
-    assert one["made"] == 1
-    assert [area["entered"] for area in found["areas"]] == [1, 0]
+    assert (one["made"], [area["entered"] for area in found["areas"]]) == (1, [1, 0])
     first, *others = route_sentences(found)
     assert "cannot be made before" in first
     assert " draws" not in first  # it is made in all
@@ -333,5 +330,4 @@ def test_the_command_draws_the_way(command, tmp_path):
     page = (tmp_path / "out" / "replay.html").read_text("utf-8")
     assert "route to 42 55.80 S" in page
     (area,) = map_plot(found).patches
-    assert len(area.get_xy()) == 4
-    assert found["paste"]["file"] == "targets"
+    assert (len(area.get_xy()), found["paste"]["file"]) == (4, "targets")

@@ -71,8 +71,7 @@ def as_learned(steps, others, to):
 @pytest.mark.parametrize("estimator", ESTIMATORS)
 def test_a_wild_end_is_replaced_by_the_start_of_the_next_dive(estimator):
     good, wild = replay_dives(sea(), estimator), replay_dives(with_wild("gpse"), estimator)
-    assert said(good) == []
-    assert said(wild) == [WILD + 1]
+    assert (said(good), said(wild)) == ([], [WILD + 1])
     found, later = (wild.steps[k].dive for k in (WILD, WILD + 1))
     assert (found.lat_gpse, found.lon_gpse) == (later.lat_gps2, later.lon_gps2)
     assert (found.t_gpse, found.dr_east) == (sea()[WILD].t_gpse, sea()[WILD].dr_east)
@@ -98,8 +97,7 @@ def test_a_vehicle_that_a_boat_has_moved_is_forecast_from_where_it_is():
     for k in range(WILD, len(dives)):
         dives[k] = moved(moved(dives[k], "gps2", 20e3, 5e3), "gpse", 20e3, 5e3)
     good, boat = replay_dives(sea()), replay_dives(dives)
-    assert said(boat) == [WILD + 1]
-    assert boat.steps[WILD].dive.lat_gps2 == dives[WILD].lat_gps2
+    assert (said(boat), boat.steps[WILD].dive.lat_gps2) == ([WILD + 1], dives[WILD].lat_gps2)
     for one, other in zip(boat.steps, good.steps, strict=True):
         assert one.forecast == pytest.approx(other.forecast, abs=60)
 

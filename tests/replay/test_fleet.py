@@ -109,8 +109,7 @@ def test_a_row_each_what_asks_for_a_pilot_first_and_is_told_once(tree, command, 
     again = command("--fleet", tree, "--alert", teller(heard), "--json")
     assert sorted(told_in(heard)) == [("a <b> & '#1%3f'", "OUT", 5), ("late", "overdue", 6)]
     rows = {row["vehicle"]: row for row in json.loads(again.stdout)["vehicles"]}
-    assert [*rows][:3] == asking
-    assert rows["late"]["asks"] == ["overdue"]
+    assert ([*rows][:3], rows["late"]["asks"]) == (asking, ["overdue"])
     assert rows["late"]["age_hours"] == pytest.approx(30.0, abs=0.5)
     assert "p1.nc" in rows["hurt"]["said"][0]
     page = Reader((tree / "replay" / "fleet.html").read_text("utf-8"))

@@ -154,8 +154,7 @@ def test_a_hopeless_plan_and_a_page_of_an_earlier_version():
         wrong = {"dr_east": 3000.0 * (1.0 + 1e-4 * (k % 3)), "dr_north": 1e-3}
         habits.learn(replace(dive, **wrong, next_course=(137.0 * k) % 360), None)
     guess = habits.guess()
-    assert guess.basis == REPEATED
-    assert guess.way == pytest.approx([3000.0, 0.0], abs=1.0)
+    assert (guess.basis, guess.way) == (REPEATED, pytest.approx([3000.0, 0.0], abs=1.0))
     found = {**summary(replay_dives(DIVES[:3])), "next_dive": {}}
     del found["headlines"]
     data = xarray.Dataset({"summary": ((), json.dumps(found))})

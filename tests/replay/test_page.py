@@ -248,8 +248,7 @@ def waypoints_of(text):
     first, last = lines.index("<start:b_arg>"), lines.index("<end:b_arg>")
     asked = (re.fullmatch(r"b_arg: (\w+)\(\w+\) (-?\d+)", one) for one in lines[first + 1 : last])
     arguments = dict(one.groups() for one in asked)
-    assert lines[last + 1] == "<start:waypoints>"
-    assert lines[-1] == "<end:waypoints>"
+    assert (lines[last + 1], lines[-1]) == ("<start:waypoints>", "<end:waypoints>")
     places = [line.split() for line in lines[last + 2 : -1]]
     assert int(arguments["num_waypoints"]) == len(places) <= 8
     assert arguments["list_stop_when"] == "7"

@@ -155,8 +155,7 @@ def test_drift_is_from_where_it_came_up():
 def test_each_dive_has_its_row(sg542):
     rows = summary(sg542)["each_dive"]
     text = json.dumps(rows, allow_nan=False)
-    assert json.loads(text) == rows
-    assert [row["dive"] for row in rows] == list(range(304, 318))
+    assert (json.loads(text), [row["dive"] for row in rows]) == (rows, list(range(304, 318)))
     assert len({tuple(row) for row in rows}) == 1
     for row, step in zip(rows, sg542.steps, strict=True):
         dive = step.dive
@@ -192,8 +191,7 @@ def test_the_dataset_is_a_cf_trajectory(sg542, tmp_path):
     write_file(tmp_path / "replay.nc", replay_dataset(sg542))
     with xarray.open_dataset(tmp_path / "replay.nc") as data:
         assert data.attrs["featureType"] == "trajectory"
-        assert data.trajectory.attrs["cf_role"] == "trajectory_id"
-        assert data.sizes["dive"] == 14
+        assert (data.trajectory.attrs["cf_role"], data.sizes["dive"]) == ("trajectory_id", 14)
         assert str(data.time.values[0])[:10] == "2016-02-01"
         names = ("drift", "distance"), ("over_ground", "speed"), ("over_ground", "direction")
         for key, inner in (*names, ("clpe", "adaptive")):
@@ -258,8 +256,7 @@ def test_what_changed_is_learned_anew(steps):
         growing = Replay().feed(eight)
         steps.clear()
         growing.feed(changed)
-        assert len(steps) == len(changed)
-        assert said(growing) == said(replay_dives(changed))
+        assert (len(steps), said(growing)) == (len(changed), said(replay_dives(changed)))
 
 
 def test_an_interrupt_leaves_what_was_learned(steps):

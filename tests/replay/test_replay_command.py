@@ -200,8 +200,7 @@ def test_aiming_by_the_command(command, sample, tmp_path):
     words = ("--sample", "--route", tmp_path / "way.txt")
     found = json.loads(command(*words, "--json").stdout)
     assert [(leg["latitude"], leg["longitude"]) for leg in found["aim"]] == [(-42.5, 8), (-43, -7)]
-    assert found["each_dive"] == sample.found["each_dive"]
-    assert sample.found["aim"] == []
+    assert (found["each_dive"], sample.found["aim"]) == (sample.found["each_dive"], [])
     first, words = found["aim"][0], ("--sample", "--aim", "-42.5", "8.0")
     said = command(*words).stdout
     assert f"heading {first['heading']:03.0f} (magnetic {first['heading_magnetic']:03.0f})" in said
@@ -233,8 +232,7 @@ def test_the_command_follows(follow, sample, tmp_path):
     (tmp_path / "in").mkdir()
     words = (tmp_path / "in", "--out", tmp_path / "out", "--json")
     empty = json.loads(follow(*words).stdout)
-    assert empty["used"] == 0
-    assert empty["clpe_rms"]["adaptive"] is None
+    assert (empty["used"], empty["clpe_rms"]["adaptive"]) == (0, None)
     for part in (sample_dives()[:5], sample_dives()[5:]):
         one_file_each(tmp_path / "in", part)
         followed = json.loads(follow(*words).stdout)
@@ -283,8 +281,7 @@ def test_sigterm_ends_following_with_its_results(clpt, tmp_path, monkeypatch):
     monkeypatch.setattr(replay_report.interrupt, "wait", lambda _: signal.raise_signal(TERM))
     outcome = clpt("replay", "--follow", tmp_path, "--out", tmp_path / "out", "--json")
     assert outcome.err.startswith("1 new file, 1 dive used; dive 304")
-    assert outcome.status == 0
-    assert json.loads(outcome.out)["used"] == 1
+    assert (outcome.status, json.loads(outcome.out)["used"]) == (0, 1)
     assert signal.getsignal(TERM) is before
 
 
@@ -334,8 +331,7 @@ def test_a_folder_in_the_place_of_a_result_leaves_all_others_as_they_were(refuse
 def test_following_without_dives_says_so(clpt, tmp_path):
     (tmp_path / "half.nc").write_bytes(b"CDF\x01")
     outcome = clpt("replay", "--follow", tmp_path, "--patience", "0")
-    assert outcome.status == 0
-    assert outcome.err == "1 new file, 0 dives used\n"
+    assert (outcome.status, outcome.err) == (0, "1 new file, 0 dives used\n")
     assert outcome.out.startswith("no dives yet\nskipped a file: ")
     assert outcome.out.count("\n") == 2
 
@@ -353,8 +349,7 @@ def test_patience_is_time(clpt, tmp_path, monkeypatch):
     for every, expected in (("1000", [25.0]), ("10", [10.0, 10.0, 5.0])):
         waits.clear()
         words = ("--every", every, "--patience", "25")
-        assert clpt("replay", "--follow", tmp_path, *words).status == 0
-        assert waits == expected
+        assert (clpt("replay", "--follow", tmp_path, *words).status, waits) == (0, expected)
 
 
 @pytest.fixture
