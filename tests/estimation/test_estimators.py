@@ -296,6 +296,8 @@ def test_a_flow_model_that_tells_is_used(estimator, most):
     plain = clpe_rms(replay_dives(dives, estimator), 5)["adaptive"]
     assert clpe_rms(replay, 5)["adaptive"] < most * plain
     assert "model" not in replay.steps[-1].not_learned
+    uncovered = replay_dives(dives, estimator, WITH_MODEL)
+    assert "model" in uncovered.steps[-1].not_learned
 
 
 def test_a_flow_model_that_tells_nothing_does_little_harm():
@@ -306,10 +308,3 @@ def test_a_flow_model_that_tells_nothing_does_little_harm():
         plain, given = replay_dives(dives), replay_dives(wrong, model=WITH_MODEL)
         ratios.append(clpe_rms(given, 3)["adaptive"] / clpe_rms(plain, 3)["adaptive"])
     assert np.mean(ratios) < 1.05
-
-
-def test_a_dive_that_no_model_covers_teaches_nothing_of_it():
-    model = FixModel(("steady", "model"))
-    dives = vehicle(3, 6)
-    last = replay_dives(dives, model=model).steps[-1]
-    assert "model" in last.not_learned

@@ -127,7 +127,6 @@ def test_what_can_be_repaired_is_and_says_so(changed, drop, said, first, tmp_pat
 
 
 def test_what_was_named_must_exist(tmp_path):
-    refuses("no such file", read_dives, [tmp_path / "nothing.nc"])
     refuses("the folder has no", read_dives, tmp_path)
     for name in ("a.nc", "b.nc"):
         (tmp_path / name).write_bytes(b"")

@@ -62,11 +62,13 @@ def test_odd_numbers_and_times_are_skipped_one_by_one(tmp_path, cells, sentence)
     refuses(r"dives.csv: no dive; the first reason: .*line 2", read_dives, path)
 
 
-def test_times_are_seconds_or_dates(tmp_path):
-    times = ("2020-09-13T12:26:40Z", "2020-09-13 16:56:40+02:00")
-    (tmp_path / "0.csv").write_text(HEAD + ROW.format(1, *times))
+def test_times_are_seconds_or_dates_and_required_columns_suffice(tmp_path):
+    head = "dr_north_m,dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dr_east_m,extra\n"
+    row = "5,1,2020-09-13T12:26:40Z,-43,8,2020-09-13 16:56:40+02:00,-43,8.1,8000,word\n"
+    (tmp_path / "mine.csv").write_text(head + row)
     ((dive,), _) = read_dives(tmp_path)
-    assert (dive.t_gps2, dive.duration) == (1.6e9, 9000.0)
+    assert (dive.t_gps2, dive.duration, dive.magvar, dive.track) == (1.6e9, 9000.0, None, None)
+    assert (dive.dr_east, dive.dr_north, dive.gps_east) == (8000, 5, pytest.approx(8154, abs=1))
 
 
 def test_lines_of_a_table_are_skipped_one_by_one(table):

@@ -87,14 +87,6 @@ def test_csv_round_trip(tmp_path, dives):
     assert repr([*map(vars, back)]) == repr([*map(vars, dives)])  # bit for bit, NaN too
 
 
-def test_required_columns_suffice(tmp_path):
-    text = "dr_north_m,dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dr_east_m,extra\n"
-    (tmp_path / "mine.csv").write_text(text + "5,1,0,-43,8,9000,-43,8.1,8000,word\n")
-    (dive,), _ = read_dives([tmp_path])
-    assert (dive.dr_east, dive.dr_north, dive.magvar, dive.track) == (8000, 5, None, None)
-    assert (dive.gps_east, dive.duration) == (pytest.approx(8154, abs=1), 9000)
-
-
 def between(lat1, lon1, lat2, lon2):
     """East and north of the geodesic at its start, m."""
     bearing, _, length = WGS84.inv(lon1, lat1, lon2, lat2)

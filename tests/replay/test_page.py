@@ -16,7 +16,7 @@ from synthetic_vehicle import fixes_of, told
 
 from clpt_control.cli.replay_report import write
 from clpt_control.geodesy import near, place_from
-from clpt_control.gliders import make_dive, sample_dives, slocum
+from clpt_control.gliders import sample_dives, slocum
 from clpt_control.html import plain
 from clpt_control.replay import map_plot
 from clpt_control.replay.exchange import next_geojson, track_kml
@@ -84,7 +84,10 @@ def test_sixty_dives_are_small_and_one_is_enough():
     links = [names["href"] for tag, names in tags if tag == "a"]  # a fix leads to its row
     assert sorted(links) == sorted(f"#{one}" for one in rows) == sorted(set(links))
     assert len(links) == 60
-    charts_have_dates(replay_page(told(fixes_of(1))))
+    one = told(fixes_of(1))
+    charts_have_dates(replay_page(one))
+    assert len(json.loads(next_geojson(one))["features"]) == 4
+    ElementTree.fromstring(track_kml(one, "one"))
 
 
 @pytest.mark.parametrize(("lat", "lon"), [(-43.0, 8.0), (67.0, -179.9), (0.0, 180.0), (89.0, 0.0)])
@@ -206,13 +209,6 @@ def test_plain_text_can_be_written_and_parsed():
     made = ElementTree.Element("a")
     made.text = text.replace("\r", "")
     assert ElementTree.fromstring(ElementTree.tostring(made)).text == made.text
-
-
-def test_one_dive_is_enough():
-    dive = make_dive(1, (0.0, 40.0, 8.0), (9000.0, 40.0, 8.02), (500.0, 0.0))
-    found = told([dive])
-    assert len(json.loads(next_geojson(found))["features"]) == 4
-    ElementTree.fromstring(track_kml(found, "one"))
 
 
 TARGETS = [(-42.8, 8.4), (-42.0, -351.75), (-42.0, -0.5)]

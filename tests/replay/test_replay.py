@@ -11,11 +11,10 @@ import xarray
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from refusals import refuses
-from synthetic_vehicle import further, vehicle
+from synthetic_vehicle import vehicle
 
 from clpt_control.errors import ArgumentError, ScenarioError
 from clpt_control.estimation import FixModel
-from clpt_control.estimation.estimators import ESTIMATORS
 from clpt_control.files import write_file
 from clpt_control.geodesy import displacement, place_from
 from clpt_control.gliders import make_dive, sample_dives, usable
@@ -53,21 +52,6 @@ def test_sg542_adaptive(sg542):
     assert rms["adaptive"] <= 0.88 * rms["previous_dive"]
     assert 0.75 <= summary(sg542)["inside_90"] <= 1
     assert summary(sg542)["anomalies"] == []
-
-
-@pytest.mark.parametrize("estimator", ESTIMATORS)
-def test_later_dives_change_nothing_earlier(estimator):
-    dives = vehicle(3, 14)
-    whole = replay_dives(dives, estimator)
-    rng = np.random.default_rng(0)
-    later = [further(d, 1e4 * rng.normal()) for d in dives[7:]]
-    mixed = zip(rng.permutation(np.array(dives[7:], object)), dives[7:], strict=True)
-    shuffled = [replace(d, t_gps2=there.t_gps2, t_gpse=there.t_gpse) for d, there in mixed]
-    for other in (later, shuffled):
-        changed = replay_dives([*dives[:7], *other], estimator)
-        for name in ("forecast", "covariance"):
-            one, same = ([getattr(step, name) for step in r.steps[:7]] for r in (whole, changed))
-            assert np.array_equal(one, same)
 
 
 def test_mistakes_are_sentences():
