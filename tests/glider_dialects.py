@@ -37,16 +37,18 @@ def current():
     return np.array([GPS_EAST - SWUM[0], -SWUM[1]]) / DURATION
 
 
-def write(path, sizes, variables, attributes=(), form="NETCDF4"):
+def write(path, variables, attributes=(), form="NETCDF4", drop=()):
     """Write variables of (dimensions, numbers, attributes); a number has no dimension."""
     with netCDF4.Dataset(path, "w", format=form) as data:
         data.setncatts(dict(attributes))
-        for name, size in sizes.items():
-            data.createDimension(name, size)
         for name, (dims, numbers, attrs) in variables.items():
-            made = data.createVariable(name, np.asarray(numbers).dtype, dims)
-            made[...] = numbers
-            made.setncatts(attrs)
+            if name not in drop:
+                for dim, size in zip(dims, np.shape(numbers), strict=True):
+                    if dim not in data.dimensions:
+                        data.createDimension(dim, size)
+                made = data.createVariable(name, np.asarray(numbers).dtype, dims)
+                made[...] = numbers
+                made.setncatts(attrs)
     return path
 
 
@@ -59,17 +61,17 @@ def fixes(number, lon):
 
 EPOCH = {"units": "seconds since 1970-1-1 00:00:00"}
 CM, M = {"units": "cm"}, {"units": "meters"}
-CTD = ("ctd_data_point",)
+CTD, TRUCK, INFO = ("ctd_data_point",), ("sg_data_point",), ("gps_info",)
 
 
 def in_all(number, lon, of, steps):
     """Return what both versions of basestations say alike; steps by the dimension `of`."""
     times, lats, lons = fixes(number, lon)
-    info, u = ("gps_info",), current()
+    u = current()
     return times[1], {
-        "log_gps_time": (info, times, EPOCH),
-        "log_gps_lat": (info, lats, {}),
-        "log_gps_lon": (info, lons, {}),
+        "log_gps_time": (INFO, times, EPOCH),
+        "log_gps_lat": (INFO, lats, {}),
+        "log_gps_lon": (INFO, lons, {}),
         "east_displacement": (of, steps[:, 0], M),
         "north_displacement": (of, steps[:, 1], M),
         "depth_avg_curr_east": ((), u[0], {}),
@@ -80,37 +82,31 @@ def in_all(number, lon, of, steps):
 def basestation(path, number=7, lon=8.0, drop=(), count=400, **changed):
     """Write a dive as basestations of version 2 do: one dimension, classic NetCDF."""
     since, depth, steps = swim(count)
-    of = ("sg_data_point",)
-    start, variables = in_all(number, lon, of, steps)
+    start, variables = in_all(number, lon, TRUCK, steps)
     variables |= {
-        "time": (of, start + since, EPOCH),
-        "ctd_time": (of, start + since + 0.5, EPOCH),
-        "depth": (of, depth, M),
+        "time": (TRUCK, start + since, EPOCH),
+        "ctd_time": (TRUCK, start + since + 0.5, EPOCH),
+        "depth": (TRUCK, depth, M),
         "magnetic_variation": ((), VARIATION, {}),
     }
-    variables = {k: v for k, v in (variables | changed).items() if k not in drop}
-    sizes = {"sg_data_point": count, "gps_info": 3}
-    return write(path, sizes, variables, {"dive_number": number}, "NETCDF3_CLASSIC")
+    return write(path, variables | changed, {"dive_number": number}, "NETCDF3_CLASSIC", drop)
 
 
-def basestation3(path, number=7, lon=8.0, drop=(), count=1800, sizes=(), **changed):
+def basestation3(path, number=7, lon=8.0, drop=(), count=1800, **changed):
     """Write a dive as basestation3 does: a dimension per instrument, NetCDF-4."""
     since, depth, steps = swim(count)
     slow, shallow, _ = swim(300)
-    truck, info = ("sg_data_point",), ("gps_info",)
     start, variables = in_all(number, lon, CTD, steps)
     variables |= {
-        "log_gps_hdop": (info, [0.9, 0.9, 1.1], {}),
-        "log_gps_magvar": (info, np.full(3, VARIATION), {}),
-        "time": (truck, start + slow, EPOCH),
-        "eng_depth": (truck, 100 * shallow, CM),
+        "log_gps_hdop": (INFO, [0.9, 0.9, 1.1], {}),
+        "log_gps_magvar": (INFO, np.full(3, VARIATION), {}),
+        "time": (TRUCK, start + slow, EPOCH),
+        "eng_depth": (TRUCK, 100 * shallow, CM),
         "legato_time": (("legato_data_point",), start + since, EPOCH),
         "ctd_time": (CTD, start + since, EPOCH),
         "ctd_depth": (CTD, depth, M),
     }
-    variables = {k: v for k, v in (variables | changed).items() if k not in drop}
-    own = {"ctd_data_point": count, "sg_data_point": 300, "legato_data_point": count}
-    return write(path, own | {"gps_info": 3} | dict(sizes), variables, {"dive_number": number})
+    return write(path, variables | changed, {"dive_number": number}, drop=drop)
 
 
 MAGNETIC = {"units": "degrees", "comment": "Vehicle heading (magnetic)"}
@@ -119,48 +115,35 @@ MAGNETIC = {"units": "degrees", "comment": "Vehicle heading (magnetic)"}
 def og1_rows(numbers=(1, 2, 3), lon=8.0, count=400):
     """Return the columns of an OG1 mission: GPS1, GPS2, samples, GPSE of each dive."""
     columns: dict[str, list] = {}
-    since, depth, steps = swim(count)
+    (since, depth, steps), nan, u = swim(count), np.nan, current()
     for number in numbers:
         times, lats, lons = fixes(number, lon + DRIFT * (number - 1))
-        nothing = np.full(count, np.nan)
-        phase = np.where(since < DURATION / 2, 2.0, 1.0)
         for name, samples, fix in (
             ("TIME", times[1] + since, times),
-            ("LATITUDE_GPS", nothing, lats),
-            ("LONGITUDE_GPS", nothing, (lons + 180.0) % 360.0 - 180.0),
-            ("DEPTH", depth, np.zeros(3)),
-            ("PHASE", phase, np.full(3, 3.0)),
-            ("divenum", np.full(count, number), np.full(3, number)),
-            ("EAST_DISPLACEMENT", steps[:, 0], np.full(3, np.nan)),
-            ("NORTH_DISPLACEMENT", steps[:, 1], np.full(3, np.nan)),
-            ("DAVG_CURR_EAST", np.full(count, current()[0]), np.full(3, np.nan)),
-            ("DAVG_CURR_NORTH", np.full(count, current()[1]), np.full(3, np.nan)),
-            ("GLIDER_HORZ_VELO_MODEL", np.full(count, 100 * SPEED), np.full(3, np.nan)),
-            ("HEADING", np.full(count, (BEARING - VARIATION) % 360.0), np.full(3, np.nan)),
+            ("LATITUDE_GPS", nan, lats),
+            ("LONGITUDE_GPS", nan, (lons + 180.0) % 360.0 - 180.0),
+            ("DEPTH", depth, 0.0),
+            ("PHASE", np.where(since < DURATION / 2, 2.0, 1.0), 3.0),
+            ("divenum", number, number),
+            ("EAST_DISPLACEMENT", steps[:, 0], nan),
+            ("NORTH_DISPLACEMENT", steps[:, 1], nan),
+            ("DAVG_CURR_EAST", u[0], nan),
+            ("DAVG_CURR_NORTH", u[1], nan),
+            ("GLIDER_HORZ_VELO_MODEL", 100 * SPEED, nan),
+            ("HEADING", (BEARING - VARIATION) % 360.0, nan),
         ):
-            rows = np.concatenate([fix[:2], samples, fix[2:]])
-            columns.setdefault(name, []).append(rows)
+            row, ends = np.broadcast_to(samples, count), np.broadcast_to(fix, 3)
+            columns.setdefault(name, []).append(np.concatenate([ends[:2], row, ends[2:]]))
     return {name: np.concatenate(parts) for name, parts in columns.items()}
 
 
-UNITS = {
-    "TIME": EPOCH,
-    "DEPTH": {"units": "m"},
-    "GLIDER_HORZ_VELO_MODEL": {"units": "cm/s"},
-    "HEADING": MAGNETIC,
-    "DAVG_CURR_EAST": {"units": "m/s"},
-    "DAVG_CURR_NORTH": {"units": "m/s"},
-}
+MS = {"units": "m/s"}
+UNITS = {"TIME": EPOCH, "DEPTH": {"units": "m"}, "DAVG_CURR_EAST": MS, "DAVG_CURR_NORTH": MS}
+UNITS |= {"GLIDER_HORZ_VELO_MODEL": {"units": "cm/s"}, "HEADING": MAGNETIC}
 
 
-def og1(path, drop=(), columns=None, units=None, sizes=(), **more):
+def og1(path, drop=(), columns=None, units=None, **more):
     """Write an OG1 mission of the early dialect: no TIME_GPS, `divenum`."""
-    columns = og1_rows() if columns is None else columns
-    of = UNITS | (units or {})
-    variables = {
-        name: (("N_MEASUREMENTS",), numbers, of.get(name, {}))
-        for name, numbers in columns.items()
-        if name not in drop
-    }
-    own = {"N_MEASUREMENTS": len(columns["TIME"])}
-    return write(path, own | dict(sizes), variables | more)
+    columns, of = og1_rows() if columns is None else columns, UNITS | (units or {})
+    rows = {k: (("N_MEASUREMENTS",), a, of.get(k, {})) for k, a in columns.items() if k not in drop}
+    return write(path, rows | more)

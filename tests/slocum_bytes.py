@@ -6,24 +6,18 @@ import numpy as np
 from pyproj import Geod
 
 WGS84 = Geod(ellps="WGS84")
+HEAD = (  # lines, here between |
+    "dbd_label: DBD(dinkum_binary_data)file|encoding_ver: 5|num_ascii_tags: 14|all_sensors: F|"
+    "the8x3_filename: {short}|full_filename: {full}|filename_extension: sbd|mission_name: MADE.MI|"
+    "fileopen_time: Tue_Apr__9_00:00:00_2024|total_num_sensors: {n}|sensors_per_cycle: {n}|"
+    "state_bytes_per_cycle: {size}|sensor_list_crc: 0badcafe|sensor_list_factored: {factored}|"
+)
 KNOWN = b"sa" + struct.pack("<hfd", 4660, 123.456, 123456789.12345)
 CRC = "0badcafe"
-SENSORS = (
-    "m_present_time",
-    "m_gps_lat",
-    "m_gps_lon",
-    "m_gps_status",
-    "m_gps_mag_var",
-    "m_lat",
-    "m_lon",
-    "m_x_lmc",
-    "m_y_lmc",
-    "m_water_vx",
-    "m_water_vy",
-    "m_depth",
-    "m_heading",
-    "u_use_current_correction",
-)
+PLACES, OWN, FLAG = ("m_lat", "m_lon"), ("m_water_vx", "m_water_vy"), ("u_use_current_correction",)
+FIX = ("m_gps_lat", "m_gps_lon", "m_gps_status")
+TURNS = ("m_gps_mag_var", "m_heading")
+SENSORS = ("m_present_time", *FIX, *PLACES, "m_x_lmc", "m_y_lmc", *OWN, "m_depth", *TURNS, *FLAG)
 VARIATION = 17.0  # degrees east
 
 
@@ -45,30 +39,13 @@ def segment(
 
     The first cycle is `first`, as far as it goes.
     """
-    head = [
-        "dbd_label:    DBD(dinkum_binary_data)file",
-        "encoding_ver:    5",
-        "num_ascii_tags:    14",
-        "all_sensors:    F",
-        f"the8x3_filename:    {short}",
-        f"full_filename:    {full}",
-        "filename_extension:    sbd",
-        "mission_name:    MADE.MI",
-        "fileopen_time:    Tue_Apr__9_00:00:00_2024",
-        f"total_num_sensors:    {len(names)}",
-        f"sensors_per_cycle:    {len(names)}",
-        f"state_bytes_per_cycle:    {(len(names) + 3) // 4}",
-        f"sensor_list_crc:    {CRC}",
-        f"sensor_list_factored:    {factored}",
-    ]
-    out = ("\n".join(head) + "\n").encode() + (b"" if factored else cac(names)) + KNOWN
+    n, size = len(names), (len(names) + 3) // 4
+    head = HEAD.format(short=short, full=full, n=n, size=size, factored=factored).replace("|", "\n")
+    out = head.encode() + (b"" if factored else cac(names)) + KNOWN
     for row in [dict.fromkeys(names, np.nan) | (first or {}), *rows]:
-        codes = [2 if name in row else 0 for name in names] + [0] * (-len(names) % 4)
-        states = [
-            sum(codes[k + j] << (6 - 2 * j) for j in range(4)) for k in range(0, len(codes), 4)
-        ]
-        values = b"".join(struct.pack("<d", row[name]) for name in names if name in row)
-        out += b"d" + bytes(states) + values
+        values = [row[name] for name in names if name in row]
+        bits = "".join("10" if name in row else "00" for name in names).ljust(8 * size, "0")
+        out += b"d" + int(bits, 2).to_bytes(size) + struct.pack(f"<{len(values)}d", *values)
     return out + end
 
 
@@ -78,13 +55,11 @@ def place_at(start, moved):
     return lat, lon
 
 
-def ddmm(degrees):
-    """Return degrees as ddmm.mmm."""
-    whole = np.trunc(degrees)
-    return whole * 100 + (degrees - whole) * 60
+def ddmm(place):
+    """Return latitude and longitude as ddmm.mmm."""
+    return [np.trunc(x) * 100 + (x - np.trunc(x)) * 60 for x in place]
 
 
-T0, HOME = 1.7126e9, (51.6, -128.3)
 STEP, LASTS, AFLOAT = 40.0, 7200.0, 600.0  # s
 SEAS = np.array([[0.12 * np.cos(k), 0.12 * np.sin(1.3 * k)] for k in range(9)])  # m/s, by dive
 
@@ -99,55 +74,54 @@ class Mission:
     def __init__(self, folder, sensors=SENSORS, end=b"X", added=1.0, every=1):
         self.folder, self.sensors, self.end, self.added = folder, sensors, end, added
         self.knows = dict.fromkeys(SENSORS, 0.0) | {"u_use_current_correction": added}
-        self.at, self.time, self.files, self.truth, self.every = HOME, T0, 0, [], every
+        self.at, self.time, self.files, self.truth = (51.6, -128.3), 1.7126e9, 0, []
+        self.every = every
         (folder / "cac").mkdir(parents=True)
         (folder / "cac" / f"{CRC.upper()}.CAC").write_bytes(cac(sensors))
         self.says(m_gps_mag_var=-np.radians(VARIATION))
-        self.works_out(SEAS[0])
+        self.pair(OWN, magnetic(SEAS[0]))
         self.fixed()
 
     def says(self, **new):
         """Return a cycle: what is new at a time."""
-        self.knows |= {"m_present_time": self.time, **new}
-        return {k: v for k, v in {"m_present_time": self.time, **new}.items() if k in self.sensors}
+        new = {"m_present_time": self.time, **new}
+        self.knows |= new
+        return {k: v for k, v in new.items() if k in self.sensors}
 
-    def works_out(self, sea):
-        return self.says(**dict(zip(("m_water_vx", "m_water_vy"), magnetic(sea), strict=True)))
+    def pair(self, names, values, **more):
+        """Return a cycle of two sensors that belong together, and of others."""
+        return self.says(**dict(zip(names, values, strict=True)), **more)
 
     def fixed(self):
         """Return the cycle of a fix, to which dead reckoning is set."""
-        lat, lon = map(ddmm, self.at)
-        zero = {"m_lat": lat, "m_lon": lon, "m_x_lmc": 0.0, "m_y_lmc": 0.0, "m_depth": 0.0}
-        return self.says(m_gps_lat=lat, m_gps_lon=lon, m_gps_status=0.0, **zero)
+        zero = dict.fromkeys(("m_gps_status", "m_x_lmc", "m_y_lmc", "m_depth"), 0.0)
+        place = ddmm(self.at)
+        return self.pair((*FIX[:2], *PLACES), (*place, *place), **zero)
 
     def dive(self, k, files=1, wrong=0.0, late=False):
         """Write a dive in so many files; its own current is worked out `late`, in the next one."""
         before, sea, swim = SEAS[k], SEAS[k + 1], 0.3 * np.array([np.sin(k), np.cos(k)])
-        start, cycles, first = self.at, [], {**self.knows, "m_present_time": self.time}
+        start, first = self.at, {**self.knows, "m_present_time": self.time}
         cuts = {round(LASTS / STEP * n / files) for n in range(1, files)}
         heading = (k - np.radians(VARIATION)) % (2 * np.pi)
-        for n in range(round(LASTS / STEP) + 1):
-            since = n * STEP
-            self.at = place_at(start, (swim + sea) * since)
-            if n == 0:
-                cycles.append(self.fixed())
-            else:
-                places = {}
-                if n % self.every == 0:
-                    reckoned = (swim + self.added * before + wrong) * since
-                    lat, lon = map(ddmm, place_at(start, reckoned))
-                    x, y = magnetic(reckoned)
-                    places = {"m_lat": lat, "m_lon": lon, "m_x_lmc": x, "m_y_lmc": y}
-                deep = 60.0 if n < LASTS / STEP else 0.0
-                cycles.append(self.says(m_depth=deep, m_heading=heading, **places))
-            if n in cuts:
+        cycles = [self.fixed()]
+        for since in STEP * np.arange(1, round(LASTS / STEP) + 1):
+            self.time += STEP
+            self.at, places = place_at(start, (swim + sea) * since), {}
+            if since // STEP % self.every == 0:
+                way = (swim + self.added * before + wrong) * since
+                where = *ddmm(place_at(start, way)), *magnetic(way)
+                places = dict(zip((*PLACES, "m_x_lmc", "m_y_lmc"), where, strict=True))
+            deep = 60.0 if since < LASTS else 0.0
+            cycles.append(self.says(m_depth=deep, m_heading=heading, **places))
+            if since // STEP in cuts:
                 self.write(cycles, first)
                 cycles, first = [], {**self.knows}
-            self.time += STEP
+        self.time += STEP
         cycles.append(self.fixed())
         self.truth.append(sea)
         self.time += STEP
-        worked_out = self.works_out(sea)
+        worked_out = self.pair(OWN, magnetic(sea))
         self.write(cycles if late else [*cycles, worked_out], first)
         self.time += AFLOAT
 

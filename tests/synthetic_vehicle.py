@@ -1,6 +1,7 @@
 """A made vehicle whose current, speed and fixes are known, and its dives as files."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 from scipy.integrate import trapezoid
@@ -8,10 +9,9 @@ from scipy.integrate import trapezoid
 from clpt_control.cli.replay_report import Job
 from clpt_control.estimation.fix_model import inertial_frequency
 from clpt_control.geodesy import place_from
-from clpt_control.gliders.dive_table import write_dive_table
-from clpt_control.gliders.dives import Dive, make_dive
+from clpt_control.gliders import Dive, make_dive, write_dive_table
+from clpt_control.replay import replay_dives
 from clpt_control.replay.carried_dives import FlowModel
-from clpt_control.replay.replay import replay_dives
 from clpt_control.scenario.tidal_periods import period
 
 STEADY = (0.1, -0.05)
@@ -46,24 +46,29 @@ def vehicle(
     """A vehicle at 0.25 m/s; `fix` is the noise of a displacement, m per component."""
     rng = np.random.default_rng(seed)
     time, dives, current = 1.6e9, [], np.array(STEADY)
-    phase = rng.uniform(0, 2 * math.pi)
-    w = inertial_frequency(latitude) if flow == "inertial" else 2 * math.pi / period("M2", "s")
+    phase, inertial = rng.uniform(0, 2 * math.pi), flow == "inertial"
+    w = inertial_frequency(latitude) if inertial else 2 * math.pi / period("M2", "s")
     for k in range(count):
         T = 3600 * hours * rng.uniform(0.8, 1.2)
         t = np.linspace(time + 600, time + 600 + T, 101)
         u = np.tile(current, (101, 1))
         if flow != "steady":
-            turn = (-1 if flow == "inertial" else 0.5) * np.sin(w * t + phase)
-            u = u + 0.15 * np.stack([np.cos(w * t + phase), turn], 1)
+            turned = [np.cos(w * t + phase), (-1 if inertial else 0.5) * np.sin(w * t + phase)]
+            u = u + 0.15 * np.stack(turned, 1)
         angle = rng.uniform(0, 2 * math.pi) if heading == "any" else 0.6 + 0.1 * rng.normal()
         dr = 0.25 * T * np.array([math.cos(angle), math.sin(angle)])
         f = factor * (1 - lost if fault is not None and k >= fault else 1)
         gps = f * dr + trapezoid(u, t, axis=0) + fix * rng.normal(size=2)
-        gps = gps + noise * T * rng.normal(size=2)
+        gps += noise * T * rng.normal(size=2)
         current = current + walk * math.sqrt((T + 600) / 21600) * rng.normal(size=2)
         dives.append(Dive(k, t[0], latitude, 8.0, t[-1], latitude, 8.0, *gps, *dr))
         time = t[-1]
     return dives
+
+
+def further(dive, east, north=0.0):
+    """A dive that came up further to the east and north, m."""
+    return replace(dive, gps_east=dive.gps_east + east, gps_north=dive.gps_north + north)
 
 
 def told(dives, *targets):
@@ -78,8 +83,7 @@ def one_file_each(folder, dives):
 
 def fixes_of(count, latitude=40.0, longitude=8.0, seed=1, hours=4.0):
     """Dives to the east whose fixes lie where they were: each begins where the last one ended."""
-    rng = np.random.default_rng(seed)
-    time, lat, lon, dives = 1.7e9, latitude, longitude, []
+    rng, time, lat, lon, dives = np.random.default_rng(seed), 1.7e9, latitude, longitude, []
     for k in range(count):
         T = 3600 * hours * rng.uniform(0.8, 1.2)
         angle = 1.2 + 0.8 * math.sin(k / 9)

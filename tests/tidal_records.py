@@ -6,7 +6,6 @@ import numpy as np
 import xarray
 from made_fields import gridded_current, saying
 
-from clpt_control.currents.constituents import nodal_corrections
 from clpt_control.scenario.tidal_periods import SPEEDS
 
 MARACOOS = Path(__file__).parents[1] / "clpt_control/data/maracoos_hfr_2019-01-01.nc"
@@ -18,19 +17,6 @@ KNOWN = {
     "K1": (0.08, 200.0, 0.06, 300.0),
     "O1": (0.05, 10.0, 0.07, 95.0),
 }
-
-
-def moon(time):
-    """Mean longitudes of moon, sun and node in degrees (J. Meeus, Astronomical Algorithms)."""
-    days = (time - np.datetime64("2000-01-01T12")) / np.timedelta64(1, "D")
-    T = days / 36525
-    return 218.3164477 + 481267.88123 * T, 280.46646 + 36000.76983 * T, 125.04452 - 1934.136261 * T
-
-
-def classical_m2(time):
-    """f and u of M2 by the series in the node (D. Pugh, Tides, Surges and Mean Sea-Level)."""
-    N = np.radians(moon(time)[2])
-    return 1.0004 - 0.0373 * np.cos(N) + 0.0002 * np.cos(2 * N), -2.14 * np.sin(N)
 
 
 def times(days, start="2019-01-01", step=60):
@@ -46,20 +32,6 @@ def waves(time, known=KNOWN, mean=(0.1, -0.05)):
         for i in (0, 1)
     ]
     return np.array([mean[i] + np.sum(parts[i], axis=0) for i in (0, 1)])
-
-
-def local(fit, at):
-    """Amplitude and phase about a time, from Greenwich constants."""
-    f, u, V = nodal_corrections([each.name for each in fit.constituents], [at], LATITUDE)
-    return {
-        each.name: (
-            f[0, k] * each.east,
-            (each.east_phase - V[0, k] - u[0, k]) % 360,
-            f[0, k] * each.north,
-            (each.north_phase - V[0, k] - u[0, k]) % 360,
-        )
-        for k, each in enumerate(fit.constituents)
-    }
 
 
 def write_table(path, time, flow, units="m/s", latitude=LATITUDE):
@@ -80,7 +52,3 @@ def write_netcdf(path, time, flow, *, cells=None, latitude=LATITUDE, units="m/s"
         data = gridded_current(*flow, *cells, hours, units=units)
     saying("time", units=f"hours since {since}", calendar=calendar)(data).to_netcdf(path)
     return path
-
-
-HEADER = "# latitude: 41\ntime,u (m/s),v (m/s)\n"
-ROW = "2019-01-01T0{}:00,0.1,0.2\n"

@@ -8,13 +8,12 @@ import numpy as np
 import pytest
 from made_fields import gridded_current
 from pyproj import Proj
+from refusals import refuses
 
 import clpt_control as clpt
 from clpt_control.blocks.field import gridded_flow
-from clpt_control.currents.fit import fit_scenario, save_fit
-from clpt_control.currents.grid_file import read_currents, sample_currents
+from clpt_control.currents import fit_scenario, read_currents, sample_currents, save_fit
 from clpt_control.currents.plane import LocalPlane
-from clpt_control.equations import evaluate
 from clpt_control.errors import ArgumentError, ClptError, DataError, ScenarioError
 from clpt_control.simulation.flows import explained_variance
 
@@ -24,35 +23,34 @@ SPEED = 28.9841042  # M2, degrees per hour
 LAT, LON, TIME = np.linspace(40.9, 41.55, 13), np.linspace(-69.9, -69.0, 14), np.arange(25.0)
 
 
+PLANE = Proj(proj="aeqd", ellps="WGS84", lat_0=41.225, lon_0=-69.45)
+OMEGA = np.radians(SPEED)
+
+
 def known_flow(places, width, theta):
     """East and north flow, m/s, of known theta; the formulas written out here."""
-    plane = Proj(proj="aeqd", ellps="WGS84", lat_0=41.225, lon_0=-69.45)
     lat, lon = np.meshgrid(LAT, LON, indexing="ij")
-    x1, x2 = (w / 1000 for w in plane(lon, lat))
-    step = 1e-5
-    ahead, back = plane(lon + step, lat), plane(lon - step, lat)
-    east = np.array(ahead) - np.array(back)
+    x1, x2 = (w / 1000 for w in PLANE(lon, lat))
+    east = np.array(PLANE(lon + 1e-5, lat)) - np.array(PLANE(lon - 1e-5, lat))
     east /= np.hypot(*east)
     kernels = [np.exp(-((x1 - x) ** 2 + (x2 - y) ** 2) / (2 * width**2)) for x, y in places]
-    omega = np.radians(SPEED)
-    tides = [np.ones(25), np.cos(omega * TIME), np.sin(omega * TIME)]
+    tides = [np.ones(25), np.cos(OMEGA * TIME), np.sin(OMEGA * TIME)]
     phi = np.array([tide[:, None, None] * kernel for tide in tides for kernel in kernels])
     f1, f2 = np.tensordot(theta, phi, axes=1) / 3.6
     return east[0] * f1 + east[1] * f2, -east[1] * f1 + east[0] * f2
 
 
-def write(path, u, v, units="m s-1"):
-    since = "2020-06-01"
-    gridded_current(u, v, LAT, LON, TIME, since=since, units=units).to_netcdf(path)
+def write(path, u, v, time=TIME):
+    data = gridded_current(u, v, LAT, LON, time, since="2020-06-01", units="m s-1")
+    data.to_netcdf(path)
     return path
 
 
 @pytest.fixture(scope="module")
 def known(tmp_path_factory):
     """A file of known theta on 2 x 2 places with gaps: file, theta, gaps."""
-    plane = Proj(proj="aeqd", ellps="WGS84", lat_0=41.225, lon_0=-69.45)
-    x1 = np.array([plane(lon, 41.225)[0] / 1000 for lon in (-69.9, -69.0)])
-    x2 = np.array([plane(-69.45, lat)[1] / 1000 for lat in (40.9, 41.55)])
+    x1 = np.array([PLANE(lon, 41.225)[0] / 1000 for lon in (-69.9, -69.0)])
+    x2 = np.array([PLANE(-69.45, lat)[1] / 1000 for lat in (40.9, 41.55)])
     # one and three quarters of the way across, to the metre
     columns, rows = (np.round(w[0] + np.ptp(w) * np.array([0.25, 0.75]), 3) for w in (x1, x2))
     places = [(x, y) for y in rows for x in columns]
@@ -64,9 +62,13 @@ def known(tmp_path_factory):
     return write(tmp_path_factory.mktemp("known") / "c.nc", u, v), theta, gap
 
 
-def test_known_theta_is_recovered(known):
-    path, theta, gap = known
-    fit = fit_scenario(path, BOX, rows=2, columns=2, width_km=20.0)
+@pytest.fixture(scope="module")
+def fit(known):
+    return fit_scenario(known[0], BOX, rows=2, columns=2, width_km=20.0)
+
+
+def test_known_theta_is_recovered(known, fit):
+    _, theta, gap = known
     np.testing.assert_allclose(fit.report["theta"], theta, atol=1e-6)
     assert fit.report["explained_variance"] == pytest.approx(1, abs=1e-10)
     assert fit.report["missing_fraction"] == pytest.approx(gap.mean())
@@ -83,32 +85,26 @@ def test_width_and_radius_follow_the_box(known, tmp_path):
     assert half.report["track_radius"] < 0.6 * small.report["track_radius"]
     narrow = fit_scenario(known[0], BOX, width_km=6.0, radius_km=1.0)
     assert narrow.report["functions_felt_on_the_track"] == 3
-    assert "# functions felt on the track: 3\n" in fit_text(narrow, tmp_path)
-
-
-def fit_text(fit, folder):
-    save_fit(fit, folder / "fit.toml")
-    return (folder / "fit.toml").read_text()
+    save_fit(narrow, tmp_path / "fit.toml")
+    assert "# functions felt on the track: 3\n" in (tmp_path / "fit.toml").read_text()
 
 
 def test_the_share_explained_is_about_the_mean(known, tmp_path):
     """A steady flow of 5 m/s more changes nothing that varies; about zero the share goes to 1."""
-    path, _, _ = known
-    with netCDF4.Dataset(path) as file:
+    with netCDF4.Dataset(known[0]) as file:
         u, v = file["u"][:].filled(np.nan), file["v"][:].filled(np.nan)
-    shares = [
-        fit_scenario(
-            write(tmp_path / "more.nc", u + more, v), BOX, rows=1, columns=1, width_km=3000.0
-        ).report["explained_variance"]
-        for more in (0.0, 5.0)
-    ]
+    shares = []
+    for more in (0.0, 5.0):
+        path = write(tmp_path / "more.nc", u + more, v)
+        found = fit_scenario(path, BOX, rows=1, columns=1, width_km=3000.0)
+        shares.append(found.report["explained_variance"])
     assert shares[0] == pytest.approx(shares[1], abs=0.02)
     assert shares[0] < 0.6
 
 
 def test_a_fit_worse_than_the_mean_current_says_so(clpt, tmp_path):
     """A current that is strong beside its tide, by narrow functions, then by wide ones."""
-    tide = 0.1 * np.cos(np.radians(SPEED) * TIME)[:, None, None] * np.ones((LAT.size, LON.size))
+    tide = 0.1 * np.cos(OMEGA * TIME)[:, None, None] * np.ones((LAT.size, LON.size))
     path = write(tmp_path / "strong.nc", 1.0 + tide, 0.5 + tide)
     for width, told in ((15, True), (60, False)):
         _, out, _ = clpt("fit", path, "--out", tmp_path / "s.toml", "--width-km", width)
@@ -134,20 +130,20 @@ def test_a_uniform_current_has_no_share_and_says_so(clpt, printed, known, tmp_pa
 def test_steps_without_any_measurement_do_not_lengthen_a_record(tmp_path):
     u, v = np.random.default_rng(3).normal(size=(2, 25, 13, 14))
     u[12:] = np.nan
-    with pytest.raises(DataError, match=r"in 11 h, these .* apart: steady and M2 \(12.43 h"):
-        fit_scenario(write(tmp_path / "c.nc", u, v), BOX, rows=1, columns=1, width_km=30.0)
+    path, said = write(tmp_path / "c.nc", u, v), r"in 11 h, these .* apart: steady and M2 \(12.43 h"
+    refuses(said, fit_scenario, path, BOX, rows=1, columns=1, width_km=30.0)
 
 
 def test_steps_that_are_missing_are_gaps_and_nothing_overshoots(tmp_path):
     """A tide of 0.5 m/s, with a hole of ten hours, by steps of nothing and without them."""
     rows = np.array([*range(20), *range(30, 61)])
-    tide = 0.5 * np.cos(np.radians(SPEED) * np.arange(61.0))[:, None, None] + np.zeros((13, 14))
+    tide = 0.5 * np.cos(OMEGA * np.arange(61.0))[:, None, None] + np.zeros((13, 14))
     hole = tide.copy()
     hole[20:30] = np.nan
 
     def fitted(u, hours):
-        gridded_current(u, u, LAT, LON, hours.astype(float)).to_netcdf(tmp_path / "c.nc")
-        return fit_scenario(tmp_path / "c.nc", rows=2, columns=2)
+        path = write(tmp_path / "c.nc", u, u, hours.astype(float))
+        return fit_scenario(path, rows=2, columns=2)
 
     whole, without = fitted(hole, np.arange(61)), fitted(tide[rows], rows)
     for name in ("time", "u", "v"):
@@ -155,23 +151,19 @@ def test_steps_that_are_missing_are_gaps_and_nothing_overshoots(tmp_path):
     assert without.report == whole.report
     assert np.hypot(without.field.u, without.field.v).max() <= 3.6 * np.hypot(0.5, 0.5) * (1 + 1e-6)
     assert without.report["missing_fraction"] == pytest.approx(10 / 61)
-    with pytest.raises(DataError, match="99 steps are missing, most behind 19 h"):
-        fitted(tide[rows], rows + 89 * (rows > 25))
+    refuses("99 steps are missing, most behind 19 h", fitted, tide[rows], rows + 89 * (rows > 25))
 
 
-def test_a_field_is_written_beside_its_scenario_or_neither(known, tmp_path):
+def test_a_field_is_written_beside_its_scenario_or_neither(fit, tmp_path):
     (tmp_path / "taken_field.nc").mkdir()
-    with pytest.raises(DataError, match=r"taken_field.nc: is a folder"):
-        save_fit(fit_scenario(known[0], BOX, rows=1, columns=1), tmp_path / "taken.toml")
+    refuses("taken_field.nc: is a folder", save_fit, fit, tmp_path / "taken.toml")
     assert [one.name for one in tmp_path.iterdir()] == ["taken_field.nc"]
 
 
-def test_saved_scenario_and_field_belong_together(known, tmp_path):
-    fit = fit_scenario(known[0], BOX, rows=2, columns=2, width_km=20.0)
+def test_saved_scenario_and_field_belong_together(fit, tmp_path):
     scenario = save_fit(fit, tmp_path / "north.toml")
     assert sorted(p.name for p in tmp_path.iterdir()) == ["north.toml", "north_field.nc"]
-    assert scenario.flow.field == "north_field.nc"
-    assert scenario.learning.parameters is None
+    assert (scenario.flow.field, scenario.learning.parameters) == ("north_field.nc", None)
     assert scenario.learning.gain == 5.0
     assert scenario.vehicle.position == scenario.learning.position == (12.0, 0.0)
     assert scenario.run.duration == 24.0
@@ -187,8 +179,7 @@ def test_saved_scenario_and_field_belong_together(known, tmp_path):
         assert json.loads(file.fit_report) == fit.report
         assert file.time_origin == "2020-06-01T00:00:00"
     short = clpt.load_scenario(moved / "north.toml").with_values({"run.duration": 0.2})
-    run = clpt.simulate(short)
-    np.testing.assert_allclose(run.clpe[0], 0)
+    np.testing.assert_allclose(clpt.simulate(short).clpe[0], 0)
 
 
 @pytest.mark.skipif(os.name != "posix", reason="names of files hold any bytes there")
@@ -202,9 +193,8 @@ def test_a_scenario_of_a_file_with_any_name_is_read_back(known, tmp_path, name):
     assert shown in (tmp_path / "north.toml").read_text()
 
 
-@pytest.mark.parametrize(
-    ("options", "error", "sentence"),
-    [
+def test_each_mistake_is_one_sentence(known):
+    for options, error, sentence in (
         ({"rows": 0}, ArgumentError, "rows = 0: must be a whole number, 1 or more"),
         ({"width_km": -1.0}, DataError, r"width \(--width-km\) = -1.0 km: must be positive"),
         ({"width_km": 1e4}, DataError, "cannot separate the basis functions .* another width"),
@@ -212,12 +202,8 @@ def test_a_scenario_of_a_file_with_any_name_is_read_back(known, tmp_path, name):
         ({"constituents": ("M9",)}, ScenarioError, "unknown constituent 'M9'"),
         ({"rows": 50, "columns": 40}, DataError, "samples for 6000 functions"),
         ({"radius_km": 60.0}, DataError, "circle of 60 km leaves the field"),
-    ],
-)
-def test_each_mistake_is_one_sentence(known, options, error, sentence):
-    with pytest.raises(error, match=sentence) as caught:
-        fit_scenario(known[0], BOX, **options)
-    assert "\n" not in str(caught.value)
+    ):
+        refuses(sentence, fit_scenario, known[0], BOX, error=error, **options)
 
 
 def test_fit_and_run_say_what_the_track_does_not_teach(clpt, printed, known, tmp_path):
@@ -235,44 +221,38 @@ def test_fit_and_run_say_what_the_track_does_not_teach(clpt, printed, known, tmp
     assert printed("fit", *words[:3], "--constituents", "steady")["not_learnable"] == ""
 
 
-def test_shares_are_what_their_definition_says(known, tmp_path):
+def test_shares_are_what_their_definition_says(fit, tmp_path):
     """Written out here: theta_hat of each time on the track, of the end over the box."""
-    scenario = save_fit(
-        fit_scenario(known[0], BOX, rows=2, columns=2, width_km=20.0), tmp_path / "a.toml"
-    )
+    scenario = save_fit(fit, tmp_path / "a.toml")
     scenario = scenario.with_values({"run.duration": 4.0, "run.output_step": 0.25})
     run = clpt.simulate(scenario)
-    centers, omega = np.array(scenario.basis.centers[:4]), np.radians(SPEED)
+    centers = np.array(scenario.basis.centers[:4])
 
     def phi(t, x1, x2):
         d2 = (x1[..., None] - centers[:, 0]) ** 2 + (x2[..., None] - centers[:, 1]) ** 2
         kernel = np.exp(-d2 / 800.0)
-        cos, sin = (f(omega * np.asarray(t))[..., None] for f in (np.cos, np.sin))
+        cos, sin = (f(OMEGA * np.asarray(t))[..., None] for f in (np.cos, np.sin))
         return np.concatenate([kernel, kernel * cos, kernel * sin], axis=-1)
+
+    def share(truth, learned):
+        mean = truth.reshape(-1, 2).mean(axis=0)
+        return 1 - np.sum((truth - learned) ** 2) / np.sum((truth - mean) ** 2)
 
     theta = -run.alpha.values
     late = run.time.values >= 3.0
     x = run.position.values[late]
     learned = np.einsum("tan,tn->ta", theta[late], phi(run.time.values[late], *x.T))
-    truth = run.true_flow.values[late]
     shares = explained_variance(scenario, run)
     assert shares["window"] == [3.0, 4.0]
-    with pytest.raises(DataError, match="holds no sample"):
-        explained_variance(scenario, run, window=(7.0, 8.0))
-    with pytest.raises(DataError, match="basis functions"):
-        explained_variance(scenario, run.isel(basis=slice(0, 3)))
-    with pytest.raises(DataError, match="no gridded field"):
-        explained_variance(clpt.paper_scenario(), run)
-    track = 1 - np.sum((truth - learned) ** 2) / np.sum((truth - truth.mean(axis=0)) ** 2)
+    refuses("holds no sample", explained_variance, scenario, run, window=(7.0, 8.0))
+    refuses("basis functions", explained_variance, scenario, run.isel(basis=slice(0, 3)))
+    refuses("no gridded field", explained_variance, clpt.paper_scenario(), run)
+    track = share(run.true_flow.values[late], learned)
     assert shares["track"] == pytest.approx(track, rel=1e-9)
     with netCDF4.Dataset(scenario.field_path) as file:
-        t, x2, x1 = np.meshgrid(
-            *(np.asarray(file[n][:]) for n in ("time", "y", "x")), indexing="ij"
-        )
-        truth = np.stack([np.asarray(file[n][:]) for n in ("u", "v")], axis=-1)
-    learned = phi(t, x1, x2) @ theta[-1].T
-    mean = truth.mean(axis=(0, 1, 2))
-    box = 1 - np.sum((truth - learned) ** 2) / np.sum((truth - mean) ** 2)
+        t, x2, x1, u, v = (np.asarray(file[name][:]) for name in ("time", "y", "x", "u", "v"))
+    t, x2, x1 = np.meshgrid(t, x2, x1, indexing="ij")
+    box = share(np.stack([u, v], axis=-1), phi(t, x1, x2) @ theta[-1].T)
     assert shares["box"] == pytest.approx(box, rel=1e-9)
 
 
@@ -292,8 +272,8 @@ def test_nantucket_fit(nantucket):
     assert report["condition_number"] < 20
     assert report["residual_rms"] < report["residual_max"] < 3.0
     assert json.loads(json.dumps(report)) == report
-    with pytest.raises(ClptError, match="left the field"):
-        clpt.simulate(scenario.with_values({"reference.radius": 60.0}))
+    far = scenario.with_values({"reference.radius": 60.0})
+    refuses("left the field", clpt.simulate, far, error=ClptError)
 
 
 def test_nantucket_field_is_close_to_what_was_measured(nantucket):
@@ -307,7 +287,7 @@ def test_nantucket_field_is_close_to_what_was_measured(nantucket):
     inside = (x1 >= g.x1[0]) & (x1 <= g.x1[-1]) & (x2 >= g.x2[0]) & (x2 <= g.x2[-1])
     kept = currents.measured & inside
     t, y1, y2 = (np.broadcast_to(w, u.shape)[kept] for w in (currents.time[:, None, None], x1, x2))
-    field = evaluate(gridded_flow(g), t, np.column_stack([y1, y2])) / 3.6
+    field = clpt.equations.evaluate(gridded_flow(g), t, np.column_stack([y1, y2])) / 3.6
     error = np.hypot(field[:, 0] - u[kept], field[:, 1] - v[kept])
     assert np.sqrt(np.mean(error**2)) < 0.02  # m/s, of 0.51
 

@@ -7,18 +7,18 @@ import numpy as np
 import pytest
 from scipy.integrate import trapezoid
 from scipy.special import erf
-from synthetic_vehicle import STEADY, vehicle
+from synthetic_vehicle import STEADY, further, vehicle
 
+from clpt_control.estimation import FixModel, Priors
 from clpt_control.estimation.dive import Dive, mid_time
 from clpt_control.estimation.estimators import ESTIMATORS
-from clpt_control.estimation.fix_model import FixModel, inertial_frequency
+from clpt_control.estimation.fix_model import inertial_frequency
 from clpt_control.estimation.gaussian_places import SPACING, Places, near, places_columns
-from clpt_control.estimation.priors import Priors
 from clpt_control.geodesy import place_from
-from clpt_control.replay.facts import replay_dataset
-from clpt_control.replay.outcome import clpe_rms, summary
-from clpt_control.replay.replay import Replay, replay_dives
+from clpt_control.replay import Replay, clpe_rms, replay_dataset, replay_dives, summary
 from clpt_control.scenario.tidal_periods import period
+
+STEADY_ONLY = FixModel(("steady",))
 
 
 def ratio(dives, estimator="kalman", model=None):
@@ -34,19 +34,15 @@ def test_errors_are_no_larger_than_is_said(estimator, count):
     for seed in range(count):
         factor = 1 + 0.1 * np.random.default_rng(1000 + seed).normal()
         dives = vehicle(seed, 16, factor=factor, noise=0.01)
-        step = replay_dives(dives, estimator, FixModel(("steady",))).steps[-1]
+        step = replay_dives(dives, estimator, STEADY_ONLY).steps[-1]
         current = (step.current - STEADY) / step.current_error
         off.append([(step.speed - factor) / step.speed_error, *current])
         assert np.all(step.current_error < 0.1)  # it says something: the prior has 0.3
     assert np.all(np.mean(np.square(off), axis=0) < 1)
 
 
-def test_learns_what_there_is():
-    for flow in ("M2", "inertial"):
-        assert ratio(vehicle(1, flow=flow)) < 0.3
-    step = replay_dives(vehicle(2, 40, factor=0.9)).steps[-1]
-    assert step.speed == pytest.approx(0.9, abs=0.01)
-    assert "speed" not in step.not_learned
+def test_a_tide_is_learned():
+    assert ratio(vehicle(1, flow="M2")) < 0.3
 
 
 @pytest.mark.parametrize("count", [3, pytest.param(6, marks=pytest.mark.slow)])
@@ -102,27 +98,21 @@ def test_the_tides_integral_is_right():
     assert mid_time(dive) == pytest.approx(t.mean())
 
 
-def turned(dives, degrees, factor=1.0):
-    """Dives that go clockwise of what they reckon, and so many times as fast."""
-    angle = math.radians(degrees)
-    c, s = factor * math.cos(angle), factor * math.sin(angle)
-    return [
-        replace(
-            d,
-            gps_east=d.gps_east - d.dr_east + c * d.dr_east + s * d.dr_north,
-            gps_north=d.gps_north - d.dr_north + c * d.dr_north - s * d.dr_east,
-        )
-        for d in dives
-    ]
+def turned(dive, response):
+    """A dive that goes by a number, complex, times what it reckons."""
+    more = (response - 1) * (dive.dr_east + 1j * dive.dr_north)
+    return further(dive, more.real, more.imag)
 
 
 @pytest.mark.parametrize(("factor", "degrees"), [(0.8, 12.0), (1.15, -8.0)])
 def test_speed_and_compass_are_told_apart_however_large(factor, degrees):
-    dives = turned(vehicle(2, 40), degrees, factor)
-    c, s = factor * math.cos(math.radians(degrees)), factor * math.sin(math.radians(degrees))
-    step = replay_dives(dives, model=FixModel(("steady",))).steps[-1]
+    response = factor * np.exp(-1j * math.radians(degrees))  # clockwise
+    dives = [turned(dive, response) for dive in vehicle(2, 40)]
+    step = replay_dives(dives, model=STEADY_ONLY).steps[-1]
+    assert "speed" not in step.not_learned
     assert step.speed == pytest.approx(factor, abs=3 * step.speed_error)
     assert step.compass == pytest.approx(degrees, abs=3 * step.compass_error)
+    c, s = response.real, -response.imag
     np.testing.assert_allclose(step.response, [[c, s], [-s, c]], atol=0.02)
 
 
@@ -139,7 +129,7 @@ def in_shear(seed, size):
     rng = np.random.default_rng(seed)
     deep = np.exp(rng.uniform(math.log(100), math.log(1000), 30))
     return [
-        replace(d, depth_max=D, gps_east=d.gps_east + size * math.log(D / 100) * d.duration)
+        replace(further(d, size * math.log(D / 100) * d.duration), depth_max=D)
         for d, D in zip(vehicle(seed, noise=0.01), deep, strict=True)
     ]
 
@@ -151,7 +141,7 @@ def test_shear_is_learned_where_dives_change_their_depth():
         replay = replay_dives(dives, model=model)
         assert replay.known()["shear_east"] == pytest.approx(-0.08, abs=0.02)
         assert replay.steps[-1].parts["shear"] > 0.9
-        gains.append(ratio(dives, model=model) / ratio(dives, model=FixModel(("steady",))))
+        gains.append(ratio(dives, model=model) / ratio(dives, model=STEADY_ONLY))
         still = replay_dives(in_shear(seed, 0.0), model=model).steps[-1]
         assert still.parts["shear"] < 0.5
     assert np.max(gains) < 0.6
@@ -161,8 +151,8 @@ def test_shear_is_learned_where_dives_change_their_depth():
 def test_shear_says_nothing_where_depth_is_unknown(depth):
     dives = [replace(d, depth_max=depth) for d in vehicle(3, 8, noise=0.01)]
     with_it, without = (
-        replay_dives(dives, model=FixModel(flow)).steps[-1]
-        for flow in (("steady", "shear"), ("steady",))
+        replay_dives(dives, model=model).steps[-1]
+        for model in (FixModel(("steady", "shear")), STEADY_ONLY)
     )
     assert with_it.forecast == pytest.approx(without.forecast, rel=1e-9)
     assert with_it.parts["shear"] == pytest.approx(0.5)
@@ -170,7 +160,7 @@ def test_shear_says_nothing_where_depth_is_unknown(depth):
 
 def test_a_front_is_followed_at_once():
     dives = vehicle(5, 30, noise=0.003)
-    beyond = [replace(d, gps_north=d.gps_north + 0.5 * d.duration) for d in dives[20:]]
+    beyond = [further(d, 0.0, 0.5 * d.duration) for d in dives[20:]]
     steps = replay_dives([*dives[:20], *beyond]).steps
     assert steps[20].clpe["adaptive"] > 5000
     assert steps[21].clpe["adaptive"] < 1500
@@ -179,7 +169,7 @@ def test_a_front_is_followed_at_once():
 @pytest.mark.parametrize("estimator", ESTIMATORS)
 def test_one_wild_fix_does_little_harm(estimator):
     dives = vehicle(5, 40, noise=0.01)
-    wild = [replace(d, gps_east=d.gps_east + 50e3) if d.number == 20 else d for d in dives]
+    wild = [further(d, 50e3) if d.number == 20 else d for d in dives]
     calm, after = (
         np.array([s.clpe["adaptive"] for s in replay_dives(d, estimator).steps])
         for d in (dives, wild)
@@ -194,12 +184,10 @@ def test_ellipses_hold_after_a_turn():
         factor = 1 + 0.15 * np.random.default_rng(seed).normal()
         dives = vehicle(seed, 9, factor=factor, heading="one")
         back = dives[-1]
-        dives[-1] = replace(
-            back,
-            dr_east=-back.dr_east,
-            dr_north=-back.dr_north,
-            gps_east=back.gps_east - 2 * factor * back.dr_east,
-            gps_north=back.gps_north - 2 * factor * back.dr_north,
+        dives[-1] = further(
+            replace(back, dr_east=-back.dr_east, dr_north=-back.dr_north),
+            -2 * factor * back.dr_east,
+            -2 * factor * back.dr_north,
         )
         inside.append([s.inside for s in replay_dives(dives).steps[-2:]])
     assert np.all(np.mean(inside, axis=0) > 0.8)
@@ -220,14 +208,13 @@ def test_the_integral_is_that_of_the_error_function():
     dive = straight(0, (-9e3, 4e3), (0.0, 0.0), (18e3, -12e3))
     cells = ((0, 0), (1, 0), (-1, 1))
     found = places_columns(Places(40.0, 8.0, WIDTH, cells), dive)
-    a, d = np.array([-9e3, 4e3]), np.array([18e3, -12e3])
+    a, d, s = np.array([-9e3, 4e3]), np.array([18e3, -12e3]), np.sqrt(2) * WIDTH
+    length = np.hypot(*d)
     for k, cell in enumerate(cells):
         r = a - SPACING * WIDTH * np.array(cell)
-        length = np.hypot(*d)
-        near_, across = r @ d / length, (r[0] * d[1] - r[1] * d[0]) / length
-        s = np.sqrt(2) * WIDTH
+        along, across = r @ d / length, (r[0] * d[1] - r[1] * d[0]) / length
         whole = np.exp(-((across / s) ** 2)) * (np.sqrt(np.pi) / 2) * s / length * dive.duration
-        whole *= erf((near_ + length) / s) - erf(near_ / s)
+        whole *= erf((along + length) / s) - erf(along / s)
         assert found[:, 2 * k : 2 * k + 2] == pytest.approx(whole * np.eye(2), rel=1e-3)
 
 
@@ -265,20 +252,17 @@ def survey(seed, count=48, speed=0.3, T=14400.0):
     return dives
 
 
-@pytest.mark.parametrize(
-    ("estimator", "count"),
-    [
-        ("kalman", 1),
-        *(pytest.param(name, 4, marks=pytest.mark.slow) for name in ("kalman", "gradient")),
-    ],
-)
+SLOW = [pytest.param(name, 4, marks=pytest.mark.slow) for name in ("kalman", "gradient")]
+
+
+@pytest.mark.parametrize(("estimator", "count"), [("kalman", 1), *SLOW])
 def test_a_map_learned_helps_where_the_flow_stays(estimator, count):
     gains = []
     for seed in range(count):
         dives = survey(seed)
         plain, mapped = (
-            clpe_rms(replay_dives(dives, estimator, FixModel(flow)), 10)["adaptive"]
-            for flow in (("steady",), ("steady", "gaussians"))
+            clpe_rms(replay_dives(dives, estimator, model), 10)["adaptive"]
+            for model in (STEADY_ONLY, FixModel(("steady", "gaussians")))
         )
         gains.append(mapped / plain)
     assert np.exp(np.mean(np.log(gains))) < {"kalman": 0.8}.get(estimator, 1.02)
@@ -294,47 +278,33 @@ def test_places_are_fed_one_by_one_or_at_once():
     assert max(abs(v) for k, v in single.known().items() if k.startswith("gaussian[")) > 0.02
 
 
-def with_model(dives, factor, seed=0):
-    """Return dives a flow model that is `factor` times what carried them, and wrong by 50 m."""
-    rng = np.random.default_rng(seed)
-    return [
-        replace(
-            d,
-            model_east=d.miss_east * factor + 50 * rng.normal(),
-            model_north=d.miss_north * factor + 50 * rng.normal(),
-        )
-        for d in dives
-    ]
+WITH_MODEL = FixModel(("steady", "M2", "inertial", "model"))
 
 
-@pytest.mark.parametrize("estimator", ESTIMATORS)
-def test_a_flow_model_that_tells_is_used(estimator):
-    model = FixModel(("steady", "M2", "inertial", "model"))
-    replay = replay_dives(with_model(vehicle(2, walk=0.1), 0.8), estimator, model)
-    plain = replay_dives(vehicle(2, walk=0.1), estimator)
-    assert (
-        clpe_rms(replay, 5)["adaptive"]
-        < (0.9 if estimator == "gradient" else 0.6) * clpe_rms(plain, 5)["adaptive"]
-    )
+def modelled(dives, ways):
+    """Dives that a flow model carries such ways, m."""
+    pairs = zip(dives, ways, strict=True)
+    return [replace(dive, model_east=way[0], model_north=way[1]) for dive, way in pairs]
+
+
+@pytest.mark.parametrize(("estimator", "most"), [("kalman", 0.6), ("gradient", 0.9)])
+def test_a_flow_model_that_tells_is_used(estimator, most):
+    """It is 0.8 times what carries the vehicle, and wrong by 50 m."""
+    dives, rng = vehicle(2, walk=0.1), np.random.default_rng(0)
+    ways = [[0.8 * d.miss_east, 0.8 * d.miss_north] + 50 * rng.normal(size=2) for d in dives]
+    replay = replay_dives(modelled(dives, ways), estimator, WITH_MODEL)
+    plain = clpe_rms(replay_dives(dives, estimator), 5)["adaptive"]
+    assert clpe_rms(replay, 5)["adaptive"] < most * plain
     assert "model" not in replay.steps[-1].not_learned
+    uncovered = replay_dives(dives, estimator, WITH_MODEL)
+    assert "model" in uncovered.steps[-1].not_learned
 
 
 def test_a_flow_model_that_tells_nothing_does_little_harm():
-    model, rng = FixModel(("steady", "M2", "inertial", "model")), np.random.default_rng(1)
-    ratios = []
+    rng, ratios = np.random.default_rng(1), []
     for seed in range(3):
         dives = vehicle(seed, noise=0.03)
-        wrong = [
-            replace(d, model_east=e, model_north=n)
-            for d, (e, n) in zip(dives, 1500 * rng.normal(size=(len(dives), 2)), strict=True)
-        ]
-        plain, given = replay_dives(dives), replay_dives(wrong, model=model)
+        wrong = modelled(dives, 1500 * rng.normal(size=(len(dives), 2)))
+        plain, given = replay_dives(dives), replay_dives(wrong, model=WITH_MODEL)
         ratios.append(clpe_rms(given, 3)["adaptive"] / clpe_rms(plain, 3)["adaptive"])
     assert np.mean(ratios) < 1.05
-
-
-def test_a_dive_that_no_model_covers_teaches_nothing_of_it():
-    model = FixModel(("steady", "model"))
-    dives = vehicle(3, 6)
-    last = replay_dives(dives, model=model).steps[-1]
-    assert "model" in last.not_learned

@@ -11,22 +11,18 @@ import numpy as np
 import pytest
 from hypothesis import given, seed, settings
 from hypothesis import strategies as st
+from refusals import refuses
 
 import clpt_control as clpt
 from clpt_control.estimation import fix_to_fix
 from clpt_control.estimation import segments as between_fixes
-from clpt_control.estimation.fix_to_fix import (
-    METHODS,
-    batch_least_squares,
-    kalman,
-    regularised,
-    tomography,
-)
-from clpt_control.estimation.segments import Segments
+from clpt_control.estimation.fix_to_fix import METHODS, batch_least_squares, kalman, tomography
+from clpt_control.estimation.segments import Segments, run_segments
 
 estimate = clpt.estimation.flow_estimate
 PAPER = clpt.paper_scenario()
 THETA = np.array(PAPER.flow.parameters)
+FINE = {"run.duration": 200, "run.output_step": 0.1}
 SAMPLES = 33  # of a track between two fixes; enough for the tolerances here
 
 
@@ -35,26 +31,23 @@ def few_samples(monkeypatch):
     monkeypatch.setattr(between_fixes, "SHARES", np.linspace(0.0, 1.0, 2 * SAMPLES - 1))
 
 
-def place(t, x, u, p):
-    """phi = (1, x1, x2), a linear flow: u = x[2], y = phi_x[3]."""
-    return [1.0, u[0], u[1]]
-
-
-LINEAR = clpt.Block(
-    "linear", output=place, inputs={"x": 2}, outputs={"phi_x": 3}, parameters={"N": 3}
+LINEAR = clpt.Block(  # phi = (1, x1, x2), a linear flow: u = x[2], y = phi_x[3]
+    "linear",
+    output=lambda t, x, u, p: [1.0, u[0], u[1]],
+    inputs={"x": 2},
+    outputs={"phi_x": 3},
+    parameters={"N": 3},
 )
 
 
 def rotation(w, starts, velocity, duration):
     """Segments of vehicles at constant velocity through a water that turns about 0."""
-    n = len(starts)
     fine = np.linspace(0.0, duration, 2 * SAMPLES - 1)
-    t = np.tile(fine[::2], (n, 1)) + duration * np.arange(n)[:, None]
+    t = fine[::2] + duration * np.arange(len(starts))[:, None]
     z0, v = starts @ [1, 1j], velocity @ [1, 1j]
     ends = (z0 - 1j * v / w) * np.exp(1j * w * duration) + 1j * v / w
     water = velocity[:, None] * fine[:, None]
-    end = np.stack([ends.real, ends.imag], axis=1)
-    return Segments(t, water, starts, end)
+    return Segments(t, water, starts, np.stack([ends.real, ends.imag], axis=1))
 
 
 def turning(random, n=6, w=0.3):
@@ -64,9 +57,8 @@ def turning(random, n=6, w=0.3):
 def dive(number, miss, hours=4.0, **more):
     """A dive to the north at 0.25 m/s that misses its end by so much, m east and north."""
     T, north = 3600 * hours, 900.0 * hours
-    made = clpt.gliders.make_dive(
-        number, (T * number, 0.0, 8.0), (T * (number + 1), 0.0, 8.0), (0.0, north)
-    )
+    fixes = (T * number, 0.0, 8.0), (T * (number + 1), 0.0, 8.0)
+    made = clpt.gliders.make_dive(number, *fixes, (0.0, north))
     return replace(made, gps_east=miss[0], gps_north=north + miss[1], **more)
 
 
@@ -96,8 +88,8 @@ def of_one(y, time, noise):
     """Segments of given misses and a uniform flow."""
     n = len(y)
     t = np.linspace(0, 1, SAMPLES) * time + time * np.arange(n)[:, None]
-    water = np.zeros((n, 2 * SAMPLES - 1, 2))
-    return Segments(t, water, np.zeros((n, 2)), np.asarray(y, float)), np.full(n, noise)
+    water, start = np.zeros((n, 2 * SAMPLES - 1, 2)), np.zeros((n, 2))
+    return Segments(t, water, start, np.asarray(y, float)), np.full(n, noise)
 
 
 def steady():
@@ -106,12 +98,12 @@ def steady():
 
 def test_the_filter_of_one_function_is_its_closed_form():
     segments, r = of_one(np.random.default_rng(3).normal(size=(50, 2)), 2.0, 0.5)
-    steps, P, _ = kalman(segments, steady(), np.zeros((2, 1)), np.array([3.0]), r, np.array([0.0]))
+    given = segments, steady(), np.zeros((2, 1)), np.array([3.0]), r
+    steps, P, _ = kalman(*given, np.array([0.0]))
     np.testing.assert_allclose(P, 1 / (1 / 9 + 50 * 4 / 0.25), rtol=1e-9)
     mean = 2 * segments.miss.sum(axis=0) / 0.25 * P[0, 0]
     np.testing.assert_allclose(steps[-1][:, 0], mean, rtol=1e-9)
-    walk = np.array([0.2])
-    _, P, _ = kalman(segments, steady(), np.zeros((2, 1)), np.array([3.0]), r, walk)
+    _, P, _ = kalman(*given, np.array([0.2]))
     Q, h = 0.04 * 2.0, 2.0
     ahead = (Q + np.sqrt(Q**2 + 4 * Q * 0.25 / h**2)) / 2
     np.testing.assert_allclose(P, ahead - (ahead * h) ** 2 / (0.25 + ahead * h**2), rtol=1e-9)
@@ -129,13 +121,10 @@ def test_without_a_walk_the_filter_ends_at_least_squares(number, n):
     one = kalman(segments, LINEAR, start, sd, r, np.zeros(3))
     np.testing.assert_allclose(one[0][-1], batch[0][-1], atol=1e-7)
     np.testing.assert_allclose(one[1], batch[1], atol=1e-7)
-    h, y = batch[2], segments.miss  # the normal equations, solved another way
-    P = np.linalg.inv(np.diag(1 / sd**2) + h.T @ (h / r[:, None] ** 2))
-    np.testing.assert_allclose(
-        regularised(h / r[:, None], y / r[:, None], start, sd)[1], P, atol=1e-9
-    )
-    wanted = (start / sd**2 + y.T @ (h / r[:, None] ** 2)) @ P
-    np.testing.assert_allclose(batch[0][-1], wanted, atol=1e-7)
+    h, y = batch[2] / r[:, None], segments.miss / r[:, None]  # another way: normal equations
+    P = np.linalg.inv(np.diag(1 / sd**2) + h.T @ h)
+    np.testing.assert_allclose(fix_to_fix.regularised(h, y, start, sd)[1], P, atol=1e-9)
+    np.testing.assert_allclose(batch[0][-1], (start / sd**2 + y.T @ h) @ P, atol=1e-7)
 
 
 @pytest.fixture(scope="module")
@@ -169,39 +158,32 @@ def test_the_filter_is_causal(lap):
 
 
 def test_the_true_parameters_are_not_read(lap):
-    other = lap.copy()
-    text = other.attrs["scenario"]
-    assert "[[1.0, 0.4, 0.8], [0.9, 0.4, 0.8]]" in text
-    other.attrs["scenario"] = text.replace(
-        "[[1.0, 0.4, 0.8], [0.9, 0.4, 0.8]]", "[[0.0, 0.0, 0.0], [0.0, 0.0, 0.0]]"
-    )
+    text, other = lap.attrs["scenario"], lap.copy()
+    true = "[[1.0, 0.4, 0.8], [0.9, 0.4, 0.8]]"
+    assert true in text
+    other.attrs["scenario"] = text.replace(true, "[[0.0, 0.0, 0.0], [0.0, 0.0, 0.0]]")
     np.testing.assert_array_equal(estimate(other).theta, estimate(lap).theta)
 
 
 def test_a_limited_speed_and_a_modelled_flow_are_known():
-    values = {
-        "vehicle.max_speed": 1.5,
-        "model.parameters": 0.5 * THETA,
-        "run.duration": 200,
-        "run.output_step": 0.1,
-    }
-    run = clpt.simulate(PAPER.with_values(values))
+    values = {"vehicle.max_speed": 1.5, "model.parameters": 0.5 * THETA}
+    run = clpt.simulate(PAPER.with_values(FINE | values))
     np.testing.assert_allclose(estimate(run, every=5.0).theta, THETA, rtol=1e-3)
 
 
 def test_an_estimate_feeds_the_known_flow_law(lap):
     found = estimate(lap, "tomography")
+    known = clpt.estimation.known_flow_scenario
     for law in ("learned-flow", "composite-memory", "kalman-flow"):
         base = PAPER.with_values({"learning.law": law, "learning.parameters": None})
-        fed = clpt.estimation.known_flow_scenario(base, found.theta)
-        assert fed.learning.law == "known-flow"
-        assert fed.learning.gain == 0.8
+        fed = known(base, found.theta)
+        assert (fed.learning.law, fed.learning.gain) == ("known-flow", 0.8)
     each = {"parameters": 1.0, "feedback": 0.3, "feedforward": 0.5}
     base = PAPER.with_values({"learning.gain": None, "learning.gains": each})
-    assert clpt.estimation.known_flow_scenario(base, THETA).learning.gains.feedback == 0.3
-    constant = {"learning.adapt_gains": False, "learning.feedback": [1, 1]}
-    base = PAPER.with_values({**constant, "learning.feedforward": [1, 1]})
-    assert clpt.estimation.known_flow_scenario(base, THETA).learning.gain is None
+    assert known(base, THETA).learning.gains.feedback == 0.3
+    constant = {"adapt_gains": False, "feedback": [1, 1], "feedforward": [1, 1]}
+    base = PAPER.with_values({f"learning.{key}": value for key, value in constant.items()})
+    assert known(base, THETA).learning.gain is None
     run = clpt.simulate(fed.with_values({"run.duration": 1000}))
     last = run.clpe.sel(time=slice(800, 1000)).values
     assert np.sqrt(np.mean(np.sum(last**2, axis=1))) < 1e-4
@@ -227,20 +209,16 @@ def test_a_tide_takes_two_functions():
     np.testing.assert_allclose(phi, [[1, 1, 0], [1, 0, 1]], atol=1e-6)
 
 
-@pytest.mark.parametrize(
-    ("change", "said"),
-    [
-        ({"method": "guess"}, "method 'guess': must be one of least-squares, kalman, tomography"),
+def test_what_is_not_allowed_is_said(lap):
+    for change, said in (
+        ({"method": "guess"}, "'guess': must be one of least-squares, kalman, tomography"),
         ({"every": -1.0}, r"every = -1: must be positive, at most the run's length, 200 s"),
         ({"every": 300.0}, "every = 300: must be positive, at most"),
         ({"prior": 0.0}, "prior: must be a positive number, or 3 of them"),
         ({"noise": [1.0, 2.0]}, "noise: must be a positive number, or 100 of them"),
         ({"basis": clpt.paper_blocks(PAPER)[0]}, "reference: is no basis"),
-    ],
-)
-def test_what_is_not_allowed_is_said(lap, change, said):
-    with pytest.raises(clpt.ScenarioError, match=said):
-        estimate(lap, **change)
+    ):
+        refuses(said, estimate, lap, error=clpt.ScenarioError, **change)
 
 
 def test_runs_that_tell_too_little_are_refused(lap):
@@ -257,8 +235,7 @@ def test_runs_that_tell_too_little_are_refused(lap):
         (run({"run.output_step": 0.7}), "a step that divides that"),
         (run({**fixes, "run.duration": 40}), "steers on its prediction between fixes"),
     ):
-        with pytest.raises((clpt.DataError, clpt.ScenarioError), match=said):
-            estimate(source)
+        refuses(said, estimate, source, error=(clpt.DataError, clpt.ScenarioError))
 
 
 def test_dives_that_tell_too_little_are_refused():
@@ -272,15 +249,113 @@ def test_dives_that_tell_too_little_are_refused():
         (one, {}, "dives need a basis"),
         ([dive(1, (np.nan, 0))], {"basis": basis}, "is not finite"),
     ):
-        with pytest.raises(clpt.ClptError, match=said):
-            estimate(dives, **more)
+        refuses(said, estimate, dives, error=clpt.ClptError, **more)
     for more, said in (((-1.0,), "width = -1 m: must be positive"), ((None, ()), "no function")):
-        with pytest.raises(clpt.ScenarioError, match=said):
-            clpt.estimation.dive_basis(one, *more)
+        refuses(said, clpt.estimation.dive_basis, one, *more, error=clpt.ScenarioError)
 
 
 def test_a_tomography_that_does_not_settle_says_so(monkeypatch):
     monkeypatch.setattr(fix_to_fix, "MOST", 10)
     segments = turning(np.random.default_rng(5), 2, w=3.0)  # it turns twice between two fixes
-    with pytest.raises(clpt.DataError, match=r"does not settle in 10 iterations|not finite"):
-        tomography(segments, LINEAR, np.zeros((2, 3)), np.full(3, 10.0), np.full(2, 1e-3), 0)
+    given = np.zeros((2, 3)), np.full(3, 10.0), np.full(2, 1e-3), 0
+    refuses("does not settle in 10 iterations|not finite", tomography, segments, LINEAR, *given)
+
+
+# --- fixes with noise, one each or one for several of them
+
+
+def shared(random, n, **more):
+    """Segments whose misses share fixes, and the covariance of the misses for r = 1."""
+    segments = turning(random, n)._replace(end=random.normal(size=(n, 2)), alone=0.3, **more)
+    noise_period = more.get("noise_period", 4.0)  # the segments are 4 long
+    noises = np.floor(np.minimum(4.0 * np.arange(n + 1), 4.0 * n - 1e-6) / noise_period).astype(int)
+    read = np.eye(noises[-1] + 1)[noises] if "noise_period" in more else np.eye(n + 1)
+    difference = np.diff(read, axis=0)
+    return segments, 0.09 * np.eye(n) + (1 - 0.09) / 2 * difference @ difference.T
+
+
+@pytest.mark.parametrize("period", [2.0, 4.0, 8.0, 10.0, 40.0])
+def test_what_one_noise_does_to_several_misses_is_bounded(period):
+    """phi = (1, x1, x2): a noise that lasts for t_s in segment s is off by t_s there, C = t^T t."""
+    segments = turning(np.random.default_rng(9), 9)._replace(noise_period=period)
+    ends, noises = 4.0 * np.arange(10), period * np.arange(int(40 / period) + 1)[:, None]
+    t = np.diff(np.clip(ends, noises, noises + period))
+    bound = np.trace(segments.blur(LINEAR), axis1=1, axis2=2) / 2  # of either axis
+    assert np.linalg.eigvalsh(1.1 * np.diag(bound) - t.T @ t).min() > 0
+    if period <= 4:  # each noise in one segment
+        np.testing.assert_allclose(bound, np.sum(t**2, axis=0), rtol=0.15)
+
+
+@pytest.mark.parametrize("more", [{}, {"noise_period": 8.0}, {"noise_period": 10.0}], ids=str)
+def test_misses_that_share_a_fix_are_weighed_as_gauss_and_markov_say(more, monkeypatch):
+    monkeypatch.setattr(Segments, "blur", lambda self, basis: np.zeros((9, 3, 3)))
+    segments, C = shared(np.random.default_rng(8), 9, **more)
+    segments = segments._replace(alone=0.3 * 0.4)
+    start, sd, r = np.ones((2, 3)), np.array([1.0, 2.0, 0.5]), np.full(9, 0.4)
+    h, y = segments.integrals(LINEAR, segments.known_track), segments.miss
+    W = np.linalg.inv(C) / 0.16
+    P = np.linalg.inv(np.diag(1 / sd**2) + h.T @ W @ h)
+    wanted = (start / sd**2 + y.T @ W @ h) @ P
+    for method in (batch_least_squares, kalman):
+        steps, covariance, _ = method(segments, LINEAR, start, sd, r, np.zeros(3))
+        np.testing.assert_allclose(steps[-1], wanted, atol=1e-9)
+        np.testing.assert_allclose(covariance, P, atol=1e-9)
+
+
+def covered(theta, P):
+    """Share of parameters within 1.96 standard deviations of the paper's."""
+    return np.mean(np.abs(theta - THETA) <= 1.96 * np.sqrt(np.diag(P)))
+
+
+@pytest.mark.parametrize(("every", "alone"), [(2.0, 0.9933), (5.0, 0.8775)])
+def test_95_percent_are_95_percent_where_fixes_have_noise(every, alone):
+    """`alone` is what comes of misses that are taken to share nothing."""
+    segments = run_segments(clpt.simulate(PAPER.with_values(FINE)), PAPER, every)
+    n, s = len(segments.start), 0.02
+    h = segments.integrals(PAPER.basis_block(), segments.track)
+    shares, sd = [], np.full(3, 0.9)
+    for number in range(200):
+        noise = s * np.random.default_rng(number).standard_normal((n + 1, 2))
+        ends = {"start": segments.start + noise[:-1], "end": segments.end + noise[1:]}
+        seen = segments._replace(**ends, track=segments.track)
+        r = np.full(n, np.sqrt(2) * s)
+        apart = seen._replace(alone=np.inf)
+        found = [fix_to_fix.generalised(one, h, np.zeros((2, 3)), sd, r) for one in (seen, apart)]
+        shares.append([covered(*one) for one in found])
+    right, wrong = np.mean(shares, axis=0)
+    assert 0.93 < right < 0.97
+    assert wrong == pytest.approx(alone, abs=1e-3)
+
+
+def read_with_noise(number, noise=0.02, period=1.0):
+    seen = {"noise": noise, "noise_period": period, "seed": number}
+    return clpt.simulate(PAPER.with_values({**FINE, "localization": seen}))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("method", ["least-squares", "kalman"])
+def test_95_percent_are_95_percent_where_the_position_is_read_with_noise(method):
+    shares = {2.0: [], 5.0: []}
+    for number in range(200):
+        run = read_with_noise(number)
+        for every, found in shares.items():
+            one = estimate(run, method, every=every)
+            found.append(covered(one.theta, one.covariance))
+    assert all(0.93 < np.mean(found) < 0.97 for found in shares.values())
+
+
+def test_a_run_that_is_read_with_noise_says_how_well_it_tells():
+    exact = read_with_noise(1, noise=0.0)
+    noisy = {s: read_with_noise(1, noise=s) for s in (0.01, 0.04)}
+    np.testing.assert_allclose(estimate(exact).theta, THETA, rtol=1e-4)
+    sd = {s: estimate(run, every=5.0).standard_deviation for s, run in noisy.items()}
+    np.testing.assert_allclose(sd[0.04], 4 * sd[0.01], rtol=0.05)
+    short = noisy[0.01].isel(time=slice(0, 401))
+    np.testing.assert_allclose(estimate(short, "tomography", every=5.0).theta, THETA, atol=0.2)
+    found = [estimate(read_with_noise(k, period=10.0), every=2.0) for k in range(4)]  # one noise in
+    assert np.mean([covered(one.theta, one.covariance) for one in found]) >= 0.95  # five segments
+    beside = read_with_noise(0, period=0.25)
+    said = r"the noise each 0\.25 s; run it with a step"
+    refuses(said, estimate, beside, error=clpt.ScenarioError)
+    bare = noisy[0.01].drop_vars("measured_position")
+    refuses("the run has no measured_position over time, axis", estimate, bare)

@@ -1,27 +1,43 @@
-"""Files of other vehicles, old and new, against the displacement that is known."""
+"""Files of other vehicles, old, new and damaged, against the displacement that is known."""
 
+import re
+import shutil
 from dataclasses import replace
 
 import glider_dialects as made
+import netCDF4
 import numpy as np
 import pytest
 from glider_dialects import basestation, basestation3, dives_in, og1, og1_rows
+from refusals import refuses
 
-from clpt_control.gliders.dive_files import read_dives
-from clpt_control.gliders.dive_table import write_dive_table
+from clpt_control.gliders import read_dives, usable, write_dive_table
 from clpt_control.gliders.samples import variation, with_variation
-from clpt_control.gliders.usable_dives import usable
+from clpt_control.replay import replay_dives
 
 DATE_LINE = 180.0 - made.DRIFT / 2
+STEPS = ("EAST_DISPLACEMENT", "NORTH_DISPLACEMENT")
+NO_STEPS = (*STEPS, "DAVG_CURR_EAST", "DAVG_CURR_NORTH")
+FIX = np.flatnonzero(np.isfinite(og1_rows()["LATITUDE_GPS"]))  # rows: GPS1, GPS2, GPSE of each dive
+TURNED = {"MAGNETIC_VARIATION": ((), made.VARIATION, {})}
+
+
+def mission(folder, columns=None, **how):
+    """Return the dives of an OG1 mission."""
+    return dives_in(og1(folder / "og1.nc", columns=columns, **how))
+
+
+def way(dive):
+    return dive.dr_east, dive.dr_north
 
 
 def swam(dive):
     """Check a dive against the vehicle's displacement, its fixes, its current and its depth."""
-    assert (dive.dr_east, dive.dr_north) == pytest.approx(tuple(made.SWUM), rel=1e-9)
+    assert way(dive) == pytest.approx(made.SWUM, rel=1e-9)
     assert (dive.gps_east, dive.gps_north) == pytest.approx((made.GPS_EAST, 0.0), abs=1e-5)
     assert dive.duration == made.DURATION
     mean = dive.miss_east / made.DURATION, dive.miss_north / made.DURATION
-    assert mean == pytest.approx(tuple(made.current()), abs=1e-9)
+    assert mean == pytest.approx(made.current(), abs=1e-9)
     assert dive.depth_max == pytest.approx(made.DEPTH, rel=0.01)
     return True
 
@@ -31,7 +47,7 @@ def half_way(dive):
     time, east, north = dive.track
     assert (time[0], time[-1]) == (0.0, made.DURATION)
     here = np.interp(made.DURATION / 2, time, east), np.interp(made.DURATION / 2, time, north)
-    assert here == pytest.approx(tuple(made.VELOCITY * (made.DURATION / 2 - 60.0)), abs=1.0)
+    assert here == pytest.approx(made.VELOCITY * (made.DURATION / 2 - 60.0), abs=1.0)
 
 
 @pytest.mark.parametrize("make", [basestation, basestation3])
@@ -40,103 +56,83 @@ def test_basestation_files_of_both_kinds(make, lon, tmp_path):
     dive = dives_in(make(tmp_path / "p1230007.nc", lon=lon))[0]
     assert swam(dive)
     half_way(dive)
-    assert (dive.number, dive.kind, dive.magvar) == (7, "Seaglider", made.VARIATION)
-    assert dive.notes == ()
-    assert (dive.dac_east, dive.dac_north) == pytest.approx(tuple(made.current()))
+    assert (dive.number, dive.kind, dive.magvar, dive.notes) == (7, "Seaglider", made.VARIATION, ())
+    assert (dive.dac_east, dive.dac_north) == pytest.approx(made.current())
     assert usable([dive])[0] == [dive]
 
 
 def test_the_track_has_the_times_of_its_displacement(tmp_path):
-    dive = dives_in(basestation(tmp_path / "a.nc"))[0]  # ctd_time is half a second later
-    assert dive.track[0][1] == pytest.approx(60.5, abs=1e-6)
-    dive = dives_in(basestation(tmp_path / "c.nc", drop=("ctd_time",)))[0]
-    assert dive.track[0][1] == pytest.approx(60.0, abs=1e-6)
+    for drop, first in ((), 60.5), (("ctd_time",), 60.0):  # ctd_time is half a second later
+        dive = dives_in(basestation(tmp_path / "a.nc", drop=drop))[0]
+        assert dive.track[0][1] == pytest.approx(first, abs=1e-6)
 
 
 def test_a_part_of_the_dive_that_is_missing_is_no_time_at_the_surface(tmp_path):
-    point = ("ctd_data_point",)
     since = np.linspace(60.0, made.DURATION - 1200.0, 1800)  # up 1200 s before the fix
-    risen = {"ctd_time": (point, made.T0 + 60000.0 + since, made.EPOCH)}
+    risen = {"ctd_time": (made.CTD, made.T0 + 60000.0 + since, made.EPOCH)}
     dive = dives_in(basestation3(tmp_path / "risen.nc", **risen))[0]
     assert dive.dr_east == pytest.approx(made.SWUM[0])
-    down = {"ctd_depth": (point, np.linspace(0.0, 300.0, 1800), made.M)}  # still deep then
+    down = {"ctd_depth": (made.CTD, np.linspace(0.0, 300.0, 1800), made.M)}  # still deep then
     dive = dives_in(basestation3(tmp_path / "cut.nc", **risen, **down))[0]
     assert usable([dive])[0] == []
     assert "no samples for 1200 s of 9000 s, from 300 m depth on" in dive.notes
 
 
 def in_nanoseconds(columns):
-    """Times since the first."""
+    """Times since the first, made.T0 - 300 s."""
     whole = np.round(columns["TIME"] - made.T0 + 300, 3)
     columns["TIME"] = (whole * 1e9).astype(np.int64)
-    return {
-        "units": {"TIME": {"units": "nanoseconds since 2017-07-14 02:35:00"}}
-    }  # made.T0 - 300 s
+    return {"units": {"TIME": {"units": "nanoseconds since 2017-07-14 02:35:00"}}}
 
 
 def on_their_own(columns):
     """Fixes on a dimension of their own."""
-    fix = np.isfinite(columns["LATITUDE_GPS"])
-    own = {
-        name: (("N_GPS",), columns[of][fix], made.EPOCH if name == "TIME_GPS" else {})
-        for name, of in (("TIME_GPS", "TIME"), ("LATITUDE_GPS",) * 2, ("LONGITUDE_GPS",) * 2)
-    }
-    for name in [*columns]:
-        columns[name] = columns[name][~fix]
-    del columns["LATITUDE_GPS"], columns["LONGITUDE_GPS"]
-    return {"sizes": {"N_GPS": int(fix.sum())}, **own}
+    own = {"TIME_GPS": (("N_GPS",), columns["TIME"][FIX], made.EPOCH)}
+    for name in ("LATITUDE_GPS", "LONGITUDE_GPS"):
+        own[name] = ("N_GPS",), columns.pop(name)[FIX], {}
+    columns |= {name: np.delete(column, FIX) for name, column in columns.items()}
+    return own
 
 
 @pytest.mark.parametrize("lon", [8.0, DATE_LINE])
 @pytest.mark.parametrize("change", [lambda columns: {}, in_nanoseconds, on_their_own])
 def test_og1_fixes_and_times_as_files_have_them(change, lon, tmp_path):
     columns = og1_rows(lon=lon)
-    dives = dives_in(og1(tmp_path / "og1.nc", **change(columns), columns=columns))
+    dives = mission(tmp_path, columns, **change(columns))
     assert [dive.number for dive in dives] == [1, 2, 3]
     assert [dive.t_gps2 for dive in dives] == [made.T0, made.T0 + 10000, made.T0 + 20000]
     for dive in dives:
         assert swam(dive)
         half_way(dive)
         assert dive.t_gps1 == dive.t_gps2 - (300 if dive.number == 1 else 1000)
-        assert dive.kind is None  # any vehicle's
-        assert dive.notes == ()
+        assert (dive.kind, dive.notes) == (None, ())  # any vehicle's
 
 
-@pytest.mark.parametrize(
-    "drop", [("divenum",), ("divenum", "DEPTH"), ("divenum", "DEPTH", "PHASE")]
-)
-def test_og1_dives_without_numbers_depth_or_phase(drop, tmp_path):
-    columns = og1_rows()
-    again = columns["TIME"] == columns["TIME"][2:402].max() + made.LAST  # GPSE of the first dive
-    drifted = {name: np.repeat(a, 1 + 2 * again) for name, a in columns.items()}
-    place = np.flatnonzero(again)[0]
-    drifted["TIME"][place + 1 : place + 3] += [310.0, 690.0]  # two more fixes at the surface
-    dives = dives_in(og1(tmp_path / "og1.nc", drop=drop, columns=drifted))
+@pytest.mark.parametrize("count", [1, 2, 3])
+def test_og1_dives_without_numbers_depth_or_phase(count, tmp_path):
+    drop = ("divenum", "DEPTH", "PHASE")[:count]
+    # two more fixes at the surface, behind GPSE of the first dive
+    columns = {name: np.insert(a, [FIX[2] + 1] * 2, a[FIX[2]]) for name, a in og1_rows().items()}
+    columns["TIME"][FIX[2] + 1 : FIX[2] + 3] += [310.0, 690.0]
+    dives = mission(tmp_path, columns, drop=drop)
     assert [dive.number for dive in dives] == [1, 2, 3]
     for dive in dives:
-        assert (dive.dr_east, dive.dr_north) == pytest.approx(tuple(made.SWUM))
-        assert (dive.depth_max is None) == ("DEPTH" in drop)
-
-
-STEPS = ("EAST_DISPLACEMENT", "NORTH_DISPLACEMENT")
-OWN = ("DAVG_CURR_EAST", "DAVG_CURR_NORTH")
+        assert (way(dive), dive.depth_max is None) == (pytest.approx(made.SWUM), "DEPTH" in drop)
 
 
 def test_og1_dead_reckoning_of_speed_and_heading(tmp_path):
-    turned = {"MAGNETIC_VARIATION": ((), made.VARIATION, {})}
-    for dive in dives_in(og1(tmp_path / "a.nc", drop=(*STEPS, *OWN), **turned)):
+    for dive in mission(tmp_path, drop=NO_STEPS, **TURNED):
         assert swam(dive)
         assert "magnetic, variation -15 degrees (of the file" in dive.notes[0]
-    for dive in dives_in(og1(tmp_path / "b.nc", drop=STEPS)):  # the file's current before a guess
+    for dive in mission(tmp_path, drop=STEPS):  # the file's current before a guess
         assert swam(dive)
         assert dive.notes == ("dead reckoning computed from the file's depth-averaged current",)
-    for dive in dives_in(og1(tmp_path / "c.nc", drop=(*STEPS, *OWN))):
+    for dive in mission(tmp_path, drop=NO_STEPS):
         middle = 0.5 * (dive.t_gps2 + dive.t_gpse)
         igrf = variation(middle, dive.lat_gps2, dive.lon_gps2)
         bearing = np.radians(made.BEARING - made.VARIATION + igrf)
         there = made.SPEED * (made.DURATION - 200.0) * np.array([np.sin(bearing), np.cos(bearing)])
-        assert (dive.dr_east, dive.dr_north) == pytest.approx(tuple(there))
-        assert (dive.turned, dive.magvar) == (igrf, igrf)
+        assert (way(dive), dive.turned, dive.magvar) == (pytest.approx(there), igrf, igrf)
         assert f"magnetic, variation {igrf:.0f} degrees (by IGRF" in dive.notes[0]
         back = with_variation(dive, made.VARIATION)
         assert swam(back)
@@ -145,50 +141,38 @@ def test_og1_dead_reckoning_of_speed_and_heading(tmp_path):
     true = {"HEADING": {"units": "degrees", "comment": "relative to true north"}}
     columns = og1_rows()
     columns["HEADING"] = columns["HEADING"] + made.VARIATION
-    path = og1(tmp_path / "d.nc", drop=(*STEPS, *OWN), columns=columns, units=true)
-    assert all(swam(dive) and with_variation(dive, 90.0) is dive for dive in dives_in(path))
-    unnamed = {"HEADING": {"units": "degrees"}}
-    path = og1(tmp_path / "e.nc", drop=(*STEPS, *OWN), units=unnamed)
-    for dive in dives_in(path):
-        assert (
-            "a north that the file does not name, variation 0 degrees (not known; --"
-            in dive.notes[0]
-        )
+    for dive in mission(tmp_path, columns, drop=NO_STEPS, units=true):
+        assert swam(dive)
+        assert with_variation(dive, 90.0) is dive
+    for dive in mission(tmp_path, drop=NO_STEPS, units={"HEADING": {"units": "degrees"}}):
+        said = "a north that the file does not name, variation 0 degrees (not known; --"
+        assert said in dive.notes[0]
         assert swam(with_variation(dive, made.VARIATION))
 
 
 def test_places_that_are_no_dead_reckoning_are_the_fixes(tmp_path):
     """OG1's DEAD_RECKONING is 0 where the receiver gave the place, 1 where it was computed."""
-    columns = og1_rows()
-    fix = np.isfinite(columns["LATITUDE_GPS"])
-    rows = np.arange(fix.size)
-    places = {
-        name: np.interp(rows, rows[fix], columns.pop(f"{name}_GPS")[fix])
-        for name in ("LATITUDE", "LONGITUDE")
-    }
-    columns |= places | {"DEAD_RECKONING": np.where(fix, 0.0, 1.0)}
-    expected = dives_in(og1(tmp_path / "gps.nc"))
-    for k, more in enumerate(({}, {"LATITUDE_GPS": np.full(fix.size, np.nan)})):
-        found = dives_in(og1(tmp_path / f"{k}.nc", columns=columns | more))
+    expected, columns = mission(tmp_path), og1_rows()
+    rows = np.arange(len(columns["TIME"]))
+    for name in ("LATITUDE", "LONGITUDE"):
+        columns[name] = np.interp(rows, FIX, columns.pop(f"{name}_GPS")[FIX])
+    columns["DEAD_RECKONING"] = 1.0 - np.isin(rows, FIX)
+    for more in ({}, {"LATITUDE_GPS": np.full(rows.size, np.nan)}):
+        found = mission(tmp_path, columns | more)
         assert found == expected
-        assert all(swam(dive) for dive in found)
+        assert all(map(swam, found))
 
 
 def test_a_stall_of_the_flight_model_is_no_way(tmp_path):
     columns = og1_rows()
-    stall = np.arange(100, 111)
     for name in ("GLIDER_HORZ_VELO_MODEL", *STEPS):
-        columns[name][stall] = 0.0 if name in STEPS else np.nan
-    turned = {"MAGNETIC_VARIATION": ((), made.VARIATION, {})}
-    ways = [
-        dives_in(og1(tmp_path / f"{len(drop)}.nc", drop=drop, columns=columns, **turned))[0]
-        for drop in ((), (*STEPS, *OWN))
-    ]
-    assert (ways[0].dr_east, ways[0].dr_north) == pytest.approx((ways[1].dr_east, ways[1].dr_north))
+        columns[name][100:111] = 0.0 if name in STEPS else np.nan
+    one, other = (mission(tmp_path, columns, drop=drop, **TURNED)[0] for drop in ((), NO_STEPS))
+    assert way(one) == pytest.approx(way(other))
 
 
 def test_missions_over_the_date_line_go_round(tmp_path):
-    dives = dives_in(og1(tmp_path / "og1.nc", columns=og1_rows(lon=DATE_LINE - made.DRIFT)))
+    dives = mission(tmp_path, og1_rows(lon=DATE_LINE - made.DRIFT))
     assert {np.sign(dive.lon_gps2) for dive in dives} == {1.0, -1.0}
     write_dive_table(dives, tmp_path / "back.csv")
     back = dives_in(tmp_path / "back.csv")
@@ -197,3 +181,164 @@ def test_missions_over_the_date_line_go_round(tmp_path):
     write_dive_table(east, tmp_path / "east.csv")  # longitudes to 360 east
     rows = read_dives([tmp_path / "east.csv"])[0]
     assert [dive.gps_east for dive in rows] == pytest.approx([made.GPS_EAST] * 3)
+
+
+def without(rows):
+    """The columns of a mission that has no fix in rows."""
+    columns = og1_rows()
+    columns["LATITUDE_GPS"][rows] = columns["LONGITUDE_GPS"][rows] = np.nan
+    return columns
+
+
+def test_dives_with_no_fix_between_them_are_one(tmp_path):
+    (dive,) = mission(tmp_path, without(FIX[2:-1]))
+    assert dive.notes == ("no fix between dives 1 and 3: taken as one",)
+    assert (dive.t_gps2, dive.t_gpse) == (made.T0, made.T0 + 20000 + made.DURATION)
+    assert dive.gps_east == pytest.approx(3 * made.GPS_EAST)
+    assert (way(dive), dive.dac_east) == (pytest.approx(3 * made.SWUM), None)
+    assert usable([dive])[0] == [dive]
+
+
+def test_a_mission_that_cannot_be_read_is_one_sentence(tmp_path):
+    for how, said in (
+        ({"columns": without(FIX)}, "no two fixes more than 600 s apart"),
+        ({"columns": without(FIX[1:])}, "no two fixes more than 600 s apart"),
+        ({"drop": ("LONGITUDE_GPS",)}, "no variable LONGITUDE_GPS; OG1 has the fixes there"),
+        ({"drop": ("TIME",)}, "no variable TIME_GPS; OG1"),
+        ({"units": {"TIME": {"units": "seconds since the start"}}}, "TIME.*must be such as"),
+        ({"units": {"DEPTH": {"units": "dbar"}}}, "DEPTH.*'dbar'.*must be such as"),
+    ):
+        refuses(said, mission, tmp_path, **how)
+
+
+def test_fixes_that_are_none_are_left_out_and_said(tmp_path):
+    columns = og1_rows()
+    columns["LATITUDE_GPS"][FIX[2]] = 91.0  # GPSE of the first dive
+    columns["LONGITUDE_GPS"][FIX[5]] = 0.0  # GPSE of the second: 0 N 0 E
+    dives = mission(tmp_path, columns)
+    assert [dive.t_gpse - made.T0 for dive in dives] == [9700, 19700, 29000]  # GPS1 of the next
+    assert [way(dive) == pytest.approx(made.SWUM) for dive in dives] == [True] * 3
+    assert [bool(dive.notes) for dive in dives] == [True, True, False]
+    assert dives[0].notes[0] == "1 fix(es) that are no place, 0 N 0 E or under water left out"
+
+
+def test_fixes_that_were_repeated_or_interpolated(tmp_path):
+    columns = og1_rows()
+    last = FIX[np.searchsorted(FIX, np.arange(len(columns["TIME"])), "right") - 1]
+    fixed = {name: columns[name] for name in ("LATITUDE_GPS", "LONGITUDE_GPS")}
+    dives = mission(tmp_path, columns | {name: column[last] for name, column in fixed.items()})
+    assert [dive.number for dive in dives] == [1, 2, 3]
+    assert [dive.gps_east for dive in dives] == pytest.approx([made.GPS_EAST] * 3)
+    assert [way(dive) == pytest.approx(made.SWUM) for dive in dives] == [True] * 3
+    time, deep = columns["TIME"], np.flatnonzero(columns["DEPTH"] > 20.0)
+    columns |= {name: np.interp(time, time[FIX], column[FIX]) for name, column in fixed.items()}
+    said = f"have {deep.size} new fixes under water, the first in row {deep[0]} .* set both to NaN"
+    refuses(said, mission, tmp_path, columns)
+
+
+SORTED = "the measurements were not in order of time, sorted"
+TWICE = "400 samples have the time of the one before, left out"
+
+
+def test_rows_in_any_order_and_twice(tmp_path):
+    for change, note in (np.flip, SORTED), (lambda column: np.repeat(column, 2), TWICE):
+        for dive in mission(tmp_path, {name: change(a) for name, a in og1_rows().items()}):
+            assert (way(dive), dive.notes) == (pytest.approx(made.SWUM), (note,))
+            assert np.all(np.diff(dive.track[0]) > 0)
+
+
+def test_without_a_whole_displacement_through_the_water(tmp_path):
+    dives = mission(tmp_path, drop=(*STEPS, "GLIDER_HORZ_VELO_MODEL", "DAVG_CURR_EAST"))
+    assert usable(dives)[0] == []
+    assert "no EAST_DISPLACEMENT, NORTH_DISPLACEMENT, no speed" in dives[0].notes[0]
+
+
+@pytest.mark.parametrize(("name", "fill"), [(STEPS[0], 9999.0), (STEPS[1], np.nan)])
+def test_steps_that_no_vehicle_makes(name, fill, tmp_path):
+    def filled(rows):
+        columns = og1_rows()
+        columns[name][rows] = fill
+        return mission(tmp_path, columns)
+
+    first, second, _ = filled([50, 51, 300])
+    note = "samples of the displacement are not finite or above 5 m/s, filled from their neighbours"
+    assert [dive.notes != () for dive in (first, second)] == [True, False]
+    assert first.notes[0].startswith(f"3 of 400 {note}")
+    assert way(first) == pytest.approx(made.SWUM)
+    dives = filled(slice(60, 93))
+    assert [one.number for one in usable(dives)[0]] == [2, 3]
+    assert dives[0].notes[0].startswith("33 of 400 samples of the displacement are not finite")
+
+
+def test_rows_of_other_instruments_have_no_step(tmp_path):
+    """A step after them covers their time too: the sum is whole, and nothing is filled."""
+    columns, rows = og1_rows(), np.arange(20, 180, 4)
+    for step in STEPS:
+        columns[step][rows + 1] += columns[step][rows]
+        columns[step][rows] = np.nan
+    for dive in mission(tmp_path, columns):
+        assert (way(dive), dive.notes) == (pytest.approx(made.SWUM), ())
+
+
+def put(name, rows, value):
+    """Set what stands at rows of a variable of a measured file."""
+
+    def damage(data):
+        values = np.ma.filled(data[name][:].astype(float), nan)
+        values[rows] = value
+        data[name][:] = values
+
+    return damage
+
+
+def no_end(data):
+    """No time of the fix after the seventh dive."""
+    fixes = np.flatnonzero(np.isfinite(np.ma.filled(data["LATITUDE_GPS"][:], nan)))
+    put("TIME_GPS", fixes[13], nan)(data)
+
+
+def in_milliseconds(data):
+    data["TIME_GPS"][:] = data["TIME_GPS"][:] / 1e6
+
+
+def at_0_0(data):
+    for name in ("latitude_gps_end", "longitude_gps_end"):
+        put(name, slice(-5, None), 0.0)(data)
+
+
+SG015, SPRAY = "sg015_20040929T140907_delayed.nc", "sp028_20230202T1637_R.nc"
+ALL, FAST, nan = slice(None), "not finite or above 5 m/s", np.nan
+DAMAGED = [  # each: the damage, what is said, which dives are used; None: the file is refused
+    (SG015, lambda data: None, "", [3, 4, 6, 7]),
+    (SG015, no_end, "", [3, 4, 6]),
+    (SG015, in_milliseconds, "read as milliseconds", [3, 4, 6, 7]),
+    (SG015, put("TIME_GPS", ALL, 7.0), "no two fixes more than 600 s apart", None),
+    (SG015, lambda data: data["HORZ_GLIDER_SPEED"].setncattr("units", "km/s"), FAST, []),
+    (SG015, put("TIME", slice(300, 320), nan), r"no samples for \d+ s of 7380 s", [3, 4, 7]),
+    (SG015, put("dive_num", ALL, nan), "", [3, 4, 6, 7]),
+    (SPRAY, lambda data: None, "", [32, 33, 34, 35]),
+    (SPRAY, at_0_0, "", [32, 33, 34, 35]),
+    (SPRAY, put("time_uv", ALL, nan), "no fix before the dive", []),
+    (SPRAY, put("wcur_x", slice(-17, None), nan), "no depth-averaged c", [32, 33, 34]),
+    (SPRAY, put("time_gps_end", ALL, nan), "LONGITUDE_GPS_END have no fix", None),
+]
+
+
+@pytest.mark.parametrize(("name", "damage", "said", "expected"), DAMAGED)
+def test_a_damaged_mission_is_named_and_its_good_dives_are_used(
+    facts, tmp_path, name, damage, said, expected
+):
+    path = tmp_path / name
+    shutil.copyfile(facts / "glider" / "og1" / name, path)
+    with netCDF4.Dataset(path, "a") as data:
+        damage(data)
+    if expected is None:
+        refuses(f"{path}.*{said}", read_dives, path)
+        return
+    dives, unread = read_dives(path)
+    used, unused = usable(dives)
+    told = [one.why for one in (*unread, *unused)]
+    told += [note for dive in used for note in dive.notes]
+    assert any(re.search(said, why) for why in told) or not said
+    assert [dive.number for dive in used] == expected
+    assert all(np.isfinite(step.clpe["adaptive"]) for step in replay_dives(used).steps)

@@ -1,23 +1,25 @@
-"""Aiming: the triangle of currents, what cannot be made, geodesics, tides, compass."""
+"""Aiming: the triangle of currents, what cannot be made, geodesics, tides; routes over days."""
 
 import json
 import math
 from dataclasses import replace
+from datetime import datetime
 
 import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from synthetic_vehicle import vehicle
+from refusals import refuses
+from synthetic_vehicle import STEADY, vehicle
 
 from clpt_control.errors import ScenarioError
-from clpt_control.estimation.fix_model import FixModel
+from clpt_control.estimation import FixModel
 from clpt_control.geodesy import displacement, place_from
-from clpt_control.gliders.dives import make_dive
+from clpt_control.gliders import make_dive
 from clpt_control.gliders.samples import turned
-from clpt_control.replay.aim import aim, aims, triangle
-from clpt_control.replay.replay import replay_dives
-from clpt_control.replay.wording import AGAINST, REACHED, UNDER_WAY
+from clpt_control.replay import aims, map_plot, replay_dives, route
+from clpt_control.replay.aim import aim, triangle
+from clpt_control.replay.wording import AGAINST, REACHED, UNDER_WAY, route_sentences
 
 ways = st.floats(-5000, 5000)
 
@@ -39,18 +41,15 @@ def test_the_triangle_of_currents(x, y, east, north, s):
         # sin(crab) = current across the line / speed; the way made good is on the line
         assert np.hypot(*w) == pytest.approx(s)
         assert w @ across == pytest.approx(-c @ across, abs=1e-6 * s)
-        made = math.sqrt(s**2 - (c @ across) ** 2) + c @ line
-        other = c @ line - math.sqrt(s**2 - (c @ across) ** 2)
+        root = math.sqrt(s**2 - (c @ across) ** 2)
+        made, other = c @ line + root, c @ line - root
         assert length / tau == pytest.approx(made, rel=1e-6, abs=1e-6 * s) or current > s
         assert min(abs(length / tau - made), abs(length / tau - other)) < 1e-6 * (s + current)
     else:
-        assert state == AGAINST
-        assert tau is None
+        assert (state, tau) == (AGAINST, None)
         assert current > s  # in a slower current every place can be made
-        best = min(
-            np.hypot(*(g - c - s * np.array([math.sin(a), math.cos(a)])))
-            for a in np.linspace(0, 2 * math.pi, 721)
-        )
+        a = np.linspace(0, 2 * math.pi, 721)
+        best = np.hypot(*((g - c)[:, None] - s * np.array([np.sin(a), np.cos(a)]))).min()
         assert np.hypot(*(g - c - w)) <= best * (1 + 1e-12)
 
 
@@ -109,8 +108,7 @@ def test_what_cannot_be_made_is_said():
     replay = known(0.4, 0.0)
     legs = aims(replay, [away(replay, -30e3, 0.0), (40.0, 9.0)])
     assert [leg.state for leg in legs] == [AGAINST]  # and none after it
-    assert legs[0].heading == pytest.approx(270, abs=0.5)
-    assert legs[0].dives is None
+    assert (legs[0].heading, legs[0].dives) == (pytest.approx(270, abs=0.5), None)
     assert legs[0].made_good < 0
     assert aims(replay, [away(replay, 60e3, 0.0)])[0].state == UNDER_WAY
     near = aims(replay, [away(replay, 1000.0, 0.0)])[0]
@@ -185,5 +183,151 @@ def test_magnetic_headings(sg542):
 
 def test_a_speed_that_no_vehicle_has_is_refused():
     for more, says in (({"speed": 25.0}, "at most 5 m/s"), ({"duration": math.inf}, "inf hours")):
-        with pytest.raises(ScenarioError, match=says):
-            aims(known(0.0, 0.0), [(40.0, 8.0)], **more)
+        refuses(says, aims, known(0.0, 0.0), [(40.0, 8.0)], error=ScenarioError, **more)
+
+
+# --- over days: waypoints and areas, by drawing the dives ---
+
+
+STAY, V = 600.0, 0.25  # s, m/s of the made vehicle
+
+
+@pytest.fixture(autouse=True)
+def thirty_draws(monkeypatch):
+    monkeypatch.setattr(route, "DRAWS", 30)
+
+
+@pytest.fixture(scope="module")
+def steady():
+    """A vehicle in a steady current that it knows; it lies where it was at each fix."""
+    return replay_dives(vehicle(1, 40, flow="steady"))
+
+
+def arrival(replay, east, north, areas=(), speed=V):
+    """What is drawn of a waypoint so far from 40 N 8 E, m, and its row."""
+    found = route.arrivals(replay, [place_from(40.0, 8.0, east, north)], areas, speed, 14400.0)
+    return found, found["waypoints"][0]
+
+
+def seconds(time):
+    return datetime.fromisoformat(time).timestamp()
+
+
+def box(lat, lon, size=0.02):
+    corners = (-size, -size), (-size, size), (size, size), (size, -size)
+    return [(lat + a, lon + b) for a, b in corners]
+
+
+def test_a_known_current_carries_it_there_when_the_triangle_says(steady):
+    """Across the line the nose makes up for the current; along it the rest of both goes on."""
+    far = 40_000.0
+    middle = (8.0 + place_from(40.0, 8.0, far, 0.0)[1]) / 2
+    areas = [("across", box(40.0, middle, 0.05)), ("beside", box(40.3, 8.2))]
+    found, one = arrival(steady, far, 0.0, areas)
+    east = STEADY[0] + math.sqrt(V**2 - STEADY[1] ** 2)
+    due = far / east + math.ceil(far / east / 14400) * STAY
+    took = {key: seconds(one[key]) - steady.steps[-1].dive.t_gpse for key in route.SHARES}
+    assert took["time"] == pytest.approx(due, rel=0.04)
+    assert 0.85 * due < took["not_before"] < took["time"] < took["by"] < 1.15 * due
+    assert (one["made"], [area["entered"] for area in found["areas"]]) == (1, [1, 0])
+    first, *others = route_sentences(found)
+    assert "cannot be made before" in first
+    assert " draws" not in first  # it is made in all
+    shares = ("across: entered in 100", "beside: entered in 0")
+    assert others == [f"{share} % of the draws" for share in shares]
+
+
+def test_who_knows_less_arrives_less_surely(steady):
+    width = []
+    for replay in (steady, replay_dives(vehicle(1, 1, flow="steady"))):
+        _, one = arrival(replay, 10_000.0, 0.0)
+        width.append(seconds(one["by"] or one["time"]) - seconds(one["not_before"]))
+    assert width[1] > 2 * width[0]
+
+
+def test_a_waypoint_against_the_current_is_not_made(steady, monkeypatch):
+    monkeypatch.setattr(route, "DIVES", 5)
+    monkeypatch.setattr(route, "DRAWS", 3)
+    found, one = arrival(steady, -30_000.0, 15_000.0, speed=0.05)
+    assert (one["made"], one["time"], one["not_before"]) == (0, None, None)
+    assert route_sentences(found)[0].endswith("not there; made within 5 dives in 0 % of 3 draws")
+
+
+def test_the_same_draws_say_the_same(steady):
+    asked = steady, 5_000.0, 3_000.0, [("here", box(40.0, 8.0))], None
+    found, _ = arrival(*asked)
+    assert (found, found["waypoints"][0]) == arrival(*asked)
+    assert found["areas"][0]["entered"] == 1  # it begins within
+    assert len(steady.steps) == 40  # it learned nothing of what was drawn
+
+
+SQUARE = [[8.0, 40.0], [8.1, 40.0], [8.1, 40.1], [8.0, 40.0]]
+
+
+def shape(kind, *coordinates):
+    return {"type": kind, "coordinates": list(coordinates)}
+
+
+def together(*shapes):
+    return {"type": "GeometryCollection", "geometries": shapes}
+
+
+def test_routes_are_read(tmp_path):
+    path = tmp_path / "route"
+    path.write_text("# two\n-42.8 8.4\n\n-42.7, 8.3  # the second\n")
+    assert route.read_route(path) == ([(-42.8, 8.4), (-42.7, 8.3)], [])
+    shapes = [
+        (shape("Point", 8.4, -42.8, 0.0), {"name": "P"}),
+        (shape("Polygon", SQUARE, SQUARE), {"name": "ground"}),
+        (shape("LineString", [8.3, -42.7], [8.2, -42.6]), None),
+        (together(shape("MultiPolygon", [SQUARE], [SQUARE])), {}),
+    ]
+    features = [{"type": "Feature", "geometry": one, "properties": name} for one, name in shapes]
+    path.write_text(json.dumps({"type": "FeatureCollection", "features": features}))
+    targets, areas = route.read_route(path)
+    assert targets == [(-42.8, 8.4), (-42.7, 8.3), (-42.6, 8.2)]
+    assert [name for name, _ in areas] == ["ground", "area", "area"]
+    assert areas[0][1] == [(lat, lon) for lon, lat in SQUARE]
+    parts = [[8.4, -42.8], [8.3, -42.7]], [[8.2, -42.6], [8.1, -42.5]]
+    path.write_text(json.dumps(shape("MultiLineString", *parts)))  # as QGIS saves lines
+    places = [(-42.8, 8.4), (-42.7, 8.3), (-42.6, 8.2), (-42.5, 8.1)]
+    assert route.read_route(path)[0] == places
+
+
+RING = [[8.0, 40.0 + 1e-6 * k] for k in range(20_001)]
+MANY = together(shape("Polygon", RING), shape("Point", 8.0, 40.0))
+NO_ROUTES = [
+    ("", "has no waypoint"),
+    ("-42.8 8.4 7\n", "is neither GeoJSON nor a latitude"),
+    ("8.4 -942.8\n", "latitude 8.4, longitude -942.8 is no place"),
+    ('{"type": "Circle"}', "has no waypoint"),
+    (json.dumps(shape("Polygon", SQUARE)), "has no waypoint"),
+    ("{" * 10**5, "is neither GeoJSON"),
+    (json.dumps(shape("LineString", [[8.0, 40.0]])), "places are pairs"),
+    (json.dumps(shape("Point", 10**400, 1)), "is neither GeoJSON"),
+    (json.dumps(shape("Polygon", SQUARE[:2])), "at least three corners"),
+    ("-42.8 8.4\n" * 101, "has 101 waypoints, and areas of 0 places; at most 100,"),
+    (json.dumps(MANY), "and areas of 20001 places; at most 100,"),
+    (" " * 10**7 + "1", "is larger than 10 MB"),
+]
+
+
+def test_what_is_no_route_is_one_sentence(tmp_path):
+    for text, says in NO_ROUTES:
+        (tmp_path / "route").write_text(text)
+        refuses(f"route: .*{says}", route.read_route, tmp_path / "route")
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_the_command_draws_the_way(command, tmp_path):
+    line = shape("LineString", [8.47, -42.93], [8.47, -42.92])
+    ring = [[8.46, -42.94], [8.48, -42.94], [8.48, -42.92], [8.46, -42.94]]
+    (tmp_path / "route.json").write_text(json.dumps(together(line, shape("Polygon", ring))))
+    words = ("--sample", "--route", tmp_path / "route.json", "--json")
+    found = json.loads(command(*words, "--out", tmp_path / "out").stdout)
+    assert found["aim"][0]["latitude"] == -42.93
+    assert found["route"]["waypoints"][0]["made"] > 0.5
+    page = (tmp_path / "out" / "replay.html").read_text("utf-8")
+    assert "route to 42 55.80 S" in page
+    (area,) = map_plot(found).patches
+    assert (len(area.get_xy()), found["paste"]["file"]) == (4, "targets")

@@ -1,19 +1,17 @@
 """Two fixes of one surfacing that disagree, and a speed that is no vehicle's: which is wrong."""
 
-import csv
 from dataclasses import replace
 
 import numpy as np
 import pytest
-from synthetic_vehicle import vehicle
+from synthetic_vehicle import further, vehicle
 
+from clpt_control.estimation import FixModel
 from clpt_control.estimation.estimators import ESTIMATORS, KalmanBank
-from clpt_control.estimation.fix_model import FixModel
 from clpt_control.geodesy import displacement, place_from
 from clpt_control.gliders import make_dive, read_dives, usable
+from clpt_control.replay import Replay, clpe_rms, replay_dives, summary
 from clpt_control.replay.doubts import SpeedFactorWatch
-from clpt_control.replay.outcome import clpe_rms, summary
-from clpt_control.replay.replay import Replay, replay_dives
 
 CURRENT = np.array([0.12, -0.05])  # m/s
 T, STAY, SWUM = 9000.0, 300.0, 2500.0  # s, s, m
@@ -38,8 +36,7 @@ def moved(dive, fix, east, north):
     """A dive with a fix, gps2 or gpse, that far from where it was, m."""
     at = place_from(getattr(dive, f"lat_{fix}"), getattr(dive, f"lon_{fix}"), east, north)
     there = replace(dive, **dict(zip((f"lat_{fix}", f"lon_{fix}"), at, strict=True)))
-    places = there.lat_gps2, there.lon_gps2, there.lat_gpse, there.lon_gpse
-    gps = displacement(*places)
+    gps = displacement(there.lat_gps2, there.lon_gps2, there.lat_gpse, there.lon_gpse)
     return replace(there, gps_east=gps[0], gps_north=gps[1])
 
 
@@ -55,27 +52,33 @@ def said(replay):
     return [step.dive.number for step in replay.steps if step.dive.notes]
 
 
+SAID = ("forecast", "covariance", "current", "current_error", "speed", "inside", "anomaly")
+
+
 def same(one, other):
     """Whether two steps say the same, bit for bit, of all but their notes."""
     return one.dive == other.dive and all(
-        np.array_equal(getattr(one, name), getattr(other, name))
-        for name in ("forecast", "covariance", "current", "current_error", "speed", "inside")
+        np.array_equal(getattr(one, name), getattr(other, name)) for name in SAID
     )
+
+
+def as_learned(steps, others, to):
+    """Check that what is learned from the wild fix on is hardly touched, m."""
+    for one, other in zip(steps[WILD + 1 :], others[WILD + 1 :], strict=True):
+        assert one.forecast == pytest.approx(other.forecast, abs=to)
 
 
 @pytest.mark.parametrize("estimator", ESTIMATORS)
 def test_a_wild_end_is_replaced_by_the_start_of_the_next_dive(estimator):
     good, wild = replay_dives(sea(), estimator), replay_dives(with_wild("gpse"), estimator)
-    assert said(good) == []
-    assert said(wild) == [WILD + 1]
+    assert (said(good), said(wild)) == ([], [WILD + 1])
     found, later = (wild.steps[k].dive for k in (WILD, WILD + 1))
     assert (found.lat_gpse, found.lon_gpse) == (later.lat_gps2, later.lon_gps2)
     assert (found.t_gpse, found.dr_east) == (sea()[WILD].t_gpse, sea()[WILD].dr_east)
     assert found.doubt == pytest.approx(0.3 * STAY)
     assert wild.steps[WILD].clpe["adaptive"] < 2000
     assert "3.2 km in 5 min" in found.notes[0]
-    for k in range(WILD + 1, len(good.steps)):  # what is learned is hardly touched
-        assert wild.steps[k].forecast == pytest.approx(good.steps[k].forecast, abs=60)
+    as_learned(wild.steps, good.steps, 60)
     assert clpe_rms(wild)["adaptive"] == pytest.approx(clpe_rms(good)["adaptive"], abs=40)
 
 
@@ -83,24 +86,20 @@ def test_a_wild_end_is_replaced_by_the_start_of_the_next_dive(estimator):
 def test_a_wild_start_counts_little_and_leaves_the_dive_before(estimator):
     good, wild = replay_dives(sea(), estimator), replay_dives(with_wild("gps2"), estimator)
     assert said(wild) == [WILD + 1]
-    for k in range(WILD):
-        assert same(wild.steps[k], good.steps[k])
+    assert all(map(same, wild.steps[:WILD], good.steps))
     assert wild.steps[WILD].dive.doubt == pytest.approx(3200.0, abs=100)
     assert wild.steps[WILD].inside
-    for k in range(WILD + 1, len(good.steps)):
-        assert wild.steps[k].forecast == pytest.approx(good.steps[k].forecast, abs=150)
+    as_learned(wild.steps, good.steps, 150)
 
 
 def test_a_vehicle_that_a_boat_has_moved_is_forecast_from_where_it_is():
     dives = sea()
     for k in range(WILD, len(dives)):
-        for fix in ("gps2", "gpse"):
-            dives[k] = moved(dives[k], fix, 20e3, 5e3)
+        dives[k] = moved(moved(dives[k], "gps2", 20e3, 5e3), "gpse", 20e3, 5e3)
     good, boat = replay_dives(sea()), replay_dives(dives)
-    assert said(boat) == [WILD + 1]
-    assert boat.steps[WILD].dive.lat_gps2 == dives[WILD].lat_gps2
-    for k in range(len(dives)):
-        assert boat.steps[k].forecast == pytest.approx(good.steps[k].forecast, abs=60)
+    assert (said(boat), boat.steps[WILD].dive.lat_gps2) == ([WILD + 1], dives[WILD].lat_gps2)
+    for one, other in zip(boat.steps, good.steps, strict=True):
+        assert one.forecast == pytest.approx(other.forecast, abs=60)
 
 
 @pytest.mark.parametrize("fix", ["gpse", "gps2"])
@@ -126,19 +125,14 @@ def test_the_state_is_that_of_having_known(estimator):
     """What was learned of the wild fix is gone: as if the dive had come with its settled end."""
     found = replay_dives(with_wild("gpse"), estimator)
     known = replay_dives([step.dive for step in found.steps], estimator)
-    for one, other in zip(found.steps[WILD + 1 :], known.steps[WILD + 1 :], strict=True):
-        assert same(one, other)
-        assert one.anomaly == other.anomaly
+    assert all(map(same, found.steps[WILD + 1 :], known.steps[WILD + 1 :]))
 
 
 def test_after_a_long_time_at_the_surface_the_fix_stays_and_counts_little():
     dives = with_wild("gpse", 80e3, 0.0)
-    dives = [
-        dive
-        if k <= WILD
-        else replace(dive, t_gps2=dive.t_gps2 + 7200.0, t_gpse=dive.t_gpse + 7200.0)
-        for k, dive in enumerate(dives)
-    ]
+    for k in range(WILD + 1, len(dives)):
+        late = {name: getattr(dives[k], name) + 7200.0 for name in ("t_gps2", "t_gpse")}
+        dives[k] = replace(dives[k], **late)
     replay = replay_dives(dives)
     assert said(replay) == [WILD + 1]
     found = replay.steps[WILD].dive
@@ -153,10 +147,8 @@ def test_a_seaexplorer_keeps_its_forecasts_through_a_wild_fix(facts, tmp_path):
     replay = replay_dives(usable(read_dives(path)[0])[0])
     assert [s.dive.number for s in replay.steps if s.dive.doubt] == [47]
     assert clpe_rms(replay)["adaptive"] <= 230
-    with path.open() as file:
-        rows = list(csv.reader(line for line in file if line[0] != "#"))
-    kept = [row for row in rows if row[0] != "47"]
-    (tmp_path / "without.csv").write_text("\n".join(map(",".join, kept)))
+    lines = [line for line in path.read_text().splitlines() if not line.startswith(("#", "47,"))]
+    (tmp_path / "without.csv").write_text("\n".join(lines))
     without = replay_dives(usable(read_dives(tmp_path / "without.csv")[0])[0])
     assert clpe_rms(replay)["adaptive"] == pytest.approx(clpe_rms(without)["adaptive"], abs=15)
 
@@ -175,15 +167,10 @@ def flags(dives):
     return found
 
 
-def way(dive):
-    return dive.dr_east, dive.dr_north
-
-
 def pushed(dive, along, left):
     """A dive that came up further along, and to the left of, its way, in its length."""
-    east, north = way(dive)
-    more = along * east - left * north, along * north + left * east
-    return replace(dive, gps_east=dive.gps_east + more[0], gps_north=dive.gps_north + more[1])
+    east, north = dive.dr_east, dive.dr_north
+    return further(dive, along * east - left * north, along * north + left * east)
 
 
 @pytest.mark.parametrize("case", [{}, {"noise": 0.01}, {"walk": 0.01}, {"flow": "M2"}])
@@ -205,9 +192,8 @@ def test_a_vehicle_that_does_not_swim_says_nothing_of_speed():
     moved = [*vehicle(1, 14, noise=0.02), *drifting[14:]]
     for dives in (drifting, moved):
         found = flags(dives)
-        assert all(
-            np.isfinite([a.change, a.standard_error, a.likelihood_ratio]).all() for a in found
-        )
+        told = [(a.change, a.standard_error, a.likelihood_ratio) for a in found]
+        assert np.isfinite(told).all()
         assert len(found) <= 1
 
 
@@ -223,5 +209,6 @@ def test_on_one_heading_the_flag_says_that_it_may_be_a_current():
 def test_a_front_across_the_track_is_no_lost_speed():
     for seed in range(6):
         dives = vehicle(seed, 28, noise=0.005)
-        beyond = [pushed(d, 0.0, 0.2 * d.duration / np.hypot(*way(d))) for d in dives[20:22]]
+        far = [0.2 * d.duration / np.hypot(d.dr_east, d.dr_north) for d in dives[20:22]]
+        beyond = [pushed(d, 0.0, more) for d, more in zip(dives[20:22], far, strict=True)]
         assert not [a for a in flags([*dives[:20], *beyond]) if a.dive >= 20]

@@ -17,7 +17,7 @@ from processes import CLPT, kill_while_it_writes, ran, started
 from synthetic_vehicle import fixes_of, one_file_each, told, vehicle
 
 from clpt_control.geodesy import place_from
-from clpt_control.gliders.dives import make_dive
+from clpt_control.gliders import make_dive
 from clpt_control.replay import fleet
 from clpt_control.replay.fleet import events, standing
 from clpt_control.units import seconds_since_1970
@@ -42,8 +42,8 @@ def strayed(dives, last=2):
     for dive in dives[-last:]:
         start = found[-1].lat_gpse, found[-1].lon_gpse
         way = place_from(*start, dive.gps_east, dive.gps_north + (-1) ** len(found) * 20000)
-        through = dive.dr_east, dive.dr_north
-        found.append(make_dive(dive.number, (dive.t_gps2, *start), (dive.t_gpse, *way), through))
+        fixes = (dive.t_gps2, *start), (dive.t_gpse, *way)
+        found.append(make_dive(dive.number, *fixes, (dive.dr_east, dive.dr_north)))
     return found
 
 
@@ -78,16 +78,16 @@ def tree(tmp_path, facts, sample):
         ("late", recent(6, 30.0, seed=2)),
         ("a <b> & '#1%3f'", strayed(recent(6, 0.5))),
         ("station/from-glider", recent(4, 1.0)),
+        ("two", []),
+        ("hurt", []),
+        ("none", []),
     ):
         (top / name).mkdir(parents=True)
         one_file_each(top / name, dives)
     shutil.copytree(sample.folder, top / "well" / "results")
-    (top / "two").mkdir()
     for file in ("sg171/p1710100.nc", "basestation/p5420304.nc"):
         shutil.copy(facts / "glider" / file, top / "two")
-    (top / "hurt").mkdir()
     (top / "hurt" / "p1.nc").write_bytes(b"CDF\x01 and no more")
-    (top / "none").mkdir()
     return top
 
 
@@ -99,27 +99,24 @@ def test_a_row_each_what_asks_for_a_pilot_first_and_is_told_once(tree, command, 
     assert done.exit_code == 0, done.output
     table = [line for line in done.stdout.splitlines() if line.startswith("│")]
     names = [line.split("│")[1].strip() for line in table]
-    assert names[:3] == ["late", "a <b> & '#1%3f'", "hurt"]
-    assert set(names[3:5]) == {"well", "station"}
+    asking = ["late", "a <b> & '#1%3f'", "hurt"]
+    assert [*names[:3], *sorted(names[3:5])] == [*asking, "station", "well"]
     assert names[5:] == ["SG542", "SG171"]  # old records
     assert max(map(len, table)) <= 80
     assert "OUT x2" in table[1]
-    assert "7 vehicles, 3 asking for a pilot" in done.stdout
-    assert "hurt: cannot be read: " in done.stdout
+    for said in ("7 vehicles, 3 asking for a pilot", "hurt: cannot be read: "):
+        assert said in done.stdout
     again = command("--fleet", tree, "--alert", teller(heard), "--json")
     assert sorted(told_in(heard)) == [("a <b> & '#1%3f'", "OUT", 5), ("late", "overdue", 6)]
-    found = json.loads(again.stdout)
-    rows = {row["vehicle"]: row for row in found["vehicles"]}
-    assert [row["vehicle"] for row in found["vehicles"]][:3] == names[:3]
-    assert rows["late"]["asks"] == ["overdue"]
+    rows = {row["vehicle"]: row for row in json.loads(again.stdout)["vehicles"]}
+    assert ([*rows][:3], rows["late"]["asks"]) == (asking, ["overdue"])
     assert rows["late"]["age_hours"] == pytest.approx(30.0, abs=0.5)
     assert "p1.nc" in rows["hurt"]["said"][0]
-    out = tree / "replay"
-    page = Reader((out / "fleet.html").read_text("utf-8"))
+    page = Reader((tree / "replay" / "fleet.html").read_text("utf-8"))
     assert next(filter(str.strip, page.texts)).startswith("Fleet, ")  # its title
     links = [names["href"] for tag, names in page.tags if tag == "a"]
     assert len(links) == 6
-    assert all((out / unquote(link)).is_file() for link in links)
+    assert all((tree / "replay" / unquote(link)).is_file() for link in links)
     assert "a <b> & '#1%3f'" in page.texts  # as a text, no markup
 
 
@@ -191,16 +188,16 @@ def test_a_fleet_killed_twice_is_as_an_unbroken_one(tmp_path):
         (top / f"v{k}").mkdir(parents=True)
         one_file_each(top / f"v{k}", strayed(fixes_of(8, seed=k)) if k else fixes_of(8))
     told = {name: tmp_path / f"told {name}" for name in ("broken", "whole")}
-    words = {
-        name: [*CLPT, "replay", "--fleet", top, "--out", name, "--json", "--alert", teller(path)]
-        for name, path in told.items()
+    words = ("replay", "--fleet", top, "--json")
+    commands = {
+        name: [*CLPT, *words, "--out", name, "--alert", teller(path)] for name, path in told.items()
     }
     # a file that is being written may be there too short a time to be seen: then it is whole
     for part in ("*replay.html*", "v1/*track.kml*"):
-        with started(words["broken"], stdout=subprocess.DEVNULL, cwd=tmp_path) as process:
+        with started(commands["broken"], stdout=subprocess.DEVNULL, cwd=tmp_path) as process:
             kill_while_it_writes(process, tmp_path / "broken", part)
     found = {}
-    for name, own in words.items():
+    for name, own in commands.items():
         found[name] = json.loads(ran(*own, cwd=tmp_path).stdout)
         for row in found[name]["vehicles"]:
             row.pop("age_hours")

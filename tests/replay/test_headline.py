@@ -8,16 +8,15 @@ import numpy as np
 import pytest
 import xarray
 from glider_dialects import basestation3
+from refusals import refuses
 
-import clpt_control as clpt
-from clpt_control.errors import DataError
 from clpt_control.geodesy import displacement, place_from
 from clpt_control.gliders import make_dive, read_dives, sample_dives, usable
 from clpt_control.gliders.dives import planned_course
 from clpt_control.pages.writing import replay_facts
+from clpt_control.replay import replay_dives, summary
 from clpt_control.replay.exchange import next_geojson
 from clpt_control.replay.habits import PLANNED, REPEATED, Habits
-from clpt_control.replay.replay import replay_dives
 from clpt_control.replay.surfacing import ellipse
 
 DIVES = usable(sample_dives())[0]
@@ -26,15 +25,12 @@ DIVES = usable(sample_dives())[0]
 def flown(courses, planned=False, hours=4.0, stay=900.0, away=(150.0, 0.0)):
     """Dives of 3 km on courses (degrees), with a drift at the surface, in still water."""
     found, time, place = [], 1.6e9, (40.0, 8.0)
-    courses = list(courses)
     for k, course in enumerate(courses):
-        turn = math.radians(course)
-        way = 3000.0 * math.sin(turn), 3000.0 * math.cos(turn)
+        way = 3000.0 * math.sin(math.radians(course)), 3000.0 * math.cos(math.radians(course))
         end = place_from(*place, *way)
         after = time + 3600 * hours, *end
-        dive = make_dive(k, (time, *place), after, way)
-        if planned and k + 1 < len(courses):
-            dive = replace(dive, next_course=courses[k + 1])
+        planned_next = courses[k + 1] if planned and k + 1 < len(courses) else None
+        dive = make_dive(k, (time, *place), after, way, next_course=planned_next)
         found.append(dive)
         time, place = after[0] + stay, place_from(*end, *away)
     return found
@@ -49,13 +45,15 @@ def test_who_dives_alike_is_foretold_well_and_the_drift_is_in_it():
     dives = flown([90.0] * 31)
     replay = replay_dives(dives[:30])
     said, last = replay.surfacing(), dives[30]
-    off = displacement(said.latitude, said.longitude, last.lat_gpse, last.lon_gpse)
-    assert math.hypot(*off) < 60
+    assert (
+        math.hypot(*displacement(said.latitude, said.longitude, last.lat_gpse, last.lon_gpse)) < 60
+    )
     assert abs(said.plan.t_gpse - last.t_gpse) < 60
     start = displacement(dives[29].lat_gpse, dives[29].lon_gpse, *replay.start()[1:])
     assert start == pytest.approx((150.0, 0.0), abs=25)
-    assert half(replay) < 0.5 * half(replay_dives(dives[:2]))
-    assert said.time_90 < 0.5 * replay_dives(dives[:2]).surfacing().time_90
+    early = replay_dives(dives[:2])
+    assert half(replay) < 0.5 * half(early)
+    assert said.time_90 < 0.5 * early.surfacing().time_90
 
 
 def test_a_plan_tells_the_course():
@@ -91,19 +89,18 @@ def test_in_the_long_run_nine_of_ten_hold(wild):
 
 
 def test_the_record_is_of_what_was_said_before_each_dive(sg542):
-    replay = sg542
-    assert (replay.steps[0].headline, replay.steps[0].headline_held) == (None, None)
+    assert (sg542.steps[0].headline, sg542.steps[0].headline_held) == (None, None)
     for k in (3, 9):
         said = replay_dives(DIVES[:k]).surfacing()
-        own = replay.steps[k].headline
+        own = sg542.steps[k].headline
         assert own.latitude == said.latitude
         assert np.array_equal(own.covariance, said.covariance)
-        assert replay.steps[k].headline_held == said.holds(DIVES[k])
-    found = clpt.replay.summary(replay)
+        assert sg542.steps[k].headline_held == said.holds(DIVES[k])
+    found = summary(sg542)
     assert found["headlines"]["judged"] == 13
     rows = [row["headline"] for row in found["each_dive"][1:]]
-    assert found["headlines"]["place_held"] == sum(row["place_held"] for row in rows)
-    assert found["headlines"]["time_held"] == sum(row["time_held"] for row in rows)
+    for name in ("place_held", "time_held"):
+        assert found["headlines"][name] == sum(row[name] for row in rows)
     holed = usable([*DIVES[:5], *DIVES[6:]])[0]
     unjudged = [step.headline_held is None for step in replay_dives(holed).steps[4:7]]
     assert unjudged == [False, True, False]
@@ -135,9 +132,8 @@ def test_terminal_page_and_files_say_the_same(sample):
 
 
 def test_a_way_of_nothing():
-    still = [
-        make_dive(k, (9e3 * k, 0.0, 8.0), (9e3 * k + 7200, 0.0, 8.0), (0.0, 0.0)) for k in range(9)
-    ]
+    ends = [((9e3 * k, 0.0, 8.0), (9e3 * k + 7200, 0.0, 8.0)) for k in range(9)]
+    still = [make_dive(k, *fixes, (0.0, 0.0)) for k, fixes in enumerate(ends)]
     said = replay_dives(still).surfacing()
     assert np.linalg.eigvalsh(said.covariance).min() > 0
     assert math.isfinite(said.time_90)
@@ -146,12 +142,8 @@ def test_a_way_of_nothing():
 def seaglider(path, target=b"-4200.000,900.000", heading=-1.0, radius=1000.0):
     """The dive of a file with a plan."""
     letters = np.frombuffer(target.ljust(20, b"\0"), "S1")
-    plans = {
-        "log_TGT_LATLONG": (("letters",), letters, {}),
-        "log_HEADING": ((), heading, {}),
-        "log_TGT_RADIUS": ((), radius, {}),
-    }
-    basestation3(path, sizes={"letters": 20}, **plans)
+    of_one = {"log_HEADING": ((), heading, {}), "log_TGT_RADIUS": ((), radius, {})}
+    basestation3(path, log_TGT_LATLONG=(("letters",), letters, {}), **of_one)
     return read_dives(path)[0][0]
 
 
@@ -159,17 +151,14 @@ def test_a_hopeless_plan_and_a_page_of_an_earlier_version():
     """A plan that is always wrong by far is not followed, whatever the length of the record."""
     habits = Habits()
     for k, dive in enumerate(flown([90.0] * 400)):
-        way = 3000.0 * (1.0 + 1e-4 * (k % 3)), 1e-3
-        habits.learn(
-            replace(dive, dr_east=way[0], dr_north=way[1], next_course=(137.0 * k) % 360), None
-        )
+        wrong = {"dr_east": 3000.0 * (1.0 + 1e-4 * (k % 3)), "dr_north": 1e-3}
+        habits.learn(replace(dive, **wrong, next_course=(137.0 * k) % 360), None)
     guess = habits.guess()
-    assert guess.basis == REPEATED
-    assert guess.way == pytest.approx([3000.0, 0.0], abs=1.0)
-    found = {**clpt.replay.summary(replay_dives(DIVES[:3])), "next_dive": {}}
+    assert (guess.basis, guess.way) == (REPEATED, pytest.approx([3000.0, 0.0], abs=1.0))
+    found = {**summary(replay_dives(DIVES[:3])), "next_dive": {}}
     del found["headlines"]
-    with pytest.raises(DataError, match="of an earlier version"):
-        replay_facts(xarray.Dataset({"summary": ((), json.dumps(found))}), "old.nc")
+    data = xarray.Dataset({"summary": ((), json.dumps(found))})
+    refuses("of an earlier version", replay_facts, data, "old.nc")
 
 
 def test_the_plan_of_a_seaglider(tmp_path):

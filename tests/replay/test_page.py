@@ -16,33 +16,27 @@ from synthetic_vehicle import fixes_of, told
 
 from clpt_control.cli.replay_report import write
 from clpt_control.geodesy import near, place_from
-from clpt_control.gliders import slocum
-from clpt_control.gliders.dive_files import sample_dives
-from clpt_control.gliders.dives import make_dive
+from clpt_control.gliders import sample_dives, slocum
 from clpt_control.html import plain
+from clpt_control.replay import map_plot
 from clpt_control.replay.exchange import next_geojson, track_kml
 from clpt_control.replay.layers import ring_of
 from clpt_control.replay.replay_page import replay_page
-from clpt_control.replay.track_map import grid_label, map_plot
+from clpt_control.replay.track_map import grid_label
 
+GEOD = Geod(ellps="WGS84")
 EVIL = "</title></script><script>alert(1)</script><img src=x onerror='alert(2)'>\x00\udc80\"&amp;"
-
-
-def page_of(count, lat=40.0, lon=8.0, evil=""):
-    found = told(fixes_of(count, lat, lon))
-    if evil:
-        found["skipped"] = [{"dive": None, "why": evil}]
-        found["vehicle"] = f"SG {evil}"
-        found["each_dive"][0]["dive"] = evil
-        found["next_dive"]["place"] = evil
-        found["notes"] = [{"dive": 1, "note": evil}]
-    return replay_page(found)
 
 
 @pytest.fixture(scope="module")
 def evil():
     """A page of texts that a file may hold."""
-    return page_of(3, evil=EVIL)
+    found = told(fixes_of(3))
+    found["skipped"] = [{"dive": None, "why": EVIL}]
+    found["vehicle"] = f"SG {EVIL}"
+    found["each_dive"][0]["dive"] = found["next_dive"]["place"] = EVIL
+    found["notes"] = [{"dive": 1, "note": EVIL}]
+    return replay_page(found)
 
 
 def test_nothing_of_a_file_is_markup(evil):
@@ -56,11 +50,11 @@ def test_nothing_is_fetched(evil):
     page = fetching_nothing(evil)
     assert "//" not in re.sub(r"^// .*$", "", "".join(page.scripts), flags=re.M)
     policy = next(names["content"] for tag, names in page.tags if tag == "meta" and len(names) == 2)
-    hashes = [
-        f"'sha256-{b64encode(sha256(part.encode()).digest()).decode()}'"
-        for part in ("".join(page.styles), "".join(page.scripts))
-    ]
-    assert policy == f"default-src 'none'; style-src {hashes[0]}; script-src {hashes[1]}"
+    style, script = (
+        f"'sha256-{b64encode(sha256(''.join(parts).encode()).digest()).decode()}'"
+        for parts in (page.styles, page.scripts)
+    )
+    assert policy == f"default-src 'none'; style-src {style}; script-src {script}"
     charts_have_dates(evil)
 
 
@@ -83,25 +77,28 @@ def charts_have_dates(text):
 
 
 def test_sixty_dives_are_small_and_one_is_enough():
-    text = page_of(60)
+    text = replay_page(told(fixes_of(60)))
     assert len(text.encode()) < 2_000_000
     tags = Reader(text).tags
     rows = [names["id"] for tag, names in tags if tag == "tr" and "id" in names]
     links = [names["href"] for tag, names in tags if tag == "a"]  # a fix leads to its row
     assert sorted(links) == sorted(f"#{one}" for one in rows) == sorted(set(links))
     assert len(links) == 60
-    charts_have_dates(page_of(1))
+    one = told(fixes_of(1))
+    charts_have_dates(replay_page(one))
+    assert len(json.loads(next_geojson(one))["features"]) == 4
+    ElementTree.fromstring(track_kml(one, "one"))
 
 
 @pytest.mark.parametrize(("lat", "lon"), [(-43.0, 8.0), (67.0, -179.9), (0.0, 180.0), (89.0, 0.0)])
 def test_a_chart_is_true_to_scale_and_angle(lat, lon):
     ax = map_plot(told(fixes_of(4, lat, lon)))
-    (low, high), geod = ax.get_ylim(), Geod(ellps="WGS84")
+    low, high = ax.get_ylim()
     middle = (low + high) / 2
     # in a degree of longitude
-    metres = geod.inv(lon, low, lon, high)[2] / (ax.get_aspect() * (high - low))
+    metres = GEOD.inv(lon, low, lon, high)[2] / (ax.get_aspect() * (high - low))
     for bearing in (0, 45, 90, 200):
-        x, y, _ = geod.fwd(lon, middle, bearing, 100.0)
+        x, y, _ = GEOD.fwd(lon, middle, bearing, 100.0)
         away = complex(near(x - lon, 0.0), ax.get_aspect() * (y - middle)) * metres
         assert abs(away) == pytest.approx(100, rel=2e-3)
         turned = math.degrees(math.atan2(away.real, away.imag))
@@ -120,7 +117,7 @@ def test_a_far_waypoint_leaves_the_chart_as_it_is():
     *_, last = dives = fixes_of(6)
     found, edges = told(dives), {}
     for bearing, away in ((0.0, 5e5), (90.0, 5e5), (225.0, 5e5), (300.0, 100.0)):
-        place = Geod(ellps="WGS84").fwd(last.lon_gpse, last.lat_gpse, bearing, away)
+        place = GEOD.fwd(last.lon_gpse, last.lat_gpse, bearing, away)
         aimed = found | {"aim": told(dives, (place[1], place[0]))["aim"]}
         ax = map_plot(aimed)
         edges[bearing] = *ax.get_xlim(), *ax.get_ylim()
@@ -138,7 +135,6 @@ def test_grid_names_its_lines():
 
 
 KML = {"k": "http://www.opengis.net/kml/2.2"}
-GEOD = Geod(ellps="WGS84")
 
 
 def turned(ring):
@@ -178,18 +174,14 @@ def test_geojson_is_read_back_and_longitudes_count_on_at_180_degrees(lon):
     assert ring[0] == ring[-1]
     assert turned(ring) > 0
     assert any(inside(ring, goal[0] + turn, goal[1]) for turn in (-360, 0, 360))
-    for (x, y), wanted, name in (
-        (goal, ahead, ""),
-        (shapes["way to the next surfacing"][0], last, "end_"),
-    ):
+    way = shapes["way to the next surfacing"][0]
+    for (x, y), wanted, name in ((goal, ahead, ""), (way, last, "end_")):
         off = (x - wanted[f"{name}longitude"] + 180) % 360 - 180
         assert (off, y) == pytest.approx((0, wanted[f"{name}latitude"]), abs=1e-6)
-    spans = [np.array(ring)[:, 0]]
-    spans += [
-        np.array([float(pair.split(",")[0]) for pair in one.text.split()])
-        for one in ElementTree.fromstring(track_kml(found, "x")).iterfind(".//k:coordinates", KML)
-    ]
-    for span in spans:
+    root = ElementTree.fromstring(track_kml(found, "x"))
+    lines = [one.text.split() for one in root.iterfind(".//k:coordinates", KML)]
+    lines = [[float(pair.split(",")[0]) for pair in line] for line in lines]
+    for span in (np.array(ring)[:, 0], *lines):
         assert np.ptp(span) < 90
         assert abs(span[0]) <= 180
 
@@ -199,14 +191,14 @@ def test_kml_is_read_back():
     root = ElementTree.fromstring(track_kml(found, "SG<1> & co \x00"))
     assert root.find("k:Document/k:name", KML).text == "SG<1> & co \ufffd"
     fixes = [
-        (one.find("k:TimeStamp/k:when", KML).text, one.find("k:Point/k:coordinates", KML).text)
+        [one.find(f"k:{name}", KML).text for name in ("TimeStamp/k:when", "Point/k:coordinates")]
         for one in root.iterfind("k:Document/k:Placemark", KML)
         if one.find("k:name", KML).text.startswith("dive ")
     ]
-    assert [when for when, _ in fixes] == [row["end"] for row in found["each_dive"]]
-    for (_, text), row in zip(fixes, found["each_dive"], strict=True):
-        lon, lat = map(float, text.split(","))
-        assert (lat, lon) == pytest.approx((row["end_latitude"], row["end_longitude"]), abs=1e-6)
+    for (when, text), row in zip(fixes, found["each_dive"], strict=True):
+        assert when == row["end"]
+        there = row["end_longitude"], row["end_latitude"]
+        assert [*map(float, text.split(","))] == pytest.approx(there, abs=1e-6)
     names = {style.get("id") for style in root.iterfind(".//k:Style", KML)}
     assert {one.text[1:] for one in root.iterfind(".//k:styleUrl", KML)} <= names
 
@@ -219,16 +211,8 @@ def test_plain_text_can_be_written_and_parsed():
     assert ElementTree.fromstring(ElementTree.tostring(made)).text == made.text
 
 
-def test_one_dive_is_enough():
-    dive = make_dive(1, (0.0, 40.0, 8.0), (9000.0, 40.0, 8.02), (500.0, 0.0))
-    found = told([dive])
-    assert len(json.loads(next_geojson(found))["features"]) == 4
-    ElementTree.fromstring(track_kml(found, "one"))
-
-
 TARGETS = [(-42.8, 8.4), (-42.0, -351.75), (-42.0, -0.5)]
 PLACES = [TARGETS[0], (-42.0, 8.25), TARGETS[2]]
-NUMBER = re.compile(r"-?\d+\d\d\.\d{4}")
 
 
 def found_of(kind, note="", targets=TARGETS):
@@ -238,20 +222,15 @@ def found_of(kind, note="", targets=TARGETS):
 
 def degrees_of(word):
     """A number ddmm.mmmm as a vehicle reads it: the last two whole digits are minutes."""
-    assert NUMBER.fullmatch(word)
-    sign, whole = (-1, word[1:]) if word[0] == "-" else (1, word)
-    at = whole.index(".") - 2
-    assert float(whole[at:]) < 60
-    return sign * (int(whole[:at] or 0) + float(whole[at:]) / 60)
+    sign, whole, minutes = re.fullmatch(r"(-?)(\d+?)(\d\d\.\d{4})", f"{word}").groups()
+    assert float(minutes) < 60
+    return (-1 if sign else 1) * (int(whole) + float(minutes) / 60)
 
 
 def targets_of(text):
     """Lines of a targets file by the rules of basestation3's validate.py: name, then key=value."""
-    read = {}
-    for line in filter(None, text.splitlines()):
-        if line[0] != "/":
-            name, *pairs = line.split()
-            read[name] = dict(pair.split("=") for pair in pairs)
+    lines = [line.split() for line in filter(None, text.splitlines()) if line[0] != "/"]
+    read = {name: dict(pair.split("=") for pair in pairs) for name, *pairs in lines}
     for one in read.values():
         assert set(one) == {"lat", "lon", "radius", "goto"}
         assert one["goto"] in read
@@ -263,12 +242,9 @@ def waypoints_of(text):
     lines = [line.partition("#")[0].strip() for line in text.splitlines()]
     assert lines[0] == "behavior_name=goto_list"
     first, last = lines.index("<start:b_arg>"), lines.index("<end:b_arg>")
-    arguments = dict(
-        re.fullmatch(r"b_arg: (\w+)\(\w+\) (-?\d+)", one).groups()
-        for one in lines[first + 1 : last]
-    )
-    assert lines[last + 1] == "<start:waypoints>"
-    assert lines[-1] == "<end:waypoints>"
+    asked = (re.fullmatch(r"b_arg: (\w+)\(\w+\) (-?\d+)", one) for one in lines[first + 1 : last])
+    arguments = dict(one.groups() for one in asked)
+    assert (lines[last + 1], lines[-1]) == ("<start:waypoints>", "<end:waypoints>")
     places = [line.split() for line in lines[last + 2 : -1]]
     assert int(arguments["num_waypoints"]) == len(places) <= 8
     assert arguments["list_stop_when"] == "7"
@@ -294,7 +270,7 @@ def test_a_slocum_that_does_not_correct_gets_a_waypoint_along_the_heading():
     ((lat, lon),) = waypoints_of(found["paste"]["text"])
     leg = found["aim"][0]
     start = leg["from_longitude"], leg["from_latitude"]
-    heading, _, far = Geod(ellps="WGS84").inv(*start, lon, lat)
+    heading, _, far = GEOD.inv(*start, lon, lat)
     assert heading % 360 == pytest.approx(leg["heading"], abs=0.01)
     assert far == pytest.approx(20_000, abs=20)
     time = leg["duration"]  # by the current alone, and a kilometre to the north
@@ -302,7 +278,7 @@ def test_a_slocum_that_does_not_correct_gets_a_waypoint_along_the_heading():
     near = found_of("Slocum", targets=[place_from(*reversed(start), *way)])
     assert near["aim"][0]["state"] == "reached"
     ((lat, lon),) = waypoints_of(near["paste"]["text"])
-    far = Geod(ellps="WGS84").inv(*start, lon, lat)[2]
+    far = GEOD.inv(*start, lon, lat)[2]
     assert far == pytest.approx(near["aim"][0]["through_water"], abs=1)
 
 
@@ -317,9 +293,9 @@ def test_a_seaexplorer_gets_heading_and_waypoints():
     assert text[1] == "Lat -4248.0000 Lon 824.0000"
 
 
-@pytest.mark.parametrize(("kind", "targets"), [(None, TARGETS), ("Seaglider", [])])
-def test_without_a_known_vehicle_or_a_waypoint_there_is_nothing_to_paste(kind, targets):
-    assert found_of(kind, targets=targets)["paste"] is None
+def test_without_a_known_vehicle_or_a_waypoint_there_is_nothing_to_paste():
+    for kind, targets in (None, TARGETS), ("Seaglider", []):
+        assert found_of(kind, targets=targets)["paste"] is None
 
 
 @pytest.mark.usefixtures("undrawn")

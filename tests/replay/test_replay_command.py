@@ -1,28 +1,41 @@
-"""`clpt replay` as a command: figures, table, JSON, where to aim, a flow model, mistakes."""
+"""`clpt replay` as a command: figures, table, JSON, aims, flow models, mistakes; following."""
 
 import json
+import os
 import re
 import shlex
+import shutil
+import signal
+import subprocess
+import sys
+from dataclasses import replace
 from pathlib import Path
+from signal import SIGTERM as TERM
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 import xarray
 from made_fields import gridded_current
-from test_follow_command import RESULTS
+from processes import ran, without_progress
+from synthetic_vehicle import one_file_each
 
-from clpt_control.gliders.dive_files import sample_dives
+from clpt_control.cli import replay_report
+from clpt_control.gliders import sample_dives
 
-PAGE = Path(__file__).parents[2] / "docs" / "gliders.md"
+TABLES = ("replay.nc", "replay.html", "next.geojson", "track.kml")
+RESULTS = (*TABLES, "map.png", "clpe.png", "current.png")
+ROOT = Path(__file__).parents[2]
 
 
-@pytest.mark.skipif(not PAGE.exists(), reason="installed without docs")
+@pytest.mark.skipif(not (ROOT / "docs").exists(), reason="installed without docs")
 def test_the_screen_that_is_read_aloud_is_what_the_command_says(command, monkeypatch):
     def plain(text):
         return {" ".join(re.sub("[│┃|]", " ", line).split()) for line in text.splitlines()}
 
     monkeypatch.setenv("COLUMNS", "80")
-    read = PAGE.read_text("utf-8").partition("## One screen")[2].partition("## What to do")[0]
+    page = (ROOT / "docs" / "gliders.md").read_text("utf-8")
+    read = page.partition("## One screen")[2].partition("## What to do")[0]
     shown = "\n".join(re.findall(r"```\w+\n(.*?)```", read, re.DOTALL))
     words = shlex.split(re.search(r"clpt replay (.*)", shown)[1])
     lines = plain(shown) - {"", "...", "$ COLUMNS=80 clpt replay " + " ".join(words)}
@@ -35,12 +48,9 @@ def rows_of(text):
     lines = text.splitlines()
     head = next(k for k, line in enumerate(lines) if line.startswith("┃"))
     end = next(k for k, line in enumerate(lines) if line.startswith("└"))
-    table = [
-        [cell.strip() for cell in line.replace("┃", "│").strip("│").split("│")]
-        for line in lines[head:end]
-        if line[0] in "┃│"
-    ]
-    return table[0], table[1:]
+    lines = [line.replace("┃", "│").strip("│") for line in lines[head:end] if line[0] in "┃│"]
+    titles, *rows = [[cell.strip() for cell in line.split("│")] for line in lines]
+    return titles, rows
 
 
 def test_the_command(sample, command):
@@ -149,8 +159,7 @@ def test_the_command_with_a_flow_model(command, forecast, tmp_path):
     words = ("--sample", "--flow-model", forecast)
     found = json.loads(command(*words, "--out", out, "--json").stdout)
     given = found["flow_model"]
-    assert given["source"] == "forecast.nc"
-    assert 0 < given["covered"] < 14
+    assert (given["source"], 0 < given["covered"] < 14) == ("forecast.nc", True)
     assert {entry["why"] for entry in given["uncovered"]} == {why}
     with xarray.open_dataset(out / "replay.nc") as data:
         covered = np.isfinite(data.clpe_flow_model.values)
@@ -191,8 +200,7 @@ def test_aiming_by_the_command(command, sample, tmp_path):
     words = ("--sample", "--route", tmp_path / "way.txt")
     found = json.loads(command(*words, "--json").stdout)
     assert [(leg["latitude"], leg["longitude"]) for leg in found["aim"]] == [(-42.5, 8), (-43, -7)]
-    assert found["each_dive"] == sample.found["each_dive"]
-    assert sample.found["aim"] == []
+    assert (found["each_dive"], sample.found["aim"]) == (sample.found["each_dive"], [])
     first, words = found["aim"][0], ("--sample", "--aim", "-42.5", "8.0")
     said = command(*words).stdout
     assert f"heading {first['heading']:03.0f} (magnetic {first['heading_magnetic']:03.0f})" in said
@@ -214,3 +222,167 @@ def test_the_headline_is_the_dive_that_is_aimed(command):
     assert (ahead["time"], ahead["latitude"], ahead["longitude"]) == end
     assert ahead["ellipse_90_long"] == leg["ellipse_90_long"]
     assert np.hypot(ahead["dr_east"], ahead["dr_north"]) == pytest.approx(leg["through_water"])
+
+
+# --- following a folder, and the hook of basestation3 that does ---
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_the_command_follows(follow, sample, tmp_path):
+    (tmp_path / "in").mkdir()
+    words = (tmp_path / "in", "--out", tmp_path / "out", "--json")
+    empty = json.loads(follow(*words).stdout)
+    assert (empty["used"], empty["clpe_rms"]["adaptive"]) == (0, None)
+    for part in (sample_dives()[:5], sample_dives()[5:]):
+        one_file_each(tmp_path / "in", part)
+        followed = json.loads(follow(*words).stdout)
+    # the table of dives names none
+    assert followed == sample.found | {"vehicle": "glider", "kind": None}
+    assert (tmp_path / "out" / "replay.nc").exists()
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_what_the_dives_so_far_do_not_allow_is_told_and_work_goes_on(command, follow, tmp_path):
+    """Two tides on one dive, and aiming by a vehicle that does not swim."""
+    one_file_each(tmp_path, [replace(sample_dives()[0], dr_east=0.0, dr_north=0.0)])
+    words = ("--flow", "steady,M2,S2", "--estimator", "gradient", "--aim", "-42.5", "8.0", "--json")
+    for _ in range(2):  # its own results, which lie in the folder by default, are no dives
+        done = follow(tmp_path, *words)
+        found = json.loads(done.stdout)
+        assert (found["used"], found["aim"]) == (1, [])
+    assert (tmp_path / "replay" / "replay.nc").exists()
+    assert "so far, flow steady,M2,S2" in done.stderr
+    assert "so far, --aim: 0 m/s, given or of the last dives, leads nowhere" in done.stderr
+    assert set(found["clpe_rms"].values()) == {None}
+    assert found["clpe_rms_all"]["no_flow"] > 0
+    two = command("--sample", "--flow", "steady,M2,K1", "--estimator", "gradient")
+    assert two.exit_code == 0
+
+
+@pytest.mark.usefixtures("undrawn", "few_draws")
+def test_the_line_of_following(follow, tmp_path):
+    dives = sample_dives()[:3]
+    one_file_each(tmp_path, dives)
+    way, (*_, last) = tmp_path / "way.txt", dives  # what it is near is made: the next is aimed at
+    way.write_text(f"{last.lat_gpse + 0.001} {last.lon_gpse}\n-42.5 8.0\n")
+    done = follow(tmp_path, "--route", way, "--json")
+    line = next(line for line in done.stderr.splitlines() if "dives used" in line)
+    said = r"3 new files, 3 dives used; dive 306: miss \d+ m; next surfacing 2016-02-01"
+    assert re.search(said, line)
+    assert "h from the end of the last dive, near 43 " in line
+    assert "; aim at 42 30.00 S 8 00.00 E" in line
+    assert len(json.loads(done.stdout)["aim"]) == 1
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_sigterm_ends_following_with_its_results(clpt, tmp_path, monkeypatch):
+    one_file_each(tmp_path, sample_dives()[:1])
+    before = signal.getsignal(TERM)
+    monkeypatch.setattr(replay_report.interrupt, "wait", lambda _: signal.raise_signal(TERM))
+    outcome = clpt("replay", "--follow", tmp_path, "--out", tmp_path / "out", "--json")
+    assert outcome.err.startswith("1 new file, 1 dive used; dive 304")
+    assert (outcome.status, json.loads(outcome.out)["used"]) == (0, 1)
+    assert signal.getsignal(TERM) is before
+
+
+LIMITED = """
+import resource, sys
+from pathlib import Path
+size = int(sys.argv.pop(1))
+import matplotlib.font_manager  # what it keeps for itself is written before
+resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+from clpt_control.cli import main
+main()
+"""
+
+
+PROCESSES = [pytest.param(n, marks=pytest.mark.processes) for n in RESULTS if n != "map.png"]
+
+
+@pytest.mark.parametrize("name", ["map.png", *PROCESSES])
+def test_a_full_disk_leaves_the_results_as_they_were(tmp_path, sample, name):
+    """A limit on files stands in for the disk; a file is one half too large."""
+    for other in RESULTS:
+        (tmp_path / other).write_text("old")
+    size = (sample.folder / name).stat().st_size // 2
+    words = ("replay", "--sample", "--json", "--out", tmp_path)
+    said = without_progress(ran(sys.executable, "-c", LIMITED, size, *words, status=2).stderr)
+    assert "cannot be written" in said
+    assert said.count("\n") == 1
+    left = {path.name: path.read_text() for path in tmp_path.iterdir()}
+    assert left == dict.fromkeys(RESULTS, "old")
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_a_folder_in_the_place_of_a_result_leaves_all_others_as_they_were(refused, tmp_path):
+    inbox, out = tmp_path / "in", tmp_path / "out"
+    inbox.mkdir()
+    one_file_each(inbox, sample_dives()[:2])
+    (out / "replay.html").mkdir(parents=True)
+    others = [name for name in RESULTS if name != "replay.html"]
+    for name in others:
+        (out / name).write_text("old")
+    for words in (("--follow", inbox, "--patience", "0"), (inbox,)):
+        assert "replay.html: is a folder" in refused("replay", *words, "--out", out)
+        assert [(out / name).read_text() for name in others] == ["old"] * len(others)
+        assert not list(out.glob(".*.part"))
+
+
+def test_following_without_dives_says_so(clpt, tmp_path):
+    (tmp_path / "half.nc").write_bytes(b"CDF\x01")
+    outcome = clpt("replay", "--follow", tmp_path, "--patience", "0")
+    assert (outcome.status, outcome.err) == (0, "1 new file, 0 dives used\n")
+    assert outcome.out.startswith("no dives yet\nskipped a file: ")
+    assert outcome.out.count("\n") == 2
+
+
+def test_patience_is_time(clpt, tmp_path, monkeypatch):
+    """Waits are asked of a clock that moves by them alone."""
+    now, waits = [0.0], []
+
+    def wait(seconds):
+        waits.append(seconds)
+        now[0] += seconds
+
+    monkeypatch.setattr(replay_report, "time", SimpleNamespace(monotonic=lambda: now[0]))
+    monkeypatch.setattr(replay_report.interrupt, "wait", wait)
+    for every, expected in (("1000", [25.0]), ("10", [10.0, 10.0, 5.0])):
+        waits.clear()
+        words = ("--every", every, "--patience", "25")
+        assert (clpt("replay", "--follow", tmp_path, *words).status, waits) == (0, expected)
+
+
+@pytest.fixture
+def mission(tmp_path, facts):
+    """A mission directory with dives and what else lies there; `NewMission` links the hook."""
+    home = tmp_path / "sg542"
+    shutil.copytree(facts / "glider" / "basestation", home / "mission")
+    shutil.copy(ROOT / "examples" / "basestation3_post_dive.sh", home / ".post_dive")
+    (home / "mission" / ".post_dive").symlink_to(home / ".post_dive")
+    (home / "mission" / "comm.log").write_text("no dive\n")
+    (home / "mission" / "sg542_profile.nc").write_bytes(b"no NetCDF")
+    return home / "mission"
+
+
+def logged(line, folder):
+    """Run a line as `Utils.run_cmd_shell` does, where `clpt` tells its words; return the log."""
+    clpt = folder / "clpt"
+    clpt.write_text('#!/bin/sh\necho a table; echo "$@" >&2\n')
+    clpt.chmod(0o755)
+    path = f"{folder}:{os.environ['PATH']}"
+    options = {"shell": True, "text": True, "check": True, "env": {**os.environ, "PATH": path}}
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
+    return subprocess.run(line, cwd="/", **options, **pipes).stdout
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_the_page_is_written_after_each_dive(mission, clpt, tmp_path):
+    words = logged(f"{mission}/.post_dive ", tmp_path)  # as older versions do
+    assert logged(f"{mission}/.post_dive {tmp_path}/basestation {mission} ", tmp_path) == words
+    asked = f"replay --follow {mission} --patience 0 --out {mission}/clpt\n"
+    assert words == asked  # and nothing of standard output
+    outcome = clpt(*words.split())
+    assert outcome.status == 0
+    assert "7 new files, 6 dives used; dive 309: miss " in outcome.err
+    assert outcome.err.count("\n") == 1  # a line of the log
+    assert "dive 309" in (mission / "clpt" / "replay.html").read_text("utf-8")
