@@ -71,7 +71,7 @@ def test_who_knows_less_arrives_less_surely(known):
 
 def test_a_waypoint_against_the_current_is_not_made(known, monkeypatch):
     monkeypatch.setattr(route, "DIVES", 5)
-    monkeypatch.setattr(route, "DRAWS", 3)
+    monkeypatch.setattr(route, "MOST_DRAWN", 12)  # of 5 dives each: three of thirty draws
     target = place_from(40.0, 8.0, -30_000.0, 15_000.0)
     found = route.arrivals(known, [target], [], 0.05, 14400.0)
     (one,) = found["waypoints"]
