@@ -1,10 +1,11 @@
 """When a vehicle is at waypoints that are days away, and whether it enters what it should not.
 
-The coming dives are drawn, `DRAWS` times, or until `MOST_DRAWN` dives are.  Each dive is aimed at the next waypoint (`aim`), by what
-is known when it begins; its way through the water, its duration and the drift before it are drawn
-from their spread (`habits`), its miss from the forecast's mean and covariance.  What was
-drawn is learned before the next dive is aimed: drawn one after the other, each given those before
-it, the misses are drawn from their joint distribution, with what lasts from dive to dive in them.
+The coming dives are drawn, `DRAWS` times, or until `MOST_DRAWN` dives are.  Each dive is aimed at
+the next waypoint (`aim`), by what is known when it begins; its way through the water, its duration
+and the drift before it are drawn from their spread (`habits`), its miss from the forecast's mean
+and covariance.  What was drawn is learned before the next dive is aimed: drawn one after the other,
+each given those before it, the misses are drawn from their joint distribution, with what lasts from
+dive to dive in them.
 A waypoint is made by the dive that is to end there, or ends within `ARRIVED` of it.
 
 The times of arrival are the 10 %, 50 % and 90 % quantiles of the draws; a draw that does not arrive
