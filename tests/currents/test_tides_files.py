@@ -97,6 +97,7 @@ def test_times_of_a_table_are_as_its_header_says(tmp_path, unit, cells):
         (HEADER + ROW.format(2) + ROW.format(1), "01:00:00.000 follows .*02:00.*must increase"),
         (HEADER + "2019-01-01,,\n2019-01-02,nan,1\n", "no time has a finite value"),
         (HEADER + "2019-01-01,999,1\n", "reaches 999 m/s: check its units"),
+        (HEADER.replace("m/s", "cm/s") + "2019,-999,-999\n", "9.99 m/s: check its units and fill"),
         (HEADER.split("\n", 1)[1] + ROW.format(1), "does not say its latitude"),
         (HEADER.replace("41", "141") + ROW.format(1), "latitude = 141.0"),
         (HEADER.replace("41", "north") + ROW.format(1), "latitude = nan: must be degrees north"),

@@ -35,6 +35,7 @@ def table(tmp_path):
         (lambda text: text.replace(",", ";"), "utf-8", "columns are separated by semicolons; use"),
         (lambda text: text.replace(",", "\t"), "utf-8", "columns are separated by tabs; use"),
         (lambda text: text.replace("dac_qc,", "dive,"), "utf-8", "the column dive stands there tw"),
+        (lambda text: text.replace("gps_", "vehicle,"), "utf-8", "the column vehicle stands"),
         (str.upper, "utf-8", "no column dive, .* begins with dive,"),
         (
             lambda text: text.replace("dr_east_m", "DR_east_m"),
