@@ -8,6 +8,7 @@ import os
 import re
 import time
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from math import inf
 from pathlib import Path
@@ -236,11 +237,19 @@ def look_at(
         raise DataError(f"{top}: no such folder; give one with a folder for each vehicle")
     make_folder(out)
     rows = []
+
+    @contextmanager
+    def or_unread(vehicle: str) -> Iterator[None]:
+        try:
+            yield
+        except ClptError as error:
+            rows.append(unread(vehicle, str(error)))
+
     for folder, fault in folders(top, out):
         place = out / folder.relative_to(top)
         named = folder.parent if folder.name.lower() == FROM_GLIDER else folder
-        name = vehicle = named.resolve().name
-        try:
+        name = named.resolve().name
+        with or_unread(name):
             if fault:
                 raise DataError(fault)
             with following(folder, place) as follower:
@@ -252,13 +261,12 @@ def look_at(
                 dives = [replace(dive, vehicle=dive.vehicle or name) for dive in dives]
                 alerts = Alerts(alert, place)
                 for vehicle, page in places.items():
-                    its = [dive for dive in dives if dive.vehicle == vehicle]
-                    found, _ = job.learn((its, bad), 0, make_folder(page))
-                    link = (page / "replay.html").relative_to(out).as_posix()
-                    rows.append(standing(found, link, time.time()))
-                    alerts.tell(found)
-        except ClptError as error:
-            rows.append(unread(vehicle, str(error)))
+                    with or_unread(vehicle):
+                        its = [dive for dive in dives if dive.vehicle == vehicle]
+                        found, _ = job.learn((its, bad), 0, make_folder(page))
+                        alerts.tell(found)
+                        link = (page / "replay.html").relative_to(out).as_posix()
+                        rows.append(standing(found, link, time.time()))
     if not rows:
         raise DataError(f"{top}: no folder below it has files of dives")
     fleet = {"folder": str(top), "now": utc(time.time()), "vehicles": ordered(rows)}

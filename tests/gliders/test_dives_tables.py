@@ -219,7 +219,7 @@ def test_a_dive_is_refused_with_its_reason(changes, why):
 def test_least_duration_is_an_option():
     used, (skipped,) = usable([BASE], least_duration=14000)
     assert used == []
-    assert skipped.why == "lasts 1e+04 s; must last longer than 14000 s (--least-duration)"
+    assert skipped.why == "lasts 10000 s; must last longer than 14000 s (--least-duration)"
 
 
 def test_duplicates_overlaps_order_and_gaps_are_said():

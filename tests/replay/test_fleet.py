@@ -17,6 +17,7 @@ from processes import CLPT, kill_while_it_writes, ran, started
 from synthetic_vehicle import fixes_of, one_file_each, told, vehicle
 
 from clpt_control.geodesy import place_from
+from clpt_control.gliders import write_dive_table
 from clpt_control.gliders.dives import make_dive
 from clpt_control.replay import fleet
 from clpt_control.replay.fleet import events, standing
@@ -245,6 +246,18 @@ def test_who_is_killed_before_it_is_kept_tells_it_again(tmp_path, monkeypatch, o
     for _ in range(2):
         alerts(tmp_path, *shlex.split(teller(heard))).tell(out)
     assert told_in(heard) == [("glider", "OUT", 5)] * 2
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_a_vehicle_that_cannot_be_read_hides_no_other_of_its_folder(tmp_path, command):
+    (tmp_path / "an empty file.csv").write_text("")
+    for name, lost in (("a", {"lat_gpse": 91.0}), ("z", {})):
+        write_dive_table([replace(recent(1, 1.0)[0], **lost)], path := tmp_path / f"{name}.csv")
+        header, line = path.read_text().splitlines()
+        path.write_text(f"{header},vehicle\n{line},{name}\n")
+    lost, well = json.loads(command("--fleet", tmp_path, "--json").stdout)["vehicles"]
+    assert (lost["vehicle"], well["vehicle"], well["asks"]) == ("a", "z", [])
+    assert lost["said"][0].startswith("cannot be read: no dive can be used; dive 1: no fix after")
 
 
 @pytest.mark.parametrize("kept", ["5", '{"a": 1}', "[", "a pipe"])
