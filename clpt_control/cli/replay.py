@@ -173,7 +173,7 @@ def chosen_model(flow: str | None, learn_speed: bool, forecast: bool) -> Any:
     return FixModel(parts, learn_speed)
 
 
-RESULTS, STATE = "replay.nc", "state"  # in a folder of results
+STATE = "state"  # in a folder of results
 
 
 def folders(top: Path, out: Path) -> Iterator[tuple[Path, str]]:
@@ -198,9 +198,7 @@ def folders(top: Path, out: Path) -> Iterator[tuple[Path, str]]:
     for where, inner, names in os.walk(top, onerror=faults.append, followlinks=True):
         here = Path(where)
         inner[:] = [name for name in sorted(inner) if name[0] != "." and is_new(here / name)]
-        if RESULTS in names:
-            inner.clear()
-        elif any(may_hold_dives(Path(name)) for name in names):
+        if any(may_hold_dives(Path(name)) for name in names):
             yield here, ""
     for fault in faults:
         yield Path(fault.filename), f"{fault.filename}: {fault.strerror}"

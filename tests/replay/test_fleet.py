@@ -250,7 +250,8 @@ def test_who_is_killed_before_it_is_kept_tells_it_again(tmp_path, monkeypatch, o
 
 @pytest.mark.usefixtures("undrawn")
 def test_a_vehicle_that_cannot_be_read_hides_no_other_of_its_folder(tmp_path, command):
-    (tmp_path / "an empty file.csv").write_text("")
+    for file in ("an empty file.csv", "replay.nc"):
+        (tmp_path / file).write_text("")
     for name, lost in (("a", {"lat_gpse": 91.0}), ("z", {})):
         write_dive_table([replace(recent(1, 1.0)[0], **lost)], path := tmp_path / f"{name}.csv")
         header, line = path.read_text().splitlines()
