@@ -8,6 +8,7 @@ import os
 import re
 import time
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from math import inf
 from pathlib import Path
@@ -172,7 +173,7 @@ def chosen_model(flow: str | None, learn_speed: bool, forecast: bool) -> Any:
     return FixModel(parts, learn_speed)
 
 
-RESULTS, STATE = "replay.nc", "state"  # in a folder of results
+STATE = "state"  # in a folder of results
 
 
 def folders(top: Path, out: Path) -> Iterator[tuple[Path, str]]:
@@ -197,9 +198,7 @@ def folders(top: Path, out: Path) -> Iterator[tuple[Path, str]]:
     for where, inner, names in os.walk(top, onerror=faults.append, followlinks=True):
         here = Path(where)
         inner[:] = [name for name in sorted(inner) if name[0] != "." and is_new(here / name)]
-        if RESULTS in names:
-            inner.clear()
-        elif any(may_hold_dives(Path(name)) for name in names):
+        if any(may_hold_dives(Path(name)) for name in names):
             yield here, ""
     for fault in faults:
         yield Path(fault.filename), f"{fault.filename}: {fault.strerror}"
@@ -236,11 +235,19 @@ def look_at(
         raise DataError(f"{top}: no such folder; give one with a folder for each vehicle")
     make_folder(out)
     rows = []
+
+    @contextmanager
+    def or_unread(vehicle: str) -> Iterator[None]:
+        try:
+            yield
+        except ClptError as error:
+            rows.append(unread(vehicle, str(error)))
+
     for folder, fault in folders(top, out):
         place = out / folder.relative_to(top)
         named = folder.parent if folder.name.lower() == FROM_GLIDER else folder
-        name = vehicle = named.resolve().name
-        try:
+        name = named.resolve().name
+        with or_unread(name):
             if fault:
                 raise DataError(fault)
             with following(folder, place) as follower:
@@ -252,13 +259,12 @@ def look_at(
                 dives = [replace(dive, vehicle=dive.vehicle or name) for dive in dives]
                 alerts = Alerts(alert, place)
                 for vehicle, page in places.items():
-                    its = [dive for dive in dives if dive.vehicle == vehicle]
-                    found, _ = job.learn((its, bad), 0, make_folder(page))
-                    link = (page / "replay.html").relative_to(out).as_posix()
-                    rows.append(standing(found, link, time.time()))
-                    alerts.tell(found)
-        except ClptError as error:
-            rows.append(unread(vehicle, str(error)))
+                    with or_unread(vehicle):
+                        its = [dive for dive in dives if dive.vehicle == vehicle]
+                        found, _ = job.learn((its, bad), 0, make_folder(page))
+                        alerts.tell(found)
+                        link = (page / "replay.html").relative_to(out).as_posix()
+                        rows.append(standing(found, link, time.time()))
     if not rows:
         raise DataError(f"{top}: no folder below it has files of dives")
     fleet = {"folder": str(top), "now": utc(time.time()), "vehicles": ordered(rows)}

@@ -109,7 +109,7 @@ class Job:
         used, unused = clpt.gliders.usable(dives, self.least)
         skipped = [*unread, *unused]
         if not (self.follows or used):
-            raise DataError(f"no dive can be used; dive {skipped[0].dive}: {skipped[0].why}")
+            raise DataError(f"no dive can be used; dive {unused[0].dive}: {unused[0].why}")
         with self.so_far():
             check_tides(self.replay.model.flow, used)
         with progress_bar("replaying dives", max(len(used), 1)) as report:

@@ -44,7 +44,7 @@ CURE = (
     "north first: on such a grid they may lie along its own axes"
 )
 PROJECTED = ("projection_x_coordinate", "projection_y_coordinate")
-FASTEST = 15.0  # m/s; no current at sea is faster, a fill value taken as data is
+FASTEST = 9.9  # m/s; no current at sea is faster; a fill value taken as data, 999 cm/s, is
 SINCE_A_DATE = re.compile(r"\s*(\w+)\s+since\s+(\d+-\d+-\d+.*)", re.IGNORECASE)
 
 
@@ -183,6 +183,16 @@ def mark_gaps(u: np.ndarray, v: np.ndarray, names: Sequence[str], nothing: str) 
             raise DataError(f"{name} reaches {most:.4g} m/s: check its units and fill value")
 
 
+def speed_unit(stated: str | None, units: str | None, name: str, cure: str) -> float:
+    """Return in m/s the unit that a file states of a speed, or `units` where it states none."""
+    if not (wanted := stated or units):
+        raise DataError(f"{name} has no units; {cure}")
+    size = speed_in_metres_per_second(wanted, name)
+    if stated and units and speed_in_metres_per_second(units, "--units") != size:
+        raise DataError(f"{name} is in '{stated}'; units = '{units}' is for a file without")
+    return size
+
+
 def velocity_values(
     data: xarray.Dataset, name: str, index: dict[Any, np.ndarray], units: str | None
 ) -> np.ndarray:
@@ -192,12 +202,8 @@ def velocity_values(
     of a variable that says none.
     """
     values = data[name]
-    stated = said(values)
-    if not (wanted := stated or units):
-        raise DataError(f"{name} has no units; give --units, such as m/s, or write the attribute")
-    size = speed_in_metres_per_second(wanted, name)
-    if stated and units and speed_in_metres_per_second(units, "--units") != size:
-        raise DataError(f"{name} is in '{stated}'; units = '{units}' is for a file without")
+    cure = "give --units, such as m/s, or write the attribute"
+    size = speed_unit(said(values), units, name, cure)
     for dim in set(values.dims) - set(index):
         level = 0
         if values.sizes[dim] != 1:

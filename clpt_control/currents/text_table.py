@@ -32,8 +32,7 @@ import pandas
 
 from ..errors import DataError, naming
 from ..files.reading import read_text
-from ..units import speed_in_metres_per_second
-from .cf import VELOCITY, number
+from .cf import VELOCITY, number, speed_unit
 from .constituents import checked_times
 
 COMMENT = re.compile(r"#\s*(\w+)\s*[:=](.*)")
@@ -129,7 +128,7 @@ def read_table(
     polar = bool(stated & set(POLAR["speed"])) and not stated & set(NAMES["u"])
     wanted = POLAR if polar else NAMES
     with naming(path):
-        columns = _header(header, comments.get("units") or units, wanted)
+        columns = _header(header, comments.get("units"), units, wanted)
         if cells.empty:
             raise DataError("has a header and no rows; must be a table of time, u and v")
     times = _times(cells.iloc[:, columns.pop("time")[0]], path)
@@ -149,7 +148,7 @@ def _name_and_unit(cell: str) -> tuple[str, str | None]:
 
 
 def _header(
-    header: list[str], units: str | None, wanted: dict[str, tuple[str, ...]]
+    header: list[str], comment: str | None, units: str | None, wanted: dict[str, tuple[str, ...]]
 ) -> dict[str, tuple[int, float]]:
     """Return the columns of time and flow, and what one unit of each is in s, m/s or degrees."""
     names, stated = zip(*map(_name_and_unit, header), strict=True)
@@ -166,10 +165,11 @@ def _header(
             raise DataError(f"direction is in '{unit}'; must be in degrees from true north")
         if what == "time" and unit and not UTC.fullmatch(unit):
             raise DataError(f"time is in '{unit}'; must be in UTC")
-        unit = "m/s" if what in ("time", "direction") else unit or units
-        if unit is None:
-            raise DataError(f"{what} has no units; write them behind the name, as in 'u (m/s)'")
-        columns[what] = found[0], speed_in_metres_per_second(unit, what)
+        if what in ("time", "direction"):
+            columns[what] = found[0], 1.0
+            continue
+        cure = "write them behind the name, as in 'u (m/s)'"
+        columns[what] = found[0], speed_unit(unit or comment, units, what, cure)
     return columns
 
 

@@ -118,6 +118,8 @@ class Equations:
         if self.discrete:
             raise DiagramError(f"{self.name}: is of discrete time, in which nothing has a rate")
         found = sympy.sympify(self[expression] if isinstance(expression, str) else expression)
+        if not isinstance(found, sympy.Expr):
+            raise DiagramError(f"{self.name}: {expression} is of several signals; give one of them")
         moving = {TIME: sympy.Integer(1), **self.motion}
         return sympy.Add(*(sympy.diff(found, s) * rate for s, rate in moving.items()))
 

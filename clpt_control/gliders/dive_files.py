@@ -32,6 +32,7 @@ KINDS = (
     "Seaglider or OG1 NetCDF files, .sbd, .mbd or .dbd of a Slocum, .gli of a SeaExplorer, "
     "a CSV table of dives"
 )
+RESULTS = "replay.nc"  # of a replay, beside dives where --out says so
 FROM_GLIDER = "from-glider"  # where a dockserver keeps what a glider sent
 
 
@@ -54,9 +55,9 @@ def sample_dives() -> list[Dive]:
 
 
 def may_hold_dives(path: Path) -> bool:
-    """Whether a name in a folder is that of a file of dives; hidden ones are not."""
+    """Whether a name in a folder is that of a file of dives; hidden ones and results are not."""
     named = path.suffix.lower() in (".nc", ".csv") or is_segment(path)
-    return named and not path.name.startswith(".")
+    return named and not path.name.startswith(".") and path.name != RESULTS
 
 
 def dive_paths(paths: Iterable[str | Path]) -> list[Path]:

@@ -69,7 +69,7 @@ def _check_header(header: list[str], name: str | Path) -> None:
         begins = f"a table of dives begins with {','.join(REQUIRED)}{OTHERWISE}"
         why = f"no column {', '.join(missing)}; has {', '.join(header)[:300]}; {begins}"
         raise DataError(f"{name}: {marks or why}")
-    double = [column for column in (*REQUIRED, *OPTIONAL) if header.count(column) > 1]
+    double = [column for column in (*REQUIRED, *OPTIONAL, "vehicle") if header.count(column) > 1]
     if double:
         raise DataError(
             f"{name}: the column {', '.join(double)} stands there twice; once is allowed"

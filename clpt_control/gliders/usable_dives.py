@@ -122,7 +122,7 @@ def _fault(dive: Dive, least_duration: float) -> str:
         return f"the displacement through the water is {dive.dr_east:g} m twice, a fill value"
     if not dive.duration > least_duration:
         least = f"{least_duration:g} s (--least-duration)"
-        return f"lasts {dive.duration:.4g} s; must last longer than {least}"
+        return f"lasts {dive.duration:.6g} s; must last longer than {least}"
     for name, length in (
         ("between the fixes", hypot(dive.gps_east, dive.gps_north)),
         ("through the water", hypot(dive.dr_east, dive.dr_north)),

@@ -13,9 +13,10 @@ long ago (`surfacing.RECENT`) is not overdue, and comes last.
 
 A command of the user's own is run when something asks for a pilot.  It is run without a shell.
 `{}` in its words is the sentence; its standard input has the sentence on the first line, and on the
-second one JSON object: vehicle, event, dive, sentence, next_dive. It is run once for each event:
-those that it was told of are in a file beside the state of the folder that is followed.  One that
-fails or lasts too long is one sentence, and is run again at the next look.
+second one JSON object: id, vehicle, event, dive, sentence, next_dive.  It is run for each event
+until it ends well; then the event's id goes into a file in the state of the folder that is
+followed.  So none is lost: who is killed between the two tells it again, with the same id.  A
+command that fails or lasts too long is one sentence.
 """
 
 import json
@@ -126,7 +127,7 @@ def _record(headlines: dict[str, Any]) -> str:
 
 FLEET: Columns = {
     "vehicle": (0, lambda row: row["vehicle"]),
-    "last fix (UTC)": (3, lambda row: date(row["time"])),
+    "last fix (UTC)": (3, lambda row: f"{row['time'][:4]}-{date(row['time'])}"),
     "age": (0, lambda row: _age(row["age_hours"])),
     "at": (5, lambda row: in_minutes(row["latitude"], row["longitude"])),
     "next (UTC)": (1, lambda row: f"{date(row['next_dive']['time'])} {within(row['next_dive'])}"),
@@ -194,7 +195,7 @@ def checked_command(text: str) -> list[str]:
 
 
 class Alerts:
-    """Runs a command, or none, once for each event; `out` has the state of the followed folder."""
+    """Runs a command, or none, for each new event; `out` has the state of the followed folder."""
 
     def __init__(self, command: Sequence[str], out: Path) -> None:
         self.command, self.path = list(command), out / "state" / TOLD
@@ -214,7 +215,7 @@ class Alerts:
             if key in self.told:
                 continue
             sentence = f"{vehicle}: {event.sentence}"
-            data = {"vehicle": vehicle, "event": event.name, "dive": event.dive}
+            data = {"id": key, "vehicle": vehicle, "event": event.name, "dive": event.dive}
             data |= {"sentence": sentence, "next_dive": found["next_dive"]}
             why = self._run(sentence, json.dumps(data))
             if not why:

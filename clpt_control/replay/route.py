@@ -1,10 +1,11 @@
 """When a vehicle is at waypoints that are days away, and whether it enters what it should not.
 
-The coming dives are drawn, `DRAWS` times.  Each dive is aimed at the next waypoint (`aim`), by what
-is known when it begins; its way through the water, its duration and the drift before it are drawn
-from their spread (`habits`), its miss from the forecast's mean and covariance.  What was
-drawn is learned before the next dive is aimed: drawn one after the other, each given those before
-it, the misses are drawn from their joint distribution, with what lasts from dive to dive in them.
+The coming dives are drawn, `DRAWS` times, or until `MOST_DRAWN` dives are.  Each dive is aimed at
+the next waypoint (`aim`), by what is known when it begins; its way through the water, its duration
+and the drift before it are drawn from their spread (`habits`), its miss from the forecast's mean
+and covariance.  What was drawn is learned before the next dive is aimed: drawn one after the other,
+each given those before it, the misses are drawn from their joint distribution, with what lasts from
+dive to dive in them.
 A waypoint is made by the dive that is to end there, or ends within `ARRIVED` of it.
 
 The times of arrival are the 10 %, 50 % and 90 % quantiles of the draws; a draw that does not arrive
@@ -35,6 +36,7 @@ from .replay import Replay
 from .wording import REACHED
 
 DRAWS, DIVES, SEED = 100, 100, 1
+MOST_DRAWN = 4000  # dives; a vehicle that arrives nowhere is drawn 40 times
 MOST_PLACES = 20_000  # of all areas
 LARGEST = 10**7  # bytes of a file
 SHARES = {"not_before": 0.1, "time": 0.5, "by": 0.9}
@@ -115,17 +117,17 @@ def arrivals(
     """Return when a replay's vehicle is at each waypoint, and how often areas are entered."""
     V, T = usual(replay, speed, duration)
     rng = np.random.default_rng(SEED)
-    times = np.full((DRAWS, len(targets)), inf)
-    entered = np.zeros((DRAWS, len(areas)), bool)
+    times, entered, drawn = list[list[float]](), list[list[bool]](), 0
     rings = [np.array([*ring, ring[0]]) for _, ring in areas]
-    for draw in range(DRAWS):
+    while len(times) < DRAWS and drawn < MOST_DRAWN:
         check()
         came, ways = _draw(replay, targets, V, T, rng)
-        times[draw, : len(came)] = came
-        entered[draw] = [any(_meets(*way, ring) for way in ways) for ring in rings]
-        report(draw + 1)
+        times.append(came + [inf] * (len(targets) - len(came)))
+        entered.append([any(_meets(*way, ring) for way in ways) for ring in rings])
+        drawn += len(ways)
+        report(max(len(times), DRAWS * min(drawn / MOST_DRAWN, 1.0)))
     waypoints = []
-    for place, each in zip(targets, times.T, strict=True):
+    for place, each in zip(targets, np.transpose(times), strict=True):
         quantiles = np.quantile(each, list(SHARES.values()), method="inverted_cdf").tolist()
         dates = [utc(time) if isfinite(time) else None for time in quantiles]
         waypoints.append(
@@ -134,9 +136,9 @@ def arrivals(
         )
     shares = [
         {"name": name, "entered": share, "ring": ring}
-        for (name, ring), share in zip(areas, entered.mean(0).tolist(), strict=True)
+        for (name, ring), share in zip(areas, np.mean(entered, axis=0).tolist(), strict=True)
     ]
-    return {"draws": DRAWS, "dives": DIVES, "waypoints": waypoints, "areas": shares}
+    return {"draws": len(times), "dives": DIVES, "waypoints": waypoints, "areas": shares}
 
 
 def _draw(

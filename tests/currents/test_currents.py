@@ -9,6 +9,7 @@ import xarray
 from made_fields import as_it_is, gridded_current, saying
 from refusals import refuses
 
+from clpt_control.currents.current_record import read_record
 from clpt_control.currents.grid_file import read_currents, sample_currents
 
 GRIDS = Path(__file__).parents[1] / "data/grids"
@@ -263,7 +264,9 @@ def test_units_can_be_given_where_a_file_has_none(refused, facts, tmp_path):
     assert np.nanmax(np.abs(knots.u * 3600 / 1852 - metres.u)) < 1e-9
     said = write(tmp_path / "said.nc", *sample())
     sentence = "u is in 'm/s'; units = 'cm/s' is for a file without"
-    refuses(sentence, read_currents, said, units="cm/s")
+    (tmp_path / "table.csv").write_text("time,u [m/s],v [m/s]\n2019,1,1\n")
+    for read, file in ((read_currents, said), (read_record, tmp_path / "table.csv")):
+        refuses(sentence, read, file, units="cm/s")
     assert read_currents(said, units="m s-1").u.max() == pytest.approx(sample()[0].max())
     assert "furlongs" in refused("fit", path, "--out", tmp_path / "s.toml", "--units", "furlongs")
 

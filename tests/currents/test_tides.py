@@ -254,6 +254,7 @@ ROW = "2019-01-01T0{}:00,0.1,0.2\n"
         (HEADER + ROW.format(2) + ROW.format(1), "01:00:00.000 follows .*02:00.*must increase"),
         (HEADER + "2019-01-01,,\n2019-01-02,nan,1\n", "no time has a finite value"),
         (HEADER + "2019-01-01,999,1\n", "reaches 999 m/s: check its units"),
+        (HEADER.replace("m/s", "cm/s") + "2019,-999,-999\n", "9.99 m/s: check its units and fill"),
         (HEADER.split("\n", 1)[1] + ROW.format(1), "does not say its latitude"),
         (HEADER.replace("41", "141") + ROW.format(1), "latitude = 141.0"),
         (HEADER.replace("41", "north") + ROW.format(1), "latitude = nan: must be degrees north"),

@@ -111,6 +111,8 @@ def test_discrete_time_has_next_states_and_no_derivative():
     assert str(eq).splitlines()[0] == "x[0]+ = x[0]/2 + u[0](t)".replace("[0]", "")
     with pytest.raises(clpt.DiagramError, match="discrete time"):
         eq.derivative(eq["x"])
+    with pytest.raises(clpt.DiagramError, match="x is of several signals; give one of them"):
+        clpt.equations(control.ss(np.eye(2), np.eye(2), np.eye(2), 0)).derivative("x")
 
 
 def test_jumps_are_shown():

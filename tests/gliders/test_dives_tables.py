@@ -33,6 +33,7 @@ def test_tables_of_other_kinds_are_told_what_to_change(table):
         (text.replace(",", ";"), "columns are separated by semicolons; use"),
         (text.replace(",", "\t"), "columns are separated by tabs; use"),
         (text.replace("dac_qc,", "dive,"), "the column dive stands there tw"),
+        (text.replace("gps_", "vehicle,"), "the column vehicle stands"),
         (text.upper(), "no column dive, .* begins with dive,"),
         (text.replace("dr_east_m", "DR_east_m"), "no column dr_east_m; has dive, .*DR_east_m"),
     ):
@@ -206,7 +207,7 @@ def test_a_dive_is_refused_with_its_reason(changes, why):
 def test_least_duration_is_an_option():
     used, (skipped,) = usable([BASE], least_duration=14000)
     assert used == []
-    assert skipped.why == "lasts 1e+04 s; must last longer than 14000 s (--least-duration)"
+    assert skipped.why == "lasts 10000 s; must last longer than 14000 s (--least-duration)"
 
 
 def test_duplicates_overlaps_order_and_gaps_are_said():

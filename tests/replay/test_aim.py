@@ -247,7 +247,7 @@ def test_who_knows_less_arrives_less_surely(steady):
 
 def test_a_waypoint_against_the_current_is_not_made(steady, monkeypatch):
     monkeypatch.setattr(route, "DIVES", 5)
-    monkeypatch.setattr(route, "DRAWS", 3)
+    monkeypatch.setattr(route, "MOST_DRAWN", 12)  # of 5 dives each: three of thirty draws
     found, one = arrival(steady, -30_000.0, 15_000.0, speed=0.05)
     assert (one["made"], one["time"], one["not_before"]) == (0, None, None)
     assert route_sentences(found)[0].endswith("not there; made within 5 dives in 0 % of 3 draws")

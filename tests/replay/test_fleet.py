@@ -17,7 +17,7 @@ from processes import CLPT, kill_while_it_writes, ran, started
 from synthetic_vehicle import fixes_of, one_file_each, told, vehicle
 
 from clpt_control.geodesy import place_from
-from clpt_control.gliders import make_dive
+from clpt_control.gliders import make_dive, write_dive_table
 from clpt_control.replay import fleet
 from clpt_control.replay.fleet import events, standing
 from clpt_control.units import seconds_since_1970
@@ -118,6 +118,7 @@ def test_a_row_each_what_asks_for_a_pilot_first_and_is_told_once(tree, command, 
     assert len(links) == 6
     assert all((tree / "replay" / unquote(link)).is_file() for link in links)
     assert "a <b> & '#1%3f'" in page.texts  # as a text, no markup
+    assert rows["late"]["time"][:16].replace("T", " ") in page.texts  # with its year
 
 
 def teller(path):
@@ -129,6 +130,8 @@ def told_in(path):
     lines = path.read_text("utf-8").splitlines() if path.exists() else []
     told = [(one, json.loads(two)) for one, two in zip(lines[::2], lines[1::2], strict=True)]
     assert all(said == data["sentence"] for said, data in told)
+    names = ("vehicle", "event", "dive")
+    assert all(data["id"] == "{} {} {}".format(*map(data.get, names)) for _, data in told)
     return [(data["vehicle"], data["event"], data["dive"]) for _, data in told]
 
 
@@ -208,7 +211,7 @@ def test_a_fleet_killed_twice_is_as_an_unbroken_one(tmp_path):
         assert same.exists()
         if path.name in ("replay.html", "next.geojson", "track.kml"):
             assert same.read_bytes() == path.read_bytes()
-    assert sorted(told_in(told["broken"])) == sorted(told_in(told["whole"]))
+    assert set(told_in(told["broken"])) == set(told_in(told["whole"]))
     assert {event for _, event, _ in told_in(told["whole"])} == {"OUT"}
     assert not list((tmp_path / "broken").rglob("*.part"))
 
@@ -228,6 +231,30 @@ def test_linked_folders_are_followed_once_and_never_in_a_circle(tmp_path, comman
     assert sorted(row["vehicle"] for row in found["vehicles"]) == ["here", "there"]
     places = sorted(path.name for path in (top / "replay").iterdir())
     assert places == ["again", "fleet.html", "here"]
+
+
+def test_who_is_killed_before_it_is_kept_tells_it_again(tmp_path, monkeypatch, out):
+    heard = tmp_path / "told"
+    with monkeypatch.context() as killed:
+        killed.delattr(fleet, "write_file")
+        with pytest.raises(NameError):
+            alerts(tmp_path, *shlex.split(teller(heard))).tell(out)
+    for _ in range(2):
+        alerts(tmp_path, *shlex.split(teller(heard))).tell(out)
+    assert told_in(heard) == [("glider", "OUT", 5)] * 2
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_a_vehicle_that_cannot_be_read_hides_no_other_of_its_folder(tmp_path, command):
+    for file in ("an empty file.csv", "replay.nc"):
+        (tmp_path / file).write_text("")
+    for name, lost in (("a", {"lat_gpse": 91.0}), ("z", {})):
+        write_dive_table([replace(recent(1, 1.0)[0], **lost)], path := tmp_path / f"{name}.csv")
+        header, line = path.read_text().splitlines()
+        path.write_text(f"{header},vehicle\n{line},{name}\n")
+    lost, well = json.loads(command("--fleet", tmp_path, "--json").stdout)["vehicles"]
+    assert (lost["vehicle"], well["vehicle"], well["asks"]) == ("a", "z", [])
+    assert lost["said"][0].startswith("cannot be read: no dive can be used; dive 1: no fix after")
 
 
 @pytest.mark.parametrize("kept", ["5", '{"a": 1}', "[", "a pipe"])
