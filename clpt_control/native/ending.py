@@ -118,8 +118,8 @@ def in_discrete_time(
     another one wrote.
     """
     states, signals = (np.empty((len(times), n)) for n in (sweep.nstates, len(sweep.signals)))
-    for k, t in enumerate(times):
-        u = None if inputs is None else inputs.at(t)
+    rows: Any = [None] * len(times) if inputs is None else inputs.along(times).T
+    for k, (t, u) in enumerate(zip(times, rows, strict=True)):
         sweep.enter(t)
         states[k], x, signals[k] = x, sweep.derivative(t, x, u), sweep.signals
         if progress is not None:

@@ -224,7 +224,9 @@ class PythonDiagram:
                 return replace(across, method=f"{across.method}, switches not located")
         if slow:
             raise slow
-        return replace(ended(self.sweep, batch, inputs), pieces=pieces)
+        solution = ended(self.sweep, batch, inputs)
+        solution.pieces = pieces
+        return solution
 
     def method_number(self, method: str = "auto", step: float | None = None) -> int:
         """Return the solver's number of a method."""

@@ -168,12 +168,12 @@ def make_schedule(
 
     Rates bend at kinks of inputs, in Python at bends that are felt, and jump where blocks do.
     Behind each block's `interval` lies what is `JUMPS` in a piece that begins with a jump of its
-    states; then come the straight lines of the inputs: time, values, slopes.  In discrete time each
-    piece begins at a sample.
+    states; then come the straight lines of the inputs: time, values, slopes.  In discrete time
+    each sample begins a piece.
     """
     t0, t1 = float(times[0]), float(times[-1])
     sweep, compiled, kinks = diagram.sweep, diagram.ramp >= 0, np.zeros(0)
-    if inputs is not None:
+    if inputs is not None and not sweep.wiring.dt:
         kinks = inputs.kinks if compiled else inputs.sharp_bends(felt)
     jumps, edges = sweep.breakpoints(t0, t1 + rounding(t1)), kinks
     if len(jumps):
@@ -181,7 +181,7 @@ def make_schedule(
         edges = np.union1d(jumps, moved_to(jumps, kinks)) if len(kinks) else jumps
     starts = np.concatenate([[t0], edges[(edges > t0) & (edges < t1)], [t1]])
     if sweep.wiring.dt:
-        starts = np.unique(np.asarray(times)[np.searchsorted(times, starts)])
+        starts = np.asarray(times, dtype=float)
 
     def intervals_of(k: int) -> np.ndarray:
         block, p = sweep.nodes[k].system, sweep.parameters[k]

@@ -51,6 +51,7 @@ class Frame:
         self.axes = {name: _index(name, *one) for name, one in self.axes.items()}
         if self.states is not None:
             self.axes["state"] = _index("state", np.array(self.states, dtype=object), STATE)
+        self._latest: tuple[bytes | None, Any] = None, None  # times, and the axis made of them
 
     def filled(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
         """Return a Dataset of a run's signals and states; each has attributes of its own."""
@@ -62,7 +63,11 @@ class Frame:
         }
         if self.states is not None:
             variables["states"] = Variable(("time", "state"), solution.x, STATES, fastpath=True)
-        axes = {"time": _index("time", solution.t.copy(), self.since), **self.axes}
+        known, time = self._latest
+        if (times := solution.t.tobytes()) != known:
+            time = _index("time", solution.t.copy(), self.since)
+            self._latest = times, time
+        axes = {"time": time, **self.axes}
         variables |= {
             name: type(one)(one.dims, one._data, one.attrs, fastpath=True)  # a copy, but quicker
             for name, (_, one) in axes.items()

@@ -70,14 +70,14 @@ class SystemRun:
         """Return its signals, called by these labels."""
         return Signals({label: k for k, label in enumerate(labels)}, self.parameters)
 
-    @property
+    @cached_property
     def max_speed(self) -> float | None:
         """The largest speed of its one vehicle, units.length per units.time, if it has one."""
         return getattr(self.parameters.get("speed_limit"), "max_speed", None)
 
     def check_memory(self, samples: int) -> None:
         """Refuse more samples than memory should hold."""
-        numbers = self.runner.nstates + len(self.labels)
+        numbers = self.runner.nstates + self.runner.nsignals
         size = 8 * COPIES * numbers * samples
         if size > MOST_BYTES:
             raise SimulationError(
