@@ -89,8 +89,9 @@ def random_diagram(random, blocks=None, nested=True, dt=0):
             parts.append(random_diagram(random, random.randrange(1, 3), False, dt))
             parts[-1].name = f"inner{k}"
         else:
-            make = linear_part if draw < 0.12 else random_system if draw < 0.4 else random_block
-            parts.append(make(random, f"{make.__name__}{k}", dt))
+            kind = "linear" if draw < 0.12 else "system" if draw < 0.4 else "block"
+            make = {"linear": linear_part, "system": random_system, "block": random_block}[kind]
+            parts.append(make(random, f"{kind}{k}", dt))
     if all(isinstance(part, control.StateSpace) for part in parts):
         parts.append(random_block(random, "more", dt))  # python-control refuses some of linear ones
     return wired(random, parts)

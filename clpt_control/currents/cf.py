@@ -44,7 +44,7 @@ CURE = (
     "north first: on such a grid they may lie along its own axes"
 )
 PROJECTED = ("projection_x_coordinate", "projection_y_coordinate")
-FASTEST = 9.9  # m/s; no current at sea is faster; a fill value taken as data, 999 cm/s, is
+FASTEST = 9.9  # m/s; the sea is slower, a fill value taken as data, 999 cm/s, is not
 SINCE_A_DATE = re.compile(r"\s*(\w+)\s+since\s+(\d+-\d+-\d+.*)", re.IGNORECASE)
 
 
