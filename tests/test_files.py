@@ -232,6 +232,16 @@ def test_what_was_asked_is_what_the_library_opens(tmp_path, monkeypatch):
         path.unlink()
 
 
+@pytest.mark.skipif(not Path("/proc/self/fd").is_dir(), reason="descriptors are counted there")
+def test_an_error_of_a_damaged_file_keeps_nothing_open(tmp_path):
+    xarray.Dataset({"a": ("x", np.zeros(500))}).to_netcdf(path := tmp_path / "a.nc", engine="scipy")
+    os.truncate(path, 2000)
+    opened = len(names(Path("/proc/self/fd")))
+    with pytest.raises(DataError, match="damaged or cut short: less than") as kept:
+        clpt_control.load_run(path)
+    assert len(names(Path("/proc/self/fd"))) == opened, kept
+
+
 BECOMES = {"a pipe with a name": os.mkfifo, "a link": lambda path: path.symlink_to("moved")}
 
 

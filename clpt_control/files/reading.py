@@ -219,12 +219,13 @@ def _check_header(file: BinaryIO, path: AnyPath) -> None:
         return
     from scipy.io import netcdf_file
 
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # of memory that is still mapped
-            netcdf_file(opened_name(file.fileno(), path), mmap=True).close()
-    except Exception:  # a damaged header can raise anything
-        raise DataError(f"{path}: damaged or cut short: less than its header says") from None
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of memory that is still mapped
+        try:
+            return netcdf_file(opened_name(file.fileno(), path), mmap=True).close()
+        except Exception:  # a damaged header can raise anything
+            pass  # what was opened ends here, not with an error that keeps it open
+    raise DataError(f"{path}: damaged or cut short: less than its header says")
 
 
 def _check_heap(raw: bytes, at: int, path: AnyPath) -> None:
