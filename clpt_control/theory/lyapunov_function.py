@@ -15,6 +15,7 @@ from itertools import product
 from typing import Any
 
 import control
+import numpy as np
 import sympy
 
 from ..arguments import Count, Seed, public
@@ -86,6 +87,11 @@ class FailureSearch(PointSearch):
         else:
             return None
         return self.where(rise, -1)
+
+    def value_at(self, expression: sympy.Expr, point: Point) -> float:
+        """Return an expression at a point."""
+        at = self.known(np.array([point.t]), point.x[:, None], point.u[:, None])
+        return float(self.numbers(expression).at(at, 1)[0, 0])
 
     def where(self, expression: sympy.Expr, sign: int) -> Failure | None:
         """Return a point at which an expression has a sign, and what it is there."""

@@ -248,7 +248,7 @@ def _reported(
         ceiling = min(alone.ceilings.values(), default=None)  # where the vehicle moves so
     return {
         "smallest_eigenvalue": least,
-        "of_the_run": min(float(values[0]) for values in found.eigenvalues.values()),
+        "of_the_run": found.smallest,
         "ceiling": ceiling,
         "closed_length": float(closed_length(scenario.waypoints)),
         "largest_speed": float(extremes.speed.max()),

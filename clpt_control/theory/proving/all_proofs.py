@@ -29,6 +29,7 @@ if the flow is slower than the vehicle; x is then bounded.  A faster one carries
 
 from collections.abc import Callable, Iterator
 from functools import partial
+from itertools import chain
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -43,16 +44,9 @@ from ...equations.ports import named, split, within
 from ...scenario.team import TEAM_LAW, Team
 from ...simulation.team_loops import team_blocks
 from ..counterexamples import limited_speed_counterexample
+from . import lemmas
 from .invariant_loop import InvariantLoop
 from .invariants import fix_steps, invariant_steps
-from .lemmas import (
-    algebra_step,
-    definite_step,
-    dissipation_step,
-    learned_loop,
-    wanted_rates,
-    young_step,
-)
 from .misprints import misprints
 from .own_law import prove
 from .proof import Proof, Step, checked, counterexample, proof_or_failure, theorem, where_all_hold
@@ -85,17 +79,16 @@ SLOWER = "|F_R| stays below some F < v_max"
 
 def differs(law: Law) -> str:
     """Return how a hedged law differs from the one without a limit, or nothing."""
-    loops = [
+    free, hedged = (
         symbolic_loop(law_loop(law, *law_and_V(law, N, speed), speed), jumps=True)
         for speed in ("no limit", "hedged")
-    ]
-    free, hedged = loops
+    )
     flown = dict(zip(hedged.inputs["v_x"], free.signals["v_x"], strict=True))
     if difference := left_over(rate_of_V(free) - rate_of_V(hedged)):  # whatever v is flown
         return difference
     own = free.motion.keys() - {*free.states["x"].flat, *free.states["z"].flat}
-    jumps = (loop.jumps.values() for loop in loops)
-    for one, other in [(free.motion, hedged.motion), *zip(*jumps, strict=True)]:
+    jumps = zip(free.jumps.values(), hedged.jumps.values(), strict=True)
+    for one, other in [(free.motion, hedged.motion), *jumps]:
         for s in own & one.keys():
             if not vanishes(one[s] - other[s].xreplace(flown)):
                 return f"{s} moves or jumps differently"
@@ -108,10 +101,8 @@ def same_rate_of_every_law() -> tuple[bool, str]:
     Its own states move as without a limit too, with the flown velocity for the commanded one.
     """
     laws = [law for law in LAWS.values() if not law.at_fixes]  # those predict with v as flown
-    for law in laws:
-        if difference := differs(law):
-            return False, f"{law.name}: {difference}"
-    return True, ", ".join(law.name for law in laws)
+    different = next((f"{law.name}: {how}" for law in laws if (how := differs(law))), "")
+    return not different, different or ", ".join(law.name for law in laws)
 
 
 def limits() -> bool:
@@ -145,18 +136,18 @@ def with_hedging() -> Proof:
         *identity_steps(text, "learned-flow", decay, POINTS, speed="hedged"),
         zero_step(
             "e' is that without a limit, for every N",
-            partial(learned_loop, "hedged"),
-            lambda loop: [loop.derivative(loop.signals["e"]) - wanted_rates(loop)["e"]],
+            partial(lemmas.learned_loop, "hedged"),
+            lambda loop: [loop.derivative(loop.signals["e"]) - lemmas.wanted_rates(loop)["e"]],
         ),
-        definite_step("learned-flow"),
-        dissipation_step(),
+        lemmas.definite_step("learned-flow"),
+        lemmas.dissipation_step(),
         checked("v = v_c up to |v_c| = v_max, and v_max v_c/|v_c| beyond", limits),
         zero_step(
             "x' = F_R + v and v_c = b - KD x, b of phi and zc alone, for every N",
-            partial(learned_loop, "hedged"),
+            partial(lemmas.learned_loop, "hedged"),
             commanded_back,
         ),
-        algebra_step(  # w^T v = v_max (b - c)^T c/|c|, b^T c <= |b| |c|, |c| >= |w| - |b|
+        lemmas.algebra_step(  # w^T v = v_max (b - c)^T c/|c|, b^T c <= |b| |c|, |c| >= |w| - |b|
             "w = KD x: (x^T KD x/2)' = w^T (F_R + v) <= |w| |F_R| + v_max (2 |b| - |w|) at the "
             "limit, so x is bounded where |F_R| < v_max",
             "(b1**2 + b2**2)*(c1**2 + c2**2) - (b1*c1 + b2*c2)**2 - (b1*c2 - b2*c1)**2",
@@ -192,10 +183,10 @@ def without_hedging() -> Proof:
         [
             zero_step(
                 "V' = -e^T KD e - e^T (v_c - v), for every N",
-                partial(learned_loop, "not hedged"),
+                partial(lemmas.learned_loop, "not hedged"),
                 lost_without,
             ),
-            young_step(),
+            lemmas.young_step(),
             counterexample(  # largest |e| with hedging, and without
                 "the paper's system, started true, with v_max = 1.5: CLPE leaves zero",
                 partial(limited_speed_counterexample, end=200.0),
@@ -265,13 +256,15 @@ def team_steps() -> Iterator[Step]:
     for name, edges in GRAPHS.items():
         diagram, claim = partial(team_diagram, edges, N), partial(claimed_rate, edges=edges)
         yield falls_as_claimed(f"{CLAIM}, {name}, every N", diagram, claim)
-    loop = team_diagram(GRAPHS["three in a row"], N)
-    yield running_step(lambda: (loop, symbolic_loop(loop)), POINTS, ", three in a row")
+    row = team_diagram(GRAPHS["three in a row"], N)
+    yield running_step(lambda: symbolic_loop(row), POINTS, ", three in a row")
 
 
-def team_of(edges: tuple[tuple[str, str], ...], N: int) -> Team:
-    """Return a team on a graph whose vehicles differ in all that may differ."""
-    names = sorted({name for edge in edges for name in edge})
+def team_diagram(edges: tuple[tuple[str, str], ...], N: int) -> Diagram:
+    """Wire a team with its V, whose vehicles differ in all that may differ.
+
+    phi_x, phi_z and zc of each vehicle are inputs.
+    """
     members = {
         name: theorem_scenario(N, TEAM_LAW).with_values(
             {
@@ -279,21 +272,14 @@ def team_of(edges: tuple[tuple[str, str], ...], N: int) -> Team:
                 "vehicle.feedforward": [1.2 - 0.4 * k, -0.5 - 0.1 * k],
             }
         )
-        for k, name in enumerate(names)
+        for k, name in enumerate(sorted({*chain(*edges)}))
     }
-    return Team(members=members, edges=edges, coupling=COUPLING)
-
-
-def team_diagram(edges: tuple[tuple[str, str], ...], N: int) -> Diagram:
-    """Wire a team with its V; phi_x, phi_z and zc of each vehicle are inputs."""
-    team = team_of(edges, N)
-    blocks = team_blocks(team)
+    blocks = team_blocks(Team(members=members, edges=edges, coupling=COUPLING))
     sources = [block for block in blocks if split(block.name)[1] in SOURCES]
     external = [port for block in sources for port in block.output_ports]
     blocks = [block for block in blocks if block not in sources]
-    for name, scenario in team.members.items():
-        blocks.append(within(theorem_candidate(scenario), name))
-    return connect([*blocks, total_candidate(list(team.members))], external, name="team")
+    blocks += [within(theorem_candidate(one), name) for name, one in members.items()]
+    return connect([*blocks, total_candidate(list(members))], external, name="team")
 
 
 def claimed_rate(loop: Loop, edges: tuple[tuple[str, str], ...]) -> Any:
@@ -302,7 +288,7 @@ def claimed_rate(loop: Loop, edges: tuple[tuple[str, str], ...]) -> Any:
     kappa, gamma = p[named("a", "consensus")].coupling, p[named("a", "adaptation")].gain
     falls = [
         np.sum(p[named(name, "vehicle_controller")].KD * signals[named(name, "e")] ** 2)
-        for name in sorted({name for edge in edges for name in edge})
+        for name in sorted({*chain(*edges)})
     ]
     apart = [
         np.sum((signals[named(one, "alpha")] - signals[named(other, "alpha")]) ** 2)
@@ -340,7 +326,6 @@ Outcomes = dict[Statement, Outcome]
 
 def statements(theorem: str | None = None) -> list[Statement]:
     """Return what is proved: one theorem and the misprints, or everything."""
-    others = [room for room in PROOFS if room != "theorems" and theorem is None]
-    wanted = [("theorems", number) for number in numbers_of(theorem)]
-    wanted += [(room, name) for room in others for name in PROOFS[room][1]]
-    return [Statement(*one) for one in [*wanted, ("misprints", "")]]
+    every = {room: list(proofs) for room, (_, proofs) in PROOFS.items() if theorem is None}
+    wanted = {**every, "theorems": numbers_of(theorem), "misprints": [""]}
+    return [Statement(room, name) for room, names in wanted.items() for name in names]

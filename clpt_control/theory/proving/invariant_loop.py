@@ -39,8 +39,7 @@ class InvariantLoop:
         self.law, self.N = law, N
         true = truth_of(theorem_scenario(N, "learned-flow"))
         block, V = law_and_V(law, N, speed) if blocks is None else (blocks[0], blocks[1](true))
-        self.diagram = law_loop(law, block, V, speed)
-        self.loop: SymbolicLoop = symbolic_loop(self.diagram, jumps=True)
+        self.loop: SymbolicLoop = symbolic_loop(law_loop(law, block, V, speed), jumps=True)
         self.words: dict[Any, sympy.Symbol] = {}
         self.states, self.rates = (
             {port.rpartition(":")[2]: values for port, values in ports.items()}
@@ -121,9 +120,10 @@ class InvariantLoop:
                 expression = expression.xreplace({word: symbol})
         return expression
 
-    def left_over(self, claim: Callable[[SymbolicLoop], Any], beside: Any = 0) -> str:
-        """Return what V' has beyond claim + beside, or where it has no value, or nothing."""
-        rest = self.reduced(rate_of_V(self.loop).xreplace(self.tied) - claim(self.loop) - beside)
+    def left_over(self, claim: Callable[[SymbolicLoop], Any]) -> str:
+        """Return what V' has beyond a claim and what is beside, or has no value, or nothing."""
+        claimed = claim(self.loop) + self.beside
+        rest = self.reduced(rate_of_V(self.loop).xreplace(self.tied) - claimed)
         return left_over(rest) or "".join(self.loop.undefined[:1])
 
     def broken(self, jump: Mapping[Any, Any] | None = None) -> str:

@@ -82,7 +82,7 @@ def invariant_steps(
     steps = [exact_step(cases, claim, check) for claim, check in claims]
     steps += [young_step()] if law.perturbation else []
     two = cases[len(cases) // 2]
-    return [*steps, running_step(lambda: (two.diagram, two.loop), points, seed=seed)]
+    return [*steps, running_step(lambda: two.loop, points, seed=seed)]
 
 
 def claims_of(law: Law, case: InvariantLoop, own: bool) -> Claims:
@@ -104,9 +104,7 @@ def claims_of(law: Law, case: InvariantLoop, own: bool) -> Claims:
         claims[f"c^T M' c >= 0 where M c = 0, so M >= 0 is not left: {', '.join(names)}"] = (
             lambda case: ", ".join(filterfalse(case.stays_semidefinite, names))
         )
-    claims[f"V' as claimed, {sizes}: {law.V_rate}"] = lambda case: case.left_over(
-        decay, case.beside
-    )
+    claims[f"V' as claimed, {sizes}: {law.V_rate}"] = lambda case: case.left_over(decay)
     if law.weighted_error:
         claims |= covariance_claims(law.perturbation is None)
     if law.makes_estimate:
@@ -138,40 +136,39 @@ def _reads(case: InvariantLoop) -> bool:
     return True
 
 
+BOUNDS = (  # of eta and P, as `covariance_rates` has what moves
+    "tr(eta P^-1 eta^T)' = -|eta phi_f|^2/r^2 - lambda tr(eta P^-1 eta^T): it never rises",
+    "(k_0 - tr P)' >= 0 where tr P = k_0: tr P <= k_0 is kept",
+    "(rho P)' = -rho (P phi_f) (P phi_f)^T/r^2: P^-1 >= rho P(0)^-1 at all times",
+    "P' + P phi_f phi_f^T P/r^2 = lambda P: P^-1 <= P(0)^-1 + int phi_f phi_f^T/r^2",
+)
+BOUNDED_BY_V = "|eta|^2 <= tr P tr(eta P^-1 eta^T) <= k_0 tr(eta P^-1 eta^T): eta is bounded by V"
+
+
 def covariance_claims(driven: bool) -> Claims:
-    """Return the bounds of P and eta; `driven` is whether CLPE drives alpha."""
-    moves = {
-        "tr(eta P^-1 eta^T)' = -|eta phi_f|^2/r^2 - lambda tr(eta P^-1 eta^T): it never "
-        "rises": "size",
-        "(k_0 - tr P)' >= 0 where tr P = k_0: tr P <= k_0 is kept": "room",
-        "(rho P)' = -rho (P phi_f) (P phi_f)^T/r^2: P^-1 >= rho P(0)^-1 at all times": "rho P",
-        "P' + P phi_f phi_f^T P/r^2 = lambda P: P^-1 <= P(0)^-1 + int phi_f phi_f^T/r^2": "P",
-    }
-    claims: Claims = {claim: partial(_moves, of=of) for claim, of in moves.items()}
-    claims["|eta|^2 <= tr P tr(eta P^-1 eta^T) <= k_0 tr(eta P^-1 eta^T): eta is bounded by V"] = (
-        _cauchy
-    )
-    return dict(list(claims.items())[driven:])
+    """Return the bounds of P and eta; where CLPE drives alpha the first does not hold."""
+    moves: Claims = {BOUNDS[k]: partial(_moves, which=k) for k in range(driven, len(BOUNDS))}
+    return {**moves, BOUNDED_BY_V: _cauchy}
 
 
-def _moves(case: InvariantLoop, of: str) -> bool:
-    pairs = zip(*map(np.ravel, covariance_rates(case)[of]), strict=True)
+def _moves(case: InvariantLoop, which: int) -> bool:
+    pairs = zip(*map(np.ravel, covariance_rates(case)[which]), strict=True)
     return bool(case.parameters.forgetting.is_nonnegative) and all(
         vanishes(case.reduced(case.loop.derivative(a) - rate)) for a, rate in pairs
     )
 
 
-def covariance_rates(case: InvariantLoop) -> dict[str, tuple[Any, Any]]:
+def covariance_rates(case: InvariantLoop) -> tuple[tuple[Any, Any], ...]:
     """Return quantities of P and eta, each with its rate; lambda is 0 where tr P = k_0."""
     P, p, rho, error = case.states["P"], case.parameters, case.states["rho"], case.weighted_error
     forgetting = p.forgetting * (1 - np.trace(P) / p.largest)
     gain, size = P @ case.states["phi_f"] / p.noise, np.sum((error @ P) * error)
-    return {
-        "size": (size, -sum((error @ gain) ** 2) - forgetting * size),
-        "room": (p.largest - np.trace(P), sum(gain**2) - forgetting * np.trace(P)),
-        "rho P": (rho * P, -rho * np.outer(gain, gain)),
-        "P": (P, forgetting * P - np.outer(gain, gain)),
-    }
+    return (
+        (size, -sum((error @ gain) ** 2) - forgetting * size),
+        (p.largest - np.trace(P), sum(gain**2) - forgetting * np.trace(P)),
+        (rho * P, -rho * np.outer(gain, gain)),
+        (P, forgetting * P - np.outer(gain, gain)),
+    )
 
 
 def _cauchy(case: InvariantLoop) -> bool:
@@ -191,6 +188,7 @@ SIZES = (1, 2)  # numbers of functions; 3 takes half a minute, in a slow test
 SEND, ARRIVE = 1, 2  # intervals that begin with a fix, and with its arrival
 OUTSIDE = "phi_x", "phi_z", "v_x", "fix", "taken"  # what comes from blocks that are left out
 MOVING = ("x", "z", "m")  # states that change between fixes
+READ = ("alpha", "z", "information")  # and those that others read as they are
 States = dict[str, np.ndarray]
 
 
@@ -209,8 +207,8 @@ class AtFixes:
         block.parameters = block.parameters._replace(latency=float(late))
         parts, _ = remaining_parts(*LoopOf(theorem_scenario(N, law.name), external=OUTSIDE))
         parts = [one for one in parts if one.name != block.name]
-        self.diagram = connect([*parts, block, V], OUTSIDE, name="between")
-        self.loop = symbolic_loop(self.diagram, jumps=True)
+        between = connect([*parts, block, V], OUTSIDE, name="between")
+        self.loop = symbolic_loop(between, jumps=True)
         p = self.loop.parameters
         self.theta, self.r = p["true_flow"].theta, p["adaptation"].noise
         P = sympy.Matrix(N, N, lambda j, k: self.loop.states["P"][min(j, k), max(j, k)])
@@ -227,8 +225,8 @@ class AtFixes:
 
     def V(self, states: States) -> sympy.Expr:
         """Return V = r^2 tr(eta P^-1 eta^T)/2 of the states, as its block has it."""
-        known = equated(self.loop.states, {port: states[port] for port in ("alpha", "information")})
-        return self.loop.signals["V"][0].xreplace({**self.known, **known})
+        known = self.known | equated(self.loop.states, states)
+        return self.loop.signals["V"][0].xreplace(known)
 
     def stays(self) -> str:
         """Return what changes between fixes where phi(x) = phi(z), or nothing."""
@@ -240,8 +238,7 @@ class AtFixes:
                     loop.derivative(e).subs(same) for e in s["x"] - s["z"] - self.missed(s)
                 ],
                 "V": rate_of_V(loop),
-                **{f"{port} read": loop.signals[port] - s[port] for port in ("alpha", "z")},
-                "information read": loop.signals["information"] - s["information"],
+                **{f"{port} read": loop.signals[port] - s[port] for port in READ},
                 **{port: loop.rates[port] for port in s if port not in MOVING},
             }
         )
@@ -259,20 +256,18 @@ class AtFixes:
         s, r, one = self.loop.states, self.r, np.eye(self.N, dtype=int)
         got = taken if interval == ARRIVE or not self.late else 0
         known = self.known | equated(self.loop.inputs, {"taken": taken})
-        known |= equated(s, {"waiting": got if self.late else 0})
         known[self.loop.parameters["adaptation"].interval] = sympy.Integer(interval)
-        if self.late:
-            known |= equated(s, {"sent": s["z_sent"] + self.eta(s) @ s["m_sent"]})
+        sent = s["z_sent"] + self.eta(s) @ s["m_sent"] if self.late else s["sent"]
+        known |= equated(s, {"waiting": got if self.late else 0, "sent": sent})
 
-        def put(values: Any) -> np.ndarray:
-            return np.vectorize(lambda e: decided(e.xreplace(known)), otypes=[object])(values)
+        def states(new: dict[Any, sympy.Expr]) -> States:
+            put = np.vectorize(lambda a: decided(a.xreplace(new).xreplace(known)), otypes=[object])
+            return {port: put(symbols) for port, symbols in s.items()}
 
-        before = {port: put(symbols) for port, symbols in s.items()}
+        before = states({})
         x, m = before["z"] + self.missed(before), before["m_sent" if self.late else "m"]
         known |= equated(self.loop.inputs, {"fix": x + off})
-        (new,) = self.loop.jumps.values()
-        after = {port: put([new.get(a, a) for a in own.flat]) for port, own in s.items()}
-        after = {port: own.reshape(s[port].shape) for port, own in after.items()}
+        after = states(*self.loop.jumps.values())
         y, d = self.eta(before) @ m, r**2 + m @ before["P"] @ m
         sent = after["sent"] - after["z_sent"] - self.eta(after) @ after["m_sent"]
         gained = after["information"] - before["information"]
@@ -300,4 +295,4 @@ def fix_steps(law: Law, points: int) -> list[Step]:
     }
     steps = [exact_step(cases, claim, check) for claim, check in claims.items()]
     last = cases[-1]
-    return [*steps, running_step(lambda: (last.diagram, last.loop), points)]
+    return [*steps, running_step(lambda: last.loop, points)]

@@ -4,32 +4,31 @@ A law is judged with the parameters that it has: its numbers and those of V, exa
 What V holds of the truth is the truth's symbols.  `verdict` puts the steps together.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
-from ...diagrams.interconnection import Diagram
 from ...equations.block import Block
 from ...equations.elements import Index
 from ...equations.symbolic import base_and_term, reindexed
 from ..squares import never_positive, positive_definite, states_beside
 from .leaks import Bound
 from .proof import Step, checked, exact, short
-from .running_rate import running_step
 from .signs import dead_zone, rising_in, tidied, vanishes
 from .symbolic_loop import TIME, ArrayLoop, SymbolicLoop, flat, refuse_no_value
 from .theorem_loop import decay, rate_of_V, truth_in
-from .words import CLIP, SIGN, along, faster_than_linear, interval
+from .words import CLIP, SIGN, along, degree, interval
 
 
 @dataclass
 class Case:
     """A law with its V, on symbols and running."""
 
-    diagram: Diagram
     loop: SymbolicLoop
     V: Block
     law: Block
@@ -42,25 +41,25 @@ class Case:
         """Read V and V'."""
         loop = self.loop
         refuse_no_value(loop, self.V.name)
-        self.N, self.names = len(loop.inputs["phi_x"]), (self.law.name, self.V.name)
+        self.N = len(loop.inputs["phi_x"])
         self.tied = {s: truth for s, truth in self.tied.items() if s != truth}
-        others = (p for name, p in loop.parameters.items() if name not in self.names)
+        own = self.law.name, self.V.name
+        others = (p for name, p in loop.parameters.items() if name not in own)
         hidden = {s for p in others for s in flat(p)}
         self.values = {s: v for s, v in loop.values.items() if s not in hidden}
         self.known = self.values | {s: e.xreplace(self.values) for s, e in self.tied.items()}
-        own = self.values.keys() & {*flat(loop.parameters[self.V.name])}
-        self.of_V = {s: self.values[s] for s in own} | self.tied
+        of_V = self.values.keys() & {*flat(loop.parameters[self.V.name])}
+        self.of_V = {s: self.values[s] for s in of_V} | self.tied
         self.moving = {TIME, *loop.motion}
         self.Vs = loop.signals["V"][0].xreplace(self.known)
         self.e = sympy.symbols("e_1:3", real=True)
         x, z = loop.states["x"], loop.states["z"]
         self.apart = {a: e + b for a, e, b in zip(x, self.e, z, strict=True)}  # x = e + z
         self.together = {e: a - b for a, e, b in zip(x, self.e, z, strict=True)}
-        self.zones, V = [], self.Vs.xreplace(self.apart)
+        self.zones, self.V_of_D = [], self.Vs.xreplace(self.apart)
         for e in self.e:
-            zone, V = dead_zone(V, e)
+            zone, self.V_of_D = dead_zone(self.V_of_D, e)
             self.zones.append(zone)
-        self.V_of_D = V
         self.rate = tidied(rate_of_V(loop).xreplace(self.known))
         sums = tidied(self.rate - self.fall)
         signed = sums.xreplace({a: a.args[0] * SIGN(*a.args) for a in sums.atoms(sympy.Abs)})
@@ -216,15 +215,11 @@ class Case:
                 return True, fall + share
         return False, fall
 
-    def running(self) -> Step:
-        """Return the step that the running blocks have the same V'."""
-        return running_step(lambda: (self.diagram, self.loop), self.points, seed=self.seed)
-
     def every(self) -> Step:
         """Return the step that the same holds for every N."""
 
         def holds() -> tuple[bool, str]:
-            loop = ArrayLoop(self.diagram, known=self.of_every_N)
+            loop = ArrayLoop(self.loop.diagram, known=self.of_every_N)
             residual = tidied(loop.elements.of(rate_of_V(loop) - decay(loop)))
             if loop.undefined:
                 return False, loop.undefined[0]
@@ -246,13 +241,24 @@ class Case:
         """Return a parameter's element for every N: V's are numbers, the law's or the truth's."""
         generic = [one for one in index if isinstance(one, str)]
         weight = self.of_V.get(symbol, symbol)
-        if weight == symbol and len(generic) == 1:
-            names = [{generic[0]: str(k + 1)} for k in range(self.N)]
-            theirs = [self.of_V.get(s, s) for s in (reindexed(symbol, name) for name in names)]
-            for gain in (
-                reindexed(theirs[0], {"1": generic[0]}),
-                theirs[0],
-            ):  # one each, or for all
-                if [reindexed(gain, name) for name in names] == theirs:
-                    weight = gain
-        return weight
+        if weight != symbol or len(generic) != 1:
+            return weight
+        names = [{generic[0]: str(k + 1)} for k in range(self.N)]
+        theirs = [self.of_V.get(s, s) for s in (reindexed(symbol, name) for name in names)]
+        ways = theirs[0], reindexed(theirs[0], {"1": generic[0]})  # one for all, or one each
+        fit = (gain for gain in ways if [reindexed(gain, name) for name in names] == theirs)
+        return next(fit, symbol)
+
+
+def faster_than_linear(moves: Mapping[str, Any], states: Mapping[str, Any]) -> str:
+    """Return which state may grow faster than linearly in the states, and its rate; or ""."""
+    names = {str(s).split("[")[0] for symbols in states.values() for s in np.ravel(symbols)}
+
+    def is_state(symbol: sympy.Symbol) -> bool:
+        return str(symbol).split("[")[0] in names  # m[k] is one of m[j]
+
+    for what, move in moves.items():
+        for one in np.ravel(move):
+            if degree(sympy.sympify(one), is_state) > 1:
+                return f"{what} = {short(one)} may grow faster than linearly"
+    return ""

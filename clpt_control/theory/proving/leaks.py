@@ -184,12 +184,10 @@ class Bounding:
 
     def __init__(self, case: Any):
         """Read what a `law_case.Case` has."""
-        self.rate, self.V, self.truth = case.rate, case.Vs, case.truth
-        self.moving, self.decays = case.moving, case.has_decay()
-        self.rates = {s: rate.xreplace(case.values) for s, rate in case.loop.motion.items()}
+        self.case, self.truth = case, case.truth
         self.KD = list(case.loop.parameters["vehicle_controller"].KD)
-        self.leaks = leaks_of(case.residual, self.truth, self.moving)
-        H, self.k = sympy.hessian(self.V, list(self.truth)), sympy.Min(*self.KD)
+        self.leaks = leaks_of(case.residual, self.truth, case.moving)
+        H, self.k = sympy.hessian(case.Vs, list(self.truth)), sympy.Min(*self.KD)
         self.weights = {s: H[j, j] for j, s in enumerate(self.truth)}
         self.errors, learned = list(self.truth)[:2], list(self.truth)[2:]  # x, whose truth is z
         self.square = all(self.weights[s] == 1 for s in self.errors) and H.is_diagonal()
@@ -201,12 +199,14 @@ class Bounding:
 
     def bound(self) -> Bound | None:
         """Return what is known of V, or None."""
-        pull = None
-        if self.decays:
-            pull = pulled(self.rate, self.V, self.truth, self.moving)
+        pull = self.pulled(self.case.rate) if self.case.has_decay() else None
         if pull is not None and (pull.rate != 0 or self.square):
             return self.pulled_to(pull)
         return self.rising() or self.by_error() or self.within_balls() if self.leaks else None
+
+    def pulled(self, rate: sympy.Expr) -> Pull | None:
+        """Return what pulls V back where V' is at most this."""
+        return pulled(rate, self.case.Vs, self.truth, self.case.moving)
 
     def pulled_to(self, pull: Pull) -> Bound:
         """Return what V or e comes to, with Delta: e Delta <= KD e^2/2 + Delta^2/(2 KD)."""
@@ -214,9 +214,8 @@ class Bounding:
         push = pull.push + sum(self.weights[e] * d**2 / (2 * k) for e, d, k in shares)
         number, rate = push.n(4), pull.rate.n(4)
         if rate == 0:
-            return Bound(
-                f"V' <= -e^T KD e/2 + {number}: in the mean e^T KD e is at most {2 * number}"
-            )
+            mean = f"in the mean e^T KD e is at most {2 * number}"
+            return Bound(f"V' <= -e^T KD e/2 + {number}: {mean}")
         sentence = f"V' <= -{rate} V + {number}: V comes down to {number / rate}"
         return Bound(sentence, push / pull.rate)
 
@@ -226,7 +225,7 @@ class Bounding:
 
     def rising(self) -> Bound | None:
         """Return the bound where every factor rises with |s|."""
-        full, more, within = self.rate, sympy.Integer(0), []
+        full, more, within = self.case.rate, sympy.Integer(0), []
         for leak in self.leaks:
             radial = _radial(leak)
             if radial is None or leak.factor != radial.word:
@@ -234,7 +233,7 @@ class Bounding:
             full = full.subs(radial.word, radial.top)
             more += radial.top * leak.weight * (radial.R**2 + self.size(leak) * radial.R)
             within.append(f"{self.size(leak)} <= {float(radial.M):.4g}")
-        pull = pulled(sympy.expand(full), self.V, self.truth, self.moving)
+        pull = self.pulled(sympy.expand(full))
         if pull is None:
             return None
         bound = self.pulled_to(Pull(pull.rate, pull.push + more))
@@ -252,10 +251,8 @@ class Bounding:
         c = leak.weight * self.size(leak) ** 2 / 2 + self.push
         slowest = sympy.Max(*(self.weights[s] for s in leak.states))
         level = sympy.Max(c**2 / (2 * self.k**2), slowest * c / leak.weight)
-        return Bound(
-            f"V' <= 0 where V >= {level.n(4)}, so V never rises above it where it begins below",
-            level,
-        )
+        never = "so V never rises above it where it begins below"
+        return Bound(f"V' <= 0 where V >= {level.n(4)}, {never}", level)
 
     def within_balls(self) -> Bound | None:
         """Return the bound where what is learned stays within balls."""
@@ -272,11 +269,8 @@ class Bounding:
             radius, largest = f"|{port}| <= {float(radial.R):.4g}", f"{float(radial.M):.4g}"
             within.append((f"{self.size(leak)} <= {largest}", radius))
         truths, radii = map(listed, zip(*within, strict=True))
-        return Bound(
-            f"{radii} for good where it starts so; where {truths}, "
-            f"V' <= -e^T KD e + e^T Delta, and V comes down to {level.n(4)}",
-            level,
-        )
+        falls = f"V' <= -e^T KD e + e^T Delta, and V comes down to {level.n(4)}"
+        return Bound(f"{radii} for good where it starts so; where {truths}, {falls}", level)
 
     def stays(self, leak: Leak, radial: Radial) -> bool:
         """Return whether |s| never grows where |s| >= R: s^T s' = o - max(o, 0)."""
@@ -291,8 +285,8 @@ class Bounding:
             return False
         n, part, o = sympy.Dummy(nonnegative=True), sympy.Dummy(), taken.args[0]
         beyond = {radial.word: radial.top, taken: o + n, least: 1 / part}
-        power = sympy.expand(sympy.Add(*(s * self.rates[s] for s in leak.states)))
-        power = sympy.expand(power.xreplace(beyond))
+        power = sympy.Add(*(s * self.case.loop.motion[s] for s in leak.states))
+        power = sympy.expand(sympy.expand(power.xreplace(self.case.values)).xreplace(beyond))
         rest = power.subs(part, 0) * leak.square + sympy.diff(power, part)
         return sympy.diff(power, part, 2) == 0 and sympy.expand(rest + n * leak.square) == 0
 

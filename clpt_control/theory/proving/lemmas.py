@@ -41,6 +41,7 @@ import sympy
 from ...diagrams.interconnection import Diagram
 from ...equations.arrays import operand
 from ...equations.derivative import Direction
+from ...errors import DiagramError
 from ...simulation.loops import error_loop
 from .proof import Step, checked, cited
 from .signs import vanishes
@@ -50,7 +51,6 @@ from .theorem_loop import (
     Hedging,
     Loop,
     decay,
-    known_positive,
     rate_of_V,
     theorem_loop,
     theorem_scenario,
@@ -64,6 +64,12 @@ Errors = dict[str, Any]
 def learned_loop(speed: Hedging = "no limit") -> Diagram:
     """Return the learned-flow law's loop."""
     return theorem_loop(WIRED, "learned-flow", speed=speed)
+
+
+def known_positive(loop: ArrayLoop, name: str, value: Any) -> None:
+    """Refuse what is not known to be positive."""
+    if not all(one.is_positive for one in loop.read(value)):
+        raise DiagramError(f"{name} is not known to be positive")
 
 
 def errors(loop: Loop) -> Errors:

@@ -102,10 +102,14 @@ def rate_of_e(loop: SymbolicLoop) -> np.ndarray:
     return np.array([loop.derivative(e) for e in loop.signals["e"]])
 
 
-def brackets(loop: SymbolicLoop, flow: Any, before_K: Any, before_alpha: Any = 0) -> sympy.Expr:
-    """Return V' less e^T (flow - KD e - psi) + the errors, each times what a law makes zero."""
+def brackets(loop: SymbolicLoop, flow: Any, K: bool, alpha: bool = False) -> sympy.Expr:
+    """Return V' less e^T (flow - KD e - psi) + the errors, each times what a law makes zero.
+
+    Before K' and alpha' stands 1/gamma, or nothing, as printed.
+    """
     error, s, rates, phi = errors(loop), loop.states, loop.rates, loop.inputs["phi_x"]
     e, gamma, zc = error["e"], loop.parameters["adaptation"].gain, loop.inputs["zc"]
+    before_K, before_alpha = (1 if printed else 1 / gamma for printed in (K, alpha))
     form = e @ (flow - loop.parameters["vehicle_controller"].KD * e - loop.signals["psi"])
     form += error["eta_3"] @ (before_K * rates["K"] + s["z"] * e)
     form += error["eta_4"] @ (zc * e - rates["Gamma"] / gamma)
@@ -127,17 +131,16 @@ def left_of_injection(loop: SymbolicLoop, printed: bool = False) -> np.ndarray:
 def equation_18(printed: bool) -> Any:
     """V' of Eq. (18)."""
     loop = any_gains("known-flow")
-    p, gamma = loop.parameters, loop.parameters["adaptation"].gain
+    p = loop.parameters
     flow = (p["true_flow"].theta - p["vehicle_controller"].alpha_M) @ loop.inputs["phi_x"]
-    return brackets(loop, flow, 1 if printed else 1 / gamma)
+    return brackets(loop, flow, printed)
 
 
 def equation_25(K: bool = False, alpha: bool = False, flow: bool = False, delta: bool = False):
     """V' of the learned-flow law by Eq. (25) or, with Delta, (34), parts of it as printed."""
     loop = any_gains("learned-flow", delta)
     left = left_of_injection(loop, flow) + loop.inputs.get("delta", 0)
-    gamma = loop.parameters["adaptation"].gain
-    return brackets(loop, left, *(1 if printed else 1 / gamma for printed in (K, alpha)))
+    return brackets(loop, left, K, alpha)
 
 
 def second_derivative(printed: bool) -> Any:

@@ -202,14 +202,12 @@ def prove(
     N = functions_of(law_block)
     theorem_loop(N, "learned-flow", law_block=law_block)  # refuses what is no law
     with worked_out(law_block.name):
-        if V is None and invariants is None:
-            make, gains, refutes = fitted_V(law_block, N)
-            return verdict_of(_case(law_block, make, gains, N, refutes, points, seed))
-        make = _maker(V, law_block)
         if invariants is None:  # one V that does not fall refutes no law
-            return verdict_of(_case(law_block, make, None, N, False, points, seed))
+            of_V = fitted_V(law_block, N) if V is None else (_maker(V, law_block), None, False)
+            return verdict_of(_case(law_block, N, *of_V, points, seed))
         if V is None:
             raise DiagramError(f"{law_block.name}: a law whose states keep relations needs its V")
+        make = _maker(V, law_block)
         part = {"invariants": invariants, "semidefinite": semidefinite, "losses": losses}
         row = Law(law_block.name, rates=law_block.values, V_rate="-e^T KD e - losses")
         case = InvariantLoop(row := row.with_parts(part), N, blocks=(law_block, make))
@@ -223,7 +221,7 @@ def prove(
             rate_of_V(case.loop).xreplace(case.tied),
             steps=(*steps, existing),
             residual=case.beside,
-            diagram=case.diagram,
+            diagram=case.loop.diagram,
         )
 
 
@@ -240,7 +238,7 @@ def _beside(scenario: Scenario) -> str:
     return next((what for what, has in adds.items() if has), "")
 
 
-def _case(law: Block, make: Candidate, gains: Gains | None, N: int, *more: Any) -> Case:
+def _case(law: Block, N: int, make: Candidate, gains: Gains | None, *more: Any) -> Case:
     true = truth_of(theorem_scenario(N, "learned-flow"))
     candidate = make(true)
     diagram = theorem_loop(N, "learned-flow", law_block=law, candidate=candidate)
@@ -251,10 +249,10 @@ def _case(law: Block, make: Candidate, gains: Gains | None, N: int, *more: Any) 
         fields = ("inverse",) if "inverse" in p._fields else ("gain", "gain_K", "gain_Gamma")
         theirs = [s for field in fields for s in np.ravel(getattr(p, field))]
         known |= zip(theirs, gains(flat(loop.parameters[law.name])), strict=True)
-    return Case(diagram, loop, candidate, law, known, *more)
+    return Case(loop, candidate, law, known, *more)
 
 
-def _maker(V: Candidate | None, law: Block) -> Candidate:
+def _maker(V: Candidate, law: Block) -> Candidate:
     """Return a function that makes a candidate of the truth, under a name that no block has.
 
     A candidate may ask for the law's parameters, too.
@@ -266,7 +264,6 @@ def _maker(V: Candidate | None, law: Block) -> Candidate:
         )
 
     def make(truth: Truth) -> Block:
-        assert V is not None
         block = V(*(truth, law.parameters)[: len(signature(V).parameters)])
         if not isinstance(block, Block) or block.output_ports != {"V": 1}:
             raise DiagramError(f"{block}: a candidate makes V[1] and nothing else")

@@ -13,7 +13,6 @@ from typing import Any, Literal
 
 from ...equations.arrays import Unread
 from ...errors import ClptError, DiagramError
-from ...html import facts
 
 LONG = 10**12  # denominators beyond are rounded where they are printed
 How = Literal["exact", "enclosed", "counterexample", "sampled", "cited"]
@@ -127,14 +126,6 @@ def worked_out(name: str) -> Iterator[None]:
         text = "".join(format_exception_only(error)).rpartition(f"{type(error).__module__}.")[2]
         cause = " ".join(text.split())  # in one line
         raise DiagramError(f"{name}: V' cannot be worked out: {cause}") from None
-
-
-def as_html(steps: Iterable[Step]) -> str:
-    """Return steps as a table of HTML."""
-    rows = [
-        (one.claim, "holds" if one.holds else "not shown", one.how, one.detail) for one in steps
-    ]
-    return facts(rows, ("claim", "", "how", "detail"))
 
 
 def checked(claim: str, check: Callable[[], Any], how: How = "exact", every_N: bool = True) -> Step:

@@ -29,7 +29,7 @@ from ...errors import DiagramError
 from ...native.sweep import Sweep
 from ...progress.interrupt import check
 from .proof import Step, checked
-from .symbolic_loop import Numbers, Point
+from .symbolic_loop import Numbers, Point, SymbolicLoop
 from .words import along
 
 Found = tuple[np.ndarray, np.ndarray]  # rates (n, nx) and V (n,); NaN where there are none
@@ -106,19 +106,6 @@ SEARCHES, PER_SEARCH, ROUNDS, BEST = 20, 500, 15, 5
 SURE = 1e-7  # of the size of its terms: a sign that is no rounding
 
 
-def slopes_of(V: sympy.Expr, states: list) -> list[sympy.Expr]:
-    """Return dV/dt and dV/dx_i, words with kinks as well."""
-    return [along(V, {s: sympy.S.One}) for s in (TIME, *states)]
-
-
-def rate_of(slopes: Any, rates: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return V' of slopes (1 + nx, n) along rates (n, nx), and the size of its terms."""
-    with np.errstate(all="ignore"):
-        terms = slopes * np.vstack([np.ones(len(rates)), rates.T])
-        terms = np.where(np.equal(slopes, 0.0), 0.0, terms)
-        return terms.sum(axis=0), np.abs(terms).sum(axis=0)
-
-
 class PointSearch:
     """A search along a diagram's equations, about where its states rest, else 0.
 
@@ -137,6 +124,8 @@ class PointSearch:
     ):
         self.eq, self.V, self.rest = eq, V, rest
         self.states = [*eq.motion]
+        # dV/dt and dV/dx, words with kinks as well
+        self.gradient = [along(V, {s: sympy.S.One}) for s in (TIME, *self.states)]
         self.inputs = [s for port in eq.inputs.values() for s in port.flat]
         self.random, self.blocks = np.random.default_rng(seed), Running(system, name)
         own = zip(self.blocks.wiring.nodes, eq.parameters.values(), strict=True)
@@ -155,8 +144,8 @@ class PointSearch:
 
     @cached_property
     def slopes(self) -> Numbers:
-        """dV/dt and dV/dx."""
-        return self.numbers(*slopes_of(self.V, self.states))
+        """The slopes of V as numbers at points."""
+        return self.numbers(*self.gradient)
 
     def numbers(self, *expressions: sympy.Expr) -> Numbers:
         """Return expressions as numbers at points, with the parameters as they are."""
@@ -176,11 +165,6 @@ class PointSearch:
             signals = self.blocks.signals(t, x.T, u.T)
             known |= {symbol: signals[k] for symbol, k in self.sources.items()}
         return known
-
-    def value_at(self, expression: sympy.Expr, point: Point) -> float:
-        """Return an expression at a point."""
-        at = self.known(np.array([point.t]), point.x[:, None], point.u[:, None])
-        return float(self.numbers(expression).at(at, 1)[0, 0])
 
     def draw(self, count: int, still: bool, widest: float = 2.0) -> tuple:
         """Return times, states and inputs of wide ranges, some of them zero."""
@@ -247,7 +231,11 @@ class PointSearch:
         """
         t, u = np.full(len(x), point.t), np.tile(point.u, (len(x), 1))
         rates, V = self.blocks.by_control(t, x, u)
-        return *rate_of(self.slopes.at(self.known(t, x.T, u.T), len(x)), rates), V
+        slopes = self.slopes.at(self.known(t, x.T, u.T), len(x))
+        with np.errstate(all="ignore"):
+            terms = slopes * np.vstack([np.ones(len(rates)), rates.T])
+            terms = np.where(np.equal(slopes, 0.0), 0.0, terms)
+            return terms.sum(axis=0), np.abs(terms).sum(axis=0), V
 
     # --- compared with symbols ------------------------------------------------------------------
 
@@ -257,8 +245,7 @@ class PointSearch:
         At `some` of the points, times (n,), states (nx, n) and inputs (nu, n), python-control calls
         the blocks.
         """
-        slopes = slopes_of(self.V, self.states)[1:]
-        held = [k for k, slope in enumerate(slopes) if slope != 0]
+        held = [k for k, slope in enumerate(self.gradient[1:]) if slope != 0]
         wanted = [self.V, *(self.eq.motion[self.states[k]] for k in held)]
         wanted = [e.xreplace(self.eq.values) for e in wanted]
         numbers, known = Numbers(*wanted, *map(size_of, wanted)), self.known(*points)
@@ -272,9 +259,8 @@ class PointSearch:
             found = np.vstack([level if self.blocks.V else right[0, :most], rates.T[held]])
             off = _apart(right[:, :most], found, size[:, :most])
             for row, k in np.argwhere(np.isnan(off)):  # large of inf - inf, not of inf/inf
-                exact = wanted[row].evalf(
-                    subs={s: np.broadcast_to(v, count)[k] for s, v in known.items()}
-                )
+                at = {s: np.broadcast_to(v, count)[k] for s, v in known.items()}
+                exact = wanted[row].evalf(subs=at)
                 if exact.is_number and abs(exact) > HUGE:
                     off[row, k] = 0.0
             for row, k in np.argwhere(~(off <= CLOSE))[:1]:
@@ -304,17 +290,21 @@ def _apart(wanted: np.ndarray, found: np.ndarray, size: np.ndarray) -> np.ndarra
     return np.where(large & ~np.isnan(found) | large[0], 0.0, off)
 
 
+def search_of(loop: SymbolicLoop, rest: Mapping[Any, sympy.Expr], seed: int) -> PointSearch:
+    """Return the search along a closed loop with its V, about where its states rest."""
+    return PointSearch(loop.diagram, loop, loop.signals["V"][0], "V[0]", rest, seed)
+
+
 def running_step(
-    read: Callable[[], tuple], points: int, which: str = "", of: str = "", seed: int = 0
+    read: Callable[[], SymbolicLoop], points: int, which: str = "", of: str = "", seed: int = 0
 ) -> Step:
-    """Check that running blocks have the same V and rates; `read` returns a diagram and its loop.
+    """Check that the running blocks of a loop that is read have the same V and rates.
 
     They have their own parameters.
     """
 
     def same() -> tuple[bool, str]:
-        diagram, loop = read()
-        search = PointSearch(diagram, loop, loop.signals["V"][0], "V[0]", {}, seed)
+        search = search_of(read(), {}, seed)
         holds, detail = search.compare(search.wide(points), THROUGH_CONTROL)
         return holds, of + detail
 

@@ -120,10 +120,8 @@ def tidied(expression: sympy.Expr) -> sympy.Expr:
         raise DiagramError(f"V' has more than {MOST_TERMS} terms; make the law or its N smaller")
     masked = {e: sympy.Dummy(str(e), positive=True) for e in expression.atoms(sympy.exp)}
     if masked and not any(e.args[0].atoms(sympy.exp) for e in masked):  # else in its denominators
-        plain = tidied(expression.xreplace(masked))
-        return sympy.expand(
-            plain.xreplace({d: e for e, d in masked.items()}), deep=False, power_exp=False
-        )
+        plain = tidied(expression.xreplace(masked)).xreplace({d: e for e, d in masked.items()})
+        return sympy.expand(plain, deep=False, power_exp=False)
     angles = {p.base.args[0] for p in expression.atoms(sympy.Pow) if isinstance(p.base, sympy.cosh)}
     if angles:  # sinh/cosh, as of log(cosh)
         tanh = {sympy.sinh(a): sympy.tanh(a) * sympy.cosh(a) for a in angles}
@@ -184,14 +182,11 @@ def dead_zone(V: sympy.Expr, e: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr]:
     """Return d where V holds e as e - clip(e, -d, d) alone, and V with e in its place; else 0."""
     clips = [w for w in words_of(V) if w.func == CLIP and w.args[0] == e]
     if len(clips) == 1 and clips[0].args[1] == -clips[0].args[2]:
-        D = sympy.Dummy(real=True)
-        inner = sympy.expand(
-            V.xreplace({e: D + clips[0]}).xreplace(
-                {CLIP(D + clips[0], *clips[0].args[1:]): clips[0]}
-            )
-        )
-        if not inner.has(clips[0]) and clips[0].args[2].is_positive:
-            return clips[0].args[2], inner.xreplace({D: e})
+        clip, D = clips[0], sympy.Dummy(real=True)
+        inner = V.xreplace({e: D + clip}).xreplace({CLIP(D + clip, *clip.args[1:]): clip})
+        inner = sympy.expand(inner)
+        if not inner.has(clip) and clip.args[2].is_positive:
+            return clip.args[2], inner.xreplace({D: e})
     return sympy.S.Zero, V
 
 
@@ -312,11 +307,8 @@ def _at_the_ends(plain: sympy.Expr, q: tuple, found: list, apart: set) -> bool:
     if None in found:
         return False
     sectors = dict(zip(q, found, strict=True))
-    bends = {one: sympy.diff(plain, one, 2) for one in q}
-    if any(
-        b != 0 and not (b.is_nonnegative and sectors[one].high < sympy.oo)
-        for one, b in bends.items()
-    ):
+    bends = ((sympy.diff(plain, one, 2), at.high) for one, at in sectors.items())
+    if any(b != 0 and not (b.is_nonnegative and high < sympy.oo) for b, high in bends):
         return False
     q_times = plain.xreplace({one: at.factor * one + at.more for one, at in sectors.items()})
     if terms_of(q_times) > MOST_TERMS:

@@ -8,6 +8,7 @@ the diagram: what is proved then holds for all of them.
 """
 
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
 from functools import cache, cached_property, partial
 from math import prod
 from typing import Any, NamedTuple
@@ -15,32 +16,33 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 import sympy
+from sympy.core.function import AppliedUndef
 
 from ...diagrams.merged_record import TapeRecord
 from ...diagrams.on_symbols import Equations, on_symbols
 from ...diagrams.symbol_names import TIME
 from ...diagrams.wiring import Node, Wiring, wiring_of
 from ...equations.arrays import Tape, operand
-from ...equations.block import Block
 from ...equations.declaration import Parameters
 from ...equations.derivative import Direction
 from ...equations.elements import Index
 from ...equations.record import Shape
 from ...equations.symbolic import LONG, EveryN, extent
 from ...errors import DiagramError
-from .symbols import PaperNames, element_name, parameter_symbol, undefined
+from .symbols import PaperNames, parameter_symbol, undefined
 from .words import NUMBERS_OF, along, is_input
 
-TRIED = 500  # points at which a sign is looked at before it is proved
-SMALL = 1e-6  # of the largest value there; less may be rounding
 NO_VALUE = (sympy.zoo, sympy.nan, sympy.oo, -sympy.oo, sympy.I)
 
 
+@dataclass
 class SymbolicLoop(Equations):
     """A diagram's equations on the paper's symbols.
 
     A state that is no port of the diagram stands under ``"block:port"``.
     """
+
+    diagram: Any = None
 
     def derivative(self, expression: Any) -> sympy.Expr:
         """Differentiate an expression along the equations, words with kinks as well."""
@@ -57,7 +59,7 @@ def symbolic_loop(
     refuse_unproved(wiring_of(diagram), jumps)
     loop = on_symbols(diagram, PaperNames, opaque, no_value)
     refuse_pinned(loop.pinned)
-    return SymbolicLoop(**vars(loop))
+    return SymbolicLoop(**vars(loop), diagram=diagram)
 
 
 class Point(NamedTuple):
@@ -97,11 +99,11 @@ class Numbers:
 
     def __init__(self, *expressions: sympy.Expr):
         self.expressions, whole = expressions, sympy.Tuple(*expressions)
-        applied = whole.atoms(sympy.core.function.AppliedUndef)
-        inputs = list(filter(is_input, applied))
-        words = {str(f.func) for f in applied} - {str(f.func) for f in inputs}
-        if whole.has(sympy.Derivative) or words - set(NUMBERS_OF):
-            unknown = ", ".join(sorted(words - set(NUMBERS_OF))) or "a derivative of an input"
+        applied = whole.atoms(AppliedUndef)
+        inputs = set(filter(is_input, applied))
+        words = {str(f.func) for f in applied - inputs} - NUMBERS_OF.keys()
+        if whole.has(sympy.Derivative) or words:
+            unknown = ", ".join(sorted(words)) or "a derivative of an input"
             raise DiagramError(f"{unknown} has no numbers, so V' cannot be compared")
         self.symbols = sorted(whole.free_symbols - {TIME}, key=str) + sorted(inputs, key=str)
         self.symbols += [TIME] if whole.has(TIME) else []
@@ -136,27 +138,6 @@ def _function(word: Any, count: int) -> Callable[..., Any]:
     return sympy.lambdify(own, word(*own), [NUMBERS_OF, "scipy", "numpy"])
 
 
-def positive_somewhere(expression: sympy.Expr) -> bool:
-    """Return whether an expression is positive at a random point: no proof is tried then.
-
-    Slopes of inputs may be anything.
-    """
-    slopes = {d: sympy.Dummy(real=True) for d in expression.atoms(sympy.Derivative)}
-    try:
-        numbers = Numbers(expression.xreplace(slopes))
-    except DiagramError:
-        return False
-    random = np.random.default_rng(0)
-    drawn = random.standard_normal((len(numbers.symbols), TRIED))
-    drawn *= 10.0 ** random.uniform(-1, 1, (1, TRIED))
-    for row, s in zip(drawn, numbers.symbols, strict=True):
-        if s.is_nonnegative or s.is_nonpositive or s == TIME:
-            row[:] = np.abs(row) * (-1 if s.is_nonpositive else 1)
-    (values,) = numbers.at(dict(zip(numbers.symbols, drawn, strict=True)), TRIED)
-    values = values[np.isfinite(values)]
-    return bool(values.size and values.max() > SMALL * np.abs(values).max())
-
-
 # --- for every N -------------------------------------------------------------------------------
 
 
@@ -176,8 +157,7 @@ class ArrayLoop:
     ):
         wiring = wiring_of(diagram)
         refuse_unproved(wiring, jumps=False)
-        self.tape, self.known, names = Tape(), known, PaperNames(wiring, ())
-        self.fields, self.names = names.fields, names.states
+        self.tape, self.known, self.names = Tape(), known, PaperNames(wiring, ())
         self.values: dict[str, Any] = {}  # of parameters
         self.declared: dict[str, Shape] = {}
         self.states: dict[str, Any] = {}
@@ -187,18 +167,15 @@ class ArrayLoop:
         self.signals = {port: value for (_, port), value in found.signals.items()}
         of = {node.name: node.system.name for node in wiring.nodes}
         self.rates = {
-            self.names[of[node], port]: value for (node, port), value in found.rates.items()
+            self.names.states[of[node], port]: value for (node, port), value in found.rates.items()
         }
         self.parameters: dict[str, Parameters] = {}  # block -> arrays
         for one in wiring.nodes:
-            block = one.system
-            fields = {
-                field: value
-                if isinstance(value, int)
-                else self._parameter(block, field, found.fields[one.name][field])
-                for field, value in block.parameters._asdict().items()
-            }
-            self.parameters[block.name] = Parameters(**fields)
+            fields = one.system.parameters._asdict()
+            for field, shape in found.fields[one.name].items():
+                if not isinstance(fields[field], int):
+                    fields[field] = self._leaf("p", one, field, shape)
+            self.parameters[one.system.name] = Parameters(**fields)
         self.undefined_so_far: list[str] = []  # in what was read
 
         def watch(place: int, name: str, arguments: tuple) -> None:
@@ -242,17 +219,14 @@ class ArrayLoop:
 
     # --- the leaves, by the paper's names ----------------------------------------------------
 
-    def _parameter(self, block: Block, parameter: str, shape: Shape) -> Any:
-        name = self.fields[block.name, parameter]
-        self.values[name] = getattr(block.parameters, parameter)
-        return self.tape.add("leaf", (), shape, ("p", name))
-
     def _leaf(self, group: str, node: Node, name: str, shape: Shape) -> Any:
         """Return a state or a parameter of a block."""
         block = node.system
         if group == "p":
-            return self._parameter(block, name, shape)
-        state = self.names[block.name, name]
+            known = self.names.fields[block.name, name]
+            self.values[known] = getattr(block.parameters, name)
+            return self.tape.add("leaf", (), shape, ("p", known))
+        state = self.names.states[block.name, name]
         self.declared[state] = block.declared["states"][name]
         return self.states.setdefault(state, self.tape.add("leaf", (), shape, ("x", state)))
 
@@ -268,7 +242,8 @@ class ArrayLoop:
         if group == "p":
             return self.known(parameter_symbol(name, self.values[name], index), index)
         port = ("d " if group == "d" else "") + name + ("'" if group.endswith("'") else "")
-        return sympy.Symbol(element_name(port, self.declared[name], index), real=True)
+        element = self.names.element(port, shape, self.declared[name], index)
+        return sympy.Symbol(element, real=True)
 
 
 def no_value(owner: str, name: str, arguments: tuple) -> str | None:

@@ -36,14 +36,6 @@ SCALARS = ("gamma",)  # one number in the paper, whatever shape a block keeps it
 _NAMES = {field: name for name, fields in ONE.items() for field in fields}
 
 
-def element_name(port: str, declared: Shape, index: Index) -> str:
-    """Return the name of one signal: x_1, alpha_1[2], phi_x[k], P[k][j].
-
-    A first axis of known length is the paper's axis; `declared` has names where a size has one.
-    """
-    return _indexed(port, index, bool(declared) and isinstance(declared[0], int))
-
-
 def _indexed(name: str, index: Index, axis: bool) -> str:
     """Return a name with its index, counted from 1; the first may be the paper's axis."""
     places = [place if isinstance(place, str) else str(place + 1) for place in index]
@@ -86,16 +78,13 @@ def parameter_symbol(name: str, value: Any, index: Index) -> sympy.Expr:
 
 def signed(name: str, value: Any) -> sympy.Expr:
     """Return a symbol with the sign that all values have, or zero."""
-    value = np.asarray(value, dtype=float)
+    signs = {*np.sign(np.asarray(value, dtype=float)).flat}
     if name.endswith(".interval"):  # its own value, -1, says only that it is counted
-        return sympy.Symbol(name, real=True)
-    if value.size and not np.any(value):
+        signs = set()
+    if signs == {0}:
         return sympy.Integer(0)
-    if value.size and np.all(value > 0):
-        return sympy.Symbol(name, positive=True)
-    if value.size and np.all(value < 0):
-        return sympy.Symbol(name, negative=True)
-    return sympy.Symbol(name, real=True)
+    sign = "positive" if signs == {1} else "negative" if signs == {-1} else "real"
+    return sympy.Symbol(name, **{sign: True})
 
 
 def _same(name: str, values: list) -> bool:
@@ -110,9 +99,7 @@ class PaperNames(Names):
     def __init__(self, wiring: Wiring, inputs: Iterable[str]):
         blocks = [node.system for node in wiring.nodes]
         self.fields = parameter_names(blocks)
-        maker: dict[str, str] = {}
-        for block in blocks:
-            maker |= dict.fromkeys(block.output_ports, block.name)
+        maker = {port: block.name for block in blocks for port in block.output_ports}
         self.states = {  # its port, or block:port
             (b.name, port): port if maker.get(port) == b.name else f"{b.name}:{port}"
             for b in blocks
@@ -129,8 +116,11 @@ class PaperNames(Names):
         return node.system.name
 
     def element(self, port: str, shape: Shape, declared: Shape, index: tuple) -> str:
-        """Return x_1, alpha_1[2]."""
-        return element_name(port, declared, index)
+        """Return the name of one signal: x_1, alpha_1[2], phi_x[k], P[k][j].
+
+        A first axis of known length is the paper's axis; `declared` has names where a size has one.
+        """
+        return _indexed(port, index, bool(declared) and isinstance(declared[0], int))
 
     def parameter(self, node: Node, name: str, value: np.ndarray, index: tuple) -> sympy.Expr:
         """Return a symbol of the sign that all values have."""

@@ -7,6 +7,7 @@ the statement that holds, with what of it is cited.
 
 from collections.abc import Callable
 from functools import partial
+from typing import Any
 
 import numpy as np
 
@@ -20,23 +21,9 @@ from ..counterexamples import (
     square_wave_counterexample,
     unlearned_counterexample,
 )
-from .lemmas import (
-    algebra_step,
-    circle_step,
-    convergence_steps,
-    definite_step,
-    dissipation_step,
-    observability_steps,
-    young_step,
-)
+from . import lemmas
 from .proof import Proof, Step, cited, counterexample, proof_or_failure, theorem
-from .theorem_loop import (
-    KNOWN_ERROR,
-    decay,
-    decay_and_disturbance,
-    decay_and_known_error,
-    identity_steps,
-)
+from .theorem_loop import KNOWN_ERROR, Loop, decay, decay_and_known_error, identity_steps
 
 POINTS = 10_000  # at which the running blocks are called for Theorem 3.2
 FEWER = 1_000  # for 3.1 and 3.4, whose blocks are the same but for one
@@ -48,21 +35,20 @@ NO_DELTA = "the true flow is theta phi, without Delta"
 
 def theorem_3_1() -> Proof:
     """Judge Theorem 3.1: the known-flow law and its bound, Eq. (16)."""
-    steps = [
-        *identity_steps(KNOWN_ERROR, "known-flow", decay_and_known_error, FEWER),
-        definite_step("known-flow"),
-        young_step(),
-        counterexample(
-            "the paper's system with one wrong theta_hat leaves Eq. (16) for every mu < KD",
-            partial(known_flow_counterexample, start=400.0, end=800.0, step=0.05),
-            lambda found: found.ratio > 1.05,
-            "max|e| = {0.ratio:.3f} of the largest drive over KD",
-        ),
-    ]
     return theorem(
         "CLPE is ultimately bounded by |e| <= |(theta - theta_hat) phi|/mu, mu < lambda_min(KD)",
         (POSITIVE_KD, PIECEWISE, SMOOTH, "|(theta - theta_hat) phi| is bounded, Assumption 3.3"),
-        steps,
+        [
+            *identity_steps(KNOWN_ERROR, "known-flow", decay_and_known_error, FEWER),
+            lemmas.definite_step("known-flow"),
+            lemmas.young_step(),
+            counterexample(
+                "the paper's system with one wrong theta_hat leaves Eq. (16) for every mu < KD",
+                partial(known_flow_counterexample, start=400.0, end=800.0, step=0.05),
+                lambda found: found.ratio > 1.05,
+                "max|e| = {0.ratio:.3f} of the largest drive over KD",
+            ),
+        ],
         "V' < 0 outside a ball in e bounds nothing while V also holds gain errors: "
         "the gains can store the drive and give it back.",
         corrected="int |e|^2 dt <= 2 V(0)/k + int |(theta - theta_hat) phi|^2 dt/k^2 with "
@@ -73,16 +59,15 @@ def theorem_3_1() -> Proof:
 
 def theorem_3_2() -> Proof:
     """Judge Theorem 3.2: the learned-flow law drives CLPE to zero."""
-    steps = [
-        *identity_steps("V' = -e^T KD e", "learned-flow", decay, POINTS),
-        definite_step("learned-flow"),
-        dissipation_step(),
-        *convergence_steps(),
-    ]
     return theorem(
         "under Assumptions 3.1 and 3.2 CLPE converges to zero",
         (POSITIVE_KD, PIECEWISE, SMOOTH, NO_DELTA),
-        steps,
+        [
+            *identity_steps("V' = -e^T KD e", "learned-flow", decay, POINTS),
+            lemmas.definite_step("learned-flow"),
+            lemmas.dissipation_step(),
+            *lemmas.convergence_steps(),
+        ],
         "V falls and is bounded below, V'' is bounded, so V' -> 0 (Barbalat's lemma, "
         "whose argument is the last step) and e -> 0.",
         not_proved=("any rate of convergence", "that alpha, K or Gamma converge (Theorem 3.3)"),
@@ -92,8 +77,8 @@ def theorem_3_2() -> Proof:
 def theorem_3_3() -> Proof:
     """Judge Theorem 3.3: the parameters converge."""
     steps = [
-        *observability_steps(),
-        circle_step(),
+        *lemmas.observability_steps(),
+        lemmas.circle_step(),
         counterexample(
             "zc exciting is not enough: with the gaussian-sigma kernel a parameter stands still",
             partial(unlearned_counterexample, end=220.0),
@@ -120,7 +105,7 @@ def theorem_3_3() -> Proof:
 def ultimate_steps() -> list[Step]:
     """Check the ultimate bound where the regressor excites."""
     return [
-        algebra_step(  # with 2 V = |e|^2 + r, r the parameter errors' share
+        lemmas.algebra_step(  # with 2 V = |e|^2 + r, r the parameter errors' share
             "v = sqrt(2 V) grows by |Delta| at most: v' v = V' <= e^T Delta and "
             "(e^T Delta)^2 <= 2 V |Delta|^2",
             "(e1**2 + e2**2 + r)*(d1**2 + d2**2) - (e1*d1 + e2*d2)**2"
@@ -131,7 +116,7 @@ def ultimate_steps() -> list[Step]:
             "where Delta = 0",
             "Ioannou and Sun 1996, theorem 3.4.8",
         ),
-        algebra_step(  # q = sqrt(1 - rho) < 1, d = T D
+        lemmas.algebra_step(  # q = sqrt(1 - rho) < 1, d = T D
             "v_{n+1} <= sqrt(1 - rho) v_n + T D comes down to T D/(1 - sqrt(1 - rho)), and "
             "within a window v grows by T D",
             "(q*v + d - d/(1 - q)) - q*(v - d/(1 - q))",
@@ -139,13 +124,18 @@ def ultimate_steps() -> list[Step]:
     ]
 
 
+def decay_and_disturbance(loop: Loop) -> Any:
+    """V' = -e^T KD e + e^T Delta, Eq. (35)."""
+    return decay(loop) + loop.signals["e"] @ loop.inputs["delta"]
+
+
 def theorem_3_4() -> Proof:
     """Judge Theorem 3.4: the bound (33) under a disturbance."""
     text = "V' = -e^T KD e + e^T Delta"
     steps = [
         *identity_steps(text, "learned-flow", decay_and_disturbance, FEWER, disturbed=True),
-        definite_step("learned-flow"),
-        young_step(),
+        lemmas.definite_step("learned-flow"),
+        lemmas.young_step(),
         *ultimate_steps(),
         counterexample(
             "the paper's system, started true, with a square wave leaves Eq. (33) for every "

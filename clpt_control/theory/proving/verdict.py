@@ -16,11 +16,11 @@ import numpy as np
 import sympy
 
 from ...diagrams.interconnection import Diagram
-from ...html import fragment
+from ...html import facts, fragment
 from .law_case import Case
 from .leaks import Bounding
-from .proof import Step, as_html, exact, first_failure, short
-from .running_rate import SURE, PointSearch
+from .proof import Step, exact, first_failure, short
+from .running_rate import SURE, running_step, search_of
 from .symbolic_loop import Point
 
 FARTHER = (1.0, 10.0, 100.0)
@@ -30,7 +30,7 @@ TRIED, UNTIL = 300, 1000.0  # points for each jump of a law, and until when jump
 
 def refuting_point(case: Case) -> tuple[Point, float] | None:
     """Return a point with V' > 0, and V' of the running blocks there, or None."""
-    search = search_of(case)
+    search = search_of(case.loop, case.truth, case.seed)
     for point in search.highest(case.rate, still=False):
         rises, size, V = search.rates_at(point, search.farther(point.x, FARTHER))
         positive = np.all((rises > SURE * size) & (V > 0))
@@ -45,7 +45,7 @@ def rising_jump(case: Case) -> tuple[Point, Point, float] | None:
     V rises there at all distances, the more the farther off.  It does not at a jump that forgets a
     share of everything: errors stay bounded by that.
     """
-    search = search_of(case)
+    search = search_of(case.loop, case.truth, case.seed)
     sweep = search.blocks.sweep
     for t in sweep.breakpoints(0.0, UNTIL)[: len(FARTHER)].tolist():
         sweep.enter(t)
@@ -61,12 +61,6 @@ def rising_jump(case: Case) -> tuple[Point, Point, float] | None:
             near = [Point(t, s[k * len(FARTHER)], inputs.T[k]) for s in (before, after)]
             return near[0], near[1], float(rises[k, 0])
     return None
-
-
-def search_of(case: Case) -> PointSearch:
-    """Return the search for points, about the truth."""
-    V = case.loop.signals["V"][0]
-    return PointSearch(case.diagram, case.loop, V, "V[0]", case.truth, case.seed)
 
 
 @dataclass(frozen=True)
@@ -140,7 +134,9 @@ class Verdict:
         return f"<Verdict {self.status}: {self.claim}>"
 
     def _repr_html_(self) -> str:
-        return fragment("Verdict", f"{self.status}: {self.claim}", as_html(self.steps))
+        rows = [(s.claim, "holds" if s.holds else "not shown", s.how, s.detail) for s in self.steps]
+        table = facts(rows, ("claim", "", "how", "detail"))
+        return fragment("Verdict", f"{self.status}: {self.claim}", table)
 
 
 def verdict_of(case: Case) -> Verdict:
@@ -158,7 +154,7 @@ def verdict_of(case: Case) -> Verdict:
     elif falls and zones:
         bound = case.comes_to_zones(fall)
     if definite.holds and total.holds and (falls or bound is not None):
-        steps.append(running := case.running())
+        steps.append(running := running_step(lambda: case.loop, case.points, seed=case.seed))
         if running.holds and bound is not None:
             steps.append(exact(bound.sentence, True))
             return _complete(case, "bounded", bound.sentence, steps, level=bound.level)
@@ -194,9 +190,8 @@ def _complete(case: Case, status: str, claim: str, steps: list[Step], **more: An
             jump = rising_jump(case) if case.refutes else None
             status = f"{status} between jumps"
             if jump is not None:
-                rises = f"by {jump[2]:.3g}"
                 status, more = "refuted at a jump", {"point": jump[0], "after": jump[1]}
                 claim = "the running blocks' V rises at a jump, ten and a hundred times as far off"
-                steps += [Step(claim, True, "counterexample", rises, False)]
-    law: dict[str, Any] = {"residual": case.residual, "diagram": case.diagram, **more}
+                steps += [Step(claim, True, "counterexample", f"by {jump[2]:.3g}", False)]
+    law: dict[str, Any] = {"residual": case.residual, "diagram": case.loop.diagram, **more}
     return Verdict(status, claim, case.Vs, case.rate, steps=tuple(steps), **law)

@@ -16,19 +16,17 @@ for all t (Gronwall's lemma); s' = 1 + s^2 ends at t = pi/2, and with it the run
 expression grows with such states is its degree: 0 is bounded, 1 is linear.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import lru_cache
 from math import inf
 from operator import ge, gt, le, lt
 from typing import Any, NamedTuple
 
-import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
 from ...diagrams.symbol_names import TIME
 from ...equations.symbolic import ON_NUMBERS, SUM
-from .proof import short
 
 INSIDE = sympy.Function("inside", real=True)  # 1 where clip(s, a, b) is s, else 0
 CLIP = sympy.Function("clip", real=True)
@@ -287,20 +285,6 @@ def _smooth(apart: sympy.Expr, u: sympy.Expr) -> bool:
 BOUNDED = (sympy.sin, sympy.cos, sympy.tanh, sympy.atan, sympy.atan2, sympy.erf)
 AS_ITS_PARTS = ("Abs", "minimum", "maximum", "floor", "trunc", "ceil", "asinh")
 AS_ITS_OTHERS = ("where", "pick", "clip", "mod")  # whatever the first argument is
-
-
-def faster_than_linear(moves: Mapping[str, Any], states: Mapping[str, Any]) -> str:
-    """Return which state may grow faster than linearly in the states, and its rate; or ""."""
-    names = {str(s).split("[")[0] for symbols in states.values() for s in np.ravel(symbols)}
-
-    def is_state(symbol: sympy.Symbol) -> bool:
-        return str(symbol).split("[")[0] in names  # m[k] is one of m[j]
-
-    for what, move in moves.items():
-        for one in np.ravel(move):
-            if degree(sympy.sympify(one), is_state) > 1:
-                return f"{what} = {short(one)} may grow faster than linearly"
-    return ""
 
 
 def degree(expression: sympy.Expr, is_state: Callable[[sympy.Symbol], bool]) -> float:
