@@ -4,6 +4,7 @@ import control
 import numpy as np
 import pytest
 import scipy.integrate
+import scipy.linalg
 from test_kinks import T, run, system
 from written_systems import ticking
 
@@ -185,3 +186,50 @@ def test_a_root_of_a_magnitude_that_begins_at_zero_goes_on():
     np.testing.assert_allclose(run.states.values, theirs.states.T, atol=1e-6)
     many = clpt.run_ensemble(bouc, {"q": [0.01]}, timepts=times, initial_state=[0.0, 0.0, 0.0])
     np.testing.assert_allclose(many.y_final.values[0], run.states.values[-1], atol=1e-7)
+
+
+def test_switches_that_are_met_at_once_are_slid_on_each_by_itself():
+    """From rest six joints stick until |torque| = friction, each as if it were alone."""
+    torque, friction = np.array([2.0, 1.5, 1.2, 1.0, 0.9, 0.8]), 0.1 * np.arange(1.0, 7.0)
+
+    def rates(t, x, u, p):
+        return torque * np.sin(t) - friction * np.sign(x)
+
+    joints = control.nlsys(rates, None, inputs=0, outputs=6, states=6, name="joints")
+    times = np.linspace(0.0, 2.0, 41)
+    run = clpt.simulate(joints, times, None, np.zeros(6))
+    assert "sliding on a switch" in run.attrs["method"]
+    loose = np.arcsin(friction / torque)
+    since = np.maximum(times[:, None], loose)
+    right = torque * (np.cos(loose) - np.cos(since)) - friction * (since - loose)
+    np.testing.assert_allclose(run.states.values, right, atol=1e-8)
+
+
+MEETING = [(5, 2, 0.0), (5, 3, 0.3), (4, 3, 0.5), (9, 6, 0.2)]
+
+
+@pytest.mark.parametrize(("n", "m", "mixed"), MEETING)
+@pytest.mark.parametrize("seed", range(3))
+def test_on_several_switches_a_linear_system_moves_within_them(n, m, mixed, seed):
+    """x' = f + B sign(C x), f = A x + b sin 2t, keeps C x = 0 by the control w = -(C B)^-1 C f."""
+    rng = np.random.default_rng(seed)
+    A, C = 0.1 * rng.normal(size=(n, n)) - 0.5 * np.eye(n), rng.normal(size=(m, n))
+    b, B = rng.normal(size=n), -np.linalg.pinv(C) @ (np.eye(m) + mixed * rng.normal(size=(m, m)))
+    x0 = scipy.linalg.null_space(C) @ rng.normal(size=n - m)
+
+    def f(t, x):
+        return A @ x + b * np.sin(2 * t)
+
+    def on_all(t, x):
+        return f(t, x) - B @ np.linalg.solve(C @ B, C @ f(t, x))
+
+    share = max(np.abs(np.linalg.solve(C @ B, C @ f(t, x0))).max() for t in T)
+    B *= 2.0 * share  # so that |w| <= 1/2 at the start, and no push is too weak
+    system = control.nlsys(
+        lambda t, x, u, p: f(t, x) + B @ np.sign(C @ x), None, states=n, outputs=n
+    )
+    found = clpt.simulate(system, T, None, x0)
+    assert "sliding on a switch" in found.attrs["method"]
+    smooth = scipy.integrate.solve_ivp(on_all, T[[0, -1]], x0, "DOP853", T, rtol=1e-11, atol=1e-12)
+    np.testing.assert_allclose(C @ smooth.y, 0.0, atol=1e-9)
+    np.testing.assert_allclose(found.states.values, smooth.y.T, atol=1e-7)
