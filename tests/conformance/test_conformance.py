@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from package_blocks import BLOCKS, EACH
 from recorded import static
+from sentences import says
 
 from clpt_control.blocks import clpe
 from clpt_control.blocks.laws.paper import LEARNED_FLOW as LAW
@@ -40,8 +41,7 @@ def test_a_report_counts_its_checks_and_repeats():
     assert (report.ok, report.failures, len(report.checks)) == (True, (), 6)
     assert str(report) == "clpe: conforms (6 checks)"
     assert check_block(static(root, 1), seed=3) == check_block(static(root, 1), seed=3)
-    with pytest.raises(ArgumentError, match="block = 3: must be a Block"):
-        check_block(3)
+    says(ArgumentError, "block = 3: must be a Block", check_block, 3)
 
 
 # --- blocks of a user, each with one mistake ---------------------------------------------------
@@ -92,8 +92,7 @@ def failures(block):
     ],
 )
 def test_writing_into_what_is_given_makes_no_block(make):
-    with pytest.raises(BlockError, match=r"line .*read-only"):
-        make()
+    says(BlockError, r"line .*read-only", make)
 
 
 def large_constant(t, x, u, p):
@@ -250,7 +249,6 @@ def test_alone_in_a_diagram_it_gives_the_same_and_parameters_reach_it(block):
         ours = python_values(block, "output", sample._replace(p=p))
         assert not any(differ(ours, given) for given in calls), field
     for unknown in (f"{block.name}.no_such_field", "no_such_block.gain", "no_such_name"):
-        with pytest.raises(BlockError, match="unknown parameter"):
-            block.output(*arguments, params={unknown: 1.0})
+        says(BlockError, "unknown parameter", block.output, *arguments, params={unknown: 1.0})
     ours = block.output(*arguments)
     assert not differ(ours, diagram.output(*arguments, params={"another_block.gain": 1.0}))

@@ -3,6 +3,7 @@
 import control
 import numpy as np
 import pytest
+from sentences import says
 
 import clpt_control as clpt
 from clpt_control.blocks import flow, vehicle
@@ -106,8 +107,7 @@ def test_one_vehicle_of_two_diagrams_is_reached_by_its_name():
         np.testing.assert_allclose(runs[0].states, runs[1].states, rtol=0, atol=1e-8)
     with pytest.raises(BlockError, match=r"unknown parameter 'c\.adaptation\.gain'"):
         clpt.simulate(both, [0, 3], 0, start, params={"c.adaptation.gain": 2.0})
-    with pytest.raises(DiagramError, match=r"made by both a and b.*control\.interconnect"):
-        clpt.connect([a, b])
+    says(DiagramError, r"made by both a and b.*control\.interconnect", clpt.connect, [a, b])
 
 
 def test_states_and_inputs_that_do_not_fit():
@@ -116,8 +116,7 @@ def test_states_and_inputs_that_do_not_fit():
     with pytest.raises(clpt.SimulationError, match="initial_state: must have 2 numbers"):
         clpt.simulate(loop, TIMES, 0, [[1, 2], [3, 4], 0])
     for inputs in ([TIMES[1:], 0], [[TIMES, TIMES], TIMES], [TIMES, "fast"]):
-        with pytest.raises(clpt.ClptError, match="inputs"):
-            clpt.simulate(loop, TIMES, inputs)
+        says(clpt.ClptError, "inputs", clpt.simulate, loop, TIMES, inputs)
 
 
 def test_ports_in_another_order_than_their_makers():
@@ -132,7 +131,6 @@ def test_ports_in_another_order_than_their_makers():
         assert run.e[0].values.tolist() == [4, 2, 3, 4]  # d, c, w of a = [4, 1], b = [2, 3]
 
 
-# block | inputs | states | outputs: the table of the design, with N = 3
 # block | inputs | states | outputs: the table of the design, with N = 3
 DESIGN = """
     reference           |                                    |                 | zc 2
@@ -150,8 +148,6 @@ DESIGN = """
 """
 ROWS = [line.split("|") for line in DESIGN.splitlines()[1:]]
 TABLE = {name.strip(): ports for name, *ports in ROWS}
-
-# block | inputs | states | outputs: the table of the design, with N = 3
 
 
 def flat(ports):

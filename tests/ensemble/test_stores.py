@@ -7,6 +7,7 @@ import shutil
 import tracemalloc
 
 import pytest
+from sentences import says
 from swept import VARY, files
 
 import clpt_control as clpt
@@ -90,8 +91,7 @@ def test_a_damaged_ensemble_is_a_sentence(whole, out, name, damage, said):
     words = rf"e\.zarr.*{said.format(array=re.escape(name.partition('/')[0]))}"
     tracemalloc.start()
     for go_on in (lambda: run_ensemble(out=out, **whole[1]), lambda: clpt.report(out, "e.html")):
-        with pytest.raises(DataError, match=words):
-            go_on()
+        says(DataError, words, go_on)
     assert tracemalloc.get_traced_memory()[1] < 5 * 10**7
     tracemalloc.stop()
     assert files(out) == before
@@ -129,8 +129,7 @@ def test_arguments_that_do_not_fit_are_told(out, tmp_path, name):
     text = group.attrs["ensemble"]
     for value in (None, 10**12, [], "x", -1, 0):
         group.attrs["ensemble"] = json.dumps({**json.loads(text), name: value})
-        with pytest.raises(DataError, match=r"is damaged"):
-            clpt.report(out, tmp_path / "e.html")
+        says(DataError, r"is damaged", clpt.report, out, tmp_path / "e.html")
 
 
 def test_what_lacks_is_neither_mixed_nor_written_over(whole, out):
@@ -141,12 +140,10 @@ def test_what_lacks_is_neither_mixed_nor_written_over(whole, out):
     store.group.attrs["digests"] = json.dumps(store.digests())
     run_ensemble(out=out, **whole[1])
     store.group["done"][1] = 0
-    with pytest.raises(DataError, match="begun by other versions"):
-        run_ensemble(out=out, **whole[1])
+    says(DataError, "begun by other versions", run_ensemble, out=out, **whole[1])
     store.group.attrs.update(kept)
     put(lambda at: (at / "mine").mkdir(parents=True))(one)
-    with pytest.raises(DataError, match=r"clpe_rms_whole.c.1: cannot be written"):
-        run_ensemble(out=out, **whole[1])
+    says(DataError, r"clpe_rms_whole.c.1: cannot be written", run_ensemble, out=out, **whole[1])
 
 
 OTHERS = {"seed": 1, "members": 7, "design": "random", "vary": "learning.gain=1:2"}
@@ -158,16 +155,14 @@ def test_another_ensemble_is_refused(whole, out, what, value):
     before, given = files(out), {**whole[1], what: value}
     if gain := given.pop("scenario", None):
         given["system"] = given["system"].with_values({"learning.gain": gain})
-    with pytest.raises(DataError, match=f"holds an ensemble of another {what}"):
-        run_ensemble(out=out, **given)
+    says(DataError, f"holds an ensemble of another {what}", run_ensemble, out=out, **given)
     assert files(out) == before
 
 
 def test_where_there_is_none_it_begins(whole, tmp_path, monkeypatch):
     (tmp_path / "new").mkdir()
     assert run_ensemble(out=tmp_path / "new", **whole[1]).sizes["member"] == 6
-    with pytest.raises(DataError, match="does not exist"):
-        run_ensemble(out=tmp_path / "no" / "e.zarr", **whole[1])
+    says(DataError, "does not exist", run_ensemble, out=tmp_path / "no" / "e.zarr", **whole[1])
 
     def too_much(work, values):
         raise MemoryError

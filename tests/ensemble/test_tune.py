@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from sentences import says
 
 import clpt_control
 from clpt_control.blocks.laws.table import LAWS
@@ -102,8 +103,7 @@ def test_laws_that_cannot_be_tuned_are_skipped_with_the_reason(paper):
     assert set(skipped) == {law.name for law in LAWS.values() if law.given_estimate or law.at_fixes}
     assert [law.name for law in tried] == [name for name in LAWS if name not in skipped]
     own = {"learning": {"law": "fix-regression"}, "localization": {"interval": 5.0}}
-    with pytest.raises(ScenarioError, match="is the only law that learns at fixes"):
-        tune_law(paper.with_values(own))
+    says(ScenarioError, "is the only law that learns at fixes", tune_law, paper.with_values(own))
 
 
 def test_the_fast_law_is_taken_where_nothing_disturbs(paper):
@@ -151,22 +151,13 @@ def test_a_measured_current_is_taken_out(facts, tmp_path):
     ],
 )
 def test_what_cannot_be_tuned_is_refused(paper, arguments, said):
-    with pytest.raises(ScenarioError, match=said):
-        tune_law(paper, **arguments)
+    says(ScenarioError, said, tune_law, paper, **arguments)
 
 
 def test_the_command_writes_the_choice(clpt, printed, short, tmp_path):
     clpt_control.save_scenario(short, tmp_path / "mine.toml")
-    words = (
-        "tune",
-        tmp_path / "mine.toml",
-        "--members",
-        "3",
-        "--law",
-        "sigma",
-        "--law",
-        "dead-zone",
-    )
+    file, laws = tmp_path / "mine.toml", ("--law", "sigma", "--law", "dead-zone")
+    words = "tune", file, "--members", 3, *laws
     report = printed(*words, "--out", tmp_path / "tuned.toml")
     made, chosen = clpt_control.load_scenario(tmp_path / "tuned.toml"), report["chosen"]
     assert (made.learning.law, made.learning.gain) == (chosen["law"], chosen["gain"])

@@ -120,11 +120,9 @@ def riccati(t, x, u, p):
 
 def test_states_are_views_of_one_vector():
     ports = {"inputs": {"rate": 1}, "states": {"P": ("n", "n"), "K": "n"}, "sizes": {"n": 2}}
-    block, P, x = (
-        Block("mine", update=riccati, **ports),
-        np.array([[1.0, 2], [3, 4]]),
-        np.arange(1.0, 7),
-    )
+    block = Block("mine", update=riccati, **ports)
+    P = np.array([[1.0, 2], [3, 4]])
+    x = np.arange(1.0, 7)
     wanted = [*(0.5 * P - P @ P).ravel(), *(P[1] + 1.0 * 6.0)]
     np.testing.assert_allclose(as_it_runs(block, "update", 0.0, x, [0.5]), wanted)
     np.testing.assert_array_equal(block.output(0, x, [0.5]), x)

@@ -13,6 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from responses import response
 from scipy.linalg import expm
+from sentences import says
 from written_systems import ticking
 
 import clpt_control as clpt
@@ -142,8 +143,7 @@ def test_python_control_reads_points_and_the_time_between_jumps():
 def test_a_jump_needs_states_and_breakpoints(lacking):
     said = r"^b: a jump sets states at the block's own breakpoints; give `breakpoints` and `states`"
     own = {"update": scale, "states": {"s": 1}, "breakpoints": ticks, "jump": scale} | lacking
-    with pytest.raises(BlockError, match=said):
-        Block("b", output=scale, outputs={"y": 1}, inputs={"u": 1}, **own)
+    says(BlockError, said, Block, "b", output=scale, outputs={"y": 1}, inputs={"u": 1}, **own)
 
 
 @every_engine
@@ -254,10 +254,8 @@ def test_every_engine_follows_matrix_exponentials(seed):
     times = np.round(np.sort([0.0, *random.uniform(0.0, END, 4), 1.0, END]), 9)
     runs = zip(members, starts, strict=True)
     wanted = np.array([exact(sizes, p, jumping, x, times) for p, x in runs])
-    diagrams, tight = (
-        [diagram_of(sizes, p, jumping) for p in members],
-        {"rtol": 1e-11, "atol": 1e-12},
-    )
+    diagrams = [diagram_of(sizes, p, jumping) for p in members]
+    tight = {"rtol": 1e-11, "atol": 1e-12}
     for form in ("unrolled", "looped"):
         for diagram, x, states in zip(diagrams[:2], starts, wanted, strict=False):
             found = NativeDiagram(diagram, form=form).run(x, times, **tight)

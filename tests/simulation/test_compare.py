@@ -4,6 +4,7 @@ import control
 import numpy as np
 import pytest
 import xarray
+from sentences import says
 
 import clpt_control as clpt
 from clpt_control.figures import COLOURS
@@ -138,8 +139,7 @@ def test_units_go_along_with_samples_a_file_and_a_new_name(tmp_path):
 
 @pytest.mark.parametrize("units", [{"g": "m"}, {"h": ""}, {"h": 3}, {"h": "m\n"}])
 def test_units_that_are_none_are_refused(units):
-    with pytest.raises(clpt.ClptError, match=r"\A.*units.*\Z"):
-        tank(units)
+    says(clpt.ClptError, r"\A.*units.*\Z", tank, units)
 
 
 def test_runs_of_a_diagram_are_told_apart(of_tanks):
@@ -205,8 +205,7 @@ def test_runs_that_are_cut_or_joined(of_tanks, of_scenarios):
         plots.clpe_plot: xarray.concat([paper, paper], "run", data_vars="all"),
         plots.learning_plot: xarray.concat([paper, paper], "time", data_vars="minimal"),
     }.items():
-        with pytest.raises(clpt.DataError, match=r"\A.*\Z"):
-            plot(run)
+        says(clpt.DataError, r"\A.*\Z", plot, run)
     ax = plots.track_plot(paper, label="mine", color="black")
     assert (ax.lines[0].get_color(), legends(ax)[0]) == ("black", "mine: track")
 
@@ -224,8 +223,7 @@ def test_what_cannot_be_compared_is_one_sentence(of_tanks):
         ({"a": a, "b": a[["h"]]}, None, r"the same signals: choose some, as run\[\['h'\]\]"),
         ({"a": a, "b": other}, None, "not all runs have h in one unit: m, km"),
     ):
-        with pytest.raises(clpt.ClptError, match=rf"\A.*{said}.*\Z"):
-            clpt.compare(runs, plot)
+        says(clpt.ClptError, rf"\A.*{said}.*\Z", clpt.compare, runs, plot)
 
 
 def test_no_waypoint_is_told_of_a_reference_of_ones_own(tmp_path):

@@ -53,10 +53,7 @@ def test_three_parameters_are_recovered_from_noisy_data():
         assert abs(found.values[name] - value) < 4 * found.errors[name] < 0.1 * value
     again = clpt.simulate(mass(), TIMES, FORCE, found.initial_state, found.params)
     left = np.std(again.place.values - measured(1)["place"])
-    assert [found.noise["place"], left] == [
-        pytest.approx(0.01, rel=0.2),
-        pytest.approx(0.01, rel=0.2),
-    ]
+    assert [found.noise["place"], left] == pytest.approx([0.01, 0.01], rel=0.2)
     assert "m = " in repr(found)
     assert covered(range(10)) > 0.8
 

@@ -4,6 +4,7 @@ import law_blocks
 import numpy as np
 import pytest
 from scipy.integrate import simpson
+from sentences import says
 
 import clpt_control as clpt
 from clpt_control.blocks import localization
@@ -70,10 +71,8 @@ def test_steps_of_equal_length_average_the_noise_of_fixes():
     """y_k is theta T + n_k - n_{k-1}; with a wide prior the sum leaves the last n alone."""
     exact = {f"{TABLE}.noise": 1e-9, f"{TABLE}.prior": 1e3}
     noisy = {"localization.noise": 0.05, "localization.interval": 20.0}
-    run, block = (
-        clpt.simulate(UNIFORM.with_values(exact | noisy)),
-        localization.fixes(0.05, 20.0, 0.0),
-    )
+    run = clpt.simulate(UNIFORM.with_values(exact | noisy))
+    block = localization.fixes(0.05, 20.0, 0.0)
     for k in (1, 2, 3):
         n = block.output(20.0 * k, [], [0.0, 0.0])[:2]
         learned = estimates(run.sel(time=20.0 * k))
@@ -111,10 +110,8 @@ def test_ever_more_fixes_give_continuous_least_squares():
 
 
 def test_the_vehicle_steers_on_its_prediction_alone():
-    calm, exact = (
-        PAPER.with_values({"flow.parameters": [[0.0] * 3] * 2}),
-        {"rtol": 1e-11, "atol": 1e-12},
-    )
+    calm = PAPER.with_values({"flow.parameters": [[0.0] * 3] * 2})
+    exact = {"rtol": 1e-11, "atol": 1e-12}
     run, still = (clpt.simulate(one, np.linspace(0.0, 5.0, 21), **exact) for one in (PAPER, calm))
     before = run.predicted_position[:-1]  # the first fix no flow is known
     np.testing.assert_allclose(before, still.position[:-1], rtol=0, atol=1e-9)
@@ -151,8 +148,7 @@ REFUSED = [  # the key that is named, the values, the sentence
 
 @pytest.mark.parametrize(("key", "values", "said"), REFUSED)
 def test_what_does_not_fit_is_said(key, values, said):
-    with pytest.raises(clpt.ClptError, match=rf"\A(?=.*{key}).*{said}.*\Z"):
-        PAPER.with_values(values)
+    says(clpt.ClptError, rf"\A(?=.*{key}).*{said}.*\Z", PAPER.with_values, values)
 
 
 def test_what_is_of_fixes_alone_or_of_no_fixes_is_said():

@@ -10,6 +10,7 @@ import pytest
 from calm_water import CALM, KD, POINTS, GammaD, exact_positions
 from matplotlib.quiver import Quiver
 from matplotlib.text import Text
+from sentences import says
 from xarray.testing import assert_allclose, assert_equal, assert_identical
 
 import clpt_control as clpt
@@ -101,8 +102,7 @@ UNFIT = [
 
 @pytest.mark.parametrize(("changes", "said"), UNFIT, ids=[said for _, said in UNFIT])
 def test_what_does_not_fit_is_refused_in_a_sentence(changes, said):
-    with pytest.raises(ClptError, match=rf"\A.*{said}.*\Z"):
-        clpt.closed_loop(PAPER, **changes)
+    says(ClptError, rf"\A.*{said}.*\Z", clpt.closed_loop, PAPER, **changes)
 
 
 def test_a_loop_that_knows_its_scenario_is_its_scenario():
@@ -138,13 +138,11 @@ def test_what_was_done_to_a_loop_since_is_in_its_run(change):
     assert run.attrs[OWN_PARTS] == "closed_loop: run as a diagram"
     assert not np.allclose(run.predicted_position, clpt.simulate(PAPER).predicted_position)
     for use in (lambda own: clpt.run_ensemble(own, "learning.gain=0.2:2.0", 2), prove):
-        with pytest.raises(DiagramError, match="closed_loop: was changed after closed_loop"):
-            use(loop)
+        says(DiagramError, "closed_loop: was changed after closed_loop", use, loop)
 
 
 def refused(ask, run, said):
-    with pytest.raises(ClptError, match=said):
-        ask(run)
+    says(ClptError, said, ask, run)
 
 
 def test_nothing_is_told_of_a_run_whose_parts_its_scenario_does_not_hold():
@@ -256,10 +254,8 @@ def test_the_state_is_in_the_order_of_the_diagram():
     team = clpt.Team(members={"west": PAPER, "east": PAPER}, coupling=0.5)
     both = clpt.simulate(team, [0, 1])
     assert both.state.values.tolist() == clpt.team_loop(team).state_labels
-    with pytest.raises(ClptError, match="nearest of its times is 7; simulate it with timepts"):
-        clpt.state_at(run, 7.5)
-    with pytest.raises(DataError, match="carries no states"):
-        clpt.state_at(run.drop_vars("states"), 7)
+    says(ClptError, "nearest of its times is 7; simulate it with timepts", clpt.state_at, run, 7.5)
+    says(DataError, "carries no states", clpt.state_at, run.drop_vars("states"), 7)
 
 
 @pytest.mark.parametrize(
@@ -273,10 +269,8 @@ def test_the_state_is_in_the_order_of_the_diagram():
     ],
 )
 def test_a_run_is_that_of_the_scenario_that_says_so(name, key, value, tmp_path):
-    run, own = (
-        clpt.simulate(PAPER, params={name: value}),
-        clpt.simulate(PAPER.with_values({key: value})),
-    )
+    run = clpt.simulate(PAPER, params={name: value})
+    own = clpt.simulate(PAPER.with_values({key: value}))
     assert_allclose(run.drop_attrs()[list(own)], own.drop_attrs(), rtol=1e-6, atol=1e-9)
     assert np.all(np.diff(run.lyapunov.values) <= 1e-9)  # V of the parameters that ran falls
     clpt.save_run(run, tmp_path / "run.nc")
@@ -307,8 +301,7 @@ def test_an_initial_state_tolerances_and_noise_are_the_files(tmp_path):
     ],
 )
 def test_what_is_no_parameter_is_refused(name, value, sentence):
-    with pytest.raises(BlockError, match=sentence):
-        clpt.simulate(PAPER, params={name: value})
+    says(BlockError, sentence, clpt.simulate, PAPER, params={name: value})
 
 
 def test_a_gain_of_zero_at_call_time_is_the_scenarios():

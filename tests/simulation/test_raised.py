@@ -8,6 +8,7 @@ import control
 import numpy as np
 import pytest
 from calm_water import PAPER
+from sentences import says
 
 import clpt_control as clpt
 from clpt_control.blocks import field, vehicle
@@ -214,8 +215,7 @@ LEFT = [  # its start, its span, the field, and what of the place, the time and 
 
 @pytest.mark.parametrize(("start", "times", "given", "said"), LEFT)
 def test_leaving_raises_with_position_time_and_bounds(start, times, given, said):
-    with pytest.raises(SimulationError, match=said):
-        clpt.simulate(drift("raise", **given), times, initial_state=start)
+    says(SimulationError, said, clpt.simulate, drift("raise", **given), times, initial_state=start)
 
 
 def test_leaving_stops_where_it_leaves_between_samples():
@@ -252,5 +252,4 @@ def test_out_and_back_within_a_step_is_found(farthest):
 @pytest.mark.parametrize("of", [lambda s: s, clpt.closed_loop], ids=["scenario", "diagram"])
 def test_more_samples_than_memory_holds_are_refused_before_work(of):
     said = r"timepts: 8000000 samples of \d+ states and signals"
-    with pytest.raises(SimulationError, match=said):
-        clpt.simulate(of(PAPER), 1e-4 * np.arange(8_000_000))
+    says(SimulationError, said, clpt.simulate, of(PAPER), 1e-4 * np.arange(8_000_000))

@@ -16,6 +16,7 @@ from damages import json_changed
 from models import MODELS
 from processes import ran
 from random_diagrams import random_diagram
+from sentences import says
 from test_compare import lemniscate, loop
 
 import clpt_control as clpt
@@ -203,8 +204,7 @@ def test_what_cannot_be_recorded_says_so(tmp_path):
         loaded = clpt.load_run(tmp_path / "run.nc")
         assert loaded.equals(run)
         assert why in loaded.attrs["not_repeated"]
-        with pytest.raises(clpt.DataError, match=why):
-            clpt.load_diagram(tmp_path / "run.nc")
+        says(clpt.DataError, why, clpt.load_diagram, tmp_path / "run.nc")
     mute = control.nlsys(rate, lambda t, x, u, p: [], inputs=0, outputs=0, states=1)
     with pytest.raises(clpt.DataError, match="the run has no signal; give its system outputs"):
         clpt.save_run(clpt.simulate(mute, TIMES, initial_state=[1.0]), tmp_path / "none.nc")
@@ -216,8 +216,7 @@ def test_a_parameter_that_the_record_holds_stays(again):
     block = clpt.Block("b", update=counted, states={"y": 1}, parameters={"count": 2.0})
     _, diagram = again(clpt.simulate(block, TIMES, initial_state=[1.0]))
     np.testing.assert_allclose(clpt.simulate(diagram).y, np.exp(-2 * TIMES), atol=1e-7)
-    with pytest.raises(clpt.BlockError, match="holds for no other"):
-        clpt.simulate(diagram, params={"b.count": 3.0})
+    says(clpt.BlockError, "holds for no other", clpt.simulate, diagram, params={"b.count": 3.0})
     with pytest.raises(clpt.ClptError, match="recorded up to"):
         clpt.simulate(again(clpt.simulate(kicked(), TIMES))[1], [0.0, 50.0])
 
@@ -245,8 +244,7 @@ def test_changed_equations_are_one_sentence_or_a_diagram():
     for row, column in ((0, -1), (-1, 0), (0, 99)):  # a wire from or to no signal
         plain = json.loads(texts[0])
         plain["diagram"]["connections"][0][:2] = row, column
-        with pytest.raises(clpt.DataError, match="its equations are damaged: "):
-            diagram_of_text(json.dumps(plain))
+        says(clpt.DataError, "its equations are damaged: ", diagram_of_text, json.dumps(plain))
 
 
 LINES = [
@@ -276,8 +274,7 @@ def test_a_line_of_a_record_that_is_none_is_refused(line):
     else:
         record["operations"] += [["fill", [0.5], [5_000_000], None]] * 21
         said = r"has 1.05e\+08 numbers; at most 1e\+08"
-    with pytest.raises(clpt.DataError, match=said):
-        diagram_of_text(json.dumps(plain))
+    says(clpt.DataError, said, diagram_of_text, json.dumps(plain))
 
 
 def test_damaged_numbers_of_a_run_are_one_sentence(tmp_path):
@@ -299,8 +296,7 @@ def test_damaged_numbers_of_a_run_are_one_sentence(tmp_path):
     }
     for how, data in damaged.items():
         data.drop_encoding().to_netcdf(tmp_path / f"{how}.nc")
-        with pytest.raises(clpt.DataError, match=rf"\A.*{tmp_path}.*\Z"):
-            clpt.load_run(tmp_path / f"{how}.nc")
+        says(clpt.DataError, rf"\A.*{tmp_path}.*\Z", clpt.load_run, tmp_path / f"{how}.nc")
 
 
 def test_names_of_a_file_are_neither_markup_nor_formulas(again, tmp_path):

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 from law_blocks import EACH, HELD
 from scipy.integrate import simpson
+from sentences import says
 
 import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS
@@ -99,13 +100,11 @@ def test_a_gain_of_zero_is_without_learning(name):
 
 def test_a_gain_of_zero_is_refused_where_nothing_is_without_it():
     for name in (name for name, law in LAWS.items() if law.settings):
-        with pytest.raises(ScenarioError, match=r"learning\.gain: "):
-            with_law(name, **{"learning.gain": 0})
+        says(ScenarioError, r"learning\.gain: ", with_law, name, **{"learning.gain": 0})
     with pytest.raises(ScenarioError, match=r"learning\.gain = 0"):
         clpt.certify(with_law("learned-flow", **{"learning.gain": 0}))
     each = PAPER.with_values({"learning.gain": None, "learning.gains": EACH})
-    with pytest.raises(DiagramError, match=r"Eqs. \(27\)-\(28\) are of law"):
-        clpt.error_loop(each)
+    says(DiagramError, r"Eqs. \(27\)-\(28\) are of law", clpt.error_loop, each)
 
 
 FINE = {"run.output_step": 5, "run.rtol": 1e-9, "learning.sample": 0.05}
@@ -177,5 +176,4 @@ def test_what_is_not_sampled_says_so():
             members=both, edges=[("a", "b")], coupling=0.5
         ),
     }.items():
-        with pytest.raises(ClptError, match=said):
-            ask()
+        says(ClptError, said, ask)
