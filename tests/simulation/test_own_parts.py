@@ -141,10 +141,6 @@ def test_what_was_done_to_a_loop_since_is_in_its_run(change):
         says(DiagramError, "closed_loop: was changed after closed_loop", use, loop)
 
 
-def refused(ask, run, said):
-    says(ClptError, said, ask, run)
-
-
 def test_nothing_is_told_of_a_run_whose_parts_its_scenario_does_not_hold():
     """A reference that leaves z_2 at rest teaches nothing of Gamma_2; a slow law is no fast one."""
     certificate = partial(clpt.theory.certificate, window=20.0, start=0.0)
@@ -153,21 +149,21 @@ def test_nothing_is_told_of_a_run_whose_parts_its_scenario_does_not_hold():
     lagging = clpt.closed_loop(PAPER, insert={("v_x", "vehicle"): LAG})
     own_law = clpt.closed_loop(PAPER, law=law_blocks.papers_law())
     assert prove(own_law, points=100).status == "proved"
-    refused(prove, lagging, "has v_x to vehicle: lag, so V' is not its law's alone")
+    says(ClptError, "has v_x to vehicle: lag, so V' is not its law's alone", prove, lagging)
     run = clpt.simulate(lagging, times)
-    refused(certificate, run, "the run has parts given in Python, v_x to vehicle: lag")
-    refused(clpt.estimation.flow_estimate, run, "v_x .* its vehicle is not known")
+    says(ClptError, "the run has parts given in Python, v_x to vehicle: lag", certificate, run)
+    says(ClptError, "v_x .* its vehicle is not known", clpt.estimation.flow_estimate, run)
     rests = lambda t, x, u, p: {"zc": [np.cos(t), 0.0]}  # noqa: E731
     still = clpt.Block("reference", output=rests, outputs={"zc": 2})
     run = clpt.simulate(clpt.closed_loop(PAPER, replace={"reference": still}), times)
-    refused(gramian, run, "made with a reference that its scenario does not hold")
+    says(ClptError, "made with a reference that its scenario does not hold", gramian, run)
     wide = clpt.simulate(loop, times, params={"basis_x.widths": np.full(3, 1e3)})
-    refused(gramian, wide, "made with a basis_x that its scenario does not hold")
+    says(ClptError, "made with a basis_x that its scenario does not hold", gramian, wide)
     slow = clpt.simulate(loop, times, params={"adaptation.gain": 1e-3})
     assert gramian(slow).window == 20.0
-    refused(certificate, slow, r'the run has parameters {"adaptation.gain": 0.001}')
+    says(ClptError, r'the run has parameters {"adaptation.gain": 0.001}', certificate, slow)
     run = clpt.simulate(own_law, times)
-    refused(certificate, run, "no certificate: .* the run has the law mine")
+    says(ClptError, "no certificate: .* the run has the law mine", certificate, run)
     assert gramian(run).eigenvalues["x1"][0] > 0
 
 

@@ -14,11 +14,7 @@ import clpt_control as clpt
 from clpt_control.diagrams.plain_data import diagram_key
 
 TIMES = np.linspace(0.0, 1.0, 11)
-RATE, TABLE, ROW = 1.0, [1.0], np.array([1.0])
-
-
-def helper(x):
-    return RATE * x
+RATE, TABLE = 1.0, [1.0]
 
 
 def table_of(rate):
@@ -44,7 +40,7 @@ def changes(patch):
         patch.setitem(sys.modules, "numbers_of_mine", types.SimpleNamespace(rate=rate))
 
     in_module(1.0)
-    TABLE[0] = ROW[0] = 1.0
+    TABLE[0] = 1.0
     value, less, ends = [1.0], np.zeros(1), ([[1.0]], [[1.0]], [[0.0]])
     table, plant = table_of(1.0), system(by_params, k=1.0)
     wired = control.ss([[0.0]], *ends, name="a", inputs="u", outputs="y")
@@ -54,15 +50,9 @@ def changes(patch):
     partial = functools.partial(held, [1.0], less=less)
     return {
         "a global": (system(lambda t, x, u, params: [-RATE * x[0]]), of_global),
-        "a global of a helper": (system(lambda t, x, u, params: [-helper(x[0])]), of_global),
         "a global behind math": (system(by_math), of_global),
         "a global behind functools": (system(product), of_global),
         "a list": (system(of_rate(lambda x: TABLE[0])), lambda: TABLE.__setitem__(0, 2.0)),
-        "an array": (system(of_rate(lambda x: ROW[0])), lambda: ROW.__setitem__(0, 2.0)),
-        "a default": (
-            system(by_default),
-            lambda: patch.setattr(by_default, "__defaults__", (2.0,)),
-        ),
         "an import": (system(by_import), lambda: in_module(2.0)),
         "a closure": (system(of_rate(lambda x: value[0])), lambda: value.append(value.pop() + 1.0)),
         "a partial": (system(partial), lambda: less.__setitem__(0, -1.0)),
@@ -78,10 +68,6 @@ def changes(patch):
         "a matrix": (lag, lambda: lag.A.__setitem__((0, 0), -2.0)),
         "a wire": (loop, lambda: loop.connect_map.__setitem__((0, 0), -2.0)),
     }
-
-
-def by_default(t, x, u, params, rate=1.0):
-    return [-rate * x[0]]
 
 
 def by_math(t, x, u, params):
