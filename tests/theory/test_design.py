@@ -252,8 +252,7 @@ def test_a_picture_shows_both_tracks(short, tmp_path):
 def test_in_a_measured_current_no_track_is_designed(tmp_path):
     uniform_field(tmp_path / "field.nc", v=0.2, end=400.0)
     scenario = clpt.paper_scenario().with_values({"flow": {"field": str(tmp_path / "field.nc")}})
-    with pytest.raises(clpt.ScenarioError, match=r"give flow\.parameters in its place"):
-        design_track(scenario)
+    says(clpt.ScenarioError, r"give flow\.parameters in its place", design_track, scenario)
 
 
 def test_CLPE_of_a_design_is_that_of_clpt_run():
