@@ -71,6 +71,12 @@ def further(dive, east, north=0.0):
     return replace(dive, gps_east=dive.gps_east + east, gps_north=dive.gps_north + north)
 
 
+def turned(dive, response):
+    """A dive that goes by a number, complex, times what it reckons."""
+    more = (response - 1) * (dive.dr_east + 1j * dive.dr_north)
+    return further(dive, more.real, more.imag)
+
+
 def told(dives, *targets):
     """Return what `clpt replay --json` prints of dives, and of waypoints to aim at."""
     return Job(replay_dives(dives), targets=list(targets)).summary()
@@ -81,16 +87,27 @@ def one_file_each(folder, dives):
         write_dive_table([dive], folder / f"dive{dive.number}.csv")
 
 
-def fixes_of(count, latitude=40.0, longitude=8.0, seed=1, hours=4.0):
-    """Dives to the east whose fixes lie where they were: each begins where the last one ended."""
-    rng, time, lat, lon, dives = np.random.default_rng(seed), 1.7e9, latitude, longitude, []
-    for k in range(count):
-        T = 3600 * hours * rng.uniform(0.8, 1.2)
-        angle = 1.2 + 0.8 * math.sin(k / 9)
-        dr = 0.25 * T * math.sin(angle), 0.25 * T * math.cos(angle)
-        current = np.array([0.1 + 0.08 * math.sin(k / 7), -0.05 + 0.06 * math.cos(k / 5)])
-        east, north = dr + T * current + 200 * rng.normal(size=2)
-        end = place_from(lat, lon, east, north)
-        dives.append(make_dive(k + 1, (time, lat, lon), (time + T, *end), dr))
-        time, (lat, lon) = time + T + 600, place_from(*end, 30.0, 20.0)
+def chained(ways, place=(40.0, 8.0), time=1.6e9, stay=600.0, drift=(0.0, 0.0), first=0):
+    """Dives of (reckoned, gone: m; duration: s), each from where the surface left the vehicle."""
+    dives = []
+    for k, (reckoned, gone, T) in enumerate(ways, first):
+        end = place_from(*place, *gone)
+        dives.append(make_dive(k, (time, *place), (time + T, *end), tuple(reckoned)))
+        time, place = time + T + stay, place_from(*end, *drift)
     return dives
+
+
+def along(degrees, metres):
+    """East and north of a way on a course, m."""
+    return metres * np.array([np.sin(np.radians(degrees)), np.cos(np.radians(degrees))])
+
+
+def fixes_of(count, latitude=40.0, longitude=8.0, seed=1):
+    """Dives to the east in a current that changes, of about four hours; fixes good to 200 m."""
+    rng, ways = np.random.default_rng(seed), []
+    for k in range(count):
+        T = 14400 * rng.uniform(0.8, 1.2)
+        dr = along(math.degrees(1.2 + 0.8 * math.sin(k / 9)), 0.25 * T)
+        current = np.array([0.1 + 0.08 * math.sin(k / 7), -0.05 + 0.06 * math.cos(k / 5)])
+        ways.append((dr, dr + T * current + 200 * rng.normal(size=2), T))
+    return chained(ways, (latitude, longitude), 1.7e9, drift=(30.0, 20.0), first=1)

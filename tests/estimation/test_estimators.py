@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.integrate import trapezoid
 from scipy.special import erf
-from synthetic_vehicle import STEADY, further, vehicle
+from synthetic_vehicle import STEADY, further, turned, vehicle
 
 from clpt_control.estimation import FixModel, Priors
 from clpt_control.estimation.dive import Dive, mid_time
@@ -96,12 +96,6 @@ def test_the_tides_integral_is_right():
     assert H[0, 2] == pytest.approx(trapezoid(np.cos(w * t), t), rel=1e-5)
     assert H[1, 5] == pytest.approx(trapezoid(np.sin(w * t), t), rel=1e-5)
     assert mid_time(dive) == pytest.approx(t.mean())
-
-
-def turned(dive, response):
-    """A dive that goes by a number, complex, times what it reckons."""
-    more = (response - 1) * (dive.dr_east + 1j * dive.dr_north)
-    return further(dive, more.real, more.imag)
 
 
 @pytest.mark.parametrize(("factor", "degrees"), [(0.8, 12.0), (1.15, -8.0)])

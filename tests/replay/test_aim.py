@@ -10,12 +10,11 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from refusals import refuses
-from synthetic_vehicle import STEADY, vehicle
+from synthetic_vehicle import STEADY, along, chained, vehicle
 
 from clpt_control.errors import ScenarioError
 from clpt_control.estimation import FixModel
 from clpt_control.geodesy import displacement, place_from
-from clpt_control.gliders import make_dive
 from clpt_control.gliders.samples import turned
 from clpt_control.replay import aims, map_plot, replay_dives, route
 from clpt_control.replay.aim import aim, triangle
@@ -53,16 +52,10 @@ def test_the_triangle_of_currents(x, y, east, north, s):
         assert np.hypot(*(g - c - w)) <= best * (1 + 1e-12)
 
 
-def still(current=(0.0, 0.0), count=12, lat=40.0, lon=8.0, factor=1.0):
+def still(current=(0.0, 0.0), count=12, place=(40.0, 8.0)):
     """Dives of a steady current (m/s) on all headings, 0.25 m/s of 4 h, from fix to fix."""
-    dives, time, place = [], 1.6e9, (lat, lon)
-    for k in range(count):
-        angle = 2.4 * k
-        dr = 3600 * np.array([math.sin(angle), math.cos(angle)])
-        end = place_from(*place, *(factor * dr + 14400 * np.array(current)))
-        dives.append(make_dive(k, (time, *place), (time + 14400, *end), tuple(dr)))
-        time, place = time + 15000, end
-    return dives
+    reckoned = [along(math.degrees(2.4 * k), 3600.0) for k in range(count)]
+    return chained([(dr, dr + 14400 * np.array(current), 14400.0) for dr in reckoned], place)
 
 
 def known(*current):
@@ -124,8 +117,8 @@ def test_what_cannot_be_made_is_said():
 @settings(derandomize=True, max_examples=25, deadline=None)
 @given(st.floats(-75, 75), st.floats(-180, 180), st.floats(0, 360), st.floats(200, 2500))
 def test_a_waypoint_within_reach_is_met_on_the_ellipsoid(lat, lon, angle, far):
-    replay = replay_dives(still((0.05, 0.02), 4, lat, lon))
-    way = far * math.sin(math.radians(angle)), far * math.cos(math.radians(angle))
+    replay = replay_dives(still((0.05, 0.02), 4, (lat, lon)))
+    way = along(angle, far)
     leg = aims(replay, [away(replay, *way)], duration=21600.0)[0]
     assert leg.state == REACHED
     assert leg.left < 2

@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from synthetic_vehicle import further, vehicle
+from synthetic_vehicle import along, chained, turned, vehicle
 
 from clpt_control.estimation import FixModel
 from clpt_control.estimation.estimators import ESTIMATORS, KalmanBank
 from clpt_control.geodesy import displacement, place_from
-from clpt_control.gliders import make_dive, read_dives, usable
+from clpt_control.gliders import read_dives, usable
 from clpt_control.replay import Replay, clpe_rms, replay_dives, summary
 from clpt_control.replay.doubts import SpeedFactorWatch
 
@@ -20,16 +20,11 @@ WILD = 4  # the dive with a wild fix
 
 def sea(count=9, seed=3):
     """Dives in a steady current, on headings all round, fixes good to 20 m."""
-    rng = np.random.default_rng(seed)
-    dives, at, time = [], (40.0, 8.0), 1e9
+    rng, ways = np.random.default_rng(seed), []
     for number in range(1, count + 1):
-        bearing = np.radians(77.0 * number)
-        water = SWUM * np.array([np.sin(bearing), np.cos(bearing)])
-        end = place_from(*at, *(water + CURRENT * T + rng.normal(0, 20, 2)))
-        dives.append(make_dive(number, (time, *at), (time + T, *end), tuple(water)))
-        at = place_from(*end, *(CURRENT * STAY))
-        time += T + STAY
-    return dives
+        water = along(77.0 * number, SWUM)
+        ways.append((water, water + CURRENT * T + rng.normal(0, 20, 2), T))
+    return chained(ways, time=1e9, stay=STAY, drift=CURRENT * STAY, first=1)
 
 
 def moved(dive, fix, east, north):
@@ -167,12 +162,6 @@ def flags(dives):
     return found
 
 
-def pushed(dive, along, left):
-    """A dive that came up further along, and to the left of, its way, in its length."""
-    east, north = dive.dr_east, dive.dr_north
-    return further(dive, along * east - left * north, along * north + left * east)
-
-
 @pytest.mark.parametrize("case", [{}, {"noise": 0.01}, {"walk": 0.01}, {"flow": "M2"}])
 def test_lost_speed_is_flagged(case):
     for seed in range(5):
@@ -199,7 +188,7 @@ def test_a_vehicle_that_does_not_swim_says_nothing_of_speed():
 
 def test_on_one_heading_the_flag_says_that_it_may_be_a_current():
     dives = vehicle(3, 26, heading="one", noise=0.005)
-    found = flags([*dives[:20], *(pushed(d, -0.15, 0.0) for d in dives[20:])])
+    found = flags([*dives[:20], *(turned(dive, 0.85) for dive in dives[20:])])
     assert found
     assert not found[0].certain
     assert "a current from ahead looks the same" in str(found[0])
@@ -208,7 +197,7 @@ def test_on_one_heading_the_flag_says_that_it_may_be_a_current():
 
 def test_a_front_across_the_track_is_no_lost_speed():
     for seed in range(6):
-        dives = vehicle(seed, 28, noise=0.005)
-        far = [0.2 * d.duration / np.hypot(d.dr_east, d.dr_north) for d in dives[20:22]]
-        beyond = [pushed(d, 0.0, more) for d, more in zip(dives[20:22], far, strict=True)]
-        assert not [a for a in flags([*dives[:20], *beyond]) if a.dive >= 20]
+        *dives, one, two = vehicle(seed, 22, noise=0.005)
+        far = [0.2 * d.duration / np.hypot(d.dr_east, d.dr_north) for d in (one, two)]
+        beyond = turned(one, 1 + 1j * far[0]), turned(two, 1 + 1j * far[1])
+        assert not [a for a in flags([*dives, *beyond]) if a.dive >= 20]

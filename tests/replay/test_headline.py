@@ -9,6 +9,7 @@ import pytest
 import xarray
 from glider_dialects import basestation3
 from refusals import refuses
+from synthetic_vehicle import along, chained
 
 from clpt_control.geodesy import displacement, place_from
 from clpt_control.gliders import make_dive, read_dives, sample_dives, usable
@@ -22,18 +23,13 @@ from clpt_control.replay.surfacing import ellipse
 DIVES = usable(sample_dives())[0]
 
 
-def flown(courses, planned=False, hours=4.0, stay=900.0, away=(150.0, 0.0)):
+def flown(courses, planned=False):
     """Dives of 3 km on courses (degrees), with a drift at the surface, in still water."""
-    found, time, place = [], 1.6e9, (40.0, 8.0)
-    for k, course in enumerate(courses):
-        way = 3000.0 * math.sin(math.radians(course)), 3000.0 * math.cos(math.radians(course))
-        end = place_from(*place, *way)
-        after = time + 3600 * hours, *end
-        planned_next = courses[k + 1] if planned and k + 1 < len(courses) else None
-        dive = make_dive(k, (time, *place), after, way, next_course=planned_next)
-        found.append(dive)
-        time, place = after[0] + stay, place_from(*end, *away)
-    return found
+    ways = [(along(course, 3000.0), along(course, 3000.0), 14400.0) for course in courses]
+    dives = chained(ways, stay=900.0, drift=(150.0, 0.0))
+    if planned:
+        dives[:-1] = map(lambda dive, course: replace(dive, next_course=course), dives, courses[1:])
+    return dives
 
 
 def half(replay):
@@ -74,7 +70,7 @@ def test_in_the_long_run_nine_of_ten_hold(wild):
     rng = np.random.default_rng(5)
     turns = rng.normal(0, 60, 300) if wild else rng.standard_t(2, 300) * 10
     habits, before, held = Habits(), None, []
-    for dive in flown(np.cumsum(turns), hours=4.0):
+    for dive in flown(np.cumsum(turns)):
         dive = replace(dive, t_gpse=dive.t_gps2 + dive.duration * rng.uniform(0.6, 1.4))
         if before is not None:
             guess = habits.guess()
