@@ -200,13 +200,16 @@ def test_dives_with_no_fix_between_them_are_one(tmp_path):
 
 
 def test_a_mission_that_cannot_be_read_is_one_sentence(tmp_path):
+    def of(name, unit):
+        return {"units": {name: {"units": unit}}}
+
     for how, said in (
         ({"columns": without(FIX)}, "no two fixes more than 600 s apart"),
         ({"columns": without(FIX[1:])}, "no two fixes more than 600 s apart"),
         ({"drop": ("LONGITUDE_GPS",)}, "no variable LONGITUDE_GPS; OG1 has the fixes there"),
         ({"drop": ("TIME",)}, "no variable TIME_GPS; OG1"),
-        ({"units": {"TIME": {"units": "seconds since the start"}}}, "TIME.*must be such as"),
-        ({"units": {"DEPTH": {"units": "dbar"}}}, "DEPTH.*'dbar'.*must be such as"),
+        (of("TIME", "seconds since the start"), "TIME.*must be such as"),
+        (of("DEPTH", "dbar"), "DEPTH.*'dbar'.*must be such as"),
     ):
         refuses(said, mission, tmp_path, **how)
 

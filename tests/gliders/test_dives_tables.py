@@ -87,14 +87,12 @@ def test_lines_of_a_table_are_skipped_one_by_one(table):
     assert "no fix before" in unused[0].why
 
 
-def test_a_current_stands_in_place_of_dead_reckoning(table, tmp_path):
+def test_a_current_stands_in_place_of_dead_reckoning(tmp_path):
     """What miss over duration of the dives themselves is gives back their dead reckoning."""
-    dives = sample_dives()
-    names = ["number", "t_gps2", "lat_gps2", "lon_gps2", "t_gpse", "lat_gpse", "lon_gpse"]
-    rows = [
-        [*(getattr(d, n) for n in names), d.miss_east / d.duration, d.miss_north / d.duration]
-        for d in dives
-    ]
+    dives, names = sample_dives(), "number t_gps2 lat_gps2 lon_gps2 t_gpse lat_gpse lon_gpse"
+    rows = [[getattr(dive, name) for name in names.split()] for dive in dives]
+    for row, dive in zip(rows, dives, strict=True):
+        row += [dive.miss_east / dive.duration, dive.miss_north / dive.duration]
     rows.append([400, *rows[0][1:-1], ""])
     head = HEAD.replace("dr_east_m,dr_north_m", "dac_east,dac_north")
     lines = [",".join(map(str, row)) + "\n" for row in rows]
@@ -129,10 +127,8 @@ def test_dive_numbers_of_netcdf_files(tmp_path):
         assert dives_in(path)[0].number == 7
     path = path.rename(tmp_path / "other.nc")
     refuses("other.nc: neither dive_number nor log_DIVE is a", read_dives, path)
-    columns = og1_rows([1e12])
-    used, skipped = usable(read_dive_file(og1(tmp_path / "og1.nc", columns=columns))[0])
-    assert not used
-    assert "its number is 1e+12; must be a whole number" in skipped[0].why
+    (dive,) = dives_in(og1(tmp_path / "og1.nc", columns=og1_rows([1e12])))
+    assert "its number is 1e+12; must be a whole number" in usable([dive])[1][0].why
 
 
 def test_what_is_no_file_is_refused_at_once(tmp_path, monkeypatch):
