@@ -196,13 +196,13 @@ EVEN = 0.3 * np.arange(6.0), 4 * np.arange(5.0), 6 * np.arange(7.0)
 UNEVEN = np.array([0, 1, 3, 4, 7.0]), np.array([0, 5, 6, 9.0]), np.array([-3, 0, 1, 8, 9.0])
 
 
-@pytest.mark.parametrize(
-    ("axes", "flow"),
-    [
-        (EVEN, lambda t, y, x: (2 * (10 * t) ** 2 - x**2 - y**2, x * y + x**2 - y**2)),
-        (UNEVEN, lambda t, y, x: (1 + 2 * x - y + 0.3 * t, 5 - t)),
-    ],
-)
+HARMONIC = [
+    (EVEN, lambda t, y, x: (2 * (10 * t) ** 2 - x**2 - y**2, x * y + x**2 - y**2)),
+    (UNEVEN, lambda t, y, x: (1 + 2 * x - y + 0.3 * t, 5 - t)),
+]
+
+
+@pytest.mark.parametrize(("axes", "flow"), HARMONIC)
 def test_filling_solves_the_laplace_equation(axes, flow):
     """What is harmonic in (10 km/h t, x2, x1) comes back from its edges alone."""
     uv = np.array(flow(*np.meshgrid(*axes, indexing="ij")))

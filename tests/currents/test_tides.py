@@ -210,15 +210,15 @@ def test_records_are_read_alike_from_every_file(tmp_path):
     assert read_record(net, latitude=-10.0).latitude == -10.0
 
 
-@pytest.mark.parametrize(
-    ("unit", "cells"),
-    [
-        ("", ("20190101", "20190102")),
-        (" (UTC)", ("20190101T00", "2019-01-02T01:00+01:00")),
-        (" [yyyy-mm-ddTHH:MM:SSZ]", ("2019-01-01T00:00:00Z", "2019-01-02T00:00:00Z")),
-        (" (ISO 8601)", ("2019-01-01", "2019-01-02")),
-    ],
-)
+TIMES = [
+    ("", ("20190101", "20190102")),
+    (" (UTC)", ("20190101T00", "2019-01-02T01:00+01:00")),
+    (" [yyyy-mm-ddTHH:MM:SSZ]", ("2019-01-01T00:00:00Z", "2019-01-02T00:00:00Z")),
+    (" (ISO 8601)", ("2019-01-01", "2019-01-02")),
+]
+
+
+@pytest.mark.parametrize(("unit", "cells"), TIMES)
 def test_times_of_a_table_are_as_its_header_says(tmp_path, unit, cells):
     rows = "".join(f"{cell},0.1,0.2\n" for cell in cells)
     (tmp_path / "r.csv").write_text(f"# latitude: -41.2\ntime{unit},u (m/s),v (m/s)\n{rows}")
@@ -231,33 +231,33 @@ HEADER = "# latitude: 41\ntime,u (m/s),v (m/s)\n"
 ROW = "2019-01-01T0{}:00,0.1,0.2\n"
 
 
-@pytest.mark.parametrize(
-    ("text", "sentence"),
-    [
-        ("", "is empty"),
-        (HEADER, "has a header and no rows"),
-        ("the quick brown fox\n", "no column time"),
-        ("time,u (m/s),v (m/s),u (m/s)\n", "more than one column u"),
-        ("time,u,v\n" + ROW.format(1), "u has no units; write them behind the name"),
-        ("time,u (kelvin),v (m/s)\n", "u: units = 'kelvin' is no speed"),
-        (HEADER + "yesterday,1,2\n", "line 3: time is 'yesterday'"),
-        (HEADER + "2201,1,2\n", "the year 1700 to 2200"),
-        (HEADER + "\n# a gap\n2019-01-01,1,2\n2019-01-02,1,o2\n", "line 6: v is 'o2'"),
-        (HEADER + ROW.format(2) + ROW.format(1), "01:00:00.000 follows .*02:00.*must increase"),
-        (HEADER + "2019-01-01,,\n2019-01-02,nan,1\n", "no time has a finite value"),
-        (HEADER + "2019-01-01,999,1\n", "reaches 999 m/s: check its units"),
-        (HEADER.replace("m/s", "cm/s") + "2019,-999,-999\n", "9.99 m/s: check its units and fill"),
-        (HEADER.split("\n", 1)[1] + ROW.format(1), "does not say its latitude"),
-        (HEADER.replace("41", "141") + ROW.format(1), "latitude = 141.0"),
-        (HEADER.replace("41", "north") + ROW.format(1), "latitude = nan: must be degrees north"),
-        ("time (local),u (m/s),v (m/s)\n" + ROW.format(1), "time is in 'local'; must be in UTC"),
-        (HEADER + ROW.format(1) + ROW.format(2), "changes by 0 m/s only"),
-        (HEADER + "2019,1e-300,0\n2020,2e-300,0\n", "changes by 1e-300 m/s only: check its units"),
-        (HEADER.replace(",", ";") + "0;1;2\n", "columns are separated by semicolons; use commas"),
-        (HEADER + ROW.format(1), "1 of 1 times have both components"),
-        ("time,speed (m/s),direction (rad)\n" + ROW.format(1), "direction is in 'rad'; must be in"),
-    ],
-)
+BAD_TABLES = [
+    ("", "is empty"),
+    (HEADER, "has a header and no rows"),
+    ("the quick brown fox\n", "no column time"),
+    ("time,u (m/s),v (m/s),u (m/s)\n", "more than one column u"),
+    ("time,u,v\n" + ROW.format(1), "u has no units; write them behind the name"),
+    ("time,u (kelvin),v (m/s)\n", "u: units = 'kelvin' is no speed"),
+    (HEADER + "yesterday,1,2\n", "line 3: time is 'yesterday'"),
+    (HEADER + "2201,1,2\n", "the year 1700 to 2200"),
+    (HEADER + "\n# a gap\n2019-01-01,1,2\n2019-01-02,1,o2\n", "line 6: v is 'o2'"),
+    (HEADER + ROW.format(2) + ROW.format(1), "01:00:00.000 follows .*02:00.*must increase"),
+    (HEADER + "2019-01-01,,\n2019-01-02,nan,1\n", "no time has a finite value"),
+    (HEADER + "2019-01-01,999,1\n", "reaches 999 m/s: check its units"),
+    (HEADER.replace("m/s", "cm/s") + "2019,-999,-999\n", "9.99 m/s: check its units and fill"),
+    (HEADER.split("\n", 1)[1] + ROW.format(1), "does not say its latitude"),
+    (HEADER.replace("41", "141") + ROW.format(1), "latitude = 141.0"),
+    (HEADER.replace("41", "north") + ROW.format(1), "latitude = nan: must be degrees north"),
+    ("time (local),u (m/s),v (m/s)\n" + ROW.format(1), "time is in 'local'; must be in UTC"),
+    (HEADER + ROW.format(1) + ROW.format(2), "changes by 0 m/s only"),
+    (HEADER + "2019,1e-300,0\n2020,2e-300,0\n", "changes by 1e-300 m/s only: check its units"),
+    (HEADER.replace(",", ";") + "0;1;2\n", "columns are separated by semicolons; use commas"),
+    (HEADER + ROW.format(1), "1 of 1 times have both components"),
+    ("time,speed (m/s),direction (rad)\n" + ROW.format(1), "direction is in 'rad'; must be in"),
+]
+
+
+@pytest.mark.parametrize(("text", "sentence"), BAD_TABLES)
 def test_each_bad_table_is_one_sentence(refused, tmp_path, text, sentence):
     path = tmp_path / "r.csv"
     path.write_text(text)

@@ -45,18 +45,18 @@ def test_a_tide_is_learned():
     assert ratio(vehicle(1, flow="M2")) < 0.3
 
 
+SEAS = [
+    ({"walk": 0.03}, 1.06),  # the previous dive's current is the best forecast there
+    ({"walk": 0.1}, 1.06),
+    ({"walk": 0.03, "heading": "one"}, 1.06),
+    ({"noise": 0.05}, 0.85),
+    ({"walk": 0.03, "noise": 0.05}, 0.95),
+    ({"walk": 0.03, "factor": 0.85}, 0.9),
+]
+
+
 @pytest.mark.parametrize("count", [3, pytest.param(6, marks=pytest.mark.slow)])
-@pytest.mark.parametrize(
-    ("case", "most"),
-    [
-        ({"walk": 0.03}, 1.06),  # the previous dive's current is the best forecast there
-        ({"walk": 0.1}, 1.06),
-        ({"walk": 0.03, "heading": "one"}, 1.06),
-        ({"noise": 0.05}, 0.85),
-        ({"walk": 0.03, "noise": 0.05}, 0.95),
-        ({"walk": 0.03, "factor": 0.85}, 0.9),
-    ],
-)
+@pytest.mark.parametrize(("case", "most"), SEAS)
 def test_against_the_previous_dives_current(case, most, count):
     ratios = [ratio(vehicle(seed, **case)) for seed in range(count)]
     assert np.sqrt(np.mean(np.square(ratios))) < most

@@ -244,30 +244,29 @@ def test_left_out_edges_join_all():
     assert team(a=STRAIT, b=STRAIT, c=STRAIT).edges == (("a", "b"), ("a", "c"), ("b", "c"))
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "said"),
-    [
-        ("coupling = 0.5", "", "mine, team: missing key coupling"),
-        ("coupling = 0.5", "coupling = -1", "team: coupling = -1: must be greater than or equal"),
-        ("coupling = 0.5", "coupling = nan", "team: coupling = nan: must be a finite number"),
-        ("coupling = 0.5", "couplng = 0.5", "unknown key couplng; did you mean coupling"),
-        ('"east"]]', '"est"]]', r"edges\[0\]: there is no vehicle 'est'; must be among west, east"),
-        ('"east"]]', '"west"]]', r"edges\[0\] = \['west', 'west'\]: must join two vehicles"),
-        ('"east"]]', '"east"], ["east", "west"]]', r"edges\[1\] = .*: must join two .* each pair"),
-        (EDGES, "[]", "edges: no path joins all vehicles"),
-        (EDGES, '["west"]', r"edges\[0\] = 'west': must be a list"),
-        (EDGES, '[["west"]]', r"missing key edges\[0\]\[1\]"),
-        ("[team.members.west]", '[team.members."we st"]', "the name 'we st' of a vehicle must be"),
-        (OWN, "run.duration = 7.0", "members.east: its run is not that of west"),
-        (OWN, "learning.gain = 1", "members.east: its learning is not that of west"),
-        (OWN, "vehicle.pos = 1", "east: unknown key vehicle.pos"),
-        (OWN, "vehicle = 1", "east: vehicle = 1: must be a table of keys"),
-        ("gain = 4.0", "", "west: learning.gain: is required"),
-        ('"learned-flow"', '"sigma"', 'learning.law = "sigma": must be "learned-flow"'),
-        ("[team]", "[team]\nmembers = 1\n[other]", "team.members = 1: must be a table of keys"),
-    ],
-    ids=str,
-)
+OF_A_TEAM = [
+    ("coupling = 0.5", "", "mine, team: missing key coupling"),
+    ("coupling = 0.5", "coupling = -1", "team: coupling = -1: must be greater than or equal"),
+    ("coupling = 0.5", "coupling = nan", "team: coupling = nan: must be a finite number"),
+    ("coupling = 0.5", "couplng = 0.5", "unknown key couplng; did you mean coupling"),
+    ('"east"]]', '"est"]]', r"edges\[0\]: there is no vehicle 'est'; must be among west, east"),
+    ('"east"]]', '"west"]]', r"edges\[0\] = \['west', 'west'\]: must join two vehicles"),
+    ('"east"]]', '"east"], ["east", "west"]]', r"edges\[1\] = .*: must join two .* each pair"),
+    (EDGES, "[]", "edges: no path joins all vehicles"),
+    (EDGES, '["west"]', r"edges\[0\] = 'west': must be a list"),
+    (EDGES, '[["west"]]', r"missing key edges\[0\]\[1\]"),
+    ("[team.members.west]", '[team.members."we st"]', "the name 'we st' of a vehicle must be"),
+    (OWN, "run.duration = 7.0", "members.east: its run is not that of west"),
+    (OWN, "learning.gain = 1", "members.east: its learning is not that of west"),
+    (OWN, "vehicle.pos = 1", "east: unknown key vehicle.pos"),
+    (OWN, "vehicle = 1", "east: vehicle = 1: must be a table of keys"),
+    ("gain = 4.0", "", "west: learning.gain: is required"),
+    ('"learned-flow"', '"sigma"', 'learning.law = "sigma": must be "learned-flow"'),
+    ("[team]", "[team]\nmembers = 1\n[other]", "team.members = 1: must be a table of keys"),
+]
+
+
+@pytest.mark.parametrize(("old", "new", "said"), OF_A_TEAM, ids=str)
 def test_each_mistake_is_a_sentence(tmp_path, old, new, said):
     assert old in TEXT
     text = TEXT.replace(old, new).partition("[other]")[0]
