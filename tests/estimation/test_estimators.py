@@ -41,10 +41,6 @@ def test_errors_are_no_larger_than_is_said(estimator, count):
     assert np.all(np.mean(np.square(off), axis=0) < 1)
 
 
-def test_a_tide_is_learned():
-    assert ratio(vehicle(1, flow="M2")) < 0.3
-
-
 SEAS = [
     ({"walk": 0.03}, 1.06),  # the previous dive's current is the best forecast there
     ({"walk": 0.1}, 1.06),
@@ -110,14 +106,6 @@ def test_speed_and_compass_are_told_apart_however_large(factor, degrees):
     np.testing.assert_allclose(step.response, [[c, s], [-s, c]], atol=0.02)
 
 
-@pytest.mark.parametrize("latitude", [40.0, -40.0])
-def test_inertial_currents_turn_with_the_hemisphere(latitude):
-    dives = vehicle(1, flow="inertial", latitude=latitude)
-    # from the file of the other hemisphere they would turn the wrong way
-    wrong = [replace(d, lat_gps2=-latitude) for d in dives]
-    assert ratio(dives) < 0.3 < ratio(wrong)
-
-
 def in_shear(seed, size):
     """Dives to 100 to 1000 m in a current that is `size` more, m/s, where e times as deep."""
     rng = np.random.default_rng(seed)
@@ -150,25 +138,6 @@ def test_shear_says_nothing_where_depth_is_unknown(depth):
     )
     assert with_it.forecast == pytest.approx(without.forecast, rel=1e-9)
     assert with_it.parts["shear"] == pytest.approx(0.5)
-
-
-def test_a_front_is_followed_at_once():
-    dives = vehicle(5, 30, noise=0.003)
-    beyond = [further(d, 0.0, 0.5 * d.duration) for d in dives[20:]]
-    steps = replay_dives([*dives[:20], *beyond]).steps
-    assert steps[20].clpe["adaptive"] > 5000
-    assert steps[21].clpe["adaptive"] < 1500
-
-
-@pytest.mark.parametrize("estimator", ESTIMATORS)
-def test_one_wild_fix_does_little_harm(estimator):
-    dives = vehicle(5, 40, noise=0.01)
-    wild = [further(d, 50e3) if d.number == 20 else d for d in dives]
-    calm, after = (
-        np.array([s.clpe["adaptive"] for s in replay_dives(d, estimator).steps])
-        for d in (dives, wild)
-    )
-    assert after[23:].mean() < 3 * calm[23:].mean() + 300
 
 
 def test_ellipses_hold_after_a_turn():

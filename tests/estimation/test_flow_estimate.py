@@ -133,24 +133,6 @@ def lap():
     return clpt.simulate(PAPER.with_values({"run.duration": 200, "run.output_step": 0.2}))
 
 
-@pytest.mark.parametrize("method", METHODS)
-def test_the_papers_flow_is_found_in_one_cycle(lap, method):
-    """5 % are asked for; every second waypoint's worth of fixes is enough."""
-    fine = estimate(lap, method)
-    np.testing.assert_allclose(fine.theta, THETA, rtol=1e-5)
-    assert fine.condition_number < 10
-    seldom = estimate(lap, method, every=20.0)
-    np.testing.assert_allclose(seldom.theta, THETA, rtol=5e-3)
-    assert np.all(seldom.standard_deviation > fine.standard_deviation)
-
-
-def test_tomography_of_a_bent_track_comes_to_the_batch_answer(lap):
-    found, batch = estimate(lap, "tomography", every=5.0), estimate(lap, every=5.0)
-    np.testing.assert_allclose(found.theta, batch.theta, atol=1e-5)
-    assert np.abs(found.steps[0] - THETA).max() > 0.01
-    np.testing.assert_allclose(found.misses, batch.misses, atol=1e-5)
-
-
 def test_the_filter_is_causal(lap):
     early = estimate(lap.isel(time=slice(0, 501)), "kalman")  # to t = 100
     whole = estimate(lap, "kalman")

@@ -200,12 +200,6 @@ def test_a_dive_is_refused_with_its_reason(changes, why):
     assert why in skipped[0].why
 
 
-def test_least_duration_is_an_option():
-    used, (skipped,) = usable([BASE], least_duration=14000)
-    assert used == []
-    assert skipped.why == "lasts 10000 s; must last longer than 14000 s (--least-duration)"
-
-
 def test_duplicates_overlaps_order_and_gaps_are_said():
     used, skipped = usable([later(12), later(10), later(12), later(16)])
     assert [dive.number for dive in used] == [10, 12, 16]

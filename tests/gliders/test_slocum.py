@@ -1,7 +1,6 @@
 """A Slocum and a SeaExplorer: real files against plain arithmetic; all forms; made missions."""
 
 import csv
-import gzip
 import shutil
 import struct
 from itertools import permutations
@@ -90,21 +89,6 @@ def test_a_place_that_is_repeated_behind_a_row_without_one_is_no_new_fix(tmp_pat
     rows = [(60 * k, s, 0, 0, -20 if k < 40 else 20, d, n, "-3000.000") for k, s, d, n in rows]
     dive = navigated(tmp_path, rows)
     assert (dive.duration, dive.lat_gpse) == (84 * 60.0, pytest.approx(45 + 0.9 / 60))
-
-
-def test_a_dive_of_two_files_comes_with_the_second(facts, tmp_path):
-    names, source = ("SEA035.10.gli.sub.002", "SEA035.10.gli.sub.003"), facts / "glider/sea035"
-    for order in (names, names[::-1]):
-        (inbox := tmp_path / order[0]).mkdir()
-        follower = Follower(inbox, tmp_path / f"{order[0]}.state")
-        for name in order:
-            (inbox / f"{name}.gz").write_bytes(gzip.compress((source / name).read_bytes()))
-            follower.look()
-        assert follower.dives() == read_dives(source)
-    (other := tmp_path / "other").mkdir()
-    (other / "sea036.10.gli.sub.002").write_text("")
-    shutil.copy(source / names[1], other)
-    assert files_before(other / names[1]) == []
 
 
 @pytest.mark.parametrize(("steered", "course"), [(("301", "312.5"), 312.5), (("", ""), None)])

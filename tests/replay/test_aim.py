@@ -154,13 +154,6 @@ def test_tides_are_those_of_the_dive_to_come():
     assert len(seen) == 3
 
 
-def test_gaussians_come_to_rest():
-    replay = replay_dives(still((0.1, 0.0)), model=FixModel(("steady", "gaussians")))
-    leg = aims(replay, [away(replay, -500.0, 1500.0)], duration=21600.0)[0]
-    assert leg.state == REACHED
-    assert leg.left < 5
-
-
 def test_magnetic_headings(sg542):
     bare = [replace(step.dive, magvar=None) for step in sg542.steps[:3]]
     for replay, more, east, tolerance in (

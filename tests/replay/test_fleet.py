@@ -233,17 +233,6 @@ def test_linked_folders_are_followed_once_and_never_in_a_circle(tmp_path, comman
     assert places == ["again", "fleet.html", "here"]
 
 
-def test_who_is_killed_before_it_is_kept_tells_it_again(tmp_path, monkeypatch, out):
-    heard = tmp_path / "told"
-    with monkeypatch.context() as killed:
-        killed.delattr(fleet, "write_file")
-        with pytest.raises(NameError):
-            alerts(tmp_path, *shlex.split(teller(heard))).tell(out)
-    for _ in range(2):
-        alerts(tmp_path, *shlex.split(teller(heard))).tell(out)
-    assert told_in(heard) == [("glider", "OUT", 5)] * 2
-
-
 @pytest.mark.usefixtures("undrawn")
 def test_a_vehicle_that_cannot_be_read_hides_no_other_of_its_folder(tmp_path, command):
     for file in ("an empty file.csv", "replay.nc"):

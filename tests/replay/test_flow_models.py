@@ -9,7 +9,6 @@ import netCDF4
 import numpy as np
 import pytest
 from made_fields import as_it_is, gridded_current, saying
-from pyproj import Geod
 from refusals import refuses
 from synthetic_vehicle import Made
 
@@ -146,27 +145,6 @@ def test_profiles_with_holes():
     expected = [6.25 / 20, 14.5 / 30, nan, (1 + 25 * (0.2 + 1 / 11)) / 30]
     means = [depth_mean(depth, profile, 30.0).real for profile in u]
     assert (means, depth_mean(depth, u[0], 2.0)) == (pytest.approx(expected, nan_ok=True), 0.2)
-
-
-def test_a_gradient_on_a_grid_and_longitudes_of_any_kind(tmp_path):
-    """V = k (lon - lon_0): bilinear is exact, whatever longitudes the file counts in.
-
-    No place lies at lon_0: a place of nothing but zeros is read as land.
-    """
-    k = 0.4
-    u = np.zeros((len(HOURS), len(LAT), len(LON)))
-    v = np.broadcast_to(k * (LON + 69.31), u.shape)
-    mixed = np.roll(np.arange(len(LON)), 7)
-    models = [
-        model_of(tmp_path / "a.nc", u, v),
-        model_of(tmp_path / "b.nc", u, v, LAT, LON % 360),
-        model_of(tmp_path / "c.nc", u, v[..., mixed], LAT, LON[mixed] + 720),
-    ]
-    dive = dive_at(way=(6000.0, 0.0), hours=5.0)
-    degree = Geod(ellps="WGS84").line_length([-69.3, -68.3], [41.0, 41.0])
-    mean = k * (3000 / degree + 0.01)
-    for model in models:
-        assert model_way(dive, model)[1] == pytest.approx(mean * dive.duration, rel=2e-3)
 
 
 @pytest.mark.parametrize(

@@ -28,21 +28,6 @@ RESULTS = (*TABLES, "map.png", "clpe.png", "current.png")
 ROOT = Path(__file__).parents[2]
 
 
-@pytest.mark.skipif(not (ROOT / "docs").exists(), reason="installed without docs")
-def test_the_screen_that_is_read_aloud_is_what_the_command_says(command, monkeypatch):
-    def plain(text):
-        return {" ".join(re.sub("[│┃|]", " ", line).split()) for line in text.splitlines()}
-
-    monkeypatch.setenv("COLUMNS", "80")
-    page = (ROOT / "docs" / "gliders.md").read_text("utf-8")
-    read = page.partition("## One screen")[2].partition("## What to do")[0]
-    shown = "\n".join(re.findall(r"```\w+\n(.*?)```", read, re.DOTALL))
-    words = shlex.split(re.search(r"clpt replay (.*)", shown)[1])
-    lines = plain(shown) - {"", "...", "$ COLUMNS=80 clpt replay " + " ".join(words)}
-    assert len(lines) > 15
-    assert lines <= plain(command(*words).stdout)
-
-
 def rows_of(text):
     """Cells of the first table that was printed."""
     lines = text.splitlines()
@@ -181,17 +166,6 @@ def test_the_command_with_a_flow_model(command, forecast, tmp_path):
         f"; the flow model does not cover it: {why}",
     ):
         assert said in table
-
-
-def test_a_plan_of_the_next_dive(command):
-    words = ("--sample", "--next", "4", "0", "3000")
-    ahead = json.loads(command(*words, "--json").stdout)["next_dive"]
-    assert (ahead["duration"], ahead["dr_north"]) == (14400.0, 3000.0)
-    assert ahead["latitude"] > sample_dives()[-1].lat_gpse
-    assert ahead["why_uncovered"] is None
-    said = command(*words).stdout
-    assert "next surfacing 2016-02-03 13:56 UTC +- " in said
-    assert "min, in 4.1 h from the end of the last dive" in said
 
 
 @pytest.mark.usefixtures("few_draws")

@@ -218,16 +218,6 @@ def test_a_team_comes_back_from_its_text(of, tmp_path):
     assert [one.title for one in back.members.values()] == [m.title for m in of.members.values()]
 
 
-def test_a_team_comes_back_from_its_run(tmp_path):
-    run = clpt.simulate(OTHERS, [0.0, 1.0])
-    clpt.save_run(run, tmp_path / "run.nc")
-    assert clpt.load_team(tmp_path / "run.nc") == OTHERS
-    again = clpt.load_run(tmp_path / "run.nc")
-    np.testing.assert_array_equal(again.alpha, run.alpha)
-    assert list(again.vehicle.values) == ["a", "b", "c"]
-    says(clpt.ClptError, "it is a team's", clpt.load_scenario, tmp_path / "run.nc")
-
-
 def test_each_vehicle_has_its_own_noise():
     noise = {"noise": 0.02, "noise_period": 0.5}
     first, second = (vehicle(localization={**noise, "seed": seed}) for seed in (1, 2))
@@ -289,3 +279,6 @@ def test_a_scenario_is_no_team_and_a_team_none(tmp_path):
     clpt.save_scenario(STRAIT, file := tmp_path / "one.toml")
     says(ScenarioError, "is a scenario of one vehicle", clpt.load_team, file)
     says(ScenarioError, r"has a table \[team\].*clpt.load_team", clpt.load_scenario, FILE)
+    clpt.save_run(clpt.simulate(OTHERS, [0.0, 1.0]), run := tmp_path / "run.nc")
+    assert clpt.load_team(run) == OTHERS
+    says(clpt.ClptError, "it is a team's", clpt.load_scenario, run)
