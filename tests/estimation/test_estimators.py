@@ -76,8 +76,9 @@ def test_the_coriolis_turn_is_right():
     stays = Priors(inertial_fading=math.inf)
     model, dive = FixModel(("steady", "inertial"), False, priors=stays), vehicle(1, 1)[0]
     dt, w = 7200.0, inertial_frequency(dive.lat_gps2)
-    east, north = model.transition(dt, dive.lat_gps2)[2:, 2:] @ [1.0, 0.0]
-    assert (east, north) == pytest.approx((math.cos(w * dt), -math.sin(w * dt)))  # clockwise
+    for latitude, to_the_right in ((40.0, 1), (-40.0, -1)):  # clockwise in the north
+        east, north = model.transition(dt, latitude)[2:, 2:] @ [1.0, 0.0]
+        assert (east, north) == pytest.approx((math.cos(w * dt), -to_the_right * math.sin(w * dt)))
     assert 2 * math.pi / inertial_frequency(30.0) / 3600 == pytest.approx(23.93, abs=0.005)
     t = np.linspace(-dive.duration / 2, dive.duration / 2, 10001)
     whole = trapezoid(np.cos(w * t), t)
@@ -138,6 +139,14 @@ def test_shear_says_nothing_where_depth_is_unknown(depth):
     )
     assert with_it.forecast == pytest.approx(without.forecast, rel=1e-9)
     assert with_it.parts["shear"] == pytest.approx(0.5)
+
+
+def test_a_front_is_followed_at_once():
+    dives = vehicle(5, 30, noise=0.003)
+    beyond = [further(d, 0.0, 0.5 * d.duration) for d in dives[20:]]
+    steps = replay_dives([*dives[:20], *beyond]).steps
+    assert steps[20].clpe["adaptive"] > 5000
+    assert steps[21].clpe["adaptive"] < 1500
 
 
 def test_ellipses_hold_after_a_turn():

@@ -1,6 +1,7 @@
 """Files of real vehicles in `tests/data` against plain netCDF4, WGS84 and IGRF; round trips."""
 
 import csv
+import re
 from itertools import pairwise
 from math import nan
 
@@ -15,7 +16,7 @@ from clpt_control.estimation.dive import dac_difference
 from clpt_control.gliders import make_dive, read_dives, sample_dives, usable, write_dive_table
 from clpt_control.gliders.dive_files import read_dive_file
 from clpt_control.gliders.dive_table import OPTIONAL
-from clpt_control.gliders.samples import variation
+from clpt_control.gliders.samples import variation, with_variation
 
 WGS84 = Geod(ellps="WGS84")
 
@@ -129,6 +130,40 @@ def test_the_adcp_of_the_vehicle_says_how_far_it_swam(facts):
 
 
 OG1 = "sg015_20040929T140907_delayed.nc"
+
+
+def swum_in(data, dive, variation):
+    """Speed times time along the heading, summed over the rows of a dive, east and north, m."""
+    time, heading, speed = (data[name][:] for name in ("TIME", "HEADING", "HORZ_GLIDER_SPEED"))
+    inside = (time > dive.t_gps2) & (time <= dive.t_gpse) & np.isfinite(heading)
+    since = np.diff(time[inside], prepend=time[inside][0])
+    cm, angle = speed[inside] * since, np.radians(heading[inside] + variation)
+    return [float(np.nansum(cm * part(angle))) / 100 for part in (np.sin, np.cos)]
+
+
+def test_an_early_og1_mission_is_read_as_it_was_meant(facts):
+    """Fixes in nanoseconds without units, one in a row at 250 m, speed in cm/s, magnetic."""
+    path = facts / "glider" / "og1" / OG1
+    dives, unread = read_dives(path)
+    with netCDF4.Dataset(path) as data:
+        is_fix = np.isfinite(np.ma.filled(data["LATITUDE_GPS"][:], np.nan))
+        times = data["TIME_GPS"][:][is_fix] / 1e9
+        assert data["DEPTH"][:][is_fix].max() == pytest.approx(251, abs=1)
+        gaps = np.flatnonzero(np.diff(times) > 600)
+        assert (unread, [dive.t_gps2 for dive in dives]) == ([], pytest.approx(times[gaps]))
+        assert [dive.duration for dive in dives] == pytest.approx(np.diff(times)[gaps])
+        used, skipped = usable(dives)
+        (climb,) = (one.why for one in skipped if one.dive == 5)  # whose samples are missing
+        assert re.search(r"no samples for 3\d\d\d s of 5065 s, from 2\d\d m depth on", climb)
+        assert 6 in [dive.number for dive in used]
+        for dive in used:
+            assert dive.turned == pytest.approx(-37.0, abs=0.2)  # of the Labrador Sea, 2004
+            assert (dive.dr_east, dive.dr_north) == pytest.approx(swum_in(data, dive, dive.turned))
+            true = with_variation(dive, 0.0)
+            assert (true.dr_east, true.dr_north) == pytest.approx(swum_in(data, dive, 0.0))
+            said = "; ".join(dive.notes)
+            assert "TIME_GPS has no units and is read as nanoseconds" in said
+            assert "magnetic, variation -37 degrees (by IGRF" in said
 
 
 def test_the_variation_of_the_command_line_turns_magnetic_headings(printed, facts):
