@@ -133,10 +133,8 @@ def test_shear_is_learned_where_dives_change_their_depth():
 @pytest.mark.parametrize("depth", [None, math.nan])
 def test_shear_says_nothing_where_depth_is_unknown(depth):
     dives = [replace(d, depth_max=depth) for d in vehicle(3, 8, noise=0.01)]
-    with_it, without = (
-        replay_dives(dives, model=model).steps[-1]
-        for model in (FixModel(("steady", "shear")), STEADY_ONLY)
-    )
+    with_it = replay_dives(dives, model=FixModel(("steady", "shear"))).steps[-1]
+    without = replay_dives(dives, model=STEADY_ONLY).steps[-1]
     assert with_it.forecast == pytest.approx(without.forecast, rel=1e-9)
     assert with_it.parts["shear"] == pytest.approx(0.5)
 
@@ -154,14 +152,11 @@ def test_ellipses_hold_after_a_turn():
     inside = []
     for seed in range(20):
         factor = 1 + 0.15 * np.random.default_rng(seed).normal()
-        dives = vehicle(seed, 9, factor=factor, heading="one")
-        back = dives[-1]
-        dives[-1] = further(
-            replace(back, dr_east=-back.dr_east, dr_north=-back.dr_north),
-            -2 * factor * back.dr_east,
-            -2 * factor * back.dr_north,
-        )
-        inside.append([s.inside for s in replay_dives(dives).steps[-2:]])
+        *dives, last = vehicle(seed, 9, factor=factor, heading="one")
+        east, north = last.dr_east, last.dr_north
+        back = further(last, -2 * factor * east, -2 * factor * north)
+        back = replace(back, dr_east=-east, dr_north=-north)
+        inside.append([step.inside for step in replay_dives([*dives, back]).steps[-2:]])
     assert np.all(np.mean(inside, axis=0) > 0.8)
 
 
@@ -177,11 +172,9 @@ def straight(number, start, way, dr, T=14400.0):
 
 
 def test_the_integral_is_that_of_the_error_function():
-    dive = straight(0, (-9e3, 4e3), (0.0, 0.0), (18e3, -12e3))
-    cells = ((0, 0), (1, 0), (-1, 1))
-    found = places_columns(Places(40.0, 8.0, WIDTH, cells), dive)
     a, d, s = np.array([-9e3, 4e3]), np.array([18e3, -12e3]), np.sqrt(2) * WIDTH
-    length = np.hypot(*d)
+    dive, cells, length = straight(0, a, (0.0, 0.0), d), ((0, 0), (1, 0), (-1, 1)), np.hypot(*d)
+    found = places_columns(Places(40.0, 8.0, WIDTH, cells), dive)
     for k, cell in enumerate(cells):
         r = a - SPACING * WIDTH * np.array(cell)
         along, across = r @ d / length, (r[0] * d[1] - r[1] * d[0]) / length

@@ -34,24 +34,19 @@ from clpt_control.replay.outcome import learned_words, speed_words
 DIVES = usable(sample_dives())[0]
 
 
-def test_sg542_without_learning(sg542):
+def test_sg542_without_learning_and_with_it(sg542):
     # the 13 after the first, which has no dive before it; all 14, the first with no flow
-    found = summary(sg542)
+    found, after = summary(sg542), clpe_rms(sg542, 3)
     for key, no_flow, previous in (("clpe_rms", 1853, 1213), ("clpe_rms_all", 1950, 1407)):
         assert found[key]["no_flow"] == pytest.approx(no_flow, abs=1)
         assert found[key]["previous_dive"] == pytest.approx(previous, abs=1)
+    assert after["previous_dive"] == pytest.approx(1167, rel=0.01)
+    assert after["adaptive"] <= 0.88 * after["previous_dive"]
+    assert (0.75 <= found["inside_90"] <= 1, found["anomalies"]) == (True, [])
+    assert found["dac_identity_median"] < 1e-3
     one = summary(replay_dives([sg542.steps[0].dive]))
     assert set(one["clpe_rms"].values()) == {None}
     assert one["clpe_rms_all"]["previous_dive"] == pytest.approx(2931, abs=1)
-    assert found["dac_identity_median"] < 1e-3
-
-
-def test_sg542_adaptive(sg542):
-    rms = clpe_rms(sg542, 3)
-    assert rms["previous_dive"] == pytest.approx(1167, rel=0.01)
-    assert rms["adaptive"] <= 0.88 * rms["previous_dive"]
-    assert 0.75 <= summary(sg542)["inside_90"] <= 1
-    assert summary(sg542)["anomalies"] == []
 
 
 def test_mistakes_are_sentences():
