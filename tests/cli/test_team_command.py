@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from law_blocks import off
+from law_blocks import off, papers_law
 from pictures import inked
 from strait import FILE, team, vehicle
 
@@ -48,6 +48,16 @@ def test_the_example_draws_what_it_says(capsys):
     said = capsys.readouterr().out
     assert all(f"{who}: smallest eigenvalue" in said for who in ("west alone", "the team"))
     assert Path("team.png").stat().st_size > 10_000
+
+
+def test_a_law_given_in_python_is_run_again_from_its_record(printed):
+    scenario = clpt_control.paper_scenario().with_values({"run.duration": 20})
+    run = clpt_control.simulate(clpt_control.closed_loop(scenario, law=papers_law()))
+    clpt_control.save_run(run, "run.nc")
+    found = printed("run", "run.nc", "--out", "again.nc", "--figures", "f")
+    assert "position axis 1 (m)" in found["signals"]
+    assert len(list(Path("f").glob("figure?.png"))) == 4  # as its scenario's run
+    assert clpt_control.load_run("again.nc").equals(run)
 
 
 QUICK = ("--window", "60", "--start", "60", "--for", "kappa")

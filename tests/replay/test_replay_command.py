@@ -167,6 +167,17 @@ def test_the_command_with_a_flow_model(command, forecast, tmp_path):
         assert said in table
 
 
+def test_a_plan_of_the_next_dive(command):
+    words = ("--sample", "--next", "4", "0", "3000")
+    ahead = json.loads(command(*words, "--json").stdout)["next_dive"]
+    assert (ahead["duration"], ahead["dr_north"]) == (14400.0, 3000.0)
+    assert ahead["latitude"] > sample_dives()[-1].lat_gpse
+    assert ahead["why_uncovered"] is None
+    said = command(*words).stdout
+    assert "next surfacing 2016-02-03 13:56 UTC +- " in said
+    assert "min, in 4.1 h from the end of the last dive" in said
+
+
 @pytest.mark.usefixtures("few_draws")
 def test_aiming_by_the_command(command, sample, tmp_path):
     (tmp_path / "way.txt").write_text("-42.5 8.0\n-43 -7\n")
