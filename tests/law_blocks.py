@@ -28,10 +28,14 @@ def remembering_law(N=3, gain=0.8, start=0.5):
     return clpt.Block("mine", update=remembering, parameters=own, **ports)
 
 
+def filled(u, gain, e):
+    """Eqs. (21)-(23) with this gain and this error."""
+    return {"alpha": -gain * np.outer(e, u.phi_x), "K": -gain * u.z * e, "Gamma": gain * u.zc * e}
+
+
 def papers(t, x, u, p):
     """Eqs. (21)-(23), one gain for all."""
-    alpha = -p.gain * np.outer(u.e, u.phi_x)
-    return {"alpha": alpha, "K": -p.gain * u.z * u.e, "Gamma": p.gain * u.zc * u.e}
+    return filled(u, p.gain, u.e)
 
 
 def papers_law(N=3, gain=0.8, name="mine"):

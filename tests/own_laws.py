@@ -9,13 +9,13 @@ import builtins
 import re
 
 import numpy as np
+from law_blocks import LEARNED, filled
 
 from clpt_control.blocks.clpe import clpe
 from clpt_control.blocks.laws.law import Truth
 from clpt_control.equations import Block, lookup
 
 N = 2
-LEARNED = {"alpha": (2, "N"), "K": 2, "Gamma": 2}
 GAIN = {"gain": 0.5}
 FLOW = {"flow_x": 2}
 EPS = "(flow_x + alpha @ phi_x)"  # the flow's own prediction error
@@ -61,11 +61,6 @@ def law(update, parameters=GAIN, more=None, n=N, **ports):
 
 def two(c, gain=0.5):
     return {"gain": gain, "c": c}
-
-
-def filled(u, gain, e):
-    """Eqs. (21)-(23) with this gain and this error."""
-    return {"alpha": -gain * np.outer(e, u.phi_x), "K": -gain * u.z * e, "Gamma": gain * u.zc * e}
 
 
 def changed(text, parameters=GAIN, more=None, n=N, states=LEARNED, **ports):
