@@ -147,6 +147,17 @@ def test_a_front_is_followed_at_once():
     assert steps[21].clpe["adaptive"] < 1500
 
 
+@pytest.mark.parametrize("estimator", ESTIMATORS)
+def test_one_wild_fix_does_little_harm(estimator):
+    dives = vehicle(5, 40, noise=0.01)
+    wild = [further(d, 50e3) if d.number == 20 else d for d in dives]
+    calm, after = (
+        np.array([s.clpe["adaptive"] for s in replay_dives(d, estimator).steps])
+        for d in (dives, wild)
+    )
+    assert after[23:].mean() < 3 * calm[23:].mean() + 300
+
+
 def test_ellipses_hold_after_a_turn():
     """Eight dives on one heading cannot tell speed from current; then the vehicle turns."""
     inside = []
