@@ -10,7 +10,7 @@ from made_fields import as_it_is, gridded_current, saying
 from refusals import refuses
 
 from clpt_control.currents.current_record import read_record
-from clpt_control.currents.grid_file import read_currents
+from clpt_control.currents.grid_file import read_currents, sample_currents
 
 GRIDS = Path(__file__).parents[1] / "data/grids"
 BOX = (40.9, 41.55, -69.9, -69.0)
@@ -283,6 +283,15 @@ def test_an_attribute_of_several_numbers_is_no_name_and_no_unit(tmp_path):
     assert read_currents(path).u.shape == read_currents(path).v.shape
     write(path, *sample(), change=lambda data: saying("u", units=np.arange(3))(numbers(data)))
     refuses(r"u.*\[0 1 2\]", read_currents, path, units="m/s")
+
+
+def test_maracoos_is_read_as_its_provenance_says():
+    currents = read_currents(sample_currents(), BOX)
+    assert (currents.u.shape, currents.start) == ((24, 12, 16), "2019-01-01T00:00:00")
+    assert (~currents.measured).mean() == pytest.approx(0.28, abs=0.005)
+    assert currents.measured.all(axis=0).sum() == 84
+    speed = np.sqrt(np.nanmean(currents.u**2 + currents.v**2))
+    assert speed == pytest.approx(0.52, abs=0.02)
 
 
 def test_a_global_model_is_read_as_netcdf4_reads_it():

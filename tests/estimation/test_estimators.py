@@ -41,6 +41,10 @@ def test_errors_are_no_larger_than_is_said(estimator, count):
     assert np.all(np.mean(np.square(off), axis=0) < 1)
 
 
+def test_a_tide_is_learned():
+    assert ratio(vehicle(1, flow="M2")) < 0.3
+
+
 SEAS = [
     ({"walk": 0.03}, 1.06),  # the previous dive's current is the best forecast there
     ({"walk": 0.1}, 1.06),
