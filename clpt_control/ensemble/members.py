@@ -31,9 +31,9 @@ from ..native.batch import Batch, Callee
 from ..native.ending import STUCK, sampled_start
 from ..native.engines import make_runner, run_compared, warn_python
 from ..native.machine import LANES, processor
+from ..native.on_switches import go_on
 from ..native.python_diagram import PythonDiagram
 from ..native.schedule import Schedule
-from ..native.sliding import go_on
 
 BATCH_BYTES = 64_000_000  # states in flight, a thread
 MOST_MEMBERS = 512  # a batch

@@ -62,7 +62,7 @@ class Decisions:
         self.now: list[Port] = []
         self.distances: list[Port] = []
         self.least: list[Port] = []
-        self.of: list[tuple] = []  # first place of each, where it is made, what is compared
+        self.of: list[tuple] = []  # first place of each, and where it is made
         self.count = 0  # how many numbers are decided
         self.timed = False  # whether time alone decides
         self._true: list[Port] = []  # distances, also of numbers that are held
@@ -126,7 +126,7 @@ class Decisions:
             self.now.append(Port(self.count, shape, long, now))
             self.distances.append(Port(self.count, shape, long, distance))
             self.least.append(Port(self.count, shape, long, least))
-            self.of.append((self.count, of, repr(sorted(map(repr, operands(kind, name, exact))))))
+            self.of.append((self.count, of))
             self.count += prod(shape)
             answers.append(add("gt", H, 0.0) if name in COMPARED else H)
         if kind in COMPARED or kind in WHOLE:

@@ -146,7 +146,7 @@ def _switch(sweep: Sweep, batch: Batch) -> str:
     deciding, which = batch.callee.code[0].program.deciding, batch.lane[1][numbering.WHICH, 0]
     if which < 0:
         return "a decision"
-    k, role, kind = [of for first, of, _ in deciding if first <= which][-1]
+    k, role, kind = [of for first, of in deciding if first <= which][-1]
     word = {"lt": "<", "le": "<=", "gt": ">", "ge": ">="}.get(kind, kind)
     return f"`{word}` in {sweep.nodes[k].name}.{role}"
 

@@ -47,7 +47,7 @@ class Program(NamedTuple):
     parameters: int  # length of P
     room: int  # length of W
     decided: int  # how many numbers are decided
-    deciding: tuple[tuple, ...]  # of each: first number, where it is made, what is compared
+    deciding: tuple[tuple, ...]  # of each decision: its first number, and where it is made
     timed: bool = False  # whether time alone decides
 
     @property

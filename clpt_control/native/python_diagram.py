@@ -27,6 +27,7 @@ from .ending import NAMES, STUCK, Solution, ended, in_discrete_time, sampled_sta
 from .jacobian import Jacobian, jacobian
 from .machine import callback
 from .method import with_formulas
+from .on_switches import go_on
 from .schedule import (
     BEGINS,
     JUMPS,
@@ -37,7 +38,6 @@ from .schedule import (
     make_schedule,
     read_inputs,
 )
-from .sliding import go_on
 from .sweep import Sweep, rounding
 
 FELT = 200.0  # tolerances of an input: a run stops where it bends off its line by more

@@ -104,6 +104,15 @@ def test_a_run_that_winds_into_a_corner_is_told():
         run("x' = 2*sign(y) - sign(x); y' = -2*sign(x) - sign(y)", [0.3, 0.1])
 
 
+def test_what_no_switch_decides_is_shown_only_where_it_does_not_matter():
+    """Where x = y = 0 the sign of x + y is not known; its magnitude is 0."""
+    both = "x' = -sign(x) + 0.3*sin(t); y' = -sign(y) + 0.2*cos(t)"
+    with pytest.raises(clpt.SimulationError, match="switches to and fro without going on; give"):
+        run(f"{both}; z' = sign(x + y)", [0.5, 0.2, 0.0])
+    z = rest_of(f"{both}; z' = abs(x + y)", [0.5, 0.2, 0.0])[:, 2]
+    np.testing.assert_allclose(z[T >= 1.0], z[-1], atol=1e-8)
+
+
 def test_what_switches_do_together_is_slid_on_one_after_the_other():
     x_rate = "x' = -sign(x) + 0.4*cos(t) + 0.2*sign(x)*sign(y)"
     x = rest_of(f"{x_rate}; y' = -2*sign(y) + sin(t)", [0.5, -0.7])
