@@ -126,6 +126,15 @@ def test_terms_of_different_blocks_cancel_and_those_of_one_do_not(one, left):
     as_python(meeting(one), np.random.default_rng(2).normal(size=(1, 12)))
 
 
+def test_sums_of_one_block_stay_as_they_are_written():
+    """a phi + b phi takes two sums, not one of (a + b) phi."""
+    twice = lambda t, x, u, p: u.a @ np.exp(u.c) + u.b @ np.exp(u.c)  # noqa: E731
+    inputs = dict.fromkeys("abc", "N")
+    block = Block("twice", update=twice, states={"s": 1}, inputs=inputs, sizes={"N": 11})
+    nests = NativeDiagram(block).code.program.functions["derivative"]
+    assert sum(item.summed for nest in nests for item in nest.items) == 2
+
+
 def test_a_large_matrix_is_a_loop():
     random = np.random.default_rng(0)
     system = control.ss(random.normal(size=(60, 60)), np.ones((60, 1)), np.ones((1, 60)), 0)

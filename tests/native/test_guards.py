@@ -96,7 +96,11 @@ def test_a_diagram_without_states_ends_where_the_condition_falls(engine):
     def stopped(stop):
         return clpt.simulate(gain, times, times, stop=stop, engine=engine)
 
-    for at, stop in ((4.4, lambda t, y, u: 8.8 - y[0]), (2.5, lambda t, y, u: t < 2.5)):
+    for at, stop in (
+        (4.4, lambda t, y, u: 8.8 - y[0]),
+        (2.5, lambda t, y, u: t < 2.5),
+        (2.4, lambda t, y, u: np.minimum(2.4 - t, 0.0)),  # at 0 it goes on
+    ):
         run = stopped(stop)
         assert [float(run.time[-1]), float(run.y[-1])] == pytest.approx([at, 2 * at], abs=1e-9)
         assert "fell to 0" in run.attrs["message"]

@@ -65,6 +65,7 @@ ASKED = [
     ("drem", {"localization": {"noise": 0.02, "noise_period": 1.0}}, set()),
     ("projection", {"learning.projection.largest_feedforward": 1.0}, {"balls"}),
     ("dead-zone", {"flow.disturbance": DELTA}, {"falls", "zone"}),
+    ("dead-zone", {"flow.disturbance": DELTA | {"amplitude": [1e-3, 1.0]}}, set()),  # too large
     ("dead-zone", {"flow.disturbance": DELTA | {"kind": "noise"}}, set()),  # it has no bound
 ]
 
