@@ -76,7 +76,7 @@ def laws_of(function):
 
 
 def said(law):
-    found = all_proofs.proof_of_law(LAWS[law])
+    found = all_proofs.Statement("laws", law).prove()
     return found.status, found.claim, found.for_every_N
 
 

@@ -81,8 +81,7 @@ def invariant_steps(
     claims = claims_of(law, cases[0], bool(single)).items()
     steps = [exact_step(cases, claim, check) for claim, check in claims]
     steps += [young_step()] if law.perturbation else []
-    two = cases[len(cases) // 2]
-    return [*steps, running_step(lambda: two.loop, points, seed=seed)]
+    return [*steps, running_step(lambda: cases[len(cases) // 2].loop, points, seed=seed)]
 
 
 def claims_of(law: Law, case: InvariantLoop, own: bool) -> Claims:
@@ -106,7 +105,9 @@ def claims_of(law: Law, case: InvariantLoop, own: bool) -> Claims:
         )
     claims[f"V' as claimed, {sizes}: {law.V_rate}"] = lambda case: case.left_over(decay)
     if law.weighted_error:
-        claims |= covariance_claims(law.perturbation is None)
+        first = int(law.perturbation is None)  # where CLPE drives alpha BOUNDS[0] does not hold
+        claims |= {BOUNDS[k]: partial(_moves, which=k) for k in range(first, len(BOUNDS))}
+        claims[BOUNDED_BY_V] = _cauchy
     if law.makes_estimate:
         claims["the error of the estimate never grows: (d P^-1 d^T)' is as claimed"] = (
             InvariantLoop.estimate_grows
@@ -145,12 +146,6 @@ BOUNDS = (  # of eta and P, as `covariance_rates` has what moves
 BOUNDED_BY_V = "|eta|^2 <= tr P tr(eta P^-1 eta^T) <= k_0 tr(eta P^-1 eta^T): eta is bounded by V"
 
 
-def covariance_claims(driven: bool) -> Claims:
-    """Return the bounds of P and eta; where CLPE drives alpha the first does not hold."""
-    moves: Claims = {BOUNDS[k]: partial(_moves, which=k) for k in range(driven, len(BOUNDS))}
-    return {**moves, BOUNDED_BY_V: _cauchy}
-
-
 def _moves(case: InvariantLoop, which: int) -> bool:
     pairs = zip(*map(np.ravel, covariance_rates(case)[which]), strict=True)
     return bool(case.parameters.forgetting.is_nonnegative) and all(
@@ -178,8 +173,7 @@ def _cauchy(case: InvariantLoop) -> bool:
     v = np.array(sympy.symbols(f"v_1:{n * n + 1}", real=True)).reshape(n, n)
     P = v.T @ v
     squares = sum(
-        (sum((v[a] * (v[b] @ p) - v[b] * (v[a] @ p)) ** 2) for a, b in combinations(range(n), 2)),
-        start=sympy.Integer(0),
+        sum((v[a] * (v[b] @ p) - v[b] * (v[a] @ p)) ** 2) for a, b in combinations(range(n), 2)
     )
     return vanishes(np.trace(P) * (p @ P @ p) - sum((p @ P) ** 2) - squares)
 
@@ -207,8 +201,7 @@ class AtFixes:
         block.parameters = block.parameters._replace(latency=float(late))
         parts, _ = remaining_parts(*LoopOf(theorem_scenario(N, law.name), external=OUTSIDE))
         parts = [one for one in parts if one.name != block.name]
-        between = connect([*parts, block, V], OUTSIDE, name="between")
-        self.loop = symbolic_loop(between, jumps=True)
+        self.loop = symbolic_loop(connect([*parts, block, V], OUTSIDE, name="between"), jumps=True)
         p = self.loop.parameters
         self.theta, self.r = p["true_flow"].theta, p["adaptation"].noise
         P = sympy.Matrix(N, N, lambda j, k: self.loop.states["P"][min(j, k), max(j, k)])
@@ -294,5 +287,4 @@ def fix_steps(law: Law, points: int) -> list[Step]:
         "changes nothing": AtFixes.learns,
     }
     steps = [exact_step(cases, claim, check) for claim, check in claims.items()]
-    last = cases[-1]
-    return [*steps, running_step(lambda: last.loop, points)]
+    return [*steps, running_step(lambda: cases[-1].loop, points)]

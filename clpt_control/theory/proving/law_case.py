@@ -44,8 +44,7 @@ class Case:
         self.N = len(loop.inputs["phi_x"])
         self.tied = {s: truth for s, truth in self.tied.items() if s != truth}
         own = self.law.name, self.V.name
-        others = (p for name, p in loop.parameters.items() if name not in own)
-        hidden = {s for p in others for s in flat(p)}
+        hidden = {s for name, p in loop.parameters.items() if name not in own for s in flat(p)}
         self.values = {s: v for s, v in loop.values.items() if s not in hidden}
         self.known = self.values | {s: e.xreplace(self.values) for s, e in self.tied.items()}
         of_V = self.values.keys() & {*flat(loop.parameters[self.V.name])}
@@ -171,9 +170,8 @@ class Case:
         """Return the step that V does not rise where states jump, whichever jump at once."""
 
         def no_rise() -> tuple[bool, str]:
-            V, parameters = self.Vs, self.loop.parameters.values()
-            intervals = {p.interval for p in parameters if "interval" in p._fields}
-            if V.free_symbols & intervals or V.atoms(AppliedUndef):
+            V = self.Vs
+            if V.atoms(AppliedUndef) or any(s.name.endswith(".interval") for s in V.free_symbols):
                 return False, "V itself depends on time"
             for after in self.loop.jumps_at_once():
                 rise = tidied((V.xreplace(after) - V).xreplace(self.values))

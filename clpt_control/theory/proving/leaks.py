@@ -116,32 +116,6 @@ def _radial(leak: Leak) -> Radial | None:
     return None
 
 
-def pulled(rate: sympy.Expr, V: sympy.Expr, truth: dict, moving: set) -> Pull | None:
-    """Bound V' by what pulls back and a constant, state by state.
-
-    None where V' is not a sum of a term -a s^2 + b s, or a leak, for each error s; what depends on
-    `moving`, all states and time, is no constant.
-    """
-    states, moves = list(truth), {*truth, *moving}
-    shifted = {s: s + truth[s] for s in states}
-    rate, V = (sympy.expand(one.xreplace(shifted)) for one in (rate, V))
-    weights = sympy.hessian(V, states)
-    groups = {tuple(g.free_symbols & set(states)): g for g in groups_of(rate, set(states))}
-    if not weights.is_diagonal() or any(len(symbols) != 1 for symbols in groups):
-        return None
-    if any(_moves(weight, moves) for weight in weights.diagonal()):
-        return None
-    push, rates = sympy.Integer(0), []
-    for k, s in enumerate(states):
-        part = groups.get((s,), sympy.S.Zero)
-        pull = _pull_of(part, s, moves) or _leak_of(part, s, truth[s])
-        if pull is None:
-            return None
-        push += pull.push
-        rates.append(pull.rate / weights[k, k])
-    return None if push == 0 else Pull(sympy.Min(*rates), push)
-
-
 def _pull_of(part: sympy.Expr, s: sympy.Symbol, moves: set) -> Pull | None:
     """Return a and b^2/(2 a) of -a s^2 + b s."""
     a, b = -part.coeff(s, 2), part.coeff(s, 1)
@@ -190,7 +164,8 @@ class Bounding:
         H, self.k = sympy.hessian(case.Vs, list(self.truth)), sympy.Min(*self.KD)
         self.weights = {s: H[j, j] for j, s in enumerate(self.truth)}
         self.errors, learned = list(self.truth)[:2], list(self.truth)[2:]  # x, whose truth is z
-        self.square = all(self.weights[s] == 1 for s in self.errors) and H.is_diagonal()
+        self.diagonal = H.is_diagonal()
+        self.square = self.diagonal and all(self.weights[s] == 1 for s in self.errors)
         one_each = [s for leak in self.leaks for s in leak.states]
         self.all_leak = self.square and sorted(one_each, key=str) == sorted(learned, key=str)
         deltas = sympy.symbols("Delta_1:3", positive=True)  # the bounds of |Delta_i|
@@ -205,8 +180,27 @@ class Bounding:
         return self.rising() or self.by_error() or self.within_balls() if self.leaks else None
 
     def pulled(self, rate: sympy.Expr) -> Pull | None:
-        """Return what pulls V back where V' is at most this."""
-        return pulled(rate, self.case.Vs, self.truth, self.case.moving)
+        """Bound V' by what pulls back and a constant, state by state.
+
+        None where V' is not a sum of a term -a s^2 + b s, or a leak, for each error s; what depends
+        on a state or time is no constant.
+        """
+        moves = {*self.truth, *self.case.moving}
+        rate = sympy.expand(rate.xreplace({s: s + true for s, true in self.truth.items()}))
+        groups = {tuple(g.free_symbols & {*self.truth}): g for g in groups_of(rate, {*self.truth})}
+        if not self.diagonal or any(len(symbols) != 1 for symbols in groups):
+            return None
+        if any(_moves(weight, moves) for weight in self.weights.values()):
+            return None
+        push, rates = sympy.Integer(0), []
+        for s, weight in self.weights.items():
+            part = groups.get((s,), sympy.S.Zero)
+            pull = _pull_of(part, s, moves) or _leak_of(part, s, self.truth[s])
+            if pull is None:
+                return None
+            push += pull.push
+            rates.append(pull.rate / weight)
+        return None if push == 0 else Pull(sympy.Min(*rates), push)
 
     def pulled_to(self, pull: Pull) -> Bound:
         """Return what V or e comes to, with Delta: e Delta <= KD e^2/2 + Delta^2/(2 KD)."""

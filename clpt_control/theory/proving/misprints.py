@@ -20,7 +20,7 @@ from .lemmas import errors, wanted_rates
 from .proof import checked
 from .signs import vanishes
 from .symbolic_loop import SymbolicLoop, symbolic_loop
-from .theorem_loop import rate_of_V, theorem_loop, theorem_scenario
+from .theorem_loop import decay, decay_and_known_error, rate_of_V, theorem_loop, theorem_scenario
 
 
 @dataclass(frozen=True)
@@ -89,10 +89,7 @@ def paper_loop(law: str) -> SymbolicLoop:
 def error_dynamics() -> tuple[sympy.Matrix, sympy.Matrix, sympy.Matrix, sympy.Symbol]:
     """Return A of Eq. (28), in the order e, eta, the joint regressor W (8, 2), KD and gamma."""
     loop = symbolic_loop(error_loop(theorem_scenario(2, "learned-flow")))
-    X, rates = sympy.Matrix([*loop.motion]), sympy.Matrix([*loop.motion.values()])
-    A = rates.jacobian(X)
-    if sympy.expand(rates - A * X) != sympy.zeros(*X.shape):
-        raise ValueError("Eq. (28) is not linear in (e, eta)")
+    A = sympy.Matrix([*loop.motion.values()]).jacobian([*loop.motion])
     KD = sympy.diag(*loop.parameters["error_system"].KD)
     return A, A[:2, 2:].T, KD, loop.parameters["parameter_system"].gain
 
@@ -182,10 +179,7 @@ def output_injection(printed: bool) -> Any:
 def hats(printed: bool) -> Any:
     """V' by which theta Eqs. (12)-(16) mean."""
     loop = paper_loop("known-flow")
-    p, e = loop.parameters, loop.signals["e"]
-    known = p["true_flow"].theta if printed else p["injection"].theta_hat
-    missed = (p["true_flow"].theta - known) @ loop.inputs["phi_x"]
-    return rate_of_V(loop) - e @ (missed - p["vehicle_controller"].KD * e)
+    return rate_of_V(loop) - (decay if printed else decay_and_known_error)(loop)
 
 
 def gaussian(printed: bool) -> Any:

@@ -44,7 +44,6 @@ class Running:
     def __init__(self, system: control.NonlinearIOSystem, V: str = "V[0]"):
         self.system, self.wiring = system, wiring_of(system)
         self.V = [system.output_labels.index(V)] if V else []
-        self.jumps = any(node.system.jump_function is not None for node in self.wiring.nodes)
         self.sweep = Sweep(self.wiring, [node.system.parameters for node in self.wiring.nodes])
 
     def by_control(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> Found:
@@ -53,7 +52,7 @@ class Running:
         system._update_params({})  # once: it takes as long as the equations
 
         def one(*point: Any) -> tuple:
-            if self.jumps:  # its states may jump between one point and the next
+            if self.sweep.jumping:  # its states may jump between one point and the next
                 system._update_params({})
             try:
                 return system._rhs(*point), *(system._out(*point)[self.V] if self.V else [0.0])

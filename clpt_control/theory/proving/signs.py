@@ -70,9 +70,7 @@ def _parts(expression: sympy.Expr) -> set[sympy.Expr]:
 def _fraction(expression: sympy.Expr) -> tuple[PolyElement, PolyElement]:
     """Return p and q of an expression p/q; SymPy's own field takes much longer, with divisors."""
     ring = PolyRing([*_parts(expression)], sympy.ZZ)
-    known = {
-        part: (generator, ring.one) for part, generator in zip(ring.symbols, ring.gens, strict=True)
-    }
+    known = {part: (own, ring.one) for part, own in zip(ring.symbols, ring.gens, strict=True)}
 
     def fraction(e: sympy.Expr) -> tuple[PolyElement, PolyElement]:
         if e not in known:

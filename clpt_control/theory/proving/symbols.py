@@ -78,9 +78,8 @@ def parameter_symbol(name: str, value: Any, index: Index) -> sympy.Expr:
 
 def signed(name: str, value: Any) -> sympy.Expr:
     """Return a symbol with the sign that all values have, or zero."""
-    signs = {*np.sign(np.asarray(value, dtype=float)).flat}
-    if name.endswith(".interval"):  # its own value, -1, says only that it is counted
-        signs = set()
+    # an interval's own value, -1, says only that it is counted
+    signs = set() if name.endswith(".interval") else {*np.sign(np.asarray(value, float)).flat}
     if signs == {0}:
         return sympy.Integer(0)
     sign = "positive" if signs == {1} else "negative" if signs == {-1} else "real"

@@ -45,7 +45,6 @@ AT_FIXES = {  # of a law that learns at fixes: the interval, and gains that it d
     "learning.feedback": None,
     "learning.feedforward": None,
 }
-paper = cache(paper_scenario)  # which is read from a file
 Hedging = Literal["no limit", "hedged", "not hedged"]
 
 
@@ -60,7 +59,7 @@ def theorem_scenario(
     signs = np.array([[1.0], [-1.0]]) * np.arange(1, N + 1)
     known = law == "known-flow"
     push = {"kind": "constant", "amplitude": [0.1, 0.1]}
-    return paper().with_values(
+    return paper_scenario().with_values(
         {
             "basis.centers": [[float(k), float(-k)] for k in range(N)],
             "basis.widths": [1.0 + k for k in range(N)],
@@ -183,18 +182,14 @@ def decay(loop: Loop) -> Any:
     return -np.sum(loop.parameters["vehicle_controller"].KD * loop.signals["e"] ** 2)
 
 
-def flow_error(loop: Loop) -> Any:
-    """Return theta - theta_hat, the estimate a state of the law or given, shape (2, N)."""
-    p, state = loop.parameters, loop.states.get("theta_hat")
-    return p["true_flow"].theta - (p["injection"].theta_hat if state is None else state)
-
-
 KNOWN_ERROR = "V' = -e^T KD e + e^T (theta - theta_hat) phi"
 
 
 def decay_and_known_error(loop: Loop) -> Any:
-    """V' = -e^T KD e + e^T (theta - theta_hat) phi, Theorem 3.1."""
-    return decay(loop) + loop.signals["e"] @ (flow_error(loop) @ loop.inputs["phi_x"])
+    """V' = -e^T KD e + e^T (theta - theta_hat) phi, Theorem 3.1; theta_hat a state or given."""
+    p, state = loop.parameters, loop.states.get("theta_hat")
+    error = p["true_flow"].theta - (p["injection"].theta_hat if state is None else state)
+    return decay(loop) + loop.signals["e"] @ (error @ loop.inputs["phi_x"])
 
 
 def rate_of_V(loop: Loop) -> Any:
@@ -223,11 +218,6 @@ def zero_step(
     return checked(claim, holds)
 
 
-def falls_as_claimed(claim: str, diagram: Callable[[], Diagram], rate: Claim) -> Step:
-    """Check what V' is claimed to be, for every N."""
-    return zero_step(claim, diagram, lambda loop: [rate_of_V(loop) - rate(loop)])
-
-
 def identity_steps(text: str, law: str, claim: Claim, points: int, **more: Any) -> list[Step]:
     """Check V' exactly for every N, and at points of the running blocks.
 
@@ -236,6 +226,6 @@ def identity_steps(text: str, law: str, claim: Claim, points: int, **more: Any) 
     """
     diagram = cache(partial(theorem_loop, WIRED, law, **more))
     return [
-        falls_as_claimed(f"{text}, for every N", diagram, claim),
+        zero_step(f"{text}, for every N", diagram, lambda loop: [rate_of_V(loop) - claim(loop)]),
         running_step(lambda: symbolic_loop(diagram()), points, f" ({text})", f"N = {WIRED}, "),
     ]

@@ -268,8 +268,7 @@ def is_smooth(expression: sympy.Expr) -> bool:
 
 def is_continuous(expression: sympy.Expr) -> bool:
     """Return whether an expression is known to jump nowhere where it has a value."""
-    words = words_of(expression)
-    return all(isinstance(w, SMOOTH) or w.func.__name__ in CONTINUOUS for w in words)
+    return all(isinstance(w, SMOOTH) or w.func.__name__ in CONTINUOUS for w in words_of(expression))
 
 
 def _smooth(apart: sympy.Expr, u: sympy.Expr) -> bool:
