@@ -184,16 +184,20 @@ def _crossed(
     here |= {min(way[0].places): way[0] for way in ways}
     corner = [one for one in here.values() if not {*one.places}.intersection(known)]
     for way in [corner, *ways] if len(corner) > 1 else ways:
-        held = Held((*known, *(k for one in way for k in one.places)), switches)
-        held = held._replace(switches=(*switches, *(one.places[0] for one in way)))
+        places = sorted([*known, *(k for one in way for k in one.places)])
+        held = Held(tuple(places), (*switches, *(one.places[0] for one in way)))
         rows = np.vstack([sides, *[sides[:1]] * len(way)])
         for one in way:
             rows[:, one.places] = one.before
         for row, one in zip(rows[len(sides) :], way, strict=True):
             row[one.places] = one.behind
-        kinds = [held._replace(apart=True)] * (1 < len(held.switches) <= MOST_APART)
-        for kind in [*kinds, held] if way is not corner and len(held.switches) <= MOST else kinds:
-            if (found := _on(diagram, batch, place, kind, rows)) is not None:
+        kinds = [(held, rows)] if way is not corner and len(held.switches) <= MOST else []
+        if 1 < len(held.switches) <= MOST_APART:  # in one order, so that fewer are compiled
+            order = np.argsort(held.switches)
+            alone = Held(held.places, tuple(held.switches[k] for k in order), apart=True)
+            kinds.insert(0, (alone, np.vstack([rows[:1], rows[1:][order]])))
+        for kind in kinds:
+            if (found := _on(diagram, batch, place, *kind)) is not None:
                 return found
     return None
 
