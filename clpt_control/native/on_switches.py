@@ -132,7 +132,7 @@ class Place(NamedTuple):
         flat = np.linalg.norm(besides, axis=0) <= FLAT * np.linalg.norm(slopes, axis=0)
         return [*np.compress(flat, some)]
 
-    def besides(self, held: "Held") -> list[int]:
+    def besides(self, held: Held) -> list[int]:
         """Return other decisions that are about to turn wherever the switches are met."""
         moving = [k for k in self.near if self.slopes[:, k].any() and k not in held.places]
         return self.within(moving, held.switches)
