@@ -222,8 +222,11 @@ FORKED = pytest.mark.skipif(not hasattr(os, "fork"), reason="cases are forked")
 CASES = Path(__file__).parents[1] / "damaged_inputs.py"
 
 
+THOUSANDS = [pytest.param((k, 1000), marks=pytest.mark.slow) for k in (1000, 2000, 3000)]
+
+
 @FORKED
-@pytest.mark.parametrize("words", [(0, 40, 0), pytest.param((1000, 3000), marks=pytest.mark.slow)])
+@pytest.mark.parametrize("words", [(0, 40, 0), *THOUSANDS])
 def test_damaged_inputs_are_answered(words):
     """A share of them; `make test-slow` asks 3,000."""
     ended = ran(sys.executable, CASES, *words, env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
