@@ -54,14 +54,17 @@ def test_the_first_dive_is_that_of_the_table(facts):
     assert (dive.magvar, dive.kind) == (17.0, "SeaExplorer")
 
 
-def navigated(folder, rows):
-    """Return the dive of rows: s, NavState, heading, declination, pitch, depth, lat, lon."""
+def navigated(folder, rows, cut=""):
+    """Return the dive of rows: s, NavState, heading, declination, pitch, depth, lat, lon.
+
+    A last one may be cut short.
+    """
     text = "Timestamp;NavState;Heading;Declination;Pitch;Depth;Lat;Lon;\n"
     for s, *cells in rows:
         hours, minutes = divmod(s // 60, 60)
         time = f"09/04/2024 {12 + hours}:{minutes:02d}:{s % 60:02d}"
         text += ";".join(map(str, [time, *cells, "\n"]))
-    (folder / "sea001.1.gli.sub.1").write_text(text)
+    (folder / "sea001.1.gli.sub.1").write_text(text + cut)
     return read_dives(folder)[0][0]
 
 
@@ -89,6 +92,8 @@ def test_a_place_that_is_repeated_behind_a_row_without_one_is_no_new_fix(tmp_pat
     rows = [(60 * k, s, 0, 0, -20 if k < 40 else 20, d, n, "-3000.000") for k, s, d, n in rows]
     dive = navigated(tmp_path, rows)
     assert (dive.duration, dive.lat_gpse) == (84 * 60.0, pytest.approx(45 + 0.9 / 60))
+    cut = "09/04/2024 13:25:00;116;0;0;20;0;4500.900;-3"  # of -3000.000
+    refuses("no dives", navigated, tmp_path, rows[:-1], cut)
 
 
 @pytest.mark.parametrize(("steered", "course"), [(("301", "312.5"), 312.5), (("", ""), None)])
