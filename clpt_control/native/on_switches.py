@@ -24,7 +24,6 @@ MOST, MOST_APART = 4, 16  # switches at once; those that each do what they do al
 FLAT = 1e-4  # the share of a slope that counts as nothing
 MOST_IN_VAIN, GOING = 50, 1e-7  # parts one after the other that go on by less than a share of a run
 NEAR = 1e3  # least distances that count, at which a decision is about to turn
-HERE = 1e-9  # the share of a run in which switches are met in one place
 
 
 class Turned(NamedTuple):
@@ -74,9 +73,9 @@ def go_on(diagram: Any, batch: Batch, begin: Begin) -> None:
         for k in np.flatnonzero((times > last.now) & (times <= t)):
             share = (times[k] - last.now) / last.numbers[numbering.TAKEN, 0]
             batch.out[0, k] = state_within(last, share) if now is None else x
-        went_on = (t - part.times[0]) / (times[-1] - times[0])
-        in_vain = in_vain + 1 if went_on < GOING else 0
-        if went_on > HERE:
+        in_vain += 1
+        if t - part.times[0] > GOING * (times[-1] - times[0]):
+            in_vain = 0
             here.clear()
         ahead, pieces = times[times > t], batch.pieces[0].after(t)
         if now is not None:
@@ -173,16 +172,19 @@ def _crossed(
     sides, known, switches = (now.sides, *now.held[:2]) if now else (before[None], (), ())
     free = np.setdiff1d(np.arange(d), known)
     turned = before != behind
-    near = [k for k in free if turned[k] or (k in place.near and abs(before[k]) == 1.0)]
-    steep, ways = np.linalg.norm(place.slopes, axis=0), list[list[Turned]]()
-    rest = sorted(free[turned[free]], key=lambda k: -steep[k])
+    close = [k for k in free if turned[k] or k in place.near]
+    near = [k for k in close if turned[k] or abs(before[k]) == 1.0]
+    steep, every = np.linalg.norm(place.slopes, axis=0), list[Turned]()
+    rest = sorted(near, key=lambda k: (not turned[k], -steep[k]))
     while rest:
         own = [rest[0], *(k for k in place.within(near, rest[:1]) if k != rest[0])]
         other = np.where(turned[own], behind[own], -before[own])
-        ways.append([Turned(own, before[own], other)])
+        every.append(Turned(own, before[own], other))
         rest = [k for k in rest if k not in own]
-    here |= {min(way[0].places): way[0] for way in ways}
-    corner = [one for one in here.values() if not {*one.places}.intersection(known)]
+    ways = [[one] for one in every if turned[one.places[0]]]
+    met = {min(one.places): one for (one,) in ways}
+    here |= met if met.keys() - here.keys() else {min(one.places): one for one in every}
+    corner = [one for one in here.values() if {*one.places} <= {*close}]
     for way in [corner, *ways] if len(corner) > 1 else ways:
         places = sorted([*known, *(k for one in way for k in one.places)])
         held = Held(tuple(places), (*switches, *(one.places[0] for one in way)))

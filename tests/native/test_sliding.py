@@ -98,10 +98,16 @@ def test_a_question_about_other_questions_follows_them():
     np.testing.assert_allclose(x, right, atol=1e-8)
 
 
-def test_a_run_that_winds_into_a_corner_is_told():
-    """Rates turn about x = y = 0 and lead inward; on one switch alone no run stays."""
-    with pytest.raises(clpt.SimulationError, match="switches to and fro without going on; give"):
-        run("x' = 2*sign(y) - sign(x); y' = -2*sign(x) - sign(y)", [0.3, 0.1])
+@pytest.mark.parametrize("k", [1.2, 2.0, 5.0])
+def test_a_run_winds_into_a_corner_and_rests_there_until_it_is_pushed_out(k):
+    """Each quarter turn about x = y = 0 is (k - 1)/(k + 1) of the one before."""
+    quarter, ratio = 1.0 / (k + 1.0), (k - 1.0) / (k + 1.0)
+    end, leaves = quarter / (1.0 - ratio), 1.0 + (k * k + 1.0) / k  # where -1 < y < 1 ends
+    times = [0.0, quarter, quarter * (1.0 + ratio), end, 1.0, leaves, leaves + 0.1]
+    x_rate = f"x' = {k}*sign(y) - sign(x) + max(t - 1, 0)"
+    x = rest_of(f"{x_rate}; y' = -{k}*sign(x) - sign(y)", [0.0, 1.0], np.array(times))
+    right = [[0, 1], [ratio, 0], [0, -(ratio**2)], *[[0, 0]] * 3, [0, -k * 0.1**2 / 2]]
+    np.testing.assert_allclose(x, right, atol=1e-7)
 
 
 def test_what_no_switch_decides_is_shown_only_where_it_does_not_matter():
