@@ -18,10 +18,9 @@ from . import numbering
 from .batch import Batch
 from .ending import edge, state_within
 from .schedule import Schedule
-from .sliding import STAYS, Held
+from .sliding import FLAT, MOST_APART, STAYS, Held, cells_that_meet
 
-MOST, MOST_APART = 4, 16  # switches at once; those that each do what they do alone
-FLAT = 1e-4  # the share of a slope that counts as nothing
+MOST = 4  # switches at once that do other things together
 MOST_IN_VAIN, GOING = 50, 1e-7  # parts one after the other that go on by less than a share of a run
 NEAR = 1e3  # least distances that count, at which a decision is about to turn
 
@@ -185,6 +184,9 @@ def _crossed(
     met = {min(one.places): one for (one,) in ways}
     here |= met if met.keys() - here.keys() else {min(one.places): one for one in every}
     corner = [one for one in here.values() if {*one.places} <= {*close}]
+    cells = cells_that_meet(diagram, batch, place, sorted({*close, *known}))
+    if cells and (found := _on(diagram, batch, place, *cells)) is not None:
+        return found
     for way in [corner, *ways] if len(corner) > 1 else ways:
         places = sorted([*known, *(k for one in way for k in one.places)])
         held = Held(tuple(places), (*switches, *(one.places[0] for one in way)))
@@ -196,7 +198,7 @@ def _crossed(
         kinds = [(held, rows)] if way is not corner and len(held.switches) <= MOST else []
         if 1 < len(held.switches) <= MOST_APART:  # in one order, so that fewer are compiled
             order = np.argsort(held.switches)
-            alone = Held(held.places, tuple(held.switches[k] for k in order), apart=True)
+            alone = Held(held.places, tuple(held.switches[k] for k in order), "apart")
             kinds.insert(0, (alone, np.vstack([rows[:1], rows[1:][order]])))
         for kind in kinds:
             if (found := _on(diagram, batch, place, *kind)) is not None:

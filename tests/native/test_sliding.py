@@ -110,6 +110,21 @@ def test_a_run_winds_into_a_corner_and_rests_there_until_it_is_pushed_out(k):
     np.testing.assert_allclose(x, right, atol=1e-7)
 
 
+@pytest.mark.parametrize(("n", "served"), [(3, "argmax"), (4, "argmin"), (8, "argmax")])
+def test_the_longest_of_several_queues_or_the_coldest_of_rooms_is_served(n, served):
+    """In the end all are alike: the mean of x' = a - 0.3 x - c, c of the one that is served."""
+    a, c = np.linspace(0.4, 1.2, n), (3.0 if served == "argmax" else -1.5) * n
+    which = getattr(np, served)
+    rates = lambda t, x, u, p: a - 0.3 * x - c * (np.arange(n) == which(x))  # noqa: E731
+    rooms = control.nlsys(rates, inputs=0, outputs=n, states=n, name="rooms")
+    start, end = np.linspace(2.0, 3.0, n), (a.mean() - c / n) / 0.3
+    found = clpt.simulate(rooms, [0.0, 1.0, 2.0, 4.0], initial_state=start)
+    assert found.attrs["engine"] == "native"
+    right = end + (start.mean() - end) * np.exp(-0.3 * found.time.values)
+    np.testing.assert_allclose(found.states.values.mean(axis=1), right, atol=1e-7)
+    np.testing.assert_allclose(np.ptp(found.states.values[1:], axis=1), 0.0, atol=1e-7)
+
+
 def test_what_no_switch_decides_is_shown_only_where_it_does_not_matter():
     """Where x = y = 0 the sign of x + y is not known; its magnitude is 0."""
     both = "x' = -sign(x) + 0.3*sin(t); y' = -sign(y) + 0.2*cos(t)"
