@@ -38,7 +38,7 @@ AS_THEY_ARE = frozenset(  # packages into which no stand-ins are put
     (OWN, *LIBRARIES, "pandas", "xarray", "sympy", *sys.stdlib_module_names)
 )
 GONE, UNKNOWN = object(), object()
-GROWN = 1000  # unknown numbers behind what was appended
+GROWN = 1000, 1_000_000  # unknown numbers behind what was appended, in one reading and another
 CONTAINERS: Any = (list, deque, dict, set)
 SIMPLE = (int, float, complex, str, bytes, frozenset, np.generic, Enum, NoneType)
 NUMBERS = (int, float, complex, np.generic, np.ndarray)
@@ -116,7 +116,7 @@ class Snapshot:
                 getattr(one, "bit_generator", one).__setstate__(pickle.loads(was))
         return bool(drawn)
 
-    def begin(self, state: dict[int, Any], leaf: Callable[[str], Any]) -> None:
+    def begin(self, state: dict[int, Any], grown: int, leaf: Callable[[str], Any]) -> None:
         """Put all as a way left it; numbers may then be any, and a list is longer."""
         for place, kept in state.items():
             value, before = self._watched[place]
@@ -127,7 +127,7 @@ class Snapshot:
                 }
                 for one in kept.values():
                     self.add(one)
-            _put(value, [leaf(f"{place}")] * (len(before) + GROWN) if kept is UNKNOWN else kept)
+            _put(value, [leaf(f"{place}")] * (len(before) + grown) if kept is UNKNOWN else kept)
 
 
 def _chance_of(one: Any) -> Any:
@@ -197,6 +197,8 @@ def _put(value: Any, kept: Any) -> None:
     if isinstance(value, CONTAINERS):
         value.clear()
         (value.extend if isinstance(kept, list) else value.update)(kept)
+    elif isinstance(value, array):  # which may have grown
+        value[:] = array(value.typecode, kept)
     elif isinstance(kept, bytes):
         numbers = np.asarray(value)
         before = np.frombuffer(kept, numbers.dtype).reshape(numbers.shape)

@@ -11,6 +11,7 @@ same: else a state or chance hides in the function.  The package's own functions
 
 from collections.abc import Callable, Mapping
 from functools import partial
+from itertools import product
 from math import nan, prod
 from typing import Any, NamedTuple
 
@@ -22,7 +23,7 @@ from .arrays import Array, Tape, Unread, objects, operand, reading_on
 from .copies import Copies, borrowed
 from .declaration import Parameters
 from .elementwise import as_number, filled, lifted, where
-from .kept import OF_ALL, Snapshot
+from .kept import GROWN, OF_ALL, Snapshot
 from .ports import check_ports, places, shaped
 from .record import Record, Shape, compact
 from .stand_ins import UNSEEDED
@@ -74,10 +75,10 @@ def read(*arguments: Any, **more: Any) -> Read:
     reads: list[Read] = []
     snapshot = Snapshot(() if request.known else OF_ALL)
     try:
-        while len(reads) < max(1 if request.known else 2, 1 + len(snapshot.left)):
-            states = [{}, *snapshot.left.values()]
+        while len(reads) < max(1 if request.known else 2, 1 + 2 * len(snapshot.left)):
+            states = [({}, 0), *product(snapshot.left.values(), GROWN)]
             state = states[min(len(reads), len(states) - 1)]
-            reads.append(_Ways(request, snapshot, state).read())
+            reads.append(_Ways(request, snapshot, *state).read())
             first, last = reads[0].record, reads[-1].record
             alike = last == first or str(last) == str(first)  # NaN differs from itself
             if not alike or len(snapshot.left) > MOST_READINGS:
@@ -96,9 +97,9 @@ def read(*arguments: Any, **more: Any) -> Read:
 class _Ways:
     """All ways through a function, one after the other."""
 
-    def __init__(self, request: Request, snapshot: Snapshot, state: dict) -> None:
+    def __init__(self, request: Request, snapshot: Snapshot, state: dict, grown: int) -> None:
         self.request = request
-        self.snapshot, self.state = snapshot, state  # in which a way left all
+        self.snapshot, self.state = snapshot, (state, grown)  # in which a way left all
         self.tape = AnsweringTape(request.parameters)
         self.copies = Copies(self.tape, snapshot)
         self.ways: list[tuple[dict[int, bool], list[Any]]] = []
@@ -114,7 +115,7 @@ class _Ways:
         named = request.wrap is None  # else x and u are the function's own
         for _ in each_way(tape):
             tape.last_asked = tape.texts = None
-            self.snapshot.begin(self.state, self._unknown)
+            self.snapshot.begin(*self.state, self._unknown)
             x, u = Ports(tape, "x", request.states, named), Ports(tape, "u", request.inputs, named)
             p = request.wrap(dict(fields)) if request.wrap else Parameters(**fields)
             outputs = self._way(lambda: copied(t, x, u, p))  # noqa: B023

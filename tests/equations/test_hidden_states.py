@@ -152,7 +152,9 @@ HIDING = (  # of most the first two readings are alike
         if name[0] != "_" and callable(own)
     ),
     lambda t, x, u, p: (HISTORY.append(u[0]), u[0] if len(HISTORY) < 50 else HISTORY[-50])[1],
+    lambda t, x, u, p: (HISTORY.append(u[0]), u[0] if len(HISTORY) < 5000 else 0.0)[1],
     lambda t, x, u, p: (LATE.append(u[0]), LATE[0])[1],
+    lambda t, x, u, p: (OFTEN.append(0.0), u[0] if len(OFTEN) < 5000 else 0.0)[1],
     lambda t, x, u, p: 0.0 if np.random.rand() < 1e-9 else u[0],  # noqa: NPY002
     lambda t, x, u, p: 0.0 if random.random() < 1e-9 else u[0],
     lambda t, x, u, p: 0.0 if np.random.default_rng().random() < 1e-9 else u[0],
@@ -163,7 +165,7 @@ HIDING = (  # of most the first two readings are alike
 
 def kept():
     shared = [*ROW], [*HISTORY], [*LATE], {*SEEN}, PLACE[0], OFTEN[0], MODULE.calls, SWITCH
-    own = [*MACHINE.angles], {k: id(v) for k, v in vars(MACHINE).items()}
+    own = [*MACHINE.angles], [*OFTEN], {k: id(v) for k, v in vars(MACHINE).items()}
     return shared, own, Machine.calls, vars(on_itself).copy(), NOISE.bit_generator.state
 
 
