@@ -222,14 +222,14 @@ def states_beside(
     """
     still = {f: sympy.Dummy(real=True) for port in eq.inputs.values() for f in port.flat}
     motion = {s: rate.xreplace(known).xreplace(still) for s, rate in eq.motion.items()}
-    turning = {w: sympy.Dummy(real=True) for r in motion.values() for w in r.atoms(*TURNS)}
     fixed = set(eq.values)
     forms = [form.xreplace(still) for form in forms]
+    turning = {w: sympy.Dummy() for r in (*motion.values(), *forms) for w in r.atoms(*TURNS)}
+    unturned = [r.xreplace(turning) for r in (*motion.values(), *forms)]
     for k, form in enumerate(one.as_coeff_Mul()[1] for one in forms):
-        if isinstance(form, sympy.sin):  # its angle up to whole turns, which is all that moves it
-            forms[k] = form.args[0]
-            if any(r.xreplace(turning).has(*form.free_symbols - fixed) for r in motion.values()):
-                forms[k] = sympy.S.Zero
+        if isinstance(form, sympy.sin):  # its angle up to whole turns, which is all that counts
+            seen = any(one.has(*form.free_symbols - fixed) for one in unturned)
+            forms[k] = sympy.S.Zero if seen else form.args[0]
     forms = [form for form in forms if degree(form, lambda s: s == TIME) == 0]
     inner = filter(None, (squares(form, fixed) for form in forms))
     forms += [form for inner_squares in inner for form in inner_squares.forms]

@@ -266,6 +266,9 @@ BESIDE = {  # V' <= 0 is right, and more is to be said
     ),
     "oscillators that agree": ("but for a", "a' = sin(b - a); b' = sin(a - b); V = 1 - cos(a - b)"),
     "an angle that drives": ("but for th, y", f"th' = w; w' = -sin(th); y' = th - y; {TURNED}"),
+    "what runs with an angle": (
+        "but for th, q", f"th' = w; w' = -sin(th); z' = w; q' = z - q; {TURNED} + (z - th)**2"
+    ),
     "a source that drives": ("but for y", (sourced(lambda t: np.array([t**2])), half)),
     "V that misses a state": ("but for y", "x' = -x; y' = y; V = x**2/2"),
     "a jump of what V misses": ("but for n", (memory(0.5, 3.0), lambda s: s.m**2)),
