@@ -222,6 +222,7 @@ REFUTED = {
     "gain -0.5": with_numbers(paper, gain=-0.5),
     "every sign flipped": turned,
     "a leak of -0.1": with_numbers(constant, c=-0.1),
+    "a leak without a least value": leak("gain*c*(1 - zc[0]**2)", ("alpha",), two(0.1)),
     "composite, c = -0.5": with_numbers(composite, c=-0.5),
     "wrong from N = 5 on, N = 6": changed(FIFTH, n=6),
 }

@@ -137,7 +137,7 @@ def _rising(g: sympy.Expr, s: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr] | N
     if cosine is not None and cosine[k].is_positive:
         return least, sympy.sin(cosine[m] * s / 2)
     slope = along(g, {s: sympy.S.One})
-    if least.is_finite and rising_in(tidied(s * slope), s):
+    if least.is_finite and any(rising_in(one(s * slope), s) for one in (tidied, factored)):
         return least, s
     if g.atoms(AppliedUndef) or g.has(TIME):
         return None

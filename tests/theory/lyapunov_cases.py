@@ -175,6 +175,7 @@ RIGHT = {
     "a gain of its own in each interval": (counting(lambda k: -2 - np.sin(k)),),
     "a sine beside squares": "x' = -x + 0.5*sin(y); y' = -y",
     "a jump to its tanh": (jumping(lambda t, x, p: np.tanh(x.m)),),
+    "V of a root that goes on rising": "x' = -x; V = x**2/sqrt(1 + x**2)",
     "V of what follows a wave": "x' = cos(t) + sin(t) - x; V = (x - sin(t))**2",
     "friction of each state, and forces that do no work": rubbed(1.0),
     "a gradient's flow": "x' = -(x**3 + x - y); y' = -(y - x + y**3); "
@@ -228,6 +229,8 @@ OPEN = {  # no point shows it, or none is looked for
     "V that is bounded": "x' = -x; V = tanh(x**2)",
     "V that lets go far off": "x' = -6*x/(1 + x**2)**2 + 2*y; y' = -2*(x + y)/(1 + x**2)**2; "
     "V = x**2/(1 + x**2) + y**2",
+    "V of a root that lets go far off": "x' = 2*y; "
+    "y' = 2*x**5/(1 + x**4)**1.5 - 2*x/sqrt(1 + x**4); V = x**2/sqrt(1 + x**4) + y**2",
     "V that fades": "x' = x/2; V = exp(-2*t)*x**2",
     "V that sinks with time": "x' = 0*x; V = x**2 - t",
     "V whose least is far away": "x' = 5e3 - x; V = 1e3*log(cosh(x/1e3 - 5)) - 5e3",

@@ -140,7 +140,7 @@ def _leak_of(part: sympy.Expr, s: sympy.Symbol, true: sympy.Expr) -> Pull | None
     push, slowest = sympy.S.Zero, sympy.S.Zero
     for (power,), f in sympy.Poly(share, a).terms() if rest == 0 else ():
         low, high = interval(f)
-        if power % 2 or low.is_negative or not high.is_finite:
+        if power % 2 or not (low.is_extended_nonnegative and high.is_finite):
             return None
         if power == 0 and low.is_positive:
             slowest, push = low, push + high * true**2 / 2

@@ -208,7 +208,7 @@ def rising_in(E: sympy.Expr, s: sympy.Symbol) -> bool:
             else:
                 rest *= factor
         low = interval(rest)[0]
-        if low.is_negative or n % 2:
+        if not low.is_extended_nonnegative or n % 2:
             return False
         sure = low.is_positive
         if rest.free_symbols == {s} and rest.is_positive and not words_of(rest):  # 1/(1 + s^2)
