@@ -263,7 +263,7 @@ def _negative(group: sympy.Expr, apart: set) -> bool:
         if left.is_nonpositive or (left != group and nonpositive(left, apart)):
             return True
     if not words:
-        return _in_forms(group, apart)
+        return _in_forms(group, apart) or _in_one_symbol(group)
     return _in_sectors(group, words, apart) or _in_pieces(group, words, apart)
 
 
@@ -282,6 +282,16 @@ def _in_forms(group: sympy.Expr, apart: set) -> bool:
     H = sympy.Matrix([[whole.diff(a, b).as_expr() for a in symbols] for b in symbols])
     known = not H.free_symbols and not H.atoms(sympy.Function)
     return 2 in degrees and known and bool((-H).is_positive_semidefinite)
+
+
+def _in_one_symbol(group: sympy.Expr) -> bool:
+    """Return whether a polynomial of one symbol falls far away, and changes its sign nowhere."""
+    if len(group.free_symbols) != 1 or not group.is_polynomial():
+        return False
+    whole = sympy.Poly(group, *group.free_symbols)
+    if not (whole.domain.is_ZZ or whole.domain.is_QQ) or whole.LC() > 0:
+        return False
+    return not any(factor.count_roots() for factor, n in whole.sqf_list()[1] if n % 2)
 
 
 def _in_sectors(group: sympy.Expr, words: set, apart: set) -> bool:
