@@ -6,8 +6,8 @@ place of others; all else is as the way left it.  If all these readings are the 
 leaves another state, what is kept does not matter: a cache, a log, what is written before it is
 read.  Else it is a state of the function, which its record would not hold.
 
-Objects, containers, arrays, classes, the names of a user's modules and generators of chance are
-watched; each reading leaves them as they were.
+Objects, containers, arrays, classes, the names of a user's modules and of functions around one, and
+generators of chance are watched; each reading leaves them as they were.
 """
 
 import functools
@@ -20,7 +20,15 @@ from collections import deque
 from collections.abc import Callable, Iterable
 from enum import Enum
 from operator import is_
-from types import BuiltinFunctionType, FunctionType, ModuleType, NoneType, SimpleNamespace
+from types import (
+    BuiltinFunctionType,
+    CellType,
+    FunctionType,
+    MethodType,
+    ModuleType,
+    NoneType,
+    SimpleNamespace,
+)
 from typing import Any
 
 import numpy as np
@@ -64,6 +72,8 @@ class Snapshot:
 
     def add(self, value: Any, deep: int = DEEP) -> None:
         """Watch an object, and those within it."""
+        for one in _bound_to(value):
+            self.add(one, deep)
         value = getattr(value, "__func__", getattr(value, "fget", value))  # of a method, property
         self._borrow(value)
         if isinstance(value, PLAIN) or id(value) in self._watched or len(self._watched) >= MOST:
@@ -75,6 +85,8 @@ class Snapshot:
         self._watched[id(value)] = value, kept
         for kind in () if isinstance(value, type) else type(value).__mro__:
             self._borrow(*vars(kind).values())
+        if isinstance(value, CellType):  # no depth of its own
+            deep += 1
         own = getattr(value, "__dict__", None)
         plain = type(value) is SimpleNamespace
         if type(own) is dict and (plain or not _is_library(type(value).__module__.split(".")[0])):
@@ -133,6 +145,15 @@ class Snapshot:
 def _chance_of(one: Any) -> Any:
     """Return the state of a generator of chance."""
     return pickle.dumps(getattr(one, "bit_generator", one).__getstate__())
+
+
+def _bound_to(value: Any) -> list[Any]:
+    """Return what a function has at each call: its object, its cells, arguments of a partial."""
+    if isinstance(value, functools.partial):
+        return [value.func, *value.args, *value.keywords.values()]
+    if isinstance(value, FunctionType | MethodType | BuiltinFunctionType):
+        return [getattr(value, "__self__", None), *(getattr(value, "__closure__", None) or ())]
+    return []
 
 
 def same(now: Any, before: Any) -> bool:
@@ -235,6 +256,8 @@ def _attributes(value: Any) -> tuple[Any, Iterable[str] | None]:
             return module, module and vars(module).keys() & names_in(value.__code__)
         own = vars(value).items()
         return value, [k for k, one in own if k[:2] != "__" and not hasattr(one, "__get__")]
+    if isinstance(value, CellType):  # what a function of a function names
+        return value, None if value == CellType() else ["cell_contents"]
     slots = [vars(kind).get("__slots__", ()) for kind in type(value).__mro__]
     names = [name for one in slots for name in ([one] if isinstance(one, str) else one)]
     return value, names or None

@@ -189,6 +189,70 @@ def test_what_hides_in_params_runs_as_python_control_runs_it():
     assert clpt.simulate(system, [0.0, 0.5], 0.0, [0.3]).attrs["engine"] == "python"
 
 
+def counts():
+    n = 0
+
+    def count(x):
+        nonlocal n
+        n += 1
+        return n * x
+
+    return count
+
+
+def delays():
+    past = [0.0]
+
+    def delay(x):
+        past.append(x[0])
+        return np.array([past[-2] + np.sin(past[-1])])
+
+    return delay
+
+
+class Sum:
+    total = 0.0
+
+    def __call__(self, x):
+        self.total += x[0]
+        return np.array([self.total])
+
+
+@pytest.mark.filterwarnings("ignore:.*runs in Python")
+@pytest.mark.parametrize("holder", ["object", "system"])
+@pytest.mark.parametrize(
+    "make",
+    [
+        counts,
+        delays,
+        Sum,
+        *(lambda: Sum().__call__, lambda: functools.partial(lambda f, x: f(x), delays())),
+    ],
+)
+def test_what_a_function_of_an_object_keeps_is_left_as_it_was(make, holder):
+    def system():
+        inner, own = control.nlsys(lambda t, x, u, p: f(x), states=1, inputs=0, dt=1), Plant()
+        own.f = f = make()
+        held = {"object": lambda t, x: own.f(x), "system": lambda t, x: inner.dynamics(t, x, [])}
+        return control.nlsys(lambda t, x, u, p: 0.5 * x + held[holder](t, x), states=1, dt=1)
+
+    times = np.arange(6)
+    found = clpt.simulate(system(), times, initial_state=[1.0])
+    assert found.attrs["engine"] == "python"
+    expected = control.input_output_response(system(), times, 0, [1.0]).states[0]
+    np.testing.assert_array_equal(found.states[:, 0], expected)
+
+
+def test_a_function_that_a_system_has_from_around_its_own_is_machine_code():
+    def turned(x):
+        return np.array([x[1], -np.sin(x[0])])
+
+    swing = control.nlsys(lambda t, x, u, p: turned(x), states=2, inputs=0)
+    back = control.nlsys(lambda t, x, u, p: -swing.dynamics(t, x, []), states=2, inputs=0)
+    run = clpt.simulate(back, [0.0, 1.0], initial_state=[1.0, 0.3])
+    assert run.attrs["engine"] == "native"
+
+
 class Plant:
     """Computes once what does not change."""
 
