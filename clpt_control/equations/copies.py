@@ -9,7 +9,6 @@ with its own names, so for that time its module holds stand-ins too.
 import functools
 from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext
-from io import IOBase
 from operator import is_
 from types import CellType, FunctionType, MethodType
 from typing import Any
@@ -19,7 +18,7 @@ import numpy as np
 from .answers import LIBRARIES, joined
 from .arrays import Tape, Unread
 from .elementwise import boxed, constant
-from .kept import GONE, LOCK, Snapshot, same
+from .kept import GONE, LOCK, Snapshot, refuse_iterator, same
 from .lookup_tables import is_table
 from .record import MOST_NUMBERS
 from .stand_ins import BUILTINS, SHADOWS, stand_in
@@ -60,8 +59,7 @@ class Copies:
             return self._numbers(value)
         if is_table(value):
             return stand_in(value)
-        if isinstance(value, Iterator) and not isinstance(value, IOBase):
-            raise Unread("reads an iterator, which goes on at the next call; make it a list")
+        refuse_iterator(value)
         self.snapshot.add(value)
         if isinstance(value, MethodType):
             self.snapshot.add(value.__self__)

@@ -17,8 +17,9 @@ import sys
 import threading
 from array import array
 from collections import deque
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from enum import Enum
+from io import IOBase
 from operator import is_
 from types import (
     BuiltinFunctionType,
@@ -34,12 +35,12 @@ from typing import Any
 import numpy as np
 
 from .answers import LIBRARIES
-from .arrays import Array
+from .arrays import Array, Unread
 from .record import MOST_NUMBERS
 from .unchanged import names_in
 
 LOCK = threading.RLock()  # while stand-ins are in a module
-DEEP = 3  # objects within objects
+DEEP = 6  # objects within objects
 MOST = 200  # objects that are watched
 OWN = __package__.partition(".")[0]
 AS_THEY_ARE = frozenset(  # packages into which no stand-ins are put
@@ -81,6 +82,7 @@ class Snapshot:
         if isinstance(value, CHANCE):
             self._chance.setdefault(id(value), (value, _chance_of(value)))
         if (kept := kept_by(value)) is None:
+            refuse_iterator(value)
             return
         self._watched[id(value)] = value, kept
         for kind in () if isinstance(value, type) else type(value).__mro__:
@@ -148,12 +150,23 @@ def _chance_of(one: Any) -> Any:
 
 
 def _bound_to(value: Any) -> list[Any]:
-    """Return what a function has at each call: its object, its cells, arguments of a partial."""
+    """Return what a function has at each call: its object, its cells, arguments of a partial.
+
+    Of a tuple, which itself keeps nothing, they are its items.
+    """
+    if isinstance(value, tuple):
+        return [*value[:MOST]]
     if isinstance(value, functools.partial):
         return [value.func, *value.args, *value.keywords.values()]
     if isinstance(value, FunctionType | MethodType | BuiltinFunctionType):
         return [getattr(value, "__self__", None), *(getattr(value, "__closure__", None) or ())]
     return []
+
+
+def refuse_iterator(value: Any) -> None:
+    """Refuse what no reading could leave as it was."""
+    if isinstance(value, Iterator) and not isinstance(value, IOBase):
+        raise Unread("reads an iterator, which goes on at the next call; make it a list")
 
 
 def same(now: Any, before: Any) -> bool:

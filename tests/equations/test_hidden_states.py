@@ -218,14 +218,29 @@ class Sum:
         return np.array([self.total])
 
 
+def numbered():
+    own = Plant()
+    own.numbers = (0.1 * k for k in range(99))
+    return lambda x: x + next(own.numbers)
+
+
+def far():
+    own = Plant()
+    own.parts = [{"loops": (Plant(), [0.0])}]
+
+    def integral(x):
+        own.parts[0]["loops"][1][0] += 1.0
+        return x + own.parts[0]["loops"][1][0]
+
+    return integral
+
+
 @pytest.mark.filterwarnings("ignore:.*runs in Python")
 @pytest.mark.parametrize("holder", ["object", "system"])
 @pytest.mark.parametrize(
     "make",
     [
-        counts,
-        delays,
-        Sum,
+        *(counts, delays, Sum, numbered, far),
         *(lambda: Sum().__call__, lambda: functools.partial(lambda f, x: f(x), delays())),
     ],
 )
