@@ -119,8 +119,8 @@ def _flatten(system: Part, name: str) -> tuple[list[Row], list[Row]]:
     for part in system.syslist:
         for rows, own in zip((fed, made), _flatten(part, part.name), strict=True):
             rows += [{k + signals if k >= 0 else k - taken: g for k, g in r.items()} for r in own]
-        signals += sum(one.noutputs or 0 for _, one in leaves([part]))
-        taken += part.ninputs or 0
+        signals += sum(int(one.noutputs or 0) for _, one in leaves([part]))
+        taken += int(part.ninputs or 0)
     wires, inputs, shown = map(_entries, (system.connect_map, system.input_map, system.output_map))
     count, known = len(made), dict[int, Row | None]()
 
@@ -203,7 +203,7 @@ def wiring_of(diagram: Part, params: Params = None, sizes: Sizes = (None, None))
     if None in (diagram.nstates, diagram.ninputs, diagram.noutputs):  # which its block knows
         ((name, diagram),) = systems
         fed, shown = _flatten(diagram, name)
-    return ordered_wiring(systems, fed, diagram.ninputs or 0, shown, diagram.dt or 0)
+    return ordered_wiring(systems, fed, int(diagram.ninputs or 0), shown, diagram.dt or 0)
 
 
 def blocks_of(

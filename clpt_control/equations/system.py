@@ -57,6 +57,7 @@ class System(Block):
         if (q := system.noutputs) is None:  # it is not declared
             arguments = 0.0, np.zeros(n), np.zeros(m), dict(self._params)
             q = n if outfcn is None else np.size(outfcn(*arguments))
+        q = int(q)
         first = outfcn is None and q < n  # of the states, as python-control takes them
         self.update_function = updfcn if n else None
         self.output_function = (lambda t, x, u, params: x[:q]) if first else outfcn
@@ -224,7 +225,7 @@ def _size(system: Any, what: str, declared: int | None, of_run: int | None) -> i
         raise BlockError(
             f"{system.name}: how many {what} it has is not said; give {what}= to control.nlsys"
         )
-    return size
+    return int(size)  # python-control takes NumPy's too
 
 
 def _leaf(value: Any) -> Any:

@@ -286,6 +286,18 @@ def test_samples_on_one_line_are_one_piece():
     assert bent <= 3 * held
 
 
+def test_counts_may_be_numpys():
+    """x' = u - x from 0, alone and with u = r - 2 x."""
+    one = np.int64(1)
+    counts = {"inputs": one, "outputs": one, "states": one}
+    plant = control.nlsys(lambda t, x, u, p: u - np.eye(len(x)) @ x, **counts, name="plant")
+    twice = control.nlsys(None, lambda t, x, u, p: 2.0 * u, inputs=one, outputs=one, name="twice")
+    for system, rate in ((plant, 1.0), (control.feedback(plant, twice), 3.0)):
+        run = clpt.simulate(system, [0, 1], 1.0)
+        assert run.attrs["engine"] == "native"
+        np.testing.assert_allclose(run.states[-1], (1 - np.exp(-rate)) / rate, rtol=1e-6)
+
+
 def test_inputs_with_the_name_of_an_output_stay_apart():
     """An output u and three inputs u[0], u[1], u[2]: none is taken for the other."""
     rate, twice = lambda t, x, u, p: [u[0] - x[0]], lambda t, x, u, p: [2.0 * x[0]]
