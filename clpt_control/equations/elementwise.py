@@ -50,7 +50,7 @@ def put(array: Array, index: Any, value: Any) -> None:
     assert store is not None
     value = lifted(array._tape, value)
     if told(is_whole(root)):
-        value = np.trunc(value)
+        value = np.trunc(value) + 0.0
     if isinstance(index, Array) and index._is_condition and not moves(index):
         index = np.asarray(index)
     elif isinstance(index, Array) and index._is_condition:

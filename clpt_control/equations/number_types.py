@@ -105,10 +105,10 @@ def as_float(value: Array) -> Any:
 
 
 def of_python(number: Any, whole: Any = False) -> Any:
-    """Return a number as one of Python's: a float, or a whole one."""
+    """Return a number as one of Python's: a float, or a whole one, which is never -0."""
     if not isinstance(number, Array) or number.shape:
         return number
-    new = Array(number._tape, number._ref, ())
+    new = Array(number._tape, (number + 0.0 if whole else number)._ref, ())
     new._of_python, new._whole = True, whole
     return new
 

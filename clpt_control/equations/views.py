@@ -320,7 +320,7 @@ def converted(a: Any, dtype: Any = float, *more: Any, **named: Any) -> Any:
     """Return a copy of numbers of another kind."""
     kind = np.dtype(dtype)
     if kind == np.int64:
-        numbers = np.trunc(as_number(a))
+        numbers = np.trunc(as_number(a)) + 0.0
         if isinstance(numbers, Array):
             numbers._whole = True
         return numbers

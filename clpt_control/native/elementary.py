@@ -300,7 +300,6 @@ def place(index, count):
 
 # rare ones, which the C library computes number by number
 LIBRARY = (*("erf", "erfc", "log1p", "log2", "log10"), *("sinh", "cosh", "asinh", "acosh", "atanh"))
-# adding 0.0 makes -0.0 what Python makes of whole numbers: 0.0
 FUNCTIONS: dict[str, Callable[..., Any]] = {
     **{function.__name__: function for function in (exp, expm1, log, tanh, hypot)},
     **{function.__name__: function for function in (sin, cos, tan, asin, acos, atan, atan2)},
@@ -308,7 +307,7 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
     "pow": power,
     "mod": remainder,
     "floordiv": quotient,
-    "floor": lambda a: round_down(a) + 0.0,
-    "trunc": lambda a: round_to_zero(a) + 0.0,
-    "ceil": lambda a: 0.0 - round_down(-a),
+    "floor": round_down,
+    "trunc": round_to_zero,
+    "ceil": lambda a: -round_down(-a),
 }

@@ -177,8 +177,6 @@ NUMPY = {name: f"arc{name[1:]}" for name in ("asin", "acos", "atan", "asinh", "a
 def test_special_arguments(name):
     with np.errstate(all="ignore"):
         wanted = getattr(np, NUMPY.get(name, name))(SPECIAL)
-    if name == "ceil":
-        wanted += 0.0  # Python's are whole numbers, which have no -0
     as_numpy(everywhere(name, SPECIAL), wanted, rtol=6e-16, atol=5e-324)
 
 

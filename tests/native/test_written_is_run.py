@@ -58,6 +58,7 @@ def of_small_numbers(t, x, u, p):
 
 LARGE = {"large": 1.5 * 2.0**52}  # added and taken off it rounds to whole numbers
 ROOT, BODY = 2.0 * math.sqrt(2.0), "return [s(u[0]), w(u[0], 2.0)]"
+ROUNDING = np.round, np.ceil, np.trunc, np.fix, round, math.ceil, math.trunc, int
 CASES = {  # -> function, inputs, outputs, parameters
     "a table from its end": (
         lambda t, x, u, p: [lookup(p.table, k + 0.0 * u[0]) for k in (-1.0, -2.0, 1.9)],
@@ -73,6 +74,10 @@ CASES = {  # -> function, inputs, outputs, parameters
     ),
     "a zero's sign": (by_a_small_number, [2.0], [math.pi, 1.0]),
     "the sign of -0": (by_a_small_number, [-2.0], [-math.pi, -1.0]),
+    "zeros that were rounded, Python's without a sign": (
+        lambda t, x, u, p: [np.arctan2(f(u[0]), -1.0) for f in ROUNDING],
+        [-0.3], [-math.pi] * 4 + [math.pi] * 4,
+    ),
     "digits and range": (of_small_numbers, [2.0], [2.0 - 2e-12, 2.0 + 2e-12, ROOT, ROOT]),
     "code": (without_source(BODY, s=math.sin, w=np.minimum), [1.0], [math.sin(1.0), 1.0]),
     "equal code": (without_source(BODY, s=math.cos, w=np.maximum), [1.0], [math.cos(1.0), 2.0]),
