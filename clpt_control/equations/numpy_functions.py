@@ -16,6 +16,7 @@ import numpy as np
 from . import lookup_tables, stacks, views
 from .arrays import HOOKS, Array, Tape, Unread, objects
 from .elementwise import (
+    as_number,
     boxed,
     elementwise,
     filled,
@@ -117,6 +118,25 @@ def clip(a: Any, a_min: Any = None, a_max: Any = None, *, min: Any = None, max: 
     if low is not None:
         a = np.maximum(a, low)
     return np.minimum(a, high) if high is not None else a
+
+
+def place_of_the_first(function: Any, better: Any) -> Callable:
+    """Return what does np.argmax or np.argmin, of a row one comparison an element."""
+
+    def place(a: Any, *axis: Any, **more: Any) -> Any:
+        if axis or more:
+            return on_objects(a._tape, function, (a, *axis), more)
+        (best, *others), at = as_number(np.ravel(a)), 0
+        for k, one in enumerate(others, 1):
+            closer = better(one, best)
+            best, at = where(closer, one, best), where(closer, k, at)
+        return at
+
+    return place
+
+
+implements(np.argmax)(place_of_the_first(np.argmax, np.greater))
+implements(np.argmin)(place_of_the_first(np.argmin, np.less))
 
 
 @implements(np.where, arrays=0)
