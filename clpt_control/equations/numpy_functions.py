@@ -139,6 +139,27 @@ implements(np.argmax)(place_of_the_first(np.argmax, np.greater))
 implements(np.argmin)(place_of_the_first(np.argmin, np.less))
 
 
+@implements(np.sort)
+def sort(a: Any, *axis: Any, **more: Any) -> Any:
+    """Return a row sorted: neighbours change places, in as many rounds as it has elements."""
+    if axis or more or a.ndim != 1:
+        return refuse("np.sort along an axis")
+    row = list(as_number(a))
+    for k in range(len(row)):
+        for j in range(k % 2, len(row) - 1, 2):
+            row[j : j + 2] = np.minimum(*row[j : j + 2]), np.maximum(*row[j : j + 2])
+    return lifted(a._tape, row)
+
+
+@implements(np.median)
+def median(a: Any, *axis: Any, **more: Any) -> Any:
+    """Return the mean of the one or two in the middle."""
+    if axis or more:
+        return refuse("np.median along an axis")
+    row = sort(np.ravel(a))
+    return np.mean(row[(len(row) - 1) // 2 : len(row) // 2 + 1])
+
+
 @implements(np.where, arrays=0)
 def placed(condition: Any, *values: Any) -> Any:
     """Return np.where(condition, a, b)."""
@@ -265,7 +286,7 @@ def alike(a: Array, value: float, dtype: Any = None, **named: Any) -> Any:
 
 
 implements(np.vdot, arrays=2)(lambda a, b: dot(np.ravel(a), np.ravel(b)))
-for unread in (np.shares_memory, np.may_share_memory, np.ix_, np.sort, np.median):
+for unread in (np.shares_memory, np.may_share_memory, np.ix_):
     implements(unread, arrays=0)(lambda *_, name=unread.__name__: refuse(f"np.{name}"))
 implements(np.sum)(along(reduced, np.add))
 implements(np.prod)(along(reduced, np.multiply))

@@ -242,8 +242,9 @@ WOULD_BE_OTHERS = """
     tried(lambda: 7 // math.floor(x[1])) ; tried(lambda: p["k"] / p["zero"] * x[0]) ;
     tried(lambda: u[int(x[0])]) ; tried(lambda: np.linalg.solve(np.outer(u, u), u)[0]) ;
     np.roots(x)[0].real ; 1.0 * np.shares_memory(u, u) ; 1.0 * np.ix_(u > 0)[0][0] ;
-    1.0 * np.deg2rad(u > 0)[0] ; np.gradient(np.outer(u, u))[0][0, 0] ; np.sort(u)[1] ;
-    np.gradient(x, x + 9.0)[0] ; np.median(u) ; np.sum(u, where=[True, False]) ;
+    1.0 * np.deg2rad(u > 0)[0] ; np.gradient(np.outer(u, u))[0][0, 0] ;
+    np.sort(np.outer(u, x), 0)[0] ;
+    np.gradient(x, x + 9.0)[0] ; np.median(np.outer(u, x), 0) ; np.sum(u, where=[True, False]) ;
     np.linalg.cholesky(np.outer(u, u) + np.eye(2))[0, 1] ;
     RATIOS.get(f"{x[0]:.0f}", 2.0) ; RATIOS.get(int(x[0]), 9.0)
 """

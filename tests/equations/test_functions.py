@@ -83,6 +83,7 @@ ARRAYS = """
     np.min(u, initial=0.5) ; np.prod(u, initial=2.0) ; np.flipud(u)[0] ;
     np.fliplr([u, v])[1, 0] ; np.hsplit(u, 3)[1][0] ; np.expand_dims(u, 0)[0, 2] ;
     np.moveaxis([u, v], 0, 1)[2, 0] ; np.transpose([u, v], (1, 0))[2, 1] ; u.argmax() + u[0] ;
+    np.sort(u)[1] ; np.sort(np.outer(u, v)[0])[::-1][1] ; np.median(u) ; np.median([u, v]) ;
     np.argmin([u, v]) + u[0] ; np.argmax(u > 0.5) + u[0] ; u[np.argmin(u)] ;
     np.argmax(np.outer(u, v), axis=1)[2] ;
     np.interp(u[0] - 0.5, [0.0, 1.0, 2.0], u, left=7.0, right=8.0) ;
