@@ -2,7 +2,8 @@
 
     minimize  sum over samples of ((y(t; p) - measured) / noise)^2
 
-The noise of each output is estimated from what the fit leaves.
+The noise of each output is estimated from what the fit leaves, over its numbers less those that
+the unknowns have spent: the trace of its part of the projection on J.
 
 SciPy's `least_squares` takes the steps, `sensitivity` is its Jacobian J.  The covariance of what is
 found is s^2 (J' J)^-1; a direction of parameters that J does not feel has none, and is told.
@@ -243,7 +244,7 @@ class _Fitting:
         """Take steps until nothing gets better, and the noise of several outputs settles."""
         from scipy.optimize import least_squares
 
-        count, unknowns = self.there.sum(axis=0), len(self.names)
+        count = self.there.sum(axis=0)
         size = np.nanstd(np.where(self.there, self.measured, np.nan), axis=0)
         values, noise = self.begin, np.where(size > 0, size, 1.0)
         least = 1e-9 * noise
@@ -256,7 +257,9 @@ class _Fitting:
             self.ready.confirm(values, self.run(values))
             residuals = np.zeros(self.there.shape)
             residuals[self.there] = self.residuals(values, np.ones(len(noise)))
-            freedom = count * (1.0 - unknowns / count.sum())
+            spent = np.zeros(self.there.shape)  # by each number, of as many as there are unknowns
+            spent[self.there] = (np.linalg.qr(result.jac)[0] ** 2).sum(axis=1)
+            freedom = np.maximum(count - spent.sum(axis=0), 1e-9)
             before, noise = noise, np.maximum(np.sqrt((residuals**2).sum(axis=0) / freedom), least)
             if len(noise) == 1 or np.all(np.abs(noise / before - 1.0) < SETTLED):
                 break
