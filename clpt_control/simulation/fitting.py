@@ -258,7 +258,8 @@ class _Fitting:
             residuals = np.zeros(self.there.shape)
             residuals[self.there] = self.residuals(values, np.ones(len(noise)))
             spent = np.zeros(self.there.shape)  # by each number, of as many as there are unknowns
-            spent[self.there] = (np.linalg.qr(result.jac)[0] ** 2).sum(axis=1)
+            J = result.jac[:, result.active_mask == 0]
+            spent[self.there] = (np.linalg.qr(J)[0] ** 2).sum(axis=1)
             freedom = np.maximum(count - spent.sum(axis=0), 1e-9)
             before, noise = noise, np.maximum(np.sqrt((residuals**2).sum(axis=0) / freedom), least)
             if len(noise) == 1 or np.all(np.abs(noise / before - 1.0) < SETTLED):
