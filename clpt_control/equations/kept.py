@@ -6,8 +6,9 @@ place of others; all else is as the way left it.  If all these readings are the 
 leaves another state, what is kept does not matter: a cache, a log, what is written before it is
 read.  Else it is a state of the function, which its record would not hold.
 
-Objects, containers, arrays, classes, the names of a user's modules and of functions around one, and
-generators of chance are watched; each reading leaves them as they were.
+Objects, containers, arrays and buffers, texts in memory, classes, the names of a user's modules and
+of functions around one, and generators of chance are watched; each reading leaves them as they
+were.
 """
 
 import functools
@@ -19,7 +20,7 @@ from array import array
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from enum import Enum
-from io import IOBase
+from io import BytesIO, IOBase, StringIO
 from operator import is_
 from types import (
     BuiltinFunctionType,
@@ -49,6 +50,7 @@ AS_THEY_ARE = frozenset(  # packages into which no stand-ins are put
 GONE, UNKNOWN = object(), object()
 GROWN = 1000, 1_000_000  # unknown numbers behind what was appended, in one reading and another
 CONTAINERS: Any = (list, deque, dict, set)
+BUFFERS: Any = (np.ndarray, array, bytearray, memoryview)
 SIMPLE = (int, float, complex, str, bytes, frozenset, np.generic, Enum, NoneType)
 NUMBERS = (int, float, complex, np.generic, np.ndarray)
 PLAIN = (int, float, str, bytes, tuple, Array, BuiltinFunctionType, NoneType)
@@ -141,7 +143,10 @@ class Snapshot:
                 }
                 for one in kept.values():
                     self.add(one)
-            _put(value, [leaf(f"{place}")] * (len(before) + grown) if kept is UNKNOWN else kept)
+            if kept is UNKNOWN:
+                more = 0 if isinstance(value, np.ndarray) else grown
+                kept = [leaf(f"{place}")] * (len(before) + more)
+            _put(value, kept)
 
 
 def _chance_of(one: Any) -> Any:
@@ -214,10 +219,15 @@ def kept_by(value: Any) -> Any:
         return dict(value)
     if isinstance(value, set):
         return frozenset(value)
-    if isinstance(value, np.ndarray | array) or hasattr(type(value), "to_numpy"):
-        numbers = np.asarray(value) if np.size(value) <= MOST_NUMBERS else np.array(None)
-        if numbers.dtype.kind in "fiubc":
+    if isinstance(value, StringIO | BytesIO):
+        return value.getvalue(), value.tell()
+    of_numbers = isinstance(value, BUFFERS) or hasattr(type(value), "to_numpy")
+    if of_numbers and np.size(value) <= MOST_NUMBERS:
+        numbers = np.asarray(value)
+        if not numbers.dtype.hasobject:
             return numbers.tobytes()
+        if numbers is value:
+            return [*value.flat]
     attributes = getattr(value, "__dict__", None)
     if type(attributes) is dict and not isinstance(value, FunctionType | ModuleType):
         return dict(attributes)
@@ -231,8 +241,15 @@ def _put(value: Any, kept: Any) -> None:
     if isinstance(value, CONTAINERS):
         value.clear()
         (value.extend if isinstance(kept, list) else value.update)(kept)
-    elif isinstance(value, array):  # which may have grown
-        value[:] = array(value.typecode, kept)
+    elif isinstance(value, array | bytearray):  # which may have grown
+        value[:] = array(value.typecode, kept) if isinstance(value, array) else kept
+    elif isinstance(value, StringIO | BytesIO):
+        value.seek(0)
+        value.truncate()
+        value.write(kept[0])
+        value.seek(kept[1])
+    elif isinstance(value, np.ndarray) and isinstance(kept, list):
+        value[...] = np.fromiter(kept, object).reshape(value.shape)
     elif isinstance(kept, bytes):
         numbers = np.asarray(value)
         before = np.frombuffer(kept, numbers.dtype).reshape(numbers.shape)

@@ -7,6 +7,7 @@ nothing is read, or where no signal is among their arguments.
 """
 
 import builtins
+import datetime
 import functools
 import math
 import sys
@@ -31,7 +32,7 @@ from .elementwise import (
     where,
 )
 from .lookup_tables import function_of
-from .number_types import TYPES, has, is_a, of_python, real_of, type_of
+from .number_types import TYPES, StandInType, has, is_a, of_python, real_of, type_of
 from .numpy_functions import apply_function
 from .ufuncs import apply_ufunc
 from .views import converted, copied, fresh, share, tape_of
@@ -268,14 +269,27 @@ def _refused(real: Callable, sentence: str) -> Callable:
     return function
 
 
+def _without_clock(kind: type) -> StandInType:
+    """Return what stands for a kind of dates, whose clock no record holds."""
+
+    def refused(kind: type, *zone: Any, **more: Any) -> Any:
+        raise Unread(CLOCK)
+
+    clocks: Any = {"now", "utcnow", "today"} & {*dir(kind)}
+    names = {"real": kind, "make": kind, **dict.fromkeys(clocks, classmethod(refused))}
+    return StandInType(kind.__name__, (kind,), names)
+
+
+CLOCK = "asks a clock; t is the run's time"
 UNSEEDED = "draws by chance; draw before the run, or take it as an input"
 CLOCKS = (
     *(time.time, time.monotonic, time.perf_counter, time.process_time),
     *(time.time_ns, time.monotonic_ns, time.perf_counter_ns, time.process_time_ns),
 )
 _KNOWN: dict[int, Any] = {
-    **{id(real): Module(real) for real in (np, np.random, math, time)},
-    **{id(one): _refused(one, "asks a clock; t is the run's time") for one in CLOCKS},
+    **{id(real): Module(real) for real in (np, np.random, math, time, datetime)},
+    **{id(one): _refused(one, CLOCK) for one in CLOCKS},
+    **{id(kind): _without_clock(kind) for kind in (datetime.datetime, datetime.date)},
     id(np.random.default_rng): _refused(np.random.default_rng, UNSEEDED),
     id(np.errstate): errstate,
     id(np.r_): Joiner(np.r_, np.concatenate),

@@ -1,6 +1,8 @@
 """What a function keeps from one call to the next, and reads there, is seen and refused."""
 
+import datetime
 import functools
+import io
 import itertools
 import random
 import time
@@ -23,6 +25,8 @@ ROW, HISTORY, LATE, SEEN = [0.0], [], deque([0.0] * 3, maxlen=3), set()
 TABLE, PLACE, OFTEN = {"last": np.zeros(3)}, np.array([0]), array("d", [0.0])
 COUNT, MODULE, NOISE = itertools.count(), ModuleType("kept"), np.random.default_rng(1)
 MODULE.calls = 0
+BYTES, TEXT, VIEW = bytearray(1), io.StringIO(), memoryview(bytearray(8)).cast("d")
+MIXED, NAMED = np.array([0, None], dtype=object), np.zeros(1, dtype=[("calls", float)])
 SWITCH = False
 
 
@@ -74,6 +78,21 @@ def in_an_array(t, x, u, p):
 def in_pythons_array(t, x, u, p):
     OFTEN[0] += 1.0
     return 0.0 if OFTEN[0] > 99 else 1.0
+
+
+def in_an_array_of_objects(t, x, u, p):
+    last, MIXED[0] = MIXED[0], u[0]
+    return u[0] - last
+
+
+def in_an_array_of_names(t, x, u, p):
+    NAMED["calls"] += 1.0
+    return 0.0 if NAMED["calls"][0] > 999 else 1.0
+
+
+def in_a_view(t, x, u, p):
+    VIEW[0] += 1.0
+    return 0.0 if VIEW[0] > 999 else 1.0
 
 
 def in_a_module(t, x, u, p):
@@ -146,6 +165,7 @@ MACHINE = Machine()
 HIDING = (  # of most the first two readings are alike
     *(in_a_list, a_signal_in_a_list, in_a_set, in_a_dict),
     *(in_an_array, in_pythons_array, in_a_module, in_a_global, in_slots, on_itself),
+    *(in_an_array_of_objects, in_an_array_of_names, in_a_view),
     *(
         getattr(MACHINE, name)
         for name, own in vars(Machine).items()
@@ -155,10 +175,13 @@ HIDING = (  # of most the first two readings are alike
     lambda t, x, u, p: (HISTORY.append(u[0]), u[0] if len(HISTORY) < 5000 else 0.0)[1],
     lambda t, x, u, p: (LATE.append(u[0]), LATE[0])[1],
     lambda t, x, u, p: (OFTEN.append(0.0), u[0] if len(OFTEN) < 5000 else 0.0)[1],
+    lambda t, x, u, p: (BYTES.append(0), u[0] if len(BYTES) < 5000 else 0.0)[1],
+    lambda t, x, u, p: (TEXT.write("a"), u[0] if TEXT.tell() < 5000 else 0.0)[1],
     lambda t, x, u, p: 0.0 if np.random.rand() < 1e-9 else u[0],  # noqa: NPY002
     lambda t, x, u, p: 0.0 if random.random() < 1e-9 else u[0],
     lambda t, x, u, p: 0.0 if np.random.default_rng().random() < 1e-9 else u[0],
     lambda t, x, u, p: 0.0 if time.time() > 1e11 else u[0],
+    lambda t, x, u, p: 0.0 if datetime.datetime.now().year > 9000 else u[0],
     lambda t, x, u, p: u[0] if next(COUNT) < 999 else 0.0,
 )
 
@@ -166,7 +189,8 @@ HIDING = (  # of most the first two readings are alike
 def kept():
     shared = [*ROW], [*HISTORY], [*LATE], {*SEEN}, PLACE[0], OFTEN[0], MODULE.calls, SWITCH
     own = [*MACHINE.angles], [*OFTEN], {k: id(v) for k, v in vars(MACHINE).items()}
-    return shared, own, Machine.calls, vars(on_itself).copy(), NOISE.bit_generator.state
+    others = bytes(BYTES), TEXT.getvalue(), TEXT.tell(), VIEW[0], [*MIXED], NAMED["calls"][0]
+    return shared, own, others, Machine.calls, vars(on_itself).copy(), NOISE.bit_generator.state
 
 
 @pytest.mark.parametrize("function", HIDING)
@@ -290,11 +314,19 @@ def logs(t, x, u, p):
     return 2.0 * MACHINE.last
 
 
+DAY = datetime.datetime(2020, 1, 3)
+
+
+def dates(t, x, u, p):
+    assert isinstance(DAY, datetime.datetime)
+    return (DAY - datetime.datetime(2020, 1, 1)).days * u[0]
+
+
 SERIES = pd.Series({"a": 0.5, "b": 2.0})  # which finds its places once
 
 
 @pytest.mark.parametrize(
-    "function", [logs, Plant().response, lambda t, x, u, p: SERIES["b"] * u[0] - SERIES.a]
+    "function", [logs, dates, Plant().response, lambda t, x, u, p: SERIES["b"] * u[0] - SERIES.a]
 )
 def test_what_is_kept_and_not_read_or_computed_once_may_be(function):
     block = static(function)
