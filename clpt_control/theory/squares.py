@@ -224,7 +224,12 @@ def states_beside(
     motion = {s: rate.xreplace(known).xreplace(still) for s, rate in eq.motion.items()}
     fixed = set(eq.values)
     forms = [form.xreplace(still) for form in forms]
-    turning = {w: sympy.Dummy() for r in (*motion.values(), *forms) for w in r.atoms(*TURNS)}
+    turns = {w for r in (*motion.values(), *forms) for w in r.atoms(*TURNS)}
+    turning = {  # angles that whole turns leave as they are, as th**2 is none
+        w: sympy.Dummy()
+        for w in turns
+        if not any(sympy.diff(w.args[0], s).free_symbols - fixed for s in motion)
+    }
     unturned = [r.xreplace(turning) for r in (*motion.values(), *forms)]
     for k, form in enumerate(one.as_coeff_Mul()[1] for one in forms):
         if isinstance(form, sympy.sin):  # its angle up to whole turns, which is all that counts

@@ -153,6 +153,7 @@ RIGHT = {
     "a chain of diodes": chain("(exp(40*{0}) - 1)"),
     "a rate of which rounding is left": "x' = x*(-1.65*maximum(x, -0.7) - 1.65*0.7)",
     "gain of a higher wave": "x' = -(2 + sin(3*t))*x",
+    "gain of a wave's high power": "x' = -(1.001 - sin(t/1000)**2000)*x",
     "V of time":  # Khalil, Nonlinear Systems, 3rd ed., Example 4.20
     "x' = -x - exp(-2*t)*y; y' = x - y; V = x**2 + (1 + exp(-2*t))*y**2",
     "gain that grows": "x' = -t*x",
@@ -271,6 +272,9 @@ BESIDE = {  # V' <= 0 is right, and more is to be said
     ),
     "oscillators that agree": ("but for a", "a' = sin(b - a); b' = sin(a - b); V = 1 - cos(a - b)"),
     "an angle that drives": ("but for th, y", f"th' = w; w' = -sin(th); y' = th - y; {TURNED}"),
+    "an angle whose square turns": (
+        "but for th", f"th' = w; w' = -sin(th) - w*(2 + sin(th**2)); {TURNED}"
+    ),
     "what runs with an angle": (
         "but for th, q", f"th' = w; w' = -sin(th); z' = w; q' = z - q; {TURNED} + (z - th)**2"
     ),

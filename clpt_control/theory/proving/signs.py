@@ -102,6 +102,7 @@ MOST_EXAMINED = 400  # of more no sign is known
 HIGHEST = 4  # higher powers are not factored
 FEW = 12  # terms; more with words in them are not factored
 MOST_FACTORED, LARGEST = 40, 10  # terms; numbers in an exponent of e
+WHOLE = 100  # higher powers stay as they are
 MOST_WORDS = 8  # that are examined together
 
 EVEN = {sympy.cos: (sympy.sin, -1), sympy.cosh: (sympy.sinh, 1)}  # 1 - sin^2, 1 + sinh^2
@@ -125,8 +126,9 @@ def tidied(expression: sympy.Expr) -> sympy.Expr:
         tanh = {sympy.sinh(a): sympy.tanh(a) * sympy.cosh(a) for a in angles}
         expression = sympy.expand(expression.xreplace(tanh))
     known = dict[sympy.Expr, sympy.Expr]()
+    high = {p.base for p in high_powers(expression)}
     for even, (odd, _) in EVEN.items():
-        turns = expression.atoms(even, odd)
+        turns = expression.atoms(even, odd) - high
         angles = {one.args[0] for one in turns}
         known |= {one: sympy.expand_trig(one) for one in turns if _meets(one.args[0], angles)}
     expression = sympy.expand(expression.xreplace(known))
@@ -135,11 +137,16 @@ def tidied(expression: sympy.Expr) -> sympy.Expr:
         inside = (ends[1] - ends[0]).xreplace({CLIP(*within.args): within.args[0]})
         expression = sympy.expand(ends[0] + within * inside)
     for p in expression.atoms(sympy.Pow):
-        if p.base.func in EVEN and p.exp.is_Integer and p.exp != -1:
+        if p.base.func in EVEN and p.exp.is_Integer and p.exp != -1 and p.base not in high:
             odd, sign = EVEN[p.base.func]
             square = 1 + sign * odd(*p.base.args) ** 2
             known[p] = square ** (p.exp // 2) * p.base ** (p.exp % 2)
     return sympy.expand(expression.xreplace(known))
+
+
+def high_powers(expression: sympy.Expr) -> set[sympy.Expr]:
+    """Return the powers in an expression that stay as they are."""
+    return {p for p in expression.atoms(sympy.Pow) if p.exp.is_Integer and abs(p.exp) > WHOLE}
 
 
 def _meets(angle: sympy.Expr, others: set[sympy.Expr]) -> bool:
@@ -152,14 +159,20 @@ def _meets(angle: sympy.Expr, others: set[sympy.Expr]) -> bool:
 def factored(expression: sympy.Expr, most: int = MOST_FACTORED) -> sympy.Expr:
     """Return an expression factored, or as it is where it has many terms or operations.
 
-    exp(1000 x) stays whole, which SymPy takes for the thousandth power of exp(x).
+    exp(1000 x) stays whole, which SymPy takes for the thousandth power of exp(x), and so do powers
+    as high.
     """
     if len(sympy.Add.make_args(expression)) > most or expression.count_ops() > 5 * most:
         return expression
-    whole = {
-        e: sympy.Dummy(str(e), positive=True)
+    high = {
+        e
         for e in expression.atoms(sympy.exp)
         if any(max(abs(n.p), n.q) > LARGEST for n in e.args[0].atoms(sympy.Rational))
+    }
+    high |= high_powers(expression)
+    whole = {
+        e: sympy.Dummy(str(e), positive=e.is_positive or None, nonnegative=e.is_nonnegative or None)
+        for e in high
     }
     return _product(expression.xreplace(whole)).xreplace({dummy: e for e, dummy in whole.items()})
 
