@@ -145,8 +145,12 @@ def tidied(expression: sympy.Expr) -> sympy.Expr:
 
 
 def high_powers(expression: sympy.Expr) -> set[sympy.Expr]:
-    """Return the powers in an expression that stay as they are."""
-    return {p for p in expression.atoms(sympy.Pow) if p.exp.is_Integer and abs(p.exp) > WHOLE}
+    """Return the powers that stay as they are, and exp(1000 x): SymPy has it as exp(x)**1000."""
+    powers = {p for p in expression.atoms(sympy.Pow) if p.exp.is_Integer and abs(p.exp) > WHOLE}
+    for e in expression.atoms(sympy.exp):
+        if any(max(abs(n.p), n.q) > LARGEST for n in e.args[0].atoms(sympy.Rational)):
+            powers.add(e)
+    return powers
 
 
 def _meets(angle: sympy.Expr, others: set[sympy.Expr]) -> bool:
@@ -157,22 +161,12 @@ def _meets(angle: sympy.Expr, others: set[sympy.Expr]) -> bool:
 
 
 def factored(expression: sympy.Expr, most: int = MOST_FACTORED) -> sympy.Expr:
-    """Return an expression factored, or as it is where it has many terms or operations.
-
-    exp(1000 x) stays whole, which SymPy takes for the thousandth power of exp(x), and so do powers
-    as high.
-    """
+    """Return an expression factored, or as it is where it has many terms or operations."""
     if len(sympy.Add.make_args(expression)) > most or expression.count_ops() > 5 * most:
         return expression
-    high = {
-        e
-        for e in expression.atoms(sympy.exp)
-        if any(max(abs(n.p), n.q) > LARGEST for n in e.args[0].atoms(sympy.Rational))
-    }
-    high |= high_powers(expression)
     whole = {
         e: sympy.Dummy(str(e), positive=e.is_positive or None, nonnegative=e.is_nonnegative or None)
-        for e in high
+        for e in high_powers(expression)
     }
     return _product(expression.xreplace(whole)).xreplace({dummy: e for e, dummy in whole.items()})
 
@@ -262,10 +256,8 @@ def _without_squares(group: sympy.Expr) -> sympy.Expr:
 
 
 def _negative(group: sympy.Expr, apart: set) -> bool:
-    if len(sympy.Add.make_args(group)) > MOST_EXAMINED:
-        return False
-    if group == 0:
-        return True
+    if group == 0 or len(sympy.Add.make_args(group)) > MOST_EXAMINED:
+        return bool(group == 0)
     group = sympy.Mul(*(f for f in sympy.Mul.make_args(group) if not f.is_nonnegative))
     powers = [power.exp for power in group.atoms(sympy.Pow)]
     low = all(exponent.is_Integer and exponent <= HIGHEST for exponent in powers)
@@ -302,9 +294,8 @@ def _in_one_symbol(group: sympy.Expr) -> bool:
     if len(group.free_symbols) != 1 or not group.is_polynomial():
         return False
     whole = sympy.Poly(group, *group.free_symbols)
-    if not (whole.domain.is_ZZ or whole.domain.is_QQ) or whole.LC() > 0:
-        return False
-    return not any(factor.count_roots() for factor, n in whole.sqf_list()[1] if n % 2)
+    falls = (whole.domain.is_ZZ or whole.domain.is_QQ) and whole.LC() < 0
+    return bool(falls) and not any(f.count_roots() for f, n in whole.sqf_list()[1] if n % 2)
 
 
 def _in_sectors(group: sympy.Expr, words: set, apart: set) -> bool:
