@@ -19,6 +19,8 @@ import threading
 from array import array
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
+from contextvars import ContextVar
 from enum import Enum
 from io import BytesIO, IOBase, StringIO
 from operator import is_
@@ -221,6 +223,10 @@ def kept_by(value: Any) -> Any:
         return frozenset(value)
     if isinstance(value, StringIO | BytesIO):
         return value.getvalue(), value.tell()
+    if isinstance(value, ContextVar):
+        with suppress(LookupError):
+            return [value.get()]
+        return [None]
     of_numbers = isinstance(value, BUFFERS) or hasattr(type(value), "to_numpy")
     if of_numbers and np.size(value) <= MOST_NUMBERS:
         numbers = np.asarray(value)
@@ -248,6 +254,8 @@ def _put(value: Any, kept: Any) -> None:
         value.truncate()
         value.write(kept[0])
         value.seek(kept[1])
+    elif isinstance(value, ContextVar):
+        value.set(kept[0])
     elif isinstance(value, np.ndarray) and isinstance(kept, list):
         value[...] = np.fromiter(kept, object).reshape(value.shape)
     elif isinstance(kept, bytes):

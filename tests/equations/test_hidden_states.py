@@ -8,6 +8,7 @@ import random
 import time
 from array import array
 from collections import deque
+from contextvars import ContextVar
 from types import ModuleType
 
 import control
@@ -27,7 +28,7 @@ COUNT, MODULE, NOISE = itertools.count(), ModuleType("kept"), np.random.default_
 MODULE.calls = 0
 BYTES, TEXT, VIEW = bytearray(1), io.StringIO(), memoryview(bytearray(8)).cast("d")
 MIXED, NAMED = np.array([0, None], dtype=object), np.zeros(1, dtype=[("calls", float)])
-SWITCH = False
+SWITCH, CALLS = False, ContextVar("calls", default=0.0)
 
 
 class Bolt:
@@ -93,6 +94,11 @@ def in_an_array_of_names(t, x, u, p):
 def in_a_view(t, x, u, p):
     VIEW[0] += 1.0
     return 0.0 if VIEW[0] > 999 else 1.0
+
+
+def in_a_variable_of_the_context(t, x, u, p):
+    CALLS.set(CALLS.get() + 1.0)
+    return 0.0 if CALLS.get() > 999 else 1.0
 
 
 def in_a_module(t, x, u, p):
@@ -165,7 +171,7 @@ MACHINE = Machine()
 HIDING = (  # of most the first two readings are alike
     *(in_a_list, a_signal_in_a_list, in_a_set, in_a_dict),
     *(in_an_array, in_pythons_array, in_a_module, in_a_global, in_slots, on_itself),
-    *(in_an_array_of_objects, in_an_array_of_names, in_a_view),
+    *(in_an_array_of_objects, in_an_array_of_names, in_a_view, in_a_variable_of_the_context),
     *(
         getattr(MACHINE, name)
         for name, own in vars(Machine).items()
@@ -189,7 +195,8 @@ HIDING = (  # of most the first two readings are alike
 def kept():
     shared = [*ROW], [*HISTORY], [*LATE], {*SEEN}, PLACE[0], OFTEN[0], MODULE.calls, SWITCH
     own = [*MACHINE.angles], [*OFTEN], {k: id(v) for k, v in vars(MACHINE).items()}
-    others = bytes(BYTES), TEXT.getvalue(), TEXT.tell(), VIEW[0], [*MIXED], NAMED["calls"][0]
+    texts = TEXT.getvalue(), TEXT.tell(), bytes(BYTES), VIEW[0]
+    others = *texts, [*MIXED], NAMED["calls"][0], CALLS.get()
     return shared, own, others, Machine.calls, vars(on_itself).copy(), NOISE.bit_generator.state
 
 
