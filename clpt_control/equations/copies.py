@@ -18,7 +18,7 @@ import numpy as np
 from .answers import LIBRARIES, joined
 from .arrays import Tape, Unread
 from .elementwise import boxed, constant
-from .kept import GONE, LOCK, Snapshot, refuse_iterator, same
+from .kept import GONE, LOCK, Snapshot, refuse_unwatched, same
 from .lookup_tables import is_table
 from .record import MOST_NUMBERS
 from .stand_ins import BUILTINS, SHADOWS, stand_in
@@ -59,7 +59,7 @@ class Copies:
             return self._numbers(value)
         if is_table(value):
             return stand_in(value)
-        refuse_iterator(value)
+        refuse_unwatched(value)
         self.snapshot.add(value)
         if isinstance(value, MethodType):
             self.snapshot.add(value.__self__)

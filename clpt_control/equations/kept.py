@@ -6,9 +6,8 @@ place of others; all else is as the way left it.  If all these readings are the 
 leaves another state, what is kept does not matter: a cache, a log, what is written before it is
 read.  Else it is a state of the function, which its record would not hold.
 
-Objects, containers, arrays and buffers, texts in memory, classes, the names of a user's modules and
-of functions around one, and generators of chance are watched; each reading leaves them as they
-were.
+Objects, containers, arrays, texts in memory, classes, the names of a user's modules and of functions
+around one, and generators of chance are watched; each reading leaves them as they were.
 """
 
 import functools
@@ -19,7 +18,6 @@ import threading
 from array import array
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import suppress
 from contextvars import ContextVar
 from enum import Enum
 from io import BytesIO, IOBase, StringIO
@@ -52,7 +50,7 @@ AS_THEY_ARE = frozenset(  # packages into which no stand-ins are put
 GONE, UNKNOWN = object(), object()
 GROWN = 1000, 1_000_000  # unknown numbers behind what was appended, in one reading and another
 CONTAINERS: Any = (list, deque, dict, set)
-BUFFERS: Any = (np.ndarray, array, bytearray, memoryview)
+UNWATCHED = (bytearray, memoryview, ContextVar)  # keep what is not looked at
 SIMPLE = (int, float, complex, str, bytes, frozenset, np.generic, Enum, NoneType)
 NUMBERS = (int, float, complex, np.generic, np.ndarray)
 PLAIN = (int, float, str, bytes, tuple, Array, BuiltinFunctionType, NoneType)
@@ -86,7 +84,7 @@ class Snapshot:
         if isinstance(value, CHANCE):
             self._chance.setdefault(id(value), (value, _chance_of(value)))
         if (kept := kept_by(value)) is None:
-            refuse_iterator(value)
+            refuse_unwatched(value)
             return
         self._watched[id(value)] = value, kept
         for kind in () if isinstance(value, type) else type(value).__mro__:
@@ -170,10 +168,14 @@ def _bound_to(value: Any) -> list[Any]:
     return []
 
 
-def refuse_iterator(value: Any) -> None:
+def refuse_unwatched(value: Any) -> None:
     """Refuse what no reading could leave as it was."""
     if isinstance(value, Iterator) and not isinstance(value, IOBase):
         raise Unread("reads an iterator, which goes on at the next call; make it a list")
+    if isinstance(value, UNWATCHED):
+        raise Unread(
+            f"reads a {type(value).__name__}, where calls may keep things; make it an array"
+        )
 
 
 def same(now: Any, before: Any) -> bool:
@@ -223,11 +225,7 @@ def kept_by(value: Any) -> Any:
         return frozenset(value)
     if isinstance(value, StringIO | BytesIO):
         return value.getvalue(), value.tell()
-    if isinstance(value, ContextVar):
-        with suppress(LookupError):
-            return [value.get()]
-        return [None]
-    of_numbers = isinstance(value, BUFFERS) or hasattr(type(value), "to_numpy")
+    of_numbers = isinstance(value, np.ndarray | array) or hasattr(type(value), "to_numpy")
     if of_numbers and np.size(value) <= MOST_NUMBERS:
         numbers = np.asarray(value)
         if not numbers.dtype.hasobject:
@@ -247,15 +245,13 @@ def _put(value: Any, kept: Any) -> None:
     if isinstance(value, CONTAINERS):
         value.clear()
         (value.extend if isinstance(kept, list) else value.update)(kept)
-    elif isinstance(value, array | bytearray):  # which may have grown
-        value[:] = array(value.typecode, kept) if isinstance(value, array) else kept
+    elif isinstance(value, array):  # which may have grown
+        value[:] = array(value.typecode, kept)
     elif isinstance(value, StringIO | BytesIO):
         value.seek(0)
         value.truncate()
         value.write(kept[0])
         value.seek(kept[1])
-    elif isinstance(value, ContextVar):
-        value.set(kept[0])
     elif isinstance(value, np.ndarray) and isinstance(kept, list):
         value[...] = np.fromiter(kept, object).reshape(value.shape)
     elif isinstance(kept, bytes):
