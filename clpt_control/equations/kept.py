@@ -6,7 +6,7 @@ place of others; all else is as the way left it.  If all these readings are the 
 leaves another state, what is kept does not matter: a cache, a log, what is written before it is
 read.  Else it is a state of the function, which its record would not hold.
 
-Objects, containers, arrays, texts in memory, classes, the names of a user's modules and of functions
+Objects, containers, arrays, texts in memory, classes, names of a user's modules and of functions
 around one, and generators of chance are watched; each reading leaves them as they were.
 """
 
