@@ -143,7 +143,8 @@ def arrays_of(varied: Any, values: Values) -> Arrays:
     def add(name: str, dims: str, long_name: str, units: str) -> None:
         arrays.add(name, dims.split(), long_name, units=units)
 
-    add("clpe_rms", "cycle", "rms of the CLPE over a cycle", length)
+    cycle = f"rms of the CLPE over a cycle, {scenario.cycle:g} {time}"
+    add("clpe_rms", "cycle", cycle, length)
     add("clpe_rms_whole", "", "rms of the CLPE over the whole run", length)
     if varied.knows_flow:
         speed = f"{length} {rate}"
