@@ -146,6 +146,9 @@ class AnsweringTape(Tape):
             if value != int(value):
                 raise TypeError("only integers can be used as an index")
             return int(value)
+        if number._below is not None:
+            places = range(number._below)
+            return next((k for k in places[:-1] if number == float(k)), places[-1])
         count = self.rows.get(ref, MOST_PLACES)
         for k in (*range(count + 1), *range(-1, -count - 1, -1)):
             if k == MOST_PLACES:

@@ -118,7 +118,7 @@ class Array(NDArrayOperatorsMixin):
 
     __slots__ = (
         *("_boxed", "_fixed", "_node", "_of_python", "_parent", "_select", "_shape", "_store"),
-        *("_tape", "_whole"),
+        *("_below", "_tape", "_whole"),
     )
     __array_priority__ = 1000
 
@@ -130,6 +130,7 @@ class Array(NDArrayOperatorsMixin):
         # Python's numbers, not of NumPy's; None where that hangs on a choice
         self._whole: bool | None = False
         self._of_python: bool | None = False
+        self._below: int | None = None  # it is a whole number from 0 on, below this one
         self._parent: Array | None = parent
         self._select = select  # takes this part of the parent's elements
         self._store: np.ndarray | None = None  # its elements, once one was written

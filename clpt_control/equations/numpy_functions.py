@@ -1,33 +1,19 @@
 """What NumPy's functions and methods do with arrays of the record.
 
-    A x = b by elimination, det A as the product of its pivots
-
-Pivots are chosen by `where`, as np.linalg.solve chooses them by size.
-
 What is not here is tried on arrays of objects, element by element, by NumPy's own code.
 """
 
 from collections.abc import Callable
-from functools import reduce
 from typing import Any
 
 import numpy as np
 
 from . import lookup_tables, stacks, views
 from .arrays import HOOKS, Array, Tape, Unread, objects
-from .elementwise import (
-    as_number,
-    boxed,
-    elementwise,
-    filled,
-    is_truth,
-    is_whole,
-    lifted,
-    refuse_in_a_try,
-    where,
-)
+from .elementwise import as_number, boxed, filled, is_truth, is_whole, lifted, where
+from .linear_algebra import determinant, dot, norm, outer, solve
 from .number_types import of_python
-from .ufuncs import accumulated, check_doubles, matmul, reduced, rounded
+from .ufuncs import accumulated, check_doubles, reduced, rounded
 from .views import depends, into, on_numbers, on_objects, on_parameters, refuse, tape_of
 
 IMPLEMENTED: dict[Any, Callable] = {}  # NumPy's: what writes them down
@@ -126,10 +112,13 @@ def place_of_the_first(function: Any, better: Any) -> Callable:
     def place(a: Any, *axis: Any, **more: Any) -> Any:
         if axis or more:
             return on_objects(a._tape, function, (a, *axis), more)
-        (best, *others), at = as_number(np.ravel(a)), 0
+        best, *others = as_number(np.ravel(a))
+        at: Any = 0
         for k, one in enumerate(others, 1):
             closer = better(one, best)
             best, at = where(closer, one, best), where(closer, k, at)
+        if others:
+            at._below = 1 + len(others)
         return at
 
     return place
@@ -185,82 +174,6 @@ def close(a: Any, b: Any, rtol: float = 1e-5, atol: float = 1e-8, equal_nan: boo
     return near | ((a != a) & (b != b)) if equal_nan else near
 
 
-# --- products, and linear equations: elimination, with pivots by `where` ----------------------
-
-MOST_ROWS = 24  # of linear equations
-
-
-@implements(np.dot, arrays=2)
-def dot(a: Any, b: Any) -> Any:
-    """Return np.dot(a, b)."""
-    if np.ndim(a) and np.ndim(b) > 2:
-        return np.tensordot(a, b, (-1, -2))
-    return matmul(a, b) if np.ndim(a) and np.ndim(b) else elementwise("mul", a, b)
-
-
-@implements(np.outer, arrays=2)
-def outer(a: Any, b: Any) -> Any:
-    """Return a b^T."""
-    a, b = (v if np.ndim(v) == 1 else np.reshape(v, -1) for v in (a, b))
-    return elementwise("mul", a[:, None], b[None, :])
-
-
-@implements(np.linalg.norm)
-def norm(a: Any, ord: Any = None, axis: Any = None, keepdims: Any = False) -> Any:
-    """Return the root of a sum of squares; other norms are NumPy's own, of each element."""
-    if ord in (None, "fro") or (ord == 2 and (a.ndim == 1 or isinstance(axis, int))):
-        return np.sqrt(np.sum(elementwise("mul", a, a), axis, keepdims=keepdims))
-    return on_objects(a._tape, np.linalg.norm, (a, ord, axis, keepdims), {})
-
-
-def _rows(matrix: Any) -> list[Any]:
-    if len(matrix) > MOST_ROWS:
-        raise Unread(f"linear equations of more than {MOST_ROWS} rows with signals in their matrix")
-    return [matrix[k] for k in range(len(matrix))]
-
-
-def _eliminated(rows: list[Any], pivot: Callable = lambda a: a) -> Any:
-    """Make rows triangular, in place; return whether they changed places an odd number of times."""
-    sign: Any = 1.0
-    n = len(rows)
-    refuse_in_a_try(*rows)  # where they have no solution
-    for k in range(n):
-        for i in range(k + 1, n):
-            larger = np.greater(np.fabs(rows[i][k]), np.fabs(rows[k][k]))
-            rows[k], rows[i] = where(larger, rows[i], rows[k]), where(larger, rows[k], rows[i])
-            sign = where(larger, -sign, sign)
-        for i in range(k + 1, n):
-            rows[i] = rows[i] - rows[k] * (rows[i][k] / pivot(rows[k][k]))
-    return sign
-
-
-@implements(np.linalg.solve, arrays=2)
-def solve(A: Any, b: Any) -> Any:
-    """Return the x of A x = b, as np.linalg.solve does."""
-    n = A.shape[0]
-    if A.ndim != 2 or A.shape != (n, n) or b.shape[0] != n:
-        raise ValueError("solve: A must be square, b as long")
-    right = b[:, None] if b.ndim == 1 else b
-    rows = [np.concatenate([row, right[k]]) for k, row in enumerate(_rows(A))]
-    _eliminated(rows)
-    solved: list[Any] = [None] * n
-    for k in range(n - 1, -1, -1):
-        rest = rows[k][n:]
-        for i in range(k + 1, n):
-            rest = rest - solved[i] * rows[k][i]
-        solved[k] = rest / rows[k][k]
-    x = np.stack(solved)
-    return x[:, 0] if b.ndim == 1 else x
-
-
-@implements(np.linalg.det)
-def determinant(A: Any) -> Any:
-    """Return the determinant: the product of the pivots."""
-    rows = _rows(A)
-    sign = _eliminated(rows, lambda a: where(a == 0.0, 1.0, a))  # below it all are 0
-    return reduce(lambda v, w: v * w, (rows[k][k] for k in range(len(rows)))) * sign
-
-
 # --- others ------------------------------------------------------------------------------------
 
 
@@ -285,7 +198,12 @@ def alike(a: Array, value: float, dtype: Any = None, **named: Any) -> Any:
     return filled(a._tape, value, a.shape)
 
 
+implements(np.dot, arrays=2)(dot)
+implements(np.outer, arrays=2)(outer)
 implements(np.vdot, arrays=2)(lambda a, b: dot(np.ravel(a), np.ravel(b)))
+implements(np.linalg.norm)(norm)
+implements(np.linalg.solve, arrays=2)(solve)
+implements(np.linalg.det)(determinant)
 for unread in (np.shares_memory, np.may_share_memory, np.ix_):
     implements(unread, arrays=0)(lambda *_, name=unread.__name__: refuse(f"np.{name}"))
 implements(np.sum)(along(reduced, np.add))

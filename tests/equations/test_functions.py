@@ -112,6 +112,19 @@ def test_a_function_of_arrays_is_read_as_it_computes(call):
         as_it_runs(block, "output", 0.0, [], u, 1e-13)
 
 
+def longest_served(t, x, u, p):
+    served = np.zeros(3)
+    served[np.argmax(u)] = 1.0
+    return served
+
+
+def test_what_argmax_counts_with_is_a_place_of_its_row():
+    block = static(longest_served, outputs=3)
+    as_it_runs(block, "output", 0.0, [], (0.2, 1.5, -0.3))
+    kinds = [one.kind for one in block.array_record("output").operations]
+    assert kinds.count("eq") == 2  # no fourth place is asked for, nor one from the end
+
+
 def looked_up(t, x, u, p):
     return lookup(p.values, u[0])
 
