@@ -2,9 +2,10 @@
 
 What turns at the same time need not be one switch.  Decisions belong to one where the slopes of
 their distances are parallel; each switch is tried by itself, and where several were met in one
-place to which rates lead in turn, all of them are tried at once.  Where a decision besides is met
-wherever the switches are, as x + y = 0 where x = 0 and y = 0, it stays undecided: if its sides give
-other rates the motion is not known, and the run ends.
+place to which rates lead in turn, all of them are tried at once: all that are near, where a run
+winds into a corner.  Cells that meet, as of the longest of queues, are tried first (`sliding`).
+Where a decision besides is met wherever the switches are, as x + y = 0 where x = 0 and y = 0, it
+stays undecided: if its sides give other rates the motion is not known, and the run ends.
 """
 
 from collections.abc import Callable, Sequence
