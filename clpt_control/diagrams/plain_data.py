@@ -13,10 +13,10 @@ import numpy as np
 
 from ..equations.arrays import Unread
 from ..equations.block import Block
+from ..equations.fingerprint import reachable
 from ..equations.plain_blocks import block_of, plain_block
 from ..equations.sampled import Sampled
 from ..equations.system import System
-from ..equations.unchanged import Keys, Unkeyed
 from ..errors import DiagramError
 from .interconnection import MOST_BYTES, Diagram
 from .wiring import Params, Wiring
@@ -99,34 +99,42 @@ def diagram_key(diagram: Any, params: Params, *more: Any) -> tuple | None:
 
     None where something in it could change without a trace.
     """
-    keys = Keys()
+    numbers: list[Any] = [tuple((params or {}).items()), more]
+    functions: list[Any] = []
     try:
-        key = _system(keys, diagram), keys.named(params or {}), keys.of(more)
-    except Unkeyed:
+        own = _system(diagram, numbers, functions)
+        keys = reachable(*functions), reachable(*numbers)
+    except Unread:
         return None
-    return key, keys.held
+    key = own, keys[0].identity, keys[1].key
+    return key, (diagram, *(one.referenced for one in keys))
 
 
-def _system(keys: Keys, system: Any) -> Any:
+def _system(system: Any, numbers: list[Any], functions: list[Any]) -> Any:
+    """Return names and identities of a system; append its numbers and functions to the lists."""
     if not isinstance(system, control.NonlinearIOSystem):
-        raise Unkeyed  # and it cannot be wired
+        raise Unread("cannot be wired")
     labels = *system.input_index, *system.output_index, *(system.state_index or ())
-    own = keys.place(system), system.name, system.dt, labels
+    own = id(system), system.name, system.dt, labels
     if isinstance(system, Sampled):
         inner = system.inner
-        given = keys.named(inner.params) if isinstance(inner, System) else ()
-        return *own, keys.place(system.parameters), system.period, *given, *_system(keys, inner)
-    if isinstance(system, Block):  # what is the package's own is not read anew
-        functions = [] if system.of_package else [f for f, _ in system._roles.values()]
-        return *own, keys.place(system.parameters), *map(keys.of, functions)
-    own = *own, system.nstates, system.ninputs, system.noutputs, *keys.named(system.params)
+        numbers += inner.params.values() if isinstance(inner, System) else ()
+        given = id(system.parameters), system.period
+        return *own, *given, *_system(inner, numbers, functions)
+    if isinstance(system, Block):  # what is the package's own is not traced again
+        functions += [] if system.of_package else [f for f, _ in system._roles.values()]
+        numbers.append(system.parameters)  # which stay alive
+        return *own, id(system.parameters)
+    own = *own, system.nstates, system.ninputs, system.noutputs
+    numbers.append(tuple(system.params.items()))
     if isinstance(system, control.InterconnectedSystem):
-        matrices = system.connect_map, system.input_map, system.output_map
-        parts = [_system(keys, part) for part in system.syslist]
-        return *own, *map(keys.of, matrices), *parts
+        numbers += [system.connect_map, system.input_map, system.output_map]
+        return *own, *(_system(part, numbers, functions) for part in system.syslist)
     if isinstance(system, control.StateSpace):
-        return *own, *map(keys.of, (system.A, system.B, system.C, system.D))
+        numbers += [system.A, system.B, system.C, system.D]
+        return own
     kind, plain = type(system), control.NonlinearIOSystem
     if kind._rhs is not plain._rhs or kind._out is not plain._out:  # they are an object's
-        raise Unkeyed
-    return *own, *map(keys.of, (system.updfcn, system.outfcn))
+        raise Unread("its class has its own equations")
+    functions += [system.updfcn, system.outfcn]
+    return own

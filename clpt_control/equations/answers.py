@@ -1,26 +1,19 @@
-"""Arguments of a function while it is read, answers to its questions, and ways through it.
+"""Arguments of a function while it is traced, and the answers to its conditions.
 
-Each way through a function is a row of answers; what depends on parameters alone has a value.  What
-ways give is joined by the questions.  A helper that is given numbers, and reaches nothing that can
-change, is joined where it is called:
-
-    limited(u) = where(u > 1, 1, where(u < -1, -1, u))
-
-so eight thrusters with three ways each are 24 ways, and not 3^8.
+Each execution path through the function (`paths`) is a row of answers.  What depends on parameters
+alone has a value.
 """
 
-import functools
 import sys
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from math import prod
 from traceback import walk_tb
-from types import FrameType, FunctionType, NoneType
+from types import FrameType
 from typing import Any
 
 import numpy as np
 
-from .arrays import Array, Tape, Unread, active, key_of, operand
-from .elementwise import chosen
+from .arrays import Array, Tape, Unread
 from .record import Ref, Shape, compact, reached
 
 LIBRARIES = ("numpy", "scipy", "matplotlib")  # run as they are
@@ -73,6 +66,9 @@ class AnsweringTape(Tape):
         self.answers: dict[int, bool] = {}
         self.rows: dict[int, int] = {}  # length of the row in which a signal is a place
         self.last_asked: tuple[int, int] | None = None  # a signal, and the answer
+        self.merging = False  # whether statements and helpers are merged
+        self.persistent: set[int] = set()  # identities of values that outlive the function
+        self.check: Callable[[], None] = lambda: None  # refuses a change of these
 
     def question(self, ref: Ref) -> bool:
         """Answer a condition: as this way says, or by the parameters if they decide."""
@@ -161,7 +157,7 @@ class AnsweringTape(Tape):
         self.last_asked = None
         raise Outside
 
-    def ended(self, error: Exception) -> None:
+    def ended(self, error: BaseException) -> None:
         """Note the length of a row, where a way raised at its end."""
         if isinstance(error, IndexError) and self.last_asked and self.last_asked[1] >= 0:
             self.rows.setdefault(*self.last_asked)
@@ -183,7 +179,7 @@ def _not_users(frame: FrameType) -> str:
     return module if module.startswith((*LIBRARIES, __package__)) else ""
 
 
-def located(function: Any, *errors: Exception) -> str:
+def located(function: Any, *errors: BaseException) -> str:
     """Return function and line in which a reading ended, for a sentence.
 
     Of several errors the first counts that came by a line: a library may swallow one.
@@ -232,101 +228,3 @@ class Ports(Array):
 def _rows(array: Any) -> list[Array]:
     """Return the rows of an array of any number of axes."""
     return [array] if array.ndim == 1 else [row for part in array for row in _rows(part)]
-
-
-# --- ways -------------------------------------------------------------------------------------
-
-MOST_OF_HELPER, MOST_RUNS = 32, 10_000
-NUMBERS = (int, float, np.float64)
-PLAIN = (*NUMBERS, bool, str, NoneType)
-
-
-def each_way(tape: Any) -> Iterator[None]:
-    """Yield once for each way through what runs then, with the answers of this way."""
-    before = dict(tape.answers)
-    tape.way = [*before.values()]
-    while True:
-        tape.answers = dict(before)
-        yield
-        tape.runs += 1
-        if tape.runs > MOST_RUNS:
-            raise Unread(f"has helpers in helpers, of more than {MOST_RUNS} ways")
-        way = [*tape.answers.values()]
-        while len(way) > len(before) and not way[-1]:
-            way.pop()
-        if len(way) == len(before):
-            return
-        tape.way = [*way[:-1], False]
-
-
-def merged(
-    tape: Tape, ways: list[tuple[dict[int, bool], list[Any]]], choose: Callable, depth: int = 0
-) -> list[Any]:
-    """Join what ways return by the questions, from the one at `depth` on, that tell them apart."""
-    if len(ways) == 1:
-        return ways[0][1]
-    question = list(ways[0][0])[depth]
-    yes, no = ([way for way in ways if way[0].get(question) is one] for one in (True, False))
-    if not yes or not no or len(yes) + len(no) < len(ways):
-        raise Unread("asks otherwise from call to call; make what it keeps a state")
-    condition = Array(tape, question, ())
-    sides = (merged(tape, some, choose, depth + 1) for some in (yes, no))
-    return [
-        a if key_of(operand(a)) == key_of(operand(b)) else choose(condition, a, b)
-        for a, b in zip(*sides, strict=True)
-    ]
-
-
-def joined(function: FunctionType) -> Callable:
-    """Return a helper whose ways are joined where it is called, if they give numbers."""
-
-    @functools.wraps(function)
-    def helper(*arguments: Any, **more: Any) -> Any:
-        tape: Any = active()
-        if tape is None or not all(map(_is_plain, (*arguments, *more.values()))):
-            return function(*arguments, **more)
-        before, ways = (tape.answers, tape.way), list[tuple[dict[int, bool], Any]]()
-        texts = tape.texts
-        try:
-            for _ in each_way(tape):
-                result = function(*arguments, **more)
-                ways.append((tape.answers, result))
-                if len(ways) > MOST_OF_HELPER:
-                    break
-            else:
-                if len(ways) == 1:
-                    return result
-                several = type(result) is tuple
-                rows = [(own, [*one] if several else [one]) for own, one in ways]
-                if _are_numbers([row for _, row in rows]):
-                    parts = merged(tape, rows, chosen, len(before[0]))
-                    return tuple(parts) if several else parts[0]
-        except Exception:
-            if tape.stopped is not None:
-                raise
-        finally:
-            tape.answers, tape.way = before
-        tape.texts = texts
-        return function(*arguments, **more)  # its ways are those of the function that calls it
-
-    return helper
-
-
-def _are_numbers(rows: list[list[Any]]) -> bool:
-    """Return whether ways give numbers; whole ones alone may be places, of which one counts."""
-    if len({len(row) for row in rows}) > 1:
-        return False
-    return all(
-        all(map(_is_number, own)) and not all(type(one) is int for one in own)
-        for own in zip(*rows, strict=True)
-    )
-
-
-def _is_number(value: Any) -> bool:
-    if isinstance(value, Array):
-        return not (value.shape or value._boxed or value._is_condition)
-    return type(value) in NUMBERS
-
-
-def _is_plain(value: Any) -> bool:
-    return type(value) in PLAIN or _is_number(value)

@@ -139,7 +139,7 @@ def elementwise(name: str, *arguments: Any) -> Any:
         name = OF_TRUTHS[name]
     of_python = name in OF_OPERATORS and all_of(map(is_of_python, arguments))
     if name in RAISING and of_python is not False:
-        refuse_in_a_try(arguments[-1])
+        raise_in_a_try(name, *arguments)
     for k, one in enumerate(arguments):
         convert = as_condition if name in LOGICAL or (name == "where" and not k) else as_number
         one = one if type(one) is float else convert(lifted(tape, one))
@@ -206,10 +206,47 @@ def either(one: bool | None, other: bool | None) -> bool | None:
     return one if one is other else None
 
 
-def refuse_in_a_try(*arguments: Any) -> None:
-    """Refuse what may raise with these, signals or zero, where a function may catch it."""
-    if in_a_try() and any(moves(one) or not np.all(one) for one in arguments):
-        raise Unread("may raise in a `try`; ask by `if` before")
+def _overflows(a: Any, new: Any) -> Any:
+    return np.logical_and(np.equal(np.fabs(new), np.inf), np.less(np.fabs(a), np.inf))
+
+
+# when Python's floats raise: the error, and the condition on the arguments
+ERRORS: dict[str, tuple[type[Exception], Any]] = {
+    **dict.fromkeys(
+        ("div", "floordiv", "mod"), (ZeroDivisionError, lambda a, b: np.equal(b, 0.0))
+    ),
+    **dict.fromkeys(("fmod", "remainder"), (ValueError, lambda a, b: np.equal(b, 0.0))),
+    **dict.fromkeys(("log", "log2", "log10"), (ValueError, lambda a, *b: np.less_equal(a, 0.0))),
+    **dict.fromkeys(("asin", "acos"), (ValueError, lambda a: np.greater(np.fabs(a), 1.0))),
+    "sqrt": (ValueError, lambda a: np.less(a, 0.0)),
+    "log1p": (ValueError, lambda a: np.less_equal(a, -1.0)),
+    "acosh": (ValueError, lambda a: np.less(a, 1.0)),
+    "atanh": (ValueError, lambda a: np.greater_equal(np.fabs(a), 1.0)),
+    **{
+        name: (OverflowError, lambda a, name=name: _overflows(a, elementwise(name, a)))
+        for name in ("exp", "expm1", "sinh", "cosh")
+    },
+}
+
+
+def raise_in_a_try(name: str, *arguments: Any) -> None:
+    """Raise as Python's own numbers do, on the paths on which they do.
+
+    It matters only where a function may catch the error: otherwise such numbers give NaN.
+    """
+    if not in_a_try() or not any(moves(one) or not np.all(one) for one in arguments):
+        return
+    kinds = all_of(map(is_of_python, arguments)) if name in RAISING else True
+    if kinds is None or name not in ERRORS:
+        refuse_in_a_try()
+    error, condition = ERRORS[name]
+    if condition(*arguments):
+        raise error(f"{name} out of range")
+
+
+def refuse_in_a_try() -> None:
+    """Refuse what may raise where a function may catch it."""
+    raise Unread("may raise in a `try`; ask by `if` before")
 
 
 READING = f"{__package__}.reading"  # where a function is called

@@ -11,8 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import Unread
-from .elementwise import elementwise, refuse_in_a_try, where
+from .arrays import Unread, moves
+from .elementwise import elementwise, in_a_try, refuse_in_a_try, where
 from .ufuncs import matmul
 from .views import on_objects
 
@@ -49,7 +49,8 @@ def _eliminated(rows: list[Any], pivot: Callable = lambda a: a) -> Any:
     """Make rows triangular, in place; return whether they changed places an odd number of times."""
     sign: Any = 1.0
     n = len(rows)
-    refuse_in_a_try(*rows)  # where they have no solution
+    if in_a_try() and any(map(moves, rows)):  # where they have no solution
+        refuse_in_a_try()
     for k in range(n):
         for i in range(k + 1, n):
             larger = np.greater(np.fabs(rows[i][k]), np.fabs(rows[k][k]))

@@ -19,38 +19,49 @@ from .views import converted
 class StandInType(type):
     """A stand-in of a type: a type too, for ``dtype=float`` and ``isinstance(x, float)``."""
 
-    real: type
-    make: Callable
+    _real: type
+    _make: Callable
+
+    def __getattr__(cls, name: str) -> Any:
+        """Return an attribute of the real type; a method of a signal is that of the array."""
+        attribute = getattr(cls._real, name)
+
+        def method(*arguments: Any, **more: Any) -> Any:
+            if arguments and isinstance(arguments[0], Array):
+                return getattr(arguments[0], name)(*arguments[1:], **more)
+            return attribute(*arguments, **more)
+
+        return method if callable(attribute) else attribute
 
     def __call__(cls, *arguments: Any, **more: Any) -> Any:
         """Convert a signal, or make a number of the real type."""
         if arguments and isinstance(single(arguments[0]), Array):
-            return cls.make(single(arguments[0]))
-        return cls.real(*arguments, **more)
+            return cls._make(single(arguments[0]))
+        return cls._real(*arguments, **more)
 
     def __instancecheck__(cls, value: Any) -> bool:
-        return is_a(value, cls.real)
+        return is_a(value, cls._real)
 
     def __subclasscheck__(cls, kind: type) -> bool:
-        return issubclass(kind, cls.real)
+        return issubclass(kind, cls._real)
 
     def __eq__(cls, other: Any) -> bool:
-        return other is cls or other is cls.real
+        return other is cls or other is cls._real
 
     def __hash__(cls) -> int:
-        return hash(cls.real)
+        return hash(cls._real)
 
 
 def stand_in_type(real: type, make: Callable) -> StandInType:
     """Return what stands for a type of numbers."""
-    names = {"real": real, "make": staticmethod(make), "dtype": np.dtype(real)}
+    names = {"_real": real, "_make": staticmethod(make), "dtype": np.dtype(real)}
     names["__doc__"] = f"What stands for {real.__name__}."
     return StandInType(real.__name__, (), names)
 
 
 def real_of(value: Any) -> Any:
     """Return what a stand-in of a type stands for."""
-    return value.real if isinstance(value, StandInType) else value
+    return value._real if isinstance(value, StandInType) else value
 
 
 def is_a(value: Any, kinds: Any) -> bool:

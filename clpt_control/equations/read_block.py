@@ -171,7 +171,7 @@ class ReadBlock(control.NonlinearIOSystem):
             out = {"guard": bound_out, "output": y}.get(role, x)
             p = {**shapes, **self.parameter_shapes} if stay_open else shapes
             try:
-                result = read(function, name, x, u, values, p, out, known=self.of_package)
+                result = read(function, name, x, u, values, p, out, trusted=self.of_package)
             except (Unread, BlockError) as error:
                 if not stay_open and isinstance(error, BlockError):
                     raise

@@ -1,41 +1,39 @@
-"""Read a function: run it on arrays without values, and keep the record.
+"""Trace a function: run it on tracer arrays, and keep the record.
 
     f(t, x, u, p)  ->  what each port is, as operations on t, the ports of x and u, the fields of p
 
-A question (``if u[0] > 0``) is answered both ways: the function runs again with the other
-answer, and what the ways return is joined by `where`.  A way that raises is NaN.  A signal that
-Python counts with is asked which whole number it is, up to the first IndexError.  What is read
-twice, and from each state in which a way left what the function reaches (`kept`), must be the
-same: else a state or chance hides in the function.  The package's own functions are read once.
+A condition (``if u[0] > 0``) is answered both ways: the function runs again with the other answer,
+and `where` joins the results (`paths`).  An execution path that raises gives NaN.  A signal that
+Python counts with is enumerated, up to the first IndexError.  A function is traced only if its
+`fingerprint` says that it keeps and changes nothing.
 """
 
 from collections.abc import Callable, Mapping
 from functools import partial
-from itertools import product
 from math import nan, prod
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from ..errors import BlockError
-from .answers import AnsweringTape, Outside, Ports, each_way, located, merged
+from .answers import AnsweringTape, Outside, Params, Ports, located
 from .arrays import Array, Tape, Unread, objects, operand, reading_on
-from .copies import Copies, borrowed
 from .declaration import Parameters
 from .elementwise import as_number, filled, lifted, where
-from .kept import GROWN, OF_ALL, Snapshot
+from .fingerprint import Fingerprint, reachable
+from .isolation import isolated
+from .paths import each_path, merged
 from .ports import check_ports, places, shaped
+from .rebinding import Rebinding
 from .record import Record, Shape, compact
-from .stand_ins import UNSEEDED
 
-MOST_WAYS = 256
-MOST_READINGS = 16  # one for each state in which something is left
-# of numbers, or of what this way leaves out; such a way is NaN
+MOST_PATHS = 256
+# of numbers, or of what this path leaves out; such a path is NaN
 RAISED = (
     *(ArithmeticError, IndexError, ValueError, AssertionError),
-    *(UnboundLocalError, StopIteration),
+    *(UnboundLocalError, StopIteration, SystemExit),
 )
-OF_WAYS = (*RAISED, RuntimeError, SystemError, Outside)
+OF_PATHS = (*RAISED, RuntimeError, SystemError, Outside)
 
 
 class Read(NamedTuple):
@@ -57,8 +55,8 @@ class Request(NamedTuple):
     parameters: Mapping[str, Any]
     shapes: Mapping[str, Shape]  # of the parameters that are leaves; others have their values
     out: Mapping[str, Shape]
-    wrap: Callable[[dict[str, Any]], Any] | None = None  # else as the Parameters of a block
-    known: bool = False  # to keep nothing and to draw nothing, as the package's own functions
+    of_control: bool = False  # p are python-control's params, else the Parameters of a block
+    trusted: bool = False  # a function of this package, which keeps and changes nothing
 
     @property
     def name(self) -> str:
@@ -66,73 +64,99 @@ class Request(NamedTuple):
         return getattr(self.function, "__name__", type(self.function).__name__)
 
 
+MOST_TRACED = 256  # functions whose records are cached
+MOST_VALUES = 16  # of the parameters whose values a record was made with
+_TRACED: dict[Any, list[tuple]] = {}  # by fingerprint and shapes
+
+
 def read(*arguments: Any, **more: Any) -> Read:
     """Return the record of a function, and the parameters whose values it is made with.
 
-    It takes the fields of `Request`.  Raises `Unread` where it cannot be read.
+    It takes the fields of `Request`.  A function whose fingerprint is unchanged is not traced
+    again.  Raises `Unread` if the function cannot be traced.
     """
     request = Request(*arguments, **more)
-    reads: list[Read] = []
-    snapshot = Snapshot(() if request.known else OF_ALL)
+    fixed = {k: v for k, v in request.parameters.items() if k not in request.shapes}
+    reached = reachable(request.function, fixed, trusted=request.trusted)
+    shapes = (request.states, request.inputs, request.shapes, request.out)
+    kind = request.role, request.of_control, request.trusted
+    if len(_TRACED) > MOST_TRACED:
+        _TRACED.clear()
+    key = reached.key, kind, *(tuple(one.items()) for one in shapes)
+    known = _TRACED.setdefault(key, [])
+    for names, values, _, result in known:
+        if values == _values(request.parameters, names):
+            break
+    else:
+        names = frozenset(request.shapes)
+        try:
+            result = _traced(request, reached)
+            names = result.pinned
+        except (Unread, BlockError) as error:
+            result = error
+        values = _values(request.parameters, names)
+        known[MOST_VALUES:] = [(names, values, reached.referenced, result)]
+    if isinstance(result, Exception):
+        raise type(result)(str(result)) from None
+    return result
+
+
+def _values(parameters: Mapping[str, Any], names: frozenset[str]) -> list[Any]:
+    """Return the values of some parameters, to be compared."""
+    arrays = ((type(parameters[name]), np.asarray(parameters[name])) for name in sorted(names))
+    return [(kind, one.dtype.str, one.tobytes()) for kind, one in arrays]
+
+
+def _traced(request: Request, reached: Fingerprint) -> Read:
+    """Trace a function, with merged paths if possible."""
+    if request.trusted:
+        return _Tracing(request, reached, merging=False).read()
     try:
-        while len(reads) < max(1 if request.known else 2, 1 + 2 * len(snapshot.left)):
-            states = [({}, 0), *product(snapshot.left.values(), GROWN)]
-            state = states[min(len(reads), len(states) - 1)]
-            reads.append(_Ways(request, snapshot, *state).read())
-            first, last = reads[0].record, reads[-1].record
-            alike = last == first or str(last) == str(first)  # NaN differs from itself
-            if not alike or len(snapshot.left) > MOST_READINGS:
-                raise Unread(
-                    f"{request.name} keeps what its next call reads, or draws by chance; make it "
-                    "a state"
-                )
-    finally:
-        snapshot.restore()
-        drawn = snapshot.drew()
-    if drawn:
-        raise Unread(f"{request.name} {UNSEEDED}")
-    return reads[0]
+        return _Tracing(request, reached, merging=True).read()
+    except Unread as error:
+        try:  # what merged paths leave may be of no use to the code that follows
+            return _Tracing(request, reached, merging=False).read()
+        except Unread:
+            raise error from None
 
 
-class _Ways:
-    """All ways through a function, one after the other."""
+class _Tracing:
+    """One tracing of a function: all its execution paths, one after the other."""
 
-    def __init__(self, request: Request, snapshot: Snapshot, state: dict, grown: int) -> None:
+    def __init__(self, request: Request, reached: Fingerprint, merging: bool) -> None:
         self.request = request
-        self.snapshot, self.state = snapshot, (state, grown)  # in which a way left all
         self.tape = AnsweringTape(request.parameters)
-        self.copies = Copies(self.tape, snapshot)
-        self.ways: list[tuple[dict[int, bool], list[Any]]] = []
+        self.tape.merging = merging
+        self.rebinding = Rebinding(self.tape, reached, merging)
+        self.paths: list[tuple[dict[int, bool], list[Any]]] = []
 
     def read(self) -> Read:
-        """Run the function on each of its ways, and join what they return."""
-        tape, request, copied = self.tape, self.request, self.copies.of(self.request.function)
+        """Run the function on each of its paths, and merge what they return."""
+        tape, request, rebinding = self.tape, self.request, self.rebinding
+        function = rebinding.root(request.function)
         t = tape.add("leaf", (), (), ("t", "t"))
         fields = {
-            name: self._leaf(name) if name in request.shapes else self.copies.of(value)
+            name: self._leaf(name) if name in request.shapes else rebinding.of(value)
             for name, value in request.parameters.items()
         }
-        named = request.wrap is None  # else x and u are the function's own
-        for _ in each_way(tape):
-            tape.last_asked = tape.texts = None
-            self.snapshot.begin(*self.state, self._unknown)
-            x, u = Ports(tape, "x", request.states, named), Ports(tape, "u", request.inputs, named)
-            p = request.wrap(dict(fields)) if request.wrap else Parameters(**fields)
-            outputs = self._way(lambda: copied(t, x, u, p))  # noqa: B023
-            self.ways.append((tape.answers, outputs))
-            self.snapshot.restore()
-            self.copies.check(request.name)
-            if isinstance(p, dict) and any(v is not fields.get(k, p) for k, v in dict.items(p)):
-                raise Unread(f"{request.name} changes its params; make what it keeps a state")
-            if len(self.ways) > MOST_WAYS:
-                raise Unread(f"{request.name} has more than {MOST_WAYS} ways through it")
-        refs = [operand(one) for one in merged(tape, self.ways, where)]
+        named, asked = not request.of_control, set[Any]()  # x and u are a system's own
+        with isolated():
+            for _ in each_path(tape):
+                tape.last_asked = tape.texts = None
+                x = Ports(tape, "x", request.states, named)
+                u = Ports(tape, "u", request.inputs, named)
+                p = Parameters(**fields) if named else Params(fields, asked)
+                with rebinding.installed(request.name):
+                    outputs = self._path(lambda: function(t, x, u, p))  # noqa: B023
+                self.paths.append((tape.answers, outputs))
+                if not named and any(v is not fields.get(k, p) for k, v in dict.items(p)):
+                    raise Unread(f"{request.name} changes its params; make what it keeps a state")
+                if len(self.paths) > MOST_PATHS:
+                    raise Unread(f"{request.name} has more than {MOST_PATHS} execution paths")
+        refs = [operand(one) for one in merged(tape, self.paths, where)]
         record = compact(tape.operations, refs, request.out.values())
-        return Read(record, frozenset(tape.pinned), frozenset(self.copies.texts))
-
-    def _unknown(self, name: Any) -> Array:
-        """Return what stands for what the first reading changed."""
-        return self.tape.add("leaf", (), (), ("t", f"changed {name}"))
+        texts, names = frozenset(rebinding.texts), frozenset(asked)
+        return Read(record, frozenset(tape.pinned), texts, names)
 
     def _leaf(self, name: str) -> Array:
         leaf = self.tape.add("leaf", (), self.request.shapes[name], ("p", name))
@@ -141,11 +165,11 @@ class _Ways:
         leaf._of_python = type(value) in (int, float)
         return leaf
 
-    def _way(self, run: Callable[[], Any]) -> list[Any]:
-        """Return what one way gives, for each port; NaN where it raises."""
-        tape, request, outputs, raised = self.tape, self.request, [], list[Exception]()
+    def _path(self, run: Callable[[], Any]) -> list[Any]:
+        """Return what one path gives, for each port; NaN where it raises."""
+        tape, request, outputs, raised = self.tape, self.request, [], list[BaseException]()
         try:
-            with borrowed(self.copies), reading_on(tape):
+            with reading_on(tape), np.errstate(all="ignore"):
                 returned = run()
                 if returned is None and tape.answers:
                     raise ValueError("returns nothing")
@@ -154,11 +178,11 @@ class _Ways:
                     raise tape.texts
         except BlockError:
             raise
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             tape.ended(error)
             raised.append(error)
-            of_way = tape.answers and isinstance(error, OF_WAYS)
-            if tape.stopped is None and (isinstance(error, RecursionError) or not of_way):
+            of_path = tape.answers and isinstance(error, OF_PATHS)
+            if tape.stopped is None and (isinstance(error, RecursionError) or not of_path):
                 text = error if isinstance(error, Unread) else f"{type(error).__name__}: {error}"
                 raise Unread(f"{located(request.function, error)}{text}") from None
             outputs = [filled(tape, nan, shape) for shape in request.out.values()]

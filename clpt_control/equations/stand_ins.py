@@ -7,11 +7,9 @@ nothing is read, or where no signal is among their arguments.
 """
 
 import builtins
-import datetime
 import functools
 import math
 import sys
-import time
 from collections import deque
 from collections.abc import Callable, Iterable
 from types import GeneratorType, ModuleType
@@ -28,12 +26,13 @@ from .elementwise import (
     is_of_python,
     is_whole,
     lifted,
-    refuse_in_a_try,
+    raise_in_a_try,
     where,
 )
 from .lookup_tables import function_of
 from .number_types import TYPES, StandInType, has, is_a, of_python, real_of, type_of
 from .numpy_functions import apply_function
+from .pure import UNSEEDED
 from .ufuncs import apply_ufunc
 from .views import converted, copied, fresh, share, tape_of
 
@@ -105,7 +104,7 @@ def of_math(name: str, tape: Tape, *arguments: Any, **more: Any) -> Any:
     """Write down a function of `math`."""
     numbers = tuple(map(single, arguments))
     if name in RAISING:
-        refuse_in_a_try(*numbers)
+        raise_in_a_try(name, *numbers)
     new = MATH[name](*numbers, **more)
     return of_python(new, name in ("floor", "ceil", "trunc") or (name == "prod" and is_whole(new)))
 
@@ -269,27 +268,8 @@ def _refused(real: Callable, sentence: str) -> Callable:
     return function
 
 
-def _without_clock(kind: type) -> StandInType:
-    """Return what stands for a kind of dates, whose clock no record holds."""
-
-    def refused(kind: type, *zone: Any, **more: Any) -> Any:
-        raise Unread(CLOCK)
-
-    clocks: Any = {"now", "utcnow", "today"} & {*dir(kind)}
-    names = {"real": kind, "make": kind, **dict.fromkeys(clocks, classmethod(refused))}
-    return StandInType(kind.__name__, (kind,), names)
-
-
-CLOCK = "asks a clock; t is the run's time"
-UNSEEDED = "draws by chance; draw before the run, or take it as an input"
-CLOCKS = (
-    *(time.time, time.monotonic, time.perf_counter, time.process_time),
-    *(time.time_ns, time.monotonic_ns, time.perf_counter_ns, time.process_time_ns),
-)
 _KNOWN: dict[int, Any] = {
-    **{id(real): Module(real) for real in (np, np.random, math, time, datetime)},
-    **{id(one): _refused(one, CLOCK) for one in CLOCKS},
-    **{id(kind): _without_clock(kind) for kind in (datetime.datetime, datetime.date)},
+    **{id(real): Module(real) for real in (np, np.random, math)},
     id(np.random.default_rng): _refused(np.random.default_rng, UNSEEDED),
     id(np.errstate): errstate,
     id(np.r_): Joiner(np.r_, np.concatenate),

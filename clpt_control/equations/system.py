@@ -14,7 +14,7 @@ or, in discrete time, the next x = A x + B u.  Where D = 0 an input does not rea
 once, and the block has no D to change.
 """
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from typing import Any
 
 import control
@@ -22,18 +22,14 @@ import numpy as np
 from scipy.linalg import block_diag
 
 from ..errors import BlockError, DiagramError
-from .answers import EVERY, Params
+from .answers import EVERY
 from .arrays import Unread
 from .block import Block
 from .declaration import Parameters
 from .ports import flattened
-from .reading import Read, read
+from .reading import read
 from .record import MOST_NUMBERS, Record
 from .sampled import Sampled
-from .unchanged import Keys, Unkeyed
-
-MOST_READ = 256  # functions whose records are kept
-MOST_VALUES = 16  # of params that a record was read with
 
 
 class System(Block):
@@ -143,7 +139,7 @@ class System(Block):
         shapes = {key: np.shape(self._params[key]) for key in self.number_names}
         ports = self.declared["states"], self.declared["inputs"]
         try:
-            result = read_once(function, role, *ports, self._params, shapes, out)
+            result = read(function, role, *ports, self._params, shapes, out, of_control=True)
         except Unread as error:
             return Unread(f"{self.name}.{role}: {error}")
         except BlockError as error:  # which begins with the role
@@ -156,48 +152,6 @@ class System(Block):
         function, where = self._plan[role]
         returned = function(t, np.array(x), np.array(u), self._params_with(p))
         return flattened(f"{self.name}.{role}", returned, where, size)
-
-
-_READ: dict[Any, list[tuple]] = {}  # by what a function reaches, where it has a key
-
-
-def read_once(
-    function: Callable, role: str, states: Any, inputs: Any, params: Any, shapes: Any, out: Any
-) -> Read:
-    """Return the record of a function, or raise why; as an earlier reading did, if all is alike."""
-    keys, others = Keys(alike=True), {k: v for k, v in params.items() if k not in shapes}
-
-    def read_now() -> Read:
-        names: set[Any] = set()
-        request = states, inputs, params, shapes, out
-        result = read(function, role, *request, lambda fields: Params(fields, names))
-        return result._replace(names=frozenset(names))
-
-    try:
-        key = keys.of(function), role, *map(keys.named, (states, inputs, shapes, out, others))
-    except Unkeyed:
-        return read_now()
-    if len(_READ) > MOST_READ:
-        _READ.clear()
-    known = _READ.setdefault(key, [])
-    alike = (one for names, values, _, one in known if values == _values(params, names))
-    result: Any = next(alike, None)
-    if result is None:
-        names = set(shapes)  # of params whose values make it so
-        try:
-            result = read_now()
-            names = result.pinned
-        except Unread as error:
-            result = str(error)
-        known[MOST_VALUES:] = [(names, _values(params, names), keys.held, result)]
-    if isinstance(result, str):
-        raise Unread(result)
-    return result
-
-
-def _values(params: Mapping[str, Any], names: Iterable[str]) -> Any:
-    """Return the values of some params, to be compared."""
-    return Keys(alike=True).named({name: params[name] for name in sorted(names)})
 
 
 def _functions(system: control.NonlinearIOSystem) -> tuple[Callable, Callable | None]:

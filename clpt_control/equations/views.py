@@ -8,6 +8,7 @@ At times they are NumPy's own: as numbers where they depend on nothing, else as 
 
 from collections.abc import Callable, Iterator
 from functools import lru_cache
+from math import prod
 from operator import itemgetter
 from typing import Any
 
@@ -259,16 +260,40 @@ def _places(shape: Shape) -> list[np.ndarray]:
     ]
 
 
-def _picked(array: Array, k: Any, *rest: Any) -> Any:
-    """Return elements at places that are signals."""
-    if isinstance(k, Array) and k._is_condition:
-        if moves(k):
+def _picked(array: Array, *index: Any) -> Any:
+    """Return elements at indices that are signals."""
+    first = index[0]
+    if isinstance(first, Array) and first._is_condition:
+        if moves(first):
             return refuse("elements taken by a condition, which np.where chooses,")
-        return array[(k._tape.numbers(k._ref) != 0.0, *rest)]
-    in_a_row = not rest and array.ndim == 1 and isinstance(array.shape[0], int) and not k.shape
-    if in_a_row and k._whole is True and moves(k) and array._written() is None and not in_a_try():
-        return array._tape.add("pick", (operand(array), k._ref), ())
-    return array[whole((k, *rest))]
+        return array[(first._tape.numbers(first._ref) != 0.0, *index[1:])]
+    axis = next(k for k, one in enumerate(index) if isinstance(one, Array))
+    if not _is_place(array, index, axis):
+        return array[whole(index)]
+    rows = part(array, lambda a: np.moveaxis(a, axis, 0)) if axis else array
+    found = _row(rows, index[axis])
+    rest = (*index[:axis], *index[axis + 1 :])
+    return found[rest] if rest else found
+
+
+def _is_place(array: Array, index: tuple, axis: int) -> bool:
+    """Return whether an index is one whole number that moves, of an array that is as it was."""
+    place = index[axis]
+    plain = all(isinstance(one, int | slice | Array) and np.ndim(one) == 0 for one in index)
+    known = all(isinstance(n, int) for n in array.shape) and axis < array.ndim
+    counts = place._whole is True and moves(place) and not place.shape
+    return plain and known and counts and array._written() is None and not in_a_try()
+
+
+def _row(array: Array, place: Array) -> Any:
+    """Return the row of an array at a place that is a signal: NaN outside, from the end below 0."""
+    tape, size = array._tape, prod(array.shape[1:])
+    if array.ndim == 1:
+        return tape.add("pick", (operand(array), place._ref), ())
+    flat = part(array, lambda a: np.reshape(a, -1))
+    places = lifted(tape, place * float(size) + np.arange(size, dtype=float))
+    row = tape.add("pick", (operand(flat), operand(places)), (size,))
+    return part(row, lambda a: np.reshape(a, array.shape[1:]))
 
 
 def tape_viewed(tape: Tape, node: int, mapped: tuple, shape: Shape) -> Any:

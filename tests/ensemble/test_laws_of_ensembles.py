@@ -2,6 +2,7 @@
 
 import importlib.util
 import threading
+from types import SimpleNamespace
 
 import control
 import numpy as np
@@ -191,7 +192,7 @@ def test_a_part_of_ones_own_varies_where_the_loop_is_a_diagram(quick):
 
 @pytest.mark.skipif(not importlib.util.find_spec("distributed"), reason="Dask is not installed")
 def test_a_law_that_cannot_be_sent_is_refused(quick, tmp_path):
-    loop = clpt.closed_loop(quick, law=frozen_law(threading.Lock()))
+    loop = clpt.closed_loop(quick, law=frozen_law(SimpleNamespace(lock=threading.Lock())))
     with pytest.raises(DiagramError, match="local: cannot be sent to workers; define"):
         run_ensemble(loop, THETA, 3, out=tmp_path / "e.zarr", dask="local")
     assert not (tmp_path / "e.zarr").exists()

@@ -217,7 +217,12 @@ AS_PYTHON_HAS_THEM = """
     CHART([[[x[0], x[1]], [x[2], u[1]]], [[u[0], x[1]], [x[1], x[2]]]])[1] ;
     tried(lambda: np.array([1.0, 2.0])[0] / math.sin(x[0])) ;
     [*COAST((x, x[::-1])), COLUMN([x[0], u[1], x[1]])[0]] ;
-    [SCATTERED(x[0], u[0]), SCATTERED(x[:2])[0], FLAT(5.0 + x[0], 0.1 * abs(u[0]))]
+    [SCATTERED(x[0], u[0]), SCATTERED(x[:2])[0], FLAT(5.0 + x[0], 0.1 * abs(u[0]))] ;
+    tried(lambda: math.sqrt(x[0])) ; LEVER.tried(lambda: math.sqrt(x[0])) ;
+    tried(lambda: 1.0 / math.sin(x[0])) ; tried(lambda: 7 % math.floor(x[1])) ;
+    tried(lambda: 7 // math.floor(x[1])) ; tried(lambda: p["k"] / p["zero"] * x[0]) ;
+    tried(lambda: math.exp(1000.0 * x[0])) ; tried(lambda: math.log(x[1])) ;
+    tried(lambda: math.acos(x[0])) ; tried(lambda: math.atanh(x[1]))
 """
 WOULD_BE_OTHERS = """
     1.0 * put(np.array([x[0] > 0, x[1] > 0]), 0, 2.5) ; put(np.zeros_like(x, dtype=int), 0, x[0]) ;
@@ -237,9 +242,6 @@ WOULD_BE_OTHERS = """
     beside(max(int(x[0]), u[0]), u[1]) ; type(max(0, x[0])) is int ;
     1.0 if ~(float(x[0]) > 0) else 2.0 ; 1.0 if int(x[0]) in {0, 1} else 0.0 ;
     np.outer(x, u).T.ravel(order="K") ; np.asarray(SQUARE * np.diag(u)).ravel() ;
-    tried(lambda: math.sqrt(x[0])) ; LEVER.tried(lambda: math.sqrt(x[0])) ;
-    tried(lambda: 1.0 / math.sin(x[0])) ; tried(lambda: 7 % math.floor(x[1])) ;
-    tried(lambda: 7 // math.floor(x[1])) ; tried(lambda: p["k"] / p["zero"] * x[0]) ;
     tried(lambda: u[int(x[0])]) ; tried(lambda: np.linalg.solve(np.outer(u, u), u)[0]) ;
     np.roots(x)[0].real ; 1.0 * np.shares_memory(u, u) ; 1.0 * np.ix_(u > 0)[0][0] ;
     1.0 * np.deg2rad(u > 0)[0] ; np.gradient(np.outer(u, u))[0][0, 0] ;

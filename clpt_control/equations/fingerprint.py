@@ -1,0 +1,545 @@
+"""Fingerprint of a function: a cache key of its code and of every value that it references.
+
+    key = (code, defaults, closure, globals by name, attributes by name, ...)
+
+A function is traced only if everything that it references is on the allow-list of `pure`: numbers,
+texts, arrays, plain Python classes and functions, and library functions without side effects.  Any
+other value, such as ``os.remove``, a file or a lock, raises `Unread`, and Python runs the function.
+Objects, classes and modules count by the attributes that the referenced code names.
+
+The only values that a traced function may change are `Mutable`: lists, dicts, arrays, attributes.
+Each is copied, compared after tracing (`changed`) and put back (`restore`).
+"""
+
+import functools
+import importlib
+import logging
+from array import array
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field
+from enum import Enum
+from operator import is_
+from types import (
+    BuiltinFunctionType,
+    CellType,
+    FunctionType,
+    MethodType,
+    MethodWrapperType,
+    ModuleType,
+)
+from typing import Any
+
+import control
+import numpy as np
+
+from .arrays import Unread
+from .code_references import Reference, code_names, references
+from .declaration import Parameters
+from .lookup_tables import is_table
+from .pure import (
+    CALLABLE,
+    CHANCE,
+    CLOCK,
+    CLOCKS,
+    IMMUTABLE,
+    LOGGER_CHANGES,
+    PACKAGE,
+    PLAIN_BASES,
+    STREAMS,
+    UNSEEDED,
+    is_library,
+    is_pure,
+    module_of,
+    reason,
+    root_of,
+)
+
+TABLE_FIELDS = (  # data of an interpolator of SciPy
+    *("x", "y", "c", "points", "grid", "values", "method", "fill_value"),
+    *("extrapolate", "bounds_error"),
+)
+CONSTRUCTORS = ("__init__", "__new__", "__post_init__")
+NOT_CALLED = ("__repr__", "__del__", "__annotate__", "__annotate_func__", *CONSTRUCTORS)
+DYNAMIC = ("getattr", "setattr", "delattr", "attrgetter", "methodcaller")  # attributes by text
+BOUND = (BuiltinFunctionType, MethodWrapperType)
+UNCHANGED = "leave it as it is"
+OF_CALLS = frozenset(("_current_params",))  # attributes of a system that each call sets
+MISSING = object()
+
+
+@dataclass
+class Mutable:
+    """A value that a function may change, with its content before the function was traced."""
+
+    kind: str  # "list", "dict", "cell", "array", "attributes", "slots" or "class"
+    value: Any
+    names: Iterable[str] = ()  # attributes that the referenced code names
+    ignored: frozenset[str] = frozenset()  # attributes that any call may change
+    before: Any = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.before = self.content()
+
+    def content(self) -> Any:
+        """Return a copy of the content, one level deep."""
+        if self.kind == "list":
+            return list(self.value)
+        if self.kind == "dict":
+            return dict(self.value)
+        if self.kind == "cell":
+            return [] if self.value == CellType() else [self.value.cell_contents]
+        if self.kind == "array":
+            numbers = np.asarray(self.value)
+            return list(numbers.flat) if numbers.dtype.hasobject else numbers.copy()
+        if self.kind == "attributes":
+            return dict(vars(self.value))
+        if self.kind == "slots":
+            values = ((name, getattr(self.value, name, MISSING)) for name in slots_of(self.value))
+            return {name: value for name, value in values if value is not MISSING}
+        return {name: value for name, value in vars(self.value).items() if _is_own(name, value)}
+
+    def is_same(self, other: Any, strictly: bool = False) -> bool:
+        """Return whether the content is identical to another, but for what calls may change."""
+        now = self.content()
+        if isinstance(now, np.ndarray):
+            return now.dtype == other.dtype and now.tobytes() == other.tobytes()
+        if isinstance(now, list):
+            return len(now) == len(other) and all(map(is_, now, other))
+        if self.kind == "attributes" and len(now) > len(other) and not strictly:
+            cached = {k for k in now.keys() - other.keys() if self._is_cached_property(k)}
+            now = {name: value for name, value in now.items() if name not in cached}
+        unlike = (k for k, value in now.items() if value is not other.get(k, MISSING))
+        ignored = frozenset() if strictly else self.ignored
+        return now.keys() == other.keys() and ignored.issuperset(unlike)
+
+    @property
+    def words(self) -> str:
+        """What it is, for a sentence."""
+        owner = self.value if self.kind == "class" else type(self.value)
+        within = self.kind in ("attributes", "slots", "class")
+        return f"an attribute of {owner.__name__}" if within else f"a {owner.__name__}"
+
+    def put_back(self, content: Any) -> None:
+        """Replace the content."""
+        value = self.value
+        if self.kind == "list":
+            value[:] = content
+        elif self.kind == "cell":
+            if content:
+                value.cell_contents = content[0]
+        elif self.kind == "dict":
+            value.clear()
+            value.update(content)
+        elif self.kind == "array":
+            numbers = np.asarray(value)
+            shaped = np.empty(numbers.shape, numbers.dtype)
+            shaped.flat = content if isinstance(content, list) else np.ravel(content)
+            value[...] = shaped
+        elif self.kind == "attributes":
+            vars(value).clear()
+            vars(value).update(content)
+        else:
+            owner = type if self.kind == "class" else object
+            now = self.content()
+            for name in now.keys() - content.keys():
+                owner.__delattr__(value, name)
+            for name, attribute in content.items():
+                if now.get(name, MISSING) is not attribute:
+                    owner.__setattr__(value, name, attribute)
+
+    def _is_cached_property(self, name: str) -> bool:
+        return isinstance(getattr(type(self.value), name, None), functools.cached_property)
+
+
+@dataclass(frozen=True)
+class Fingerprint:
+    """Key of a function, and what the function may change."""
+
+    key: tuple  # functions of equal keys are traced alike
+    mutables: tuple[Mutable, ...]
+    names: frozenset[str]  # attributes and texts in the referenced code
+    referenced: tuple[Any, ...]  # objects whose identities are in the key; they must stay alive
+
+    @property
+    def identity(self) -> tuple:
+        """Key that also tells apart equal objects which can change."""
+        return self.key, tuple([id(one.value) for one in self.mutables])
+
+
+def reachable(*values: Any, trusted: bool = False) -> Fingerprint:
+    """Return the fingerprint of functions or values.
+
+    Raises `Unread` with function, line and cause if something referenced is not known to be pure;
+    of `trusted` functions, those of this package, such things are passed over.
+    """
+    walk = _Walk(trusted)
+    key = [walk.key_of(value) for value in values]
+    key += walk.attributes()
+    return Fingerprint(tuple(key), tuple(walk.mutables), frozenset(walk.names), tuple(walk.alive))
+
+
+def changed(mutables: Iterable[Mutable]) -> list[Mutable]:
+    """Return the values whose content is no longer that before tracing."""
+    return [one for one in mutables if not one.is_same(one.before)]
+
+
+def restore(mutables: Iterable[Mutable]) -> None:
+    """Put back the content before tracing."""
+    for one in mutables:
+        if not one.is_same(one.before, strictly=True):
+            one.put_back(one.before)
+
+
+@dataclass
+class _Owner:
+    """An object, class or module whose attributes count as soon as referenced code names them."""
+
+    number: int
+    value: Any
+    namespace: Callable[[], dict[str, Any]]
+    names: dict[str, None] = field(default_factory=dict)  # counted so far
+    constructed: bool = False  # a class that the code may call
+
+    @property
+    def of_control(self) -> bool:
+        """Whether it is a class of python-control, whose methods keep nothing of their own."""
+        return isinstance(self.value, type) and root_of(self.value) == "control"
+
+
+class _Walk:
+    """One walk over everything that functions reference; it makes the key on its way."""
+
+    def __init__(self, trusted: bool):
+        self.trusted = trusted
+        self.mutables: list[Mutable] = []
+        self.names: dict[str, None] = {}  # attributes that referenced code names
+        self.texts: dict[str, None] = {}  # texts, by which getattr may name attributes
+        self.alive: list[Any] = []
+        self.owners: dict[int, _Owner] = {}
+        self.calls_classes = False  # type(self)(...)
+        self.where = ""  # function and line
+        self.label = ""  # what the code there references
+        self._numbers: dict[int, int] = {}  # identity of each object -> its number
+
+    # --- values -----------------------------------------------------------------------------
+
+    def key_of(self, value: Any) -> Any:
+        """Return the key of a value; refuse one that is not known to be pure."""
+        kind = type(value)
+        if kind is float or kind is np.float64:
+            return kind, value.hex()  # 0.0 is not -0.0
+        if kind in IMMUTABLE:
+            if kind is str:
+                self.texts[value] = None
+            return kind, value
+        if isinstance(value, np.generic):
+            return kind, value.dtype.str, value.tobytes()
+        if isinstance(value, Parameters):
+            return self.identity(value)
+        if id(value) in self._numbers:  # also of one that holds itself
+            return "seen", self._numbers[id(value)]
+        self._numbers[id(value)] = len(self._numbers)
+        self.alive.append(value)
+        return self._new_key(kind, value)
+
+    def identity(self, value: Any) -> int:
+        """Return the identity of an object, which stays alive with the fingerprint."""
+        self.alive.append(value)
+        return id(value)
+
+    def _new_key(self, kind: type, value: Any) -> Any:
+        """Return the key of an object that the walk has not met."""
+        if kind is FunctionType:
+            return self._function(value)
+        if kind is MethodType:
+            return self.key_of(value.__func__), self.key_of(value.__self__)
+        if isinstance(value, functools.partial):
+            return "partial", *map(self.key_of, (value.func, value.args, value.keywords))
+        if isinstance(value, type):
+            return self._class(value, constructed=True)
+        if isinstance(value, ModuleType):
+            return self._module(value)
+        if isinstance(value, Enum):
+            return "enum", self._class(kind), value.name
+        holder = getattr(value, "__self__", None) if isinstance(value, BOUND) else None
+        if holder is not None and not isinstance(holder, ModuleType | type):
+            return "method", value.__name__, self.key_of(holder)
+        if is_pure(value):
+            return "pure", id(value)
+        if isinstance(value, CALLABLE) and not isinstance(value, FunctionType | type):
+            self._refuse(reason(self.label or value.__name__, value))
+            return id(value)
+        if isinstance(value, logging.Logger | logging.LoggerAdapter):
+            if not LOGGER_CHANGES.isdisjoint(self.names):
+                self._refuse(f"changes a logger; {UNCHANGED}")
+            return "logger", id(value)
+        if isinstance(value, CHANCE):
+            self._refuse(UNSEEDED)
+        if isinstance(value, Iterator):
+            self._refuse("reads an iterator, which goes on at the next call; make it a list")
+        if isinstance(value, functools._lru_cache_wrapper) or hasattr(value, "py_func"):
+            return "cached", self.key_of(getattr(value, "py_func", None) or value.__wrapped__)
+        if isinstance(value, property):
+            return "property", *map(self.key_of, (value.fget, value.fset, value.fdel))
+        if isinstance(value, staticmethod | classmethod):
+            return kind, self.key_of(value.__func__)
+        if isinstance(value, functools.cached_property):
+            return kind, self.key_of(value.func)
+        if isinstance(value, np.vectorize):
+            return kind, self.key_of(value.pyfunc)
+        if is_table(value):
+            return id(value), *[self.key_of(getattr(value, name, None)) for name in TABLE_FIELDS]
+        if isinstance(value, control.InputOutputSystem):
+            return self._system(value)
+        if isinstance(value, np.ndarray) or hasattr(kind, "to_numpy"):
+            return self._numbers_of(value)
+        return self._container(kind, value)
+
+    def _container(self, kind: type, value: Any) -> Any:
+        """Return the key of a tuple, list, dict or frozenset, or of an object of a plain class."""
+        if isinstance(value, tuple) and is_library(root_of(kind)):  # also sys.float_info
+            return kind, *self._items(value)
+        if root_of(kind) == PACKAGE:
+            return id(value)
+        if not self._is_plain(kind):
+            self._refuse_object(kind)
+            return id(value)
+        key: list[Any] = [self._class(kind)]
+        if isinstance(value, tuple):
+            return *key, *self._items(value)
+        if isinstance(value, frozenset):
+            return *key, frozenset(map(self.key_of, value))
+        if isinstance(value, list):
+            self._note("list", value)
+            key += ["list", *self._items(value)]
+        elif isinstance(value, dict):
+            self._note("dict", value)
+            key += ["dict", *[(self.key_of(k), self.key_of(v)) for k, v in value.items()]]
+        if hasattr(value, "__dict__"):
+            owner = self._owner(value, lambda: vars(value))
+            self._note("attributes", value, owner.names)
+        if slots_of(value):
+            owner = self._owner(value, lambda: Mutable("slots", value).before)
+            self._note("slots", value, owner.names)
+        return tuple(key)
+
+    def _note(self, *mutable: Any) -> None:
+        """Note a value that a function may change; what is trusted changes none."""
+        if not self.trusted:
+            self.mutables.append(Mutable(*mutable))
+
+    def _items(self, values: Any) -> Iterator[Any]:
+        """Yield the keys of items; a long row of numbers of one type is one key."""
+        kinds = {*map(type, values)}
+        if kinds == {float} and len(values) > 1:
+            yield float, array("d", values).tobytes()
+        elif len(kinds) == 1 and kinds <= {int, bool}:
+            yield *kinds, tuple(values)
+        else:
+            yield from map(self.key_of, values)
+
+    def _numbers_of(self, value: Any) -> Any:
+        """Return the key of an array, or of a series of pandas, by its bytes."""
+        numbers = np.asarray(value)
+        own = type(value)
+        if not isinstance(value, np.ndarray) and root_of(own) != "pandas":
+            self._refuse_object(own)
+            return id(value)
+        self._note("array", value)
+        labels = [getattr(value, name, None) for name in ("index", "columns", "name")]
+        key = own, numbers.dtype.str, numbers.shape, *(self._labels(one) for one in labels)
+        if numbers.dtype.hasobject:
+            return *key, *map(self.key_of, numbers.flat)
+        attributes = getattr(value, "__dict__", None) if isinstance(value, np.ndarray) else None
+        return *key, numbers.tobytes(), *([self.key_of(attributes)] if attributes else [])
+
+    def _labels(self, labels: Any) -> Any:
+        return tuple(map(self.key_of, labels)) if hasattr(labels, "to_numpy") else None
+
+    def _system(self, system: Any) -> Any:
+        """Return the key of a system of python-control, by its attributes."""
+        fields = {k: v for k, v in vars(system).items() if not k.endswith(("_labels", "_prefix"))}
+        if hasattr(system, "_roles"):  # a block of this package
+            functions = [function for function, _ in system._roles.values()]
+            return id(system), self.identity(system.parameters), *map(self.key_of, functions)
+        fields = {name: one for name, one in fields.items() if name not in OF_CALLS}
+        functions = "updfcn", "outfcn"
+        self._note("attributes", system, functions, OF_CALLS)
+        return self._class(type(system)), *[(name, self.key_of(one)) for name, one in fields.items()]
+
+    # --- functions --------------------------------------------------------------------------
+
+    def _function(self, function: FunctionType) -> Any:
+        """Return the key of a function: its code, and the values that it references."""
+        if is_library(root_of(function)):
+            if not is_pure(function):
+                self._refuse(reason(self.label or function.__qualname__, function))
+            return id(function)
+        code, key = function.__code__, list[Any]()
+        self.identity(code)
+        before = self.where, self.label
+        own_package = root_of(function) == PACKAGE
+        trusted, self.trusted = self.trusted, self.trusted or own_package
+        names = () if own_package else code_names(code)
+        self.names |= dict.fromkeys(names)
+        generated = code.co_filename == "<string>"  # of a dataclass
+        self.calls_classes |= not generated and not {"type", "__class__"}.isdisjoint(names)
+        spaces = {"global": function.__globals__, "cell": _cells_of(function)}
+        for one in references(code):
+            if own_package and one.space != "cell":
+                value = function.__globals__.get(one.name)
+                key += [self.key_of(value)] if _is_of_package(value) else []
+            elif one.space in spaces:
+                self.where = f"{code.co_name}, line {one.line}: "
+                key.append(self._referenced(one, spaces[one.space]))
+            else:
+                self.where = f"{code.co_name}, line {one.line}: "
+                key.append(self._imported(one, function.__globals__))
+        self.where, self.label = f"{code.co_name}: ", ""
+        key += map(self.key_of, (function.__defaults__, function.__kwdefaults__))
+        key += [(name, self.key_of(one)) for name, one in vars(function).items()]
+        (self.where, self.label), self.trusted = before, trusted
+        return id(code), *key
+
+    def _referenced(self, one: Reference, space: dict[str, Any]) -> Any:
+        """Return the key of what code references, ``os.path.join`` by its attributes."""
+        value, label = space.get(one.name, MISSING), one.name
+        if value is MISSING:
+            if one.space == "cell" or one.name not in BUILTINS:
+                return "unbound", one.name  # an error of the function, or not bound yet
+            value = BUILTINS[one.name]
+        attributes = list(one.attributes)
+        while isinstance(value, ModuleType) and attributes:
+            label = f"{label}.{attributes[0]}"
+            if one.stored and len(attributes) == 1 and is_library(root_of(value)):
+                self._refuse(f"changes {label}; {UNCHANGED}")
+            value = getattr(value, attributes.pop(0), MISSING)
+            if value is MISSING:
+                return "unbound", label
+        self.label = ".".join([label, *attributes])
+        if label in STREAMS:
+            return label
+        if attributes and attributes[0] in CLOCKS and module_of(value) == "datetime":
+            self._refuse(CLOCK)
+        return label, self.key_of(value)
+
+    def _imported(self, one: Reference, space: dict[str, Any]) -> Any:
+        """Return the key of what a function imports by itself."""
+        try:
+            module = importlib.import_module(one.name, space.get("__package__"))
+        except ImportError:
+            return "unbound", one.name
+        if not one.attributes:
+            return one.name
+        return self._referenced(one, {one.name: module})
+
+    # --- attributes -------------------------------------------------------------------------
+
+    def _owner(self, value: Any, namespace: Callable[[], dict[str, Any]]) -> _Owner:
+        """Return the owner of attributes, which count as soon as code names them."""
+        owner = _Owner(len(self.owners), value, namespace)
+        self.owners[id(value)] = owner
+        return owner
+
+    def attributes(self) -> Iterator[Any]:
+        """Yield the keys of the attributes of all owners that the referenced code names."""
+        while True:
+            count = len(self.names), len(self.owners), len(self._numbers)
+            for owner in [*self.owners.values()]:
+                for name, value in [*owner.namespace().items()]:
+                    if name not in owner.names and self._is_named(owner, name, value):
+                        owner.names[name] = None
+                        self.where, self.label = f"{_name_of(owner.value)}.{name}: ", name
+                        trusted, self.trusted = self.trusted, self.trusted or owner.of_control
+                        yield owner.number, name, self.key_of(value)
+                        self.trusted = trusted
+            if count == (len(self.names), len(self.owners), len(self._numbers)):
+                return
+
+    def _is_named(self, owner: _Owner, name: str, value: Any) -> bool:
+        """Return whether the referenced code may reach an attribute."""
+        special = name.startswith("__") and name.endswith("__")
+        if isinstance(owner.value, type) and special:
+            if owner.of_control:
+                return False
+            called = owner.constructed or self.calls_classes
+            reached = name in CONSTRUCTORS and called
+            return isinstance(value, FunctionType) and (reached or name not in NOT_CALLED)
+        dynamic = not self.names.keys().isdisjoint(DYNAMIC)
+        return name in self.names or (dynamic and name in self.texts)
+
+    def _class(self, kind: type, constructed: bool = False) -> int:
+        """Note a class whose functions count by name; return its identity."""
+        if id(kind) in self.owners:
+            self.owners[id(kind)].constructed |= constructed
+            return id(kind)
+        self._numbers.setdefault(id(kind), len(self._numbers))
+        self.identity(kind)
+        if is_pure(kind) or kind in PLAIN_BASES or issubclass(kind, BaseException):
+            return id(kind)
+        if is_library(root_of(kind)):
+            self._refuse(reason(self.label or kind.__qualname__, kind))
+            return id(kind)
+        owner = self._owner(kind, lambda: dict(vars(kind)))
+        owner.constructed = constructed
+        self._note("class", kind, owner.names)
+        for base in kind.__bases__:
+            self._class(base, constructed and not owner.of_control)
+        if type(kind) is not type and not is_library(root_of(type(kind))):
+            self._class(type(kind))
+        return id(kind)
+
+    def _is_plain(self, kind: type) -> bool:
+        """Return whether the state of an object is in attributes, items or slots that Python has."""
+        return all(
+            base in PLAIN_BASES or (base.__flags__ & 512 and not is_library(root_of(base)))
+            for base in kind.__mro__
+        )
+
+    def _module(self, module: ModuleType) -> Any:
+        """Return the key of a module that is passed on as a value."""
+        self._owner(module, lambda: vars(module))
+        return "module", module.__name__
+
+    # --- refusals ---------------------------------------------------------------------------
+
+    def _refuse_object(self, kind: type) -> None:
+        name = f"{self.label}, a {kind.__name__}" if self.label else f"a {kind.__name__}"
+        self._refuse(
+            f"uses {name}, where calls may keep or change things unseen; pass its numbers as "
+            "parameters or arrays"
+        )
+
+    def _refuse(self, sentence: str) -> None:
+        if not self.trusted:
+            raise Unread(f"{self.where}{sentence}")
+
+
+def slots_of(value: Any) -> list[str]:
+    """Return the names of an object's slots."""
+    slots = [vars(kind).get("__slots__", ()) for kind in type(value).__mro__]
+    names = [name for one in slots for name in ([one] if isinstance(one, str) else one)]
+    return [name for name in names if name not in ("__dict__", "__weakref__")]
+
+
+def _cells_of(function: FunctionType) -> dict[str, Any]:
+    """Return what the closure of a function holds, by name."""
+    pairs = zip(function.__code__.co_freevars, function.__closure__ or (), strict=True)
+    return {name: cell.cell_contents for name, cell in pairs if cell != CellType()}
+
+
+def _is_of_package(value: Any) -> bool:
+    return type(value) is FunctionType and root_of(value) == PACKAGE
+
+
+def _name_of(value: Any) -> str:
+    return getattr(value, "__name__", type(value).__name__)
+
+
+def _is_own(name: str, value: Any) -> bool:
+    """Return whether a class attribute is data or a function, and none of Python's own."""
+    special = name.startswith("__") and name.endswith("__")
+    return isinstance(value, FunctionType) or not (special or name.startswith("_abc_"))
+
+
+BUILTINS: dict[str, Any] = vars(__import__("builtins"))

@@ -1,0 +1,211 @@
+"""Rebinding: while a function is traced, names stand for tracer functions and arrays.
+
+Functions are copied, each with the names of its module and its closure.  In objects, lists, dicts
+and classes, which cannot be copied, tracer values take the place of the real ones for the length of
+one execution path, under a lock.  After each path everything is put back, and a path that changed
+anything outside of the function is refused: the function has hidden state.
+"""
+
+import functools
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from operator import is_
+from types import CellType, FunctionType, MethodType, ModuleType
+from typing import Any
+
+import numpy as np
+
+from .arrays import Tape, Unread
+from .code_references import code_names, code_texts
+from .elementwise import boxed, constant
+from .fingerprint import Fingerprint, Mutable, restore
+from .lookup_tables import is_table
+from .paths import merged_calls
+from .pure import LIBRARIES, is_library, root_of
+from .record import MOST_NUMBERS
+from .rewriting import NAMES, rewritten
+from .stand_ins import BUILTINS, stand_in
+
+LOCK = threading.RLock()  # while tracer values are in objects and classes
+TRACER_MODULES = tuple(
+    f"{__package__}.{name}" for name in ("arrays", "elementwise", "record", "views")
+)
+OF_WARNINGS = "__warningregistry__"  # which Python puts into the module that it warns of
+
+
+class Rebinding:
+    """The tracer values of one tracing."""
+
+    def __init__(self, tape: Tape, reached: Fingerprint, merging: bool):
+        self.tape, self.reached, self.merging = tape, reached, merging
+        self.texts: set[str] = set()  # in the functions, which may be names of params
+        self._known: dict[int, tuple[Any, Any]] = {}  # a value, kept alive, and its tracer value
+        self._spaces: dict[int, Mutable] = {}  # copied names of each module
+        # copies, by what a refusal calls them, and what takes the place of contents
+        self._copies: list[tuple[str, Mutable]] = []
+        self._during: list[tuple[Mutable, Any]] | None = None
+
+    def of(self, value: Any) -> Any:
+        """Return the tracer value of a value: a copy of a function, a tracer array, or itself."""
+        if isinstance(value, int | float | str):
+            return value
+        if id(value) not in self._known:
+            self._known[id(value)] = value, value  # of a value that holds itself
+            self._known[id(value)] = value, self._tracer_value(value)
+        return self._known[id(value)][1]
+
+    def _tracer_value(self, value: Any) -> Any:
+        if isinstance(value, FunctionType):
+            return self._function(value)
+        if type(value) is np.ndarray and value.dtype in (float, int) and value.size:
+            return self._numbers(value)
+        if isinstance(value, MethodType):
+            return MethodType(self.of(value.__func__), self.of(value.__self__))
+        if isinstance(value, functools.partial):
+            keywords = {name: self.of(one) for name, one in value.keywords.items()}
+            return functools.partial(self.of(value.func), *map(self.of, value.args), **keywords)
+        if isinstance(value, functools._lru_cache_wrapper) or hasattr(value, "py_func"):
+            return self.of(getattr(value, "py_func", None) or value.__wrapped__)
+        if isinstance(value, np.vectorize):
+            raise Unread("calls np.vectorize; write a loop")
+        if isinstance(value, tuple):
+            items = [self.of(one) for one in value]
+            if all(map(is_, items, value)):
+                return value
+            return getattr(type(value), "_make", tuple)(items)
+        if isinstance(value, ModuleType) and not is_library(root_of(value)):
+            return self._module(value)
+        return stand_in(value)
+
+    def _numbers(self, value: np.ndarray) -> Any:
+        """Return numbers as a tracer array, which takes signals where NumPy's does not."""
+        if value.size >= MOST_NUMBERS:
+            return value
+        numbers = constant(self.tape, value) if value.ndim else boxed(self.tape, float(value))
+        numbers._fixed, numbers._whole = True, value.dtype == int
+        return numbers
+
+    def root(self, function: Any) -> Any:
+        """Return the tracer function of the function to trace, whose own paths are not merged."""
+        if isinstance(function, MethodType):
+            return MethodType(self.root(function.__func__), self.of(function.__self__))
+        copy = self.of(function)
+        return vars(copy)["__wrapped__"] if isinstance(copy, FunctionType) and self.merging else copy
+
+    # --- copies -----------------------------------------------------------------------------
+
+    def _function(self, function: FunctionType) -> Any:
+        """Return a copy of a function, whose names are tracer values."""
+        if function.__module__ in TRACER_MODULES:
+            return function
+        if root_of(function) in LIBRARIES:
+            return stand_in(function)
+        code = rewritten(function.__code__) if self.merging else function.__code__
+        self.texts.update(code_texts(code))
+        cells = tuple(CellType() for _ in function.__closure__ or ())
+        space = self._space(function.__globals__)
+        copy = FunctionType(code, space.value, function.__name__, None, cells or None)
+        copy.__module__, copy.__qualname__ = function.__module__, function.__qualname__
+        result = merged_calls(copy) if self.merging else copy
+        self._known[id(function)] = function, result
+        vars(result).update({name: self.of(value) for name, value in vars(function).items()})
+        copy.__defaults__ = function.__defaults__ and tuple(map(self.of, function.__defaults__))
+        if function.__kwdefaults__:
+            copy.__kwdefaults__ = {k: self.of(v) for k, v in function.__kwdefaults__.items()}
+        for cell, old, name in zip(cells, function.__closure__ or (), code.co_freevars, strict=True):
+            if old != CellType():  # else it is not bound yet
+                cell.cell_contents = self.of(old.cell_contents)
+                self._copies.append((f"{name!r} of the function around it", Mutable("cell", cell)))
+        self._copies.append(("an attribute of a function", Mutable("dict", vars(result))))
+        for name in code_names(code):
+            if name in function.__globals__:
+                space.value[name] = space.before[name] = self.of(function.__globals__[name])
+        return result
+
+    def _space(self, names: dict[str, Any]) -> Mutable:
+        """Return the copied names of a module."""
+        if id(names) not in self._spaces:
+            copied = {OF_WARNINGS: {}} | names | NAMES | {"__builtins__": BUILTINS}
+            self._spaces[id(names)] = Mutable("dict", copied)
+            self._copies.append(("a global", self._spaces[id(names)]))
+        return self._spaces[id(names)]
+
+    def _module(self, module: ModuleType) -> ModuleType:
+        """Return a copy of a user's module, whose attributes are tracer values."""
+        copy = _UserModule(module, self.of)
+        self._copies.append((f"a name of {module.__name__}", Mutable("dict", vars(copy))))
+        return copy
+
+    # --- in place ---------------------------------------------------------------------------
+
+    def _contents(self) -> list[tuple[Mutable, Any]]:
+        """Return the content of every mutable value with tracer values in it."""
+        if self._during is None:
+            self._during = [(one, self._content(one)) for one in self.reached.mutables]
+        return self._during
+
+    def _content(self, one: Mutable) -> Any:
+        if one.kind == "array":
+            return one.before
+        if one.kind == "list":
+            items = [self.of(value) for value in one.before]
+            return one.before if all(map(is_, items, one.before)) else items
+        names = one.before if one.kind == "dict" else one.names
+        found = {name: self._attribute(one.before[name]) for name in names if name in one.before}
+        same = all(value is one.before[name] for name, value in found.items())
+        return one.before if same else {**one.before, **found}
+
+    def _attribute(self, value: Any) -> Any:
+        """Return the tracer value of an attribute; a descriptor's functions are copied."""
+        if isinstance(value, staticmethod | classmethod):
+            return type(value)(self.of(value.__func__))
+        if isinstance(value, property):
+            functions = value.fget, value.fset, value.fdel
+            return property(*(one and self.of(one) for one in functions), value.__doc__)
+        if isinstance(value, functools.cached_property):
+            copy = functools.cached_property(self.of(value.func))
+            copy.attrname = value.attrname
+            return copy
+        return self.of(value)
+
+    @contextmanager
+    def installed(self, name: str) -> Iterator[None]:
+        """Have tracer values in place for one execution path; refuse a path that changes any."""
+        contents = self._contents()
+        for words, one in self._copies:
+            self.tape.persistent |= {id(one.value)}
+        for one, _ in contents:
+            held = vars(one.value) if one.kind == "attributes" else one.value
+            self.tape.persistent |= {id(one.value), id(held)}
+
+        def check() -> None:
+            words = [words for words, one in self._copies if not one.is_same(one.before)]
+            words += [one.words for one, content in contents if not one.is_same(content)]
+            if words:
+                raise Unread(
+                    f"{name} keeps what its next call reads, in {words[0]}; make it a state"
+                )
+
+        self.tape.check = check
+        with LOCK:
+            try:
+                for one, content in contents:
+                    if content is not one.before:
+                        one.put_back(content)
+                yield
+                check()
+            finally:
+                restore(one for _, one in self._copies)
+                restore(self.reached.mutables)
+
+
+class _UserModule(ModuleType):
+    """A user's module whose attributes are tracer values."""
+
+    def __init__(self, real: ModuleType, tracer_value: Any):
+        super().__init__(real.__name__)
+        vars(self).update(_real=real, _tracer_value=tracer_value)
+
+    def __getattr__(self, name: str) -> Any:
+        return self._tracer_value(getattr(self._real, name))
