@@ -24,3 +24,21 @@ static double lookup_(const double *row, int stride, int count, double place) {
     if (whole < 0.0) whole += count;
     return whole >= 0.0 && whole < count ? row[stride * (int)whole] : NAN;
 }
+
+static double search_(const double *row, int stride, int count, double value, double right) {
+    int low = 0, high = count;
+    while (low < high) {
+        const int middle = (low + high) / 2;
+        const double number = row[stride * middle];
+        if (number < value || (right > 0.5 && number == value)) low = middle + 1;
+        else high = middle;
+    }
+    return low;
+}
+
+static double argmin_(const double *row, int stride, int count) {
+    int best = 0;
+    for (int k = 1; k < count && row[stride * best] == row[stride * best]; k++)
+        if (!(row[stride * k] >= row[stride * best])) best = k;
+    return best;
+}

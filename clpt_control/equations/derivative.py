@@ -20,7 +20,8 @@ from .arrays import COMPARISONS, CONDITIONS, Tape, Unread, operand
 from .elementwise import elementwise, spread
 from .record import Ref, reached
 
-JUMPS = frozenset({"sign", "floor", "ceil", "trunc", "floordiv"})  # constant but for jumps
+# constant but for jumps
+JUMPS = frozenset({"sign", "floor", "ceil", "trunc", "floordiv", "search", "argmin"})
 STEPS = COMPARISONS | JUMPS
 Slope = Callable[..., Any]
 

@@ -116,6 +116,10 @@ class Elements:
         if kind == "pick":
             place = self.at(arguments[1], index)
             return self.apply(ref, kind, (place, *self.all_of(arguments[0])))
+        if kind == "search":
+            return self.apply(ref, kind, (self.at(arguments[1], index),))
+        if kind == "argmin":
+            return self.apply(ref, kind, tuple(self.all_of(arguments[0])))
         return self.apply(ref, kind, tuple([self.at(a, index) for a in arguments]))
 
     def all_of(self, ref: Ref) -> list[Any]:

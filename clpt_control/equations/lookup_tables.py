@@ -15,7 +15,7 @@ import numpy as np
 from ..arguments import brief, public
 from ..errors import ArgumentError
 from .arrays import Array, Tape, Unread, numbers_of, operand
-from .elementwise import boxed, elementwise, lifted, total, where
+from .elementwise import boxed, constant, lifted, where
 from .record import picked
 
 
@@ -55,25 +55,51 @@ def lookup(table: Any, index: Any) -> Any:
 # --- np.interp ---------------------------------------------------------------------------------
 
 
+SMOOTH = 3e-9  # of the largest number: a smaller difference of a table and a curve is none
 MOST = 64  # simplices, or points in more than one dimension
 
 
-def place_in(points: Any, x: Array, side: str = "right") -> Any:
-    """Return how many of the sorted points are not above x, as np.searchsorted does."""
-    at_least = elementwise("ge" if side == "right" else "gt", x[..., None], lifted(x._tape, points))
-    return total(at_least, x.ndim)
+def place_in(points: Any, x: Any, side: str = "right", joints: str = "jumps") -> Any:
+    """Return how many of the sorted points are not above x, as np.searchsorted does.
+
+    It is found by bisection.  What is read there has `joints` at the points: "jumps", "kinks", or
+    "smooth" ones, of which no integrator need know.
+    """
+    points = np.asarray(points, dtype=float)
+    if not isinstance(x, Array):
+        return float(np.searchsorted(points, x, side))
+    row = constant(x._tape, points)
+    new = x._tape.add("search", (operand(row), operand(x)), x.shape, (side, joints))
+    new._whole = True
+    return new
 
 
-def pieces(xs: Any, rows: Any, x: Array, side: str = "right") -> Any:
+def pieces(xs: Any, rows: Any, x: Any, side: str = "right") -> Any:
     """Return the polynomial of the piece that x lies in; the outer ones go on."""
-    k = place_in(xs[1:-1], x, side)
+    ends = reduce(lambda v, w: v * (xs[1:] - xs[:-1]) + w, rows)[:-1]
+    meet = np.allclose(ends, rows[-1][1:], 1e-12, 1e-12 * np.max(np.abs(rows[-1])))
+    k = place_in(xs[1:-1], x, side, "kinks" if meet else "jumps")
     s = x - lookup(xs, k)
     return reduce(lambda v, w: v * s + w, [lookup(row, k) for row in rows])
 
 
-def lines(xs: np.ndarray, ys: np.ndarray) -> list[np.ndarray]:
-    """Return the rows of straight lines between points."""
-    return [np.diff(ys, axis=0) / np.diff(xs).reshape(-1, *[1] * (ys.ndim - 1)), ys[:-1]]
+def slopes(xs: np.ndarray, ys: Any) -> Any:
+    """Return the slopes of straight lines between points; 0 between two of one place."""
+    apart = np.diff(xs).reshape(-1, *[1] * (ys.ndim - 1))
+    return (ys[1:] - ys[:-1]) / np.where(apart > 0.0, apart, np.inf)
+
+
+def joints_of(xs: np.ndarray, ys: Any) -> str:
+    """Return whether straight lines between points are a smooth curve, but for what rounding is.
+
+    A curve through the points differs from the lines by an eighth of the change of slope, times the
+    distance of the points.
+    """
+    if isinstance(ys, Array) or len(xs) < 3:
+        return "kinks"
+    apart = np.diff(xs)
+    size = np.abs(np.diff(slopes(xs, ys))) * np.maximum(apart[1:], apart[:-1]) / 8.0
+    return "smooth" if np.all(size <= SMOOTH * np.max(np.abs(ys))) else "kinks"
 
 
 def searched(points: Any, x: Any, side: str = "left", **more: Any) -> Any:
@@ -92,19 +118,18 @@ def increasing(points: Any, name: str) -> np.ndarray:
 def interpolated(
     x: Any, xp: Any, fp: Any, left: Any = None, right: Any = None, period: Any = None
 ) -> Any:
-    """Return np.interp(x, xp, fp)."""
+    """Return np.interp(x, xp, fp), its constant ends as two more straight lines."""
     if period is not None:
         raise Unread("np.interp with a period; take the rest of x by %")
     xp = increasing(xp, "np.interp")
-    if isinstance(fp, Array) and numbers_of(fp) is None:
-        units = np.eye(len(xp))
-        values = sum(fp[k] * np.interp(x, xp, unit) for k, unit in enumerate(units))
-    else:
-        fp = np.asarray(fp, dtype=float)
-        between = pieces(xp, lines(xp, fp), x) if len(xp) > 1 else fp[0]
-        values = where(elementwise("ge", x, xp[-1]), fp[-1], between)
-        left = fp[0] if left is None else left
-    return outside(values, x, xp, left, right)
+    known = numbers_of(fp) if isinstance(fp, Array) else np.asarray(fp, dtype=float)
+    ys = fp if known is None else known
+    k = place_in(xp, x, joints=joints_of(xp, ys) if left is None else "jumps")
+    first = ys[:1] if left is None else np.full(1, float(left))
+    flat = np.zeros(1)
+    slope = lookup(np.concatenate([flat, slopes(xp, ys), flat]), k)
+    values = slope * (x - lookup(np.append(xp[:1], xp), k)) + lookup(np.concatenate([first, ys]), k)
+    return outside(values, x, xp, None, right)
 
 
 def outside(values: Any, x: Any, xs: np.ndarray, below: Any, above: Any) -> Any:
@@ -153,7 +178,7 @@ def of_interp1d(f: Any) -> Callable:
             raise Unread("scipy's interp1d with a fill_value for each column")
         ends = [np.nan if f.bounds_error else float(np.ravel(one)[0]) for one in fill]
     if f._kind == "linear":
-        return of_pieces(xs, np.stack(lines(xs, ys)), ends, "left")
+        return of_pieces(xs, np.stack([slopes(xs, ys), ys[:-1]]), ends, "left")
     if f._kind == "spline":
         of = [PPoly.from_spline((f._spline.t, c, f._spline.k)) for c in f._spline.c.T]
         c = np.stack([one.c for one in of], axis=-1)
@@ -192,7 +217,9 @@ def of_grid(f: Any) -> Callable:
             x = x.reshape(-1, len(grid))
         total: Any = 0.0
         along = [x[..., k] for k in range(len(grid))]
-        places = [place_in(xs[1:-1], own) for xs, own in zip(grid, along, strict=True)]
+        places = [
+            place_in(xs[1:-1], own, joints="kinks") for xs, own in zip(grid, along, strict=True)
+        ]
         for corner in np.ndindex(*[2] * len(grid)):
             place: Any = 0.0
             share: Any = 1.0

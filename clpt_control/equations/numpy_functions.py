@@ -13,7 +13,14 @@ from .arrays import HOOKS, Array, Tape, Unread, objects
 from .elementwise import as_number, boxed, filled, is_truth, is_whole, lifted, where
 from .linear_algebra import determinant, dot, norm, outer, solve
 from .number_types import of_python
-from .ufuncs import accumulated, check_doubles, reduced, rounded
+from .ufuncs import (
+    LONG_ROW,
+    accumulated,
+    check_doubles,
+    place_of_the_least,
+    reduced,
+    rounded,
+)
 from .views import depends, into, on_numbers, on_objects, on_parameters, refuse, tape_of
 
 IMPLEMENTED: dict[Any, Callable] = {}  # NumPy's: what writes them down
@@ -107,11 +114,13 @@ def clip(a: Any, a_min: Any = None, a_max: Any = None, *, min: Any = None, max: 
 
 
 def place_of_the_first(function: Any, better: Any) -> Callable:
-    """Return what does np.argmax or np.argmin, of a row one comparison an element."""
+    """Return what does np.argmax or np.argmin: of a short row one comparison an element."""
 
     def place(a: Any, *axis: Any, **more: Any) -> Any:
         if axis or more:
             return on_objects(a._tape, function, (a, *axis), more)
+        if a.size > LONG_ROW:
+            return place_of_the_least(as_number(np.ravel(a if better is np.less else -a)))
         best, *others = as_number(np.ravel(a))
         at: Any = 0
         for k, one in enumerate(others, 1):

@@ -265,8 +265,13 @@ def _fits(
     if kind == "part":
         one = len(arguments) == 1 and arguments[0] and type(at) is int
         return bool(one) and 0 <= at <= prod(arguments[0]) - prod(shape)
+    if kind == "search":
+        row, place = arguments
+        return len(row) == 1 and place == shape and at[0] in ("left", "right")
     if at is not None:
         return False
+    if kind == "argmin":
+        return len(arguments) == 1 and len(arguments[0]) == 1 and arguments[0][0] > 0 == len(shape)
     if kind == "fill":
         return arguments == [()]
     if kind == "stack":

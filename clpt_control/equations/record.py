@@ -22,6 +22,8 @@ as a number says, or as a name: ``"N"`` is a size that the record leaves open.
 | join | arrays | one behind the other, along the first axis |
 | part | array | first of the elements, row by row, that the shape takes |
 | pick | row of numbers, index | the number at a whole place; NaN outside |
+| search | sorted row of numbers, value | side, and what is at its joints (`lookup_tables.place_in`) |
+| argmin | row of numbers | |
 
 `computed` is a record on NumPy's numbers, in the order in which it was written.
 """
@@ -183,6 +185,11 @@ def picked(numbers: np.ndarray, index: Any) -> np.ndarray:
     return np.where(inside, numbers[np.where(inside, whole, 0).astype(int), *side_by_side], np.nan)
 
 
+def searched(row: np.ndarray, values: Any, side: str) -> np.ndarray:
+    """Return how many numbers of a sorted row, of shape (n, 1), are below values, or equal."""
+    return np.where(np.isnan(values), 0, np.searchsorted(row[:, 0], values, side))
+
+
 def _circular(function: Callable) -> Callable:
     return lambda a: function(np.where(np.abs(a) < MOST_ANGLE, a, np.nan))
 
@@ -246,6 +253,10 @@ def computed(
                 value = elements.reshape(*shape, -1)
             elif kind == "pick":
                 value = picked(args[0], args[1])
+            elif kind == "search":
+                value = searched(*args, at[0])
+            elif kind == "argmin":
+                value = np.argmin(args[0], axis=0)
             elif kind == "fill":
                 value = args[0]
             else:

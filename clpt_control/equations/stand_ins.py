@@ -6,6 +6,7 @@ NumPy's own protocols reach arrays of the record wherever one is an argument.  T
 nothing is read, or where no signal is among their arguments.
 """
 
+import bisect
 import builtins
 import functools
 import math
@@ -29,11 +30,11 @@ from .elementwise import (
     raise_in_a_try,
     where,
 )
-from .lookup_tables import function_of
+from .lookup_tables import function_of, searched
 from .number_types import TYPES, StandInType, has, is_a, of_python, real_of, type_of
 from .numpy_functions import apply_function
 from .pure import UNSEEDED
-from .ufuncs import apply_ufunc
+from .ufuncs import LONG_ROW, apply_ufunc, least_of
 from .views import converted, copied, fresh, share, tape_of
 
 ITERATORS = (GeneratorType, map, zip, filter, deque)
@@ -125,6 +126,12 @@ def of_values(real: Callable, own: Callable[[list], Any]) -> Callable:
 
 def best(better: Callable, values: list) -> Any:
     """Return the best value: what is better takes the place of what was best."""
+    kinds = {(is_of_python(one), is_whole(one)) for one in map(single, values)}
+    if len(values) > LONG_ROW and len(kinds) == 1:
+        row = lifted(tape_of(values), [*map(single, values)])
+        new = least_of(row) if better is np.less else -least_of(-row)
+        ((new._of_python, new._whole),) = kinds
+        return new
     return functools.reduce(lambda a, b: chosen(better(b, a), b, a), map(single, values))
 
 
@@ -268,8 +275,13 @@ def _refused(real: Callable, sentence: str) -> Callable:
     return function
 
 
+BISECT: dict[Any, Callable] = {
+    bisect.bisect_left: lambda tape, row, value: searched(row, value, "left"),
+    bisect.bisect_right: lambda tape, row, value: searched(row, value, "right"),
+}
 _KNOWN: dict[int, Any] = {
-    **{id(real): Module(real) for real in (np, np.random, math)},
+    **{id(real): Module(real) for real in (np, np.random, math, bisect)},
+    **{id(real): StandIn(real, own) for real, own in BISECT.items()},
     id(np.random.default_rng): _refused(np.random.default_rng, UNSEEDED),
     id(np.errstate): errstate,
     id(np.r_): Joiner(np.r_, np.concatenate),

@@ -37,7 +37,7 @@ import sympy
 from .arrays import COMPARISONS, Unread, operand
 from .block import Block
 from .elements import Elements, Index
-from .record import OPERATIONS, Operation, Ref, Shape, picked
+from .record import OPERATIONS, Operation, Ref, Shape, picked, searched
 
 ROUNDED = Fraction(1, 2**50)  # of a number: what a few roundings change
 Leaf = Callable[[tuple[str, str], Shape, Index], Any]  # (group, name), its shape, a place -> symbol
@@ -72,7 +72,7 @@ UNEXPANDED = {
         name: name
         for name in (
             *("where", "minimum", "maximum", "clip", "sign", "floor", "trunc", "ceil"),
-            *("mod", "floordiv", "lt", "le", "gt", "ge", "pick"),
+            *("mod", "floordiv", "lt", "le", "gt", "ge", "pick", "search", "argmin"),
         )
     },
     **{name: f"{name}_" for name in ("and", "or", "not")},
@@ -100,6 +100,7 @@ SYMPY: dict[str, Callable[..., Any]] = {
     },
     **{name: sympy.Function(own, real=True) for name, own in UNEXPANDED.items()},
 }
+MOST_COMPARED = 64  # rows of a table that are compared one by one
 NO_LIMIT = {"minimum": sympy.oo, "maximum": -sympy.oo}
 TRUTHS = {sympy.true, sympy.false}
 COMPARED = {name: getattr(sympy, name.title()) for name in COMPARISONS}
@@ -147,6 +148,13 @@ class Symbols(Elements):
         if (decided := _decided(kind, arguments)) is not None:
             return decided
         self.watch(ref, kind, arguments)
+        if kind == "search":
+            row, side = self.operations[ref].arguments[0], self.operations[ref].at[0]
+            points = [self.at(row, (k,)) for k in range(*self.operations[row].shape)]
+            compare = SYMPY["ge" if side == "right" else "gt"]
+            if len(points) > MOST_COMPARED:
+                return SYMPY[kind](*arguments, int(side == "right"), *points)
+            return sympy.Add(*(SYMPY["where"](compare(*arguments, one), 1, 0) for one in points))
         if kind in ("eq", "ne"):
             same = SYMPY["and"](SYMPY["le"](*arguments), SYMPY["ge"](*arguments))
             return same if kind == "eq" else SYMPY["not"](same)
@@ -171,11 +179,18 @@ def _picked(place: Any, *row: Any) -> Any:
     return picked(np.array(values), at)
 
 
+def _searched(value: Any, side: Any, *points: Any) -> Any:
+    row = np.array(points, dtype=float)[:, None]
+    return searched(row, np.asarray(value, dtype=float), "right" if side else "left")
+
+
 # UNEXPANDED on numbers
 ON_NUMBERS: dict[str, Callable[..., Any]] = {
-    **{own: OPERATIONS[name] for name, own in UNEXPANDED.items() if name not in ("clip", "pick")},
+    **{own: OPERATIONS[name] for name, own in UNEXPANDED.items() if name in OPERATIONS},
     "clip": lambda a, low, high: np.minimum(np.maximum(a, low), high),
     "pick": _picked,
+    "search": _searched,
+    "argmin": lambda *row: np.argmin(np.broadcast_arrays(*row), axis=0),
 }
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import HOOKS, Array, Tape, Unread
+from .arrays import HOOKS, Array, Tape, Unread, operand
 from .elementwise import (
     as_condition,
     as_number,
@@ -30,6 +30,8 @@ from .views import (
     refuse,
     tape_of,
 )
+
+LONG_ROW = 24  # numbers of which the least is found by one operation
 
 
 def apply_ufunc(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
@@ -92,11 +94,26 @@ def reduced(ufunc: Any, a: Any, axis: Any = 0, keepdims: Any = False, initial: A
         axes = range(a.ndim)
     elif axis is None:
         a, axes, keepdims = np.ravel(a), [0], False
+        if a.size > LONG_ROW and ufunc in (np.minimum, np.maximum):
+            row = as_number(a)
+            a, axes = (least_of(row) if ufunc is np.minimum else -least_of(-row)), []
     for d in sorted((d % a.ndim for d in axes), reverse=True):
         a = total(a, d) if ufunc is np.add else _folded(ufunc, _along(a, d))
         if keepdims and isinstance(a, Array):
             a = a[(*[slice(None)] * d, None)]
     return a if initial is None else ufunc(a, initial)
+
+
+def place_of_the_least(row: Array) -> Any:
+    """Return the place of the least number of a row, as one operation."""
+    place = row._tape.add("argmin", (operand(row),), ())
+    place._whole, place._below = True, row.size
+    return place
+
+
+def least_of(row: Array) -> Any:
+    """Return the least number of a row."""
+    return row[place_of_the_least(row)]
 
 
 def _folded(ufunc: Any, parts: list[Any]) -> Any:

@@ -20,14 +20,14 @@ from ..equations.arrays import CONDITIONS
 from ..equations.elements import Elements
 from ..errors import Uncompiled
 from .decisions import Port
-from .diagram_record import Ref
+from .diagram_record import LARGE, Ref
 from .elementary import FUNCTIONS, LIBRARY
 
 MOST = 60_000  # components; a larger diagram runs in Python
 BOUND = -1
 SHORT_ONES = {"minimum", "maximum", "sign", "place", "floor", "trunc", "ceil"}
 OUT_OF_LINE = FUNCTIONS.keys() - SHORT_ONES  # a function each, printed once a module
-LONG = OUT_OF_LINE | {"div", "sqrt", "lookup", *LIBRARY}  # costly
+LONG = OUT_OF_LINE | {"div", "sqrt", "lookup", "search", "argmin", *LIBRARY}  # costly
 Symbol = tuple[int, int]
 Index = Any  # a whole number, or (symbol, start, step)
 Value = Any  # a constant, or (component, symbols)
@@ -71,6 +71,7 @@ class Components(Elements):
         self.steady: list[bool] = []  # depends on parameters alone, and is prepared
         self.room, self.prepared = room, prepared or 0  # next free places in W, and in P
         self.constants: list[float] = []  # K
+        self.tables: list[np.ndarray] = []  # behind the numbers in T
         self.buffers: dict[int, list[Write]] = {}  # arrays that are written before they are read
         self._places: dict[Any, int] = {}
         self._arrays: dict[Any, tuple[str, int, int]] = {}  # entry -> array, place, buffer or -1
@@ -137,7 +138,12 @@ class Components(Elements):
         if kind == "sum":
             return self._summed(arguments[0], index, *at)
         if kind == "pick":
-            return self._picked(arguments[0], arguments[1], index)
+            return self.add("lookup", self.at(arguments[1], index), self._row(arguments[0]))
+        if kind == "search":
+            side = float(at[0] == "right")
+            return self.add(kind, self.at(arguments[1], index), self._row(arguments[0]), side)
+        if kind == "argmin":
+            return self.add(kind, self._row(arguments[0]))
         generic = not all(type(i) is int for i in index)
         if kind in ("constant", "stack", "join") and generic and self.source(ref, index) is None:
             return self._read(ref, shape, index)
@@ -178,8 +184,8 @@ class Components(Elements):
         ]
         return name, values
 
-    def _picked(self, table: Ref, place: Ref, index: tuple) -> Value:
-        whole = self.at(place, index)
+    def _row(self, table: Ref) -> Value:
+        """Return the component of a row of numbers that lies in an array."""
         count = self.record.shape_of(table)[0]
         value = self.at(table, (((count, 0), 0, 1),))
         if self.operation(value)[0] == "load":
@@ -188,7 +194,7 @@ class Components(Elements):
         else:
             (array, first, buffer), stride = self._buffer(table), 1
         row = Component("table", (array, first, stride, count, buffer), ())
-        return self.add("lookup", whole, (self._place(row, array in "PTK"), ()))
+        return self._place(row, array in "PTK"), ()
 
     def apply(self, ref: int, kind: str, arguments: tuple) -> Value:
         """Return the component of an operation on elements."""
@@ -236,8 +242,14 @@ class Components(Elements):
         if key in self._arrays:
             return self._arrays[key]
         if entry.kind == "constant":
-            self._arrays[key] = "K", len(self.constants), -1
-            self.constants += np.frombuffer(entry.at).tolist()
+            numbers = np.frombuffer(entry.at)
+            if numbers.size > LARGE:  # is no part of the program's text
+                first = len(self.record.layout.T) + sum(map(len, self.tables))
+                self._arrays[key] = "T", first, -1
+                self.tables.append(numbers)
+            else:
+                self._arrays[key] = "K", len(self.constants), -1
+                self.constants += numbers.tolist()
             return self._arrays[key]
         size, number = prod(entry.shape), len(self.buffers)
         long = tuple([n >= self.record.named for n in entry.shape])

@@ -31,7 +31,8 @@ QUESTIONS = {
     **{"minimum": ("lt",), "maximum": ("gt",), "sign": ("gt", "lt"), "fabs": ("ge",)},
     **{"mod": ("floordiv",), "pick": ("trunc",), "atan2": ("lt",)},
 }
-LOCKED = frozenset({*COMPARED, *WHOLE, *QUESTIONS})
+PLACES = ("search", "argmin")
+LOCKED = frozenset({*COMPARED, *WHOLE, *QUESTIONS, *PLACES})
 ROUNDING = 1e-12  # relative, of the numbers that are compared
 Ref = Any
 
@@ -51,7 +52,7 @@ def operands(kind: str, name: str, arguments: tuple[Ref, ...]) -> tuple[Ref, ...
         return arguments[0], 0.0
     if name in COMPARED:
         return arguments[0], arguments[1] if len(arguments) > 1 else 0.0
-    return arguments if name == "floordiv" else arguments[-1:]
+    return arguments if name in ("floordiv", "search") else arguments[-1:]
 
 
 class Decisions:
@@ -91,7 +92,7 @@ class Decisions:
             if k in record.decided_by and moves:
                 self.timed |= k not in fed
                 locked[k] = self._lock(k, arguments, [first + place for place in held])
-                moves = kind not in (*COMPARED, *WHOLE, "sign")
+                moves = kind not in (*COMPARED, *WHOLE, *PLACES, "sign")
             elif not locked.keys().isdisjoint(places):
                 locked[k] = record.add(kind, arguments, shape, at, record.owners[k])
             if moves:
@@ -105,11 +106,11 @@ class Decisions:
 
     def _lock(self, k: int, arguments: tuple[Ref, ...], held: Sequence[int]) -> Ref:
         """Note what an operation decides; return its locked value, of locked arguments."""
-        (kind, exact, shape, _), owner = self.record.entries[k], self.record.owners[k]
+        (kind, exact, shape, at), owner = self.record.entries[k], self.record.owners[k]
         (long, of), answers = self.record.decided_by[k], list[Ref]()
 
-        def add(kind: str, *refs: Ref) -> Ref:
-            return self.record.add(kind, refs, shape, None, owner)
+        def add(kind: str, *refs: Ref, shape: Any = shape) -> Ref:
+            return self.record.add(kind, refs, shape, at if kind == "search" else None, owner)
 
         for name in QUESTIONS.get(kind, (kind,)):
             now = add(name, *operands(kind, name, exact))
@@ -129,7 +130,7 @@ class Decisions:
             self.of.append((self.count, of))
             self.count += prod(shape)
             answers.append(add("gt", H, 0.0) if name in COMPARED else H)
-        if kind in COMPARED or kind in WHOLE:
+        if kind in COMPARED or kind in WHOLE or kind in PLACES:
             return answers[0]
         if kind == "sign":
             return add("where", answers[0], 1.0, add("where", answers[1], -1.0, 0.0))
@@ -154,6 +155,10 @@ class Decisions:
 
         That of a whole number is the product of those from the two places where it turns.
         """
+        if name == "argmin":
+            return self._distance_of_least(of[0], H, add)
+        if name == "search":
+            return self._distance_in_row(*of, H, add)
         a, size = of[0], add("fabs", of[0])
         if name in COMPARED and of[1] != 0.0:
             size = add("add", size, add("fabs", of[1]))
@@ -174,3 +179,31 @@ class Decisions:
             low, high = add("mul", low, of[1]), add("mul", high, of[1])
             least = add("mul", least, add("fabs", of[1]))
         return add("mul", add("sub", a, low), add("sub", high, a)), least
+
+    def _distance_in_row(self, row: Ref, x: Ref, H: Ref, add: Any) -> tuple[Ref, Ref]:
+        """Return the distance of a value from the ends of its segment in a sorted row."""
+        points = np.frombuffer(self.record.entries[row].at)
+        below, above = (
+            self.record.add("constant", (), one.shape, one.tobytes())
+            for one in (np.append(points[:1], points), np.append(points, points[-1:]))
+        )
+        low, high = add("sub", x, add("pick", below, H)), add("sub", add("pick", above, H), x)
+        inside = add("mul", low, high)  # the segments at the ends have one end
+        last = add("ge", H, float(len(points)))
+        distance = add("where", add("lt", H, 1.0), high, add("where", last, low, inside))
+        width = add("where", add("or", add("lt", H, 1.0), last), 1.0, add("add", low, high))
+        least = add("add", add("mul", add("fabs", x), ROUNDING), self.record.load("P", self.grain, ()))
+        return distance, add("mul", least, width)
+
+    def _distance_of_least(self, row: Ref, H: Ref, add: Any) -> tuple[Ref, Ref]:
+        """Return by how much the second least number of a row is above the least."""
+        shape = self.record.shape_of(row)
+        numbers = np.arange(float(shape[0]))
+        places = self.record.add("constant", (), shape, numbers.tobytes())
+        same = add("eq", places, H, shape=shape)
+        others = add("where", same, np.inf, row, shape=shape)
+        least = add("pick", row, H)
+        second = add("pick", others, add("argmin", others))
+        size = add("add", add("fabs", least), add("fabs", second))
+        rounding = add("add", add("mul", size, ROUNDING), self.record.load("P", self.grain, ()))
+        return add("sub", second, least), rounding

@@ -13,7 +13,8 @@ is a straight line in time.  Behind the fields P holds where the lines begin, th
 their slopes.  What is prepared comes last.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from math import pi, prod
 from typing import Any, NamedTuple
@@ -22,11 +23,12 @@ import numpy as np
 
 from ..diagrams.merged_record import RecordMerger
 from ..diagrams.wiring import Wiring
-from ..equations.arrays import Tape
+from ..equations.arrays import Tape, Unread
 from ..equations.block import Block
 from ..equations.ports import places
 from ..equations.record import Operation, Record, bound
 from .decisions import LOCKED, Decisions, Port
+from .schedule import TimeTable
 
 SHORT, NAMED = 16, 2  # an axis up to SHORT is unrolled, but from NAMED on where it has a name
 SIGNED = {"atan2", "pow", "floordiv", "mod", "div"}  # distinguish -0.0 from 0.0
@@ -61,13 +63,15 @@ class Layout:
     slots: dict[tuple[int, str], Slot] = field(default_factory=dict)  # of (block, field)
     intervals: dict[int, int] = field(default_factory=dict)  # block -> its `interval` in P
     jumps: dict[int, int] = field(default_factory=dict)  # block -> place in P: `JUMPS` or 0
+    time_tables: dict[tuple, TimeTable] = field(default_factory=dict)  # by rows, shift and side
     P: np.ndarray = field(default_factory=lambda: np.zeros(0))
     T: np.ndarray = field(default_factory=lambda: np.zeros(1))  # never empty
 
     @property
     def pattern(self) -> tuple:
         """All places, and so which fields share a slot: part of the key of compiled code."""
-        return *self.slots.items(), *self.jumps.items(), len(self.P)
+        tables = ((key, one.place) for key, one in self.time_tables.items())
+        return *self.slots.items(), *self.jumps.items(), *tables, len(self.P), len(self.T)
 
     def inputs(self, count: int) -> int:
         """Return the length of P with `count` inputs of the diagram."""
@@ -117,8 +121,37 @@ def lay_out(
                 layout.intervals[k] = known[key].offset
         if node.system.jump_function is not None:
             layout.jumps[k] = slot("P", np.zeros(1)).offset
+        for key in () if wiring.dt else tables_over_time(node.system):
+            if key not in layout.time_tables:
+                rows, shift, (_, joints) = key
+                place, times = slot("P", np.zeros(1)).offset, np.frombuffer(rows) - shift
+                layout.time_tables[key] = TimeTable(times, place, joints != "jumps")
     layout.P, layout.T = np.concatenate(parts["P"]), np.concatenate([*parts["T"], np.zeros(1)])
     return layout
+
+
+def tables_over_time(block: Block) -> Iterator[tuple]:
+    """Yield rows, shift and side of the tables that a block reads at time plus a constant."""
+    for role in (*block._roles, "output"):
+        with suppress(Unread):
+            lines = block.array_record(role).operations
+            for line in lines:
+                if line.kind == "search" and (shift := shift_of(lines, line.arguments[1])) is not None:
+                    yield lines[line.arguments[0]].at, shift, line.at
+
+
+def shift_of(lines: Sequence[Operation], ref: Ref) -> float | None:
+    """Return by how much a value is later than time; None where it is no such time."""
+
+    def is_time(ref: Ref) -> bool:
+        return type(ref) is int and lines[ref].at in (("t", "t"), ("t", 0)) and not lines[ref].shape
+
+    if is_time(ref):
+        return 0.0
+    kind, arguments, *_ = lines[ref]
+    if kind not in ("add", "sub") or not is_time(arguments[0]) or type(arguments[1]) is not float:
+        return None
+    return arguments[1] if kind == "add" else -arguments[1]
 
 
 # --- the record ------------------------------------------------------------------------------
@@ -135,7 +168,7 @@ class DiagramRecord(RecordMerger):
 
     def __init__(self, wiring: Wiring, layout: Layout, form: str | None = None):
         super().__init__(wiring, {0: wiring.ninputs})
-        self.layout, (self.long, self.named, locking) = layout, FORMS[form]
+        self.layout, (self.long, self.named, self.locking) = layout, FORMS[form]
         self.tape = Tape()
         self.entries = self.tape.operations
         self.owners: dict[int, int] = {}  # the blocks that entries come from
@@ -147,7 +180,7 @@ class DiagramRecord(RecordMerger):
         guarded = [k for k, node in enumerate(wiring.nodes) if node.system.guard is not None]
         self.margins = [m for k in guarded for m in self.run(k, "guard", self.fed(k))]
         self.decisions = Decisions(self, layout.inputs(wiring.ninputs))
-        if locking and not wiring.dt:
+        if self.locking and not wiring.dt:
             self.rates = self.decisions.lock(self.rates)
         self._jumped = {k: self._leap(k) for k in range(len(wiring.nodes))}
         self._sample()
@@ -247,17 +280,28 @@ class DiagramRecord(RecordMerger):
             length, long = self._axes(block, record.operations[arguments[0]].shape)
             at = at, length[at], long[at]
         lengths, long = self._axes(block, shape)
+        # samples stay for a step
         smooth = (block.opaque and block.of_package) or block.first_held is not None
 
         def put(kind: str, *own: Ref) -> Ref:
             entry = self.add(kind, own, lengths, at, k)
-            if kind in LOCKED and not smooth:  # samples stay for a step
+            if kind in LOCKED and not (smooth or self._is_smooth(kind, own, at)):
                 self.decided_by[entry] = long, (k, role, kind)
             return entry
 
+        if kind == "search" and self.locking and (shift := shift_of(self.entries, own[1])) is not None:
+            key = self.entries[own[0]].at, shift, at
+            if (table := self.layout.time_tables.get(key)) is not None:
+                return self.load("P", table.place, ())
         if kind in FOLDS and type(own[0]) is int and self.entries[own[0]].kind == FOLDS[kind]:
             return _folded(kind, self.entries[own[0]].arguments[0], put)
         return put(kind, *own)
+
+    def _is_smooth(self, kind: str, own: Sequence[Ref], at: Any) -> bool:
+        """Return whether an operation reads a table whose rows lie closer than tolerances tell."""
+        if kind == "pick" and type(own[1]) is int:
+            kind, _, _, at = self.entries[own[1]]
+        return kind == "search" and at[1] == "smooth"
 
     def leaf(self, k: int, group: str, name: str, shape: tuple) -> Ref:
         """Return time, a parameter, or a state, after jumps where these are known."""

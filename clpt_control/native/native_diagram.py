@@ -61,7 +61,8 @@ class Code:
         new = (name for name in names if (name, lanes) not in self._machines)
         if missing := tuple(dict.fromkeys(new)):
             wanted = self.program, missing, lanes
-            machine = Machine(missing, repr(wanted), lambda: print_program(*wanted))
+            text = repr((self.program._replace(tables=None), *wanted[1:]))
+            machine = Machine(missing, text, lambda: print_program(*wanted))
             self._machines.update({(name, lanes): machine for name in missing})
         return [self._machines[name, lanes].addresses[name] for name in names]
 
@@ -173,6 +174,7 @@ class NativeDiagram(PythonDiagram):
         self.layout = lay_out(self.wiring, self.sweep.parameters, apart)
         self.form, self.code = form, code_of(self.wiring, self.layout, form)
         self.intervals, self.jumps = self.layout.intervals, self.layout.jumps
+        self.time_tables = [*self.layout.time_tables.values()]
         self.ramp = len(self.layout.P)  # place in P of the diagram's inputs
         self.decided_at = self.layout.inputs(self.wiring.ninputs) + 1  # and of what is decided
         self._callees: dict[tuple[int, int], Callee] = {}
@@ -226,7 +228,8 @@ class NativeDiagram(PythonDiagram):
         found = dict(zip(wanted, code.addresses(wanted, lanes), strict=True))
         own = [found.get(name, 0) for name in FUNCTIONS]
         shape = lanes, self.nstates, method, *watched, self.decided_at, program.decided
-        sizes = program.parameters, program.room, self.layout.T
+        tables = np.concatenate([self.layout.T, program.tables])
+        sizes = program.parameters, program.room, tables
         more = code.linear, program.timed, (code,)
         return with_formulas(Callee(self.engine, own, *shape, *sizes, *more))
 

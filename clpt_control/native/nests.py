@@ -12,11 +12,13 @@ from .components import Write, row_strides
 from .llvm_function import Function
 from .machine import LANES
 from .plan import Nest, Program
+from .searches import SEARCHES
 from .vectors import WORD, calculate, constant, elements, gathered, horizontal_sum, splat, width_of
 
 UNROLLED, UNROLLED_RUNS = 4, 8  # the longest loop that unrolls: most loops, inner ones in lanes
 CHAINS = ("exp", "sin", "cos")  # always inlined, where there are few
 MOST_INLINED = 64  # calls of a function; LLVM takes minutes for thousands in one piece of code
+ROWS = {"lookup": 1, "search": 1, "argmin": 0}  # which argument is a row
 Key = tuple[int, tuple[int, ...], bool]  # component, loops of its axes, for eight iterations
 
 
@@ -152,9 +154,12 @@ class _Nests(Function):
             moves = self.moves(loops, strides, wide)
             return lambda: self.at_stage(array, first, *moves)
         name, arguments, _ = self.all[c]
-        if name == "lookup":
-            table, place = self.all[arguments[1][0]], self.argument(arguments[0], loops, wide)
-            return lambda: self.lookup(place, *table.arguments[:4])
+        if name in ROWS:
+            row = self.all[arguments[ROWS[name]][0]].arguments[:4]
+            place = self.argument(arguments[0], loops, wide) if ROWS[name] else None
+            if name == "lookup":
+                return lambda: self.lookup(place, *row)
+            return lambda: self.found_in(name, width, row, place, *arguments[2:])
         values = [self.argument(a, loops, wide) for a in arguments]
         inline = bool(loops) and name in self.inline and type(self.indices[loops[-1]]) is not int
         self.chained |= inline
@@ -205,3 +210,17 @@ class _Nests(Function):
                 address = builder.gep(address, [ir.Constant(WORD, k)])
             ones.append(builder.load(address))
         return number("where", inside, gathered(builder, ones), float("nan"))
+
+    def found_in(self, name: str, width: int, row: tuple, value: Any, *more: float) -> Any:
+        """Return a place in a row, for each number of a value or each lane, by a loop."""
+        builder, (array, first, stride, count) = self.builder, row
+        lanes, ones = self.columns(array), list[Any]()
+        for k, one in enumerate([None] * width if value is None else elements(builder, value)):
+            address = self.address(array, first)
+            if lanes > 1:
+                address = builder.gep(address, [ir.Constant(WORD, k)])
+            given = [address, ir.Constant(WORD, stride * lanes), ir.Constant(WORD, count)]
+            given += [] if one is None else [one, *(constant(m, 1) for m in more)]
+            function = SEARCHES[name](builder.module)
+            ones.append(builder.call(function, given))
+        return gathered(builder, ones)

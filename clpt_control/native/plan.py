@@ -10,6 +10,8 @@ from itertools import groupby
 from math import inf, prod
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from ..equations.arrays import CONDITIONS
 from ..equations.record import deep
 from .components import BOUND, Component, Components, Write, row_strides
@@ -17,6 +19,7 @@ from .decisions import Decisions
 from .diagram_record import DiagramRecord, Port
 from .merged_sums import MergedSums
 
+NO_TABLES = np.zeros(0)
 LARGEST = 4096  # numbers of an array that is prepared
 Argument = tuple[int, tuple[int, ...]]  # component, and the loop of each of its axes
 
@@ -49,6 +52,7 @@ class Program(NamedTuple):
     decided: int  # how many numbers are decided
     deciding: tuple[tuple, ...]  # of each decision: its first number, and where it is made
     timed: bool = False  # whether time alone decides
+    tables: np.ndarray = NO_TABLES  # large constants, behind the parameters in T
 
     @property
     def staged(self) -> bool:
@@ -83,8 +87,8 @@ class Planner:
         self.preparing = True
         functions["prepare"] = self.nests(self.preparation)
         constants, sizes = tuple(made.constants), (made.prepared, made.room, decisions.count)
-        deciding = tuple(decisions.of), decisions.timed
-        return Program(tuple(self.all), functions, self.prepared, constants, *sizes, *deciding)
+        more = tuple(decisions.of), decisions.timed, np.concatenate([NO_TABLES, *made.tables])
+        return Program(tuple(self.all), functions, self.prepared, constants, *sizes, *more)
 
     # --- what is prepared -----------------------------------------------------------------
 

@@ -33,6 +33,7 @@ from .schedule import (
     JUMPS,
     Inputs,
     Schedule,
+    TimeTable,
     checked_state,
     checked_times,
     make_schedule,
@@ -66,6 +67,7 @@ class PythonDiagram:
         self.nstates, self.nsignals = self.sweep.nstates, len(self.sweep.signals)
         self.intervals: dict[int, int] = {}  # places in P of each block's `interval`
         self.jumps = {k: place for place, k in enumerate(self.sweep.jumping)}  # 1 where it jumps
+        self.time_tables: list[TimeTable] = []  # of machine code
 
     def __repr__(self) -> str:
         count = f"{len(self.wiring.nodes)} blocks, {self.nstates} states"

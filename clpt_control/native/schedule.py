@@ -146,6 +146,14 @@ def read_inputs(inputs: Any, times: np.ndarray, count: int) -> Inputs:
 JUMPS, BEGINS = 1.0, -1.0  # in P: a block jumps, or samples its inputs as a run begins
 
 
+class TimeTable(NamedTuple):
+    """A table over time plus a constant, whose rows are breakpoints."""
+
+    times: np.ndarray  # of the rows
+    place: int  # in P, of the number of rows before now
+    continuous: bool  # what is read there does not jump at a row
+
+
 class Schedule(NamedTuple):
     """The pieces of a run."""
 
@@ -167,7 +175,7 @@ def make_schedule(
     """Return the pieces of a run of a diagram; it is `PythonDiagram.schedule`.
 
     Rates bend at kinks of inputs, in Python at bends that are felt, and jump where blocks do.
-    Behind each block's `interval` lies what is `JUMPS` in a piece that begins with a jump of its
+    So they do at the rows of tables over time.  Behind each block's `interval` lies what is `JUMPS` in a piece that begins with a jump of its
     states; then come the straight lines of the inputs: time, values, slopes.  In discrete time
     each sample begins a piece.
     """
@@ -179,6 +187,9 @@ def make_schedule(
     if len(jumps):
         jumps = moved_back(jumps, np.asarray(times))
         edges = np.union1d(jumps, moved_to(jumps, kinks)) if len(kinks) else jumps
+    tables = diagram.time_tables
+    if tables:
+        edges = np.unique(np.concatenate([edges, *(one.times for one in tables)]))
     starts = np.concatenate([[t0], edges[(edges > t0) & (edges < t1)], [t1]])
     if sweep.wiring.dt:
         starts = np.asarray(times, dtype=float)
@@ -204,6 +215,10 @@ def make_schedule(
         k = np.searchsorted(at[1:], starts, side="right")  # the line from at[k] on
         columns += [at[k], *u[:, k], *slopes[:, k]]
         places += range(diagram.ramp, diagram.ramp + 1 + 2 * len(u))
+    for one in tables:
+        columns.append(np.searchsorted(one.times, starts + rounding(starts), side="right"))
+        places.append(one.place)
+        jumps = jumps if one.continuous else np.union1d(jumps, one.times)
     values = np.array(columns, dtype=float).reshape(len(columns), len(starts)).T.copy()
     smooth = np.isin(starts, jumps, invert=True) if len(jumps) else np.ones(len(starts))
     edges, at_places = np.append(starts[1:], np.inf), np.array(places, dtype=np.int64)

@@ -12,10 +12,13 @@ from importlib import resources
 from math import copysign, inf, isnan
 from typing import Any
 
+import numpy as np
+
 from ..equations.arrays import CONDITIONS
 from ..equations.record import deep
 from ..native.components import Components, row_strides
 from ..native.diagram_record import DiagramRecord, Layout
+from ..native.nests import ROWS
 from ..native.plan import Nest, Planner
 
 SIGNATURE = "double t, const double *x, const double *u, const double *p, const double *kept"
@@ -78,7 +81,8 @@ class CProgram:
         for name in self.helpers:
             yield f"{HELPERS[name]}\n"
         text = "".join(self.functions.values())
-        for array, values in (("T_", T), ("K_", self.components.constants)):
+        tables = np.concatenate([T, *self.components.tables])
+        for array, values in (("T_", tables), ("K_", self.components.constants)):
             if array in text:
                 yield f"static const double {array}[] = {{{', '.join(map(c_number, values))}}};\n"
 
@@ -170,10 +174,11 @@ class _Function:
         """Return an operation on its arguments."""
         if name in HELPERS:
             self.program.helpers[name] = None
-        if name == "lookup":
-            array, first, stride, count, *_ = self.all[arguments[1][0]].arguments
-            place = self.argument(arguments[0], loops)
-            return f"lookup_({ARRAYS[array]} + {first}, {stride}, {count}, {place})"
+        if name in ROWS:
+            array, first, stride, count, *_ = self.all[arguments[ROWS[name]][0]].arguments
+            rest = [one for k, one in enumerate(arguments) if k != ROWS[name]]
+            more = "".join(f", {self.argument(one, loops)}" for one in rest)
+            return f"{name}_({ARRAYS[array]} + {first}, {stride}, {count}{more})"
         values = [self.argument(a, loops) for a in arguments]
         if name in INFIX:
             return f" {INFIX[name]} ".join(values)
