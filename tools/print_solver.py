@@ -24,7 +24,7 @@ from numba.extending import intrinsic
 
 ROOT = Path(__file__).parents[1]
 NATIVE = ROOT / "clpt_control" / "native"
-PAGES = ("numbering", "looks", "kinks", "implicit", "pieces", "solver")
+PAGES = ("numbering", "looks", "kinks", "implicit", "pieces", "rate_jumps", "solver")
 SOURCES = (*(NATIVE / f"{name}.py" for name in PAGES), Path(__file__))
 TEXT = NATIVE / "solver.ll"
 OPTIONS: dict[str, Any] = {
@@ -45,6 +45,10 @@ NOT_INLINED = (
     "mark_passed",
     "may_hide",
     "locate_kinks",
+    "locate_jump",
+    "put_rates",
+    "quarter",
+    "halve",
     "factor",
     "linearise",
     "solve_stage",
@@ -117,7 +121,7 @@ def arguments() -> dict[str, tuple]:
         (real(1),) * 5,  # arrays
     )
     linear = (real(1), real(1), whole(1), (1, 1, 1), *(whole(1),) * 6)
-    code, shape = whole(1), (1,) * 7
+    code, shape = whole(1), (1,) * 8
     points = (real(1), whole(1), real(1), real(1)), (whole(1), real(2)), (real(1),) * 4
     return {
         "advance": (code, shape, real(1), shared, linear, 1, 1),

@@ -88,7 +88,7 @@ def _trees(tape: Tape, refs: Sequence[Ref]) -> list[int]:
     for k in range(len(trees), len(tape.operations)):
         kind, arguments, shape, at = tape.operations[k]
         key: tuple = ("", k)
-        if kind in OPERATIONS or kind in ("stack", "sum", "pick"):
+        if kind in OPERATIONS or kind in ("stack", "sum", "pick", "search"):
             key = kind, shape, at, *(trees[a] if type(a) is int else -1 for a in arguments)
         elif kind == "view":
             key = kind, shape, arguments, *(None if isinstance(m, int) else m for m in at)

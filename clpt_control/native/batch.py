@@ -46,6 +46,7 @@ class Callee(NamedTuple):
     jumping: int  # 1 if states jump
     decided_at: int  # first place of decisions in P
     decided: int  # how many numbers they are
+    unannounced: int  # 1 if rates may jump where no decision says so, 2 if at samples too
     size: int  # length of P
     room: int  # length of W
     tables: np.ndarray  # T, which is not empty
@@ -56,8 +57,8 @@ class Callee(NamedTuple):
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """The solver's `shape`: numbers of lanes, of states, and so on to `decided`."""
-        return self[2:9]
+        """The solver's `shape`: numbers of lanes, of states, and so on to `unannounced`."""
+        return self[2:10]
 
     def call(self, name: str, numbers: np.ndarray) -> int:
         """Call a function of the solver on numbers; raise the error that Python raised within."""

@@ -35,6 +35,23 @@ def decide(code, shape, numbers, arrays):
     call(code[row.PREPARE], numbers[row.TIME], Z, 0, P, T, W, D, 0)
 
 
+def is_decided_anew(code, shape, numbers, arrays):
+    """Mark lanes as fresh in whose new piece of time decisions are others; return if any are.
+
+    An input may come to a threshold where a piece ends, and stay there: no step passes it.
+    """
+    lanes, decided_at, decided, (Z, P, T, W, D) = shape[0], shape[5], shape[6], arrays
+    some = False
+    call(code[row.DECIDE], numbers[row.TIME], Z, 0, P, T, W, D, 0)
+    for k in range(lanes):
+        if numbers[row.FRESH, k] == row.ENTERED:
+            numbers[row.FRESH, k] = 0.0
+            for j in range(decided):
+                if D[j * lanes + k] != P[(decided_at + j) * lanes + k]:
+                    numbers[row.FRESH, k], some = 1.0, True
+    return some
+
+
 def first_passed(k, lanes, decided, look, D):
     """Return the first decision of a lane that has been passed at a look at its step, or -1."""
     for j in range(decided):

@@ -227,7 +227,7 @@ class NativeDiagram(PythonDiagram):
         wanted = [name for name in FUNCTIONS if used.get(name, True)]
         found = dict(zip(wanted, code.addresses(wanted, lanes), strict=True))
         own = [found.get(name, 0) for name in FUNCTIONS]
-        shape = lanes, self.nstates, method, *watched, self.decided_at, program.decided
+        shape = lanes, self.nstates, method, *watched, self.decided_at, program.decided, 0
         tables = np.concatenate([self.layout.T, program.tables])
         sizes = program.parameters, program.room, tables
         more = code.linear, program.timed, (code,)

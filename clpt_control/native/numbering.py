@@ -4,7 +4,8 @@ Arguments that all functions share:
 
     code      addresses of functions, in the order of the places below
     shape     numbers of lanes, of states and of the method's stages; 1 if guards are watched, 1
-              if states jump; first place of decisions in P, and how many numbers they are
+              if states jump; first place of decisions in P, and how many numbers they are; 1 if
+              rates may jump unannounced, 2 if they may at samples
     runs      initial states (m, n), parameters (m, nP) and schedule of each run (m,)
     schedule  the first piece of time of each (g,), the places in P that a piece sets; then of
               each piece its end, inf behind the last, the values that it sets (pieces, places),
@@ -55,14 +56,17 @@ CHECKED = 28  # whether a lane's step is checked for stiffness
 WITHIN, STOP_AT = 29, 30
 STIFF_STEPS, LONGEST, FIRST_STEP = 31, 32, 33  # a run that begins in a lane keeps these
 MANY = 15  # steps that make a run stiff
-NUMBERS = 34  # rows of numbers
+JUMP_TIME = 34  # right behind a jump of the rates, where the step is to end (`rate_jumps`)
+USUAL = 35  # mean of the largest defects of the steps before
+NUMBERS = 36  # rows of numbers
 MEMBER, EDGE, DONE, BURST, WHICH = range(5)  # rows of a lane's whole numbers
 STEPS, EVALUATIONS, RESTARTS, REJECTIONS = range(4)  # of the counts
 # places of `code`: the diagram's functions, then the method's; stage s stands at STAGE + s
 DERIVATIVE, PREPARE, MARGIN, SIGNALS, JUMP, DECIDE, SLOPE, STAGED = range(8)
 ATTEMPT, CONTROL, SIZES, TRIAL, FIRST, ACCEPT, DENSE, CUBIC, STIFFNESS = range(8, 17)
 STAGE = 16
-ANEW, ON = 1, 2  # a piece begins with new rates and a new step, or goes on with those of the last
+ON, ANEW = 1, 2  # a piece goes on with the rates and the step of the last, or begins with new ones
+ENTERED = 0.25  # FRESH of a lane that goes on in a new piece
 GLANCES = 8  # places within a step at which decisions and guards are looked at
 BEHIND = GLANCES + 1  # the look right behind a kink
 BEFORE = BEHIND + 1  # -1 for what has been passed before it, else 1
@@ -81,6 +85,16 @@ def interpolate(Z, n, lanes, k, i, share):
         y += Z[((TERMS + 6 - r) * n + i) * lanes + k]
         y *= share if r % 2 == 0 else 1.0 - share
     return y + Z[i * lanes + k]
+
+
+def slope_within(Z, n, i, share):
+    """Return the derivative of `interpolate` in the share, of state i of the only lane."""
+    y, slope = 0.0, 0.0
+    for r in range(7):
+        y += Z[(TERMS + 6 - r) * n + i]
+        slope = slope * (share if r % 2 == 0 else 1.0 - share) + (y if r % 2 == 0 else -y)
+        y *= share if r % 2 == 0 else 1.0 - share
+    return slope
 
 
 def state_within(n, lanes, k, numbers, Z, share):

@@ -79,8 +79,9 @@ def enter_piece(k, lanes, schedule, status, lane, P):
     numbers[row.END, k] = edges[piece]
     if smooth[piece] == 0:
         numbers[row.FRESH, k], queue[2] = 1.0, row.ANEW
-    elif queue[2] == 0:
-        queue[2] = row.ON
+    else:
+        numbers[row.FRESH, k] = max(numbers[row.FRESH, k], row.ENTERED)
+        queue[2] = max(queue[2], row.ON)
     set_piece(k, lanes, schedule, piece, P)
 
 

@@ -14,9 +14,10 @@ import math
 from . import numbering as row
 from .implicit import linearise, solve_stage
 from .kinks import decide_anew, locate_kinks
-from .looks import decide, mark_passed, watch_guards
+from .looks import decide, is_decided_anew, mark_passed, watch_guards
 from .numbering import call, fail, interpolate, try_again
 from .pieces import begin_piece, enter_piece, jump, look_ahead, take_run
+from .rate_jumps import locate_jump, pass_jump
 
 # steps between checks for stiffness; steps ahead for it to matter
 OFTEN, AHEAD = 128, 5_000
@@ -27,7 +28,7 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
 
     A run that has taken `most` tries ends.  No more steps are taken once a lane looks stiff.
     """
-    lanes, n, stages, guarded, jumping, _, decided = shape
+    lanes, n, stages, guarded, jumping, _, decided, unannounced = shape
     runs, schedule, times, results, lane, arrays = batch
     (_, status, reached, counts), (numbers, whole, queue) = results, lane
     Z, P, T, W, D = arrays
@@ -48,6 +49,8 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
         if queue[2] > 0:
             queue[2] = 0
             call(code[row.PREPARE], now, Z, 0, P, T, W, D, 0)
+            if decided > 0:
+                anew = is_decided_anew(code, shape, numbers, arrays) or anew
         if anew:
             if decided > 0:
                 decide(code, shape, numbers, arrays)
@@ -60,6 +63,7 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
                 call(derivative, at, Z, argument, P, T, W, Z, (row.RATE + 2) * span)
                 call(code[row.FIRST], numbers, Z, 0, P, tolerances, W, D, 0)
             begin_piece(lanes, stages, times, results, lane, D, guarded)
+        again = numbers[row.REJECTED, 0] > 0.5
         call(code[row.ATTEMPT], numbers, Z, 0, P, T, W, D, 0)
         if fixed:
             call(derivative, now, Z, 0, P, T, W, Z, row.RATE * span)
@@ -72,7 +76,7 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
                 solve_stage(n, s, linear, Z)
         call(code[row.CONTROL], numbers, Z, 0, P, tolerances, W, D, 0)
         good, within, checked = False, False, False
-        looked = anew or implicit or guarded > 0 or decided > 0
+        looked = anew or implicit or guarded > 0 or decided > 0 or unannounced > 0
         for k in range(lanes):
             good = good or numbers[row.GOOD, k] > 0.5
             looked = looked or numbers[row.LOOK, k] > 0.5
@@ -89,7 +93,9 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
                         numbers[row.CHECKED, k], checked = 1.0, True
                     if done < len(times) and times[done] < numbers[row.NEW, k]:
                         within = True
-        if good and not (fixed or fsal):
+        # where rates may jump, a step that is good is watched, and one that is rejected twice
+        watched = unannounced > 0 and dense and (good or again)
+        if (good and not (fixed or fsal)) or watched:
             call(derivative, at, Z, argument, P, T, W, Z, (row.RATE + row.DOP853) * span)
         if checked and (dense or fsal):
             call(code[row.STIFFNESS], numbers, Z, 0, P, T, W, D, 0)
@@ -97,14 +103,14 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
         if decided > 0 and good:
             call(code[row.CUBIC], numbers, Z, 0, P, T, W, D, 0)
             beyond = mark_passed(code, row.DECIDE, shape, decided, times, results, lane, arrays)
-        if within or beyond:
+        if within or beyond or watched:
             if dense:
                 for s in range(stages + 1, stages + 4):
                     call(code[row.STAGE + s], numbers, Z, 0, P, T, W, D, 0)
                     call(derivative, at, Z, argument, P, T, W, Z, (row.RATE + s) * span)
                 call(code[row.STAGE + stages], numbers, Z, 0, P, T, W, D, 0)
             call(code[row.DENSE], numbers, Z, 0, P, tolerances, W, D, 0)
-            if dense:
+            if dense and good:
                 check_interpolant(lanes, times, results, lane)
             if beyond:
                 beyond = mark_passed(code, row.DECIDE, shape, decided, times, results, lane, arrays)
@@ -112,12 +118,16 @@ def advance(code, shape, tolerances, batch, linear, budget, most):
                 locate_kinks(code, shape, tolerances, times, results, lane, arrays)
             if guarded:
                 watch_guards(code, shape, times, results, lane, arrays)
+            if watched:
+                locate_jump(code, shape, tolerances, times, results, lane, arrays)
         if looked and good:
             sample(shape, times, results, lane, Z, 3 if within and dense else 0)
         if lanes > 1 or numbers[row.GOOD, 0] > 0.5:
             call(code[row.ACCEPT], numbers, Z, 0, P, T, W, D, 0)
         if decided > 0 and good:
             decide_anew(shape, tolerances, times, status, lane, Z)
+        if unannounced > 0 and numbers[row.GOOD, 0] > 0.5:
+            pass_jump(times, lane)
         if jumping and looked:
             jump(code, shape, schedule, times, results, lane, arrays)
         if looked:
