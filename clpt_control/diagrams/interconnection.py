@@ -15,6 +15,7 @@ from ..arguments import brief, nearest, public
 from ..equations.block import Block
 from ..equations.declaration import Guard, Parameters, check_names, same_unit
 from ..equations.ports import labels, whole_labels
+from ..equations.sampled import Sampled
 from ..equations.system import System
 from ..errors import BlockError, DiagramError
 from ..scenario.quantities import call_time_hint
@@ -66,6 +67,16 @@ class Diagram(control.InterconnectedSystem):
 
     def _repr_markdown_(self) -> None:
         """Return nothing in place of python-control's, which would repeat the drawing."""
+
+    def linearize(self, *point: Any, **more: Any) -> control.StateSpace:
+        """Linearize by python-control; refuse sampled blocks, whose samples it does not see."""
+        names = [name for name, block in blocks_of(self) if isinstance(block, Sampled)]
+        if names:
+            raise DiagramError(
+                f"{self.name}: {names[0]} samples its inputs, which control.linearize does not see; "
+                "call clpt.linearize, which gives the discrete system of the loop"
+            )
+        return super().linearize(*point, **more)
 
     def _update_params(self, params: Params) -> None:
         given, own = dict(params or {}), f"{self.name}."

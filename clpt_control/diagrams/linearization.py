@@ -2,13 +2,15 @@
 
     dx' = A dx + B du,    dy = C dx + D du         about x and u at time t
 
+With sampled blocks it is the discrete system of the loop (`sampled_linearization`).
+
 Where a signal or a rate has a kink right there, |e| at e = 0, or a node of a table, the slope is
 that of one side, and a warning names it; where it jumps there is no slope, and that is refused.
 Both are seen in what the slopes leave beside the point.  What is not felt, as of the drag w |w| at
 rest, is neither.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from math import prod
 from typing import Any
 
@@ -26,7 +28,14 @@ from ..errors import ArgumentError, DiagramError
 from ..progress import warn
 from .interconnection import changed_parameters
 from .merged_record import TapeRecord
-from .wiring import Node, Wiring, read_unsampled
+from .sampled_linearization import (
+    SampledBlock,
+    SampledSlopes,
+    common_period,
+    discrete_system,
+    sampled_blocks,
+)
+from .wiring import Node, Wiring, read_anew, wiring_of
 
 BEND = STEPS | {"where", "minimum", "maximum", "fabs", "mod", "pick"}
 BEND |= {"asin", "acos", "atan", "atan2"}  # of a sine they fold
@@ -110,6 +119,22 @@ class _About:
         self.values = own
         return np.concatenate([one.reshape(-1, moves.shape[1]) for one in found])
 
+    def sampled_values(self, blocks: Sequence[SampledBlock]) -> Iterator[tuple[slice, Any]]:
+        """Yield place and value of each port of a sampled block's states at the next sample."""
+        names = {one.name for one in blocks}
+        for (name, port), place in self.states.items():
+            if name in names:
+                yield place, self.record.jumps[name, port]
+
+    def with_samples(self, x: np.ndarray, blocks: Sequence[SampledBlock]) -> np.ndarray:
+        """Return states in which sampled blocks hold what they sample at this point."""
+        now, none = self.point[: len(x)].copy(), np.zeros((len(self.every), 1))
+        held = {int(k) for one in blocks for k in one.held}
+        for place, values in self.sampled_values(blocks):
+            if place.start in held:
+                now[place] = self.beside([values], none)[:, 0]
+        return now
+
     def check(self, values: Mapping[str, Any]) -> None:
         """Warn where a value has a kink at the point; refuse where one jumps.
 
@@ -162,7 +187,8 @@ def linearize(
         A diagram, a block or a system of python-control.
     x, u : array_like, optional
         States and inputs of the point; by default 0. An operating point of
-        ``control.find_operating_point`` has both.
+        ``control.find_operating_point`` has both. The inputs that sampled blocks hold are those
+        of this point, whatever x says.
     t : float, optional
         Time of the point.
     params : mapping, optional
@@ -174,13 +200,14 @@ def linearize(
     -------
     control.StateSpace
         With the diagram's labels of states, inputs and outputs; where `minimal` mixes states they
-        are called x[k].
+        are called x[k]. With sampled blocks it is of discrete time, from one sample of all of them
+        to the next, with the diagram's inputs held between; held inputs of blocks are no states.
 
     Raises
     ------
     DiagramError
         If a signal or a rate jumps at the point or has no finite slope there, a function cannot
-        be read, or a part samples its inputs.
+        be traced, or sampled blocks have no small common period.
 
     Warns
     -----
@@ -198,18 +225,25 @@ def linearize(
     array([[0.  , 1.  ],
            [9.81, 0.  ]])
     """
-    wiring = read_unsampled(system, params)
+    read_anew(system)
+    wiring = wiring_of(system, params)
     x, u = getattr(x, "states", x), getattr(x, "inputs", u)
     n, m = wiring.nodes[-1].states.stop, wiring.ninputs
     if not n + m:
         raise DiagramError(f"{system.name}: has no states and no inputs to linearize along")
     x, u = (_vector(*one) for one in (("x", x, n), ("u", u, m)))
     try:
-        at = _About(system, wiring, changed_parameters(wiring.blocks, params), t, x, u)
+        given, blocks = changed_parameters(wiring.blocks, params), sampled_blocks(wiring)
+        at = _About(system, wiring, given, t, x, u)
+        for _ in blocks:  # each holds what it samples at this point, some what others make of it
+            at = _About(system, wiring, given, t, at.with_samples(x, blocks), u)
         ports = [(node, port) for node in wiring.nodes for port in node.system.declared["outputs"]]
         signals = [at.record.signals[node.name, port] for node, port in ports]
         rates = [at.record.rates[port] for port in at.states]
         AB, Y = at.slopes(rates), at.slopes(signals)
+        jumps = np.zeros_like(AB)
+        for place, values in at.sampled_values(blocks):
+            jumps[place] = at.slopes([values])
         named = {
             f"{node.name}.{port}": own for (node, port), own in zip(ports, signals, strict=True)
         }
@@ -221,17 +255,24 @@ def linearize(
     known = np.isfinite(all_slopes)
     CD = wiring.output_map @ np.where(known, all_slopes, 0.0)
     CD[(wiring.output_map != 0.0) @ ~known] = np.nan
-    labels = [*system.state_labels, *system.input_labels]
-    for rows, names in ((AB, system.state_labels), (CD, system.output_labels)):
+    states = system.state_labels
+    labels = [*states, *system.input_labels]
+    for rows, names in ((AB + jumps, states), (CD, system.output_labels)):
         for i, j in np.argwhere(~np.isfinite(rows))[:1]:
             raise DiagramError(
                 f"{system.name}: what {names[i]} does along {labels[j]} has no finite slope at "
                 "this point; under a root or a norm that is 0, add a small number"
             )
+    matrices: Any = AB[:, :n], AB[:, n:], CD[:, :n], CD[:, n:]
+    dt = wiring.dt
+    if blocks:
+        dt = common_period(blocks)
+        *matrices, remaining = discrete_system(SampledSlopes(AB, CD, jumps), blocks, dt)
+        states = [states[k] for k in remaining]
     linear = state_space(
-        *(AB[:, :n], AB[:, n:], CD[:, :n], CD[:, n:]),
-        wiring.dt,
-        states=labels[:n] or None,
+        *matrices,
+        dt,
+        states=states or None,
         inputs=system.input_labels,
         outputs=system.output_labels,
         name=f"{system.name}$linearized",

@@ -21,12 +21,13 @@ from ..equations.arrays import Tape, Unread, operand
 from ..equations.declaration import Parameters
 from ..equations.ports import places, ports_of
 from ..equations.record import Shape
+from ..equations.sampled import Sampled
 from ..equations.symbolic import LONG, Symbols, extent, rational
 from ..equations.system import is_linear
 from ..errors import DiagramError
 from .merged_record import TapeRecord
 from .symbol_names import TIME, Names, Numbers, element_name, fields_of, groups, typeset
-from .wiring import Node, Part, Wiring, read_unsampled
+from .wiring import Node, Part, Wiring, read_anew, read_unsampled, wiring_of
 
 # takes block.role, an operation and its arguments on symbols; returns a remark on it, or None
 Watch = Callable[[str, str, tuple], str | None]
@@ -64,6 +65,8 @@ class Equations:
         Parameters, (block, name), that are numbers, because functions depend on their value.
     discrete : bool
         Whether time is discrete.
+    periods : dict
+        Sampled block -> its period; its `jumps` are its updates and what it samples.
 
     Examples
     --------
@@ -86,6 +89,7 @@ class Equations:
     undefined: list[str] = field(default_factory=list)
     pinned: list[tuple[str, str]] = field(default_factory=list)
     discrete: bool = False
+    periods: dict[str, float] = field(default_factory=dict)
 
     def __getitem__(self, name: str) -> Any:
         found = self.named.get(name)
@@ -134,15 +138,17 @@ class Equations:
     def _lines(self, print_as: Callable[[Any], str], rate: str, jump: str) -> Iterator[str]:
         """Yield the equations one by one: rates, signals that are no states, jumps."""
         next_or_rate = jump if self.discrete else rate
-        rows = [(next_or_rate, s, value) for s, value in self.motion.items()]
+        sampled = {s for block in self.periods for s in self.jumps[block]}
+        rows = [(next_or_rate, s, v) for s, v in self.motion.items() if s not in sampled]
         plain = {*self.motion, *(s for port in self.inputs.values() for s in port.flat)}
         for port, values in self.signals.items():
             for index, value in np.ndenumerate(values):
                 if value not in plain:
                     name = element_name(port, values.shape, index)
                     rows.append(("{}", sympy.Symbol(name), value))
-        changes = (change for block in self.jumps.values() for change in block.items())
-        rows += [(jump, s, new) for s, new in changes if new != s]
+        for block, changes in self.jumps.items():
+            each = f" (each {self.periods[block]:g})" if block in self.periods else ""
+            rows += [(jump + each, s, new) for s, new in changes.items() if new != s]
         for form, s, value in rows[:MOST_EQUATIONS]:
             parts = extent(sympy.sympify(value))[0]
             right = print_as(value if parts <= LONG else sympy.Symbol(f"({parts} parts)"))
@@ -273,6 +279,8 @@ class _Read:
                 symbols = np.concatenate([s.ravel() for s in self.symbols[node.name].values()])
                 after = flat(record.jumps, node, system.declared["states"])
                 result.jumps[block] = dict(zip(symbols, after, strict=True))
+            if isinstance(system, Sampled):
+                result.periods[block] = system.period
             fields: dict[str, Any] = {}
             for name in fields_of(system):
                 value = getattr(system.parameters, name)
@@ -294,12 +302,13 @@ def on_symbols(
     names: type[Names] = Names,
     hidden: Iterable[str] = (),
     watch: Watch = lambda owner, kind, arguments: None,
+    with_samples: bool = False,
 ) -> Equations:
     """Return a diagram's equations as it is now; blocks named in `hidden` stay undefined functions.
 
-    Parts that sample, and functions that cannot be read, are refused.
+    Functions that cannot be traced are refused, and sampled blocks unless `with_samples`.
     """
-    wiring = read_unsampled(diagram)
+    wiring = read_unsampled(diagram) if not with_samples else wiring_of(diagram)
     try:
         own = names(wiring, ports_of(diagram.input_labels))
         return _Read(diagram, wiring, own, hidden).equations(watch)
@@ -328,7 +337,7 @@ def equations(system: control.NonlinearIOSystem, numbers: bool = False) -> Equat
     Raises
     ------
     DiagramError
-        If a part samples its inputs, or a function cannot be read.
+        If a function cannot be traced.
 
     Examples
     --------
@@ -343,4 +352,5 @@ def equations(system: control.NonlinearIOSystem, numbers: bool = False) -> Equat
     >>> eq.derivative(eq["y"] ** 2)
     2*y*(-a*y + u(t))
     """
-    return on_symbols(system, Numbers if numbers else Names)
+    read_anew(system)
+    return on_symbols(system, Numbers if numbers else Names, with_samples=True)

@@ -210,11 +210,11 @@ def blocks_of(
     diagram: Part, params: Params = None, sizes: Sizes = (None, None)
 ) -> list[tuple[str, Block]]:
     """Return the blocks of a diagram with their names, in its own order."""
-    handed, declared = _handed_down(diagram, params or {}), _handed_down(diagram, {})
+    handed = _handed_down(diagram, params or {})
     named = leaves(getattr(diagram, "syslist", [diagram]))
     return [
-        (name, _as_block(system, own, sizes, _own(known)))
-        for (name, system), own, known in zip(named, handed, declared, strict=True)
+        (name, _as_block(system, own, sizes))
+        for (name, system), own in zip(named, handed, strict=True)
     ]
 
 
@@ -241,11 +241,6 @@ def _as_block(system: Any, *given: Any) -> Block:
     if isinstance(system, Block):
         return system
     return linear(system) if isinstance(system, control.StateSpace) else System(system, *given)
-
-
-def _own(params: Mapping[str, Any]) -> set[str]:
-    """Return the names of params, without the blocks that python-control merges with them."""
-    return {name for name, value in params.items() if not isinstance(value, Parameters)}
 
 
 def _handed_down(

@@ -29,7 +29,7 @@ from .declaration import (
     check_units,
     checked_parameters,
 )
-from .ports import Declared, flattened, labels, shapes_of, sizes_of, vector
+from .ports import Declared, Vector, flattened, labels, shapes_of, sizes_of, vector
 from .read_block import READ, ReadBlock
 from .reading import RAISED
 
@@ -185,7 +185,7 @@ class Block(ReadBlock):
     def _try_equations(self) -> None:
         """Run the equations at a few points, so that a mistake is told where the block is made."""
         for port in (*self.declared["inputs"], *self.declared["states"]):
-            if hasattr(np.ndarray, port):
+            if hasattr(Vector, port):
                 raise BlockError(
                     f"{self.name}: the port '{port}' has a name that all arrays of NumPy have, so "
                     f"that u.{port} would be another thing; call it otherwise"

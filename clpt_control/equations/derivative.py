@@ -67,7 +67,7 @@ CHOOSING = {"minimum": np.less_equal, "maximum": np.greater_equal}  # whose slop
 
 
 def _times(factor: Any, slope: Any) -> Any:
-    return slope if type(factor) is float and factor == 1.0 else factor * slope
+    return slope if isinstance(factor, float) and factor == 1.0 else factor * slope
 
 
 def _chosen(condition: Any, a: Any, b: Any) -> Any:
@@ -106,9 +106,10 @@ class Direction:
         if kind in SLOPES:
             if kind == "mod" and self.smooth:
                 self._refused(kind)
-            given = *values, self.tape.value(k)
+            given = *(np.float64(v) if type(v) is float else v for v in values), self.tape.value(k)
             each = zip(SLOPES[kind], slopes, strict=True)
-            return reduce(add, [_times(of(*given), s) for of, s in each if s is not None])
+            with np.errstate(all="ignore"):  # of a path that may not be taken
+                return reduce(add, [_times(of(*given), s) for of, s in each if s is not None])
         if kind in CHOOSING:
             return _chosen(CHOOSING[kind](*values), *slopes)
         if kind == "where":

@@ -9,6 +9,7 @@ makes `west/x[2]`, and its equations are the same.
 
 from collections.abc import Callable, Iterable, Mapping
 from math import prod
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -58,23 +59,23 @@ def places(shapes: Mapping[str, Shape]) -> dict[str, tuple[slice, Shape]]:
 class Vector(np.ndarray):
     """python-control's vector, with its ports as views: ``x[3]``, ``x.alpha``."""
 
-    places: dict[str, tuple[slice, Shape]]
+    _ports: Mapping[str, tuple[slice, Shape]] = MappingProxyType({})
 
     def __getattr__(self, port: str) -> Any:
         try:
-            part, shape = self.__dict__["places"][port]
+            part, shape = self._ports[port]
         except KeyError:
-            known = ", ".join(self.__dict__.get("places", ())) or "none"
+            known = ", ".join(self._ports) or "none"
             raise AttributeError(f"no port {port!r}; there are {known}") from None
         return self.view(np.ndarray)[part].reshape(shape)
 
 
 def vector(values: Any, where: dict[str, tuple[slice, Shape]]) -> Vector:
     """Return numbers as a vector with ports; one that has them is returned as it is."""
-    if type(values) is Vector and values.__dict__.get("places") is where:
+    if type(values) is Vector and values._ports is where:
         return values
     x = np.asarray(values, dtype=float).view(Vector)
-    x.places = where
+    x._ports = where
     x.flags.writeable = False  # equations have no side effects
     return x
 
@@ -87,8 +88,17 @@ def reused_vector(values: np.ndarray, where: dict[str, tuple[slice, Shape]]) -> 
     return x
 
 
-def flattened(name: str, returned: Any, where: dict[str, tuple[slice, Shape]], size: int) -> Any:
-    """Return what a function returned, a mapping by port or numbers in order, as one vector."""
+def flattened(
+    name: str,
+    returned: Any,
+    where: dict[str, tuple[slice, Shape]],
+    size: int,
+    spreads: bool = False,
+) -> Any:
+    """Return what a function returned, a mapping by port or numbers in order, as one vector.
+
+    If it `spreads`, one number is the value of all, as python-control takes it.
+    """
     if isinstance(returned, Mapping):
         check_ports(name, returned, where)
         out = np.empty(size)
@@ -104,6 +114,8 @@ def flattened(name: str, returned: Any, where: dict[str, tuple[slice, Shape]], s
         out = np.asarray(returned, dtype=float).ravel()
     except ValueError:  # parts of several shapes
         out = np.concatenate([np.ravel(part) for part in returned]).astype(float)
+    if spreads and len(out) == 1:
+        out = np.full(size, out[0])
     if len(out) != size:
         raise BlockError(f"{name}: returns {len(out)} numbers; must return {size}")
     return out

@@ -43,6 +43,7 @@ class Read(NamedTuple):
     pinned: frozenset[str]  # parameters with whose values it was made
     texts: frozenset[Any] = frozenset()  # in the functions
     names: frozenset[Any] = frozenset()  # for which python-control's params were asked
+    spreads: bool = False  # it returns one number for all states or outputs
 
 
 class Request(NamedTuple):
@@ -129,6 +130,7 @@ class _Tracing:
         self.tape.merging = merging
         self.rebinding = Rebinding(self.tape, reached, merging)
         self.paths: list[tuple[dict[int, bool], list[Any]]] = []
+        self.spreads = False
 
     def read(self) -> Read:
         """Run the function on each of its paths, and merge what they return."""
@@ -156,7 +158,7 @@ class _Tracing:
         refs = [operand(one) for one in merged(tape, self.paths, where)]
         record = compact(tape.operations, refs, request.out.values())
         texts, names = frozenset(rebinding.texts), frozenset(asked)
-        return Read(record, frozenset(tape.pinned), texts, names)
+        return Read(record, frozenset(tape.pinned), texts, names, self.spreads)
 
     def _leaf(self, name: str) -> Array:
         leaf = self.tape.add("leaf", (), self.request.shapes[name], ("p", name))
@@ -173,6 +175,8 @@ class _Tracing:
                 returned = run()
                 if returned is None and tape.answers:
                     raise ValueError("returns nothing")
+                if request.of_control:
+                    returned = self._spread(returned)
                 outputs = _by_port(tape, request.role, returned, request.out)
                 if tape.texts is not None:
                     raise tape.texts
@@ -189,6 +193,17 @@ class _Tracing:
         if tape.stopped is not None:  # a function may have gone on
             raise Unread(f"{located(request.function, tape.stopped, *raised)}{tape.stopped}")
         return outputs
+
+
+    def _spread(self, returned: Any) -> Any:
+        """Return one number as often as there are states or outputs, as python-control does."""
+        size = sum(map(prod, self.request.out.values()))
+        if isinstance(returned, Mapping) or size == 1:
+            return returned
+        parts = returned if isinstance(returned, list | tuple) else [returned]
+        numbers = [one for part in parts for one in objects(part).ravel()]
+        self.spreads |= len(numbers) == 1
+        return numbers * size if len(numbers) == 1 else returned
 
 
 def record_of_states(shapes: Mapping[str, Shape]) -> Record:

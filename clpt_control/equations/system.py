@@ -14,7 +14,7 @@ or, in discrete time, the next x = A x + B u.  Where D = 0 an input does not rea
 once, and the block has no D to change.
 """
 
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 import control
@@ -22,6 +22,7 @@ import numpy as np
 from scipy.linalg import block_diag
 
 from ..errors import BlockError, DiagramError
+from ..progress import warn
 from .answers import EVERY
 from .arrays import Unread
 from .block import Block
@@ -40,14 +41,14 @@ class System(Block):
         system: control.NonlinearIOSystem,
         params: Mapping[str, Any] | None = None,
         sizes: tuple[int | None, int | None] = (None, None),
-        declared: Collection[str] = (),
     ):
         n = _size(system, "states", system.nstates, sizes[0])
         m = _size(system, "inputs", system.ninputs, sizes[1])
         self.name = system.name
         self._params = dict(system.params if params is None else params)
-        self.declared_names = {*system.params, *declared}  # which a run may set
+        self.declared_names = {*system.params}  # which a run may set
         # role -> params that it asks for, texts in its code
+        self._spread: set[str] = set()  # roles that were warned of
         self._reads: dict[str, tuple[frozenset[Any], frozenset[Any]]] = {}
         updfcn, outfcn = _functions(system)
         if (q := system.noutputs) is None:  # it is not declared
@@ -144,6 +145,8 @@ class System(Block):
             return Unread(f"{self.name}.{role}: {error}")
         except BlockError as error:  # which begins with the role
             return Unread(f"{self.name}.{error}")
+        if result.spreads:
+            self._warn_of_spread(role)
         self._reads[role] = result.names, result.texts
         self.read_with[role] = result.pinned, ""
         return result.record
@@ -151,7 +154,19 @@ class System(Block):
     def _evaluate(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
         function, where = self._plan[role]
         returned = function(t, np.array(x), np.array(u), self._params_with(p))
-        return flattened(f"{self.name}.{role}", returned, where, size)
+        if size > 1 and np.size(returned) == 1:
+            self._warn_of_spread(role)
+        return flattened(f"{self.name}.{role}", returned, where, size, spreads=True)
+
+    def _warn_of_spread(self, role: str) -> None:
+        """Warn once of a function that returns one number for several states or outputs."""
+        if role not in self._spread:
+            self._spread.add(role)
+            count, what = (self.nstates, "states") if role == "update" else (self.noutputs, "outputs")
+            warn(
+                f"{self.name}.{role} returns one number, which each of its {count} {what} gets; "
+                "return a number for each"
+            )
 
 
 def _functions(system: control.NonlinearIOSystem) -> tuple[Callable, Callable | None]:

@@ -118,8 +118,12 @@ def on_objects(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
         result = own(*arguments, **arrays_as(more, objects))
     except (Unread, IndexError, ValueError):
         raise
-    except Exception as error:
-        raise Unread(f"np.{function.__name__} of signals ({error})") from None
+    except Exception:
+        module = function.__module__.replace("numpy", "np", 1)
+        raise Unread(
+            f"{module}.{function.__name__} of signals is not traced; write its arithmetic, or call "
+            "it before the run"
+        ) from None
     if result is None and inputs:  # NumPy wrote into its first argument
         inputs[0][...] = arguments[0]
     elif result is None:

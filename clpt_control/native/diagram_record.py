@@ -27,6 +27,7 @@ from ..equations.arrays import Tape, Unread
 from ..equations.block import Block
 from ..equations.ports import places
 from ..equations.record import Operation, Record, bound
+from ..equations.system import System
 from .decisions import LOCKED, Decisions, Port
 from .schedule import TimeTable
 
@@ -107,7 +108,7 @@ def lay_out(
 
     for k, (node, p) in enumerate(zip(wiring.nodes, parameters, strict=True)):
         for name, value in zip(p._fields, p, strict=True):
-            if isinstance(value, int):
+            if isinstance(value, int) or not is_read(node.system, name):
                 continue
             array = np.asarray(value, dtype=float)
             key: tuple = (name, array.shape, array.tobytes(), apart.get((k, name)))
@@ -128,6 +129,12 @@ def lay_out(
                 layout.time_tables[key] = TimeTable(times, place, joints != "jumps")
     layout.P, layout.T = np.concatenate(parts["P"]), np.concatenate([*parts["T"], np.zeros(1)])
     return layout
+
+
+def is_read(block: Block, name: str) -> bool:
+    """Return whether a block's functions read a parameter; python-control hands down others too."""
+    inner = getattr(block, "inner", block)  # of a sampled one
+    return not isinstance(inner, System) or name == "interval" or inner.reads(name)
 
 
 def tables_over_time(block: Block) -> Iterator[tuple]:

@@ -88,7 +88,19 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
         reason = f"{_switch(sweep, last)} {reason}"
     reason = _trouble(sweep, last, inputs) or reason
     what = "run" if batch.callee.method == numbering.MAP else "integration"
-    raise SimulationError(f"the {what} stopped at t = {last.now:.9g}: {reason}")
+    error = SimulationError(f"the {what} stopped at t = {last.now:.9g}: {reason}")
+    error.points = _points_ahead(last, sweep.nstates)  # type: ignore[attr-defined]
+    raise error
+
+
+def _points_ahead(batch: Batch, n: int) -> list[tuple[float, np.ndarray]]:
+    """Return time and state where a run stopped, and points ahead along the rates."""
+    t, ahead = batch.now, [0.0]
+    x, rate = (batch.Z[r * n : (r + 1) * n].copy() for r in (numbering.STATE, numbering.RATE))
+    if batch.callee.method != numbering.MAP:
+        ahead += [*((batch.numbers[numbering.END, 0] - t) * np.geomspace(1e-12, 1.0, 13))]
+    # the rate itself may be what is not finite
+    return [(t + h, x + h * rate if h else x) for h in ahead]
 
 
 def without_states(sweep: Sweep, times: np.ndarray, inputs: Inputs | None, engine: str) -> Solution:
@@ -153,21 +165,20 @@ def _switch(sweep: Sweep, batch: Batch) -> str:
 
 def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:
     """Return what is not finite at the state reached, or a small step ahead, and why."""
-    n, t, advice, ahead = sweep.nstates, batch.now, ADVICE, [0.0]
-    x, rate = (batch.Z[r * n : (r + 1) * n] for r in (numbering.STATE, numbering.RATE))
+    t, advice = batch.now, ADVICE
+    points = _points_ahead(batch, sweep.nstates)
     if batch.callee.method != numbering.MAP:
         advice = f"{ADVICE}, or loosen rtol and atol"
-        ahead += [*((batch.numbers[numbering.END, 0] - t) * np.geomspace(1e-12, 1.0, 13))]
     sweep.enter(t)
     for k in sweep.jumping:
         sweep.nodes[k].system.raised.pop("jump", None)
     known = batch.out[0][np.isfinite(batch.out[0]).all(axis=1)]
-    if sweep.jumping and len(known) and not np.isfinite(x).all():  # by a jump, which is tried again
+    if sweep.jumping and len(known) and not np.isfinite(points[0][1]).all():
+        # by a jump, which is tried again
         sweep.jump(t, known[-1], None if inputs is None else inputs.at(t), sweep.jumping)
-    for h in ahead:
-        near = x + h * rate if h else x  # the rate itself may be what is not finite
-        u = None if inputs is None else inputs.at(t + h)
-        if (trouble := sweep.first_trouble(t + h, near, u, advice)) is not None:
+    for time, state in points:
+        u = None if inputs is None else inputs.at(time)
+        if (trouble := sweep.first_trouble(time, state, u, advice)) is not None:
             return trouble
     return None
 

@@ -72,6 +72,8 @@ def run_compared(runner: NativeDiagram, start: Any, times: Any, **options: Any) 
     except SimulationError as error:
         at_start = Solution(np.asarray(times[:1]), np.reshape(start, (1, -1)))
         why = difference(runner, at_start, options["inputs"])
+        points = getattr(error, "points", [])
+        why = why or difference_ahead(runner, points, times, options["inputs"])
         not_finite = SENTENCES[numbering.NOT_FINITE] in str(error)
         if not why and not_finite:  # Python's blocks find nothing
             why = "what was read gives a number that is not finite, where Python gives one"
@@ -111,6 +113,21 @@ def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs | None)
             runner.sweep.derivative(t[0], moved, None if inputs is None else inputs.at(t[0]))
             misread = misread_function(runner, float(t[0]), moved)
             return misread or f"at t = {t[0]:.6g} its rates are not those of its functions"
+    return ""
+
+
+def difference_ahead(
+    runner: NativeDiagram, points: list, times: Any, inputs: Inputs | None
+) -> str:
+    """Return in words where Python gives a number, and machine code none, ahead of a stopped run."""
+    if not points or all(node.system.of_package for node in runner.wiring.nodes):
+        return ""
+    at, x = (np.array(own) for own in zip(*points, strict=True))
+    finite = np.isfinite(x).all(axis=1)
+    pieces = runner.schedule(times, inputs)
+    for t, state in zip(at[finite], x[finite], strict=True):
+        if not _agrees(runner, pieces, t[None], state[None], inputs)[0]:
+            return misread_function(runner, float(t), state) or ""
     return ""
 
 
@@ -181,5 +198,5 @@ def misread_function(runner: PythonDiagram, t: float, x: np.ndarray) -> str | No
             with suppress(Unread):
                 values = on_arrays(block, role, t, states, u, p)
                 if not _same(block.values(role, len(values), t, states, u, p), values).all():
-                    return f"{node.name}.{role} was read otherwise than Python runs it"
+                    return f"{node.name}.{role} gives other numbers in Python"
     return None

@@ -113,8 +113,8 @@ class PythonDiagram:
         full = np.ones((n, n + 1), dtype=bool)
         linear = jacobian(full, False) if method == numbering.RODAS5P else Jacobian()
         sizes = places, self.nsignals, np.zeros(1)
-        constant = inputs is None or len(inputs.samples[0]) == 1
-        shape = 1, n, method, *self.watched(method), 0, 0, 1 if constant else 2
+        straight = inputs is None or len(inputs.kinks) <= 2
+        shape = 1, n, method, *self.watched(method), 0, 0, 1 if straight else 2
         return with_formulas(
             Callee("python", addresses, *shape, *sizes, linear, code=(own,), raised=raised)
         )
