@@ -1,6 +1,7 @@
 """References in the code of a function: the names that it loads, and the attributes behind them.
 
     os.path.join(a, b)  ->  Reference("global", "os", ("path", "join"), line)
+    import os           ->  Reference("import", "os", (), line)
 
 The byte code is read for names alone; what a function computes is found by tracing it.
 """
@@ -8,6 +9,7 @@ The byte code is read for names alone; what a function computes is found by trac
 import dis
 import functools
 from collections.abc import Iterator
+from itertools import takewhile
 from types import CodeType
 from typing import Any, NamedTuple
 
@@ -16,9 +18,7 @@ LOADS = {
     **dict.fromkeys(("LOAD_DEREF", "LOAD_CLASSDEREF", "LOAD_FROM_DICT_OR_DEREF"), "cell"),
     "LOAD_FROM_DICT_OR_GLOBALS": "global",
 }
-LOCALS = ("LOAD_FAST", "LOAD_FAST_BORROW", "LOAD_FAST_CHECK", "LOAD_DEREF")
-ATTRIBUTES = ("LOAD_ATTR", "LOAD_METHOD")
-CHANGES = ("STORE_ATTR", "DELETE_ATTR")
+ATTRIBUTES = ("LOAD_ATTR", "LOAD_METHOD", "STORE_ATTR", "DELETE_ATTR")
 
 
 class Reference(NamedTuple):
@@ -28,7 +28,6 @@ class Reference(NamedTuple):
     name: str
     attributes: tuple[str, ...]
     line: int
-    stored: bool = False  # the last attribute is set or deleted
 
 
 @functools.lru_cache(maxsize=1024)
@@ -38,57 +37,20 @@ def references(code: CodeType) -> tuple[Reference, ...]:
     for one in all_code(code):
         for reference in _references_of(one):
             if reference.space != "cell" or reference.name in code.co_freevars:
-                found.setdefault(reference[:3] + reference[4:], reference)
+                found.setdefault(reference[:3], reference)
     return tuple(found.values())
 
 
 def _references_of(code: CodeType) -> Iterator[Reference]:
     lines = list(dis.get_instructions(code))
-    imported: dict[str, tuple[str, tuple[str, ...]]] = {}  # local variable -> module, name in it
     for k, line in enumerate(lines):
         number = (line.positions and line.positions.lineno) or 0
-        following = lines[k + 1 :]
         if line.opname == "IMPORT_NAME":
-            imported |= _imported(line.argval, lines[k - 2].argval, lines[k - 1].argval, following)
             yield Reference("import", "." * lines[k - 2].argval + line.argval, (), number)
-        elif line.opname in LOCALS and line.argval in imported:
-            module, names = imported[line.argval]
-            one = _with_attributes("import", module, following, number)
-            yield one._replace(attributes=names + one.attributes)
         elif line.opname in LOADS:
-            yield _with_attributes(LOADS[line.opname], line.argval, following, number)
-
-
-def _imported(
-    module: str, level: int, names: Any, following: list[Any]
-) -> dict[str, tuple[str, tuple[str, ...]]]:
-    """Return the variables that an import statement sets: module, and name in the module."""
-    found: dict[str, tuple[str, tuple[str, ...]]] = {}
-    name = ""
-    for line in following:
-        if line.opname == "IMPORT_FROM":
-            name = line.argval
-        elif line.opname.startswith("STORE_"):
-            if names:  # from module import name
-                found[line.argval] = "." * level + module, (name,)
-            else:  # import a.b binds a, import a.b as c binds a.b
-                found[line.argval] = module if name else module.partition(".")[0], ()
-        elif line.opname not in ("SWAP", "POP_TOP"):
-            break
-        if not names and line.opname.startswith("STORE_"):
-            break
-    return found
-
-
-def _with_attributes(space: str, name: str, following: list[Any], number: int) -> Reference:
-    attributes: list[str] = []
-    for line in following:
-        if line.opname not in (*ATTRIBUTES, *CHANGES):
-            break
-        attributes.append(line.argval)
-        if line.opname in CHANGES:
-            return Reference(space, name, tuple(attributes), number, stored=True)
-    return Reference(space, name, tuple(attributes), number)
+            following = takewhile(lambda one: one.opname in ATTRIBUTES, lines[k + 1 :])
+            attributes = tuple(one.argval for one in following)
+            yield Reference(LOADS[line.opname], line.argval, attributes, number)
 
 
 @functools.lru_cache(maxsize=1024)

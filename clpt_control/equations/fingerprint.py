@@ -14,27 +14,33 @@ Each is copied, compared after tracing (`changed`) and put back (`restore`).
 import functools
 import importlib
 import logging
-from array import array
+import marshal
+import pickle
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from enum import Enum
+from io import IOBase
+from itertools import chain
 from operator import is_
 from types import (
     BuiltinFunctionType,
     CellType,
     FunctionType,
+    MethodDescriptorType,
     MethodType,
     MethodWrapperType,
     ModuleType,
+    WrapperDescriptorType,
 )
 from typing import Any
 
 import control
 import numpy as np
 
-from .arrays import Unread
-from .code_references import Reference, code_names, references
+from .arrays import Tape, Unread, reading_on
+from .code_references import Reference, code_names, code_texts, references
 from .declaration import Parameters
+from .isolation import isolated
 from .lookup_tables import is_table
 from .pure import (
     CALLABLE,
@@ -43,10 +49,12 @@ from .pure import (
     CLOCKS,
     IMMUTABLE,
     LOGGER_CHANGES,
+    OUTSIDE,
     PACKAGE,
     PLAIN_BASES,
     STREAMS,
     UNSEEDED,
+    attributes_of,
     is_library,
     is_pure,
     module_of,
@@ -60,9 +68,22 @@ TABLE_FIELDS = (  # data of an interpolator of SciPy
 )
 CONSTRUCTORS = ("__init__", "__new__", "__post_init__")
 NOT_CALLED = ("__repr__", "__del__", "__annotate__", "__annotate_func__", *CONSTRUCTORS)
-DYNAMIC = ("getattr", "setattr", "delattr", "attrgetter", "methodcaller")  # attributes by text
+DYNAMIC = frozenset(  # attributes by text
+    ("getattr", "setattr", "delattr", "hasattr", "attrgetter", "methodcaller", "__dict__")
+)
+INTERNALS = frozenset(("__code__", "__defaults__", "__kwdefaults__", "__closure__", "__globals__"))
 BOUND = (BuiltinFunctionType, MethodWrapperType)
-UNCHANGED = "leave it as it is"
+PARTS: dict[type, tuple[str, ...]] = {  # what a value of a type is made of
+    MethodType: ("__func__", "__self__"),
+    functools.partial: ("func", "args", "keywords"),
+    functools.cached_property: ("func",),
+    functools._lru_cache_wrapper: ("__wrapped__",),
+    property: ("fget", "fset", "fdel"),
+    staticmethod: ("__func__",),
+    classmethod: ("__func__",),
+}
+NUMBERS = frozenset((int, float, bool))
+OF_C = (WrapperDescriptorType, MethodDescriptorType)  # methods of a class that is written in C
 OF_CALLS = frozenset(("_current_params",))  # attributes of a system that each call sets
 MISSING = object()
 
@@ -71,7 +92,7 @@ MISSING = object()
 class Mutable:
     """A value that a function may change, with its content before the function was traced."""
 
-    kind: str  # "list", "dict", "cell", "array", "attributes", "slots" or "class"
+    kind: str  # "list", "dict", "cell", "array", "pandas", "attributes", "slots" or "class"
     value: Any
     names: Iterable[str] = ()  # attributes that the referenced code names
     ignored: frozenset[str] = frozenset()  # attributes that any call may change
@@ -89,10 +110,11 @@ class Mutable:
         if self.kind == "cell":
             return [] if self.value == CellType() else [self.value.cell_contents]
         if self.kind == "array":
-            numbers = np.asarray(self.value)
-            return list(numbers.flat) if numbers.dtype.hasobject else numbers.copy()
+            return list(self.value.flat) if self.value.dtype.hasobject else np.array(self.value)
         if self.kind == "attributes":
             return dict(vars(self.value))
+        if self.kind == "pandas":
+            return pickle.dumps(self.value)
         if self.kind == "slots":
             values = ((name, getattr(self.value, name, MISSING)) for name in slots_of(self.value))
             return {name: value for name, value in values if value is not MISSING}
@@ -103,6 +125,8 @@ class Mutable:
         now = self.content()
         if isinstance(now, np.ndarray):
             return now.dtype == other.dtype and now.tobytes() == other.tobytes()
+        if isinstance(now, bytes):
+            return now == other
         if isinstance(now, list):
             return len(now) == len(other) and all(map(is_, now, other))
         if self.kind == "attributes" and len(now) > len(other) and not strictly:
@@ -131,10 +155,11 @@ class Mutable:
             value.clear()
             value.update(content)
         elif self.kind == "array":
-            numbers = np.asarray(value)
-            shaped = np.empty(numbers.shape, numbers.dtype)
+            shaped = np.empty(value.shape, value.dtype)
             shaped.flat = content if isinstance(content, list) else np.ravel(content)
             value[...] = shaped
+        elif self.kind == "pandas":
+            vars(value).update(vars(pickle.loads(content)))
         elif self.kind == "attributes":
             vars(value).clear()
             vars(value).update(content)
@@ -251,48 +276,43 @@ class _Walk:
         """Return the key of an object that the walk has not met."""
         if kind is FunctionType:
             return self._function(value)
-        if kind is MethodType:
-            return self.key_of(value.__func__), self.key_of(value.__self__)
-        if isinstance(value, functools.partial):
-            return "partial", *map(self.key_of, (value.func, value.args, value.keywords))
+        names = ("__wrapped__",) if root_of(kind) == "numba" else PARTS.get(kind)
+        if names:
+            return kind, *[self.key_of(getattr(value, name)) for name in names]
         if isinstance(value, type):
             return self._class(value, constructed=True)
         if isinstance(value, ModuleType):
             return self._module(value)
         if isinstance(value, Enum):
-            return "enum", self._class(kind), value.name
+            self._attributes(value)
+            return "enum", self._class(kind), self.key_of(value._value_)
         holder = getattr(value, "__self__", None) if isinstance(value, BOUND) else None
         if holder is not None and not isinstance(holder, ModuleType | type):
             return "method", value.__name__, self.key_of(holder)
         if is_pure(value):
             return "pure", id(value)
-        if isinstance(value, CALLABLE) and not isinstance(value, FunctionType | type):
+        if isinstance(value, CALLABLE) or kind.__name__ == "cython_function_or_method":
             self._refuse(reason(self.label or value.__name__, value))
             return id(value)
         if isinstance(value, logging.Logger | logging.LoggerAdapter):
             if not LOGGER_CHANGES.isdisjoint(self.names):
-                self._refuse(f"changes a logger; {UNCHANGED}")
+                self._refuse("changes a logger; change it before the run")
             return "logger", id(value)
         if isinstance(value, CHANCE):
             self._refuse(UNSEEDED)
+        if isinstance(value, IOBase):
+            self._refuse(f"calls {self.label}, {OUTSIDE}")
         if isinstance(value, Iterator):
             self._refuse("reads an iterator, which goes on at the next call; make it a list")
-        if isinstance(value, functools._lru_cache_wrapper) or hasattr(value, "py_func"):
-            return "cached", self.key_of(getattr(value, "py_func", None) or value.__wrapped__)
-        if isinstance(value, property):
-            return "property", *map(self.key_of, (value.fget, value.fset, value.fdel))
-        if isinstance(value, staticmethod | classmethod):
-            return kind, self.key_of(value.__func__)
-        if isinstance(value, functools.cached_property):
-            return kind, self.key_of(value.func)
-        if isinstance(value, np.vectorize):
-            return kind, self.key_of(value.pyfunc)
         if is_table(value):
             return id(value), *[self.key_of(getattr(value, name, None)) for name in TABLE_FIELDS]
         if isinstance(value, control.InputOutputSystem):
             return self._system(value)
-        if isinstance(value, np.ndarray) or hasattr(kind, "to_numpy"):
-            return self._numbers_of(value)
+        if isinstance(value, np.ndarray):
+            return self._array(value)
+        if root_of(kind) == "pandas" and kind.__name__ in ("Series", "DataFrame"):
+            self._note("pandas", value)
+            return kind, pickle.dumps(value)
         return self._container(kind, value)
 
     def _container(self, kind: type, value: Any) -> Any:
@@ -301,7 +321,7 @@ class _Walk:
             return kind, *self._items(value)
         if root_of(kind) == PACKAGE:
             return id(value)
-        if not self._is_plain(kind):
+        if not _is_plain(kind):
             self._refuse_object(kind)
             return id(value)
         key: list[Any] = [self._class(kind)]
@@ -315,13 +335,17 @@ class _Walk:
         elif isinstance(value, dict):
             self._note("dict", value)
             key += ["dict", *[(self.key_of(k), self.key_of(v)) for k, v in value.items()]]
-        if hasattr(value, "__dict__"):
-            owner = self._owner(value, lambda: vars(value))
-            self._note("attributes", value, owner.names)
+        self._attributes(value)
         if slots_of(value):
             owner = self._owner(value, lambda: Mutable("slots", value).before)
             self._note("slots", value, owner.names)
         return tuple(key)
+
+    def _attributes(self, value: Any) -> None:
+        """Note the attributes of an object."""
+        if (attributes := attributes_of(value)) is not None:
+            owner = self._owner(value, lambda: attributes)
+            self._note("attributes", value, owner.names)
 
     def _note(self, *mutable: Any) -> None:
         """Note a value that a function may change; what is trusted changes none."""
@@ -329,37 +353,26 @@ class _Walk:
             self.mutables.append(Mutable(*mutable))
 
     def _items(self, values: Any) -> Iterator[Any]:
-        """Yield the keys of items; a long row of numbers of one type is one key."""
+        """Yield the keys of items; numbers, or tuples of numbers, are one key."""
         kinds = {*map(type, values)}
-        if kinds == {float} and len(values) > 1:
-            yield float, array("d", values).tobytes()
-        elif len(kinds) == 1 and kinds <= {int, bool}:
-            yield *kinds, tuple(values)
+        if values and {*map(type, chain(*values) if kinds == {tuple} else values)} <= NUMBERS:
+            yield marshal.dumps(tuple(values), 2)
         else:
             yield from map(self.key_of, values)
 
-    def _numbers_of(self, value: Any) -> Any:
-        """Return the key of an array, or of a series of pandas, by its bytes."""
-        numbers = np.asarray(value)
-        own = type(value)
-        if not isinstance(value, np.ndarray) and root_of(own) != "pandas":
-            self._refuse_object(own)
-            return id(value)
+    def _array(self, value: np.ndarray) -> Any:
+        """Return the key of an array, by its bytes."""
         self._note("array", value)
-        labels = [getattr(value, name, None) for name in ("index", "columns", "name")]
-        key = own, numbers.dtype.str, numbers.shape, *(self._labels(one) for one in labels)
-        if numbers.dtype.hasobject:
-            return *key, *map(self.key_of, numbers.flat)
-        attributes = getattr(value, "__dict__", None) if isinstance(value, np.ndarray) else None
-        return *key, numbers.tobytes(), *([self.key_of(attributes)] if attributes else [])
-
-    def _labels(self, labels: Any) -> Any:
-        return tuple(map(self.key_of, labels)) if hasattr(labels, "to_numpy") else None
+        self._attributes(value)
+        key = type(value), value.dtype.str, value.shape
+        if value.dtype.hasobject:
+            return *key, *map(self.key_of, value.flat)
+        return *key, np.asarray(value).tobytes()
 
     def _system(self, system: Any) -> Any:
         """Return the key of a system of python-control, by its attributes."""
         fields = {k: v for k, v in vars(system).items() if not k.endswith(("_labels", "_prefix"))}
-        if hasattr(system, "_roles"):  # a block of this package
+        if "_parameters" in fields:  # a block of this package
             functions = [function for function, _ in system._roles.values()]
             return id(system), self.identity(system.parameters), *map(self.key_of, functions)
         fields = {name: one for name, one in fields.items() if name not in OF_CALLS}
@@ -382,6 +395,9 @@ class _Walk:
         trusted, self.trusted = self.trusted, self.trusted or own_package
         names = () if own_package else code_names(code)
         self.names |= dict.fromkeys(names)
+        self.texts |= dict.fromkeys(() if own_package else code_texts(code))
+        for name in INTERNALS.intersection(names):
+            self._refuse(f"uses {name}; call the function as it is")
         generated = code.co_filename == "<string>"  # of a dataclass
         self.calls_classes |= not generated and not {"type", "__class__"}.isdisjoint(names)
         spaces = {"global": function.__globals__, "cell": _cells_of(function)}
@@ -411,8 +427,6 @@ class _Walk:
         attributes = list(one.attributes)
         while isinstance(value, ModuleType) and attributes:
             label = f"{label}.{attributes[0]}"
-            if one.stored and len(attributes) == 1 and is_library(root_of(value)):
-                self._refuse(f"changes {label}; {UNCHANGED}")
             value = getattr(value, attributes.pop(0), MISSING)
             if value is MISSING:
                 return "unbound", label
@@ -426,12 +440,14 @@ class _Walk:
     def _imported(self, one: Reference, space: dict[str, Any]) -> Any:
         """Return the key of what a function imports by itself."""
         try:
-            module = importlib.import_module(one.name, space.get("__package__"))
+            with isolated(), reading_on(Tape()):
+                module = importlib.import_module(one.name, space.get("__package__"))
         except ImportError:
             return "unbound", one.name
-        if not one.attributes:
+        except Unread as error:
+            self._refuse(f"imports {one.name}, which {error}")
             return one.name
-        return self._referenced(one, {one.name: module})
+        return self.key_of(module)
 
     # --- attributes -------------------------------------------------------------------------
 
@@ -446,7 +462,7 @@ class _Walk:
         while True:
             count = len(self.names), len(self.owners), len(self._numbers)
             for owner in [*self.owners.values()]:
-                for name, value in [*owner.namespace().items()]:
+                for name, value in owner.namespace().items():
                     if name not in owner.names and self._is_named(owner, name, value):
                         owner.names[name] = None
                         self.where, self.label = f"{_name_of(owner.value)}.{name}: ", name
@@ -465,8 +481,8 @@ class _Walk:
             called = owner.constructed or self.calls_classes
             reached = name in CONSTRUCTORS and called
             return isinstance(value, FunctionType) and (reached or name not in NOT_CALLED)
-        dynamic = not self.names.keys().isdisjoint(DYNAMIC)
-        return name in self.names or (dynamic and name in self.texts)
+        dynamic = name in self.texts and not DYNAMIC.isdisjoint(self.names)
+        return name in self.names or dynamic
 
     def _class(self, kind: type, constructed: bool = False) -> int:
         """Note a class whose functions count by name; return its identity."""
@@ -489,16 +505,10 @@ class _Walk:
             self._class(type(kind))
         return id(kind)
 
-    def _is_plain(self, kind: type) -> bool:
-        """Return whether the state of an object is in attributes, items or slots that Python has."""
-        return all(
-            base in PLAIN_BASES or (base.__flags__ & 512 and not is_library(root_of(base)))
-            for base in kind.__mro__
-        )
-
     def _module(self, module: ModuleType) -> Any:
-        """Return the key of a module that is passed on as a value."""
-        self._owner(module, lambda: vars(module))
+        """Return the key of a module that is passed on as a value, or imported."""
+        values = lambda: {name: getattr(module, name, MISSING) for name in self.names}  # noqa: E731
+        self._owner(module, lambda: {k: v for k, v in values().items() if v is not MISSING})
         return "module", module.__name__
 
     # --- refusals ---------------------------------------------------------------------------
@@ -513,6 +523,15 @@ class _Walk:
     def _refuse(self, sentence: str) -> None:
         if not self.trusted:
             raise Unread(f"{self.where}{sentence}")
+
+
+@functools.lru_cache(maxsize=256)
+def _is_plain(kind: type) -> bool:
+    """Return whether the state of an object is in attributes, items or slots that Python has."""
+    own = [base for base in kind.__mro__ if base not in PLAIN_BASES]
+    methods = (one for base in own for one in vars(base).values() if isinstance(one, OF_C))
+    library = any(is_library(root_of(base)) for base in own)
+    return not library and not any(one.__objclass__ in own for one in methods)
 
 
 def slots_of(value: Any) -> list[str]:

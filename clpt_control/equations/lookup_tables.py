@@ -160,7 +160,7 @@ def of_pieces(
 
 
 STEPS: dict[str, Callable] = {  # where interp1d of a kind steps from one value to the next
-    "nearest": lambda xs: (xs[1:] + xs[:-1]) / 2.0,
+    **dict.fromkeys(("nearest", "nearest-up"), lambda xs: (xs[1:] + xs[:-1]) / 2.0),
     "next": lambda xs: xs[:-1],
     **dict.fromkeys(("previous", "zero"), lambda xs: xs[1:]),
 }
@@ -183,7 +183,7 @@ def of_interp1d(f: Any) -> Callable:
         of = [PPoly.from_spline((f._spline.t, c, f._spline.k)) for c in f._spline.c.T]
         c = np.stack([one.c for one in of], axis=-1)
         return of_pieces(of[0].x, c.reshape(*c.shape[:2], *ys.shape[1:]), ends, domain=xs)
-    side = "right" if f._kind in ("previous", "zero") else "left"
+    side = "right" if f._kind in ("previous", "zero", "nearest-up") else "left"
     return of_pieces(np.array([0.0, *STEPS[f._kind](xs), 0.0]), ys[None], ends, side, xs)
 
 

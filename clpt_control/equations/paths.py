@@ -18,7 +18,7 @@ import numpy as np
 
 from .arrays import Array, Tape, Unread, active, key_of, operand
 from .elementwise import chosen, is_truth, where
-from .pure import is_library, root_of
+from .pure import attributes_of, is_library, root_of
 
 MOST_MERGED, MOST_RUNS = 32, 10_000  # paths of one helper or statement, and runs of all together
 NUMBERS = (int, float, np.float64)
@@ -85,7 +85,7 @@ class Region:
             if value._fixed or value._is_condition:
                 return
         elif not isinstance(value, list | dict | tuple | np.ndarray | CellType):
-            attributes = getattr(value, "__dict__", None)
+            attributes = attributes_of(value)
             if type(attributes) is not dict or isinstance(value, type | FunctionType):
                 return
             if is_library(root_of(type(value))):
@@ -246,8 +246,8 @@ def _merged_values(
         return merged(tape, rows, where, depth)[0]
     if all(map(_is_number, values)) and not all(type(one) is int for one in values):
         return merged(tape, rows, chosen, depth)[0]
-    shapes = {getattr(one, "shape", None) for one in values}
-    if len(shapes) == 1 and all(isinstance(one, Array) and one.shape for one in values):
+    shapes = {isinstance(one, Array) and one.shape for one in values}
+    if len(shapes) == 1 and all(shapes):
         new = merged(tape, rows, where, depth)[0]
         # writing into it would write into one of the paths' arrays
         new._fixed = any(one._fixed or id(one._root) in known for one in values)
@@ -274,7 +274,7 @@ def merging() -> Any:
     return tape if tape is not None and tape.merging else None
 
 
-def merged_calls(function: FunctionType) -> FunctionType:
+def merge_calls(function: FunctionType) -> FunctionType:
     """Return a function whose paths are merged at each call while a function is traced."""
 
     @functools.wraps(function, updated=())

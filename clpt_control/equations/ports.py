@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arguments import brief
 from ..errors import BlockError
 from .record import Shape, bound
 
@@ -112,7 +113,9 @@ def flattened(
         raise BlockError(f"{name}: returns nothing; must return {list(where)}")
     try:
         out = np.asarray(returned, dtype=float).ravel()
-    except ValueError:  # parts of several shapes
+    except (TypeError, ValueError) as error:  # of parts of several shapes
+        if not isinstance(returned, list | tuple):
+            raise BlockError(f"{name}: returns {brief(returned)}; must return {size} numbers") from error
         out = np.concatenate([np.ravel(part) for part in returned]).astype(float)
     if spreads and len(out) == 1:
         out = np.full(size, out[0])

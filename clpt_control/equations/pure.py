@@ -19,6 +19,7 @@ from types import (
     BuiltinFunctionType,
     EllipsisType,
     FunctionType,
+    MemberDescriptorType,
     MethodDescriptorType,
     ModuleType,
     NoneType,
@@ -92,6 +93,7 @@ IMPURE_NUMPY = frozenset(
         *("load", "save", "savez", "savez_compressed", "savetxt", "loadtxt", "genfromtxt"),
         *("fromfile", "fromregex", "memmap", "open_memmap", "DataSource", "seterr", "seterrcall"),
         *("setbufsize", "set_printoptions", "rand", "randn", "random", "seed", "test"),
+        *("datetime64", "vectorize"),
     )
 )
 SEEDED = ("numpy.random.default_rng", "numpy.random._generator.default_rng")
@@ -131,13 +133,20 @@ def module_of(value: Any) -> str:
     return module if isinstance(module, str) else ""
 
 
+def attributes_of(value: Any) -> dict[str, Any] | None:
+    """Return an object's own attributes, and never what its class's `__getattr__` makes up."""
+    try:
+        return object.__getattribute__(value, "__dict__")
+    except AttributeError:
+        return None
+
+
 def is_pure(value: Any) -> bool:
     """Return whether a function, type or object neither keeps nor changes anything when called."""
     if not isinstance(value, CALLABLE):
-        kind = type(value)
-        descriptor = hasattr(kind, "__get__") and is_library(root_of(kind))  # of a named tuple
         known = any(value is one for one in PURE_OBJECTS)
-        return known or descriptor or kind.__module__ == "dataclasses"
+        of_class = isinstance(value, MemberDescriptorType)  # of slots
+        return known or of_class or type(value).__module__ in ("dataclasses", "_collections")
     module, name = module_of(value), getattr(value, "__name__", "")
     root = module.partition(".")[0]
     if module == "datetime" and name in CLOCKS:

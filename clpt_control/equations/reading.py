@@ -187,13 +187,12 @@ class _Tracing:
             raised.append(error)
             of_path = tape.answers and isinstance(error, OF_PATHS)
             if tape.stopped is None and (isinstance(error, RecursionError) or not of_path):
-                text = error if isinstance(error, Unread) else f"{type(error).__name__}: {error}"
+                text = error if isinstance(error, Unread) else _in_words(error)
                 raise Unread(f"{located(request.function, error)}{text}") from None
             outputs = [filled(tape, nan, shape) for shape in request.out.values()]
         if tape.stopped is not None:  # a function may have gone on
             raise Unread(f"{located(request.function, tape.stopped, *raised)}{tape.stopped}")
         return outputs
-
 
     def _spread(self, returned: Any) -> Any:
         """Return one number as often as there are states or outputs, as python-control does."""
@@ -204,6 +203,11 @@ class _Tracing:
         numbers = [one for part in parts for one in objects(part).ravel()]
         self.spreads |= len(numbers) == 1
         return numbers * size if len(numbers) == 1 else returned
+
+
+def _in_words(error: BaseException) -> str:
+    """Return an error for a sentence, in which a tracer array is a signal."""
+    return f"{type(error).__name__}: {error}".replace("'Array'", "a signal")
 
 
 def record_of_states(shapes: Mapping[str, Shape]) -> Record:

@@ -8,6 +8,7 @@ anything outside of the function is refused: the function has hidden state.
 
 import functools
 import threading
+from collections import deque
 from collections.abc import Iterator
 from contextlib import contextmanager
 from operator import is_
@@ -16,16 +17,16 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import Tape, Unread
+from .arrays import Array, Tape, Unread
 from .code_references import code_names, code_texts
 from .elementwise import boxed, constant
 from .fingerprint import Fingerprint, Mutable, restore
 from .lookup_tables import is_table
-from .paths import merged_calls
-from .pure import LIBRARIES, is_library, root_of
+from .paths import merge_calls
+from .pure import IMMUTABLE, LIBRARIES, is_library, root_of
 from .record import MOST_NUMBERS
 from .rewriting import NAMES, rewritten
-from .stand_ins import BUILTINS, stand_in
+from .stand_ins import BUILTINS, Module, stand_in
 
 LOCK = threading.RLock()  # while tracer values are in objects and classes
 TRACER_MODULES = tuple(
@@ -41,6 +42,7 @@ class Rebinding:
         self.tape, self.reached, self.merging = tape, reached, merging
         self.texts: set[str] = set()  # in the functions, which may be names of params
         self._known: dict[int, tuple[Any, Any]] = {}  # a value, kept alive, and its tracer value
+        self._unmerged: dict[int, FunctionType] = {}  # copies, by those that merge their paths
         self._spaces: dict[int, Mutable] = {}  # copied names of each module
         # copies, by what a refusal calls them, and what takes the place of contents
         self._copies: list[tuple[str, Mutable]] = []
@@ -65,17 +67,17 @@ class Rebinding:
         if isinstance(value, functools.partial):
             keywords = {name: self.of(one) for name, one in value.keywords.items()}
             return functools.partial(self.of(value.func), *map(self.of, value.args), **keywords)
-        if isinstance(value, functools._lru_cache_wrapper) or hasattr(value, "py_func"):
-            return self.of(getattr(value, "py_func", None) or value.__wrapped__)
-        if isinstance(value, np.vectorize):
-            raise Unread("calls np.vectorize; write a loop")
+        if root_of(type(value)) == "numba":
+            return self.of(value.__wrapped__)
+        if type(value) is functools._lru_cache_wrapper:
+            return _cached(self.of(value.__wrapped__))
         if isinstance(value, tuple):
             items = [self.of(one) for one in value]
             if all(map(is_, items, value)):
                 return value
             return getattr(type(value), "_make", tuple)(items)
         if isinstance(value, ModuleType) and not is_library(root_of(value)):
-            return self._module(value)
+            return Module(value, self.of)
         return stand_in(value)
 
     def _numbers(self, value: np.ndarray) -> Any:
@@ -91,7 +93,7 @@ class Rebinding:
         if isinstance(function, MethodType):
             return MethodType(self.root(function.__func__), self.of(function.__self__))
         copy = self.of(function)
-        return vars(copy)["__wrapped__"] if isinstance(copy, FunctionType) and self.merging else copy
+        return self._unmerged.get(id(copy), copy)
 
     # --- copies -----------------------------------------------------------------------------
 
@@ -107,7 +109,8 @@ class Rebinding:
         space = self._space(function.__globals__)
         copy = FunctionType(code, space.value, function.__name__, None, cells or None)
         copy.__module__, copy.__qualname__ = function.__module__, function.__qualname__
-        result = merged_calls(copy) if self.merging else copy
+        result = merge_calls(copy) if self.merging else copy
+        self._unmerged[id(result)] = copy
         self._known[id(function)] = function, result
         vars(result).update({name: self.of(value) for name, value in vars(function).items()})
         copy.__defaults__ = function.__defaults__ and tuple(map(self.of, function.__defaults__))
@@ -126,16 +129,15 @@ class Rebinding:
     def _space(self, names: dict[str, Any]) -> Mutable:
         """Return the copied names of a module."""
         if id(names) not in self._spaces:
-            copied = {OF_WARNINGS: {}} | names | NAMES | {"__builtins__": BUILTINS}
+            builtins = BUILTINS | {"__import__": self._imported}
+            copied = {OF_WARNINGS: {}} | names | NAMES | {"__builtins__": builtins}
             self._spaces[id(names)] = Mutable("dict", copied)
             self._copies.append(("a global", self._spaces[id(names)]))
         return self._spaces[id(names)]
 
-    def _module(self, module: ModuleType) -> ModuleType:
-        """Return a copy of a user's module, whose attributes are tracer values."""
-        copy = _UserModule(module, self.of)
-        self._copies.append((f"a name of {module.__name__}", Mutable("dict", vars(copy))))
-        return copy
+    def _imported(self, *arguments: Any, **more: Any) -> Any:
+        """Return the tracer value of a module that a function imports by itself."""
+        return self.of(__import__(*arguments, **more))
 
     # --- in place ---------------------------------------------------------------------------
 
@@ -146,7 +148,7 @@ class Rebinding:
         return self._during
 
     def _content(self, one: Mutable) -> Any:
-        if one.kind == "array":
+        if one.kind in ("array", "pandas"):
             return one.before
         if one.kind == "list":
             items = [self.of(value) for value in one.before]
@@ -164,7 +166,7 @@ class Rebinding:
             functions = value.fget, value.fset, value.fdel
             return property(*(one and self.of(one) for one in functions), value.__doc__)
         if isinstance(value, functools.cached_property):
-            copy = functools.cached_property(self.of(value.func))
+            copy = functools.cached_property(_cached(self.of(value.func)))
             copy.attrname = value.attrname
             return copy
         return self.of(value)
@@ -200,12 +202,16 @@ class Rebinding:
                 restore(self.reached.mutables)
 
 
-class _UserModule(ModuleType):
-    """A user's module whose attributes are tracer values."""
+def _cached(function: FunctionType) -> Any:
+    """Return a function of which no result may be changed, as these outlive the call."""
 
-    def __init__(self, real: ModuleType, tracer_value: Any):
-        super().__init__(real.__name__)
-        vars(self).update(_real=real, _tracer_value=tracer_value)
+    def fixed(value: Any) -> Any:
+        if isinstance(value, Array):
+            value._fixed = True
+        elif isinstance(value, tuple):
+            deque(map(fixed, value), 0)
+        elif type(value) not in IMMUTABLE and not isinstance(value, float | np.generic):
+            raise Unread(f"caches a {type(value).__name__}; cache numbers, arrays or tuples")
+        return value
 
-    def __getattr__(self, name: str) -> Any:
-        return self._tracer_value(getattr(self._real, name))
+    return functools.wraps(function)(lambda *arguments, **more: fixed(function(*arguments, **more)))

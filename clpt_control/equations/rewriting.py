@@ -21,12 +21,13 @@ from types import CodeType
 from typing import Any
 
 from .code_references import all_code, code_names
-from .paths import merge_statement, merge_value
+from .paths import merge_calls, merge_statement, merge_value
 from .rows import index_of, item_of
 
 NAMES = {
     "__merge_statement__": merge_statement,
     "__merge_value__": merge_value,
+    "__merge_calls__": merge_calls,
     "__item_of__": item_of,
     "__index_of__": index_of,
 }
@@ -108,13 +109,14 @@ class _Rewriter(ast.NodeTransformer):
         self.function: Any = None  # whose body is being rewritten
 
     def visit_FunctionDef(self, node: Any) -> Any:
-        """Rewrite the body of a function."""
+        """Rewrite the body of a function, and merge the paths of one within a function."""
         outer, self.function = self.function, _Function(node)
         node.body = [*self._statements(node.body, looping=False)]
         self.function = outer
+        if outer is not None:
+            decorator = ast.copy_location(ast.Name("__merge_calls__", ast.Load()), node)
+            node.decorator_list.append(decorator)
         return node
-
-    visit_AsyncFunctionDef = visit_FunctionDef
 
     def visit_ClassDef(self, node: ast.ClassDef) -> Any:
         """Rewrite the methods of a class, and leave its own statements."""
@@ -309,7 +311,7 @@ def _children(statement: ast.AST) -> Iterator[Any]:
 
 
 def _place_at(new: Any, old: ast.AST) -> Any:
-    """Give nodes the place in the source of another one."""
+    """Return nodes after they got the place in the source of another one."""
     for one in ast.walk(new):
         ast.copy_location(one, old)
     return new

@@ -13,7 +13,7 @@ import math
 import sys
 from collections import deque
 from collections.abc import Callable, Iterable
-from types import GeneratorType, ModuleType
+from types import BuiltinFunctionType, FunctionType, GeneratorType, ModuleType
 from typing import Any
 
 import numpy as np
@@ -37,6 +37,7 @@ from .pure import UNSEEDED
 from .ufuncs import LONG_ROW, apply_ufunc, least_of
 from .views import converted, copied, fresh, share, tape_of
 
+FUNCTIONS = (FunctionType, BuiltinFunctionType, type(np.sum))
 ITERATORS = (GeneratorType, map, zip, filter, deque)
 
 
@@ -245,16 +246,18 @@ class Joiner:
 
 
 class Module(ModuleType):
-    """What stands for a module: its names, of which some are stand-ins."""
+    """What stands for a module, with tracer values of its names; nobody can change it."""
 
-    def __init__(self, real: ModuleType):
-        super().__init__(real.__name__)
-        self.__dict__["_stands_for"] = real
+    def __init__(self, real: ModuleType, tracer_value: Callable):
+        vars(self).update(__name__=real.__name__, _real=real, _tracer_value=tracer_value)
 
     def __getattr__(self, name: str) -> Any:
-        value = stand_in(getattr(self._stands_for, name))
-        self.__dict__[name] = value
-        return value
+        return self._tracer_value(getattr(self._real, name))
+
+    def __setattr__(self, name: str, *value: Any) -> None:
+        raise Unread(f"changes {self.__name__}.{name}; make it a state")
+
+    __delattr__ = __setattr__
 
 
 def errstate(**arguments: Any) -> Any:
@@ -280,7 +283,6 @@ BISECT: dict[Any, Callable] = {
     bisect.bisect_right: lambda tape, row, value: searched(row, value, "right"),
 }
 _KNOWN: dict[int, Any] = {
-    **{id(real): Module(real) for real in (np, np.random, math, bisect)},
     **{id(real): StandIn(real, own) for real, own in BISECT.items()},
     id(np.random.default_rng): _refused(np.random.default_rng, UNSEEDED),
     id(np.errstate): errstate,
@@ -297,21 +299,14 @@ def stand_in(value: Any) -> Any:
     if (known := _KNOWN.get(id(value))) is not None:
         return known
     if isinstance(value, ModuleType):
-        root = value.__name__.partition(".")[0]
-        if root in ("numpy", "scipy") and "random" not in value.__name__:
-            return _KNOWN.setdefault(id(value), Module(value))
-        return value
-    name = getattr(value, "__name__", None)
-    of_them = isinstance(name, str) and any(vars(m).get(name) is value for m in (np, np.linalg))
-    if isinstance(value, np.ufunc) or (of_them and not isinstance(value, type)):
+        return _KNOWN.setdefault(id(value), Module(value, stand_in))
+    of_them = isinstance(value, FUNCTIONS) and any(
+        vars(module).get(value.__name__) is value for module in (np, np.linalg)
+    )
+    if isinstance(value, np.ufunc) or of_them:
         return _KNOWN.setdefault(id(value), of_numpy(value))
     table = function_of(value)
     return value if table is None else StandIn(value, table)
 
 
-def imported(name: str, *arguments: Any, **more: Any) -> Any:
-    """Return a module that a function imports by itself, or what stands for it."""
-    return stand_in(builtins.__import__(name, *arguments, **more))
-
-
-BUILTINS: dict[str, Any] = {**vars(builtins), **SHADOWS, "__import__": imported}
+BUILTINS: dict[str, Any] = {**vars(builtins), **SHADOWS}

@@ -161,9 +161,10 @@ def rounded(a: Array, decimals: Any = None) -> Any:
     return where((rest > 0.5) | ((rest == 0.5) & (odd > 0.5)), np.ceil(a), low)
 
 
-def signbit(a: Any) -> Any:
+def signbit(a: Array) -> Any:
     """Return whether a sign is a minus, of -0 too."""
-    return (a < 0) | (elementwise("div", 1.0, a) == -np.inf)
+    inverse = a._tape.add("div", (1.0, operand(a)), a.shape)  # which raises in no `try`
+    return (a < 0) | (inverse == -np.inf)
 
 
 def copysign(a: Any, b: Any) -> Any:

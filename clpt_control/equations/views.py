@@ -153,8 +153,10 @@ MANY = 2**16 + 1  # places along an axis of unknown length
 def item(array: Array, index: tuple) -> Any:
     """Return array[index]."""
     if any(isinstance(i, Array) for i in index):
-        return _picked(array, *index)
-    if any(isinstance(i, list | tuple | np.ndarray) and np.ndim(i) for i in index):
+        new = _picked(array, *index)
+    elif index and isinstance(index[0], list) and tape_of(index[0]) is not None:
+        new = np.stack([array[(k, *index[1:])] for k in index[0]])
+    elif any(isinstance(i, list | tuple | np.ndarray) and np.ndim(i) for i in index):
         new = lifted(array._tape, array._elements()[index])
     else:
         new = part(array, itemgetter(index))

@@ -113,7 +113,7 @@ class PythonDiagram:
         full = np.ones((n, n + 1), dtype=bool)
         linear = jacobian(full, False) if method == numbering.RODAS5P else Jacobian()
         sizes = places, self.nsignals, np.zeros(1)
-        straight = inputs is None or len(inputs.kinks) <= 2
+        straight = inputs is None or inputs.bends_sharply_only
         shape = 1, n, method, *self.watched(method), 0, 0, 1 if straight else 2
         return with_formulas(
             Callee("python", addresses, *shape, *sizes, linear, code=(own,), raised=raised)

@@ -75,6 +75,11 @@ class Inputs:
         felt = bends * np.minimum(spans[1:], spans[:-1]) > (least + 1e-12) * size
         return at[1:-1][np.any(sharper | felt, axis=0)]
 
+    @property
+    def bends_sharply_only(self) -> bool:
+        """Whether inputs are straight but for bends so sharp that integration begins anew there."""
+        return len(self.sharp_bends(0.0)) == len(self.sharp_bends(np.inf))
+
     def along(self, times: np.ndarray) -> np.ndarray:
         """Return the inputs at times, shape (ninputs, nt)."""
         at, u = self.samples
