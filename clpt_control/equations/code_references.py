@@ -11,7 +11,7 @@ import functools
 from collections.abc import Iterator
 from itertools import takewhile
 from types import CodeType
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 LOADS = {
     **dict.fromkeys(("LOAD_GLOBAL", "LOAD_NAME"), "global"),

@@ -5,7 +5,6 @@ and matplotlib, such as ``open``, ``os.remove`` or ``np.save``, keeps a function
 """
 
 import datetime
-import logging
 import random
 import re
 import sys

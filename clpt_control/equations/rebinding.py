@@ -21,7 +21,6 @@ from .arrays import Array, Tape, Unread
 from .code_references import code_names, code_texts
 from .elementwise import boxed, constant
 from .fingerprint import Fingerprint, Mutable, restore
-from .lookup_tables import is_table
 from .paths import merge_calls
 from .pure import IMMUTABLE, LIBRARIES, is_library, root_of
 from .record import MOST_NUMBERS

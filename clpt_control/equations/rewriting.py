@@ -282,9 +282,7 @@ def _stored(statement: ast.AST) -> list[str]:
     for one in _within(statement):
         if isinstance(one, ast.Name) and isinstance(one.ctx, ast.Store):
             names[one.id] = None
-        elif isinstance(one, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
-            names[one.name] = None
-        elif isinstance(one, ast.ExceptHandler | ast.MatchAs | ast.MatchStar) and one.name:
+        elif isinstance(one, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef) or (isinstance(one, ast.ExceptHandler | ast.MatchAs | ast.MatchStar) and one.name):
             names[one.name] = None
         elif isinstance(one, ast.MatchMapping) and one.rest:
             names[one.rest] = None

@@ -1,6 +1,6 @@
 """Items of lists and arrays at an index that is a signal: one `pick`, not a path for each item.
 
-    row[k],  points[argmin(d)],  legs[int(x[0])],  d.index(min(d))
+row[k],  points[argmin(d)],  legs[int(x[0])],  d.index(min(d))
 """
 
 from typing import Any
@@ -26,7 +26,7 @@ def item_of(values: Any, index: Any) -> Any:
 
 def picked_from(values: Any, index: Array) -> Any:
     """Return the item of a list or tuple of numbers, or of rows of numbers; None of others."""
-    if all(isinstance(one, Array) and not one.shape or type(one) in NUMBERS for one in values):
+    if all((isinstance(one, Array) and not one.shape) or type(one) in NUMBERS for one in values):
         if any(isinstance(one, Array) and one._is_condition for one in values) or not values:
             return None
         tape = index._tape

@@ -31,7 +31,7 @@ from .elementwise import (
     where,
 )
 from .lookup_tables import function_of, searched
-from .number_types import TYPES, StandInType, has, is_a, of_python, real_of, type_of
+from .number_types import TYPES, has, is_a, of_python, real_of, type_of
 from .numpy_functions import apply_function
 from .pure import UNSEEDED
 from .ufuncs import LONG_ROW, apply_ufunc, least_of

@@ -10,7 +10,6 @@ import control
 import numpy as np
 
 from ..arguments import public
-from ..diagrams.plain_data import diagram_key
 from ..diagrams.wiring import Sizes
 from ..equations.system import linear
 from ..errors import SimulationError
@@ -20,6 +19,7 @@ from ..scenario.experiment import Scenario
 from ..scenario.team import Team
 from .flows import note_speeds, speeds_of
 from .loops import closed_loop
+from .plain_data import diagram_key
 from .running import DiagramRun, ScenarioRun, TeamRun, ready
 from .starts import initial_state as start_of
 from .starts import with_solver

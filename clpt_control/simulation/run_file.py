@@ -14,7 +14,6 @@ import numpy as np
 
 from ..arguments import public
 from ..diagrams.interconnection import Diagram
-from ..diagrams.plain_data import diagram_of, plain_diagram
 from ..equations.arrays import Unread
 from ..errors import ClptError, DataError
 from ..files import write_file
@@ -26,6 +25,7 @@ from ..scenario.experiment import MOST_BYTES, Scenario
 from ..scenario.recorded_run import check_response, check_run, is_response
 from ..scenario.team import Team, system_of_run, team_to_text
 from .loops import closed_loop
+from .plain_data import diagram_of, plain_diagram
 
 if TYPE_CHECKING:
     import xarray

@@ -11,15 +11,15 @@ from typing import Any
 import control
 import numpy as np
 
+from ..diagrams.interconnection import MOST_BYTES, Diagram
+from ..diagrams.wiring import Params, Wiring
 from ..equations.arrays import Unread
 from ..equations.block import Block
 from ..equations.fingerprint import reachable
-from ..equations.plain_blocks import block_of, plain_block
 from ..equations.sampled import Sampled
 from ..equations.system import System
 from ..errors import DiagramError
-from .interconnection import MOST_BYTES, Diagram
-from .wiring import Params, Wiring
+from .plain_blocks import block_of, plain_block
 
 Entry = tuple[int, int, float]  # row, column, gain
 

@@ -12,14 +12,14 @@ from typing import Any
 
 import numpy as np
 
+from ..equations.arrays import Unread
+from ..equations.at_many import on_arrays
+from ..equations.block import Block
+from ..equations.declaration import Each, Guard
+from ..equations.ports import sized, sizes_of
+from ..equations.record import OPERATIONS, Operation, Record, Shape, bound
+from ..equations.sampled import Sampled, inner_parameters, other_equations
 from ..errors import BlockError
-from .arrays import Unread
-from .at_many import on_arrays
-from .block import Block
-from .declaration import Each, Guard
-from .ports import sized, sizes_of
-from .record import OPERATIONS, Operation, Record, Shape, bound
-from .sampled import Sampled, inner_parameters, other_equations
 
 KINDS = ("input", "output", "state")
 LARGEST = 10**7  # numbers of one value of a record
