@@ -73,8 +73,8 @@ class Diagram(control.InterconnectedSystem):
         names = [name for name, block in blocks_of(self) if isinstance(block, Sampled)]
         if names:
             raise DiagramError(
-                f"{self.name}: {names[0]} samples its inputs, which control.linearize does not see; "
-                "call clpt.linearize, which gives the discrete system of the loop"
+                f"{self.name}: {names[0]} samples its inputs, which control.linearize does not "
+                "see; call clpt.linearize, which gives the discrete system of the loop"
             )
         return super().linearize(*point, **more)
 

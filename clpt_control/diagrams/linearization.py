@@ -263,15 +263,14 @@ def linearize(
                 f"{system.name}: what {names[i]} does along {labels[j]} has no finite slope at "
                 "this point; under a root or a norm that is 0, add a small number"
             )
-    matrices: Any = AB[:, :n], AB[:, n:], CD[:, :n], CD[:, n:]
+    A, B, C, D = AB[:, :n], AB[:, n:], CD[:, :n], CD[:, n:]
     dt = wiring.dt
     if blocks:
         dt = common_period(blocks)
-        *matrices, remaining = discrete_system(SampledSlopes(AB, CD, jumps), blocks, dt)
+        A, B, C, D, remaining = discrete_system(SampledSlopes(AB, CD, jumps), blocks, dt)
         states = [states[k] for k in remaining]
     linear = state_space(
-        *matrices,
-        dt,
+        *(A, B, C, D, dt),
         states=states or None,
         inputs=system.input_labels,
         outputs=system.output_labels,

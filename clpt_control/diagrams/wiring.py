@@ -15,7 +15,6 @@ import control
 import numpy as np
 
 from ..equations.block import Block
-from ..equations.declaration import Parameters
 from ..equations.sampled import Sampled
 from ..equations.system import System, linear
 from ..errors import DiagramError

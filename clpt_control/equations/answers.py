@@ -19,7 +19,6 @@ from .record import Ref, Shape, compact, reached
 LIBRARIES = ("numpy", "scipy", "matplotlib")  # run as they are
 MOST_QUESTIONS = 64  # on one way
 MOST_PLACES = 64  # which whole numbers a signal is asked for
-SIDES = {"gt": (1, True), "ge": (1, False), "lt": (-1, True), "le": (-1, False)}  # above, open
 
 
 class Outside(Exception):
@@ -75,8 +74,6 @@ class AnsweringTape(Tape):
         if type(ref) is float or not self.free[ref]:
             return bool(self.known(ref).item())
         if ref not in self.answers:
-            if (known := self._implied(ref)) is not None:
-                return known
             k = len(self.answers)
             if k >= MOST_QUESTIONS:
                 raise Unread(
@@ -85,29 +82,6 @@ class AnsweringTape(Tape):
                 )
             self.answers[ref] = self.way[k] if k < len(self.way) else True
         return self.answers[ref]
-
-    def _side(self, ref: Ref) -> tuple[Ref, int, list[float]]:
-        """Return what a comparison with a constant asks: signal, way, where this half line ends."""
-        kind, arguments, *_ = self.operations[ref]
-        if kind not in SIDES:
-            return ref, 0, []
-        (a, b), (way, open_end) = arguments, SIDES[kind]
-        signal, end, way = (b, a, -way) if type(a) is float else (a, b, way)
-        return (signal, way, [way * end, open_end]) if type(end) is float else (ref, 0, [])
-
-    def _implied(self, ref: Ref) -> bool | None:
-        """Return what answers say of another comparison of their signal; NaN is on no side."""
-        signal, way, end = self._side(ref)
-        for asked, yes in self.answers.items():
-            own, other_way, other = self._side(asked)
-            if own != signal or not way * other_way:
-                continue
-            if other_way == way and (other >= end if yes else end >= other):
-                return yes
-            apart = [a + b for a, b in zip(end, other, strict=True)] > [0, 0]
-            if other_way != way and yes and apart:
-                return False
-        return None
 
     def numbers(self, ref: Ref) -> np.ndarray:
         """Return the numbers that Python asks for; only parameters have any."""

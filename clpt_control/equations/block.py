@@ -348,7 +348,7 @@ class Block(ReadBlock):
         self.raised.pop(role, None)
         return values
 
-    def _sentence_of(self, role: str, error: Exception) -> str:
+    def _sentence_of(self, role: str, error: BaseException) -> str:
         """Return which function raised what, and in which line."""
         if isinstance(error, BlockError):  # its text says so
             return str(error)

@@ -212,9 +212,7 @@ def _overflows(a: Any, new: Any) -> Any:
 
 # when Python's floats raise: the error, and the condition on the arguments
 ERRORS: dict[str, tuple[type[Exception], Any]] = {
-    **dict.fromkeys(
-        ("div", "floordiv", "mod"), (ZeroDivisionError, lambda a, b: np.equal(b, 0.0))
-    ),
+    **dict.fromkeys(("div", "floordiv", "mod"), (ZeroDivisionError, lambda a, b: np.equal(b, 0.0))),
     **dict.fromkeys(("fmod", "remainder"), (ValueError, lambda a, b: np.equal(b, 0.0))),
     **dict.fromkeys(("log", "log2", "log10"), (ValueError, lambda a, *b: np.less_equal(a, 0.0))),
     **dict.fromkeys(("asin", "acos"), (ValueError, lambda a: np.greater(np.fabs(a), 1.0))),

@@ -7,21 +7,19 @@ texts, arrays, plain Python classes and functions, and library functions without
 other value, such as ``os.remove``, a file or a lock, raises `Unread`, and Python runs the function.
 Objects, classes and modules count by the attributes that the referenced code names.
 
-The only values that a traced function may change are `Mutable`: lists, dicts, arrays, attributes.
-Each is copied, compared after tracing (`changed`) and put back (`restore`).
+A traced function may change nothing but lists, dicts, arrays and attributes: their `contents` are
+copied, compared after tracing and put back.
 """
 
 import functools
 import importlib
 import logging
 import marshal
-import pickle
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from enum import Enum
 from io import IOBase
 from itertools import chain
-from operator import is_
 from types import (
     BuiltinFunctionType,
     CellType,
@@ -39,6 +37,7 @@ import numpy as np
 
 from .arrays import Tape, Unread, reading_on
 from .code_references import Reference, code_names, code_texts, references
+from .contents import UNBOUND, Content, copied, slots_of
 from .declaration import Parameters
 from .isolation import isolated
 from .lookup_tables import is_table
@@ -85,104 +84,14 @@ PARTS: dict[type, tuple[str, ...]] = {  # what a value of a type is made of
 NUMBERS = frozenset((int, float, bool))
 OF_C = (WrapperDescriptorType, MethodDescriptorType)  # methods of a class that is written in C
 OF_CALLS = frozenset(("_current_params",))  # attributes of a system that each call sets
-MISSING = object()
-
-
-@dataclass
-class Mutable:
-    """A value that a function may change, with its content before the function was traced."""
-
-    kind: str  # "list", "dict", "cell", "array", "pandas", "attributes", "slots" or "class"
-    value: Any
-    names: Iterable[str] = ()  # attributes that the referenced code names
-    ignored: frozenset[str] = frozenset()  # attributes that any call may change
-    before: Any = field(init=False)
-
-    def __post_init__(self) -> None:
-        self.before = self.content()
-
-    def content(self) -> Any:
-        """Return a copy of the content, one level deep."""
-        if self.kind == "list":
-            return list(self.value)
-        if self.kind == "dict":
-            return dict(self.value)
-        if self.kind == "cell":
-            return [] if self.value == CellType() else [self.value.cell_contents]
-        if self.kind == "array":
-            return list(self.value.flat) if self.value.dtype.hasobject else np.array(self.value)
-        if self.kind == "attributes":
-            return dict(vars(self.value))
-        if self.kind == "pandas":
-            return pickle.dumps(self.value)
-        if self.kind == "slots":
-            values = ((name, getattr(self.value, name, MISSING)) for name in slots_of(self.value))
-            return {name: value for name, value in values if value is not MISSING}
-        return {name: value for name, value in vars(self.value).items() if _is_own(name, value)}
-
-    def is_same(self, other: Any, strictly: bool = False) -> bool:
-        """Return whether the content is identical to another, but for what calls may change."""
-        now = self.content()
-        if isinstance(now, np.ndarray):
-            return now.dtype == other.dtype and now.tobytes() == other.tobytes()
-        if isinstance(now, bytes):
-            return now == other
-        if isinstance(now, list):
-            return len(now) == len(other) and all(map(is_, now, other))
-        if self.kind == "attributes" and len(now) > len(other) and not strictly:
-            cached = {k for k in now.keys() - other.keys() if self._is_cached_property(k)}
-            now = {name: value for name, value in now.items() if name not in cached}
-        unlike = (k for k, value in now.items() if value is not other.get(k, MISSING))
-        ignored = frozenset() if strictly else self.ignored
-        return now.keys() == other.keys() and ignored.issuperset(unlike)
-
-    @property
-    def words(self) -> str:
-        """What it is, for a sentence."""
-        owner = self.value if self.kind == "class" else type(self.value)
-        within = self.kind in ("attributes", "slots", "class")
-        return f"an attribute of {owner.__name__}" if within else f"a {owner.__name__}"
-
-    def put_back(self, content: Any) -> None:
-        """Replace the content."""
-        value = self.value
-        if self.kind == "list":
-            value[:] = content
-        elif self.kind == "cell":
-            if content:
-                value.cell_contents = content[0]
-        elif self.kind == "dict":
-            value.clear()
-            value.update(content)
-        elif self.kind == "array":
-            shaped = np.empty(value.shape, value.dtype)
-            shaped.flat = content if isinstance(content, list) else np.ravel(content)
-            value[...] = shaped
-        elif self.kind == "pandas":
-            vars(value).update(vars(pickle.loads(content)))
-        elif self.kind == "attributes":
-            vars(value).clear()
-            vars(value).update(content)
-        else:
-            owner = type if self.kind == "class" else object
-            now = self.content()
-            for name in now.keys() - content.keys():
-                owner.__delattr__(value, name)
-            for name, attribute in content.items():
-                if now.get(name, MISSING) is not attribute:
-                    owner.__setattr__(value, name, attribute)
-
-    def _is_cached_property(self, name: str) -> bool:
-        return isinstance(getattr(type(self.value), name, None), functools.cached_property)
 
 
 @dataclass(frozen=True)
 class Fingerprint:
-    """Key of a function, and what the function may change."""
+    """Key of functions, and what they may change."""
 
     key: tuple  # functions of equal keys are traced alike
-    mutables: tuple[Mutable, ...]
-    names: frozenset[str]  # attributes and texts in the referenced code
+    mutables: tuple[Content, ...]  # what the functions may change
     referenced: tuple[Any, ...]  # objects whose identities are in the key; they must stay alive
 
     @property
@@ -200,19 +109,7 @@ def reachable(*values: Any, trusted: bool = False) -> Fingerprint:
     walk = _Walk(trusted)
     key = [walk.key_of(value) for value in values]
     key += walk.attributes()
-    return Fingerprint(tuple(key), tuple(walk.mutables), frozenset(walk.names), tuple(walk.alive))
-
-
-def changed(mutables: Iterable[Mutable]) -> list[Mutable]:
-    """Return the values whose content is no longer that before tracing."""
-    return [one for one in mutables if not one.is_same(one.before)]
-
-
-def restore(mutables: Iterable[Mutable]) -> None:
-    """Put back the content before tracing."""
-    for one in mutables:
-        if not one.is_same(one.before, strictly=True):
-            one.put_back(one.before)
+    return Fingerprint(tuple(key), tuple(walk.mutables), tuple(walk.alive))
 
 
 @dataclass
@@ -236,7 +133,7 @@ class _Walk:
 
     def __init__(self, trusted: bool):
         self.trusted = trusted
-        self.mutables: list[Mutable] = []
+        self.mutables: list[Content] = []
         self.names: dict[str, None] = {}  # attributes that referenced code names
         self.texts: dict[str, None] = {}  # texts, by which getattr may name attributes
         self.alive: list[Any] = []
@@ -311,8 +208,8 @@ class _Walk:
         if isinstance(value, np.ndarray):
             return self._array(value)
         if root_of(kind) == "pandas" and kind.__name__ in ("Series", "DataFrame"):
-            self._note("pandas", value)
-            return kind, pickle.dumps(value)
+            self._note(value)
+            return kind, copied(value)
         return self._container(kind, value)
 
     def _container(self, kind: type, value: Any) -> Any:
@@ -330,39 +227,43 @@ class _Walk:
         if isinstance(value, frozenset):
             return *key, frozenset(map(self.key_of, value))
         if isinstance(value, list):
-            self._note("list", value)
+            self._note(value)
             key += ["list", *self._items(value)]
         elif isinstance(value, dict):
-            self._note("dict", value)
+            self._note(value)
             key += ["dict", *[(self.key_of(k), self.key_of(v)) for k, v in value.items()]]
         self._attributes(value)
-        if slots_of(value):
-            owner = self._owner(value, lambda: Mutable("slots", value).before)
-            self._note("slots", value, owner.names)
         return tuple(key)
 
     def _attributes(self, value: Any) -> None:
-        """Note the attributes of an object."""
-        if (attributes := attributes_of(value)) is not None:
+        """Note the attributes of an object, in its dict and in slots."""
+        kind: Any = type(value)
+        attributes = attributes_of(value)
+        if attributes is not None:
             owner = self._owner(value, lambda: attributes)
-            self._note("attributes", value, owner.names)
+            self._note(attributes, kind, owner.names, _cached_properties(kind))
+        if slots_of(kind):
+            owner = self._owner(value, lambda: copied(value))
+            self._note(value, kind, owner.names)
 
-    def _note(self, *mutable: Any) -> None:
+    def _note(self, value: Any, owner: type | None = None, *more: Any) -> None:
         """Note a value that a function may change; what is trusted changes none."""
         if not self.trusted:
-            self.mutables.append(Mutable(*mutable))
+            words = f"an attribute of {owner.__name__}" if owner else f"a {type(value).__name__}"
+            self.mutables.append(Content(value, words, *more))
 
     def _items(self, values: Any) -> Iterator[Any]:
         """Yield the keys of items; numbers, or tuples of numbers, are one key."""
         kinds = {*map(type, values)}
-        if values and {*map(type, chain(*values) if kinds == {tuple} else values)} <= NUMBERS:
-            yield marshal.dumps(tuple(values), 2)
+        inner = {*map(type, chain(*values))} if kinds == {tuple} else kinds
+        if inner and inner <= NUMBERS:
+            yield marshal.dumps(values if type(values) is tuple else list(values), 2)
         else:
             yield from map(self.key_of, values)
 
     def _array(self, value: np.ndarray) -> Any:
         """Return the key of an array, by its bytes."""
-        self._note("array", value)
+        self._note(value)
         self._attributes(value)
         key = type(value), value.dtype.str, value.shape
         if value.dtype.hasobject:
@@ -376,9 +277,9 @@ class _Walk:
             functions = [function for function, _ in system._roles.values()]
             return id(system), self.identity(system.parameters), *map(self.key_of, functions)
         fields = {name: one for name, one in fields.items() if name not in OF_CALLS}
-        functions = "updfcn", "outfcn"
-        self._note("attributes", system, functions, OF_CALLS)
-        return self._class(type(system)), *[(name, self.key_of(one)) for name, one in fields.items()]
+        self._note(vars(system), type(system), ("updfcn", "outfcn"), OF_CALLS)
+        keys = [(name, self.key_of(one)) for name, one in fields.items()]
+        return self._class(type(system)), *keys
 
     # --- functions --------------------------------------------------------------------------
 
@@ -419,16 +320,16 @@ class _Walk:
 
     def _referenced(self, one: Reference, space: dict[str, Any]) -> Any:
         """Return the key of what code references, ``os.path.join`` by its attributes."""
-        value, label = space.get(one.name, MISSING), one.name
-        if value is MISSING:
+        value, label = space.get(one.name, UNBOUND), one.name
+        if value is UNBOUND:
             if one.space == "cell" or one.name not in BUILTINS:
                 return "unbound", one.name  # an error of the function, or not bound yet
             value = BUILTINS[one.name]
         attributes = list(one.attributes)
         while isinstance(value, ModuleType) and attributes:
             label = f"{label}.{attributes[0]}"
-            value = getattr(value, attributes.pop(0), MISSING)
-            if value is MISSING:
+            value = getattr(value, attributes.pop(0), UNBOUND)
+            if value is UNBOUND:
                 return "unbound", label
         self.label = ".".join([label, *attributes])
         if label in STREAMS:
@@ -498,7 +399,7 @@ class _Walk:
             return id(kind)
         owner = self._owner(kind, lambda: dict(vars(kind)))
         owner.constructed = constructed
-        self._note("class", kind, owner.names)
+        self._note(kind, kind, owner.names)
         for base in kind.__bases__:
             self._class(base, constructed and not owner.of_control)
         if type(kind) is not type and not is_library(root_of(type(kind))):
@@ -507,8 +408,8 @@ class _Walk:
 
     def _module(self, module: ModuleType) -> Any:
         """Return the key of a module that is passed on as a value, or imported."""
-        values = lambda: {name: getattr(module, name, MISSING) for name in self.names}  # noqa: E731
-        self._owner(module, lambda: {k: v for k, v in values().items() if v is not MISSING})
+        values = lambda: {name: getattr(module, name, UNBOUND) for name in self.names}  # noqa: E731
+        self._owner(module, lambda: {k: v for k, v in values().items() if v is not UNBOUND})
         return "module", module.__name__
 
     # --- refusals ---------------------------------------------------------------------------
@@ -534,11 +435,11 @@ def _is_plain(kind: type) -> bool:
     return not library and not any(one.__objclass__ in own for one in methods)
 
 
-def slots_of(value: Any) -> list[str]:
-    """Return the names of an object's slots."""
-    slots = [vars(kind).get("__slots__", ()) for kind in type(value).__mro__]
-    names = [name for one in slots for name in ([one] if isinstance(one, str) else one)]
-    return [name for name in names if name not in ("__dict__", "__weakref__")]
+@functools.lru_cache(maxsize=256)
+def _cached_properties(kind: Any) -> frozenset[str]:
+    """Return the attributes that an object of a class computes once."""
+    each = (item for base in kind.__mro__ for item in vars(base).items())
+    return frozenset(name for name, one in each if isinstance(one, functools.cached_property))
 
 
 def _cells_of(function: FunctionType) -> dict[str, Any]:
@@ -553,12 +454,6 @@ def _is_of_package(value: Any) -> bool:
 
 def _name_of(value: Any) -> str:
     return getattr(value, "__name__", type(value).__name__)
-
-
-def _is_own(name: str, value: Any) -> bool:
-    """Return whether a class attribute is data or a function, and none of Python's own."""
-    special = name.startswith("__") and name.endswith("__")
-    return isinstance(value, FunctionType) or not (special or name.startswith("_abc_"))
 
 
 BUILTINS: dict[str, Any] = vars(__import__("builtins"))

@@ -59,7 +59,7 @@ SMOOTH = 3e-9  # of the largest number: a smaller difference of a table and a cu
 MOST = 64  # simplices, or points in more than one dimension
 
 
-def place_in(points: Any, x: Any, side: str = "right", joints: str = "jumps") -> Any:
+def place_in(points: Any, x: Any, side: Any = "right", joints: str = "jumps") -> Any:
     """Return how many of the sorted points are not above x, as np.searchsorted does.
 
     It is found by bisection.  What is read there has `joints` at the points: "jumps", "kinks", or

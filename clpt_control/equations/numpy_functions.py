@@ -226,7 +226,11 @@ implements(np.searchsorted, arrays=0)(lookup_tables.searched)
 implements(np.digitize, arrays=0)(
     lambda x, bins, right=False: np.searchsorted(bins, x, "left" if right else "right")
 )
-implements(np.take)(lambda a, k, axis=None: np.moveaxis(a, axis or 0, 0)[k] if a.ndim == 1 or axis is not None else np.ravel(a)[k])
+implements(np.take)(
+    lambda a, k, axis=None: (
+        np.moveaxis(a, axis or 0, 0)[k] if a.ndim == 1 or axis is not None else np.ravel(a)[k]
+    )
+)
 implements(np.count_nonzero)(lambda a: np.sum(a != 0))
 implements(np.stack, arrays=0)(stacks.stack)
 implements(np.concatenate, arrays=0)(stacks.join)

@@ -17,12 +17,12 @@ from typing import Any
 import numpy as np
 
 from .arrays import Array, Tape, Unread, active, key_of, operand
+from .contents import Content, copied, elements_of, items_of, put
 from .elementwise import chosen, is_truth, where
 from .pure import attributes_of, is_library, root_of
 
 MOST_MERGED, MOST_RUNS = 32, 10_000  # paths of one helper or statement, and runs of all together
 NUMBERS = (int, float, np.float64)
-UNBOUND = object()
 RAISED = (Exception, SystemExit)
 
 
@@ -51,7 +51,9 @@ def merged(
     if len(paths) == 1:
         return paths[0][1]
     condition = list(paths[0][0])[depth]
-    yes, no = ([one for one in paths if one[0].get(condition) is answer] for answer in (True, False))
+    yes, no = (
+        [one for one in paths if one[0].get(condition) is answer] for answer in (True, False)
+    )
     if not yes or not no or len(yes) + len(no) < len(paths):
         raise Unread("asks otherwise from call to call; make what it keeps a state")
     sides = (merged(tape, some, choose, depth + 1) for some in (yes, no))
@@ -73,7 +75,7 @@ class Region:
 
     def __init__(self, tape: Any, run: Callable[[], Any], roots: Iterable[Any]):
         self.tape, self.run = tape, run
-        self.content: list[_Content] = []
+        self.content: list[Content] = []
         self._seen: set[int] = set(tape.persistent)
         for root in roots:
             self._add(root)
@@ -95,7 +97,7 @@ class Region:
             return
         self._seen.add(id(value))
         if not isinstance(value, tuple):
-            self.content.append(_Content(value))
+            self.content.append(Content(value))
         if isinstance(value, CellType):
             self._add(self.content[-1].before[0])
         elif isinstance(value, list | tuple):
@@ -118,7 +120,8 @@ class Region:
                 if paths:
                     self.restore()
                 result = self.run()
-                paths.append((tape.answers, [result, *(one.now() for one in self.content)]))
+                contents = [copied(one.value) for one in self.content]
+                paths.append((tape.answers, [result, *contents]))
                 if len(paths) > 1:
                     tape.check()
                 if len(paths) > MOST_MERGED:
@@ -151,83 +154,35 @@ class Region:
             if id(one.value) in dead:
                 contents.append(column[0])
             else:
-                one.check_alike(column)
-                contents.append([*map(merge, zip(*map(one.values, column), strict=True))])
+                contents.append(_merged_contents(one.value, column, merge))
         for one, content in zip(self.content, contents, strict=True):
             if id(one.value) not in dead:
-                one.put(content)
+                put(one.value, content)
         return result
 
 
-class _Content:
-    """A list, dict, array, or variable (cell) with the content that it had."""
-
-    def __init__(self, value: Any):
-        self.value = value
-        self.before = self.now()
-
-    def now(self) -> Any:
-        """Return a copy of its content, in one row; None of an array that nothing was written into."""
-        value = self.value
-        if isinstance(value, CellType):
-            return [UNBOUND if value == CellType() else value.cell_contents]
-        if isinstance(value, Array):
-            return None if value._store is None else [*value._store.flat]
-        if isinstance(value, np.ndarray):
-            return [*value.flat]
-        return value.copy()
-
-    def values(self, content: Any) -> list[Any]:
-        """Return the items of a content in one row."""
-        if content is None:
-            return self.elements()
-        return [*content.values()] if isinstance(content, dict) else content
-
-    def elements(self) -> list[Any]:
-        """Return the elements of an array as they were before anything was written."""
-        value = self.value
-        return [*Array(value._tape, value._node, value.shape)._elements().flat]
-
-    def check_alike(self, contents: Any) -> None:
-        """Refuse contents of other lengths or keys, and other numbers in an array of NumPy."""
-        if isinstance(self.value, dict):
-            alike = all(one.keys() == contents[0].keys() for one in contents)
-        elif isinstance(self.value, np.ndarray):
-            alike = all(one == contents[0] for one in contents)
-        else:
-            alike = len({len(self.values(one)) for one in contents}) == 1
-        if not alike:
-            raise NotMergeable
-
-    def put_back(self) -> None:
-        """Put back the content that it had."""
-        if self.before is not None:
-            self.put(self.values(self.before), self.before)
-        elif self.value._store is not None:
-            self.put(self.elements())
-
-    def put(self, items: list[Any], like: Any = None) -> None:
-        """Replace its content by items in one row."""
-        value = self.value
-        if isinstance(value, CellType):
-            if items[0] is not UNBOUND:
-                value.cell_contents = items[0]
-            elif value != CellType():
-                del value.cell_contents
-        elif isinstance(value, list):
-            value[:] = items
-        elif isinstance(value, dict):
-            keys = [*(value if like is None else like)]
-            value.clear()
-            value.update(zip(keys, items, strict=True))
-        else:
-            if isinstance(value, Array):
-                if value._store is None:
-                    value._keep()
-                value = value._store
-            flat = np.empty(len(items), dtype=value.dtype)
-            flat[:] = items
-            value[...] = flat.reshape(value.shape)
+def _merged_contents(value: Any, contents: Any, merge: Callable) -> Any:
+    """Return one content for those that paths leave in a list, dict, array or variable."""
+    first = contents[0]
+    if isinstance(value, Array):  # None is what nothing was written into
+        contents = [elements_of(value) if one is None else one for one in contents]
+    if isinstance(value, np.ndarray) and not all(np.array_equal(one, first) for one in contents):
+        raise NotMergeable  # it holds no signals
+    if isinstance(value, dict) and any(one.keys() != first.keys() for one in contents):
+        raise NotMergeable
+    rows = [items_of(one) for one in contents]
+    if len({len(row) for row in rows}) > 1:
+        raise NotMergeable
+    items = [merge(column) for column in zip(*rows, strict=True)]
+    if isinstance(value, dict):
+        return dict(zip(first, items, strict=True))
+    if isinstance(value, list | CellType):
+        return items
+    if isinstance(value, np.ndarray):
+        return first
+    elements = np.empty(len(items), dtype=object)
+    elements[:] = items
+    return elements.reshape(value.shape)
 
 
 def _merged_values(
@@ -274,7 +229,7 @@ def merging() -> Any:
     return tape if tape is not None and tape.merging else None
 
 
-def merge_calls(function: FunctionType) -> FunctionType:
+def merge_calls(function: FunctionType) -> Any:
     """Return a function whose paths are merged at each call while a function is traced."""
 
     @functools.wraps(function, updated=())
@@ -287,11 +242,11 @@ def merge_calls(function: FunctionType) -> FunctionType:
     return helper
 
 
-def merge_value(run: Callable[[], Any]) -> Any:
+def merge_value(run: FunctionType) -> Any:
     """Return the value of a conditional expression, its paths merged."""
     if (tape := merging()) is None:
         return run()
-    return Region(tape, run, run.__closure__ or ()).merged()  # type: ignore[attr-defined]
+    return Region(tape, run, run.__closure__ or ()).merged()
 
 
 def merge_statement(run: FunctionType, read_later: tuple[str, ...]) -> None:

@@ -115,7 +115,7 @@ def flattened(
         out = np.asarray(returned, dtype=float).ravel()
     except (TypeError, ValueError) as error:  # of parts of several shapes
         if not isinstance(returned, list | tuple):
-            raise BlockError(f"{name}: returns {brief(returned)}; must return {size} numbers") from error
+            raise BlockError(f"{name}: returns {brief(returned)}; must return numbers") from error
         out = np.concatenate([np.ravel(part) for part in returned]).astype(float)
     if spreads and len(out) == 1:
         out = np.full(size, out[0])

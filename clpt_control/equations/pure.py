@@ -51,7 +51,9 @@ PLAIN_BASES = frozenset(  # whose objects keep nothing but items and attributes
 
 CLOCK = "asks a clock; t is the run's time"
 UNSEEDED = "draws by chance; draw before the run, or take it as an input"
-OUTSIDE = "which may change or read what is outside of the function; call it before or after the run"
+OUTSIDE = (
+    "which may change or read what is outside of the function; call it before or after the run"
+)
 
 PURE_MODULES = frozenset(
     (

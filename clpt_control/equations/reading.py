@@ -85,10 +85,8 @@ def read(*arguments: Any, **more: Any) -> Read:
         _TRACED.clear()
     key = reached.key, kind, *(tuple(one.items()) for one in shapes)
     known = _TRACED.setdefault(key, [])
-    for names, values, _, result in known:
-        if values == _values(request.parameters, names):
-            break
-    else:
+    alike = (one for one in known if one[1] == _values(request.parameters, one[0]))
+    if (result := next(alike, (None, None, None))[2]) is None:
         names = frozenset(request.shapes)
         try:
             result = _traced(request, reached)
@@ -96,7 +94,7 @@ def read(*arguments: Any, **more: Any) -> Read:
         except (Unread, BlockError) as error:
             result = error
         values = _values(request.parameters, names)
-        known[MOST_VALUES:] = [(names, values, reached.referenced, result)]
+        known[MOST_VALUES:] = [(names, values, result, reached.referenced)]
     if isinstance(result, Exception):
         raise type(result)(str(result)) from None
     return result
@@ -147,7 +145,7 @@ class _Tracing:
                 tape.last_asked = tape.texts = None
                 x = Ports(tape, "x", request.states, named)
                 u = Ports(tape, "u", request.inputs, named)
-                p = Parameters(**fields) if named else Params(fields, asked)
+                p: Any = Parameters(**fields) if named else Params(fields, asked)
                 with rebinding.installed(request.name):
                     outputs = self._path(lambda: function(t, x, u, p))  # noqa: B023
                 self.paths.append((tape.answers, outputs))

@@ -17,10 +17,11 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import Array, Tape, Unread
+from .arrays import Array, Unread
 from .code_references import code_names, code_texts
+from .contents import Content, put, restore
 from .elementwise import boxed, constant
-from .fingerprint import Fingerprint, Mutable, restore
+from .fingerprint import Fingerprint
 from .paths import merge_calls
 from .pure import IMMUTABLE, LIBRARIES, is_library, root_of
 from .record import MOST_NUMBERS
@@ -37,15 +38,14 @@ OF_WARNINGS = "__warningregistry__"  # which Python puts into the module that it
 class Rebinding:
     """The tracer values of one tracing."""
 
-    def __init__(self, tape: Tape, reached: Fingerprint, merging: bool):
+    def __init__(self, tape: Any, reached: Fingerprint, merging: bool):
         self.tape, self.reached, self.merging = tape, reached, merging
         self.texts: set[str] = set()  # in the functions, which may be names of params
         self._known: dict[int, tuple[Any, Any]] = {}  # a value, kept alive, and its tracer value
         self._unmerged: dict[int, FunctionType] = {}  # copies, by those that merge their paths
-        self._spaces: dict[int, Mutable] = {}  # copied names of each module
-        # copies, by what a refusal calls them, and what takes the place of contents
-        self._copies: list[tuple[str, Mutable]] = []
-        self._during: list[tuple[Mutable, Any]] | None = None
+        self._spaces: dict[int, Content] = {}  # copied names of each module
+        self._copies: list[Content] = []
+        self._during: list[tuple[Content, Any]] | None = None  # contents with tracer values
 
     def of(self, value: Any) -> Any:
         """Return the tracer value of a value: a copy of a function, a tracer array, or itself."""
@@ -115,23 +115,25 @@ class Rebinding:
         copy.__defaults__ = function.__defaults__ and tuple(map(self.of, function.__defaults__))
         if function.__kwdefaults__:
             copy.__kwdefaults__ = {k: self.of(v) for k, v in function.__kwdefaults__.items()}
-        for cell, old, name in zip(cells, function.__closure__ or (), code.co_freevars, strict=True):
+        for cell, old, name in zip(
+            cells, function.__closure__ or (), code.co_freevars, strict=True
+        ):
             if old != CellType():  # else it is not bound yet
                 cell.cell_contents = self.of(old.cell_contents)
-                self._copies.append((f"{name!r} of the function around it", Mutable("cell", cell)))
-        self._copies.append(("an attribute of a function", Mutable("dict", vars(result))))
+                self._copies.append(Content(cell, f"{name!r} of the function around it"))
+        self._copies.append(Content(vars(result), "an attribute of a function"))
         for name in code_names(code):
             if name in function.__globals__:
                 space.value[name] = space.before[name] = self.of(function.__globals__[name])
         return result
 
-    def _space(self, names: dict[str, Any]) -> Mutable:
+    def _space(self, names: dict[str, Any]) -> Content:
         """Return the copied names of a module."""
         if id(names) not in self._spaces:
             builtins = BUILTINS | {"__import__": self._imported}
             copied = {OF_WARNINGS: {}} | names | NAMES | {"__builtins__": builtins}
-            self._spaces[id(names)] = Mutable("dict", copied)
-            self._copies.append(("a global", self._spaces[id(names)]))
+            self._spaces[id(names)] = Content(copied, "a global")
+            self._copies.append(self._spaces[id(names)])
         return self._spaces[id(names)]
 
     def _imported(self, *arguments: Any, **more: Any) -> Any:
@@ -140,19 +142,19 @@ class Rebinding:
 
     # --- in place ---------------------------------------------------------------------------
 
-    def _contents(self) -> list[tuple[Mutable, Any]]:
+    def _contents(self) -> list[tuple[Content, Any]]:
         """Return the content of every mutable value with tracer values in it."""
         if self._during is None:
             self._during = [(one, self._content(one)) for one in self.reached.mutables]
         return self._during
 
-    def _content(self, one: Mutable) -> Any:
-        if one.kind in ("array", "pandas"):
+    def _content(self, one: Content) -> Any:
+        if isinstance(one.before, np.ndarray | bytes):
             return one.before
-        if one.kind == "list":
+        if isinstance(one.before, list):
             items = [self.of(value) for value in one.before]
             return one.before if all(map(is_, items, one.before)) else items
-        names = one.before if one.kind == "dict" else one.names
+        names = one.before if one.names is None else one.names
         found = {name: self._attribute(one.before[name]) for name in names if name in one.before}
         same = all(value is one.before[name] for name, value in found.items())
         return one.before if same else {**one.before, **found}
@@ -162,8 +164,8 @@ class Rebinding:
         if isinstance(value, staticmethod | classmethod):
             return type(value)(self.of(value.__func__))
         if isinstance(value, property):
-            functions = value.fget, value.fset, value.fdel
-            return property(*(one and self.of(one) for one in functions), value.__doc__)
+            get, put_into, delete = map(self.of, (value.fget, value.fset, value.fdel))
+            return property(get, put_into, delete, value.__doc__)
         if isinstance(value, functools.cached_property):
             copy = functools.cached_property(_cached(self.of(value.func)))
             copy.attrname = value.attrname
@@ -174,31 +176,26 @@ class Rebinding:
     def installed(self, name: str) -> Iterator[None]:
         """Have tracer values in place for one execution path; refuse a path that changes any."""
         contents = self._contents()
-        for words, one in self._copies:
-            self.tape.persistent |= {id(one.value)}
-        for one, _ in contents:
-            held = vars(one.value) if one.kind == "attributes" else one.value
-            self.tape.persistent |= {id(one.value), id(held)}
+        pairs = [*((one, one.before) for one in self._copies), *contents]
+        self.tape.persistent |= {id(one.value) for one, _ in pairs}
 
         def check() -> None:
-            words = [words for words, one in self._copies if not one.is_same(one.before)]
-            words += [one.words for one, content in contents if not one.is_same(content)]
-            if words:
-                raise Unread(
-                    f"{name} keeps what its next call reads, in {words[0]}; make it a state"
-                )
+            for one, content in pairs:
+                if not one.is_same(content):
+                    raise Unread(
+                        f"{name} keeps what its next call reads, in {one.words}; make it a state"
+                    )
 
         self.tape.check = check
         with LOCK:
             try:
                 for one, content in contents:
                     if content is not one.before:
-                        one.put_back(content)
+                        put(one.value, content)
                 yield
                 check()
             finally:
-                restore(one for _, one in self._copies)
-                restore(self.reached.mutables)
+                restore([*self._copies, *self.reached.mutables])
 
 
 def _cached(function: FunctionType) -> Any:

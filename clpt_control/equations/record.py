@@ -22,7 +22,7 @@ as a number says, or as a name: ``"N"`` is a size that the record leaves open.
 | join | arrays | one behind the other, along the first axis |
 | part | array | first of the elements, row by row, that the shape takes |
 | pick | row of numbers, index | the number at a whole place; NaN outside |
-| search | sorted row of numbers, value | side, and what is at its joints (`lookup_tables.place_in`) |
+| search | sorted row of numbers, value | side, and what is at the joints (`lookup_tables`) |
 | argmin | row of numbers | |
 
 `computed` is a record on NumPy's numbers, in the order in which it was written.
@@ -185,7 +185,7 @@ def picked(numbers: np.ndarray, index: Any) -> np.ndarray:
     return np.where(inside, numbers[np.where(inside, whole, 0).astype(int), *side_by_side], np.nan)
 
 
-def searched(row: np.ndarray, values: Any, side: str) -> np.ndarray:
+def searched(row: np.ndarray, values: Any, side: Any) -> np.ndarray:
     """Return how many numbers of a sorted row, of shape (n, 1), are below values, or equal."""
     return np.where(np.isnan(values), 0, np.searchsorted(row[:, 0], values, side))
 
@@ -254,7 +254,7 @@ def computed(
             elif kind == "pick":
                 value = picked(args[0], args[1])
             elif kind == "search":
-                value = searched(*args, at[0])
+                value = searched(args[0], args[1], at[0])
             elif kind == "argmin":
                 value = np.argmin(args[0], axis=0)
             elif kind == "fill":

@@ -36,6 +36,7 @@ BLOCKS = (ast.If, ast.Try, ast.Match)
 LEAVING = (ast.Return, ast.Yield, ast.YieldFrom, ast.Await, ast.Global, ast.Nonlocal, ast.Delete)
 FRAMES = {"super", "locals", "vars", "dir", "eval", "exec", "__class__"}
 SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)
+NAMING = (*SCOPES[:2], ast.ClassDef, ast.ExceptHandler, ast.MatchAs, ast.MatchStar)
 FUTURE = 0x1FF0000  # flags of `from __future__ import ...`
 
 
@@ -103,77 +104,60 @@ def _place(code: CodeType) -> Any:
 
 
 class _Rewriter(ast.NodeTransformer):
-    """Rewrites the functions of a file."""
+    """Rewrites functions."""
 
-    def __init__(self) -> None:
-        self.function: Any = None  # whose body is being rewritten
+    function: Any = None  # the names of the function that is rewritten; None outside
 
-    def visit_FunctionDef(self, node: Any) -> Any:
-        """Rewrite the body of a function, and merge the paths of one within a function."""
-        outer, self.function = self.function, _Function(node)
-        node.body = [*self._statements(node.body, looping=False)]
-        self.function = outer
-        if outer is not None:
-            decorator = ast.copy_location(ast.Name("__merge_calls__", ast.Load()), node)
-            node.decorator_list.append(decorator)
-        return node
-
-    def visit_ClassDef(self, node: ast.ClassDef) -> Any:
-        """Rewrite the methods of a class, and leave its own statements."""
-        outer, self.function = self.function, None
-        node.body = [self.visit(one) if isinstance(one, SCOPES) else one for one in node.body]
+    def _within(self, function: Any, node: ast.AST) -> Any:
+        """Return a function, lambda or class, rewritten inside."""
+        outer, self.function = self.function, function
+        self.generic_visit(node)
         self.function = outer
         return node
+
+    def visit_FunctionDef(self, node: ast.FunctionDef) -> Any:
+        """Rewrite a function; the paths of one within another are merged when it ends."""
+        if self.function is not None:
+            decorator = ast.Name("__merge_calls__", ast.Load())
+            node.decorator_list.append(ast.copy_location(decorator, node))
+        return self._within(_Function(node), node)
 
     def visit_Lambda(self, node: ast.Lambda) -> Any:
         """Rewrite the expression of a lambda."""
-        outer, self.function = self.function, _Function(node)
-        node.body = self.visit(node.body)
-        self.function = outer
-        return node
+        return self._within(_Function(node), node)
+
+    def visit_ClassDef(self, node: ast.ClassDef) -> Any:
+        """Rewrite the methods of a class, and leave its own statements."""
+        return self._within(None, node)
 
     # --- statements -------------------------------------------------------------------------
 
-    def _statements(self, body: Iterable[ast.stmt], looping: bool) -> Iterator[ast.stmt]:
-        for statement in body:
-            read_later = self.function.read_outside(statement, looping)
-            stored = _stored(statement)
-            apart = isinstance(statement, BLOCKS) and self._stands_alone(statement, stored)
-            inner = self._with_inner(statement, looping)
-            if not apart:
-                yield inner
-                continue
-            names = f"nonlocal {', '.join(stored)}" if stored else "pass"
-            bound = f"if 0: {' = '.join(stored)} = 0" if stored else "pass"  # is never run
-            later = tuple(name for name in stored if name in read_later)
-            call = f"__merge_statement__({STATEMENT}, {later})"
-            new: Any = ast.parse(f"{bound}\ndef {STATEMENT}():\n {names}\n{call}").body
-            for one in new:
-                _place_at(one, statement)
-            new[1].body.append(inner)
-            yield from new
+    def visit_For(self, node: ast.For | ast.While) -> Any:
+        """Note that what a loop reads may be read again."""
+        if self.function is not None:
+            self.function.loops += 1
+        self.generic_visit(node)
+        if self.function is not None:
+            self.function.loops -= 1
+        return node
 
-    def _with_inner(self, statement: ast.stmt, looping: bool) -> ast.stmt:
-        """Return a statement whose own statements and expressions are rewritten."""
-        if isinstance(statement, SCOPES):
-            return self.visit(statement)
-        looping = looping or isinstance(statement, ast.For | ast.While)
-        for name, value in ast.iter_fields(statement):
-            if isinstance(value, list) and value and isinstance(value[0], ast.stmt):
-                setattr(statement, name, [*self._statements(value, looping)])
-            elif isinstance(value, list):
-                inner = [self._part(one, looping) for one in value]
-                setattr(statement, name, inner)
-            elif isinstance(value, ast.AST):
-                setattr(statement, name, self.visit(value))
-        return statement
+    def visit_If(self, node: ast.If | ast.Try | ast.Match) -> Any:
+        """Make a statement a function whose paths are merged."""
+        stored = _stored(node)
+        if self.function is None or not self._stands_alone(node, stored):
+            return self.generic_visit(node)
+        later = self.function.read_outside(node)
+        self.generic_visit(node)
+        names = f"nonlocal {', '.join(stored)}" if stored else "pass"
+        bound = f"if 0: {' = '.join(stored)} = 0" if stored else "pass"  # is never run
+        call = f"__merge_statement__({STATEMENT}, {tuple(one for one in stored if one in later)})"
+        new: Any = ast.parse(f"{bound}\ndef {STATEMENT}():\n {names}\n{call}").body
+        for one in new:
+            _place_at(one, node)
+        new[1].body.append(node)
+        return new
 
-    def _part(self, part: Any, looping: bool) -> Any:
-        """Return a handler or case with its statements rewritten, or an expression."""
-        if isinstance(part, ast.ExceptHandler | ast.match_case):
-            part.body = [*self._statements(part.body, looping)]
-            return part
-        return self.visit(part) if isinstance(part, ast.AST) else part
+    visit_While, visit_Try, visit_Match = visit_For, visit_If, visit_If
 
     def _stands_alone(self, statement: ast.stmt, stored: list[str]) -> bool:
         """Return whether a statement may be a function of its own."""
@@ -202,18 +186,15 @@ class _Rewriter(ast.NodeTransformer):
         walked = {type(one) for one in ast.walk(node)}
         if self.function is None or walked & {ast.NamedExpr, ast.Await, ast.Yield, ast.YieldFrom}:
             return node
-        call: Any = ast.parse("__merge_value__(lambda: 0)", mode="eval").body
-        _place_at(call, node)
-        call.args[0].body = node
-        return call
+        function: Any = _place_at(ast.parse("lambda: 0", mode="eval").body, node)
+        function.body = node
+        return self._call("__merge_value__", node, [function])
 
     def visit_Subscript(self, node: ast.Subscript) -> Any:
         """Read items by a function, which takes signals as indices of lists."""
         self.generic_visit(node)
-        fixed = ast.Constant, ast.Slice, ast.Tuple, ast.UnaryOp
-        if self.function is None or not isinstance(node.ctx, ast.Load):
-            return node
-        if isinstance(node.slice, fixed):
+        fixed = isinstance(node.slice, ast.Constant | ast.Slice | ast.Tuple | ast.UnaryOp)
+        if self.function is None or fixed or not isinstance(node.ctx, ast.Load):
             return node
         return self._call("__item_of__", node, [node.value, node.slice])
 
@@ -226,9 +207,8 @@ class _Rewriter(ast.NodeTransformer):
         return self._call("__index_of__", node, [node.func.value, *node.args])  # type: ignore
 
     def _call(self, name: str, node: ast.expr, arguments: list[ast.expr]) -> ast.expr:
-        call = ast.Call(ast.Name(name, ast.Load()), arguments, [])
-        ast.copy_location(call, node)
-        ast.copy_location(call.func, node)
+        call: Any = _place_at(ast.parse(f"{name}()", mode="eval").body, node)
+        call.args = arguments
         return call
 
 
@@ -244,14 +224,14 @@ class _Function:
         self.locals = {one.arg for one in every}.union(*map(_stored, body))
         declared = [one for one in inner if isinstance(one, ast.Global | ast.Nonlocal)]
         self.locals -= {name for one in declared for name in one.names}
-        self.has_frames = any(isinstance(one, ast.Yield | ast.YieldFrom | ast.Await) for one in inner)
-        self.reads = _reads(body)
+        self.has_frames = any(
+            isinstance(one, ast.Yield | ast.YieldFrom | ast.Await) for one in inner
+        )
+        self.reads, self.loops = _reads(body), 0
 
-    def read_outside(self, statement: ast.stmt, looping: bool) -> set[str]:
+    def read_outside(self, statement: ast.stmt) -> set[str]:
         """Return the variables that are read by other code than a statement, or when it repeats."""
-        own = _reads([statement])
-        if looping:
-            return {*self.reads}
+        own = {} if self.loops else _reads([statement])
         return {name for name, count in self.reads.items() if count > own.get(name, 0)}
 
 
@@ -268,7 +248,7 @@ def _reads(body: Iterable[ast.AST]) -> dict[str, int]:
 
 
 def _within(statement: ast.AST) -> Iterator[ast.AST]:
-    """Yield the nodes of a statement, but none of functions in it, or variables of comprehensions."""
+    """Yield the nodes of a statement, but not of functions in it or variables of comprehensions."""
     yield statement
     if not isinstance(statement, SCOPES):
         for one in ast.iter_child_nodes(statement):
@@ -278,16 +258,17 @@ def _within(statement: ast.AST) -> Iterator[ast.AST]:
 
 def _stored(statement: ast.AST) -> list[str]:
     """Return the variables that a statement sets."""
-    names: dict[str, None] = {}
+    names: dict[Any, None] = {}
     for one in _within(statement):
         if isinstance(one, ast.Name) and isinstance(one.ctx, ast.Store):
             names[one.id] = None
-        elif isinstance(one, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef) or (isinstance(one, ast.ExceptHandler | ast.MatchAs | ast.MatchStar) and one.name):
+        elif isinstance(one, NAMING):
             names[one.name] = None
-        elif isinstance(one, ast.MatchMapping) and one.rest:
+        elif isinstance(one, ast.MatchMapping):
             names[one.rest] = None
         elif isinstance(one, ast.alias):
             names[(one.asname or one.name).partition(".")[0]] = None
+    names.pop(None, None)
     return [*names]
 
 
@@ -309,7 +290,7 @@ def _children(statement: ast.AST) -> Iterator[Any]:
 
 
 def _place_at(new: Any, old: ast.AST) -> Any:
-    """Return nodes after they got the place in the source of another one."""
+    """Return new nodes at the place in the source of an old one."""
     for one in ast.walk(new):
         ast.copy_location(one, old)
     return new

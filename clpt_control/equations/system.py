@@ -162,7 +162,9 @@ class System(Block):
         """Warn once of a function that returns one number for several states or outputs."""
         if role not in self._spread:
             self._spread.add(role)
-            count, what = (self.nstates, "states") if role == "update" else (self.noutputs, "outputs")
+            count, what = (
+                (self.nstates, "states") if role == "update" else (self.noutputs, "outputs")
+            )
             warn(
                 f"{self.name}.{role} returns one number, which each of its {count} {what} gets; "
                 "return a number for each"

@@ -158,7 +158,7 @@ class Decisions:
         if name == "argmin":
             return self._distance_of_least(of[0], H, add)
         if name == "search":
-            return self._distance_in_row(*of, H, add)
+            return self._distance_in_row(of[0], of[1], H, add)
         a, size = of[0], add("fabs", of[0])
         if name in COMPARED and of[1] != 0.0:
             size = add("add", size, add("fabs", of[1]))
@@ -192,7 +192,9 @@ class Decisions:
         last = add("ge", H, float(len(points)))
         distance = add("where", add("lt", H, 1.0), high, add("where", last, low, inside))
         width = add("where", add("or", add("lt", H, 1.0), last), 1.0, add("add", low, high))
-        least = add("add", add("mul", add("fabs", x), ROUNDING), self.record.load("P", self.grain, ()))
+        least = add(
+            "add", add("mul", add("fabs", x), ROUNDING), self.record.load("P", self.grain, ())
+        )
         return distance, add("mul", least, width)
 
     def _distance_of_least(self, row: Ref, H: Ref, add: Any) -> tuple[Ref, Ref]:

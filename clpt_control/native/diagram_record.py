@@ -143,7 +143,10 @@ def tables_over_time(block: Block) -> Iterator[tuple]:
         with suppress(Unread):
             lines = block.array_record(role).operations
             for line in lines:
-                if line.kind == "search" and (shift := shift_of(lines, line.arguments[1])) is not None:
+                if (
+                    line.kind == "search"
+                    and (shift := shift_of(lines, line.arguments[1])) is not None
+                ):
                     yield lines[line.arguments[0]].at, shift, line.at
 
 
@@ -296,7 +299,11 @@ class DiagramRecord(RecordMerger):
                 self.decided_by[entry] = long, (k, role, kind)
             return entry
 
-        if kind == "search" and self.locking and (shift := shift_of(self.entries, own[1])) is not None:
+        if (
+            kind == "search"
+            and self.locking
+            and (shift := shift_of(self.entries, own[1])) is not None
+        ):
             key = self.entries[own[0]].at, shift, at
             if (table := self.layout.time_tables.get(key)) is not None:
                 return self.load("P", table.place, ())

@@ -116,10 +116,8 @@ def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs | None)
     return ""
 
 
-def difference_ahead(
-    runner: NativeDiagram, points: list, times: Any, inputs: Inputs | None
-) -> str:
-    """Return in words where Python gives a number, and machine code none, ahead of a stopped run."""
+def difference_ahead(runner: NativeDiagram, points: list, times: Any, inputs: Inputs | None) -> str:
+    """Return where Python gives a number, and machine code none, ahead of a stopped run."""
     if not points or all(node.system.of_package for node in runner.wiring.nodes):
         return ""
     at, x = (np.array(own) for own in zip(*points, strict=True))

@@ -20,7 +20,7 @@ from .jacobian import Jacobian, jacobian, reach_of, slopes_of
 from .machine import LANES, Machine, fuses, once, one_at_a_time
 from .method import with_formulas
 from .nests import print_program
-from .plan import Program, program_of
+from .plan import NO_TABLES, Program, program_of
 from .python_diagram import PythonDiagram
 from .schedule import Inputs
 from .sliding import Held, slide
@@ -61,7 +61,7 @@ class Code:
         new = (name for name in names if (name, lanes) not in self._machines)
         if missing := tuple(dict.fromkeys(new)):
             wanted = self.program, missing, lanes
-            text = repr((self.program._replace(tables=None), *wanted[1:]))
+            text = repr((self.program._replace(tables=NO_TABLES), *wanted[1:]))
             machine = Machine(missing, text, lambda: print_program(*wanted))
             self._machines.update({(name, lanes): machine for name in missing})
         return [self._machines[name, lanes].addresses[name] for name in names]

@@ -30,7 +30,8 @@ LOWER, UPPER, WITHIN = row.RATE + 1, row.RATE + 5, row.RATE + 6
 
 def put_rates(share, to, code, n, tolerances, numbers, arrays):
     """Put h f, in tolerances, at a share of the step into a row; return the largest defect."""
-    (Z, P, T, W, D), largest, h = arrays, 0.0, numbers[row.TAKEN, 0]
+    Z, P, T, W, _ = arrays
+    largest, h = 0.0, numbers[row.TAKEN, 0]
     state_within(n, 1, 0, numbers, Z, share)
     call(code[row.DERIVATIVE], numbers[row.AT], Z, row.LOOKED * n, P, T, W, Z, row.FREE * n)
     for i in range(n):
@@ -97,8 +98,8 @@ def next_place(place, done, shape, times, numbers):
 
 def locate_jump(code, shape, tolerances, times, results, lane, arrays):
     """Try a step again up to the first jump of the rates within it."""
-    n, counts, (numbers, whole, queue), Z = shape[1], results[3], lane, arrays[0]
-    if whole[row.BURST, 0] > MOST_JUMPS:  # which it crosses to and fro, in steps as small as need be
+    n, counts, (numbers, whole, _) = shape[1], results[3], lane
+    if whole[row.BURST, 0] > MOST_JUMPS:  # crossed to and fro, in steps as small as need be
         return
     t, h, m = numbers[row.TIME, 0], numbers[row.TAKEN, 0], whole[row.MEMBER, 0]
     # Step 1: is any defect large?
@@ -138,9 +139,9 @@ def locate_jump(code, shape, tolerances, times, results, lane, arrays):
         return
     # Step 3: where do they jump?
     closest = max(CLOSE, 4e-16 * abs(numbers[row.NEW, 0]) / h)
-    for trial in range(QUARTERINGS):
+    for _ in range(QUARTERINGS):
         low, high, left = quarter(low, high, code, n, tolerances, numbers, arrays)
-    for trial in range(HALVINGS):
+    for _ in range(HALVINGS):
         if high - low > closest:
             low, high = halve(low, high, code, n, tolerances, numbers, arrays)
     counts[m, row.EVALUATIONS] += 3 * QUARTERINGS + HALVINGS

@@ -179,10 +179,10 @@ def make_schedule(
 ) -> Schedule:
     """Return the pieces of a run of a diagram; it is `PythonDiagram.schedule`.
 
-    Rates bend at kinks of inputs, in Python at bends that are felt, and jump where blocks do.
-    So they do at the rows of tables over time.  Behind each block's `interval` lies what is `JUMPS` in a piece that begins with a jump of its
-    states; then come the straight lines of the inputs: time, values, slopes.  In discrete time
-    each sample begins a piece.
+    Rates bend at kinks of inputs, in Python at bends that are felt, and at rows of tables over
+    time; they jump where blocks do.  Behind each block's `interval` lies what is `JUMPS` in a piece
+    that begins with a jump of its states; then come the straight lines of the inputs: time, values,
+    slopes.  In discrete time each sample begins a piece.
     """
     t0, t1 = float(times[0]), float(times[-1])
     sweep, compiled, kinks = diagram.sweep, diagram.ramp >= 0, np.zeros(0)

@@ -1,8 +1,8 @@
 """Places in a row of numbers as LLVM's functions: bisection, and the least number.
 
-    search(row, stride, count, value, right)    how many numbers of a sorted row are below a value,
-                                                or equal to it if `right`; 0 for NaN
-    argmin(row, stride, count)                  the first place of the least; that of the first NaN
+search(row, stride, count, value, right)    how many numbers of a sorted row are below a value,
+                                            or equal to it if `right`; 0 for NaN
+argmin(row, stride, count)                  the first place of the least; that of the first NaN
 """
 
 from collections.abc import Callable
@@ -75,7 +75,9 @@ def argmin(module: ir.Module) -> Any:
     number = _number_at(builder, row, stride, place)
     known = builder.fcmp_ordered("ord", least, least)  # a NaN stays the least
     better = builder.and_(known, builder.fcmp_unordered("<", number, least))
-    new_best, new_least = (builder.select(better, *pair) for pair in ((place, best), (number, least)))
+    new_best, new_least = (
+        builder.select(better, *pair) for pair in ((place, best), (number, least))
+    )
     following = builder.add(place, ir.Constant(WORD, 1))
     place.add_incoming(following, body)
     best.add_incoming(new_best, body)

@@ -1,4 +1,4 @@
-; sha256 8734c94b6f43b2d01d77a94bca630edf9f2719b4d547473001edee5f76fb1893
+; sha256 5fb7941e7aa0e9d2e4f73ae2446dfd2b250e2cf96ef199848d134de60d96d3c2
 
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.17 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1.18 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("
@@ -27,11 +27,11 @@
 define dso_local range(i32 0, 2) i32 @advance_of_many(ptr noalias %retptr, ptr noalias %excinfo, ptr readnone %arg.code.0, ptr readnone %arg.code.1, i64 %arg.code.2, i64 %arg.code.3, ptr readonly %arg.code.4, i64 %arg.code.5.0, i64 %arg.code.6.0, i64 %arg.shape.0, i64 %arg.shape.1, i64 %arg.shape.2, i64 %arg.shape.3, i64 %arg.shape.4, i64 %arg.shape.5, i64 %arg.shape.6, i64 %arg.shape.7, ptr readnone %arg.tolerances.0, ptr readnone %arg.tolerances.1, i64 %arg.tolerances.2, i64 %arg.tolerances.3, ptr %arg.tolerances.4, i64 %arg.tolerances.5.0, i64 %arg.tolerances.6.0, ptr readnone %arg.batch.0.0.0, ptr readnone %arg.batch.0.0.1, i64 %arg.batch.0.0.2, i64 %arg.batch.0.0.3, ptr readonly %arg.batch.0.0.4, i64 %arg.batch.0.0.5.0, i64 %arg.batch.0.0.5.1, i64 %arg.batch.0.0.6.0, i64 %arg.batch.0.0.6.1, ptr readnone %arg.batch.0.1.0, ptr readnone %arg.batch.0.1.1, i64 %arg.batch.0.1.2, i64 %arg.batch.0.1.3, ptr readonly %arg.batch.0.1.4, i64 %arg.batch.0.1.5.0, i64 %arg.batch.0.1.5.1, i64 %arg.batch.0.1.6.0, i64 %arg.batch.0.1.6.1, ptr readnone %arg.batch.0.2.0, ptr readnone %arg.batch.0.2.1, i64 %arg.batch.0.2.2, i64 %arg.batch.0.2.3, ptr readonly %arg.batch.0.2.4, i64 %arg.batch.0.2.5.0, i64 %arg.batch.0.2.6.0, ptr readnone %arg.batch.1.0.0, ptr readnone %arg.batch.1.0.1, i64 %arg.batch.1.0.2, i64 %arg.batch.1.0.3, ptr readonly %arg.batch.1.0.4, i64 %arg.batch.1.0.5.0, i64 %arg.batch.1.0.6.0, ptr readnone %arg.batch.1.1.0, ptr readnone %arg.batch.1.1.1, i64 %arg.batch.1.1.2, i64 %arg.batch.1.1.3, ptr readonly %arg.batch.1.1.4, i64 %arg.batch.1.1.5.0, i64 %arg.batch.1.1.6.0, ptr readnone %arg.batch.1.2.0, ptr readnone %arg.batch.1.2.1, i64 %arg.batch.1.2.2, i64 %arg.batch.1.2.3, ptr readonly %arg.batch.1.2.4, i64 %arg.batch.1.2.5.0, i64 %arg.batch.1.2.6.0, ptr readnone %arg.batch.1.3.0, ptr readnone %arg.batch.1.3.1, i64 %arg.batch.1.3.2, i64 %arg.batch.1.3.3, ptr readonly %arg.batch.1.3.4, i64 %arg.batch.1.3.5.0, i64 %arg.batch.1.3.5.1, i64 %arg.batch.1.3.6.0, i64 %arg.batch.1.3.6.1, ptr readnone %arg.batch.1.4.0, ptr readnone %arg.batch.1.4.1, i64 %arg.batch.1.4.2, i64 %arg.batch.1.4.3, ptr readonly %arg.batch.1.4.4, i64 %arg.batch.1.4.5.0, i64 %arg.batch.1.4.6.0, ptr readnone %arg.batch.2.0, ptr readnone %arg.batch.2.1, i64 %arg.batch.2.2, i64 %arg.batch.2.3, ptr readonly %arg.batch.2.4, i64 %arg.batch.2.5.0, i64 %arg.batch.2.6.0, ptr readnone %arg.batch.3.0.0, ptr readnone %arg.batch.3.0.1, i64 %arg.batch.3.0.2, i64 %arg.batch.3.0.3, ptr %arg.batch.3.0.4, i64 %arg.batch.3.0.5.0, i64 %arg.batch.3.0.5.1, i64 %arg.batch.3.0.5.2, i64 %arg.batch.3.0.6.0, i64 %arg.batch.3.0.6.1, i64 %arg.batch.3.0.6.2, ptr readnone %arg.batch.3.1.0, ptr readnone %arg.batch.3.1.1, i64 %arg.batch.3.1.2, i64 %arg.batch.3.1.3, ptr %arg.batch.3.1.4, i64 %arg.batch.3.1.5.0, i64 %arg.batch.3.1.6.0, ptr readnone %arg.batch.3.2.0, ptr readnone %arg.batch.3.2.1, i64 %arg.batch.3.2.2, i64 %arg.batch.3.2.3, ptr %arg.batch.3.2.4, i64 %arg.batch.3.2.5.0, i64 %arg.batch.3.2.6.0, ptr readnone %arg.batch.3.3.0, ptr readnone %arg.batch.3.3.1, i64 %arg.batch.3.3.2, i64 %arg.batch.3.3.3, ptr %arg.batch.3.3.4, i64 %arg.batch.3.3.5.0, i64 %arg.batch.3.3.5.1, i64 %arg.batch.3.3.6.0, i64 %arg.batch.3.3.6.1, ptr readnone %arg.batch.4.0.0, ptr readnone %arg.batch.4.0.1, i64 %arg.batch.4.0.2, i64 %arg.batch.4.0.3, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.0, i64 %arg.batch.4.0.5.1, i64 %arg.batch.4.0.6.0, i64 %arg.batch.4.0.6.1, ptr readnone %arg.batch.4.1.0, ptr readnone %arg.batch.4.1.1, i64 %arg.batch.4.1.2, i64 %arg.batch.4.1.3, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.0, i64 %arg.batch.4.1.5.1, i64 %arg.batch.4.1.6.0, i64 %arg.batch.4.1.6.1, ptr readnone %arg.batch.4.2.0, ptr readnone %arg.batch.4.2.1, i64 %arg.batch.4.2.2, i64 %arg.batch.4.2.3, ptr %arg.batch.4.2.4, i64 %arg.batch.4.2.5.0, i64 %arg.batch.4.2.6.0, ptr readnone %arg.batch.5.0.0, ptr readnone %arg.batch.5.0.1, i64 %arg.batch.5.0.2, i64 %arg.batch.5.0.3, ptr %arg.batch.5.0.4, i64 %arg.batch.5.0.5.0, i64 %arg.batch.5.0.6.0, ptr readnone %arg.batch.5.1.0, ptr readnone %arg.batch.5.1.1, i64 %arg.batch.5.1.2, i64 %arg.batch.5.1.3, ptr %arg.batch.5.1.4, i64 %arg.batch.5.1.5.0, i64 %arg.batch.5.1.6.0, ptr readnone %arg.batch.5.2.0, ptr readnone %arg.batch.5.2.1, i64 %arg.batch.5.2.2, i64 %arg.batch.5.2.3, ptr %arg.batch.5.2.4, i64 %arg.batch.5.2.5.0, i64 %arg.batch.5.2.6.0, ptr readnone %arg.batch.5.3.0, ptr readnone %arg.batch.5.3.1, i64 %arg.batch.5.3.2, i64 %arg.batch.5.3.3, ptr %arg.batch.5.3.4, i64 %arg.batch.5.3.5.0, i64 %arg.batch.5.3.6.0, ptr readnone %arg.batch.5.4.0, ptr readnone %arg.batch.5.4.1, i64 %arg.batch.5.4.2, i64 %arg.batch.5.4.3, ptr %arg.batch.5.4.4, i64 %arg.batch.5.4.5.0, i64 %arg.batch.5.4.6.0, ptr readnone %arg.linear.0.0, ptr readnone %arg.linear.0.1, i64 %arg.linear.0.2, i64 %arg.linear.0.3, ptr %arg.linear.0.4, i64 %arg.linear.0.5.0, i64 %arg.linear.0.6.0, ptr readnone %arg.linear.1.0, ptr readnone %arg.linear.1.1, i64 %arg.linear.1.2, i64 %arg.linear.1.3, ptr %arg.linear.1.4, i64 %arg.linear.1.5.0, i64 %arg.linear.1.6.0, ptr readnone %arg.linear.2.0, ptr readnone %arg.linear.2.1, i64 %arg.linear.2.2, i64 %arg.linear.2.3, ptr %arg.linear.2.4, i64 %arg.linear.2.5.0, i64 %arg.linear.2.6.0, i64 %arg.linear.3.0, i64 %arg.linear.3.1, i64 %arg.linear.3.2, ptr readnone %arg.linear.4.0, ptr readnone %arg.linear.4.1, i64 %arg.linear.4.2, i64 %arg.linear.4.3, ptr readonly %arg.linear.4.4, i64 %arg.linear.4.5.0, i64 %arg.linear.4.6.0, ptr readnone %arg.linear.5.0, ptr readnone %arg.linear.5.1, i64 %arg.linear.5.2, i64 %arg.linear.5.3, ptr readonly %arg.linear.5.4, i64 %arg.linear.5.5.0, i64 %arg.linear.5.6.0, ptr readnone %arg.linear.6.0, ptr readnone %arg.linear.6.1, i64 %arg.linear.6.2, i64 %arg.linear.6.3, ptr readonly %arg.linear.6.4, i64 %arg.linear.6.5.0, i64 %arg.linear.6.6.0, ptr readnone %arg.linear.7.0, ptr readnone %arg.linear.7.1, i64 %arg.linear.7.2, i64 %arg.linear.7.3, ptr readonly %arg.linear.7.4, i64 %arg.linear.7.5.0, i64 %arg.linear.7.6.0, ptr readnone %arg.linear.8.0, ptr readnone %arg.linear.8.1, i64 %arg.linear.8.2, i64 %arg.linear.8.3, ptr readonly %arg.linear.8.4, i64 %arg.linear.8.5.0, i64 %arg.linear.8.6.0, ptr readnone %arg.linear.9.0, ptr readnone %arg.linear.9.1, i64 %arg.linear.9.2, i64 %arg.linear.9.3, ptr readonly %arg.linear.9.4, i64 %arg.linear.9.5.0, i64 %arg.linear.9.6.0, i64 %arg.budget, i64 %arg.most) local_unnamed_addr {
 entry:
   %.110.i.i = alloca double, align 8
-  %.843.i = alloca double, align 8
-  %.1599.i = alloca [3 x double], align 8
-  %.1658.i = alloca [3 x double], align 8
-  %.1863.i = alloca [3 x double], align 8
-  %.2548.i = alloca [3 x double], align 8
+  %.833.i9945 = alloca double, align 8
+  %.1589.i = alloca [3 x double], align 8
+  %.1648.i = alloca [3 x double], align 8
+  %.1853.i = alloca [3 x double], align 8
+  %.2538.i = alloca [3 x double], align 8
   %.4216 = alloca i8, align 1
   store i8 0, ptr %.4216, align 1
   %excinfo.10 = alloca ptr, align 8
@@ -107,7 +107,7 @@ B552.if.lr.ph:                                    ; preds = %entry
 
 B604:                                             ; preds = %B552.if
   %.238.i = load i64, ptr %arg.batch.4.2.4, align 8, !noalias !0
-  %.291.i9804 = getelementptr double, ptr %0, i64 %.801.010257
+  %.291.i9804 = getelementptr double, ptr %0, i64 %.801.010262
   store double 0.000000e+00, ptr %.291.i9804, align 8, !noalias !0
   %.322.i = load i64, ptr %.321.i, align 8, !noalias !0
   %.324.i = icmp eq i64 %.238.i, %.322.i
@@ -127,13 +127,13 @@ B142.i:                                           ; preds = %B604
   %9 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.452.i9805
   %.482.i = getelementptr i64, ptr %9, i64 %.468.i
   %.483.i = load i64, ptr %.482.i, align 8, !noalias !0
-  %.534.i9806 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.801.010257
+  %.534.i9806 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.801.010262
   store i64 %.238.i, ptr %.534.i9806, align 8, !noalias !0
-  %.585.i = getelementptr i64, ptr %1, i64 %.801.010257
+  %.585.i = getelementptr i64, ptr %1, i64 %.801.010262
   store i64 %.483.i, ptr %.585.i, align 8, !noalias !0
-  %.640.i = getelementptr i64, ptr %2, i64 %.801.010257
+  %.640.i = getelementptr i64, ptr %2, i64 %.801.010262
   store i64 1, ptr %.640.i, align 8, !noalias !0
-  %.691.i = getelementptr i64, ptr %3, i64 %.801.010257
+  %.691.i = getelementptr i64, ptr %3, i64 %.801.010262
   store i64 0, ptr %.691.i, align 8, !noalias !0
   br i1 %.7871131.not.i, label %B462.i, label %B418.if.lr.ph.i
 
@@ -142,7 +142,7 @@ B418.if.lr.ph.i:                                  ; preds = %B142.i
   %.850.i = add i64 %.849.i, %.238.i
   %.870.i = mul i64 %.850.i, %arg.batch.0.1.5.1
   %10 = getelementptr double, ptr %arg.batch.0.1.4, i64 %.870.i
-  %invariant.gep10605 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.801.010257
+  %invariant.gep10610 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.801.010262
   br label %B418.if.i
 
 B462.i:                                           ; preds = %B418.if.i, %B142.i
@@ -165,7 +165,7 @@ B76.if.i.i9807:                                   ; preds = %B76.if.i.i9807, %B7
   %13 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.01135.i
   %.293.i.i = load i64, ptr %13, align 8, !noalias !3
   %.295.i.i = mul nsw i64 %.293.i.i, %arg.shape.0
-  %.297.i.i = add nsw i64 %.295.i.i, %.801.010257
+  %.297.i.i = add nsw i64 %.295.i.i, %.801.010262
   %.311.i.i = icmp slt i64 %.297.i.i, 0
   %.312.i.i9808 = select i1 %.311.i.i, i64 %arg.batch.5.1.5.0, i64 0
   %14 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i
@@ -184,8 +184,8 @@ B418.if.i:                                        ; preds = %B418.if.i, %B418.if
   %15 = getelementptr double, ptr %10, i64 %.729.01132.i
   %.875.i = load double, ptr %15, align 8, !noalias !0
   %.877.i = mul nsw i64 %.729.01132.i, %arg.shape.0
-  %gep10606 = getelementptr double, ptr %invariant.gep10605, i64 %.877.i
-  store double %.875.i, ptr %gep10606, align 8, !noalias !0
+  %gep10611 = getelementptr double, ptr %invariant.gep10610, i64 %.877.i
+  store double %.875.i, ptr %gep10611, align 8, !noalias !0
   %exitcond.not.i = icmp eq i64 %.800.i, %arg.batch.0.1.5.1
   br i1 %exitcond.not.i, label %B462.i, label %B418.if.i
 
@@ -197,7 +197,7 @@ B566.if.lr.ph.i:                                  ; preds = %B462.endif.i
   %.1158.i = add i64 %.1157.i, %.238.i
   %.1178.i = mul i64 %.1158.i, %arg.batch.0.0.5.1
   %16 = getelementptr double, ptr %arg.batch.0.0.4, i64 %.1178.i
-  %invariant.gep10607 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.801.010257
+  %invariant.gep10612 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.801.010262
   br label %B566.if.i
 
 B566.if.i:                                        ; preds = %B566.if.i, %B566.if.lr.ph.i
@@ -206,13 +206,13 @@ B566.if.i:                                        ; preds = %B566.if.i, %B566.if
   %17 = getelementptr double, ptr %16, i64 %.1039.01138.i
   %.1183.i = load double, ptr %17, align 8, !noalias !0
   %.1185.i9809 = mul nsw i64 %.1039.01138.i, %arg.shape.0
-  %gep10608 = getelementptr double, ptr %invariant.gep10607, i64 %.1185.i9809
-  store double %.1183.i, ptr %gep10608, align 8, !noalias !0
+  %gep10613 = getelementptr double, ptr %invariant.gep10612, i64 %.1185.i9809
+  store double %.1183.i, ptr %gep10613, align 8, !noalias !0
   %exitcond1143.not.i = icmp eq i64 %.1108.i, %arg.shape.1
   br i1 %exitcond1143.not.i, label %B660.if.i, label %B566.if.i
 
 B660.if.i:                                        ; preds = %B566.if.i, %B462.endif.i
-  %invariant.gep.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.801.010257
+  %invariant.gep.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.801.010262
   store double 0.000000e+00, ptr %invariant.gep.i, align 8, !noalias !0
   %gep.1.i = getelementptr double, ptr %invariant.gep.i, i64 %arg.batch.4.0.5.1
   store double 0.000000e+00, ptr %gep.1.i, align 8, !noalias !0
@@ -282,14 +282,14 @@ B660.if.i:                                        ; preds = %B566.if.i, %B462.en
   %.1520.i = getelementptr double, ptr %18, i64 %.1506.i
   %.1521.i = load double, ptr %.1520.i, align 8, !noalias !0
   store double %.1433.i, ptr %invariant.gep.i, align 8, !noalias !0
-  %.1622.i = getelementptr double, ptr %4, i64 %.801.010257
+  %.1622.i = getelementptr double, ptr %4, i64 %.801.010262
   store double %.1521.i, ptr %.1622.i, align 8, !noalias !0
   store double 1.000000e+00, ptr %.291.i9804, align 8, !noalias !0
-  %.1725.i = getelementptr double, ptr %5, i64 %.801.010257
+  %.1725.i = getelementptr double, ptr %5, i64 %.801.010262
   store double 0xFFF0000000000000, ptr %.1725.i, align 8, !noalias !0
-  %.1776.i = getelementptr double, ptr %6, i64 %.801.010257
+  %.1776.i = getelementptr double, ptr %6, i64 %.801.010262
   store double 0x7FF0000000000000, ptr %.1776.i, align 8, !noalias !0
-  %.1827.i = getelementptr double, ptr %7, i64 %.801.010257
+  %.1827.i = getelementptr double, ptr %7, i64 %.801.010262
   %.1828.i = load double, ptr %.1827.i, align 8, !noalias !0
   %.1830.i = fcmp ueq double %.1828.i, 0xFFF0000000000000
   br i1 %.1830.i, label %B648, label %B1038.i
@@ -298,8 +298,8 @@ B648:                                             ; preds = %B1038.i, %B604, %B6
   %.1085 = load i64, ptr %449, align 8
   %.1086 = icmp sgt i64 %.1085, -1
   %.9773 = zext i1 %.1086 to i64
-  %.1103 = add nsw i64 %active.4.010259, %.9773
-  %.859 = icmp sgt i64 %.804.010258, 1
+  %.1103 = add nsw i64 %active.4.010264, %.9773
+  %.859 = icmp sgt i64 %.804.010263, 1
   br i1 %.859, label %B552.if, label %B712
 
 B712:                                             ; preds = %B648, %entry
@@ -312,20 +312,20 @@ B712:                                             ; preds = %B648, %entry
 B740.preheader:                                   ; preds = %B712
   %.1180 = getelementptr i8, ptr %arg.batch.4.2.4, i64 16
   %factor.op.mul = mul i64 %arg.shape.6, 3
-  %factor.op.mul10446 = mul i64 %arg.shape.1, 14
-  %factor.op.mul10447 = mul i64 %arg.shape.1, 15
-  %factor.op.mul10448 = mul i64 %arg.shape.6, 27
+  %factor.op.mul10451 = mul i64 %arg.shape.1, 14
+  %factor.op.mul10452 = mul i64 %arg.shape.1, 15
+  %factor.op.mul10453 = mul i64 %arg.shape.6, 27
   %.1283 = getelementptr i8, ptr %arg.code.4, i64 8
   %.1332 = icmp sgt i64 %arg.shape.6, 0
   %.155.i = getelementptr i8, ptr %arg.code.4, i64 40
   %.idx9772 = mul i64 %arg.batch.4.0.5.1, 24
   %19 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx9772
-  %.589.i10260 = icmp sgt i64 %arg.shape.6, 0
+  %.589.i10265 = icmp sgt i64 %arg.shape.6, 0
   %.1426 = icmp sgt i64 %arg.shape.6, 0
   %.164.i136 = getelementptr i8, ptr %arg.code.4, i64 40
   %.idx9771 = mul i64 %arg.batch.4.0.5.1, 24
   %20 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx9771
-  %.535.i10270 = icmp slt i64 %arg.shape.6, 1
+  %.535.i10275 = icmp slt i64 %arg.shape.6, 1
   %.689.i227 = getelementptr i8, ptr %arg.code.4, i64 8
   %.1488.not = icmp eq i64 %arg.shape.3, 0
   %.1518 = getelementptr i8, ptr %arg.code.4, i64 16
@@ -345,8 +345,8 @@ B740.preheader:                                   ; preds = %B712
   %.idx9765 = mul i64 %arg.batch.4.0.5.1, 264
   %23 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx9765
   %.9774 = select i1 %.618, i64 2, i64 0
-  %.754.i875 = icmp ne i64 %arg.shape.2, 1
-  %"$phi466.4.2.i.2" = zext i1 %.754.i875 to i64
+  %.754.i874 = icmp ne i64 %arg.shape.2, 1
+  %"$phi466.4.2.i.2" = zext i1 %.754.i874 to i64
   %.idx9766 = mul i64 %arg.batch.4.0.5.1, 96
   %24 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx9766
   %.idx9767 = shl i64 %arg.batch.4.0.5.1, 4
@@ -409,17 +409,17 @@ B740.preheader:                                   ; preds = %B712
   %.199.i.i = add i64 %arg.linear.3.1, 1
   %.2261 = add i64 %arg.shape.2, -1
   %storemerge9715 = tail call i64 @llvm.smax.i64(i64 %.2261, i64 0)
-  %.230410283.not = icmp slt i64 %.2261, 1
+  %.230410288.not = icmp slt i64 %.2261, 1
   %.2448 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.661
   %.2474 = inttoptr i64 %"$phi516.0.2.0" to ptr
   %.218614.not.i = icmp sgt i64 %arg.shape.1, 0
-  %or.cond10235.not = select i1 %.616, i1 %.218614.not.i, i1 false
+  %or.cond10240.not = select i1 %.616, i1 %.218614.not.i, i1 false
   %.326.i = mul nsw i64 %arg.shape.1, 17
   %.idx.i9818 = mul i64 %arg.shape.1, 80
-  %invariant.gep10279 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i9818
+  %invariant.gep10284 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i9818
   %.395.i = mul nsw i64 %arg.shape.1, 17
   %.339.i.i = add i64 %arg.linear.3.0, 1
-  %invariant.gep10281 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.395.i
+  %invariant.gep10286 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.395.i
   %33 = add i64 %arg.linear.3.1, %arg.linear.3.0
   %.2568 = getelementptr i8, ptr %arg.code.4, i64 72
   %.2645 = icmp sgt i64 %arg.shape.3, 0
@@ -448,7 +448,7 @@ B740.preheader:                                   ; preds = %B712
   %.idx9757 = mul i64 %arg.batch.4.0.5.1, 56
   %44 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx9757
   %not.brmerge9777 = select i1 %.2655, i1 %.620, i1 false
-  %.not10231 = and i1 %.618, %.631
+  %.not10236 = and i1 %.618, %.631
   %.4001 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.661
   %.4026.idx = mul i64 %.469, 104
   %.4026 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.4026.idx
@@ -495,12 +495,12 @@ B740.preheader:                                   ; preds = %B712
   %.idx8006.i = mul i64 %arg.batch.4.0.5.1, 160
   %59 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx8006.i
   %factor.op.mul.i.reass = mul i64 %factor.op.mul, %arg.shape.0
-  %factor.op.mul8210.i.reass = mul i64 %factor.op.mul10446, %arg.shape.0
+  %factor.op.mul8210.i.reass = mul i64 %factor.op.mul10451, %arg.shape.0
   %.875.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %factor.op.mul8210.i.reass
   %.881.i.i = mul nsw i64 %arg.shape.5, %arg.shape.0
   %.114.i40.i8194.not.i = icmp slt i64 %.194.i.i738.i, 1
   %.940.i.i = getelementptr i8, ptr %arg.code.4, i64 8
-  %factor.op.mul8211.i.reass = mul i64 %factor.op.mul10447, %arg.shape.0
+  %factor.op.mul8211.i.reass = mul i64 %factor.op.mul10452, %arg.shape.0
   %.1199.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %factor.op.mul8211.i.reass
   %.1889.i.i = getelementptr i8, ptr %arg.tolerances.4, i64 8
   %.155.i.i392.i = mul nsw i64 %arg.shape.1, 24
@@ -526,7 +526,7 @@ B740.preheader:                                   ; preds = %B712
   %.764.i.idx.i = mul i64 %.194.i.i738.i, 216
   %.764.i.i = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.764.i.idx.i
   %.155.i571.i.i = mul nsw i64 %arg.shape.6, 28
-  %factor.op.mul8305.i.reass = mul i64 %factor.op.mul10448, %arg.shape.0
+  %factor.op.mul8305.i.reass = mul i64 %factor.op.mul10453, %arg.shape.0
   %.1450.reass.i = mul i64 %.358.i355.i, %arg.shape.0
   %.1470.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1450.reass.i
   %.1495.i = getelementptr double, ptr %arg.batch.5.4.4, i64 %factor.op.mul8305.i.reass
@@ -571,23 +571,23 @@ B740.preheader:                                   ; preds = %B712
   %65 = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
   %.4976.not = icmp eq i64 %arg.shape.3, 0
   %.idx631.i = shl i64 %arg.shape.0, 4
-  %invariant.gep10388 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx631.i
+  %invariant.gep10393 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx631.i
   %.idx632.i = mul i64 %arg.shape.0, 40
-  %invariant.gep10390 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx632.i
+  %invariant.gep10395 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx632.i
   %.idx633.i = shl i64 %arg.shape.0, 6
-  %invariant.gep10392 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx633.i
+  %invariant.gep10397 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx633.i
   %.idx634.i = mul i64 %arg.shape.0, 88
-  %invariant.gep10394 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx634.i
+  %invariant.gep10399 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx634.i
   %.idx635.i = mul i64 %arg.shape.0, 112
-  %invariant.gep10396 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx635.i
+  %invariant.gep10401 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx635.i
   %.idx636.i = mul i64 %arg.shape.0, 136
-  %invariant.gep10398 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx636.i
+  %invariant.gep10403 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx636.i
   %.idx637.i = mul i64 %arg.shape.0, 160
-  %invariant.gep10400 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx637.i
+  %invariant.gep10405 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx637.i
   %.idx638.i = mul i64 %arg.shape.0, 184
-  %invariant.gep10402 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx638.i
+  %invariant.gep10407 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx638.i
   %.idx639.i = mul i64 %arg.shape.0, 208
-  %invariant.gep10404 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx639.i
+  %invariant.gep10409 = getelementptr i8, ptr %arg.batch.5.4.4, i64 %.idx639.i
   %66 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
   %.228.i.i = getelementptr i8, ptr %66, i64 -8
   %.298.i.i = icmp sgt i64 %arg.shape.2, 4
@@ -632,25 +632,25 @@ B740.preheader:                                   ; preds = %B712
   %74 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx.i9874
   %.idx603.i = mul i64 %arg.batch.4.0.5.1, 40
   %75 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx603.i
-  %.fca.1.gep282.i = getelementptr inbounds i8, ptr %.1599.i, i64 8
-  %.fca.2.gep283.i = getelementptr inbounds i8, ptr %.1599.i, i64 16
-  %.fca.1.gep276.i = getelementptr inbounds i8, ptr %.1658.i, i64 8
-  %.fca.2.gep277.i = getelementptr inbounds i8, ptr %.1658.i, i64 16
-  %.fca.1.gep238.i = getelementptr inbounds i8, ptr %.1863.i, i64 8
-  %.fca.2.gep239.i = getelementptr inbounds i8, ptr %.1863.i, i64 16
-  %.fca.1.gep131.i = getelementptr inbounds i8, ptr %.2548.i, i64 8
-  %.273.idx.i = mul i64 %arg.batch.4.1.5.1, 24
-  %.273.i = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.273.idx.i
-  %.405.idx.i = mul i64 %arg.batch.4.0.5.1, 48
-  %.405.i = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.405.idx.i
-  %.522.idx.i = mul i64 %arg.batch.4.0.5.1, 280
-  %.522.i = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.522.idx.i
-  %.610.idx.i = shl i64 %arg.batch.4.1.5.1, 4
-  %.610.i9949 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.610.idx.i
+  %.fca.1.gep282.i = getelementptr inbounds i8, ptr %.1589.i, i64 8
+  %.fca.2.gep283.i = getelementptr inbounds i8, ptr %.1589.i, i64 16
+  %.fca.1.gep276.i = getelementptr inbounds i8, ptr %.1648.i, i64 8
+  %.fca.2.gep277.i = getelementptr inbounds i8, ptr %.1648.i, i64 16
+  %.fca.1.gep238.i = getelementptr inbounds i8, ptr %.1853.i, i64 8
+  %.fca.2.gep239.i = getelementptr inbounds i8, ptr %.1853.i, i64 16
+  %.fca.1.gep131.i = getelementptr inbounds i8, ptr %.2538.i, i64 8
+  %.263.idx.i = mul i64 %arg.batch.4.1.5.1, 24
+  %.263.i9946 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.263.idx.i
+  %.395.idx.i = mul i64 %arg.batch.4.0.5.1, 48
+  %.395.i9949 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.395.idx.i
+  %.512.idx.i = mul i64 %arg.batch.4.0.5.1, 280
+  %.512.i9950 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.512.idx.i
+  %.600.idx.i = shl i64 %arg.batch.4.1.5.1, 4
+  %.600.i = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.600.idx.i
   %.210.i.i = icmp sgt i64 %arg.shape.7, 1
   %.287.i531.not.i.i = icmp slt i64 %arg.shape.1, 1
-  %.idx.i.i9961 = mul i64 %arg.shape.1, 192
-  %76 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i.i9961
+  %.idx.i.i9964 = mul i64 %arg.shape.1, 192
+  %76 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i.i9964
   %.idx544.i.i = mul i64 %arg.shape.1, 184
   %77 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx544.i.i
   %.idx545.i.i = mul i64 %arg.shape.1, 176
@@ -665,50 +665,50 @@ B740.preheader:                                   ; preds = %B712
   %82 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx549.i.i
   %.idx550.i.i = shl i64 %arg.shape.1, 7
   %.296.i.i = shl i64 %arg.shape.1, 4
-  %.298.i.i9985 = mul nsw i64 %arg.shape.1, 15
+  %.298.i.i9988 = mul nsw i64 %arg.shape.1, 15
   %.313.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.296.i.i
-  %.338.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.298.i.i9985
+  %.338.i.i = getelementptr double, ptr %arg.batch.5.0.4, i64 %.298.i.i9988
   %.487.i.i = getelementptr i8, ptr %arg.tolerances.4, i64 8
-  %.idx.i3378.i = mul i64 %arg.shape.1, 192
-  %83 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i3378.i
-  %.idx544.i3382.i = mul i64 %arg.shape.1, 184
-  %84 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx544.i3382.i
-  %.idx545.i3386.i = mul i64 %arg.shape.1, 176
-  %85 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx545.i3386.i
-  %.idx546.i3390.i = mul i64 %arg.shape.1, 168
-  %86 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx546.i3390.i
-  %.idx547.i3394.i = mul i64 %arg.shape.1, 160
-  %87 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx547.i3394.i
-  %.idx548.i3398.i = mul i64 %arg.shape.1, 152
-  %88 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx548.i3398.i
-  %.idx549.i3402.i = mul i64 %arg.shape.1, 144
-  %89 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx549.i3402.i
-  %.idx550.i3409.i = shl i64 %arg.shape.1, 7
-  %.487.i3420.i = getelementptr i8, ptr %arg.tolerances.4, i64 8
-  %.idx551.i3438.i = mul i64 %arg.shape.1, 48
-  %.2247.idx.i = mul i64 %arg.batch.4.0.5.1, 40
-  %.2247.i = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.2247.idx.i
+  %.idx.i3359.i = mul i64 %arg.shape.1, 192
+  %83 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx.i3359.i
+  %.idx544.i3363.i = mul i64 %arg.shape.1, 184
+  %84 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx544.i3363.i
+  %.idx545.i3367.i = mul i64 %arg.shape.1, 176
+  %85 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx545.i3367.i
+  %.idx546.i3371.i = mul i64 %arg.shape.1, 168
+  %86 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx546.i3371.i
+  %.idx547.i3375.i = mul i64 %arg.shape.1, 160
+  %87 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx547.i3375.i
+  %.idx548.i3379.i = mul i64 %arg.shape.1, 152
+  %88 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx548.i3379.i
+  %.idx549.i3383.i = mul i64 %arg.shape.1, 144
+  %89 = getelementptr i8, ptr %arg.batch.5.0.4, i64 %.idx549.i3383.i
+  %.idx550.i3390.i = shl i64 %arg.shape.1, 7
+  %.487.i3401.i = getelementptr i8, ptr %arg.tolerances.4, i64 8
+  %.idx551.i3419.i = mul i64 %arg.shape.1, 48
+  %.2237.idx.i = mul i64 %arg.batch.4.0.5.1, 40
+  %.2237.i = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.2237.idx.i
   %.214.i.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
-  %.2383.idx.i = mul i64 %arg.batch.4.0.5.1, 56
-  %.2383.i = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.2383.idx.i
-  %.idx.i3361.i = mul i64 %arg.shape.1, 56
-  %.3002.idx.i = mul i64 %arg.batch.4.0.5.1, 272
-  %.3002.i = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.3002.idx.i
-  %.3077.idx.i = shl i64 %arg.batch.4.0.5.1, 4
-  %.3077.i = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.3077.idx.i
-  %.3153.idx.i = mul i64 %arg.batch.4.0.5.1, 40
-  %.3153.i = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.3153.idx.i
+  %.2373.idx.i = mul i64 %arg.batch.4.0.5.1, 56
+  %.2373.i = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.2373.idx.i
+  %.idx.i3342.i = mul i64 %arg.shape.1, 56
+  %.2992.idx.i = mul i64 %arg.batch.4.0.5.1, 272
+  %.2992.i = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.2992.idx.i
+  %.3067.idx.i = shl i64 %arg.batch.4.0.5.1, 4
+  %.3067.i = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.3067.idx.i
+  %.3143.idx.i = mul i64 %arg.batch.4.0.5.1, 40
+  %.3143.i = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.3143.idx.i
   %.214.i516.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
-  %.3278.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
+  %.3268.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1
   %.409.i947.idx.i = shl i64 %arg.batch.4.0.5.1, 7
   %.409.i947.i = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.409.i947.idx.i
   %90 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
   %.440.i.i = getelementptr i8, ptr %90, i64 -8
   %.813.i.idx.i = mul i64 %arg.batch.4.0.5.1, 24
-  %.813.i.i10011 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.813.i.idx.i
+  %.813.i.i10016 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.813.i.idx.i
   %factor.op.mul652.i = mul i64 %arg.batch.3.0.5.2, %arg.batch.3.0.5.1
-  %.idx.i10024 = shl i64 %arg.batch.4.1.5.1, 4
-  %91 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx.i10024
+  %.idx.i10029 = shl i64 %arg.batch.4.1.5.1, 4
+  %91 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx.i10029
   %.idx640.i = mul i64 %arg.batch.4.0.5.1, 40
   %92 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx640.i
   %.idx641.i = mul i64 %arg.batch.4.0.5.1, 48
@@ -737,7 +737,7 @@ B740.preheader:                                   ; preds = %B712
   %98 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx9739
   %.idx9740 = shl i64 %arg.batch.4.0.5.1, 7
   %99 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx9740
-  %.538.i416410424.not = icmp slt i64 %arg.shape.1, 1
+  %.538.i416410429.not = icmp slt i64 %arg.shape.1, 1
   %.659.i4653 = getelementptr i8, ptr %arg.tolerances.4, i64 8
   %100 = getelementptr double, ptr %arg.batch.2.4, i64 %arg.batch.2.5.0
   %.797.i4202 = getelementptr i8, ptr %100, i64 -8
@@ -764,7 +764,7 @@ B740.preheader:                                   ; preds = %B712
   %.813.i5369.idx = mul i64 %arg.batch.4.0.5.1, 24
   %.813.i5369 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.813.i5369.idx
   %.5582.not = icmp ne i64 %arg.shape.4, 0
-  %storemerge.i10039 = tail call i64 @llvm.smax.i64(i64 %arg.shape.0, i64 0)
+  %storemerge.i10043 = tail call i64 @llvm.smax.i64(i64 %arg.shape.0, i64 0)
   %.idx1639.i = mul i64 %arg.batch.4.0.5.1, 40
   %105 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1639.i
   %.idx1640.i = shl i64 %arg.batch.4.0.5.1, 4
@@ -772,10 +772,10 @@ B740.preheader:                                   ; preds = %B712
   %107 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
   %.175.i1642.not.i = icmp slt i64 %arg.batch.1.1.5.0, 1
   %.634.i = getelementptr i8, ptr %arg.code.4, i64 8
-  %.777.i10044 = getelementptr i8, ptr %arg.code.4, i64 32
+  %.777.i10048 = getelementptr i8, ptr %arg.code.4, i64 32
   %.848.i = mul nsw i64 %arg.shape.1, 17
-  %.850.i10046 = mul nsw i64 %.848.i, %arg.shape.0
-  %.893.i10047 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.850.i10046
+  %.850.i10050 = mul nsw i64 %.848.i, %arg.shape.0
+  %.893.i10051 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.850.i10050
   %.898.not.i = icmp eq i64 %arg.shape.3, 0
   %.928.i = getelementptr i8, ptr %arg.code.4, i64 16
   %.idx1637.i = shl i64 %arg.batch.4.1.5.1, 4
@@ -791,48 +791,48 @@ B740.preheader:                                   ; preds = %B712
   %112 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx9727
   %.idx9729 = mul i64 %arg.batch.4.0.5.1, 24
   %113 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx9729
-  %.175.i.i620110436.not = icmp slt i64 %arg.batch.1.1.5.0, 1
+  %.175.i.i620110441.not = icmp slt i64 %arg.batch.1.1.5.0, 1
   %.idx9732 = shl i64 %arg.batch.4.1.5.1, 4
   %114 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx9732
-  %.idx.i10073 = mul i64 %arg.batch.4.0.5.1, 24
-  %115 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i10073
-  %.321.i10075 = getelementptr i8, ptr %arg.batch.4.2.4, i64 8
+  %.idx.i10078 = mul i64 %arg.batch.4.0.5.1, 24
+  %115 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx.i10078
+  %.321.i10080 = getelementptr i8, ptr %arg.batch.4.2.4, i64 8
   %116 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %arg.batch.4.1.5.1
-  %.idx1124.i10095 = mul i64 %arg.batch.4.1.5.1, 24
-  %117 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1124.i10095
-  %.7871131.not.i10097 = icmp slt i64 %arg.batch.0.1.5.1, 1
-  %.175.i1134.not.i10113 = icmp slt i64 %arg.batch.1.1.5.0, 1
-  %.10951137.not.i10132 = icmp slt i64 %arg.shape.1, 1
-  %gep.2.idx.i10150 = shl i64 %arg.batch.4.0.5.1, 4
-  %gep.6.idx.i10158 = mul i64 %arg.batch.4.0.5.1, 48
-  %gep.7.idx.i10160 = mul i64 %arg.batch.4.0.5.1, 56
-  %gep.9.idx.i10164 = mul i64 %arg.batch.4.0.5.1, 72
-  %gep.10.idx.i10166 = mul i64 %arg.batch.4.0.5.1, 80
-  %gep.11.idx.i10168 = mul i64 %arg.batch.4.0.5.1, 88
-  %gep.12.idx.i10170 = mul i64 %arg.batch.4.0.5.1, 96
-  %gep.13.idx.i10172 = mul i64 %arg.batch.4.0.5.1, 104
-  %gep.14.idx.i10174 = mul i64 %arg.batch.4.0.5.1, 112
-  %gep.15.idx.i10176 = mul i64 %arg.batch.4.0.5.1, 120
-  %gep.16.idx.i10178 = shl i64 %arg.batch.4.0.5.1, 7
-  %gep.17.idx.i10180 = mul i64 %arg.batch.4.0.5.1, 136
-  %gep.18.idx.i10182 = mul i64 %arg.batch.4.0.5.1, 144
-  %gep.19.idx.i10184 = mul i64 %arg.batch.4.0.5.1, 152
-  %gep.20.idx.i10186 = mul i64 %arg.batch.4.0.5.1, 160
-  %gep.21.idx.i10188 = mul i64 %arg.batch.4.0.5.1, 168
-  %gep.22.idx.i10190 = mul i64 %arg.batch.4.0.5.1, 176
-  %gep.23.idx.i10192 = mul i64 %arg.batch.4.0.5.1, 184
-  %gep.24.idx.i10194 = mul i64 %arg.batch.4.0.5.1, 192
-  %gep.25.idx.i10196 = mul i64 %arg.batch.4.0.5.1, 200
-  %gep.26.idx.i10198 = mul i64 %arg.batch.4.0.5.1, 208
-  %gep.27.idx.i10200 = mul i64 %arg.batch.4.0.5.1, 216
-  %gep.28.idx.i10202 = mul i64 %arg.batch.4.0.5.1, 224
-  %gep.29.idx.i10204 = mul i64 %arg.batch.4.0.5.1, 232
-  %gep.30.idx.i10206 = mul i64 %arg.batch.4.0.5.1, 240
-  %118 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.2.idx.i10150
-  %119 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.16.idx.i10178
-  %120 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.30.idx.i10206
-  %.idx1130.i10221 = mul i64 %arg.batch.4.0.5.1, 248
-  %121 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1130.i10221
+  %.idx1124.i10100 = mul i64 %arg.batch.4.1.5.1, 24
+  %117 = getelementptr i8, ptr %arg.batch.4.1.4, i64 %.idx1124.i10100
+  %.7871131.not.i10102 = icmp slt i64 %arg.batch.0.1.5.1, 1
+  %.175.i1134.not.i10118 = icmp slt i64 %arg.batch.1.1.5.0, 1
+  %.10951137.not.i10137 = icmp slt i64 %arg.shape.1, 1
+  %gep.2.idx.i10155 = shl i64 %arg.batch.4.0.5.1, 4
+  %gep.6.idx.i10163 = mul i64 %arg.batch.4.0.5.1, 48
+  %gep.7.idx.i10165 = mul i64 %arg.batch.4.0.5.1, 56
+  %gep.9.idx.i10169 = mul i64 %arg.batch.4.0.5.1, 72
+  %gep.10.idx.i10171 = mul i64 %arg.batch.4.0.5.1, 80
+  %gep.11.idx.i10173 = mul i64 %arg.batch.4.0.5.1, 88
+  %gep.12.idx.i10175 = mul i64 %arg.batch.4.0.5.1, 96
+  %gep.13.idx.i10177 = mul i64 %arg.batch.4.0.5.1, 104
+  %gep.14.idx.i10179 = mul i64 %arg.batch.4.0.5.1, 112
+  %gep.15.idx.i10181 = mul i64 %arg.batch.4.0.5.1, 120
+  %gep.16.idx.i10183 = shl i64 %arg.batch.4.0.5.1, 7
+  %gep.17.idx.i10185 = mul i64 %arg.batch.4.0.5.1, 136
+  %gep.18.idx.i10187 = mul i64 %arg.batch.4.0.5.1, 144
+  %gep.19.idx.i10189 = mul i64 %arg.batch.4.0.5.1, 152
+  %gep.20.idx.i10191 = mul i64 %arg.batch.4.0.5.1, 160
+  %gep.21.idx.i10193 = mul i64 %arg.batch.4.0.5.1, 168
+  %gep.22.idx.i10195 = mul i64 %arg.batch.4.0.5.1, 176
+  %gep.23.idx.i10197 = mul i64 %arg.batch.4.0.5.1, 184
+  %gep.24.idx.i10199 = mul i64 %arg.batch.4.0.5.1, 192
+  %gep.25.idx.i10201 = mul i64 %arg.batch.4.0.5.1, 200
+  %gep.26.idx.i10203 = mul i64 %arg.batch.4.0.5.1, 208
+  %gep.27.idx.i10205 = mul i64 %arg.batch.4.0.5.1, 216
+  %gep.28.idx.i10207 = mul i64 %arg.batch.4.0.5.1, 224
+  %gep.29.idx.i10209 = mul i64 %arg.batch.4.0.5.1, 232
+  %gep.30.idx.i10211 = mul i64 %arg.batch.4.0.5.1, 240
+  %118 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.2.idx.i10155
+  %119 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.16.idx.i10183
+  %120 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %gep.30.idx.i10211
+  %.idx1130.i10226 = mul i64 %arg.batch.4.0.5.1, 248
+  %121 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx1130.i10226
   %.idx9731 = mul i64 %arg.batch.4.0.5.1, 248
   %122 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx9731
   %.6616 = tail call i64 @llvm.smin.i64(i64 %arg.batch.2.5.0, i64 0)
@@ -889,10 +889,10 @@ B918:                                             ; preds = %B818
 
 B290.i:                                           ; preds = %B218.if.i
   store double 0.000000e+00, ptr %135, align 8, !noalias !7
-  br i1 %.589.i10260, label %B354.if.i.preheader, label %B466.i
+  br i1 %.589.i10265, label %B354.if.i.preheader, label %B466.i
 
 B354.if.i.preheader:                              ; preds = %B290.i
-  %invariant.gep10609 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.291.i.010266
+  %invariant.gep10614 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.291.i.010271
   br label %B354.if.i
 
 B424.i:                                           ; preds = %B354.if.i
@@ -900,36 +900,36 @@ B424.i:                                           ; preds = %B354.if.i
   br label %B464.i
 
 B464.i:                                           ; preds = %B424.i, %B354.if.i
-  %some.5.i.3 = phi i1 [ true, %B424.i ], [ %some.4.i.210263, %B354.if.i ]
+  %some.5.i.3 = phi i1 [ true, %B424.i ], [ %some.4.i.210268, %B354.if.i ]
   %exitcond.not = icmp eq i64 %.602.i, %arg.shape.6
   br i1 %exitcond.not, label %B466.i, label %B354.if.i
 
 B466.i:                                           ; preds = %B464.i, %B290.i, %B218.if.i
-  %some.3.i.1 = phi i1 [ %some.2.i.010268, %B218.if.i ], [ %some.2.i.010268, %B290.i ], [ %some.5.i.3, %B464.i ]
-  %.349.i = icmp sgt i64 %.294.i.010267, 1
+  %some.3.i.1 = phi i1 [ %some.2.i.010273, %B218.if.i ], [ %some.2.i.010273, %B290.i ], [ %some.5.i.3, %B464.i ]
+  %.349.i = icmp sgt i64 %.294.i.010272, 1
   br i1 %.349.i, label %B218.if.i, label %B918.endif.endif
 
 B218.if.i:                                        ; preds = %B918, %B466.i
-  %some.2.i.010268 = phi i1 [ %some.3.i.1, %B466.i ], [ false, %B918 ]
-  %.294.i.010267 = phi i64 [ %.358.i, %B466.i ], [ %storemerge, %B918 ]
-  %.291.i.010266 = phi i64 [ %.362.i, %B466.i ], [ 0, %B918 ]
-  %.358.i = add nsw i64 %.294.i.010267, -1
-  %.362.i = add nsw i64 %.291.i.010266, 1
-  %135 = getelementptr double, ptr %19, i64 %.291.i.010266
+  %some.2.i.010273 = phi i1 [ %some.3.i.1, %B466.i ], [ false, %B918 ]
+  %.294.i.010272 = phi i64 [ %.358.i, %B466.i ], [ %storemerge, %B918 ]
+  %.291.i.010271 = phi i64 [ %.362.i, %B466.i ], [ 0, %B918 ]
+  %.358.i = add nsw i64 %.294.i.010272, -1
+  %.362.i = add nsw i64 %.291.i.010271, 1
+  %135 = getelementptr double, ptr %19, i64 %.291.i.010271
   %.444.i = load double, ptr %135, align 8, !noalias !7
   %.445.i = fcmp oeq double %.444.i, 2.500000e-01
   br i1 %.445.i, label %B290.i, label %B466.i
 
 B354.if.i:                                        ; preds = %B354.if.i.preheader, %B464.i
-  %some.4.i.210263 = phi i1 [ %some.5.i.3, %B464.i ], [ %some.2.i.010268, %B354.if.i.preheader ]
-  %.530.i.010261 = phi i64 [ %.602.i, %B464.i ], [ 0, %B354.if.i.preheader ]
-  %.602.i = add nsw i64 %.530.i.010261, 1
-  %.636.i = mul nsw i64 %.530.i.010261, %arg.shape.0
-  %gep10610 = getelementptr double, ptr %invariant.gep10609, i64 %.636.i
-  %.668.i = load double, ptr %gep10610, align 8, !noalias !7
-  %.670.i = add nsw i64 %.530.i.010261, %arg.shape.5
+  %some.4.i.210268 = phi i1 [ %some.5.i.3, %B464.i ], [ %some.2.i.010273, %B354.if.i.preheader ]
+  %.530.i.010266 = phi i64 [ %.602.i, %B464.i ], [ 0, %B354.if.i.preheader ]
+  %.602.i = add nsw i64 %.530.i.010266, 1
+  %.636.i = mul nsw i64 %.530.i.010266, %arg.shape.0
+  %gep10615 = getelementptr double, ptr %invariant.gep10614, i64 %.636.i
+  %.668.i = load double, ptr %gep10615, align 8, !noalias !7
+  %.670.i = add nsw i64 %.530.i.010266, %arg.shape.5
   %.672.i = mul nsw i64 %.670.i, %arg.shape.0
-  %.674.i = add nsw i64 %.672.i, %.291.i.010266
+  %.674.i = add nsw i64 %.672.i, %.291.i.010271
   %.688.i = icmp slt i64 %.674.i, 0
   %.689.i = select i1 %.688.i, i64 %arg.batch.5.1.5.0, i64 0
   %136 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.674.i
@@ -952,7 +952,7 @@ B976:                                             ; preds = %B964
   br i1 %.815, label %B356.i205, label %B214.if.i
 
 B354.i310:                                        ; preds = %B296.if.i, %B214.if.i
-  %.361.i200 = icmp sgt i64 %.306.i94.010275, 1
+  %.361.i200 = icmp sgt i64 %.306.i94.010280, 1
   br i1 %.361.i200, label %B214.if.i, label %B356.i205
 
 B356.i205:                                        ; preds = %B354.i310, %B976
@@ -962,36 +962,36 @@ B356.i205:                                        ; preds = %B354.i310, %B976
   br label %B1012
 
 B214.if.i:                                        ; preds = %B976, %B354.i310
-  %.306.i94.010275 = phi i64 [ %.370.i, %B354.i310 ], [ %storemerge, %B976 ]
-  %.303.i.010274 = phi i64 [ %.374.i384, %B354.i310 ], [ 0, %B976 ]
-  %.370.i = add nsw i64 %.306.i94.010275, -1
-  %.374.i384 = add nsw i64 %.303.i.010274, 1
-  %137 = getelementptr double, ptr %20, i64 %.303.i.010274
+  %.306.i94.010280 = phi i64 [ %.370.i, %B354.i310 ], [ %storemerge, %B976 ]
+  %.303.i.010279 = phi i64 [ %.374.i384, %B354.i310 ], [ 0, %B976 ]
+  %.370.i = add nsw i64 %.306.i94.010280, -1
+  %.374.i384 = add nsw i64 %.303.i.010279, 1
+  %137 = getelementptr double, ptr %20, i64 %.303.i.010279
   %.452.i = load double, ptr %137, align 8, !noalias !11
   %.453.i309 = fcmp ule double %.452.i, 5.000000e-01
-  %brmerge10452 = select i1 %.453.i309, i1 true, i1 %.535.i10270
-  br i1 %brmerge10452, label %B354.i310, label %B296.if.i.preheader
+  %brmerge10457 = select i1 %.453.i309, i1 true, i1 %.535.i10275
+  br i1 %brmerge10457, label %B354.i310, label %B296.if.i.preheader
 
 B296.if.i.preheader:                              ; preds = %B214.if.i
-  %invariant.gep10611 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.303.i.010274
+  %invariant.gep10616 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.303.i.010279
   br label %B296.if.i
 
 B296.if.i:                                        ; preds = %B296.if.i.preheader, %B296.if.i
-  %.479.i101.010271 = phi i64 [ %.548.i, %B296.if.i ], [ 0, %B296.if.i.preheader ]
-  %.548.i = add nsw i64 %.479.i101.010271, 1
-  %.574.i = mul nsw i64 %.479.i101.010271, %arg.shape.0
-  %gep10612 = getelementptr double, ptr %invariant.gep10611, i64 %.574.i
-  %.606.i = load double, ptr %gep10612, align 8, !noalias !11
-  %.608.i356 = add nsw i64 %.479.i101.010271, %arg.shape.5
+  %.479.i101.010276 = phi i64 [ %.548.i, %B296.if.i ], [ 0, %B296.if.i.preheader ]
+  %.548.i = add nsw i64 %.479.i101.010276, 1
+  %.574.i = mul nsw i64 %.479.i101.010276, %arg.shape.0
+  %gep10617 = getelementptr double, ptr %invariant.gep10616, i64 %.574.i
+  %.606.i = load double, ptr %gep10617, align 8, !noalias !11
+  %.608.i356 = add nsw i64 %.479.i101.010276, %arg.shape.5
   %.610.i = mul nsw i64 %.608.i356, %arg.shape.0
-  %.612.i = add nsw i64 %.610.i, %.303.i.010274
+  %.612.i = add nsw i64 %.610.i, %.303.i.010279
   %.626.i362 = icmp slt i64 %.612.i, 0
   %.627.i = select i1 %.626.i362, i64 %arg.batch.5.1.5.0, i64 0
   %138 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.612.i
   %.641.i = getelementptr double, ptr %138, i64 %.627.i
   store double %.606.i, ptr %.641.i, align 8, !noalias !11
-  %exitcond10484.not = icmp eq i64 %.548.i, %arg.shape.6
-  br i1 %exitcond10484.not, label %B354.i310, label %B296.if.i
+  %exitcond10489.not = icmp eq i64 %.548.i, %arg.shape.6
+  br i1 %exitcond10489.not, label %B354.i310, label %B296.if.i
 
 B1012:                                            ; preds = %B356.i205, %B964
   br i1 %.1488.not, label %B1094, label %B1016
@@ -1024,11 +1024,11 @@ B1488:                                            ; preds = %B1098, %B1094
 
 B118.i:                                           ; preds = %B64.if.i
   store double 0.000000e+00, ptr %.310.i556, align 8, !noalias !15
-  %.418.i626 = getelementptr double, ptr %22, i64 %.161.i465.010277
+  %.418.i626 = getelementptr double, ptr %22, i64 %.161.i465.010282
   store double 0.000000e+00, ptr %.418.i626, align 8, !noalias !15
-  %.469.i664 = getelementptr double, ptr %23, i64 %.161.i465.010277
+  %.469.i664 = getelementptr double, ptr %23, i64 %.161.i465.010282
   store double 0.000000e+00, ptr %.469.i664, align 8, !noalias !15
-  %.520.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i465.010277
+  %.520.i = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i465.010282
   %.521.i704 = load i64, ptr %.520.i, align 8, !noalias !15
   %.544.i718 = icmp slt i64 %.521.i704, 0
   %.545.i719 = select i1 %.544.i718, i64 %arg.batch.3.3.5.0, i64 0
@@ -1037,25 +1037,25 @@ B118.i:                                           ; preds = %B64.if.i
   %139 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.566.i737
   %.570.i739 = getelementptr i8, ptr %139, i64 8
   %.571.i740 = load i64, ptr %.570.i739, align 8, !noalias !15
-  %.594.i750 = add nsw i64 %.571.i740, %.9774
-  store i64 %.594.i750, ptr %.570.i739, align 8, !noalias !15
-  %.702.i831 = load i64, ptr %.520.i, align 8, !noalias !15
-  %.725.i848 = icmp slt i64 %.702.i831, 0
-  %.726.i849 = select i1 %.725.i848, i64 %arg.batch.3.3.5.0, i64 0
-  %.727.i850 = add i64 %.726.i849, %.702.i831
-  %.747.i = mul i64 %.727.i850, %arg.batch.3.3.5.1
+  %.594.i749 = add nsw i64 %.571.i740, %.9774
+  store i64 %.594.i749, ptr %.570.i739, align 8, !noalias !15
+  %.702.i830 = load i64, ptr %.520.i, align 8, !noalias !15
+  %.725.i847 = icmp slt i64 %.702.i830, 0
+  %.726.i848 = select i1 %.725.i847, i64 %arg.batch.3.3.5.0, i64 0
+  %.727.i849 = add i64 %.726.i848, %.702.i830
+  %.747.i = mul i64 %.727.i849, %arg.batch.3.3.5.1
   %140 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.747.i
-  %.751.i872 = getelementptr i8, ptr %140, i64 16
-  %.752.i873 = load i64, ptr %.751.i872, align 8, !noalias !15
-  %.775.i882 = add nsw i64 %.752.i873, %"$phi466.4.2.i.2"
-  store i64 %.775.i882, ptr %.751.i872, align 8, !noalias !15
-  %.882.i = getelementptr double, ptr %24, i64 %.161.i465.010277
+  %.751.i871 = getelementptr i8, ptr %140, i64 16
+  %.752.i872 = load i64, ptr %.751.i871, align 8, !noalias !15
+  %.775.i883 = add nsw i64 %.752.i872, %"$phi466.4.2.i.2"
+  store i64 %.775.i883, ptr %.751.i871, align 8, !noalias !15
+  %.882.i = getelementptr double, ptr %24, i64 %.161.i465.010282
   %.883.i = load double, ptr %.882.i, align 8, !noalias !15
   %.884.i = fcmp une double %.883.i, 0.000000e+00
   br i1 %.884.i, label %B526.i, label %B582.i
 
 B526.i:                                           ; preds = %B118.i
-  %141 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i465.010277
+  %141 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i465.010282
   %.84.i.i = load i64, ptr %141, align 8, !noalias !19
   %.89.i.i = icmp sgt i64 %.84.i.i, -1
   br i1 %.89.i.i, label %B46.i.i, label %B582.i
@@ -1074,13 +1074,13 @@ B582.i:                                           ; preds = %B80.i.i, %B526.i, %
   br i1 %.1488.not, label %B758.i, label %B586.i
 
 B586.i:                                           ; preds = %B582.i
-  %142 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i465.010277
+  %142 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.161.i465.010282
   %.954.i = load double, ptr %142, align 8, !noalias !15
   %.956.i = fcmp olt double %.954.i, -1.000000e-09
   br i1 %.956.i, label %B632.i, label %B758.i
 
 B632.i:                                           ; preds = %B586.i
-  %143 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i465.010277
+  %143 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.161.i465.010282
   %.84.i63.i = load i64, ptr %143, align 8, !noalias !22
   %.89.i66.i = icmp sgt i64 %.84.i63.i, -1
   br i1 %.89.i66.i, label %B46.i71.i, label %_ZN5pages9numbering4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx.exit123.i
@@ -1096,18 +1096,18 @@ B80.i98.i:                                        ; preds = %B46.i71.i
   br label %_ZN5pages9numbering4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx.exit123.i
 
 _ZN5pages9numbering4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx.exit123.i: ; preds = %B46.i71.i, %B632.i, %B80.i98.i
-  %.1041.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.161.i465.010277
+  %.1041.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.161.i465.010282
   %.1042.i = load double, ptr %.1041.i, align 8, !noalias !15
-  %.1092.i = getelementptr double, ptr %25, i64 %.161.i465.010277
+  %.1092.i = getelementptr double, ptr %25, i64 %.161.i465.010282
   store double %.1042.i, ptr %.1092.i, align 8, !noalias !15
   br label %B758.i
 
 B758.i:                                           ; preds = %_ZN5pages9numbering4failB2v7B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedExx.exit123.i, %B586.i, %B582.i
-  %.107.i182.i = getelementptr i64, ptr %26, i64 %.161.i465.010277
+  %.107.i182.i = getelementptr i64, ptr %26, i64 %.161.i465.010282
   %.108.i183.i = load i64, ptr %.107.i182.i, align 8, !noalias !25
-  %.161.i.i = getelementptr double, ptr %27, i64 %.161.i465.010277
+  %.161.i.i = getelementptr double, ptr %27, i64 %.161.i465.010282
   %.162.i.i = load double, ptr %.161.i.i, align 8, !noalias !25
-  %.212.i.i = getelementptr double, ptr %28, i64 %.161.i465.010277
+  %.212.i.i = getelementptr double, ptr %28, i64 %.161.i465.010282
   store double %.162.i.i, ptr %.212.i.i, align 8, !noalias !25
   %.225.i.i = icmp slt i64 %.108.i183.i, %arg.batch.2.5.0
   br i1 %.225.i.i, label %B164.i.i, label %B792.i
@@ -1125,15 +1125,15 @@ B164.i.i:                                         ; preds = %B758.i
   br label %B792.i
 
 B792.i:                                           ; preds = %B164.i.i, %B758.i, %B64.if.i
-  %.220.i516 = icmp sgt i64 %.164.i466.010278, 1
+  %.220.i516 = icmp sgt i64 %.164.i466.010283, 1
   br i1 %.220.i516, label %B64.if.i, label %B1530
 
 B64.if.i:                                         ; preds = %B1488, %B792.i
-  %.164.i466.010278 = phi i64 [ %.229.i911, %B792.i ], [ %storemerge, %B1488 ]
-  %.161.i465.010277 = phi i64 [ %.233.i914, %B792.i ], [ 0, %B1488 ]
-  %.229.i911 = add nsw i64 %.164.i466.010278, -1
-  %.233.i914 = add nsw i64 %.161.i465.010277, 1
-  %.310.i556 = getelementptr double, ptr %21, i64 %.161.i465.010277
+  %.164.i466.010283 = phi i64 [ %.229.i912, %B792.i ], [ %storemerge, %B1488 ]
+  %.161.i465.010282 = phi i64 [ %.233.i915, %B792.i ], [ 0, %B1488 ]
+  %.229.i912 = add nsw i64 %.164.i466.010283, -1
+  %.233.i915 = add nsw i64 %.161.i465.010282, 1
+  %.310.i556 = getelementptr double, ptr %21, i64 %.161.i465.010282
   %.311.i = load double, ptr %.310.i556, align 8, !noalias !15
   %.312.i557 = fcmp ogt double %.311.i, 5.000000e-01
   br i1 %.312.i557, label %B118.i, label %B792.i
@@ -1648,7 +1648,7 @@ B272.if.i:                                        ; preds = %B272.if.i, %B272.if
   br i1 %.630.i, label %B272.if.i, label %B326.i
 
 B1776:                                            ; preds = %B34.loopexit.i.i, %B126.i, %B1732
-  br i1 %.230410283.not, label %B1996, label %B1808.if
+  br i1 %.230410288.not, label %B1996, label %B1808.if
 
 B68.if.lr.ph.i:                                   ; preds = %B1808.if
   %.259.i = mul nsw i64 %.2317, %arg.shape.1
@@ -1677,10 +1677,10 @@ B34.if.i.i:                                       ; preds = %B68.if.i, %B34.i.lo
   %194 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.204.i.i
   %.233.i.i = getelementptr double, ptr %194, i64 %.219.i.i
   %.234.i.i = load double, ptr %.233.i.i, align 8, !noalias !43
-  %gep10282 = getelementptr double, ptr %invariant.gep10281, i64 %.73.i.0621.i
-  %.270.i.i = load double, ptr %gep10282, align 8, !noalias !43
+  %gep10287 = getelementptr double, ptr %invariant.gep10286, i64 %.73.i.0621.i
+  %.270.i.i = load double, ptr %gep10287, align 8, !noalias !43
   store double %.270.i.i, ptr %.233.i.i, align 8, !noalias !43
-  store double %.234.i.i, ptr %gep10282, align 8, !noalias !43
+  store double %.234.i.i, ptr %gep10287, align 8, !noalias !43
   %.340.i.i = add i64 %.339.i.i, %.73.i.0621.i
   %.11.i.i.i9822 = tail call i64 @llvm.smin.i64(i64 %.340.i.i, i64 %arg.shape.1)
   %.406.i.i = sub i64 %.11.i.i.i9822, %.144.i.i
@@ -1770,8 +1770,8 @@ B68.if.i:                                         ; preds = %B68.if.i, %B68.if.l
   %201 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.260.i
   %.289.i = getelementptr double, ptr %201, i64 %.275.i
   %.290.i = load double, ptr %.289.i, align 8, !noalias !49
-  %gep10280 = getelementptr double, ptr %invariant.gep10279, i64 %.160.0615.i
-  %.323.i = load double, ptr %gep10280, align 8, !noalias !49
+  %gep10285 = getelementptr double, ptr %invariant.gep10284, i64 %.160.0615.i
+  %.323.i = load double, ptr %gep10285, align 8, !noalias !49
   %.324.i9819 = fadd double %.290.i, %.323.i
   %202 = getelementptr i64, ptr %arg.linear.4.4, i64 %.160.0615.i
   %.356.i = load i64, ptr %202, align 8, !noalias !49
@@ -1805,8 +1805,8 @@ B326.if.i:                                        ; preds = %B326.if.i, %B326.if
   br i1 %exitcond634.not.i, label %B1994, label %B326.if.i
 
 B1994:                                            ; preds = %B326.if.i, %B1808.if
-  %exitcond10485.not = icmp eq i64 %.2248.010284, %storemerge9715
-  br i1 %exitcond10485.not, label %B1996, label %B1808.if
+  %exitcond10490.not = icmp eq i64 %.2248.010289, %storemerge9715
+  br i1 %exitcond10490.not, label %B1996, label %B1808.if
 
 B1996:                                            ; preds = %B1994, %B1776
   %.2569 = load i64, ptr %.2568, align 8
@@ -1819,104 +1819,104 @@ B1996:                                            ; preds = %B1994, %B1776
   br i1 %.815, label %B2270, label %B2160.if
 
 B2168:                                            ; preds = %B2160.if
-  %207 = getelementptr double, ptr %34, i64 %.2695.010287
+  %207 = getelementptr double, ptr %34, i64 %.2695.010292
   %.2850 = load double, ptr %207, align 8
   %.2851 = fcmp ogt double %.2850, 5.000000e-01
   br label %B2214
 
 B2214:                                            ; preds = %B2168, %B2160.if
   %"$phi2214.1.2.2" = phi i1 [ true, %B2160.if ], [ %.2851, %B2168 ]
-  br i1 %looked.2.110290, label %B2266, label %B2220
+  br i1 %looked.2.110295, label %B2266, label %B2220
 
 B2220:                                            ; preds = %B2214
-  %208 = getelementptr double, ptr %35, i64 %.2695.010287
+  %208 = getelementptr double, ptr %35, i64 %.2695.010292
   %.2921 = load double, ptr %208, align 8
   %.2922 = fcmp ogt double %.2921, 5.000000e-01
   br label %B2266
 
 B2266:                                            ; preds = %B2220, %B2214
   %"$phi2266.1.2.2" = phi i1 [ true, %B2214 ], [ %.2922, %B2220 ]
-  %.2751 = icmp sgt i64 %.2698.010288, 1
+  %.2751 = icmp sgt i64 %.2698.010293, 1
   br i1 %.2751, label %B2160.if, label %B2270
 
 B2270:                                            ; preds = %B2266, %B1996
   %good.2.1.lcssa = phi i1 [ false, %B1996 ], [ %"$phi2214.1.2.2", %B2266 ]
   %looked.2.1.lcssa = phi i1 [ %spec.select9802, %B1996 ], [ %"$phi2266.1.2.2", %B2266 ]
-  %looked.2.1.lcssa.not10491 = xor i1 %looked.2.1.lcssa, true
-  %brmerge10492 = or i1 %.815, %looked.2.1.lcssa.not10491
-  br i1 %brmerge10492, label %B2952, label %B82.if.i
+  %looked.2.1.lcssa.not10496 = xor i1 %looked.2.1.lcssa, true
+  %brmerge10497 = or i1 %.815, %looked.2.1.lcssa.not10496
+  br i1 %brmerge10497, label %B2952, label %B82.if.i
 
 B2340.preheader:                                  ; preds = %B682.i
   br i1 %.815, label %B2952, label %B2342.if
 
 B140.i:                                           ; preds = %B82.if.i
-  %.313.i1126 = getelementptr double, ptr %36, i64 %.107.i967.010294
-  %.314.i1127 = load double, ptr %.313.i1126, align 8, !noalias !50
-  %.5.i.i = fptosi double %.314.i1127 to i64
-  %.388.i1172 = getelementptr double, ptr %37, i64 %.107.i967.010294
-  %.389.i1173 = load double, ptr %.388.i1172, align 8, !noalias !50
-  %.5.i1.i = fptosi double %.389.i1173 to i64
-  %.465.i1218 = mul i64 %.257.i1080, %arg.batch.3.3.5.1
-  %.469.i1222 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.465.i1218
-  %.470.i1223 = load i64, ptr %.469.i1222, align 8, !noalias !50
-  %.472.i = add nsw i64 %.470.i1223, %.5.i.i
-  store i64 %.472.i, ptr %.469.i1222, align 8, !noalias !50
-  %.570.i1307 = getelementptr i8, ptr %.469.i1222, i64 24
-  %.571.i1308 = load i64, ptr %.570.i1307, align 8, !noalias !50
-  %.573.i1310 = add nsw i64 %.571.i1308, %.5.i1.i
-  store i64 %.573.i1310, ptr %.570.i1307, align 8, !noalias !50
-  %.671.i1395 = getelementptr i8, ptr %.469.i1222, i64 8
-  %.672.i1396 = load i64, ptr %.671.i1395, align 8, !noalias !50
-  %.677.i1401 = add nsw i64 %.5.i1.i, %.5.i.i
-  %.678.i1402 = mul nsw i64 %.677.i1401, %.2261
+  %.313.i1127 = getelementptr double, ptr %36, i64 %.107.i968.010299
+  %.314.i1128 = load double, ptr %.313.i1127, align 8, !noalias !50
+  %.5.i.i = fptosi double %.314.i1128 to i64
+  %.388.i1173 = getelementptr double, ptr %37, i64 %.107.i968.010299
+  %.389.i1174 = load double, ptr %.388.i1173, align 8, !noalias !50
+  %.5.i1.i = fptosi double %.389.i1174 to i64
+  %.465.i1219 = mul i64 %.257.i1081, %arg.batch.3.3.5.1
+  %.469.i1223 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.465.i1219
+  %.470.i1224 = load i64, ptr %.469.i1223, align 8, !noalias !50
+  %.472.i = add nsw i64 %.470.i1224, %.5.i.i
+  store i64 %.472.i, ptr %.469.i1223, align 8, !noalias !50
+  %.570.i1308 = getelementptr i8, ptr %.469.i1223, i64 24
+  %.571.i1309 = load i64, ptr %.570.i1308, align 8, !noalias !50
+  %.573.i1311 = add nsw i64 %.571.i1309, %.5.i1.i
+  store i64 %.573.i1311, ptr %.570.i1308, align 8, !noalias !50
+  %.671.i1396 = getelementptr i8, ptr %.469.i1223, i64 8
+  %.672.i1397 = load i64, ptr %.671.i1396, align 8, !noalias !50
+  %.677.i1402 = add nsw i64 %.5.i1.i, %.5.i.i
+  %.678.i1403 = mul nsw i64 %.677.i1402, %.2261
   %..5.i.i = select i1 %.631, i64 %.5.i.i, i64 0
-  %.679.i1403 = add i64 %.678.i1402, %..5.i.i
-  %.804.i1504 = add i64 %.679.i1403, %.672.i1396
-  store i64 %.804.i1504, ptr %.671.i1395, align 8, !noalias !50
-  store double 0.000000e+00, ptr %.313.i1126, align 8, !noalias !50
-  store double 0.000000e+00, ptr %.388.i1172, align 8, !noalias !50
-  %.1019.i1613 = getelementptr double, ptr %38, i64 %.107.i967.010294
-  %.1020.i1614 = load double, ptr %.1019.i1613, align 8, !noalias !50
-  %.1028.i = sitofp i64 %.677.i1401 to double
-  %.1029.i = fsub double %.1020.i1614, %.1028.i
-  store double %.1029.i, ptr %.1019.i1613, align 8, !noalias !50
+  %.679.i1404 = add i64 %.678.i1403, %..5.i.i
+  %.804.i1503 = add i64 %.679.i1404, %.672.i1397
+  store i64 %.804.i1503, ptr %.671.i1396, align 8, !noalias !50
+  store double 0.000000e+00, ptr %.313.i1127, align 8, !noalias !50
+  store double 0.000000e+00, ptr %.388.i1173, align 8, !noalias !50
+  %.1019.i1612 = getelementptr double, ptr %38, i64 %.107.i968.010299
+  %.1020.i1613 = load double, ptr %.1019.i1612, align 8, !noalias !50
+  %.1028.i = sitofp i64 %.677.i1402 to double
+  %.1029.i = fsub double %.1020.i1613, %.1028.i
+  store double %.1029.i, ptr %.1019.i1612, align 8, !noalias !50
   br label %B682.i
 
 B682.i:                                           ; preds = %B140.i, %B82.if.i
-  %.166.i1028 = icmp sgt i64 %.110.i.010295, 1
-  br i1 %.166.i1028, label %B82.if.i, label %B2340.preheader
+  %.166.i1029 = icmp sgt i64 %.110.i.010300, 1
+  br i1 %.166.i1029, label %B82.if.i, label %B2340.preheader
 
 B82.if.i:                                         ; preds = %B2270, %B682.i
-  %.110.i.010295 = phi i64 [ %.175.i1656, %B682.i ], [ %storemerge, %B2270 ]
-  %.107.i967.010294 = phi i64 [ %.179.i, %B682.i ], [ 0, %B2270 ]
-  %.175.i1656 = add nsw i64 %.110.i.010295, -1
-  %.179.i = add nsw i64 %.107.i967.010294, 1
-  %209 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.107.i967.010294
-  %.257.i1080 = load i64, ptr %209, align 8, !noalias !50
-  %.262.i1083 = icmp sgt i64 %.257.i1080, -1
-  br i1 %.262.i1083, label %B140.i, label %B682.i
+  %.110.i.010300 = phi i64 [ %.175.i1655, %B682.i ], [ %storemerge, %B2270 ]
+  %.107.i968.010299 = phi i64 [ %.179.i, %B682.i ], [ 0, %B2270 ]
+  %.175.i1655 = add nsw i64 %.110.i.010300, -1
+  %.179.i = add nsw i64 %.107.i968.010299, 1
+  %209 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.107.i968.010299
+  %.257.i1081 = load i64, ptr %209, align 8, !noalias !50
+  %.262.i1084 = icmp sgt i64 %.257.i1081, -1
+  br i1 %.262.i1084, label %B140.i, label %B682.i
 
 B2472:                                            ; preds = %B2342.if
-  %.3362 = getelementptr double, ptr %41, i64 %.3043.010297
+  %.3362 = getelementptr double, ptr %41, i64 %.3043.010302
   %.3363 = load double, ptr %.3362, align 8
   %.3364 = fcmp ogt double %.3363, 5.000000e-01
   br i1 %.3364, label %B2520, label %B2630
 
 B2520:                                            ; preds = %B2472
   %.5.i = fptosi double %.3363 to i64
-  %210 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.3043.010297
-  %.84.i2743 = load i64, ptr %210, align 8, !noalias !54
-  %.89.i2746 = icmp sgt i64 %.84.i2743, -1
-  br i1 %.89.i2746, label %B46.i2751, label %B2630
+  %210 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.3043.010302
+  %.84.i2742 = load i64, ptr %210, align 8, !noalias !54
+  %.89.i2745 = icmp sgt i64 %.84.i2742, -1
+  br i1 %.89.i2745, label %B46.i2750, label %B2630
 
-B2630:                                            ; preds = %B2472, %B46.i2751, %B2520, %B80.i2783
-  %.3542 = getelementptr double, ptr %42, i64 %.3043.010297
+B2630:                                            ; preds = %B2472, %B46.i2750, %B2520, %B80.i2782
+  %.3542 = getelementptr double, ptr %42, i64 %.3043.010302
   %.3543 = load double, ptr %.3542, align 8
   %.3544 = fcmp ogt double %.3543, 5.000000e-01
   br i1 %.3544, label %B2678, label %B2948
 
 B2678:                                            ; preds = %B2630
-  %spec.select = select i1 %within.3.210299, i1 true, i1 %.2645
+  %spec.select = select i1 %within.3.210304, i1 true, i1 %.2645
   %.3616 = mul i64 %.3201, %arg.batch.3.3.5.1
   %.3620 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.3616
   %.3621 = load i64, ptr %.3620, align 8
@@ -1925,7 +1925,7 @@ B2678:                                            ; preds = %B2630
   br i1 %.3662, label %B2806, label %B2758
 
 B2758:                                            ; preds = %B2678
-  %.3719 = getelementptr double, ptr %43, i64 %.3043.010297
+  %.3719 = getelementptr double, ptr %43, i64 %.3043.010302
   %.3720 = load double, ptr %.3719, align 8
   %.3722 = fcmp ogt double %.3720, 0.000000e+00
   br i1 %.3722, label %B2806, label %B2846
@@ -1935,7 +1935,7 @@ B2806:                                            ; preds = %B2678, %B2758
   br label %B2846
 
 B2846:                                            ; preds = %B2806, %B2758
-  %checked.5.5 = phi i1 [ true, %B2806 ], [ %checked.3.210300, %B2758 ]
+  %checked.5.5 = phi i1 [ true, %B2806 ], [ %checked.3.210305, %B2758 ]
   %.3801 = icmp slt i64 %.3252, %arg.batch.2.5.0
   br i1 %.3801, label %B2884, label %B2948
 
@@ -1945,7 +1945,7 @@ B2884:                                            ; preds = %B2846
   %211 = getelementptr double, ptr %arg.batch.2.4, i64 %.3252
   %.3840 = getelementptr double, ptr %211, i64 %.3826
   %.3841 = load double, ptr %.3840, align 8
-  %.3895 = getelementptr double, ptr %44, i64 %.3043.010297
+  %.3895 = getelementptr double, ptr %44, i64 %.3043.010302
   %.3896 = load double, ptr %.3895, align 8
   %.3897 = fcmp olt double %.3841, %.3896
   br i1 %.3897, label %B2944, label %B2948
@@ -1954,9 +1954,9 @@ B2944:                                            ; preds = %B2884
   br label %B2948
 
 B2948:                                            ; preds = %B2342.if, %B2944, %B2884, %B2846, %B2630
-  %within.4.3 = phi i1 [ true, %B2944 ], [ %spec.select, %B2884 ], [ %spec.select, %B2846 ], [ %within.3.210299, %B2630 ], [ %within.3.210299, %B2342.if ]
-  %checked.4.3 = phi i1 [ %checked.5.5, %B2944 ], [ %checked.5.5, %B2884 ], [ %checked.5.5, %B2846 ], [ %checked.3.210300, %B2630 ], [ %checked.3.210300, %B2342.if ]
-  %.3106 = icmp sgt i64 %.3046.010298, 1
+  %within.4.3 = phi i1 [ true, %B2944 ], [ %spec.select, %B2884 ], [ %spec.select, %B2846 ], [ %within.3.210304, %B2630 ], [ %within.3.210304, %B2342.if ]
+  %checked.4.3 = phi i1 [ %checked.5.5, %B2944 ], [ %checked.5.5, %B2884 ], [ %checked.5.5, %B2846 ], [ %checked.3.210305, %B2630 ], [ %checked.3.210305, %B2342.if ]
+  %.3106 = icmp sgt i64 %.3046.010303, 1
   br i1 %.3106, label %B2342.if, label %B2952
 
 B2952:                                            ; preds = %B2948, %B2270, %B2340.preheader
@@ -1964,7 +1964,7 @@ B2952:                                            ; preds = %B2948, %B2270, %B23
   %checked.2.1 = phi i1 [ false, %B2270 ], [ false, %B2340.preheader ], [ %checked.4.3, %B2948 ]
   %spec.select9778 = select i1 %good.2.1.lcssa, i1 true, i1 %.2014
   %spec.select9803 = select i1 %not.brmerge9777, i1 %spec.select9778, i1 false
-  %brmerge9780.not = select i1 %good.2.1.lcssa, i1 %.not10231, i1 false
+  %brmerge9780.not = select i1 %good.2.1.lcssa, i1 %.not10236, i1 false
   %brmerge9781 = select i1 %brmerge9780.not, i1 true, i1 %spec.select9803
   br i1 %brmerge9781, label %B2992, label %B3090
 
@@ -2012,39 +2012,39 @@ B3356:                                            ; preds = %B3342
   br i1 %.620, label %B3404.if, label %B3778.critedge
 
 B160.i:                                           ; preds = %B64.if.i3739
-  %.397.i3140 = getelementptr double, ptr %46, i64 %.138.i2916.010307
-  %.398.i3141 = load double, ptr %.397.i3140, align 8, !noalias !58
-  %.399.i = fcmp uge double %.398.i3141, 5.000000e-01
-  %.412.i3149.not = icmp slt i64 %.338.i3091, %arg.batch.2.5.0
-  %or.cond9790 = select i1 %.399.i, i1 %.412.i3149.not, i1 false
+  %.397.i3139 = getelementptr double, ptr %46, i64 %.138.i2915.010312
+  %.398.i3140 = load double, ptr %.397.i3139, align 8, !noalias !58
+  %.399.i = fcmp uge double %.398.i3140, 5.000000e-01
+  %.412.i3148.not = icmp slt i64 %.338.i3090, %arg.batch.2.5.0
+  %or.cond9790 = select i1 %.399.i, i1 %.412.i3148.not, i1 false
   br i1 %or.cond9790, label %B248.i, label %B533.i
 
 B248.i:                                           ; preds = %B160.i
-  %.435.i3160 = icmp slt i64 %.338.i3091, 0
-  %.436.i3161 = select i1 %.435.i3160, i64 %arg.batch.2.5.0, i64 0
-  %213 = getelementptr double, ptr %arg.batch.2.4, i64 %.338.i3091
-  %.450.i3174 = getelementptr double, ptr %213, i64 %.436.i3161
-  %.451.i3175 = load double, ptr %.450.i3174, align 8, !noalias !58
-  %.501.i3219 = getelementptr double, ptr %47, i64 %.138.i2916.010307
-  %.502.i3220 = load double, ptr %.501.i3219, align 8, !noalias !58
-  %.503.i3221 = fcmp olt double %.451.i3175, %.502.i3220
-  br i1 %.503.i3221, label %B308.i, label %B533.i
+  %.435.i3159 = icmp slt i64 %.338.i3090, 0
+  %.436.i3160 = select i1 %.435.i3159, i64 %arg.batch.2.5.0, i64 0
+  %213 = getelementptr double, ptr %arg.batch.2.4, i64 %.338.i3090
+  %.450.i3173 = getelementptr double, ptr %213, i64 %.436.i3160
+  %.451.i3174 = load double, ptr %.450.i3173, align 8, !noalias !58
+  %.501.i3218 = getelementptr double, ptr %47, i64 %.138.i2915.010312
+  %.502.i3219 = load double, ptr %.501.i3218, align 8, !noalias !58
+  %.503.i3220 = fcmp olt double %.451.i3174, %.502.i3219
+  br i1 %.503.i3220, label %B308.i, label %B533.i
 
 B308.i:                                           ; preds = %B248.i
-  %.554.i3265 = getelementptr double, ptr %48, i64 %.138.i2916.010307
-  %.555.i3266 = load double, ptr %.554.i3265, align 8, !noalias !58
-  %.556.i3267 = fcmp ogt double %.555.i3266, 1.000000e+00
-  br i1 %.556.i3267, label %B356.i3268, label %B533.i
+  %.554.i3264 = getelementptr double, ptr %48, i64 %.138.i2915.010312
+  %.555.i3265 = load double, ptr %.554.i3264, align 8, !noalias !58
+  %.556.i3266 = fcmp ogt double %.555.i3265, 1.000000e+00
+  br i1 %.556.i3266, label %B356.i3267, label %B533.i
 
-B356.i3268:                                       ; preds = %B308.i
-  %.608.i3311 = getelementptr double, ptr %49, i64 %.138.i2916.010307
+B356.i3267:                                       ; preds = %B308.i
+  %.608.i3311 = getelementptr double, ptr %49, i64 %.138.i2915.010312
   %.609.i3312 = load double, ptr %.608.i3311, align 8, !noalias !58
-  store double 0.000000e+00, ptr %.397.i3140, align 8, !noalias !62
-  %.161.i.i3472 = getelementptr double, ptr %.2012, i64 %.138.i2916.010307
+  store double 0.000000e+00, ptr %.397.i3139, align 8, !noalias !62
+  %.161.i.i3472 = getelementptr double, ptr %.2012, i64 %.138.i2915.010312
   store double 0.000000e+00, ptr %.161.i.i3472, align 8, !noalias !62
-  %.214.i.i3499 = getelementptr double, ptr %50, i64 %.138.i2916.010307
+  %.214.i.i3499 = getelementptr double, ptr %50, i64 %.138.i2915.010312
   store double %.609.i3312, ptr %.214.i.i3499, align 8, !noalias !62
-  %.268.i.i = load i64, ptr %.286.i3044, align 8, !noalias !62
+  %.268.i.i = load i64, ptr %.286.i3043, align 8, !noalias !62
   %.294.i.i3533 = icmp slt i64 %.268.i.i, 0
   %.295.i.i3534 = select i1 %.294.i.i3533, i64 %arg.batch.3.3.5.0, i64 0
   %.296.i.i3535 = add i64 %.295.i.i3534, %.268.i.i
@@ -2053,7 +2053,7 @@ B356.i3268:                                       ; preds = %B308.i
   %.321.i.i = load i64, ptr %.320.i.i, align 8, !noalias !62
   %.322.i.i3546 = add nsw i64 %.321.i.i, -1
   store i64 %.322.i.i3546, ptr %.320.i.i, align 8, !noalias !62
-  %.426.i.i = load i64, ptr %.286.i3044, align 8, !noalias !62
+  %.426.i.i = load i64, ptr %.286.i3043, align 8, !noalias !62
   %.452.i.i = icmp slt i64 %.426.i.i, 0
   %.453.i.i = select i1 %.452.i.i, i64 %arg.batch.3.3.5.0, i64 0
   %.454.i.i = add i64 %.453.i.i, %.426.i.i
@@ -2063,10 +2063,10 @@ B356.i3268:                                       ; preds = %B308.i
   %.479.i.i = load i64, ptr %.478.i.i, align 8, !noalias !62
   %.480.i.i = add nsw i64 %.479.i.i, 1
   store i64 %.480.i.i, ptr %.478.i.i, align 8, !noalias !62
-  %.681.i3599 = load double, ptr %.450.i3174, align 8, !noalias !58
-  %.735.i3646 = getelementptr double, ptr %51, i64 %.138.i2916.010307
+  %.681.i3599 = load double, ptr %.450.i3173, align 8, !noalias !58
+  %.735.i3646 = getelementptr double, ptr %51, i64 %.138.i2915.010312
   store double %.681.i3599, ptr %.735.i3646, align 8, !noalias !58
-  %.784.i3689 = mul i64 %.287.i3045, %arg.batch.3.3.5.1
+  %.784.i3689 = mul i64 %.287.i3044, %arg.batch.3.3.5.1
   %215 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.784.i3689
   %.788.i3693 = getelementptr i8, ptr %215, i64 8
   %.789.i3694 = load i64, ptr %.788.i3693, align 8, !noalias !58
@@ -2074,21 +2074,21 @@ B356.i3268:                                       ; preds = %B308.i
   store i64 %.790.i3695, ptr %.788.i3693, align 8, !noalias !58
   br label %B533.i
 
-B533.i:                                           ; preds = %B248.i, %B308.i, %B356.i3268, %B64.if.i3739, %B160.i
-  %.196.i2983 = icmp sgt i64 %.141.i2917.010306, 1
-  br i1 %.196.i2983, label %B64.if.i3739, label %B3778
+B533.i:                                           ; preds = %B248.i, %B308.i, %B356.i3267, %B64.if.i3739, %B160.i
+  %.196.i2982 = icmp sgt i64 %.141.i2916.010311, 1
+  br i1 %.196.i2982, label %B64.if.i3739, label %B3778
 
 B64.if.i3739:                                     ; preds = %B3404.if, %B533.i
-  %.138.i2916.010307 = phi i64 [ %.209.i3745, %B533.i ], [ 0, %B3404.if ]
-  %.141.i2917.010306 = phi i64 [ %.205.i3743, %B533.i ], [ %storemerge, %B3404.if ]
-  %.205.i3743 = add nsw i64 %.141.i2917.010306, -1
-  %.209.i3745 = add nsw i64 %.138.i2916.010307, 1
-  %.286.i3044 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.138.i2916.010307
-  %.287.i3045 = load i64, ptr %.286.i3044, align 8, !noalias !58
-  %.337.i3090 = getelementptr i64, ptr %45, i64 %.138.i2916.010307
-  %.338.i3091 = load i64, ptr %.337.i3090, align 8, !noalias !58
-  %.346.i3095 = icmp slt i64 %.287.i3045, 0
-  br i1 %.346.i3095, label %B533.i, label %B160.i
+  %.138.i2915.010312 = phi i64 [ %.209.i3745, %B533.i ], [ 0, %B3404.if ]
+  %.141.i2916.010311 = phi i64 [ %.205.i3743, %B533.i ], [ %storemerge, %B3404.if ]
+  %.205.i3743 = add nsw i64 %.141.i2916.010311, -1
+  %.209.i3745 = add nsw i64 %.138.i2915.010312, 1
+  %.286.i3043 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.138.i2915.010312
+  %.287.i3044 = load i64, ptr %.286.i3043, align 8, !noalias !58
+  %.337.i3089 = getelementptr i64, ptr %45, i64 %.138.i2915.010312
+  %.338.i3090 = load i64, ptr %.337.i3089, align 8, !noalias !58
+  %.346.i3094 = icmp slt i64 %.287.i3044, 0
+  br i1 %.346.i3094, label %B533.i, label %B160.i
 
 B3778.critedge:                                   ; preds = %B3356
   %.4675.c = load i64, ptr %.4674.c, align 8
@@ -2125,9 +2125,9 @@ B296.preheader.i:                                 ; preds = %B296.preheader.i.pr
   br i1 %.815, label %B364.endif.i, label %B296.if.i9834.preheader
 
 B296.if.i9834.preheader:                          ; preds = %B296.preheader.i
-  %switch.tableidx10536 = add i64 %.547.sroa.0.08214.i, 9
-  %216 = icmp ult i64 %switch.tableidx10536, 17
-  %switch.gep10538 = getelementptr inbounds double, ptr @switch.table.advance_of_many.8, i64 %switch.tableidx10536
+  %switch.tableidx10541 = add i64 %.547.sroa.0.08214.i, 9
+  %216 = icmp ult i64 %switch.tableidx10541, 17
+  %switch.gep10543 = getelementptr inbounds double, ptr @switch.table.advance_of_many.8, i64 %switch.tableidx10541
   br label %B296.if.i9834
 
 B296.loopexit.i:                                  ; preds = %B122.if.i467.i, %switch.end.i
@@ -2517,15 +2517,15 @@ B676.i.i:                                         ; preds = %switch.8.1.i.i, %sw
   br i1 %or.cond.i, label %B720.i.i, label %B562.i.i
 
 B720.i.i:                                         ; preds = %B676.i.i
-  br i1 %.1024.i.i, label %switch.lookup10512, label %B768.i.i
+  br i1 %.1024.i.i, label %switch.lookup10517, label %B768.i.i
 
-switch.lookup10512:                               ; preds = %B720.i.i
-  %switch.gep10513 = getelementptr inbounds double, ptr @switch.table.advance_of_many.3, i64 %look.2.i.2.i
-  %switch.load10514 = load double, ptr %switch.gep10513, align 8
+switch.lookup10517:                               ; preds = %B720.i.i
+  %switch.gep10518 = getelementptr inbounds double, ptr @switch.table.advance_of_many.3, i64 %look.2.i.2.i
+  %switch.load10519 = load double, ptr %switch.gep10518, align 8
   br label %B768.i.i
 
-B768.i.i:                                         ; preds = %switch.lookup10512, %B720.i.i
-  %"$phi768.2.2.i.2.i" = phi double [ %low.3.i.3.i, %B720.i.i ], [ %switch.load10514, %switch.lookup10512 ]
+B768.i.i:                                         ; preds = %switch.lookup10517, %B720.i.i
+  %"$phi768.2.2.i.2.i" = phi double [ %low.3.i.3.i, %B720.i.i ], [ %switch.load10519, %switch.lookup10517 ]
   %.1158.i1250.i = getelementptr double, ptr %57, i64 %.314.i.i
   store double %low.3.i.3.i, ptr %.1158.i1250.i, align 8, !noalias !85
   %.1212.i.i = getelementptr double, ptr %58, i64 %.314.i.i
@@ -2807,70 +2807,70 @@ B250.endif.i.i:                                   ; preds = %B0.endif.i.i2644.i,
 
 B122.if.i.i.lr.ph.i:                              ; preds = %B250.endif.i.i
   %.247.i.i.i.i = fsub double 1.000000e+00, %.513.i1768.0.i
-  %invariant.gep10326 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i1760.08246.i
-  %invariant.gep10328 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i1760.08246.i
-  %invariant.gep10330 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i1760.08246.i
-  %invariant.gep10332 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i1760.08246.i
-  %invariant.gep10334 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i1760.08246.i
-  %invariant.gep10336 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i1760.08246.i
-  %invariant.gep10338 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i1760.08246.i
-  %invariant.gep10340 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i1760.08246.i
-  %invariant.gep10342 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i1760.08246.i
+  %invariant.gep10331 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i1760.08246.i
+  %invariant.gep10333 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i1760.08246.i
+  %invariant.gep10335 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i1760.08246.i
+  %invariant.gep10337 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i1760.08246.i
+  %invariant.gep10339 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i1760.08246.i
+  %invariant.gep10341 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i1760.08246.i
+  %invariant.gep10343 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i1760.08246.i
+  %invariant.gep10345 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i1760.08246.i
+  %invariant.gep10347 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i1760.08246.i
   br label %B122.if.i.i.i
 
 B122.if.i.i.i:                                    ; preds = %B122.if.i.i.i, %B122.if.i.i.lr.ph.i
   %.229.i313.i.08243.i = phi i64 [ 0, %B122.if.i.i.lr.ph.i ], [ %.300.i.i.i, %B122.if.i.i.i ]
   %.157.i.i.i.i = add nsw i64 %.229.i313.i.08243.i, %.155.i.i.i.i
   %.159.i.i.i.i = mul nsw i64 %.157.i.i.i.i, %arg.shape.0
-  %gep10327 = getelementptr double, ptr %invariant.gep10326, i64 %.159.i.i.i.i
-  %.191.i.i.i.i = load double, ptr %gep10327, align 8, !noalias !114
+  %gep10332 = getelementptr double, ptr %invariant.gep10331, i64 %.159.i.i.i.i
+  %.191.i.i.i.i = load double, ptr %gep10332, align 8, !noalias !114
   %.193.i.i.i.i = fadd double %.191.i.i.i.i, 0.000000e+00
   %.253.i.i.i.i = fmul double %.513.i1768.0.i, %.193.i.i.i.i
   %.157.i.i.i.1.i = add nsw i64 %.229.i313.i.08243.i, %.155.i.i.i.1.i
   %.159.i.i.i.1.i = mul nsw i64 %.157.i.i.i.1.i, %arg.shape.0
-  %gep10329 = getelementptr double, ptr %invariant.gep10328, i64 %.159.i.i.i.1.i
-  %.191.i.i.i.1.i = load double, ptr %gep10329, align 8, !noalias !114
+  %gep10334 = getelementptr double, ptr %invariant.gep10333, i64 %.159.i.i.i.1.i
+  %.191.i.i.i.1.i = load double, ptr %gep10334, align 8, !noalias !114
   %.193.i.i.i.1.i = fadd double %.191.i.i.i.1.i, %.253.i.i.i.i
   %.253.i.i.i.1.i = fmul double %.247.i.i.i.i, %.193.i.i.i.1.i
   %.157.i.i.i.2.i = add nsw i64 %.229.i313.i.08243.i, %.155.i.i.i.2.i
   %.159.i.i.i.2.i = mul nsw i64 %.157.i.i.i.2.i, %arg.shape.0
-  %gep10331 = getelementptr double, ptr %invariant.gep10330, i64 %.159.i.i.i.2.i
-  %.191.i.i.i.2.i = load double, ptr %gep10331, align 8, !noalias !114
+  %gep10336 = getelementptr double, ptr %invariant.gep10335, i64 %.159.i.i.i.2.i
+  %.191.i.i.i.2.i = load double, ptr %gep10336, align 8, !noalias !114
   %.193.i.i.i.2.i = fadd double %.191.i.i.i.2.i, %.253.i.i.i.1.i
   %.253.i.i.i.2.i = fmul double %.513.i1768.0.i, %.193.i.i.i.2.i
   %.157.i.i.i.3.i = add nsw i64 %.229.i313.i.08243.i, %.155.i.i.i.3.i
   %.159.i.i.i.3.i = mul nsw i64 %.157.i.i.i.3.i, %arg.shape.0
-  %gep10333 = getelementptr double, ptr %invariant.gep10332, i64 %.159.i.i.i.3.i
-  %.191.i.i.i.3.i = load double, ptr %gep10333, align 8, !noalias !114
+  %gep10338 = getelementptr double, ptr %invariant.gep10337, i64 %.159.i.i.i.3.i
+  %.191.i.i.i.3.i = load double, ptr %gep10338, align 8, !noalias !114
   %.193.i.i.i.3.i = fadd double %.191.i.i.i.3.i, %.253.i.i.i.2.i
   %.253.i.i.i.3.i = fmul double %.247.i.i.i.i, %.193.i.i.i.3.i
   %.157.i.i.i.4.i = add nsw i64 %.229.i313.i.08243.i, %.155.i.i.i.4.i
   %.159.i.i.i.4.i = mul nsw i64 %.157.i.i.i.4.i, %arg.shape.0
-  %gep10335 = getelementptr double, ptr %invariant.gep10334, i64 %.159.i.i.i.4.i
-  %.191.i.i.i.4.i = load double, ptr %gep10335, align 8, !noalias !114
+  %gep10340 = getelementptr double, ptr %invariant.gep10339, i64 %.159.i.i.i.4.i
+  %.191.i.i.i.4.i = load double, ptr %gep10340, align 8, !noalias !114
   %.193.i.i.i.4.i = fadd double %.191.i.i.i.4.i, %.253.i.i.i.3.i
   %.253.i.i.i.4.i = fmul double %.513.i1768.0.i, %.193.i.i.i.4.i
   %.157.i.i.i.5.i = add nsw i64 %.229.i313.i.08243.i, %.155.i.i.i.5.i
   %.159.i.i.i.5.i = mul nsw i64 %.157.i.i.i.5.i, %arg.shape.0
-  %gep10337 = getelementptr double, ptr %invariant.gep10336, i64 %.159.i.i.i.5.i
-  %.191.i.i.i.5.i = load double, ptr %gep10337, align 8, !noalias !114
+  %gep10342 = getelementptr double, ptr %invariant.gep10341, i64 %.159.i.i.i.5.i
+  %.191.i.i.i.5.i = load double, ptr %gep10342, align 8, !noalias !114
   %.193.i.i.i.5.i = fadd double %.191.i.i.i.5.i, %.253.i.i.i.4.i
   %.253.i.i.i.5.i = fmul double %.247.i.i.i.i, %.193.i.i.i.5.i
   %.157.i.i.i.6.i = add nsw i64 %.229.i313.i.08243.i, %.155.i.i.i.6.i
   %.159.i.i.i.6.i = mul nsw i64 %.157.i.i.i.6.i, %arg.shape.0
-  %gep10339 = getelementptr double, ptr %invariant.gep10338, i64 %.159.i.i.i.6.i
-  %.191.i.i.i.6.i = load double, ptr %gep10339, align 8, !noalias !114
+  %gep10344 = getelementptr double, ptr %invariant.gep10343, i64 %.159.i.i.i.6.i
+  %.191.i.i.i.6.i = load double, ptr %gep10344, align 8, !noalias !114
   %.193.i.i.i.6.i = fadd double %.191.i.i.i.6.i, %.253.i.i.i.5.i
   %.253.i.i.i.6.i = fmul double %.513.i1768.0.i, %.193.i.i.i.6.i
   %.300.i.i.i = add nsw i64 %.229.i313.i.08243.i, 1
   %.271.i.i.i.i = mul nsw i64 %.229.i313.i.08243.i, %arg.shape.0
-  %gep10341 = getelementptr double, ptr %invariant.gep10340, i64 %.271.i.i.i.i
-  %.309.i.i.i.i = load double, ptr %gep10341, align 8, !noalias !114
+  %gep10346 = getelementptr double, ptr %invariant.gep10345, i64 %.271.i.i.i.i
+  %.309.i.i.i.i = load double, ptr %gep10346, align 8, !noalias !114
   %.313.i.i.i.i = fadd double %.309.i.i.i.i, %.253.i.i.i.6.i
   %.359.i.i.i = add nsw i64 %.229.i313.i.08243.i, %.358.i355.i
   %.361.i.i.i = mul nsw i64 %.359.i.i.i, %arg.shape.0
-  %gep10343 = getelementptr double, ptr %invariant.gep10342, i64 %.361.i.i.i
-  store double %.313.i.i.i.i, ptr %gep10343, align 8, !noalias !110
+  %gep10348 = getelementptr double, ptr %invariant.gep10347, i64 %.361.i.i.i
+  store double %.313.i.i.i.i, ptr %gep10348, align 8, !noalias !110
   %exitcond8409.not.i = icmp eq i64 %arg.shape.1, %.300.i.i.i
   br i1 %exitcond8409.not.i, label %B154.i.loopexit.i, label %B122.if.i.i.i
 
@@ -2890,8 +2890,8 @@ B634.endif.i.i:                                   ; preds = %B0.endif.i188.i.i, 
   br i1 %.430.i8215.not.i, label %B634.endif.endif.i.i, label %B58.if.i.i2369.i.preheader
 
 B58.if.i.i2369.i.preheader:                       ; preds = %B634.endif.i.i
-  %invariant.gep10344 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.791.i1781.08258.i
-  %invariant.gep10346 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.791.i1781.08258.i
+  %invariant.gep10349 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.791.i1781.08258.i
+  %invariant.gep10351 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.791.i1781.08258.i
   br label %B58.if.i.i2369.i
 
 B58.if.i.i2369.i:                                 ; preds = %B58.if.i.i2369.i.preheader, %B58.if.i.i2369.i
@@ -2902,12 +2902,12 @@ B58.if.i.i2369.i:                                 ; preds = %B58.if.i.i2369.i.pr
   %.158.i574.i.i = mul nsw i64 %.156.i572.i.i, %arg.shape.0
   %.164.i578.i.i = add nsw i64 %.54.i.i1643.08253.i, %.580.i1547.i
   %.166.i580.i.i = mul nsw i64 %.164.i578.i.i, %arg.shape.0
-  %gep10345 = getelementptr double, ptr %invariant.gep10344, i64 %.166.i580.i.i
-  %.198.i608.i.i = load double, ptr %gep10345, align 8, !noalias !118
-  %gep10347 = getelementptr double, ptr %invariant.gep10346, i64 %.158.i574.i.i
-  %.228.i630.i.i = load double, ptr %gep10347, align 8, !noalias !118
+  %gep10350 = getelementptr double, ptr %invariant.gep10349, i64 %.166.i580.i.i
+  %.198.i608.i.i = load double, ptr %gep10350, align 8, !noalias !118
+  %gep10352 = getelementptr double, ptr %invariant.gep10351, i64 %.158.i574.i.i
+  %.228.i630.i.i = load double, ptr %gep10352, align 8, !noalias !118
   %.229.i631.i.i = fmul double %.198.i608.i.i, %.228.i630.i.i
-  %247 = getelementptr double, ptr %gep10347, i64 %.194.i.i738.i
+  %247 = getelementptr double, ptr %gep10352, i64 %.194.i.i738.i
   %.263.i656.i.i = load double, ptr %247, align 8, !noalias !118
   %.264.i657.i.i = fadd double %.229.i631.i.i, %.263.i656.i.i
   %.10.i.i664.i.i = fcmp olt double %.264.i657.i.i, %least.2.i.i1642.08255.i
@@ -2928,55 +2928,55 @@ B122.if.i.i:                                      ; preds = %B122.if.i.lr.ph.i, 
   %.229.i.08273.i = phi i64 [ 0, %B122.if.i.lr.ph.i ], [ %.300.i.i, %B122.if.i.i ]
   %.157.i.i.i = add nsw i64 %.229.i.08273.i, %.155.i.i.i
   %.159.i.i.i = mul nsw i64 %.157.i.i.i, %arg.shape.0
-  %gep10349 = getelementptr double, ptr %invariant.gep10348, i64 %.159.i.i.i
-  %.191.i.i.i = load double, ptr %gep10349, align 8, !noalias !122
+  %gep10354 = getelementptr double, ptr %invariant.gep10353, i64 %.159.i.i.i
+  %.191.i.i.i = load double, ptr %gep10354, align 8, !noalias !122
   %.193.i.i.i = fadd double %.191.i.i.i, 0.000000e+00
   %.253.i.i.i = fmul double %.1306.i, %.193.i.i.i
   %.157.i.i.1.i = add nsw i64 %.229.i.08273.i, %.155.i.i.1.i
   %.159.i.i.1.i = mul nsw i64 %.157.i.i.1.i, %arg.shape.0
-  %gep10351 = getelementptr double, ptr %invariant.gep10350, i64 %.159.i.i.1.i
-  %.191.i.i.1.i = load double, ptr %gep10351, align 8, !noalias !122
+  %gep10356 = getelementptr double, ptr %invariant.gep10355, i64 %.159.i.i.1.i
+  %.191.i.i.1.i = load double, ptr %gep10356, align 8, !noalias !122
   %.193.i.i.1.i = fadd double %.191.i.i.1.i, %.253.i.i.i
   %.253.i.i.1.i = fmul double %.247.i.i.i, %.193.i.i.1.i
   %.157.i.i.2.i = add nsw i64 %.229.i.08273.i, %.155.i.i.2.i
   %.159.i.i.2.i = mul nsw i64 %.157.i.i.2.i, %arg.shape.0
-  %gep10353 = getelementptr double, ptr %invariant.gep10352, i64 %.159.i.i.2.i
-  %.191.i.i.2.i = load double, ptr %gep10353, align 8, !noalias !122
+  %gep10358 = getelementptr double, ptr %invariant.gep10357, i64 %.159.i.i.2.i
+  %.191.i.i.2.i = load double, ptr %gep10358, align 8, !noalias !122
   %.193.i.i.2.i = fadd double %.191.i.i.2.i, %.253.i.i.1.i
   %.253.i.i.2.i = fmul double %.1306.i, %.193.i.i.2.i
   %.157.i.i.3.i = add nsw i64 %.229.i.08273.i, %.155.i.i.3.i
   %.159.i.i.3.i = mul nsw i64 %.157.i.i.3.i, %arg.shape.0
-  %gep10355 = getelementptr double, ptr %invariant.gep10354, i64 %.159.i.i.3.i
-  %.191.i.i.3.i = load double, ptr %gep10355, align 8, !noalias !122
+  %gep10360 = getelementptr double, ptr %invariant.gep10359, i64 %.159.i.i.3.i
+  %.191.i.i.3.i = load double, ptr %gep10360, align 8, !noalias !122
   %.193.i.i.3.i = fadd double %.191.i.i.3.i, %.253.i.i.2.i
   %.253.i.i.3.i = fmul double %.247.i.i.i, %.193.i.i.3.i
   %.157.i.i.4.i = add nsw i64 %.229.i.08273.i, %.155.i.i.4.i
   %.159.i.i.4.i = mul nsw i64 %.157.i.i.4.i, %arg.shape.0
-  %gep10357 = getelementptr double, ptr %invariant.gep10356, i64 %.159.i.i.4.i
-  %.191.i.i.4.i = load double, ptr %gep10357, align 8, !noalias !122
+  %gep10362 = getelementptr double, ptr %invariant.gep10361, i64 %.159.i.i.4.i
+  %.191.i.i.4.i = load double, ptr %gep10362, align 8, !noalias !122
   %.193.i.i.4.i = fadd double %.191.i.i.4.i, %.253.i.i.3.i
   %.253.i.i.4.i = fmul double %.1306.i, %.193.i.i.4.i
   %.157.i.i.5.i = add nsw i64 %.229.i.08273.i, %.155.i.i.5.i
   %.159.i.i.5.i = mul nsw i64 %.157.i.i.5.i, %arg.shape.0
-  %gep10359 = getelementptr double, ptr %invariant.gep10358, i64 %.159.i.i.5.i
-  %.191.i.i.5.i = load double, ptr %gep10359, align 8, !noalias !122
+  %gep10364 = getelementptr double, ptr %invariant.gep10363, i64 %.159.i.i.5.i
+  %.191.i.i.5.i = load double, ptr %gep10364, align 8, !noalias !122
   %.193.i.i.5.i = fadd double %.191.i.i.5.i, %.253.i.i.4.i
   %.253.i.i.5.i = fmul double %.247.i.i.i, %.193.i.i.5.i
   %.157.i.i.6.i = add nsw i64 %.229.i.08273.i, %.155.i.i.6.i
   %.159.i.i.6.i = mul nsw i64 %.157.i.i.6.i, %arg.shape.0
-  %gep10361 = getelementptr double, ptr %invariant.gep10360, i64 %.159.i.i.6.i
-  %.191.i.i.6.i = load double, ptr %gep10361, align 8, !noalias !122
+  %gep10366 = getelementptr double, ptr %invariant.gep10365, i64 %.159.i.i.6.i
+  %.191.i.i.6.i = load double, ptr %gep10366, align 8, !noalias !122
   %.193.i.i.6.i = fadd double %.191.i.i.6.i, %.253.i.i.5.i
   %.253.i.i.6.i = fmul double %.1306.i, %.193.i.i.6.i
   %.300.i.i = add nsw i64 %.229.i.08273.i, 1
   %.271.i.i.i = mul nsw i64 %.229.i.08273.i, %arg.shape.0
-  %gep10363 = getelementptr double, ptr %invariant.gep10362, i64 %.271.i.i.i
-  %.309.i.i.i = load double, ptr %gep10363, align 8, !noalias !122
+  %gep10368 = getelementptr double, ptr %invariant.gep10367, i64 %.271.i.i.i
+  %.309.i.i.i = load double, ptr %gep10368, align 8, !noalias !122
   %.313.i.i.i = fadd double %.309.i.i.i, %.253.i.i.6.i
   %.359.i.i = add nsw i64 %.229.i.08273.i, %.358.i355.i
   %.361.i.i = mul nsw i64 %.359.i.i, %arg.shape.0
-  %gep10365 = getelementptr double, ptr %invariant.gep10364, i64 %.361.i.i
-  store double %.313.i.i.i, ptr %gep10365, align 8, !noalias !129
+  %gep10370 = getelementptr double, ptr %invariant.gep10369, i64 %.361.i.i
+  store double %.313.i.i.i, ptr %gep10370, align 8, !noalias !129
   %exitcond8414.not.i = icmp eq i64 %arg.shape.1, %.300.i.i
   br i1 %exitcond8414.not.i, label %B596.loopexit.i, label %B122.if.i.i
 
@@ -3247,7 +3247,7 @@ B562.i7709.i:                                     ; preds = %B562.i7709.i.prehea
   %low.2.i7275.2.i = phi double [ %low.3.i7279.3.i, %B676.i7727.i ], [ 0.000000e+00, %B562.i7709.i.preheader ]
   %look.2.i7274.2.i = phi i64 [ %.979.i7738.i, %B676.i7727.i ], [ 1, %B562.i7709.i.preheader ]
   %266 = icmp ult i64 %look.2.i7274.2.i, 9
-  br i1 %266, label %switch.lookup10515, label %_ZN5pages5kinks7bracketB3v45B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE27Literal_5bbool_5d_28True_2923Literal_5bint_5d_280_298UniTupleIxLi8EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br i1 %266, label %switch.lookup10520, label %_ZN5pages5kinks7bracketB3v45B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE27Literal_5bbool_5d_28True_2923Literal_5bint_5d_280_298UniTupleIxLi8EE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
 B58.if.i183.i.i:                                  ; preds = %B58.if.i183.i.lr.ph.i, %B58.if.i183.i.i
   %least.2.i16.i7177.08324.i = phi double [ 0x7FF0000000000000, %B58.if.i183.i.lr.ph.i ], [ %.11.i.i179.i.i, %B58.if.i183.i.i ]
@@ -3295,10 +3295,10 @@ B646.i8112.i:                                     ; preds = %B596.endif.i8106.i
     i64 4, label %switch.4.1.i8126.i
   ]
 
-B676.i7727.i:                                     ; preds = %switch.8.1.i8116.i, %switch.7.1.i8123.i, %switch.6.1.i8124.i, %switch.5.1.i8125.i, %switch.4.1.i8126.i, %switch.3.1.i8127.i, %switch.2.1.i8128.i, %switch.1.1.i8129.i, %B596.endif.i8106.i, %switch.lookup10515, %B646.i8112.i
-  %here.3.i7281.3.i = phi double [ %here.4.i7277.2.i, %switch.lookup10515 ], [ %here.4.i7277.2.i, %B596.endif.i8106.i ], [ %least.2.i16.i7177.0.lcssa.i, %B646.i8112.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.8.1.i8116.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.7.1.i8123.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.6.1.i8124.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.5.1.i8125.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.4.1.i8126.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.3.1.i8127.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.2.1.i8128.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.1.1.i8129.i ]
-  %ahead.2.i7280.3.i = phi double [ %ahead.3.i7276.2.i, %switch.lookup10515 ], [ %least.2.i16.i7177.0.lcssa.i, %B596.endif.i8106.i ], [ %least.2.i16.i7177.0.lcssa.i, %B646.i8112.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.8.1.i8116.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.7.1.i8123.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.6.1.i8124.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.5.1.i8125.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.4.1.i8126.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.3.1.i8127.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.2.1.i8128.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.1.1.i8129.i ]
-  %low.3.i7279.3.i = phi double [ %low.2.i7275.2.i, %switch.lookup10515 ], [ %low.2.i7275.2.i, %B596.endif.i8106.i ], [ 0.000000e+00, %B646.i8112.i ], [ 1.000000e+00, %switch.8.1.i8116.i ], [ 8.889000e-01, %switch.7.1.i8123.i ], [ 7.500000e-01, %switch.6.1.i8124.i ], [ 0x3FE50A3D70A3D70A, %switch.5.1.i8125.i ], [ 5.000000e-01, %switch.4.1.i8126.i ], [ 3.333000e-01, %switch.3.1.i8127.i ], [ 2.500000e-01, %switch.2.1.i8128.i ], [ 0x3FB48E8A71DE69AD, %switch.1.1.i8129.i ]
+B676.i7727.i:                                     ; preds = %switch.8.1.i8116.i, %switch.7.1.i8123.i, %switch.6.1.i8124.i, %switch.5.1.i8125.i, %switch.4.1.i8126.i, %switch.3.1.i8127.i, %switch.2.1.i8128.i, %switch.1.1.i8129.i, %B596.endif.i8106.i, %switch.lookup10520, %B646.i8112.i
+  %here.3.i7281.3.i = phi double [ %here.4.i7277.2.i, %switch.lookup10520 ], [ %here.4.i7277.2.i, %B596.endif.i8106.i ], [ %least.2.i16.i7177.0.lcssa.i, %B646.i8112.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.8.1.i8116.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.7.1.i8123.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.6.1.i8124.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.5.1.i8125.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.4.1.i8126.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.3.1.i8127.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.2.1.i8128.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.1.1.i8129.i ]
+  %ahead.2.i7280.3.i = phi double [ %ahead.3.i7276.2.i, %switch.lookup10520 ], [ %least.2.i16.i7177.0.lcssa.i, %B596.endif.i8106.i ], [ %least.2.i16.i7177.0.lcssa.i, %B646.i8112.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.8.1.i8116.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.7.1.i8123.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.6.1.i8124.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.5.1.i8125.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.4.1.i8126.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.3.1.i8127.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.2.1.i8128.i ], [ %least.2.i16.i7177.0.lcssa.i, %switch.1.1.i8129.i ]
+  %low.3.i7279.3.i = phi double [ %low.2.i7275.2.i, %switch.lookup10520 ], [ %low.2.i7275.2.i, %B596.endif.i8106.i ], [ 0.000000e+00, %B646.i8112.i ], [ 1.000000e+00, %switch.8.1.i8116.i ], [ 8.889000e-01, %switch.7.1.i8123.i ], [ 7.500000e-01, %switch.6.1.i8124.i ], [ 0x3FE50A3D70A3D70A, %switch.5.1.i8125.i ], [ 5.000000e-01, %switch.4.1.i8126.i ], [ 3.333000e-01, %switch.3.1.i8127.i ], [ 2.500000e-01, %switch.2.1.i8128.i ], [ 0x3FB48E8A71DE69AD, %switch.1.1.i8129.i ]
   %.989.i7743.i = icmp eq i64 %look.2.i7274.2.i, 8
   %.979.i7738.i = add nsw i64 %look.2.i7274.2.i, 1
   %.1022.i.i9854 = fcmp ult double %ahead.2.i7280.3.i, 0.000000e+00
@@ -3306,15 +3306,15 @@ B676.i7727.i:                                     ; preds = %switch.8.1.i8116.i,
   br i1 %or.cond8016.i, label %B720.i7744.i, label %B562.i7709.i
 
 B720.i7744.i:                                     ; preds = %B676.i7727.i
-  br i1 %.1022.i.i9854, label %switch.lookup10518, label %B768.i7767.i
+  br i1 %.1022.i.i9854, label %switch.lookup10523, label %B768.i7767.i
 
-switch.lookup10518:                               ; preds = %B720.i7744.i
-  %switch.gep10519 = getelementptr inbounds double, ptr @switch.table.advance_of_many.3, i64 %look.2.i7274.2.i
-  %switch.load10520 = load double, ptr %switch.gep10519, align 8
+switch.lookup10523:                               ; preds = %B720.i7744.i
+  %switch.gep10524 = getelementptr inbounds double, ptr @switch.table.advance_of_many.3, i64 %look.2.i7274.2.i
+  %switch.load10525 = load double, ptr %switch.gep10524, align 8
   br label %B768.i7767.i
 
-B768.i7767.i:                                     ; preds = %switch.lookup10518, %B720.i7744.i
-  %"$phi768.2.2.i7287.2.i" = phi double [ %low.3.i7279.3.i, %B720.i7744.i ], [ %switch.load10520, %switch.lookup10518 ]
+B768.i7767.i:                                     ; preds = %switch.lookup10523, %B720.i7744.i
+  %"$phi768.2.2.i7287.2.i" = phi double [ %low.3.i7279.3.i, %B720.i7744.i ], [ %switch.load10525, %switch.lookup10523 ]
   %.1156.i7813.i = getelementptr double, ptr %57, i64 %.314.i7497.i
   store double %low.3.i7279.3.i, ptr %.1156.i7813.i, align 8, !noalias !146
   %.1210.i7860.i = getelementptr double, ptr %58, i64 %.314.i7497.i
@@ -3355,13 +3355,13 @@ B240.if.i8336.i:                                  ; preds = %B210.i7523.i, %B240
   %exitcond8422.not.i = icmp eq i64 %arg.shape.6, %.443.i8344.i
   br i1 %exitcond8422.not.i, label %B58.if.i.i8262.i, label %B240.if.i8336.i
 
-switch.lookup10515:                               ; preds = %B562.i7709.i
-  %switch.gep10516 = getelementptr inbounds double, ptr @switch.table.advance_of_many.3, i64 %look.2.i7274.2.i
-  %switch.load10517 = load double, ptr %switch.gep10516, align 8
-  %.864.i.i = fcmp ogt double %switch.load10517, %low.2.i7275.2.i
+switch.lookup10520:                               ; preds = %B562.i7709.i
+  %switch.gep10521 = getelementptr inbounds double, ptr @switch.table.advance_of_many.3, i64 %look.2.i7274.2.i
+  %switch.load10522 = load double, ptr %switch.gep10521, align 8
+  %.864.i.i = fcmp ogt double %switch.load10522, %low.2.i7275.2.i
   br i1 %.864.i.i, label %B58.i66.i8073.preheader.i, label %B676.i7727.i
 
-B58.i66.i8073.preheader.i:                        ; preds = %switch.lookup10515
+B58.i66.i8073.preheader.i:                        ; preds = %switch.lookup10520
   br i1 %.430.i8215.not.i, label %B596.endif.i8106.i, label %B58.if.i183.i.lr.ph.i
 
 B58.if.i183.i.lr.ph.i:                            ; preds = %B58.i66.i8073.preheader.i
@@ -3603,70 +3603,70 @@ B250.endif.i4617.i:                               ; preds = %B0.endif.i.i4520.i,
 
 B122.if.i.i5079.lr.ph.i:                          ; preds = %B250.endif.i4617.i
   %.247.i.i.i5049.i = fsub double 1.000000e+00, %.513.i3059.0.i
-  %invariant.gep10366 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i3047.08344.i
-  %invariant.gep10368 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i3047.08344.i
-  %invariant.gep10370 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i3047.08344.i
-  %invariant.gep10372 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i3047.08344.i
-  %invariant.gep10374 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i3047.08344.i
-  %invariant.gep10376 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i3047.08344.i
-  %invariant.gep10378 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i3047.08344.i
-  %invariant.gep10380 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i3047.08344.i
-  %invariant.gep10382 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i3047.08344.i
+  %invariant.gep10371 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i3047.08344.i
+  %invariant.gep10373 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i3047.08344.i
+  %invariant.gep10375 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i3047.08344.i
+  %invariant.gep10377 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i3047.08344.i
+  %invariant.gep10379 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i3047.08344.i
+  %invariant.gep10381 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i3047.08344.i
+  %invariant.gep10383 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i3047.08344.i
+  %invariant.gep10385 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i3047.08344.i
+  %invariant.gep10387 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.289.i3047.08344.i
   br label %B122.if.i.i5079.i
 
 B122.if.i.i5079.i:                                ; preds = %B122.if.i.i5079.i, %B122.if.i.i5079.lr.ph.i
   %.229.i313.i2889.08341.i = phi i64 [ 0, %B122.if.i.i5079.lr.ph.i ], [ %.300.i.i5085.i, %B122.if.i.i5079.i ]
   %.157.i.i.i5006.i = add nsw i64 %.229.i313.i2889.08341.i, %.155.i.i.i5004.i
   %.159.i.i.i5008.i = mul nsw i64 %.157.i.i.i5006.i, %arg.shape.0
-  %gep10367 = getelementptr double, ptr %invariant.gep10366, i64 %.159.i.i.i5008.i
-  %.191.i.i.i5030.i = load double, ptr %gep10367, align 8, !noalias !174
+  %gep10372 = getelementptr double, ptr %invariant.gep10371, i64 %.159.i.i.i5008.i
+  %.191.i.i.i5030.i = load double, ptr %gep10372, align 8, !noalias !174
   %.193.i.i.i5032.i = fadd double %.191.i.i.i5030.i, 0.000000e+00
   %.253.i.i.i5054.i = fmul double %.513.i3059.0.i, %.193.i.i.i5032.i
   %.157.i.i.i5006.1.i = add nsw i64 %.229.i313.i2889.08341.i, %.155.i.i.i5004.1.i
   %.159.i.i.i5008.1.i = mul nsw i64 %.157.i.i.i5006.1.i, %arg.shape.0
-  %gep10369 = getelementptr double, ptr %invariant.gep10368, i64 %.159.i.i.i5008.1.i
-  %.191.i.i.i5030.1.i = load double, ptr %gep10369, align 8, !noalias !174
+  %gep10374 = getelementptr double, ptr %invariant.gep10373, i64 %.159.i.i.i5008.1.i
+  %.191.i.i.i5030.1.i = load double, ptr %gep10374, align 8, !noalias !174
   %.193.i.i.i5032.1.i = fadd double %.191.i.i.i5030.1.i, %.253.i.i.i5054.i
   %.253.i.i.i5054.1.i = fmul double %.247.i.i.i5049.i, %.193.i.i.i5032.1.i
   %.157.i.i.i5006.2.i = add nsw i64 %.229.i313.i2889.08341.i, %.155.i.i.i5004.2.i
   %.159.i.i.i5008.2.i = mul nsw i64 %.157.i.i.i5006.2.i, %arg.shape.0
-  %gep10371 = getelementptr double, ptr %invariant.gep10370, i64 %.159.i.i.i5008.2.i
-  %.191.i.i.i5030.2.i = load double, ptr %gep10371, align 8, !noalias !174
+  %gep10376 = getelementptr double, ptr %invariant.gep10375, i64 %.159.i.i.i5008.2.i
+  %.191.i.i.i5030.2.i = load double, ptr %gep10376, align 8, !noalias !174
   %.193.i.i.i5032.2.i = fadd double %.191.i.i.i5030.2.i, %.253.i.i.i5054.1.i
   %.253.i.i.i5054.2.i = fmul double %.513.i3059.0.i, %.193.i.i.i5032.2.i
   %.157.i.i.i5006.3.i = add nsw i64 %.229.i313.i2889.08341.i, %.155.i.i.i5004.3.i
   %.159.i.i.i5008.3.i = mul nsw i64 %.157.i.i.i5006.3.i, %arg.shape.0
-  %gep10373 = getelementptr double, ptr %invariant.gep10372, i64 %.159.i.i.i5008.3.i
-  %.191.i.i.i5030.3.i = load double, ptr %gep10373, align 8, !noalias !174
+  %gep10378 = getelementptr double, ptr %invariant.gep10377, i64 %.159.i.i.i5008.3.i
+  %.191.i.i.i5030.3.i = load double, ptr %gep10378, align 8, !noalias !174
   %.193.i.i.i5032.3.i = fadd double %.191.i.i.i5030.3.i, %.253.i.i.i5054.2.i
   %.253.i.i.i5054.3.i = fmul double %.247.i.i.i5049.i, %.193.i.i.i5032.3.i
   %.157.i.i.i5006.4.i = add nsw i64 %.229.i313.i2889.08341.i, %.155.i.i.i5004.4.i
   %.159.i.i.i5008.4.i = mul nsw i64 %.157.i.i.i5006.4.i, %arg.shape.0
-  %gep10375 = getelementptr double, ptr %invariant.gep10374, i64 %.159.i.i.i5008.4.i
-  %.191.i.i.i5030.4.i = load double, ptr %gep10375, align 8, !noalias !174
+  %gep10380 = getelementptr double, ptr %invariant.gep10379, i64 %.159.i.i.i5008.4.i
+  %.191.i.i.i5030.4.i = load double, ptr %gep10380, align 8, !noalias !174
   %.193.i.i.i5032.4.i = fadd double %.191.i.i.i5030.4.i, %.253.i.i.i5054.3.i
   %.253.i.i.i5054.4.i = fmul double %.513.i3059.0.i, %.193.i.i.i5032.4.i
   %.157.i.i.i5006.5.i = add nsw i64 %.229.i313.i2889.08341.i, %.155.i.i.i5004.5.i
   %.159.i.i.i5008.5.i = mul nsw i64 %.157.i.i.i5006.5.i, %arg.shape.0
-  %gep10377 = getelementptr double, ptr %invariant.gep10376, i64 %.159.i.i.i5008.5.i
-  %.191.i.i.i5030.5.i = load double, ptr %gep10377, align 8, !noalias !174
+  %gep10382 = getelementptr double, ptr %invariant.gep10381, i64 %.159.i.i.i5008.5.i
+  %.191.i.i.i5030.5.i = load double, ptr %gep10382, align 8, !noalias !174
   %.193.i.i.i5032.5.i = fadd double %.191.i.i.i5030.5.i, %.253.i.i.i5054.4.i
   %.253.i.i.i5054.5.i = fmul double %.247.i.i.i5049.i, %.193.i.i.i5032.5.i
   %.157.i.i.i5006.6.i = add nsw i64 %.229.i313.i2889.08341.i, %.155.i.i.i5004.6.i
   %.159.i.i.i5008.6.i = mul nsw i64 %.157.i.i.i5006.6.i, %arg.shape.0
-  %gep10379 = getelementptr double, ptr %invariant.gep10378, i64 %.159.i.i.i5008.6.i
-  %.191.i.i.i5030.6.i = load double, ptr %gep10379, align 8, !noalias !174
+  %gep10384 = getelementptr double, ptr %invariant.gep10383, i64 %.159.i.i.i5008.6.i
+  %.191.i.i.i5030.6.i = load double, ptr %gep10384, align 8, !noalias !174
   %.193.i.i.i5032.6.i = fadd double %.191.i.i.i5030.6.i, %.253.i.i.i5054.5.i
   %.253.i.i.i5054.6.i = fmul double %.513.i3059.0.i, %.193.i.i.i5032.6.i
   %.300.i.i5085.i = add nsw i64 %.229.i313.i2889.08341.i, 1
   %.271.i.i.i4927.i = mul nsw i64 %.229.i313.i2889.08341.i, %arg.shape.0
-  %gep10381 = getelementptr double, ptr %invariant.gep10380, i64 %.271.i.i.i4927.i
-  %.309.i.i.i4952.i = load double, ptr %gep10381, align 8, !noalias !174
+  %gep10386 = getelementptr double, ptr %invariant.gep10385, i64 %.271.i.i.i4927.i
+  %.309.i.i.i4952.i = load double, ptr %gep10386, align 8, !noalias !174
   %.313.i.i.i4955.i = fadd double %.309.i.i.i4952.i, %.253.i.i.i5054.6.i
   %.359.i.i4968.i = add nsw i64 %.229.i313.i2889.08341.i, %.358.i355.i
   %.361.i.i4970.i = mul nsw i64 %.359.i.i4968.i, %arg.shape.0
-  %gep10383 = getelementptr double, ptr %invariant.gep10382, i64 %.361.i.i4970.i
-  store double %.313.i.i.i4955.i, ptr %gep10383, align 8, !noalias !170
+  %gep10388 = getelementptr double, ptr %invariant.gep10387, i64 %.361.i.i4970.i
+  store double %.313.i.i.i4955.i, ptr %gep10388, align 8, !noalias !170
   %exitcond8426.not.i = icmp eq i64 %arg.shape.1, %.300.i.i5085.i
   br i1 %exitcond8426.not.i, label %B154.i3220.loopexit.i, label %B122.if.i.i5079.i
 
@@ -3686,8 +3686,8 @@ B634.endif.i3784.i:                               ; preds = %B0.endif.i188.i3687
   br i1 %.430.i8215.not.i, label %B634.endif.endif.i3876.i, label %B58.if.i.i4169.i.preheader
 
 B58.if.i.i4169.i.preheader:                       ; preds = %B634.endif.i3784.i
-  %invariant.gep10384 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.791.i3075.08356.i
-  %invariant.gep10386 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.791.i3075.08356.i
+  %invariant.gep10389 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.791.i3075.08356.i
+  %invariant.gep10391 = getelementptr double, ptr %arg.batch.5.4.4, i64 %.791.i3075.08356.i
   br label %B58.if.i.i4169.i
 
 B58.if.i.i4169.i:                                 ; preds = %B58.if.i.i4169.i.preheader, %B58.if.i.i4169.i
@@ -3698,12 +3698,12 @@ B58.if.i.i4169.i:                                 ; preds = %B58.if.i.i4169.i.pr
   %.158.i574.i4083.i = mul nsw i64 %.156.i572.i4081.i, %arg.shape.0
   %.164.i578.i4088.i = add nsw i64 %.54.i.i2837.08351.i, %.580.i1547.i
   %.166.i580.i4090.i = mul nsw i64 %.164.i578.i4088.i, %arg.shape.0
-  %gep10385 = getelementptr double, ptr %invariant.gep10384, i64 %.166.i580.i4090.i
-  %.198.i608.i4112.i = load double, ptr %gep10385, align 8, !noalias !178
-  %gep10387 = getelementptr double, ptr %invariant.gep10386, i64 %.158.i574.i4083.i
-  %.228.i630.i4132.i = load double, ptr %gep10387, align 8, !noalias !178
+  %gep10390 = getelementptr double, ptr %invariant.gep10389, i64 %.166.i580.i4090.i
+  %.198.i608.i4112.i = load double, ptr %gep10390, align 8, !noalias !178
+  %gep10392 = getelementptr double, ptr %invariant.gep10391, i64 %.158.i574.i4083.i
+  %.228.i630.i4132.i = load double, ptr %gep10392, align 8, !noalias !178
   %.229.i631.i4133.i = fmul double %.198.i608.i4112.i, %.228.i630.i4132.i
-  %275 = getelementptr double, ptr %gep10387, i64 %.194.i.i738.i
+  %275 = getelementptr double, ptr %gep10392, i64 %.194.i.i738.i
   %.263.i656.i4157.i = load double, ptr %275, align 8, !noalias !178
   %.264.i657.i4158.i = fadd double %.229.i631.i4133.i, %.263.i656.i4157.i
   %.10.i.i664.i4164.i = fcmp olt double %.264.i657.i4158.i, %least.2.i.i2833.08353.i
@@ -4031,9 +4031,9 @@ B762.i.i:                                         ; preds = %B750.i.i9848
 B872.i.i:                                         ; preds = %B762.i.i
   %switch.tableidx = add i64 %.680.sroa.0.0446.i.i, 9
   %298 = icmp ult i64 %switch.tableidx, 18
-  br i1 %298, label %switch.lookup10521, label %_ZN5pages5looks8may_hideB3v48B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br i1 %298, label %switch.lookup10526, label %_ZN5pages5looks8may_hideB3v48B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
-B1078.i.i:                                        ; preds = %switch.lookup10533
+B1078.i.i:                                        ; preds = %switch.lookup10538
   %.1180.i.i = fneg double %.1121.i.i
   %.1184.i.i = fmul double %.1170.i.i, 5.000000e-01
   %.1189.i.i9850 = fdiv double %.1184.i.i, %.1153.i.i
@@ -4064,8 +4064,8 @@ B1225.i.i:                                        ; preds = %B1186.i.i, %B178.i.
   %.229.sroa.0.0.i.i = select i1 %.239.i.i, i64 %.180.1452.i.i, i64 0
   br i1 %.239.i.i, label %B178.i.i, label %_ZN5pages5looks8may_hideB3v48B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
-B1226.i.i:                                        ; preds = %switch.lookup10533, %B1118.i.i, %B1078.i.i, %B762.i.i, %B750.i.i9848
-  %nearest.4.3.i.i = phi double [ %nearest.5.4.i.i, %B1078.i.i ], [ %.11.i413.i.i, %B1118.i.i ], [ %nearest.5.4.i.i, %B750.i.i9848 ], [ %nearest.5.4.i.i, %switch.lookup10533 ], [ %nearest.5.4.i.i, %B762.i.i ]
+B1226.i.i:                                        ; preds = %switch.lookup10538, %B1118.i.i, %B1078.i.i, %B762.i.i, %B750.i.i9848
+  %nearest.4.3.i.i = phi double [ %nearest.5.4.i.i, %B1078.i.i ], [ %.11.i413.i.i, %B1118.i.i ], [ %nearest.5.4.i.i, %B750.i.i9848 ], [ %nearest.5.4.i.i, %switch.lookup10538 ], [ %nearest.5.4.i.i, %B762.i.i ]
   %.690.i.i = icmp ne i64 %.636.1445.i.i, 0
   %.703.i.i = zext i1 %.690.i.i to i64
   %.633.1.i.i = add i64 %.633.1444.i.i, %.703.i.i
@@ -4074,32 +4074,32 @@ B1226.i.i:                                        ; preds = %switch.lookup10533,
   %.680.sroa.0.0.i.i = select i1 %.690.i.i, i64 %.633.1444.i.i, i64 0
   br i1 %.690.i.i, label %B542.i.i, label %B1186.i.i
 
-switch.lookup10521:                               ; preds = %B872.i.i
-  %switch.tableidx10524 = add i64 %.680.sroa.0.0446.i.i, 8
-  %299 = icmp ult i64 %switch.tableidx10524, 18
-  br i1 %299, label %switch.lookup10525, label %_ZN5pages5looks8may_hideB3v48B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+switch.lookup10526:                               ; preds = %B872.i.i
+  %switch.tableidx10529 = add i64 %.680.sroa.0.0446.i.i, 8
+  %299 = icmp ult i64 %switch.tableidx10529, 18
+  br i1 %299, label %switch.lookup10530, label %_ZN5pages5looks8may_hideB3v48B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
-switch.lookup10525:                               ; preds = %switch.lookup10521
-  %switch.gep10522 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v24B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi8EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.22, i64 %switch.tableidx
-  %switch.load10523 = load double, ptr %switch.gep10522, align 8
-  %switch.gep10526 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v24B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi8EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.22, i64 %switch.tableidx10524
-  %switch.load10527 = load double, ptr %switch.gep10526, align 8
-  %.1047.i.i = fsub double %switch.load10523, %switch.load10527
-  %switch.tableidx10528 = add i64 %.680.sroa.0.0446.i.i, 10
-  %300 = icmp ult i64 %switch.tableidx10528, 18
-  br i1 %300, label %switch.lookup10529, label %_ZN5pages5looks8may_hideB3v48B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+switch.lookup10530:                               ; preds = %switch.lookup10526
+  %switch.gep10527 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v24B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi8EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.22, i64 %switch.tableidx
+  %switch.load10528 = load double, ptr %switch.gep10527, align 8
+  %switch.gep10531 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v24B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi8EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.22, i64 %switch.tableidx10529
+  %switch.load10532 = load double, ptr %switch.gep10531, align 8
+  %.1047.i.i = fsub double %switch.load10528, %switch.load10532
+  %switch.tableidx10533 = add i64 %.680.sroa.0.0446.i.i, 10
+  %300 = icmp ult i64 %switch.tableidx10533, 18
+  br i1 %300, label %switch.lookup10534, label %_ZN5pages5looks8may_hideB3v48B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
-switch.lookup10529:                               ; preds = %switch.lookup10525
-  %switch.tableidx10532 = add i64 %.680.sroa.0.0446.i.i, 9
-  %301 = icmp ult i64 %switch.tableidx10532, 18
-  br i1 %301, label %switch.lookup10533, label %_ZN5pages5looks8may_hideB3v48B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+switch.lookup10534:                               ; preds = %switch.lookup10530
+  %switch.tableidx10537 = add i64 %.680.sroa.0.0446.i.i, 9
+  %301 = icmp ult i64 %switch.tableidx10537, 18
+  br i1 %301, label %switch.lookup10538, label %_ZN5pages5looks8may_hideB3v48B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
-switch.lookup10533:                               ; preds = %switch.lookup10529
-  %switch.gep10530 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v24B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi8EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.22, i64 %switch.tableidx10528
-  %switch.load10531 = load double, ptr %switch.gep10530, align 8
-  %switch.gep10534 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v24B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi8EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.22, i64 %switch.tableidx10532
-  %switch.load10535 = load double, ptr %switch.gep10534, align 8
-  %.1121.i.i = fsub double %switch.load10531, %switch.load10535
+switch.lookup10538:                               ; preds = %switch.lookup10534
+  %switch.gep10535 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v24B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi8EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.22, i64 %switch.tableidx10533
+  %switch.load10536 = load double, ptr %switch.gep10535, align 8
+  %switch.gep10539 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v24B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi8EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.22, i64 %switch.tableidx10537
+  %switch.load10540 = load double, ptr %switch.gep10539, align 8
+  %.1121.i.i = fsub double %switch.load10536, %switch.load10540
   %.1137.i.i = fdiv double %.965.i.i, %.1121.i.i
   %.1140.i.i = fsub double %b.2.3.i.i, %a.2.3.i.i
   %.1145.i.i = fdiv double %.1140.i.i, %.1047.i.i
@@ -4111,11 +4111,11 @@ switch.lookup10533:                               ; preds = %switch.lookup10529
   %.1175.i.i = fcmp ogt double %.1153.i.i, 0.000000e+00
   br i1 %.1175.i.i, label %B1078.i.i, label %B1226.i.i
 
-_ZN5pages5looks8may_hideB3v48B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B1225.i.i, %B1186.i.i, %B872.i.i, %switch.lookup10521, %switch.lookup10525, %switch.lookup10529, %B1718.i
-  %.2597.not.i = phi i1 [ true, %B1718.i ], [ true, %B872.i.i ], [ true, %switch.lookup10529 ], [ true, %switch.lookup10525 ], [ true, %switch.lookup10521 ], [ true, %B1225.i.i ], [ false, %B1186.i.i ]
-  %excinfo.12.4.i = phi ptr [ %excinfo.12.08373.i, %B1718.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.70, %B872.i.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.70, %switch.lookup10529 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.70, %switch.lookup10525 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.70, %switch.lookup10521 ], [ %excinfo.12.08373.i, %B1186.i.i ], [ %excinfo.12.08373.i, %B1225.i.i ]
-  %.2586.not.i = phi i1 [ true, %B1718.i ], [ false, %B872.i.i ], [ false, %switch.lookup10529 ], [ false, %switch.lookup10525 ], [ false, %switch.lookup10521 ], [ true, %B1186.i.i ], [ true, %B1225.i.i ]
-  %common.ret.op.i8114.i = phi i32 [ 0, %B1718.i ], [ 1, %B872.i.i ], [ 1, %switch.lookup10529 ], [ 1, %switch.lookup10525 ], [ 1, %switch.lookup10521 ], [ 0, %B1186.i.i ], [ 0, %B1225.i.i ]
+_ZN5pages5looks8may_hideB3v48B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExxx23Literal_5bint_5d_288_295ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B1225.i.i, %B1186.i.i, %B872.i.i, %switch.lookup10526, %switch.lookup10530, %switch.lookup10534, %B1718.i
+  %.2597.not.i = phi i1 [ true, %B1718.i ], [ true, %B872.i.i ], [ true, %switch.lookup10534 ], [ true, %switch.lookup10530 ], [ true, %switch.lookup10526 ], [ true, %B1225.i.i ], [ false, %B1186.i.i ]
+  %excinfo.12.4.i = phi ptr [ %excinfo.12.08373.i, %B1718.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.70, %B872.i.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.70, %switch.lookup10534 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.70, %switch.lookup10530 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.70, %switch.lookup10526 ], [ %excinfo.12.08373.i, %B1186.i.i ], [ %excinfo.12.08373.i, %B1225.i.i ]
+  %.2586.not.i = phi i1 [ true, %B1718.i ], [ false, %B872.i.i ], [ false, %switch.lookup10534 ], [ false, %switch.lookup10530 ], [ false, %switch.lookup10526 ], [ true, %B1186.i.i ], [ true, %B1225.i.i ]
+  %common.ret.op.i8114.i = phi i32 [ 0, %B1718.i ], [ 1, %B872.i.i ], [ 1, %switch.lookup10534 ], [ 1, %switch.lookup10530 ], [ 1, %switch.lookup10526 ], [ 0, %B1186.i.i ], [ 0, %B1225.i.i ]
   br i1 %.2586.not.i, label %B1718.endif.endif.i, label %_ZN5pages5kinks12locate_kinksB3v33B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, !prof !57
 
 B1768.i:                                          ; preds = %B1718.endif.endif.i, %B1714.i
@@ -4195,14 +4195,14 @@ B1919.i:                                          ; preds = %B34.i.i, %B1028.if.
 B296.if.i9834:                                    ; preds = %B296.if.i9834.preheader, %B296.loopexit.i
   %.622.08188.i = phi i64 [ %.691.i9835, %B296.loopexit.i ], [ 0, %B296.if.i9834.preheader ]
   %.691.i9835 = add nsw i64 %.622.08188.i, 1
-  br i1 %216, label %switch.lookup10537, label %switch.end.i
+  br i1 %216, label %switch.lookup10542, label %switch.end.i
 
-switch.lookup10537:                               ; preds = %B296.if.i9834
-  %switch.load10539 = load double, ptr %switch.gep10538, align 8
+switch.lookup10542:                               ; preds = %B296.if.i9834
+  %switch.load10544 = load double, ptr %switch.gep10543, align 8
   br label %switch.end.i
 
-switch.end.i:                                     ; preds = %B296.if.i9834, %switch.lookup10537
-  %.733.i = phi double [ %switch.load10539, %switch.lookup10537 ], [ 1.000000e+00, %B296.if.i9834 ]
+switch.end.i:                                     ; preds = %B296.if.i9834, %switch.lookup10542
+  %.733.i = phi double [ %switch.load10544, %switch.lookup10542 ], [ 1.000000e+00, %B296.if.i9834 ]
   %.92.i107.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.622.08188.i
   %.93.i108.i = load double, ptr %.92.i107.i, align 8, !noalias !200
   %.146.i144.i = getelementptr double, ptr %54, i64 %.622.08188.i
@@ -4215,70 +4215,70 @@ switch.end.i:                                     ; preds = %B296.if.i9834, %swi
 
 B122.if.i467.lr.ph.i:                             ; preds = %switch.end.i
   %.247.i.i437.i = fsub double 1.000000e+00, %.733.i
-  %invariant.gep10308 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.622.08188.i
-  %invariant.gep10310 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.622.08188.i
-  %invariant.gep10312 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.622.08188.i
-  %invariant.gep10314 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.622.08188.i
-  %invariant.gep10316 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.622.08188.i
-  %invariant.gep10318 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.622.08188.i
-  %invariant.gep10320 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.622.08188.i
-  %invariant.gep10322 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.622.08188.i
-  %invariant.gep10324 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.622.08188.i
+  %invariant.gep10313 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.622.08188.i
+  %invariant.gep10315 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.622.08188.i
+  %invariant.gep10317 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.622.08188.i
+  %invariant.gep10319 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.622.08188.i
+  %invariant.gep10321 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.622.08188.i
+  %invariant.gep10323 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.622.08188.i
+  %invariant.gep10325 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.622.08188.i
+  %invariant.gep10327 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.622.08188.i
+  %invariant.gep10329 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.622.08188.i
   br label %B122.if.i467.i
 
 B122.if.i467.i:                                   ; preds = %B122.if.i467.i, %B122.if.i467.lr.ph.i
   %.229.i60.08185.i = phi i64 [ 0, %B122.if.i467.lr.ph.i ], [ %.300.i473.i, %B122.if.i467.i ]
   %.157.i.i394.i = add nsw i64 %.229.i60.08185.i, %.155.i.i392.i
   %.159.i.i396.i = mul nsw i64 %.157.i.i394.i, %arg.shape.0
-  %gep10309 = getelementptr double, ptr %invariant.gep10308, i64 %.159.i.i396.i
-  %.191.i.i418.i = load double, ptr %gep10309, align 8, !noalias !204
+  %gep10314 = getelementptr double, ptr %invariant.gep10313, i64 %.159.i.i396.i
+  %.191.i.i418.i = load double, ptr %gep10314, align 8, !noalias !204
   %.193.i.i420.i = fadd double %.191.i.i418.i, 0.000000e+00
   %.253.i.i442.i = fmul double %.733.i, %.193.i.i420.i
   %.157.i.i394.1.i = add nsw i64 %.229.i60.08185.i, %.155.i.i392.1.i
   %.159.i.i396.1.i = mul nsw i64 %.157.i.i394.1.i, %arg.shape.0
-  %gep10311 = getelementptr double, ptr %invariant.gep10310, i64 %.159.i.i396.1.i
-  %.191.i.i418.1.i = load double, ptr %gep10311, align 8, !noalias !204
+  %gep10316 = getelementptr double, ptr %invariant.gep10315, i64 %.159.i.i396.1.i
+  %.191.i.i418.1.i = load double, ptr %gep10316, align 8, !noalias !204
   %.193.i.i420.1.i = fadd double %.191.i.i418.1.i, %.253.i.i442.i
   %.253.i.i442.1.i = fmul double %.247.i.i437.i, %.193.i.i420.1.i
   %.157.i.i394.2.i = add nsw i64 %.229.i60.08185.i, %.155.i.i392.2.i
   %.159.i.i396.2.i = mul nsw i64 %.157.i.i394.2.i, %arg.shape.0
-  %gep10313 = getelementptr double, ptr %invariant.gep10312, i64 %.159.i.i396.2.i
-  %.191.i.i418.2.i = load double, ptr %gep10313, align 8, !noalias !204
+  %gep10318 = getelementptr double, ptr %invariant.gep10317, i64 %.159.i.i396.2.i
+  %.191.i.i418.2.i = load double, ptr %gep10318, align 8, !noalias !204
   %.193.i.i420.2.i = fadd double %.191.i.i418.2.i, %.253.i.i442.1.i
   %.253.i.i442.2.i = fmul double %.733.i, %.193.i.i420.2.i
   %.157.i.i394.3.i = add nsw i64 %.229.i60.08185.i, %.155.i.i392.3.i
   %.159.i.i396.3.i = mul nsw i64 %.157.i.i394.3.i, %arg.shape.0
-  %gep10315 = getelementptr double, ptr %invariant.gep10314, i64 %.159.i.i396.3.i
-  %.191.i.i418.3.i = load double, ptr %gep10315, align 8, !noalias !204
+  %gep10320 = getelementptr double, ptr %invariant.gep10319, i64 %.159.i.i396.3.i
+  %.191.i.i418.3.i = load double, ptr %gep10320, align 8, !noalias !204
   %.193.i.i420.3.i = fadd double %.191.i.i418.3.i, %.253.i.i442.2.i
   %.253.i.i442.3.i = fmul double %.247.i.i437.i, %.193.i.i420.3.i
   %.157.i.i394.4.i = add nsw i64 %.229.i60.08185.i, %.155.i.i392.4.i
   %.159.i.i396.4.i = mul nsw i64 %.157.i.i394.4.i, %arg.shape.0
-  %gep10317 = getelementptr double, ptr %invariant.gep10316, i64 %.159.i.i396.4.i
-  %.191.i.i418.4.i = load double, ptr %gep10317, align 8, !noalias !204
+  %gep10322 = getelementptr double, ptr %invariant.gep10321, i64 %.159.i.i396.4.i
+  %.191.i.i418.4.i = load double, ptr %gep10322, align 8, !noalias !204
   %.193.i.i420.4.i = fadd double %.191.i.i418.4.i, %.253.i.i442.3.i
   %.253.i.i442.4.i = fmul double %.733.i, %.193.i.i420.4.i
   %.157.i.i394.5.i = add nsw i64 %.229.i60.08185.i, %.155.i.i392.5.i
   %.159.i.i396.5.i = mul nsw i64 %.157.i.i394.5.i, %arg.shape.0
-  %gep10319 = getelementptr double, ptr %invariant.gep10318, i64 %.159.i.i396.5.i
-  %.191.i.i418.5.i = load double, ptr %gep10319, align 8, !noalias !204
+  %gep10324 = getelementptr double, ptr %invariant.gep10323, i64 %.159.i.i396.5.i
+  %.191.i.i418.5.i = load double, ptr %gep10324, align 8, !noalias !204
   %.193.i.i420.5.i = fadd double %.191.i.i418.5.i, %.253.i.i442.4.i
   %.253.i.i442.5.i = fmul double %.247.i.i437.i, %.193.i.i420.5.i
   %.157.i.i394.6.i = add nsw i64 %.229.i60.08185.i, %.155.i.i392.6.i
   %.159.i.i396.6.i = mul nsw i64 %.157.i.i394.6.i, %arg.shape.0
-  %gep10321 = getelementptr double, ptr %invariant.gep10320, i64 %.159.i.i396.6.i
-  %.191.i.i418.6.i = load double, ptr %gep10321, align 8, !noalias !204
+  %gep10326 = getelementptr double, ptr %invariant.gep10325, i64 %.159.i.i396.6.i
+  %.191.i.i418.6.i = load double, ptr %gep10326, align 8, !noalias !204
   %.193.i.i420.6.i = fadd double %.191.i.i418.6.i, %.253.i.i442.5.i
   %.253.i.i442.6.i = fmul double %.733.i, %.193.i.i420.6.i
   %.300.i473.i = add nsw i64 %.229.i60.08185.i, 1
   %.271.i.i315.i = mul nsw i64 %.229.i60.08185.i, %arg.shape.0
-  %gep10323 = getelementptr double, ptr %invariant.gep10322, i64 %.271.i.i315.i
-  %.309.i.i340.i = load double, ptr %gep10323, align 8, !noalias !204
+  %gep10328 = getelementptr double, ptr %invariant.gep10327, i64 %.271.i.i315.i
+  %.309.i.i340.i = load double, ptr %gep10328, align 8, !noalias !204
   %.313.i.i343.i = fadd double %.309.i.i340.i, %.253.i.i442.6.i
   %.359.i356.i = add nsw i64 %.229.i60.08185.i, %.358.i355.i
   %.361.i358.i = mul nsw i64 %.359.i356.i, %arg.shape.0
-  %gep10325 = getelementptr double, ptr %invariant.gep10324, i64 %.361.i358.i
-  store double %.313.i.i343.i, ptr %gep10325, align 8, !noalias !200
+  %gep10330 = getelementptr double, ptr %invariant.gep10329, i64 %.361.i358.i
+  store double %.313.i.i343.i, ptr %gep10330, align 8, !noalias !200
   %exitcond8397.not.i = icmp eq i64 %arg.shape.1, %.300.i473.i
   br i1 %exitcond8397.not.i, label %B296.loopexit.i, label %B122.if.i467.i
 
@@ -4311,15 +4311,15 @@ B596.if.i:                                        ; preds = %B596.if.i.preheader
 
 B122.if.i.lr.ph.i:                                ; preds = %B596.if.i
   %.247.i.i.i = fsub double 1.000000e+00, %.1306.i
-  %invariant.gep10348 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1162.08276.i
-  %invariant.gep10350 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1162.08276.i
-  %invariant.gep10352 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1162.08276.i
-  %invariant.gep10354 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1162.08276.i
-  %invariant.gep10356 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1162.08276.i
-  %invariant.gep10358 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1162.08276.i
-  %invariant.gep10360 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1162.08276.i
-  %invariant.gep10362 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1162.08276.i
-  %invariant.gep10364 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1162.08276.i
+  %invariant.gep10353 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1162.08276.i
+  %invariant.gep10355 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1162.08276.i
+  %invariant.gep10357 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1162.08276.i
+  %invariant.gep10359 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1162.08276.i
+  %invariant.gep10361 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1162.08276.i
+  %invariant.gep10363 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1162.08276.i
+  %invariant.gep10365 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1162.08276.i
+  %invariant.gep10367 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1162.08276.i
+  %invariant.gep10369 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1162.08276.i
   br label %B122.if.i.i
 
 B678.endif.i.critedge:                            ; preds = %B154.i.preheader.i.preheader
@@ -4372,64 +4372,64 @@ B3896:                                            ; preds = %B3892
 B150.if.1.i:                                      ; preds = %B150.if.i, %B150.if.1.i
   %.363.0606.1.i = phi i64 [ %.432.1.i, %B150.if.1.i ], [ 0, %B150.if.i ]
   %.432.1.i = add nsw i64 %.363.0606.1.i, 1
-  %gep10391 = getelementptr double, ptr %invariant.gep10390, i64 %.363.0606.1.i
-  store double 1.000000e-09, ptr %gep10391, align 8, !noalias !208
+  %gep10396 = getelementptr double, ptr %invariant.gep10395, i64 %.363.0606.1.i
+  store double 1.000000e-09, ptr %gep10396, align 8, !noalias !208
   %exitcond.1.not.i = icmp eq i64 %arg.shape.0, %.432.1.i
   br i1 %exitcond.1.not.i, label %B150.if.2.i, label %B150.if.1.i
 
 B150.if.2.i:                                      ; preds = %B150.if.1.i, %B150.if.2.i
   %.363.0606.2.i = phi i64 [ %.432.2.i, %B150.if.2.i ], [ 0, %B150.if.1.i ]
   %.432.2.i = add nsw i64 %.363.0606.2.i, 1
-  %gep10393 = getelementptr double, ptr %invariant.gep10392, i64 %.363.0606.2.i
-  store double 1.000000e-09, ptr %gep10393, align 8, !noalias !208
+  %gep10398 = getelementptr double, ptr %invariant.gep10397, i64 %.363.0606.2.i
+  store double 1.000000e-09, ptr %gep10398, align 8, !noalias !208
   %exitcond.2.not.i = icmp eq i64 %arg.shape.0, %.432.2.i
   br i1 %exitcond.2.not.i, label %B150.if.3.i, label %B150.if.2.i
 
 B150.if.3.i:                                      ; preds = %B150.if.2.i, %B150.if.3.i
   %.363.0606.3.i = phi i64 [ %.432.3.i, %B150.if.3.i ], [ 0, %B150.if.2.i ]
   %.432.3.i = add nsw i64 %.363.0606.3.i, 1
-  %gep10395 = getelementptr double, ptr %invariant.gep10394, i64 %.363.0606.3.i
-  store double 1.000000e-09, ptr %gep10395, align 8, !noalias !208
+  %gep10400 = getelementptr double, ptr %invariant.gep10399, i64 %.363.0606.3.i
+  store double 1.000000e-09, ptr %gep10400, align 8, !noalias !208
   %exitcond.3.not.i = icmp eq i64 %arg.shape.0, %.432.3.i
   br i1 %exitcond.3.not.i, label %B150.if.4.i, label %B150.if.3.i
 
 B150.if.4.i:                                      ; preds = %B150.if.3.i, %B150.if.4.i
   %.363.0606.4.i = phi i64 [ %.432.4.i, %B150.if.4.i ], [ 0, %B150.if.3.i ]
   %.432.4.i = add nsw i64 %.363.0606.4.i, 1
-  %gep10397 = getelementptr double, ptr %invariant.gep10396, i64 %.363.0606.4.i
-  store double 1.000000e-09, ptr %gep10397, align 8, !noalias !208
+  %gep10402 = getelementptr double, ptr %invariant.gep10401, i64 %.363.0606.4.i
+  store double 1.000000e-09, ptr %gep10402, align 8, !noalias !208
   %exitcond.4.not.i = icmp eq i64 %arg.shape.0, %.432.4.i
   br i1 %exitcond.4.not.i, label %B150.if.5.i, label %B150.if.4.i
 
 B150.if.5.i:                                      ; preds = %B150.if.4.i, %B150.if.5.i
   %.363.0606.5.i = phi i64 [ %.432.5.i, %B150.if.5.i ], [ 0, %B150.if.4.i ]
   %.432.5.i = add nsw i64 %.363.0606.5.i, 1
-  %gep10399 = getelementptr double, ptr %invariant.gep10398, i64 %.363.0606.5.i
-  store double 1.000000e-09, ptr %gep10399, align 8, !noalias !208
+  %gep10404 = getelementptr double, ptr %invariant.gep10403, i64 %.363.0606.5.i
+  store double 1.000000e-09, ptr %gep10404, align 8, !noalias !208
   %exitcond.5.not.i = icmp eq i64 %arg.shape.0, %.432.5.i
   br i1 %exitcond.5.not.i, label %B150.if.6.i, label %B150.if.5.i
 
 B150.if.6.i:                                      ; preds = %B150.if.5.i, %B150.if.6.i
   %.363.0606.6.i = phi i64 [ %.432.6.i, %B150.if.6.i ], [ 0, %B150.if.5.i ]
   %.432.6.i = add nsw i64 %.363.0606.6.i, 1
-  %gep10401 = getelementptr double, ptr %invariant.gep10400, i64 %.363.0606.6.i
-  store double 1.000000e-09, ptr %gep10401, align 8, !noalias !208
+  %gep10406 = getelementptr double, ptr %invariant.gep10405, i64 %.363.0606.6.i
+  store double 1.000000e-09, ptr %gep10406, align 8, !noalias !208
   %exitcond.6.not.i = icmp eq i64 %arg.shape.0, %.432.6.i
   br i1 %exitcond.6.not.i, label %B150.if.7.i, label %B150.if.6.i
 
 B150.if.7.i:                                      ; preds = %B150.if.6.i, %B150.if.7.i
   %.363.0606.7.i = phi i64 [ %.432.7.i, %B150.if.7.i ], [ 0, %B150.if.6.i ]
   %.432.7.i = add nsw i64 %.363.0606.7.i, 1
-  %gep10403 = getelementptr double, ptr %invariant.gep10402, i64 %.363.0606.7.i
-  store double 1.000000e-09, ptr %gep10403, align 8, !noalias !208
+  %gep10408 = getelementptr double, ptr %invariant.gep10407, i64 %.363.0606.7.i
+  store double 1.000000e-09, ptr %gep10408, align 8, !noalias !208
   %exitcond.7.not.i = icmp eq i64 %arg.shape.0, %.432.7.i
   br i1 %exitcond.7.not.i, label %B150.if.8.i, label %B150.if.7.i
 
 B150.if.8.i:                                      ; preds = %B150.if.7.i, %B150.if.8.i
   %.363.0606.8.i = phi i64 [ %.432.8.i, %B150.if.8.i ], [ 0, %B150.if.7.i ]
   %.432.8.i = add nsw i64 %.363.0606.8.i, 1
-  %gep10405 = getelementptr double, ptr %invariant.gep10404, i64 %.363.0606.8.i
-  store double 1.000000e-09, ptr %gep10405, align 8, !noalias !208
+  %gep10410 = getelementptr double, ptr %invariant.gep10409, i64 %.363.0606.8.i
+  store double 1.000000e-09, ptr %gep10410, align 8, !noalias !208
   %exitcond.8.not.i = icmp eq i64 %arg.shape.0, %.432.8.i
   br i1 %exitcond.8.not.i, label %B116.loopexit.8.i, label %B150.if.8.i
 
@@ -4531,19 +4531,19 @@ B1088.i.i:                                        ; preds = %B940.i.i, %B842.i.i
 
 B1096.i.i:                                        ; preds = %B1088.i.i
   %309 = getelementptr double, ptr @switch.table._ZN5pages5looks11mark_passedB3v24B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi8EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.22, i64 %last.3.2.i.i
-  %switch.gep10542 = getelementptr i8, ptr %309, i64 64
-  %switch.load10543 = load double, ptr %switch.gep10542, align 8
+  %switch.gep10547 = getelementptr i8, ptr %309, i64 64
+  %switch.load10548 = load double, ptr %switch.gep10547, align 8
   br label %B1126.i.i
 
 B1126.i.i:                                        ; preds = %B1096.i.i, %B1088.i.i
-  %"$phi1126.1.2.2.i.i" = phi double [ 0.000000e+00, %B1088.i.i ], [ %switch.load10543, %B1096.i.i ]
+  %"$phi1126.1.2.2.i.i" = phi double [ 0.000000e+00, %B1088.i.i ], [ %switch.load10548, %B1096.i.i ]
   %.1597.i.i = getelementptr double, ptr %71, i64 %.1010.i.i
   store double %"$phi1126.1.2.2.i.i", ptr %.1597.i.i, align 8, !noalias !212
   %310 = getelementptr double, ptr @switch.table._ZN5pages5looks11mark_passedB3v24B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi8EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.22, i64 %last.3.2.i.i
-  %switch.gep10546 = getelementptr i8, ptr %310, i64 72
-  %switch.load10547 = load double, ptr %switch.gep10546, align 8
+  %switch.gep10551 = getelementptr i8, ptr %310, i64 72
+  %switch.load10552 = load double, ptr %switch.gep10551, align 8
   %.1685.i.i = getelementptr double, ptr %72, i64 %.1010.i.i
-  store double %switch.load10547, ptr %.1685.i.i, align 8, !noalias !212
+  store double %switch.load10552, ptr %.1685.i.i, align 8, !noalias !212
   %.1737.i.i = load i64, ptr %.1082.i.i9888, align 8, !noalias !212
   %.1738.i.i = icmp sgt i64 %.1737.i.i, -1
   %.1748.i.i9896 = sext i1 %.1738.i.i to i64
@@ -4790,11 +4790,11 @@ B762.i.i.i:                                       ; preds = %B750.i.i.i
   br i1 %.971.i.i.i, label %B872.i.i.i, label %B1226.i.i.i
 
 B872.i.i.i:                                       ; preds = %B762.i.i.i
-  %switch.tableidx10548 = add i64 %.680.sroa.0.0452.i.i.i, 9
-  %333 = icmp ult i64 %switch.tableidx10548, 18
-  br i1 %333, label %switch.lookup10549, label %_ZN5pages5looks8may_hideB3v53B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  %switch.tableidx10553 = add i64 %.680.sroa.0.0452.i.i.i, 9
+  %333 = icmp ult i64 %switch.tableidx10553, 18
+  br i1 %333, label %switch.lookup10554, label %_ZN5pages5looks8may_hideB3v53B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
-B1078.i.i.i:                                      ; preds = %switch.lookup10561
+B1078.i.i.i:                                      ; preds = %switch.lookup10566
   %.1180.i.i.i = fneg double %.1121.i.i.i
   %.1184.i.i.i = fmul double %.1170.i.i.i, 5.000000e-01
   %.1189.i.i.i = fdiv double %.1184.i.i.i, %.1153.i.i.i
@@ -4821,8 +4821,8 @@ B1186.i.i.i:                                      ; preds = %B1226.i.i.i, %B462.
 B1225.i.i.i:                                      ; preds = %B1186.i.i.i, %B1340.i.i
   br label %_ZN5pages5looks8may_hideB3v53B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
-B1226.i.i.i:                                      ; preds = %switch.lookup10561, %B1118.i.i.i, %B1078.i.i.i, %B762.i.i.i, %B750.i.i.i
-  %nearest.4.3.i.i.i = phi double [ %nearest.5.4.i.i.i, %B1078.i.i.i ], [ %.11.i413.i.i.i, %B1118.i.i.i ], [ %nearest.5.4.i.i.i, %B750.i.i.i ], [ %nearest.5.4.i.i.i, %switch.lookup10561 ], [ %nearest.5.4.i.i.i, %B762.i.i.i ]
+B1226.i.i.i:                                      ; preds = %switch.lookup10566, %B1118.i.i.i, %B1078.i.i.i, %B762.i.i.i, %B750.i.i.i
+  %nearest.4.3.i.i.i = phi double [ %nearest.5.4.i.i.i, %B1078.i.i.i ], [ %.11.i413.i.i.i, %B1118.i.i.i ], [ %nearest.5.4.i.i.i, %B750.i.i.i ], [ %nearest.5.4.i.i.i, %switch.lookup10566 ], [ %nearest.5.4.i.i.i, %B762.i.i.i ]
   %.690.i.i.i = icmp sgt i64 %.636.1451.i.i.i, 0
   %.703.i.i.i = zext i1 %.690.i.i.i to i64
   %.633.1.i.i.i = add i64 %.633.1450.i.i.i, %.703.i.i.i
@@ -4831,32 +4831,32 @@ B1226.i.i.i:                                      ; preds = %switch.lookup10561,
   %.680.sroa.0.0.i.i.i = select i1 %.690.i.i.i, i64 %.633.1450.i.i.i, i64 0
   br i1 %.690.i.i.i, label %B542.i.i.i, label %B1186.i.i.i
 
-switch.lookup10549:                               ; preds = %B872.i.i.i
-  %switch.tableidx10552 = add i64 %.680.sroa.0.0452.i.i.i, 8
-  %334 = icmp ult i64 %switch.tableidx10552, 18
-  br i1 %334, label %switch.lookup10553, label %_ZN5pages5looks8may_hideB3v53B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+switch.lookup10554:                               ; preds = %B872.i.i.i
+  %switch.tableidx10557 = add i64 %.680.sroa.0.0452.i.i.i, 8
+  %334 = icmp ult i64 %switch.tableidx10557, 18
+  br i1 %334, label %switch.lookup10558, label %_ZN5pages5looks8may_hideB3v53B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
-switch.lookup10553:                               ; preds = %switch.lookup10549
-  %switch.gep10550 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v24B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi8EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.22, i64 %switch.tableidx10548
-  %switch.load10551 = load double, ptr %switch.gep10550, align 8
-  %switch.gep10554 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v24B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi8EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.22, i64 %switch.tableidx10552
-  %switch.load10555 = load double, ptr %switch.gep10554, align 8
-  %.1047.i.i.i = fsub double %switch.load10551, %switch.load10555
-  %switch.tableidx10556 = add i64 %.680.sroa.0.0452.i.i.i, 10
-  %335 = icmp ult i64 %switch.tableidx10556, 18
-  br i1 %335, label %switch.lookup10557, label %_ZN5pages5looks8may_hideB3v53B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+switch.lookup10558:                               ; preds = %switch.lookup10554
+  %switch.gep10555 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v24B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi8EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.22, i64 %switch.tableidx10553
+  %switch.load10556 = load double, ptr %switch.gep10555, align 8
+  %switch.gep10559 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v24B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi8EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.22, i64 %switch.tableidx10557
+  %switch.load10560 = load double, ptr %switch.gep10559, align 8
+  %.1047.i.i.i = fsub double %switch.load10556, %switch.load10560
+  %switch.tableidx10561 = add i64 %.680.sroa.0.0452.i.i.i, 10
+  %335 = icmp ult i64 %switch.tableidx10561, 18
+  br i1 %335, label %switch.lookup10562, label %_ZN5pages5looks8may_hideB3v53B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
-switch.lookup10557:                               ; preds = %switch.lookup10553
-  %switch.tableidx10560 = add i64 %.680.sroa.0.0452.i.i.i, 9
-  %336 = icmp ult i64 %switch.tableidx10560, 18
-  br i1 %336, label %switch.lookup10561, label %_ZN5pages5looks8may_hideB3v53B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+switch.lookup10562:                               ; preds = %switch.lookup10558
+  %switch.tableidx10565 = add i64 %.680.sroa.0.0452.i.i.i, 9
+  %336 = icmp ult i64 %switch.tableidx10565, 18
+  br i1 %336, label %switch.lookup10566, label %_ZN5pages5looks8may_hideB3v53B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
-switch.lookup10561:                               ; preds = %switch.lookup10557
-  %switch.gep10558 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v24B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi8EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.22, i64 %switch.tableidx10556
-  %switch.load10559 = load double, ptr %switch.gep10558, align 8
-  %switch.gep10562 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v24B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi8EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.22, i64 %switch.tableidx10560
-  %switch.load10563 = load double, ptr %switch.gep10562, align 8
-  %.1121.i.i.i = fsub double %switch.load10559, %switch.load10563
+switch.lookup10566:                               ; preds = %switch.lookup10562
+  %switch.gep10563 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v24B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi8EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.22, i64 %switch.tableidx10561
+  %switch.load10564 = load double, ptr %switch.gep10563, align 8
+  %switch.gep10567 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v24B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi8EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.22, i64 %switch.tableidx10565
+  %switch.load10568 = load double, ptr %switch.gep10567, align 8
+  %.1121.i.i.i = fsub double %switch.load10564, %switch.load10568
   %.1137.i.i.i = fdiv double %.965.i.i.i, %.1121.i.i.i
   %.1140.i.i.i = fsub double %b.2.3.i.i.i, %a.2.3.i.i.i
   %.1145.i.i.i = fdiv double %.1140.i.i.i, %.1047.i.i.i
@@ -4868,10 +4868,10 @@ switch.lookup10561:                               ; preds = %switch.lookup10557
   %.1175.i.i.i = fcmp ogt double %.1153.i.i.i, 0.000000e+00
   br i1 %.1175.i.i.i, label %B1078.i.i.i, label %B1226.i.i.i
 
-_ZN5pages5looks8may_hideB3v53B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B872.i.i.i, %switch.lookup10549, %switch.lookup10553, %switch.lookup10557, %B1225.i.i.i, %B1186.i.i.i
-  %.1857.not.i.i = phi i1 [ false, %B1186.i.i.i ], [ true, %B1225.i.i.i ], [ true, %switch.lookup10557 ], [ true, %switch.lookup10553 ], [ true, %switch.lookup10549 ], [ true, %B872.i.i.i ]
-  %excinfo.3.3.i.i = phi ptr [ %excinfo.3.01307.i.i, %B1186.i.i.i ], [ %excinfo.3.01307.i.i, %B1225.i.i.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.114, %switch.lookup10557 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.114, %switch.lookup10553 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.114, %switch.lookup10549 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.114, %B872.i.i.i ]
-  %.1846.not.i.i = phi i1 [ true, %B1186.i.i.i ], [ true, %B1225.i.i.i ], [ false, %switch.lookup10557 ], [ false, %switch.lookup10553 ], [ false, %switch.lookup10549 ], [ false, %B872.i.i.i ]
+_ZN5pages5looks8may_hideB3v53B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B872.i.i.i, %switch.lookup10554, %switch.lookup10558, %switch.lookup10562, %B1225.i.i.i, %B1186.i.i.i
+  %.1857.not.i.i = phi i1 [ false, %B1186.i.i.i ], [ true, %B1225.i.i.i ], [ true, %switch.lookup10562 ], [ true, %switch.lookup10558 ], [ true, %switch.lookup10554 ], [ true, %B872.i.i.i ]
+  %excinfo.3.3.i.i = phi ptr [ %excinfo.3.01307.i.i, %B1186.i.i.i ], [ %excinfo.3.01307.i.i, %B1225.i.i.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.114, %switch.lookup10562 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.114, %switch.lookup10558 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.114, %switch.lookup10554 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.16.114, %B872.i.i.i ]
+  %.1846.not.i.i = phi i1 [ true, %B1186.i.i.i ], [ true, %B1225.i.i.i ], [ false, %switch.lookup10562 ], [ false, %switch.lookup10558 ], [ false, %switch.lookup10554 ], [ false, %B872.i.i.i ]
   br i1 %.1846.not.i.i, label %B1340.endif.endif.i.i, label %_ZN5pages5looks11mark_passedB3v51B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi8EE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, !prof !57
 
 B1380.i.i:                                        ; preds = %B1340.endif.endif.i.i
@@ -4936,20 +4936,20 @@ B256.if.i.i:                                      ; preds = %B358.i.i, %B116.loo
 
 B290.if.i.i.preheader:                            ; preds = %B256.if.i.i
   %339 = icmp ult i64 %.343.01301.i.i, 8
-  %switch.gep10565 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v24B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi8EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.23, i64 %.343.01301.i.i
+  %switch.gep10570 = getelementptr inbounds double, ptr @switch.table._ZN5pages5looks11mark_passedB3v24B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi8EEx5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.23, i64 %.343.01301.i.i
   br label %B290.if.i.i
 
 B290.if.i.i:                                      ; preds = %B290.if.i.i.preheader, %B290.loopexit.i.i
   %.466.01299.i.i = phi i64 [ %.535.i.i, %B290.loopexit.i.i ], [ 0, %B290.if.i.i.preheader ]
   %.535.i.i = add nsw i64 %.466.01299.i.i, 1
-  br i1 %339, label %switch.lookup10564, label %switch.end.i.i9919
+  br i1 %339, label %switch.lookup10569, label %switch.end.i.i9919
 
-switch.lookup10564:                               ; preds = %B290.if.i.i
-  %switch.load10566 = load double, ptr %switch.gep10565, align 8
+switch.lookup10569:                               ; preds = %B290.if.i.i
+  %switch.load10571 = load double, ptr %switch.gep10570, align 8
   br label %switch.end.i.i9919
 
-switch.end.i.i9919:                               ; preds = %B290.if.i.i, %switch.lookup10564
-  %.577.i.i9920 = phi double [ %switch.load10566, %switch.lookup10564 ], [ 1.000000e+00, %B290.if.i.i ]
+switch.end.i.i9919:                               ; preds = %B290.if.i.i, %switch.lookup10569
+  %.577.i.i9920 = phi double [ %switch.load10571, %switch.lookup10569 ], [ 1.000000e+00, %B290.if.i.i ]
   %.92.i.i.i = getelementptr double, ptr %arg.batch.4.0.4, i64 %.466.01299.i.i
   %.93.i.i.i = load double, ptr %.92.i.i.i, align 8, !noalias !231
   %.146.i.i.i = getelementptr double, ptr %67, i64 %.466.01299.i.i
@@ -5028,11 +5028,11 @@ _ZN5pages5looks11mark_passedB3v51B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqE
   %.514.0.i = phi i1 [ %338, %B1548.loopexit.i.i ], [ true, %B600.i.i ], [ true, %_ZN5pages5looks8may_hideB3v53B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
   %excinfo.1.0.i = phi ptr [ null, %B1548.loopexit.i.i ], [ null, %B600.i.i ], [ %excinfo.3.3.i.i, %_ZN5pages5looks8may_hideB3v53B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
   %common.ret.op.i.i.not = phi i1 [ false, %B1548.loopexit.i.i ], [ false, %B600.i.i ], [ true, %_ZN5pages5looks8may_hideB3v53B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dExx23Literal_5bint_5d_281_29x5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
-  %brmerge10229 = select i1 %common.ret.op.i.i.not, i1 true, i1 %.514.0.i, !prof !97
-  %brmerge10230 = or i1 %.5221298.not.i.i, %brmerge10229
+  %brmerge10234 = select i1 %common.ret.op.i.i.not, i1 true, i1 %.514.0.i, !prof !97
+  %brmerge10235 = or i1 %.5221298.not.i.i, %brmerge10234
   %excinfo.1.0.i.mux.mux = select i1 %common.ret.op.i.i.not, ptr %excinfo.1.0.i, ptr %excinfo.14.0, !prof !239
   %.mux.mux = zext i1 %common.ret.op.i.i.not to i32
-  br i1 %brmerge10230, label %_ZN5pages5looks12watch_guardsB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B306.if.i, !prof !240
+  br i1 %brmerge10235, label %_ZN5pages5looks12watch_guardsB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B306.if.i, !prof !240
 
 B358.i:                                           ; preds = %B306.if.i
   %340 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.637.0627.i
@@ -5057,8 +5057,8 @@ B448.i9875:                                       ; preds = %B358.endif.i, %B306
 B150.if.i:                                        ; preds = %B3896, %B150.if.i
   %.363.0606.i = phi i64 [ %.432.i, %B150.if.i ], [ 0, %B3896 ]
   %.432.i = add nsw i64 %.363.0606.i, 1
-  %gep10389 = getelementptr double, ptr %invariant.gep10388, i64 %.363.0606.i
-  store double 1.000000e-09, ptr %gep10389, align 8, !noalias !208
+  %gep10394 = getelementptr double, ptr %invariant.gep10393, i64 %.363.0606.i
+  store double 1.000000e-09, ptr %gep10394, align 8, !noalias !208
   %exitcond.not.i9864 = icmp eq i64 %arg.shape.0, %.432.i
   br i1 %exitcond.not.i9864, label %B150.if.1.i, label %B150.if.i
 
@@ -5086,73 +5086,73 @@ B3936:                                            ; preds = %_ZN5pages5looks12wa
   br i1 %spec.select9803, label %B3940, label %B3982
 
 B3940:                                            ; preds = %B3936
-  call void @llvm.lifetime.start.p0(ptr nonnull %.843.i)
-  call void @llvm.lifetime.start.p0(ptr nonnull %.1599.i)
-  call void @llvm.lifetime.start.p0(ptr nonnull %.1658.i)
-  call void @llvm.lifetime.start.p0(ptr nonnull %.1863.i)
-  call void @llvm.lifetime.start.p0(ptr nonnull %.2548.i)
-  store double 0.000000e+00, ptr %.843.i, align 8, !noalias !244
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %.1599.i, i8 0, i64 24, i1 false), !noalias !244
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %.1658.i, i8 0, i64 24, i1 false), !noalias !244
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %.1863.i, i8 0, i64 24, i1 false), !noalias !244
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %.2548.i, i8 0, i64 24, i1 false), !noalias !244
-  %.274.i9945 = load i64, ptr %.273.i, align 8, !noalias !244
-  %.275.i9946 = icmp sgt i64 %.274.i9945, 1000
-  br i1 %.275.i9946, label %_ZN5pages10rate_jumps11locate_jumpB3v54B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B132.i
+  call void @llvm.lifetime.start.p0(ptr nonnull %.833.i9945)
+  call void @llvm.lifetime.start.p0(ptr nonnull %.1589.i)
+  call void @llvm.lifetime.start.p0(ptr nonnull %.1648.i)
+  call void @llvm.lifetime.start.p0(ptr nonnull %.1853.i)
+  call void @llvm.lifetime.start.p0(ptr nonnull %.2538.i)
+  store double 0.000000e+00, ptr %.833.i9945, align 8, !noalias !244
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %.1589.i, i8 0, i64 24, i1 false), !noalias !244
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %.1648.i, i8 0, i64 24, i1 false), !noalias !244
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %.1853.i, i8 0, i64 24, i1 false), !noalias !244
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %.2538.i, i8 0, i64 24, i1 false), !noalias !244
+  %.264.i9947 = load i64, ptr %.263.i9946, align 8, !noalias !244
+  %.265.i9948 = icmp sgt i64 %.264.i9947, 1000
+  br i1 %.265.i9948, label %_ZN5pages10rate_jumps11locate_jumpB3v54B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B112.i
 
-B132.i:                                           ; preds = %B3940
-  %.352.i = load double, ptr %arg.batch.4.0.4, align 8, !noalias !244
-  %.406.i = load double, ptr %.405.i, align 8, !noalias !244
-  %.460.i = load i64, ptr %arg.batch.4.1.4, align 8, !noalias !244
-  %.523.i = load double, ptr %.522.i, align 8, !noalias !244
-  %.524.i = fmul double %.523.i, 6.000000e+00
-  %.10.i.i9947 = fcmp ogt double %.524.i, 5.000000e+01
-  %.11.i.i9948 = select i1 %.10.i.i9947, double %.524.i, double 5.000000e+01
-  %.611.i = load i64, ptr %.610.i9949, align 8, !noalias !244
-  %.655.i = fmul double %.11.i.i9948, 2.000000e+00
-  %.759.i = icmp slt i64 %.460.i, 0
-  %.760.i = select i1 %.759.i, i64 %arg.batch.3.3.5.0, i64 0
-  %.761.i = add i64 %.760.i, %.460.i
-  %.781.i = mul i64 %.761.i, %arg.batch.3.3.5.1
-  %343 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.781.i
-  %.785.i9950 = getelementptr i8, ptr %343, i64 8
-  br label %B444.i
+B112.i:                                           ; preds = %B3940
+  %.342.i = load double, ptr %arg.batch.4.0.4, align 8, !noalias !244
+  %.396.i = load double, ptr %.395.i9949, align 8, !noalias !244
+  %.450.i = load i64, ptr %arg.batch.4.1.4, align 8, !noalias !244
+  %.513.i9951 = load double, ptr %.512.i9950, align 8, !noalias !244
+  %.514.i = fmul double %.513.i9951, 6.000000e+00
+  %.10.i.i9952 = fcmp ogt double %.514.i, 5.000000e+01
+  %.11.i.i9953 = select i1 %.10.i.i9952, double %.514.i, double 5.000000e+01
+  %.601.i = load i64, ptr %.600.i, align 8, !noalias !244
+  %.645.i = fmul double %.11.i.i9953, 2.000000e+00
+  %.749.i = icmp slt i64 %.450.i, 0
+  %.750.i = select i1 %.749.i, i64 %arg.batch.3.3.5.0, i64 0
+  %.751.i = add i64 %.750.i, %.450.i
+  %.771.i = mul i64 %.751.i, %arg.batch.3.3.5.1
+  %343 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.771.i
+  %.775.i = getelementptr i8, ptr %343, i64 8
+  br label %B424.i9954
 
-B444.i:                                           ; preds = %B642.i, %B132.i
-  %largest.2.0.i = phi double [ 0.000000e+00, %B132.i ], [ %largest.3.2.i, %B642.i ]
-  %place.4.0.i = phi i64 [ 0, %B132.i ], [ %.676.sroa.5.0.i, %B642.i ]
-  %done.4.0.i = phi i64 [ %.611.i, %B132.i ], [ %.676.sroa.10.0.i, %B642.i ]
-  %excinfo.2.0.i = phi ptr [ null, %B132.i ], [ %excinfo.2.1.i, %B642.i ]
+B424.i9954:                                       ; preds = %B622.i, %B112.i
+  %largest.2.0.i = phi double [ 0.000000e+00, %B112.i ], [ %largest.3.2.i, %B622.i ]
+  %place.4.0.i = phi i64 [ 0, %B112.i ], [ %.666.sroa.5.0.i, %B622.i ]
+  %done.4.0.i = phi i64 [ %.601.i, %B112.i ], [ %.666.sroa.10.0.i, %B622.i ]
+  %excinfo.2.0.i = phi ptr [ null, %B112.i ], [ %excinfo.2.1.i, %B622.i ]
   %.104.i.i = load double, ptr %arg.batch.4.0.4, align 8, !noalias !248
-  %.157.i.i = load double, ptr %.405.i, align 8, !noalias !248
+  %.157.i.i = load double, ptr %.395.i9949, align 8, !noalias !248
   %.169.i.i = icmp slt i64 %place.4.0.i, 4
   br i1 %.169.i.i, label %B132.i.i, label %B160.i.i
 
-B132.i.i:                                         ; preds = %B444.i
-  %switch.tableidx10567 = add i64 %place.4.0.i, 4
-  %344 = icmp ult i64 %switch.tableidx10567, 8
-  br i1 %344, label %switch.lookup10568, label %_ZN5pages10rate_jumps10next_placeB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit.i
+B132.i.i:                                         ; preds = %B424.i9954
+  %switch.tableidx10572 = add i64 %place.4.0.i, 4
+  %344 = icmp ult i64 %switch.tableidx10572, 8
+  br i1 %344, label %switch.lookup10573, label %_ZN5pages10rate_jumps10next_placeB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit.i
 
-switch.lookup10568:                               ; preds = %B132.i.i
-  %switch.gep10569 = getelementptr inbounds double, ptr @switch.table.advance_of_many.17, i64 %switch.tableidx10567
-  %switch.load10570 = load double, ptr %switch.gep10569, align 8
+switch.lookup10573:                               ; preds = %B132.i.i
+  %switch.gep10574 = getelementptr inbounds double, ptr @switch.table.advance_of_many.17, i64 %switch.tableidx10572
+  %switch.load10575 = load double, ptr %switch.gep10574, align 8
   br label %B160.i.i
 
-B160.i.i:                                         ; preds = %switch.lookup10568, %B444.i
-  %"$phi160.0.2.i.0.i" = phi double [ 1.000000e+00, %B444.i ], [ %switch.load10570, %switch.lookup10568 ]
+B160.i.i:                                         ; preds = %switch.lookup10573, %B424.i9954
+  %"$phi160.0.2.i.0.i" = phi double [ 1.000000e+00, %B424.i9954 ], [ %switch.load10575, %switch.lookup10573 ]
   %.223.i.i = icmp slt i64 %done.4.0.i, %arg.batch.2.5.0
-  %or.cond.i9951 = select i1 %.210.i.i, i1 %.223.i.i, i1 false
-  br i1 %or.cond.i9951, label %B224.i.i, label %B300.i.i
+  %or.cond.i9955 = select i1 %.210.i.i, i1 %.223.i.i, i1 false
+  br i1 %or.cond.i9955, label %B224.i.i, label %B300.i.i
 
 B224.i.i:                                         ; preds = %B160.i.i
-  %.239.i.i10017 = icmp slt i64 %done.4.0.i, 0
-  %.240.i.i = select i1 %.239.i.i10017, i64 %arg.batch.2.5.0, i64 0
+  %.239.i.i10022 = icmp slt i64 %done.4.0.i, 0
+  %.240.i.i = select i1 %.239.i.i10022, i64 %arg.batch.2.5.0, i64 0
   %345 = getelementptr double, ptr %arg.batch.2.4, i64 %done.4.0.i
   %.254.i.i = getelementptr double, ptr %345, i64 %.240.i.i
   %.255.i.i = load double, ptr %.254.i.i, align 8, !noalias !248
-  %.258.i.i10018 = fmul double %.157.i.i, %"$phi160.0.2.i.0.i"
-  %.260.i.i10019 = fadd double %.104.i.i, %.258.i.i10018
-  %.261.i.i = fcmp olt double %.255.i.i, %.260.i.i10019
+  %.258.i.i10023 = fmul double %.157.i.i, %"$phi160.0.2.i.0.i"
+  %.260.i.i10024 = fadd double %.104.i.i, %.258.i.i10023
+  %.261.i.i = fcmp olt double %.255.i.i, %.260.i.i10024
   br i1 %.261.i.i, label %B260.i.i, label %B300.i.i
 
 B260.i.i:                                         ; preds = %B224.i.i
@@ -5166,156 +5166,156 @@ B300.i.i:                                         ; preds = %B224.i.i, %B160.i.i
   br label %_ZN5pages10rate_jumps10next_placeB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit.i
 
 _ZN5pages10rate_jumps10next_placeB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit.i: ; preds = %B132.i.i, %B300.i.i, %B260.i.i
-  %.676.sroa.10.0.i = phi i64 [ %done.4.0.i, %B300.i.i ], [ %.310.i.i, %B260.i.i ], [ 0, %B132.i.i ]
-  %.676.sroa.5.0.i = phi i64 [ %.331.i.i, %B300.i.i ], [ %place.4.0.i, %B260.i.i ], [ 0, %B132.i.i ]
-  %.676.sroa.0.0.i = phi double [ %"$phi160.0.2.i.0.i", %B300.i.i ], [ %.306.i.i, %B260.i.i ], [ 0.000000e+00, %B132.i.i ]
+  %.666.sroa.10.0.i = phi i64 [ %done.4.0.i, %B300.i.i ], [ %.310.i.i, %B260.i.i ], [ 0, %B132.i.i ]
+  %.666.sroa.5.0.i = phi i64 [ %.331.i.i, %B300.i.i ], [ %place.4.0.i, %B260.i.i ], [ 0, %B132.i.i ]
+  %.666.sroa.0.0.i = phi double [ %"$phi160.0.2.i.0.i", %B300.i.i ], [ %.306.i.i, %B260.i.i ], [ 0.000000e+00, %B132.i.i ]
   %excinfo.2.1.i = phi ptr [ %excinfo.2.0.i, %B300.i.i ], [ %excinfo.2.0.i, %B260.i.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.127, %B132.i.i ]
-  %.701.i9952 = phi i1 [ false, %B300.i.i ], [ false, %B260.i.i ], [ true, %B132.i.i ]
-  %.6941.i = phi i32 [ 0, %B300.i.i ], [ 0, %B260.i.i ], [ 1, %B132.i.i ]
-  br i1 %.701.i9952, label %_ZN5pages10rate_jumps11locate_jumpB3v54B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B444.endif.i, !prof !97
+  %.691.i9956 = phi i1 [ false, %B300.i.i ], [ false, %B260.i.i ], [ true, %B132.i.i ]
+  %.6841.i = phi i32 [ 0, %B300.i.i ], [ 0, %B260.i.i ], [ 1, %B132.i.i ]
+  br i1 %.691.i9956, label %_ZN5pages10rate_jumps11locate_jumpB3v54B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B424.endif.i, !prof !97
 
-B502.i:                                           ; preds = %B444.endif.i
-  %.786.i = load i64, ptr %.785.i9950, align 8, !noalias !244
-  %.787.i = add nsw i64 %.786.i, 1
-  store i64 %.787.i, ptr %.785.i9950, align 8, !noalias !244
-  store double 0.000000e+00, ptr %.843.i, align 8, !noalias !244
-  call fastcc void @_ZN5pages10rate_jumps9put_ratesB3v56B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_287_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE(ptr %.843.i, double %.676.sroa.0.0.i, ptr readonly %arg.code.4, i64 %arg.shape.1, ptr readonly %arg.tolerances.4, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4)
-  %.880.i = load double, ptr %.843.i, align 8, !noalias !244
-  %.10.i3241.i = fcmp ogt double %.880.i, %largest.2.0.i
-  %.11.i3242.i = select i1 %.10.i3241.i, double %.880.i, double %largest.2.0.i
-  br label %B642.i
+B482.i:                                           ; preds = %B424.endif.i
+  %.776.i = load i64, ptr %.775.i, align 8, !noalias !244
+  %.777.i9957 = add nsw i64 %.776.i, 1
+  store i64 %.777.i9957, ptr %.775.i, align 8, !noalias !244
+  store double 0.000000e+00, ptr %.833.i9945, align 8, !noalias !244
+  call fastcc void @_ZN5pages10rate_jumps9put_ratesB3v56B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_287_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE(ptr %.833.i9945, double %.666.sroa.0.0.i, ptr readonly %arg.code.4, i64 %arg.shape.1, ptr readonly %arg.tolerances.4, ptr %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4)
+  %.870.i9958 = load double, ptr %.833.i9945, align 8, !noalias !244
+  %.10.i3221.i = fcmp ogt double %.870.i9958, %largest.2.0.i
+  %.11.i3222.i = select i1 %.10.i3221.i, double %.870.i9958, double %largest.2.0.i
+  br label %B622.i
 
-B642.i:                                           ; preds = %B444.endif.i, %B502.i
-  %largest.3.2.i = phi double [ %.11.i3242.i, %B502.i ], [ %largest.2.0.i, %B444.endif.i ]
-  %.953.i9954 = fcmp ugt double %largest.3.2.i, %.655.i
-  %or.cond3239.i = select i1 %.734.i, i1 true, i1 %.953.i9954
-  br i1 %or.cond3239.i, label %B682.i9955, label %B444.i
+B622.i:                                           ; preds = %B424.endif.i, %B482.i
+  %largest.3.2.i = phi double [ %.11.i3222.i, %B482.i ], [ %largest.2.0.i, %B424.endif.i ]
+  %.943.i = fcmp ugt double %largest.3.2.i, %.645.i
+  %or.cond3219.i = select i1 %.724.i, i1 true, i1 %.943.i
+  br i1 %or.cond3219.i, label %B662.i, label %B424.i9954
 
-B682.i9955:                                       ; preds = %B642.i
-  %.1033.i = load double, ptr %.522.i, align 8, !noalias !244
-  %.1034.i = fmul double %.1033.i, 1.500000e+00
-  %.1035.i = fadd double %.1034.i, 5.000000e+01
-  %.10.i3243.i = fcmp olt double %.1035.i, %largest.3.2.i
-  %.11.i3244.i = select i1 %.10.i3243.i, double %.1035.i, double %largest.3.2.i
-  %.1065.i = fsub double %.11.i3244.i, %.1033.i
-  %.1066.i = fmul double %.1065.i, 2.500000e-01
-  %.1067.i = fadd double %.1033.i, %.1066.i
-  %.1073.i = fcmp ugt double %largest.3.2.i, %.11.i.i9948
-  br i1 %.1073.i, label %B844.i, label %B806.i
+B662.i:                                           ; preds = %B622.i
+  %.1023.i = load double, ptr %.512.i9950, align 8, !noalias !244
+  %.1024.i = fmul double %.1023.i, 1.500000e+00
+  %.1025.i = fadd double %.1024.i, 5.000000e+01
+  %.10.i3223.i = fcmp olt double %.1025.i, %largest.3.2.i
+  %.11.i3224.i = select i1 %.10.i3223.i, double %.1025.i, double %largest.3.2.i
+  %.1055.i = fsub double %.11.i3224.i, %.1023.i
+  %.1056.i = fmul double %.1055.i, 2.500000e-01
+  %.1057.i = fadd double %.1023.i, %.1056.i
+  %.1063.i = fcmp ugt double %largest.3.2.i, %.11.i.i9953
+  br i1 %.1063.i, label %B824.i, label %B786.i
 
-B806.i:                                           ; preds = %B682.i9955
-  store double %.1067.i, ptr %.522.i, align 8, !noalias !244
+B786.i:                                           ; preds = %B662.i
+  store double %.1057.i, ptr %.512.i9950, align 8, !noalias !244
   br label %_ZN5pages10rate_jumps11locate_jumpB3v54B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit
 
-B844.i:                                           ; preds = %B682.i9955
-  %.148.i.i = load double, ptr %.405.i, align 8, !noalias !252
-  %.93.i.i.i9957 = load double, ptr %arg.batch.4.0.4, align 8, !noalias !255
-  %.149.i.i.i9958 = fmul double %.148.i.i, 0.000000e+00
-  %.150.i.i.i9959 = fadd double %.93.i.i.i9957, %.149.i.i.i9958
-  store double %.150.i.i.i9959, ptr %.577, align 8, !noalias !255
-  br i1 %.287.i531.not.i.i, label %_ZN5pages10rate_jumps9put_ratesB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_282_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i.critedge, label %B122.if.i.i.i9962
+B824.i:                                           ; preds = %B662.i
+  %.156.i3225.i = load double, ptr %.395.i9949, align 8, !noalias !252
+  %.93.i.i.i9960 = load double, ptr %arg.batch.4.0.4, align 8, !noalias !255
+  %.149.i.i.i9961 = fmul double %.156.i3225.i, 0.000000e+00
+  %.150.i.i.i9962 = fadd double %.93.i.i.i9960, %.149.i.i.i9961
+  store double %.150.i.i.i9962, ptr %.577, align 8, !noalias !255
+  br i1 %.287.i531.not.i.i, label %_ZN5pages10rate_jumps9put_ratesB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_282_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i.critedge, label %B122.if.i.i.i9965
 
-B122.if.i.i.i9962:                                ; preds = %B844.i, %B122.if.i.i.i9962
-  %.229.i.0532.i.i = phi i64 [ %.300.i.i.i9981, %B122.if.i.i.i9962 ], [ 0, %B844.i ]
+B122.if.i.i.i9965:                                ; preds = %B824.i, %B122.if.i.i.i9965
+  %.229.i.0532.i.i = phi i64 [ %.300.i.i.i9984, %B122.if.i.i.i9965 ], [ 0, %B824.i ]
   %346 = getelementptr double, ptr %76, i64 %.229.i.0532.i.i
-  %.191.i.i.i.i9963 = load double, ptr %346, align 8, !noalias !259
-  %.193.i.i.i.i9964 = fadd double %.191.i.i.i.i9963, 0.000000e+00
-  %.253.i.i.i.i9965 = fmul double %.193.i.i.i.i9964, 0.000000e+00
+  %.191.i.i.i.i9966 = load double, ptr %346, align 8, !noalias !259
+  %.193.i.i.i.i9967 = fadd double %.191.i.i.i.i9966, 0.000000e+00
+  %.253.i.i.i.i9968 = fmul double %.193.i.i.i.i9967, 0.000000e+00
   %347 = getelementptr double, ptr %77, i64 %.229.i.0532.i.i
-  %.191.i.i.1.i.i9966 = load double, ptr %347, align 8, !noalias !259
-  %.193.i.i.1.i.i9967 = fadd double %.191.i.i.1.i.i9966, %.253.i.i.i.i9965
+  %.191.i.i.1.i.i9969 = load double, ptr %347, align 8, !noalias !259
+  %.193.i.i.1.i.i9970 = fadd double %.191.i.i.1.i.i9969, %.253.i.i.i.i9968
   %348 = getelementptr double, ptr %78, i64 %.229.i.0532.i.i
-  %.191.i.i.2.i.i9968 = load double, ptr %348, align 8, !noalias !259
-  %.193.i.i.2.i.i9969 = fadd double %.191.i.i.2.i.i9968, %.193.i.i.1.i.i9967
-  %.253.i.i.2.i.i9970 = fmul double %.193.i.i.2.i.i9969, 0.000000e+00
+  %.191.i.i.2.i.i9971 = load double, ptr %348, align 8, !noalias !259
+  %.193.i.i.2.i.i9972 = fadd double %.191.i.i.2.i.i9971, %.193.i.i.1.i.i9970
+  %.253.i.i.2.i.i9973 = fmul double %.193.i.i.2.i.i9972, 0.000000e+00
   %349 = getelementptr double, ptr %79, i64 %.229.i.0532.i.i
-  %.191.i.i.3.i.i9971 = load double, ptr %349, align 8, !noalias !259
-  %.193.i.i.3.i.i9972 = fadd double %.191.i.i.3.i.i9971, %.253.i.i.2.i.i9970
+  %.191.i.i.3.i.i9974 = load double, ptr %349, align 8, !noalias !259
+  %.193.i.i.3.i.i9975 = fadd double %.191.i.i.3.i.i9974, %.253.i.i.2.i.i9973
   %350 = getelementptr double, ptr %80, i64 %.229.i.0532.i.i
-  %.191.i.i.4.i.i9973 = load double, ptr %350, align 8, !noalias !259
-  %.193.i.i.4.i.i9974 = fadd double %.191.i.i.4.i.i9973, %.193.i.i.3.i.i9972
-  %.253.i.i.4.i.i9975 = fmul double %.193.i.i.4.i.i9974, 0.000000e+00
+  %.191.i.i.4.i.i9976 = load double, ptr %350, align 8, !noalias !259
+  %.193.i.i.4.i.i9977 = fadd double %.191.i.i.4.i.i9976, %.193.i.i.3.i.i9975
+  %.253.i.i.4.i.i9978 = fmul double %.193.i.i.4.i.i9977, 0.000000e+00
   %351 = getelementptr double, ptr %81, i64 %.229.i.0532.i.i
-  %.191.i.i.5.i.i9976 = load double, ptr %351, align 8, !noalias !259
-  %.193.i.i.5.i.i9977 = fadd double %.191.i.i.5.i.i9976, %.253.i.i.4.i.i9975
+  %.191.i.i.5.i.i9979 = load double, ptr %351, align 8, !noalias !259
+  %.193.i.i.5.i.i9980 = fadd double %.191.i.i.5.i.i9979, %.253.i.i.4.i.i9978
   %352 = getelementptr double, ptr %82, i64 %.229.i.0532.i.i
-  %.191.i.i.6.i.i9978 = load double, ptr %352, align 8, !noalias !259
-  %.193.i.i.6.i.i9979 = fadd double %.191.i.i.6.i.i9978, %.193.i.i.5.i.i9977
-  %.253.i.i.6.i.i9980 = fmul double %.193.i.i.6.i.i9979, 0.000000e+00
-  %.300.i.i.i9981 = add nsw i64 %.229.i.0532.i.i, 1
+  %.191.i.i.6.i.i9981 = load double, ptr %352, align 8, !noalias !259
+  %.193.i.i.6.i.i9982 = fadd double %.191.i.i.6.i.i9981, %.193.i.i.5.i.i9980
+  %.253.i.i.6.i.i9983 = fmul double %.193.i.i.6.i.i9982, 0.000000e+00
+  %.300.i.i.i9984 = add nsw i64 %.229.i.0532.i.i, 1
   %353 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.229.i.0532.i.i
-  %.309.i.i.i.i9982 = load double, ptr %353, align 8, !noalias !259
-  %.313.i.i.i.i9983 = fadd double %.309.i.i.i.i9982, %.253.i.i.6.i.i9980
+  %.309.i.i.i.i9985 = load double, ptr %353, align 8, !noalias !259
+  %.313.i.i.i.i9986 = fadd double %.309.i.i.i.i9985, %.253.i.i.6.i.i9983
   %354 = getelementptr i8, ptr %353, i64 %.idx550.i.i
-  store double %.313.i.i.i.i9983, ptr %354, align 8, !noalias !255
-  %exitcond.not.i.i9984 = icmp eq i64 %arg.shape.1, %.300.i.i.i9981
-  br i1 %exitcond.not.i.i9984, label %B0.endif.i.i, label %B122.if.i.i.i9962
+  store double %.313.i.i.i.i9986, ptr %354, align 8, !noalias !255
+  %exitcond.not.i.i9987 = icmp eq i64 %arg.shape.1, %.300.i.i.i9984
+  br i1 %exitcond.not.i.i9987, label %B0.endif.i.i, label %B122.if.i.i.i9965
 
-B0.endif.i.i:                                     ; preds = %B122.if.i.i.i9962
+B0.endif.i.i:                                     ; preds = %B122.if.i.i.i9965
   %.227.i.i = load i64, ptr %arg.code.4, align 8, !noalias !252
-  %.339.i.i9986 = inttoptr i64 %.227.i.i to ptr
-  tail call void %.339.i.i9986(ptr nonnull %.577, ptr %.313.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.338.i.i), !noalias !252
-  br label %B298.if.i.i
+  %.339.i.i9989 = inttoptr i64 %.227.i.i to ptr
+  tail call void %.339.i.i9989(ptr nonnull %.577, ptr %.313.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.338.i.i), !noalias !252
+  br label %B296.if.i.i
 
-B298.if.i.i:                                      ; preds = %B0.endif.i.i, %B298.if.i.i
-  %.365.0539.i.i = phi i64 [ %.434.i.i, %B298.if.i.i ], [ 0, %B0.endif.i.i ]
-  %.488.i.i9987 = load double, ptr %.487.i.i, align 8, !noalias !252
-  %.518.i.i9988 = load double, ptr %arg.tolerances.4, align 8, !noalias !252
+B296.if.i.i:                                      ; preds = %B0.endif.i.i, %B296.if.i.i
+  %.365.0539.i.i = phi i64 [ %.434.i.i, %B296.if.i.i ], [ 0, %B0.endif.i.i ]
+  %.488.i.i9990 = load double, ptr %.487.i.i, align 8, !noalias !252
+  %.518.i.i9991 = load double, ptr %arg.tolerances.4, align 8, !noalias !252
   %355 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.365.0539.i.i
-  %.548.i.i9989 = load double, ptr %355, align 8, !noalias !252
-  %.549.i.i9990 = tail call double @llvm.fabs.f64(double %.548.i.i9989)
+  %.548.i.i9992 = load double, ptr %355, align 8, !noalias !252
+  %.549.i.i9993 = tail call double @llvm.fabs.f64(double %.548.i.i9992)
   %356 = getelementptr double, ptr %355, i64 %.296.i.i
-  %.582.i.i9991 = load double, ptr %356, align 8, !noalias !252
-  %.583.i.i = tail call double @llvm.fabs.f64(double %.582.i.i9991)
-  %.10.i.i.i9992 = fcmp ogt double %.583.i.i, %.549.i.i9990
-  %.11.i.i.i9993 = select i1 %.10.i.i.i9992, double %.583.i.i, double %.549.i.i9990
-  %.612.i.i = fmul double %.518.i.i9988, %.11.i.i.i9993
-  %.613.i.i = fadd double %.488.i.i9987, %.612.i.i
-  %357 = getelementptr double, ptr %355, i64 %.298.i.i9985
-  %.646.i.i9994 = load double, ptr %357, align 8, !noalias !252
-  %.648.i.i = fmul double %.148.i.i, %.646.i.i9994
-  %.652.i3245.i = fdiv double %.648.i.i, %.613.i.i
+  %.582.i.i9994 = load double, ptr %356, align 8, !noalias !252
+  %.583.i.i = tail call double @llvm.fabs.f64(double %.582.i.i9994)
+  %.10.i.i.i9995 = fcmp ogt double %.583.i.i, %.549.i.i9993
+  %.11.i.i.i9996 = select i1 %.10.i.i.i9995, double %.583.i.i, double %.549.i.i9993
+  %.612.i.i = fmul double %.518.i.i9991, %.11.i.i.i9996
+  %.613.i.i = fadd double %.488.i.i9990, %.612.i.i
+  %357 = getelementptr double, ptr %355, i64 %.298.i.i9988
+  %.646.i.i9997 = load double, ptr %357, align 8, !noalias !252
+  %.648.i.i = fmul double %.156.i3225.i, %.646.i.i9997
+  %.652.i3226.i = fdiv double %.648.i.i, %.613.i.i
   %358 = getelementptr i8, ptr %355, i64 %.296.i.i
-  store double %.652.i3245.i, ptr %358, align 8, !noalias !252
+  store double %.652.i3226.i, ptr %358, align 8, !noalias !252
   %.434.i.i = add nsw i64 %.365.0539.i.i, 1
   %exitcond543.not.i.i = icmp eq i64 %arg.shape.1, %.434.i.i
-  br i1 %exitcond543.not.i.i, label %_ZN5pages10rate_jumps9put_ratesB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_282_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, label %B298.if.i.i
+  br i1 %exitcond543.not.i.i, label %_ZN5pages10rate_jumps9put_ratesB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_282_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, label %B296.if.i.i
 
-_ZN5pages10rate_jumps9put_ratesB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_282_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i.critedge: ; preds = %B844.i
+_ZN5pages10rate_jumps9put_ratesB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_282_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i.critedge: ; preds = %B824.i
   %.227.i.i.c = load i64, ptr %arg.code.4, align 8, !noalias !252
-  %.339.i.i9986.c = inttoptr i64 %.227.i.i.c to ptr
-  tail call void %.339.i.i9986.c(ptr nonnull %.577, ptr %.313.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.338.i.i), !noalias !252
+  %.339.i.i9989.c = inttoptr i64 %.227.i.i.c to ptr
+  tail call void %.339.i.i9989.c(ptr nonnull %.577, ptr %.313.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.338.i.i), !noalias !252
   br label %_ZN5pages10rate_jumps9put_ratesB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_282_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i
 
-_ZN5pages10rate_jumps9put_ratesB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_282_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i: ; preds = %B298.if.i.i, %_ZN5pages10rate_jumps9put_ratesB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_282_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i.critedge
-  %.1270.i = load i64, ptr %.610.i9949, align 8, !noalias !244
-  br label %B982.i
+_ZN5pages10rate_jumps9put_ratesB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_282_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i: ; preds = %B296.if.i.i, %_ZN5pages10rate_jumps9put_ratesB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_282_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i.critedge
+  %.1260.i = load i64, ptr %.600.i, align 8, !noalias !244
+  br label %B962.i
 
-B982.i:                                           ; preds = %B1514.i, %_ZN5pages10rate_jumps9put_ratesB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_282_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i
-  %share.4.1.i = phi double [ 0.000000e+00, %_ZN5pages10rate_jumps9put_ratesB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_282_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ], [ %.1381.sroa.0.0.i, %B1514.i ]
-  %place.5.1.i = phi i64 [ 0, %_ZN5pages10rate_jumps9put_ratesB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_282_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ], [ %.1381.sroa.5.0.i, %B1514.i ]
-  %done.5.1.i = phi i64 [ %.1270.i, %_ZN5pages10rate_jumps9put_ratesB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_282_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ], [ %.1381.sroa.10.0.i, %B1514.i ]
-  %excinfo.7.0.i = phi ptr [ null, %_ZN5pages10rate_jumps9put_ratesB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_282_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ], [ %excinfo.7.1.i, %B1514.i ]
+B962.i:                                           ; preds = %B1494.i, %_ZN5pages10rate_jumps9put_ratesB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_282_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i
+  %share.4.1.i = phi double [ 0.000000e+00, %_ZN5pages10rate_jumps9put_ratesB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_282_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ], [ %.1371.sroa.0.0.i, %B1494.i ]
+  %place.5.1.i = phi i64 [ 0, %_ZN5pages10rate_jumps9put_ratesB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_282_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ], [ %.1371.sroa.5.0.i, %B1494.i ]
+  %done.5.1.i = phi i64 [ %.1260.i, %_ZN5pages10rate_jumps9put_ratesB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_282_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ], [ %.1371.sroa.10.0.i, %B1494.i ]
+  %excinfo.7.0.i = phi ptr [ null, %_ZN5pages10rate_jumps9put_ratesB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_282_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ], [ %excinfo.7.1.i, %B1494.i ]
   %.104.i66.i = load double, ptr %arg.batch.4.0.4, align 8, !noalias !263
-  %.157.i92.i = load double, ptr %.405.i, align 8, !noalias !263
+  %.157.i92.i = load double, ptr %.395.i9949, align 8, !noalias !263
   %.169.i96.i = icmp slt i64 %place.5.1.i, 4
   br i1 %.169.i96.i, label %B132.i203.i, label %B160.i99.i
 
-B132.i203.i:                                      ; preds = %B982.i
-  %switch.tableidx10571 = add i64 %place.5.1.i, 4
-  %359 = icmp ult i64 %switch.tableidx10571, 8
-  br i1 %359, label %switch.lookup10572, label %_ZN5pages10rate_jumps10next_placeB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit216.i
+B132.i203.i:                                      ; preds = %B962.i
+  %switch.tableidx10576 = add i64 %place.5.1.i, 4
+  %359 = icmp ult i64 %switch.tableidx10576, 8
+  br i1 %359, label %switch.lookup10577, label %_ZN5pages10rate_jumps10next_placeB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit216.i
 
-switch.lookup10572:                               ; preds = %B132.i203.i
-  %switch.gep10573 = getelementptr inbounds double, ptr @switch.table.advance_of_many.17, i64 %switch.tableidx10571
-  %switch.load10574 = load double, ptr %switch.gep10573, align 8
+switch.lookup10577:                               ; preds = %B132.i203.i
+  %switch.gep10578 = getelementptr inbounds double, ptr @switch.table.advance_of_many.17, i64 %switch.tableidx10576
+  %switch.load10579 = load double, ptr %switch.gep10578, align 8
   br label %B160.i99.i
 
-B160.i99.i:                                       ; preds = %switch.lookup10572, %B982.i
-  %"$phi160.0.2.i39.0.i" = phi double [ 1.000000e+00, %B982.i ], [ %switch.load10574, %switch.lookup10572 ]
+B160.i99.i:                                       ; preds = %switch.lookup10577, %B962.i
+  %"$phi160.0.2.i39.0.i" = phi double [ 1.000000e+00, %B962.i ], [ %switch.load10579, %switch.lookup10577 ]
   %.223.i130.i = icmp slt i64 %done.5.1.i, %arg.batch.2.5.0
-  %or.cond3240.i = select i1 %.210.i.i, i1 %.223.i130.i, i1 false
-  br i1 %or.cond3240.i, label %B224.i131.i, label %B300.i107.i
+  %or.cond3220.i = select i1 %.210.i.i, i1 %.223.i130.i, i1 false
+  br i1 %or.cond3220.i, label %B224.i131.i, label %B300.i107.i
 
 B224.i131.i:                                      ; preds = %B160.i99.i
   %.239.i140.i = icmp slt i64 %done.5.1.i, 0
@@ -5339,269 +5339,269 @@ B300.i107.i:                                      ; preds = %B224.i131.i, %B160.
   br label %_ZN5pages10rate_jumps10next_placeB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit216.i
 
 _ZN5pages10rate_jumps10next_placeB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit216.i: ; preds = %B132.i203.i, %B300.i107.i, %B260.i159.i
-  %.1381.sroa.10.0.i = phi i64 [ %done.5.1.i, %B300.i107.i ], [ %.310.i192.i, %B260.i159.i ], [ 0, %B132.i203.i ]
-  %.1381.sroa.5.0.i = phi i64 [ %.331.i112.i, %B300.i107.i ], [ %place.5.1.i, %B260.i159.i ], [ 0, %B132.i203.i ]
-  %.1381.sroa.0.0.i = phi double [ %"$phi160.0.2.i39.0.i", %B300.i107.i ], [ %.306.i189.i, %B260.i159.i ], [ 0.000000e+00, %B132.i203.i ]
+  %.1371.sroa.10.0.i = phi i64 [ %done.5.1.i, %B300.i107.i ], [ %.310.i192.i, %B260.i159.i ], [ 0, %B132.i203.i ]
+  %.1371.sroa.5.0.i = phi i64 [ %.331.i112.i, %B300.i107.i ], [ %place.5.1.i, %B260.i159.i ], [ 0, %B132.i203.i ]
+  %.1371.sroa.0.0.i = phi double [ %"$phi160.0.2.i39.0.i", %B300.i107.i ], [ %.306.i189.i, %B260.i159.i ], [ 0.000000e+00, %B132.i203.i ]
   %excinfo.7.1.i = phi ptr [ %excinfo.7.0.i, %B300.i107.i ], [ %excinfo.7.0.i, %B260.i159.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.127, %B132.i203.i ]
-  %.1406.i = phi i1 [ false, %B300.i107.i ], [ false, %B260.i159.i ], [ true, %B132.i203.i ]
-  %.1399217.i = phi i32 [ 0, %B300.i107.i ], [ 0, %B260.i159.i ], [ 1, %B132.i203.i ]
-  br i1 %.1406.i, label %_ZN5pages10rate_jumps11locate_jumpB3v54B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B982.endif.i, !prof !97
+  %.1396.i = phi i1 [ false, %B300.i107.i ], [ false, %B260.i159.i ], [ true, %B132.i203.i ]
+  %.1389217.i = phi i32 [ 0, %B300.i107.i ], [ 0, %B260.i159.i ], [ 1, %B132.i203.i ]
+  br i1 %.1396.i, label %_ZN5pages10rate_jumps11locate_jumpB3v54B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B962.endif.i, !prof !97
 
-B1296.i:                                          ; preds = %_ZN5pages10rate_jumps9put_ratesB3v61B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_286_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i
-  %.1805.i = load i64, ptr %.785.i9950, align 8, !noalias !244
-  %.1806.i = add nsw i64 %.1805.i, 3
-  store i64 %.1806.i, ptr %.785.i9950, align 8, !noalias !244
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %.1863.i, i8 0, i64 24, i1 false), !noalias !244
-  call fastcc void @_ZN5pages10rate_jumps7quarterB3v62B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE(ptr %.1863.i, double %.1695.fca.0.load.i, double %.1695.fca.1.load.i, ptr nonnull readonly %arg.code.4, i64 %arg.shape.1, ptr readonly %arg.tolerances.4, ptr nonnull %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4)
-  %.1900.fca.0.load.i = load double, ptr %.1863.i, align 8, !noalias !244
-  %.1900.fca.1.load.i = load double, ptr %.fca.1.gep238.i, align 8, !noalias !244
-  %.1900.fca.2.load.i = load double, ptr %.fca.2.gep239.i, align 8, !noalias !244
-  %.1954.i = fcmp ogt double %.1900.fca.2.load.i, %.11.i3489.i
-  br label %B1458.i
+B1276.i:                                          ; preds = %_ZN5pages10rate_jumps9put_ratesB3v61B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_286_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i
+  %.1795.i = load i64, ptr %.775.i, align 8, !noalias !244
+  %.1796.i = add nsw i64 %.1795.i, 3
+  store i64 %.1796.i, ptr %.775.i, align 8, !noalias !244
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %.1853.i, i8 0, i64 24, i1 false), !noalias !244
+  call fastcc void @_ZN5pages10rate_jumps7quarterB3v62B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE(ptr %.1853.i, double %.1685.fca.0.load.i, double %.1685.fca.1.load.i, ptr nonnull readonly %arg.code.4, i64 %arg.shape.1, ptr readonly %arg.tolerances.4, ptr nonnull %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4)
+  %.1890.fca.0.load.i = load double, ptr %.1853.i, align 8, !noalias !244
+  %.1890.fca.1.load.i = load double, ptr %.fca.1.gep238.i, align 8, !noalias !244
+  %.1890.fca.2.load.i = load double, ptr %.fca.2.gep239.i, align 8, !noalias !244
+  %.1944.i = fcmp ogt double %.1890.fca.2.load.i, %.11.i3470.i
+  br label %B1438.i
 
-B1458.i:                                          ; preds = %_ZN5pages10rate_jumps9put_ratesB3v61B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_286_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, %B1296.i
-  %found.2.2.i = phi i1 [ %.1954.i, %B1296.i ], [ false, %_ZN5pages10rate_jumps9put_ratesB3v61B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_286_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ]
-  %low.9.2.i = phi double [ %.1900.fca.0.load.i, %B1296.i ], [ %.1695.fca.0.load.i, %_ZN5pages10rate_jumps9put_ratesB3v61B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_286_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ]
-  %high.8.2.i = phi double [ %.1900.fca.1.load.i, %B1296.i ], [ %.1695.fca.1.load.i, %_ZN5pages10rate_jumps9put_ratesB3v61B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_286_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ]
-  br i1 %found.2.2.i, label %B1514.i, label %B1462.i
+B1438.i:                                          ; preds = %_ZN5pages10rate_jumps9put_ratesB3v61B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_286_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, %B1276.i
+  %found.2.2.i = phi i1 [ %.1944.i, %B1276.i ], [ false, %_ZN5pages10rate_jumps9put_ratesB3v61B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_286_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ]
+  %low.9.2.i = phi double [ %.1890.fca.0.load.i, %B1276.i ], [ %.1685.fca.0.load.i, %_ZN5pages10rate_jumps9put_ratesB3v61B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_286_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ]
+  %high.8.2.i = phi double [ %.1890.fca.1.load.i, %B1276.i ], [ %.1685.fca.1.load.i, %_ZN5pages10rate_jumps9put_ratesB3v61B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_286_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ]
+  br i1 %found.2.2.i, label %B1494.i, label %B1442.i
 
-B1462.i:                                          ; preds = %B1458.i
-  %.148.i3250.i = load double, ptr %.405.i, align 8, !noalias !267
-  %.93.i.i3251.i = load double, ptr %arg.batch.4.0.4, align 8, !noalias !270
-  %.149.i.i3252.i = fmul double %.1381.sroa.0.0.i, %.148.i3250.i
-  %.150.i.i3253.i = fadd double %.93.i.i3251.i, %.149.i.i3252.i
-  store double %.150.i.i3253.i, ptr %.577, align 8, !noalias !270
-  br i1 %.287.i531.not.i.i, label %_ZN5pages10rate_jumps9put_ratesB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_282_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit3358.critedge.i, label %B122.if.i.lr.ph.i3257.i
+B1442.i:                                          ; preds = %B1438.i
+  %.156.i3231.i = load double, ptr %.395.i9949, align 8, !noalias !267
+  %.93.i.i3232.i = load double, ptr %arg.batch.4.0.4, align 8, !noalias !270
+  %.149.i.i3233.i = fmul double %.1371.sroa.0.0.i, %.156.i3231.i
+  %.150.i.i3234.i = fadd double %.93.i.i3232.i, %.149.i.i3233.i
+  store double %.150.i.i3234.i, ptr %.577, align 8, !noalias !270
+  br i1 %.287.i531.not.i.i, label %_ZN5pages10rate_jumps9put_ratesB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_282_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit3339.critedge.i, label %B122.if.i.lr.ph.i3238.i
 
-B122.if.i.lr.ph.i3257.i:                          ; preds = %B1462.i
-  %.247.i.i.i.i9995 = fsub double 1.000000e+00, %.1381.sroa.0.0.i
-  br label %B122.if.i.i3258.i
+B122.if.i.lr.ph.i3238.i:                          ; preds = %B1442.i
+  %.247.i.i.i.i10000 = fsub double 1.000000e+00, %.1371.sroa.0.0.i
+  br label %B122.if.i.i3239.i
 
-B122.if.i.i3258.i:                                ; preds = %B122.if.i.i3258.i, %B122.if.i.lr.ph.i3257.i
-  %.229.i.0532.i3259.i = phi i64 [ 0, %B122.if.i.lr.ph.i3257.i ], [ %.300.i.i3285.i, %B122.if.i.i3258.i ]
-  %361 = getelementptr double, ptr %83, i64 %.229.i.0532.i3259.i
-  %.191.i.i.i3261.i = load double, ptr %361, align 8, !noalias !274
-  %.193.i.i.i3262.i = fadd double %.191.i.i.i3261.i, 0.000000e+00
-  %.253.i.i.i3263.i = fmul double %.1381.sroa.0.0.i, %.193.i.i.i3262.i
-  %362 = getelementptr double, ptr %84, i64 %.229.i.0532.i3259.i
-  %.191.i.i.1.i3265.i = load double, ptr %362, align 8, !noalias !274
-  %.193.i.i.1.i3266.i = fadd double %.191.i.i.1.i3265.i, %.253.i.i.i3263.i
-  %.253.i.i.1.i.i9996 = fmul double %.247.i.i.i.i9995, %.193.i.i.1.i3266.i
-  %363 = getelementptr double, ptr %85, i64 %.229.i.0532.i3259.i
-  %.191.i.i.2.i3268.i = load double, ptr %363, align 8, !noalias !274
-  %.193.i.i.2.i3269.i = fadd double %.191.i.i.2.i3268.i, %.253.i.i.1.i.i9996
-  %.253.i.i.2.i3270.i = fmul double %.1381.sroa.0.0.i, %.193.i.i.2.i3269.i
-  %364 = getelementptr double, ptr %86, i64 %.229.i.0532.i3259.i
-  %.191.i.i.3.i3272.i = load double, ptr %364, align 8, !noalias !274
-  %.193.i.i.3.i3273.i = fadd double %.191.i.i.3.i3272.i, %.253.i.i.2.i3270.i
-  %.253.i.i.3.i.i9997 = fmul double %.247.i.i.i.i9995, %.193.i.i.3.i3273.i
-  %365 = getelementptr double, ptr %87, i64 %.229.i.0532.i3259.i
-  %.191.i.i.4.i3275.i = load double, ptr %365, align 8, !noalias !274
-  %.193.i.i.4.i3276.i = fadd double %.191.i.i.4.i3275.i, %.253.i.i.3.i.i9997
-  %.253.i.i.4.i3277.i = fmul double %.1381.sroa.0.0.i, %.193.i.i.4.i3276.i
-  %366 = getelementptr double, ptr %88, i64 %.229.i.0532.i3259.i
-  %.191.i.i.5.i3279.i = load double, ptr %366, align 8, !noalias !274
-  %.193.i.i.5.i3280.i = fadd double %.191.i.i.5.i3279.i, %.253.i.i.4.i3277.i
-  %.253.i.i.5.i.i9998 = fmul double %.247.i.i.i.i9995, %.193.i.i.5.i3280.i
-  %367 = getelementptr double, ptr %89, i64 %.229.i.0532.i3259.i
-  %.191.i.i.6.i3282.i = load double, ptr %367, align 8, !noalias !274
-  %.193.i.i.6.i3283.i = fadd double %.191.i.i.6.i3282.i, %.253.i.i.5.i.i9998
-  %.253.i.i.6.i3284.i = fmul double %.1381.sroa.0.0.i, %.193.i.i.6.i3283.i
-  %.300.i.i3285.i = add nsw i64 %.229.i.0532.i3259.i, 1
-  %368 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.229.i.0532.i3259.i
-  %.309.i.i.i3286.i = load double, ptr %368, align 8, !noalias !274
-  %.313.i.i.i3287.i = fadd double %.309.i.i.i3286.i, %.253.i.i.6.i3284.i
-  %369 = getelementptr i8, ptr %368, i64 %.idx550.i3409.i
-  store double %.313.i.i.i3287.i, ptr %369, align 8, !noalias !270
-  %exitcond.not.i3289.i = icmp eq i64 %arg.shape.1, %.300.i.i3285.i
-  br i1 %exitcond.not.i3289.i, label %B0.endif.i3290.i, label %B122.if.i.i3258.i
+B122.if.i.i3239.i:                                ; preds = %B122.if.i.i3239.i, %B122.if.i.lr.ph.i3238.i
+  %.229.i.0532.i3240.i = phi i64 [ 0, %B122.if.i.lr.ph.i3238.i ], [ %.300.i.i3266.i, %B122.if.i.i3239.i ]
+  %361 = getelementptr double, ptr %83, i64 %.229.i.0532.i3240.i
+  %.191.i.i.i3242.i = load double, ptr %361, align 8, !noalias !274
+  %.193.i.i.i3243.i = fadd double %.191.i.i.i3242.i, 0.000000e+00
+  %.253.i.i.i3244.i = fmul double %.1371.sroa.0.0.i, %.193.i.i.i3243.i
+  %362 = getelementptr double, ptr %84, i64 %.229.i.0532.i3240.i
+  %.191.i.i.1.i3246.i = load double, ptr %362, align 8, !noalias !274
+  %.193.i.i.1.i3247.i = fadd double %.191.i.i.1.i3246.i, %.253.i.i.i3244.i
+  %.253.i.i.1.i.i10001 = fmul double %.247.i.i.i.i10000, %.193.i.i.1.i3247.i
+  %363 = getelementptr double, ptr %85, i64 %.229.i.0532.i3240.i
+  %.191.i.i.2.i3249.i = load double, ptr %363, align 8, !noalias !274
+  %.193.i.i.2.i3250.i = fadd double %.191.i.i.2.i3249.i, %.253.i.i.1.i.i10001
+  %.253.i.i.2.i3251.i = fmul double %.1371.sroa.0.0.i, %.193.i.i.2.i3250.i
+  %364 = getelementptr double, ptr %86, i64 %.229.i.0532.i3240.i
+  %.191.i.i.3.i3253.i = load double, ptr %364, align 8, !noalias !274
+  %.193.i.i.3.i3254.i = fadd double %.191.i.i.3.i3253.i, %.253.i.i.2.i3251.i
+  %.253.i.i.3.i.i10002 = fmul double %.247.i.i.i.i10000, %.193.i.i.3.i3254.i
+  %365 = getelementptr double, ptr %87, i64 %.229.i.0532.i3240.i
+  %.191.i.i.4.i3256.i = load double, ptr %365, align 8, !noalias !274
+  %.193.i.i.4.i3257.i = fadd double %.191.i.i.4.i3256.i, %.253.i.i.3.i.i10002
+  %.253.i.i.4.i3258.i = fmul double %.1371.sroa.0.0.i, %.193.i.i.4.i3257.i
+  %366 = getelementptr double, ptr %88, i64 %.229.i.0532.i3240.i
+  %.191.i.i.5.i3260.i = load double, ptr %366, align 8, !noalias !274
+  %.193.i.i.5.i3261.i = fadd double %.191.i.i.5.i3260.i, %.253.i.i.4.i3258.i
+  %.253.i.i.5.i.i10003 = fmul double %.247.i.i.i.i10000, %.193.i.i.5.i3261.i
+  %367 = getelementptr double, ptr %89, i64 %.229.i.0532.i3240.i
+  %.191.i.i.6.i3263.i = load double, ptr %367, align 8, !noalias !274
+  %.193.i.i.6.i3264.i = fadd double %.191.i.i.6.i3263.i, %.253.i.i.5.i.i10003
+  %.253.i.i.6.i3265.i = fmul double %.1371.sroa.0.0.i, %.193.i.i.6.i3264.i
+  %.300.i.i3266.i = add nsw i64 %.229.i.0532.i3240.i, 1
+  %368 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.229.i.0532.i3240.i
+  %.309.i.i.i3267.i = load double, ptr %368, align 8, !noalias !274
+  %.313.i.i.i3268.i = fadd double %.309.i.i.i3267.i, %.253.i.i.6.i3265.i
+  %369 = getelementptr i8, ptr %368, i64 %.idx550.i3390.i
+  store double %.313.i.i.i3268.i, ptr %369, align 8, !noalias !270
+  %exitcond.not.i3270.i = icmp eq i64 %arg.shape.1, %.300.i.i3266.i
+  br i1 %exitcond.not.i3270.i, label %B0.endif.i3271.i, label %B122.if.i.i3239.i
 
-B0.endif.i3290.i:                                 ; preds = %B122.if.i.i3258.i
-  %.227.i3291.i = load i64, ptr %arg.code.4, align 8, !noalias !267
-  %.339.i3296.i = inttoptr i64 %.227.i3291.i to ptr
-  tail call void %.339.i3296.i(ptr nonnull %.577, ptr %.313.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.338.i.i), !noalias !267
-  br label %B298.if.i3300.i
+B0.endif.i3271.i:                                 ; preds = %B122.if.i.i3239.i
+  %.227.i3272.i = load i64, ptr %arg.code.4, align 8, !noalias !267
+  %.339.i3277.i = inttoptr i64 %.227.i3272.i to ptr
+  tail call void %.339.i3277.i(ptr nonnull %.577, ptr %.313.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.338.i.i), !noalias !267
+  br label %B296.if.i3281.i
 
-B298.if.i3300.i:                                  ; preds = %B298.if.i3300.i, %B0.endif.i3290.i
-  %.365.0539.i3302.i = phi i64 [ 0, %B0.endif.i3290.i ], [ %.434.i3350.i, %B298.if.i3300.i ]
-  %.488.i3303.i = load double, ptr %.487.i3420.i, align 8, !noalias !267
-  %.518.i3304.i = load double, ptr %arg.tolerances.4, align 8, !noalias !267
-  %370 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.365.0539.i3302.i
-  %.548.i3305.i = load double, ptr %370, align 8, !noalias !267
-  %.549.i3306.i = tail call double @llvm.fabs.f64(double %.548.i3305.i)
+B296.if.i3281.i:                                  ; preds = %B296.if.i3281.i, %B0.endif.i3271.i
+  %.365.0539.i3283.i = phi i64 [ 0, %B0.endif.i3271.i ], [ %.434.i3331.i, %B296.if.i3281.i ]
+  %.488.i3284.i = load double, ptr %.487.i3401.i, align 8, !noalias !267
+  %.518.i3285.i = load double, ptr %arg.tolerances.4, align 8, !noalias !267
+  %370 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.365.0539.i3283.i
+  %.548.i3286.i = load double, ptr %370, align 8, !noalias !267
+  %.549.i3287.i = tail call double @llvm.fabs.f64(double %.548.i3286.i)
   %371 = getelementptr double, ptr %370, i64 %.296.i.i
-  %.582.i3307.i = load double, ptr %371, align 8, !noalias !267
-  %.583.i3308.i = tail call double @llvm.fabs.f64(double %.582.i3307.i)
-  %.10.i.i3309.i = fcmp ogt double %.583.i3308.i, %.549.i3306.i
-  %.11.i.i3310.i = select i1 %.10.i.i3309.i, double %.583.i3308.i, double %.549.i3306.i
-  %.612.i3311.i = fmul double %.518.i3304.i, %.11.i.i3310.i
-  %.613.i3312.i = fadd double %.488.i3303.i, %.612.i3311.i
-  %372 = getelementptr double, ptr %370, i64 %.298.i.i9985
-  %.646.i3313.i = load double, ptr %372, align 8, !noalias !267
-  %.648.i3314.i = fmul double %.148.i3250.i, %.646.i3313.i
-  %.652.i3315.i = fdiv double %.648.i3314.i, %.613.i3312.i
+  %.582.i3288.i = load double, ptr %371, align 8, !noalias !267
+  %.583.i3289.i = tail call double @llvm.fabs.f64(double %.582.i3288.i)
+  %.10.i.i3290.i = fcmp ogt double %.583.i3289.i, %.549.i3287.i
+  %.11.i.i3291.i = select i1 %.10.i.i3290.i, double %.583.i3289.i, double %.549.i3287.i
+  %.612.i3292.i = fmul double %.518.i3285.i, %.11.i.i3291.i
+  %.613.i3293.i = fadd double %.488.i3284.i, %.612.i3292.i
+  %372 = getelementptr double, ptr %370, i64 %.298.i.i9988
+  %.646.i3294.i = load double, ptr %372, align 8, !noalias !267
+  %.648.i3295.i = fmul double %.156.i3231.i, %.646.i3294.i
+  %.652.i3296.i = fdiv double %.648.i3295.i, %.613.i3293.i
   %373 = getelementptr i8, ptr %370, i64 %.296.i.i
-  store double %.652.i3315.i, ptr %373, align 8, !noalias !267
-  %.434.i3350.i = add nsw i64 %.365.0539.i3302.i, 1
-  %exitcond543.not.i3356.i = icmp eq i64 %arg.shape.1, %.434.i3350.i
-  br i1 %exitcond543.not.i3356.i, label %B1514.i, label %B298.if.i3300.i
+  store double %.652.i3296.i, ptr %373, align 8, !noalias !267
+  %.434.i3331.i = add nsw i64 %.365.0539.i3283.i, 1
+  %exitcond543.not.i3337.i = icmp eq i64 %arg.shape.1, %.434.i3331.i
+  br i1 %exitcond543.not.i3337.i, label %B1494.i, label %B296.if.i3281.i
 
-_ZN5pages10rate_jumps9put_ratesB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_282_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit3358.critedge.i: ; preds = %B1462.i
-  %.227.i3291.c.i = load i64, ptr %arg.code.4, align 8, !noalias !267
-  %.339.i3296.c.i = inttoptr i64 %.227.i3291.c.i to ptr
-  tail call void %.339.i3296.c.i(ptr nonnull %.577, ptr %.313.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.338.i.i), !noalias !267
-  br label %B1514.i
+_ZN5pages10rate_jumps9put_ratesB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_282_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit3339.critedge.i: ; preds = %B1442.i
+  %.227.i3272.c.i = load i64, ptr %arg.code.4, align 8, !noalias !267
+  %.339.i3277.c.i = inttoptr i64 %.227.i3272.c.i to ptr
+  tail call void %.339.i3277.c.i(ptr nonnull %.577, ptr %.313.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.338.i.i), !noalias !267
+  br label %B1494.i
 
-B1514.i:                                          ; preds = %B298.if.i3300.i, %_ZN5pages10rate_jumps9put_ratesB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_282_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit3358.critedge.i, %B1458.i
-  %.2031.i = fcmp uge double %.1381.sroa.0.0.i, 1.000000e+00
-  %brmerge.i = or i1 %.2031.i, %found.2.2.i
-  br i1 %brmerge.i, label %B1532.i, label %B982.i
+B1494.i:                                          ; preds = %B296.if.i3281.i, %_ZN5pages10rate_jumps9put_ratesB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_282_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit3339.critedge.i, %B1438.i
+  %.2021.i = fcmp uge double %.1371.sroa.0.0.i, 1.000000e+00
+  %brmerge.i = or i1 %.2021.i, %found.2.2.i
+  br i1 %brmerge.i, label %B1512.i, label %B962.i
 
-B1532.i:                                          ; preds = %B1514.i
-  %not..2031.i = xor i1 %.2031.i, true
-  %found.2.2.mux.i = or i1 %found.2.2.i, %not..2031.i
-  br i1 %found.2.2.mux.i, label %B1848.if.i, label %B1536.i
+B1512.i:                                          ; preds = %B1494.i
+  %not..2021.i = xor i1 %.2021.i, true
+  %found.2.2.mux.i = or i1 %found.2.2.i, %not..2021.i
+  br i1 %found.2.2.mux.i, label %B1828.if.i, label %B1516.i
 
-B1536.i:                                          ; preds = %B1532.i
-  store double %.1067.i, ptr %.522.i, align 8, !noalias !244
-  %.2191.i = fcmp ogt double %largest.3.2.i, %.655.i
-  br i1 %.2191.i, label %B1598.i, label %_ZN5pages10rate_jumps11locate_jumpB3v54B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit
+B1516.i:                                          ; preds = %B1512.i
+  store double %.1057.i, ptr %.512.i9950, align 8, !noalias !244
+  %.2181.i = fcmp ogt double %largest.3.2.i, %.645.i
+  br i1 %.2181.i, label %B1578.i, label %_ZN5pages10rate_jumps11locate_jumpB3v54B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit
 
-B1598.i:                                          ; preds = %B1536.i
-  %.2248.i = load double, ptr %.2247.i, align 8, !noalias !244
-  %.2251.i = fcmp ogt double %.2248.i, 5.000000e-01
-  br i1 %.2251.i, label %B1646.i, label %_ZN5pages10rate_jumps11locate_jumpB3v54B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit
+B1578.i:                                          ; preds = %B1516.i
+  %.2238.i = load double, ptr %.2237.i, align 8, !noalias !244
+  %.2241.i = fcmp ogt double %.2238.i, 5.000000e-01
+  br i1 %.2241.i, label %B1626.i, label %_ZN5pages10rate_jumps11locate_jumpB3v54B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit
 
-B1646.i:                                          ; preds = %B1598.i
-  %.2255.i = fmul double %.406.i, 5.000000e-01
-  store double 0.000000e+00, ptr %.2247.i, align 8, !noalias !278
+B1626.i:                                          ; preds = %B1578.i
+  %.2245.i = fmul double %.396.i, 5.000000e-01
+  store double 0.000000e+00, ptr %.2237.i, align 8, !noalias !278
   store double 0.000000e+00, ptr %.2012, align 8, !noalias !278
-  store double %.2255.i, ptr %.214.i.i, align 8, !noalias !278
-  %.268.i.i10000 = load i64, ptr %arg.batch.4.1.4, align 8, !noalias !278
-  %.294.i334.i = icmp slt i64 %.268.i.i10000, 0
+  store double %.2245.i, ptr %.214.i.i, align 8, !noalias !278
+  %.268.i.i10005 = load i64, ptr %arg.batch.4.1.4, align 8, !noalias !278
+  %.294.i334.i = icmp slt i64 %.268.i.i10005, 0
   %.295.i335.i = select i1 %.294.i334.i, i64 %arg.batch.3.3.5.0, i64 0
-  %.296.i336.i = add i64 %.295.i335.i, %.268.i.i10000
+  %.296.i336.i = add i64 %.295.i335.i, %.268.i.i10005
   %.316.i350.i = mul i64 %.296.i336.i, %arg.batch.3.3.5.1
   %.320.i353.i = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.316.i350.i
   %.321.i354.i = load i64, ptr %.320.i353.i, align 8, !noalias !278
   %.322.i.i = add nsw i64 %.321.i354.i, -1
   store i64 %.322.i.i, ptr %.320.i353.i, align 8, !noalias !278
-  %.426.i.i10001 = load i64, ptr %arg.batch.4.1.4, align 8, !noalias !278
-  %.452.i.i10002 = icmp slt i64 %.426.i.i10001, 0
-  %.453.i.i10003 = select i1 %.452.i.i10002, i64 %arg.batch.3.3.5.0, i64 0
-  %.454.i.i10004 = add i64 %.453.i.i10003, %.426.i.i10001
-  %.474.i.i10005 = mul i64 %.454.i.i10004, %arg.batch.3.3.5.1
-  %374 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i.i10005
-  %.478.i.i10006 = getelementptr i8, ptr %374, i64 24
-  %.479.i.i10007 = load i64, ptr %.478.i.i10006, align 8, !noalias !278
-  %.480.i.i10008 = add nsw i64 %.479.i.i10007, 1
-  store i64 %.480.i.i10008, ptr %.478.i.i10006, align 8, !noalias !278
+  %.426.i.i10006 = load i64, ptr %arg.batch.4.1.4, align 8, !noalias !278
+  %.452.i.i10007 = icmp slt i64 %.426.i.i10006, 0
+  %.453.i.i10008 = select i1 %.452.i.i10007, i64 %arg.batch.3.3.5.0, i64 0
+  %.454.i.i10009 = add i64 %.453.i.i10008, %.426.i.i10006
+  %.474.i.i10010 = mul i64 %.454.i.i10009, %arg.batch.3.3.5.1
+  %374 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.474.i.i10010
+  %.478.i.i10011 = getelementptr i8, ptr %374, i64 24
+  %.479.i.i10012 = load i64, ptr %.478.i.i10011, align 8, !noalias !278
+  %.480.i.i10013 = add nsw i64 %.479.i.i10012, 1
+  store i64 %.480.i.i10013, ptr %.478.i.i10011, align 8, !noalias !278
   br label %_ZN5pages10rate_jumps11locate_jumpB3v54B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit
 
-B1966.i:                                          ; preds = %B1944.if.i
+B1946.i:                                          ; preds = %B1924.if.i
   call void @llvm.lifetime.start.p0(ptr nonnull %.110.i.i), !noalias !244
-  %.107.i.i = fadd double %high.9.03500.i, %low.10.03499.i
+  %.107.i.i = fadd double %high.9.03481.i, %low.10.03480.i
   %.108.i.i = fmul double %.107.i.i, 5.000000e-01
   store double 0.000000e+00, ptr %.110.i.i, align 8, !noalias !281
   call fastcc void @_ZN5pages10rate_jumps9put_ratesB3v56B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_287_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE(ptr %.110.i.i, double %.108.i.i, ptr nonnull readonly %arg.code.4, i64 %arg.shape.1, ptr readonly %arg.tolerances.4, ptr nonnull %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4)
-  br i1 %.287.i531.not.i.i, label %B392.i.i10015, label %B122.if.i.i10013
+  br i1 %.287.i531.not.i.i, label %B392.i.i10020, label %B122.if.i.i10018
 
-B392.i.i10015:                                    ; preds = %B122.if.i.i10013, %B1966.i
-  %above.2.0.lcssa.i.i = phi double [ 0.000000e+00, %B1966.i ], [ %.11.i279.i.i, %B122.if.i.i10013 ]
-  %below.2.0.lcssa.i.i = phi double [ 0.000000e+00, %B1966.i ], [ %.11.i.i3363.i, %B122.if.i.i10013 ]
+B392.i.i10020:                                    ; preds = %B122.if.i.i10018, %B1946.i
+  %above.2.0.lcssa.i.i = phi double [ 0.000000e+00, %B1946.i ], [ %.11.i279.i.i, %B122.if.i.i10018 ]
+  %below.2.0.lcssa.i.i = phi double [ 0.000000e+00, %B1946.i ], [ %.11.i.i3344.i, %B122.if.i.i10018 ]
   %.482.i.i = fcmp ult double %below.2.0.lcssa.i.i, %above.2.0.lcssa.i.i
   br i1 %.482.i.i, label %B34.i60.preheader.i.i, label %B34.i.preheader.i.i
 
-B34.i.preheader.i.i:                              ; preds = %B392.i.i10015
-  br i1 %.287.i531.not.i.i, label %_ZN5pages10rate_jumps5halveB3v69B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, label %B34.if.i.i.i10016
+B34.i.preheader.i.i:                              ; preds = %B392.i.i10020
+  br i1 %.287.i531.not.i.i, label %_ZN5pages10rate_jumps5halveB3v69B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, label %B34.if.i.i.i10021
 
-B34.i60.preheader.i.i:                            ; preds = %B392.i.i10015
+B34.i60.preheader.i.i:                            ; preds = %B392.i.i10020
   br i1 %.287.i531.not.i.i, label %_ZN5pages10rate_jumps5halveB3v69B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, label %B34.if.i130.i.i
 
-B34.if.i.i.i10016:                                ; preds = %B34.i.preheader.i.i, %B34.if.i.i.i10016
-  %.48.i.0287.i.i = phi i64 [ %.119.i.i.i, %B34.if.i.i.i10016 ], [ 0, %B34.i.preheader.i.i ]
+B34.if.i.i.i10021:                                ; preds = %B34.i.preheader.i.i, %B34.if.i.i.i10021
+  %.48.i.0287.i.i = phi i64 [ %.119.i.i.i, %B34.if.i.i.i10021 ], [ 0, %B34.i.preheader.i.i ]
   %.119.i.i.i = add nsw i64 %.48.i.0287.i.i, 1
   %375 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.48.i.0287.i.i
-  %376 = getelementptr i8, ptr %375, i64 %.idx.i3361.i
+  %376 = getelementptr i8, ptr %375, i64 %.idx.i3342.i
   %.177.i.i.i = load double, ptr %376, align 8, !noalias !284
-  %377 = getelementptr i8, ptr %375, i64 %.idx551.i3438.i
+  %377 = getelementptr i8, ptr %375, i64 %.idx551.i3419.i
   store double %.177.i.i.i, ptr %377, align 8, !noalias !284
   %exitcond292.not.i.i = icmp eq i64 %arg.shape.1, %.119.i.i.i
-  br i1 %exitcond292.not.i.i, label %_ZN5pages10rate_jumps5halveB3v69B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, label %B34.if.i.i.i10016
+  br i1 %exitcond292.not.i.i, label %_ZN5pages10rate_jumps5halveB3v69B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, label %B34.if.i.i.i10021
 
 B34.if.i130.i.i:                                  ; preds = %B34.i60.preheader.i.i, %B34.if.i130.i.i
   %.48.i18.0291.i.i = phi i64 [ %.119.i136.i.i, %B34.if.i130.i.i ], [ 0, %B34.i60.preheader.i.i ]
   %.119.i136.i.i = add nsw i64 %.48.i18.0291.i.i, 1
   %378 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.48.i18.0291.i.i
-  %379 = getelementptr i8, ptr %378, i64 %.idx.i3361.i
+  %379 = getelementptr i8, ptr %378, i64 %.idx.i3342.i
   %.177.i106.i.i = load double, ptr %379, align 8, !noalias !288
   %380 = getelementptr i8, ptr %378, i64 %.296.i.i
   store double %.177.i106.i.i, ptr %380, align 8, !noalias !288
   %exitcond293.not.i.i = icmp eq i64 %arg.shape.1, %.119.i136.i.i
   br i1 %exitcond293.not.i.i, label %_ZN5pages10rate_jumps5halveB3v69B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, label %B34.if.i130.i.i
 
-B122.if.i.i10013:                                 ; preds = %B1966.i, %B122.if.i.i10013
-  %below.2.0284.i.i = phi double [ %.11.i.i3363.i, %B122.if.i.i10013 ], [ 0.000000e+00, %B1966.i ]
-  %above.2.0283.i.i = phi double [ %.11.i279.i.i, %B122.if.i.i10013 ], [ 0.000000e+00, %B1966.i ]
-  %.183.0281.i.i = phi i64 [ %.252.i.i10014, %B122.if.i.i10013 ], [ 0, %B1966.i ]
-  %.252.i.i10014 = add nsw i64 %.183.0281.i.i, 1
+B122.if.i.i10018:                                 ; preds = %B1946.i, %B122.if.i.i10018
+  %below.2.0284.i.i = phi double [ %.11.i.i3344.i, %B122.if.i.i10018 ], [ 0.000000e+00, %B1946.i ]
+  %above.2.0283.i.i = phi double [ %.11.i279.i.i, %B122.if.i.i10018 ], [ 0.000000e+00, %B1946.i ]
+  %.183.0281.i.i = phi i64 [ %.252.i.i10019, %B122.if.i.i10018 ], [ 0, %B1946.i ]
+  %.252.i.i10019 = add nsw i64 %.183.0281.i.i, 1
   %381 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.183.0281.i.i
-  %382 = getelementptr i8, ptr %381, i64 %.idx.i3361.i
+  %382 = getelementptr i8, ptr %381, i64 %.idx.i3342.i
   %.309.i.i = load double, ptr %382, align 8, !noalias !281
   %383 = getelementptr i8, ptr %381, i64 %.296.i.i
   %.342.i.i = load double, ptr %383, align 8, !noalias !281
   %.343.i.i = fsub double %.309.i.i, %.342.i.i
   %.344.i.i = tail call double @llvm.fabs.f64(double %.343.i.i)
-  %.10.i.i3362.i = fcmp ogt double %.344.i.i, %below.2.0284.i.i
-  %.11.i.i3363.i = select i1 %.10.i.i3362.i, double %.344.i.i, double %below.2.0284.i.i
-  %384 = getelementptr i8, ptr %381, i64 %.idx551.i3438.i
+  %.10.i.i3343.i = fcmp ogt double %.344.i.i, %below.2.0284.i.i
+  %.11.i.i3344.i = select i1 %.10.i.i3343.i, double %.344.i.i, double %below.2.0284.i.i
+  %384 = getelementptr i8, ptr %381, i64 %.idx551.i3419.i
   %.408.i.i = load double, ptr %384, align 8, !noalias !281
   %.442.i.i = fsub double %.408.i.i, %.309.i.i
   %.443.i.i = tail call double @llvm.fabs.f64(double %.442.i.i)
   %.10.i278.i.i = fcmp ogt double %.443.i.i, %above.2.0283.i.i
   %.11.i279.i.i = select i1 %.10.i278.i.i, double %.443.i.i, double %above.2.0283.i.i
-  %exitcond.not.i3364.i = icmp eq i64 %arg.shape.1, %.252.i.i10014
-  br i1 %exitcond.not.i3364.i, label %B392.i.i10015, label %B122.if.i.i10013
+  %exitcond.not.i3345.i = icmp eq i64 %arg.shape.1, %.252.i.i10019
+  br i1 %exitcond.not.i3345.i, label %B392.i.i10020, label %B122.if.i.i10018
 
-_ZN5pages10rate_jumps5halveB3v69B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i: ; preds = %B34.if.i.i.i10016, %B34.if.i130.i.i, %B34.i60.preheader.i.i, %B34.i.preheader.i.i
-  %.2758.sroa.5.0.i = phi double [ %.108.i.i, %B34.i.preheader.i.i ], [ %high.9.03500.i, %B34.if.i130.i.i ], [ %high.9.03500.i, %B34.i60.preheader.i.i ], [ %.108.i.i, %B34.if.i.i.i10016 ]
-  %.2758.sroa.0.0.i = phi double [ %low.10.03499.i, %B34.i.preheader.i.i ], [ %.108.i.i, %B34.if.i130.i.i ], [ %.108.i.i, %B34.i60.preheader.i.i ], [ %low.10.03499.i, %B34.if.i.i.i10016 ]
+_ZN5pages10rate_jumps5halveB3v69B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i: ; preds = %B34.if.i.i.i10021, %B34.if.i130.i.i, %B34.i60.preheader.i.i, %B34.i.preheader.i.i
+  %.2748.sroa.5.0.i = phi double [ %.108.i.i, %B34.i.preheader.i.i ], [ %high.9.03481.i, %B34.if.i130.i.i ], [ %high.9.03481.i, %B34.i60.preheader.i.i ], [ %.108.i.i, %B34.if.i.i.i10021 ]
+  %.2748.sroa.0.0.i = phi double [ %low.10.03480.i, %B34.i.preheader.i.i ], [ %.108.i.i, %B34.if.i130.i.i ], [ %.108.i.i, %B34.i60.preheader.i.i ], [ %low.10.03480.i, %B34.if.i.i.i10021 ]
   call void @llvm.lifetime.end.p0(ptr nonnull %.110.i.i), !noalias !244
-  br label %B2014.i
+  br label %B1994.i
 
-B2014.i:                                          ; preds = %B1944.if.i, %_ZN5pages10rate_jumps5halveB3v69B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i
-  %low.11.1.i = phi double [ %.2758.sroa.0.0.i, %_ZN5pages10rate_jumps5halveB3v69B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ], [ %low.10.03499.i, %B1944.if.i ]
-  %high.10.1.i = phi double [ %.2758.sroa.5.0.i, %_ZN5pages10rate_jumps5halveB3v69B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ], [ %high.9.03500.i, %B1944.if.i ]
-  %.2698.i = icmp ugt i64 %.2645.03498.i, 1
-  br i1 %.2698.i, label %B1944.if.i, label %B2016.i
+B1994.i:                                          ; preds = %B1924.if.i, %_ZN5pages10rate_jumps5halveB3v69B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i
+  %low.11.1.i = phi double [ %.2748.sroa.0.0.i, %_ZN5pages10rate_jumps5halveB3v69B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ], [ %low.10.03480.i, %B1924.if.i ]
+  %high.10.1.i = phi double [ %.2748.sroa.5.0.i, %_ZN5pages10rate_jumps5halveB3v69B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i ], [ %high.9.03481.i, %B1924.if.i ]
+  %.2688.i = icmp ugt i64 %.2635.03479.i, 1
+  br i1 %.2688.i, label %B1924.if.i, label %B1996.i
 
-B2016.i:                                          ; preds = %B2014.i
-  %.2893.i = load i64, ptr %.785.i9950, align 8, !noalias !244
-  %.2896.i = add nsw i64 %.2893.i, 56
-  store i64 %.2896.i, ptr %.785.i9950, align 8, !noalias !244
-  %.2947.i = fmul double %.406.i, %high.10.1.i
-  %.2949.i = fadd double %.352.i, %.2947.i
-  store double %.2949.i, ptr %.3002.i, align 8, !noalias !244
-  %.3006.i = fmul double %.406.i, %low.11.1.i
-  %.3008.i = tail call double @llvm.fabs.f64(double %.352.i)
-  %.3009.i = fmul double %.3008.i, 0x3D06849B86A12B9B
-  %.3010.i = fcmp ole double %.3006.i, %.3009.i
-  br i1 %.3010.i, label %B2204.i, label %B2268.i
+B1996.i:                                          ; preds = %B1994.i
+  %.2883.i = load i64, ptr %.775.i, align 8, !noalias !244
+  %.2886.i = add nsw i64 %.2883.i, 56
+  store i64 %.2886.i, ptr %.775.i, align 8, !noalias !244
+  %.2937.i = fmul double %.396.i, %high.10.1.i
+  %.2939.i = fadd double %.342.i, %.2937.i
+  store double %.2939.i, ptr %.2992.i, align 8, !noalias !244
+  %.2996.i = fmul double %.396.i, %low.11.1.i
+  %.2998.i = tail call double @llvm.fabs.f64(double %.342.i)
+  %.2999.i = fmul double %.2998.i, 0x3D06849B86A12B9B
+  %.3000.i = fcmp ole double %.2996.i, %.2999.i
+  br i1 %.3000.i, label %B2184.i, label %B2248.i
 
-B2204.i:                                          ; preds = %B2016.i
-  %.3078.i = load double, ptr %.3077.i, align 8, !noalias !244
-  %.3079.i = fcmp ult double %.2949.i, %.3078.i
-  br i1 %.3079.i, label %B2268.i, label %_ZN5pages10rate_jumps11locate_jumpB3v54B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit
+B2184.i:                                          ; preds = %B1996.i
+  %.3068.i = load double, ptr %.3067.i, align 8, !noalias !244
+  %.3069.i = fcmp ult double %.2939.i, %.3068.i
+  br i1 %.3069.i, label %B2248.i, label %_ZN5pages10rate_jumps11locate_jumpB3v54B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit
 
-B2268.i:                                          ; preds = %B2204.i, %B2016.i
-  %.3154.i = load double, ptr %.3153.i, align 8, !noalias !244
-  %.3155.i = fcmp ogt double %.3154.i, 5.000000e-01
-  br i1 %.3155.i, label %B2316.i, label %B2352.i
+B2248.i:                                          ; preds = %B2184.i, %B1996.i
+  %.3144.i = load double, ptr %.3143.i, align 8, !noalias !244
+  %.3145.i = fcmp ogt double %.3144.i, 5.000000e-01
+  br i1 %.3145.i, label %B2296.i, label %B2332.i
 
-B2316.i:                                          ; preds = %B2268.i
-  store double 0.000000e+00, ptr %.3153.i, align 8, !noalias !292
+B2296.i:                                          ; preds = %B2248.i
+  store double 0.000000e+00, ptr %.3143.i, align 8, !noalias !292
   store double 0.000000e+00, ptr %.2012, align 8, !noalias !292
-  store double %.406.i, ptr %.214.i516.i, align 8, !noalias !292
+  store double %.396.i, ptr %.214.i516.i, align 8, !noalias !292
   %.268.i549.i = load i64, ptr %arg.batch.4.1.4, align 8, !noalias !292
   %.294.i570.i = icmp slt i64 %.268.i549.i, 0
   %.295.i571.i = select i1 %.294.i570.i, i64 %arg.batch.3.3.5.0, i64 0
@@ -5621,23 +5621,23 @@ B2316.i:                                          ; preds = %B2268.i
   %.479.i684.i = load i64, ptr %.478.i683.i, align 8, !noalias !292
   %.480.i685.i = add nsw i64 %.479.i684.i, 1
   store i64 %.480.i685.i, ptr %.478.i683.i, align 8, !noalias !292
-  br label %B2352.i
+  br label %B2332.i
 
-B2352.i:                                          ; preds = %B2316.i, %B2268.i
-  %.406..3006.i = select i1 %.3010.i, double %.406.i, double %.3006.i
-  store double %.406..3006.i, ptr %.3278.i, align 8, !noalias !244
-  br i1 %.3010.i, label %B2404.i, label %_ZN5pages10rate_jumps11locate_jumpB3v54B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit
+B2332.i:                                          ; preds = %B2296.i, %B2248.i
+  %.396..2996.i = select i1 %.3000.i, double %.396.i, double %.2996.i
+  store double %.396..2996.i, ptr %.3268.i, align 8, !noalias !244
+  br i1 %.3000.i, label %B2384.i, label %_ZN5pages10rate_jumps11locate_jumpB3v54B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit
 
-B2404.i:                                          ; preds = %B2352.i
-  %.115.i.i = load double, ptr %.3002.i, align 8, !noalias !295
+B2384.i:                                          ; preds = %B2332.i
+  %.115.i.i = load double, ptr %.2992.i, align 8, !noalias !295
   %.169.i826.i = load double, ptr %arg.batch.4.0.4, align 8, !noalias !295
   %.170.i.i = fsub double %.115.i.i, %.169.i826.i
   %.171.i827.i = fcmp ogt double %.170.i.i, 0.000000e+00
   br i1 %.171.i827.i, label %B114.i.i, label %_ZN5pages10rate_jumps9pass_jumpB3v71B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE.exit.i
 
-B114.i.i:                                         ; preds = %B2404.i
-  %.229.i.i10009 = load double, ptr %.405.i, align 8, !noalias !295
-  %.230.i858.i = fmul double %.229.i.i10009, 1.000000e-08
+B114.i.i:                                         ; preds = %B2384.i
+  %.229.i.i10014 = load double, ptr %.395.i9949, align 8, !noalias !295
+  %.230.i858.i = fmul double %.229.i.i10014, 1.000000e-08
   %.285.i895.i = tail call double @llvm.fabs.f64(double %.169.i826.i)
   %.286.i896.i = fmul double %.285.i895.i, 4.000000e-15
   %.287.i897.i = fadd double %.286.i896.i, %.230.i858.i
@@ -5652,179 +5652,179 @@ B240.i.i:                                         ; preds = %B114.i.i
   %.474.i982.i = fsub double %.441.i960.i, %.471.i980.i
   %.475.i.i = fmul double %.474.i982.i, 0x3E7AD7F29ABCAF48
   %.476.i.i = fcmp olt double %.411.i949.i, %.475.i.i
-  br i1 %.476.i.i, label %B390.i.i, label %B438.i.i10010
+  br i1 %.476.i.i, label %B390.i.i, label %B438.i.i10015
 
 B390.i.i:                                         ; preds = %B240.i.i
-  %.531.i.i = load i64, ptr %.273.i, align 8, !noalias !295
+  %.531.i.i = load i64, ptr %.263.i9946, align 8, !noalias !295
   %.532.i.i = add nsw i64 %.531.i.i, 1
-  br label %B438.i.i10010
+  br label %B438.i.i10015
 
-B438.i.i10010:                                    ; preds = %B390.i.i, %B240.i.i
+B438.i.i10015:                                    ; preds = %B390.i.i, %B240.i.i
   %"$phi438.0.2.i.0.i" = phi i64 [ %.532.i.i, %B390.i.i ], [ 0, %B240.i.i ]
-  store i64 %"$phi438.0.2.i.0.i", ptr %.273.i, align 8, !noalias !295
-  %.652.i.i = load double, ptr %.3002.i, align 8, !noalias !295
+  store i64 %"$phi438.0.2.i.0.i", ptr %.263.i9946, align 8, !noalias !295
+  %.652.i.i = load double, ptr %.2992.i, align 8, !noalias !295
   store double %.652.i.i, ptr %arg.batch.4.0.4, align 8, !noalias !295
   store double %.652.i.i, ptr %.409.i947.i, align 8, !noalias !295
-  store double 1.000000e+00, ptr %.813.i.i10011, align 8, !noalias !295
+  store double 1.000000e+00, ptr %.813.i.i10016, align 8, !noalias !295
   store i64 2, ptr %.1180, align 8, !noalias !295
   br label %_ZN5pages10rate_jumps9pass_jumpB3v71B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE.exit.i
 
-_ZN5pages10rate_jumps9pass_jumpB3v71B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE.exit.i: ; preds = %B438.i.i10010, %B114.i.i, %B2404.i
-  store double 0xFFF0000000000000, ptr %.3002.i, align 8, !noalias !295
+_ZN5pages10rate_jumps9pass_jumpB3v71B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE.exit.i: ; preds = %B438.i.i10015, %B114.i.i, %B2384.i
+  store double 0xFFF0000000000000, ptr %.2992.i, align 8, !noalias !295
   br label %_ZN5pages10rate_jumps11locate_jumpB3v54B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit
 
-B444.endif.i:                                     ; preds = %_ZN5pages10rate_jumps10next_placeB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit.i
-  %.734.i = fcmp uge double %.676.sroa.0.0.i, 1.000000e+00
-  br i1 %.734.i, label %B642.i, label %B502.i
+B424.endif.i:                                     ; preds = %_ZN5pages10rate_jumps10next_placeB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit.i
+  %.724.i = fcmp uge double %.666.sroa.0.0.i, 1.000000e+00
+  br i1 %.724.i, label %B622.i, label %B482.i
 
-B982.endif.i:                                     ; preds = %_ZN5pages10rate_jumps10next_placeB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit216.i
-  %.149.i.i3369.i = fmul double %.157.i92.i, %.1381.sroa.0.0.i
-  %.150.i.i3370.i = fadd double %.104.i66.i, %.149.i.i3369.i
-  store double %.150.i.i3370.i, ptr %.577, align 8, !noalias !298
-  br i1 %.287.i531.not.i.i, label %_ZN5pages10rate_jumps9put_ratesB3v61B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_286_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.critedge.i, label %B122.if.i.lr.ph.i3374.i
+B962.endif.i:                                     ; preds = %_ZN5pages10rate_jumps10next_placeB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit216.i
+  %.149.i.i3350.i = fmul double %.157.i92.i, %.1371.sroa.0.0.i
+  %.150.i.i3351.i = fadd double %.104.i66.i, %.149.i.i3350.i
+  store double %.150.i.i3351.i, ptr %.577, align 8, !noalias !298
+  br i1 %.287.i531.not.i.i, label %_ZN5pages10rate_jumps9put_ratesB3v61B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_286_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.critedge.i, label %B122.if.i.lr.ph.i3355.i
 
-B122.if.i.lr.ph.i3374.i:                          ; preds = %B982.endif.i
-  %.247.i.i.i3375.i = fsub double 1.000000e+00, %.1381.sroa.0.0.i
-  br label %B122.if.i.i3376.i
+B122.if.i.lr.ph.i3355.i:                          ; preds = %B962.endif.i
+  %.247.i.i.i3356.i = fsub double 1.000000e+00, %.1371.sroa.0.0.i
+  br label %B122.if.i.i3357.i
 
-B122.if.i.i3376.i:                                ; preds = %B122.if.i.i3376.i, %B122.if.i.lr.ph.i3374.i
-  %.229.i.0532.i3377.i = phi i64 [ 0, %B122.if.i.lr.ph.i3374.i ], [ %.300.i.i3406.i, %B122.if.i.i3376.i ]
-  %386 = getelementptr double, ptr %83, i64 %.229.i.0532.i3377.i
-  %.191.i.i.i3379.i = load double, ptr %386, align 8, !noalias !304
-  %.193.i.i.i3380.i = fadd double %.191.i.i.i3379.i, 0.000000e+00
-  %.253.i.i.i3381.i = fmul double %.1381.sroa.0.0.i, %.193.i.i.i3380.i
-  %387 = getelementptr double, ptr %84, i64 %.229.i.0532.i3377.i
-  %.191.i.i.1.i3383.i = load double, ptr %387, align 8, !noalias !304
-  %.193.i.i.1.i3384.i = fadd double %.191.i.i.1.i3383.i, %.253.i.i.i3381.i
-  %.253.i.i.1.i3385.i = fmul double %.247.i.i.i3375.i, %.193.i.i.1.i3384.i
-  %388 = getelementptr double, ptr %85, i64 %.229.i.0532.i3377.i
-  %.191.i.i.2.i3387.i = load double, ptr %388, align 8, !noalias !304
-  %.193.i.i.2.i3388.i = fadd double %.191.i.i.2.i3387.i, %.253.i.i.1.i3385.i
-  %.253.i.i.2.i3389.i = fmul double %.1381.sroa.0.0.i, %.193.i.i.2.i3388.i
-  %389 = getelementptr double, ptr %86, i64 %.229.i.0532.i3377.i
-  %.191.i.i.3.i3391.i = load double, ptr %389, align 8, !noalias !304
-  %.193.i.i.3.i3392.i = fadd double %.191.i.i.3.i3391.i, %.253.i.i.2.i3389.i
-  %.253.i.i.3.i3393.i = fmul double %.247.i.i.i3375.i, %.193.i.i.3.i3392.i
-  %390 = getelementptr double, ptr %87, i64 %.229.i.0532.i3377.i
-  %.191.i.i.4.i3395.i = load double, ptr %390, align 8, !noalias !304
-  %.193.i.i.4.i3396.i = fadd double %.191.i.i.4.i3395.i, %.253.i.i.3.i3393.i
-  %.253.i.i.4.i3397.i = fmul double %.1381.sroa.0.0.i, %.193.i.i.4.i3396.i
-  %391 = getelementptr double, ptr %88, i64 %.229.i.0532.i3377.i
-  %.191.i.i.5.i3399.i = load double, ptr %391, align 8, !noalias !304
-  %.193.i.i.5.i3400.i = fadd double %.191.i.i.5.i3399.i, %.253.i.i.4.i3397.i
-  %.253.i.i.5.i3401.i = fmul double %.247.i.i.i3375.i, %.193.i.i.5.i3400.i
-  %392 = getelementptr double, ptr %89, i64 %.229.i.0532.i3377.i
-  %.191.i.i.6.i3403.i = load double, ptr %392, align 8, !noalias !304
-  %.193.i.i.6.i3404.i = fadd double %.191.i.i.6.i3403.i, %.253.i.i.5.i3401.i
-  %.253.i.i.6.i3405.i = fmul double %.1381.sroa.0.0.i, %.193.i.i.6.i3404.i
-  %.300.i.i3406.i = add nsw i64 %.229.i.0532.i3377.i, 1
-  %393 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.229.i.0532.i3377.i
-  %.309.i.i.i3407.i = load double, ptr %393, align 8, !noalias !304
-  %.313.i.i.i3408.i = fadd double %.309.i.i.i3407.i, %.253.i.i.6.i3405.i
-  %394 = getelementptr i8, ptr %393, i64 %.idx550.i3409.i
-  store double %.313.i.i.i3408.i, ptr %394, align 8, !noalias !298
-  %exitcond.not.i3410.i = icmp eq i64 %arg.shape.1, %.300.i.i3406.i
-  br i1 %exitcond.not.i3410.i, label %B0.endif.i3411.i, label %B122.if.i.i3376.i
+B122.if.i.i3357.i:                                ; preds = %B122.if.i.i3357.i, %B122.if.i.lr.ph.i3355.i
+  %.229.i.0532.i3358.i = phi i64 [ 0, %B122.if.i.lr.ph.i3355.i ], [ %.300.i.i3387.i, %B122.if.i.i3357.i ]
+  %386 = getelementptr double, ptr %83, i64 %.229.i.0532.i3358.i
+  %.191.i.i.i3360.i = load double, ptr %386, align 8, !noalias !304
+  %.193.i.i.i3361.i = fadd double %.191.i.i.i3360.i, 0.000000e+00
+  %.253.i.i.i3362.i = fmul double %.1371.sroa.0.0.i, %.193.i.i.i3361.i
+  %387 = getelementptr double, ptr %84, i64 %.229.i.0532.i3358.i
+  %.191.i.i.1.i3364.i = load double, ptr %387, align 8, !noalias !304
+  %.193.i.i.1.i3365.i = fadd double %.191.i.i.1.i3364.i, %.253.i.i.i3362.i
+  %.253.i.i.1.i3366.i = fmul double %.247.i.i.i3356.i, %.193.i.i.1.i3365.i
+  %388 = getelementptr double, ptr %85, i64 %.229.i.0532.i3358.i
+  %.191.i.i.2.i3368.i = load double, ptr %388, align 8, !noalias !304
+  %.193.i.i.2.i3369.i = fadd double %.191.i.i.2.i3368.i, %.253.i.i.1.i3366.i
+  %.253.i.i.2.i3370.i = fmul double %.1371.sroa.0.0.i, %.193.i.i.2.i3369.i
+  %389 = getelementptr double, ptr %86, i64 %.229.i.0532.i3358.i
+  %.191.i.i.3.i3372.i = load double, ptr %389, align 8, !noalias !304
+  %.193.i.i.3.i3373.i = fadd double %.191.i.i.3.i3372.i, %.253.i.i.2.i3370.i
+  %.253.i.i.3.i3374.i = fmul double %.247.i.i.i3356.i, %.193.i.i.3.i3373.i
+  %390 = getelementptr double, ptr %87, i64 %.229.i.0532.i3358.i
+  %.191.i.i.4.i3376.i = load double, ptr %390, align 8, !noalias !304
+  %.193.i.i.4.i3377.i = fadd double %.191.i.i.4.i3376.i, %.253.i.i.3.i3374.i
+  %.253.i.i.4.i3378.i = fmul double %.1371.sroa.0.0.i, %.193.i.i.4.i3377.i
+  %391 = getelementptr double, ptr %88, i64 %.229.i.0532.i3358.i
+  %.191.i.i.5.i3380.i = load double, ptr %391, align 8, !noalias !304
+  %.193.i.i.5.i3381.i = fadd double %.191.i.i.5.i3380.i, %.253.i.i.4.i3378.i
+  %.253.i.i.5.i3382.i = fmul double %.247.i.i.i3356.i, %.193.i.i.5.i3381.i
+  %392 = getelementptr double, ptr %89, i64 %.229.i.0532.i3358.i
+  %.191.i.i.6.i3384.i = load double, ptr %392, align 8, !noalias !304
+  %.193.i.i.6.i3385.i = fadd double %.191.i.i.6.i3384.i, %.253.i.i.5.i3382.i
+  %.253.i.i.6.i3386.i = fmul double %.1371.sroa.0.0.i, %.193.i.i.6.i3385.i
+  %.300.i.i3387.i = add nsw i64 %.229.i.0532.i3358.i, 1
+  %393 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.229.i.0532.i3358.i
+  %.309.i.i.i3388.i = load double, ptr %393, align 8, !noalias !304
+  %.313.i.i.i3389.i = fadd double %.309.i.i.i3388.i, %.253.i.i.6.i3386.i
+  %394 = getelementptr i8, ptr %393, i64 %.idx550.i3390.i
+  store double %.313.i.i.i3389.i, ptr %394, align 8, !noalias !298
+  %exitcond.not.i3391.i = icmp eq i64 %arg.shape.1, %.300.i.i3387.i
+  br i1 %exitcond.not.i3391.i, label %B0.endif.i3392.i, label %B122.if.i.i3357.i
 
-B0.endif.i3411.i:                                 ; preds = %B122.if.i.i3376.i
-  %.227.i3412.i = load i64, ptr %arg.code.4, align 8, !noalias !308
-  %.339.i3417.i = inttoptr i64 %.227.i3412.i to ptr
-  tail call void %.339.i3417.i(ptr nonnull %.577, ptr %.313.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.338.i.i), !noalias !308
-  br label %B298.if.i3422.i
+B0.endif.i3392.i:                                 ; preds = %B122.if.i.i3357.i
+  %.227.i3393.i = load i64, ptr %arg.code.4, align 8, !noalias !308
+  %.339.i3398.i = inttoptr i64 %.227.i3393.i to ptr
+  tail call void %.339.i3398.i(ptr nonnull %.577, ptr %.313.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.338.i.i), !noalias !308
+  br label %B296.if.i3403.i
 
-B298.if.i3422.i:                                  ; preds = %B298.if.i3422.i, %B0.endif.i3411.i
-  %.365.0539.i3424.i = phi i64 [ 0, %B0.endif.i3411.i ], [ %.434.i3480.i, %B298.if.i3422.i ]
-  %.488.i3425.i = load double, ptr %.487.i3420.i, align 8, !noalias !308
-  %.518.i3426.i = load double, ptr %arg.tolerances.4, align 8, !noalias !308
-  %395 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.365.0539.i3424.i
-  %.548.i3427.i = load double, ptr %395, align 8, !noalias !308
-  %.549.i3428.i = tail call double @llvm.fabs.f64(double %.548.i3427.i)
+B296.if.i3403.i:                                  ; preds = %B296.if.i3403.i, %B0.endif.i3392.i
+  %.365.0539.i3405.i = phi i64 [ 0, %B0.endif.i3392.i ], [ %.434.i3461.i, %B296.if.i3403.i ]
+  %.488.i3406.i = load double, ptr %.487.i3401.i, align 8, !noalias !308
+  %.518.i3407.i = load double, ptr %arg.tolerances.4, align 8, !noalias !308
+  %395 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.365.0539.i3405.i
+  %.548.i3408.i = load double, ptr %395, align 8, !noalias !308
+  %.549.i3409.i = tail call double @llvm.fabs.f64(double %.548.i3408.i)
   %396 = getelementptr double, ptr %395, i64 %.296.i.i
-  %.582.i3429.i = load double, ptr %396, align 8, !noalias !308
-  %.583.i3430.i = tail call double @llvm.fabs.f64(double %.582.i3429.i)
-  %.10.i.i3431.i = fcmp ogt double %.583.i3430.i, %.549.i3428.i
-  %.11.i.i3432.i = select i1 %.10.i.i3431.i, double %.583.i3430.i, double %.549.i3428.i
-  %.612.i3433.i = fmul double %.518.i3426.i, %.11.i.i3432.i
-  %.613.i3434.i = fadd double %.488.i3425.i, %.612.i3433.i
-  %397 = getelementptr double, ptr %395, i64 %.298.i.i9985
-  %.646.i3435.i = load double, ptr %397, align 8, !noalias !308
-  %.648.i3436.i = fmul double %.157.i92.i, %.646.i3435.i
-  %.652.i3437.i = fdiv double %.648.i3436.i, %.613.i3434.i
-  %398 = getelementptr i8, ptr %395, i64 %.idx551.i3438.i
-  store double %.652.i3437.i, ptr %398, align 8, !noalias !308
-  %.434.i3480.i = add nsw i64 %.365.0539.i3424.i, 1
-  %exitcond543.not.i3486.i = icmp eq i64 %arg.shape.1, %.434.i3480.i
-  br i1 %exitcond543.not.i3486.i, label %_ZN5pages10rate_jumps9put_ratesB3v61B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_286_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, label %B298.if.i3422.i
+  %.582.i3410.i = load double, ptr %396, align 8, !noalias !308
+  %.583.i3411.i = tail call double @llvm.fabs.f64(double %.582.i3410.i)
+  %.10.i.i3412.i = fcmp ogt double %.583.i3411.i, %.549.i3409.i
+  %.11.i.i3413.i = select i1 %.10.i.i3412.i, double %.583.i3411.i, double %.549.i3409.i
+  %.612.i3414.i = fmul double %.518.i3407.i, %.11.i.i3413.i
+  %.613.i3415.i = fadd double %.488.i3406.i, %.612.i3414.i
+  %397 = getelementptr double, ptr %395, i64 %.298.i.i9988
+  %.646.i3416.i = load double, ptr %397, align 8, !noalias !308
+  %.648.i3417.i = fmul double %.157.i92.i, %.646.i3416.i
+  %.652.i3418.i = fdiv double %.648.i3417.i, %.613.i3415.i
+  %398 = getelementptr i8, ptr %395, i64 %.idx551.i3419.i
+  store double %.652.i3418.i, ptr %398, align 8, !noalias !308
+  %.434.i3461.i = add nsw i64 %.365.0539.i3405.i, 1
+  %exitcond543.not.i3467.i = icmp eq i64 %arg.shape.1, %.434.i3461.i
+  br i1 %exitcond543.not.i3467.i, label %_ZN5pages10rate_jumps9put_ratesB3v61B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_286_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i, label %B296.if.i3403.i
 
-_ZN5pages10rate_jumps9put_ratesB3v61B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_286_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.critedge.i: ; preds = %B982.endif.i
-  %.227.i3412.c.i = load i64, ptr %arg.code.4, align 8, !noalias !308
-  %.339.i3417.c.i = inttoptr i64 %.227.i3412.c.i to ptr
-  tail call void %.339.i3417.c.i(ptr nonnull %.577, ptr %.313.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.338.i.i), !noalias !308
+_ZN5pages10rate_jumps9put_ratesB3v61B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_286_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.critedge.i: ; preds = %B962.endif.i
+  %.227.i3393.c.i = load i64, ptr %arg.code.4, align 8, !noalias !308
+  %.339.i3398.c.i = inttoptr i64 %.227.i3393.c.i to ptr
+  tail call void %.339.i3398.c.i(ptr nonnull %.577, ptr %.313.i.i, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.338.i.i), !noalias !308
   br label %_ZN5pages10rate_jumps9put_ratesB3v61B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_286_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i
 
-_ZN5pages10rate_jumps9put_ratesB3v61B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_286_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i: ; preds = %B298.if.i3422.i, %_ZN5pages10rate_jumps9put_ratesB3v61B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_286_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.critedge.i
-  %.1542.i = load i64, ptr %.785.i9950, align 8, !noalias !244
-  %.1543.i = add nsw i64 %.1542.i, 8
-  store i64 %.1543.i, ptr %.785.i9950, align 8, !noalias !244
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %.1599.i, i8 0, i64 24, i1 false), !noalias !244
-  call fastcc void @_ZN5pages10rate_jumps7quarterB3v62B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE(ptr %.1599.i, double %share.4.1.i, double %.1381.sroa.0.0.i, ptr nonnull readonly %arg.code.4, i64 %arg.shape.1, ptr readonly %arg.tolerances.4, ptr nonnull %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4)
-  %.1636.fca.2.load.i = load double, ptr %.fca.2.gep283.i, align 8, !noalias !244
-  %.1636.fca.1.load.i = load double, ptr %.fca.1.gep282.i, align 8, !noalias !244
-  %.1636.fca.0.load.i = load double, ptr %.1599.i, align 8, !noalias !244
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %.1658.i, i8 0, i64 24, i1 false), !noalias !244
-  call fastcc void @_ZN5pages10rate_jumps7quarterB3v62B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE(ptr %.1658.i, double %.1636.fca.0.load.i, double %.1636.fca.1.load.i, ptr nonnull readonly %arg.code.4, i64 %arg.shape.1, ptr readonly %arg.tolerances.4, ptr nonnull %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4)
-  %.1695.fca.0.load.i = load double, ptr %.1658.i, align 8, !noalias !244
-  %.1695.fca.1.load.i = load double, ptr %.fca.1.gep276.i, align 8, !noalias !244
-  %.1695.fca.2.load.i = load double, ptr %.fca.2.gep277.i, align 8, !noalias !244
-  %.1723.i = fmul double %.1636.fca.2.load.i, 3.000000e-01
-  %.10.i3488.i = fcmp ogt double %.1723.i, %.11.i.i9948
-  %.11.i3489.i = select i1 %.10.i3488.i, double %.1723.i, double %.11.i.i9948
-  %.1753.i = fcmp ogt double %.1695.fca.2.load.i, %.11.i3489.i
-  br i1 %.1753.i, label %B1296.i, label %B1458.i
+_ZN5pages10rate_jumps9put_ratesB3v61B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_286_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.i: ; preds = %B296.if.i3403.i, %_ZN5pages10rate_jumps9put_ratesB3v61B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_286_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.critedge.i
+  %.1532.i = load i64, ptr %.775.i, align 8, !noalias !244
+  %.1533.i = add nsw i64 %.1532.i, 8
+  store i64 %.1533.i, ptr %.775.i, align 8, !noalias !244
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %.1589.i, i8 0, i64 24, i1 false), !noalias !244
+  call fastcc void @_ZN5pages10rate_jumps7quarterB3v62B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE(ptr %.1589.i, double %share.4.1.i, double %.1371.sroa.0.0.i, ptr nonnull readonly %arg.code.4, i64 %arg.shape.1, ptr readonly %arg.tolerances.4, ptr nonnull %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4)
+  %.1626.fca.2.load.i = load double, ptr %.fca.2.gep283.i, align 8, !noalias !244
+  %.1626.fca.1.load.i = load double, ptr %.fca.1.gep282.i, align 8, !noalias !244
+  %.1626.fca.0.load.i = load double, ptr %.1589.i, align 8, !noalias !244
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %.1648.i, i8 0, i64 24, i1 false), !noalias !244
+  call fastcc void @_ZN5pages10rate_jumps7quarterB3v62B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE(ptr %.1648.i, double %.1626.fca.0.load.i, double %.1626.fca.1.load.i, ptr nonnull readonly %arg.code.4, i64 %arg.shape.1, ptr readonly %arg.tolerances.4, ptr nonnull %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4)
+  %.1685.fca.0.load.i = load double, ptr %.1648.i, align 8, !noalias !244
+  %.1685.fca.1.load.i = load double, ptr %.fca.1.gep276.i, align 8, !noalias !244
+  %.1685.fca.2.load.i = load double, ptr %.fca.2.gep277.i, align 8, !noalias !244
+  %.1713.i = fmul double %.1626.fca.2.load.i, 3.000000e-01
+  %.10.i3469.i = fcmp ogt double %.1713.i, %.11.i.i9953
+  %.11.i3470.i = select i1 %.10.i3469.i, double %.1713.i, double %.11.i.i9953
+  %.1743.i = fcmp ogt double %.1685.fca.2.load.i, %.11.i3470.i
+  br i1 %.1743.i, label %B1276.i, label %B1438.i
 
-B1848.if.i:                                       ; preds = %B1532.i
-  %.2384.i = load double, ptr %.2383.i, align 8, !noalias !244
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %.2548.i, i8 0, i64 24, i1 false), !noalias !244
-  call fastcc void @_ZN5pages10rate_jumps7quarterB3v62B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE(ptr %.2548.i, double %low.9.2.i, double %high.8.2.i, ptr nonnull readonly %arg.code.4, i64 %arg.shape.1, ptr readonly %arg.tolerances.4, ptr nonnull %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4)
-  %.2585.fca.1.load.i = load double, ptr %.fca.1.gep131.i, align 8, !noalias !244
-  %.2585.fca.0.load.i = load double, ptr %.2548.i, align 8, !noalias !244
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %.2548.i, i8 0, i64 24, i1 false), !noalias !244
-  call fastcc void @_ZN5pages10rate_jumps7quarterB3v62B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE(ptr %.2548.i, double %.2585.fca.0.load.i, double %.2585.fca.1.load.i, ptr nonnull readonly %arg.code.4, i64 %arg.shape.1, ptr readonly %arg.tolerances.4, ptr nonnull %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4)
-  %.2585.fca.1.load.i.1 = load double, ptr %.fca.1.gep131.i, align 8, !noalias !244
-  %.2585.fca.0.load.i.1 = load double, ptr %.2548.i, align 8, !noalias !244
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %.2548.i, i8 0, i64 24, i1 false), !noalias !244
-  call fastcc void @_ZN5pages10rate_jumps7quarterB3v62B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE(ptr %.2548.i, double %.2585.fca.0.load.i.1, double %.2585.fca.1.load.i.1, ptr nonnull readonly %arg.code.4, i64 %arg.shape.1, ptr readonly %arg.tolerances.4, ptr nonnull %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4)
-  %.2585.fca.1.load.i.2 = load double, ptr %.fca.1.gep131.i, align 8, !noalias !244
-  %.2585.fca.0.load.i.2 = load double, ptr %.2548.i, align 8, !noalias !244
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %.2548.i, i8 0, i64 24, i1 false), !noalias !244
-  call fastcc void @_ZN5pages10rate_jumps7quarterB3v62B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE(ptr %.2548.i, double %.2585.fca.0.load.i.2, double %.2585.fca.1.load.i.2, ptr nonnull readonly %arg.code.4, i64 %arg.shape.1, ptr readonly %arg.tolerances.4, ptr nonnull %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4)
-  %.2585.fca.1.load.i.3 = load double, ptr %.fca.1.gep131.i, align 8, !noalias !244
-  %.2585.fca.0.load.i.3 = load double, ptr %.2548.i, align 8, !noalias !244
-  %.2385.i = tail call double @llvm.fabs.f64(double %.2384.i)
-  %.2386.i = fmul double %.2385.i, 4.000000e-16
-  %.2391.i = fdiv double %.2386.i, %.406.i
-  %.10.i3359.i = fcmp ogt double %.2391.i, 1.000000e-13
-  %.11.i3360.i = select i1 %.10.i3359.i, double %.2391.i, double 1.000000e-13
-  br label %B1944.if.i
+B1828.if.i:                                       ; preds = %B1512.i
+  %.2374.i = load double, ptr %.2373.i, align 8, !noalias !244
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %.2538.i, i8 0, i64 24, i1 false), !noalias !244
+  call fastcc void @_ZN5pages10rate_jumps7quarterB3v62B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE(ptr %.2538.i, double %low.9.2.i, double %high.8.2.i, ptr nonnull readonly %arg.code.4, i64 %arg.shape.1, ptr readonly %arg.tolerances.4, ptr nonnull %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4)
+  %.2575.fca.1.load.i = load double, ptr %.fca.1.gep131.i, align 8, !noalias !244
+  %.2575.fca.0.load.i = load double, ptr %.2538.i, align 8, !noalias !244
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %.2538.i, i8 0, i64 24, i1 false), !noalias !244
+  call fastcc void @_ZN5pages10rate_jumps7quarterB3v62B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE(ptr %.2538.i, double %.2575.fca.0.load.i, double %.2575.fca.1.load.i, ptr nonnull readonly %arg.code.4, i64 %arg.shape.1, ptr readonly %arg.tolerances.4, ptr nonnull %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4)
+  %.2575.fca.1.load.i.1 = load double, ptr %.fca.1.gep131.i, align 8, !noalias !244
+  %.2575.fca.0.load.i.1 = load double, ptr %.2538.i, align 8, !noalias !244
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %.2538.i, i8 0, i64 24, i1 false), !noalias !244
+  call fastcc void @_ZN5pages10rate_jumps7quarterB3v62B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE(ptr %.2538.i, double %.2575.fca.0.load.i.1, double %.2575.fca.1.load.i.1, ptr nonnull readonly %arg.code.4, i64 %arg.shape.1, ptr readonly %arg.tolerances.4, ptr nonnull %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4)
+  %.2575.fca.1.load.i.2 = load double, ptr %.fca.1.gep131.i, align 8, !noalias !244
+  %.2575.fca.0.load.i.2 = load double, ptr %.2538.i, align 8, !noalias !244
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(24) %.2538.i, i8 0, i64 24, i1 false), !noalias !244
+  call fastcc void @_ZN5pages10rate_jumps7quarterB3v62B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE(ptr %.2538.i, double %.2575.fca.0.load.i.2, double %.2575.fca.1.load.i.2, ptr nonnull readonly %arg.code.4, i64 %arg.shape.1, ptr readonly %arg.tolerances.4, ptr nonnull %arg.batch.4.0.4, i64 %arg.batch.4.0.5.1, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4)
+  %.2575.fca.1.load.i.3 = load double, ptr %.fca.1.gep131.i, align 8, !noalias !244
+  %.2575.fca.0.load.i.3 = load double, ptr %.2538.i, align 8, !noalias !244
+  %.2375.i = tail call double @llvm.fabs.f64(double %.2374.i)
+  %.2376.i = fmul double %.2375.i, 4.000000e-16
+  %.2381.i = fdiv double %.2376.i, %.396.i
+  %.10.i3340.i = fcmp ogt double %.2381.i, 1.000000e-13
+  %.11.i3341.i = select i1 %.10.i3340.i, double %.2381.i, double 1.000000e-13
+  br label %B1924.if.i
 
-B1944.if.i:                                       ; preds = %B2014.i, %B1848.if.i
-  %high.9.03500.i = phi double [ %.2585.fca.1.load.i.3, %B1848.if.i ], [ %high.10.1.i, %B2014.i ]
-  %low.10.03499.i = phi double [ %.2585.fca.0.load.i.3, %B1848.if.i ], [ %low.11.1.i, %B2014.i ]
-  %.2645.03498.i = phi i64 [ 44, %B1848.if.i ], [ %.2707.i, %B2014.i ]
-  %.2707.i = add nsw i64 %.2645.03498.i, -1
-  %.2746.i = fsub double %high.9.03500.i, %low.10.03499.i
-  %.2748.i = fcmp ogt double %.2746.i, %.11.i3360.i
-  br i1 %.2748.i, label %B1966.i, label %B2014.i
+B1924.if.i:                                       ; preds = %B1994.i, %B1828.if.i
+  %high.9.03481.i = phi double [ %.2575.fca.1.load.i.3, %B1828.if.i ], [ %high.10.1.i, %B1994.i ]
+  %low.10.03480.i = phi double [ %.2575.fca.0.load.i.3, %B1828.if.i ], [ %low.11.1.i, %B1994.i ]
+  %.2635.03479.i = phi i64 [ 44, %B1828.if.i ], [ %.2697.i, %B1994.i ]
+  %.2697.i = add nsw i64 %.2635.03479.i, -1
+  %.2736.i = fsub double %high.9.03481.i, %low.10.03480.i
+  %.2738.i = fcmp ogt double %.2736.i, %.11.i3341.i
+  br i1 %.2738.i, label %B1946.i, label %B1994.i
 
-_ZN5pages10rate_jumps11locate_jumpB3v54B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit: ; preds = %_ZN5pages10rate_jumps10next_placeB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit.i, %_ZN5pages10rate_jumps10next_placeB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit216.i, %B2352.i, %B2204.i, %B1536.i, %B1598.i, %B1646.i, %B3940, %B806.i, %_ZN5pages10rate_jumps9pass_jumpB3v71B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE.exit.i
-  %excinfo.15.2 = phi ptr [ %excinfo.15.0, %B806.i ], [ %excinfo.15.0, %B2352.i ], [ %excinfo.7.1.i, %_ZN5pages10rate_jumps10next_placeB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit216.i ], [ %excinfo.15.0, %_ZN5pages10rate_jumps9pass_jumpB3v71B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE.exit.i ], [ %excinfo.15.0, %B2204.i ], [ %excinfo.15.0, %B1536.i ], [ %excinfo.15.0, %B3940 ], [ %excinfo.15.0, %B1646.i ], [ %excinfo.15.0, %B1598.i ], [ %excinfo.2.1.i, %_ZN5pages10rate_jumps10next_placeB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit.i ]
-  %common.ret.op.i9956 = phi i32 [ 0, %B806.i ], [ 0, %B2352.i ], [ %.1399217.i, %_ZN5pages10rate_jumps10next_placeB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit216.i ], [ 0, %_ZN5pages10rate_jumps9pass_jumpB3v71B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE.exit.i ], [ 0, %B2204.i ], [ 0, %B1536.i ], [ 0, %B3940 ], [ 0, %B1646.i ], [ 0, %B1598.i ], [ %.6941.i, %_ZN5pages10rate_jumps10next_placeB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit.i ]
-  call void @llvm.lifetime.end.p0(ptr nonnull %.843.i)
-  call void @llvm.lifetime.end.p0(ptr nonnull %.1599.i)
-  call void @llvm.lifetime.end.p0(ptr nonnull %.1658.i)
-  call void @llvm.lifetime.end.p0(ptr nonnull %.1863.i)
-  call void @llvm.lifetime.end.p0(ptr nonnull %.2548.i)
-  %.5132.not = icmp eq i32 %common.ret.op.i9956, 0
+_ZN5pages10rate_jumps11locate_jumpB3v54B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit: ; preds = %_ZN5pages10rate_jumps10next_placeB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit.i, %_ZN5pages10rate_jumps10next_placeB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit216.i, %B2332.i, %B2184.i, %B1516.i, %B1578.i, %B1626.i, %B3940, %B786.i, %_ZN5pages10rate_jumps9pass_jumpB3v71B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE.exit.i
+  %excinfo.15.2 = phi ptr [ %excinfo.15.0, %B786.i ], [ %excinfo.15.0, %B2332.i ], [ %excinfo.7.1.i, %_ZN5pages10rate_jumps10next_placeB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit216.i ], [ %excinfo.15.0, %_ZN5pages10rate_jumps9pass_jumpB3v71B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE.exit.i ], [ %excinfo.15.0, %B2184.i ], [ %excinfo.15.0, %B1516.i ], [ %excinfo.15.0, %B3940 ], [ %excinfo.15.0, %B1626.i ], [ %excinfo.15.0, %B1578.i ], [ %excinfo.2.1.i, %_ZN5pages10rate_jumps10next_placeB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit.i ]
+  %common.ret.op.i9959 = phi i32 [ 0, %B786.i ], [ 0, %B2332.i ], [ %.1389217.i, %_ZN5pages10rate_jumps10next_placeB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit216.i ], [ 0, %_ZN5pages10rate_jumps9pass_jumpB3v71B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE.exit.i ], [ 0, %B2184.i ], [ 0, %B1516.i ], [ 0, %B3940 ], [ 0, %B1626.i ], [ 0, %B1578.i ], [ %.6841.i, %_ZN5pages10rate_jumps10next_placeB3v72B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dExx8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE.exit.i ]
+  call void @llvm.lifetime.end.p0(ptr nonnull %.833.i9945)
+  call void @llvm.lifetime.end.p0(ptr nonnull %.1589.i)
+  call void @llvm.lifetime.end.p0(ptr nonnull %.1648.i)
+  call void @llvm.lifetime.end.p0(ptr nonnull %.1853.i)
+  call void @llvm.lifetime.end.p0(ptr nonnull %.2538.i)
+  %.5132.not = icmp eq i32 %common.ret.op.i9959, 0
   br i1 %.5132.not, label %B3982, label %B3940.if, !prof !57
 
 B3982:                                            ; preds = %B3342, %_ZN5pages10rate_jumps11locate_jumpB3v54B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi8EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi3E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, %B3936
@@ -5841,35 +5841,35 @@ B3990:                                            ; preds = %B3982
 
 B192.i:                                           ; preds = %B96.if.i
   %.442.i = getelementptr double, ptr %92, i64 %.182.0654.i
-  %.443.i10025 = load double, ptr %.442.i, align 8, !noalias !309
-  %.444.i10026 = fcmp olt double %.443.i10025, 5.000000e-01
-  br i1 %.444.i10026, label %B899.i, label %B240.i10027
+  %.443.i10030 = load double, ptr %.442.i, align 8, !noalias !309
+  %.444.i10031 = fcmp olt double %.443.i10030, 5.000000e-01
+  br i1 %.444.i10031, label %B899.i, label %B240.i10032
 
-B240.i10027:                                      ; preds = %B192.i
+B240.i10032:                                      ; preds = %B192.i
   %.475.i = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.332.i
   %.476.i = load i64, ptr %.475.i, align 8, !noalias !309
   %.477.not.i = icmp eq i64 %.476.i, 0
   br i1 %.477.not.i, label %B286.i, label %B899.i
 
-B286.i:                                           ; preds = %B240.i10027
-  %.535.i10028 = mul i64 %.332.i, %arg.batch.3.3.5.1
-  %400 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.535.i10028
+B286.i:                                           ; preds = %B240.i10032
+  %.535.i10033 = mul i64 %.332.i, %arg.batch.3.3.5.1
+  %400 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.535.i10033
   %.539.i = getelementptr i8, ptr %400, i64 8
   %.540.i = load i64, ptr %.539.i, align 8, !noalias !309
   %.542.i = add nsw i64 %.540.i, %"$phi4026.7.2.2"
   store i64 %.542.i, ptr %.539.i, align 8, !noalias !309
-  %.640.i10029 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.182.0654.i
-  %.641.i10030 = load double, ptr %.640.i10029, align 8, !noalias !309
-  %.691.i10031 = getelementptr double, ptr %93, i64 %.182.0654.i
-  %.692.i = load double, ptr %.691.i10031, align 8, !noalias !309
+  %.640.i10034 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.182.0654.i
+  %.641.i10035 = load double, ptr %.640.i10034, align 8, !noalias !309
+  %.691.i10036 = getelementptr double, ptr %93, i64 %.182.0654.i
+  %.692.i = load double, ptr %.691.i10036, align 8, !noalias !309
   %.742.i = getelementptr double, ptr %94, i64 %.182.0654.i
   %.743.i = load double, ptr %.742.i, align 8, !noalias !309
   %.764.i = icmp slt i64 %.383.i, %arg.batch.2.5.0
   br i1 %.764.i, label %B500.i, label %B860.i
 
 B500.i:                                           ; preds = %B286.i
-  %.787.i10032 = icmp slt i64 %.383.i, 0
-  %.788.i = select i1 %.787.i10032, i64 %arg.batch.2.5.0, i64 0
+  %.787.i = icmp slt i64 %.383.i, 0
+  %.788.i = select i1 %.787.i, i64 %arg.batch.2.5.0, i64 0
   %401 = getelementptr double, ptr %arg.batch.2.4, i64 %.383.i
   %.802.i = getelementptr double, ptr %401, i64 %.788.i
   %.803.i = load double, ptr %.802.i, align 8, !noalias !309
@@ -5880,15 +5880,15 @@ B524.preheader.i:                                 ; preds = %B500.i
   %factor.op.mul.reass.i = mul i64 %factor.op.mul652.i, %.332.i
   %.1290.i = getelementptr double, ptr %95, i64 %.182.0654.i
   %402 = getelementptr double, ptr %arg.batch.3.0.4, i64 %factor.op.mul.reass.i
-  %invariant.gep10406 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.182.0654.i
-  %invariant.gep10408 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.182.0654.i
-  %invariant.gep10410 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.182.0654.i
-  %invariant.gep10412 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.182.0654.i
-  %invariant.gep10414 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.182.0654.i
-  %invariant.gep10416 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.182.0654.i
-  %invariant.gep10418 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.182.0654.i
-  %invariant.gep10420 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.182.0654.i
-  %invariant.gep10422 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.182.0654.i
+  %invariant.gep10411 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.182.0654.i
+  %invariant.gep10413 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.182.0654.i
+  %invariant.gep10415 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.182.0654.i
+  %invariant.gep10417 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.182.0654.i
+  %invariant.gep10419 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.182.0654.i
+  %invariant.gep10421 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.182.0654.i
+  %invariant.gep10423 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.182.0654.i
+  %invariant.gep10425 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.182.0654.i
+  %invariant.gep10427 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.182.0654.i
   br label %B524.i
 
 B524.i:                                           ; preds = %B836.i, %B524.preheader.i
@@ -5906,11 +5906,11 @@ B554.if.lr.ph.i:                                  ; preds = %B524.i
   %404 = getelementptr double, ptr %402, i64 %.1220.i
   br label %B554.if.i
 
-B582.i10038:                                      ; preds = %B554.if.i
+B582.i10042:                                      ; preds = %B554.if.i
   %.972.i = add nsw i64 %.838.0650.i, %.970.i
   %.974.i = mul nsw i64 %.972.i, %arg.shape.0
-  %gep10423 = getelementptr double, ptr %invariant.gep10422, i64 %.974.i
-  %.1006.i = load double, ptr %gep10423, align 8, !noalias !309
+  %gep10428 = getelementptr double, ptr %invariant.gep10427, i64 %.974.i
+  %.1006.i = load double, ptr %gep10428, align 8, !noalias !309
   br label %B900.i
 
 B734.i:                                           ; preds = %B900.i, %B524.i
@@ -5933,16 +5933,16 @@ B860.i:                                           ; preds = %B836.i, %B734.i, %B
   store i64 %done.3.2.i, ptr %.382.i, align 8, !noalias !309
   br label %B899.i
 
-B899.i:                                           ; preds = %B96.if.i, %B860.i, %B240.i10027, %B192.i
+B899.i:                                           ; preds = %B96.if.i, %B860.i, %B240.i10032, %B192.i
   %exitcond657.not.i = icmp eq i64 %.254.i, %arg.shape.0
   br i1 %exitcond657.not.i, label %B4042, label %B96.if.i
 
-B900.i:                                           ; preds = %B38.if.i.i, %B582.i10038
-  %.313.i.i10036.sink = phi double [ %.313.i.i10036, %B38.if.i.i ], [ %.1006.i, %B582.i10038 ]
+B900.i:                                           ; preds = %B38.if.i.i, %B582.i10042
+  %.313.i.i10040.sink = phi double [ %.313.i.i10040, %B38.if.i.i ], [ %.1006.i, %B582.i10042 ]
   %406 = getelementptr double, ptr %404, i64 %.838.0650.i
-  store double %.313.i.i10036.sink, ptr %406, align 8, !noalias !309
-  %exitcond.not.i10037 = icmp eq i64 %arg.shape.1, %.907.i
-  br i1 %exitcond.not.i10037, label %B734.i, label %B554.if.i
+  store double %.313.i.i10040.sink, ptr %406, align 8, !noalias !309
+  %exitcond.not.i10041 = icmp eq i64 %arg.shape.1, %.907.i
+  br i1 %exitcond.not.i10041, label %B734.i, label %B554.if.i
 
 B96.if.i:                                         ; preds = %B3990, %B899.i
   %.182.0654.i = phi i64 [ %.254.i, %B899.i ], [ 0, %B3990 ]
@@ -5959,58 +5959,58 @@ B554.if.i:                                        ; preds = %B900.i, %B554.if.lr
   %.907.i = add nsw i64 %.838.0650.i, 1
   %.965.i = load double, ptr %.964.i, align 8, !noalias !309
   %.967.i = fcmp oeq double %.965.i, %.743.i
-  br i1 %.967.i, label %B582.i10038, label %B38.if.i.i
+  br i1 %.967.i, label %B582.i10042, label %B38.if.i.i
 
 B38.if.i.i:                                       ; preds = %B554.if.i
-  %.1115.i = fsub double %.965.i, %.641.i10030
+  %.1115.i = fsub double %.965.i, %.641.i10035
   %.1120.i = fdiv double %.1115.i, %.692.i
   %.247.i.i = fsub double 1.000000e+00, %.1120.i
-  %.157.i.i10033 = add nsw i64 %.838.0650.i, %.155.i.i
-  %.159.i.i = mul nsw i64 %.157.i.i10033, %arg.shape.0
-  %gep10407 = getelementptr double, ptr %invariant.gep10406, i64 %.159.i.i
-  %.191.i.i = load double, ptr %gep10407, align 8, !noalias !312
+  %.157.i.i10037 = add nsw i64 %.838.0650.i, %.155.i.i
+  %.159.i.i = mul nsw i64 %.157.i.i10037, %arg.shape.0
+  %gep10412 = getelementptr double, ptr %invariant.gep10411, i64 %.159.i.i
+  %.191.i.i = load double, ptr %gep10412, align 8, !noalias !312
   %.193.i.i = fadd double %.191.i.i, 0.000000e+00
   %.253.i.i = fmul double %.1120.i, %.193.i.i
   %.157.i.1.i = add nsw i64 %.838.0650.i, %.155.i.1.i
   %.159.i.1.i = mul nsw i64 %.157.i.1.i, %arg.shape.0
-  %gep10409 = getelementptr double, ptr %invariant.gep10408, i64 %.159.i.1.i
-  %.191.i.1.i = load double, ptr %gep10409, align 8, !noalias !312
+  %gep10414 = getelementptr double, ptr %invariant.gep10413, i64 %.159.i.1.i
+  %.191.i.1.i = load double, ptr %gep10414, align 8, !noalias !312
   %.193.i.1.i = fadd double %.191.i.1.i, %.253.i.i
   %.253.i.1.i = fmul double %.247.i.i, %.193.i.1.i
   %.157.i.2.i = add nsw i64 %.838.0650.i, %.155.i.2.i
   %.159.i.2.i = mul nsw i64 %.157.i.2.i, %arg.shape.0
-  %gep10411 = getelementptr double, ptr %invariant.gep10410, i64 %.159.i.2.i
-  %.191.i.2.i = load double, ptr %gep10411, align 8, !noalias !312
+  %gep10416 = getelementptr double, ptr %invariant.gep10415, i64 %.159.i.2.i
+  %.191.i.2.i = load double, ptr %gep10416, align 8, !noalias !312
   %.193.i.2.i = fadd double %.191.i.2.i, %.253.i.1.i
   %.253.i.2.i = fmul double %.1120.i, %.193.i.2.i
   %.157.i.3.i = add nsw i64 %.838.0650.i, %.155.i.3.i
   %.159.i.3.i = mul nsw i64 %.157.i.3.i, %arg.shape.0
-  %gep10413 = getelementptr double, ptr %invariant.gep10412, i64 %.159.i.3.i
-  %.191.i.3.i = load double, ptr %gep10413, align 8, !noalias !312
+  %gep10418 = getelementptr double, ptr %invariant.gep10417, i64 %.159.i.3.i
+  %.191.i.3.i = load double, ptr %gep10418, align 8, !noalias !312
   %.193.i.3.i = fadd double %.191.i.3.i, %.253.i.2.i
   %.253.i.3.i = fmul double %.247.i.i, %.193.i.3.i
   %.157.i.4.i = add nsw i64 %.838.0650.i, %.155.i.4.i
   %.159.i.4.i = mul nsw i64 %.157.i.4.i, %arg.shape.0
-  %gep10415 = getelementptr double, ptr %invariant.gep10414, i64 %.159.i.4.i
-  %.191.i.4.i = load double, ptr %gep10415, align 8, !noalias !312
+  %gep10420 = getelementptr double, ptr %invariant.gep10419, i64 %.159.i.4.i
+  %.191.i.4.i = load double, ptr %gep10420, align 8, !noalias !312
   %.193.i.4.i = fadd double %.191.i.4.i, %.253.i.3.i
   %.253.i.4.i = fmul double %.1120.i, %.193.i.4.i
   %.157.i.5.i = add nsw i64 %.838.0650.i, %.155.i.5.i
   %.159.i.5.i = mul nsw i64 %.157.i.5.i, %arg.shape.0
-  %gep10417 = getelementptr double, ptr %invariant.gep10416, i64 %.159.i.5.i
-  %.191.i.5.i = load double, ptr %gep10417, align 8, !noalias !312
+  %gep10422 = getelementptr double, ptr %invariant.gep10421, i64 %.159.i.5.i
+  %.191.i.5.i = load double, ptr %gep10422, align 8, !noalias !312
   %.193.i.5.i = fadd double %.191.i.5.i, %.253.i.4.i
   %.253.i.5.i = fmul double %.247.i.i, %.193.i.5.i
   %.157.i.6.i = add nsw i64 %.838.0650.i, %.155.i.6.i
   %.159.i.6.i = mul nsw i64 %.157.i.6.i, %arg.shape.0
-  %gep10419 = getelementptr double, ptr %invariant.gep10418, i64 %.159.i.6.i
-  %.191.i.6.i = load double, ptr %gep10419, align 8, !noalias !312
+  %gep10424 = getelementptr double, ptr %invariant.gep10423, i64 %.159.i.6.i
+  %.191.i.6.i = load double, ptr %gep10424, align 8, !noalias !312
   %.193.i.6.i = fadd double %.191.i.6.i, %.253.i.5.i
   %.253.i.6.i = fmul double %.1120.i, %.193.i.6.i
-  %.271.i.i10034 = mul nsw i64 %.838.0650.i, %arg.shape.0
-  %gep10421 = getelementptr double, ptr %invariant.gep10420, i64 %.271.i.i10034
-  %.309.i.i10035 = load double, ptr %gep10421, align 8, !noalias !312
-  %.313.i.i10036 = fadd double %.309.i.i10035, %.253.i.6.i
+  %.271.i.i10038 = mul nsw i64 %.838.0650.i, %arg.shape.0
+  %gep10426 = getelementptr double, ptr %invariant.gep10425, i64 %.271.i.i10038
+  %.309.i.i10039 = load double, ptr %gep10426, align 8, !noalias !312
+  %.313.i.i10040 = fadd double %.309.i.i10039, %.253.i.6.i
   br label %B900.i
 
 B4042:                                            ; preds = %B899.i, %B3990, %B3982
@@ -6029,40 +6029,40 @@ B4102:                                            ; preds = %B4054, %B4042
 
 B4180:                                            ; preds = %B4102, %B4054
   %.not = xor i1 %212, true
-  %brmerge10455 = or i1 %.815, %.not
-  br i1 %brmerge10455, label %B4236, label %B80.if.i
+  %brmerge10460 = or i1 %.815, %.not
+  br i1 %brmerge10460, label %B4236, label %B80.if.i
 
 B144.i:                                           ; preds = %B80.if.i
-  %.345.i4031 = getelementptr double, ptr %98, i64 %.143.i3849.010431
+  %.345.i4031 = getelementptr double, ptr %98, i64 %.143.i3849.010436
   %.346.i4032 = load double, ptr %.345.i4031, align 8, !noalias !316
   %.347.i4033 = fcmp ogt double %.346.i4032, 5.000000e-01
   br i1 %.347.i4033, label %B194.i, label %B920.i
 
 B194.i:                                           ; preds = %B144.i
-  %.398.i4078 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.143.i3849.010431
+  %.398.i4078 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.143.i3849.010436
   %.399.i4079 = load double, ptr %.398.i4078, align 8, !noalias !316
-  %.449.i4124 = getelementptr double, ptr %99, i64 %.143.i3849.010431
+  %.449.i4124 = getelementptr double, ptr %99, i64 %.143.i3849.010436
   %.450.i4125 = load double, ptr %.449.i4124, align 8, !noalias !316
   %.451.i4126 = fsub double %.399.i4079, %.450.i4125
-  br i1 %.538.i416410424.not, label %B510.i, label %B310.if.i.preheader
+  br i1 %.538.i416410429.not, label %B510.i, label %B310.if.i.preheader
 
 B310.if.i.preheader:                              ; preds = %B194.i
-  %invariant.gep10613 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.143.i3849.010431
-  %invariant.gep10615 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.143.i3849.010431
+  %invariant.gep10618 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.143.i3849.010436
+  %invariant.gep10620 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.143.i3849.010436
   br label %B310.if.i
 
 B410.i:                                           ; preds = %B310.if.i
-  %.582.i4592 = add nsw i64 %.482.i3864.010426, %arg.shape.1
+  %.582.i4592 = add nsw i64 %.482.i3864.010431, %arg.shape.1
   %.584.i4594 = mul nsw i64 %.582.i4592, %arg.shape.0
-  %gep10614 = getelementptr double, ptr %invariant.gep10613, i64 %.584.i4594
-  %.616.i4621 = load double, ptr %gep10614, align 8, !noalias !316
+  %gep10619 = getelementptr double, ptr %invariant.gep10618, i64 %.584.i4594
+  %.616.i4621 = load double, ptr %gep10619, align 8, !noalias !316
   %.617.i4622 = tail call double @llvm.fabs.f64(double %.616.i4621)
   %.619.i4624 = fmul double %.451.i4126, %.617.i4622
   %.660.i4654 = load double, ptr %.659.i4653, align 8, !noalias !316
   %.690.i4679 = load double, ptr %arg.tolerances.4, align 8, !noalias !316
-  %.693.i4682 = mul nsw i64 %.482.i3864.010426, %arg.shape.0
-  %gep10616 = getelementptr double, ptr %invariant.gep10615, i64 %.693.i4682
-  %.727.i4711 = load double, ptr %gep10616, align 8, !noalias !316
+  %.693.i4682 = mul nsw i64 %.482.i3864.010431, %arg.shape.0
+  %gep10621 = getelementptr double, ptr %invariant.gep10620, i64 %.693.i4682
+  %.727.i4711 = load double, ptr %gep10621, align 8, !noalias !316
   %.728.i4712 = tail call double @llvm.fabs.f64(double %.727.i4711)
   %.729.i4713 = fmul double %.690.i4679, %.728.i4712
   %.730.i4714 = fadd double %.660.i4654, %.729.i4713
@@ -6071,8 +6071,8 @@ B410.i:                                           ; preds = %B310.if.i
 
 B506.i:                                           ; preds = %B410.i, %B310.if.i
   %"$phi506.2.2.i.3" = phi i1 [ true, %B310.if.i ], [ %.732.i4716, %B410.i ]
-  %exitcond10489.not = icmp eq i64 %arg.shape.1, %.551.i4730
-  br i1 %exitcond10489.not, label %B510.i.loopexit, label %B310.if.i
+  %exitcond10494.not = icmp eq i64 %arg.shape.1, %.551.i4730
+  br i1 %exitcond10494.not, label %B510.i.loopexit, label %B310.if.i
 
 B510.i.loopexit:                                  ; preds = %B506.i
   %407 = select i1 %"$phi506.2.2.i.3", double 0x3E7AD7F29ABCAF48, double 5.000000e-06
@@ -6088,18 +6088,18 @@ B510.i:                                           ; preds = %B510.i.loopexit, %B
   br i1 %.835.i4232, label %B590.i, label %B638.i
 
 B590.i:                                           ; preds = %B510.i
-  %408 = getelementptr i64, ptr %101, i64 %.143.i3849.010431
+  %408 = getelementptr i64, ptr %101, i64 %.143.i3849.010436
   %.889.i4582 = load i64, ptr %408, align 8, !noalias !316
   %.890.i4583 = add nsw i64 %.889.i4582, 1
   br label %B638.i
 
 B638.i:                                           ; preds = %B510.i, %B590.i
   %"$phi638.1.2.i.2" = phi i64 [ %.890.i4583, %B590.i ], [ 0, %B510.i ]
-  %409 = getelementptr i64, ptr %102, i64 %.143.i3849.010431
+  %409 = getelementptr i64, ptr %102, i64 %.143.i3849.010436
   store i64 %"$phi638.1.2.i.2", ptr %409, align 8, !noalias !316
   %.1002.i4309 = load double, ptr %.398.i4078, align 8, !noalias !316
   store double %.1002.i4309, ptr %.449.i4124, align 8, !noalias !316
-  %.1103.i4388 = getelementptr double, ptr %103, i64 %.143.i3849.010431
+  %.1103.i4388 = getelementptr double, ptr %103, i64 %.143.i3849.010436
   store double 1.000000e+00, ptr %.1103.i4388, align 8, !noalias !316
   store i64 2, ptr %.1180, align 8, !noalias !316
   %.1185.i = load i64, ptr %409, align 8, !noalias !316
@@ -6107,7 +6107,7 @@ B638.i:                                           ; preds = %B510.i, %B590.i
   br i1 %.1186.i, label %B864.i, label %B920.i
 
 B864.i:                                           ; preds = %B638.i
-  %410 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.143.i3849.010431
+  %410 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.143.i3849.010436
   %.84.i.i4478 = load i64, ptr %410, align 8, !noalias !320
   %.89.i.i4481 = icmp sgt i64 %.84.i.i4478, -1
   br i1 %.89.i.i4481, label %B46.i.i4487, label %B920.i
@@ -6124,24 +6124,24 @@ B80.i.i4514:                                      ; preds = %B46.i.i4487
 
 B920.i:                                           ; preds = %B80.i.i4514, %B864.i, %B46.i.i4487, %B638.i, %B144.i, %B80.if.i
   store double 0.000000e+00, ptr %.292.i3984, align 8, !noalias !316
-  %.202.i3930 = icmp sgt i64 %.146.i3850.010430, 1
+  %.202.i3930 = icmp sgt i64 %.146.i3850.010435, 1
   br i1 %.202.i3930, label %B80.if.i, label %B4236
 
 B80.if.i:                                         ; preds = %B4180, %B920.i
-  %.143.i3849.010431 = phi i64 [ %.215.i4745, %B920.i ], [ 0, %B4180 ]
-  %.146.i3850.010430 = phi i64 [ %.211.i4742, %B920.i ], [ %storemerge, %B4180 ]
-  %.211.i4742 = add nsw i64 %.146.i3850.010430, -1
-  %.215.i4745 = add nsw i64 %.143.i3849.010431, 1
-  %.292.i3984 = getelementptr double, ptr %97, i64 %.143.i3849.010431
+  %.143.i3849.010436 = phi i64 [ %.215.i4745, %B920.i ], [ 0, %B4180 ]
+  %.146.i3850.010435 = phi i64 [ %.211.i4742, %B920.i ], [ %storemerge, %B4180 ]
+  %.211.i4742 = add nsw i64 %.146.i3850.010435, -1
+  %.215.i4745 = add nsw i64 %.143.i3849.010436, 1
+  %.292.i3984 = getelementptr double, ptr %97, i64 %.143.i3849.010436
   %.293.i3985 = load double, ptr %.292.i3984, align 8, !noalias !316
   %.294.i3986 = fcmp oeq double %.293.i3985, 1.000000e+00
   br i1 %.294.i3986, label %B144.i, label %B920.i
 
 B310.if.i:                                        ; preds = %B310.if.i.preheader, %B506.i
-  %felt.2.i.210427 = phi i1 [ %"$phi506.2.2.i.3", %B506.i ], [ false, %B310.if.i.preheader ]
-  %.482.i3864.010426 = phi i64 [ %.551.i4730, %B506.i ], [ 0, %B310.if.i.preheader ]
-  %.551.i4730 = add nsw i64 %.482.i3864.010426, 1
-  br i1 %felt.2.i.210427, label %B506.i, label %B410.i
+  %felt.2.i.210432 = phi i1 [ %"$phi506.2.2.i.3", %B506.i ], [ false, %B310.if.i.preheader ]
+  %.482.i3864.010431 = phi i64 [ %.551.i4730, %B506.i ], [ 0, %B310.if.i.preheader ]
+  %.551.i4730 = add nsw i64 %.482.i3864.010431, 1
+  br i1 %felt.2.i.210432, label %B506.i, label %B410.i
 
 B4236:                                            ; preds = %B920.i, %B4180
   br i1 %.2655, label %B4248, label %B4328
@@ -6199,84 +6199,84 @@ _ZN5pages10rate_jumps9pass_jumpB3v71B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzV
 B4328:                                            ; preds = %_ZN5pages10rate_jumps9pass_jumpB3v71B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEE.exit, %B4248, %B4236
   %brmerge9800.not = and i1 %.5582.not, %looked.2.1.lcssa
   %brmerge9800.not.not = xor i1 %brmerge9800.not, true
-  %brmerge10453 = or i1 %.815, %brmerge9800.not.not
-  br i1 %brmerge10453, label %B4378, label %B114.if.i
+  %brmerge10458 = or i1 %.815, %brmerge9800.not.not
+  br i1 %brmerge10458, label %B4378, label %B114.if.i
 
 B56.i.i:                                          ; preds = %B114.if.i
-  %.131.i.i10040 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.95.i.i
-  %.132.i.i = load i64, ptr %.131.i.i10040, align 8, !noalias !326
+  %.131.i.i10044 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.95.i.i
+  %.132.i.i = load i64, ptr %.131.i.i10044, align 8, !noalias !326
   %.137.i.not.i = icmp eq i64 %.132.i.i, 0
   br i1 %.137.i.not.i, label %B100.i.i, label %B238.i
 
 B100.i.i:                                         ; preds = %B56.i.i
-  %.188.i.i10053 = getelementptr double, ptr %105, i64 %.304.01646.i
-  %.189.i.i = load double, ptr %.188.i.i10053, align 8, !noalias !326
+  %.188.i.i10058 = getelementptr double, ptr %105, i64 %.304.01646.i
+  %.189.i.i = load double, ptr %.188.i.i10058, align 8, !noalias !326
   %.190.i.i = fcmp olt double %.189.i.i, 5.000000e-01
   br i1 %.190.i.i, label %B238.i, label %B152.i.i
 
 B152.i.i:                                         ; preds = %B100.i.i
-  %.252.i.i10054 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.304.01646.i
-  %.253.i.i10055 = load double, ptr %.252.i.i10054, align 8, !noalias !326
+  %.252.i.i10059 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.304.01646.i
+  %.253.i.i10060 = load double, ptr %.252.i.i10059, align 8, !noalias !326
   %.305.i.i = getelementptr double, ptr %106, i64 %.304.01646.i
-  %.306.i.i10056 = load double, ptr %.305.i.i, align 8, !noalias !326
-  %.309.i.i10057 = fcmp une double %.253.i.i10055, %.306.i.i10056
-  %brmerge.i10058 = select i1 %.309.i.i10057, i1 true, i1 %.175.i1642.not.i
-  %not..309.i.i = xor i1 %.309.i.i10057, true
+  %.306.i.i10061 = load double, ptr %.305.i.i, align 8, !noalias !326
+  %.309.i.i10062 = fcmp une double %.253.i.i10060, %.306.i.i10061
+  %brmerge.i10063 = select i1 %.309.i.i10062, i1 true, i1 %.175.i1642.not.i
+  %not..309.i.i = xor i1 %.309.i.i10062, true
   %some.2.01648.mux.i = select i1 %not..309.i.i, i1 true, i1 %some.2.01648.i
-  br i1 %brmerge.i10058, label %B238.i, label %B76.if.i.lr.ph.i10059
+  br i1 %brmerge.i10063, label %B238.i, label %B76.if.i.lr.ph.i10064
 
-B76.if.i.lr.ph.i10059:                            ; preds = %B152.i.i
+B76.if.i.lr.ph.i10064:                            ; preds = %B152.i.i
   %411 = getelementptr i64, ptr %107, i64 %.304.01646.i
   %.511.i = load i64, ptr %411, align 8, !noalias !331
-  %.512.i10060 = add nsw i64 %.511.i, 1
+  %.512.i10065 = add nsw i64 %.511.i, 1
   %.236.i322.i = icmp slt i64 %.511.i, -1
   %.237.i323.i = select i1 %.236.i322.i, i64 %arg.batch.1.3.5.0, i64 0
-  %.238.i324.i = add i64 %.512.i10060, %.237.i323.i
-  %.258.i.i10061 = mul i64 %.238.i324.i, %arg.batch.1.3.5.1
-  %412 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i10061
-  br label %B76.if.i.i10062
+  %.238.i324.i = add i64 %.512.i10065, %.237.i323.i
+  %.258.i.i10066 = mul i64 %.238.i324.i, %arg.batch.1.3.5.1
+  %412 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i10066
+  br label %B76.if.i.i10067
 
-B76.if.i.i10062:                                  ; preds = %B76.if.i.i10062, %B76.if.i.lr.ph.i10059
-  %.117.i261.01643.i = phi i64 [ 0, %B76.if.i.lr.ph.i10059 ], [ %.188.i378.i, %B76.if.i.i10062 ]
+B76.if.i.i10067:                                  ; preds = %B76.if.i.i10067, %B76.if.i.lr.ph.i10064
+  %.117.i261.01643.i = phi i64 [ 0, %B76.if.i.lr.ph.i10064 ], [ %.188.i378.i, %B76.if.i.i10067 ]
   %.188.i378.i = add nsw i64 %.117.i261.01643.i, 1
   %413 = getelementptr double, ptr %412, i64 %.117.i261.01643.i
-  %.263.i.i10063 = load double, ptr %413, align 8, !noalias !332
+  %.263.i.i10068 = load double, ptr %413, align 8, !noalias !332
   %414 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i261.01643.i
-  %.293.i.i10064 = load i64, ptr %414, align 8, !noalias !332
-  %.295.i362.i = mul nsw i64 %.293.i.i10064, %arg.shape.0
+  %.293.i.i10069 = load i64, ptr %414, align 8, !noalias !332
+  %.295.i362.i = mul nsw i64 %.293.i.i10069, %arg.shape.0
   %.297.i364.i = add nsw i64 %.295.i362.i, %.304.01646.i
-  %.311.i.i10065 = icmp slt i64 %.297.i364.i, 0
-  %.312.i.i10066 = select i1 %.311.i.i10065, i64 %arg.batch.5.1.5.0, i64 0
+  %.311.i.i10070 = icmp slt i64 %.297.i364.i, 0
+  %.312.i.i10071 = select i1 %.311.i.i10070, i64 %arg.batch.5.1.5.0, i64 0
   %415 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i364.i
-  %.326.i.i10067 = getelementptr double, ptr %415, i64 %.312.i.i10066
-  store double %.263.i.i10063, ptr %.326.i.i10067, align 8, !noalias !332
-  %exitcond.not.i10068 = icmp eq i64 %arg.batch.1.1.5.0, %.188.i378.i
-  br i1 %exitcond.not.i10068, label %B238.i, label %B76.if.i.i10062
+  %.326.i.i10072 = getelementptr double, ptr %415, i64 %.312.i.i10071
+  store double %.263.i.i10068, ptr %.326.i.i10072, align 8, !noalias !332
+  %exitcond.not.i10073 = icmp eq i64 %arg.batch.1.1.5.0, %.188.i378.i
+  br i1 %exitcond.not.i10073, label %B238.i, label %B76.if.i.i10067
 
-B238.i:                                           ; preds = %B76.if.i.i10062, %B114.if.i, %B152.i.i, %B100.i.i, %B56.i.i
-  %some.3.1.i = phi i1 [ %some.2.01648.mux.i, %B152.i.i ], [ %some.2.01648.i, %B100.i.i ], [ %some.2.01648.i, %B114.if.i ], [ %some.2.01648.i, %B56.i.i ], [ true, %B76.if.i.i10062 ]
+B238.i:                                           ; preds = %B76.if.i.i10067, %B114.if.i, %B152.i.i, %B100.i.i, %B56.i.i
+  %some.3.1.i = phi i1 [ %some.2.01648.mux.i, %B152.i.i ], [ %some.2.01648.i, %B100.i.i ], [ %some.2.01648.i, %B114.if.i ], [ %some.2.01648.i, %B56.i.i ], [ true, %B76.if.i.i10067 ]
   %exitcond1657.not.i = icmp eq i64 %arg.shape.0, %.375.i
-  br i1 %exitcond1657.not.i, label %B240.i10041, label %B114.if.i
+  br i1 %exitcond1657.not.i, label %B240.i10045, label %B114.if.i
 
-B240.i10041:                                      ; preds = %B238.i
-  br i1 %some.3.1.i, label %B248.i10042, label %B4378
+B240.i10045:                                      ; preds = %B238.i
+  br i1 %some.3.1.i, label %B248.i10046, label %B4378
 
-B248.i10042:                                      ; preds = %B240.i10041
+B248.i10046:                                      ; preds = %B240.i10045
   %.635.i = load i64, ptr %.634.i, align 8, !noalias !331
-  %.747.i10043 = inttoptr i64 %.635.i to ptr
-  tail call void %.747.i10043(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !331
-  %.778.i10045 = load i64, ptr %.777.i10044, align 8, !noalias !331
-  %.894.i10048 = inttoptr i64 %.778.i10045 to ptr
-  tail call void %.894.i10048(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.893.i10047), !noalias !331
+  %.747.i10047 = inttoptr i64 %.635.i to ptr
+  tail call void %.747.i10047(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !331
+  %.778.i10049 = load i64, ptr %.777.i10048, align 8, !noalias !331
+  %.894.i10052 = inttoptr i64 %.778.i10049 to ptr
+  tail call void %.894.i10052(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.893.i10051), !noalias !331
   br i1 %.898.not.i, label %B690.if.i.preheader, label %B516.i
 
-B516.i:                                           ; preds = %B248.i10042
+B516.i:                                           ; preds = %B248.i10046
   %.929.i = load i64, ptr %.928.i, align 8, !noalias !331
   %.1047.i = inttoptr i64 %.929.i to ptr
-  tail call void %.1047.i(ptr %arg.batch.4.0.4, ptr %.893.i10047, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !331
+  tail call void %.1047.i(ptr %arg.batch.4.0.4, ptr %.893.i10051, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4), !noalias !331
   br label %B690.if.i.preheader
 
-B690.if.i.preheader:                              ; preds = %B516.i, %B248.i10042
+B690.if.i.preheader:                              ; preds = %B516.i, %B248.i10046
   br label %B690.if.i
 
 B56.i80.i:                                        ; preds = %B690.if.i
@@ -6324,8 +6324,8 @@ B922.if.lr.ph.i:                                  ; preds = %B890.i
   %.1730.i = mul i64 %.1701.i, %arg.batch.3.0.5.2
   %417 = getelementptr double, ptr %arg.batch.3.0.4, i64 %.1728.i
   %418 = getelementptr double, ptr %417, i64 %.1730.i
-  %invariant.gep10432 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1088.01655.i
-  %invariant.gep10434 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1088.01655.i
+  %invariant.gep10437 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1088.01655.i
+  %invariant.gep10439 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.1088.01655.i
   br label %B922.if.i
 
 B1028.i:                                          ; preds = %B922.if.i
@@ -6338,25 +6338,25 @@ B1050.i:                                          ; preds = %B922.if.i, %B1028.i
   br i1 %exitcond1658.not.i, label %B1052.loopexit.i, label %B922.if.i
 
 B1052.loopexit.i:                                 ; preds = %B1050.i
-  %420 = fcmp une double %.1616.i, 0.000000e+00
+  %420 = fcmp une double %.1616.i10055, 0.000000e+00
   br i1 %420, label %B1064.i, label %B1120.i
 
 B1064.i:                                          ; preds = %B1052.loopexit.i
   %.84.i441.i = load i64, ptr %423, align 8, !noalias !339
   %.89.i444.i = icmp sgt i64 %.84.i441.i, -1
-  br i1 %.89.i444.i, label %B46.i.i10051, label %B1120.i
+  br i1 %.89.i444.i, label %B46.i.i10056, label %B1120.i
 
-B46.i.i10051:                                     ; preds = %B1064.i
+B46.i.i10056:                                     ; preds = %B1064.i
   %.120.i468.i = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i441.i
   %.121.i469.i = load i64, ptr %.120.i468.i, align 8, !noalias !339
   %.122.i470.i = icmp eq i64 %.121.i469.i, 0
-  br i1 %.122.i470.i, label %B80.i.i10052, label %B1120.i
+  br i1 %.122.i470.i, label %B80.i.i10057, label %B1120.i
 
-B80.i.i10052:                                     ; preds = %B46.i.i10051
+B80.i.i10057:                                     ; preds = %B46.i.i10056
   store i64 3, ptr %.120.i468.i, align 8, !noalias !339
   br label %B1120.i
 
-B1120.i:                                          ; preds = %B80.i.i10052, %B46.i.i10051, %B1064.i, %B1052.loopexit.i, %B890.i
+B1120.i:                                          ; preds = %B80.i.i10057, %B46.i.i10056, %B1064.i, %B1052.loopexit.i, %B890.i
   br i1 %.898.not.i, label %B1238.i, label %B1136.i
 
 B1136.i:                                          ; preds = %B1120.i
@@ -6394,35 +6394,35 @@ B114.if.i:                                        ; preds = %B4328, %B238.i
   br i1 %.100.i.i, label %B238.i, label %B56.i.i
 
 B690.if.i:                                        ; preds = %B690.if.i.preheader, %B1238.i
-  %.1091.01656.i = phi i64 [ %.1154.i, %B1238.i ], [ %storemerge.i10039, %B690.if.i.preheader ]
-  %.1088.01655.i = phi i64 [ %.1158.i10050, %B1238.i ], [ 0, %B690.if.i.preheader ]
+  %.1091.01656.i = phi i64 [ %.1154.i, %B1238.i ], [ %storemerge.i10043, %B690.if.i.preheader ]
+  %.1088.01655.i = phi i64 [ %.1158.i10054, %B1238.i ], [ 0, %B690.if.i.preheader ]
   %.1154.i = add nsw i64 %.1091.01656.i, -1
-  %.1158.i10050 = add nsw i64 %.1088.01655.i, 1
+  %.1158.i10054 = add nsw i64 %.1088.01655.i, 1
   %423 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.1088.01655.i
   %.95.i76.i = load i64, ptr %423, align 8, !noalias !336
   %.100.i79.i = icmp slt i64 %.95.i76.i, 0
   br i1 %.100.i79.i, label %B1238.i, label %B56.i80.i
 
 B922.if.i:                                        ; preds = %B1050.i, %B922.if.lr.ph.i
-  %trouble.2.11652.i = phi double [ 0.000000e+00, %B922.if.lr.ph.i ], [ %.1616.i, %B1050.i ]
+  %trouble.2.11652.i = phi double [ 0.000000e+00, %B922.if.lr.ph.i ], [ %.1616.i10055, %B1050.i ]
   %.1475.01650.i = phi i64 [ 0, %B922.if.lr.ph.i ], [ %.1544.i, %B1050.i ]
   %.1544.i = add nsw i64 %.1475.01650.i, 1
   %.1575.i = add nsw i64 %.1475.01650.i, %.848.i
   %.1577.i = mul nsw i64 %.1575.i, %arg.shape.0
-  %gep10433 = getelementptr double, ptr %invariant.gep10432, i64 %.1577.i
-  %.1609.i = load double, ptr %gep10433, align 8, !noalias !331
+  %gep10438 = getelementptr double, ptr %invariant.gep10437, i64 %.1577.i
+  %.1609.i = load double, ptr %gep10438, align 8, !noalias !331
   %.1614.i = fmul double %.1609.i, 0.000000e+00
-  %.1616.i = fadd double %trouble.2.11652.i, %.1614.i
+  %.1616.i10055 = fadd double %trouble.2.11652.i, %.1614.i
   %.1624.i = mul nsw i64 %.1475.01650.i, %arg.shape.0
-  %gep10435 = getelementptr double, ptr %invariant.gep10434, i64 %.1624.i
-  store double %.1609.i, ptr %gep10435, align 8, !noalias !331
+  %gep10440 = getelementptr double, ptr %invariant.gep10439, i64 %.1624.i
+  store double %.1609.i, ptr %gep10440, align 8, !noalias !331
   br i1 %"$phi890.1.2.1.i", label %B1028.i, label %B1050.i
 
-B4378:                                            ; preds = %B1238.i, %B4328, %B240.i10041
+B4378:                                            ; preds = %B1238.i, %B4328, %B240.i10045
   %looked.2.1.lcssa.not = xor i1 %looked.2.1.lcssa, true
-  %brmerge10456 = or i1 %.815, %looked.2.1.lcssa.not
+  %brmerge10461 = or i1 %.815, %looked.2.1.lcssa.not
   %active.9.1.mux = select i1 %looked.2.1.lcssa, i64 0, i64 %active.9.1
-  br i1 %brmerge10456, label %B5554, label %B4420.if
+  br i1 %brmerge10461, label %B5554, label %B4420.if
 
 B4478:                                            ; preds = %B4420.if
   %.5960 = mul i64 %.5891, %arg.batch.3.3.5.1
@@ -6436,38 +6436,38 @@ B4478:                                            ; preds = %B4420.if
   br i1 %.6024, label %B4578, label %B4634
 
 B4578:                                            ; preds = %B4478
-  %425 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5733.010440
-  %.84.i2609 = load i64, ptr %425, align 8, !noalias !345
-  %.89.i2612 = icmp sgt i64 %.84.i2609, -1
-  br i1 %.89.i2612, label %B46.i, label %B4634
+  %425 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5733.010445
+  %.84.i2608 = load i64, ptr %425, align 8, !noalias !345
+  %.89.i2611 = icmp sgt i64 %.84.i2608, -1
+  br i1 %.89.i2611, label %B46.i, label %B4634
 
 B46.i:                                            ; preds = %B4578
-  %.120.i2637 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i2609
-  %.121.i2638 = load i64, ptr %.120.i2637, align 8, !noalias !345
-  %.122.i2639 = icmp eq i64 %.121.i2638, 0
-  br i1 %.122.i2639, label %B80.i2643, label %B4634
+  %.120.i2636 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i2608
+  %.121.i2637 = load i64, ptr %.120.i2636, align 8, !noalias !345
+  %.122.i2638 = icmp eq i64 %.121.i2637, 0
+  br i1 %.122.i2638, label %B80.i2642, label %B4634
 
-B80.i2643:                                        ; preds = %B46.i
-  store i64 5, ptr %.120.i2637, align 8, !noalias !345
+B80.i2642:                                        ; preds = %B46.i
+  store i64 5, ptr %.120.i2636, align 8, !noalias !345
   br label %B4634
 
-B4634:                                            ; preds = %B80.i2643, %B4578, %B46.i, %B4478
-  %.6110 = getelementptr double, ptr %109, i64 %.5733.010440
+B4634:                                            ; preds = %B80.i2642, %B4578, %B46.i, %B4478
+  %.6110 = getelementptr double, ptr %109, i64 %.5733.010445
   %.6111 = load double, ptr %.6110, align 8
   %.6112 = fcmp ogt double %.6111, 5.000000e-01
   br i1 %.6112, label %B4682, label %B4806
 
 B4682:                                            ; preds = %B4634
-  %.6163 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5733.010440
+  %.6163 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5733.010445
   %.6164 = load double, ptr %.6163, align 8
-  %.6214 = getelementptr double, ptr %110, i64 %.5733.010440
+  %.6214 = getelementptr double, ptr %110, i64 %.5733.010445
   %.6215 = load double, ptr %.6214, align 8
   %.6216 = fcmp oeq double %.6164, %.6215
   br i1 %.6216, label %B4766, label %B4806
 
 B4766:                                            ; preds = %B4682
   %.188.i5633 = load i64, ptr %.5890, align 8, !noalias !348
-  %.240.i5678 = getelementptr i64, ptr %111, i64 %.5733.010440
+  %.240.i5678 = getelementptr i64, ptr %111, i64 %.5733.010445
   %.241.i5679 = load i64, ptr %.240.i5678, align 8, !noalias !348
   %.242.i5680 = add nsw i64 %.241.i5679, 1
   store i64 %.242.i5680, ptr %.240.i5678, align 8, !noalias !348
@@ -6502,12 +6502,12 @@ B290.i5797:                                       ; preds = %B4766
   br i1 %.590.i5901, label %B360.i, label %B428.i
 
 B360.i:                                           ; preds = %B290.i5797
-  %.641.i6358 = getelementptr double, ptr %113, i64 %.5733.010440
+  %.641.i6358 = getelementptr double, ptr %113, i64 %.5733.010445
   store double 1.000000e+00, ptr %.641.i6358, align 8, !noalias !348
   br label %B616.i
 
 B428.i:                                           ; preds = %B290.i5797
-  %.727.i5946 = getelementptr double, ptr %112, i64 %.5733.010440
+  %.727.i5946 = getelementptr double, ptr %112, i64 %.5733.010445
   %.728.i5947 = load double, ptr %.727.i5946, align 8, !noalias !348
   %.10.i.i = fcmp olt double %.728.i5947, 2.500000e-01
   %.11.i.i = select i1 %.10.i.i, double 2.500000e-01, double %.728.i5947
@@ -6519,7 +6519,7 @@ B428.i:                                           ; preds = %B290.i5797
 B616.i:                                           ; preds = %B428.i, %B360.i
   %storemerge9728 = phi i64 [ %.11.i4.i, %B428.i ], [ 2, %B360.i ]
   store i64 %storemerge9728, ptr %.1180, align 8, !noalias !348
-  br i1 %.175.i.i620110436.not, label %B4806, label %B76.if.i.i.lr.ph
+  br i1 %.175.i.i620110441.not, label %B4806, label %B76.if.i.i.lr.ph
 
 B76.if.i.i.lr.ph:                                 ; preds = %B616.i
   %.237.i.i6249 = select i1 %.357.i5779, i64 %arg.batch.1.3.5.0, i64 0
@@ -6529,21 +6529,21 @@ B76.if.i.i.lr.ph:                                 ; preds = %B616.i
   br label %B76.if.i.i
 
 B76.if.i.i:                                       ; preds = %B76.if.i.i.lr.ph, %B76.if.i.i
-  %.117.i.i5441.010438 = phi i64 [ 0, %B76.if.i.i.lr.ph ], [ %.188.i.i6307, %B76.if.i.i ]
-  %.188.i.i6307 = add nsw i64 %.117.i.i5441.010438, 1
-  %430 = getelementptr double, ptr %429, i64 %.117.i.i5441.010438
+  %.117.i.i5441.010443 = phi i64 [ 0, %B76.if.i.i.lr.ph ], [ %.188.i.i6307, %B76.if.i.i ]
+  %.188.i.i6307 = add nsw i64 %.117.i.i5441.010443, 1
+  %430 = getelementptr double, ptr %429, i64 %.117.i.i5441.010443
   %.263.i.i6266 = load double, ptr %430, align 8, !noalias !352
-  %431 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.i5441.010438
+  %431 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.i5441.010443
   %.293.i.i6283 = load i64, ptr %431, align 8, !noalias !352
   %.295.i.i6285 = mul nsw i64 %.293.i.i6283, %arg.shape.0
-  %.297.i.i6287 = add nsw i64 %.295.i.i6285, %.5733.010440
+  %.297.i.i6287 = add nsw i64 %.295.i.i6285, %.5733.010445
   %.311.i.i6293 = icmp slt i64 %.297.i.i6287, 0
   %.312.i.i6294 = select i1 %.311.i.i6293, i64 %arg.batch.5.1.5.0, i64 0
   %432 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i6287
   %.326.i.i6301 = getelementptr double, ptr %432, i64 %.312.i.i6294
   store double %.263.i.i6266, ptr %.326.i.i6301, align 8, !noalias !352
-  %exitcond10490.not = icmp eq i64 %arg.batch.1.1.5.0, %.188.i.i6307
-  br i1 %exitcond10490.not, label %B4806, label %B76.if.i.i
+  %exitcond10495.not = icmp eq i64 %arg.batch.1.1.5.0, %.188.i.i6307
+  br i1 %exitcond10495.not, label %B4806, label %B76.if.i.i
 
 B4806:                                            ; preds = %B76.if.i.i, %B616.i, %B256.i, %B212.i, %B4682, %B4634
   %.6305 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.5891
@@ -6552,209 +6552,209 @@ B4806:                                            ; preds = %B76.if.i.i, %B616.i
   br i1 %.6307.not, label %B4978, label %B4850
 
 B4850:                                            ; preds = %B4806
-  %.6364 = getelementptr i64, ptr %114, i64 %.5733.010440
+  %.6364 = getelementptr i64, ptr %114, i64 %.5733.010445
   %.6365 = load i64, ptr %.6364, align 8
   %.6395 = getelementptr i64, ptr %arg.batch.3.2.4, i64 %.5891
   store i64 %.6365, ptr %.6395, align 8
   store i64 -1, ptr %.5890, align 8
-  %.238.i10069 = load i64, ptr %arg.batch.4.2.4, align 8, !noalias !356
-  %.291.i10074 = getelementptr double, ptr %115, i64 %.5733.010440
-  store double 0.000000e+00, ptr %.291.i10074, align 8, !noalias !356
-  %.322.i10076 = load i64, ptr %.321.i10075, align 8, !noalias !356
-  %.324.i10077 = icmp eq i64 %.238.i10069, %.322.i10076
-  br i1 %.324.i10077, label %B5236, label %B142.i10078
+  %.238.i10074 = load i64, ptr %arg.batch.4.2.4, align 8, !noalias !356
+  %.291.i10079 = getelementptr double, ptr %115, i64 %.5733.010445
+  store double 0.000000e+00, ptr %.291.i10079, align 8, !noalias !356
+  %.322.i10081 = load i64, ptr %.321.i10080, align 8, !noalias !356
+  %.324.i10082 = icmp eq i64 %.238.i10074, %.322.i10081
+  br i1 %.324.i10082, label %B5236, label %B142.i10083
 
-B142.i10078:                                      ; preds = %B4850
-  %.357.i10079 = add nsw i64 %.238.i10069, 1
-  store i64 %.357.i10079, ptr %arg.batch.4.2.4, align 8, !noalias !356
+B142.i10083:                                      ; preds = %B4850
+  %.357.i10084 = add nsw i64 %.238.i10074, 1
+  store i64 %.357.i10084, ptr %arg.batch.4.2.4, align 8, !noalias !356
   store i64 2, ptr %.1180, align 8, !noalias !356
-  %.436.i10081 = icmp slt i64 %.238.i10069, 0
-  %.437.i10082 = select i1 %.436.i10081, i64 %arg.batch.0.2.5.0, i64 0
-  %433 = getelementptr i64, ptr %arg.batch.0.2.4, i64 %.238.i10069
-  %.451.i10083 = getelementptr i64, ptr %433, i64 %.437.i10082
-  %.452.i10084 = load i64, ptr %.451.i10083, align 8, !noalias !356
-  %.467.i10085 = icmp slt i64 %.452.i10084, 0
-  %.468.i10086 = select i1 %.467.i10085, i64 %arg.batch.1.0.5.0, i64 0
-  %434 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.452.i10084
-  %.482.i10087 = getelementptr i64, ptr %434, i64 %.468.i10086
-  %.483.i10088 = load i64, ptr %.482.i10087, align 8, !noalias !356
-  store i64 %.238.i10069, ptr %.5890, align 8, !noalias !356
-  %.585.i10092 = getelementptr i64, ptr %116, i64 %.5733.010440
-  store i64 %.483.i10088, ptr %.585.i10092, align 8, !noalias !356
+  %.436.i10086 = icmp slt i64 %.238.i10074, 0
+  %.437.i10087 = select i1 %.436.i10086, i64 %arg.batch.0.2.5.0, i64 0
+  %433 = getelementptr i64, ptr %arg.batch.0.2.4, i64 %.238.i10074
+  %.451.i10088 = getelementptr i64, ptr %433, i64 %.437.i10087
+  %.452.i10089 = load i64, ptr %.451.i10088, align 8, !noalias !356
+  %.467.i10090 = icmp slt i64 %.452.i10089, 0
+  %.468.i10091 = select i1 %.467.i10090, i64 %arg.batch.1.0.5.0, i64 0
+  %434 = getelementptr i64, ptr %arg.batch.1.0.4, i64 %.452.i10089
+  %.482.i10092 = getelementptr i64, ptr %434, i64 %.468.i10091
+  %.483.i10093 = load i64, ptr %.482.i10092, align 8, !noalias !356
+  store i64 %.238.i10074, ptr %.5890, align 8, !noalias !356
+  %.585.i10097 = getelementptr i64, ptr %116, i64 %.5733.010445
+  store i64 %.483.i10093, ptr %.585.i10097, align 8, !noalias !356
   store i64 1, ptr %.6364, align 8, !noalias !356
-  %.691.i10096 = getelementptr i64, ptr %117, i64 %.5733.010440
-  store i64 0, ptr %.691.i10096, align 8, !noalias !356
-  br i1 %.7871131.not.i10097, label %B462.i10112, label %B418.if.lr.ph.i10098
+  %.691.i10101 = getelementptr i64, ptr %117, i64 %.5733.010445
+  store i64 0, ptr %.691.i10101, align 8, !noalias !356
+  br i1 %.7871131.not.i10102, label %B462.i10117, label %B418.if.lr.ph.i10103
 
-B418.if.lr.ph.i10098:                             ; preds = %B142.i10078
-  %.849.i10099 = select i1 %.436.i10081, i64 %arg.batch.0.1.5.0, i64 0
-  %.850.i10100 = add i64 %.849.i10099, %.238.i10069
-  %.870.i10101 = mul i64 %.850.i10100, %arg.batch.0.1.5.1
-  %435 = getelementptr double, ptr %arg.batch.0.1.4, i64 %.870.i10101
-  %invariant.gep10617 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.5733.010440
-  br label %B418.if.i10102
+B418.if.lr.ph.i10103:                             ; preds = %B142.i10083
+  %.849.i10104 = select i1 %.436.i10086, i64 %arg.batch.0.1.5.0, i64 0
+  %.850.i10105 = add i64 %.849.i10104, %.238.i10074
+  %.870.i10106 = mul i64 %.850.i10105, %arg.batch.0.1.5.1
+  %435 = getelementptr double, ptr %arg.batch.0.1.4, i64 %.870.i10106
+  %invariant.gep10622 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.5733.010445
+  br label %B418.if.i10107
 
-B462.i10112:                                      ; preds = %B418.if.i10102, %B142.i10078
-  br i1 %.175.i1134.not.i10113, label %B462.endif.i10131, label %B76.if.i.lr.ph.i10114
+B462.i10117:                                      ; preds = %B418.if.i10107, %B142.i10083
+  br i1 %.175.i1134.not.i10118, label %B462.endif.i10136, label %B76.if.i.lr.ph.i10119
 
-B76.if.i.lr.ph.i10114:                            ; preds = %B462.i10112
-  %.968.i10115 = load i64, ptr %.585.i10092, align 8, !noalias !356
-  %.236.i.i10116 = icmp slt i64 %.968.i10115, 0
-  %.237.i.i10117 = select i1 %.236.i.i10116, i64 %arg.batch.1.3.5.0, i64 0
-  %.238.i.i10118 = add i64 %.237.i.i10117, %.968.i10115
-  %.258.i.i10119 = mul i64 %.238.i.i10118, %arg.batch.1.3.5.1
-  %436 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i10119
-  br label %B76.if.i.i10120
+B76.if.i.lr.ph.i10119:                            ; preds = %B462.i10117
+  %.968.i10120 = load i64, ptr %.585.i10097, align 8, !noalias !356
+  %.236.i.i10121 = icmp slt i64 %.968.i10120, 0
+  %.237.i.i10122 = select i1 %.236.i.i10121, i64 %arg.batch.1.3.5.0, i64 0
+  %.238.i.i10123 = add i64 %.237.i.i10122, %.968.i10120
+  %.258.i.i10124 = mul i64 %.238.i.i10123, %arg.batch.1.3.5.1
+  %436 = getelementptr double, ptr %arg.batch.1.3.4, i64 %.258.i.i10124
+  br label %B76.if.i.i10125
 
-B76.if.i.i10120:                                  ; preds = %B76.if.i.i10120, %B76.if.i.lr.ph.i10114
-  %.117.i.01135.i10121 = phi i64 [ 0, %B76.if.i.lr.ph.i10114 ], [ %.188.i.i10122, %B76.if.i.i10120 ]
-  %.188.i.i10122 = add nsw i64 %.117.i.01135.i10121, 1
-  %437 = getelementptr double, ptr %436, i64 %.117.i.01135.i10121
-  %.263.i.i10123 = load double, ptr %437, align 8, !noalias !359
-  %438 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.01135.i10121
-  %.293.i.i10124 = load i64, ptr %438, align 8, !noalias !359
-  %.295.i.i10125 = mul nsw i64 %.293.i.i10124, %arg.shape.0
-  %.297.i.i10126 = add nsw i64 %.295.i.i10125, %.5733.010440
-  %.311.i.i10127 = icmp slt i64 %.297.i.i10126, 0
-  %.312.i.i10128 = select i1 %.311.i.i10127, i64 %arg.batch.5.1.5.0, i64 0
-  %439 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i10126
-  %.326.i.i10129 = getelementptr double, ptr %439, i64 %.312.i.i10128
-  store double %.263.i.i10123, ptr %.326.i.i10129, align 8, !noalias !359
-  %exitcond1142.not.i10130 = icmp eq i64 %.188.i.i10122, %arg.batch.1.1.5.0
-  br i1 %exitcond1142.not.i10130, label %B462.endif.i10131, label %B76.if.i.i10120
+B76.if.i.i10125:                                  ; preds = %B76.if.i.i10125, %B76.if.i.lr.ph.i10119
+  %.117.i.01135.i10126 = phi i64 [ 0, %B76.if.i.lr.ph.i10119 ], [ %.188.i.i10127, %B76.if.i.i10125 ]
+  %.188.i.i10127 = add nsw i64 %.117.i.01135.i10126, 1
+  %437 = getelementptr double, ptr %436, i64 %.117.i.01135.i10126
+  %.263.i.i10128 = load double, ptr %437, align 8, !noalias !359
+  %438 = getelementptr i64, ptr %arg.batch.1.1.4, i64 %.117.i.01135.i10126
+  %.293.i.i10129 = load i64, ptr %438, align 8, !noalias !359
+  %.295.i.i10130 = mul nsw i64 %.293.i.i10129, %arg.shape.0
+  %.297.i.i10131 = add nsw i64 %.295.i.i10130, %.5733.010445
+  %.311.i.i10132 = icmp slt i64 %.297.i.i10131, 0
+  %.312.i.i10133 = select i1 %.311.i.i10132, i64 %arg.batch.5.1.5.0, i64 0
+  %439 = getelementptr double, ptr %arg.batch.5.1.4, i64 %.297.i.i10131
+  %.326.i.i10134 = getelementptr double, ptr %439, i64 %.312.i.i10133
+  store double %.263.i.i10128, ptr %.326.i.i10134, align 8, !noalias !359
+  %exitcond1142.not.i10135 = icmp eq i64 %.188.i.i10127, %arg.batch.1.1.5.0
+  br i1 %exitcond1142.not.i10135, label %B462.endif.i10136, label %B76.if.i.i10125
 
-B1038.i10225:                                     ; preds = %B660.if.i10147
-  store double 0.000000e+00, ptr %.1827.i10222, align 8, !noalias !356
+B1038.i10230:                                     ; preds = %B660.if.i10152
+  store double 0.000000e+00, ptr %.1827.i10227, align 8, !noalias !356
   br label %B5236
 
-B418.if.i10102:                                   ; preds = %B418.if.i10102, %B418.if.lr.ph.i10098
-  %.729.01132.i10103 = phi i64 [ 0, %B418.if.lr.ph.i10098 ], [ %.800.i10104, %B418.if.i10102 ]
-  %.800.i10104 = add nsw i64 %.729.01132.i10103, 1
-  %440 = getelementptr double, ptr %435, i64 %.729.01132.i10103
-  %.875.i10105 = load double, ptr %440, align 8, !noalias !356
-  %.877.i10106 = mul nsw i64 %.729.01132.i10103, %arg.shape.0
-  %gep10618 = getelementptr double, ptr %invariant.gep10617, i64 %.877.i10106
-  store double %.875.i10105, ptr %gep10618, align 8, !noalias !356
-  %exitcond.not.i10111 = icmp eq i64 %.800.i10104, %arg.batch.0.1.5.1
-  br i1 %exitcond.not.i10111, label %B462.i10112, label %B418.if.i10102
+B418.if.i10107:                                   ; preds = %B418.if.i10107, %B418.if.lr.ph.i10103
+  %.729.01132.i10108 = phi i64 [ 0, %B418.if.lr.ph.i10103 ], [ %.800.i10109, %B418.if.i10107 ]
+  %.800.i10109 = add nsw i64 %.729.01132.i10108, 1
+  %440 = getelementptr double, ptr %435, i64 %.729.01132.i10108
+  %.875.i10110 = load double, ptr %440, align 8, !noalias !356
+  %.877.i10111 = mul nsw i64 %.729.01132.i10108, %arg.shape.0
+  %gep10623 = getelementptr double, ptr %invariant.gep10622, i64 %.877.i10111
+  store double %.875.i10110, ptr %gep10623, align 8, !noalias !356
+  %exitcond.not.i10116 = icmp eq i64 %.800.i10109, %arg.batch.0.1.5.1
+  br i1 %exitcond.not.i10116, label %B462.i10117, label %B418.if.i10107
 
-B462.endif.i10131:                                ; preds = %B76.if.i.i10120, %B462.i10112
-  br i1 %.10951137.not.i10132, label %B660.if.i10147, label %B566.if.lr.ph.i10133
+B462.endif.i10136:                                ; preds = %B76.if.i.i10125, %B462.i10117
+  br i1 %.10951137.not.i10137, label %B660.if.i10152, label %B566.if.lr.ph.i10138
 
-B566.if.lr.ph.i10133:                             ; preds = %B462.endif.i10131
-  %.1157.i10134 = select i1 %.436.i10081, i64 %arg.batch.0.0.5.0, i64 0
-  %.1158.i10135 = add i64 %.1157.i10134, %.238.i10069
-  %.1178.i10136 = mul i64 %.1158.i10135, %arg.batch.0.0.5.1
-  %441 = getelementptr double, ptr %arg.batch.0.0.4, i64 %.1178.i10136
-  %invariant.gep10619 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.5733.010440
-  br label %B566.if.i10137
+B566.if.lr.ph.i10138:                             ; preds = %B462.endif.i10136
+  %.1157.i10139 = select i1 %.436.i10086, i64 %arg.batch.0.0.5.0, i64 0
+  %.1158.i10140 = add i64 %.1157.i10139, %.238.i10074
+  %.1178.i10141 = mul i64 %.1158.i10140, %arg.batch.0.0.5.1
+  %441 = getelementptr double, ptr %arg.batch.0.0.4, i64 %.1178.i10141
+  %invariant.gep10624 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.5733.010445
+  br label %B566.if.i10142
 
-B566.if.i10137:                                   ; preds = %B566.if.i10137, %B566.if.lr.ph.i10133
-  %.1039.01138.i10138 = phi i64 [ 0, %B566.if.lr.ph.i10133 ], [ %.1108.i10139, %B566.if.i10137 ]
-  %.1108.i10139 = add nsw i64 %.1039.01138.i10138, 1
-  %442 = getelementptr double, ptr %441, i64 %.1039.01138.i10138
-  %.1183.i10140 = load double, ptr %442, align 8, !noalias !356
-  %.1185.i10141 = mul nsw i64 %.1039.01138.i10138, %arg.shape.0
-  %gep10620 = getelementptr double, ptr %invariant.gep10619, i64 %.1185.i10141
-  store double %.1183.i10140, ptr %gep10620, align 8, !noalias !356
-  %exitcond1143.not.i10146 = icmp eq i64 %.1108.i10139, %arg.shape.1
-  br i1 %exitcond1143.not.i10146, label %B660.if.i10147, label %B566.if.i10137
+B566.if.i10142:                                   ; preds = %B566.if.i10142, %B566.if.lr.ph.i10138
+  %.1039.01138.i10143 = phi i64 [ 0, %B566.if.lr.ph.i10138 ], [ %.1108.i10144, %B566.if.i10142 ]
+  %.1108.i10144 = add nsw i64 %.1039.01138.i10143, 1
+  %442 = getelementptr double, ptr %441, i64 %.1039.01138.i10143
+  %.1183.i10145 = load double, ptr %442, align 8, !noalias !356
+  %.1185.i10146 = mul nsw i64 %.1039.01138.i10143, %arg.shape.0
+  %gep10625 = getelementptr double, ptr %invariant.gep10624, i64 %.1185.i10146
+  store double %.1183.i10145, ptr %gep10625, align 8, !noalias !356
+  %exitcond1143.not.i10151 = icmp eq i64 %.1108.i10144, %arg.shape.1
+  br i1 %exitcond1143.not.i10151, label %B660.if.i10152, label %B566.if.i10142
 
-B660.if.i10147:                                   ; preds = %B566.if.i10137, %B462.endif.i10131
-  %invariant.gep.i10148 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5733.010440
-  store double 0.000000e+00, ptr %invariant.gep.i10148, align 8, !noalias !356
-  %gep.1.i10149 = getelementptr double, ptr %invariant.gep.i10148, i64 %arg.batch.4.0.5.1
-  store double 0.000000e+00, ptr %gep.1.i10149, align 8, !noalias !356
-  %gep.2.i10151 = getelementptr i8, ptr %invariant.gep.i10148, i64 %gep.2.idx.i10150
-  store double 0.000000e+00, ptr %gep.2.i10151, align 8, !noalias !356
-  %gep.3.i10153 = getelementptr i8, ptr %invariant.gep.i10148, i64 %.idx.i10073
-  store double 0.000000e+00, ptr %gep.3.i10153, align 8, !noalias !356
-  %gep.4.i10155 = getelementptr i8, ptr %invariant.gep.i10148, i64 %.2012.idx
-  store double 0.000000e+00, ptr %gep.4.i10155, align 8, !noalias !356
-  %gep.5.i10157 = getelementptr i8, ptr %invariant.gep.i10148, i64 %.idx9725
-  store double 0.000000e+00, ptr %gep.5.i10157, align 8, !noalias !356
-  %gep.6.i10159 = getelementptr i8, ptr %invariant.gep.i10148, i64 %gep.6.idx.i10158
-  store double 0.000000e+00, ptr %gep.6.i10159, align 8, !noalias !356
-  %gep.7.i10161 = getelementptr i8, ptr %invariant.gep.i10148, i64 %gep.7.idx.i10160
-  store double 0.000000e+00, ptr %gep.7.i10161, align 8, !noalias !356
-  %gep.8.i10163 = getelementptr i8, ptr %invariant.gep.i10148, i64 %.577.idx
-  store double 0.000000e+00, ptr %gep.8.i10163, align 8, !noalias !356
-  %gep.9.i10165 = getelementptr i8, ptr %invariant.gep.i10148, i64 %gep.9.idx.i10164
-  store double 0.000000e+00, ptr %gep.9.i10165, align 8, !noalias !356
-  %gep.10.i10167 = getelementptr i8, ptr %invariant.gep.i10148, i64 %gep.10.idx.i10166
-  store double 0.000000e+00, ptr %gep.10.i10167, align 8, !noalias !356
-  %gep.11.i10169 = getelementptr i8, ptr %invariant.gep.i10148, i64 %gep.11.idx.i10168
-  store double 0.000000e+00, ptr %gep.11.i10169, align 8, !noalias !356
-  %gep.12.i10171 = getelementptr i8, ptr %invariant.gep.i10148, i64 %gep.12.idx.i10170
-  store double 0.000000e+00, ptr %gep.12.i10171, align 8, !noalias !356
-  %gep.13.i10173 = getelementptr i8, ptr %invariant.gep.i10148, i64 %gep.13.idx.i10172
-  store double 0.000000e+00, ptr %gep.13.i10173, align 8, !noalias !356
-  %gep.14.i10175 = getelementptr i8, ptr %invariant.gep.i10148, i64 %gep.14.idx.i10174
-  store double 0.000000e+00, ptr %gep.14.i10175, align 8, !noalias !356
-  %gep.15.i10177 = getelementptr i8, ptr %invariant.gep.i10148, i64 %gep.15.idx.i10176
-  store double 0.000000e+00, ptr %gep.15.i10177, align 8, !noalias !356
-  %gep.16.i10179 = getelementptr i8, ptr %invariant.gep.i10148, i64 %gep.16.idx.i10178
-  store double 0.000000e+00, ptr %gep.16.i10179, align 8, !noalias !356
-  %gep.17.i10181 = getelementptr i8, ptr %invariant.gep.i10148, i64 %gep.17.idx.i10180
-  store double 0.000000e+00, ptr %gep.17.i10181, align 8, !noalias !356
-  %gep.18.i10183 = getelementptr i8, ptr %invariant.gep.i10148, i64 %gep.18.idx.i10182
-  store double 0.000000e+00, ptr %gep.18.i10183, align 8, !noalias !356
-  %gep.19.i10185 = getelementptr i8, ptr %invariant.gep.i10148, i64 %gep.19.idx.i10184
-  store double 0.000000e+00, ptr %gep.19.i10185, align 8, !noalias !356
-  %gep.20.i10187 = getelementptr i8, ptr %invariant.gep.i10148, i64 %gep.20.idx.i10186
-  store double 0.000000e+00, ptr %gep.20.i10187, align 8, !noalias !356
-  %gep.21.i10189 = getelementptr i8, ptr %invariant.gep.i10148, i64 %gep.21.idx.i10188
-  store double 0.000000e+00, ptr %gep.21.i10189, align 8, !noalias !356
-  %gep.22.i10191 = getelementptr i8, ptr %invariant.gep.i10148, i64 %gep.22.idx.i10190
-  store double 0.000000e+00, ptr %gep.22.i10191, align 8, !noalias !356
-  %gep.23.i10193 = getelementptr i8, ptr %invariant.gep.i10148, i64 %gep.23.idx.i10192
-  store double 0.000000e+00, ptr %gep.23.i10193, align 8, !noalias !356
-  %gep.24.i10195 = getelementptr i8, ptr %invariant.gep.i10148, i64 %gep.24.idx.i10194
-  store double 0.000000e+00, ptr %gep.24.i10195, align 8, !noalias !356
-  %gep.25.i10197 = getelementptr i8, ptr %invariant.gep.i10148, i64 %gep.25.idx.i10196
-  store double 0.000000e+00, ptr %gep.25.i10197, align 8, !noalias !356
-  %gep.26.i10199 = getelementptr i8, ptr %invariant.gep.i10148, i64 %gep.26.idx.i10198
-  store double 0.000000e+00, ptr %gep.26.i10199, align 8, !noalias !356
-  %gep.27.i10201 = getelementptr i8, ptr %invariant.gep.i10148, i64 %gep.27.idx.i10200
-  store double 0.000000e+00, ptr %gep.27.i10201, align 8, !noalias !356
-  %gep.28.i10203 = getelementptr i8, ptr %invariant.gep.i10148, i64 %gep.28.idx.i10202
-  store double 0.000000e+00, ptr %gep.28.i10203, align 8, !noalias !356
-  %gep.29.i10205 = getelementptr i8, ptr %invariant.gep.i10148, i64 %gep.29.idx.i10204
-  store double 0.000000e+00, ptr %gep.29.i10205, align 8, !noalias !356
-  %gep.30.i10207 = getelementptr i8, ptr %invariant.gep.i10148, i64 %gep.30.idx.i10206
-  store double 0.000000e+00, ptr %gep.30.i10207, align 8, !noalias !356
-  %.1433.i10208 = load double, ptr %arg.batch.2.4, align 8, !noalias !356
-  %.1490.i10209 = load i64, ptr %.585.i10092, align 8, !noalias !356
-  %.1505.i10210 = icmp slt i64 %.1490.i10209, 0
-  %.1506.i10211 = select i1 %.1505.i10210, i64 %arg.batch.1.2.5.0, i64 0
-  %443 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.1490.i10209
-  %.1520.i10212 = getelementptr double, ptr %443, i64 %.1506.i10211
-  %.1521.i10213 = load double, ptr %.1520.i10212, align 8, !noalias !356
-  store double %.1433.i10208, ptr %invariant.gep.i10148, align 8, !noalias !356
-  %.1622.i10216 = getelementptr double, ptr %118, i64 %.5733.010440
-  store double %.1521.i10213, ptr %.1622.i10216, align 8, !noalias !356
-  store double 1.000000e+00, ptr %.291.i10074, align 8, !noalias !356
-  %.1725.i10218 = getelementptr double, ptr %119, i64 %.5733.010440
-  store double 0xFFF0000000000000, ptr %.1725.i10218, align 8, !noalias !356
-  %.1776.i10220 = getelementptr double, ptr %120, i64 %.5733.010440
-  store double 0x7FF0000000000000, ptr %.1776.i10220, align 8, !noalias !356
-  %.1827.i10222 = getelementptr double, ptr %121, i64 %.5733.010440
-  %.1828.i10223 = load double, ptr %.1827.i10222, align 8, !noalias !356
-  %.1830.i10224 = fcmp ueq double %.1828.i10223, 0xFFF0000000000000
-  br i1 %.1830.i10224, label %B5236, label %B1038.i10225
+B660.if.i10152:                                   ; preds = %B566.if.i10142, %B462.endif.i10136
+  %invariant.gep.i10153 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5733.010445
+  store double 0.000000e+00, ptr %invariant.gep.i10153, align 8, !noalias !356
+  %gep.1.i10154 = getelementptr double, ptr %invariant.gep.i10153, i64 %arg.batch.4.0.5.1
+  store double 0.000000e+00, ptr %gep.1.i10154, align 8, !noalias !356
+  %gep.2.i10156 = getelementptr i8, ptr %invariant.gep.i10153, i64 %gep.2.idx.i10155
+  store double 0.000000e+00, ptr %gep.2.i10156, align 8, !noalias !356
+  %gep.3.i10158 = getelementptr i8, ptr %invariant.gep.i10153, i64 %.idx.i10078
+  store double 0.000000e+00, ptr %gep.3.i10158, align 8, !noalias !356
+  %gep.4.i10160 = getelementptr i8, ptr %invariant.gep.i10153, i64 %.2012.idx
+  store double 0.000000e+00, ptr %gep.4.i10160, align 8, !noalias !356
+  %gep.5.i10162 = getelementptr i8, ptr %invariant.gep.i10153, i64 %.idx9725
+  store double 0.000000e+00, ptr %gep.5.i10162, align 8, !noalias !356
+  %gep.6.i10164 = getelementptr i8, ptr %invariant.gep.i10153, i64 %gep.6.idx.i10163
+  store double 0.000000e+00, ptr %gep.6.i10164, align 8, !noalias !356
+  %gep.7.i10166 = getelementptr i8, ptr %invariant.gep.i10153, i64 %gep.7.idx.i10165
+  store double 0.000000e+00, ptr %gep.7.i10166, align 8, !noalias !356
+  %gep.8.i10168 = getelementptr i8, ptr %invariant.gep.i10153, i64 %.577.idx
+  store double 0.000000e+00, ptr %gep.8.i10168, align 8, !noalias !356
+  %gep.9.i10170 = getelementptr i8, ptr %invariant.gep.i10153, i64 %gep.9.idx.i10169
+  store double 0.000000e+00, ptr %gep.9.i10170, align 8, !noalias !356
+  %gep.10.i10172 = getelementptr i8, ptr %invariant.gep.i10153, i64 %gep.10.idx.i10171
+  store double 0.000000e+00, ptr %gep.10.i10172, align 8, !noalias !356
+  %gep.11.i10174 = getelementptr i8, ptr %invariant.gep.i10153, i64 %gep.11.idx.i10173
+  store double 0.000000e+00, ptr %gep.11.i10174, align 8, !noalias !356
+  %gep.12.i10176 = getelementptr i8, ptr %invariant.gep.i10153, i64 %gep.12.idx.i10175
+  store double 0.000000e+00, ptr %gep.12.i10176, align 8, !noalias !356
+  %gep.13.i10178 = getelementptr i8, ptr %invariant.gep.i10153, i64 %gep.13.idx.i10177
+  store double 0.000000e+00, ptr %gep.13.i10178, align 8, !noalias !356
+  %gep.14.i10180 = getelementptr i8, ptr %invariant.gep.i10153, i64 %gep.14.idx.i10179
+  store double 0.000000e+00, ptr %gep.14.i10180, align 8, !noalias !356
+  %gep.15.i10182 = getelementptr i8, ptr %invariant.gep.i10153, i64 %gep.15.idx.i10181
+  store double 0.000000e+00, ptr %gep.15.i10182, align 8, !noalias !356
+  %gep.16.i10184 = getelementptr i8, ptr %invariant.gep.i10153, i64 %gep.16.idx.i10183
+  store double 0.000000e+00, ptr %gep.16.i10184, align 8, !noalias !356
+  %gep.17.i10186 = getelementptr i8, ptr %invariant.gep.i10153, i64 %gep.17.idx.i10185
+  store double 0.000000e+00, ptr %gep.17.i10186, align 8, !noalias !356
+  %gep.18.i10188 = getelementptr i8, ptr %invariant.gep.i10153, i64 %gep.18.idx.i10187
+  store double 0.000000e+00, ptr %gep.18.i10188, align 8, !noalias !356
+  %gep.19.i10190 = getelementptr i8, ptr %invariant.gep.i10153, i64 %gep.19.idx.i10189
+  store double 0.000000e+00, ptr %gep.19.i10190, align 8, !noalias !356
+  %gep.20.i10192 = getelementptr i8, ptr %invariant.gep.i10153, i64 %gep.20.idx.i10191
+  store double 0.000000e+00, ptr %gep.20.i10192, align 8, !noalias !356
+  %gep.21.i10194 = getelementptr i8, ptr %invariant.gep.i10153, i64 %gep.21.idx.i10193
+  store double 0.000000e+00, ptr %gep.21.i10194, align 8, !noalias !356
+  %gep.22.i10196 = getelementptr i8, ptr %invariant.gep.i10153, i64 %gep.22.idx.i10195
+  store double 0.000000e+00, ptr %gep.22.i10196, align 8, !noalias !356
+  %gep.23.i10198 = getelementptr i8, ptr %invariant.gep.i10153, i64 %gep.23.idx.i10197
+  store double 0.000000e+00, ptr %gep.23.i10198, align 8, !noalias !356
+  %gep.24.i10200 = getelementptr i8, ptr %invariant.gep.i10153, i64 %gep.24.idx.i10199
+  store double 0.000000e+00, ptr %gep.24.i10200, align 8, !noalias !356
+  %gep.25.i10202 = getelementptr i8, ptr %invariant.gep.i10153, i64 %gep.25.idx.i10201
+  store double 0.000000e+00, ptr %gep.25.i10202, align 8, !noalias !356
+  %gep.26.i10204 = getelementptr i8, ptr %invariant.gep.i10153, i64 %gep.26.idx.i10203
+  store double 0.000000e+00, ptr %gep.26.i10204, align 8, !noalias !356
+  %gep.27.i10206 = getelementptr i8, ptr %invariant.gep.i10153, i64 %gep.27.idx.i10205
+  store double 0.000000e+00, ptr %gep.27.i10206, align 8, !noalias !356
+  %gep.28.i10208 = getelementptr i8, ptr %invariant.gep.i10153, i64 %gep.28.idx.i10207
+  store double 0.000000e+00, ptr %gep.28.i10208, align 8, !noalias !356
+  %gep.29.i10210 = getelementptr i8, ptr %invariant.gep.i10153, i64 %gep.29.idx.i10209
+  store double 0.000000e+00, ptr %gep.29.i10210, align 8, !noalias !356
+  %gep.30.i10212 = getelementptr i8, ptr %invariant.gep.i10153, i64 %gep.30.idx.i10211
+  store double 0.000000e+00, ptr %gep.30.i10212, align 8, !noalias !356
+  %.1433.i10213 = load double, ptr %arg.batch.2.4, align 8, !noalias !356
+  %.1490.i10214 = load i64, ptr %.585.i10097, align 8, !noalias !356
+  %.1505.i10215 = icmp slt i64 %.1490.i10214, 0
+  %.1506.i10216 = select i1 %.1505.i10215, i64 %arg.batch.1.2.5.0, i64 0
+  %443 = getelementptr double, ptr %arg.batch.1.2.4, i64 %.1490.i10214
+  %.1520.i10217 = getelementptr double, ptr %443, i64 %.1506.i10216
+  %.1521.i10218 = load double, ptr %.1520.i10217, align 8, !noalias !356
+  store double %.1433.i10213, ptr %invariant.gep.i10153, align 8, !noalias !356
+  %.1622.i10221 = getelementptr double, ptr %118, i64 %.5733.010445
+  store double %.1521.i10218, ptr %.1622.i10221, align 8, !noalias !356
+  store double 1.000000e+00, ptr %.291.i10079, align 8, !noalias !356
+  %.1725.i10223 = getelementptr double, ptr %119, i64 %.5733.010445
+  store double 0xFFF0000000000000, ptr %.1725.i10223, align 8, !noalias !356
+  %.1776.i10225 = getelementptr double, ptr %120, i64 %.5733.010445
+  store double 0x7FF0000000000000, ptr %.1776.i10225, align 8, !noalias !356
+  %.1827.i10227 = getelementptr double, ptr %121, i64 %.5733.010445
+  %.1828.i10228 = load double, ptr %.1827.i10227, align 8, !noalias !356
+  %.1830.i10229 = fcmp ueq double %.1828.i10228, 0xFFF0000000000000
+  br i1 %.1830.i10229, label %B5236, label %B1038.i10230
 
 B4978:                                            ; preds = %B4806
-  %.6584 = getelementptr double, ptr %122, i64 %.5733.010440
+  %.6584 = getelementptr double, ptr %122, i64 %.5733.010445
   %.6585 = load double, ptr %.6584, align 8
   %.6587 = fcmp ult double %.6585, 1.500000e+01
   br i1 %.6587, label %B5236, label %B5046
 
 B5046:                                            ; preds = %B4978
   %.6631 = load double, ptr %.6630, align 8
-  %.6681 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5733.010440
+  %.6681 = getelementptr double, ptr %arg.batch.4.0.4, i64 %.5733.010445
   %.6682 = load double, ptr %.6681, align 8
   %.6683 = fsub double %.6631, %.6682
-  %.6733 = getelementptr double, ptr %125, i64 %.5733.010440
+  %.6733 = getelementptr double, ptr %125, i64 %.5733.010445
   %.6734 = load double, ptr %.6733, align 8
   %.6736 = fmul double %.6734, 5.000000e+03
   %.6737 = fcmp ogt double %.6683, %.6736
@@ -6764,32 +6764,32 @@ B5202:                                            ; preds = %B5046
   store double 0.000000e+00, ptr %.6584, align 8
   br label %B5236
 
-B5236:                                            ; preds = %B1038.i10225, %B4850, %B660.if.i10147, %B5046, %B5202, %B4978
-  %budget.7.4 = phi i64 [ %budget.5.210442, %B4978 ], [ 0, %B5046 ], [ %budget.5.210442, %B5202 ], [ %budget.5.210442, %B660.if.i10147 ], [ %budget.5.210442, %B4850 ], [ %budget.5.210442, %B1038.i10225 ]
+B5236:                                            ; preds = %B1038.i10230, %B4850, %B660.if.i10152, %B5046, %B5202, %B4978
+  %budget.7.4 = phi i64 [ %budget.5.210447, %B4978 ], [ 0, %B5046 ], [ %budget.5.210447, %B5202 ], [ %budget.5.210447, %B660.if.i10152 ], [ %budget.5.210447, %B4850 ], [ %budget.5.210447, %B1038.i10230 ]
   %.6857 = load i64, ptr %.5890, align 8
   %.6858 = icmp sgt i64 %.6857, -1
   br i1 %.6858, label %B5284, label %B5581
 
 B5284:                                            ; preds = %B5236
-  %.6863 = add nsw i64 %active.5.210443, 1
+  %.6863 = add nsw i64 %active.5.210448, 1
   %.6964 = mul i64 %.6857, %arg.batch.3.3.5.1
   %.6968 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.6964
   %.6969 = load i64, ptr %.6968, align 8
   %.6980.0 = and i64 %.6969, 127
   %.7010 = sub nsw i64 128, %.6980.0
   %.11.i = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.7010, i64 %.6019)
-  %.7094 = getelementptr double, ptr %126, i64 %.5733.010440
+  %.7094 = getelementptr double, ptr %126, i64 %.5733.010445
   %.7095 = load double, ptr %.7094, align 8
   %.7097 = fcmp ogt double %.7095, 0.000000e+00
   %.7108 = sitofp i64 %.11.i to double
   %"$phi5484.1.2.5" = select i1 %.7097, double 1.000000e+00, double %.7108
-  %.7167 = getelementptr double, ptr %127, i64 %.5733.010440
+  %.7167 = getelementptr double, ptr %127, i64 %.5733.010445
   store double %"$phi5484.1.2.5", ptr %.7167, align 8
-  %.107.i6557 = getelementptr i64, ptr %128, i64 %.5733.010440
+  %.107.i6557 = getelementptr i64, ptr %128, i64 %.5733.010445
   %.108.i6558 = load i64, ptr %.107.i6557, align 8, !noalias !363
-  %.161.i6604 = getelementptr double, ptr %129, i64 %.5733.010440
+  %.161.i6604 = getelementptr double, ptr %129, i64 %.5733.010445
   %.162.i6605 = load double, ptr %.161.i6604, align 8, !noalias !363
-  %.212.i6650 = getelementptr double, ptr %130, i64 %.5733.010440
+  %.212.i6650 = getelementptr double, ptr %130, i64 %.5733.010445
   store double %.162.i6605, ptr %.212.i6650, align 8, !noalias !363
   %.225.i6658 = icmp slt i64 %.108.i6558, %arg.batch.2.5.0
   br i1 %.225.i6658, label %B164.i, label %B5581
@@ -6816,82 +6816,82 @@ B5554:                                            ; preds = %B5581, %B4378
 
 B5580:                                            ; preds = %B5554, %B712
   %active.10.0 = phi i64 [ %active.4.0.lcssa, %B712 ], [ %active.8.2, %B5554 ]
-  br i1 %.815, label %B5580.endif, label %B82.if.i2534.lr.ph
+  br i1 %.815, label %B5580.endif, label %B82.if.i2533.lr.ph
 
-B82.if.i2534.lr.ph:                               ; preds = %B5580
+B82.if.i2533.lr.ph:                               ; preds = %B5580
   %.idx = mul i64 %arg.batch.4.0.5.1, 208
   %445 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx
   %.idx9723 = mul i64 %arg.batch.4.0.5.1, 216
   %446 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx9723
-  %.674.i2207 = add nsw i64 %arg.shape.2, -1
+  %.674.i2206 = add nsw i64 %arg.shape.2, -1
   %.idx9724 = mul i64 %arg.batch.4.0.5.1, 192
   %447 = getelementptr i8, ptr %arg.batch.4.0.4, i64 %.idx9724
-  br label %B82.if.i2534
+  br label %B82.if.i2533
 
-B140.i1881:                                       ; preds = %B82.if.i2534
-  %.313.i1926 = getelementptr double, ptr %445, i64 %.107.i1729.010450
-  %.314.i1927 = load double, ptr %.313.i1926, align 8, !noalias !367
-  %.5.i.i1928 = fptosi double %.314.i1927 to i64
-  %.388.i1976 = getelementptr double, ptr %446, i64 %.107.i1729.010450
-  %.389.i1977 = load double, ptr %.388.i1976, align 8, !noalias !367
-  %.5.i1.i1978 = fptosi double %.389.i1977 to i64
-  %.465.i2023 = mul i64 %.257.i1874, %arg.batch.3.3.5.1
-  %.469.i2027 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.465.i2023
-  %.470.i2028 = load i64, ptr %.469.i2027, align 8, !noalias !367
-  %.472.i2030 = add nsw i64 %.470.i2028, %.5.i.i1928
-  store i64 %.472.i2030, ptr %.469.i2027, align 8, !noalias !367
-  %.570.i2113 = getelementptr i8, ptr %.469.i2027, i64 24
-  %.571.i2114 = load i64, ptr %.570.i2113, align 8, !noalias !367
-  %.573.i2116 = add nsw i64 %.571.i2114, %.5.i1.i1978
-  store i64 %.573.i2116, ptr %.570.i2113, align 8, !noalias !367
-  %.671.i2204 = getelementptr i8, ptr %.469.i2027, i64 8
-  %.672.i2205 = load i64, ptr %.671.i2204, align 8, !noalias !367
-  %.677.i2210 = add nsw i64 %.5.i1.i1978, %.5.i.i1928
-  %.678.i2211 = mul nsw i64 %.677.i2210, %.674.i2207
-  %..5.i.i1928 = select i1 %.631, i64 %.5.i.i1928, i64 0
-  %.679.i2212 = add i64 %.678.i2211, %..5.i.i1928
-  %.804.i2316 = add i64 %.679.i2212, %.672.i2205
-  store i64 %.804.i2316, ptr %.671.i2204, align 8, !noalias !367
-  store double 0.000000e+00, ptr %.313.i1926, align 8, !noalias !367
-  store double 0.000000e+00, ptr %.388.i1976, align 8, !noalias !367
-  %.1019.i2483 = getelementptr double, ptr %447, i64 %.107.i1729.010450
-  %.1020.i2484 = load double, ptr %.1019.i2483, align 8, !noalias !367
-  %.1028.i2490 = sitofp i64 %.677.i2210 to double
-  %.1029.i2491 = fsub double %.1020.i2484, %.1028.i2490
-  store double %.1029.i2491, ptr %.1019.i2483, align 8, !noalias !367
-  br label %B682.i1878
+B140.i1880:                                       ; preds = %B82.if.i2533
+  %.313.i1925 = getelementptr double, ptr %445, i64 %.107.i1728.010455
+  %.314.i1926 = load double, ptr %.313.i1925, align 8, !noalias !367
+  %.5.i.i1927 = fptosi double %.314.i1926 to i64
+  %.388.i1975 = getelementptr double, ptr %446, i64 %.107.i1728.010455
+  %.389.i1976 = load double, ptr %.388.i1975, align 8, !noalias !367
+  %.5.i1.i1977 = fptosi double %.389.i1976 to i64
+  %.465.i2022 = mul i64 %.257.i1873, %arg.batch.3.3.5.1
+  %.469.i2026 = getelementptr i64, ptr %arg.batch.3.3.4, i64 %.465.i2022
+  %.470.i2027 = load i64, ptr %.469.i2026, align 8, !noalias !367
+  %.472.i2029 = add nsw i64 %.470.i2027, %.5.i.i1927
+  store i64 %.472.i2029, ptr %.469.i2026, align 8, !noalias !367
+  %.570.i2112 = getelementptr i8, ptr %.469.i2026, i64 24
+  %.571.i2113 = load i64, ptr %.570.i2112, align 8, !noalias !367
+  %.573.i2115 = add nsw i64 %.571.i2113, %.5.i1.i1977
+  store i64 %.573.i2115, ptr %.570.i2112, align 8, !noalias !367
+  %.671.i2203 = getelementptr i8, ptr %.469.i2026, i64 8
+  %.672.i2204 = load i64, ptr %.671.i2203, align 8, !noalias !367
+  %.677.i2209 = add nsw i64 %.5.i1.i1977, %.5.i.i1927
+  %.678.i2210 = mul nsw i64 %.677.i2209, %.674.i2206
+  %..5.i.i1927 = select i1 %.631, i64 %.5.i.i1927, i64 0
+  %.679.i2211 = add i64 %.678.i2210, %..5.i.i1927
+  %.804.i2315 = add i64 %.679.i2211, %.672.i2204
+  store i64 %.804.i2315, ptr %.671.i2203, align 8, !noalias !367
+  store double 0.000000e+00, ptr %.313.i1925, align 8, !noalias !367
+  store double 0.000000e+00, ptr %.388.i1975, align 8, !noalias !367
+  %.1019.i2482 = getelementptr double, ptr %447, i64 %.107.i1728.010455
+  %.1020.i2483 = load double, ptr %.1019.i2482, align 8, !noalias !367
+  %.1028.i2489 = sitofp i64 %.677.i2209 to double
+  %.1029.i2490 = fsub double %.1020.i2483, %.1028.i2489
+  store double %.1029.i2490, ptr %.1019.i2482, align 8, !noalias !367
+  br label %B682.i1877
 
-B682.i1878:                                       ; preds = %B140.i1881, %B82.if.i2534
-  %.166.i1811 = icmp sgt i64 %.110.i1730.010451, 1
-  br i1 %.166.i1811, label %B82.if.i2534, label %B5580.endif
+B682.i1877:                                       ; preds = %B140.i1880, %B82.if.i2533
+  %.166.i1810 = icmp sgt i64 %.110.i1729.010456, 1
+  br i1 %.166.i1810, label %B82.if.i2533, label %B5580.endif
 
-B82.if.i2534:                                     ; preds = %B82.if.i2534.lr.ph, %B682.i1878
-  %.110.i1730.010451 = phi i64 [ %storemerge, %B82.if.i2534.lr.ph ], [ %.175.i2539, %B682.i1878 ]
-  %.107.i1729.010450 = phi i64 [ 0, %B82.if.i2534.lr.ph ], [ %.179.i2542, %B682.i1878 ]
-  %.175.i2539 = add nsw i64 %.110.i1730.010451, -1
-  %.179.i2542 = add nsw i64 %.107.i1729.010450, 1
-  %448 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.107.i1729.010450
-  %.257.i1874 = load i64, ptr %448, align 8, !noalias !367
-  %.262.i1877 = icmp sgt i64 %.257.i1874, -1
-  br i1 %.262.i1877, label %B140.i1881, label %B682.i1878
+B82.if.i2533:                                     ; preds = %B82.if.i2533.lr.ph, %B682.i1877
+  %.110.i1729.010456 = phi i64 [ %storemerge, %B82.if.i2533.lr.ph ], [ %.175.i2538, %B682.i1877 ]
+  %.107.i1728.010455 = phi i64 [ 0, %B82.if.i2533.lr.ph ], [ %.179.i2541, %B682.i1877 ]
+  %.175.i2538 = add nsw i64 %.110.i1729.010456, -1
+  %.179.i2541 = add nsw i64 %.107.i1728.010455, 1
+  %448 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.107.i1728.010455
+  %.257.i1873 = load i64, ptr %448, align 8, !noalias !367
+  %.262.i1876 = icmp sgt i64 %.257.i1873, -1
+  br i1 %.262.i1876, label %B140.i1880, label %B682.i1877
 
 B5581:                                            ; preds = %B5284, %B164.i, %B5236, %B4420.if
-  %budget.6.3 = phi i64 [ %budget.5.210442, %B4420.if ], [ %budget.7.4, %B5236 ], [ %budget.7.4, %B164.i ], [ %budget.7.4, %B5284 ]
-  %active.6.3 = phi i64 [ %active.5.210443, %B4420.if ], [ %active.5.210443, %B5236 ], [ %.6863, %B164.i ], [ %.6863, %B5284 ]
-  %.5796 = icmp sgt i64 %.5736.010441, 1
+  %budget.6.3 = phi i64 [ %budget.5.210447, %B4420.if ], [ %budget.7.4, %B5236 ], [ %budget.7.4, %B164.i ], [ %budget.7.4, %B5284 ]
+  %active.6.3 = phi i64 [ %active.5.210448, %B4420.if ], [ %active.5.210448, %B5236 ], [ %.6863, %B164.i ], [ %.6863, %B5284 ]
+  %.5796 = icmp sgt i64 %.5736.010446, 1
   br i1 %.5796, label %B4420.if, label %B5554
 
 common.ret:                                       ; preds = %B3940.if, %B3896.if, %B3850.if, %B3782.endif.if, %B3200.endif.if, %B5580.endif
-  %common.ret.op = phi i32 [ %common.ret.op.i9873, %B3896.if ], [ %.4271, %B3200.endif.if ], [ 0, %B5580.endif ], [ %common.ret.op.i, %B3850.if ], [ %common.ret.op.i9956, %B3940.if ], [ %.4853, %B3782.endif.if ]
+  %common.ret.op = phi i32 [ %common.ret.op.i9873, %B3896.if ], [ %.4271, %B3200.endif.if ], [ 0, %B5580.endif ], [ %common.ret.op.i, %B3850.if ], [ %common.ret.op.i9959, %B3940.if ], [ %.4853, %B3782.endif.if ]
   ret i32 %common.ret.op
 
 B552.if:                                          ; preds = %B552.if.lr.ph, %B648
-  %active.4.010259 = phi i64 [ 0, %B552.if.lr.ph ], [ %.1103, %B648 ]
-  %.804.010258 = phi i64 [ %storemerge, %B552.if.lr.ph ], [ %.868, %B648 ]
-  %.801.010257 = phi i64 [ 0, %B552.if.lr.ph ], [ %.872, %B648 ]
-  %.868 = add nsw i64 %.804.010258, -1
-  %.872 = add nsw i64 %.801.010257, 1
-  %449 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.801.010257
+  %active.4.010264 = phi i64 [ 0, %B552.if.lr.ph ], [ %.1103, %B648 ]
+  %.804.010263 = phi i64 [ %storemerge, %B552.if.lr.ph ], [ %.868, %B648 ]
+  %.801.010262 = phi i64 [ 0, %B552.if.lr.ph ], [ %.872, %B648 ]
+  %.868 = add nsw i64 %.804.010263, -1
+  %.872 = add nsw i64 %.801.010262, 1
+  %449 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.801.010262
   %.950 = load i64, ptr %449, align 8
   %.951 = icmp slt i64 %.950, 0
   br i1 %.951, label %B604, label %B648
@@ -6902,52 +6902,52 @@ B918.endif.endif:                                 ; preds = %B466.i, %B918
   br label %B958
 
 B1808.if:                                         ; preds = %B1776, %B1994
-  %.2248.010284 = phi i64 [ %.2317, %B1994 ], [ 1, %B1776 ]
-  %.2317 = add i64 %.2248.010284, 1
-  %450 = getelementptr i64, ptr %arg.code.4, i64 %.2248.010284
+  %.2248.010289 = phi i64 [ %.2317, %B1994 ], [ 1, %B1776 ]
+  %.2317 = add i64 %.2248.010289, 1
+  %450 = getelementptr i64, ptr %arg.code.4, i64 %.2248.010289
   %451 = getelementptr i8, ptr %450, i64 128
   %.2376 = load i64, ptr %451, align 8
   %.2421 = inttoptr i64 %.2376 to ptr
   tail call void %.2421(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
-  %.2425 = add nsw i64 %.2248.010284, %.
+  %.2425 = add nsw i64 %.2248.010289, %.
   %.2427 = mul nsw i64 %.2425, %.469
   %.2473 = getelementptr double, ptr %arg.batch.5.0.4, i64 %.2427
   tail call void %.2474(ptr %.577, ptr %.2448, ptr %arg.batch.5.1.4, ptr %arg.batch.5.2.4, ptr %arg.batch.5.3.4, ptr %.2473)
-  br i1 %or.cond10235.not, label %B68.if.lr.ph.i, label %B1994
+  br i1 %or.cond10240.not, label %B68.if.lr.ph.i, label %B1994
 
 B2160.if:                                         ; preds = %B1996, %B2266
-  %looked.2.110290 = phi i1 [ %"$phi2266.1.2.2", %B2266 ], [ %spec.select9802, %B1996 ]
-  %good.2.110289 = phi i1 [ %"$phi2214.1.2.2", %B2266 ], [ false, %B1996 ]
-  %.2698.010288 = phi i64 [ %.2760, %B2266 ], [ %storemerge, %B1996 ]
-  %.2695.010287 = phi i64 [ %.2764, %B2266 ], [ 0, %B1996 ]
-  %.2760 = add nsw i64 %.2698.010288, -1
-  %.2764 = add nsw i64 %.2695.010287, 1
-  br i1 %good.2.110289, label %B2214, label %B2168
+  %looked.2.110295 = phi i1 [ %"$phi2266.1.2.2", %B2266 ], [ %spec.select9802, %B1996 ]
+  %good.2.110294 = phi i1 [ %"$phi2214.1.2.2", %B2266 ], [ false, %B1996 ]
+  %.2698.010293 = phi i64 [ %.2760, %B2266 ], [ %storemerge, %B1996 ]
+  %.2695.010292 = phi i64 [ %.2764, %B2266 ], [ 0, %B1996 ]
+  %.2760 = add nsw i64 %.2698.010293, -1
+  %.2764 = add nsw i64 %.2695.010292, 1
+  br i1 %good.2.110294, label %B2214, label %B2168
 
 B2342.if:                                         ; preds = %B2340.preheader, %B2948
-  %checked.3.210300 = phi i1 [ %checked.4.3, %B2948 ], [ false, %B2340.preheader ]
-  %within.3.210299 = phi i1 [ %within.4.3, %B2948 ], [ false, %B2340.preheader ]
-  %.3046.010298 = phi i64 [ %.3115, %B2948 ], [ %storemerge, %B2340.preheader ]
-  %.3043.010297 = phi i64 [ %.3119, %B2948 ], [ 0, %B2340.preheader ]
-  %.3115 = add nsw i64 %.3046.010298, -1
-  %.3119 = add nsw i64 %.3043.010297, 1
-  %.3200 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.3043.010297
+  %checked.3.210305 = phi i1 [ %checked.4.3, %B2948 ], [ false, %B2340.preheader ]
+  %within.3.210304 = phi i1 [ %within.4.3, %B2948 ], [ false, %B2340.preheader ]
+  %.3046.010303 = phi i64 [ %.3115, %B2948 ], [ %storemerge, %B2340.preheader ]
+  %.3043.010302 = phi i64 [ %.3119, %B2948 ], [ 0, %B2340.preheader ]
+  %.3115 = add nsw i64 %.3046.010303, -1
+  %.3119 = add nsw i64 %.3043.010302, 1
+  %.3200 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.3043.010302
   %.3201 = load i64, ptr %.3200, align 8
-  %.3251 = getelementptr i64, ptr %39, i64 %.3043.010297
+  %.3251 = getelementptr i64, ptr %39, i64 %.3043.010302
   %.3252 = load i64, ptr %.3251, align 8
-  %.3308 = getelementptr double, ptr %40, i64 %.3043.010297
+  %.3308 = getelementptr double, ptr %40, i64 %.3043.010302
   store double 0.000000e+00, ptr %.3308, align 8
   %.3311 = icmp sgt i64 %.3201, -1
   br i1 %.3311, label %B2472, label %B2948
 
-B46.i2751:                                        ; preds = %B2520
-  %.120.i2776 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i2743
-  %.121.i2777 = load i64, ptr %.120.i2776, align 8, !noalias !54
-  %.122.i2778 = icmp eq i64 %.121.i2777, 0
-  br i1 %.122.i2778, label %B80.i2783, label %B2630
+B46.i2750:                                        ; preds = %B2520
+  %.120.i2775 = getelementptr i64, ptr %arg.batch.3.1.4, i64 %.84.i2742
+  %.121.i2776 = load i64, ptr %.120.i2775, align 8, !noalias !54
+  %.122.i2777 = icmp eq i64 %.121.i2776, 0
+  br i1 %.122.i2777, label %B80.i2782, label %B2630
 
-B80.i2783:                                        ; preds = %B46.i2751
-  store i64 %.5.i, ptr %.120.i2776, align 8, !noalias !54
+B80.i2782:                                        ; preds = %B46.i2750
+  store i64 %.5.i, ptr %.120.i2775, align 8, !noalias !54
   br label %B2630
 
 B3200.endif.if:                                   ; preds = %B3200
@@ -6975,8 +6975,8 @@ B3404.if:                                         ; preds = %B3356
   %.4720 = inttoptr i64 %.4675 to ptr
   tail call void %.4720(ptr %arg.batch.4.0.4, ptr %arg.batch.5.0.4, ptr %arg.batch.5.1.4, ptr %arg.tolerances.4, ptr %arg.batch.5.3.4, ptr %arg.batch.5.4.4)
   %good.2.1.lcssa.not = xor i1 %good.2.1.lcssa, true
-  %brmerge10454 = or i1 %.815, %good.2.1.lcssa.not
-  br i1 %brmerge10454, label %B3778, label %B64.if.i3739
+  %brmerge10459 = or i1 %.815, %good.2.1.lcssa.not
+  br i1 %brmerge10459, label %B3778, label %B64.if.i3739
 
 B3782.endif.if:                                   ; preds = %B3782
   %.4854 = load ptr, ptr %excinfo.12, align 8
@@ -7001,18 +7001,18 @@ B3940.if:                                         ; preds = %_ZN5pages10rate_jum
   br label %common.ret
 
 B4420.if:                                         ; preds = %B4378, %B5581
-  %active.5.210443 = phi i64 [ %active.6.3, %B5581 ], [ 0, %B4378 ]
-  %budget.5.210442 = phi i64 [ %budget.6.3, %B5581 ], [ %.1146, %B4378 ]
-  %.5736.010441 = phi i64 [ %.5805, %B5581 ], [ %storemerge, %B4378 ]
-  %.5733.010440 = phi i64 [ %.5809, %B5581 ], [ 0, %B4378 ]
-  %.5805 = add nsw i64 %.5736.010441, -1
-  %.5809 = add nsw i64 %.5733.010440, 1
-  %.5890 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5733.010440
+  %active.5.210448 = phi i64 [ %active.6.3, %B5581 ], [ 0, %B4378 ]
+  %budget.5.210447 = phi i64 [ %budget.6.3, %B5581 ], [ %.1146, %B4378 ]
+  %.5736.010446 = phi i64 [ %.5805, %B5581 ], [ %storemerge, %B4378 ]
+  %.5733.010445 = phi i64 [ %.5809, %B5581 ], [ 0, %B4378 ]
+  %.5805 = add nsw i64 %.5736.010446, -1
+  %.5809 = add nsw i64 %.5733.010445, 1
+  %.5890 = getelementptr i64, ptr %arg.batch.4.1.4, i64 %.5733.010445
   %.5891 = load i64, ptr %.5890, align 8
   %.5896 = icmp slt i64 %.5891, 0
   br i1 %.5896, label %B5581, label %B4478
 
-B5580.endif:                                      ; preds = %B682.i1878, %B5580
+B5580.endif:                                      ; preds = %B682.i1877, %B5580
   store i64 %active.10.0, ptr %retptr, align 8
   br label %common.ret
 }
@@ -7733,11 +7733,11 @@ declare double @llvm.copysign.f64(double, double)
 
 define internal fastcc void @_ZN5pages10rate_jumps9put_ratesB3v56B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEd23Literal_5bint_5d_287_295ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE(ptr noalias nonnull %retptr, double %arg.share, ptr readonly %arg.code.4, i64 %arg.n, ptr readonly %arg.tolerances.4, ptr %arg.numbers.4, i64 %arg.numbers.5.1, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4) unnamed_addr {
 entry:
-  %.147.idx = mul i64 %arg.numbers.5.1, 48
-  %.147 = getelementptr i8, ptr %arg.numbers.4, i64 %.147.idx
-  %.148 = load double, ptr %.147, align 8
+  %.155.idx = mul i64 %arg.numbers.5.1, 48
+  %.155 = getelementptr i8, ptr %arg.numbers.4, i64 %.155.idx
+  %.156 = load double, ptr %.155, align 8
   %.93.i = load double, ptr %arg.numbers.4, align 8, !noalias !394
-  %.149.i = fmul double %arg.share, %.148
+  %.149.i = fmul double %arg.share, %.156
   %.150.i = fadd double %.93.i, %.149.i
   %.203.i.idx = shl i64 %arg.numbers.5.1, 6
   %.203.i = getelementptr i8, ptr %arg.numbers.4, i64 %.203.i.idx
@@ -7804,8 +7804,8 @@ B122.if.i:                                        ; preds = %B122.if.i.lr.ph, %B
   %exitcond.not = icmp eq i64 %arg.n, %.300.i
   br i1 %exitcond.not, label %B0.endif, label %B122.if.i
 
-B684:                                             ; preds = %B298.if, %B0.endif
-  %largest.2.0.lcssa = phi double [ 0.000000e+00, %B0.endif ], [ %.11.i527, %B298.if ]
+B682:                                             ; preds = %B296.if, %B0.endif
+  %largest.2.0.lcssa = phi double [ 0.000000e+00, %B0.endif ], [ %.11.i527, %B296.if ]
   store double %largest.2.0.lcssa, ptr %retptr, align 8
   ret void
 
@@ -7818,9 +7818,9 @@ B0.endif:                                         ; preds = %B122.if.i, %entry
   %.339 = inttoptr i64 %.227 to ptr
   tail call void %.339(ptr nonnull %.203.i, ptr %.313, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.338)
   %.421538.not = icmp slt i64 %arg.n, 1
-  br i1 %.421538.not, label %B684, label %B298.if.lr.ph
+  br i1 %.421538.not, label %B682, label %B296.if.lr.ph
 
-B298.if.lr.ph:                                    ; preds = %B0.endif
+B296.if.lr.ph:                                    ; preds = %B0.endif
   %.487 = getelementptr i8, ptr %arg.tolerances.4, i64 8
   %.255.i = fsub double 1.000000e+00, %arg.share
   %invariant.gep1 = getelementptr double, ptr %arg.arrays.0.4, i64 %.296
@@ -7842,11 +7842,11 @@ B298.if.lr.ph:                                    ; preds = %B0.endif
   %20 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx557
   %.idx558 = mul i64 %arg.n, 144
   %21 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx558
-  br label %B298.if
+  br label %B296.if
 
-B298.if:                                          ; preds = %B298.if.lr.ph, %B298.if
-  %largest.2.0541 = phi double [ 0.000000e+00, %B298.if.lr.ph ], [ %.11.i527, %B298.if ]
-  %.365.0539 = phi i64 [ 0, %B298.if.lr.ph ], [ %.434, %B298.if ]
+B296.if:                                          ; preds = %B296.if.lr.ph, %B296.if
+  %largest.2.0541 = phi double [ 0.000000e+00, %B296.if.lr.ph ], [ %.11.i527, %B296.if ]
+  %.365.0539 = phi i64 [ 0, %B296.if.lr.ph ], [ %.434, %B296.if ]
   %.488 = load double, ptr %.487, align 8
   %.518 = load double, ptr %arg.tolerances.4, align 8
   %22 = getelementptr double, ptr %arg.arrays.0.4, i64 %.365.0539
@@ -7861,7 +7861,7 @@ B298.if:                                          ; preds = %B298.if.lr.ph, %B29
   %.613 = fadd double %.488, %.612
   %gep4 = getelementptr double, ptr %invariant.gep3, i64 %.365.0539
   %.646 = load double, ptr %gep4, align 8
-  %.648 = fmul double %.148, %.646
+  %.648 = fmul double %.156, %.646
   %.652 = fdiv double %.648, %.613
   %gep6 = getelementptr double, ptr %invariant.gep5, i64 %.365.0539
   store double %.652, ptr %gep6, align 8
@@ -7912,15 +7912,15 @@ B298.if:                                          ; preds = %B298.if.lr.ph, %B29
   %.10.i526 = fcmp ogt double %.756, %largest.2.0541
   %.11.i527 = select i1 %.10.i526, double %.756, double %largest.2.0541
   %exitcond543.not = icmp eq i64 %arg.n, %.434
-  br i1 %exitcond543.not, label %B684, label %B298.if
+  br i1 %exitcond543.not, label %B682, label %B296.if
 }
 
 define internal fastcc void @_ZN5pages10rate_jumps7quarterB3v62B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdd5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE(ptr noalias nonnull %retptr, double %arg.low, double %arg.high, ptr readonly %arg.code.4, i64 %arg.n, ptr readonly %arg.tolerances.4, ptr %arg.numbers.4, i64 %arg.numbers.5.1, ptr %arg.arrays.0.4, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4) unnamed_addr {
 entry:
   %.103 = fsub double %arg.high, %arg.low
   %.104 = fmul double %.103, 2.500000e-01
-  %.147.idx.i = mul i64 %arg.numbers.5.1, 48
-  %.147.i549 = getelementptr i8, ptr %arg.numbers.4, i64 %.147.idx.i
+  %.155.idx.i = mul i64 %arg.numbers.5.1, 48
+  %.155.i = getelementptr i8, ptr %arg.numbers.4, i64 %.155.idx.i
   %.203.i.idx.i = shl i64 %arg.numbers.5.1, 6
   %.203.i.i = getelementptr i8, ptr %arg.numbers.4, i64 %.203.i.idx.i
   %.287.i531.not.i = icmp slt i64 %arg.n, 1
@@ -7951,20 +7951,20 @@ entry:
   br label %B68.if
 
 B44.i.preheader:                                  ; preds = %_ZN5pages10rate_jumps9put_ratesB3v63B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit
-  %.233.i555.not = icmp slt i64 %arg.n, 1
-  br i1 %.233.i555.not, label %B338.i, label %B82.if.i.lr.ph
+  %.233.i554.not = icmp slt i64 %arg.n, 1
+  br i1 %.233.i554.not, label %B338.i, label %B82.if.i.lr.ph
 
 B338.i:                                           ; preds = %B82.if.i, %B44.i.preheader
   %largest.2.i.1.lcssa = phi double [ 0.000000e+00, %B44.i.preheader ], [ %.11.i.i, %B82.if.i ]
   %.465.i = fcmp ogt double %largest.2.i.1.lcssa, -1.000000e+00
   %most.3.i.1 = select i1 %.465.i, double %largest.2.i.1.lcssa, double -1.000000e+00
-  br i1 %.233.i555.not, label %B338.i.1, label %B82.if.i.lr.ph.1
+  br i1 %.233.i554.not, label %B338.i.1, label %B82.if.i.lr.ph.1
 
 B82.if.i.lr.ph.1:                                 ; preds = %B338.i
   %.idx.1 = mul i64 %arg.n, 48
   %invariant.gep15 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx.1
-  %.idx577.1 = shl i64 %arg.n, 4
-  %invariant.gep17 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx577.1
+  %.idx576.1 = shl i64 %arg.n, 4
+  %invariant.gep17 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx576.1
   %.idx3 = shl i64 %arg.n, 5
   %invariant.gep19 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx3
   %.idx4 = mul i64 %arg.n, 24
@@ -7972,40 +7972,40 @@ B82.if.i.lr.ph.1:                                 ; preds = %B338.i
   br label %B82.if.i.1
 
 B82.if.i.1:                                       ; preds = %B82.if.i.1, %B82.if.i.lr.ph.1
-  %largest.2.i.1558.1 = phi double [ 0.000000e+00, %B82.if.i.lr.ph.1 ], [ %.11.i.i.1, %B82.if.i.1 ]
-  %.177.i.0556.1 = phi i64 [ 0, %B82.if.i.lr.ph.1 ], [ %.246.i.1, %B82.if.i.1 ]
-  %.246.i.1 = add nsw i64 %.177.i.0556.1, 1
-  %gep16 = getelementptr double, ptr %invariant.gep15, i64 %.177.i.0556.1
+  %largest.2.i.1557.1 = phi double [ 0.000000e+00, %B82.if.i.lr.ph.1 ], [ %.11.i.i.1, %B82.if.i.1 ]
+  %.177.i.0555.1 = phi i64 [ 0, %B82.if.i.lr.ph.1 ], [ %.246.i.1, %B82.if.i.1 ]
+  %.246.i.1 = add nsw i64 %.177.i.0555.1, 1
+  %gep16 = getelementptr double, ptr %invariant.gep15, i64 %.177.i.0555.1
   %.303.i.1 = load double, ptr %gep16, align 8, !noalias !406
-  %gep18 = getelementptr double, ptr %invariant.gep17, i64 %.177.i.0556.1
+  %gep18 = getelementptr double, ptr %invariant.gep17, i64 %.177.i.0555.1
   %.336.i.1 = load double, ptr %gep18, align 8, !noalias !406
   %.337.i.1 = fsub double %.303.i.1, %.336.i.1
-  %gep20 = getelementptr double, ptr %invariant.gep19, i64 %.177.i.0556.1
+  %gep20 = getelementptr double, ptr %invariant.gep19, i64 %.177.i.0555.1
   %.373.i.1 = load double, ptr %gep20, align 8, !noalias !406
-  %gep22 = getelementptr double, ptr %invariant.gep21, i64 %.177.i.0556.1
+  %gep22 = getelementptr double, ptr %invariant.gep21, i64 %.177.i.0555.1
   %.408.i.1 = load double, ptr %gep22, align 8, !noalias !406
   %.409.i.1 = fsub double %.373.i.1, %.408.i.1
   %.410.i.1 = fmul double %.409.i.1, 4.000000e+00
   %.411.i.1 = fsub double %.410.i.1, %.337.i.1
   %.412.i.1 = tail call double @llvm.fabs.f64(double %.411.i.1)
   %.416.i.1 = fdiv double %.412.i.1, 3.000000e+00
-  %.10.i.i.1 = fcmp ogt double %.416.i.1, %largest.2.i.1558.1
-  %.11.i.i.1 = select i1 %.10.i.i.1, double %.416.i.1, double %largest.2.i.1558.1
-  %exitcond572.not.1 = icmp eq i64 %arg.n, %.246.i.1
-  br i1 %exitcond572.not.1, label %B338.i.1, label %B82.if.i.1
+  %.10.i.i.1 = fcmp ogt double %.416.i.1, %largest.2.i.1557.1
+  %.11.i.i.1 = select i1 %.10.i.i.1, double %.416.i.1, double %largest.2.i.1557.1
+  %exitcond571.not.1 = icmp eq i64 %arg.n, %.246.i.1
+  br i1 %exitcond571.not.1, label %B338.i.1, label %B82.if.i.1
 
 B338.i.1:                                         ; preds = %B82.if.i.1, %B338.i
   %largest.2.i.1.lcssa.1 = phi double [ 0.000000e+00, %B338.i ], [ %.11.i.i.1, %B82.if.i.1 ]
   %.465.i.1 = fcmp ogt double %largest.2.i.1.lcssa.1, %most.3.i.1
   %odd.3.i.1.1 = zext i1 %.465.i.1 to i64
   %most.3.i.1.1 = select i1 %.465.i.1, double %largest.2.i.1.lcssa.1, double %most.3.i.1
-  br i1 %.233.i555.not, label %B338.i.2, label %B82.if.i.lr.ph.2
+  br i1 %.233.i554.not, label %B338.i.2, label %B82.if.i.lr.ph.2
 
 B82.if.i.lr.ph.2:                                 ; preds = %B338.i.1
   %.idx.2 = mul i64 %arg.n, 48
   %invariant.gep23 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx.2
-  %.idx577.2 = shl i64 %arg.n, 4
-  %invariant.gep25 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx577.2
+  %.idx576.2 = shl i64 %arg.n, 4
+  %invariant.gep25 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx576.2
   %.idx5 = mul i64 %arg.n, 40
   %invariant.gep27 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx5
   %.idx6 = shl i64 %arg.n, 5
@@ -8013,40 +8013,40 @@ B82.if.i.lr.ph.2:                                 ; preds = %B338.i.1
   br label %B82.if.i.2
 
 B82.if.i.2:                                       ; preds = %B82.if.i.2, %B82.if.i.lr.ph.2
-  %largest.2.i.1558.2 = phi double [ 0.000000e+00, %B82.if.i.lr.ph.2 ], [ %.11.i.i.2, %B82.if.i.2 ]
-  %.177.i.0556.2 = phi i64 [ 0, %B82.if.i.lr.ph.2 ], [ %.246.i.2, %B82.if.i.2 ]
-  %.246.i.2 = add nsw i64 %.177.i.0556.2, 1
-  %gep24 = getelementptr double, ptr %invariant.gep23, i64 %.177.i.0556.2
+  %largest.2.i.1557.2 = phi double [ 0.000000e+00, %B82.if.i.lr.ph.2 ], [ %.11.i.i.2, %B82.if.i.2 ]
+  %.177.i.0555.2 = phi i64 [ 0, %B82.if.i.lr.ph.2 ], [ %.246.i.2, %B82.if.i.2 ]
+  %.246.i.2 = add nsw i64 %.177.i.0555.2, 1
+  %gep24 = getelementptr double, ptr %invariant.gep23, i64 %.177.i.0555.2
   %.303.i.2 = load double, ptr %gep24, align 8, !noalias !406
-  %gep26 = getelementptr double, ptr %invariant.gep25, i64 %.177.i.0556.2
+  %gep26 = getelementptr double, ptr %invariant.gep25, i64 %.177.i.0555.2
   %.336.i.2 = load double, ptr %gep26, align 8, !noalias !406
   %.337.i.2 = fsub double %.303.i.2, %.336.i.2
-  %gep28 = getelementptr double, ptr %invariant.gep27, i64 %.177.i.0556.2
+  %gep28 = getelementptr double, ptr %invariant.gep27, i64 %.177.i.0555.2
   %.373.i.2 = load double, ptr %gep28, align 8, !noalias !406
-  %gep30 = getelementptr double, ptr %invariant.gep29, i64 %.177.i.0556.2
+  %gep30 = getelementptr double, ptr %invariant.gep29, i64 %.177.i.0555.2
   %.408.i.2 = load double, ptr %gep30, align 8, !noalias !406
   %.409.i.2 = fsub double %.373.i.2, %.408.i.2
   %.410.i.2 = fmul double %.409.i.2, 4.000000e+00
   %.411.i.2 = fsub double %.410.i.2, %.337.i.2
   %.412.i.2 = tail call double @llvm.fabs.f64(double %.411.i.2)
   %.416.i.2 = fdiv double %.412.i.2, 3.000000e+00
-  %.10.i.i.2 = fcmp ogt double %.416.i.2, %largest.2.i.1558.2
-  %.11.i.i.2 = select i1 %.10.i.i.2, double %.416.i.2, double %largest.2.i.1558.2
-  %exitcond572.not.2 = icmp eq i64 %arg.n, %.246.i.2
-  br i1 %exitcond572.not.2, label %B338.i.2, label %B82.if.i.2
+  %.10.i.i.2 = fcmp ogt double %.416.i.2, %largest.2.i.1557.2
+  %.11.i.i.2 = select i1 %.10.i.i.2, double %.416.i.2, double %largest.2.i.1557.2
+  %exitcond571.not.2 = icmp eq i64 %arg.n, %.246.i.2
+  br i1 %exitcond571.not.2, label %B338.i.2, label %B82.if.i.2
 
 B338.i.2:                                         ; preds = %B82.if.i.2, %B338.i.1
   %largest.2.i.1.lcssa.2 = phi double [ 0.000000e+00, %B338.i.1 ], [ %.11.i.i.2, %B82.if.i.2 ]
   %.465.i.2 = fcmp ogt double %largest.2.i.1.lcssa.2, %most.3.i.1.1
   %odd.3.i.1.2 = select i1 %.465.i.2, i64 2, i64 %odd.3.i.1.1
   %most.3.i.1.2 = select i1 %.465.i.2, double %largest.2.i.1.lcssa.2, double %most.3.i.1.1
-  br i1 %.233.i555.not, label %B338.i.3, label %B82.if.i.lr.ph.3
+  br i1 %.233.i554.not, label %B338.i.3, label %B82.if.i.lr.ph.3
 
 B82.if.i.lr.ph.3:                                 ; preds = %B338.i.2
   %.idx.3 = mul i64 %arg.n, 48
   %invariant.gep31 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx.3
-  %.idx577.3 = shl i64 %arg.n, 4
-  %invariant.gep33 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx577.3
+  %.idx576.3 = shl i64 %arg.n, 4
+  %invariant.gep33 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx576.3
   %.idx7 = mul i64 %arg.n, 48
   %invariant.gep35 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx7
   %.idx8 = mul i64 %arg.n, 40
@@ -8054,41 +8054,41 @@ B82.if.i.lr.ph.3:                                 ; preds = %B338.i.2
   br label %B82.if.i.3
 
 B82.if.i.3:                                       ; preds = %B82.if.i.3, %B82.if.i.lr.ph.3
-  %largest.2.i.1558.3 = phi double [ 0.000000e+00, %B82.if.i.lr.ph.3 ], [ %.11.i.i.3, %B82.if.i.3 ]
-  %.177.i.0556.3 = phi i64 [ 0, %B82.if.i.lr.ph.3 ], [ %.246.i.3, %B82.if.i.3 ]
-  %.246.i.3 = add nsw i64 %.177.i.0556.3, 1
-  %gep32 = getelementptr double, ptr %invariant.gep31, i64 %.177.i.0556.3
+  %largest.2.i.1557.3 = phi double [ 0.000000e+00, %B82.if.i.lr.ph.3 ], [ %.11.i.i.3, %B82.if.i.3 ]
+  %.177.i.0555.3 = phi i64 [ 0, %B82.if.i.lr.ph.3 ], [ %.246.i.3, %B82.if.i.3 ]
+  %.246.i.3 = add nsw i64 %.177.i.0555.3, 1
+  %gep32 = getelementptr double, ptr %invariant.gep31, i64 %.177.i.0555.3
   %.303.i.3 = load double, ptr %gep32, align 8, !noalias !406
-  %gep34 = getelementptr double, ptr %invariant.gep33, i64 %.177.i.0556.3
+  %gep34 = getelementptr double, ptr %invariant.gep33, i64 %.177.i.0555.3
   %.336.i.3 = load double, ptr %gep34, align 8, !noalias !406
   %.337.i.3 = fsub double %.303.i.3, %.336.i.3
-  %gep36 = getelementptr double, ptr %invariant.gep35, i64 %.177.i.0556.3
+  %gep36 = getelementptr double, ptr %invariant.gep35, i64 %.177.i.0555.3
   %.373.i.3 = load double, ptr %gep36, align 8, !noalias !406
-  %gep38 = getelementptr double, ptr %invariant.gep37, i64 %.177.i.0556.3
+  %gep38 = getelementptr double, ptr %invariant.gep37, i64 %.177.i.0555.3
   %.408.i.3 = load double, ptr %gep38, align 8, !noalias !406
   %.409.i.3 = fsub double %.373.i.3, %.408.i.3
   %.410.i.3 = fmul double %.409.i.3, 4.000000e+00
   %.411.i.3 = fsub double %.410.i.3, %.337.i.3
   %.412.i.3 = tail call double @llvm.fabs.f64(double %.411.i.3)
   %.416.i.3 = fdiv double %.412.i.3, 3.000000e+00
-  %.10.i.i.3 = fcmp ogt double %.416.i.3, %largest.2.i.1558.3
-  %.11.i.i.3 = select i1 %.10.i.i.3, double %.416.i.3, double %largest.2.i.1558.3
-  %exitcond572.not.3 = icmp eq i64 %arg.n, %.246.i.3
-  br i1 %exitcond572.not.3, label %B338.i.3, label %B82.if.i.3
+  %.10.i.i.3 = fcmp ogt double %.416.i.3, %largest.2.i.1557.3
+  %.11.i.i.3 = select i1 %.10.i.i.3, double %.416.i.3, double %largest.2.i.1557.3
+  %exitcond571.not.3 = icmp eq i64 %arg.n, %.246.i.3
+  br i1 %exitcond571.not.3, label %B338.i.3, label %B82.if.i.3
 
 B338.i.3:                                         ; preds = %B82.if.i.3, %B338.i.2
   %largest.2.i.1.lcssa.3 = phi double [ 0.000000e+00, %B338.i.2 ], [ %.11.i.i.3, %B82.if.i.3 ]
   %.465.i.3 = fcmp ogt double %largest.2.i.1.lcssa.3, %most.3.i.1.2
   %odd.3.i.1.3 = select i1 %.465.i.3, i64 3, i64 %odd.3.i.1.2
   %.336 = add nsw i64 %odd.3.i.1.3, 2
-  %.106.i35563.not = icmp slt i64 %arg.n, 1
-  br i1 %.106.i35563.not, label %B34.i146.preheader, label %B34.if.i.lr.ph
+  %.106.i35562.not = icmp slt i64 %arg.n, 1
+  br i1 %.106.i35562.not, label %B34.i146.preheader, label %B34.if.i.lr.ph
 
 B82.if.i.lr.ph:                                   ; preds = %B44.i.preheader
   %.idx = mul i64 %arg.n, 48
   %invariant.gep = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx
-  %.idx577 = shl i64 %arg.n, 4
-  %invariant.gep9 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx577
+  %.idx576 = shl i64 %arg.n, 4
+  %invariant.gep9 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx576
   %.idx1 = mul i64 %arg.n, 24
   %invariant.gep11 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx1
   %.idx2 = shl i64 %arg.n, 4
@@ -8096,38 +8096,38 @@ B82.if.i.lr.ph:                                   ; preds = %B44.i.preheader
   br label %B82.if.i
 
 B82.if.i:                                         ; preds = %B82.if.i.lr.ph, %B82.if.i
-  %largest.2.i.1558 = phi double [ 0.000000e+00, %B82.if.i.lr.ph ], [ %.11.i.i, %B82.if.i ]
-  %.177.i.0556 = phi i64 [ 0, %B82.if.i.lr.ph ], [ %.246.i, %B82.if.i ]
-  %.246.i = add nsw i64 %.177.i.0556, 1
-  %gep = getelementptr double, ptr %invariant.gep, i64 %.177.i.0556
+  %largest.2.i.1557 = phi double [ 0.000000e+00, %B82.if.i.lr.ph ], [ %.11.i.i, %B82.if.i ]
+  %.177.i.0555 = phi i64 [ 0, %B82.if.i.lr.ph ], [ %.246.i, %B82.if.i ]
+  %.246.i = add nsw i64 %.177.i.0555, 1
+  %gep = getelementptr double, ptr %invariant.gep, i64 %.177.i.0555
   %.303.i = load double, ptr %gep, align 8, !noalias !406
-  %gep10 = getelementptr double, ptr %invariant.gep9, i64 %.177.i.0556
+  %gep10 = getelementptr double, ptr %invariant.gep9, i64 %.177.i.0555
   %.336.i = load double, ptr %gep10, align 8, !noalias !406
   %.337.i = fsub double %.303.i, %.336.i
-  %gep12 = getelementptr double, ptr %invariant.gep11, i64 %.177.i.0556
+  %gep12 = getelementptr double, ptr %invariant.gep11, i64 %.177.i.0555
   %.373.i = load double, ptr %gep12, align 8, !noalias !406
-  %gep14 = getelementptr double, ptr %invariant.gep13, i64 %.177.i.0556
+  %gep14 = getelementptr double, ptr %invariant.gep13, i64 %.177.i.0555
   %.408.i = load double, ptr %gep14, align 8, !noalias !406
   %.409.i = fsub double %.373.i, %.408.i
   %.410.i = fmul double %.409.i, 4.000000e+00
   %.411.i = fsub double %.410.i, %.337.i
   %.412.i = tail call double @llvm.fabs.f64(double %.411.i)
   %.416.i = fdiv double %.412.i, 3.000000e+00
-  %.10.i.i = fcmp ogt double %.416.i, %largest.2.i.1558
-  %.11.i.i = select i1 %.10.i.i, double %.416.i, double %largest.2.i.1558
-  %exitcond572.not = icmp eq i64 %arg.n, %.246.i
-  br i1 %exitcond572.not, label %B338.i, label %B82.if.i
+  %.10.i.i = fcmp ogt double %.416.i, %largest.2.i.1557
+  %.11.i.i = select i1 %.10.i.i, double %.416.i, double %largest.2.i.1557
+  %exitcond571.not = icmp eq i64 %arg.n, %.246.i
+  br i1 %exitcond571.not, label %B338.i, label %B82.if.i
 
 B68.if:                                           ; preds = %entry, %_ZN5pages10rate_jumps9put_ratesB3v63B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit
-  %.134.0553 = phi i64 [ 1, %entry ], [ %.205, %_ZN5pages10rate_jumps9put_ratesB3v63B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit ]
-  %.205 = add nsw i64 %.134.0553, 1
-  %.232 = uitofp i64 %.134.0553 to double
+  %.134.0552 = phi i64 [ 1, %entry ], [ %.205, %_ZN5pages10rate_jumps9put_ratesB3v63B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit ]
+  %.205 = add nsw i64 %.134.0552, 1
+  %.232 = uitofp i64 %.134.0552 to double
   %.233 = fmul double %.104, %.232
   %.235 = fadd double %arg.low, %.233
-  %.236 = add nsw i64 %.134.0553, 2
-  %.148.i = load double, ptr %.147.i549, align 8, !noalias !410
+  %.236 = add nsw i64 %.134.0552, 2
+  %.156.i = load double, ptr %.155.i, align 8, !noalias !410
   %.93.i.i = load double, ptr %arg.numbers.4, align 8, !noalias !413
-  %.149.i.i = fmul double %.235, %.148.i
+  %.149.i.i = fmul double %.235, %.156.i
   %.150.i.i = fadd double %.93.i.i, %.149.i.i
   store double %.150.i.i, ptr %.203.i.i, align 8, !noalias !413
   br i1 %.287.i531.not.i, label %_ZN5pages10rate_jumps9put_ratesB3v63B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.critedge, label %B122.if.i.lr.ph.i
@@ -8177,14 +8177,14 @@ B122.if.i.i:                                      ; preds = %B122.if.i.i, %B122.
 
 B0.endif.i:                                       ; preds = %B122.if.i.i
   %.227.i = load i64, ptr %arg.code.4, align 8, !noalias !410
-  %.339.i550 = inttoptr i64 %.227.i to ptr
-  tail call void %.339.i550(ptr nonnull %.203.i.i, ptr %.313.i, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.338.i), !noalias !410
+  %.339.i549 = inttoptr i64 %.227.i to ptr
+  tail call void %.339.i549(ptr nonnull %.203.i.i, ptr %.313.i, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.338.i), !noalias !410
   %.655.i = mul nsw i64 %.236, %arg.n
   %invariant.gep39 = getelementptr double, ptr %arg.arrays.0.4, i64 %.655.i
-  br label %B298.if.i
+  br label %B296.if.i
 
-B298.if.i:                                        ; preds = %B298.if.i, %B0.endif.i
-  %.365.0539.i = phi i64 [ 0, %B0.endif.i ], [ %.434.i, %B298.if.i ]
+B296.if.i:                                        ; preds = %B296.if.i, %B0.endif.i
+  %.365.0539.i = phi i64 [ 0, %B0.endif.i ], [ %.434.i, %B296.if.i ]
   %.488.i = load double, ptr %.487.i, align 8, !noalias !410
   %.518.i = load double, ptr %arg.tolerances.4, align 8, !noalias !410
   %16 = getelementptr double, ptr %arg.arrays.0.4, i64 %.365.0539.i
@@ -8193,27 +8193,27 @@ B298.if.i:                                        ; preds = %B298.if.i, %B0.endi
   %17 = getelementptr double, ptr %16, i64 %.296.i
   %.582.i = load double, ptr %17, align 8, !noalias !410
   %.583.i = tail call double @llvm.fabs.f64(double %.582.i)
-  %.10.i.i551 = fcmp ogt double %.583.i, %.549.i
-  %.11.i.i552 = select i1 %.10.i.i551, double %.583.i, double %.549.i
-  %.612.i = fmul double %.518.i, %.11.i.i552
+  %.10.i.i550 = fcmp ogt double %.583.i, %.549.i
+  %.11.i.i551 = select i1 %.10.i.i550, double %.583.i, double %.549.i
+  %.612.i = fmul double %.518.i, %.11.i.i551
   %.613.i = fadd double %.488.i, %.612.i
   %18 = getelementptr double, ptr %16, i64 %.298.i
   %.646.i = load double, ptr %18, align 8, !noalias !410
-  %.648.i = fmul double %.148.i, %.646.i
+  %.648.i = fmul double %.156.i, %.646.i
   %.652.i = fdiv double %.648.i, %.613.i
   %gep40 = getelementptr double, ptr %invariant.gep39, i64 %.365.0539.i
   store double %.652.i, ptr %gep40, align 8, !noalias !410
   %.434.i = add nsw i64 %.365.0539.i, 1
   %exitcond543.not.i = icmp eq i64 %arg.n, %.434.i
-  br i1 %exitcond543.not.i, label %_ZN5pages10rate_jumps9put_ratesB3v63B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B298.if.i
+  br i1 %exitcond543.not.i, label %_ZN5pages10rate_jumps9put_ratesB3v63B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit, label %B296.if.i
 
 _ZN5pages10rate_jumps9put_ratesB3v63B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.critedge: ; preds = %B68.if
   %.227.i.c = load i64, ptr %arg.code.4, align 8, !noalias !410
-  %.339.i550.c = inttoptr i64 %.227.i.c to ptr
-  tail call void %.339.i550.c(ptr nonnull %.203.i.i, ptr %.313.i.c, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.338.i.c), !noalias !410
+  %.339.i549.c = inttoptr i64 %.227.i.c to ptr
+  tail call void %.339.i549.c(ptr nonnull %.203.i.i, ptr %.313.i.c, ptr %arg.arrays.1.4, ptr %arg.arrays.2.4, ptr %arg.arrays.3.4, ptr %.338.i.c), !noalias !410
   br label %_ZN5pages10rate_jumps9put_ratesB3v63B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit
 
-_ZN5pages10rate_jumps9put_ratesB3v63B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit: ; preds = %B298.if.i, %_ZN5pages10rate_jumps9put_ratesB3v63B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.critedge
+_ZN5pages10rate_jumps9put_ratesB3v63B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit: ; preds = %B296.if.i, %_ZN5pages10rate_jumps9put_ratesB3v63B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dEdx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi5EE.exit.critedge
   %exitcond.not = icmp eq i64 %.205, 4
   br i1 %exitcond.not, label %B44.i.preheader, label %B68.if
 
@@ -8221,61 +8221,61 @@ B34.if.i.lr.ph:                                   ; preds = %B338.i.3
   %.337 = add nsw i64 %odd.3.i.1.3, 3
   %.146.i45 = mul nsw i64 %.337, %arg.n
   %invariant.gep41 = getelementptr double, ptr %arg.arrays.0.4, i64 %.146.i45
-  %.idx578 = mul i64 %arg.n, 56
-  %invariant.gep43 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx578
+  %.idx577 = mul i64 %arg.n, 56
+  %invariant.gep43 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx577
   br label %B34.if.i
 
 B34.i146.preheader:                               ; preds = %B34.if.i, %B338.i.3
-  %.106.i151566.not = icmp slt i64 %arg.n, 1
-  br i1 %.106.i151566.not, label %B34.i304.preheader, label %B34.if.i226.lr.ph
+  %.106.i151565.not = icmp slt i64 %arg.n, 1
+  br i1 %.106.i151565.not, label %B34.i304.preheader, label %B34.if.i226.lr.ph
 
 B34.if.i226.lr.ph:                                ; preds = %B34.i146.preheader
   %.146.i171 = mul nsw i64 %.336, %arg.n
   %invariant.gep45 = getelementptr double, ptr %arg.arrays.0.4, i64 %.146.i171
-  %.idx579 = shl i64 %arg.n, 4
-  %invariant.gep47 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx579
+  %.idx578 = shl i64 %arg.n, 4
+  %invariant.gep47 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx578
   br label %B34.if.i226
 
 B34.if.i:                                         ; preds = %B34.if.i.lr.ph, %B34.if.i
-  %.48.i12.0564 = phi i64 [ 0, %B34.if.i.lr.ph ], [ %.119.i, %B34.if.i ]
-  %.119.i = add nsw i64 %.48.i12.0564, 1
-  %gep42 = getelementptr double, ptr %invariant.gep41, i64 %.48.i12.0564
+  %.48.i12.0563 = phi i64 [ 0, %B34.if.i.lr.ph ], [ %.119.i, %B34.if.i ]
+  %.119.i = add nsw i64 %.48.i12.0563, 1
+  %gep42 = getelementptr double, ptr %invariant.gep41, i64 %.48.i12.0563
   %.177.i59 = load double, ptr %gep42, align 8, !noalias !421
-  %gep44 = getelementptr double, ptr %invariant.gep43, i64 %.48.i12.0564
+  %gep44 = getelementptr double, ptr %invariant.gep43, i64 %.48.i12.0563
   store double %.177.i59, ptr %gep44, align 8, !noalias !421
-  %exitcond574.not = icmp eq i64 %arg.n, %.119.i
-  br i1 %exitcond574.not, label %B34.i146.preheader, label %B34.if.i
+  %exitcond573.not = icmp eq i64 %arg.n, %.119.i
+  br i1 %exitcond573.not, label %B34.i146.preheader, label %B34.if.i
 
 B34.i304.preheader:                               ; preds = %B34.if.i226, %B34.i146.preheader
-  %.106.i309569.not = icmp slt i64 %arg.n, 1
-  br i1 %.106.i309569.not, label %B144.endif.endif.endif.endif, label %B34.if.i384.preheader
+  %.106.i309568.not = icmp slt i64 %arg.n, 1
+  br i1 %.106.i309568.not, label %B144.endif.endif.endif.endif, label %B34.if.i384.preheader
 
 B34.if.i384.preheader:                            ; preds = %B34.i304.preheader
-  %.idx580 = mul i64 %arg.n, 56
-  %invariant.gep49 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx580
-  %.idx581 = mul i64 %arg.n, 48
-  %invariant.gep51 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx581
+  %.idx579 = mul i64 %arg.n, 56
+  %invariant.gep49 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx579
+  %.idx580 = mul i64 %arg.n, 48
+  %invariant.gep51 = getelementptr i8, ptr %arg.arrays.0.4, i64 %.idx580
   br label %B34.if.i384
 
 B34.if.i226:                                      ; preds = %B34.if.i226.lr.ph, %B34.if.i226
-  %.48.i102.0567 = phi i64 [ 0, %B34.if.i226.lr.ph ], [ %.119.i233, %B34.if.i226 ]
-  %.119.i233 = add nsw i64 %.48.i102.0567, 1
-  %gep46 = getelementptr double, ptr %invariant.gep45, i64 %.48.i102.0567
+  %.48.i102.0566 = phi i64 [ 0, %B34.if.i226.lr.ph ], [ %.119.i233, %B34.if.i226 ]
+  %.119.i233 = add nsw i64 %.48.i102.0566, 1
+  %gep46 = getelementptr double, ptr %invariant.gep45, i64 %.48.i102.0566
   %.177.i196 = load double, ptr %gep46, align 8, !noalias !425
-  %gep48 = getelementptr double, ptr %invariant.gep47, i64 %.48.i102.0567
+  %gep48 = getelementptr double, ptr %invariant.gep47, i64 %.48.i102.0566
   store double %.177.i196, ptr %gep48, align 8, !noalias !425
-  %exitcond575.not = icmp eq i64 %arg.n, %.119.i233
-  br i1 %exitcond575.not, label %B34.i304.preheader, label %B34.if.i226
+  %exitcond574.not = icmp eq i64 %arg.n, %.119.i233
+  br i1 %exitcond574.not, label %B34.i304.preheader, label %B34.if.i226
 
 B34.if.i384:                                      ; preds = %B34.if.i384.preheader, %B34.if.i384
-  %.48.i260.0571 = phi i64 [ %.119.i391, %B34.if.i384 ], [ 0, %B34.if.i384.preheader ]
-  %.119.i391 = add nsw i64 %.48.i260.0571, 1
-  %gep50 = getelementptr double, ptr %invariant.gep49, i64 %.48.i260.0571
+  %.48.i260.0570 = phi i64 [ %.119.i391, %B34.if.i384 ], [ 0, %B34.if.i384.preheader ]
+  %.119.i391 = add nsw i64 %.48.i260.0570, 1
+  %gep50 = getelementptr double, ptr %invariant.gep49, i64 %.48.i260.0570
   %.177.i354 = load double, ptr %gep50, align 8, !noalias !429
-  %gep52 = getelementptr double, ptr %invariant.gep51, i64 %.48.i260.0571
+  %gep52 = getelementptr double, ptr %invariant.gep51, i64 %.48.i260.0570
   store double %.177.i354, ptr %gep52, align 8, !noalias !429
-  %exitcond576.not = icmp eq i64 %arg.n, %.119.i391
-  br i1 %exitcond576.not, label %B144.endif.endif.endif.endif, label %B34.if.i384
+  %exitcond575.not = icmp eq i64 %arg.n, %.119.i391
+  br i1 %exitcond575.not, label %B144.endif.endif.endif.endif, label %B34.if.i384
 
 B144.endif.endif.endif.endif:                     ; preds = %B34.if.i384, %B34.i304.preheader
   %most.3.i.1.3 = select i1 %.465.i.3, double %largest.2.i.1.lcssa.3, double %most.3.i.1.2

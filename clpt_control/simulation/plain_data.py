@@ -115,12 +115,12 @@ def _system(system: Any, numbers: list[Any], functions: list[Any]) -> Any:
     if not isinstance(system, control.NonlinearIOSystem):
         raise Unread("cannot be wired")
     labels = *system.input_index, *system.output_index, *(system.state_index or ())
-    own = id(system), system.name, system.dt, labels
+    own: tuple = id(system), system.name, system.dt, labels
     if isinstance(system, Sampled):
         inner = system.inner
         numbers += inner.params.values() if isinstance(inner, System) else ()
-        given = id(system.parameters), system.period
-        return *own, *given, *_system(inner, numbers, functions)
+        own = *own, id(system.parameters), system.period
+        return *own, *_system(inner, numbers, functions)
     if isinstance(system, Block):  # what is the package's own is not traced again
         functions += [] if system.of_package else [f for f, _ in system._roles.values()]
         numbers.append(system.parameters)  # which stay alive

@@ -125,12 +125,15 @@ def test_jumps_are_shown():
         assert shown == "m' = -interval*m\nm+ = m/2"
 
 
-def test_what_samples_or_cannot_be_read_is_refused():
+def test_what_samples_is_printed_by_its_updates():
     rate = lambda t, x, u, p: {"y": u.v - x.y}  # noqa: E731
     law = clpt.Block("held", update=rate, inputs={"v": 1}, states={"y": 1})
     loop = clpt.connect([clpt.equations.Sampled(law, 0.5)], external="v")
-    for read in (clpt.equations, clpt.linearize):
-        says(clpt.DiagramError, "held: samples its inputs", read, loop)
+    lines = "held.y+ (each 0.5) = held.y/2 + held_v/2\nheld_v+ (each 0.5) = v(t)"
+    assert repr(clpt.equations(loop)) == lines
+
+
+def test_what_cannot_be_traced_is_refused():
     dice = clpt.Block("dice", update=lambda t, x, u, p: x * random.random(), states={"y": 1})
     says(clpt.DiagramError, "dice", clpt.equations, dice)
 

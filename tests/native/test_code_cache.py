@@ -124,7 +124,7 @@ def test_the_name_changes_with_what_is_compiled(monkeypatch):
 def test_the_text_of_the_solver_is_of_its_source():
     """`make solver` prints it anew."""
     root, wanted = Path(__file__).parents[2], hashlib.sha256()
-    for page in ("numbering", "looks", "kinks", "rate_jumps", "implicit", "pieces", "solver"):
+    for page in ("numbering", "looks", "kinks", "implicit", "pieces", "rate_jumps", "solver"):
         wanted.update((root / "clpt_control" / "native" / f"{page}.py").read_bytes())
     wanted.update((root / "tools" / "print_solver.py").read_bytes())
     first, text = machine.TEXT.read_text("utf-8").split("\n", 1)

@@ -30,7 +30,7 @@ WRONG = {
     'return {"z": u[0]}': r"returns \['z'\]; must return \['y'\]",
     'return {"y": u}': r"returns y of shape \(2,\); must be \(1,\)",
     "return None": r"returns nothing; must return \['y'\]",
-    "return 'a'": "could not convert string to float",
+    "return 'a'": "returns 'a'; must return numbers",
     "return lookup(p.m, u[0])": "returns 2 numbers; must return 1",
 }
 

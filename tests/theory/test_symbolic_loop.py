@@ -13,7 +13,7 @@ from clpt_control.diagrams.interconnection import connect
 from clpt_control.equations.arrays import Tape, Unread
 from clpt_control.equations.block import Block
 from clpt_control.equations.derivative import Direction
-from clpt_control.equations.symbolic import SUM, EveryN
+from clpt_control.theory.proving.every_n import SUM, EveryN
 from clpt_control.theory.proving.running_rate import PointSearch
 from clpt_control.theory.proving.signs import vanishes
 from clpt_control.theory.proving.symbolic_loop import ArrayLoop, symbolic_loop

@@ -15,8 +15,8 @@ from sympy.core.function import AppliedUndef
 
 from ...equations.block import Block
 from ...equations.elements import Index
-from ...equations.symbolic import base_and_term, reindexed
 from ..squares import never_positive, positive_definite, states_beside
+from .every_n import base_and_term, reindexed
 from .leaks import Bound
 from .proof import Step, checked, exact, short
 from .signs import dead_zone, rising_in, tidied, vanishes

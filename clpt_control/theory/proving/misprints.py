@@ -14,7 +14,7 @@ import sympy
 
 from ...blocks import flow
 from ...blocks.laws.law import LEARNED
-from ...equations.symbolic import expressions
+from ...equations.symbolic import Symbols
 from ...simulation.loops import error_loop
 from .lemmas import errors, wanted_rates
 from .proof import checked
@@ -188,7 +188,9 @@ def gaussian(printed: bool) -> Any:
     kernel, one = "exponential" if printed else "gaussian", (np.zeros((1, 2)), np.ones(1))
     block = flow.flow_basis("basis_x", "x", kernel, *one, np.zeros(1), np.zeros(1))
     known = {("u", "x", (0,)): d, ("p", "widths", (0,)): width}  # all else is zero
-    phi = expressions(block, "output", lambda at, shape, k: known.get((*at, k), 0))[0]
+    record = block.array_record("output")
+    leaf = lambda at, shape, k: known.get((*at, k), 0)  # noqa: E731
+    phi = Symbols(record.operations, leaf, sizes=block.sizes).outputs(record)[0]
     return sympy.diff(sympy.expand_log(sympy.log(phi), force=True), d, 2) + 1 / width**2
 
 

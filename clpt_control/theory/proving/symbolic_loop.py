@@ -27,8 +27,9 @@ from ...equations.declaration import Parameters
 from ...equations.derivative import Direction
 from ...equations.elements import Index
 from ...equations.record import Shape
-from ...equations.symbolic import LONG, EveryN, extent
+from ...equations.symbolic import LONG, extent
 from ...errors import DiagramError
+from .every_n import EveryN
 from .symbols import PaperNames, parameter_symbol, undefined
 from .words import NUMBERS_OF, along, is_input
 

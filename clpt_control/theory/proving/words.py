@@ -26,7 +26,8 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from ...diagrams.symbol_names import TIME
-from ...equations.symbolic import ON_NUMBERS, SUM
+from ...equations.symbolic import ON_NUMBERS
+from .every_n import SUM
 
 INSIDE = sympy.Function("inside", real=True)  # 1 where clip(s, a, b) is s, else 0
 CLIP = sympy.Function("clip", real=True)
