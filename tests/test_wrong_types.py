@@ -76,6 +76,7 @@ OF_THE_ENGINE = {  # called at each step, and checked by no one
     "FixModel": ("regressor", "noise", "transition", "reached"),
     "NativeDiagram": ("callee", "lanes", "parameters", "with_parameters", "in_form"),
     "Sampled": ("samples_at", "values"),
+    "Diagram": ("linearize",),  # it is python-control's
     "Replay": ("surfacing", "start", "imagine", "feed"),
 }
 RESULTS = ("Verdict", "ConformanceReport", "FlowEstimate", "Diagram")  # which nobody makes by hand

@@ -69,7 +69,7 @@ class Diagram(control.InterconnectedSystem):
         """Return nothing in place of python-control's, which would repeat the drawing."""
 
     def linearize(self, *point: Any, **more: Any) -> control.StateSpace:
-        """Linearize by python-control; refuse sampled blocks, whose samples it does not see."""
+        """Linearize as python-control does; refuse sampled blocks."""
         names = [name for name, block in blocks_of(self) if isinstance(block, Sampled)]
         if names:
             raise DiagramError(

@@ -135,6 +135,7 @@ class _About:
                 now[place] = self.beside([values], none)[:, 0]
         return now
 
+    @np.errstate(all="ignore")  # of paths that are not taken at the point
     def check(self, values: Mapping[str, Any]) -> None:
         """Warn where a value has a kink at the point; refuse where one jumps.
 

@@ -47,7 +47,6 @@ from .pure import (
     CLOCK,
     CLOCKS,
     IMMUTABLE,
-    LOGGER_CHANGES,
     OUTSIDE,
     PACKAGE,
     PLAIN_BASES,
@@ -192,8 +191,6 @@ class _Walk:
             self._refuse(reason(self.label or value.__name__, value))
             return id(value)
         if isinstance(value, logging.Logger | logging.LoggerAdapter):
-            if not LOGGER_CHANGES.isdisjoint(self.names):
-                self._refuse("changes a logger; change it before the run")
             return "logger", id(value)
         if isinstance(value, CHANCE):
             self._refuse(UNSEEDED)
@@ -216,10 +213,10 @@ class _Walk:
         """Return the key of a tuple, list, dict or frozenset, or of an object of a plain class."""
         if isinstance(value, tuple) and is_library(root_of(kind)):  # also sys.float_info
             return kind, *self._items(value)
-        if root_of(kind) == PACKAGE:
-            return id(value)
         if not _is_plain(kind):
             self._refuse_object(kind)
+            return id(value)
+        if root_of(kind) == PACKAGE:
             return id(value)
         key: list[Any] = [self._class(kind)]
         if isinstance(value, tuple):

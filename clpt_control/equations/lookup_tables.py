@@ -76,30 +76,32 @@ def place_in(points: Any, x: Any, side: Any = "right", joints: str = "jumps") ->
 
 def pieces(xs: Any, rows: Any, x: Any, side: str = "right") -> Any:
     """Return the polynomial of the piece that x lies in; the outer ones go on."""
-    ends = reduce(lambda v, w: v * (xs[1:] - xs[:-1]) + w, rows)[:-1]
-    meet = np.allclose(ends, rows[-1][1:], 1e-12, 1e-12 * np.max(np.abs(rows[-1])))
-    k = place_in(xs[1:-1], x, side, "kinks" if meet else "jumps")
+    k = place_in(xs[1:-1], x, side, joints_of(xs, rows))
     s = x - lookup(xs, k)
     return reduce(lambda v, w: v * s + w, [lookup(row, k) for row in rows])
+
+
+def joints_of(xs: np.ndarray, rows: Any) -> str:
+    """Return whether neighbouring polynomials jump, bend, or are one curve but for rounding.
+
+    The curve that two of them stand for differs from them by an eighth of what separates them at
+    the end of the second.
+    """
+    apart = np.diff(xs)
+    size = np.max(np.abs(rows[-1]), initial=0.0)
+    lines = [row[:-1] for row in rows]
+    ends = reduce(lambda v, w: v * apart[:-1] + w, lines)
+    if not np.allclose(ends, rows[-1][1:], 1e-12, 1e-12 * size):
+        return "jumps"
+    further = reduce(lambda v, w: v * (apart[:-1] + apart[1:]) + w, lines)
+    nexts = reduce(lambda v, w: v * apart[1:] + w, [row[1:] for row in rows])
+    return "smooth" if np.all(np.abs(further - nexts) <= 8.0 * SMOOTH * size) else "kinks"
 
 
 def slopes(xs: np.ndarray, ys: Any) -> Any:
     """Return the slopes of straight lines between points; 0 between two of one place."""
     apart = np.diff(xs).reshape(-1, *[1] * (ys.ndim - 1))
     return (ys[1:] - ys[:-1]) / np.where(apart > 0.0, apart, np.inf)
-
-
-def joints_of(xs: np.ndarray, ys: Any) -> str:
-    """Return whether straight lines between points are a smooth curve, but for what rounding is.
-
-    A curve through the points differs from the lines by an eighth of the change of slope, times the
-    distance of the points.
-    """
-    if isinstance(ys, Array) or len(xs) < 3:
-        return "kinks"
-    apart = np.diff(xs)
-    size = np.abs(np.diff(slopes(xs, ys))) * np.maximum(apart[1:], apart[:-1]) / 8.0
-    return "smooth" if np.all(size <= SMOOTH * np.max(np.abs(ys))) else "kinks"
 
 
 def searched(points: Any, x: Any, side: str = "left", **more: Any) -> Any:
@@ -119,12 +121,16 @@ def interpolated(
     x: Any, xp: Any, fp: Any, left: Any = None, right: Any = None, period: Any = None
 ) -> Any:
     """Return np.interp(x, xp, fp), its constant ends as two more straight lines."""
-    if period is not None:
-        raise Unread("np.interp with a period; take the rest of x by %")
-    xp = increasing(xp, "np.interp")
     known = numbers_of(fp) if isinstance(fp, Array) else np.asarray(fp, dtype=float)
     ys = fp if known is None else known
-    k = place_in(xp, x, joints=joints_of(xp, ys) if left is None else "jumps")
+    if period is not None:
+        order = np.argsort(xp := np.asarray(xp, dtype=float) % period)
+        xp, ys, x = xp[order], ys[order], np.remainder(x, period)
+        xp = np.concatenate([xp[-1:] - period, xp, xp[:1] + period])
+        ys = np.concatenate([ys[-1:], ys, ys[:1]])
+    xp = increasing(xp, "np.interp")
+    inner = "kinks" if isinstance(ys, Array) else joints_of(xp, [slopes(xp, ys), ys[:-1]])
+    k = place_in(xp, x, joints=inner if left is None else "jumps")
     first = ys[:1] if left is None else np.full(1, float(left))
     flat = np.zeros(1)
     slope = lookup(np.concatenate([flat, slopes(xp, ys), flat]), k)

@@ -75,7 +75,6 @@ PURE_NAMES = frozenset(  # of other modules
     )
 )
 STREAMS = ("sys.stdout", "sys.stderr")  # silent while a function is traced, as loggers are
-LOGGER_CHANGES = frozenset(("setLevel", "addHandler", "removeHandler", "addFilter", "propagate"))
 PURE_SCIPY = tuple(
     f"scipy.{name}"
     for name in (

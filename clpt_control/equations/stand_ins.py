@@ -9,6 +9,7 @@ nothing is read, or where no signal is among their arguments.
 import bisect
 import builtins
 import functools
+import logging
 import math
 import sys
 from collections import deque
@@ -33,7 +34,7 @@ from .elementwise import (
 from .lookup_tables import function_of, searched
 from .number_types import TYPES, has, is_a, of_python, real_of, type_of
 from .numpy_functions import apply_function
-from .pure import UNSEEDED
+from .pure import OF_LOGGING, UNSEEDED
 from .ufuncs import LONG_ROW, apply_ufunc, least_of
 from .views import converted, copied, fresh, share, tape_of
 
@@ -278,6 +279,13 @@ def _refused(real: Callable, sentence: str) -> Callable:
     return function
 
 
+class SilentLogger:
+    """A logger that does nothing."""
+
+    def __getattr__(self, name: str) -> Callable:
+        return lambda *arguments, **more: None
+
+
 BISECT: dict[Any, Callable] = {
     bisect.bisect_left: lambda tape, row, value: searched(row, value, "left"),
     bisect.bisect_right: lambda tape, row, value: searched(row, value, "right"),
@@ -286,6 +294,8 @@ _KNOWN: dict[int, Any] = {
     **{id(real): StandIn(real, own) for real, own in BISECT.items()},
     id(np.random.default_rng): _refused(np.random.default_rng, UNSEEDED),
     id(np.errstate): errstate,
+    id(logging.getLogger): lambda *name: SilentLogger(),
+    **{id(getattr(logging, name)): getattr(SilentLogger(), name) for name in OF_LOGGING},
     id(np.r_): Joiner(np.r_, np.concatenate),
     id(np.c_): Joiner(np.c_, np.column_stack),
     **{id(real): made for real, made in TYPES.items()},
@@ -298,6 +308,8 @@ def stand_in(value: Any) -> Any:
     """Return what stands for a module, function, type or interpolator; else the value itself."""
     if (known := _KNOWN.get(id(value))) is not None:
         return known
+    if isinstance(value, logging.Logger | logging.LoggerAdapter):
+        return SilentLogger()
     if isinstance(value, ModuleType):
         return _KNOWN.setdefault(id(value), Module(value, stand_in))
     of_them = isinstance(value, FUNCTIONS) and any(

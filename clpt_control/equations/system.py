@@ -154,9 +154,10 @@ class System(Block):
     def _evaluate(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
         function, where = self._plan[role]
         returned = function(t, np.array(x), np.array(u), self._params_with(p))
+        values = flattened(f"{self.name}.{role}", returned, where, size, spreads=True)
         if size > 1 and np.size(returned) == 1:
             self._warn_of_spread(role)
-        return flattened(f"{self.name}.{role}", returned, where, size, spreads=True)
+        return values
 
     def _warn_of_spread(self, role: str) -> None:
         """Warn once of a function that returns one number for several states or outputs."""

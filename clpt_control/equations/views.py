@@ -285,7 +285,8 @@ def _picked(array: Array, *index: Any) -> Any:
 def _is_place(array: Array, index: tuple, axis: int) -> bool:
     """Return whether an index is one whole number that moves, of an array that is as it was."""
     place = index[axis]
-    plain = all(isinstance(one, int | slice) or getattr(one, "shape", 0) == () for one in index)
+    kinds = (int, slice, list) if array.ndim == 2 else (int, slice)
+    plain = all(isinstance(one, kinds) or getattr(one, "shape", 0) == () for one in index)
     known = all(isinstance(n, int) for n in array.shape) and axis < array.ndim
     counts = place._whole is True and moves(place) and not place.shape
     return plain and known and counts and array._written() is None and not in_a_try()

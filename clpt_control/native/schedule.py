@@ -65,20 +65,27 @@ class Inputs:
 
         A bend that leaves the line before it by `least` of the largest value is sharp, too.
         """
-        (at, u), slopes = self.samples, self.slopes[:, :-1]
-        if len(at) < 3:
-            return at[:0]
-        spans, size = at[1:] - at[:-1], np.max(np.abs(u), axis=1, keepdims=True)
-        bends = np.abs(slopes[:, 1:] - slopes[:, :-1])
-        rounding = 1e-12 * np.max(np.abs(slopes), axis=1, keepdims=True)
-        sharper = bends > SHARP * np.median(bends, axis=1, keepdims=True) + rounding
-        felt = bends * np.minimum(spans[1:], spans[:-1]) > (least + 1e-12) * size
-        return at[1:-1][np.any(sharper | felt, axis=0)]
+        sharp, felt = self._bends(least)
+        return self.samples[0][1:-1][sharp | felt]
 
     @property
     def bends_sharply_only(self) -> bool:
         """Whether inputs are straight but for bends so sharp that integration begins anew there."""
-        return len(self.sharp_bends(0.0)) == len(self.sharp_bends(np.inf))
+        sharp, felt = self._bends(0.0)
+        return bool(np.all(sharp | ~felt))
+
+    def _bends(self, least: float) -> tuple[np.ndarray, np.ndarray]:
+        """Return of each inner sample if inputs bend more than elsewhere, and if that is felt."""
+        (at, u), slopes = self.samples, self.slopes[:, :-1]
+        if len(at) < 3:
+            none = np.zeros(len(at[1:-1]), dtype=bool)
+            return none, none
+        spans, size = at[1:] - at[:-1], np.max(np.abs(u), axis=1, keepdims=True)
+        bends = np.abs(slopes[:, 1:] - slopes[:, :-1])
+        rounding = 1e-12 * np.max(np.abs(slopes), axis=1, keepdims=True)
+        sharp = bends > SHARP * np.median(bends, axis=1, keepdims=True) + rounding
+        felt = bends * np.minimum(spans[1:], spans[:-1]) > (least + 1e-12) * size
+        return np.any(sharp, axis=0), np.any(felt, axis=0)
 
     def along(self, times: np.ndarray) -> np.ndarray:
         """Return the inputs at times, shape (ninputs, nt)."""

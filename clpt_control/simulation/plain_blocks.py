@@ -20,6 +20,7 @@ from ..equations.ports import sized, sizes_of
 from ..equations.record import OPERATIONS, Operation, Record, Shape, bound
 from ..equations.sampled import Sampled, inner_parameters, other_equations
 from ..errors import BlockError
+from ..native.diagram_record import is_read
 
 KINDS = ("input", "output", "state")
 LARGEST = 10**7  # numbers of one value of a record
@@ -120,7 +121,9 @@ def plain_block(block: Block, name: str, p: Any, begin: float, end: float) -> di
         "name": name,
         **block.declared,
         "sizes": block.sizes,
-        "parameters": {name: _plain_value(value) for name, value in p._asdict().items()},
+        "parameters": {
+            name: _plain_value(value) for name, value in p._asdict().items() if is_read(block, name)
+        },
         "shapes": block.parameter_shapes,
         "records": records,
         "fixed": sorted(pinned),
