@@ -172,8 +172,11 @@ class _Walk:
         """Return the key of an object that the walk has not met."""
         if kind is FunctionType:
             return self._function(value)
-        names = ("__wrapped__",) if root_of(kind) == "numba" else PARTS.get(kind)
-        if names:
+        if kind is tuple:
+            return kind, *self._items(value)
+        if kind is np.ndarray:
+            return self._array(value)
+        if names := PARTS.get(kind):
             return kind, *[self.key_of(getattr(value, name)) for name in names]
         if isinstance(value, type):
             return self._class(value, constructed=True)
@@ -204,6 +207,8 @@ class _Walk:
             return self._system(value)
         if isinstance(value, np.ndarray):
             return self._array(value)
+        if root_of(kind) == "numba":
+            return kind, self.key_of(value.py_func)
         if root_of(kind) == "pandas" and kind.__name__ in ("Series", "DataFrame"):
             self._note(value)
             return kind, copied(value)

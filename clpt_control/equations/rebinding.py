@@ -67,7 +67,7 @@ class Rebinding:
             keywords = {name: self.of(one) for name, one in value.keywords.items()}
             return functools.partial(self.of(value.func), *map(self.of, value.args), **keywords)
         if root_of(type(value)) == "numba":
-            return self.of(value.__wrapped__)
+            return self.of(value.py_func)
         if type(value) is functools._lru_cache_wrapper:
             return _cached(self.of(value.__wrapped__))
         if isinstance(value, tuple):
