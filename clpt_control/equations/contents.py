@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from .arrays import Array
-from .pure import root_of
+from .pure import PLAIN_BASES, root_of
 
 UNBOUND = object()  # the value of a variable that has none
 
@@ -77,11 +77,7 @@ def copied(value: Any) -> Any:
         return {name: one for name, one in vars(value).items() if _is_own(name, one)}
     if root_of(type(value)) == "pandas":
         return pickle.dumps(value)
-    found = {}
-    for name, slot in slots_of(type(value)).items():
-        with suppress(AttributeError):  # it is not set
-            found[name] = slot.__get__(value)
-    return found
+    return slot_values(value)
 
 
 def put(value: Any, content: Any) -> None:
@@ -127,12 +123,20 @@ def elements_of(array: Array) -> np.ndarray:
     return Array(array._tape, array._node, array.shape)._elements()
 
 
+def slot_values(value: Any) -> dict[str, Any]:
+    """Return the attributes that an object holds in slots."""
+    found = {}
+    for name, slot in slots_of(type(value)).items():
+        with suppress(AttributeError):  # it is not set
+            found[name] = slot.__get__(value)
+    return found
+
+
 def slots_of(kind: type) -> dict[str, Any]:
     """Return the slots of a class, in which its objects hold attributes."""
-    each = (item for base in kind.__mro__ for item in vars(base).items())
-    slots = {name: one for name, one in each if isinstance(one, MemberDescriptorType)}
-    slots.pop("__dict__", None)
-    return slots
+    bases = (base for base in kind.__mro__ if base not in PLAIN_BASES)
+    each = (item for base in bases for item in vars(base).items())
+    return {name: one for name, one in each if isinstance(one, MemberDescriptorType)}
 
 
 def _is_own(name: str, value: Any) -> bool:

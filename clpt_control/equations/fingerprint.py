@@ -11,10 +11,12 @@ A traced function may change nothing but lists, dicts, arrays and attributes: th
 copied, compared after tracing and put back.
 """
 
+import abc
 import functools
 import importlib
 import logging
 import marshal
+from collections import defaultdict
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from enum import Enum
@@ -37,7 +39,7 @@ import numpy as np
 
 from .arrays import Tape, Unread, reading_on
 from .code_references import Reference, code_names, code_texts, references
-from .contents import UNBOUND, Content, copied, slots_of
+from .contents import UNBOUND, Content, copied, slot_values, slots_of
 from .declaration import Parameters
 from .isolation import isolated
 from .lookup_tables import is_table
@@ -76,9 +78,9 @@ PARTS: dict[type, tuple[str, ...]] = {  # what a value of a type is made of
     functools.partial: ("func", "args", "keywords"),
     functools.cached_property: ("func",),
     functools._lru_cache_wrapper: ("__wrapped__",),
-    property: ("fget", "fset", "fdel"),
-    staticmethod: ("__func__",),
-    classmethod: ("__func__",),
+    **dict.fromkeys((property, abc.abstractproperty), ("fget", "fset", "fdel")),
+    **dict.fromkeys((staticmethod, abc.abstractstaticmethod), ("__func__",)),
+    **dict.fromkeys((classmethod, abc.abstractclassmethod), ("__func__",)),
 }
 NUMBERS = frozenset((int, float, bool))
 OF_C = (WrapperDescriptorType, MethodDescriptorType)  # methods of a class that is written in C
@@ -234,6 +236,8 @@ class _Walk:
         elif isinstance(value, dict):
             self._note(value)
             key += ["dict", *[(self.key_of(k), self.key_of(v)) for k, v in value.items()]]
+            if isinstance(value, defaultdict):
+                key.append(self.key_of(value.default_factory))
         self._attributes(value)
         return tuple(key)
 
@@ -241,11 +245,12 @@ class _Walk:
         """Note the attributes of an object, in its dict and in slots."""
         kind: Any = type(value)
         attributes = attributes_of(value)
+        owner = self._owner(value, lambda: {**(attributes or {}), **slot_values(value)})
         if attributes is not None:
-            owner = self._owner(value, lambda: attributes)
             self._note(attributes, kind, owner.names, _cached_properties(kind))
         if slots_of(kind):
-            owner = self._owner(value, lambda: copied(value))
+            if isinstance(value, list | dict | np.ndarray):
+                self._refuse_object(kind)
             self._note(value, kind, owner.names)
 
     def _note(self, value: Any, owner: type | None = None, *more: Any) -> None:
@@ -279,7 +284,7 @@ class _Walk:
             functions = [function for function, _ in system._roles.values()]
             return id(system), self.identity(system.parameters), *map(self.key_of, functions)
         fields = {name: one for name, one in fields.items() if name not in OF_CALLS}
-        self._note(vars(system), type(system), ("updfcn", "outfcn"), OF_CALLS)
+        self._note(vars(system), type(system), fields, OF_CALLS)
         keys = [(name, self.key_of(one)) for name, one in fields.items()]
         return self._class(type(system)), *keys
 
@@ -305,14 +310,12 @@ class _Walk:
         self.calls_classes |= not generated and not {"type", "__class__"}.isdisjoint(names)
         spaces = {"global": function.__globals__, "cell": _cells_of(function)}
         for one in references(code):
+            self.where = f"{code.co_name}, line {one.line}: "
             if own_package and one.space != "cell":
-                value = function.__globals__.get(one.name)
-                key += [self.key_of(value)] if _is_of_package(value) else []
-            elif one.space in spaces:
-                self.where = f"{code.co_name}, line {one.line}: "
+                continue  # what the package's own functions reference does not change
+            if one.space in spaces:
                 key.append(self._referenced(one, spaces[one.space]))
             else:
-                self.where = f"{code.co_name}, line {one.line}: "
                 key.append(self._imported(one, function.__globals__))
         self.where, self.label = f"{code.co_name}: ", ""
         key += map(self.key_of, (function.__defaults__, function.__kwdefaults__))
@@ -410,8 +413,9 @@ class _Walk:
 
     def _module(self, module: ModuleType) -> Any:
         """Return the key of a module that is passed on as a value, or imported."""
-        values = lambda: {name: getattr(module, name, UNBOUND) for name in self.names}  # noqa: E731
-        self._owner(module, lambda: {k: v for k, v in values().items() if v is not UNBOUND})
+        self._owner(
+            module, lambda: {k: getattr(module, k) for k in self.names if hasattr(module, k)}
+        )
         return "module", module.__name__
 
     # --- refusals ---------------------------------------------------------------------------
@@ -448,10 +452,6 @@ def _cells_of(function: FunctionType) -> dict[str, Any]:
     """Return what the closure of a function holds, by name."""
     pairs = zip(function.__code__.co_freevars, function.__closure__ or (), strict=True)
     return {name: cell.cell_contents for name, cell in pairs if cell != CellType()}
-
-
-def _is_of_package(value: Any) -> bool:
-    return type(value) is FunctionType and root_of(value) == PACKAGE
 
 
 def _name_of(value: Any) -> str:

@@ -196,3 +196,18 @@ def test_contents_are_put_back():
     assert boat.slotted.gain == 0.5
     assert not hasattr(Slotted, "made_up")
     assert series["mass"] == 2.0
+
+
+class Wide(Slotted):
+    """Has slots and a dict."""
+
+
+def test_attributes_in_slots_and_in_a_dict_count():
+    wide = Wide()
+    wide.gain, wide.share = 0.5, 2.0
+    system = control.nlsys(lambda t, x, u, p: [-wide.gain * wide.share * x[0]], states=1, inputs=0)
+    for name in ("gain", "share"):
+        for value in (1.0, 3.0):
+            setattr(wide, name, value)
+            run = clpt.simulate(system, [0.0, 1.0], initial_state=[1.0])
+            assert run.states[-1].item() == pytest.approx(np.exp(-wide.gain * wide.share), rel=1e-6)

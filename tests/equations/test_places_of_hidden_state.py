@@ -43,6 +43,10 @@ class Slots:
         return self.__hidden
 
 
+class Both(Slots):
+    """Has slots and a dict."""
+
+
 class Gear(enum.Enum):
     FIRST = 1
 
@@ -167,6 +171,12 @@ def in_a_cache():
     return count
 
 
+def in_a_missing_item():
+    calls = []
+    missing = defaultdict(lambda: calls.append(1) or len(calls))
+    return lambda: (missing.pop("n", None), missing["n"])[1]
+
+
 def by_a_decorator():
     calls = Counter()
 
@@ -265,6 +275,8 @@ PLACES = {
     "attributes of a series": lambda: in_attrs(),
     "a slot": lambda: of_attribute(Slots(), "n"),
     "a private slot": lambda: Slots().count,
+    "a slot of an object with a dict": lambda: of_attribute(Both(), "n"),
+    "a missing item": in_a_missing_item,
     "a member of an enum": lambda: of_attribute(Gear.FIRST, "n"),
     "an attribute": lambda: of_attribute(Meter(), "n"),
     "an attribute of a class": lambda: Meter.counted,
