@@ -170,4 +170,5 @@ def reason(label: str, value: Any) -> str:
         return CLOCK
     if module == "random" or module.startswith("numpy.random"):
         return UNSEEDED
-    return f"calls {label}, {OUTSIDE}"
+    name = getattr(value, "__name__", last)
+    return f"calls {label if name == last else f'{label} ({name})'}, {OUTSIDE}"
