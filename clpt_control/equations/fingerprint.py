@@ -312,8 +312,9 @@ class _Walk:
         for one in references(code):
             self.where = f"{code.co_name}, line {one.line}: "
             if own_package and one.space != "cell":
-                continue  # what the package's own functions reference does not change
-            if one.space in spaces:
+                value = function.__globals__.get(one.name)  # of the package's own only functions
+                key += [self.key_of(value)] if type(value) is FunctionType else []
+            elif one.space in spaces:
                 key.append(self._referenced(one, spaces[one.space]))
             else:
                 key.append(self._imported(one, function.__globals__))

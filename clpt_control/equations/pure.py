@@ -25,7 +25,7 @@ from types import (
     SimpleNamespace,
     WrapperDescriptorType,
 )
-from typing import Any, Generic, Protocol
+from typing import Any, Generic, NamedTuple, Protocol
 
 import numpy as np
 
@@ -40,6 +40,13 @@ IMMUTABLE = frozenset(
         *(datetime.date, datetime.datetime, datetime.timedelta, datetime.time, datetime.timezone),
     )
 )
+
+
+class _Named(NamedTuple):
+    field: int
+
+
+FIELDS = MemberDescriptorType, type(vars(_Named)["field"])  # of slots and of named tuples
 PURE_OBJECTS = (np.r_, np.c_, np.s_, np.index_exp, np.mgrid, np.ogrid)
 CHANCE = (np.random.Generator, np.random.RandomState, random.Random)
 PLAIN_BASES = frozenset(  # whose objects keep nothing but items and attributes
@@ -145,8 +152,7 @@ def is_pure(value: Any) -> bool:
     """Return whether a function, type or object neither keeps nor changes anything when called."""
     if not isinstance(value, CALLABLE):
         known = any(value is one for one in PURE_OBJECTS)
-        of_class = isinstance(value, MemberDescriptorType)  # of slots
-        return known or of_class or type(value).__module__ in ("dataclasses", "_collections")
+        return known or isinstance(value, FIELDS) or type(value).__module__ == "dataclasses"
     module, name = module_of(value), getattr(value, "__name__", "")
     root = module.partition(".")[0]
     if module == "datetime" and name in CLOCKS:
