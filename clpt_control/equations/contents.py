@@ -85,7 +85,8 @@ def put(value: Any, content: Any) -> None:
     if isinstance(value, list):
         value[:] = content
     elif isinstance(value, np.ndarray):
-        value[...] = content
+        if value.flags.writeable:  # else nothing was written into it
+            value[...] = content
     elif isinstance(value, dict):
         value.clear()
         value.update(content)

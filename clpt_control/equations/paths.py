@@ -142,8 +142,11 @@ class Region:
 
     def restore(self) -> None:
         """Put back the content with which the code began."""
-        for one in self.content:
-            one.put_back()
+        try:
+            for one in self.content:
+                one.put_back()
+        except Exception as error:  # not one of the function, whose path would be NaN
+            raise Unread(f"its paths cannot be traced: {error}") from None
 
     def _merge(self, paths: list[Any], depth: int, dead: set[int]) -> Any:
         answers = [own for own, _ in paths]

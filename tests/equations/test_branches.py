@@ -265,3 +265,28 @@ def test_waypoints_by_a_state_that_counts():
     assert run.attrs["engine"] == "native"
     expected = control.input_output_response(course, 0.1 * np.arange(5001), 0, [0.0, 0.0])
     np.testing.assert_array_equal(run.states.values.T, expected.states)
+
+
+def test_arrays_that_nothing_may_write_into_are_left_as_they_are():
+    def output(t, x, u, params):
+        v = sorted([u[0], 9.0])[0]  # two paths
+        gain = params["gain"] if v > 0.5 else params["other"]
+        return [gain * v if v > 0 else params["fixed"].sum()]
+
+    fixed = np.array([1.0, 2.0])
+    fixed.flags.writeable = False
+    static_block = clpt.equations.Block(
+        "table",
+        output=lambda t, x, u, p: {"rows_out": p.rows},
+        outputs={"rows_out": 2},
+        parameters={"rows": fixed},
+    )
+    params = {"gain": 2.0, "other": 3.0, "fixed": fixed}
+    limit = control.nlsys(None, output, params=params, inputs=1, outputs=1, name="limit")
+    wires = {"inplist": ["limit.u[0]"], "outlist": ["limit.y[0]", "table"]}
+    names = {"inputs": ["v"], "outputs": ["y", "r0", "r1"]}
+    loop = control.interconnect([static_block, limit], **wires, **names)
+    read = clpt.conformance.readings(loop)
+    for u, y in ((0.7, 1.4), (0.2, 0.6), (-1.0, 3.0)):
+        for name in ("python", "native"):
+            assert read[name](0.0, [], [u])[1] == pytest.approx([y, 1.0, 2.0], abs=1e-15)
