@@ -5,7 +5,7 @@ import numpy as np
 
 import clpt_control as clpt
 from clpt_control import initial_state
-from clpt_control.native.python_diagram import PythonDiagram
+from clpt_control.engine.solver.runner import PythonDiagram
 
 from .cases import Case
 from .engines import timed

@@ -12,9 +12,9 @@ from typing import Any
 
 import numpy as np
 
-from clpt_control.diagrams.wiring import wiring_of
-from clpt_control.equations.at_many import leaf_values
-from clpt_control.equations.elements import Elements
+from clpt_control.engine.diagram.wiring import wiring_of
+from clpt_control.engine.model.vectorized import leaf_values
+from clpt_control.engine.record.scalar_graph import Elements
 
 ARITHMETIC = {
     "add": operator.add,

@@ -2,31 +2,28 @@
 
 The paper of Cho, Zhang and Edwards (2016) as python-control block diagrams:
 `closed_loop` wires a scenario's blocks, `simulate` runs them, and the same
-equations are compiled and proved.  The names stand in `__init__.pyi`; each is
+equations are compiled and proved.  The names are listed in `__init__.pyi`; each is
 imported when first used, so that importing the package is light.
 """
 
-from types import ModuleType
 from typing import Any
 
 import lazy_loader
 
-from . import equations
+from .base import public_modules
+from .engine.diagram import html_display
 from .notebook.registration import register
 
 __version__ = "0.1.0"
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+public_modules.register()
 register()  # Dataset.clpt
 
 
-class _Equations(ModuleType):
-    """The room `equations`, which is called too: ``clpt.equations(system)``."""
+def _diagram_html(diagram: Any) -> str:
+    from .plots.drawing.figure import diagram_html
 
-    def __call__(self, system: Any, numbers: bool = False) -> Any:
-        """Return a diagram's equations as SymPy, as `clpt.diagrams.equations` does."""
-        from .diagrams.on_symbols import equations
-
-        return equations(system, numbers)
+    return diagram_html(diagram)
 
 
-equations.__class__ = _Equations
+html_display.renderer = _diagram_html  # the engine does not import pictures

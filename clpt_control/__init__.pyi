@@ -15,9 +15,10 @@ from . import (
     simulation,
     theory,
 )
-from .diagrams import connect, draw, linearize
+from .engine.diagram.interconnection import connect
+from .engine.diagram.linearization import linearize
+from .engine.model.block import Block
 from .ensemble import run_ensemble
-from .equations import Block
 from .errors import (
     ArgumentError,
     BlockError,
@@ -29,6 +30,7 @@ from .errors import (
     Uncompiled,
 )
 from .pages import report
+from .plots.drawing.figure import draw
 from .scenario import Scenario, Team, load_scenario, load_team, paper_scenario, save_scenario
 from .simulation import (
     animate,

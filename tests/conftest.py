@@ -139,7 +139,7 @@ def pytest_collection_finish():
 
 def pytest_sessionstart(session):
     """Make the solver's machine code first, so that no test depends on the cache."""
-    from clpt_control.native.machine import compiled_solver
+    from clpt_control.engine.codegen.machine import compiled_solver
 
     if not getattr(session.config.option, "collectonly", False):
         compiled_solver()

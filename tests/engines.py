@@ -4,10 +4,10 @@ from functools import partial
 
 import numpy as np
 
-from clpt_control.native import numbering
-from clpt_control.native.batch import Batch
-from clpt_control.native.native_diagram import NativeDiagram
-from clpt_control.native.python_diagram import PythonDiagram
+from clpt_control.engine.solver import solver_layout as numbering
+from clpt_control.engine.solver.batch import Batch
+from clpt_control.engine.solver.native_diagram import NativeDiagram
+from clpt_control.engine.solver.runner import PythonDiagram
 
 ENGINES = {
     "python": PythonDiagram,

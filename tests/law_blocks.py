@@ -6,7 +6,7 @@ u = e[2], phi_x[N], z[2], zc[2]; states alpha[2N], K[2], Gamma[2], section III.
 import numpy as np
 
 import clpt_control as clpt
-from clpt_control.equations.ports import places
+from clpt_control.engine.model.ports import places
 from clpt_control.simulation.starts import state_columns
 
 EACH = {"parameters": 0.8, "feedback": 0.3, "feedforward": 0.5}  # a gain for each part

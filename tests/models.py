@@ -8,7 +8,7 @@ import numpy as np
 from adaptive_loop import mrac
 
 import clpt_control as clpt
-from clpt_control.equations.declaration import Each
+from clpt_control.engine.model.declaration import Each
 
 
 def autonomous(update, **params):

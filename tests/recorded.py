@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from clpt_control.engine.model.vectorized import on_arrays
 from clpt_control.equations import Block
-from clpt_control.equations.at_many import on_arrays
 
 
 def recorded(block, role, t, x, u):

@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from clpt_control.native.python_diagram import PythonDiagram
-from clpt_control.native.sweep import Sweep
+from clpt_control.engine.solver.evaluation_pass import Sweep
+from clpt_control.engine.solver.runner import PythonDiagram
 
 OFF = 100 * 2.0**-52
 RUNS = 40

@@ -10,9 +10,10 @@ from types import FunctionType
 import numpy as np
 import sympy
 
+from clpt_control.base import random_numbers
 from clpt_control.blocks import disturbance, field, flow, localization, reference
 from clpt_control.currents.plane import GriddedField
-from clpt_control.equations.declaration import Parameters
+from clpt_control.engine.model.declaration import Parameters
 
 POINTS = np.array([[3.0, 1.0], [-2.0, 5.0], [7.0, -4.0]])
 KERNELS = list(flow.KERNELS)
@@ -88,25 +89,27 @@ def disturbances_start_as_they_say():
 
 
 def noise_is_normal():
-    draws = np.array([[disturbance.normal(7.0, float(k), i) for k in range(4000)] for i in (0, 1)])
+    draws = np.array(
+        [[random_numbers.normal(7.0, float(k), i) for k in range(4000)] for i in (0, 1)]
+    )
     assert np.abs(draws.mean(1)).max() < 0.06
     assert np.abs(draws.std(1) - 1).max() < 0.06
     assert abs(np.corrcoef(draws)[0, 1]) < 0.06
-    M = disturbance.MODULUS
-    small = [disturbance.remainder(a) for a in (0.0, 5.0, M, 2.0 * M + 7.0, 3.0 * M - 1.0)]
+    M = random_numbers.MODULUS
+    small = [random_numbers.remainder(a) for a in (0.0, 5.0, M, 2.0 * M + 7.0, 3.0 * M - 1.0)]
     assert small == [0, 5, 0, 7, M - 1]
 
 
 def noise_is_hashed_on_whole_numbers_below_two_to_53():
     """Interval arithmetic over all seeds, intervals, axes and streams."""
-    M, arguments = int(disturbance.MODULUS), []
+    M, arguments = int(random_numbers.MODULUS), []
 
     def remainder(a):
         arguments.append(a)
         return sympy.AccumBounds(0, M - 1)
 
-    space = {**disturbance.hash_fraction.__globals__, "remainder": remainder}
-    hashed = FunctionType(disturbance.hash_fraction.__code__, space)
+    space = {**random_numbers.hash_fraction.__globals__, "remainder": remainder}
+    hashed = FunctionType(random_numbers.hash_fraction.__code__, space)
     any_whole = sympy.AccumBounds(0, M - 1)
     for axis, stream in np.ndindex(2, 2):
         share = hashed(any_whole, any_whole, axis, stream)
@@ -119,7 +122,7 @@ def positions_are_read_with_numbers_of_their_own():
     """x_m - x = s n(j, axis), with the axes 2 and 3 of the hash; the disturbance has 0 and 1."""
     x, s, seed = np.array([3.0, -1.0]), 0.25, 7.0
     for j in (1, 2, 5):
-        noise = [s * disturbance.normal(seed, float(j), axis) for axis in (2, 3)]
+        noise = [s * random_numbers.normal(seed, float(j), axis) for axis in (2, 3)]
         read = localization.measurement(s, 0.5, seed).output(0.5 * j + 0.1, [], x)
         fixed = localization.fixes(s, 0.5, 0.0, seed).output(0.5 * j + 0.1, [], x)
         assert np.allclose(read - x, noise, rtol=0.0, atol=1e-14)

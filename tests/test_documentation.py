@@ -151,7 +151,7 @@ def test_every_file_of_the_engine_is_on_its_page():
     links = {page.parent / name for name in re.findall(r"\]\((\S+?)\)", page.read_text())}
     assert all(link.exists() for link in links)
     files = {path.resolve() for path in links}
-    engine = (REFERENCE.parents[1] / "clpt_control/native").glob("*.py")
+    engine = (REFERENCE.parents[1] / "clpt_control/engine").rglob("*.py")
     assert {path for path in engine if path.stem != "__init__"} <= files
 
 

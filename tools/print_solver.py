@@ -1,4 +1,4 @@
-"""Print `native/solver.py` and its pages as LLVM's text, which the package carries: `make solver`.
+"""Print the solver as LLVM's text, which the package carries: `make solver`.
 
 Numba reads the solver and prints it for no processor in particular, not optimised: each machine
 makes its own code of it once, without Numba.  The hash of the sources stands in the first line.
@@ -23,10 +23,13 @@ from numba.core import types
 from numba.extending import intrinsic
 
 ROOT = Path(__file__).parents[1]
-NATIVE = ROOT / "clpt_control" / "native"
-PAGES = ("numbering", "looks", "kinks", "implicit", "pieces", "rate_jumps", "solver")
-SOURCES = (*(NATIVE / f"{name}.py" for name in PAGES), Path(__file__))
-TEXT = NATIVE / "solver.ll"
+SOLVER = ROOT / "clpt_control" / "engine" / "solver"
+PAGES = (
+    *("solver_layout", "event_checks", "event_location", "implicit", "segments"),
+    *("rate_jumps", "time_stepper"),
+)
+SOURCES = (*(SOLVER / f"{name}.py" for name in PAGES), Path(__file__))
+TEXT = SOLVER / "solver.ll"
 OPTIONS: dict[str, Any] = {
     "nogil": True,
     "error_model": "numpy",
@@ -89,7 +92,7 @@ def call_address(typingctx, address, t, X, first, P, T, W, D, to):
 def for_numba() -> ModuleType:
     """Return the solver's page with its functions for Numba to compile, and those of the others."""
     package = ModuleType("pages")  # the room without its `__init__`, which asks for more
-    package.__path__ = [str(NATIVE)]
+    package.__path__ = [str(SOLVER)]
     sys.modules["pages"] = package
     pages = [import_module(f"pages.{name}") for name in PAGES]
     compiled: dict[FunctionType, Any] = {pages[0].call: call_address}

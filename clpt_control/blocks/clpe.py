@@ -22,7 +22,7 @@ from typing import Any
 
 import numpy as np
 
-from ..equations.block import Block
+from ..engine.model.block import Block
 from .ports import paper_block
 
 

@@ -27,8 +27,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ..equations.block import Block
-from ..equations.ports import named, renamed
+from ..engine.model.block import Block
+from ..engine.model.ports import named, renamed
 from .laws.paper import learned_flow
 
 

@@ -18,37 +18,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ..equations.block import Block
-from ..equations.declaration import Each
+from ..base.random_numbers import normal
+from ..engine.model.block import Block
+from ..engine.model.declaration import Each
 from .ports import paper_block
 
-MODULUS = 67108859.0  # the largest prime below 2^26: products stay exact in a double
 AXES = np.arange(2.0)
-
-
-def remainder(a):
-    """Return a mod MODULUS, exact for 0 <= a < 2^53."""
-    return a - MODULUS * np.floor(a / MODULUS)
-
-
-def hash_fraction(seed, k, axis, stream):
-    """Return a fraction in (0, 1), the hash of four whole numbers.
-
-    Rounds of h -> h^2 + c h + key modulo a prime, in exact double arithmetic.
-    """
-    h = remainder(remainder(seed) + 40503.0)
-    which = axis * 2.0 + stream
-    for i in range(4):
-        h = remainder(h * h + 1299709.0 + 15485863.0 * i)
-        h = h * 31415821.0 + remainder(k) * (2.0 * i + 3.0) + which * (7919.0 + 104729.0 * i)
-        h = remainder(h)
-    return (h + 0.5) / MODULUS
-
-
-def normal(seed, k, axis):
-    """Return standard normal numbers of the hash, as Box and Muller."""
-    radius = np.sqrt(-2 * np.log(hash_fraction(seed, k, axis, 0)))
-    return radius * np.cos(2 * np.pi * hash_fraction(seed, k, axis, 1))
 
 
 def constant(t, x, u, p):

@@ -15,9 +15,9 @@ from functools import partial
 
 import numpy as np
 
-from ..equations.block import Block
-from ..equations.declaration import Guard
-from ..equations.lookup_tables import lookup
+from ..engine.model.block import Block
+from ..engine.model.declaration import Guard
+from ..engine.trace.interpolators import lookup
 from .ports import paper_block
 
 ADVICE = 'flow.outside = "clip" or "stop" goes on or ends there'  # what a scenario may say

@@ -23,8 +23,8 @@ from typing import Any
 
 import numpy as np
 
-from ..equations.block import Block
-from ..equations.ports import renamed
+from ..engine.model.block import Block
+from ..engine.model.ports import renamed
 from .ports import among, paper_block
 
 

@@ -21,7 +21,7 @@ from a law that estimates it.  d is what the vehicle could not fly of its comman
 
 from typing import Any
 
-from ..equations.block import Block
+from ..engine.model.block import Block
 from .ports import paper_block
 
 

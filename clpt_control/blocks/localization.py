@@ -17,9 +17,10 @@ Ports: x_true[2] (length) -> x[2] (length), x_m; x[2] -> fix[2] (length), taken[
 
 import numpy as np
 
-from ..equations.block import Block
-from ..equations.declaration import Each
-from .disturbance import AXES, hash_fraction, normal
+from ..base.random_numbers import hash_fraction, normal
+from ..engine.model.block import Block
+from ..engine.model.declaration import Each
+from .disturbance import AXES
 from .ports import paper_block
 
 TRUE = "x_true"  # the port of the true position

@@ -15,8 +15,8 @@ from typing import Any
 
 import numpy as np
 
-from ..equations.block import Block
-from ..equations.declaration import Parameters
+from ..engine.model.block import Block
+from ..engine.model.declaration import Parameters
 from .ports import paper_block
 
 PORTS = "e alpha K Gamma -> V"

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from ..equations.block import Block
+from ..engine.model.block import Block
 
 OF_AXES = (
     *("x", "x_true", "z", "zc", "e", "fix", "eta_3", "eta_4", "K", "Gamma"),

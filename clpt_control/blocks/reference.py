@@ -14,9 +14,9 @@ from typing import Any
 
 import numpy as np
 
-from ..equations.block import Block
-from ..equations.declaration import Each
-from ..equations.lookup_tables import lookup
+from ..engine.model.block import Block
+from ..engine.model.declaration import Each
+from ..engine.trace.interpolators import lookup
 from .ports import paper_block
 
 

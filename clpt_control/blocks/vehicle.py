@@ -24,7 +24,7 @@ from typing import Any
 
 import numpy as np
 
-from ..equations.block import Block
+from ..engine.model.block import Block
 from .flow import at_position
 from .ports import paper_block
 

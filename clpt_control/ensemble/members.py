@@ -23,17 +23,17 @@ from typing import Any
 
 import numpy as np
 
-from ..diagrams.varied import read_as_number
-from ..diagrams.wiring import Wiring
+from ..engine.codegen.machine import LANES, processor
+from ..engine.diagram.sensitivity_names import read_as_number
+from ..engine.diagram.wiring import Wiring
+from ..engine.solver import solver_layout as numbering
+from ..engine.solver.batch import Batch, Callee
+from ..engine.solver.engine_choice import make_runner, run_compared, warn_python
+from ..engine.solver.filippov import go_on
+from ..engine.solver.runner import PythonDiagram
+from ..engine.solver.schedule import Schedule
+from ..engine.solver.termination import STUCK, sampled_start
 from ..errors import DiagramError, SimulationError
-from ..native import numbering
-from ..native.batch import Batch, Callee
-from ..native.ending import STUCK, sampled_start
-from ..native.engines import make_runner, run_compared, warn_python
-from ..native.machine import LANES, processor
-from ..native.on_switches import go_on
-from ..native.python_diagram import PythonDiagram
-from ..native.schedule import Schedule
 
 BATCH_BYTES = 64_000_000  # states in flight, a thread
 MOST_MEMBERS = 512  # a batch

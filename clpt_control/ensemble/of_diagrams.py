@@ -16,16 +16,16 @@ from typing import Any
 
 import numpy as np
 
-from ..diagrams.interconnection import changed_parameters
-from ..diagrams.varied import Place, place_of, places_of, put, value_at
-from ..diagrams.wiring import read_anew, units_of, wiring_of
-from ..equations.arrays import Unread
-from ..equations.ports import ports_of
-from ..equations.system import System
+from ..engine.diagram.interconnection import changed_parameters
+from ..engine.diagram.sensitivity_names import Place, place_of, places_of, put, value_at
+from ..engine.diagram.wiring import read_anew, units_of, wiring_of
+from ..engine.model.ports import ports_of
+from ..engine.model.system import System
+from ..engine.solver import solver_layout as numbering
+from ..engine.solver.runner import checked_steps
+from ..engine.solver.schedule import Inputs, read_inputs
+from ..engine.trace.arrays import Unread
 from ..errors import DiagramError, ScenarioError
-from ..native import numbering
-from ..native.python_diagram import checked_steps
-from ..native.schedule import Inputs, read_inputs
 from ..simulation.frame import Axes, Series, port_variables
 from ..simulation.integrate import request_of, sizes_of_run
 from ..simulation.running import labels_of, signal_units

@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from ..diagrams.interconnection import wiring_of_blocks
-from ..diagrams.parts import LAW, UNCHANGED, Changes, functions_of
-from ..diagrams.varied import Place
-from ..diagrams.wiring import Wiring
-from ..equations.block import Block
+from ..engine.diagram.interconnection import wiring_of_blocks
+from ..engine.diagram.sensitivity_names import Place
+from ..engine.diagram.subsystems import LAW, UNCHANGED, Changes, functions_of
+from ..engine.diagram.wiring import Wiring
+from ..engine.model.block import Block
 from ..errors import DiagramError
 from ..scenario.experiment import Scenario
 from ..scenario.file import scenario_to_text

@@ -16,10 +16,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..equations.ports import ports_of
+from ..engine.model.ports import ports_of
+from ..engine.solver import solver_layout as numbering
+from ..engine.solver.termination import ENDS
 from ..errors import ScenarioError
-from ..native import numbering
-from ..native.ending import ENDS
 from ..scenario.experiment import Scenario
 from ..scenario.quantities import QUANTITIES, Quantity
 from ..simulation.dataset import VARIABLES

@@ -28,9 +28,9 @@ from scipy.integrate import simpson
 from scipy.interpolate import CubicSpline
 
 from ..blocks import vehicle
-from ..equations.at_many import evaluate
-from ..equations.block import Block
-from ..equations.declaration import multiples
+from ..engine.model.block import Block
+from ..engine.model.declaration import multiples
+from ..engine.model.vectorized import evaluate
 from ..errors import DataError, ScenarioError
 from ..geodesy import displacement
 from ..scenario.experiment import Scenario

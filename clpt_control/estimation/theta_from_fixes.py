@@ -19,7 +19,7 @@ import xarray
 from ..arguments import public
 from ..blocks.flow import flow_basis
 from ..blocks.laws.law import PRIOR
-from ..equations.block import Block
+from ..engine.model.block import Block
 from ..errors import DataError, ScenarioError
 from ..scenario.experiment import Scenario
 from ..scenario.tidal_periods import period

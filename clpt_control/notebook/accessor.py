@@ -15,7 +15,7 @@ import numpy as np
 
 from .. import ensemble, replay, simulation
 from ..arguments import check_holds, public
-from ..equations.ports import ports_of
+from ..engine.model.ports import ports_of
 from ..errors import DataError
 from ..files import beside, check_writable, write_file
 from ..scenario.file import BEYOND
@@ -138,7 +138,7 @@ class ClptAccessor:
         `input` names a port that comes from outside then, such as "zc", `output` one that is
         looked at, such as "e"; without them there is no input, and every signal is an output.
         """
-        from ..diagrams.linearization import linearize, minimal_of
+        from ..engine.diagram.linearization import linearize, minimal_of
 
         at, attributes = simulation.state_at(self._data, t), self._data.attrs
         beyond = [attributes[name] for name in BEYOND if name in attributes]

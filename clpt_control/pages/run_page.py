@@ -5,11 +5,11 @@ from typing import Any
 import numpy as np
 from xarray import Dataset
 
-from ..diagrams.drawing.figure import MOST, block_figure
-from ..diagrams.interconnection import Diagram
+from ..engine.diagram.interconnection import Diagram
 from ..errors import ClptError
 from ..figures import figure_of, new_figure
 from ..html import Result, folded, listing
+from ..plots.drawing.figure import MOST, block_figure
 from ..scenario.experiment import Scenario
 from ..scenario.file import BEYOND, CHANGED, NOT_REPEATED, OWN_LAW, OWN_PARTS, TEAM, paper_scenario
 from ..scenario.recorded_run import unknown_parts, waypoints_of

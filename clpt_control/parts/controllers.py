@@ -16,7 +16,7 @@ Source: Astrom and Murray 2008, Feedback Systems, sections 10.4 and 10.5.
 import numpy as np
 
 from ..arguments import public
-from ..equations.block import Block
+from ..engine.model.block import Block
 from ..errors import BlockError
 from .part import part, positive, rising, sampled
 

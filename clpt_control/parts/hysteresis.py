@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..arguments import public
-from ..equations.block import Block
+from ..engine.model.block import Block
 from .part import each, positive, remembering, rising, signal_part, time_of
 
 

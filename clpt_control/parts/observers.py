@@ -23,10 +23,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..arguments import Seed, numbers, public
-from ..blocks.disturbance import normal
-from ..equations.block import Block
-from ..equations.declaration import Each
-from ..equations.system import SHAPES
+from ..base.random_numbers import normal
+from ..engine.model.block import Block
+from ..engine.model.declaration import Each
+from ..engine.model.system import SHAPES
 from ..errors import BlockError
 from .part import each, part, positive
 

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from ..arguments import brief, numbers
-from ..equations.block import Block
-from ..equations.ports import renamed
+from ..engine.model.block import Block
+from ..engine.model.ports import renamed
 from ..errors import BlockError
 
 Ports = Mapping[str, str]  # name of a port -> the user's own

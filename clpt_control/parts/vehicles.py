@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..arguments import brief, numbers, public
-from ..equations.block import Block
+from ..engine.model.block import Block
 from ..errors import BlockError
 from .part import each, part, positive, rising
 

@@ -18,8 +18,8 @@ from ..arguments import public
 from ..blocks.flow import flow_basis
 from ..blocks.laws.law import Known
 from ..blocks.laws.table import LAWS
-from ..equations.block import Block
-from ..equations.sampled import Sampled
+from ..engine.model.block import Block
+from ..engine.model.sampled import Sampled
 from ..errors import ScenarioError
 from ..html import facts, fragment, shortened
 from . import tables

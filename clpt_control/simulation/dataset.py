@@ -16,11 +16,11 @@ import numpy as np
 from ..blocks.laws.law import Truth
 from ..blocks.laws.regressions import error_by_P
 from ..blocks.localization import TRUE
-from ..diagrams.parts import LAW
-from ..diagrams.wiring import Params
-from ..equations.at_many import on_arrays
-from ..equations.block import Block
-from ..equations.ports import ports_of
+from ..engine.diagram.subsystems import LAW
+from ..engine.diagram.wiring import Params
+from ..engine.model.block import Block
+from ..engine.model.ports import ports_of
+from ..engine.model.vectorized import on_arrays
 from ..scenario.experiment import Scenario
 from ..scenario.file import CHANGED, OWN_LAW, own_parts, scenario_to_text
 from .frame import Frame, Labels, Series, columns, port_variables

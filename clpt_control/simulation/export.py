@@ -16,15 +16,15 @@ import control
 import numpy as np
 
 from ..arguments import public
-from ..diagrams.varied import read_as_number
-from ..equations.declaration import Each
-from ..equations.ports import ports_of
+from ..engine.codegen.c_text import CProgram, CRecord, c_number
+from ..engine.codegen.diagram_record import LARGE, lay_out
+from ..engine.diagram.sensitivity_names import read_as_number
+from ..engine.model.declaration import Each
+from ..engine.model.ports import ports_of
+from ..engine.solver.engine_choice import beside, misread_function
 from ..errors import DiagramError, Uncompiled
 from ..files import write_file
-from ..native.diagram_record import LARGE, lay_out
-from ..native.engines import beside, misread_function
 from ..scenario.experiment import Scenario
-from .c_text import CProgram, CRecord, c_number
 from .integrate import as_diagram
 from .running import DiagramRun, compiled
 from .starts import stacked_state

@@ -17,9 +17,9 @@ import control
 import numpy as np
 
 from ..arguments import brief, numbers, public
-from ..equations.ports import ports_of
+from ..engine.model.ports import ports_of
+from ..engine.solver.schedule import checked_times
 from ..errors import ArgumentError, SimulationError
-from ..native.schedule import checked_times
 from ..scenario.experiment import Scenario
 from .tangents import RunWithDerivatives, Sensitive, varied_places
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ..native.ending import Solution
+from ..engine.solver.termination import Solution
 
 if TYPE_CHECKING:
     import xarray

@@ -10,11 +10,11 @@ import control
 import numpy as np
 
 from ..arguments import public
-from ..diagrams.wiring import Sizes
-from ..equations.system import linear
+from ..engine.diagram.wiring import Sizes
+from ..engine.model.system import linear
+from ..engine.solver.runner import checked_method
+from ..engine.solver.schedule import checked_times, stacked
 from ..errors import SimulationError
-from ..native.python_diagram import checked_method
-from ..native.schedule import checked_times, stacked
 from ..scenario.experiment import Scenario
 from ..scenario.team import Team
 from .flows import note_speeds, speeds_of

@@ -16,8 +16,8 @@ from ..arguments import public
 from ..blocks import clpe, disturbance, field, flow, learner, localization, reference, vehicle
 from ..blocks.laws.table import LAWS
 from ..blocks.localization import TRUE
-from ..diagrams.interconnection import Diagram, connect, wiring_of_blocks
-from ..diagrams.parts import (
+from ..engine.diagram.interconnection import PARAMETER_HINTS, Diagram, connect, wiring_of_blocks
+from ..engine.diagram.subsystems import (
     UNCHANGED,
     Changes,
     Part,
@@ -28,14 +28,17 @@ from ..diagrams.parts import (
     output_ports,
     replaced,
 )
-from ..diagrams.wiring import Node, Wiring, read_anew, wiring_of
-from ..equations.block import Block
-from ..equations.declaration import Parameters
+from ..engine.diagram.wiring import Node, Wiring, read_anew, wiring_of
+from ..engine.model.block import Block
+from ..engine.model.declaration import Parameters
 from ..errors import DiagramError
 from ..scenario.experiment import Scenario
 from ..scenario.file import OWN_LAW, OWN_PARTS
+from ..scenario.quantities import call_time_hint
 from ..scenario.tables import Units
 from .dataset import LIMITED, MEASURED, SPEEDS, VARIABLES
+
+PARAMETER_HINTS.append(call_time_hint)
 
 
 @public

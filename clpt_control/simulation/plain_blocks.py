@@ -12,15 +12,15 @@ from typing import Any
 
 import numpy as np
 
-from ..equations.arrays import Unread
-from ..equations.at_many import on_arrays
-from ..equations.block import Block
-from ..equations.declaration import Each, Guard
-from ..equations.ports import sized, sizes_of
-from ..equations.record import OPERATIONS, Operation, Record, Shape, bound
-from ..equations.sampled import Sampled, inner_parameters, other_equations
+from ..engine.codegen.diagram_record import is_read
+from ..engine.model.block import Block
+from ..engine.model.declaration import Each, Guard
+from ..engine.model.ports import sized, sizes_of
+from ..engine.model.sampled import Sampled, inner_parameters, other_equations
+from ..engine.model.vectorized import on_arrays
+from ..engine.record.graph import OPERATIONS, Operation, Record, Shape, bound
+from ..engine.trace.arrays import Unread
 from ..errors import BlockError
-from ..native.diagram_record import is_read
 
 KINDS = ("input", "output", "state")
 LARGEST = 10**7  # numbers of one value of a record

@@ -11,13 +11,13 @@ from typing import Any
 import control
 import numpy as np
 
-from ..diagrams.interconnection import MOST_BYTES, Diagram
-from ..diagrams.wiring import Params, Wiring
-from ..equations.arrays import Unread
-from ..equations.block import Block
-from ..equations.fingerprint import reachable
-from ..equations.sampled import Sampled
-from ..equations.system import System
+from ..engine.diagram.interconnection import MOST_BYTES, Diagram
+from ..engine.diagram.wiring import Params, Wiring
+from ..engine.model.block import Block
+from ..engine.model.sampled import Sampled
+from ..engine.model.system import System
+from ..engine.trace.arrays import Unread
+from ..engine.trace.fingerprint import reachable
 from ..errors import DiagramError
 from .plain_blocks import block_of, plain_block
 

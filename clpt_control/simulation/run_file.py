@@ -13,13 +13,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from ..arguments import public
-from ..diagrams.interconnection import Diagram
-from ..equations.arrays import Unread
+from ..engine.diagram.interconnection import Diagram
+from ..engine.solver.native_diagram import NativeDiagram
+from ..engine.solver.schedule import Inputs
+from ..engine.trace.arrays import Unread
 from ..errors import ClptError, DataError
 from ..files import write_file
 from ..files.reading import open_netcdf
-from ..native.native_diagram import NativeDiagram
-from ..native.schedule import Inputs
 from ..scenario import file
 from ..scenario.experiment import MOST_BYTES, Scenario
 from ..scenario.recorded_run import check_response, check_run, is_response

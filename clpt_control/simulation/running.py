@@ -15,15 +15,15 @@ import control
 import numpy as np
 
 from ..blocks.localization import TRUE
-from ..diagrams.interconnection import wiring_of_blocks, with_stop
-from ..diagrams.wiring import Params, Part, Sizes, Wiring, read_anew, units_of, wiring_of
-from ..equations.ports import ports_of, split, whole_labels
+from ..engine.codegen.machine import ENGINE
+from ..engine.diagram.interconnection import wiring_of_blocks, with_stop
+from ..engine.diagram.wiring import Params, Part, Sizes, Wiring, read_anew, units_of, wiring_of
+from ..engine.model.ports import ports_of, split, whole_labels
+from ..engine.solver.engine_choice import make_runner, run_checked
+from ..engine.solver.native_diagram import NativeDiagram
+from ..engine.solver.schedule import read_inputs
+from ..engine.solver.termination import Solution
 from ..errors import SimulationError
-from ..native.ending import Solution
-from ..native.engines import make_runner, run_checked
-from ..native.machine import ENGINE
-from ..native.native_diagram import NativeDiagram
-from ..native.schedule import read_inputs
 from ..scenario.experiment import MOST_BYTES, Scenario
 from ..scenario.file import EQUATIONS, OWN_PARTS, REFERENCE, TEAM
 from ..scenario.team import Team, team_to_text

@@ -8,13 +8,13 @@ import numpy as np
 
 from ..arguments import numbers, public
 from ..blocks.localization import TRUE
-from ..diagrams.interconnection import Diagram
-from ..diagrams.parts import output_ports
-from ..diagrams.wiring import Part, leaves
-from ..equations.block import Block
-from ..equations.system import is_linear
+from ..engine.diagram.interconnection import Diagram
+from ..engine.diagram.subsystems import output_ports
+from ..engine.diagram.wiring import Part, leaves
+from ..engine.model.block import Block
+from ..engine.model.system import is_linear
+from ..engine.solver.schedule import checked_state
 from ..errors import DataError, DiagramError
-from ..native.schedule import checked_state
 from ..progress import warn
 from ..scenario.experiment import Scenario
 from ..scenario.quantities import STARTS

@@ -18,7 +18,7 @@ import control
 import numpy as np
 
 from ..arguments import nearest, public
-from ..diagrams.varied import (
+from ..engine.diagram.sensitivity_names import (
     Place,
     VariedWiring,
     may_jump,
@@ -29,13 +29,13 @@ from ..diagrams.varied import (
     value_at,
     varied,
 )
-from ..diagrams.wiring import Wiring
-from ..equations.arrays import Unread
+from ..engine.diagram.wiring import Wiring
+from ..engine.solver.engine_choice import run_compared
+from ..engine.solver.native_diagram import NativeDiagram
+from ..engine.solver.schedule import read_inputs
+from ..engine.solver.termination import Solution
+from ..engine.trace.arrays import Unread
 from ..errors import SimulationError, Uncompiled
-from ..native.ending import Solution
-from ..native.engines import run_compared
-from ..native.native_diagram import NativeDiagram
-from ..native.schedule import read_inputs
 from ..scenario.experiment import Scenario
 from .dataset import diagram_frame
 from .integrate import request_of, sizes_of_run

@@ -3,10 +3,10 @@
 from ..arguments import public
 from ..blocks.consensus import consensus_block, pulled_law
 from ..blocks.laws.table import LAWS
-from ..diagrams.interconnection import Diagram, connect
-from ..diagrams.parts import changes_of
-from ..equations.block import Block
-from ..equations.ports import within
+from ..engine.diagram.interconnection import Diagram, connect
+from ..engine.diagram.subsystems import changes_of
+from ..engine.model.block import Block
+from ..engine.model.ports import within
 from ..scenario.team import TEAM_LAW, Team
 from .loops import changed_blocks
 

@@ -19,7 +19,7 @@ import numpy as np
 import sympy
 
 from ..arguments import Count, Seed, public
-from ..diagrams.symbol_names import TIME
+from ..engine.diagram.symbol_names import TIME
 from ..errors import DiagramError
 from .proving.proof import Step, checked, exact, first_failure, short, worked_out
 from .proving.running_rate import SURE, PointSearch

@@ -32,8 +32,8 @@ import numpy as np
 import sympy
 
 from ..arguments import check_holds, numbers
-from ..diagrams.symbol_names import TIME
-from ..equations.symbolic import ON_NUMBERS
+from ..engine.diagram.symbol_names import TIME
+from ..engine.record.symbolic import ON_NUMBERS
 from ..errors import DiagramError
 from .proving.proof import short
 from .proving.signs import tidied, vanishes

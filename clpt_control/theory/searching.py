@@ -22,7 +22,7 @@ import scipy.optimize
 import scipy.sparse
 import sympy
 
-from ..diagrams.symbol_names import TIME
+from ..engine.diagram.symbol_names import TIME
 from ..errors import DiagramError
 from .proving.proof import short
 from .proving.signs import vanishes

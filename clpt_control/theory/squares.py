@@ -15,8 +15,8 @@ import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
-from ..diagrams.on_symbols import Equations
-from ..diagrams.symbol_names import TIME
+from ..engine.diagram.symbol_names import TIME
+from ..engine.diagram.symbolic_equations import Equations
 from ..errors import DiagramError
 from .proving.proof import Step, exact
 from .proving.signs import MOST_TERMS, factored, nonpositive, rising_in, terms_of, tidied, vanishes

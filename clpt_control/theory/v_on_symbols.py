@@ -16,10 +16,10 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from ..arguments import check_holds
-from ..diagrams.on_symbols import Equations, on_symbols
-from ..diagrams.symbol_names import TIME, Names, Numbers, element_name
-from ..equations.block import Block
-from ..equations.symbolic import Symbols, rational
+from ..engine.diagram.symbol_names import TIME, Names, Numbers, element_name
+from ..engine.diagram.symbolic_equations import Equations, on_symbols
+from ..engine.model.block import Block
+from ..engine.record.symbolic import Symbols, rational
 from ..errors import DiagramError
 from .proving.proof import Step, exact
 from .proving.signs import factored, tidied, vanishes

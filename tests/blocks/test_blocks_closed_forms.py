@@ -13,9 +13,10 @@ from sentences import says
 from source_checks import CHECKS
 
 import clpt_control as clpt
+from clpt_control.base import random_numbers
 from clpt_control.blocks import disturbance, field, flow, localization, reference, vehicle
 from clpt_control.currents.plane import GriddedField
-from clpt_control.equations.declaration import Each, multiples
+from clpt_control.engine.model.declaration import Each, multiples
 
 
 @pytest.mark.parametrize("check", CHECKS, ids=lambda check: check.__name__)
@@ -91,7 +92,7 @@ def noise_at(block, **numbers):
 
 
 COUNT = 20000
-NEIGHBOURS = (0, 1, 2, 12345, disturbance.MODULUS - 2, disturbance.MODULUS - 1)
+NEIGHBOURS = (0, 1, 2, 12345, random_numbers.MODULUS - 2, random_numbers.MODULUS - 1)
 APART = (3, 3 + 7919, 3 + 104729, 3 + 40503, 3 + 7919 + 104729)  # by numbers of the hash
 
 
@@ -130,7 +131,7 @@ def test_noise_of_seeds_axes_and_lags_is_not_correlated(noises):
 
 def test_the_largest_seed_of_a_scenario_is_no_smaller_one_again():
     """The hash counts modulo a prime."""
-    largest = int(disturbance.MODULUS) - 1
+    largest = int(random_numbers.MODULUS) - 1
     table = {"kind": "noise", "amplitude": [1.0, 1.0], "period": 1.0, "seed": largest}
     paper = clpt.paper_scenario().with_values({"flow.disturbance": table})
     says(clpt.ScenarioError, "seed", paper.with_values, {"flow.disturbance.seed": largest + 1})

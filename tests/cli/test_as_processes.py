@@ -56,7 +56,7 @@ IMPORTS = {  # what is imported when the interrupt comes -> the command
     "netCDF4": RUN,
     "utide.harmonics": ("tides", "r.csv", "--constituents", "M2"),
     "zarr": (*ENSEMBLE, "8"),
-    "clpt_control.diagrams.drawing": ("diagram", "s.toml", "-o", "d.svg"),
+    "clpt_control.plots.drawing": ("diagram", "s.toml", "-o", "d.svg"),
 }
 
 

@@ -15,8 +15,8 @@ from written import RUN, write
 
 import clpt_control
 from clpt_control import paper_scenario
-from clpt_control.diagrams import interconnection
-from clpt_control.equations.declaration import multiples
+from clpt_control.engine.diagram import interconnection
+from clpt_control.engine.model.declaration import multiples
 from clpt_control.scenario.file import paper_text
 
 LARGE = 20_000

@@ -14,11 +14,11 @@ from sentences import says
 from clpt_control.blocks import clpe
 from clpt_control.blocks.laws.paper import LEARNED_FLOW as LAW
 from clpt_control.conformance import check_block, conformance, readings
-from clpt_control.conformance.checks import differ, python_values, random_samples, roles
+from clpt_control.engine.codegen import vectors
+from clpt_control.engine.conformance.checks import differ, python_values, random_samples, roles
+from clpt_control.engine.model.system import linear
 from clpt_control.equations import Block
-from clpt_control.equations.system import linear
 from clpt_control.errors import ArgumentError, BlockError, ClptError
-from clpt_control.native import vectors
 
 
 @pytest.mark.parametrize("block", EACH)

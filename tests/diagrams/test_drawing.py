@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 import clpt_control as clpt
-from clpt_control.diagrams.drawing import draw, mermaid
-from clpt_control.diagrams.drawing.figure import equation_numbers, layout, lines_of
+from clpt_control.plots.drawing import draw, mermaid
+from clpt_control.plots.drawing.figure import equation_numbers, layout, lines_of
 
 PAPER = clpt.paper_scenario()
 

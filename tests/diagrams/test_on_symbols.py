@@ -10,7 +10,7 @@ import sympy
 from sentences import says
 
 import clpt_control as clpt
-from clpt_control.equations.symbolic import rational
+from clpt_control.engine.record.symbolic import rational
 
 PENDULUM = clpt.Block(
     "pendulum",

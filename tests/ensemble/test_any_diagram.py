@@ -6,7 +6,7 @@ import pytest
 from swept import TIMES, lag, spring, springs, system, two_shapes, unread
 
 import clpt_control as clpt
-from clpt_control.equations.declaration import Each
+from clpt_control.engine.model.declaration import Each
 
 LAST = TIMES[-1]
 

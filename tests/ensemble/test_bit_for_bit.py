@@ -23,13 +23,13 @@ from random_diagrams import random_diagram
 from swept import TIMES, VARY, assert_identical, files, lag, system, unread
 
 import clpt_control as clpt
-from clpt_control.diagrams.varied import place_of
+from clpt_control.engine.diagram.sensitivity_names import place_of
+from clpt_control.engine.model.ports import ports_of
 from clpt_control.ensemble.drawn_values import read_varies
 from clpt_control.ensemble.members import Ensemble
 from clpt_control.ensemble.of_diagrams import VariedDiagram
 from clpt_control.ensemble.run import run_ensemble
 from clpt_control.ensemble.store import open_store
-from clpt_control.equations.ports import ports_of
 from clpt_control.errors import ClptError, DataError, DiagramError, ScenarioError, SimulationError
 
 DASK = pytest.mark.skipif(not importlib.util.find_spec("distributed"), reason="no Dask")

@@ -5,12 +5,12 @@ import pytest
 from law_blocks import HELD
 
 import clpt_control as clpt
+from clpt_control.engine.solver import solver_layout as numbering
+from clpt_control.engine.solver.batch import Batch
 from clpt_control.ensemble.members import Ensemble
 from clpt_control.ensemble.of_scenarios import VariedScenario
 from clpt_control.ensemble.spread import ensemble_summary
 from clpt_control.ensemble.summaries import STATUS
-from clpt_control.native import numbering
-from clpt_control.native.batch import Batch
 from clpt_control.simulation.summary import run_and_report
 from clpt_control.theory.proving.theorem_loop import AT_FIXES
 

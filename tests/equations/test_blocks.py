@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 from recorded import as_it_runs, recorded, static
 
-from clpt_control.diagrams.drawing.figure import equation_numbers
+from clpt_control.engine.model.ports import renamed, split, within
+from clpt_control.engine.model.system import linear, on_each_axis
 from clpt_control.equations import Block, Sampled
-from clpt_control.equations.ports import renamed, split, within
-from clpt_control.equations.system import linear, on_each_axis
 from clpt_control.errors import ArgumentError, BlockError
+from clpt_control.plots.drawing.figure import equation_numbers
 
 
 class Tuple(NamedTuple):

@@ -8,7 +8,7 @@ import pytest
 from recorded import as_it_runs, static
 
 import clpt_control as clpt
-from clpt_control.equations.arrays import Unread
+from clpt_control.engine.trace.arrays import Unread
 
 N = 8
 U = np.array([0.3, -1.7, 2.0, -0.4, 1.0, -1.0, 0.0, 1.2])

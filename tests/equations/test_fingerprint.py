@@ -22,10 +22,10 @@ from scipy import special
 from scipy.interpolate import interp1d
 
 import clpt_control as clpt
-from clpt_control.equations import reading
-from clpt_control.equations.arrays import Unread
-from clpt_control.equations.contents import Content, restore
-from clpt_control.equations.fingerprint import reachable
+from clpt_control.engine.trace import tracing as reading
+from clpt_control.engine.trace.arrays import Unread
+from clpt_control.engine.trace.contents import Content, restore
+from clpt_control.engine.trace.fingerprint import reachable
 
 LOGGER = logging.getLogger("boat")
 Point = namedtuple("Point", "east north")

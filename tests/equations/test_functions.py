@@ -7,8 +7,8 @@ import pytest
 from recorded import as_it_runs, recorded, static
 
 from clpt_control.conformance import readings
+from clpt_control.engine.trace.arrays import Unread
 from clpt_control.equations import lookup
-from clpt_control.equations.arrays import Unread
 
 U = (0.8, 0.4, 2.0)
 INTEGERS = {"bitwise_count", "gcd", "lcm", "left_shift", "right_shift", "ldexp", "frexp", "modf"}

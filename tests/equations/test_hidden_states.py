@@ -19,7 +19,7 @@ from recorded import run, static
 from scipy.interpolate import interp1d
 
 import clpt_control as clpt
-from clpt_control.equations.arrays import Array, Unread
+from clpt_control.engine.trace.arrays import Array, Unread
 
 U = [0.3, -0.7, 2.0]
 ROW, HISTORY, LATE, SEEN = [0.0], [], deque([0.0] * 3, maxlen=3), set()

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from careless_functions import PARAMS, READ, REFUSED
 
-from clpt_control.diagrams.wiring import wiring_of
-from clpt_control.equations.arrays import Unread
-from clpt_control.equations.at_many import leaf_values
+from clpt_control.engine.diagram.wiring import wiring_of
+from clpt_control.engine.model.vectorized import leaf_values
+from clpt_control.engine.trace.arrays import Unread
 
 STATES = [0.3, -0.7, 2.0], [-1.2, 0.4, -0.1], [1.0, 1.0, 1.0], [0.0, 0.0, 0.0], [2.5, 1.5, -3.0]
 POINTS = [

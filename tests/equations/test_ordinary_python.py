@@ -12,7 +12,7 @@ from recorded import as_it_runs, static
 from scipy.interpolate import CubicSpline, interp1d
 
 import clpt_control as clpt
-from clpt_control.equations.arrays import Unread
+from clpt_control.engine.trace.arrays import Unread
 
 TABLE = [1.0, 2.0, 4.0]
 WHOLE = np.array([[0, 1, 3], [-2, -3, 1], [1, 1, 1]])

@@ -8,7 +8,7 @@ import pytest
 from random_diagrams import random_block
 from recorded import recorded, run
 
-from clpt_control.equations.arrays import Unread
+from clpt_control.engine.trace.arrays import Unread
 
 PROGRAMS, SLOW = 100, 3000
 

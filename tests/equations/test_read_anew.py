@@ -16,8 +16,8 @@ from scipy import special
 from test_ordinary_python import POINTS
 
 import clpt_control as clpt
-from clpt_control.equations.arrays import Unread
-from clpt_control.equations.fingerprint import reachable
+from clpt_control.engine.trace.arrays import Unread
+from clpt_control.engine.trace.fingerprint import reachable
 
 # --- what changes after the block was made --------------------------------------------------------
 

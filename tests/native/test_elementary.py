@@ -11,11 +11,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from llvmlite import ir
 
-from clpt_control.equations.record import OPERATIONS
-from clpt_control.native.elementary import FUNCTIONS
-from clpt_control.native.llvm_function import Function
-from clpt_control.native.machine import Machine
-from clpt_control.native.vectors import PRIMITIVES, calculate, width_of
+from clpt_control.engine.codegen.elementary import FUNCTIONS
+from clpt_control.engine.codegen.llvm_function import Function
+from clpt_control.engine.codegen.machine import Machine
+from clpt_control.engine.codegen.vectors import PRIMITIVES, calculate, width_of
+from clpt_control.engine.record.graph import OPERATIONS
 
 mpmath.mp.dps = 40
 COLUMNS = 8

@@ -8,10 +8,11 @@ from sentences import says
 from written_systems import written
 
 import clpt_control as clpt
-from clpt_control.diagrams.wiring import wiring_of
-from clpt_control.equations.declaration import Guard
-from clpt_control.native import NativeDiagram, numbering
-from clpt_control.native.machine import LANES
+from clpt_control.engine.codegen.machine import LANES
+from clpt_control.engine.diagram.wiring import wiring_of
+from clpt_control.engine.model.declaration import Guard
+from clpt_control.engine.solver import solver_layout as numbering
+from clpt_control.native import NativeDiagram
 
 
 def height(t, x, u, p):

@@ -17,12 +17,12 @@ from sentences import says
 from written_systems import ticking
 
 import clpt_control as clpt
+from clpt_control.engine.codegen.machine import LANES
+from clpt_control.engine.solver import solver_layout as numbering
+from clpt_control.engine.solver.native_diagram import NativeDiagram
+from clpt_control.engine.solver.runner import PythonDiagram
 from clpt_control.equations import Block, Guard
 from clpt_control.errors import BlockError, SimulationError
-from clpt_control.native import numbering
-from clpt_control.native.machine import LANES
-from clpt_control.native.native_diagram import NativeDiagram
-from clpt_control.native.python_diagram import PythonDiagram
 
 
 def ticks(p, t0, t1):

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 import clpt_control as clpt
-from clpt_control.native.native_diagram import NativeDiagram
-from clpt_control.native.python_diagram import PythonDiagram
+from clpt_control.engine.solver.native_diagram import NativeDiagram
+from clpt_control.engine.solver.runner import PythonDiagram
 
 
 def test_code_is_made_once_for_diagrams_that_differ_in_numbers():

@@ -9,7 +9,7 @@ from test_kinks import T, run, system
 from written_systems import ticking
 
 import clpt_control as clpt
-from clpt_control.equations.declaration import Guard
+from clpt_control.engine.model.declaration import Guard
 
 
 def rest_of(rates, x0, times=T, **more):

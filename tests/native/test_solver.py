@@ -10,9 +10,9 @@ from scipy.integrate import solve_ivp
 from written_systems import written
 
 import clpt_control as clpt
-from clpt_control.diagrams.wiring import wiring_of
-from clpt_control.native.native_diagram import NativeDiagram
-from clpt_control.native.python_diagram import PythonDiagram
+from clpt_control.engine.diagram.wiring import wiring_of
+from clpt_control.engine.solver.native_diagram import NativeDiagram
+from clpt_control.engine.solver.runner import PythonDiagram
 
 every_engine = pytest.mark.parametrize("engine", [NativeDiagram, PythonDiagram])
 

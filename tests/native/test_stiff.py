@@ -11,12 +11,14 @@ from random_diagrams import random_diagram
 from written_systems import ticking, written
 
 import clpt_control as clpt
-from clpt_control.diagrams.wiring import wiring_of
+from clpt_control.engine.diagram.wiring import wiring_of
+from clpt_control.engine.solver import batch
+from clpt_control.engine.solver import solver_layout as numbering
+from clpt_control.engine.solver.runner import PythonDiagram
 from clpt_control.ensemble.members import Ensemble
 from clpt_control.ensemble.of_scenarios import VariedScenario
 from clpt_control.equations import Block, Guard
-from clpt_control.native import NativeDiagram, batch, numbering
-from clpt_control.native.python_diagram import PythonDiagram
+from clpt_control.native import NativeDiagram
 
 sys.path.insert(0, str(Path(__file__).parents[2]))  # benchmarks/ is no installed package
 

@@ -7,8 +7,8 @@ from scipy.integrate import simpson
 from sentences import says
 
 import clpt_control as clpt
+from clpt_control.base.random_numbers import hash_fraction
 from clpt_control.blocks import localization
-from clpt_control.blocks.disturbance import hash_fraction
 from clpt_control.equations import evaluate
 from clpt_control.theory.proving.theorem_loop import AT_FIXES
 

@@ -13,7 +13,7 @@ from responses import states_of
 from sentences import says
 
 import clpt_control as clpt
-from clpt_control.diagrams.wiring import wiring_of
+from clpt_control.engine.diagram.wiring import wiring_of
 from clpt_control.errors import BlockError, DataError, DiagramError, SimulationError
 from clpt_control.simulation.starts import initial_state
 

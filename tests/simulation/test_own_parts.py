@@ -15,7 +15,7 @@ from xarray.testing import assert_allclose, assert_equal, assert_identical
 
 import clpt_control as clpt
 from clpt_control.blocks import vehicle
-from clpt_control.diagrams.parts import LAW
+from clpt_control.engine.diagram.subsystems import LAW
 from clpt_control.errors import BlockError, ClptError, DataError, DiagramError
 from clpt_control.figures import new_figure
 from clpt_control.scenario.file import OWN_PARTS

@@ -13,8 +13,8 @@ from sentences import says
 import clpt_control as clpt
 from clpt_control.blocks import field, vehicle
 from clpt_control.currents.plane import GriddedField
+from clpt_control.engine.model.declaration import Each
 from clpt_control.equations import Block
-from clpt_control.equations.declaration import Each
 from clpt_control.errors import SimulationError
 
 ENGINES = pytest.mark.parametrize("engine", [None, "python"])

@@ -7,7 +7,7 @@ from models import MODELS, autonomous, decay, mrac, stepping
 from scipy.linalg import expm
 
 import clpt_control as clpt
-from clpt_control.equations.declaration import Each
+from clpt_control.engine.model.declaration import Each
 
 EXACT = {"rtol": 1e-12, "atol": 1e-13}
 

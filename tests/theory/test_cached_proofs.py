@@ -8,8 +8,8 @@ import pytest
 from processes import GUARD
 
 from clpt_control.blocks import vehicle
+from clpt_control.engine.codegen import machine
 from clpt_control.files import CACHE
-from clpt_control.native import machine
 from clpt_control.theory.proving import outcomes
 from clpt_control.theory.proving.all_proofs import Statement, statements
 from clpt_control.theory.proving.outcomes import CachedOutcomes, digest, prove_all, second_process

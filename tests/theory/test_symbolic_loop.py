@@ -9,10 +9,10 @@ from written_systems import written
 
 import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS
-from clpt_control.diagrams.interconnection import connect
-from clpt_control.equations.arrays import Tape, Unread
-from clpt_control.equations.block import Block
-from clpt_control.equations.derivative import Direction
+from clpt_control.engine.diagram.interconnection import connect
+from clpt_control.engine.model.block import Block
+from clpt_control.engine.record.derivative import Direction
+from clpt_control.engine.trace.arrays import Tape, Unread
 from clpt_control.theory.proving.every_n import SUM, EveryN
 from clpt_control.theory.proving.running_rate import PointSearch
 from clpt_control.theory.proving.signs import vanishes

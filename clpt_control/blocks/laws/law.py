@@ -23,8 +23,8 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from ...equations.block import Block
-from ...equations.declaration import Parameters
+from ...engine.model.block import Block
+from ...engine.model.declaration import Parameters
 from ...errors import ScenarioError
 from ..lyapunov import BY_GAINS, known_flow_V, learned_flow_V, weighted
 from ..ports import among

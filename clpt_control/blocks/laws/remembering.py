@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from ...equations.declaration import Each, multiples
+from ...engine.model.declaration import Each, multiples
 from ...errors import ScenarioError
 from .law import GAINS, K_GAMMA, MEMORY, PRIOR, Law, Setting, State, adapt_gains, promised, scaled
 from .regressions import (

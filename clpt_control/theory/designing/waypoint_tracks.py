@@ -23,12 +23,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...blocks.laws.law import LEARNED
-from ...diagrams.interconnection import wiring_of_blocks
-from ...equations.at_many import evaluate
+from ...engine.codegen.machine import LANES
+from ...engine.diagram.interconnection import wiring_of_blocks
+from ...engine.model.vectorized import evaluate
+from ...engine.solver.batch import Batch
+from ...engine.solver.native_diagram import NativeDiagram
 from ...errors import ScenarioError
-from ...native.batch import Batch
-from ...native.machine import LANES
-from ...native.native_diagram import NativeDiagram
 from ...scenario.experiment import Scenario
 from ...simulation.loops import LoopOf, remaining_parts
 from ...simulation.starts import state_of

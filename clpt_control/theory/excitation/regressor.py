@@ -24,8 +24,8 @@ from typing import TYPE_CHECKING, Any, Union
 import numpy as np
 
 from ...arguments import numbers, public
-from ...equations.at_many import evaluate
-from ...equations.declaration import multiples
+from ...engine.model.declaration import multiples
+from ...engine.model.vectorized import evaluate
 from ...errors import ArgumentError, DataError, ScenarioError
 from ...scenario.experiment import Scenario
 from ...scenario.file import CHANGED, OWN_LAW, OWN_PARTS

@@ -39,8 +39,8 @@ from ...blocks.consensus import total_candidate
 from ...blocks.laws.law import Law
 from ...blocks.laws.table import LAWS
 from ...blocks.vehicle import speed_limit
-from ...diagrams.interconnection import Diagram, connect
-from ...equations.ports import named, split, within
+from ...engine.diagram.interconnection import Diagram, connect
+from ...engine.model.ports import named, split, within
 from ...scenario.team import TEAM_LAW, Team
 from ...simulation.team_loops import team_blocks
 from ..counterexamples import limited_speed_counterexample

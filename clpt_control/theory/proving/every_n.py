@@ -29,10 +29,10 @@ from typing import Any
 import numpy as np
 import sympy
 
-from ...equations.arrays import Unread, operand
-from ...equations.elements import Index
-from ...equations.record import Ref, Shape
-from ...equations.symbolic import Symbols
+from ...engine.record.graph import Ref, Shape
+from ...engine.record.scalar_graph import Index
+from ...engine.record.symbolic import Symbols
+from ...engine.trace.arrays import Unread, operand
 
 MOST_INDICES = 4  # that one atom is summed over
 FREE = "kjihg"  # names of generic places of an array's open axes

@@ -17,7 +17,7 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from ...blocks.laws.law import LEARNED, Law
-from ...equations.symbolic import extent
+from ...engine.record.symbolic import extent
 from ...simulation.loops import paper_blocks
 from ...simulation.starts import state_columns, state_of
 from ..promises import truth_of

@@ -58,7 +58,7 @@ import numpy as np
 import sympy
 
 from ...blocks.laws.law import Law
-from ...diagrams.interconnection import connect
+from ...engine.diagram.interconnection import connect
 from ...simulation.loops import LoopOf, remaining_parts
 from . import invariant_loop
 from .invariant_loop import InvariantLoop

@@ -13,8 +13,8 @@ import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
-from ...equations.block import Block
-from ...equations.elements import Index
+from ...engine.model.block import Block
+from ...engine.record.scalar_graph import Index
 from ..squares import never_positive, positive_definite, states_beside
 from .every_n import base_and_term, reindexed
 from .leaks import Bound

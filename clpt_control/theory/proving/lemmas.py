@@ -38,9 +38,9 @@ from typing import Any
 import numpy as np
 import sympy
 
-from ...diagrams.interconnection import Diagram
-from ...equations.arrays import operand
-from ...equations.derivative import Direction
+from ...engine.diagram.interconnection import Diagram
+from ...engine.record.derivative import Direction
+from ...engine.trace.arrays import operand
 from ...errors import DiagramError
 from ...simulation.loops import error_loop
 from .proof import Step, checked, cited

@@ -14,7 +14,7 @@ import sympy
 
 from ...blocks import flow
 from ...blocks.laws.law import LEARNED
-from ...equations.symbolic import Symbols
+from ...engine.record.symbolic import Symbols
 from ...simulation.loops import error_loop
 from .lemmas import errors, wanted_rates
 from .proof import checked

@@ -22,8 +22,8 @@ from pathlib import Path
 from threading import Thread
 from typing import TYPE_CHECKING, Any
 
+from ...engine.codegen.machine import ENGINE, code_name
 from ...files import cache_folder, read_cached, write_cached
-from ...native.machine import ENGINE, code_name
 from ...progress import interrupt
 from ...progress.processes import Pool, processes
 from .proof import Proof

@@ -22,10 +22,10 @@ from sympy.core.function import AppliedUndef
 from ...arguments import Count, Seed, public
 from ...blocks.laws.law import LEARNED, Law, Truth
 from ...blocks.lyapunov import lyapunov_candidate, weighted
-from ...diagrams.interconnection import Diagram, connect
-from ...diagrams.parts import functions_of
-from ...diagrams.wiring import read_anew
-from ...equations.block import Block
+from ...engine.diagram.interconnection import Diagram, connect
+from ...engine.diagram.subsystems import functions_of
+from ...engine.diagram.wiring import read_anew
+from ...engine.model.block import Block
 from ...errors import DiagramError
 from ...scenario.experiment import Scenario
 from ...simulation.loops import loop_of

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from traceback import format_exception_only
 from typing import Any, Literal
 
-from ...equations.arrays import Unread
+from ...engine.trace.arrays import Unread
 from ...errors import ClptError, DiagramError
 
 LONG = 10**12  # denominators beyond are rounded where they are printed

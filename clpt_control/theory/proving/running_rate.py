@@ -21,12 +21,12 @@ import control
 import numpy as np
 import sympy
 
-from ...diagrams.on_symbols import Equations
-from ...diagrams.symbol_names import TIME
-from ...diagrams.wiring import wiring_of
-from ...equations.at_many import on_arrays
+from ...engine.diagram.symbol_names import TIME
+from ...engine.diagram.symbolic_equations import Equations
+from ...engine.diagram.wiring import wiring_of
+from ...engine.model.vectorized import on_arrays
+from ...engine.solver.evaluation_pass import Sweep
 from ...errors import DiagramError
-from ...native.sweep import Sweep
 from ...progress.interrupt import check
 from .proof import Step, checked
 from .symbolic_loop import Numbers, Point, SymbolicLoop

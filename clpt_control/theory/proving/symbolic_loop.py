@@ -18,16 +18,16 @@ import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
-from ...diagrams.merged_record import TapeRecord
-from ...diagrams.on_symbols import Equations, on_symbols
-from ...diagrams.symbol_names import TIME
-from ...diagrams.wiring import Node, Wiring, wiring_of
-from ...equations.arrays import Tape, operand
-from ...equations.declaration import Parameters
-from ...equations.derivative import Direction
-from ...equations.elements import Index
-from ...equations.record import Shape
-from ...equations.symbolic import LONG, extent
+from ...engine.diagram.merged_record import TapeRecord
+from ...engine.diagram.symbol_names import TIME
+from ...engine.diagram.symbolic_equations import Equations, on_symbols
+from ...engine.diagram.wiring import Node, Wiring, wiring_of
+from ...engine.model.declaration import Parameters
+from ...engine.record.derivative import Direction
+from ...engine.record.graph import Shape
+from ...engine.record.scalar_graph import Index
+from ...engine.record.symbolic import LONG, extent
+from ...engine.trace.arrays import Tape, operand
 from ...errors import DiagramError
 from .every_n import EveryN
 from .symbols import PaperNames, parameter_symbol, undefined

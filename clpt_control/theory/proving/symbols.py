@@ -17,13 +17,13 @@ from typing import Any
 import numpy as np
 import sympy
 
-from ...diagrams.symbol_names import Names
-from ...diagrams.wiring import Node, Wiring
-from ...equations.block import Block
-from ...equations.elements import Index
-from ...equations.ports import named, split
-from ...equations.record import Shape
-from ...equations.symbolic import extent
+from ...engine.diagram.symbol_names import Names
+from ...engine.diagram.wiring import Node, Wiring
+from ...engine.model.block import Block
+from ...engine.model.ports import named, split
+from ...engine.record.graph import Shape
+from ...engine.record.scalar_graph import Index
+from ...engine.record.symbolic import extent
 from ...scenario.quantities import QUANTITIES
 from .signs import positive_maximum
 from .words import interval

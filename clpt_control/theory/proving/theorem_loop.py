@@ -21,8 +21,8 @@ from ...blocks.laws.law import Law, Truth
 from ...blocks.laws.table import LAWS
 from ...blocks.lyapunov import PORTS, lyapunov_candidate, weighted
 from ...blocks.ports import paper_block
-from ...diagrams.interconnection import Diagram, connect
-from ...equations.block import Block
+from ...engine.diagram.interconnection import Diagram, connect
+from ...engine.model.block import Block
 from ...scenario.experiment import Scenario
 from ...scenario.file import paper_scenario
 from ...simulation.loops import paper_blocks

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 import sympy
 
-from ...diagrams.interconnection import Diagram
+from ...engine.diagram.interconnection import Diagram
 from ...html import facts, fragment
 from .law_case import Case
 from .leaks import Bounding

@@ -25,8 +25,8 @@ from typing import Any, NamedTuple
 import sympy
 from sympy.core.function import AppliedUndef
 
-from ...diagrams.symbol_names import TIME
-from ...equations.symbolic import ON_NUMBERS
+from ...engine.diagram.symbol_names import TIME
+from ...engine.record.symbolic import ON_NUMBERS
 from .every_n import SUM
 
 INSIDE = sympy.Function("inside", real=True)  # 1 where clip(s, a, b) is s, else 0

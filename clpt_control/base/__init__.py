@@ -1,0 +1,1 @@
+"""Helpers without a subject of the field: public names, random numbers."""

@@ -1,5 +1,0 @@
-"""Blocks wired by python-control: `connect`, what is wired to what, pictures."""
-
-import lazy_loader
-
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

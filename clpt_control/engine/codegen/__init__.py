@@ -1,0 +1,1 @@
+"""Code generation: machine code (LLVM) and C of a diagram's record."""

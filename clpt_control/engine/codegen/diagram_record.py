@@ -1,0 +1,385 @@
+"""One record of a diagram, with all that its program stores, and where each number lies.
+
+    v0 = load X[0:2]            v1 = add(v0, v7)            v2 = sum(v1 over 0)
+    x[i] of a block -> X        p.field[k] -> P, or T where runs share it
+
+An axis is long, and loops, if its size has a name or is above `SHORT`.  Every entry knows the block
+that it comes from, because only terms of different blocks may cancel (`merged_sums`); entries of
+wires have no block.
+
+Fields with the same values share a slot: a basis at the vehicle and at its prediction then share
+widths and tides, and the compiler sees that their cosines are the same.  An input of the diagram
+is a straight line in time.  Behind the fields P holds where the lines begin, their values there and
+their slopes.  What is prepared comes last.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+from math import pi, prod
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..diagram.merged_record import RecordMerger
+from ..diagram.wiring import Wiring
+from ..model.block import Block
+from ..model.ports import places
+from ..model.system import System
+from ..record.graph import Operation, Record, bound
+from ..solver.schedule import TimeTable
+from ..trace.arrays import Tape, Unread
+from .switching_conditions import LOCKED, Decisions, Port
+
+SHORT, NAMED = 16, 2  # an axis up to SHORT is unrolled, but from NAMED on where it has a name
+SIGNED = {"atan2", "pow", "floordiv", "mod", "div"}  # distinguish -0.0 from 0.0
+FOLDS = {"asin": "sin", "acos": "cos", "atan": "tan"}  # inverses, of which angles are folded
+WIRE = -1  # the owner of the operations of wires
+LARGE = 512  # numbers: a larger array is a table that runs share
+# the lengths from which on an axis without and with a name loops, and whether decisions are locked
+# for a step; all forms but None are there to be compared
+FORMS = {
+    None: (SHORT + 1, NAMED, True),
+    "unrolled": (10**9, 10**9, True),
+    "looped": (2, 2, True),
+    "free": (SHORT + 1, NAMED, False),
+}
+Ref = Any  # the place of an entry (int), or a constant (float)
+
+
+# --- where each number lies ------------------------------------------------------------------
+
+
+class Slot(NamedTuple):
+    """Where a parameter field lies: in P, or in T, which runs share; its first place."""
+
+    array: str
+    offset: int
+
+
+@dataclass
+class Layout:
+    """The slots of all parameters of a diagram, and the diagram's own values of P and T."""
+
+    slots: dict[tuple[int, str], Slot] = field(default_factory=dict)  # of (block, field)
+    intervals: dict[int, int] = field(default_factory=dict)  # block -> its `interval` in P
+    jumps: dict[int, int] = field(default_factory=dict)  # block -> place in P: `JUMPS` or 0
+    time_tables: dict[tuple, TimeTable] = field(default_factory=dict)  # by rows, shift and side
+    P: np.ndarray = field(default_factory=lambda: np.zeros(0))
+    T: np.ndarray = field(default_factory=lambda: np.zeros(1))  # never empty
+
+    @property
+    def pattern(self) -> tuple:
+        """All places, and so which fields share a slot: part of the key of compiled code."""
+        tables = ((key, one.place) for key, one in self.time_tables.items())
+        return *self.slots.items(), *self.jumps.items(), *tables, len(self.P), len(self.T)
+
+    def inputs(self, count: int) -> int:
+        """Return the length of P with `count` inputs of the diagram."""
+        return len(self.P) + 1 + 2 * count
+
+    def packed(self, parameters: Sequence[Any]) -> np.ndarray:
+        """Return P for other parameters of the same blocks; fields that share stay equal."""
+        P, known = self.P.copy(), dict[int, np.ndarray]()
+        for (k, name), (array, offset) in self.slots.items():
+            if array == "T":
+                continue
+            value = np.asarray(getattr(parameters[k], name), dtype=float).ravel()
+            if not np.array_equal(known.setdefault(offset, value), value):
+                raise ValueError(f"{name} of block {k} no longer equals the field it stands with")
+            P[offset : offset + len(value)] = value
+        return P
+
+
+def lay_out(
+    wiring: Wiring, parameters: Sequence[Any], apart: Mapping[tuple[int, str], Any] = {}
+) -> Layout:
+    """Return slots for the parameters of a diagram's blocks.
+
+    `apart` maps fields that differ from run to run, (block, field), to a value; two of them share a
+    slot only if these values are equal.
+    """
+    layout, known = Layout(), dict[tuple, Slot]()
+    parts: dict[str, list[np.ndarray]] = {"P": [np.zeros(0)], "T": []}
+
+    def slot(array: str, numbers: np.ndarray) -> Slot:
+        parts[array].append(numbers.ravel())
+        return Slot(array, sum(part.size for part in parts[array][:-1]))
+
+    for k, (node, p) in enumerate(zip(wiring.nodes, parameters, strict=True)):
+        for name, value in zip(p._fields, p, strict=True):
+            if isinstance(value, int) or not is_read(node.system, name):
+                continue
+            array = np.asarray(value, dtype=float)
+            key: tuple = (name, array.shape, array.tobytes(), apart.get((k, name)))
+            if name == "interval":
+                key = name, k
+            if key not in known:
+                shared = array.size > LARGE and (k, name) not in apart
+                known[key] = slot("T" if shared else "P", array)
+            layout.slots[k, name] = known[key]
+            if name == "interval" and node.system.breakpoints_function is not None:
+                layout.intervals[k] = known[key].offset
+        if node.system.jump_function is not None:
+            layout.jumps[k] = slot("P", np.zeros(1)).offset
+        for key in () if wiring.dt else tables_over_time(node.system):
+            if key not in layout.time_tables:
+                rows, shift, (_, joints) = key
+                place, times = slot("P", np.zeros(1)).offset, np.frombuffer(rows) - shift
+                layout.time_tables[key] = TimeTable(times, place, joints != "jumps")
+    layout.P, layout.T = np.concatenate(parts["P"]), np.concatenate([*parts["T"], np.zeros(1)])
+    return layout
+
+
+def is_read(block: Block, name: str) -> bool:
+    """Return whether a block's functions read a parameter; python-control hands down others too."""
+    inner = getattr(block, "inner", block)  # of a sampled one
+    return not isinstance(inner, System) or name == "interval" or inner.reads(name)
+
+
+def tables_over_time(block: Block) -> Iterator[tuple]:
+    """Yield rows, shift and side of the tables that a block reads at time plus a constant."""
+    for role in (*block._roles, "output"):
+        with suppress(Unread):
+            lines = block.array_record(role).operations
+            for line in lines:
+                if (
+                    line.kind == "search"
+                    and (shift := shift_of(lines, line.arguments[1])) is not None
+                ):
+                    yield lines[line.arguments[0]].at, shift, line.at
+
+
+def shift_of(lines: Sequence[Operation], ref: Ref) -> float | None:
+    """Return by how much a value is later than time; None where it is no such time."""
+
+    def is_time(ref: Ref) -> bool:
+        return type(ref) is int and lines[ref].at in (("t", "t"), ("t", 0)) and not lines[ref].shape
+
+    if is_time(ref):
+        return 0.0
+    kind, arguments, *_ = lines[ref]
+    if kind not in ("add", "sub") or not is_time(arguments[0]) or type(arguments[1]) is not float:
+        return None
+    return arguments[1] if kind == "add" else -arguments[1]
+
+
+# --- the record ------------------------------------------------------------------------------
+
+
+class DiagramRecord(RecordMerger):
+    """All operations of a diagram, and what its functions store.
+
+    Kinds are those of `equations.record`, with loads in place of leaves: `at` of a load is (array,
+    first place); of a sum (axis, length, whether it loops); of a part the first place among all
+    elements of its argument, row by row.  Axes loop from the length `long` on, where they have a
+    name from `named` on.
+    """
+
+    def __init__(self, wiring: Wiring, layout: Layout, form: str | None = None):
+        super().__init__(wiring, {0: wiring.ninputs})
+        self.layout, (self.long, self.named, self.locking) = layout, FORMS[form]
+        self.tape = Tape()
+        self.entries = self.tape.operations
+        self.owners: dict[int, int] = {}  # the blocks that entries come from
+        self.decided_by: dict[int, tuple] = {}  # entry that may decide -> its long axes, and where
+        self.rates: list[Port] = []
+        self._jumped: dict[int, dict[str, Ref]] = {}  # states of a block after jumps, once known
+        self.inputs[0] = self._inputs()
+        self.signals = self._rates()
+        guarded = [k for k, node in enumerate(wiring.nodes) if node.system.guard is not None]
+        self.margins = [m for k in guarded for m in self.run(k, "guard", self.fed(k))]
+        self.decisions = Decisions(self, layout.inputs(wiring.ninputs))
+        if self.locking and not wiring.dt:
+            self.rates = self.decisions.lock(self.rates)
+        self._jumped = {k: self._leap(k) for k in range(len(wiring.nodes))}
+        self._sample()
+        self.leaps: list[Port] = []
+        for k, states in self._jumped.items():
+            self.leaps += self._stored(k, "states", [*states.values()])
+
+    def add(
+        self, kind: str, arguments: Sequence[Ref], shape: tuple, at: Any = None, owner: int = WIRE
+    ) -> int:
+        """Add an entry; return its place."""
+        self.tape.append(Operation(kind, tuple(arguments), shape, at))
+        self.owners[len(self.entries) - 1] = owner
+        return len(self.entries) - 1
+
+    def shape_of(self, ref: Ref) -> tuple[int, ...]:
+        """Return the shape of a value."""
+        return self.entries[ref].shape if type(ref) is int else ()
+
+    # --- blocks ---------------------------------------------------------------------------
+
+    def _output(self, k: int) -> list[Port]:
+        node = self.wiring.nodes[k]
+        values = self.run(k, "output", self.fed(k) if node.system.feedthrough else {})
+        ports = [port for port in self._stored(k, "outputs", values) if prod(port.shape)]
+        self.outputs.update({port.first: port.ref for port in ports})
+        return ports
+
+    def _rates(self) -> list[Port]:
+        """Write the rates of all states; return all signals."""
+        signals: dict[int, Port] = {}  # of a block that is run twice, those of the second run
+        for k in self.wiring.order:
+            signals |= {port.first: port for port in self._output(k)}
+        for k, node in enumerate(self.wiring.nodes):
+            if node.system.update_function is not None:
+                self.rates += self._stored(k, "states", self.run(k, "update", self.fed(k)))
+        return [*signals.values()]
+
+    def _leap(self, k: int) -> dict[str, Ref]:
+        """Return the states of a block after the jumps that P requests."""
+        node, place = self.wiring.nodes[k], self.layout.jumps.get(k)
+        shapes = node.system.state_shapes
+        states = {name: self.leaf(k, "x", name, shape) for name, shape in shapes.items()}
+        if place is not None:
+            jumps = self.add("gt", (self.load("P", place, ()), 0.5), ())
+            self._change(k, states, jumps, self.run(k, "jump", self.fed(k)))
+        return states
+
+    def _change(self, k: int, states: dict[str, Ref], where: Ref, values: list[Ref]) -> None:
+        """Change the last states of a block where a condition holds."""
+        shapes = self.wiring.nodes[k].system.state_shapes
+        for name, value in zip([*states][-len(values) :], values, strict=True):
+            states[name] = self.add("where", (where, value, states[name]), shapes[name])
+
+    def _sample(self) -> None:
+        """Sample the inputs of blocks that sample, with the signals after all jumps."""
+        nodes, self.outputs = self.wiring.nodes, {}
+        sampling = [k for k, node in enumerate(nodes) if node.system.first_held is not None]
+        for k in self.wiring.order if sampling else ():
+            if k in sampling:
+                self._hold(k)
+            self._output(k)
+        for k in sampling:  # a block that feeds it may come after it in the order
+            self._hold(k)
+
+    def _hold(self, k: int) -> None:
+        sampled = self.add("ne", (self.load("P", self.layout.jumps[k], ()), 0.0), ())
+        self._change(k, self._jumped[k], sampled, [*self.fed(k).values()])
+
+    def _stored(self, k: int, kind: str, values: list[Ref]) -> list[Port]:
+        node, ports = self.wiring.nodes[k], list[Port]()
+        first = getattr(node, kind).start
+        for shape, ref in zip(node.system.declared[kind].values(), values, strict=True):
+            ports.append(Port(first, *self._axes(node.system, shape), ref))
+            first += prod(ports[-1].shape)
+        return ports
+
+    def _axes(self, block: Block, shape: tuple) -> tuple[tuple[int, ...], tuple[bool, ...]]:
+        """Return lengths of axes, and which of them loop."""
+        lengths = bound(shape, block.sizes)
+        long = (
+            n >= self.long or (isinstance(name, str) and n >= self.named)
+            for n, name in zip(lengths, shape, strict=True)
+        )
+        return lengths, tuple(long)
+
+    def shape(self, block: Block, shape: tuple) -> tuple[int, ...]:
+        """Return lengths of axes."""
+        return self._axes(block, shape)[0]
+
+    def put(self, k: int, role: str, record: Record, operation: Operation, own: list[Ref]) -> Ref:
+        """Write an operation of a block."""
+        block, (kind, arguments, shape, at) = self.wiring.nodes[k].system, operation
+        if kind == "part":
+            return self.part(own[0], at, shape)
+        if kind == "sum":
+            length, long = self._axes(block, record.operations[arguments[0]].shape)
+            at = at, length[at], long[at]
+        lengths, long = self._axes(block, shape)
+        # samples stay for a step
+        smooth = (block.opaque and block.of_package) or block.first_held is not None
+
+        def put(kind: str, *own: Ref) -> Ref:
+            entry = self.add(kind, own, lengths, at, k)
+            if kind in LOCKED and not (smooth or self._is_smooth(kind, own, at)):
+                self.decided_by[entry] = long, (k, role, kind)
+            return entry
+
+        if (
+            kind == "search"
+            and self.locking
+            and (shift := shift_of(self.entries, own[1])) is not None
+        ):
+            key = self.entries[own[0]].at, shift, at
+            if (table := self.layout.time_tables.get(key)) is not None:
+                return self.load("P", table.place, ())
+        if kind in FOLDS and type(own[0]) is int and self.entries[own[0]].kind == FOLDS[kind]:
+            return _folded(kind, self.entries[own[0]].arguments[0], put)
+        return put(kind, *own)
+
+    def _is_smooth(self, kind: str, own: Sequence[Ref], at: Any) -> bool:
+        """Return whether an operation reads a table whose rows lie closer than tolerances tell."""
+        if kind == "pick" and type(own[1]) is int:
+            kind, _, _, at = self.entries[own[1]]
+        return kind == "search" and at[1] == "smooth"
+
+    def leaf(self, k: int, group: str, name: str, shape: tuple) -> Ref:
+        """Return time, a parameter, or a state, after jumps where these are known."""
+        block, array, first = self.wiring.nodes[k].system, "t", 0
+        if group == "p":
+            array, first = self.layout.slots[k, name]
+        elif group == "x" and name in self._jumped.get(k, {}):
+            return self._jumped[k][name]
+        elif group == "x":
+            own, _ = places(block.state_shapes)[name]
+            array, first = "X", self.wiring.nodes[k].states.start + own.start
+        return self.load(array, first, self.shape(block, shape))
+
+    def load(self, array: str, first: int, shape: tuple) -> int:
+        """Return the entry that reads an array from a place, row by row; equal ones are one."""
+        return self.tape.add("load", (), shape, (array, first))._node
+
+    # --- wires ----------------------------------------------------------------------------
+
+    def _inputs(self) -> int:
+        """Return the diagram's inputs: straight lines in time, value + slope (t - begin)."""
+        n, ramp = self.wiring.ninputs, len(self.layout.P)
+        begin, t = self.load("P", ramp, ()), self.load("t", 0, ())
+        since = self.add("sub", (t, begin), ())
+        rise = self.add("mul", (since, self.load("P", ramp + 1 + n, (n,))), (n,))
+        return self.add("add", (self.load("P", ramp + 1, (n,)), rise), (n,))
+
+    def fed(self, k: int) -> dict[str, Ref]:
+        """Return the value that feeds each input port of a block."""
+        fed, block = super().fed(k), self.wiring.nodes[k].system
+        kinds = {line.kind for record in block.records.values() for line in record.operations}
+        if kinds & {"join", "part"}:  # which take whole arrays
+            for port, shape in block.declared["inputs"].items():
+                fed[port] = self._spread(fed[port], self.shape(block, shape))
+        if kinds & SIGNED:
+            for port, ref in fed.items():
+                if type(ref) is int:  # sums in Python begin at 0.0, are never -0.0
+                    fed[port] = self.add("add", (ref, 0.0), self.shape_of(ref))
+        return fed
+
+    def _spread(self, ref: Ref, shape: tuple[int, ...]) -> Ref:
+        """Return a value in all of a shape: what feeds a port may have fewer axes."""
+        if (own := self.shape_of(ref)) == shape:
+            return ref
+        return self.add("mul", (ref, 1.0), shape) if own else self.add("fill", (ref,), shape)
+
+    def part(self, ref: int, first: int, shape: tuple) -> int:
+        """Return elements of a value from a place on, row by row, in a shape."""
+        entry = self.entries[ref]
+        if entry.shape == shape and first == 0:
+            return ref
+        if entry.kind == "load":
+            array, start = entry.at
+            return self.load(array, start + first, shape)
+        if entry.kind == "view" and len(entry.at) == 1 and entry.at[0][2] == 1:
+            return self.part(entry.arguments[0], entry.at[0][1] + first, shape)
+        return self.add("part", (ref,), shape, first)
+
+
+def _folded(kind: str, a: Ref, put: Callable[..., Ref]) -> Ref:
+    """Return asin(sin a), acos(cos a) or atan(tan a), whose kinks are those of |x| and a % b."""
+    turn, ahead = (pi if kind == "atan" else 2.0 * pi), (pi if kind == "acos" else 0.5 * pi)
+    angle = put("mod", put("add", a, ahead), turn)
+    if kind == "atan":
+        return put("sub", angle, 0.5 * pi)
+    away = put("fabs", put("sub", angle, pi))
+    return away if kind == "acos" else put("sub", 0.5 * pi, away)

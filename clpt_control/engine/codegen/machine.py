@@ -1,0 +1,248 @@
+"""Machine code: LLVM's text compiled for this processor, cached in the user's folder, and loaded.
+
+The name of a file is a hash of its sources, the versions and the processor, so no file is ever
+stale.  A file begins with the hash of its content, so one that was cut short is made again.  One
+thread at a time uses LLVM.
+
+The solver's text, `solver.ll`, is `solver.py` and its pages as Numba compiles them for no processor
+in particular (`tools/print_solver.py`).  Its functions take one array: the numbers of their
+arguments, as Numba has them.  Those of an array are two references that it does not own, count,
+size of an item, address, shape and strides.
+"""
+
+import hashlib
+import os
+import re
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager, suppress
+from ctypes import CFUNCTYPE, addressof, c_char, c_double, c_int64, c_void_p
+from functools import cache, lru_cache
+from importlib.metadata import version
+from pathlib import Path
+from threading import RLock
+from types import SimpleNamespace
+from typing import Any
+
+import llvmlite.binding as llvm
+import numpy as np
+
+from ...files import cache_folder, read_cached, write_cached
+from ...progress import note
+
+VARIABLE = "CLPT_CONTROL_PROCESSOR"
+ENGINE = "CLPT_CONTROL_ENGINE"  # environment variable that names another default
+LANES = 8  # runs side by side, or iterations of a loop at once
+MOST_FILES = 4000  # of a family, "solver-" or none, some 6 kB each; the least recently used go
+HASH = hashlib.sha256().digest_size
+LOCK = RLock()
+HERE = Path(__file__).parent
+TEXT = HERE.parent / "solver" / "solver.ll"
+BRANCHES = re.compile(r'\n\s+br |call [^\n@]*@"?(?!"?llvm\.)')  # or calls of its own functions
+
+
+@contextmanager
+def _alone() -> Iterator[None]:
+    with LOCK:
+        yield
+
+
+one_at_a_time = _alone()  # as a decorator: one thread at a time may run it
+
+
+def once(most: int | None = None) -> Callable:
+    """Cache what a function returns; threads that call it at the same time get the same."""
+    cached = lru_cache(most)
+    return lambda function: cached(one_at_a_time(cached(function)))
+
+
+# --- the processor --------------------------------------------------------------------------
+
+
+@cache
+def _host() -> tuple[str, str]:
+    return llvm.get_host_cpu_name(), llvm.get_host_cpu_features().flatten()
+
+
+def processor() -> tuple[str, str]:
+    """Return its name and features; CLPT_CONTROL_PROCESSOR names another, such as ``generic``."""
+    name = os.environ.get(VARIABLE)
+    return (name, "") if name else _host()
+
+
+def fuses() -> bool:
+    """Whether a product and a sum are one instruction."""
+    return "+fma" in processor()[1] or "+neon" in processor()[1]
+
+
+def scales() -> bool:
+    """Whether several numbers times powers of two are one instruction."""
+    return "+avx512vl" in processor()[1]
+
+
+def target_machine() -> Any:
+    """Return LLVM's description of the processor."""
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()
+    name, features = processor()
+    target = llvm.Target.from_default_triple()
+    return target.create_target_machine(cpu=name, features=features, opt=3, jit=True)
+
+
+# --- the cache ------------------------------------------------------------------------------
+
+
+def code_name(*sources: str) -> str:
+    """Return the name of the code that these texts become on this machine."""
+    texts = (*sources, *processor(), llvm.get_default_triple(), version("llvmlite"))
+    return hashlib.sha256("\n".join(texts).encode()).hexdigest()[:32]
+
+
+def cached_code(name: str) -> bytes | None:
+    """Return code from the cache, if it is whole and only the user could have written it."""
+    if (folder := cache_folder()) is None:
+        return None
+    path = folder / f"{name}.o"
+    content = read_cached(path)
+    if content is None or content[:HASH] != hashlib.sha256(content[HASH:]).digest():
+        return None
+    with suppress(OSError):
+        os.utime(path)
+    return content[HASH:]
+
+
+def cache_code(name: str, code: bytes) -> None:
+    """Write code into the cache, if there is one; code of diagrams does not remove the solver's."""
+    if (folder := cache_folder()) is not None:
+        content = hashlib.sha256(code).digest() + code
+        write_cached(folder / f"{name}.o", content, MOST_FILES)
+
+
+# --- code -----------------------------------------------------------------------------------
+
+
+def _load(name: str, text: Callable[[], str], plain: bool = False) -> Any:
+    """Return LLVM's engine with code from the cache, or else compiled; it knows the addresses.
+
+    In `plain` text, and in text without branches, most of LLVM's passes find nothing.
+    """
+    if (code := cached_code(name)) is None:
+        machine, parsed = target_machine(), llvm.parse_assembly(printed := text())
+        parsed.triple, parsed.data_layout = machine.triple, str(machine.target_data)
+        options = llvm.create_pipeline_tuning_options(speed_level=3)
+        # the text has vectors already
+        options.loop_vectorization = options.slp_vectorization = False
+        options.loop_unrolling = options.loop_interleaving = False
+        passes = llvm.create_pass_builder(machine, options)
+        manager = passes.getModulePassManager()
+        if plain or not BRANCHES.search(printed):
+            manager = llvm.create_new_module_pass_manager()
+            manager.add_instruction_combine_pass()
+        manager.run(parsed, passes)
+        code = bytes(machine.emit_object(parsed))
+        cache_code(name, code)
+    engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), target_machine())
+    engine.add_object_file(llvm.ObjectFileRef.from_data(code))
+    engine.finalize_object()
+    return engine
+
+
+class Machine:
+    """Functions of arrays as machine code.
+
+    `addresses` holds the address of each, valid for as long as this object lives.  `source` stands
+    for all that the text of `module` depends on; `plain` is that of `_load`.
+    """
+
+    @one_at_a_time
+    def __init__(
+        self, names: Iterable[str], source: str, module: Callable[[], Any], plain: bool = False
+    ):
+        self._engine = _load(code_name(source, _printers()), lambda: str(module()), plain)
+        self.addresses = {name: self._engine.get_function_address(name) for name in names}
+
+
+@cache
+def _printers() -> str:
+    """Return a hash of what LLVM's text of a program depends on besides the program."""
+    texts = b"".join(file.read_bytes() for file in sorted(HERE.parent.rglob("*.py")))
+    return hashlib.sha256(texts).hexdigest() + version("numpy")
+
+
+# --- the solver -----------------------------------------------------------------------------
+
+
+def _entry(address: int) -> Callable[..., int]:
+    """Return a function of the solver; it takes the numbers of its arguments."""
+    function = CFUNCTYPE(c_int64, c_void_p)(address)
+    return lambda numbers: function(addressof(c_char.from_buffer(numbers.data)))
+
+
+def numbers_of(*arguments: Any) -> np.ndarray:
+    """Return the numbers of whole numbers, contiguous arrays, and tuples of these."""
+    return np.array(flattened(arguments, []), dtype=np.int64)
+
+
+def flattened(arguments: tuple, numbers: list[Any]) -> list[Any]:
+    """Return numbers, and behind them those that stand for arguments, one after the other."""
+    for one in arguments:
+        if type(one) is tuple:
+            flattened(one, numbers)
+        elif type(one) is np.ndarray:
+            flags = one.flags
+            if not flags.c_contiguous or one.dtype.char not in "dl":
+                raise TypeError(f"the solver takes no array of {one.dtype}, {one.strides}")
+            if not one.size:
+                address = 0
+            elif flags.writeable:  # six times as quick as the other
+                address = addressof(c_char.from_buffer(one.data))
+            else:
+                address = one.__array_interface__["data"][0]
+            numbers += (0, 0, one.size, one.itemsize, address, *one.shape, *one.strides)
+        else:
+            numbers.append(one)
+    return numbers
+
+
+POINTERS = CFUNCTYPE(None, *[c_void_p] * 6)
+
+
+def callback(
+    function: Callable, n: int, places: int, array: str, count: int, raised: list[BaseException]
+) -> Any:
+    """Return a function of time, n states and the beginning of P as the solver calls it.
+
+    It writes `count` numbers into D or W.  Once it has raised an error it is not called any more.
+    """
+
+    def call(t: int, X: int, P: int, T: int, W: int, D: int) -> None:
+        if raised:
+            return
+        try:
+            now = float(_numbers_at(t, 1)[0])
+            values = function(now, _numbers_at(X, n), _numbers_at(P, places))
+            _numbers_at(W if array == "W" else D, count)[:] = values
+        except BaseException as error:  # machine code would drop it
+            raised.append(error)
+
+    return POINTERS(call)
+
+
+def _numbers_at(address: int, count: int) -> np.ndarray:
+    """Return the numbers that lie at an address."""
+    buffer: Any = (c_double * count).from_address(address or 0)
+    return np.ndarray(count, buffer=buffer)
+
+
+@once()
+def compiled_solver() -> SimpleNamespace:
+    """Return the functions of `solver` as machine code, from the cache or else compiled."""
+    text = TEXT.read_text("utf-8")
+
+    def announced() -> str:
+        often = "once" if cache_folder() else "each time: there is no folder to keep it in"
+        note(f"making the solver's machine code for this processor, a few seconds, {often}")
+        return text
+
+    engine = _load(f"solver-{code_name(text)}", announced)
+    entries = {name: engine.get_function_address(name) for name in ("advance", "evaluate")}
+    return SimpleNamespace(engine=engine, **{name: _entry(at) for name, at in entries.items()})

@@ -1,0 +1,151 @@
+"""Sums that meet at a wire are merged into one sum, in which terms of different blocks may cancel.
+
+    alpha_M phi(z) of Eq. (4), - alpha phi(z) of Eq. (6), - (alpha_M - alpha) phi(z) of Eq. (20)
+
+These three cancel, so phi(z) is not computed.  Within the function of one block all stays as its
+author wrote it: terms cancel only if they come from different blocks, and a coefficient in which
+nothing cancels is left as it is.
+"""
+
+from typing import Any
+
+from .diagram_record import WIRE, Ref
+from .fused_expressions import LONG, Components, Value
+
+HEAVY = 10  # cost of a function, beside an addition
+MOST = 64  # terms of one sum; a longer one is left as it is
+Signed = tuple[bool, int, Value]  # a term: whether it is added, the block it comes from, its value
+
+
+class MergedSums:
+    """Merges the sums in the rates of a diagram."""
+
+    def __init__(self, components: Components):
+        self.components = components
+
+    def element(self, ref: Ref, index: tuple) -> Value:
+        """Return an element of a value, with its sums merged where that costs less work."""
+        plain = self.components.at(ref, index)
+        if type(ref) is not int or any(type(i) is tuple for i in index):
+            return plain
+        rest: list[Signed] = []
+        sums: dict[int, list[Signed]] = {}
+        self.terms(True, ref, index, rest, sums)
+        terms: list[Signed] = []
+        for count, own in sums.items():
+            symbol = (count, 0)
+            if len({owner for _, owner, _ in own}) > 1 and len(own) < MOST:
+                if (body := self.body(own)) is not None:
+                    terms.append((True, -1, self.components.total(body, symbol)))
+            else:
+                terms += [(s, owner, self.components.total(v, symbol)) for s, owner, v in own]
+        merged = self.added(rest + terms)  # sums are known last
+        return merged if self.work(merged) < self.work(plain) else plain
+
+    def terms(
+        self, plus: bool, ref: Ref, index: tuple, rest: list, sums: dict[int, list[Signed]]
+    ) -> None:
+        """Sort the terms of a value: sums over a long axis, by its length, and the rest."""
+        if type(ref) is float:
+            if ref:
+                rest.append((plus, -1, ref))
+            return
+        components = self.components
+        own = components.trimmed(ref, index)
+        if (source := components.source(ref, own)) is not None:
+            self.terms(plus, *source, rest, sums)
+            return
+        (kind, arguments, _, at), record = components.operations[ref], components.record
+        owner = record.owners.get(ref, WIRE)
+        if kind in ("add", "sub"):
+            self.terms(plus, arguments[0], own, rest, sums)
+            self.terms(plus == (kind == "add"), arguments[1], own, rest, sums)
+        elif kind == "neg":
+            self.terms(not plus, arguments[0], own, rest, sums)
+        elif kind == "sum" and at[2]:
+            axis, count, _ = at
+            body = components.at(arguments[0], (*own[:axis], ((count, 0), 0, 1), *own[axis:]))
+            sums.setdefault(count, []).append((plus, owner, body))
+        else:
+            rest.append((plus, owner, components.at(ref, own)))
+
+    def body(self, sums: list[Signed]) -> Value | None:
+        """Return the merged summand, in which each costly factor has one coefficient; None is 0."""
+        groups: dict[Value, list[Signed]] = {}
+        for plus, owner, value in sums:
+            factors: list[Value] = []
+            plus = self.split(plus, value, factors)
+            heavy = max(factors, key=self.work)
+            factors.remove(heavy)
+            coefficient = self.components.product(factors) if factors else 1.0
+            groups.setdefault(heavy, []).append((plus, owner, coefficient))
+        terms: list[Signed] = []
+        for heavy, own in groups.items():
+            left = self.cancelled(own)
+            if left == [(True, own[0][1], 1.0)]:
+                terms.append((True, -1, heavy))
+            elif left:
+                terms.append((True, -1, self.components.add("mul", self.added(left), heavy)))
+        return self.added(terms) if terms else None
+
+    def split(self, plus: bool, value: Value, factors: list[Value]) -> bool:
+        """Collect the factors of a product; a costly product stays one factor.  Return its sign."""
+        name, own = self.components.operation(value)
+        if name == "neg" or (name == "mul" and min(map(self.work, own)) < 8 * HEAVY):
+            for one in own:
+                plus = self.split(plus, one, factors)
+            return plus != (name == "neg")
+        factors.append(value)
+        return plus
+
+    def cancelled(self, coefficients: list[Signed]) -> list[Signed]:
+        """Return the coefficients that remain when terms of different blocks cancel."""
+        parts = [self.parts(*one) for one in coefficients]
+        touched = set()
+        for i, own in enumerate(parts):
+            for j, others in enumerate(parts[:i]):
+                for plus, owner, value in list(own):
+                    opposite = next((o for o in others if o[2] == value and o[0] != plus), None)
+                    if opposite is not None and opposite[1] != owner:
+                        own.remove((plus, owner, value))
+                        others.remove(opposite)
+                        touched |= {i, j}
+        remaining = []
+        for k, one in enumerate(coefficients):
+            remaining += parts[k] if k in touched else [one]
+        return remaining
+
+    def parts(self, plus: bool, owner: int, value: Value) -> list[Signed]:
+        """Return the terms of a coefficient."""
+        name, own = self.components.operation(value)
+        if name not in ("add", "sub", "neg"):
+            return [(plus, owner, value)]
+        if name == "neg":
+            return self.parts(not plus, owner, own[0])
+        return self.parts(plus, owner, own[0]) + self.parts(plus == (name == "add"), owner, own[1])
+
+    def added(self, terms: list[Signed]) -> Value:
+        """Return a sum of terms."""
+        total: Any = None
+        for plus, _, value in terms:
+            if total is None:
+                total = value if plus else self.components.add("neg", value)
+            else:
+                total = self.components.add("add" if plus else "sub", total, value)
+        return 0.0 if total is None else total
+
+    def work(self, value: Value) -> int:
+        """Return the cost of a value: of all components that it depends on, each once."""
+        done: set[int] = set()
+        stack, cost = [value[0]] if type(value) is tuple else [], 0
+        while stack:
+            c = stack.pop()
+            if c in done or self.components.steady[c]:
+                continue
+            done.add(c)
+            name, arguments, lengths = self.components.all[c]
+            if name not in ("load", "table"):
+                times = HEAVY if name in LONG else 1
+                cost += times * (8 if lengths or name == "sum" else 1)
+                stack += [a[0] for a in arguments if type(a) is tuple]
+        return cost

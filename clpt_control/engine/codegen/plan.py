@@ -1,0 +1,258 @@
+"""The order in which a diagram's components are computed: what is prepared, and loops by level.
+
+The level of a component is the number of nested sums before it.  All components of one level with
+axes of one length share a loop, across blocks; nests of two axes follow, and so on.  What depends
+on parameters alone is computed once a piece of time (`prepare`), at the end of P.  What every
+iteration of a nest reads, and what later levels read, is saved in W.
+"""
+
+from itertools import groupby
+from math import inf, prod
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..record.graph import deep
+from ..trace.arrays import CONDITIONS
+from .diagram_record import DiagramRecord, Port
+from .fused_expressions import BOUND, Component, Components, Write, row_strides
+from .merged_sums import MergedSums
+from .switching_conditions import Decisions
+
+NO_TABLES = np.zeros(0)
+LARGEST = 4096  # numbers of an array that is prepared
+Argument = tuple[int, tuple[int, ...]]  # component, and the loop of each of its axes
+
+
+class Nest(NamedTuple):
+    """Loops, the outermost first, of which `vector` does eight iterations at once; or no loop."""
+
+    lengths: tuple[int, ...]
+    vector: int
+    items: tuple[Write, ...]
+
+
+class Program(NamedTuple):
+    """The functions of a diagram, as nests of loops over components.
+
+    derivative: D = dx/dt; signals: W = all block outputs; margin: D[0] = least distance to a
+    guard's edge; jump: D = states after the jumps that P asks for, empty without any; decide: D =
+    decisions, their distances and the rounding of these (`decisions`); slope, in some: D =
+    df/dx v + df/dt s, where v and s lie behind the states.  `staged` is printed of the same nests:
+    D = dx/dt at X + w K, where w lies behind t and the rates K before D, so that the argument of a
+    method's stage waits for no store.
+    """
+
+    components: tuple[Component, ...]
+    functions: dict[str, tuple[Nest, ...]]
+    prepared: dict[int, int]  # component -> place in P
+    constants: tuple[float, ...]  # K
+    parameters: int  # length of P
+    room: int  # length of W
+    decided: int  # how many numbers are decided
+    deciding: tuple[tuple, ...]  # of each decision: its first number, and where it is made
+    timed: bool = False  # whether time alone decides
+    tables: np.ndarray = NO_TABLES  # large constants, behind the parameters in T
+
+    @property
+    def staged(self) -> bool:
+        """Whether there is `staged`: no state is looked up by its place."""
+        return all(c.name != "table" or c.arguments[0] != "X" for c in self.components)
+
+
+class Planner:
+    """Makes the program of components; `preparing` while it plans the function `prepare`."""
+
+    def __init__(self, components: Components):
+        self.components, self.all, self.preparing = components, components.all, False
+        self.prepared: dict[int, int] = {}
+        self.preparation: list[Write] = []  # what `prepare` writes into P
+        self.rank = [len(c.lengths) for c in components.all]
+
+    def arguments(self, c: int) -> list[Argument]:
+        """Return the components from which a function computes one; none if it reads that."""
+        name, arguments, _ = self.all[c]
+        read = name in ("load", "table") or self.is_prepared(c)
+        return [] if read else [a for a in arguments if type(a) is tuple]
+
+    def buffer(self, c: int) -> int:
+        """Return the buffer that a component reads, or -1."""
+        name, arguments, _ = self.all[c]
+        return arguments[-1] if name in ("load", "table") else -1
+
+    def program(self, writes: dict[str, list[Write]], decisions: Decisions) -> Program:
+        """Return the program whose functions write these."""
+        made = self.components
+        functions = {name: self.nests(own) for name, own in writes.items()}
+        self.preparing = True
+        functions["prepare"] = self.nests(self.preparation)
+        constants, sizes = tuple(made.constants), (made.prepared, made.room, decisions.count)
+        more = tuple(decisions.of), decisions.timed, np.concatenate([NO_TABLES, *made.tables])
+        return Program(tuple(self.all), functions, self.prepared, constants, *sizes, *more)
+
+    # --- what is prepared -----------------------------------------------------------------
+
+    def is_prepared(self, c: int) -> bool:
+        """Whether a function reads a component from P: of parameters alone, and worth a place."""
+        if self.preparing or not self.components.steady[c]:
+            return False
+        name, arguments, lengths = self.all[c]
+        if name == "load":
+            return len(lengths) == 1 and arguments[2][0] != 1
+        return name not in CONDITIONS and name != "table" and prod(lengths) <= LARGEST
+
+    def fills(self, buffer: int) -> bool:
+        """Whether a function itself writes a buffer."""
+        writes = self.components.buffers[buffer]
+        return self.preparing or not writes or writes[0].array == "W"
+
+    def live(self, writes: list[Write]) -> tuple[set[int], list[Write]]:
+        """Return the components that are computed or read, and all that is written."""
+        live: set[int] = set()
+        every: list[Write] = []
+        stack: list[int] = []
+        done: set[int] = set()
+
+        def write(some: list[Write]) -> None:
+            every.extend(some)
+            stack.extend(w.value[0] for w in some if type(w.value) is tuple)
+
+        write(writes)
+        while stack:
+            c = stack.pop()
+            if c in live:
+                continue
+            live.add(c)
+            buffer = self.buffer(c)
+            if buffer >= 0 and buffer not in done:
+                done.add(buffer)
+                filling = self.components.buffers[buffer]
+                if self.fills(buffer):
+                    write(filling)
+                else:
+                    self.preparation += filling
+            if self.is_prepared(c) and c not in self.prepared:  # it finds a place in P
+                lengths = self.all[c].lengths
+                place = self.prepared[c] = self.components.prepared
+                self.components.prepared += prod(lengths)
+                item = Write("P", place, row_strides(lengths), lengths, _whole(c, lengths))
+                self.preparation.append(item)
+            stack += [a for a, _ in self.arguments(c)]
+        return live, every
+
+    # --- levels ---------------------------------------------------------------------------
+
+    def nests(self, writes: list[Write]) -> tuple[Nest, ...]:
+        """Return the loops of a function that writes these."""
+        live, writes = self.live(writes)
+        level: dict[int, int] = {}
+
+        def ready(value: Any) -> int:
+            if type(value) is not tuple:
+                return 0
+            c = value[0]
+            return level[c] + (self.all[c].name == "sum" and not self.is_prepared(c))
+
+        for c in sorted(live):
+            levels = [ready(a) for a in self.arguments(c)]
+            if (buffer := self.buffer(c)) >= 0 and self.fills(buffer):
+                levels += [1 + ready(w.value) for w in self.components.buffers[buffer]]
+            level[c] = max(levels, default=0)
+        items = [(ready(w.value), w) for w in dict.fromkeys(writes)]
+        for c in self.saved(live, level):
+            name, arguments, lengths = self.all[c]
+            made, strides = self.components, row_strides(lengths)
+            item = Write("W", made.room, strides, lengths, _whole(c, lengths), c)
+            if name == "sum":
+                (value, axes), count = arguments  # the summed axis is the innermost
+                loops = tuple(len(lengths) if k == BOUND else k for k in axes)
+                item = item._replace(lengths=(*lengths, count), value=(value, loops), summed=True)
+            items.append((level[c], item))
+            made.room += prod(lengths) if lengths else 0  # one number is not written
+
+        def key(item: tuple[int, Write]) -> tuple:
+            return item[0], len(item[1].lengths), item[1].lengths, self.vector(item[1])
+
+        items.sort(key=key)
+        return tuple(
+            Nest(lengths, vector, tuple(item for _, item in some))
+            for (_, _, lengths, vector), some in groupby(items, key)
+        )
+
+    def saved(self, live: set[int], level: dict[int, int]) -> list[int]:
+        """Return the components that are saved in W, in their order: sums, and some with axes."""
+        saved: set[int] = set()
+        for c in live:
+            name = self.all[c].name
+            if name == "sum" and not self.is_prepared(c):
+                saved.add(c)
+            inner = self.rank[c] + (name == "sum")
+            for a, _ in self.arguments(c):
+                plain = self.all[a].name in ("load", *CONDITIONS) or self.is_prepared(a)
+                later = inner > self.rank[a] or level[c] > level[a]
+                if self.rank[a] and later and not plain:
+                    saved.add(a)
+        return sorted(saved)
+
+    # --- which loop does eight iterations at once -----------------------------------------
+
+    def vector(self, item: Write) -> int:
+        """Return the loop along which the fewest reads and writes are strided."""
+        if len(item.lengths) < 2:
+            return 0
+        strided = [0] * len(item.lengths)
+        if item.saves < 0:
+            strided = [stride not in (0, 1) for stride in item.strides]
+        done, stack = set(), [item.value] if type(item.value) is tuple else []
+        while stack:
+            c, loops = argument = stack.pop()
+            if argument in done:
+                continue
+            done.add(argument)
+            name, arguments, lengths = self.all[c]
+            if name == "load" or self.is_prepared(c):
+                strides = row_strides(lengths) if self.is_prepared(c) else arguments[2]
+                for loop, stride in zip(loops, strides, strict=True):
+                    strided[loop] += stride not in (0, 1)
+            elif name != "sum":
+                stack += [(a, tuple(loops[k] for k in axes)) for a, axes in self.arguments(c)]
+        return min(reversed(range(len(strided))), key=strided.__getitem__)
+
+
+def _whole(c: int, lengths: tuple[int, ...]) -> Argument:
+    return c, tuple(range(len(lengths)))
+
+
+def program_of(
+    record: DiagramRecord, room: int, prepared: int, slopes: list[Port] | None = None
+) -> Program:
+    """Return the program of a diagram.
+
+    W has `room` places for signals, P `prepared` places for parameters and inputs.  With `slopes`,
+    the rates' derivatives along a direction, it has the function `slope`, which writes them.
+    """
+    decisions, count = record.decisions, record.decisions.count
+    made = Components(record, room, prepared + (1 + count if count else 0))
+    behind = [  # what is written behind the decisions
+        port._replace(first=port.first + k * count)
+        for k, ports in enumerate((decisions.distances, decisions.least), start=1)
+        for port in ports
+    ]
+    with deep():
+        writes = {
+            "derivative": made.writes(record.rates, "D", MergedSums(made).element),
+            "signals": made.writes(record.signals, "W"),
+            "margin": [_least(made)],
+            "jump": made.writes(record.leaps, "D") if record.layout.jumps else [],
+            "decide": made.writes([*decisions.now, *behind], "D"),
+        }
+        if slopes is not None:
+            writes["slope"] = made.writes(slopes, "D")
+    return Planner(made).program(writes, decisions)
+
+
+def _least(made: Components) -> Write:
+    least: Any = inf
+    for margin in made.record.margins:
+        least = made.add("minimum", least, made.at(margin, ()))
+    return Write("D", 0, (), (), least)

@@ -1,0 +1,247 @@
+"""Operations on a double, or on several at once in a SIMD register, as LLVM's code.
+
+Some thirty are primitives; the others are functions in NumPy (`elementary`), read on a tape.  Every
+primitive works number by number as IEEE defines it.  Nothing is reassociated or contracted, so a
+result depends on no neighbour and on no processor.  Rare functions are the C library's.
+"""
+
+from collections.abc import Callable, Sequence
+from functools import cache, lru_cache
+from math import copysign
+from typing import Any
+
+from llvmlite import ir
+
+from ..record.graph import Operation
+from ..trace.arrays import Tape, operand
+from .elementary import FUNCTIONS, LIBRARY, MAGIC
+from .fused_expressions import OUT_OF_LINE
+from .machine import LANES, scales
+
+DOUBLE, BIT, WORD, INT32 = ir.DoubleType(), ir.IntType(1), ir.IntType(64), ir.IntType(32)
+
+
+def vector(width: int, entry: ir.Type = DOUBLE) -> ir.Type:
+    """Return the type of `width` numbers at once, or of their bits."""
+    return entry if width == 1 else ir.VectorType(entry, width)
+
+
+def width_of(value: Any) -> int:
+    """Return how many numbers a value is."""
+    return value.type.count if isinstance(value.type, ir.VectorType) else 1
+
+
+def constant(value: float, width: int, entry: ir.Type = DOUBLE) -> ir.Constant:
+    """Return a constant, the same number in every place."""
+    return _constant(value, copysign(1.0, value), width, entry)
+
+
+@lru_cache(maxsize=4096)
+def _constant(value: float, sign: float, width: int, entry: ir.Type) -> ir.Constant:
+    """Return a constant; it is cached because LLVM's text of it takes long to make."""
+    return ir.Constant(vector(width, entry), value if width == 1 else [value] * width)
+
+
+def splat(builder: ir.IRBuilder, value: Any, width: int) -> Any:
+    """Return one number or truth value in every place."""
+    if width == width_of(value):
+        return value
+    empty = ir.Constant(vector(width, value.type), ir.Undefined)
+    first = builder.insert_element(empty, value, ir.Constant(INT32, 0))
+    return builder.shuffle_vector(first, empty, constant(0, width, INT32))
+
+
+def gathered(builder: ir.IRBuilder, ones: list[Any]) -> Any:
+    """Return single numbers as one vector."""
+    if len(ones) == 1:
+        return ones[0]
+    value: Any = ir.Constant(vector(len(ones)), ir.Undefined)
+    for k, one in enumerate(ones):
+        value = builder.insert_element(value, one, ir.Constant(INT32, k))
+    return value
+
+
+def elements(builder: ir.IRBuilder, value: Any) -> list[Any]:
+    """Return the numbers of a vector one by one."""
+    width = width_of(value)
+    if width == 1:
+        return [value]
+    return [builder.extract_element(value, ir.Constant(INT32, k)) for k in range(width)]
+
+
+def horizontal_sum(builder: ir.IRBuilder, value: Any, count: int) -> Any:
+    """Return the sum of a vector, of `count` numbers at most; halves are added first."""
+    width = width_of(value)
+    while width > 1:
+        width //= 2
+        low, high = (
+            builder.shuffle_vector(
+                value, value, ir.Constant(ir.VectorType(INT32, width), list(range(at, at + width)))
+            )
+            for at in (0, width)
+        )
+        value = builder.fadd(low, high) if count > width else low
+    return builder.extract_element(value, ir.Constant(INT32, 0))
+
+
+def declared(module: ir.Module, name: str, result: ir.Type, arguments: list[ir.Type]) -> Any:
+    """Return a function of the module; declare it if it is new."""
+    if name in module.globals:
+        return module.globals[name]
+    return ir.Function(module, ir.FunctionType(result, arguments), name)
+
+
+# --- primitives: builder, values -> value -----------------------------------------------------
+
+Primitive = Callable[..., Any]
+
+
+def _instruction(name: str) -> Primitive:
+    return lambda builder, *a: getattr(builder, name)(*a)
+
+
+def _comparison(symbol: str, compare: str = "fcmp_ordered") -> Primitive:
+    return lambda builder, a, b: getattr(builder, compare)(symbol, a, b)
+
+
+def _intrinsic(name: str) -> Primitive:
+    def call(builder: ir.IRBuilder, *a: Any) -> Any:
+        width, types = width_of(a[0]), [one.type for one in a]
+        suffix = "f64" if width == 1 else f"v{width}f64"
+        return builder.call(declared(builder.module, f"llvm.{name}.{suffix}", types[0], types), a)
+
+    return call
+
+
+def _library(name: str) -> Primitive:
+    """Call a function of the C library number by number."""
+
+    def call(builder: ir.IRBuilder, *a: Any) -> Any:
+        function = declared(builder.module, name, DOUBLE, [DOUBLE] * len(a))
+        ones = zip(*(elements(builder, one) for one in a), strict=True)
+        return gathered(builder, [builder.call(function, one) for one in ones])
+
+    return call
+
+
+def _bits(builder: ir.IRBuilder, a: Any) -> Any:
+    return builder.bitcast(a, vector(width_of(a), WORD))
+
+
+def _number(builder: ir.IRBuilder, bits: Any) -> Any:
+    return builder.bitcast(bits, vector(width_of(bits)))
+
+
+def _word(value: int, a: Any) -> ir.Constant:
+    return constant(value, width_of(a), WORD)
+
+
+def _power_of_two(builder: ir.IRBuilder, k: Any) -> Any:
+    """2^k for whole numbers k in [-1022, 1023], to which `MAGIC` and 1023 are added."""
+    return _number(builder, builder.shl(_bits(builder, k), _word(52, k)))
+
+
+def _times_power_of_two(builder: ir.IRBuilder, a: Any, k: Any, half: Any) -> Any:
+    """2^k a, rounded once at the end; k and half of k have `MAGIC` added."""
+    if (width := width_of(a)) > 1 and scales():  # all places, rounded as usual
+        values = [a, builder.fsub(k, constant(MAGIC, width)), a, ir.Constant(ir.IntType(8), -1)]
+        values += [ir.Constant(INT32, 4)] if width == LANES else []
+        name, types = f"llvm.x86.avx512.mask.scalef.pd.{64 * width}", [one.type for one in values]
+        return builder.call(declared(builder.module, name, a.type, types), values)
+    place, half = _word(52, a), _bits(builder, half)
+    high = builder.shl(builder.sub(_bits(builder, k), half), place)
+    near = _number(builder, builder.add(_bits(builder, a), high))
+    low = builder.shl(builder.add(half, _word(1023, a)), place)
+    return builder.fmul(near, _number(builder, low))
+
+
+def _negated_where_odd(builder: ir.IRBuilder, a: Any, k: Any) -> Any:
+    """-a where k is odd, else a; k has `MAGIC` added."""
+    sign = builder.shl(_bits(builder, k), _word(63, k))
+    return _number(builder, builder.xor(_bits(builder, a), sign))
+
+
+HALF_ROOT = 0x3FE6A09E667F3BCD  # bits of sqrt(1/2)
+
+
+def _above(builder: ir.IRBuilder, a: Any) -> Any:
+    above = builder.sub(_bits(builder, a), _word(HALF_ROOT, a))
+    return builder.add(above, _word(0x3FF0000000000000, a))  # bits of 1
+
+
+def _exponent(builder: ir.IRBuilder, a: Any) -> Any:
+    """k + 2^52 + 1023 of a = 2^k m with sqrt(1/2) <= m < sqrt(2), for normal a > 0."""
+    k = builder.lshr(_above(builder, a), _word(52, a))
+    return _number(builder, builder.or_(k, _word(0x4330000000000000, a)))
+
+
+def _fraction(builder: ir.IRBuilder, a: Any) -> Any:
+    """m of a = 2^k m."""
+    fraction = builder.and_(_above(builder, a), _word(0x000FFFFFFFFFFFFF, a))
+    return _number(builder, builder.add(fraction, _word(HALF_ROOT, a)))
+
+
+COMPARISONS = {"lt": "<", "le": "<=", "gt": ">", "ge": ">=", "eq": "=="}
+PRIMITIVES: dict[str, Primitive] = {
+    **{name: _instruction(f"f{name}") for name in ("add", "sub", "mul", "div", "neg", "rem")},
+    **{name: _instruction(f"{name}_") for name in ("and", "or", "not")},
+    **{name: _comparison(symbol) for name, symbol in COMPARISONS.items()},
+    "ne": _comparison("!=", "fcmp_unordered"),
+    "where": _instruction("select"),
+    **{name: _intrinsic(name) for name in ("fma", "fmuladd", "sqrt", "fabs", "copysign")},
+    "round_down": _intrinsic("floor"),
+    "round_to_zero": _intrinsic("trunc"),
+    **{name: _library(name) for name in LIBRARY},
+    **{
+        one.__name__.lstrip("_"): one
+        for one in (_power_of_two, _times_power_of_two, _negated_where_odd, _exponent, _fraction)
+    },
+}
+
+
+# --- operations -----------------------------------------------------------------------------
+
+
+@cache
+def tape_of(name: str, count: int) -> list[Operation]:
+    """Return the operations of a function of `count` leaves; the last one is its value."""
+    tape = Tape()
+    value = FUNCTIONS[name](*(tape.add("leaf", (), (), ("u", k)) for k in range(count)))
+    return tape.operations[: operand(value) + 1]
+
+
+def calculate(
+    builder: ir.IRBuilder, name: str, width: int, arguments: Sequence[Any], inline: bool = False
+) -> Any:
+    """Return the value of an operation; a long one is a function, printed once a module.
+
+    With `inline` it is printed in place.
+    """
+    values = [constant(a, width) if type(a) is float else a for a in arguments]
+    if name in PRIMITIVES:
+        return PRIMITIVES[name](builder, *values)
+    operations = tape_of(name, len(values))
+    if inline or name not in OUT_OF_LINE:
+        return calculate_tape(builder, operations, width, values)
+    function_name = f"{name}.{width}"
+    if function_name not in builder.module.globals:
+        signature = ir.FunctionType(vector(width), [vector(width)] * len(values))
+        function = ir.Function(builder.module, signature, function_name)
+        function.linkage = "internal"
+        inner = ir.IRBuilder(function.append_basic_block())
+        inner.ret(calculate_tape(inner, operations, width, function.args))
+    return builder.call(builder.module.globals[function_name], values)
+
+
+def calculate_tape(
+    builder: ir.IRBuilder, operations: Sequence[Operation], width: int, leaves: Sequence[Any]
+) -> Any:
+    """Return the last value of a tape."""
+    values: list[Any] = []
+    for name, arguments, _, at in operations:
+        if name == "leaf":
+            values.append(leaves[at[1]])
+        else:
+            own = [values[a] if type(a) is int else a for a in arguments]
+            values.append(calculate(builder, name, width, own))
+    return values[-1]

@@ -1,0 +1,1 @@
+"""Conformance: every backend of a block or diagram compared with Python."""

@@ -1,0 +1,1 @@
+"""Diagrams: blocks wired by python-control, their merged record, linearization and equations."""

@@ -1,0 +1,330 @@
+"""A diagram linearized about a point, exactly: its record differentiated along every direction.
+
+    dx' = A dx + B du,    dy = C dx + D du         about x and u at time t
+
+With sampled blocks it is the discrete system of the loop (`sampled_linearization`).
+
+Where a signal or a rate has a kink right there, |e| at e = 0, or a node of a table, the slope is
+that of one side, and a warning names it; where it jumps there is no slope, and that is refused.
+Both are seen in what the slopes leave beside the point.  What is not felt, as of the drag w |w| at
+rest, is neither.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from math import prod
+from typing import Any
+
+import control
+import numpy as np
+from scipy.linalg import orth
+
+from ...arguments import numbers, public
+from ...errors import ArgumentError, DiagramError
+from ...progress import warn
+from ..model.ports import ports_of
+from ..record.derivative import STEPS, Direction
+from ..record.graph import Shape, compact, computed, reached
+from ..trace.arrays import Tape, Unread, operand
+from ..trace.elementwise import lifted
+from .interconnection import changed_parameters
+from .merged_record import TapeRecord
+from .sampled_linearization import (
+    SampledBlock,
+    SampledSlopes,
+    common_period,
+    discrete_system,
+    sampled_blocks,
+)
+from .wiring import Node, Wiring, read_anew, wiring_of
+
+BEND = STEPS | {"where", "minimum", "maximum", "fabs", "mod", "pick"}
+BEND |= {"asin", "acos", "atan", "atan2"}  # of a sine they fold
+BESIDE = 1e-6, -1e-6, 1e-8, -1e-8  # relative: what is left shrinks to 1e-4, at a kink to 1e-2
+SMOOTH, JUMP = 5e-3, 0.3  # what is left at the nearer step, of that at the farther one
+DRAWN = 3  # times so many directions as states and inputs
+ROUNDING = 1e-14  # relative, of a value and of what its slopes bring
+REACHED = 1e-9  # of the largest: a smaller component is not reached
+
+
+class _About:
+    """A diagram's record about a point, with its derivative along each state and input."""
+
+    def __init__(self, diagram: Any, wiring: Wiring, given: list[Any], t: float, x: Any, u: Any):
+        self.tape, self.along = Tape(), dict[int, Any]()
+        self.point, self.every = np.concatenate([x, u]), np.eye(len(x) + len(u))
+        self.values: dict[Any, Any] = {("t", "t"): np.array([t])}
+        self.places: dict[Any, slice] = {}  # of what varies, in the point
+        self.parameters = {node.name: p for node, p in zip(wiring.nodes, given, strict=True)}
+        self.inputs = {
+            port: slice(len(x) + places[0], len(x) + places[-1] + 1)
+            for port, places in ports_of(diagram.input_labels).items()
+        }
+        self.states = {}
+        for node in wiring.nodes:
+            at = node.states.start
+            for port, shape in node.system.state_shapes.items():
+                self.states[node.name, port] = slice(at, at := at + prod(shape))
+            p = self.parameters[node.name]
+            if node.system.breakpoints_function is not None and p.interval < 0:
+                k = node.system.interval_at(t, p)
+                self.parameters[node.name] = p._replace(interval=k)
+        values = self.leaf, self.input_of, self.tape
+        self.record = TapeRecord(diagram, wiring, *values, closed=True)
+        self.direction = Direction(self.tape, self.along)
+
+    def leaf(self, group: str, node: Node, name: str, shape: Shape) -> Any:
+        """Return a parameter, or a state, which varies."""
+        at = group, (node.name, name)
+        if group == "x":
+            return self.varying(at, shape, self.states[at[1]])
+        self.values[at] = np.asarray(getattr(self.parameters[node.name], name), float)[..., None]
+        return self.tape.add("leaf", (), shape, at)
+
+    def input_of(self, port: str, shape: Shape, declared: Shape) -> Any:
+        """Return an input, which varies."""
+        return self.varying(("u", port), shape, self.inputs[port])
+
+    def varying(self, at: tuple, shape: Shape, place: slice) -> Any:
+        """Return an array at its point, with its own directions."""
+        leaf = self.tape.add("leaf", (), shape, at)
+        self.along[operand(leaf)] = self.tape.add("leaf", (), shape, ("d", at))
+        self.values[at] = self.point[place].reshape(*shape, 1)
+        self.values["d", at] = self.every[place].reshape(*shape, len(self.every))
+        self.places[at] = place
+        return leaf
+
+    def numbers(
+        self, values: Iterable[Any], like: Iterable[Any] | None = None, columns: int | None = None
+    ) -> list[np.ndarray]:
+        """Return values of the tape as numbers; the last axis is that of the directions."""
+        values = [lifted(self.tape, one) for one in values]
+        shapes = [getattr(one, "shape", ()) for one in (values if like is None else like)]
+        record = compact(self.tape.operations, [operand(one) for one in values], shapes)
+        numbers = computed(record, lambda *at: self.values[at], {})
+        last = len(self.every) if columns is None else columns
+        return [np.broadcast_to(one, (*one.shape[:-1], last)) for one in numbers]
+
+    def slopes(self, values: list[Any]) -> np.ndarray:
+        """Return the derivatives of values, a row for each element."""
+        slopes = self.numbers([self.direction.of(value) for value in values], values)
+        flat = [one.reshape(-1, len(self.every)) for one in slopes]
+        return np.concatenate([np.zeros((0, len(self.every))), *flat])
+
+    def beside(self, values: list[Any], moves: np.ndarray) -> np.ndarray:
+        """Return values beside the point, a row for each element and a column for each move."""
+        moved, own = self.point[:, None] + moves, self.values
+        there = {one: moved[k].reshape(*own[one].shape[:-1], -1) for one, k in self.places.items()}
+        self.values = {**own, **there}
+        found = self.numbers(values, columns=moves.shape[1])
+        self.values = own
+        return np.concatenate([one.reshape(-1, moves.shape[1]) for one in found])
+
+    def sampled_values(self, blocks: Sequence[SampledBlock]) -> Iterator[tuple[slice, Any]]:
+        """Yield place and value of each port of a sampled block's states at the next sample."""
+        names = {one.name for one in blocks}
+        for (name, port), place in self.states.items():
+            if name in names:
+                yield place, self.record.jumps[name, port]
+
+    def with_samples(self, x: np.ndarray, blocks: Sequence[SampledBlock]) -> np.ndarray:
+        """Return states in which sampled blocks hold what they sample at this point."""
+        now, none = self.point[: len(x)].copy(), np.zeros((len(self.every), 1))
+        held = {int(k) for one in blocks for k in one.held}
+        for place, values in self.sampled_values(blocks):
+            if place.start in held:
+                now[place] = self.beside([values], none)[:, 0]
+        return now
+
+    @np.errstate(all="ignore")  # of paths that are not taken at the point
+    def check(self, values: Mapping[str, Any]) -> None:
+        """Warn where a value has a kink at the point; refuse where one jumps.
+
+        What the slopes leave beside the point shrinks as the step does at a kink, and not at a
+        jump; else as the square of the step.  A slope that is of neither side is refused too.
+        Where no operation may bend there is nothing to ask, and rounding is no jump.
+        """
+        size, own = 1.0 + np.abs(self.point)[:, None], [*values.values()]
+        lines = self.tape.operations
+        if BEND.isdisjoint(lines[k].kind for k in reached(lines, map(operand, own))):
+            return
+        slopes, here = self.slopes(own), self.beside(own, np.zeros((n := len(self.every), 1)))
+        known = np.all(np.isfinite(slopes), axis=1)  # others are refused where they matter
+        slopes = np.where(known[:, None], slopes, 0.0)
+        drawn = np.random.default_rng(0).standard_normal((n, DRAWN * n))
+        ways = size * np.hstack([self.every, drawn])  # along each state and input, and all at once
+        moves = np.hstack([step * ways for step in BESIDE])
+        left = np.abs(self.beside(own, moves) - here - slopes @ moves)
+        far, back, near, behind = np.split(left, len(BESIDE), axis=1)
+        rounding = ROUNDING * (np.abs(here) + np.abs(slopes) @ size)
+        wide, small = np.nan_to_num(np.maximum(far, back), nan=np.inf), np.maximum(near, behind)
+        kink = SMOOTH * wide + rounding
+        bent = np.any(small > kink, axis=1)
+        torn = np.any(~(small <= JUMP * wide + rounding), axis=1)
+        torn |= np.any((np.minimum(near, behind) > kink)[:, :n], axis=1)
+        names = np.repeat([*values], [int(np.prod(getattr(one, "shape", ()))) for one in own])
+        for name in names[torn & known][:1]:
+            raise DiagramError(
+                f"{name} jumps at this point, or has the slope of neither side, so nothing is "
+                "linear there; linearize on one side of it"
+            )
+        for name in names[bent & known][:1]:
+            warn(f"{name} has a kink at this point; the slope is that of one side")
+
+
+@public
+def linearize(
+    system: control.NonlinearIOSystem,
+    x: Any = None,
+    u: Any = None,
+    t: float = 0.0,
+    params: Mapping[str, Any] | None = None,
+    minimal: bool = False,
+) -> control.StateSpace:
+    """Linearize a diagram about a point, exactly.
+
+    Parameters
+    ----------
+    system : control.NonlinearIOSystem
+        A diagram, a block or a system of python-control.
+    x, u : array_like, optional
+        States and inputs of the point; by default 0. An operating point of
+        ``control.find_operating_point`` has both. The inputs that sampled blocks hold are those
+        of this point, whatever x says.
+    t : float, optional
+        Time of the point.
+    params : mapping, optional
+        Call-time parameters, ``{"adaptation.gain": 2.0}``.
+    minimal : bool, optional
+        Whether states that no input reaches, or that reach no output, are left out.
+
+    Returns
+    -------
+    control.StateSpace
+        With the diagram's labels of states, inputs and outputs; where `minimal` mixes states they
+        are called x[k]. With sampled blocks it is of discrete time, from one sample of all of them
+        to the next, with the diagram's inputs held between; held inputs of blocks are no states.
+
+    Raises
+    ------
+    DiagramError
+        If a signal or a rate jumps at the point or has no finite slope there, a function cannot
+        be traced, or sampled blocks have no small common period.
+
+    Warns
+    -----
+    UserWarning
+        If a signal or a rate has a kink at the point; the first is named.
+
+    Examples
+    --------
+    >>> import control
+    >>> import clpt_control as clpt
+    >>> def rate(t, x, u, params):
+    ...     return [x[1], -params["g"] * np.sin(x[0]) + u[0]]
+    >>> pendulum = control.nlsys(rate, inputs="u", states=["theta", "omega"], params={"g": 9.81})
+    >>> clpt.linearize(pendulum, [np.pi, 0.0]).A
+    array([[0.  , 1.  ],
+           [9.81, 0.  ]])
+    """
+    read_anew(system)
+    wiring = wiring_of(system, params)
+    x, u = getattr(x, "states", x), getattr(x, "inputs", u)
+    n, m = wiring.nodes[-1].states.stop, wiring.ninputs
+    if not n + m:
+        raise DiagramError(f"{system.name}: has no states and no inputs to linearize along")
+    x, u = (_vector(*one) for one in (("x", x, n), ("u", u, m)))
+    try:
+        given, blocks = changed_parameters(wiring.blocks, params), sampled_blocks(wiring)
+        at = _About(system, wiring, given, t, x, u)
+        for _ in blocks:  # each holds what it samples at this point, some what others make of it
+            at = _About(system, wiring, given, t, at.with_samples(x, blocks), u)
+        ports = [(node, port) for node in wiring.nodes for port in node.system.declared["outputs"]]
+        signals = [at.record.signals[node.name, port] for node, port in ports]
+        rates = [at.record.rates[port] for port in at.states]
+        AB, Y = at.slopes(rates), at.slopes(signals)
+        jumps = np.zeros_like(AB)
+        for place, values in at.sampled_values(blocks):
+            jumps[place] = at.slopes([values])
+        named = {
+            f"{node.name}.{port}": own for (node, port), own in zip(ports, signals, strict=True)
+        }
+        named |= {f"the rate of {'.'.join(port)}": at.record.rates[port] for port in at.states}
+        at.check(named)
+    except Unread as error:
+        raise DiagramError(f"{error}") from None
+    all_slopes = np.vstack([Y, at.every[n:]])
+    known = np.isfinite(all_slopes)
+    CD = wiring.output_map @ np.where(known, all_slopes, 0.0)
+    CD[(wiring.output_map != 0.0) @ ~known] = np.nan
+    states = system.state_labels
+    labels = [*states, *system.input_labels]
+    for rows, names in ((AB + jumps, states), (CD, system.output_labels)):
+        for i, j in np.argwhere(~np.isfinite(rows))[:1]:
+            raise DiagramError(
+                f"{system.name}: what {names[i]} does along {labels[j]} has no finite slope at "
+                "this point; under a root or a norm that is 0, add a small number"
+            )
+    A, B, C, D = AB[:, :n], AB[:, n:], CD[:, :n], CD[:, n:]
+    dt = wiring.dt
+    if blocks:
+        dt = common_period(blocks)
+        A, B, C, D, remaining = discrete_system(SampledSlopes(AB, CD, jumps), blocks, dt)
+        states = [states[k] for k in remaining]
+    linear = state_space(
+        *(A, B, C, D, dt),
+        states=states or None,
+        inputs=system.input_labels,
+        outputs=system.output_labels,
+        name=f"{system.name}$linearized",
+    )
+    return minimal_of(linear) if minimal else linear
+
+
+def state_space(A: Any, B: Any, C: Any, D: Any, dt: Any, **labels: Any) -> control.StateSpace:
+    """Return `control.StateSpace`, also of no inputs, which it refuses beside one state or output.
+
+    Its matrices of shape (1, 0) become (0, 0).
+    """
+    if labels["inputs"]:
+        return control.StateSpace(A, B, C, D, dt, **labels)
+    system = control.StateSpace(
+        A, np.zeros((len(A), 1)), C, np.zeros((len(C), 1)), dt, **labels | {"inputs": 1}
+    )
+    system.B, system.D = B, D
+    system.set_inputs(0)
+    return system
+
+
+def _vector(name: str, value: Any, size: int) -> np.ndarray:
+    """Return states or inputs as a vector; a single number is the value of all, 0 without."""
+    given = numbers(name, 0.0 if value is None else value)
+    vector = given if given.ndim else np.full(size, given)
+    if vector.shape != (size,):
+        raise ArgumentError(f"{name} has shape {vector.shape}; must be ({size},)")
+    return vector
+
+
+def _reached(A: np.ndarray, B: np.ndarray) -> np.ndarray:
+    """Return a basis of the states that inputs reach: single states where that is possible."""
+
+    def columns(M: np.ndarray) -> np.ndarray:
+        return orth(M, rcond=REACHED) if M.size else M[:, :0]  # which SciPy 1.13 refuses
+
+    basis = columns(B)
+    size = np.linalg.norm(A) or 1.0
+    while (more := columns(np.hstack([basis, A @ basis / size]))).shape != basis.shape:
+        basis = more
+    own = np.flatnonzero(np.any(np.abs(basis) > REACHED, axis=1))
+    return np.eye(len(A))[:, own] if len(own) == basis.shape[1] else basis
+
+
+def minimal_of(system: control.StateSpace) -> control.StateSpace:
+    """Return a system of the states that inputs and outputs reach; mixed states are x[k]."""
+    (A, B, C), names = (system.A, system.B, system.C), system.state_labels
+    for transposed in (False, True):
+        V = _reached(A.T, C.T) if transposed else _reached(A, B)
+        A, B, C = V.T @ A @ V, V.T @ B, C @ V
+        plain = np.all((V == 0.0) | (V == 1.0))
+        names = [names[np.argmax(v)] if plain else f"x[{k}]" for k, v in enumerate(V.T)]
+    labels = {"states": names or None, "inputs": system.input_labels, "name": system.name}
+    return state_space(A, B, C, system.D, system.dt, outputs=system.output_labels, **labels)

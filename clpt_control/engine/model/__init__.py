@@ -1,0 +1,1 @@
+"""Models: blocks of equations on named ports, and python-control systems as blocks."""

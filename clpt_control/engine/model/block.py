@@ -1,0 +1,385 @@
+"""A block: one set of equations, wired by python-control.
+
+    dx/dt = update(t, x, u, p),    y = output(t, x, u, p)
+
+and, right after the block's own breakpoints, x = jump(t, x, u, p) where it has a jump.
+The functions return their values, a mapping by port or numbers in the order of the ports, and
+have no side effects.  Each is read (`reading`) into a record of arrays, from which every other
+reading is made.  The block adds what a diagram needs to know: ports with their shapes and
+labels, parameters, when the block jumps (`breakpoints`), and whether it is a source of time or
+tables that SymPy reads as an undefined function (`opaque`).
+"""
+
+from collections.abc import Callable, Mapping
+from threading import local
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+
+from ...arguments import brief, public
+from ...errors import BlockError
+from ..trace.branches import located
+from ..trace.traced_block import READ, ReadBlock
+from ..trace.tracing import RAISED
+from .declaration import (
+    Each,
+    Equations,
+    Guard,
+    block_line,
+    check_names,
+    check_units,
+    checked_parameters,
+)
+from .ports import Declared, Vector, flattened, labels, shapes_of, sizes_of, vector
+
+
+class Call(local):
+    """What python-control's call runs with, one for each thread that shares a block."""
+
+    def __init__(self, parameters: Any) -> None:
+        self.parameters = parameters
+        self.first: tuple[float, float] | None = None  # time and interval of the first rate
+
+
+@public
+class Block(ReadBlock):
+    """Equations with ports, which python-control can run.
+
+    Parameters
+    ----------
+    name : str
+        Name of the block in a diagram; parameters are ``"name.field"``.
+    update : callable, optional
+        ``update(t, x, u, p)`` returns the time derivative of the states.
+    output : callable, optional
+        ``output(t, x, u, p)`` returns the outputs; without it y = x.
+    inputs, outputs, states : mapping, optional
+        Port name -> shape: a number of signals, the name of a size, or a tuple of
+        them; `outputs` without `output` are the states, under their names.
+    parameters : dict, NamedTuple or dataclass, optional
+        Numbers and arrays; a field ``interval`` is kept by the integrator.
+    shapes : mapping, optional
+        Parameter -> shape, where a size has a name: ``{"theta": (2, "N")}``.
+    sizes : mapping, optional
+        Size by name, ``{"N": 3}``, where no parameter tells it.
+    opaque : bool, optional
+        True for a source of time or tables: an undefined function to SymPy.
+    breakpoints : callable, optional
+        ``breakpoints(p, t0, t1)``: sorted times in (t0, t1] at which the block
+        jumps. Interval k ends at breakpoint k + 1, counted from time 0.
+    jump : callable, optional
+        ``jump(t, x, u, p)`` returns all states right after a breakpoint, from
+        the states x right before it and the inputs u that follow from states right
+        before it; ``p.interval`` is the interval that begins. `clpt.simulate` runs
+        it, python-control does not.
+    guard : Guard, optional
+        Where the block may be used.
+    units : mapping, optional
+        Port -> unit, ``{"e": "m"}``, which runs, plots and drawings show.
+    dt : float, optional
+        Of a block of discrete time, as python-control's: `update` then returns the next states.
+        Beside blocks of continuous time it samples its inputs and holds its outputs.
+
+    Attributes
+    ----------
+    update_function, output_function, jump_function : callable or None
+        The equations (the name ``output`` belongs to python-control).
+    parameters : Parameters
+        The block's own parameters.
+    feedthrough : bool
+        Whether inputs reach the outputs at once, as the record says.
+
+    Raises
+    ------
+    BlockError
+        If ports, parameters and what the equations return do not fit.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> from clpt_control.blocks import vehicle
+    >>> block = clpt.Block("vehicle", update=vehicle.kinematics,
+    ...                    inputs={"flow_x": 2, "v_x": 2}, states={"x": 2})
+    >>> block.dynamics(0, [0, 0], [1, 2, 0.5, 0.5])
+    array([1.5, 2.5])
+    """
+
+    first_held: int | None = None  # of a sampled block: the first state that holds an input
+    units: Mapping[str, str] = MappingProxyType({})  # of ports that have any
+
+    def __init__(
+        self,
+        name: str,
+        *,
+        update: Equations | None = None,
+        output: Equations | None = None,
+        inputs: Declared | None = None,
+        outputs: Declared | None = None,
+        states: Declared | None = None,
+        parameters: Any = None,
+        shapes: Declared | None = None,
+        sizes: Mapping[str, int] | None = None,
+        opaque: bool = False,
+        breakpoints: Callable[[Any, float, float], np.ndarray] | None = None,
+        jump: Equations | None = None,
+        guard: Guard | None = None,
+        units: Mapping[str, str] | None = None,
+        dt: float = 0,
+    ):
+        declared = {
+            "inputs": shapes_of(inputs),
+            "outputs": shapes_of(states if output is None else outputs),
+            "states": shapes_of(states),
+        }
+        check_names(name, *declared.values())
+        check_units(name, units or {}, *declared.values())
+
+        def refuse(so: Any, sentence: str) -> None:
+            if so:
+                raise BlockError(f"{name}: {sentence}")
+
+        own = output is None and outputs is not None
+        refuse(output is None and not states, "a block without states needs `output`")
+        refuse((update is None) != (not states), "`update` and `states` belong together")
+        refuse(
+            own and shapes_of(outputs) != declared["states"],
+            "without `output` the outputs are the states; leave them out",
+        )
+        refuse(
+            jump is not None and (breakpoints is None or not states),
+            "a jump sets states at the block's own breakpoints; give `breakpoints` and `states`",
+        )
+        refuse(not 0 <= dt < np.inf, f"dt = {dt}: must be a time, or 0 in continuous time")
+        refuse(
+            dt and (breakpoints is not None or guard is not None),
+            "a block of discrete time has no breakpoints and no guard; leave them out",
+        )
+        refuse(
+            guard is not None and guard.policy not in ("raise", "stop"),
+            f'a guard\'s policy {guard and guard.policy!r} must be "raise" or "stop"',
+        )
+        self.update_function, self.output_function, self.jump_function = update, output, jump
+        self.opaque, self.breakpoints_function, self.guard = opaque, breakpoints, guard
+        self.name, self.units = name, dict(units or {})
+        self.declared, self.parameter_shapes = declared, shapes_of(shapes)
+        self.raised: dict[str, str] = {}  # what a role's last call raised, where it gave NaN
+        self._inner = {}
+        self._sizes = dict(sizes or {})
+        self.parameters = parameters
+        refuse(
+            breakpoints is not None and "interval" not in self.parameters._fields,
+            "a block with breakpoints needs a parameter `interval = -1.0`",
+        )
+        super().__init__(
+            self.dynamics,
+            self.output,
+            inputs=labels(sizes_of(self.input_shapes)),
+            outputs=labels(sizes_of(self.output_shapes)),
+            states=labels(sizes_of(self.state_shapes)) or 0,
+            name=name,
+            dt=dt,
+        )
+        self._try_equations()
+
+    def _try_equations(self) -> None:
+        """Run the equations at a few points, so that a mistake is told where the block is made."""
+        for port in (*self.declared["inputs"], *self.declared["states"]):
+            if hasattr(Vector, port):
+                raise BlockError(
+                    f"{self.name}: the port '{port}' has a name that all arrays of NumPy have, so "
+                    f"that u.{port} would be another thing; call it otherwise"
+                )
+        p = self.parameters_at(0.0)
+        for role, (_, where) in self._plan.items():
+            size = sum(part.stop - part.start for part, _ in where.values())
+            for point in (0.0, 0.3, 1.7, -0.6):  # a logarithm may be asked of some
+                x, u = np.full(self.nstates, point), np.full(self.ninputs, point)
+                try:
+                    self._evaluate(role, size, abs(point), x, u, p)
+                    break
+                except BlockError:
+                    raise
+                except Exception as error:
+                    failed = error
+            else:
+                raise BlockError(self._sentence_of(role, failed)) from failed
+
+    # --- as text ------------------------------------------------------------------------
+
+    def __repr__(self) -> str:
+        return block_line(self)
+
+    def _repr_html_(self) -> None:
+        """Return nothing, and no python-control's text either: a line says it."""
+
+    _repr_markdown_ = _repr_html_
+
+    def __getstate__(self) -> dict[str, Any]:
+        left_out = (*READ, "_call_of_thread")
+        return {name: value for name, value in self.__dict__.items() if name not in left_out}
+
+    # --- parameters -------------------------------------------------------------------
+
+    @property
+    def parameters(self) -> Any:
+        """Return the block's own parameters, checked when set."""
+        return self._parameters
+
+    @parameters.setter
+    def parameters(self, value: Any) -> None:
+        self._parameters = self._checked(value)
+        self._forget()
+        self._bind()
+        self.__dict__.pop("_call_of_thread", None)
+
+    @property
+    def _call(self) -> Call:
+        if "_call_of_thread" not in self.__dict__:
+            self.__dict__.setdefault("_call_of_thread", Call(self._parameters))
+        return self._call_of_thread
+
+    def _checked(self, value: Any) -> Any:
+        return checked_parameters(self.name, value)
+
+    @property
+    def params(self) -> Mapping[str, Any]:
+        """Return the parameters by name; `parameters` sets them."""
+        return MappingProxyType({self.name: self.parameters})
+
+    @params.setter
+    def params(self, value: Mapping[str, Any]) -> None:
+        """Ignore python-control's own empty default; refuse what would be lost."""
+        if value:
+            raise BlockError(f"{self.name}.params: are read; set {self.name}.parameters")
+
+    def with_params(self, params: Mapping[str, Any] | None) -> Any:
+        """Return the parameters, changed by {"block.field": value}."""
+        params = params or {}
+        within_diagram = self.name in params
+        changes = {}
+        for key, value in params.items():
+            owner, _, field = key.rpartition(".")
+            if owner == self.name and field in self.parameters._fields:
+                changes[field] = value
+            elif key == self.name and hasattr(value, "_fields"):
+                continue  # what python-control hands to every block of a diagram
+            elif self.name in (owner, key) or not within_diagram:
+                known = ", ".join(f"{self.name}.{f}" for f in self.parameters._fields) or "none"
+                raise BlockError(f"unknown parameter '{key}': block {self.name} knows {known}")
+        return self.with_values(changes)
+
+    @public
+    def with_values(self, changes: Mapping[str, Any]) -> Any:
+        """Return the parameters with some fields changed."""
+        for field, value in changes.items():
+            if field not in self.parameters._fields:
+                known = ", ".join(self.parameters._fields) or "none"
+                raise BlockError(f"{self.name}: unknown parameter {field!r}; it has {known}")
+            fixed = getattr(self.parameters, field)
+            if isinstance(fixed, int) and not np.array_equal(value, fixed):
+                raise BlockError(
+                    f"{self.name}.{field} = {value}: is {fixed} since the block was made; "
+                    "make another block, or declare the parameter as a float"
+                )
+        if not changes:
+            return self.parameters
+        return checked_parameters(self.name, self.parameters._replace(**changes), self.parameters)
+
+    def _update_params(self, params: Mapping[str, Any] | None) -> None:
+        self._call.parameters, self._call.first = self.with_params(params), None
+
+    # --- jumps in time ----------------------------------------------------------------
+
+    @public
+    def breakpoints(self, t0: float, t1: float, p: Any = None) -> np.ndarray:
+        """Return the sorted times in (t0, t1] at which the block jumps."""
+        if self.breakpoints_function is None:
+            return np.zeros(0)
+        returned = self.breakpoints_function(self.parameters if p is None else p, t0, t1)
+        try:
+            times = np.asarray(returned, dtype=float)
+        except (TypeError, ValueError):
+            times = np.full(1, np.nan)
+        if times.ndim != 1 or not np.all(times[1:] >= times[:-1]) or np.any(np.isnan(times)):
+            raise BlockError(
+                f"{self.name}: breakpoints gives {brief(returned)}; must be increasing times"
+            )
+        if t0 < 0 and np.any(times <= 0):  # intervals are counted from 0 on
+            raise BlockError(
+                f"{self.name}: jumps at {times[0]:g}, and its intervals are counted from time 0 "
+                f"on; begin the run at 0 or later, not at {t0:g}"
+            )
+        return times
+
+    def interval_at(self, t: float, p: Any = None) -> np.float64:
+        """Return the number of the interval that holds t.
+
+        A breakpoint belongs to the interval that it starts.
+        """
+        p = self.parameters if p is None else p
+        if isinstance(self.breakpoints_function, Each):
+            return np.float64(self.breakpoints_function.count(p, t))
+        return np.float64(len(self.breakpoints(0.0, t, p)))
+
+    def parameters_at(self, t: float, p: Any = None) -> Any:
+        """Return the parameters with `interval` filled in for time t."""
+        p = self._call.parameters if p is None else p
+        if self.breakpoints_function is None or p.interval >= 0:
+            return p
+        return p._replace(interval=self.interval_at(t, p))
+
+    # --- the reading that python-control runs -------------------------------------------
+
+    def values(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
+        """Return what equations return; NaN where numbers raise.
+
+        A run may try such numbers and go on without them; what stops it is in `raised`.
+        """
+        if role == "output" and self.states_are_outputs:
+            return np.array(x, dtype=float)
+        try:
+            values = self._evaluate(role, size, t, x, u, p)
+        except RAISED as error:  # as math.log(0.0) does
+            self.raised[role] = self._sentence_of(role, error)
+            return np.full(size, np.nan)
+        except Exception as error:
+            raise BlockError(self._sentence_of(role, error)) from error
+        self.raised.pop(role, None)
+        return values
+
+    def _sentence_of(self, role: str, error: BaseException) -> str:
+        """Return which function raised what, and in which line."""
+        if isinstance(error, BlockError):  # its text says so
+            return str(error)
+        function, _ = self._plan[role]
+        words = [type(error).__name__, " ".join(str(error).splitlines())]
+        text = ": ".join(filter(None, words))  # an assertion may have no text
+        return f"{self.name}.{role}: {located(function, error)}{text}"
+
+    @np.errstate(all="ignore")
+    def _evaluate(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
+        function, where = self._plan[role]
+        returned = function(np.float64(t), vector(x, self._x), vector(u, self._u), p)
+        return flattened(f"{self.name}.{role}", returned, where, size)
+
+    def _rhs(self, t, x, u):
+        if self.update_function is None:
+            return np.zeros(0)
+        p = self.parameters_at(t)
+        if self.jump_function is not None and not self._call.parameters.interval >= 0:
+            self._refuse_jumps(float(t), float(p.interval))
+        return self.values("update", self.nstates, t, x, u, p)
+
+    def _refuse_jumps(self, t: float, interval: float) -> None:
+        """Refuse rates on both sides of a jump, for which only an integration asks."""
+        since, first = self._call.first = self._call.first or (t, interval)
+        if interval != first:
+            raise BlockError(
+                f"{self.name}: its states jump between t = {since:.9g} and t = {t:.9g}, and "
+                "python-control integrates over jumps as if there were none; run the diagram with "
+                "clpt.simulate"
+            )
+
+    def _out(self, t, x, u):
+        return self.values("output", self.noutputs, t, x, u, self.parameters_at(t))

@@ -1,0 +1,323 @@
+"""python-control's systems as blocks, as they stand: by functions, and linear.
+
+    dx/dt, or the next x, = updfcn(t, x, u, params),    y = outfcn(t, x, u, params)
+
+Of its `params` numbers and arrays of numbers are parameters of the block, also whole numbers; all
+else stays as it is.  Sizes that the system leaves open follow from the inputs and the start of a
+run, as python-control finds them.
+
+A linear one, `control.ss` or `tf`:
+
+    x' = A x + B u,    y = C x + D u
+
+or, in discrete time, the next x = A x + B u.  Where D = 0 an input does not reach the outputs at
+once, and the block has no D to change.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+import control
+import numpy as np
+from scipy.linalg import block_diag
+
+from ...errors import BlockError, DiagramError
+from ...progress import warn
+from ..record.graph import MOST_NUMBERS, Record
+from ..trace.arrays import Unread
+from ..trace.branches import EVERY
+from ..trace.tracing import read
+from .block import Block
+from .declaration import Parameters
+from .ports import flattened
+from .sampled import Sampled
+
+
+class System(Block):
+    """A `control.nlsys`, a flat system, a feedback or an estimator that python-control made."""
+
+    def __init__(
+        self,
+        system: control.NonlinearIOSystem,
+        params: Mapping[str, Any] | None = None,
+        sizes: tuple[int | None, int | None] = (None, None),
+    ):
+        n = _size(system, "states", system.nstates, sizes[0])
+        m = _size(system, "inputs", system.ninputs, sizes[1])
+        self.name = system.name
+        self._params = dict(system.params if params is None else params)
+        self.declared_names = {*system.params}  # which a run may set
+        # role -> params that it asks for, texts in its code
+        self._spread: set[str] = set()  # roles that were warned of
+        self._reads: dict[str, tuple[frozenset[Any], frozenset[Any]]] = {}
+        updfcn, outfcn = _functions(system)
+        if (q := system.noutputs) is None:  # it is not declared
+            arguments = 0.0, np.zeros(n), np.zeros(m), dict(self._params)
+            q = n if outfcn is None else np.size(outfcn(*arguments))
+        q = int(q)
+        first = outfcn is None and q < n  # of the states, as python-control takes them
+        self.update_function = updfcn if n else None
+        self.output_function = (lambda t, x, u, params: x[:q]) if first else outfcn
+        self.jump_function = self.breakpoints_function = self.guard = None
+        self.opaque, self._inner, self._sizes, self.parameter_shapes = False, {}, {}, {}
+        self.raised: dict[str, str] = {}
+        states = {"x": (n,)} if n else {}
+        self.declared = {
+            "inputs": {"u": (m,)} if m else {},
+            "outputs": states if self.output_function is None else {"y": (q,)} if q else {},
+            "states": states,
+        }
+        # params that are numbers, which the block has as parameters
+        self.number_names = {key for key, value in self._params.items() if _is_number(key, value)}
+        self.parameters = Parameters(
+            **{key: _leaf(own) for key, own in self._params.items() if key in self.number_names}
+        )
+        self.nstates, self.ninputs, self.noutputs, self.dt = n, m, q, system.dt or 0
+        for kind, count, letter in (("input", m, "u"), ("output", q, "y"), ("state", n, "x")):
+            labels = getattr(system, f"{kind}_index")
+            labels = labels if len(labels) == count else {f"{letter}[{k}]": k for k in range(count)}
+            setattr(self, f"{kind}_index", dict(labels))
+
+    # --- parameters -------------------------------------------------------------------------
+
+    def _checked(self, value: Any) -> Any:
+        return value  # of the numbers among the system's params
+
+    @property  # type: ignore[misc]  # nobody sets it
+    def params(self) -> Mapping[str, Any]:
+        """Return the system's params."""
+        return self._params
+
+    def with_params(self, params: Mapping[str, Any] | None) -> Any:
+        """Return the parameters with some changed; python-control passes unknown ones on."""
+        known = {
+            key: _leaf(value)
+            for key, value in (params or {}).items()
+            if key in self.number_names and value is not self._params[key]
+        }
+        return self._parameters._replace(**known) if known else self._parameters
+
+    def mentions(self, name: str) -> bool:
+        """Return whether the functions could read a param of a name."""
+        return name in self.declared_names or any(
+            name in names or EVERY in names or name in texts for names, texts in self._names_read()
+        )
+
+    def reads(self, name: str) -> bool:
+        """Return whether a function read a param of a name, or was not read itself."""
+        return any(name in names or EVERY in names for names, _ in self._names_read())
+
+    @property
+    def names(self) -> set[str]:
+        """Return the params that it declares, or reads."""
+        return self.declared_names.union(*(names for names, _ in self._names_read())) - {EVERY}
+
+    def _names_read(self) -> Iterator[tuple[frozenset[Any], frozenset[Any]]]:
+        """Yield the params that each function reads, any where it is not read itself, and texts."""
+        for role in self._roles:
+            try:
+                self.array_record(role)
+            except Unread:
+                yield frozenset([EVERY]), frozenset()
+            else:
+                yield self._reads[role]
+
+    def _params_with(self, p: Any) -> dict[str, Any]:
+        """Return the params that python-control would hand to the functions."""
+        if p is self._parameters:
+            return self._params
+        changed = {
+            key: _as_given(value, self._params[key])
+            for key, value in p._asdict().items()
+            if value is not getattr(self._parameters, key)
+        }
+        return {**self._params, **changed}
+
+    # --- readings ---------------------------------------------------------------------------
+
+    def _read(self, role: str) -> Record | Unread:
+        function, out = self._roles[role]
+        shapes = {key: np.shape(self._params[key]) for key in self.number_names}
+        ports = self.declared["states"], self.declared["inputs"]
+        try:
+            result = read(function, role, *ports, self._params, shapes, out, of_control=True)
+        except Unread as error:
+            return Unread(f"{self.name}.{role}: {error}")
+        except BlockError as error:  # which begins with the role
+            return Unread(f"{self.name}.{error}")
+        if result.spreads:
+            self._warn_of_spread(role)
+        self._reads[role] = result.names, result.texts
+        self.read_with[role] = result.pinned, ""
+        return result.record
+
+    def _evaluate(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
+        function, where = self._plan[role]
+        returned = function(t, np.array(x), np.array(u), self._params_with(p))
+        values = flattened(f"{self.name}.{role}", returned, where, size, spreads=True)
+        if size > 1 and np.size(returned) == 1:
+            self._warn_of_spread(role)
+        return values
+
+    def _warn_of_spread(self, role: str) -> None:
+        """Warn once of a function that returns one number for several states or outputs."""
+        if role not in self._spread:
+            self._spread.add(role)
+            count, what = (
+                (self.nstates, "states") if role == "update" else (self.noutputs, "outputs")
+            )
+            warn(
+                f"{self.name}.{role} returns one number, which each of its {count} {what} gets; "
+                "return a number for each"
+            )
+
+
+def _functions(system: control.NonlinearIOSystem) -> tuple[Callable, Callable | None]:
+    """Return update and output of a system, or the methods that its class has in their place."""
+    kind, plain = type(system), control.NonlinearIOSystem
+    update, output = system.updfcn, system.outfcn
+    if kind._rhs is not plain._rhs:
+
+        def update(t, x, u, params):
+            params.keys()  # any may be a param of the object
+            return system._rhs(t, x, u)
+
+    if kind._out is not plain._out:
+
+        def output(t, x, u, params):
+            params.keys()
+            return system._out(t, x, u)
+
+    return update, output
+
+
+def _size(system: Any, what: str, declared: int | None, of_run: int | None) -> int:
+    size = declared if declared is not None else of_run
+    if size is None:
+        raise BlockError(
+            f"{system.name}: how many {what} it has is not said; give {what}= to control.nlsys"
+        )
+    return int(size)  # python-control takes NumPy's too
+
+
+def _leaf(value: Any) -> Any:
+    return np.asarray(value, dtype=float) if np.ndim(value) else np.float64(value)
+
+
+def _as_given(value: Any, like: Any) -> Any:
+    """Return a number as Python's, whole where the one in its place is."""
+    if np.ndim(value):
+        return value
+    whole = isinstance(like, int | np.integer) and float(value).is_integer()
+    return int(value) if whole else float(value)
+
+
+def _is_number(key: Any, value: Any) -> bool:
+    """Return whether a param is a number, or an array of doubles, which signals may take part in.
+
+    Other arrays stay as they are: NumPy cuts what is written into whole numbers.
+    """
+    if not isinstance(key, str) or hasattr(Parameters, key) or key == "interval":
+        return False
+    if type(value) in (int, float, np.int64, np.float64):
+        return not np.isnan(value)
+    return (
+        type(value) is np.ndarray
+        and value.dtype == float
+        and 0 < value.size <= MOST_NUMBERS
+        and not np.any(np.isnan(value))
+    )
+
+
+# --- linear systems ----------------------------------------------------------------------------
+
+
+def rate(t, x, u, p):
+    """x' = A x + B u, section "linear systems" of any textbook."""
+    return p.A @ x.x + p.B @ u.u
+
+
+def output(t, x, u, p):
+    """y = C x + D u, section "linear systems"; a part that is zero is left out."""
+    if "C" not in p:
+        return p.D @ u.u
+    return p.C @ x.x + p.D @ u.u if "D" in p else p.C @ x.x
+
+
+RECORDS: dict[str, dict[str, Any]] = {}  # by what is left out
+SHAPES = {"A": ("n", "n"), "B": ("n", "m"), "C": ("q", "n"), "D": ("q", "m")}
+
+
+def linear(system: control.StateSpace | control.TransferFunction) -> Block:
+    """Make a block of a linear system, with its name, labels and time."""
+    parameters = dict(zip("ABCD", _matrices(system), strict=True))
+    n, (outputs, inputs) = len(parameters["A"]), parameters["D"].shape
+    left_out = "ABC" if not n else "" if np.any(parameters["D"]) else "D"
+    for name in left_out:
+        del parameters[name]
+    block = Block(
+        system.name,
+        update=rate if n else None,
+        output=output,
+        inputs={"u": "m"},
+        outputs={"y": "q"},
+        states={"x": "n"} if n else None,
+        parameters=parameters,
+        shapes={name: SHAPES[name] for name in parameters},
+        sizes={"m": inputs, "q": outputs},
+    )
+    block.__dict__["_read_records"] = RECORDS.setdefault(left_out, {})  # the same for all sizes
+    block.set_inputs(system.input_labels)
+    block.set_outputs(system.output_labels)
+    if isinstance(system, control.StateSpace):
+        block.set_states(system.state_labels)
+    block.dt = system.dt
+    return block
+
+
+def is_linear(part: control.NonlinearIOSystem) -> bool:
+    """Return whether a part is a block that `linear` made."""
+    block = getattr(part, "inner", part)  # of one that is sampled
+    return getattr(block, "output_function", None) is output
+
+
+def _matrices(system: control.StateSpace | control.TransferFunction) -> tuple[np.ndarray, ...]:
+    """Return A, B, C, D; each entry of a matrix of transfer functions has states of its own."""
+    if isinstance(system, control.StateSpace):
+        return system.A, system.B, system.C, system.D
+    rows, columns = np.indices((system.noutputs, system.ninputs)).reshape(2, -1)
+    places = zip(rows, columns, strict=True)
+    try:
+        parts = [control.tf2ss(system.num[i][j], system.den[i][j]) for i, j in places]
+    except ValueError:
+        raise DiagramError(
+            f"{system.name}: a numerator of higher degree than its denominator differentiates, "
+            "which no block can; add a fast pole, such as tf([1, 0], [0.01, 1])"
+        ) from None
+    each = zip(*((part.A, part.B, part.C, part.D) for part in parts), strict=True)
+    A, B, C, D = (block_diag(*own) for own in each)
+    to, of = np.eye(system.noutputs)[:, rows], np.eye(system.ninputs)[columns]
+    return A, B @ of, to @ C, to @ D @ of
+
+
+def with_constants(block: Block) -> Block:
+    """Return a linear block whose matrices are constants, not parameters."""
+    if isinstance(block, Sampled):
+        return Sampled(with_constants(block.inner), block.period)
+    labels = {f"{kind}s": getattr(block, f"{kind}_labels") for kind in ("input", "output", "state")}
+    system = control.ss(*_matrices_of(block), block.dt, **labels)
+    return System(control.nlsys(system, name=block.name, dt=block.dt, **labels))
+
+
+def on_each_axis(block: Block, count: int) -> Block:
+    """Return a linear block of one signal for so many signals, each with states of its own."""
+    A, B, C, D = (np.kron(np.eye(count), matrix) for matrix in _matrices_of(block))
+    linear_block = linear(control.ss(A, B, C, D, name=block.name))
+    return Sampled(linear_block, block.period) if isinstance(block, Sampled) else linear_block
+
+
+def _matrices_of(block: Block) -> list[np.ndarray]:
+    """Return A, B, C, D of a linear block."""
+    none = np.zeros((0, 0)), np.zeros((0, block.ninputs)), np.zeros((block.noutputs, 0))
+    zero = np.zeros((block.noutputs, block.ninputs))
+    return [getattr(block.parameters, *one) for one in zip("ABCD", (*none, zero), strict=True)]

@@ -1,0 +1,89 @@
+"""A block's equations at many times, states and inputs at once."""
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ...arguments import numbers, public
+from ...errors import ArgumentError
+from ..record.graph import Record, computed
+from .block import Block
+from .ports import places
+
+
+def leaf_values(block: Block, t: Any, x: Any, u: Any, p: Any) -> Callable[[str, str], np.ndarray]:
+    """Return the function (group, name) -> array of a leaf; more axes, such as times, are last."""
+    where = {"x": (x, places(block.state_shapes)), "u": (u, places(block.input_shapes))}
+
+    def leaf(group: str, name: str) -> np.ndarray:
+        if group in ("t", "p"):
+            return np.asarray(t if group == "t" else getattr(p, name), dtype=float)
+        values, ports = where[group]
+        part, shape = ports[name]
+        return values[part].reshape((*shape, *values.shape[1:]))
+
+    return leaf
+
+
+def on_arrays(block: Block, role: str, t: Any, x: Any, u: Any, p: Any = None) -> np.ndarray:
+    """Return what a function gives at each time, state x[k] and input u[k]: (size, ...).
+
+    Its parameters are the block's, or those given; their `interval` may be one for each time.
+    """
+    shape = np.broadcast_shapes(np.shape(t), np.shape(x)[1:], np.shape(u)[1:])
+    count = int(np.prod(shape))
+    x, u = (np.broadcast_to(v, (len(v), *shape)).reshape(len(v), count) for v in (x, u))
+    times = np.broadcast_to(t, shape).reshape(count)
+    leaf = leaf_values(block, times, x, u, block.parameters if p is None else p)
+
+    def at_each_time(group: str, name: str) -> np.ndarray:
+        value = leaf(group, name)
+        same = group == "p" and not (name == "interval" and value.ndim)
+        return value[..., None] if same else value
+
+    return rows(block.array_record(role), at_each_time, block.sizes, count).reshape((-1, *shape))
+
+
+def rows(record: Record, leaf: Callable, sizes: Mapping[str, int], count: int) -> np.ndarray:
+    """Return the outputs of a record as rows of `count`; its leaves have one more axis."""
+    outputs = computed(record, leaf, sizes)
+    flat = [np.broadcast_to(y, (*y.shape[:-1], count)).reshape(-1, count) for y in outputs]
+    return np.concatenate([np.zeros((0, count)), *flat])
+
+
+@public
+def evaluate(block: Block, timepts: ArrayLike, inputs: ArrayLike) -> np.ndarray:
+    """Compute a static block's outputs at many times and inputs.
+
+    Parameters
+    ----------
+    block : Block
+        Without states, such as ``basis_x``, Eq. (5), or ``true_flow`` of a gridded field.
+    timepts : array_like, shape (n,) or a number
+        In the block's unit.
+    inputs : array_like, shape (n, ninputs)
+        Such as places, in the block's unit.
+
+    Returns
+    -------
+    ndarray, shape (n, noutputs)
+        One row per sample.
+
+    Examples
+    --------
+    >>> from clpt_control.blocks.flow import flow_basis
+    >>> p = np.zeros((1, 2)), np.ones(1), np.zeros(1), np.zeros(1)
+    >>> evaluate(flow_basis("basis_x", "x", "gaussian", *p), [0, 5], [[0, 0], [1, 1]]).round(3)
+    array([[1.   ],
+           [0.368]])
+    """
+    u, t = np.atleast_2d(numbers("inputs", inputs, block.ninputs)), numbers("timepts", timepts)
+    if u.ndim > 2 or t.shape not in ((), (1,), u.shape[:1]):
+        raise ArgumentError(
+            f"evaluate: timepts has shape {t.shape}, inputs {u.shape}; must be a time, or n "
+            f"of them, and (n, {block.ninputs})"
+        )
+    t = np.broadcast_to(t, len(u))
+    return on_arrays(block, "output", t, np.zeros((0, len(t))), u.T).T

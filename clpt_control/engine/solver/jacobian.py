@@ -1,0 +1,142 @@
+"""The Jacobian matrix for Rodas5P: which states reach which rates, and derivatives of the rates.
+
+States whose rates have nothing in common share one derivative (Curtis, Powell and Reid, On the
+estimation of sparse Jacobian matrices, 1974): a chain of any length takes three.  States are
+ordered so that the matrix has a narrow band (Cuthill and McKee).
+
+The rates of a whole diagram, wires included, are differentiated along a direction (v, s), which
+lies behind the states: X = x, v, s.
+"""
+
+from functools import reduce
+from math import prod
+from operator import or_
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy.linalg import bandwidth
+from scipy.optimize._numdiff import group_columns
+from scipy.sparse import csr_array
+from scipy.sparse.csgraph import reverse_cuthill_mckee
+
+from ..codegen.diagram_record import DiagramRecord
+from ..codegen.switching_conditions import Port
+from ..record.derivative import JUMPS, Direction
+from ..record.graph import deep, reached
+from ..record.scalar_graph import Elements, Index
+from ..trace.arrays import CONDITIONS, Unread, operand
+
+NONE = np.zeros(0, np.int64)
+FULL = 0.3  # share of elements from which on a matrix counts as full
+
+
+class Jacobian(NamedTuple):
+    """The solver's argument `linear`, which `numbering` explains, without its room."""
+
+    band: tuple[int, int, int] = 0, 0, 0
+    places: np.ndarray = NONE
+    groups: np.ndarray = NONE
+    begins: np.ndarray = NONE
+    rows: np.ndarray = NONE
+    columns: np.ndarray = NONE
+    to: np.ndarray = NONE
+
+    @property
+    def for_solver(self) -> tuple[Any, ...]:
+        """The solver's argument, with room for matrices and pivots."""
+        n = len(self.places)
+        return np.zeros(n * n), np.zeros(n * n), np.zeros(n, np.int64), *self
+
+
+def jacobian(reach: np.ndarray, exact: bool) -> Jacobian:
+    """Return the Jacobian of rates that states and time reach: truth values (n, n + 1).
+
+    `exact` says whether there is a function `slope`.
+    """
+    n = len(reach)
+    places, low, high = _ordered(reach[:, :n])
+    groups = group_columns(reach, np.arange(n + 1))
+    rows, columns = np.nonzero(reach)
+    order = np.argsort(groups[columns], kind="stable")
+    rows, columns = rows[order], columns[order]
+    begins = np.searchsorted(groups[columns], np.arange(groups.max(initial=-1) + 2))
+    to = np.append(places, 0)[columns] * n + places[rows]
+    lists = (own.astype(np.int64) for own in (places, groups, begins, rows, columns, to))
+    return Jacobian((low, high, int(exact)), *lists)
+
+
+def _ordered(reach: np.ndarray) -> tuple[np.ndarray, int, int]:
+    """Return the place of each state, and the numbers of diagonals below and above the main one."""
+    n = len(reach)
+    as_is = np.arange(n)
+    if reach.mean() > FULL:
+        return as_is, n - 1, n - 1
+    narrow = reverse_cuthill_mckee(csr_array(reach | reach.T), symmetric_mode=True)
+    orders = as_is, narrow
+    bands = [(np.argsort(own), *bandwidth(reach[np.ix_(own, own)])) for own in orders]
+    return min(bands, key=lambda band: band[1] * (band[1] + band[2]))
+
+
+# --- which states reach which rates -----------------------------------------------------------
+
+
+class _Reached(Elements):
+    """The states that reach each element, then time, as the bits of a whole number."""
+
+    def __init__(self, record: DiagramRecord, n: int):
+        super().__init__(record.entries)
+        self.n = n
+
+    def number(self, value: float) -> int:
+        """Return that nothing reaches a constant."""
+        return 0
+
+    def apply(self, ref: int, kind: str, arguments: tuple) -> int:
+        """Return all that reaches the arguments; a decision has no slope."""
+        if kind in CONDITIONS or kind in JUMPS:
+            return 0
+        return reduce(or_, arguments[kind in ("where", "pick") :], 0)
+
+    def _element(self, ref: int, index: Index) -> int:
+        kind, arguments, shape, at = self.operations[ref]
+        if kind == "sum":
+            return self._sum(ref, arguments[0], at[0], index)
+        if kind != "load":
+            return super()._element(ref, index)
+        array, first = at
+        place = sum(i * prod(shape[k + 1 :]) for k, i in enumerate(index))
+        return 1 << (first + place if array == "X" else self.n) if array in "Xt" else 0
+
+
+def reach_of(record: DiagramRecord, n: int) -> np.ndarray:
+    """Return which of n states, and whether time, reach which rates: truth values (n, n + 1)."""
+    reached_by, reach = _Reached(record, n), np.zeros((n, n + 1), dtype=bool)
+    try:
+        with deep():
+            for port in record.rates:
+                for place, index in enumerate(np.ndindex(port.shape), port.first):
+                    bits = reached_by.at(port.ref, index)
+                    reach[place] = [bits >> j & 1 for j in range(n + 1)]
+    except Unread:  # too many elements
+        reach[:] = True
+    return reach
+
+
+# --- the derivative along a direction ---------------------------------------------------------
+
+
+def slopes_of(record: DiagramRecord, n: int) -> list[Port]:
+    """Return the derivatives of the rates of n states along a direction; the record grows by them.
+
+    A function without a derivative is an `Unread` error.
+    """
+    direction = Direction(record.tape, {})
+    roots = [port.ref for port in record.rates]
+    loads = [k for k in sorted(reached(record.entries, roots)) if record.entries[k].kind == "load"]
+    for k in loads:
+        (array, first), shape = record.entries[k].at, record.entries[k].shape
+        place = {"X": n + first, "t": 2 * n}.get(array)
+        slope = None if place is None else record.tape.value(record.load("X", place, shape))
+        direction.known[k] = slope
+    slopes = [direction.of(record.tape.value(ref)) for ref in roots]
+    return [port._replace(ref=operand(one)) for port, one in zip(record.rates, slopes, strict=True)]

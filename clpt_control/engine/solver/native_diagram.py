@@ -1,0 +1,274 @@
+"""A diagram as machine code, which is compiled once a process for all diagrams of one structure."""
+
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from copy import copy
+from dataclasses import dataclass, field, replace
+from typing import Any, Self
+
+import control
+import numpy as np
+
+from ...arguments import public
+from ...errors import DiagramError, Uncompiled
+from ..codegen.diagram_record import FORMS, DiagramRecord, Layout, lay_out
+from ..codegen.loop_nests import print_program
+from ..codegen.machine import LANES, Machine, fuses, once, one_at_a_time
+from ..codegen.plan import NO_TABLES, Program, program_of
+from ..diagram.wiring import Wiring
+from ..trace.arrays import Unread
+from . import solver_layout as numbering
+from .batch import Callee
+from .integrators import with_formulas
+from .jacobian import Jacobian, jacobian, reach_of, slopes_of
+from .runner import PythonDiagram
+from .schedule import Inputs
+from .sliding import Held, slide
+
+ABREAST = 256  # states of runs in lanes; more do not fit the first cache
+MANY, SHORTER = 1500, 3  # components of a long program, and how much shorter one of loops is
+Form = str | Held | None
+FUNCTIONS = ("derivative", "prepare", "margin", "signals", "jump", "decide", "slope", "staged")
+
+
+@dataclass(frozen=True)
+class Structure:
+    """All that machine code depends on, without parameters, and a diagram of that structure.
+
+    `key` holds records, shapes and sizes of the blocks; what feeds each; the order of evaluation,
+    the kind of time, which blocks pass inputs on at once and which sample; where parameters lie;
+    how many inputs the diagram has.
+    """
+
+    key: tuple
+    wiring: Wiring = field(compare=False)
+    layout: Layout = field(compare=False)
+
+
+class Code:
+    """The program of a structure, and its machine code once it is asked for.
+
+    `linear` is what an implicit method needs of it.
+    """
+
+    def __init__(self, program: Program, linear: Jacobian | None = None):
+        self.program, self.linear = program, linear or Jacobian()
+        self._machines: dict[tuple[str, int], Machine] = {}
+
+    @one_at_a_time
+    def addresses(self, names: Sequence[str], lanes: int) -> list[int]:
+        """Return where functions lie, compiled together when first asked for."""
+        new = (name for name in names if (name, lanes) not in self._machines)
+        if missing := tuple(dict.fromkeys(new)):
+            wanted = self.program, missing, lanes
+            text = repr((self.program._replace(tables=NO_TABLES), *wanted[1:]))
+            machine = Machine(missing, text, lambda: print_program(*wanted))
+            self._machines.update({(name, lanes): machine for name in missing})
+        return [self._machines[name, lanes].addresses[name] for name in names]
+
+
+def code_of(wiring: Wiring, layout: Layout, form: Form = None, implicit: bool = False) -> Code:
+    """Return the code of a diagram, the same for diagrams of one structure.
+
+    With `implicit` rates have slopes, for an implicit method.  `form` says whether all axes are
+    ``"unrolled"`` or ``"looped"``, or decisions ``"free"``, or held on switches.  An `Uncompiled`
+    error says what cannot be compiled.
+    """
+    if form not in FORMS and not isinstance(form, Held):
+        raise DiagramError(f"form = {form!r}: must be 'unrolled', 'looped' or 'free', or left out")
+    blocks: list[Any] = [node.system for node in wiring.nodes]
+    try:
+        records = tuple(tuple(block.records.items()) for block in blocks)
+    except Unread as error:
+        raise Uncompiled(str(error)) from None
+    declared = ((*block.declared.values(), block.sizes) for block in blocks)
+    shapes = tuple(tuple(tuple(own.items()) for own in one) for one in declared)
+    wires = tuple((node.states.start, node.outputs.start, node.wires) for node in wiring.nodes)
+    order = wiring.order, *((block.feedthrough, block.first_held) for block in blocks)
+    key = records, shapes, wires, order, bool(wiring.dt), layout.pattern, wiring.ninputs
+    return _code(Structure(key, wiring, layout), form, implicit)
+
+
+@once(64)
+def _code(structure: Structure, form: Form, implicit: bool) -> Code:
+    """Return the code; that with short axes looped where it is far shorter, as of matrices."""
+    try:
+        code = _planned(structure, form, implicit)
+    except Uncompiled:
+        if form is not None:
+            raise
+        return _planned(structure, "looped", implicit)
+    if form is None and (size := len(code.program.components)) > MANY:
+        looped = _planned(structure, "looped", implicit)
+        return looped if SHORTER * len(looped.program.components) < size else code
+    return code
+
+
+def _planned(structure: Structure, form: Form, implicit: bool) -> Code:
+    wiring, layout = structure.wiring, structure.layout
+    record = DiagramRecord(wiring, layout, "free" if isinstance(form, Held) else form)
+    if isinstance(form, Held):
+        slide(record, form)
+    room = wiring.nodes[-1].outputs.stop, layout.inputs(wiring.ninputs)
+    if not implicit:
+        return Code(program_of(record, *room))
+    reach = reach_of(record, wiring.nodes[-1].states.stop)
+    with suppress(Unread, Uncompiled):  # else rates are differentiated by differences
+        program = program_of(record, *room, slopes_of(record, len(reach)))
+        return Code(program, jacobian(reach, True))
+    return Code(program_of(record, *room), jacobian(reach, False))
+
+
+# --- ready to run ----------------------------------------------------------------------------
+
+
+@public
+class NativeDiagram(PythonDiagram):
+    """A diagram compiled to machine code.
+
+    Parameters
+    ----------
+    diagram : control.NonlinearIOSystem or Wiring
+        Blocks, wired.
+    params : mapping, optional
+        Call-time parameters by qualified name.
+    form : str, optional
+        ``"unrolled"`` or ``"looped"``: all axes; short ones are unrolled without.  ``"free"``:
+        decisions are not locked for a step.  `Held`: on switches, whose decisions are held.
+    apart : mapping, optional
+        Blocks' fields that differ from run to run: those that always have equal values have the
+        same here.
+
+    Attributes
+    ----------
+    code : Code
+        Its program and machine code.
+    layout : Layout
+        Where parameters lie.
+
+    Raises
+    ------
+    Uncompiled
+        If a function cannot be read, or the diagram is too large.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> scenario = clpt.paper_scenario()
+    >>> native = clpt.native.NativeDiagram(clpt.closed_loop(scenario))
+    >>> native.run(clpt.initial_state(scenario), [0.0, 20.0]).x.shape
+    (2, 14)
+    """
+
+    engine, loose = "native", np.inf
+    comparisons = 0  # runs that were compared with Python
+    most = 500_000_000
+
+    def __init__(
+        self,
+        diagram: control.NonlinearIOSystem | Wiring,
+        params: Mapping[str, Any] | None = None,
+        form: Form = None,
+        apart: Mapping[tuple[int, str], Any] = {},
+    ):
+        super().__init__(diagram, params)
+        self.layout = lay_out(self.wiring, self.sweep.parameters, apart)
+        self.form, self.code = form, code_of(self.wiring, self.layout, form)
+        self.intervals, self.jumps = self.layout.intervals, self.layout.jumps
+        self.time_tables = [*self.layout.time_tables.values()]
+        self.ramp = len(self.layout.P)  # place in P of the diagram's inputs
+        self.decided_at = self.layout.inputs(self.wiring.ninputs) + 1  # and of what is decided
+        self._callees: dict[tuple[int, int], Callee] = {}
+
+    def parameters(self) -> np.ndarray:
+        """Return P, with room for inputs and prepared numbers."""
+        P = np.zeros(self.code.program.parameters)
+        P[: len(self.layout.P)] = self.layout.P
+        return P
+
+    def with_parameters(self, parameters: Sequence[Any]) -> Self:
+        """Return the same code with other parameters of its blocks."""
+        other = super().with_parameters(parameters)
+        other.layout = replace(self.layout, P=self.layout.packed(parameters))
+        return other
+
+    def unlocked(self) -> Self:
+        """Return the diagram with decisions that change within a step."""
+        return self.in_form("free")
+
+    def in_form(self, form: Form) -> Self:
+        """Return the diagram in another form."""
+        other = copy(self)
+        other.form, other._callees = form, {}
+        other.code = code_of(self.wiring, self.layout, form)
+        return other
+
+    def _code(self, method: int) -> Code:
+        """Return the code for a method; in steps of one length decisions are not locked."""
+        if method == numbering.RK4 and self.code.program.decided:
+            return code_of(self.wiring, self.layout, "free")
+        if method == numbering.RODAS5P:
+            return code_of(self.wiring, self.layout, self.form, True)
+        return self.code
+
+    def callee(
+        self, lanes: int = 1, inputs: Inputs | None = None, method: int = numbering.DOP853
+    ) -> Callee:
+        """Return what the solver calls, for one of its methods."""
+        if (lanes, method) not in self._callees:
+            self._callees[lanes, method] = self._callee(lanes, method)
+        return self._callees[lanes, method]
+
+    def _callee(self, lanes: int, method: int) -> Callee:
+        code, (guarded, jumping) = self._code(method), self.watched(method)
+        program, watched = code.program, (max(guarded, int(isinstance(self.form, Held))), jumping)
+        used = dict(zip(("margin", "jump"), watched, strict=True))
+        used |= {"decide": program.decided, "slope": "slope" in program.functions}
+        used["staged"] = method == numbering.DOP853 and program.staged
+        wanted = [name for name in FUNCTIONS if used.get(name, True)]
+        found = dict(zip(wanted, code.addresses(wanted, lanes), strict=True))
+        own = [found.get(name, 0) for name in FUNCTIONS]
+        shape = lanes, self.nstates, method, *watched, self.decided_at, program.decided, 0
+        tables = np.concatenate([self.layout.T, program.tables])
+        sizes = program.parameters, program.room, tables
+        more = code.linear, program.timed, (code,)
+        return with_formulas(Callee(self.engine, own, *shape, *sizes, *more))
+
+    def lanes(self, count: int) -> int:
+        """Return how many runs are taken at once: eight where it pays."""
+        return LANES if count > 1 and fuses() and self.nstates <= ABREAST else 1
+
+
+@public
+def compile(
+    diagram: control.NonlinearIOSystem, params: Mapping[str, Any] | None = None
+) -> NativeDiagram:
+    """Compile an interconnected diagram to machine code.
+
+    Parameters
+    ----------
+    diagram : control.NonlinearIOSystem
+        Blocks, wired; nested diagrams and several vehicles included.
+    params : mapping, optional
+        Call-time parameters by qualified name, ``{"adaptation.gain": 2.0}``.
+
+    Returns
+    -------
+    NativeDiagram
+        Ask it to `run` from an initial state, or `run_many` from many.
+
+    Raises
+    ------
+    DiagramError
+        If a function cannot be read, the diagram is too large, or blocks feed
+        each other at once in a circle.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> scenario = clpt.paper_scenario()
+    >>> native = clpt.native.compile(clpt.closed_loop(scenario))
+    >>> native.run(clpt.initial_state(scenario), [0.0, 20.0]).status
+    'finished'
+    """
+    return NativeDiagram(diagram, params)

@@ -1,0 +1,1 @@
+"""Tracing: a function runs on tracer arrays, which record array operations."""

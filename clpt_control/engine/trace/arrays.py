@@ -1,0 +1,347 @@
+"""Arrays without values: what a function is called with, to be read.
+
+An `Array` is a value of a record that grows (`Tape`).  NumPy's own protocols write down what a
+function does with it: ``np.exp(a)``, ``a @ b``, ``np.outer(a, b)``.  What is written into it
+(``y[0] = ...``) is kept element by element, and views share what is written, as NumPy's do.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from functools import partial
+from math import prod
+from operator import attrgetter
+from threading import local
+from typing import Any
+
+import numpy as np
+from numpy.lib.mixins import NDArrayOperatorsMixin
+
+from ..record.graph import UFUNCS, Operation, Record, Ref, Shape, key_of
+
+MOST_OPERATIONS = 200_000  # a longer record is given up
+LOGICAL = frozenset({"and", "or", "not"})  # of conditions
+COMPARISONS = frozenset({"lt", "le", "gt", "ge", "eq", "ne"})
+CONDITIONS = LOGICAL | COMPARISONS
+MOVED = frozenset({"view", "stack", "join", "part"})  # hold what their arguments hold
+
+# what arrays call in files that import this one; each file puts in its own
+HOOKS: dict[str, Any] = {}
+
+
+class Unread(Exception):
+    """Why a function cannot be read: what it does, and what to write instead."""
+
+    def __init__(self, sentence: str, stops: bool = True):
+        super().__init__(sentence)
+        if stops and (tape := active()) is not None:
+            tape.stopped = self  # a function may catch it
+
+
+_ACTIVE = local()
+
+
+def active() -> "Tape | None":
+    """Return the tape on which this thread reads a function now, or None."""
+    return getattr(_ACTIVE, "tape", None)
+
+
+@contextmanager
+def reading_on(tape: "Tape") -> Iterator[None]:
+    """Make a tape the one on which this thread reads."""
+    before, _ACTIVE.tape = active(), tape
+    try:
+        yield
+    finally:
+        _ACTIVE.tape = before
+
+
+class Tape:
+    """A record as it grows; equal operations are one."""
+
+    def __init__(self) -> None:
+        self.operations: list[Operation] = []
+        self.stopped: Unread | None = None  # what ends the reading
+        self.parameters: Mapping[str, Any] = {}  # as they were given
+        self.runs = 0  # ways through a function and its helpers
+        self.texts: Unread | None = None  # what to say where a text of a signal was made
+        self.free: list[bool] = []  # of each: whether it depends on time, states or inputs
+        self.truth: list[bool] = []  # of each: whether it holds truth values
+        self.trees: list[int] = []  # of each, once asked for: how it is made
+        self.kinds: dict[Any, int] = {}  # of trees
+        self._known: dict[Any, int] = {}
+
+    def add(self, kind: str, arguments: Sequence[Ref], shape: Shape, at: Any = None) -> "Array":
+        """Return the value of an operation, written down where it is new."""
+        key = (kind, tuple(map(key_of, arguments)), shape, at)
+        if (place := self._known.get(key)) is None:
+            place = self._known[key] = len(self.operations)
+            self.append(Operation(kind, tuple(arguments), shape, at))
+            if place > MOST_OPERATIONS:
+                raise Unread(f"takes more than {MOST_OPERATIONS} operations")
+        return Array(self, place, shape)
+
+    def value(self, ref: Ref) -> Any:
+        """Return what a reference names: an array, or a number as it is."""
+        return Array(self, ref, self.operations[ref].shape) if type(ref) is int else ref
+
+    def append(self, operation: Operation) -> None:
+        """Write an operation down, also where an equal one stands."""
+        kind, arguments, _, at = operation
+        self.operations.append(operation)
+        own = [a for a in arguments if type(a) is int]
+        changes = kind == "leaf" and (at[0] != "p" or at[1] == "interval")  # along a run
+        self.free.append(changes or any(self.free[a] for a in own))
+        self.truth.append(
+            kind in CONDITIONS
+            or (kind in MOVED and len(own) == len(arguments) and all(self.truth[a] for a in own))
+        )
+
+    def replayed(self, record: Record, leaf: Callable[[str, str, Shape], Any]) -> list[Any]:
+        """Write a record down again on other leaves; return its outputs."""
+        values: list[Any] = []
+        for kind, arguments, shape, at in record.operations:
+            refs = [operand(values[a]) if type(a) is int else a for a in arguments]
+            values.append(
+                leaf(at[0], at[1], shape) if kind == "leaf" else self.add(kind, refs, shape, at)
+            )
+        return [values[ref] if type(ref) is int else ref for ref in record.outputs]
+
+    def question(self, ref: Any) -> Any:
+        """Answer where Python asks for a truth value, numbers or a whole number."""
+        raise Unread("what Python asks of a signal")
+
+    numbers = whole = parameter = question
+
+
+class Array(NDArrayOperatorsMixin):
+    """A value of a tape, of a known shape, used as NumPy's arrays are."""
+
+    __slots__ = (
+        *("_boxed", "_fixed", "_node", "_of_python", "_parent", "_select", "_shape", "_store"),
+        *("_below", "_tape", "_whole"),
+    )
+    __array_priority__ = 1000
+
+    def __init__(self, tape: Tape, node: int, shape: Shape, parent: Any = None, select: Any = None):
+        self._tape, self._node, self._shape = tape, node, shape
+        self._fixed = False  # whether nothing may be written into it
+        self._boxed = False  # whether, without axes, it is NumPy's array and no number
+        # whether what is written into it is cut to a whole number, and whether it is one of
+        # Python's numbers, not of NumPy's; None where that hangs on a choice
+        self._whole: bool | None = False
+        self._of_python: bool | None = False
+        self._below: int | None = None  # it is a whole number from 0 on, below this one
+        self._parent: Array | None = parent
+        self._select = select  # takes this part of the parent's elements
+        self._store: np.ndarray | None = None  # its elements, once one was written
+
+    # --- the value ----------------------------------------------------------------------
+
+    shape = property(attrgetter("_shape"), doc="Its shape, which nobody sets.")
+
+    @property
+    def _ref(self) -> Ref:
+        """Its place on the tape, as it stands now."""
+        store = self._written()
+        return self._node if store is None else operand(HOOKS["lifted"](self._tape, store))
+
+    @property
+    def _root(self) -> "Array":
+        """The array that it is a part of."""
+        return self if self._parent is None else self._parent._root
+
+    def _keep(self) -> None:
+        """Keep each element by itself from now on."""
+        if self._store is None:
+            self._store = self._elements()
+
+    def _blank(self) -> np.ndarray:
+        """Return an array without numbers that lies in memory as NumPy's would."""
+        if self._parent is None:
+            return np.empty(self._counted())
+        return self._select(self._parent._blank())
+
+    def _written(self) -> np.ndarray | None:
+        """Return its elements, once one was written; parts share them, as NumPy's views do."""
+        if self._store is None and self._parent is not None:
+            above = self._parent._written()
+            if above is not None:
+                self._store = np.asarray(self._select(above), dtype=object)
+        return self._store
+
+    @property
+    def ndim(self) -> int:
+        """Number of axes."""
+        return len(self.shape)
+
+    @property
+    def size(self) -> int:
+        """Number of elements."""
+        return prod(self._counted())
+
+    @property
+    def dtype(self) -> np.dtype:
+        """What NumPy's array would hold."""
+        return np.dtype(bool if self._is_condition else float)
+
+    @property
+    def _is_condition(self) -> bool:
+        """Whether it holds truth values."""
+        return self._store is None and self._tape.truth[self._node]
+
+    def _counted(self) -> tuple[int, ...]:
+        """Return the shape in whole numbers; refuse an open size."""
+        for n in self.shape:
+            if not isinstance(n, int):
+                raise Unread(f"counting with the open size {n}")
+        return self.shape
+
+    # --- elements -----------------------------------------------------------------------
+
+    def __len__(self) -> int:
+        if not self.shape:
+            raise TypeError("len() of unsized object")
+        return self._counted()[0]
+
+    def __iter__(self) -> Iterator[Any]:
+        return (self[k] for k in range(len(self)))
+
+    def __getitem__(self, index: Any) -> Any:
+        return HOOKS["item"](self, index if isinstance(index, tuple) else (index,))
+
+    def __setitem__(self, index: Any, value: Any) -> None:
+        HOOKS["put"](self, index, value)
+
+    def _elements(self) -> np.ndarray:
+        """Return its elements in an array of objects."""
+        if (store := self._written()) is not None:
+            return store.copy()
+        if (known := numbers_of(self)) is not None:
+            return known.astype(object)
+        found = np.empty(self.size, dtype=object)
+        for k, place in enumerate(np.ndindex(self.shape)):
+            found[k] = self[place] if self.shape else Array(self._tape, self._node, ())
+        return found.reshape(self.shape)
+
+    # --- NumPy's protocols ----------------------------------------------------------------
+
+    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **more: Any) -> Any:
+        if not self.shape and not more and ufunc in UFUNCS and method == "__call__":
+            return HOOKS["elementwise"](UFUNCS[ufunc], *inputs)
+        return HOOKS["ufunc"](self._tape, ufunc, method, inputs, more)
+
+    def __array_function__(self, function: Any, types: Any, inputs: Any, more: Any) -> Any:
+        return HOOKS["function"](self._tape, function, inputs, more)
+
+    def __array__(self, dtype: Any = None, copy: Any = None) -> np.ndarray:
+        if dtype is not None and np.dtype(dtype).kind == "O":
+            return self._elements()
+        return self._tape.numbers(self._ref).astype(dtype or self.dtype)
+
+    def __getattr__(self, name: str) -> Any:
+        if (method := HOOKS["method"](name)) is not None:
+            return partial(method, self)
+        raise AttributeError(f"an array of the record has no {name!r}")
+
+    def __eq__(self, other: Any) -> Any:
+        return False if other is None or isinstance(other, str) else np.equal(self, other)
+
+    def __ne__(self, other: Any) -> Any:
+        return True if other is None or isinstance(other, str) else np.not_equal(self, other)
+
+    real = property(lambda self: self)
+    flat = property(lambda self: iter(self._elements().ravel()))
+    T = property(lambda self: self.transpose())
+
+    # --- Python asks for a value ----------------------------------------------------------
+
+    def __bool__(self) -> bool:
+        one = single(self)
+        if not isinstance(one, Array):
+            return bool(one)
+        if one.shape:
+            raise ValueError("the truth value of an array with more than one element is ambiguous")
+        return self._tape.question((one if one._is_condition else one != 0.0)._ref)
+
+    def __float__(self) -> float:
+        return float(self._tape.numbers(self._ref).item())
+
+    def __int__(self) -> int:
+        return int(self._tape.numbers(self._ref).item())
+
+    def __index__(self) -> int:
+        return self._tape.whole(self)
+
+    def __format__(self, spec: str) -> str:
+        ref = self._ref
+        value = ref if type(ref) is float else self._tape.parameter(ref)
+        if value is not None:
+            return format(value, spec)
+        self._tape.texts = Unread("makes a text of a signal", stops=False)  # of an error, it may
+        return repr(self)
+
+    def __str__(self) -> str:
+        return format(self, "")
+
+    def __hash__(self) -> int:
+        if self.shape:
+            raise TypeError("unhashable type: 'numpy.ndarray'")
+        if moves(self):
+            raise Unread("looks a signal up in a dict or set; write `if`, or lookup of a row")
+        return hash(self._tape.numbers(self._ref).item())
+
+    def __round__(self, digits: Any = None) -> Any:
+        if digits and self._of_python is not False:
+            raise Unread("rounds to digits, which Python does otherwise than np.round")
+        if digits is not None:
+            return np.round(self, digits)
+        new: Any = np.round(self) + 0.0  # as a whole number
+        new._of_python = new._whole = True
+        return new
+
+    def __repr__(self) -> str:
+        return f"<v{self._node} {self.shape}>"
+
+
+def moves(value: Any) -> bool:
+    """Return whether a value depends on time, states or inputs."""
+    ref = value._ref if isinstance(value, Array) else 0.0
+    return type(ref) is int and value._tape.free[ref]
+
+
+def numbers_of(array: Array) -> np.ndarray | None:
+    """Return an array that depends on nothing as numbers; None for any other."""
+    store = array._written()
+    if store is None:
+        if type(array) is not Array:  # all states or inputs
+            return None
+        own = array._tape.operations[array._node]
+        return np.frombuffer(own.at).reshape(own.shape) if own.kind == "constant" else None
+    plain = all(type(one) is not Array for one in store.flat)
+    return store.astype(float) if plain else None
+
+
+def whole(index: Any) -> Any:
+    """Return an index in whole numbers; each signal in it is asked which one it is."""
+    if isinstance(index, tuple):
+        return tuple(map(whole, index))
+    if not isinstance(index, Array):
+        return index
+    return [one.__index__() for one in index] if index.shape else index.__index__()
+
+
+def single(value: Any) -> Any:
+    """Return the number in an array of one, which `math` and float take."""
+    if isinstance(value, Array) and value.shape and value.size == 1:
+        return value[(0,) * value.ndim]
+    return value
+
+
+def objects(value: Any) -> np.ndarray:
+    """Return an array of objects."""
+    return value._elements() if isinstance(value, Array) else np.asarray(value, dtype=object)
+
+
+def operand(value: Any) -> Ref:
+    """Return a value's place, or a constant."""
+    return value._ref if isinstance(value, Array) else float(value)

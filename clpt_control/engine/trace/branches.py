@@ -1,0 +1,207 @@
+"""Arguments of a function while it is traced, and the answers to its conditions.
+
+Each execution path through the function (`paths`) is a row of answers.  What depends on parameters
+alone has a value.
+"""
+
+import sys
+from collections.abc import Callable, Mapping
+from math import prod
+from traceback import walk_tb
+from types import FrameType
+from typing import Any
+
+import numpy as np
+
+from ..record.graph import Ref, Shape, compact, reached
+from .arrays import Array, Tape, Unread
+
+LIBRARIES = ("numpy", "scipy", "matplotlib")  # run as they are
+MOST_QUESTIONS = 64  # on one way
+MOST_PLACES = 64  # which whole numbers a signal is asked for
+
+
+class Outside(Exception):
+    """No run takes this way: the signal would be a place that no row has."""
+
+
+EVERY = object()  # stands for all names
+FOR_ONE = ("__getitem__", "__contains__", "get", "pop", "setdefault")
+FOR_ALL = (
+    *("__iter__", "__reversed__", "__eq__", "__or__", "__ror__"),
+    *("keys", "values", "items", "copy", "popitem"),
+)
+
+
+def _noted(method: str) -> Callable:
+    """Return a method of dict that notes the name that it asks for, or EVERY."""
+    real = getattr(dict, method)
+
+    def noting(self: "Params", *arguments: Any) -> Any:
+        self.names.add(arguments[0] if method in FOR_ONE else EVERY)
+        return real(self, *arguments)
+
+    return noting
+
+
+class Params(dict):
+    """The params of python-control; they note the names that a function asks for."""
+
+    def __init__(self, params: Mapping[str, Any], names: set[Any]) -> None:
+        super().__init__(params)
+        self.names = names
+
+    vars().update({method: _noted(method) for method in (*FOR_ONE, *FOR_ALL)})
+
+
+class AnsweringTape(Tape):
+    """A tape that answers questions as this way through the function takes them."""
+
+    def __init__(self, parameters: Mapping[str, Any]) -> None:
+        super().__init__()
+        self.parameters = parameters
+        self.pinned: set[str] = set()  # parameters whose value Python asked for
+        self.way: list[bool] = []
+        self.answers: dict[int, bool] = {}
+        self.rows: dict[int, int] = {}  # length of the row in which a signal is a place
+        self.last_asked: tuple[int, int] | None = None  # a signal, and the answer
+        self.merging = False  # whether statements and helpers are merged
+        self.persistent: set[int] = set()  # identities of values that outlive the function
+        self.check: Callable[[], None] = lambda: None  # refuses a change of these
+
+    def question(self, ref: Ref) -> bool:
+        """Answer a condition: as this way says, or by the parameters if they decide."""
+        if type(ref) is float or not self.free[ref]:
+            return bool(self.known(ref).item())
+        if ref not in self.answers:
+            k = len(self.answers)
+            if k >= MOST_QUESTIONS:
+                raise Unread(
+                    f"asks more than {MOST_QUESTIONS} questions that depend on signals; write "
+                    "np.where, and no `while` on a signal"
+                )
+            self.answers[ref] = self.way[k] if k < len(self.way) else True
+        return self.answers[ref]
+
+    def numbers(self, ref: Ref) -> np.ndarray:
+        """Return the numbers that Python asks for; only parameters have any."""
+        if type(ref) is float or not self.free[ref]:
+            return self.known(ref)
+        raise Unread(
+            f"{_asking()} asks for the value of a signal; write what it computes in NumPy, "
+            "and fill arrays where they are made"
+        )
+
+    def known(self, ref: Ref) -> np.ndarray:
+        """Return the value of what depends on parameters alone, which are then pinned."""
+        used = reached(self.operations, [ref])
+        leaves = [self.operations[k].at for k in used if self.operations[k].kind == "leaf"]
+        self.pinned |= {name for _, name in leaves}
+        record = compact(self.operations, [ref])
+        return record.values(lambda group, name: self.parameters[name], {})[0]
+
+    def parameter(self, ref: int) -> Any:
+        """Return the value of a parameter as the user wrote it, which is then pinned."""
+        kind, _, _, at = self.operations[ref]
+        if kind != "leaf" or self.free[ref]:
+            return None
+        self.pinned.add(at[1])
+        return self.parameters[at[1]]
+
+    def whole(self, number: Array) -> int:
+        """Return the whole number that Python counts with; a signal is asked which one it is."""
+        ref = number._ref
+        if type(ref) is float or not self.free[ref]:
+            value = self.known(ref).item()
+            if value != int(value):
+                raise TypeError("only integers can be used as an index")
+            return int(value)
+        if number._below is not None:
+            places = range(number._below)
+            return next((k for k in places[:-1] if number == float(k)), places[-1])
+        count = self.rows.get(ref, MOST_PLACES)
+        for k in (*range(count + 1), *range(-1, -count - 1, -1)):
+            if k == MOST_PLACES:
+                raise Unread(
+                    "counts with a signal; let a number of the run choose by np.where or lookup"
+                )
+            self.last_asked = ref, k
+            if number == float(k):
+                return k
+        self.last_asked = None
+        raise Outside
+
+    def ended(self, error: BaseException) -> None:
+        """Note the length of a row, where a way raised at its end."""
+        if isinstance(error, IndexError) and self.last_asked and self.last_asked[1] >= 0:
+            self.rows.setdefault(*self.last_asked)
+
+
+ENGINE = __package__.rpartition(".")[0]
+
+
+def _asking() -> str:
+    """Return what asks for a number: a library's function that a user's calls, or Python."""
+    frame, word = sys._getframe(2), "Python"
+    while (module := _not_users(frame)) and frame.f_back is not None:
+        if not module.startswith(ENGINE):
+            word = f"{module.partition('.')[0]}'s {frame.f_code.co_qualname}"
+        frame = frame.f_back
+    return word
+
+
+def _not_users(frame: FrameType) -> str:
+    """Return the module of a frame of this package or of a library; "" of a user's."""
+    module = frame.f_globals.get("__name__") or ""
+    return module if module.startswith((*LIBRARIES, ENGINE)) else ""
+
+
+def located(function: Any, *errors: BaseException) -> str:
+    """Return function and line in which a reading ended, for a sentence.
+
+    Of several errors the first counts that came by a line: a library may swallow one.
+    """
+    for error in errors:
+        lines = [
+            f"{frame.f_code.co_name}, line {line}: "
+            for frame, line in walk_tb(error.__traceback__)
+            if not _not_users(frame)
+        ]
+        if lines:
+            return lines[-1]
+    return f"{getattr(function, '__name__', 'it')}: "
+
+
+class Ports(Array):
+    """States or inputs without values: a vector, with its ports as views."""
+
+    __slots__ = ("_ports",)
+
+    def __init__(self, tape: Tape, group: str, shapes: Mapping[str, Shape], fixed: bool = True):
+        self._ports = {
+            port: tape.add("leaf", (), shape, (group, port)) for port, shape in shapes.items()
+        }
+        known = all(isinstance(n, int) for shape in shapes.values() for n in shape)
+        size: Any = sum(map(prod, shapes.values())) if known else f"len({group})"
+        super().__init__(tape, -1, (size,))
+        del self._node  # until it is asked for
+        self._fixed = fixed
+        for leaf in self._ports.values():
+            leaf._fixed = True
+
+    def __getattr__(self, name: str) -> Any:
+        if name in self._ports:
+            return self._ports[name]
+        if name != "_node":
+            return super().__getattr__(name)
+        self._counted()
+        rows = [row._ref for leaf in self._ports.values() for row in _rows(leaf)]
+        if len(rows) > 1:  # of the vector of all ports, one behind the other
+            rows = [self._tape.add("join", rows, self.shape)._node]
+        self._node = rows[0] if rows else self._tape.add("constant", (), (0,), b"")._node
+        return self._node
+
+
+def _rows(array: Any) -> list[Array]:
+    """Return the rows of an array of any number of axes."""
+    return [array] if array.ndim == 1 else [row for part in array for row in _rows(part)]

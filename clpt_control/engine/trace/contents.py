@@ -1,0 +1,146 @@
+"""Contents: what lists, dicts, arrays, variables, objects and classes hold, copied and put back.
+
+Tracing runs a function more than once, on each of its execution paths.  What the function may
+change is copied before, compared afterwards and put back.  A content is one level deep: items are
+the same objects.
+"""
+
+import pickle
+from collections.abc import Iterable
+from contextlib import suppress
+from dataclasses import dataclass, field
+from operator import is_
+from types import CellType, FunctionType, MemberDescriptorType
+from typing import Any
+
+import numpy as np
+
+from .allow_list import PLAIN_BASES, root_of
+from .arrays import Array
+
+UNBOUND = object()  # the value of a variable that has none
+
+
+@dataclass
+class Content:
+    """A value that code may change, with its content before."""
+
+    value: Any  # a list, dict, array, cell, class, object with slots, or table of pandas
+    words: str = ""  # what it is, for a sentence
+    names: Iterable[str] | None = None  # attributes that the referenced code names
+    ignored: frozenset[str] = frozenset()  # attributes that any call may change
+    before: Any = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.before = copied(self.value)
+
+    def is_same(self, other: Any, strictly: bool = False) -> bool:
+        """Return whether the content is identical to another, but for what calls may change."""
+        now = copied(self.value)
+        if self.ignored and not strictly:
+            now, other = (
+                {name: item for name, item in one.items() if name not in self.ignored}
+                for one in (now, other)
+            )
+        if isinstance(now, bytes):
+            return now == other
+        if isinstance(now, np.ndarray) and not now.dtype.hasobject:
+            return now.dtype == other.dtype and now.tobytes() == other.tobytes()
+        if isinstance(now, dict) and now.keys() != other.keys():
+            return False
+        items, others = items_of(now), items_of(other)
+        return len(items) == len(others) and all(map(is_, items, others))
+
+    def put_back(self) -> None:
+        """Replace the content by that before."""
+        put(self.value, self.before)
+
+
+def restore(contents: Iterable[Content]) -> None:
+    """Put back the content before tracing."""
+    for one in contents:
+        if not one.is_same(one.before, strictly=True):
+            one.put_back()
+
+
+def copied(value: Any) -> Any:
+    """Return a copy of a content; None of a tracer array into which nothing was written."""
+    if isinstance(value, list | dict):
+        return list(value) if isinstance(value, list) else dict(value)
+    if isinstance(value, CellType):
+        return [UNBOUND if value == CellType() else value.cell_contents]
+    if isinstance(value, np.ndarray):
+        return np.array(value)
+    if isinstance(value, Array):
+        return None if value._store is None else value._store.copy()
+    if isinstance(value, type):
+        return {name: one for name, one in vars(value).items() if _is_own(name, one)}
+    if root_of(type(value)) == "pandas":
+        return pickle.dumps(value)
+    return slot_values(value)
+
+
+def put(value: Any, content: Any) -> None:
+    """Replace a content."""
+    if isinstance(value, list):
+        value[:] = content
+    elif isinstance(value, np.ndarray):
+        if value.flags.writeable:  # else nothing was written into it
+            value[...] = content
+    elif isinstance(value, dict):
+        value.clear()
+        value.update(content)
+    elif isinstance(value, CellType):
+        if content[0] is not UNBOUND:
+            value.cell_contents = content[0]
+        elif value != CellType():
+            del value.cell_contents
+    elif isinstance(value, Array):
+        if content is not None or value._store is not None:
+            content = elements_of(value) if content is None else content
+            value._keep()
+            value._store[...] = content  # type: ignore[index]
+    elif isinstance(content, bytes):
+        vars(value).update(vars(pickle.loads(content)))
+    else:
+        owner = type if isinstance(value, type) else object
+        now = copied(value)
+        for name in now.keys() - content.keys():
+            owner.__delattr__(value, name)
+        for name, attribute in content.items():
+            if now.get(name, UNBOUND) is not attribute:
+                owner.__setattr__(value, name, attribute)
+
+
+def items_of(content: Any) -> list[Any]:
+    """Return the items of a content in one row."""
+    if isinstance(content, dict):
+        return [*content.values()]
+    return [*content.flat] if isinstance(content, np.ndarray) else content
+
+
+def elements_of(array: Array) -> np.ndarray:
+    """Return the elements of a tracer array as they were before anything was written."""
+    return Array(array._tape, array._node, array.shape)._elements()
+
+
+def slot_values(value: Any) -> dict[str, Any]:
+    """Return the attributes that an object holds in slots."""
+    found = {}
+    for name, slot in slots_of(type(value)).items():
+        with suppress(AttributeError):  # it is not set
+            found[name] = slot.__get__(value)
+    return found
+
+
+def slots_of(kind: type) -> dict[str, Any]:
+    """Return the slots of a class, in which its objects hold attributes."""
+    bases = (base for base in kind.__mro__ if base not in PLAIN_BASES)
+    each = (item for base in bases for item in vars(base).items())
+    return {name: one for name, one in each if isinstance(one, MemberDescriptorType)}
+
+
+def _is_own(name: str, value: Any) -> bool:
+    """Return whether a class attribute is data or a function, and none of Python's own."""
+    special = name.startswith("__") and name.endswith("__")
+    return isinstance(value, FunctionType) or not (special or name.startswith("_abc_"))

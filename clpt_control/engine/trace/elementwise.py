@@ -1,0 +1,334 @@
+"""Values of a record: numbers and lists as arrays, operations element by element, what is written.
+
+Truth values and whole numbers are told apart from others, as NumPy does.
+"""
+
+import dis
+import sys
+from collections.abc import Iterable, Sequence
+from functools import lru_cache
+from types import CodeType
+from typing import Any
+
+import numpy as np
+
+from ..record.graph import Shape
+from .arrays import CONDITIONS, HOOKS, LOGICAL, Array, Tape, Unread, moves, objects, operand, whole
+
+TRUTH = np.dtype(bool)
+TRUTHS_ALLOWED = CONDITIONS | {"where"}  # operations on truth values alone
+# of whole numbers, a whole number
+OF_WHOLE = frozenset(
+    {"add", "sub", "mul", "neg", "mod", "minimum", "maximum", "where", "sum", "fill", "stack"}
+    | {"floordiv", "pow", "sign", "fabs"}
+)
+OF_TRUTHS = {"mul": "and", "minimum": "and", "maximum": "or"}  # what NumPy makes of truth values
+RAISING = frozenset({"div", "floordiv", "mod", "pow"})  # where Python's floats raise
+# what Python writes with signs, which gives one of its own numbers of its own numbers
+OF_OPERATORS = CONDITIONS | RAISING | {"add", "sub", "mul", "neg", "fabs"}
+
+
+def broadcast(*shapes: Shape) -> Shape:
+    """Return the shape to which shapes are broadcast."""
+    found = []
+    for d in range(-max(map(len, shapes)), 0):
+        long = {shape[d] for shape in shapes if -d <= len(shape)} - {1}
+        if len(long) > 1:
+            raise ValueError(f"operands could not be broadcast together with shapes {shapes}")
+        found.append(long.pop() if long else 1)
+    return tuple(found)
+
+
+def put(array: Array, index: Any, value: Any) -> None:
+    """Write into an array, element by element."""
+    root = array._root
+    if root._fixed or root._is_condition:
+        what = "truth values" if root._is_condition else "its states, inputs or parameters"
+        raise Unread(f"writes into {what}; write into a copy")
+    root._keep()
+    store = array._written()
+    assert store is not None
+    value = lifted(array._tape, value)
+    if told(is_whole(root)):
+        value = np.trunc(value) + 0.0
+    if isinstance(index, Array) and index._is_condition and not moves(index):
+        index = np.asarray(index)
+    elif isinstance(index, Array) and index._is_condition:
+        index, value = ..., where(index, value, array)
+    index, new = whole(index), objects(value)
+    store[index] = new if isinstance(store[index], np.ndarray) else new.item()
+
+
+def lifted(tape: Tape, value: Any) -> Any:
+    """Return a number as it is, and what NumPy makes arrays of as an array of the record."""
+    if isinstance(value, Array):
+        if value._tape is not tape:
+            raise Unread("keeps values from one call to the next; make them states")
+        return value
+    if isinstance(value, bool | int | float | np.bool_ | np.integer | np.floating):
+        return float(value)
+    if isinstance(value, np.ndarray) and type(value) not in (np.ndarray, np.memmap):
+        raise Unread(f"calculating with a {type(value).__name__}; write np.asarray of it")
+    try:
+        if isinstance(value, np.ndarray) and value.dtype != object:
+            return constant(tape, value)
+        if isinstance(value, np.ndarray) and not value.ndim:
+            return lifted(tape, value.item())
+        if isinstance(value, str):  # each of its letters is a text again
+            raise TypeError
+        parts = [lifted(tape, one) for one in value]
+    except TypeError:
+        raise Unread(f"calculating with a {type(value).__name__}") from None
+    if not parts:
+        return constant(tape, np.asarray(value, dtype=float))
+    new, of = stacked(tape, parts), zip(parts, value, strict=True)
+    new._whole = all_of(is_whole(part if isinstance(part, Array) else one) for part, one in of)
+    return new
+
+
+def constant(tape: Tape, value: np.ndarray) -> Any:
+    """Return an array of numbers; a single one is a float."""
+    value = np.asarray(value, order="C")  # ascontiguousarray would make an axis of a number
+    if value.dtype.kind not in "fiub":
+        raise Unread(f"calculating with an array of {value.dtype}")
+    value = value.astype(float)
+    return tape.add("constant", (), value.shape, value.tobytes()) if value.shape else float(value)
+
+
+def filled(tape: Tape, value: Any, shape: Shape) -> Any:
+    """Return an array of a shape that holds one number everywhere."""
+    if type(value) is float and all(isinstance(n, int) for n in shape):
+        return constant(tape, np.full(shape, value))
+    return tape.add("fill", (operand(value),), shape)
+
+
+def spread(tape: Tape, value: Any, shape: Shape) -> Any:
+    """Return a value broadcast to a shape."""
+    own = getattr(value, "shape", ())
+    if own == shape:
+        return value
+    whole = tape.add("fill", (0.0 if own else operand(value),), shape)
+    return elementwise("add", whole, value) if own else whole
+
+
+def stacked(tape: Tape, parts: Sequence[Any]) -> Any:
+    """Return arrays of one shape along a new first axis."""
+    shapes = {getattr(part, "shape", ()) for part in parts}
+    if len(shapes) > 1:
+        raise ValueError(
+            f"all input arrays must have the same shape, not {sorted(map(str, shapes))}"
+        )
+    if not all(map(is_truth, parts)):
+        parts = [as_number(part) for part in parts]
+    refs = [operand(part) for part in parts]
+    if all(type(ref) is float for ref in refs):
+        return constant(tape, np.array(refs))
+    return HOOKS["stack_of"](tape, refs, shapes.pop())
+
+
+def elementwise(name: str, *arguments: Any) -> Any:
+    """Return an elementwise operation of arrays and numbers."""
+    tape = next(a._tape for a in arguments if isinstance(a, Array))
+    refs, shapes = [], set()
+    if name not in TRUTHS_ALLOWED and all(map(is_truth, arguments)):
+        if name not in OF_TRUTHS:
+            raise Unread(
+                "calculates with truth values alone, of which NumPy and Python make different "
+                "things; write float(...), or np.logical_or"
+            )
+        name = OF_TRUTHS[name]
+    of_python = name in OF_OPERATORS and all_of(map(is_of_python, arguments))
+    if name in RAISING and of_python is not False:
+        raise_in_a_try(name, *arguments)
+    for k, one in enumerate(arguments):
+        convert = as_condition if name in LOGICAL or (name == "where" and not k) else as_number
+        one = one if type(one) is float else convert(lifted(tape, one))
+        if isinstance(one, Array):
+            shapes.add(one.shape)
+        refs.append(operand(one))
+    shape = shapes.pop() if len(shapes) == 1 else broadcast(*shapes)
+    new = tape.add(name, refs, shape)
+    inverse = name == "pow" and not isinstance(arguments[1], Array) and np.any(arguments[1] < 0)
+    whole = name in OF_WHOLE and not inverse
+    new._whole = whole and all_of(map(is_whole, arguments[name == "where" :]))
+    new._of_python = of_python
+    return new
+
+
+def all_of(kinds: Iterable[bool | None]) -> bool | None:
+    """Return whether all hold; None where that hangs on a choice."""
+    found = {*kinds}
+    return False if False in found else None if None in found else True
+
+
+def told(kind: bool | None) -> bool:
+    """Return what kind of number a value is, where Python or NumPy goes by it."""
+    if kind is None:
+        raise Unread("what kind of number it is hangs on a choice; write float(...)")
+    return kind
+
+
+def is_of_python(value: Any) -> bool | None:
+    """Return whether a number is Python's own; None where that hangs on a choice."""
+    return value._of_python if isinstance(value, Array) else type(value) in (int, float)
+
+
+def is_whole(value: Any) -> bool | None:
+    """Return whether NumPy has it as whole numbers, or truths; None where it hangs on a choice."""
+    if isinstance(value, Array):
+        return value._is_condition or value._whole
+    kind = getattr(getattr(value, "dtype", None), "kind", "f")
+    return isinstance(value, int) or kind in "iub"
+
+
+def of_numpy(number: Any) -> Any:
+    """Return an element of an array: a number of NumPy's, whatever was written there."""
+    if not isinstance(number, Array):
+        return np.float64(number) if is_of_python(number) else number
+    if number._of_python is False:
+        return number
+    new = Array(number._tape, number._ref, ())
+    new._whole = number._whole
+    return new
+
+
+def chosen(condition: Any, a: Any, b: Any) -> Any:
+    """Return the number that Python chooses: a where a condition holds, else b, of its kind."""
+    new = where(condition, a, b)
+    if isinstance(condition, Array) and isinstance(new, Array) and not new._is_condition:
+        new._whole = either(is_whole(a), is_whole(b))
+        new._of_python = either(is_of_python(a), is_of_python(b))
+    return new
+
+
+def either(one: bool | None, other: bool | None) -> bool | None:
+    """Return a kind that two numbers have in common; None where they differ."""
+    return one if one is other else None
+
+
+def _overflows(a: Any, new: Any) -> Any:
+    return np.logical_and(np.equal(np.fabs(new), np.inf), np.less(np.fabs(a), np.inf))
+
+
+# when Python's floats raise: the error, and the condition on the arguments
+ERRORS: dict[str, tuple[type[Exception], Any]] = {
+    **dict.fromkeys(("div", "floordiv", "mod"), (ZeroDivisionError, lambda a, b: np.equal(b, 0.0))),
+    **dict.fromkeys(("fmod", "remainder"), (ValueError, lambda a, b: np.equal(b, 0.0))),
+    **dict.fromkeys(("log", "log2", "log10"), (ValueError, lambda a, *b: np.less_equal(a, 0.0))),
+    **dict.fromkeys(("asin", "acos"), (ValueError, lambda a: np.greater(np.fabs(a), 1.0))),
+    "sqrt": (ValueError, lambda a: np.less(a, 0.0)),
+    "log1p": (ValueError, lambda a: np.less_equal(a, -1.0)),
+    "acosh": (ValueError, lambda a: np.less(a, 1.0)),
+    "atanh": (ValueError, lambda a: np.greater_equal(np.fabs(a), 1.0)),
+    **{
+        name: (OverflowError, lambda a, name=name: _overflows(a, elementwise(name, a)))
+        for name in ("exp", "expm1", "sinh", "cosh")
+    },
+}
+
+
+def raise_in_a_try(name: str, *arguments: Any) -> None:
+    """Raise as Python's own numbers do, on the paths on which they do.
+
+    It matters only where a function may catch the error: otherwise such numbers give NaN.
+    """
+    if not in_a_try() or not any(moves(one) or not np.all(one) for one in arguments):
+        return
+    kinds = all_of(map(is_of_python, arguments)) if name in RAISING else True
+    if kinds is None or name not in ERRORS:
+        refuse_in_a_try()
+    error, condition = ERRORS[name]
+    if condition(*arguments):
+        raise error(f"{name} out of range")
+
+
+def refuse_in_a_try() -> None:
+    """Refuse what may raise where a function may catch it."""
+    raise Unread("may raise in a `try`; ask by `if` before")
+
+
+READING = f"{__package__}.tracing"  # where a function is called
+OWN = (__package__.rpartition(".")[0], "numpy")  # what these catch they raise again
+
+
+def in_a_try() -> bool:
+    """Return whether a function that is read may catch what is raised now."""
+    frame = sys._getframe(1)
+    while frame is not None and (module := frame.f_globals.get("__name__")) != READING:
+        if not (module or "").startswith(OWN) and _catches(frame.f_code):
+            return True
+        frame = frame.f_back  # type: ignore[assignment]
+    return False
+
+
+@lru_cache(maxsize=1024)
+def _catches(code: CodeType) -> bool:
+    """Return whether code has a `try` or a `with`.
+
+    Generators and comprehensions have handlers of Python's own, which only pass on what is raised.
+    """
+    return any(line.opname == "PUSH_EXC_INFO" for line in dis.get_instructions(code))
+
+
+def as_number(value: Any) -> Any:
+    """Return truth values as 1 and 0, and all else as it is."""
+    if isinstance(value, Array) and value._is_condition:
+        return value._tape.add("where", (value._ref, 1.0, 0.0), value.shape)
+    return value
+
+
+def as_condition(value: Any) -> Any:
+    """Return numbers as conditions: whether they are not zero."""
+    if isinstance(value, Array) and not value._is_condition:
+        return elementwise("ne", value, 0.0)
+    return value
+
+
+def is_truth(value: Any) -> bool:
+    """Return whether a value is a truth value, or an array of them."""
+    if isinstance(value, Array):
+        return value._is_condition
+    return isinstance(value, bool | np.bool_) or getattr(value, "dtype", None) == TRUTH
+
+
+def boxed(tape: Tape, value: Any) -> Any:
+    """Return a number as an array without axes: ``+=`` changes it by each name that it has."""
+    if type(value) is float:
+        value = tape.add("fill", (value,), ())
+    if not isinstance(value, Array) or value.shape or value._boxed or value._is_condition:
+        return value
+    new = Array(tape, value._node, ())
+    new._boxed, new._whole = True, value._whole
+    return new
+
+
+def where(condition: Any, a: Any, b: Any) -> Any:
+    """Return a where a condition holds, else b."""
+    if not isinstance(condition, Array) and not np.ndim(condition):
+        return a if condition else b
+    if is_truth(a) and is_truth(b):
+        condition = as_condition(condition)
+        parts = [_both(condition, a), _both(elementwise("not", condition), b)]
+        found = [part for part in parts if part is not None]
+        return elementwise("or", *found) if len(found) > 1 else found[0] if found else False
+    return elementwise("where", condition, a, b)
+
+
+def _both(condition: Array, truth: Any) -> Array | None:
+    """Return whether both hold; None for never."""
+    if isinstance(truth, Array) or np.ndim(truth):
+        return elementwise("and", condition, truth)
+    return condition if truth else None
+
+
+def total(array: Array, axis: int) -> Any:
+    """Return the sum over one axis."""
+    counted, array = is_whole(array), as_number(array)
+    axis %= array.ndim
+    shape = array.shape[:axis] + array.shape[axis + 1 :]
+    new = array._tape.add("sum", (array._ref,), shape, axis)
+    new._whole = counted
+    return new
+
+
+HOOKS.update(elementwise=elementwise, lifted=lifted, put=put)

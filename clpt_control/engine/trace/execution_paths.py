@@ -1,0 +1,265 @@
+"""Execution paths through a function, and how their results are merged.
+
+A condition on a signal (``if u[0] > 0``) is answered both ways: the code runs once per execution
+path, a row of answers, and `where` joins what the paths return and write.  A called helper, an `if`
+statement and a conditional expression are merged as soon as they end,
+
+    limited(u) = where(u > 1, 1, where(u < -1, -1, u))
+
+so eight thrusters with three paths each are 24 paths, and not 3^8.
+"""
+
+import functools
+from collections.abc import Callable, Iterable, Iterator
+from types import CellType, FunctionType
+from typing import Any
+
+import numpy as np
+
+from .allow_list import attributes_of, is_library, root_of
+from .arrays import Array, Tape, Unread, active, key_of, operand
+from .contents import Content, copied, elements_of, items_of, put
+from .elementwise import chosen, is_truth, where
+
+MOST_MERGED, MOST_RUNS = 32, 10_000  # paths of one helper or statement, and runs of all together
+NUMBERS = (int, float, np.float64)
+RAISED = (Exception, SystemExit)
+
+
+def each_path(tape: Any) -> Iterator[None]:
+    """Yield once for each path through the code that runs then, with the answers of this path."""
+    before = dict(tape.answers)
+    tape.way = [*before.values()]
+    while True:
+        tape.answers = dict(before)
+        yield
+        tape.runs += 1
+        if tape.runs > MOST_RUNS:
+            raise Unread(f"has helpers in helpers, of more than {MOST_RUNS} execution paths")
+        way = [*tape.answers.values()]
+        while len(way) > len(before) and not way[-1]:
+            way.pop()
+        if len(way) == len(before):
+            return
+        tape.way = [*way[:-1], False]
+
+
+def merged(
+    tape: Tape, paths: list[tuple[dict[int, bool], list[Any]]], choose: Callable, depth: int = 0
+) -> list[Any]:
+    """Join the results of paths by the conditions, from that at `depth` on, which differ."""
+    if len(paths) == 1:
+        return paths[0][1]
+    condition = list(paths[0][0])[depth]
+    yes, no = (
+        [one for one in paths if one[0].get(condition) is answer] for answer in (True, False)
+    )
+    if not yes or not no or len(yes) + len(no) < len(paths):
+        raise Unread("asks otherwise from call to call; make what it keeps a state")
+    sides = (merged(tape, some, choose, depth + 1) for some in (yes, no))
+    return [
+        a if key_of(operand(a)) == key_of(operand(b)) else choose(Array(tape, condition, ()), a, b)
+        for a, b in zip(*sides, strict=True)
+    ]
+
+
+class NotMergeable(Exception):
+    """The results of paths have no common form: these paths are those of the caller."""
+
+
+# --- one helper, statement or expression --------------------------------------------------------
+
+
+class Region:
+    """Code whose paths are merged when it ends: the variables and values that it may change."""
+
+    def __init__(self, tape: Any, run: Callable[[], Any], roots: Iterable[Any]):
+        self.tape, self.run = tape, run
+        self.content: list[Content] = []
+        self._seen: set[int] = set(tape.persistent)
+        for root in roots:
+            self._add(root)
+
+    def _add(self, value: Any) -> None:
+        """Note the lists, dicts, arrays and objects that code reaches through a value."""
+        if isinstance(value, Array):
+            value = value._root
+            if value._fixed or value._is_condition:
+                return
+        elif not isinstance(value, list | dict | tuple | np.ndarray | CellType):
+            attributes = attributes_of(value)
+            if type(attributes) is not dict or isinstance(value, type | FunctionType):
+                return
+            if is_library(root_of(type(value))):
+                return
+            value = attributes
+        if id(value) in self._seen:
+            return
+        self._seen.add(id(value))
+        if not isinstance(value, tuple):
+            self.content.append(Content(value))
+        if isinstance(value, CellType):
+            self._add(self.content[-1].before[0])
+        elif isinstance(value, list | tuple):
+            for item in value:
+                self._add(item)
+        elif isinstance(value, dict):
+            for item in value.values():
+                self._add(item)
+
+    def merged(self, dead: Iterable[CellType] = ()) -> Any:
+        """Run the code on each path; return its result, and leave merged content behind.
+
+        Variables in `dead` are not read afterwards.  If paths cannot be merged, the code runs once
+        more, and its paths are those of the code around it.
+        """
+        tape, before = self.tape, (self.tape.answers, self.tape.way, self.tape.texts)
+        paths = list[tuple[dict[int, bool], list[Any]]]()
+        try:
+            for _ in each_path(tape):
+                if paths:
+                    self.restore()
+                result = self.run()
+                contents = [copied(one.value) for one in self.content]
+                paths.append((tape.answers, [result, *contents]))
+                if len(paths) > 1:
+                    tape.check()
+                if len(paths) > MOST_MERGED:
+                    raise NotMergeable
+            if len(paths) == 1:
+                return result
+            return self._merge(paths, len(before[0]), {*map(id, dead)})
+        except NotMergeable:
+            pass
+        except RAISED:
+            if tape.stopped is not None:
+                raise
+        finally:
+            tape.answers, tape.way = before[:2]
+        tape.texts = before[2]
+        self.restore()
+        return self.run()
+
+    def restore(self) -> None:
+        """Put back the content with which the code began."""
+        try:
+            for one in self.content:
+                one.put_back()
+        except Exception as error:  # not one of the function, whose path would be NaN
+            raise Unread(f"its paths cannot be traced: {error}") from None
+
+    def _merge(self, paths: list[Any], depth: int, dead: set[int]) -> Any:
+        answers = [own for own, _ in paths]
+        columns = [*zip(*(row for _, row in paths), strict=True)]
+        merge = functools.partial(_merged_values, self.tape, answers, depth, self._seen)
+        result, contents = merge(columns[0]), list[Any]()
+        for one, column in zip(self.content, columns[1:], strict=True):
+            if id(one.value) in dead:
+                contents.append(column[0])
+            else:
+                contents.append(_merged_contents(one.value, column, merge))
+        for one, content in zip(self.content, contents, strict=True):
+            if id(one.value) not in dead:
+                put(one.value, content)
+        return result
+
+
+def _merged_contents(value: Any, contents: Any, merge: Callable) -> Any:
+    """Return one content for those that paths leave in a list, dict, array or variable."""
+    first = contents[0]
+    if isinstance(value, Array):  # None is what nothing was written into
+        contents = [elements_of(value) if one is None else one for one in contents]
+    if isinstance(value, np.ndarray) and not all(np.array_equal(one, first) for one in contents):
+        raise NotMergeable  # it holds no signals
+    if isinstance(value, dict) and any(one.keys() != first.keys() for one in contents):
+        raise NotMergeable
+    rows = [items_of(one) for one in contents]
+    if len({len(row) for row in rows}) > 1:
+        raise NotMergeable
+    items = [merge(column) for column in zip(*rows, strict=True)]
+    if isinstance(value, dict):
+        return dict(zip(first, items, strict=True))
+    if isinstance(value, list | CellType):
+        return items
+    if isinstance(value, np.ndarray):
+        return first
+    elements = np.empty(len(items), dtype=object)
+    elements[:] = items
+    return elements.reshape(value.shape)
+
+
+def _merged_values(
+    tape: Tape, answers: list[dict], depth: int, known: set[int], values: tuple
+) -> Any:
+    """Return one value for the values that paths have; `known` are values from before the paths."""
+    first = values[0]
+    if all(one is first for one in values):
+        return first
+    if type(first) in (int, str, bool) and all(
+        type(one) is type(first) and one == first for one in values
+    ):
+        return first
+    rows = [(own, [one]) for own, one in zip(answers, values, strict=True)]
+    if all(map(is_truth, values)) and not any(np.ndim(one) for one in values):
+        return merged(tape, rows, where, depth)[0]
+    if all(map(_is_number, values)) and not all(type(one) is int for one in values):
+        return merged(tape, rows, chosen, depth)[0]
+    shapes = {isinstance(one, Array) and one.shape for one in values}
+    if len(shapes) == 1 and all(shapes):
+        new = merged(tape, rows, where, depth)[0]
+        # writing into it would write into one of the paths' arrays
+        new._fixed = any(one._fixed or id(one._root) in known for one in values)
+        return new
+    kinds = {type(one) for one in values}
+    if len(kinds) == 1 and kinds <= {tuple, list} and len({len(one) for one in values}) == 1:
+        columns = zip(*values, strict=True)
+        return type(first)(_merged_values(tape, answers, depth, known, own) for own in columns)
+    raise NotMergeable
+
+
+def _is_number(value: Any) -> bool:
+    if isinstance(value, Array):
+        return not (value.shape or value._boxed or value._is_condition)
+    return type(value) in NUMBERS
+
+
+# --- where regions begin --------------------------------------------------------------------------
+
+
+def merging() -> Any:
+    """Return the tape on which this thread traces a function and merges paths, or None."""
+    tape: Any = active()
+    return tape if tape is not None and tape.merging else None
+
+
+def merge_calls(function: FunctionType) -> Any:
+    """Return a function whose paths are merged at each call while a function is traced."""
+
+    @functools.wraps(function, updated=())
+    def helper(*arguments: Any, **more: Any) -> Any:
+        if (tape := merging()) is None:
+            return function(*arguments, **more)
+        roots = (*arguments, *more.values(), *(function.__closure__ or ()))
+        return Region(tape, lambda: function(*arguments, **more), roots).merged()
+
+    return helper
+
+
+def merge_value(run: FunctionType) -> Any:
+    """Return the value of a conditional expression, its paths merged."""
+    if (tape := merging()) is None:
+        return run()
+    return Region(tape, run, run.__closure__ or ()).merged()
+
+
+def merge_statement(run: FunctionType, read_later: tuple[str, ...]) -> None:
+    """Run an `if` statement, a function of no arguments, and merge what its paths leave behind.
+
+    Variables that are not `read_later` may be left as one path has them.
+    """
+    if (tape := merging()) is None:
+        run()
+        return
+    cells = dict(zip(run.__code__.co_freevars, run.__closure__ or (), strict=True))
+    dead = [cell for name, cell in cells.items() if name not in read_later]
+    Region(tape, run, cells.values()).merged(dead)

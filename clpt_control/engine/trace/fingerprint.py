@@ -1,0 +1,462 @@
+"""Fingerprint of a function: a cache key of its code and of every value that it references.
+
+    key = (code, defaults, closure, globals by name, attributes by name, ...)
+
+A function is traced only if everything that it references is on the allow-list of `pure`: numbers,
+texts, arrays, plain Python classes and functions, and library functions without side effects.  Any
+other value, such as ``os.remove``, a file or a lock, raises `Unread`, and Python runs the function.
+Objects, classes and modules count by the attributes that the referenced code names.
+
+A traced function may change nothing but lists, dicts, arrays and attributes: their `contents` are
+copied, compared after tracing and put back.
+"""
+
+import abc
+import functools
+import importlib
+import logging
+import marshal
+from collections import defaultdict
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from enum import Enum
+from io import IOBase
+from itertools import chain
+from types import (
+    BuiltinFunctionType,
+    CellType,
+    FunctionType,
+    MethodDescriptorType,
+    MethodType,
+    MethodWrapperType,
+    ModuleType,
+    WrapperDescriptorType,
+)
+from typing import Any
+
+import control
+import numpy as np
+
+from ..model.declaration import Parameters
+from .allow_list import (
+    CALLABLE,
+    CHANCE,
+    CLOCK,
+    CLOCKS,
+    IMMUTABLE,
+    OUTSIDE,
+    PACKAGE,
+    PLAIN_BASES,
+    STREAMS,
+    UNSEEDED,
+    attributes_of,
+    is_library,
+    is_pure,
+    module_of,
+    reason,
+    root_of,
+)
+from .arrays import Tape, Unread, reading_on
+from .code_references import Reference, code_names, code_texts, references
+from .contents import UNBOUND, Content, copied, slot_values, slots_of
+from .interpolators import is_table
+from .isolation import isolated
+
+TABLE_FIELDS = (  # data of an interpolator of SciPy
+    *("x", "y", "c", "points", "grid", "values", "method", "fill_value"),
+    *("extrapolate", "bounds_error"),
+)
+CONSTRUCTORS = ("__init__", "__new__", "__post_init__")
+NOT_CALLED = ("__repr__", "__del__", "__annotate__", "__annotate_func__", *CONSTRUCTORS)
+DYNAMIC = frozenset(  # attributes by text
+    ("getattr", "setattr", "delattr", "hasattr", "attrgetter", "methodcaller", "__dict__")
+)
+INTERNALS = frozenset(("__code__", "__defaults__", "__kwdefaults__", "__closure__", "__globals__"))
+BOUND = (BuiltinFunctionType, MethodWrapperType)
+PARTS: dict[type, tuple[str, ...]] = {  # what a value of a type is made of
+    MethodType: ("__func__", "__self__"),
+    functools.partial: ("func", "args", "keywords"),
+    functools.cached_property: ("func",),
+    functools._lru_cache_wrapper: ("__wrapped__",),
+    **dict.fromkeys((property, abc.abstractproperty), ("fget", "fset", "fdel")),
+    **dict.fromkeys((staticmethod, abc.abstractstaticmethod), ("__func__",)),
+    **dict.fromkeys((classmethod, abc.abstractclassmethod), ("__func__",)),
+}
+NUMBERS = frozenset((int, float, bool))
+OF_C = (WrapperDescriptorType, MethodDescriptorType)  # methods of a class that is written in C
+OF_CALLS = frozenset(("_current_params",))  # attributes of a system that each call sets
+
+
+@dataclass(frozen=True)
+class Fingerprint:
+    """Key of functions, and what they may change."""
+
+    key: tuple  # functions of equal keys are traced alike
+    mutables: tuple[Content, ...]  # what the functions may change
+    referenced: tuple[Any, ...]  # objects whose identities are in the key; they must stay alive
+
+    @property
+    def identity(self) -> tuple:
+        """Key that also tells apart equal objects which can change."""
+        return self.key, tuple([id(one.value) for one in self.mutables])
+
+
+def reachable(*values: Any, trusted: bool = False) -> Fingerprint:
+    """Return the fingerprint of functions or values.
+
+    Raises `Unread` with function, line and cause if something referenced is not known to be pure;
+    of `trusted` functions, those of this package, such things are passed over.
+    """
+    walk = _Walk(trusted)
+    key = [walk.key_of(value) for value in values]
+    key += walk.attributes()
+    return Fingerprint(tuple(key), tuple(walk.mutables), tuple(walk.alive))
+
+
+@dataclass
+class _Owner:
+    """An object, class or module whose attributes count as soon as referenced code names them."""
+
+    number: int
+    value: Any
+    namespace: Callable[[], dict[str, Any]]
+    names: dict[str, None] = field(default_factory=dict)  # counted so far
+    constructed: bool = False  # a class that the code may call
+
+    @property
+    def of_control(self) -> bool:
+        """Whether it is a class of python-control, whose methods keep nothing of their own."""
+        return isinstance(self.value, type) and root_of(self.value) == "control"
+
+
+class _Walk:
+    """One walk over everything that functions reference; it makes the key on its way."""
+
+    def __init__(self, trusted: bool):
+        self.trusted = trusted
+        self.mutables: list[Content] = []
+        self.names: dict[str, None] = {}  # attributes that referenced code names
+        self.texts: dict[str, None] = {}  # texts, by which getattr may name attributes
+        self.alive: list[Any] = []
+        self.owners: dict[int, _Owner] = {}
+        self.calls_classes = False  # type(self)(...)
+        self.where = ""  # function and line
+        self.label = ""  # what the code there references
+        self._numbers: dict[int, int] = {}  # identity of each object -> its number
+
+    # --- values -----------------------------------------------------------------------------
+
+    def key_of(self, value: Any) -> Any:
+        """Return the key of a value; refuse one that is not known to be pure."""
+        kind = type(value)
+        if kind is float or kind is np.float64:
+            return kind, value.hex()  # 0.0 is not -0.0
+        if kind in IMMUTABLE:
+            if kind is str:
+                self.texts[value] = None
+            return kind, value
+        if isinstance(value, np.generic):
+            return kind, value.dtype.str, value.tobytes()
+        if isinstance(value, Parameters):
+            return self.identity(value)
+        if id(value) in self._numbers:  # also of one that holds itself
+            return "seen", self._numbers[id(value)]
+        self._numbers[id(value)] = len(self._numbers)
+        self.alive.append(value)
+        return self._new_key(kind, value)
+
+    def identity(self, value: Any) -> int:
+        """Return the identity of an object, which stays alive with the fingerprint."""
+        self.alive.append(value)
+        return id(value)
+
+    def _new_key(self, kind: type, value: Any) -> Any:
+        """Return the key of an object that the walk has not met."""
+        if kind is FunctionType:
+            return self._function(value)
+        if kind is tuple:
+            return kind, *self._items(value)
+        if kind is np.ndarray:
+            return self._array(value)
+        if names := PARTS.get(kind):
+            return kind, *[self.key_of(getattr(value, name)) for name in names]
+        if isinstance(value, type):
+            return self._class(value, constructed=True)
+        if isinstance(value, ModuleType):
+            return self._module(value)
+        if isinstance(value, Enum):
+            self._attributes(value)
+            return "enum", self._class(kind), self.key_of(value._value_)
+        holder = getattr(value, "__self__", None) if isinstance(value, BOUND) else None
+        if holder is not None and not isinstance(holder, ModuleType | type):
+            return "method", value.__name__, self.key_of(holder)
+        if is_pure(value):
+            return "pure", id(value)
+        if isinstance(value, CALLABLE) or kind.__name__ == "cython_function_or_method":
+            self._refuse(reason(self.label or value.__name__, value))
+            return id(value)
+        if isinstance(value, logging.Logger | logging.LoggerAdapter):
+            return "logger", id(value)
+        if isinstance(value, CHANCE):
+            self._refuse(UNSEEDED)
+        if isinstance(value, IOBase):
+            self._refuse(f"calls {self.label}, {OUTSIDE}")
+        if isinstance(value, Iterator):
+            self._refuse("reads an iterator, which goes on at the next call; make it a list")
+        if is_table(value):
+            return id(value), *[self.key_of(getattr(value, name, None)) for name in TABLE_FIELDS]
+        if isinstance(value, control.InputOutputSystem):
+            return self._system(value)
+        if isinstance(value, np.ndarray):
+            return self._array(value)
+        if root_of(kind) == "numba":
+            return kind, self.key_of(value.py_func)
+        if root_of(kind) == "pandas" and kind.__name__ in ("Series", "DataFrame"):
+            self._note(value)
+            return kind, copied(value)
+        return self._container(kind, value)
+
+    def _container(self, kind: type, value: Any) -> Any:
+        """Return the key of a tuple, list, dict or frozenset, or of an object of a plain class."""
+        if isinstance(value, tuple) and is_library(root_of(kind)):  # also sys.float_info
+            return kind, *self._items(value)
+        if not _is_plain(kind):
+            self._refuse_object(kind)
+            return id(value)
+        if root_of(kind) == PACKAGE:
+            return id(value)
+        key: list[Any] = [self._class(kind)]
+        if isinstance(value, tuple):
+            return *key, *self._items(value)
+        if isinstance(value, frozenset):
+            return *key, frozenset(map(self.key_of, value))
+        if isinstance(value, list):
+            self._note(value)
+            key += ["list", *self._items(value)]
+        elif isinstance(value, dict):
+            self._note(value)
+            key += ["dict", *[(self.key_of(k), self.key_of(v)) for k, v in value.items()]]
+            if isinstance(value, defaultdict):
+                key.append(self.key_of(value.default_factory))
+        self._attributes(value)
+        return tuple(key)
+
+    def _attributes(self, value: Any) -> None:
+        """Note the attributes of an object, in its dict and in slots."""
+        kind: Any = type(value)
+        attributes = attributes_of(value)
+        owner = self._owner(value, lambda: {**(attributes or {}), **slot_values(value)})
+        if attributes is not None:
+            self._note(attributes, kind, owner.names, _cached_properties(kind))
+        if slots_of(kind):
+            if isinstance(value, list | dict | np.ndarray):
+                self._refuse_object(kind)
+            self._note(value, kind, owner.names)
+
+    def _note(self, value: Any, owner: type | None = None, *more: Any) -> None:
+        """Note a value that a function may change; what is trusted changes none."""
+        if not self.trusted:
+            words = f"an attribute of {owner.__name__}" if owner else f"a {type(value).__name__}"
+            self.mutables.append(Content(value, words, *more))
+
+    def _items(self, values: Any) -> Iterator[Any]:
+        """Yield the keys of items; numbers, or tuples of numbers, are one key."""
+        kinds = {*map(type, values)}
+        inner = {*map(type, chain(*values))} if kinds == {tuple} else kinds
+        if inner and inner <= NUMBERS:
+            yield marshal.dumps(values if type(values) is tuple else list(values), 2)
+        else:
+            yield from map(self.key_of, values)
+
+    def _array(self, value: np.ndarray) -> Any:
+        """Return the key of an array, by its bytes."""
+        self._note(value)
+        self._attributes(value)
+        key = type(value), value.dtype.str, value.shape
+        if value.dtype.hasobject:
+            return *key, *map(self.key_of, value.flat)
+        return *key, np.asarray(value).tobytes()
+
+    def _system(self, system: Any) -> Any:
+        """Return the key of a system of python-control, by its attributes."""
+        fields = {k: v for k, v in vars(system).items() if not k.endswith(("_labels", "_prefix"))}
+        if "_parameters" in fields:  # a block of this package
+            functions = [function for function, _ in system._roles.values()]
+            return id(system), self.identity(system.parameters), *map(self.key_of, functions)
+        fields = {name: one for name, one in fields.items() if name not in OF_CALLS}
+        self._note(vars(system), type(system), fields, OF_CALLS)
+        keys = [(name, self.key_of(one)) for name, one in fields.items()]
+        return self._class(type(system)), *keys
+
+    # --- functions --------------------------------------------------------------------------
+
+    def _function(self, function: FunctionType) -> Any:
+        """Return the key of a function: its code, and the values that it references."""
+        if is_library(root_of(function)):
+            if not is_pure(function):
+                self._refuse(reason(self.label or function.__qualname__, function))
+            return id(function)
+        code, key = function.__code__, list[Any]()
+        self.identity(code)
+        before = self.where, self.label
+        own_package = root_of(function) == PACKAGE
+        trusted, self.trusted = self.trusted, self.trusted or own_package
+        names = () if own_package else code_names(code)
+        self.names |= dict.fromkeys(names)
+        self.texts |= dict.fromkeys(() if own_package else code_texts(code))
+        for name in INTERNALS.intersection(names):
+            self._refuse(f"uses {name}; call the function as it is")
+        generated = code.co_filename == "<string>"  # of a dataclass
+        self.calls_classes |= not generated and not {"type", "__class__"}.isdisjoint(names)
+        spaces = {"global": function.__globals__, "cell": _cells_of(function)}
+        for one in references(code):
+            self.where = f"{code.co_name}, line {one.line}: "
+            if own_package and one.space != "cell":
+                value = function.__globals__.get(one.name)  # of the package's own only functions
+                key += [self.key_of(value)] if type(value) is FunctionType else []
+            elif one.space in spaces:
+                key.append(self._referenced(one, spaces[one.space]))
+            else:
+                key.append(self._imported(one, function.__globals__))
+        self.where, self.label = f"{code.co_name}: ", ""
+        key += map(self.key_of, (function.__defaults__, function.__kwdefaults__))
+        key += [(name, self.key_of(one)) for name, one in vars(function).items()]
+        (self.where, self.label), self.trusted = before, trusted
+        return id(code), *key
+
+    def _referenced(self, one: Reference, space: dict[str, Any]) -> Any:
+        """Return the key of what code references, ``os.path.join`` by its attributes."""
+        value, label = space.get(one.name, UNBOUND), one.name
+        if value is UNBOUND:
+            if one.space == "cell" or one.name not in BUILTINS:
+                return "unbound", one.name  # an error of the function, or not bound yet
+            value = BUILTINS[one.name]
+        attributes = list(one.attributes)
+        while isinstance(value, ModuleType) and attributes:
+            label = f"{label}.{attributes[0]}"
+            value = getattr(value, attributes.pop(0), UNBOUND)
+            if value is UNBOUND:
+                return "unbound", label
+        self.label = ".".join([label, *attributes])
+        if label in STREAMS:
+            return label
+        if attributes and attributes[0] in CLOCKS and module_of(value) == "datetime":
+            self._refuse(CLOCK)
+        return label, self.key_of(value)
+
+    def _imported(self, one: Reference, space: dict[str, Any]) -> Any:
+        """Return the key of what a function imports by itself."""
+        try:
+            with isolated(), reading_on(Tape()):
+                module = importlib.import_module(one.name, space.get("__package__"))
+        except ImportError:
+            return "unbound", one.name
+        except Unread as error:
+            self._refuse(f"imports {one.name}, which {error}")
+            return one.name
+        return self.key_of(module)
+
+    # --- attributes -------------------------------------------------------------------------
+
+    def _owner(self, value: Any, namespace: Callable[[], dict[str, Any]]) -> _Owner:
+        """Return the owner of attributes, which count as soon as code names them."""
+        owner = _Owner(len(self.owners), value, namespace)
+        self.owners[id(value)] = owner
+        return owner
+
+    def attributes(self) -> Iterator[Any]:
+        """Yield the keys of the attributes of all owners that the referenced code names."""
+        while True:
+            count = len(self.names), len(self.owners), len(self._numbers)
+            for owner in [*self.owners.values()]:
+                for name, value in owner.namespace().items():
+                    if name not in owner.names and self._is_named(owner, name, value):
+                        owner.names[name] = None
+                        self.where, self.label = f"{_name_of(owner.value)}.{name}: ", name
+                        trusted, self.trusted = self.trusted, self.trusted or owner.of_control
+                        yield owner.number, name, self.key_of(value)
+                        self.trusted = trusted
+            if count == (len(self.names), len(self.owners), len(self._numbers)):
+                return
+
+    def _is_named(self, owner: _Owner, name: str, value: Any) -> bool:
+        """Return whether the referenced code may reach an attribute."""
+        special = name.startswith("__") and name.endswith("__")
+        if isinstance(owner.value, type) and special:
+            if owner.of_control:
+                return False
+            called = owner.constructed or self.calls_classes
+            reached = name in CONSTRUCTORS and called
+            return isinstance(value, FunctionType) and (reached or name not in NOT_CALLED)
+        dynamic = name in self.texts and not DYNAMIC.isdisjoint(self.names)
+        return name in self.names or dynamic
+
+    def _class(self, kind: type, constructed: bool = False) -> int:
+        """Note a class whose functions count by name; return its identity."""
+        if id(kind) in self.owners:
+            self.owners[id(kind)].constructed |= constructed
+            return id(kind)
+        self._numbers.setdefault(id(kind), len(self._numbers))
+        self.identity(kind)
+        if is_pure(kind) or kind in PLAIN_BASES or issubclass(kind, BaseException):
+            return id(kind)
+        if is_library(root_of(kind)):
+            self._refuse(reason(self.label or kind.__qualname__, kind))
+            return id(kind)
+        owner = self._owner(kind, lambda: dict(vars(kind)))
+        owner.constructed = constructed
+        self._note(kind, kind, owner.names)
+        for base in kind.__bases__:
+            self._class(base, constructed and not owner.of_control)
+        if type(kind) is not type and not is_library(root_of(type(kind))):
+            self._class(type(kind))
+        return id(kind)
+
+    def _module(self, module: ModuleType) -> Any:
+        """Return the key of a module that is passed on as a value, or imported."""
+        self._owner(
+            module, lambda: {k: getattr(module, k) for k in self.names if hasattr(module, k)}
+        )
+        return "module", module.__name__
+
+    # --- refusals ---------------------------------------------------------------------------
+
+    def _refuse_object(self, kind: type) -> None:
+        name = f"{self.label}, a {kind.__name__}" if self.label else f"a {kind.__name__}"
+        self._refuse(
+            f"uses {name}, where calls may keep or change things unseen; pass its numbers as "
+            "parameters or arrays"
+        )
+
+    def _refuse(self, sentence: str) -> None:
+        if not self.trusted:
+            raise Unread(f"{self.where}{sentence}")
+
+
+@functools.lru_cache(maxsize=256)
+def _is_plain(kind: type) -> bool:
+    """Return whether the state of an object is in attributes, items or slots that Python has."""
+    own = [base for base in kind.__mro__ if base not in PLAIN_BASES]
+    methods = (one for base in own for one in vars(base).values() if isinstance(one, OF_C))
+    library = any(is_library(root_of(base)) for base in own)
+    return not library and not any(one.__objclass__ in own for one in methods)
+
+
+@functools.lru_cache(maxsize=256)
+def _cached_properties(kind: Any) -> frozenset[str]:
+    """Return the attributes that an object of a class computes once."""
+    each = (item for base in kind.__mro__ for item in vars(base).items())
+    return frozenset(name for name, one in each if isinstance(one, functools.cached_property))
+
+
+def _cells_of(function: FunctionType) -> dict[str, Any]:
+    """Return what the closure of a function holds, by name."""
+    pairs = zip(function.__code__.co_freevars, function.__closure__ or (), strict=True)
+    return {name: cell.cell_contents for name, cell in pairs if cell != CellType()}
+
+
+def _name_of(value: Any) -> str:
+    return getattr(value, "__name__", type(value).__name__)
+
+
+BUILTINS: dict[str, Any] = vars(__import__("builtins"))

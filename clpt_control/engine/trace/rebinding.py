@@ -1,0 +1,215 @@
+"""Rebinding: while a function is traced, names stand for tracer functions and arrays.
+
+Functions are copied, each with the names of its module and its closure.  In objects, lists, dicts
+and classes, which cannot be copied, tracer values take the place of the real ones for the length of
+one execution path, under a lock.  After each path everything is put back, and a path that changed
+anything outside of the function is refused: the function has hidden state.
+"""
+
+import functools
+import threading
+from collections import deque
+from collections.abc import Iterator
+from contextlib import contextmanager
+from operator import is_
+from types import CellType, FunctionType, MethodType, ModuleType
+from typing import Any
+
+import numpy as np
+
+from ..record.graph import MOST_NUMBERS
+from .allow_list import IMMUTABLE, LIBRARIES, is_library, root_of
+from .arrays import Array, Unread
+from .code_references import code_names, code_texts
+from .contents import Content, put, restore
+from .elementwise import boxed, constant
+from .execution_paths import merge_calls
+from .fingerprint import Fingerprint
+from .rewriting import NAMES, rewritten
+from .tracer_modules import BUILTINS, Module, stand_in
+
+LOCK = threading.RLock()  # while tracer values are in objects and classes
+ENGINE = __package__.rpartition(".")[0]
+TRACER_MODULES = tuple(
+    f"{ENGINE}.{name}"
+    for name in ("trace.arrays", "trace.elementwise", "record.graph", "trace.views")
+)
+OF_WARNINGS = "__warningregistry__"  # which Python puts into the module that it warns of
+
+
+class Rebinding:
+    """The tracer values of one tracing."""
+
+    def __init__(self, tape: Any, reached: Fingerprint, merging: bool):
+        self.tape, self.reached, self.merging = tape, reached, merging
+        self.texts: set[str] = set()  # in the functions, which may be names of params
+        self._known: dict[int, tuple[Any, Any]] = {}  # a value, kept alive, and its tracer value
+        self._unmerged: dict[int, FunctionType] = {}  # copies, by those that merge their paths
+        self._spaces: dict[int, Content] = {}  # copied names of each module
+        self._copies: list[Content] = []
+        self._during: list[tuple[Content, Any]] | None = None  # contents with tracer values
+
+    def of(self, value: Any) -> Any:
+        """Return the tracer value of a value: a copy of a function, a tracer array, or itself."""
+        if isinstance(value, int | float | str):
+            return value
+        if id(value) not in self._known:
+            self._known[id(value)] = value, value  # of a value that holds itself
+            self._known[id(value)] = value, self._tracer_value(value)
+        return self._known[id(value)][1]
+
+    def _tracer_value(self, value: Any) -> Any:
+        if isinstance(value, FunctionType):
+            return self._function(value)
+        if type(value) is np.ndarray and value.dtype in (float, int) and value.size:
+            return self._numbers(value)
+        if isinstance(value, MethodType):
+            return MethodType(self.of(value.__func__), self.of(value.__self__))
+        if isinstance(value, functools.partial):
+            keywords = {name: self.of(one) for name, one in value.keywords.items()}
+            return functools.partial(self.of(value.func), *map(self.of, value.args), **keywords)
+        if root_of(type(value)) == "numba":
+            return self.of(value.py_func)
+        if type(value) is functools._lru_cache_wrapper:
+            return _cached(self.of(value.__wrapped__))
+        if isinstance(value, tuple):
+            items = [self.of(one) for one in value]
+            if all(map(is_, items, value)):
+                return value
+            return getattr(type(value), "_make", tuple)(items)
+        if isinstance(value, ModuleType) and not is_library(root_of(value)):
+            return Module(value, self.of)
+        return stand_in(value)
+
+    def _numbers(self, value: np.ndarray) -> Any:
+        """Return numbers as a tracer array, which takes signals where NumPy's does not."""
+        if value.size >= MOST_NUMBERS:
+            return value
+        numbers = constant(self.tape, value) if value.ndim else boxed(self.tape, float(value))
+        numbers._fixed, numbers._whole = True, value.dtype == int
+        return numbers
+
+    def root(self, function: Any) -> Any:
+        """Return the tracer function of the function to trace, whose own paths are not merged."""
+        if isinstance(function, MethodType):
+            return MethodType(self.root(function.__func__), self.of(function.__self__))
+        copy = self.of(function)
+        return self._unmerged.get(id(copy), copy)
+
+    # --- copies -----------------------------------------------------------------------------
+
+    def _function(self, function: FunctionType) -> Any:
+        """Return a copy of a function, whose names are tracer values."""
+        if function.__module__ in TRACER_MODULES:
+            return function
+        if root_of(function) in LIBRARIES:
+            return stand_in(function)
+        code = rewritten(function.__code__) if self.merging else function.__code__
+        self.texts.update(code_texts(code))
+        cells = tuple(CellType() for _ in function.__closure__ or ())
+        space = self._space(function.__globals__)
+        copy = FunctionType(code, space.value, function.__name__, None, cells or None)
+        copy.__module__, copy.__qualname__ = function.__module__, function.__qualname__
+        result = merge_calls(copy) if self.merging else copy
+        self._unmerged[id(result)] = copy
+        self._known[id(function)] = function, result
+        vars(result).update({name: self.of(value) for name, value in vars(function).items()})
+        copy.__defaults__ = function.__defaults__ and tuple(map(self.of, function.__defaults__))
+        if function.__kwdefaults__:
+            copy.__kwdefaults__ = {k: self.of(v) for k, v in function.__kwdefaults__.items()}
+        for cell, old, name in zip(
+            cells, function.__closure__ or (), code.co_freevars, strict=True
+        ):
+            if old != CellType():  # else it is not bound yet
+                cell.cell_contents = self.of(old.cell_contents)
+                self._copies.append(Content(cell, f"{name!r} of the function around it"))
+        self._copies.append(Content(vars(result), "an attribute of a function"))
+        for name in code_names(code):
+            if name in function.__globals__:
+                space.value[name] = space.before[name] = self.of(function.__globals__[name])
+        return result
+
+    def _space(self, names: dict[str, Any]) -> Content:
+        """Return the copied names of a module."""
+        if id(names) not in self._spaces:
+            builtins = BUILTINS | {"__import__": self._imported}
+            copied = {OF_WARNINGS: {}} | names | NAMES | {"__builtins__": builtins}
+            self._spaces[id(names)] = Content(copied, "a global")
+            self._copies.append(self._spaces[id(names)])
+        return self._spaces[id(names)]
+
+    def _imported(self, *arguments: Any, **more: Any) -> Any:
+        """Return the tracer value of a module that a function imports by itself."""
+        return self.of(__import__(*arguments, **more))
+
+    # --- in place ---------------------------------------------------------------------------
+
+    def _contents(self) -> list[tuple[Content, Any]]:
+        """Return the content of every mutable value with tracer values in it."""
+        if self._during is None:
+            self._during = [(one, self._content(one)) for one in self.reached.mutables]
+        return self._during
+
+    def _content(self, one: Content) -> Any:
+        if isinstance(one.before, np.ndarray | bytes):
+            return one.before
+        if isinstance(one.before, list):
+            items = [self.of(value) for value in one.before]
+            return one.before if all(map(is_, items, one.before)) else items
+        names = one.before if one.names is None else one.names
+        found = {name: self._attribute(one.before[name]) for name in names if name in one.before}
+        same = all(value is one.before[name] for name, value in found.items())
+        return one.before if same else {**one.before, **found}
+
+    def _attribute(self, value: Any) -> Any:
+        """Return the tracer value of an attribute; a descriptor's functions are copied."""
+        if isinstance(value, staticmethod | classmethod):
+            return type(value)(self.of(value.__func__))
+        if isinstance(value, property):
+            get, put_into, delete = map(self.of, (value.fget, value.fset, value.fdel))
+            return property(get, put_into, delete, value.__doc__)
+        if isinstance(value, functools.cached_property):
+            copy = functools.cached_property(_cached(self.of(value.func)))
+            copy.attrname = value.attrname
+            return copy
+        return self.of(value)
+
+    @contextmanager
+    def installed(self, name: str) -> Iterator[None]:
+        """Have tracer values in place for one execution path; refuse a path that changes any."""
+        contents = self._contents()
+        pairs = [*((one, one.before) for one in self._copies), *contents]
+        self.tape.persistent |= {id(one.value) for one, _ in pairs}
+
+        def check() -> None:
+            for one, content in pairs:
+                if not one.is_same(content):
+                    raise Unread(
+                        f"{name} keeps what its next call reads, in {one.words}; make it a state"
+                    )
+
+        self.tape.check = check
+        with LOCK:
+            try:
+                for one, content in contents:
+                    if content is not one.before:
+                        put(one.value, content)
+                yield
+                check()
+            finally:
+                restore([*self._copies, *self.reached.mutables])
+
+
+def _cached(function: FunctionType) -> Any:
+    """Return a function of which no result may be changed, as these outlive the call."""
+
+    def fixed(value: Any) -> Any:
+        if isinstance(value, Array):
+            value._fixed = True
+        elif isinstance(value, tuple):
+            deque(map(fixed, value), 0)
+        elif type(value) not in IMMUTABLE and not isinstance(value, float | np.generic):
+            raise Unread(f"caches a {type(value).__name__}; cache numbers, arrays or tuples")
+        return value
+
+    return functools.wraps(function)(lambda *arguments, **more: fixed(function(*arguments, **more)))

@@ -1,0 +1,296 @@
+"""Rewritten functions: `if` statements and conditional expressions become functions of their own.
+
+    if a > 1:                       def __statement__():
+        y = 2.0               ->        nonlocal y
+    else:                               if a > 1: ...
+        y = a                       __merge_statement__(__statement__, ("y",))
+
+`paths` runs such a function on each of its execution paths and merges them, so a loop over six
+limits takes 12 paths and not 2^6.  ``row[k]`` of a list and a signal k becomes one `pick`.  The
+source is used only if it compiles to the very code of the function; else the function stays as it
+is, and all its paths are run.
+"""
+
+import ast
+import copy
+import dis
+import functools
+import linecache
+from collections.abc import Iterable, Iterator
+from types import CodeType
+from typing import Any
+
+from .code_references import all_code, code_names
+from .execution_paths import merge_calls, merge_statement, merge_value
+from .rows import index_of, item_of
+
+NAMES = {
+    "__merge_statement__": merge_statement,
+    "__merge_value__": merge_value,
+    "__merge_calls__": merge_calls,
+    "__item_of__": item_of,
+    "__index_of__": index_of,
+}
+STATEMENT = "__statement__"
+BLOCKS = (ast.If, ast.Try, ast.Match)
+LEAVING = (ast.Return, ast.Yield, ast.YieldFrom, ast.Await, ast.Global, ast.Nonlocal, ast.Delete)
+FRAMES = {"super", "locals", "vars", "dir", "eval", "exec", "__class__"}
+SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)
+NAMING = (*SCOPES[:2], ast.ClassDef, ast.ExceptHandler, ast.MatchAs, ast.MatchStar)
+FUTURE = 0x1FF0000  # flags of `from __future__ import ...`
+
+
+@functools.lru_cache(maxsize=4096)
+def rewritten(code: CodeType) -> CodeType:
+    """Return the rewritten code of a function, or its own code where nothing changes."""
+    if not _may_branch(code):
+        return code
+    for k, statement in enumerate(_statements_of(code.co_filename)):
+        first = min([statement.lineno, *(one.lineno for one in _decorators(statement))])
+        if first <= code.co_firstlineno <= (statement.end_lineno or 0):
+            known, new = _compiled(code.co_filename, k, code.co_flags & FUTURE)
+            found = new.get(_place(code), code) if code in known else code
+            alike = found.co_freevars == code.co_freevars
+            return found if alike and found.co_argcount == code.co_argcount else code
+    return code
+
+
+def _may_branch(code: CodeType) -> bool:
+    """Return whether code has conditions, or indices that are not constants."""
+    for one in all_code(code):
+        constant = False
+        for line in dis.get_instructions(one):
+            index = line.opname == "BINARY_SUBSCR" or line.argrepr == "[]"
+            jumps = "JUMP" in line.opname and "IF" in line.opname
+            if jumps or line.opname == "PUSH_EXC_INFO" or (index and not constant):
+                return True
+            constant = line.opname in ("LOAD_CONST", "LOAD_SMALL_INT")
+    return "index" in code_names(code)
+
+
+@functools.lru_cache(maxsize=256)
+def _statements_of(file: str) -> list[ast.stmt]:
+    """Return the statements of a file; none if there is no source."""
+    try:
+        return ast.parse("".join(linecache.getlines(file))).body
+    except (SyntaxError, ValueError, RecursionError):
+        return []
+
+
+def _decorators(statement: ast.stmt) -> list[ast.expr]:
+    return getattr(statement, "decorator_list", [])
+
+
+@functools.lru_cache(maxsize=256)
+def _compiled(file: str, number: int, flags: int) -> tuple[frozenset[CodeType], dict]:
+    """Return the code of the functions in a statement of a file; and, by place, rewritten."""
+    statements = _statements_of(file)
+    # Python compiles `np.sin(x)` otherwise if the file imports np
+    within = (part for one in statements for part in _within(one))
+    imports = [one for one in within if isinstance(one, ast.Import | ast.ImportFrom)]
+    trees = statements[number], _Rewriter().visit(copy.deepcopy(statements[number]))
+    modules = (ast.fix_missing_locations(ast.Module([*imports, one], [])) for one in trees)
+    as_is, new = (compile(one, file, "exec", flags, dont_inherit=True) for one in modules)
+    by_place: dict[Any, CodeType] = {}
+    for one in all_code(new):
+        by_place.setdefault(_place(one), one)  # the outer one comes first
+    return frozenset(all_code(as_is)), by_place
+
+
+def _place(code: CodeType) -> Any:
+    """Return name and place of a function in the source."""
+    places = [(line, column) for line, _, column, _ in code.co_positions() if line and column]
+    return code.co_name, code.co_firstlineno, min(places, default=None)
+
+
+class _Rewriter(ast.NodeTransformer):
+    """Rewrites functions."""
+
+    function: Any = None  # the names of the function that is rewritten; None outside
+
+    def _within(self, function: Any, node: ast.AST) -> Any:
+        """Return a function, lambda or class, rewritten inside."""
+        outer, self.function = self.function, function
+        self.generic_visit(node)
+        self.function = outer
+        return node
+
+    def visit_FunctionDef(self, node: ast.FunctionDef) -> Any:
+        """Rewrite a function; the paths of one within another are merged when it ends."""
+        if self.function is not None:
+            decorator = ast.Name("__merge_calls__", ast.Load())
+            node.decorator_list.append(ast.copy_location(decorator, node))
+        return self._within(_Function(node), node)
+
+    def visit_Lambda(self, node: ast.Lambda) -> Any:
+        """Rewrite the expression of a lambda."""
+        return self._within(_Function(node), node)
+
+    def visit_ClassDef(self, node: ast.ClassDef) -> Any:
+        """Rewrite the methods of a class, and leave its own statements."""
+        return self._within(None, node)
+
+    # --- statements -------------------------------------------------------------------------
+
+    def visit_For(self, node: ast.For | ast.While) -> Any:
+        """Note that what a loop reads may be read again."""
+        if self.function is not None:
+            self.function.loops += 1
+        self.generic_visit(node)
+        if self.function is not None:
+            self.function.loops -= 1
+        return node
+
+    def visit_If(self, node: ast.If | ast.Try | ast.Match) -> Any:
+        """Make a statement a function whose paths are merged."""
+        stored = _stored(node)
+        if self.function is None or not self._stands_alone(node, stored):
+            return self.generic_visit(node)
+        later = self.function.read_outside(node)
+        self.generic_visit(node)
+        names = f"nonlocal {', '.join(stored)}" if stored else "pass"
+        bound = f"if 0: {' = '.join(stored)} = 0" if stored else "pass"  # is never run
+        call = f"__merge_statement__({STATEMENT}, {tuple(one for one in stored if one in later)})"
+        new: Any = ast.parse(f"{bound}\ndef {STATEMENT}():\n {names}\n{call}").body
+        for one in new:
+            _place_at(one, node)
+        new[1].body.append(node)
+        return new
+
+    visit_While, visit_Try, visit_Match = visit_For, visit_If, visit_If
+
+    def _stands_alone(self, statement: ast.stmt, stored: list[str]) -> bool:
+        """Return whether a statement may be a function of its own."""
+        if self.function.has_frames or not self.function.locals.issuperset(stored):
+            return False
+        for one in _within(statement):
+            if isinstance(one, LEAVING) or (isinstance(one, ast.Name) and one.id in FRAMES):
+                return False
+            if isinstance(one, ast.Raise) and not isinstance(statement, ast.Try):
+                return False
+        return not _leaves_loop(statement)
+
+    # --- expressions ------------------------------------------------------------------------
+
+    def visit_IfExp(self, node: ast.IfExp) -> Any:
+        """Make a conditional expression a function whose paths are merged."""
+        self.generic_visit(node)
+        return self._merged(node)
+
+    def visit_BoolOp(self, node: ast.BoolOp) -> Any:
+        """Make `and` and `or` a function whose paths are merged."""
+        self.generic_visit(node)
+        return self._merged(node)
+
+    def _merged(self, node: ast.expr) -> ast.expr:
+        walked = {type(one) for one in ast.walk(node)}
+        if self.function is None or walked & {ast.NamedExpr, ast.Await, ast.Yield, ast.YieldFrom}:
+            return node
+        function: Any = _place_at(ast.parse("lambda: 0", mode="eval").body, node)
+        function.body = node
+        return self._call("__merge_value__", node, [function])
+
+    def visit_Subscript(self, node: ast.Subscript) -> Any:
+        """Read items by a function, which takes signals as indices of lists."""
+        self.generic_visit(node)
+        fixed = isinstance(node.slice, ast.Constant | ast.Slice | ast.Tuple | ast.UnaryOp)
+        if self.function is None or fixed or not isinstance(node.ctx, ast.Load):
+            return node
+        return self._call("__item_of__", node, [node.value, node.slice])
+
+    def visit_Call(self, node: ast.Call) -> Any:
+        """Find values in lists by a function, which takes signals."""
+        self.generic_visit(node)
+        plain = isinstance(node.func, ast.Attribute) and node.func.attr == "index"
+        if self.function is None or not plain or len(node.args) != 1 or node.keywords:
+            return node
+        return self._call("__index_of__", node, [node.func.value, *node.args])  # type: ignore
+
+    def _call(self, name: str, node: ast.expr, arguments: list[ast.expr]) -> ast.expr:
+        call: Any = _place_at(ast.parse(f"{name}()", mode="eval").body, node)
+        call.args = arguments
+        return call
+
+
+class _Function:
+    """The names of a function: its local variables, and how often each is read."""
+
+    def __init__(self, node: Any):
+        arguments = node.args
+        every = [*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs]
+        every += [one for one in (arguments.vararg, arguments.kwarg) if one is not None]
+        body = node.body if isinstance(node.body, list) else [node.body]
+        inner = [one for statement in body for one in _within(statement)]
+        self.locals = {one.arg for one in every}.union(*map(_stored, body))
+        declared = [one for one in inner if isinstance(one, ast.Global | ast.Nonlocal)]
+        self.locals -= {name for one in declared for name in one.names}
+        self.has_frames = any(
+            isinstance(one, ast.Yield | ast.YieldFrom | ast.Await) for one in inner
+        )
+        self.reads, self.loops = _reads(body), 0
+
+    def read_outside(self, statement: ast.stmt) -> set[str]:
+        """Return the variables that are read by other code than a statement, or when it repeats."""
+        own = {} if self.loops else _reads([statement])
+        return {name for name, count in self.reads.items() if count > own.get(name, 0)}
+
+
+def _reads(body: Iterable[ast.AST]) -> dict[str, int]:
+    """Return how often code reads each name, functions in it included."""
+    counts: dict[str, int] = {}
+    for statement in body:
+        for one in ast.walk(statement):
+            if isinstance(one, ast.Name) and not isinstance(one.ctx, ast.Store):
+                counts[one.id] = counts.get(one.id, 0) + 1
+            elif isinstance(one, ast.AugAssign) and isinstance(one.target, ast.Name):
+                counts[one.target.id] = counts.get(one.target.id, 0) + 1
+    return counts
+
+
+def _within(statement: ast.AST) -> Iterator[ast.AST]:
+    """Yield the nodes of a statement, but not of functions in it or variables of comprehensions."""
+    yield statement
+    if not isinstance(statement, SCOPES):
+        for one in ast.iter_child_nodes(statement):
+            if not (isinstance(statement, ast.comprehension) and one is statement.target):
+                yield from _within(one)
+
+
+def _stored(statement: ast.AST) -> list[str]:
+    """Return the variables that a statement sets."""
+    names: dict[Any, None] = {}
+    for one in _within(statement):
+        if isinstance(one, ast.Name) and isinstance(one.ctx, ast.Store):
+            names[one.id] = None
+        elif isinstance(one, NAMING):
+            names[one.name] = None
+        elif isinstance(one, ast.MatchMapping):
+            names[one.rest] = None
+        elif isinstance(one, ast.alias):
+            names[(one.asname or one.name).partition(".")[0]] = None
+    names.pop(None, None)
+    return [*names]
+
+
+def _leaves_loop(statement: ast.stmt) -> bool:
+    """Return whether a statement has a `break` or `continue` of a loop around it."""
+    if isinstance(statement, ast.Break | ast.Continue):
+        return True
+    if isinstance(statement, (ast.For, ast.While, *SCOPES)):
+        return False
+    return any(_leaves_loop(one) for one in _children(statement))
+
+
+def _children(statement: ast.AST) -> Iterator[Any]:
+    for one in ast.iter_child_nodes(statement):
+        if isinstance(one, ast.stmt):
+            yield one
+        elif isinstance(one, ast.ExceptHandler | ast.match_case):
+            yield from _children(one)
+
+
+def _place_at(new: Any, old: ast.AST) -> Any:
+    """Return new nodes at the place in the source of an old one."""
+    for one in ast.walk(new):
+        ast.copy_location(one, old)
+    return new

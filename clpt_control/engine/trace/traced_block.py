@@ -1,0 +1,223 @@
+"""A block's ports, and its functions as they are read: one record of arrays for each role.
+
+A function is read with open sizes, so that one record holds for every N; where that fails, with the
+sizes of its block.  Records are kept until a parameter, a port or what a function uses changes.
+"""
+
+from collections.abc import Callable, Mapping
+from functools import cached_property
+from typing import Any
+
+import control
+import numpy as np
+
+from ...errors import BlockError
+from ..model.declaration import Guard
+from ..model.ports import counts_of, labels, places, port_of, sized, sizes_of
+from ..record.graph import Record, Shape
+from .arrays import Unread
+from .tracing import read, record_of_states
+
+READ = ("_read_records", "feedthrough")  # attributes that hold what was read
+Shapes = dict[str, Shape]  # of ports or parameters by name
+
+
+class ReadBlock(control.NonlinearIOSystem):
+    """A block's ports, functions and their records; `Block` declares them."""
+
+    name: str
+    update_function: Callable | None
+    output_function: Callable | None
+    jump_function: Callable | None
+    guard: Guard | None
+    declared: dict[str, Shapes]
+    input_shapes: Shapes
+    output_shapes: Shapes
+    state_shapes: Shapes
+    parameter_shapes: Shapes
+    sizes: dict[str, int]
+    units: Mapping[str, str]
+    parameters: Any
+    _sized: dict[str, Shapes]  # of states, inputs and outputs, in numbers
+    _inner: dict[str, dict[str, str]]  # a port's name -> what its equations call it
+    _plan: Mapping[str, tuple]  # each role's function, and where its results lie
+
+    # --- ports --------------------------------------------------------------------------
+
+    def _inner_shapes(self, kind: str, shapes: Mapping[str, Any]) -> dict[str, Any]:
+        """Return ports by the names that the equations use."""
+        names = self._inner.get(kind, {})
+        return {names.get(port, port): shape for port, shape in shapes.items()}
+
+    def _bind(self) -> None:
+        """Bind the sizes that have names, and lay the ports out."""
+        sizes = dict(self._sizes)
+        for field, shape in self.parameter_shapes.items():
+            if field not in self._parameters._fields:
+                raise BlockError(f"{self.name}: `shapes` names {field!r}, which is no parameter")
+            actual = np.shape(getattr(self._parameters, field))
+            fits = len(actual) == len(shape) and all(
+                sizes.setdefault(n, size) == size if isinstance(n, str) else n == size
+                for n, size in zip(shape, actual, strict=True)
+            )
+            if not fits:
+                known = tuple(sizes.get(n, n) for n in shape)
+                raise BlockError(f"{self.name}.{field}: has shape {actual}; must be {known}")
+        self.sizes = sizes
+        kinds = ("states", "inputs", "outputs")
+        self._sized = {kind: sized(self.name, self.declared[kind], sizes) for kind in kinds}
+        self.state_shapes, self.input_shapes, self.output_shapes = self._sized.values()
+        self._plan = {role: (f, places(where)) for role, (f, where) in self._roles.items()}
+        self._x = places(self._inner_shapes("states", self.state_shapes))
+        self._u = places(self._inner_shapes("inputs", self.input_shapes))
+
+    @property
+    def input_ports(self) -> dict[str, int]:
+        """Return the input ports and their numbers of signals."""
+        return counts_of(self.input_labels)
+
+    @property
+    def output_ports(self) -> dict[str, int]:
+        """Return the output ports and their numbers of signals."""
+        return counts_of(self.output_labels)
+
+    @property
+    def state_ports(self) -> dict[str, int]:
+        """Return the state ports and their numbers of signals."""
+        return sizes_of(self.state_shapes)
+
+    def units_of(self, kind: str) -> list[str]:
+        """Return the unit of each "input" or "output", "" for none."""
+        return [self.units.get(port_of(label), "") for label in getattr(self, f"{kind}_labels")]
+
+    def _name_ports(self, names: Mapping[str, Mapping[str, str]]) -> None:
+        """Rename ports, ``{"inputs": {old: new}}``; the equations keep their names."""
+        for kind, new_names in names.items():
+            old_names, ports = self._inner.get(kind, {}), self.declared[kind]
+            self._inner[kind] = {new_names.get(p, p): old_names.get(p, p) for p in ports}
+            self.declared[kind] = {new_names.get(p, p): shape for p, shape in ports.items()}
+            if len(self.declared[kind]) < len(ports):
+                called = ", ".join(new_names.get(p, p) for p in ports)
+                raise BlockError(
+                    f"{self.name}: its {kind} would be {called}; each needs its own name"
+                )
+            own_units = {new_names[p]: unit for p, unit in self.units.items() if p in new_names}
+            self.units = {**self.units, **own_units}
+        there = set().union(*self.declared.values())
+        self.units = {port: unit for port, unit in self.units.items() if port in there}
+        self.parameters = self.parameters
+        for kind, rename in (("input", self.set_inputs), ("output", self.set_outputs)):
+            new_names = names.get(f"{kind}s", {})
+            parts = [label.partition("[") for label in getattr(self, f"{kind}_labels")]
+            rename(["".join((new_names.get(port, port), *rest)) for port, *rest in parts])
+        self.set_states(labels(self.state_ports) or 0)
+
+    # --- records ------------------------------------------------------------------------
+
+    @property
+    def states_are_outputs(self) -> bool:
+        """Whether the outputs are the states."""
+        return self.output_function is None
+
+    @cached_property
+    def feedthrough(self) -> bool:
+        """Whether inputs reach the outputs at once, as the record says."""
+        try:
+            return bool(self.array_record("output").leaves("u"))
+        except Unread:
+            return bool(self.ninputs)
+
+    @property
+    def _roles(self) -> dict[str, tuple[Callable, dict[str, Shape]]]:
+        """Return each role's function and the shapes of what it returns."""
+        states = self._inner_shapes("states", self.state_shapes)
+        roles: dict[str, tuple[Any, dict[str, Shape]]] = {
+            "update": (self.update_function, states),
+            "output": (self.output_function, self._inner_shapes("outputs", self.output_shapes)),
+            "guard": (None if self.guard is None else self.guard.distance, {"distance": ()}),
+            "jump": (self.jump_function, states),
+        }
+        return {role: (f, shapes) for role, (f, shapes) in roles.items() if f is not None}
+
+    def array_record(self, role: str) -> Record:
+        """Return the record of "update", "output", "guard" or "jump".
+
+        Raises `Unread` where the function cannot be read; sizes that have names are open.
+        """
+        if role not in (*self._roles, "output"):
+            raise BlockError(
+                f"{self.name}: role = {role!r}: must be among {', '.join(self._roles)}"
+            )
+        if role not in self._records:
+            self._records[role] = self._read_now(role)
+        record = self._records[role]
+        if isinstance(record, Unread):
+            raise record
+        return record
+
+    def _read_now(self, role: str) -> Record | Unread:
+        if role == "output" and self.states_are_outputs:
+            return record_of_states(self.declared["outputs"])
+        return self._read(role)
+
+    def _read(self, role: str) -> Record | Unread:
+        """Read a function with open sizes; where that fails, with the sizes of this block."""
+        function, bound_out = self._roles[role]
+        name, values, why = f"{self.name}.{role}", self._parameters._asdict(), ""
+        shapes = {f: np.shape(v) for f, v in values.items() if not isinstance(v, int)}
+        for stay_open in (True, False) if self.sizes else (False,):
+            declared = self.declared if stay_open else self._sized
+            x, u, y = (self._inner_shapes(kind, declared[kind]) for kind in self._sized)
+            out = {"guard": bound_out, "output": y}.get(role, x)
+            p = {**shapes, **self.parameter_shapes} if stay_open else shapes
+            try:
+                result = read(function, name, x, u, values, p, out, trusted=self.of_package)
+            except (Unread, BlockError) as error:
+                if not stay_open and isinstance(error, BlockError):
+                    raise
+                why = str(error)
+                continue
+            self.read_with[role] = result.pinned, why
+            return self._outside(result.record)
+        return Unread(f"{name}: {why}")
+
+    @cached_property
+    def of_package(self) -> bool:
+        """Whether the functions are the package's own."""
+        modules = (getattr(f, "__module__", None) or "" for f, _ in self._plan.values())
+        return all(name.startswith(f"{__package__.partition('.')[0]}.") for name in modules)
+
+    def read_anew(self) -> None:
+        """Read the functions again: what they use may have changed."""
+        if self.of_package:
+            return
+        for role, old in list(self._records.items()):
+            new = self._read_now(role)
+            if new != old and str(new) != str(old):
+                self._forget()
+                return
+
+    def _forget(self) -> None:
+        """Forget what was read."""
+        # by role: parameters whose values were read, and why no size is open
+        self.read_with: dict[str, tuple[frozenset[str], str]] = {}
+        for known in READ:
+            self.__dict__.pop(known, None)
+
+    def _outside(self, record: Record) -> Record:
+        """Return a record whose leaves have the names of the ports."""
+        names = {
+            (group, inner): (group, outer)
+            for group, kind in (("x", "states"), ("u", "inputs"))
+            for outer, inner in self._inner.get(kind, {}).items()
+        }
+        return record.renamed(names) if names else record
+
+    @property
+    def records(self) -> dict[str, Record]:
+        """Return the record of each of its functions, by role."""
+        return {role: self.array_record(role) for role in {**self._roles, "output": None}}
+
+    @property
+    def _records(self) -> dict[str, Record | Unread]:
+        return self.__dict__.setdefault("_read_records", {})

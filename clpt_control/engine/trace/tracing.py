@@ -1,0 +1,235 @@
+"""Trace a function: run it on tracer arrays, and keep the record.
+
+    f(t, x, u, p)  ->  what each port is, as operations on t, the ports of x and u, the fields of p
+
+A condition (``if u[0] > 0``) is answered both ways: the function runs again with the other answer,
+and `where` joins the results (`paths`).  An execution path that raises gives NaN.  A signal that
+Python counts with is enumerated, up to the first IndexError.  A function is traced only if its
+`fingerprint` says that it keeps and changes nothing.
+"""
+
+from collections.abc import Callable, Mapping
+from functools import partial
+from math import nan, prod
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ...errors import BlockError
+from ..model.declaration import Parameters
+from ..model.ports import check_ports, places, shaped
+from ..record.graph import Record, Shape, compact
+from .arrays import Array, Tape, Unread, objects, operand, reading_on
+from .branches import AnsweringTape, Outside, Params, Ports, located
+from .elementwise import as_number, filled, lifted, where
+from .execution_paths import each_path, merged
+from .fingerprint import Fingerprint, reachable
+from .isolation import isolated
+from .rebinding import Rebinding
+
+MOST_PATHS = 256
+# of numbers, or of what this path leaves out; such a path is NaN
+RAISED = (
+    *(ArithmeticError, IndexError, ValueError, AssertionError),
+    *(UnboundLocalError, StopIteration, SystemExit),
+)
+OF_PATHS = (*RAISED, RuntimeError, SystemError, Outside)
+
+
+class Read(NamedTuple):
+    """What reading a function gave."""
+
+    record: Record
+    pinned: frozenset[str]  # parameters with whose values it was made
+    texts: frozenset[Any] = frozenset()  # in the functions
+    names: frozenset[Any] = frozenset()  # for which python-control's params were asked
+    spreads: bool = False  # it returns one number for all states or outputs
+
+
+class Request(NamedTuple):
+    """What to read: a function and its arguments."""
+
+    function: Callable
+    role: str
+    states: Mapping[str, Shape]
+    inputs: Mapping[str, Shape]
+    parameters: Mapping[str, Any]
+    shapes: Mapping[str, Shape]  # of the parameters that are leaves; others have their values
+    out: Mapping[str, Shape]
+    of_control: bool = False  # p are python-control's params, else the Parameters of a block
+    trusted: bool = False  # a function of this package, which keeps and changes nothing
+
+    @property
+    def name(self) -> str:
+        """Name of the function, for a sentence."""
+        return getattr(self.function, "__name__", type(self.function).__name__)
+
+
+MOST_TRACED = 256  # functions whose records are cached
+MOST_VALUES = 16  # of the parameters whose values a record was made with
+_TRACED: dict[Any, list[tuple]] = {}  # by fingerprint and shapes
+
+
+def read(*arguments: Any, **more: Any) -> Read:
+    """Return the record of a function, and the parameters whose values it is made with.
+
+    It takes the fields of `Request`.  A function whose fingerprint is unchanged is not traced
+    again.  Raises `Unread` if the function cannot be traced.
+    """
+    request = Request(*arguments, **more)
+    fixed = {k: v for k, v in request.parameters.items() if k not in request.shapes}
+    reached = reachable(request.function, fixed, trusted=request.trusted)
+    shapes = (request.states, request.inputs, request.shapes, request.out)
+    kind = request.role, request.of_control, request.trusted
+    if len(_TRACED) > MOST_TRACED:
+        _TRACED.clear()
+    key = reached.key, kind, *(tuple(one.items()) for one in shapes)
+    known = _TRACED.setdefault(key, [])
+    alike = (one for one in known if one[1] == _values(request.parameters, one[0]))
+    if (result := next(alike, (None, None, None))[2]) is None:
+        names = frozenset(request.shapes)
+        try:
+            result = _traced(request, reached)
+            names = result.pinned
+        except (Unread, BlockError) as error:
+            result = error
+        values = _values(request.parameters, names)
+        known[MOST_VALUES:] = [(names, values, result, reached.referenced)]
+    if isinstance(result, Exception):
+        raise type(result)(str(result)) from None
+    return result
+
+
+def _values(parameters: Mapping[str, Any], names: frozenset[str]) -> list[Any]:
+    """Return the values of some parameters, to be compared."""
+    arrays = ((type(parameters[name]), np.asarray(parameters[name])) for name in sorted(names))
+    return [(kind, one.dtype.str, one.tobytes()) for kind, one in arrays]
+
+
+def _traced(request: Request, reached: Fingerprint) -> Read:
+    """Trace a function, with merged paths if possible."""
+    if request.trusted:
+        return _Tracing(request, reached, merging=False).read()
+    try:
+        return _Tracing(request, reached, merging=True).read()
+    except Unread as error:
+        try:  # what merged paths leave may be of no use to the code that follows
+            return _Tracing(request, reached, merging=False).read()
+        except Unread:
+            raise error from None
+
+
+class _Tracing:
+    """One tracing of a function: all its execution paths, one after the other."""
+
+    def __init__(self, request: Request, reached: Fingerprint, merging: bool) -> None:
+        self.request = request
+        self.tape = AnsweringTape(request.parameters)
+        self.tape.merging = merging
+        self.rebinding = Rebinding(self.tape, reached, merging)
+        self.paths: list[tuple[dict[int, bool], list[Any]]] = []
+        self.spreads = False
+
+    def read(self) -> Read:
+        """Run the function on each of its paths, and merge what they return."""
+        tape, request, rebinding = self.tape, self.request, self.rebinding
+        function = rebinding.root(request.function)
+        t = tape.add("leaf", (), (), ("t", "t"))
+        fields = {
+            name: self._leaf(name) if name in request.shapes else rebinding.of(value)
+            for name, value in request.parameters.items()
+        }
+        named, asked = not request.of_control, set[Any]()  # x and u are a system's own
+        with isolated():
+            for _ in each_path(tape):
+                tape.last_asked = tape.texts = None
+                x = Ports(tape, "x", request.states, named)
+                u = Ports(tape, "u", request.inputs, named)
+                p: Any = Parameters(**fields) if named else Params(fields, asked)
+                with rebinding.installed(request.name):
+                    outputs = self._path(lambda: function(t, x, u, p))  # noqa: B023
+                self.paths.append((tape.answers, outputs))
+                if not named and any(v is not fields.get(k, p) for k, v in dict.items(p)):
+                    raise Unread(f"{request.name} changes its params; make what it keeps a state")
+                if len(self.paths) > MOST_PATHS:
+                    raise Unread(f"{request.name} has more than {MOST_PATHS} execution paths")
+        refs = [operand(one) for one in merged(tape, self.paths, where)]
+        record = compact(tape.operations, refs, request.out.values())
+        texts, names = frozenset(rebinding.texts), frozenset(asked)
+        return Read(record, frozenset(tape.pinned), texts, names, self.spreads)
+
+    def _leaf(self, name: str) -> Array:
+        leaf = self.tape.add("leaf", (), self.request.shapes[name], ("p", name))
+        value = self.request.parameters[name]
+        leaf._fixed, leaf._whole = True, isinstance(value, int | np.int64)
+        leaf._of_python = type(value) in (int, float)
+        return leaf
+
+    def _path(self, run: Callable[[], Any]) -> list[Any]:
+        """Return what one path gives, for each port; NaN where it raises."""
+        tape, request, outputs, raised = self.tape, self.request, [], list[BaseException]()
+        try:
+            with reading_on(tape), np.errstate(all="ignore"):
+                returned = run()
+                if returned is None and tape.answers:
+                    raise ValueError("returns nothing")
+                if request.of_control:
+                    returned = self._spread(returned)
+                outputs = _by_port(tape, request.role, returned, request.out)
+                if tape.texts is not None:
+                    raise tape.texts
+        except BlockError:
+            raise
+        except (Exception, SystemExit) as error:
+            tape.ended(error)
+            raised.append(error)
+            of_path = tape.answers and isinstance(error, OF_PATHS)
+            if tape.stopped is None and (isinstance(error, RecursionError) or not of_path):
+                text = error if isinstance(error, Unread) else _in_words(error)
+                raise Unread(f"{located(request.function, error)}{text}") from None
+            outputs = [filled(tape, nan, shape) for shape in request.out.values()]
+        if tape.stopped is not None:  # a function may have gone on
+            raise Unread(f"{located(request.function, tape.stopped, *raised)}{tape.stopped}")
+        return outputs
+
+    def _spread(self, returned: Any) -> Any:
+        """Return one number as often as there are states or outputs, as python-control does."""
+        size = sum(map(prod, self.request.out.values()))
+        if isinstance(returned, Mapping) or size == 1:
+            return returned
+        parts = returned if isinstance(returned, list | tuple) else [returned]
+        numbers = [one for part in parts for one in objects(part).ravel()]
+        self.spreads |= len(numbers) == 1
+        return numbers * size if len(numbers) == 1 else returned
+
+
+def _in_words(error: BaseException) -> str:
+    """Return an error for a sentence, in which a tracer array is a signal."""
+    return f"{type(error).__name__}: {error}".replace("'Array'", "a signal")
+
+
+def record_of_states(shapes: Mapping[str, Shape]) -> Record:
+    """Return the record of y = x: the outputs are the states."""
+    tape = Tape()
+    leaves = [tape.add("leaf", (), shape, ("x", port)) for port, shape in shapes.items()]
+    return compact(tape.operations, [operand(one) for one in leaves], shapes.values())
+
+
+def _by_port(tape: Tape, role: str, returned: Any, out: Mapping[str, Shape]) -> list[Any]:
+    """Return what a function returned, for each port."""
+    if isinstance(returned, Mapping):
+        check_ports(role, returned, out)
+        values = {port: as_number(lifted(tape, one)) for port, one in returned.items()}
+        fill = partial(filled, tape)
+        return [shaped(role, port, values[port], shape, fill) for port, shape in out.items()]
+    if len(out) == 1 and getattr(returned, "shape", None) == next(iter(out.values())):
+        return [as_number(lifted(tape, returned))]
+    parts = returned if isinstance(returned, list | tuple) else [returned]
+    numbers = [one for part in parts for one in objects(part).ravel()]
+    size = sum(map(prod, out.values()))
+    if len(numbers) != size:
+        raise BlockError(f"{role}: returns {len(numbers)} numbers; must return {size}")
+    flat = np.empty(size, dtype=object)
+    for k, one in enumerate(numbers):
+        flat[k] = as_number(lifted(tape, one))
+    return [lifted(tape, flat[part].reshape(shape)) for part, shape in places(out).values()]

@@ -1,0 +1,215 @@
+"""What NumPy's ufuncs do with arrays of the record."""
+
+from collections.abc import Callable
+from functools import partial, reduce
+from itertools import accumulate
+from typing import Any
+
+import numpy as np
+
+from ..record.graph import UFUNCS
+from .arrays import HOOKS, Array, Tape, Unread, operand
+from .elementwise import (
+    as_condition,
+    as_number,
+    elementwise,
+    is_of_python,
+    is_truth,
+    lifted,
+    total,
+    where,
+)
+from .views import (
+    converted,
+    copied,
+    depends,
+    into,
+    on_numbers,
+    on_objects,
+    on_parameters,
+    refuse,
+    tape_of,
+)
+
+LONG_ROW = 24  # numbers of which the least is found by one operation
+
+
+def apply_ufunc(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
+    """Write down a ufunc."""
+    out = more.pop("out", None)
+    if isinstance(out, tuple):
+        (out,) = out
+    if method == "__call__" and len(inputs) > ufunc.nin:
+        *inputs, out = inputs
+    condition = more.pop("where", True) if method == "__call__" else True
+    check_doubles(more.pop("dtype", None))
+    for unused in ("casting", "subok", "order"):
+        more.pop(unused, None)
+    try:
+        result = _apply(tape, ufunc, method, inputs, more)
+    except Unread as why:
+        result = on_parameters(tape, getattr(ufunc, method), inputs, more, why)
+    if condition is not True:
+        result = np.where(condition, result, 0.0 if out is None else out)
+    return into(out, result)
+
+
+def check_doubles(dtype: Any) -> None:
+    """Refuse numbers other than NumPy's own doubles, and an array to write into, by place."""
+    if dtype is not None and (isinstance(dtype, Array) or np.dtype(dtype) != float):
+        refuse(f"numbers of {np.dtype(dtype)}")
+
+
+def _apply(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
+    if method != "at" and not depends(inputs):
+        known = on_numbers(tape, getattr(ufunc, method), inputs, more)
+        return on_objects(tape, getattr(ufunc, method), inputs, more) if known is None else known
+    if method == "reduce" and "where" not in more:
+        return reduced(ufunc, *inputs, **more)
+    if method == "accumulate":
+        return accumulated(ufunc, *inputs, **more)
+    if method == "__call__":
+        inputs = [lifted(tape, a) if isinstance(a, list | tuple) else a for a in inputs]
+    if method == "__call__" and not more and ufunc in UFUNCS:
+        return elementwise(UFUNCS[ufunc], *inputs)
+    if ufunc in BITWISE and method == "__call__":
+        return BITWISE[ufunc](*inputs) if all(map(is_truth, inputs)) else refuse("bits")
+    arguments: list[Any] = [one if type(one) is int else lifted(tape, one) for one in inputs]
+    if method != "__call__" or more:
+        return refuse(f"np.{ufunc.__name__}.{method}")
+    name = ufunc.__name__
+    if name not in TAKING_TRUTHS and all(map(is_truth, arguments)):
+        refuse(f"np.{name} of truth values, in short floats,")
+    return COMPOSED[name](*arguments) if name in COMPOSED else refuse(f"np.{name}")
+
+
+def reduced(ufunc: Any, a: Any, axis: Any = 0, keepdims: Any = False, initial: Any = None) -> Any:
+    """Join the elements along an axis, or all, one after the other; a sum is one operation."""
+    a = lifted(tape_of([a]), a)
+    a = a if np.ndim(a) else copied(a)
+    if ufunc in (np.logical_and, np.logical_or):
+        a = as_condition(a)
+    axes = [axis] if isinstance(axis, int) else axis
+    if axis is None and ufunc is np.add:
+        axes = range(a.ndim)
+    elif axis is None:
+        a, axes, keepdims = np.ravel(a), [0], False
+        if a.size > LONG_ROW and ufunc in (np.minimum, np.maximum):
+            row = as_number(a)
+            a, axes = (least_of(row) if ufunc is np.minimum else -least_of(-row)), []
+    for d in sorted((d % a.ndim for d in axes), reverse=True):
+        a = total(a, d) if ufunc is np.add else _folded(ufunc, _along(a, d))
+        if keepdims and isinstance(a, Array):
+            a = a[(*[slice(None)] * d, None)]
+    return a if initial is None else ufunc(a, initial)
+
+
+def place_of_the_least(row: Array) -> Any:
+    """Return the place of the least number of a row, as one operation."""
+    place = row._tape.add("argmin", (operand(row),), ())
+    place._whole, place._below = True, row.size
+    return place
+
+
+def least_of(row: Array) -> Any:
+    """Return the least number of a row."""
+    return row[place_of_the_least(row)]
+
+
+def _folded(ufunc: Any, parts: list[Any]) -> Any:
+    if not parts and ufunc.identity is None:
+        raise ValueError("zero-size array to reduction operation")
+    return reduce(ufunc, parts[1:], copied(parts[0])) if parts else float(ufunc.identity)
+
+
+def _along(a: Array, axis: int) -> list[Any]:
+    return [a[(*[slice(None)] * axis, k)] for k in range(a._counted()[axis])]
+
+
+def accumulated(ufunc: Any, a: Any, axis: Any = 0) -> Any:
+    """Return what joining the elements along an axis gives on the way, as np.cumsum does."""
+    a = as_number(lifted(tape_of([a]), a))
+    if axis is None:
+        a, axis = np.ravel(a), 0
+    return np.stack(list(accumulate(_along(a, axis % a.ndim), ufunc)), axis)
+
+
+def matmul(a: Any, b: Any) -> Any:
+    """Return a @ b."""
+    if not np.ndim(a) or not np.ndim(b):
+        raise ValueError("matmul: an operand is a scalar")
+    if is_truth(a) and is_truth(b):
+        return refuse("a product of matrices of truth values")
+    inner = b.shape[-2] if b.ndim > 1 else b.shape[0]
+    if a.shape[-1] != inner:
+        raise ValueError(f"matmul: shapes {a.shape} and {b.shape} do not fit")
+    if b.ndim == 1:
+        return total(elementwise("mul", a, b), a.ndim - 1)
+    if a.ndim == 1:
+        return total(elementwise("mul", a[:, None], b), b.ndim - 2)
+    product = elementwise("mul", a[..., None], b[..., None, :, :])
+    return total(product, product.ndim - 2)
+
+
+def rounded(a: Array, decimals: Any = None) -> Any:
+    """Return numbers rounded to even."""
+    if decimals:
+        scale = 10.0 ** abs(int(decimals))
+        return rounded(a * scale) / scale if decimals > 0 else rounded(a / scale) * scale
+    low = np.floor(a)
+    rest, odd = a - low, np.remainder(low, 2.0)
+    return where((rest > 0.5) | ((rest == 0.5) & (odd > 0.5)), np.ceil(a), low)
+
+
+def signbit(a: Array) -> Any:
+    """Return whether a sign is a minus, of -0 too."""
+    inverse = a._tape.add("div", (1.0, operand(a)), a.shape)  # which raises in no `try`
+    return (a < 0) | (inverse == -np.inf)
+
+
+def copysign(a: Any, b: Any) -> Any:
+    """Return |a| with the sign of b."""
+    size = np.fabs(a)
+    return where(signbit(b), -size, size) if isinstance(b, Array) else np.copysign(1.0, b) * size
+
+
+def fmod(a: Any, b: Any) -> Any:
+    """Return the rest of a / b, which has a's sign."""
+    rest = elementwise("mod", np.fabs(a), np.fabs(b))
+    return where(a < 0, -rest, rest)
+
+
+BITWISE: dict[Any, Callable] = {  # of truth values
+    np.bitwise_and: partial(elementwise, "and"),
+    np.bitwise_or: partial(elementwise, "or"),
+    np.bitwise_xor: partial(elementwise, "ne"),
+    np.invert: lambda a: elementwise("not", a) if is_of_python(a) is False else refuse("~"),
+}
+TAKING_TRUTHS = frozenset(
+    {"logical_xor", "isnan", "isfinite", "isinf", "square", "conjugate", "rint"}
+)
+COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special too
+    "vecdot": lambda a, b: total(a * b, -1),
+    **dict.fromkeys(("matmul", "matvec"), matmul),
+    "square": lambda a: elementwise("mul", a, a),
+    "reciprocal": lambda a: elementwise("div", 1.0, a),
+    **dict.fromkeys(("positive", "conjugate"), copied),
+    **dict.fromkeys(("deg2rad", "radians"), lambda a: elementwise("mul", a, np.pi / 180)),
+    **dict.fromkeys(("rad2deg", "degrees"), lambda a: elementwise("mul", a, 180 / np.pi)),
+    "fabs": lambda a: converted(elementwise("fabs", a)),
+    "exp2": lambda a: elementwise("pow", 2.0, a),
+    "cbrt": lambda a: np.sign(a) * np.fabs(a) ** (1 / 3),
+    "rint": rounded,
+    "isnan": lambda a: elementwise("ne", a, a),
+    "isfinite": lambda a: elementwise("lt", elementwise("fabs", a), np.inf),
+    "isinf": lambda a: elementwise("eq", elementwise("fabs", a), np.inf),
+    "heaviside": lambda a, b: where(a > 0, 1.0, where(a < 0, 0.0, where(a == 0, b, a))),
+    "logical_xor": lambda a, b: (a != 0) != (b != 0),
+    "divmod": lambda a, b: (np.floor_divide(a, b), np.remainder(a, b)),
+    **{own.__name__: own for own in (copysign, fmod, signbit)},
+    **{name: partial(elementwise, name) for name in ("erf", "erfc")},
+    "expit": lambda a: 1.0 / (1.0 + np.exp(-a)),
+}
+
+
+HOOKS.update(ufunc=apply_ufunc)

@@ -1,0 +1,7 @@
+from .engine.model.block import Block
+from .engine.model.declaration import Guard
+from .engine.model.sampled import Sampled
+from .engine.model.vectorized import evaluate
+from .engine.trace.interpolators import lookup
+
+__all__ = ["Block", "Guard", "Sampled", "evaluate", "lookup"]

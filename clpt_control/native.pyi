@@ -1,0 +1,3 @@
+from .engine.solver.native_diagram import NativeDiagram, compile
+
+__all__ = ["NativeDiagram", "compile"]
