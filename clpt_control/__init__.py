@@ -10,14 +10,11 @@ from typing import Any
 
 import lazy_loader
 
-from .base import public_modules
-from .engine.diagram import html_display
-from .notebook.registration import register
+from .base import notebook_display, public_modules
 
 __version__ = "0.1.0"
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 public_modules.register()
-register()  # Dataset.clpt
 
 
 def _diagram_html(diagram: Any) -> str:
@@ -26,4 +23,12 @@ def _diagram_html(diagram: Any) -> str:
     return diagram_html(diagram)
 
 
-html_display.renderer = _diagram_html  # the engine does not import pictures
+def _accessor() -> type:
+    from .notebook.accessor import ClptAccessor
+
+    return ClptAccessor
+
+
+# the engine does not import these modules
+notebook_display.diagram_renderer = _diagram_html
+notebook_display.register_accessor(_accessor)

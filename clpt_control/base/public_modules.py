@@ -1,6 +1,6 @@
-"""Public modules whose names are shorter than the places of their files.
+"""Public modules with short names.
 
-`clpt_control.equations` gives names of `engine.model` and `engine.trace`; the stub `equations.pyi`
+`clpt_control.equations` has names of `engine.model` and `engine.trace`; the stub `equations.pyi`
 lists them.  Such a module has no files of its own: `from clpt_control.equations import Block` and
 `clpt.equations.Block` import the file that defines `Block` when it is first used.
 """
@@ -36,9 +36,8 @@ class CallableEquations(PublicModule):
 
     def __call__(self, system: Any, numbers: bool = False) -> Any:
         """Return a diagram's equations as SymPy, as `clpt.diagrams.equations` does."""
-        from ..engine.diagram.symbolic_equations import equations
-
-        return equations(system, numbers)
+        diagrams = sys.modules[f"{PACKAGE}.diagrams"]
+        return diagrams.equations(system, numbers)
 
 
 def register() -> None:

@@ -12,6 +12,7 @@ import control
 import numpy as np
 
 from ...arguments import brief, nearest, public
+from ...base.notebook_display import diagram_html
 from ...errors import BlockError, DiagramError
 from ...html import shortened
 from ..model.block import Block
@@ -19,7 +20,6 @@ from ..model.declaration import Guard, Parameters, check_names, ports_line, same
 from ..model.ports import counts_of, labels, whole_labels
 from ..model.sampled import Sampled
 from ..model.system import System
-from .html_display import html_of
 from .subsystems import as_part, input_ports, is_discrete, output_ports
 from .wiring import (
     Params,
@@ -65,7 +65,7 @@ class Diagram(control.InterconnectedSystem):
         return f"<Diagram {shortened(self.name, 60)}: {size}; {flows}>"
 
     def _repr_html_(self) -> str | None:
-        return html_of(self)
+        return diagram_html(self)
 
     def _repr_markdown_(self) -> None:
         """Return nothing in place of python-control's, which would repeat the drawing."""
