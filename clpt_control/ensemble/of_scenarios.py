@@ -9,7 +9,6 @@ import numpy as np
 
 from ..engine.diagram.interconnection import wiring_of_blocks
 from ..engine.diagram.sensitivity_names import Place
-from ..engine.diagram.subsystems import LAW, UNCHANGED, Changes, functions_of
 from ..engine.diagram.wiring import Wiring
 from ..engine.model.block import Block
 from ..errors import DiagramError
@@ -18,6 +17,7 @@ from ..scenario.file import scenario_to_text
 from ..scenario.quantities import QUANTITIES, STARTS, key_hint, keys_of, keys_of_law
 from ..simulation.loops import changed_blocks
 from ..simulation.starts import state_columns, state_of
+from ..simulation.user_parts import LAW, UNCHANGED, Changes, functions_of
 from .drawn_values import what_may_vary
 from .members import Member, Values, hash_of
 from .summaries import arrays_of, marks_of, sample_times_of, summarise

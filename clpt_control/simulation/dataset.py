@@ -16,7 +16,6 @@ import numpy as np
 from ..blocks.laws.law import Truth
 from ..blocks.laws.regressions import error_by_P
 from ..blocks.localization import TRUE
-from ..engine.diagram.subsystems import LAW
 from ..engine.diagram.wiring import Params
 from ..engine.model.block import Block
 from ..engine.model.ports import ports_of
@@ -24,6 +23,7 @@ from ..engine.model.vectorized import on_arrays
 from ..scenario.experiment import Scenario
 from ..scenario.file import CHANGED, OWN_LAW, own_parts, scenario_to_text
 from .frame import Frame, Labels, Series, columns, port_variables
+from .user_parts import LAW
 
 VARIABLES = {  # name -> (port, long name, unit of length or none, powers of 1/time)
     "position": ("x", "true position", 1, 0),

@@ -17,18 +17,8 @@ from ..blocks import clpe, disturbance, field, flow, learner, localization, refe
 from ..blocks.laws.table import LAWS
 from ..blocks.localization import TRUE
 from ..engine.diagram.interconnection import PARAMETER_HINTS, Diagram, connect, wiring_of_blocks
-from ..engine.diagram.subsystems import (
-    UNCHANGED,
-    Changes,
-    Part,
-    changes_of,
-    functions_of,
-    input_ports,
-    inserted,
-    output_ports,
-    replaced,
-)
-from ..engine.diagram.wiring import Node, Wiring, read_anew, wiring_of
+from ..engine.diagram.subsystems import input_ports, output_ports
+from ..engine.diagram.wiring import Node, Part, Wiring, read_anew, wiring_of
 from ..engine.model.block import Block
 from ..engine.model.declaration import Parameters
 from ..errors import DiagramError
@@ -37,6 +27,7 @@ from ..scenario.file import OWN_LAW, OWN_PARTS
 from ..scenario.quantities import call_time_hint
 from ..scenario.tables import Units
 from .dataset import LIMITED, MEASURED, SPEEDS, VARIABLES
+from .user_parts import UNCHANGED, Changes, changes_of, functions_of, inserted, replaced
 
 PARAMETER_HINTS.append(call_time_hint)
 
@@ -167,7 +158,7 @@ class LoopOf(NamedTuple):
     @property
     def beyond_scenario(self) -> dict[str, str]:
         """What the scenario does not hold, as the attributes of a run."""
-        law, parts = self.changes.law, self.changes.in_words
+        law, parts = self.changes.law, self.changes.description
         attributes = {OWN_LAW: law.name if law else "", OWN_PARTS: parts}
         return {name: text for name, text in attributes.items() if text}
 

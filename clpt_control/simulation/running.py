@@ -235,7 +235,7 @@ class DiagramRun(SystemRun):
         if self.loop is None:
             return {}
         outside = f"{REFERENCE}: from outside" if "zc" in self.loop.external else ""
-        parts = [self.loop.changes.in_words, outside, f"{self.name}: run as a diagram"]
+        parts = [self.loop.changes.description, outside, f"{self.name}: run as a diagram"]
         return {OWN_PARTS: ", ".join(filter(None, parts))}
 
     @cached_property

@@ -4,11 +4,11 @@ from ..arguments import public
 from ..blocks.consensus import consensus_block, pulled_law
 from ..blocks.laws.table import LAWS
 from ..engine.diagram.interconnection import Diagram, connect
-from ..engine.diagram.subsystems import changes_of
 from ..engine.model.block import Block
 from ..engine.model.ports import within
 from ..scenario.team import TEAM_LAW, Team
 from .loops import changed_blocks
+from .user_parts import changes_of
 
 
 @public

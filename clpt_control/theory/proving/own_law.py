@@ -23,12 +23,12 @@ from ...arguments import Count, Seed, public
 from ...blocks.laws.law import LEARNED, Law, Truth
 from ...blocks.lyapunov import lyapunov_candidate, weighted
 from ...engine.diagram.interconnection import Diagram, connect
-from ...engine.diagram.subsystems import functions_of
 from ...engine.diagram.wiring import read_anew
 from ...engine.model.block import Block
 from ...errors import DiagramError
 from ...scenario.experiment import Scenario
 from ...simulation.loops import loop_of
+from ...simulation.user_parts import functions_of
 from ..promises import truth_of
 from .invariant_loop import InvariantLoop
 from .invariants import invariant_steps
@@ -181,7 +181,7 @@ def prove(
     """
     if isinstance(law_block, Diagram) and law_block.origin is not None:
         loop = loop_of(law_block)
-        if beside := loop.changes.in_words or _beside(loop.scenario):
+        if beside := loop.changes.description or _beside(loop.scenario):
             raise DiagramError(
                 f"{law_block.name}: has {beside}, so V' is not its law's alone; a law is judged in "
                 f"the paper's own diagram without, or give it as a Block; {ANY}"
