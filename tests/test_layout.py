@@ -1,6 +1,9 @@
 """Imports run downhill: the rooms of the package, row by row."""
 
 import ast
+import shutil
+import subprocess
+import sys
 from functools import cache
 from graphlib import TopologicalSorter
 from pathlib import Path
@@ -23,6 +26,7 @@ ROWS = [
     ("engine",),
     ("base", "arguments", "errors", "files", "progress", "geodesy", "figures", "html", "units"),
 ]
+ENGINE_AND_HELPERS = {room for row in ROWS[-2:] for room in row}
 ROW = {room: k for k, row in enumerate(ROWS) for room in row}
 DOORS = ("__init__", "__main__")  # of the package itself
 
@@ -69,6 +73,55 @@ def test_the_top_holds_few_files():
 def test_every_module_has_a_room():
     rooms = {name.split(".")[0] for name in FILES} - set(DOORS) - {"data", *PUBLIC_MODULES}
     assert rooms == set(ROW)
+
+
+def test_the_engine_imports_only_itself_and_helpers():
+    above = [
+        f"{name} imports {used}"
+        for name, used in edges()
+        if name.split(".")[0] == "engine" and used.split(".")[0] not in ENGINE_AND_HELPERS
+    ]
+    assert above == []
+
+
+RUN_OF_THE_ENGINE = """
+import sys
+
+# an editable install of the whole package must not serve the deleted modules
+sys.meta_path = [finder for finder in sys.meta_path if "editable" not in repr(finder).lower()]
+
+import numpy as np
+import clpt_control
+from clpt_control.engine.model.block import Block
+from clpt_control.engine.solver.native_diagram import NativeDiagram
+
+block = Block("decay", update=lambda t, x, u, p: -x, states={"x": 1})
+times = np.linspace(0.0, 5.0, 11)
+solution = NativeDiagram(block).run([1.0], times, rtol=1e-10, atol=1e-12)
+assert np.max(np.abs(solution.x[:, 0] - np.exp(-times))) < 1e-9
+modules = [name for name in sys.modules if name.startswith("clpt_control.")]
+print(clpt_control.__file__, *modules)
+"""
+
+
+def test_the_engine_runs_without_the_paper(tmp_path):
+    above = {room for row in ROWS[:-2] for room in row}
+    copy = tmp_path / PACKAGE.name
+    ignored = shutil.ignore_patterns(*above, "__pycache__")
+    # names of subpackages are deleted at the top only
+    shutil.copytree(
+        PACKAGE,
+        copy,
+        ignore=lambda folder, names: ignored(folder, names) if folder == str(PACKAGE) else (),
+    )
+    assert not any((copy / room).exists() for room in above)
+
+    arguments = [sys.executable, "-c", RUN_OF_THE_ENGINE]
+    run = subprocess.run(arguments, cwd=tmp_path, capture_output=True, text=True)
+    assert run.returncode == 0, run.stderr
+    file, *modules = run.stdout.split()
+    assert Path(file).parent == copy
+    assert {name.split(".")[1] for name in modules} <= ENGINE_AND_HELPERS | set(PUBLIC_MODULES)
 
 
 def test_imports_run_downhill():
