@@ -70,6 +70,16 @@ def test_the_top_holds_few_files():
     assert len([*PACKAGE.glob("*.py")]) <= 7
 
 
+@pytest.mark.parametrize("module", PUBLIC_MODULES)
+def test_names_of_public_modules_leave_the_modules_in_place(module):
+    before = getattr(clpt_control, module)
+    assert all(hasattr(before, name) for name in dir(before))
+    assert getattr(clpt_control, module) is before
+    assert [getattr(clpt_control, name).__name__ for name in PUBLIC_MODULES] == [
+        f"clpt_control.{name}" for name in PUBLIC_MODULES
+    ]
+
+
 def test_every_module_has_a_room():
     rooms = {name.split(".")[0] for name in FILES} - set(DOORS) - {"data", *PUBLIC_MODULES}
     assert rooms == set(ROW)

@@ -5,12 +5,12 @@ lists them.  Such a module has no files of its own: `from clpt_control.equations
 `clpt.equations.Block` import the file that defines `Block` when it is first used.
 """
 
+import ast
 import sys
+from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 from typing import Any
-
-import lazy_loader
 
 PACKAGE = __package__.partition(".")[0]
 PUBLIC_MODULES = {
@@ -27,8 +27,25 @@ class PublicModule(ModuleType):
     def __init__(self, name: str, doc: str) -> None:
         super().__init__(f"{PACKAGE}.{name}", doc)
         stub = Path(__file__).parents[1] / f"{name}.pyi"
-        names = ("__getattr__", "__dir__", "__all__")
-        vars(self).update(zip(names, lazy_loader.attach_stub(PACKAGE, str(stub)), strict=True))
+        self._modules = {
+            alias.name: f"{PACKAGE}.{node.module}"
+            for node in ast.parse(stub.read_text("utf-8")).body
+            if isinstance(node, ast.ImportFrom)
+            for alias in node.names
+        }
+        self.__all__ = sorted(self._modules)
+
+    # not lazy_loader: it would cache a name on the package, and hide a public module of this name
+    def __getattr__(self, name: str) -> Any:
+        module = vars(self).get("_modules", {}).get(name)
+        if module is None:
+            raise AttributeError(f"No {self.__name__} attribute {name}")
+        value = getattr(import_module(module), name)
+        setattr(self, name, value)
+        return value
+
+    def __dir__(self) -> list[str]:
+        return [*self.__all__]
 
 
 class CallableEquations(PublicModule):
@@ -36,8 +53,7 @@ class CallableEquations(PublicModule):
 
     def __call__(self, system: Any, numbers: bool = False) -> Any:
         """Return a diagram's equations as SymPy, as `clpt.diagrams.equations` does."""
-        diagrams = sys.modules[f"{PACKAGE}.diagrams"]
-        return diagrams.equations(system, numbers)
+        return sys.modules[f"{PACKAGE}.diagrams"].equations(system, numbers)
 
 
 def register() -> None:
