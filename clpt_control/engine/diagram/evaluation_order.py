@@ -1,139 +1,138 @@
-"""The order in which the blocks of a diagram are computed, once each.
+"""Order of evaluation of a diagram's blocks.
 
-A block comes when all signals that reach its outputs at once are known.  Where blocks wait for each
-other, they are ordered signal by signal, and a block that stands in the circle twice is computed in
-parts.  A circle of signals is an algebraic loop, which is refused.
+A block is evaluated when all signals with direct feedthrough to its outputs are known.  Blocks that
+wait for each other are ordered signal by signal; a block may then occur twice.  A loop of signals
+is an algebraic loop, which is refused.
 """
 
-from collections.abc import Iterable
 from dataclasses import replace
+from itertools import chain
 from typing import Any
 
 import numpy as np
 
 from ...errors import DiagramError
 from ..model.block import Block
-from ..model.ports import places as inputs_of
+from ..model.ports import places
 from ..model.sampled import Sampled
 from ..model.system import is_linear, with_constants
 from ..record.scalar_graph import InputsOf
 from ..trace.arrays import Unread
 
-TRIED = 3  # points at which a function that cannot be read is tried
+TEST_POINTS = 3  # for the feedthrough of a function that cannot be traced
 
 
 def order_of(nodes: list[Any]) -> tuple[int, ...]:
-    """Return the order in which blocks are computed; a block that is computed in parts is twice.
+    """Return the order of evaluation; a block that is evaluated in two steps occurs twice.
 
-    The linear blocks of a circle are replaced in `nodes`.
+    Linear blocks of a loop are replaced in `nodes`.
     """
-    owner = [k for k, node in enumerate(nodes) for _ in range(node.system.noutputs)]
-    waits = {k: {owner[source] for _, source, _ in node.fed()} for k, node in enumerate(nodes)}
-    # an unread function is tried, which may change what it keeps: not one that waits for none
-    waits = {
-        k: own if own and reaches_outputs(nodes[k].system) else set() for k, own in waits.items()
-    }
+    producers = [k for k, node in enumerate(nodes) for _ in range(node.system.noutputs)]
+    waits: dict[int, set[int]] = {}  # block -> the blocks that it waits for
+    for k, node in enumerate(nodes):
+        sources = {producers[source] for _, source, _ in node.fed()}
+        # an untraced function is called, which may change its hidden state: only if it has sources
+        waits[k] = sources if sources and reaches_outputs(node.system) else set()
     order: list[int] = []
-    done: set[int] = set()
     while waits:
-        ready = next((k for k, feeding in waits.items() if feeding <= done), None)
+        ready = next((k for k, sources in waits.items() if sources.isdisjoint(waits)), None)
         if ready is None:
             return _by_signals(nodes, order, waits)
         order.append(ready)
-        done.add(ready)
         del waits[ready]
     return tuple(order)
 
 
 def _by_signals(nodes: list[Any], order: list[int], waits: dict[int, set[int]]) -> tuple[int, ...]:
-    """Return the order of blocks in a circle: each output comes after the inputs that reach it."""
-    known = {s for k in order for s in range(nodes[k].outputs.start, nodes[k].outputs.stop)}
-    needed: dict[int, dict[int, set[int]]] = {}  # block -> signal -> the signals that it waits for
-    for k in waits:
-        fed: dict[int, set[int]] = {}
-        for to, source, _ in nodes[k].fed():
-            fed.setdefault(to, set()).add(source)
-        first = nodes[k].outputs.start
-        needed[k] = {
-            first + i: set().union(*(fed.get(j, set()) for j in inputs))
-            for i, inputs in enumerate(_through(nodes[k].system))
-        }
+    """Return the order of blocks that wait for each other, signal by signal."""
+    computed = {s for k in order for s in range(nodes[k].outputs.start, nodes[k].outputs.stop)}
+    needed = {k: _needed_signals(nodes[k]) for k in waits}
     while needed:
-        computable = {k: {s for s, own in needed[k].items() if own <= known} for k in needed}
-        ready = next((k for k in needed if len(computable[k]) == len(needed[k])), None)
+        computable = {
+            k: {signal for signal, sources in signals.items() if sources <= computed}
+            for k, signals in needed.items()
+        }
+        # first a block with all its outputs, then one with some of them
+        complete = (k for k in needed if len(computable[k]) == len(needed[k]))
+        incomplete = (k for k in needed if computable[k])
+        ready = next(chain(complete, incomplete), None)
         if ready is None:
-            ready = next((k for k in needed if computable[k]), None)
-        if ready is None:
-            if _by_entries(nodes, waits):
-                return order_of(nodes)
-            raise DiagramError(
-                f"algebraic loop: {_circle(waits, nodes)} feed each other at once; "
-                "break the circle with a block that has states"
-            )
+            return _without_zero_entries(nodes, waits)
         order.append(ready)
-        known |= computable[ready]
-        needed[ready] = {s: own for s, own in needed[ready].items() if s not in known}
+        computed |= computable[ready]
+        needed[ready] = {s: sources for s, sources in needed[ready].items() if s not in computed}
         if not needed[ready]:
             del needed[ready], waits[ready]
     return tuple(order)
 
 
-def _by_entries(nodes: list[Any], waits: Iterable[int]) -> bool:
-    """Make matrices of linear blocks in a circle constants, of which zeros feed nothing at once."""
-    within = [k for k in waits if is_linear(nodes[k].system)]
-    for k in within:
-        nodes[k] = replace(nodes[k], system=with_constants(nodes[k].system))
-    return bool(within)
+def _needed_signals(node: Any) -> dict[int, set[int]]:
+    """Return for each output of a block the signals that it depends on directly."""
+    sources: dict[int, set[int]] = {}
+    for to, source, _ in node.fed():
+        sources.setdefault(to, set()).add(source)
+    return {
+        signal: set().union(*(sources.get(k, set()) for k in inputs))
+        for signal, inputs in enumerate(_feedthrough(node.system), node.outputs.start)
+    }
 
 
-def _circle(waits: dict[int, set[int]], nodes: list[Any]) -> str:
+def _without_zero_entries(nodes: list[Any], waits: dict[int, set[int]]) -> tuple[int, ...]:
+    """Return the order after zeros in matrices of linear blocks are constants; refuse a loop."""
+    linear_blocks = [k for k in waits if is_linear(nodes[k].system)]
+    if linear_blocks:
+        for k in linear_blocks:
+            nodes[k] = replace(nodes[k], system=with_constants(nodes[k].system))
+        return order_of(nodes)
     path = [next(iter(waits))]
     while path.count(path[-1]) < 2:
         path.append(next(k for k in waits[path[-1]] if k in waits))
-    return " <- ".join(nodes[k].name for k in path[path.index(path[-1]) :])
+    loop = " <- ".join(nodes[k].name for k in path[path.index(path[-1]) :])
+    raise DiagramError(
+        f"algebraic loop: {loop} feed each other at once; "
+        "break the circle with a block that has states"
+    )
 
 
-def asked_at_once(block: Block) -> Block:
-    """Return the block whose equations say what reaches the outputs as inputs are sampled."""
+def unsampled(block: Block) -> Block:
+    """Return a block, or the inner block of one that samples."""
     return block.inner if isinstance(block, Sampled) else block
 
 
 def reaches_outputs(block: Block) -> bool:
-    """Return whether inputs reach outputs at once, or once sampled; an unread function is tried."""
-    block = asked_at_once(block)
+    """Return whether inputs, once sampled, have direct feedthrough to outputs."""
+    block = unsampled(block)
     try:
         return bool(block.array_record("output").leaves("u"))
     except Unread:
-        return any(_tried(block))
+        return any(_tested_feedthrough(block))
 
 
-def _through(block: Block) -> list[set[int]]:
-    """Return for each output the inputs that reach it at once."""
-    block = asked_at_once(block)
+def _feedthrough(block: Block) -> list[set[int]]:
+    """Return for each output the inputs with direct feedthrough to it."""
+    block = unsampled(block)
     try:
         record = block.array_record("output")
-        ports = InputsOf(record.operations, block.sizes).outputs(record)
+        outputs = InputsOf(record.operations, block.sizes).outputs(record)
     except Unread:
-        return _tried(block)
-    places = {
-        (port, k): own.start + k
-        for port, (own, _) in inputs_of(block.input_shapes).items()
-        for k in range(own.stop - own.start)
-    }
-    return [{places[one] for one in port} for port in ports]
+        return _tested_feedthrough(block)
+    ports = {port: signals.start for port, (signals, _) in places(block.input_shapes).items()}
+    return [{ports[port] + k for port, k in inputs} for inputs in outputs]
 
 
-def _tried(block: Block) -> list[set[int]]:
-    """Return the inputs that change each output at some points."""
+def _tested_feedthrough(block: Block) -> list[set[int]]:
+    """Return for each output the inputs that change it at a few points."""
     random, p = np.random.default_rng(0), block.parameters_at(0.0)
-    reaching: list[set[int]] = [set() for _ in range(block.noutputs)]
-    for _ in range(TRIED):
-        x, u = (random.standard_normal((n,)) for n in (block.nstates, block.ninputs))
+    feedthrough: list[set[int]] = [set() for _ in range(block.noutputs)]
+    for _ in range(TEST_POINTS):
+        x = random.standard_normal(block.nstates)
+        u = random.standard_normal(block.ninputs)
         before = block.values("output", block.noutputs, 0.0, x, u, p)
-        for j in range(block.ninputs):
-            moved = u.copy()
-            moved[j] = random.standard_normal()
-            after = block.values("output", block.noutputs, 0.0, x, moved, p)
-            for i in np.flatnonzero((after != before) & ~(np.isnan(after) & np.isnan(before))):
-                reaching[i].add(j)
-    return reaching
+        for k in range(block.ninputs):
+            changed = u.copy()
+            changed[k] = random.standard_normal()
+            after = block.values("output", block.noutputs, 0.0, x, changed, p)
+            is_equal = (after == before) | (np.isnan(after) & np.isnan(before))
+            for output in np.flatnonzero(~is_equal):
+                feedthrough[output].add(k)
+    return feedthrough

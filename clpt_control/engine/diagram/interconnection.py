@@ -1,12 +1,12 @@
 """Wire blocks by the names of their ports, with `control.interconnect`.
 
-python-control adds two outputs of one name, warns of an input that nothing
-feeds, gives systems whose params have one name the value of the last, and passes over a mistyped
-parameter; here all four are errors that name the block and the port.
+python-control adds two outputs of the same name, warns about an input without a source, gives
+systems whose params share a name the value of the last system, and ignores an unknown parameter.
+Here all four are errors that name the block and the port.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import control
 import numpy as np
@@ -24,18 +24,19 @@ from .subsystems import as_part, input_ports, is_discrete, output_ports
 from .wiring import (
     Params,
     Part,
+    Row,
     Wiring,
     blocks_of,
     call_names,
     ordered_wiring,
     own_params,
-    spaces_of,
+    prefixes_of,
     wiring_of,
 )
 
 # functions that return a sentence on an unknown parameter, by its name and the known names, or ""
 PARAMETER_HINTS: list[Callable[[str, set[str]], str]] = []
-MOST_BYTES = 10**9  # of python-control's matrices
+MOST_BYTES = 10**9  # bytes of python-control's matrices
 
 
 class Diagram(control.InterconnectedSystem):
@@ -56,7 +57,7 @@ class Diagram(control.InterconnectedSystem):
     """
 
     origin: Any = None
-    recorded: Any = None  # the run of a diagram that a run's file holds
+    recorded: Any = None  # the run from whose file the diagram was read
 
     def __repr__(self) -> str:
         ports = (self.input_labels, self.output_labels)
@@ -70,130 +71,154 @@ class Diagram(control.InterconnectedSystem):
     def _repr_markdown_(self) -> None:
         """Return nothing in place of python-control's, which would repeat the drawing."""
 
-    def linearize(self, *point: Any, **more: Any) -> control.StateSpace:
+    def linearize(self, *point: Any, **options: Any) -> control.StateSpace:
         """Linearize as python-control does; refuse sampled blocks."""
-        names = [name for name, block in blocks_of(self) if isinstance(block, Sampled)]
-        if names:
-            raise DiagramError(
-                f"{self.name}: {names[0]} samples its inputs, which control.linearize does not "
-                "see; call clpt.linearize, which gives the discrete system of the loop"
-            )
-        return super().linearize(*point, **more)
+        for name, block in blocks_of(self):
+            if isinstance(block, Sampled):
+                raise DiagramError(
+                    f"{self.name}: {name} samples its inputs, which control.linearize does not "
+                    "see; call clpt.linearize, which gives the discrete system of the loop"
+                )
+        return super().linearize(*point, **options)
 
     def _update_params(self, params: Params) -> None:
-        given, own = dict(params or {}), f"{self.name}."
-        inside_another = any(hasattr(value, "_fields") for value in given.values())
-        inside_another |= bool(self.params) and set(self.params) <= set(given)
-        if given and not inside_another:
-            changed_parameters(blocks_of(self), given)
-        given |= {key.removeprefix(own): given[key] for key in given if key.startswith(own)}
-        super()._update_params(given)
-        for part in self.syslist:
-            of_part = any(key.startswith(f"{part.name}.") for key in given)
-            if of_part and not isinstance(part, Block):
-                part._update_params({**self.params, **own_params(part.name, given)})
+        params = dict(params or {})
+        # a diagram around this one has checked the names
+        is_nested = any(hasattr(value, "_fields") for value in params.values())
+        is_nested |= bool(self.params) and set(self.params) <= set(params)
+        if params and not is_nested:
+            changed_parameters(blocks_of(self), params)
+        params = own_params(self.name, params)
+        super()._update_params(params)
+        for subsystem in self.syslist:
+            is_named = any(key.startswith(f"{subsystem.name}.") for key in params)
+            if is_named and not isinstance(subsystem, Block):
+                subsystem._update_params({**self.params, **own_params(subsystem.name, params)})
 
 
 def changed_parameters(blocks: Iterable[tuple[str, Any]], params: Params) -> list[Any]:
     """Return each block's parameters, changed by ``{"block.field": value}``.
 
-    Of nested diagrams ``"a.adaptation.gain"`` reaches one, ``"adaptation.gain"`` all; of
-    python-control's systems ``"m"`` reaches all, too, and ``"plant.m"`` one.
+    ``"a.adaptation.gain"`` changes one block of a nested diagram, ``"adaptation.gain"`` all blocks
+    of this name.  For python-control's systems ``"m"`` changes all, ``"plant.m"`` one.
     """
     params = {} if params is None else params
     if not isinstance(params, Mapping):
         raise BlockError(f"params = {params!r}: must be a dict, such as {{'adaptation.gain': 2.0}}")
-    known: set[str] = set()
+    accepted: set[str] = set()
     names: set[str] = set()
-    found: list[Any] = []
-    asking: list[tuple[System, list[str]]] = []  # with what may stand before a param of theirs
+    parameters: list[Any] = []
+    systems: list[tuple[str, System]] = []
     for name, block in blocks:
-        keys = call_names(name, block)
-        changes = {keys[key]: params[key] for key in keys if key in params}  # the longest counts
+        fields = call_names(name, block)
+        changes = {fields[key]: params[key] for key in fields if key in params}
         if isinstance(block, System):
-            asking.append((block, spaces_of(name)))
-            found.append(block.with_params(changes))
+            systems.append((name, block))
+            parameters.append(block.with_params(changes))
             continue
-        found.append(block.with_values(changes))
-        known |= set(keys)
+        parameters.append(block.with_values(changes))
+        accepted |= set(fields)
         names |= {f"{name}.{field}" for field in block.parameters._fields}
     for key in params:
-        own = [(system, key.removeprefix(space)) for system, to in asking for space in to]
-        if key in known or any(system.mentions(name) for system, name in own):
-            continue
-        for hint_of in PARAMETER_HINTS:
-            if hint := hint_of(key, known):
-                raise BlockError(hint)
-        names = names.union(*(system.names for system, _ in asking))
-        known_here = ", ".join(sorted(names)) or "none"
-        close = nearest(key, names)
-        hint = f"; did you mean {close}? This" if close else ": this"
-        raise BlockError(f"unknown parameter '{key}'{hint} diagram knows {known_here}")
-    return found
+        if key not in accepted and not any(_has_param(*system, key) for system in systems):
+            names = names.union(*(system.names for _, system in systems))
+            raise BlockError(_unknown_parameter(key, accepted, names))
+    return parameters
 
 
-Makers = dict[str, tuple[int, list[int]]]  # port -> the block that makes it, its outputs
-Users = dict[str, list[tuple[int, list[int]]]]  # port -> blocks that take it, their inputs
+def _has_param(name: str, system: System, key: str) -> bool:
+    diagrams, systems = prefixes_of(name)
+    return any(system.mentions(key.removeprefix(prefix)) for prefix in diagrams + systems)
 
 
-def match_ports(
-    blocks: Sequence[Part], external: Iterable[str]
-) -> tuple[Makers, Users, dict[str, int]]:
-    """Match the ports of parts; refuse one that is made twice, missing or of another size.
+def _unknown_parameter(key: str, accepted: set[str], names: set[str]) -> str:
+    for hint_of in PARAMETER_HINTS:
+        if hint := hint_of(key, accepted):
+            return hint
+    close = nearest(key, names)
+    hint = f"; did you mean {close}? This" if close else ": this"
+    return f"unknown parameter '{key}'{hint} diagram knows {', '.join(sorted(names)) or 'none'}"
 
-    Return who makes and who takes each, and the sizes of those that come from outside.
-    """
+
+class Port(NamedTuple):
+    """A port of one of the blocks that are connected."""
+
+    block: int  # index of the block
+    signals: list[int]  # indices of the port's signals among the block's inputs or outputs
+
+
+class MatchedPorts(NamedTuple):
+    """The ports of blocks, matched by name."""
+
+    sources: dict[str, Port]  # outputs
+    users: dict[str, list[Port]]  # inputs
+    external: dict[str, int]  # name -> number of signals of each input of the diagram
+
+
+def match_ports(blocks: Sequence[Part], external: Iterable[str]) -> MatchedPorts:
+    """Match the ports of blocks; refuse duplicate sources, missing sources and different sizes."""
     external, names = list(external), [block.name for block in blocks]
     if not blocks:
         raise DiagramError("a diagram of no blocks: give at least one")
     for name in names:
         if names.count(name) > 1:
             raise DiagramError(f"two blocks are called '{name}': rename one")
-    makers: Makers = {}
-    users: Users = {}
+    sources: dict[str, Port] = {}
+    users: dict[str, list[Port]] = {}
     for k, block in enumerate(blocks):
-        for port, places in output_ports(block).items():
-            if port in makers:
+        for name, signals in output_ports(block).items():
+            if name in sources:
                 raise DiagramError(
-                    f"'{port}' is made by both {names[makers[port][0]]} and {block.name}: "
+                    f"'{name}' is made by both {names[sources[name].block]} and {block.name}: "
                     "python-control would add them; rename one port, or wire diagrams by "
                     "control.interconnect"
                 )
-            makers[port] = k, places
-        for port, places in input_ports(block).items():
-            users.setdefault(port, []).append((k, places))
-    for port, taken in users.items():
-        ends = [makers[port], *taken] if port in makers else taken
-        if port not in makers and port not in external:
-            known = sorted({*makers, *external})
-            close = nearest(port, known)
+            sources[name] = Port(k, signals)
+        for name, signals in input_ports(block).items():
+            users.setdefault(name, []).append(Port(k, signals))
+
+    for name, ports in users.items():
+        if name in sources:
+            ports = [sources[name], *ports]
+        elif name not in external:
+            available = sorted({*sources, *external})
+            close = nearest(name, available)
+            suggestion = f"; did you mean {close}?" if close else ""
             raise DiagramError(
-                f"'{port}', an input of {names[taken[0][0]]}, is made by no block"
-                f"{f'; did you mean {close}?' if close else ''}; there are {', '.join(known)}; "
-                f"external='{port}' takes it from outside"
+                f"'{name}', an input of {names[ports[0].block]}, is made by no block"
+                f"{suggestion}; there are {', '.join(available)}; "
+                f"external='{name}' takes it from outside"
             )
-        size = len(ends[0][1])
-        for k, places in ends:
-            if len(places) != size:
-                raise DiagramError(
-                    f"'{port}' has {size} signals, but {names[k]} takes {len(places)}; both must "
-                    f"have one size: label them {port}[0], {port}[1], or give a part signals="
-                )
-        units = [(getattr(blocks[k], "units", {}).get(port), names[k]) for k, _ in ends]
-        said = [(unit, name) for unit, name in units if unit]
-        for unit, name in said[1:]:
-            if not same_unit(unit, said[0][0]):
-                raise DiagramError(
-                    f"'{port}' is in '{said[0][0]}' at {said[0][1]} and in '{unit}' at {name}; "
-                    "give it one unit, or put a block between that converts it"
-                )
-    for port in external:
-        if port in makers or port not in users:
-            why = f"{names[makers[port][0]]} makes it" if port in makers else "no block takes it"
+        _check_fit(name, ports, blocks)
+
+    for name in external:
+        if name in sources or name not in users:
+            is_output = name in sources
+            why = f"{names[sources[name].block]} makes it" if is_output else "no block takes it"
             raise DiagramError(
-                f"'{port}' cannot come from outside: {why}; blocks take {', '.join(sorted(users))}"
+                f"'{name}' cannot come from outside: {why}; blocks take {', '.join(sorted(users))}"
             )
-    return makers, users, {port: len(users[port][0][1]) for port in external}
+    return MatchedPorts(sources, users, {name: len(users[name][0].signals) for name in external})
+
+
+def _check_fit(name: str, ports: Sequence[Port], blocks: Sequence[Part]) -> None:
+    """Refuse ports of one name that have different sizes or units."""
+    size, declared_unit = len(ports[0].signals), None
+    for port in ports:
+        block = blocks[port.block]
+        if len(port.signals) != size:
+            raise DiagramError(
+                f"'{name}' has {size} signals, but {block.name} takes {len(port.signals)}; both "
+                f"must have one size: label them {name}[0], {name}[1], or give a part signals="
+            )
+        unit = getattr(block, "units", {}).get(name)
+        if unit and declared_unit is None:
+            declared_unit, owner = unit, block.name
+        elif unit and not same_unit(unit, declared_unit):
+            raise DiagramError(
+                f"'{name}' is in '{declared_unit}' at {owner} and in '{unit}' at {block.name}; "
+                "give it one unit, or put a block between that converts it"
+            )
 
 
 @public
@@ -242,35 +267,29 @@ def connect(
     """
     external = [external] if isinstance(external, str) else external
     discrete = is_discrete(*blocks)
-    parts = [as_part(block, discrete) for block in blocks]
+    systems = [as_part(block, discrete) for block in blocks]
     check_names(name)
-    makers, users, outside = match_ports(parts, external)
-    _check_params(parts)
-    fed, makes = (sum(part.ninputs for part in parts), sum(part.noutputs for part in parts))
-    size = 8 * (2 * fed + makes) * makes  # bytes of python-control's full matrices
-    if size > MOST_BYTES:
-        raise DiagramError(
-            f"{name or 'the diagram'}: has {makes} signals, for which python-control needs "
-            f"{size / 1e9:.1f} GB; at most {MOST_BYTES / 1e9:g} GB: take fewer basis functions, or "
-            "simulate the scenario itself"
-        )
+    sources, users, outside = match_ports(systems, external)
+    _check_params(systems)
+    _check_size(name, systems)
+    connections = [
+        [(user.block, to), (source.block, signal)]
+        for port, source in sources.items()
+        for user in users.get(port, ())
+        for to, signal in zip(user.signals, source.signals, strict=True)
+    ]
+    inputs = [
+        [(user.block, user.signals[k]) for user in users[port]]
+        for port, size in outside.items()
+        for k in range(size)
+    ]
     diagram = control.interconnect(
-        parts,
-        connections=[
-            [(user, to), (maker, source)]
-            for port, (maker, places) in makers.items()
-            for user, takes in users.get(port, ())
-            for to, source in zip(takes, places, strict=True)
-        ]
-        or False,
-        inplist=[
-            [(user, takes[k]) for user, takes in users[port]]
-            for port, size in outside.items()
-            for k in range(size)
-        ],
-        outlist=[(k, place) for k, places in makers.values() for place in places],
+        systems,
+        connections=connections or False,
+        inplist=inputs,
+        outlist=[(source.block, k) for source in sources.values() for k in source.signals],
         inputs=labels(outside),
-        outputs=labels({port: len(places) for port, (_, places) in makers.items()}),
+        outputs=labels({port: len(source.signals) for port, source in sources.items()}),
         name=name,
         check_unused=False,
     )
@@ -278,37 +297,52 @@ def connect(
     return diagram
 
 
-def _check_params(parts: Sequence[Part]) -> None:
-    """Refuse a name with two values: python-control gives all systems the last one's."""
+def _check_params(systems: Sequence[Part]) -> None:
+    """Refuse a param with two values, of which python-control would use the last."""
     owners: dict[str, Part] = {}
-    for part in parts:
-        for key, value in part.params.items():
-            other = owners.setdefault(key, part)
-            if not isinstance(value, Parameters) and not np.array_equal(other.params[key], value):
+    for system in systems:
+        for key, value in system.params.items():
+            owner = owners.setdefault(key, system)
+            if not isinstance(value, Parameters) and not np.array_equal(owner.params[key], value):
                 raise DiagramError(
-                    f"{key} = {brief(value)} of {part.name} is {brief(other.params[key])} of "
-                    f"{other.name}: python-control would give both the last; rename one, or give "
-                    f"both one value and call with params={{'{other.name}.{key}': ...}}"
+                    f"{key} = {brief(value)} of {system.name} is {brief(owner.params[key])} of "
+                    f"{owner.name}: python-control would give both the last; rename one, or give "
+                    f"both one value and call with params={{'{owner.name}.{key}': ...}}"
                 )
+
+
+def _check_size(name: str, systems: Sequence[Part]) -> None:
+    """Refuse a diagram for which python-control's full matrices are too large."""
+    ninputs = sum(system.ninputs for system in systems)
+    noutputs = sum(system.noutputs for system in systems)
+    size = 8 * (2 * ninputs + noutputs) * noutputs  # bytes
+    if size > MOST_BYTES:
+        raise DiagramError(
+            f"{name or 'the diagram'}: has {noutputs} signals, for which python-control needs "
+            f"{size / 1e9:.1f} GB; at most {MOST_BYTES / 1e9:g} GB: take fewer basis functions, or "
+            "simulate the scenario itself"
+        )
 
 
 def wiring_of_blocks(blocks: Sequence[Part], external: Iterable[str] = ()) -> Wiring:
     """Return `wiring_of(connect(blocks, external))`; if all are blocks, without its matrices."""
     if not all(isinstance(block, Block) for block in blocks):
         return wiring_of(connect(blocks, external))
-    *_, outside = match_ports(blocks, external)
+    inputs = labels(match_ports(blocks, external).external)
     outputs = [label for block in blocks for label in whole_labels(block.output_labels)]
-    external, systems = labels(outside), [(block.name, block) for block in blocks]
-    place = {one: k for k, one in enumerate(outputs)} | {one: ~k for k, one in enumerate(external)}
-    inputs = [label for block in blocks for label in whole_labels(block.input_labels)]
-    rows = ({k: 1.0} for k in range(len(outputs)))
-    return ordered_wiring(systems, [{place[one]: 1.0} for one in inputs], len(external), rows)
+    signals = {label: k for k, label in enumerate(outputs)}
+    signals |= {label: ~k for k, label in enumerate(inputs)}
+    rows: list[Row] = [
+        {signals[label]: 1.0} for block in blocks for label in whole_labels(block.input_labels)
+    ]
+    named = [(block.name, block) for block in blocks]
+    return ordered_wiring(named, rows, len(inputs), [{k: 1.0} for k in range(len(outputs))])
 
 
-# --- a condition that ends a run: stop(t, y, u) > 0 goes on, the run ends where it falls to 0 -----
+# --- a condition that ends a run: stop(t, y, u) > 0 continues it, it ends at the fall to 0 --------
 
 
-NAME = "stop"
+STOP = "stop"  # name of the block
 
 
 def with_stop(wiring: Wiring, stop: Callable[[float, Any, Any], Any]) -> Wiring:
@@ -322,22 +356,22 @@ def with_stop(wiring: Wiring, stop: Callable[[float, Any, Any], Any]) -> Wiring:
         )
 
     def distance(t, x, u, p):
-        found = stop(t, u.y, u.u)
-        truth = isinstance(found, bool) or getattr(found, "dtype", None) == np.bool_
-        return np.where(found, 1.0, -1.0) if truth else found
+        value = stop(t, u.y, u.u)
+        is_truth = isinstance(value, bool) or getattr(value, "dtype", None) == np.bool_
+        return np.where(value, 1.0, -1.0) if is_truth else value
 
     def sentence(t: float, u: np.ndarray, p: Any) -> str:
         return f"`{getattr(stop, '__name__', 'stop')}` fell to 0 at t = {t:.9g}"
 
-    m, outputs = wiring.ninputs, wiring.outputs
+    ninputs, outputs = wiring.ninputs, wiring.outputs
     block = Block(
-        NAME,
+        STOP,
         output=lambda t, x, u, p: {},
-        inputs={"y": len(outputs), "u": m},
+        inputs={"y": len(outputs), "u": ninputs},
         outputs={},
         guard=Guard(distance, "stop", sentence),
     )
-    fed = [row for node in wiring.nodes for row in node.rows]
-    fed += [*outputs, *({~j: 1.0} for j in range(m))]
+    rows = [row for node in wiring.nodes for row in node.rows]
+    rows += [*outputs, *({~k: 1.0} for k in range(ninputs))]
     order = (*wiring.order, len(wiring.nodes))
-    return ordered_wiring([*wiring.blocks, (NAME, block)], fed, m, outputs, order=order)
+    return ordered_wiring([*wiring.blocks, (STOP, block)], rows, ninputs, outputs, order=order)

@@ -1,16 +1,18 @@
-"""One record of a diagram: the records of its blocks, merged at their ports.
+"""Record of a diagram: the records of its blocks, connected at their ports.
 
-The record of each block is written again, on what feeds the block.  A port that one port feeds as a
-whole is the array of that port.  Gains and sums of wires are arithmetic on arrays; what permutes
-signals is put together piece by piece.  `RecordMerger` serves both users.  The engine
-(`native.diagram_record`) has numbers for sizes.  The proofs take a tape on which a size stays open,
-unless `closed`, if it has a name and one value in all blocks.
+The record of each block is written again with its sources in place of its inputs.  If one port
+feeds a whole input port, the array of that port is the input.  Gains and sums of wires are
+arithmetic on arrays.  Permuted signals are joined from pieces.
+
+`RecordMerger` has two users.  The code generator (`codegen.diagram_record`) has numbers for sizes.
+`TapeRecord` writes on a tape.  There a size stays open, unless `closed`, if it has the same name
+and value in all blocks.
 """
 
 from collections.abc import Callable, Mapping, Sequence
 from itertools import groupby
 from math import prod
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -22,99 +24,123 @@ from ..trace.elementwise import lifted, spread
 from .wiring import Node, Part, Row, Wiring
 
 Values = dict[tuple[str, str], Any]  # (block, port) -> Array or number
-# functions that make the values with which a record begins
-Leaf = Callable[[str, Node, str, Shape], Any]  # of group x or p, a block, its port or field, shape
-Input = Callable[[str, Shape, Shape], Any]  # an input of the diagram: port, shape, as declared
-# outputs of a block that is not read, of what feeds it and their shapes; None where it is read
+# leaf(group, node, name, shape): a state ("x") or a parameter ("p") of a block
+Leaf = Callable[[str, Node, str, Shape], Any]
+# input_of(port, shape, declared shape): an input of the diagram
+Input = Callable[[str, Shape, Shape], Any]
+# outputs of a block without a record, from its inputs and output shapes; None for other blocks
 StandIn = Callable[[Node, dict[str, Any], dict[str, Shape]], dict[str, Any] | None]
 
 
 def open_sizes(wiring: Wiring) -> dict[str, int]:
     """Return the sizes that have one name and one value in all blocks."""
-    found: dict[str, set[int]] = {}
+    values_by_name: dict[str, set[int]] = {}
     for node in wiring.nodes:
         for name, value in node.system.sizes.items():
-            found.setdefault(name, set()).add(value)
-    return {name: values.pop() for name, values in found.items() if len(values) == 1}
+            values_by_name.setdefault(name, set()).add(value)
+    return {name: values.pop() for name, values in values_by_name.items() if len(values) == 1}
+
+
+class Source(NamedTuple):
+    """Signals of a port, as the source of an input k of a block."""
+
+    external: bool  # an input port of the diagram, or an output port of a block
+    first: int  # first signal of the port
+    offset: int  # of the signal in the port, minus k: equal for consecutive signals
+    gain: float
 
 
 class RecordMerger:
-    """Writes the records of a diagram's blocks one after the other, each on what feeds it."""
+    """Writes the records of a diagram's blocks one after the other, each with its sources."""
 
-    # what each user writes in its own way
-    add: Callable[..., Ref]  # an operation of no block: kind, arguments, shape, at
-    put: Callable[..., Ref]  # one of a block's: k, role, record, operation, its own arguments
+    # methods of the two users
+    add: Callable[..., Ref]  # write an operation: kind, arguments, shape, at
+    put: Callable[..., Ref]  # write a block's operation: k, role, record, operation, arguments
     leaf: Callable[..., Ref]  # time, a state or a parameter of a block: k, group, name, shape
-    part: Callable[..., Ref]  # elements of a value from a place on, row by row: ref, first, shape
-    shape: Callable[..., Shape]  # a shape of a block as this record has it: block, shape
+    part: Callable[..., Ref]  # elements of a value from an offset, row by row: ref, offset, shape
+    shape: Callable[..., Shape]  # a shape of a block in this record: block, shape
 
-    def __init__(self, wiring: Wiring, outside: Mapping[int, int]):
-        """Begin without values; `outside` has the sizes of the diagram's inputs by first signal."""
+    def __init__(self, wiring: Wiring, input_sizes: Mapping[int, int]):
+        """Begin without values; `input_sizes` has the diagram's input ports by first signal."""
         self.wiring = wiring
         self.inputs: dict[int, Ref] = {}  # of the diagram, by first signal
         self.outputs: dict[int, Ref] = {}  # of blocks so far, by first signal
-        sizes = {
-            part.start + node.outputs.start: part.stop - part.start
+        output_sizes = {
+            node.outputs.start + signals.start: signals.stop - signals.start
             for node in wiring.nodes
-            for part, _ in places(node.system.output_shapes).values()
+            for signals, _ in places(node.system.output_shapes).values()
         }
-        self._sizes = sizes, outside  # of the ports of blocks, and of the diagram, by first signal
-        self._firsts = [[at for at, n in own.items() for _ in range(n)] for own in self._sizes]
+        # sizes of ports by first signal, and the first signal of each signal's port
+        self._sizes = output_sizes, input_sizes
+        self._firsts = [
+            [first for first, size in sizes.items() for _ in range(size)] for sizes in self._sizes
+        ]
 
     # --- a block ------------------------------------------------------------------------------
 
     def run(self, k: int, role: str, fed: Mapping[str, Ref]) -> list[Ref]:
-        """Write a block's record on what feeds it; return the value of each port."""
+        """Write a block's record with its inputs; return the value of each port."""
         record = self.wiring.nodes[k].system.array_record(role)
         values: list[Ref] = []
         for operation in record.operations:
             kind, arguments, shape, at = operation
-            if kind == "leaf":
-                values.append(fed[at[1]] if at[0] == "u" else self.leaf(k, at[0], at[1], shape))
+            if kind != "leaf":
+                refs = [values[a] if type(a) is int else a for a in arguments]
+                values.append(self.put(k, role, record, operation, refs))
+            elif at[0] == "u":
+                values.append(fed[at[1]])
             else:
-                own = [values[a] if type(a) is int else a for a in arguments]
-                values.append(self.put(k, role, record, operation, own))
+                values.append(self.leaf(k, at[0], at[1], shape))
         return [values[ref] if type(ref) is int else ref for ref in record.outputs]
 
     def fed(self, k: int) -> dict[str, Ref]:
-        """Return the value that feeds each input port of a block."""
-        node, values, first = self.wiring.nodes[k], {}, 0
-        for port, shape in node.system.declared["inputs"].items():
-            places = range(first, first := first + prod(node.system.input_shapes[port]))
-            values[port] = self.brought(node, port, places, self.shape(node.system, shape))
+        """Return the value of each input port of a block."""
+        block, values = self.wiring.nodes[k].system, {}
+        for port, (signals, _) in places(block.input_shapes).items():
+            shape = self.shape(block, block.declared["inputs"][port])
+            inputs = range(signals.start, signals.stop)
+            values[port] = self.joined(self.wiring.nodes[k], port, inputs, shape)
         return values
 
-    def brought(self, node: Node, port: str, places: range, shape: Shape) -> Ref:
-        """Return what feeds the inputs of a port: a whole array if it can, else joined pieces."""
+    def joined(self, node: Node, port: str, inputs: range, shape: Shape) -> Ref:
+        """Return the value of the inputs of a port: a whole array, or pieces joined."""
         pieces: list[Ref] = []
-        for sources, group in groupby(places, lambda to: self._sources(node.rows[to], to)):
-            to, *more = group
-            own = shape if len(more) + 1 == len(places) else (len(more) + 1,)
-            total: Ref | None = None
-            for external, first, ahead, gain in sources:
-                ref = (self.inputs if external else self.outputs)[first]
-                if type(ref) is not int:
-                    ref = self.add("fill", (ref,), (self._sizes[external][first],))
-                value = self.part(ref, ahead + to, own)
-                value = value if gain == 1.0 else self.add("mul", (value, gain), own)
-                total = value if total is None else self.add("add", (total, value), own)
-            if len(more) + 1 < len(places) and type(total) is not int:
-                total = self.add("fill", (0.0 if total is None else total,), own)
-            pieces.append(0.0 if total is None else total)
+        for sources, group in groupby(inputs, lambda k: self._sources(node.rows[k], k)):
+            piece = [*group]
+            is_whole = len(piece) == len(inputs)
+            piece_shape = shape if is_whole else (len(piece),)
+            total = self._sum(sources, piece[0], piece_shape)
+            if not is_whole and type(total) is not int:
+                total = self.add("fill", (total,), piece_shape)
+            pieces.append(total)
         if len(pieces) == 1:
             return pieces[0]
-        return self.part(self.add("join", pieces, (len(places),)), 0, shape) if pieces else 0.0
+        return self.part(self.add("join", pieces, (len(inputs),)), 0, shape) if pieces else 0.0
 
-    def _sources(self, row: Row, to: int) -> list[tuple[bool, int, int, float]]:
-        """Return (if external, first signal of the source's port, place in it less `to`, gain)."""
-        found = []
-        for k, gain in row.items():
-            external, source = k < 0, ~k if k < 0 else k
-            first = self._firsts[external][source]
+    def _sum(self, sources: list[Source], k: int, shape: Shape) -> Ref:
+        """Return the sum of the sources of consecutive inputs, the first of which is k."""
+        total: Ref | None = None
+        for external, first, offset, gain in sources:
+            ref = (self.inputs if external else self.outputs)[first]
+            if type(ref) is not int:
+                ref = self.add("fill", (ref,), (self._sizes[external][first],))
+            value = self.part(ref, offset + k, shape)
+            value = value if gain == 1.0 else self.add("mul", (value, gain), shape)
+            total = value if total is None else self.add("add", (total, value), shape)
+        return 0.0 if total is None else total
+
+    def _sources(self, row: Row, k: int) -> list[Source]:
+        """Return the sources of an input k that have values.
+
+        A block that is evaluated in two steps may have a source without a value in the first.
+        """
+        sources = []
+        for signal, gain in row.items():
+            external, signal = signal < 0, ~signal if signal < 0 else signal
+            first = self._firsts[external][signal]
             if first in (self.inputs if external else self.outputs):
-                found.append((external, first, source - first - to, gain))
-            # else its block is run twice, and this time does not need it
-        return sorted(found)
+                sources.append(Source(external, first, signal - first - k, gain))
+        return sorted(sources)
 
 
 class TapeRecord(RecordMerger):
@@ -130,58 +156,60 @@ class TapeRecord(RecordMerger):
         stand_in: StandIn = lambda node, u, shapes: None,
         closed: bool = False,
     ):
-        """Write the blocks in their order; `leaf`, `input_of`, `stand_in` make the first values."""
-        external, at = dict[str, tuple[int, int]](), 0
-        for port, size in counts_of(diagram.input_labels).items():
-            external[port] = at, size
-            at += size
-        super().__init__(wiring, dict(external.values()))
-        self.tape, self.own_leaf = tape, leaf
+        """Write the blocks in their order; `leaf`, `input_of`, `stand_in` return the leaves."""
+        sizes = counts_of(diagram.input_labels)
+        ports = places({port: (size,) for port, size in sizes.items()})
+        firsts = {port: signals.start for port, (signals, _) in ports.items()}
+        super().__init__(wiring, {firsts[port]: size for port, size in sizes.items()})
+        self.tape, self.leaf_of = tape, leaf
         self.open = {} if closed else open_sizes(wiring)
         self.given: dict[str, Any] = {}  # inputs of the diagram, by port
         self.signals: Values = {}  # outputs of blocks
         self.rates: Values = {}
-        self.jumps: Values = {}  # what states jump to
-        self.fields = {node.name: self.fields_of(node.system) for node in wiring.nodes}
+        self.jumps: Values = {}  # states after a jump
+        self.fields = {node.name: self._parameter_shapes(node.system) for node in wiring.nodes}
         self.pinned = set[tuple[str, str]]()  # parameters that are numbers
         self.owners: dict[int, str] = {}  # operation -> "block.role"
-        for port, (first, size) in external.items():
-            self.given[port] = input_of(port, *self.outside_shape(first, size))
+
+        for port, first in firsts.items():
+            self.given[port] = input_of(port, *self._input_shape(first, sizes[port]))
             self.inputs[first] = operand(self.given[port])
         for k in wiring.order:
-            node, at = wiring.nodes[k], wiring.nodes[k].outputs.start
-            u = self.arrays(k) if node.system.feedthrough or node.system.opaque else {}
-            declared = node.system.declared["outputs"]
-            shapes = {port: self.shape(node.system, shape) for port, shape in declared.items()}
-            made = stand_in(node, u, shapes)
-            if made is None:
-                made = self.ports(k, "output", u)
-            for port, value in made.items():
-                self.signals[node.name, port] = value
-                self.outputs[at] = operand(value)
-                at += prod(node.system.output_shapes[port])
+            self._write_outputs(k, stand_in)
         for k, node in enumerate(wiring.nodes):
-            u = self.arrays(k)
-            for role, into in (("update", self.rates), ("jump", self.jumps)):
+            u = self._arrays(k)
+            for role, results in (("update", self.rates), ("jump", self.jumps)):
                 if getattr(node.system, f"{role}_function") is not None:
-                    made = self.ports(k, role, u)
-                    into.update({(node.name, port): value for port, value in made.items()})
+                    for port, value in self._results(k, role, u).items():
+                        results[node.name, port] = value
 
-    def fields_of(self, block: Block) -> dict[str, Shape]:
-        """Return the shapes of a block's parameters."""
+    def _write_outputs(self, k: int, stand_in: StandIn) -> None:
+        node = self.wiring.nodes[k]
+        block = node.system
+        u = self._arrays(k) if block.feedthrough or block.opaque else {}
+        declared = block.declared["outputs"]
+        shapes = {port: self.shape(block, shape) for port, shape in declared.items()}
+        values = stand_in(node, u, shapes)
+        if values is None:
+            values = self._results(k, "output", u)
+        for port, (signals, _) in places(block.output_shapes).items():
+            self.signals[node.name, port] = values[port]
+            self.outputs[node.outputs.start + signals.start] = operand(values[port])
+
+    def _parameter_shapes(self, block: Block) -> dict[str, Shape]:
         shapes = block.parameter_shapes
         return {
-            own: self.shape(block, shapes.get(own, np.shape(value)))
-            for own, value in block.parameters._asdict().items()
+            name: self.shape(block, shapes.get(name, np.shape(value)))
+            for name, value in block.parameters._asdict().items()
         }
 
-    def outside_shape(self, first: int, size: int) -> tuple[Shape, Shape]:
-        """Return the shape of a diagram's input, also as the port that it feeds declares it."""
+    def _input_shape(self, first: int, size: int) -> tuple[Shape, Shape]:
+        """Return the shape of a diagram's input, and the shape that its user declares."""
         for node in self.wiring.nodes:
-            fed = {source: to for to, source, _ in node.fed(external=True)}
-            for own, (at, bound) in places(node.system.input_shapes).items():
-                if fed.get(first) == at.start and prod(bound) == size:
-                    declared = node.system.declared["inputs"][own]
+            inputs = {source: to for to, source, _ in node.fed(external=True)}
+            for port, (signals, shape) in places(node.system.input_shapes).items():
+                if inputs.get(first) == signals.start and prod(shape) == size:
+                    declared = node.system.declared["inputs"][port]
                     return self.shape(node.system, declared), declared
         return (size,), (size,)
 
@@ -195,59 +223,60 @@ class TapeRecord(RecordMerger):
         """Write an operation."""
         return self.tape.add(kind, arguments, shape, at)._node
 
-    def put(self, k: int, role: str, record: Record, operation: Operation, own: list[Ref]) -> Ref:
-        """Write down an operation of a block."""
+    def put(
+        self, k: int, role: str, record: Record, operation: Operation, arguments: list[Ref]
+    ) -> Ref:
+        """Write an operation of a block."""
         shape = self.shape(self.wiring.nodes[k].system, operation.shape)
-        return self.add(operation.kind, own, shape, operation.at)
+        return self.add(operation.kind, arguments, shape, operation.at)
 
     def leaf(self, k: int, group: str, name: str, shape: Shape) -> Ref:
         """Return time, or the value of a state or a parameter."""
         if group == "t":
             return self.add("leaf", (), (), ("t", "t"))
         node = self.wiring.nodes[k]
-        return operand(self.own_leaf(group, node, name, self.shape(node.system, shape)))
+        return operand(self.leaf_of(group, node, name, self.shape(node.system, shape)))
 
-    def part(self, ref: Ref, first: int, shape: Shape) -> Ref:
-        """Return elements of a value from a place on; an array of an open size has no parts."""
+    def part(self, ref: Ref, offset: int, shape: Shape) -> Ref:
+        """Return elements of a value; an array of an open size is returned as a whole only."""
         value = self.tape.value(ref)
-        if first == 0 and value.shape == shape:
+        if offset == 0 and value.shape == shape:
             return ref
         if any(isinstance(n, str) for n in (*shape, *value.shape)):
             raise Unread("is not fed function by function, whole ports alike")
-        own = objects(value).ravel()[first : first + prod(shape)]
-        return operand(lifted(self.tape, own.reshape(shape)))
+        elements = objects(value).ravel()[offset : offset + prod(shape)]
+        return operand(lifted(self.tape, elements.reshape(shape)))
 
-    def brought(self, node: Node, port: str, places: range, shape: Shape) -> Ref:
-        """Return what feeds the inputs of a port, in all of its shape."""
+    def joined(self, node: Node, port: str, inputs: range, shape: Shape) -> Ref:
+        """Return the value of the inputs of a port, in all of its shape."""
         try:
-            found = self.tape.value(super().brought(node, port, places, shape))
-            return operand(spread(self.tape, found, shape))
+            value = self.tape.value(super().joined(node, port, inputs, shape))
+            return operand(spread(self.tape, value, shape))
         except Unread as error:
             raise Unread(f"{node.name}.{port} {error}") from None
 
-    def arrays(self, k: int) -> dict[str, Any]:
-        """Return what feeds each input port of a block, as arrays."""
+    def _arrays(self, k: int) -> dict[str, Any]:
+        """Return the input ports of a block as arrays."""
         return {port: self.tape.value(ref) for port, ref in self.fed(k).items()}
 
-    def ports(self, k: int, role: str, u: dict[str, Any]) -> dict[str, Any]:
+    def _results(self, k: int, role: str, u: dict[str, Any]) -> dict[str, Any]:
         """Return the results of a block's function on this tape, by port."""
-        node = self.wiring.nodes[k]
-        block, first = node.system, len(self.tape.operations)
-        self.check_open(node, role, block.array_record(role))
+        node, begin = self.wiring.nodes[k], len(self.tape.operations)
+        block = node.system
+        self._check_open(node, role, block.array_record(role))
         pinned, _ = block.read_with.get(role, ((), ""))
-        self.pinned |= {(node.name, own) for own in pinned}
-        values = self.run(k, role, {port: operand(value) for port, value in u.items()})
+        self.pinned |= {(node.name, name) for name in pinned}
+        refs = self.run(k, role, {port: operand(value) for port, value in u.items()})
         declared = block.declared["outputs" if role == "output" else "states"]
-        made = {
-            port: spread(self.tape, self.tape.value(value), self.shape(block, shape))
-            for (port, shape), value in zip(declared.items(), values, strict=True)
-        }
-        for place in range(first, len(self.tape.operations)):
-            self.owners[place] = f"{node.name}.{role}"
-        return made
+        results = {}
+        for (port, shape), ref in zip(declared.items(), refs, strict=True):
+            results[port] = spread(self.tape, self.tape.value(ref), self.shape(block, shape))
+        for index in range(begin, len(self.tape.operations)):
+            self.owners[index] = f"{node.name}.{role}"
+        return results
 
-    def check_open(self, node: Node, role: str, record: Record) -> None:
-        """Refuse a record for one size where the block's sizes shall stay open."""
+    def _check_open(self, node: Node, role: str, record: Record) -> None:
+        """Refuse a record for one size if the block's sizes are open."""
         block = node.system
         declared = {"x": block.declared["states"], "u": block.declared["inputs"]}
         for kind, _, shape, at in record.operations:

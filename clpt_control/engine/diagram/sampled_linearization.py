@@ -1,12 +1,12 @@
-"""A diagram with sampled blocks, linearized: the discrete system of the whole loop.
+"""Linearization of a diagram with sampled blocks: the discrete system of the whole loop.
 
     x(t + T) = expm(A T) x(t) + ...    between samples, with held inputs of the sampled blocks
     x_d(k + 1) = F x_d(k) + G h(k)     the update of a sampled block at each of its samples
-    h(k) = S x(k) + ...                what it samples then and holds until the next
+    h(k) = S x(k) + ...                its sampled inputs, held until the next sample
 
-The states are those of the continuous blocks and of the sampled ones.  What is held follows from
-them at a sample, so it is none.  Blocks of several periods sample together at each common multiple,
-which is the period of the system; the diagram's inputs are held for that time.
+The states of the result are those of the continuous blocks and of the sampled blocks, without the
+held inputs, which follow from the other states at a sample.  The period of the result is the common
+multiple of all periods.  The diagram's inputs are held for this period.
 
 Source: Kalman, R. E., Bertram, J. E. (1959), A unified approach to the theory of sampling systems,
 J. Franklin Institute 267(5).
@@ -24,13 +24,13 @@ from ...errors import DiagramError
 from ..model.sampled import Sampled
 from .wiring import Wiring
 
-SAME = 1e-9  # relative: ratios of periods that differ by less are equal
+ROUNDING = 1e-9  # relative: ratios of periods that differ by less are equal
 MOST_SAMPLES = 10_000  # within the common period
 
 
 @dataclass
 class SampledBlock:
-    """The places of a sampled block's states among all states of the diagram."""
+    """Indices of a sampled block's states among all states of the diagram."""
 
     name: str
     period: float
@@ -40,23 +40,27 @@ class SampledBlock:
 
 def sampled_blocks(wiring: Wiring) -> list[SampledBlock]:
     """Return the sampled blocks of a diagram."""
-    found = []
+    blocks = []
     for node in wiring.nodes:
         if isinstance(node.system, Sampled):
-            places = np.arange(node.states.start, node.states.stop)
-            own = node.system.inner.nstates
-            found.append(SampledBlock(node.name, node.system.period, places[:own], places[own:]))
-    return found
+            states = np.arange(node.states.start, node.states.stop)
+            updated, held = np.split(states, [node.system.inner.nstates])
+            blocks.append(SampledBlock(node.name, node.system.period, updated, held))
+    return blocks
 
 
 def common_period(blocks: Sequence[SampledBlock]) -> float:
     """Return the least common multiple of the periods; refuse periods without a small one."""
-    first = blocks[0].period
-    ratios = [Fraction(one.period / first).limit_denominator(1000) for one in blocks]
-    period = first * lcm(*(r.numerator for r in ratios)) / gcd(*(r.denominator for r in ratios))
-    apart = [abs(one.period / first / ratio - 1) for one, ratio in zip(blocks, ratios, strict=True)]
-    if max(apart) > SAME or sum(period / one.period for one in blocks) > MOST_SAMPLES:
-        periods = ", ".join(f"{one.name} {one.period:g}" for one in blocks)
+    base = blocks[0].period
+    ratios = [Fraction(block.period / base).limit_denominator(1000) for block in blocks]
+    numerator = lcm(*(ratio.numerator for ratio in ratios))
+    period = base * numerator / gcd(*(ratio.denominator for ratio in ratios))
+    errors = [
+        abs(block.period / base / ratio - 1) for block, ratio in zip(blocks, ratios, strict=True)
+    ]
+    samples = sum(period / block.period for block in blocks)
+    if max(errors) > ROUNDING or samples > MOST_SAMPLES:
+        periods = ", ".join(f"{block.name} {block.period:g}" for block in blocks)
         raise DiagramError(
             f"the sampled blocks have no small common period ({periods}); give them periods of a "
             "simple ratio"
@@ -70,48 +74,54 @@ class SampledSlopes:
 
     rates: np.ndarray  # (n, n + m); 0 for the states of sampled blocks
     signals: np.ndarray  # (q, n + m)
-    jumps: np.ndarray  # (n, n + m): updates of sampled states, and what is sampled
+    jumps: np.ndarray  # (n, n + m): updates of sampled states, and sampled inputs
+
+    def sampled(self, blocks: Sequence[SampledBlock]) -> np.ndarray:
+        """Return the map of states and inputs by which blocks sample, one after the other."""
+        held = np.concatenate([block.held for block in blocks]).astype(int)
+        size = self.jumps.shape[1]
+        others = np.setdiff1d(np.arange(size), held)
+        # held = jumps[held, held] held + jumps[held, others] others
+        inner = np.eye(len(held)) - self.jumps[np.ix_(held, held)]
+        result = np.eye(size)
+        result[held] = 0.0
+        result[np.ix_(held, others)] = np.linalg.solve(inner, self.jumps[held][:, others])
+        return result
+
+    def updated(self, blocks: Sequence[SampledBlock]) -> np.ndarray:
+        """Return the map by which blocks update their states, all at once."""
+        states = np.concatenate([block.updated for block in blocks]).astype(int)
+        result = np.eye(self.jumps.shape[1])
+        result[states] = self.jumps[states]
+        return result
 
 
 def discrete_system(
     slopes: SampledSlopes, blocks: Sequence[SampledBlock], period: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Return A, B, C, D over the common period, and the places of the states that remain."""
-    n, both = slopes.rates.shape
-    held = np.concatenate([one.held for one in blocks])
-    remaining = np.setdiff1d(np.arange(n), held)
-    inputs = np.arange(n, both)
+    """Return A, B, C, D over the common period, and the indices of the remaining states."""
+    nstates, size = slopes.rates.shape
+    rates = np.zeros((size, size))
+    rates[:nstates] = slopes.rates
+    counts = [round(period / block.period) for block in blocks]
+    sample_times = [{Fraction(k, count) for k in range(1, count + 1)} for count in counts]
 
-    def sampled(due: Sequence[SampledBlock]) -> np.ndarray:
-        """Return the map of states and inputs by which blocks sample, one behind the other."""
-        places = np.concatenate([one.held for one in due]).astype(int)
-        inner = np.eye(len(places)) - slopes.jumps[np.ix_(places, places)]
-        others = np.setdiff1d(np.arange(both), places)
-        result = np.eye(both)
-        result[places] = 0.0
-        result[np.ix_(places, others)] = np.linalg.solve(inner, slopes.jumps[places][:, others])
-        return result
-
-    def updated(due: Sequence[SampledBlock]) -> np.ndarray:
-        """Return the map by which blocks update their states, all at once."""
-        places = np.concatenate([one.updated for one in due]).astype(int)
-        result = np.eye(both)
-        result[places] = slopes.jumps[places]
-        return result
-
-    whole = np.zeros((both, both))
-    whole[:n] = slopes.rates
-    counts = [round(period / one.period) for one in blocks]
-    fractions = [{Fraction(k, count) for k in range(1, count + 1)} for count in counts]
-    now, first = Fraction(0), sampled(blocks)
+    # the map of states and inputs over the period, from sample to sample; times in periods
+    time, first = Fraction(0), slopes.sampled(blocks)
     total = first
-    for share in sorted(set().union(*fractions)):
-        due = [one for one, own in zip(blocks, fractions, strict=True) if share in own]
-        total = updated(due) @ expm(whole * (period * float(share - now))) @ total
-        if share < 1:
-            total = sampled(due) @ total
-        now = share
-    columns = np.concatenate([remaining, inputs])
-    step, outputs = total[np.ix_(remaining, columns)], (slopes.signals @ first)[:, columns]
-    k = len(remaining)
-    return step[:, :k], step[:, k:], outputs[:, :k], outputs[:, k:], remaining
+    for sample_time in sorted(set().union(*sample_times)):
+        due = [
+            block for block, times in zip(blocks, sample_times, strict=True) if sample_time in times
+        ]
+        flow = expm(rates * (period * float(sample_time - time)))
+        total = slopes.updated(due) @ flow @ total
+        if sample_time < 1:
+            total = slopes.sampled(due) @ total
+        time = sample_time
+
+    held = np.concatenate([block.held for block in blocks])
+    remaining = np.setdiff1d(np.arange(nstates), held)
+    columns = np.concatenate([remaining, np.arange(nstates, size)])
+    A, B = np.split(total[np.ix_(remaining, columns)], [len(remaining)], axis=1)
+    C, D = np.split((slopes.signals @ first)[:, columns], [len(remaining)], axis=1)
+    return A, B, C, D, remaining

@@ -27,7 +27,7 @@ from ..record.derivative import STEPS, Direction
 from ..record.graph import Record, Shape, bound, compact
 from ..trace.arrays import Array, Tape, operand
 from ..trace.elementwise import elementwise, lifted, spread, stacked
-from .evaluation_order import asked_at_once
+from .evaluation_order import unsampled
 from .wiring import Row, Wiring, call_names, ordered_wiring
 
 ALONG = "d_"  # before the name of a port: its derivatives, a row for each direction
@@ -263,7 +263,7 @@ def _fields_by_name(wiring: Wiring) -> dict[str, list[tuple[int, str]]]:
 
 def read_as_number(block: Block, field: str) -> str | None:
     """Return the function in which a parameter was read as a number, if there is one."""
-    inner = asked_at_once(block)
+    inner = unsampled(block)
     for role in inner.records:
         if field in inner.read_with.get(role, ((), ""))[0]:
             return role

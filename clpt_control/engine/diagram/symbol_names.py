@@ -1,15 +1,16 @@
-"""What states, inputs, outputs and parameters are called where equations are on symbols.
+"""Names of states, inputs, outputs and parameters in symbolic equations.
 
-A state or input is called as python-control labels it, "y", or "x[0]" where there are several; a
-parameter has its own name.  If two have one name, the block comes first: "plant.y"; of a state and
-another output of one block, before the state; "plant.parameter.y" is a parameter called as a state
-or an output of its block.  `Names` holds these rules; a theory may have others.
+A state or input is called as python-control labels it, "y", or "x[0]" if there are several.  A
+parameter has its own name.  If two have the same name, the block's name is a prefix: "plant.y".  A
+state and another output of one block may have the same name: the state gets the prefix.  A
+parameter that is called as a state or an output of its block is "plant.parameter.y".  `Names` has
+these rules; a theory may have others.
 """
 
 from collections import Counter
 from collections.abc import Iterable
 from math import prod
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import sympy
@@ -25,7 +26,7 @@ TIME = sympy.Symbol("t", real=True)
 
 
 def typeset(expression: Any) -> str:
-    """Return an expression as LaTeX, ``plant.x[0]`` as an x with its place and its block."""
+    """Return an expression as LaTeX, ``plant.x[0]`` as an x with its index and its block."""
     expression = sympy.sympify(expression)
     inputs = {
         f: sympy.Symbol(str(f.func)) for f in expression.atoms(AppliedUndef) if f.args == (TIME,)
@@ -33,13 +34,16 @@ def typeset(expression: Any) -> str:
     expression = expression.xreplace(inputs)
     latex = {}
     for symbol in expression.free_symbols:
-        space, _, own = str(symbol).rpartition(".")
-        name, _, place = own.rstrip("]").partition("[")
-        base = sympy.latex(sympy.Symbol(name))
-        base = rf"\mathrm{{{name}}}" if base == name and name[1:] else base
-        base = f"{{{base}}}_{{{place}}}" if place else base
-        space = space.replace("_", r"\_")
-        latex[symbol] = base + (rf"^{{\mathrm{{{space}}}}}" if space else "")
+        block, _, label = str(symbol).rpartition(".")
+        name, _, index = label.rstrip("]").partition("[")
+        text = sympy.latex(sympy.Symbol(name))
+        if text == name and len(name) > 1:
+            text = rf"\mathrm{{{name}}}"
+        if index:
+            text = f"{{{text}}}_{{{index}}}"
+        if block:
+            text += rf"^{{\mathrm{{{block}}}}}".replace("_", r"\_")
+        latex[symbol] = text
     return sympy.latex(expression, symbol_names=latex, mul_symbol=r"\,")
 
 
@@ -48,17 +52,23 @@ def element_name(port: str, shape: Shape, index: tuple) -> str:
     return port if prod(shape) == 1 else f"{port}[{','.join(map(str, index))}]"
 
 
-Group = tuple[str, list[int], Shape]  # a name, its places among a block's signals, its shape
+class Group(NamedTuple):
+    """Signals of a block whose labels form a port."""
+
+    name: str
+    indices: list[int]  # among the block's signals
+    shape: Shape
 
 
 def groups(system: Any, kind: str) -> list[Group]:
     """Return the ports that a block's labels of states or outputs form."""
     shapes = getattr(system, f"{kind}_shapes")
-    found = []
-    for port, places in ports_of(getattr(system, f"{kind}_labels")).items():
-        own = shapes.get(port, (len(places),))
-        found.append((port, places, own if prod(own) == len(places) else (len(places),)))
-    return found
+    ports = []
+    for port, indices in ports_of(getattr(system, f"{kind}_labels")).items():
+        size = len(indices)
+        shape = shapes.get(port, (size,))
+        ports.append(Group(port, indices, shape if prod(shape) == size else (size,)))
+    return ports
 
 
 def fields_of(system: Any) -> list[str]:
@@ -73,32 +83,36 @@ class Names:
     """The names of ports and parameters of a diagram."""
 
     def __init__(self, wiring: Wiring, inputs: Iterable[str]):
-        found, shared = [*inputs], dict[str, list[Any]]()
-        self.kinds: dict[tuple[str, str], list[str]] = {}  # of what a block has by a name
+        self.count = Counter([*inputs])
+        self.kinds: dict[tuple[str, str], list[str]] = {}  # (block, name) -> kinds with this name
+        owners: dict[str, list[Any]] = {}  # of parameters
         for node in wiring.nodes:
-            made, own = ([g for g, *_ in groups(node.system, kind)] for kind in ("output", "state"))
-            own = [] if node.system.states_are_outputs and made == own else own
-            found += dict.fromkeys(made + own)
+            outputs, states = (
+                [group.name for group in groups(node.system, kind)] for kind in ("output", "state")
+            )
+            if node.system.states_are_outputs and outputs == states:
+                states = []
             fields = fields_of(node.system)
-            for kind, names in (("output", made), ("state", own), ("parameter", fields)):
+            self.count.update({*outputs, *states})
+            for kind, names in (("output", outputs), ("state", states), ("parameter", fields)):
                 for name in names:
                     self.kinds.setdefault((node.name, name), []).append(kind)
             for name in fields:
-                shared.setdefault(name, []).append(node.system)
-        for name, systems in shared.items():  # python-control hands one value down to all
+                owners.setdefault(name, []).append(node.system)
+        for name, systems in owners.items():
             values = [getattr(system.parameters, name) for system in systems]
-            one = all(isinstance(system, System) for system in systems)
-            one = one and all(np.array_equal(value, values[0]) for value in values)
-            found += [name] * (1 if one else len(systems))
-        self.count = Counter(found)
+            # python-control gives all its systems the same value
+            is_shared = all(isinstance(system, System) for system in systems)
+            is_shared = is_shared and all(np.array_equal(value, values[0]) for value in values)
+            self.count[name] += 1 if is_shared else len(systems)
 
     def port(self, node: Node, group: str, kind: str) -> str:
         """Return the name of a port of a block, of kind state or output, or of a parameter."""
-        alone = self.count[group] == 1
+        is_unique = self.count[group] == 1
         if kind not in self.kinds.get((node.name, group), ())[1:]:
-            return group if alone else f"{node.name}.{group}"
-        alone = alone and kind == "state"
-        return f"{node.name}.{group}" if alone else f"{node.name}.{kind}.{group}"
+            return group if is_unique else f"{node.name}.{group}"
+        is_unique = is_unique and kind == "state"
+        return f"{node.name}.{group}" if is_unique else f"{node.name}.{kind}.{group}"
 
     def block(self, node: Node) -> str:
         """Return the name of a block."""
@@ -108,22 +122,23 @@ class Names:
         """Return the name of an element of a port."""
         return element_name(port, shape, index)
 
-    def parameter(self, node: Node, own: str, value: np.ndarray, index: tuple) -> sympy.Expr:
+    def parameter(self, node: Node, name: str, value: np.ndarray, index: tuple) -> sympy.Expr:
         """Return the symbol of a parameter's element, which has the sign of its value."""
         number = float(value[index])
         if is_linear(node.system) or not np.isfinite(number):
             return rational(number)
         sign = "positive" if number > 0 else "negative" if number < 0 else "real"
-        sign = "real" if own == "interval" else sign  # its own value, -1, says that it is counted
-        name = element_name(self.port(node, own, "parameter"), value.shape, index)
-        return sympy.Symbol(name, **{sign: True})
+        if name == "interval":  # its value -1 means that it is not set
+            sign = "real"
+        label = element_name(self.port(node, name, "parameter"), value.shape, index)
+        return sympy.Symbol(label, **{sign: True})
 
 
 class Numbers(Names):
     """The same, with parameters as their numbers."""
 
-    def parameter(self, node: Node, own: str, value: np.ndarray, index: tuple) -> sympy.Expr:
-        """Return the number of a parameter's element, but of which interval it is."""
-        if own == "interval":
-            return super().parameter(node, own, value, index)
+    def parameter(self, node: Node, name: str, value: np.ndarray, index: tuple) -> sympy.Expr:
+        """Return the number of a parameter's element, except for the interval."""
+        if name == "interval":
+            return super().parameter(node, name, value, index)
         return rational(float(value[index]))

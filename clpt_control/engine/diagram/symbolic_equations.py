@@ -1,8 +1,8 @@
-"""A diagram's equations on symbols, made from its record.
+"""Symbolic equations of a diagram, made from its record.
 
     y' = -a y + b u            eq.rates["y"], eq["a"], eq.derivative(eq["y"] ** 2)
 
-`symbol_names` says what states, inputs and parameters are called.
+`symbol_names` has the rules for names of states, inputs and parameters.
 """
 
 from collections import Counter
@@ -27,11 +27,11 @@ from ..record.symbolic import LONG, Symbols, extent, rational
 from ..trace.arrays import Tape, Unread, operand
 from .merged_record import TapeRecord
 from .symbol_names import TIME, Names, Numbers, element_name, fields_of, groups, typeset
-from .wiring import Node, Part, Wiring, read_anew, read_unsampled, wiring_of
+from .wiring import Node, Part, Wiring, read_anew, wiring_of
 
-# takes block.role, an operation and its arguments on symbols; returns a remark on it, or None
+# watch("block.role", operation, its arguments on symbols) returns a remark or None
 Watch = Callable[[str, str, tuple], str | None]
-MOST_EQUATIONS = 40  # in one picture
+MOST_EQUATIONS = 40  # shown
 
 
 @dataclass
@@ -60,13 +60,13 @@ class Equations:
     values : dict
         Symbol of a parameter -> its number, an exact rational.
     undefined : list of str
-        Where there may be no value, in sentences.
+        Sentences on operations that may have no value.
     pinned : list of tuple
         Parameters, (block, name), that are numbers, because functions depend on their value.
     discrete : bool
-        Whether time is discrete.
+        True for discrete time.
     periods : dict
-        Sampled block -> its period; its `jumps` are its updates and what it samples.
+        Sampled block -> its period; its `jumps` are its updates and its samples.
 
     Examples
     --------
@@ -92,11 +92,11 @@ class Equations:
     periods: dict[str, float] = field(default_factory=dict)
 
     def __getitem__(self, name: str) -> Any:
-        found = self.named.get(name)
-        if found is None:
-            known = ", ".join(self.named)
-            raise DiagramError(f"{self.name}: has no '{name}'; it has {known}")
-        return found.flat[0] if found.shape in ((), (1,)) else found
+        if name not in self.named:
+            known_names = ", ".join(self.named)
+            raise DiagramError(f"{self.name}: has no '{name}'; it has {known_names}")
+        symbols = self.named[name]
+        return symbols.flat[0] if symbols.shape in ((), (1,)) else symbols
 
     @cached_property
     def named(self) -> dict[str, np.ndarray]:
@@ -106,53 +106,58 @@ class Equations:
     @cached_property
     def motion(self) -> dict[Any, sympy.Expr]:
         """State's symbol -> its rate, in the diagram's order."""
-        return {
-            s: rate
-            for port, own in self.states.items()
-            for s, rate in zip(own.flat, self.rates[port].flat, strict=True)
-        }
+        motion = {}
+        for port, symbols in self.states.items():
+            motion.update(zip(symbols.flat, self.rates[port].flat, strict=True))
+        return motion
 
     @public
     def derivative(self, expression: sympy.Expr | str | float) -> sympy.Expr:
         """Differentiate an expression along the equations.
 
-        It is of the states, or the name of a port of one signal.  Opaque functions and inputs are
-        differentiated in time as well.
+        The expression has the states as symbols, or is the name of a port of one signal.  Opaque
+        functions and inputs are differentiated with respect to time as well.
         """
         if self.discrete:
             raise DiagramError(f"{self.name}: is of discrete time, in which nothing has a rate")
-        found = sympy.sympify(self[expression] if isinstance(expression, str) else expression)
-        if not isinstance(found, sympy.Expr):
+        value = sympy.sympify(self[expression] if isinstance(expression, str) else expression)
+        if not isinstance(value, sympy.Expr):
             raise DiagramError(f"{self.name}: {expression} is of several signals; give one of them")
-        moving = {TIME: sympy.Integer(1), **self.motion}
-        return sympy.Add(*(sympy.diff(found, s) * rate for s, rate in moving.items()))
+        rates = {TIME: sympy.Integer(1), **self.motion}
+        return sympy.Add(*(sympy.diff(value, s) * rate for s, rate in rates.items()))
 
     def jumps_at_once(self) -> Iterator[dict[Any, Any]]:
-        """Yield state -> value after a jump, for each set that may jump."""
+        """Yield state -> value after a jump, for each set of blocks that may jump together."""
         for count in range(1, len(self.jumps) + 1):
-            for together in combinations(self.jumps.values(), count):
-                yield {s: new for one in together for s, new in one.items()}
+            for blocks in combinations(self.jumps.values(), count):
+                yield {s: value for jump in blocks for s, value in jump.items()}
 
-    # --- how they are shown -----------------------------------------------------------------
+    # --- text and LaTeX ---------------------------------------------------------------------
 
-    def _lines(self, print_as: Callable[[Any], str], rate: str, jump: str) -> Iterator[str]:
-        """Yield the equations one by one: rates, signals that are no states, jumps."""
-        next_or_rate = jump if self.discrete else rate
+    def _rows(self, rate: str, jump: str) -> Iterator[tuple[str, Any, Any]]:
+        """Yield format, symbol and value: of rates, signals that are no states, jumps."""
         sampled = {s for block in self.periods for s in self.jumps[block]}
-        rows = [(next_or_rate, s, v) for s, v in self.motion.items() if s not in sampled]
-        plain = {*self.motion, *(s for port in self.inputs.values() for s in port.flat)}
+        for s, value in self.motion.items():
+            if s not in sampled:
+                yield jump if self.discrete else rate, s, value
+        inputs = {s for symbols in self.inputs.values() for s in symbols.flat}
         for port, values in self.signals.items():
             for index, value in np.ndenumerate(values):
-                if value not in plain:
-                    name = element_name(port, values.shape, index)
-                    rows.append(("{}", sympy.Symbol(name), value))
+                if value not in self.motion and value not in inputs:
+                    yield "{}", sympy.Symbol(element_name(port, values.shape, index)), value
         for block, changes in self.jumps.items():
-            each = f" (each {self.periods[block]:g})" if block in self.periods else ""
-            rows += [(jump + each, s, new) for s, new in changes.items() if new != s]
+            period = f" (each {self.periods[block]:g})" if block in self.periods else ""
+            for s, value in changes.items():
+                if value != s:
+                    yield jump + period, s, value
+
+    def _lines(self, print_as: Callable[[Any], str], rate: str, jump: str) -> Iterator[str]:
+        """Yield the equations as text."""
+        rows = [*self._rows(rate, jump)]
         for form, s, value in rows[:MOST_EQUATIONS]:
-            parts = extent(sympy.sympify(value))[0]
-            right = print_as(value if parts <= LONG else sympy.Symbol(f"({parts} parts)"))
-            yield f"{form.format(print_as(s))} = {right}"
+            size, _ = extent(sympy.sympify(value))
+            shown = value if size <= LONG else sympy.Symbol(f"({size} parts)")
+            yield f"{form.format(print_as(s))} = {print_as(shown)}"
         if len(rows) > MOST_EQUATIONS:
             yield f"... {len(rows) - MOST_EQUATIONS} more"
 
@@ -167,134 +172,157 @@ class Equations:
         return "$\\displaystyle\\begin{aligned}" + r" \\ ".join(lines) + "\\end{aligned}$"
 
 
-class _Read:
-    """The leaves of a diagram's record, and its equations on symbols."""
+class _SymbolicRecord:
+    """A diagram's record with symbols for its leaves, and its equations."""
 
     def __init__(self, diagram: Any, wiring: Wiring, names: Names, hidden: Iterable[str]):
-        self.diagram, self.wiring, self.names, self.hidden = diagram, wiring, names, set(hidden)
-        self.tape, self.table = Tape(), dict[Any, Any]()
+        self.wiring, self.names, self.hidden = wiring, names, set(hidden)
+        self.tape = Tape()
+        self.table: dict[Any, Any] = {}  # leaf -> symbols
         self.result = Equations(diagram.name, {}, {}, {}, {}, {}, {}, {}, discrete=bool(wiring.dt))
-        self.arguments: dict[Any, list[Any]] = {}  # of undefined functions
-        # of states, by block and port
-        self.symbols = {node.name: self.states_of(node) for node in wiring.nodes}
+        self.undefined_functions: dict[Any, tuple] = {}  # leaf -> node, port, shape, inputs
+        # states by block and port
+        self.symbols = {node.name: self._states_of(node) for node in wiring.nodes}
+        self.record = TapeRecord(
+            diagram, wiring, self._leaf, self._input_of, self.tape, self._stand_in, closed=True
+        )
 
-    def states_of(self, node: Node) -> dict[str, np.ndarray]:
-        """Make the symbols of a block's states; return them by its own ports."""
-        flat = np.empty(node.system.nstates, dtype=object)
-        for group, at, shape in groups(node.system, "state"):
-            port = self.names.port(node, group, "state")
-            declared = node.system.declared["states"].get(group, shape)
-            flat[at] = [
+    # --- symbols of leaves ------------------------------------------------------------------
+
+    def _states_of(self, node: Node) -> dict[str, np.ndarray]:
+        """Return new symbols of a block's states, by port."""
+        block = node.system
+        symbols = np.empty(block.nstates, dtype=object)
+        for name, indices, shape in groups(block, "state"):
+            port = self.names.port(node, name, "state")
+            declared = block.declared["states"].get(name, shape)
+            symbols[indices] = [
                 sympy.Symbol(self.names.element(port, shape, declared, index), real=True)
                 for index in np.ndindex(shape)
             ]
-            self.result.states[port] = flat[at].reshape(shape)
-        where = places(node.system.state_shapes)
-        return {port: flat[own].reshape(shape) for port, (own, shape) in where.items()}
+            self.result.states[port] = symbols[indices].reshape(shape)
+        ports = places(block.state_shapes)
+        return {port: symbols[signals].reshape(shape) for port, (signals, shape) in ports.items()}
 
-    def leaf(self, group: str, node: Node, name: str, shape: Shape) -> Any:
+    def _leaf(self, group: str, node: Node, name: str, shape: Shape) -> Any:
         """Return a state or a parameter of a block as an array."""
-        symbols = self.symbols[node.name][name] if group == "x" else self.parameter(node, name)
-        return self.array((group, (node.name, name)), symbols)
+        is_state = group == "x"
+        symbols = self.symbols[node.name][name] if is_state else self._parameter(node, name)
+        return self._array((group, (node.name, name)), symbols)
 
-    def array(self, at: tuple, symbols: np.ndarray) -> Any:
-        """Return a leaf of the tape that has these symbols."""
+    def _array(self, at: tuple, symbols: np.ndarray) -> Any:
+        """Return a leaf of the tape with these symbols."""
         self.table[at] = symbols
         return self.tape.add("leaf", (), symbols.shape, at)
 
-    def parameter(self, node: Node, name: str) -> np.ndarray:
+    def _parameter(self, node: Node, name: str) -> np.ndarray:
         """Return the symbols of a parameter."""
         value = np.asarray(getattr(node.system.parameters, name), dtype=float)
         symbols = np.empty(value.shape, dtype=object)
         for index in np.ndindex(value.shape):
-            symbols[index] = self.names.parameter(node, name, value, index)
-            if isinstance(symbols[index], sympy.Symbol) and name != "interval":
-                self.result.values[symbols[index]] = rational(float(value[index]))
+            symbol = symbols[index] = self.names.parameter(node, name, value, index)
+            if isinstance(symbol, sympy.Symbol) and name != "interval":
+                self.result.values[symbol] = rational(float(value[index]))
         return symbols
 
-    def input_of(self, port: str, shape: Shape, declared: Shape) -> Any:
+    def _input_of(self, port: str, shape: Shape, declared: Shape) -> Any:
         """Return an input of the diagram as an array."""
-        self.result.inputs[port] = self.functions(port, shape, declared)
-        return self.array(("u", port), self.result.inputs[port])
+        self.result.inputs[port] = self._functions(port, shape, declared)
+        return self._array(("u", port), self.result.inputs[port])
 
-    def functions(self, port: str, shape: Shape, declared: Shape, *of: Any) -> np.ndarray:
-        """Return undefined functions of time, and of more."""
+    def _functions(self, port: str, shape: Shape, declared: Shape, *inputs: Any) -> np.ndarray:
+        """Return undefined functions of time and of inputs."""
         functions = np.empty(shape, dtype=object)
         for index in np.ndindex(shape):
             name = self.names.element(port, shape, declared, index)
-            functions[index] = sympy.Function(name, real=True)(TIME, *of)
+            functions[index] = sympy.Function(name, real=True)(TIME, *inputs)
         return functions
 
-    def stand_in(self, node: Node, u: dict[str, Any], shapes: dict[str, Shape]) -> Any:
-        """Return the outputs of a block that stays undefined; None of another."""
+    def _stand_in(self, node: Node, u: dict[str, Any], shapes: dict[str, Shape]) -> Any:
+        """Return the outputs of a block that is an undefined function; None for other blocks."""
         if not (node.system.opaque or node.system.name in self.hidden):
             return None
         outputs = {}
         for port, shape in shapes.items():
             at = "o", (node.name, port)
-            self.arguments[at] = [node, port, shape, list(u.values())]
+            self.undefined_functions[at] = node, port, shape, [*u.values()]
             outputs[port] = self.tape.add("leaf", (), shape, at)
         return outputs
 
-    def element(self, at: tuple, shape: Shape, index: tuple) -> Any:
+    def _element(self, at: tuple, shape: Shape, index: tuple) -> Any:
         """Return the symbol of an element of a leaf."""
         if at[0] == "t":
             return TIME
         if at not in self.table:
-            node, port, shape, fed = self.arguments[at]
+            node, port, shape, arrays = self.undefined_functions[at]
             declared = node.system.declared["outputs"][port]
-            of = [e for own in fed for e in self.elements.all_of(operand(own))]
+            inputs = [e for array in arrays for e in self.elements.all_of(operand(array))]
             name = self.names.port(node, port, "output")
-            self.table[at] = self.functions(name, shape, declared, *of)
+            self.table[at] = self._functions(name, shape, declared, *inputs)
         return self.table[at][index]
+
+    # --- equations ----------------------------------------------------------------------------
 
     def equations(self, watch: Watch) -> Equations:
         """Return the equations of the diagram."""
-        result, names, wiring = self.result, self.names, self.wiring
-        record = TapeRecord(
-            self.diagram, wiring, self.leaf, self.input_of, self.tape, self.stand_in, closed=True
-        )
+        result = self.result
 
-        def watched(place: int, kind: str, arguments: tuple) -> None:
-            owner = record.owners.get(place)
+        def watched(index: int, kind: str, arguments: tuple) -> None:
+            owner = self.record.owners.get(index)
             if owner is not None and (remark := watch(owner, kind, arguments)):
                 result.undefined.append(f"{owner} {remark}")
 
-        self.elements = Symbols(self.tape.operations, self.element, watched)
-
-        def flat(values: Mapping[Any, Any], node: Node, ports: Iterable[str]) -> np.ndarray:
-            arrays = (self.elements.all_of(operand(values[node.name, port])) for port in ports)
-            return np.array([*chain.from_iterable(arrays), None], dtype=object)[:-1]
-
-        for node in wiring.nodes:
-            system, block = node.system, names.block(node)
-            for kind, made, shown in (
-                ("output", record.signals, result.signals),
-                ("state", record.rates, result.rates),
-            ):
-                values = flat(made, node, system.declared[f"{kind}s"])
-                for group, at, shape in groups(system, kind):
-                    shown[names.port(node, group, kind)] = values[at].reshape(shape)
-            if system.jump_function is not None:
-                symbols = np.concatenate([s.ravel() for s in self.symbols[node.name].values()])
-                after = flat(record.jumps, node, system.declared["states"])
-                result.jumps[block] = dict(zip(symbols, after, strict=True))
-            if isinstance(system, Sampled):
-                result.periods[block] = system.period
-            fields: dict[str, Any] = {}
-            for name in fields_of(system):
-                value = getattr(system.parameters, name)
-                fields[name] = value if isinstance(value, int) else self.parameter(node, name)[()]
-                if name != "interval" and not is_linear(system):
-                    symbol = names.port(node, name, "parameter")
-                    result.fields[symbol] = np.asarray(fields[name], dtype=object)
-            result.parameters[block] = Parameters(**fields)
-        result.pinned = sorted(record.pinned)
-        own = chain.from_iterable(ports.values() for ports in self.symbols.values())
-        twice = [s for s, n in Counter(s for port in own for s in port.flat).items() if n > 1]
-        if twice:
-            raise DiagramError(f"{result.name}: two states are called {twice[0]}; rename one")
+        self.elements = Symbols(self.tape.operations, self._element, watched)
+        for node in self.wiring.nodes:
+            self._add_signals(node)
+            self._add_parameters(node)
+        result.pinned = sorted(self.record.pinned)
+        ports = chain.from_iterable(ports.values() for ports in self.symbols.values())
+        counts = Counter(s for symbols in ports for s in symbols.flat)
+        for symbol, count in counts.items():
+            if count > 1:
+                raise DiagramError(f"{result.name}: two states are called {symbol}; rename one")
         return result
+
+    def _add_signals(self, node: Node) -> None:
+        """Add the signals, rates and jumps of a block."""
+        system, result = node.system, self.result
+        for kind, values, expressions in (
+            ("output", self.record.signals, result.signals),
+            ("state", self.record.rates, result.rates),
+        ):
+            elements = self._elements_of(values, node, system.declared[f"{kind}s"])
+            for name, indices, shape in groups(system, kind):
+                port = self.names.port(node, name, kind)
+                expressions[port] = elements[indices].reshape(shape)
+        block = self.names.block(node)
+        if system.jump_function is not None:
+            symbols = np.concatenate([s.ravel() for s in self.symbols[node.name].values()])
+            elements = self._elements_of(self.record.jumps, node, system.declared["states"])
+            result.jumps[block] = dict(zip(symbols, elements, strict=True))
+        if isinstance(system, Sampled):
+            result.periods[block] = system.period
+
+    def _elements_of(
+        self, values: Mapping[Any, Any], node: Node, ports: Iterable[str]
+    ) -> np.ndarray:
+        """Return the elements of ports of a block."""
+        elements: list[Any] = []
+        for port in ports:
+            elements += self.elements.all_of(operand(values[node.name, port]))
+        flat = np.empty(len(elements), dtype=object)
+        flat[:] = elements
+        return flat
+
+    def _add_parameters(self, node: Node) -> None:
+        fields: dict[str, Any] = {}
+        for name in fields_of(node.system):
+            value = getattr(node.system.parameters, name)
+            fields[name] = value if isinstance(value, int) else self._parameter(node, name)[()]
+            if name != "interval" and not is_linear(node.system):
+                port = self.names.port(node, name, "parameter")
+                self.result.fields[port] = np.asarray(fields[name], dtype=object)
+        self.result.parameters[self.names.block(node)] = Parameters(**fields)
 
 
 def on_symbols(
@@ -304,14 +332,20 @@ def on_symbols(
     watch: Watch = lambda owner, kind, arguments: None,
     with_samples: bool = False,
 ) -> Equations:
-    """Return a diagram's equations as it is now; blocks named in `hidden` stay undefined functions.
+    """Return a diagram's equations as it is now; blocks named in `hidden` are undefined functions.
 
     Functions that cannot be traced are refused, and sampled blocks unless `with_samples`.
     """
-    wiring = read_unsampled(diagram) if not with_samples else wiring_of(diagram)
+    read_anew(diagram)
+    wiring = wiring_of(diagram)
+    for node in wiring.nodes:
+        if isinstance(node.system, Sampled) and not with_samples:
+            raise DiagramError(
+                f"{node.name}: samples its inputs; give the design that it was sampled from"
+            )
     try:
-        own = names(wiring, ports_of(diagram.input_labels))
-        return _Read(diagram, wiring, own, hidden).equations(watch)
+        diagram_names = names(wiring, ports_of(diagram.input_labels))
+        return _SymbolicRecord(diagram, wiring, diagram_names, hidden).equations(watch)
     except Unread as error:
         raise DiagramError(f"{error}") from None
 
@@ -325,8 +359,8 @@ def equations(system: control.NonlinearIOSystem, numbers: bool = False) -> Equat
     system : control.NonlinearIOSystem
         A diagram, a block or a system of python-control: ``control.nlsys``, ``control.ss``.
     numbers : bool, optional
-        Whether parameters are their numbers, as exact rationals; else they are symbols that have
-        the signs of their values. Matrices of linear systems are numbers.
+        True for parameters as numbers, exact rationals. By default they are symbols that have the
+        signs of their values. Matrices of linear systems are numbers.
 
     Returns
     -------
@@ -352,5 +386,4 @@ def equations(system: control.NonlinearIOSystem, numbers: bool = False) -> Equat
     >>> eq.derivative(eq["y"] ** 2)
     2*y*(-a*y + u(t))
     """
-    read_anew(system)
     return on_symbols(system, Numbers if numbers else Names, with_samples=True)

@@ -1,9 +1,9 @@
-"""The wires of an interconnected system: a diagram as a list of blocks.
+"""Wiring of an interconnected system: a diagram as an ordered list of blocks.
 
 python-control stores a diagram as matrices: `connect_map` (block outputs to block inputs),
-`input_map` and `output_map`.  Here they become a list of blocks, in an order (`order`) in which one
-pass computes every signal once.  The engine, the proofs and the drawing all take a diagram from
-here.
+`input_map` and `output_map`.  `wiring_of` returns them as a list of blocks.  In its order
+(`evaluation_order`) one pass computes every signal once.  The engine, the proofs and the drawing
+all use this list.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -16,40 +16,39 @@ import numpy as np
 
 from ...errors import DiagramError
 from ..model.block import Block
-from ..model.sampled import Sampled
 from ..model.system import System, linear
 from .evaluation_order import order_of
 
-SMALL = 40_000  # entries of the largest matrix that is not sparse
-Part: TypeAlias = control.NonlinearIOSystem  # of a diagram
-Params = Mapping[str, Any] | None  # at call time, as python-control takes them
+MOST_DENSE = 40_000  # entries of the largest matrix that is not sparse
+Part: TypeAlias = control.NonlinearIOSystem  # a subsystem of a diagram
+Params = Mapping[str, Any] | None  # call-time parameters, as python-control has them
 Sizes = tuple[int | None, int | None]  # of states and inputs, for a system that leaves them open
-Row = dict[int, float]  # a sum: signal, or ~k for the diagram's input k -> its gain
+Row = dict[int, float]  # a sum of signals: block output k, or diagram input ~k -> its gain
 
 
 class Wire(NamedTuple):
-    """Consecutive signals, ``u += gain * source``."""
+    """Connection of consecutive signals, ``u += gain * source``."""
 
-    to: int  # first input of the block that is fed
+    to: int  # first of the block's inputs
     source: int  # first signal among all block outputs, or among the diagram's inputs
     size: int  # number of consecutive signals
-    gain: float  # factor on each
-    external: bool  # true where the source is an input of the diagram
+    gain: float
+    external: bool  # true if the source is an input of the diagram
 
 
 @dataclass(frozen=True)
 class Node:
-    """One block in its place."""
+    """A block and the indices of its signals in the diagram."""
 
-    system: Part  # the block
-    name: str  # its name; inside a nested diagram ``"outer.inner"``
-    states: slice  # where its states stand among all states
+    system: Part
+    name: str  # inside a nested diagram ``"outer.inner"``
+    states: slice  # among the states of the diagram
     inputs: slice  # among all block inputs
     outputs: slice  # among all block outputs
-    rows: tuple[Row, ...]  # what feeds each of its inputs
+    rows: tuple[Row, ...]  # sources of each input
 
     def fed(self, external: bool = False) -> Iterator[tuple[int, int, float]]:
-        """Yield each input that blocks feed, or that the diagram's inputs do: it, source, gain."""
+        """Yield (input, source, gain) for sources in blocks, or for the diagram's inputs."""
         for to, row in enumerate(self.rows):
             for k, gain in row.items():
                 if (k < 0) is external:
@@ -57,16 +56,17 @@ class Node:
 
     @cached_property
     def wires(self) -> tuple[Wire, ...]:
-        """What feeds it, one wire for consecutive signals; those of the diagram's inputs last."""
+        """Wires to the block's inputs; wires from the diagram's inputs are the last."""
         wires: list[Wire] = []
         for external in (False, True):
-            following: dict[tuple, int] = {}  # the signal that would continue a wire -> its place
+            # the signal that would continue a wire -> the index of the wire
+            continuing: dict[tuple, int] = {}
             for to, source, gain in sorted(self.fed(external)):
-                k = following.pop((to, source, gain), len(wires))
+                k = continuing.pop((to, source, gain), len(wires))
                 if k == len(wires):
                     wires.append(Wire(to, source, 0, gain, external))
                 wires[k] = wires[k]._replace(size=wires[k].size + 1)
-                following[to + 1, source + 1, gain] = k
+                continuing[to + 1, source + 1, gain] = k
         return tuple(wires)
 
 
@@ -74,11 +74,11 @@ class Node:
 class Wiring:
     """A diagram as an ordered list of blocks."""
 
-    nodes: tuple[Node, ...]  # blocks in the diagram's own order
-    order: tuple[int, ...]  # indices into `nodes`, in which outputs can be computed one by one
-    ninputs: int  # inputs of the diagram
-    outputs: tuple[Row, ...]  # of the diagram
-    dt: Any = 0  # of discrete time: from one step to the next, or True
+    nodes: tuple[Node, ...]  # in the diagram's own order
+    order: tuple[int, ...]  # indices into `nodes`, in the order of evaluation
+    ninputs: int
+    outputs: tuple[Row, ...]
+    dt: Any = 0  # period of a discrete diagram, or True
 
     @property
     def blocks(self) -> list[tuple[str, Any]]:
@@ -87,7 +87,7 @@ class Wiring:
 
     @cached_property
     def output_map(self) -> Any:
-        """Outputs of all block outputs and then all inputs, as a matrix; sparse if large."""
+        """The matrix from block outputs and inputs to the diagram's outputs."""
         return self.matrix_of(self.outputs)
 
     def matrix_of(self, rows: Sequence[Row]) -> Any:
@@ -96,215 +96,234 @@ class Wiring:
 
         signals = self.nodes[-1].outputs.stop
         shape = len(rows), signals + self.ninputs
-        matrix: Any = np.zeros(shape) if shape[0] * shape[1] <= SMALL else dok_array(shape)
+        is_small = shape[0] * shape[1] <= MOST_DENSE
+        matrix: Any = np.zeros(shape) if is_small else dok_array(shape)
         for to, row in enumerate(rows):
             for k, gain in row.items():
                 matrix[to, k if k >= 0 else signals + ~k] = gain
-        return matrix if isinstance(matrix, np.ndarray) else matrix.tocsr()
+        return matrix if is_small else matrix.tocsr()
+
+
+# --- nested diagrams as one list of blocks -------------------------------------------------------
 
 
 def _flatten(system: Part, name: str) -> tuple[list[Row], list[Row]]:
-    """Return the sum that feeds each input of a system's leaves, and that each output is."""
+    """Return the rows of the inputs of a system's blocks, and the rows of its outputs."""
     if not isinstance(system, control.NonlinearIOSystem):
         raise DiagramError(
             f"{name} is a {type(system).__name__}: must be blocks, wired, or a system with states, "
             "such as control.ss(...)"
         )
     if not isinstance(system, control.InterconnectedSystem):
-        outside: list[Row] = [{~k: 1.0} for k in range(system.ninputs or 0)]
-        return outside, [{k: 1.0} for k in range(system.noutputs or 0)]
-    fed, made = list[Row](), list[Row]()
-    signals = taken = 0  # of the parts so far; in their rows ~k is an input of a part
-    for part in system.syslist:
-        for rows, own in zip((fed, made), _flatten(part, part.name), strict=True):
-            rows += [{k + signals if k >= 0 else k - taken: g for k, g in r.items()} for r in own]
-        signals += sum(int(one.noutputs or 0) for _, one in leaves([part]))
-        taken += int(part.ninputs or 0)
-    wires, inputs, shown = map(_entries, (system.connect_map, system.input_map, system.output_map))
-    count, known = len(made), dict[int, Row | None]()
+        inputs: list[Row] = [{~k: 1.0} for k in range(system.ninputs or 0)]
+        return inputs, [{k: 1.0} for k in range(system.noutputs or 0)]
 
-    def flat(k: int) -> Row:
-        """Return the sum that output k of the parts is, or behind them their input k - count."""
-        if k not in known:
-            known[k], to = None, k - count
-            sources = [(flat(source), gain) for source, gain in wires.get(to, ())]
-            outer: Row = {~source: gain for source, gain in inputs.get(to, ())}
-            known[k] = closed(made[k]) if to < 0 else added([(outer, 1.0), *sources])
-        if (row := known[k]) is None:
+    # rows inside the subsystems; k is an output of a block, ~k an input of a subsystem
+    block_inputs: list[Row] = []
+    outputs: list[Row] = []
+    first_output = first_input = 0
+    for subsystem in system.syslist:
+        inner_inputs, inner_outputs = _flatten(subsystem, subsystem.name)
+        block_inputs += [_shifted(row, first_output, first_input) for row in inner_inputs]
+        outputs += [_shifted(row, first_output, first_input) for row in inner_outputs]
+        first_output += sum(int(leaf.noutputs or 0) for _, leaf in leaves([subsystem]))
+        first_input += int(subsystem.ninputs or 0)
+
+    connections = _entries(system.connect_map)
+    external = _entries(system.input_map)
+    resolved: dict[int, Row | None] = {}
+
+    def input_row(k: int) -> Row:
+        """Return the row of an input of a subsystem."""
+        if k not in resolved:
+            resolved[k] = None  # while its sources are resolved
+            sources = [(resolve(outputs[j]), gain) for j, gain in connections.get(k, ())]
+            outer: Row = {~j: gain for j, gain in external.get(k, ())}
+            resolved[k] = _sum([(outer, 1.0), *sources])
+        row = resolved[k]
+        if row is None:
             raise DiagramError(f"{name}: nested diagrams feed each other without a block")
         return row
 
-    def closed(row: Row) -> Row:
-        return added([({k: 1.0} if k >= 0 else flat(count + ~k), gain) for k, gain in row.items()])
+    def resolve(row: Row) -> Row:
+        """Return a row of the subsystems as a row of the whole system."""
+        return _sum([({k: 1.0} if k >= 0 else input_row(~k), gain) for k, gain in row.items()])
 
-    outputs = [
-        added([(flat(k), gain) for k, gain in shown.get(to, ())])
+    # an output of the system is a sum of outputs and, after them, inputs of subsystems
+    n = len(outputs)
+    shown = _entries(system.output_map)
+    output_rows = [
+        _sum(
+            [(resolve(outputs[k]) if k < n else input_row(k - n), g) for k, g in shown.get(to, ())]
+        )
         for to in range(len(system.output_map))
     ]
-    return [closed(row) for row in fed], outputs
+    return [resolve(row) for row in block_inputs], output_rows
 
 
-def leaves(
-    parts: Iterable[Part], between: str = ".", space: str = ""
-) -> Iterator[tuple[str, Part]]:
-    """Yield the parts of a diagram with their names, those of nested diagrams too."""
-    for part in parts:
-        if isinstance(part, control.InterconnectedSystem):
-            yield from leaves(part.syslist, between, f"{space}{part.name}{between}")
-        else:
-            yield space + part.name, part
+def _shifted(row: Row, outputs: int, inputs: int) -> Row:
+    return {k + outputs if k >= 0 else k - inputs: gain for k, gain in row.items()}
 
 
-def added(rows: Iterable[tuple[Row, float]]) -> Row:
-    """Return the sum of rows, each by its factor."""
+def _sum(terms: Iterable[tuple[Row, float]]) -> Row:
+    """Return the sum of rows, each with its factor."""
     total: Row = {}
-    for row, factor in rows:
+    for row, factor in terms:
         for k, gain in row.items():
             total[k] = total.get(k, 0.0) + factor * gain
     return total
 
 
 def _entries(matrix: np.ndarray) -> dict[int, list[tuple[int, float]]]:
-    """Return the rows of a matrix: (column, number) of all that is not 0."""
+    """Return the rows of a matrix: (column, number) of each entry that is not 0."""
     rows: dict[int, list[tuple[int, float]]] = {}
-    to, source = np.nonzero(matrix)
-    for i, j, number in zip(*(a.tolist() for a in (to, source, matrix[to, source])), strict=True):
-        rows.setdefault(i, []).append((j, float(number)))
+    for i, j in np.argwhere(matrix).tolist():
+        rows.setdefault(i, []).append((j, float(matrix[i, j])))
     return rows
 
 
-def units_of(wiring: Wiring) -> tuple[list[str], list[str]]:
-    """Return the units of all block outputs, and of the diagram's inputs; "" where there is none.
+def leaves(
+    systems: Iterable[Part], separator: str = ".", path: str = ""
+) -> Iterator[tuple[str, Part]]:
+    """Yield the systems of a diagram and of nested diagrams with their names."""
+    for system in systems:
+        if isinstance(system, control.InterconnectedSystem):
+            yield from leaves(system.syslist, separator, f"{path}{system.name}{separator}")
+        else:
+            yield path + system.name, system
 
-    A signal to which nothing gives a unit has that of a block input that takes it.
+
+def units_of(wiring: Wiring) -> tuple[list[str], list[str]]:
+    """Return the units of all block outputs, and of the diagram's inputs; "" if there is none.
+
+    A signal without a unit of its own has the unit of a block input that reads it.
     """
-    made = [unit for node in wiring.nodes for unit in node.system.units_of("output")]
-    given = [""] * wiring.ninputs
+    outputs = [unit for node in wiring.nodes for unit in node.system.units_of("output")]
+    inputs = [""] * wiring.ninputs
     for node in wiring.nodes:
-        taken = node.system.units_of("input")
-        for row, external in ((made, False), (given, True)):
+        input_units = node.system.units_of("input")
+        for units, external in ((outputs, False), (inputs, True)):
             for to, source, gain in node.fed(external):
                 if gain == 1.0:
-                    row[source] = row[source] or taken[to]
-    return made, given
+                    units[source] = units[source] or input_units[to]
+    return outputs, inputs
 
 
 def wiring_of(diagram: Part, params: Params = None, sizes: Sizes = (None, None)) -> Wiring:
     """Return the wiring of a diagram, nested ones included, of blocks alone.
 
-    python-control's systems become blocks, with `params` as python-control hands them down, and
-    `sizes`, of states and inputs, where they leave them open.  An algebraic loop is refused.
+    python-control's systems become blocks, with `params` as python-control passes them on, and
+    `sizes`, of states and inputs, if a system leaves them open.  An algebraic loop is refused.
     """
-    fed, shown = _flatten(diagram, getattr(diagram, "name", repr(diagram)))
-    systems = blocks_of(diagram, params, sizes)
-    if not systems:
+    inputs, outputs = _flatten(diagram, getattr(diagram, "name", repr(diagram)))
+    blocks = blocks_of(diagram, params, sizes)
+    if not blocks:
         raise DiagramError(f"{diagram.name}: has no blocks; give at least one")
-    if None in (diagram.nstates, diagram.ninputs, diagram.noutputs):  # which its block knows
-        ((name, diagram),) = systems
-        fed, shown = _flatten(diagram, name)
-    return ordered_wiring(systems, fed, int(diagram.ninputs or 0), shown, diagram.dt or 0)
+    if None in (diagram.nstates, diagram.ninputs, diagram.noutputs):  # its block knows the sizes
+        ((name, diagram),) = blocks
+        inputs, outputs = _flatten(diagram, name)
+    return ordered_wiring(blocks, inputs, int(diagram.ninputs or 0), outputs, diagram.dt or 0)
+
+
+def read_anew(system: Any) -> None:
+    """Trace the functions of a diagram's blocks again: objects that they use may have changed."""
+    for subsystem in getattr(system, "syslist", [system]):
+        if isinstance(subsystem, control.InterconnectedSystem):
+            read_anew(subsystem)
+        elif isinstance(subsystem, Block):
+            subsystem.read_anew()
+
+
+# --- python-control's systems as blocks, and the names of their params ----------------------------
 
 
 def blocks_of(
     diagram: Part, params: Params = None, sizes: Sizes = (None, None)
 ) -> list[tuple[str, Block]]:
     """Return the blocks of a diagram with their names, in its own order."""
-    handed = _handed_down(diagram, params or {})
-    named = leaves(getattr(diagram, "syslist", [diagram]))
     return [
-        (name, _as_block(system, own, sizes))
-        for (name, system), own in zip(named, handed, strict=True)
+        (name, _as_block(leaf, leaf_params, sizes))
+        for name, leaf, leaf_params in _leaves_with_params(diagram, params or {})
     ]
 
 
-def read_anew(system: Any) -> None:
-    """Read the functions of a diagram's blocks again: objects that they name may have changed."""
-    for part in getattr(system, "syslist", [system]):
-        if isinstance(part, control.InterconnectedSystem):
-            read_anew(part)
-        elif isinstance(part, Block):
-            part.read_anew()
-
-
-def read_unsampled(system: Any, params: Params = None) -> Wiring:
-    """Return the wiring of a diagram as it is now; refuse one in which a part samples."""
-    read_anew(system)
-    wiring = wiring_of(system, params)
-    name = next((n.name for n in wiring.nodes if isinstance(n.system, Sampled)), None)
-    if name is not None:
-        raise DiagramError(f"{name}: samples its inputs; give the design that it was sampled from")
-    return wiring
-
-
-def _as_block(system: Any, *given: Any) -> Block:
+def _as_block(system: Any, params: Params, sizes: Sizes) -> Block:
     if isinstance(system, Block):
         return system
-    return linear(system) if isinstance(system, control.StateSpace) else System(system, *given)
+    if isinstance(system, control.StateSpace):
+        return linear(system)
+    return System(system, params, sizes)
 
 
-def _handed_down(
-    system: Part, given: Mapping[str, Any], path: str = ""
-) -> Iterator[dict[str, Any]]:
-    """Yield the params of each leaf, as python-control's `_update_params` leaves them."""
+def _leaves_with_params(
+    system: Part, params: Mapping[str, Any], path: str = ""
+) -> Iterator[tuple[str, Part, dict[str, Any]]]:
+    """Yield name, system and params of each leaf, as python-control sets the params."""
     if not isinstance(system, control.InterconnectedSystem):
-        own = {**system.params, **own_params(path + system.name, given)}
-        yield {} if isinstance(system, Block) else own
+        name = path + system.name
+        yield name, system, {**system.params, **own_params(name, params)}
         return
-    for part in system.syslist:
-        inner = f"{path}{part.name}." if isinstance(part, control.InterconnectedSystem) else path
-        above = {} if isinstance(part, Block) else part.params
-        yield from _handed_down(part, {**above, **system.params, **given}, inner)
+    for subsystem in system.syslist:
+        inner = {**subsystem.params, **system.params, **params}
+        nested = isinstance(subsystem, control.InterconnectedSystem)
+        yield from _leaves_with_params(
+            subsystem, inner, f"{path}{subsystem.name}." if nested else path
+        )
 
 
 def own_params(name: str, params: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the params of one system, a key under its name or that of a diagram around it too."""
-    found = dict(params)
-    for space in spaces_of(name)[1:]:
-        found |= {k.removeprefix(space): v for k, v in params.items() if str(k).startswith(space)}
-    return found
+    """Return the params of one system; the key may begin with its name or a diagram's name."""
+    named_params = dict(params)
+    diagrams, systems = prefixes_of(name)
+    for prefix in (*diagrams[1:], *systems):
+        for key, value in params.items():
+            if str(key).startswith(prefix):
+                named_params[key.removeprefix(prefix)] = value
+    return named_params
 
 
 def call_names(name: str, block: Block) -> dict[str, str]:
-    """Return names that a call may give a block's parameters, ``a.plant.k``, and the fields.
+    """Return the names that a call may give a block's parameters, ``a.plant.k``, and the fields.
 
-    Those of python-control's systems, sampled or not, are called ``k`` and ``a.k`` too.
+    Parameters of python-control's systems, sampled or not, are called ``k`` and ``a.k`` too.
     """
-    spaces, inner = spaces_of(name), getattr(block, "inner", block)
-    around, paths = spaces[: len(spaces) // 2], spaces[len(spaces) // 2 :]
+    diagrams, systems = prefixes_of(name)
+    inner = getattr(block, "inner", block)
     fields = inner.parameters._fields if isinstance(inner, System) else ()
-    names = {space + field: field for space in around for field in fields}
-    return names | {space + field: field for space in paths for field in block.parameters._fields}
+    names = {prefix + field: field for prefix in diagrams for field in fields}
+    fields = block.parameters._fields
+    return names | {prefix + field: field for prefix in systems for field in fields}
 
 
-def spaces_of(name: str) -> list[str]:
-    """Return what may stand before a param of ``a.plant``; the last counts.
+def prefixes_of(name: str) -> tuple[list[str], list[str]]:
+    """Return the prefixes of a param of ``a.plant``; the last has priority.
 
-    First the diagrams around it, nothing and ``a.``, then what calls it, ``plant.``, ``a.plant.``.
+    First of the diagrams around it, "" and "a.", then of itself, "plant." and "a.plant.".
     """
     path = name.split(".")
-    around = [path[:k] for k in range(len(path))]
-    calling = [path[k:] for k in reversed(range(len(path)))]
-    return [".".join([*one, ""]) for one in (*around, *calling)]
+    diagrams = [".".join([*path[:k], ""]) for k in range(len(path))]
+    systems = [".".join([*path[k:], ""]) for k in reversed(range(len(path)))]
+    return diagrams, systems
 
 
 def ordered_wiring(
-    systems: Sequence[tuple[str, Part]],
-    fed: Sequence[Row],
+    blocks: Sequence[tuple[str, Part]],
+    inputs: Sequence[Row],
     ninputs: int,
-    shown: Iterable[Row],
+    outputs: Iterable[Row],
     dt: Any = 0,
     order: tuple[int, ...] = (),
 ) -> Wiring:
-    """Return the wiring of named systems; `fed` has the sources of each block input, in order.
+    """Return the wiring of named blocks; `inputs` has the row of each block input, in order.
 
-    The order in which they are computed is found, unless it is known.
+    Without `order`, the order of evaluation is computed.
     """
     nodes, x, u, y = [], 0, 0, 0
-    for name, system in systems:
-        states = slice(x, x := x + system.nstates)
-        inputs = slice(u, u := u + system.ninputs)
-        outputs = slice(y, y := y + system.noutputs)
-        rows = tuple({k: gain for k, gain in row.items() if gain != 0.0} for row in fed[inputs])
-        nodes.append(Node(system, name, states, inputs, outputs, rows))
+    for name, block in blocks:
+        states = slice(x, x := x + block.nstates)
+        own_inputs = slice(u, u := u + block.ninputs)
+        own_outputs = slice(y, y := y + block.noutputs)
+        rows = [{k: gain for k, gain in row.items() if gain} for row in inputs[own_inputs]]
+        nodes.append(Node(block, name, states, own_inputs, own_outputs, tuple(rows)))
     order = order or order_of(nodes)
-    return Wiring(tuple(nodes), order, ninputs, tuple(shown), dt)
+    return Wiring(tuple(nodes), order, ninputs, tuple(outputs), dt)
