@@ -108,11 +108,11 @@ def asked_once(t, x, u, p):
     return 3.0 * p.k * u[0]
 
 
-def test_readings_that_disagree_are_told(monkeypatch):
+def test_backends_that_disagree_are_named(monkeypatch):
     wrong = {**vectors.PRIMITIVES, "mul": vectors.PRIMITIVES["add"]}
     monkeypatch.setattr(vectors, "PRIMITIVES", wrong)
     told = failures(static(asked_once, 1, parameters={"k": 2.0}))
-    assert all(f"the reading '{name}'" in told for name in ("scalar", "lanes"))
+    assert all(f"the backend '{name}'" in told for name in ("scalar", "lanes"))
 
 
 BROKEN = {  # -> what is told
@@ -205,7 +205,7 @@ def test_a_block_too_large_for_sympy_is_told_so():
         readings(block)["symbolic"](0.0, np.ones(150), [1.0])
 
 
-def test_what_cannot_be_read_is_refused_by_each_reading_of_records():
+def test_an_untraced_function_is_refused_by_each_backend_of_records():
     block = static(lambda t, x, u, p: np.roots([1.0, u[0]]).real, 1)
     asked = readings(block)
     for name in asked.keys() - {"python", "control"}:

@@ -1,17 +1,15 @@
-"""Every reading of a diagram by name, a function of a point.
+"""Backends of a diagram by name, each a function of time, states and inputs.
 
-    python      the blocks in Python, one pass in the order of the wiring
+    python      the blocks in Python, one pass in the order of evaluation
     control     python-control's own evaluation of the diagram
-    native      machine code, as it runs
-    scalar      machine code, all axes unrolled
-    looped      machine code, all axes in loops
-    lanes       machine code, one of eight runs side by side
-    symbolic    SymPy's expressions, block by block; opaque blocks stand for themselves
+    native      machine code, as a run uses it
+    scalar      machine code with all axes unrolled
+    looped      machine code with all axes in loops
+    lanes       machine code of eight runs at once, of which one is compared
+    symbolic    SymPy expressions of each block; opaque blocks run in Python
 
-All of them are made from the same functions; they agree, or one refuses with a
-sentence.  Each also reads the jumps of states, but python-control, which knows none.
-
-SymPy's expressions are called with numbers; what is long is a symbol of its own.
+All backends are made from the same functions.  They agree, or a backend refuses with one sentence.
+Each also computes the jumps of states, except python-control, which has no jumps.
 """
 
 import ctypes
@@ -29,7 +27,7 @@ from ...errors import BlockError, DiagramError
 from ..codegen.machine import LANES
 from ..model.block import Block
 from ..model.vectorized import leaf_values
-from ..record import graph as numbers
+from ..record import graph
 from ..record.graph import Shape
 from ..record.scalar_graph import Index
 from ..record.symbolic import ON_NUMBERS, Symbols
@@ -42,11 +40,11 @@ from ..trace.arrays import Unread
 Values = tuple[np.ndarray, np.ndarray]  # state derivative and outputs
 
 
-class Reading(NamedTuple):
-    """One reading of a diagram."""
+class Backend(NamedTuple):
+    """A backend of a diagram."""
 
-    evaluate: Callable[[float, Any, Any], Values]  # at (t, x, u)
-    jump: Callable[[float, Any, Any], np.ndarray]  # states where every block that can has jumped
+    evaluate: Callable[[float, Any, Any], Values]  # of (t, x, u)
+    jump: Callable[[float, Any, Any], np.ndarray]  # states after every block has jumped
 
     def __call__(self, t: float, x: Any, u: Any) -> Values:
         """Return state derivative and outputs."""
@@ -56,8 +54,8 @@ class Reading(NamedTuple):
 @public
 def readings(
     diagram: control.NonlinearIOSystem, params: Mapping[str, Any] | None = None
-) -> dict[str, Reading]:
-    """Return every reading of a diagram, as a function of a point.
+) -> dict[str, Backend]:
+    """Return every backend of a diagram, as a function of time, states and inputs.
 
     Parameters
     ----------
@@ -69,21 +67,21 @@ def readings(
     Returns
     -------
     dict
-        Name -> ``function(t, x, u)``, which returns the state derivative and
-        the diagram's outputs; ``function.jump(t, x, u)`` the states right
-        after all blocks that can jump do.  What cannot be read raises a ClptError.
+        Name -> ``backend(t, x, u)``, which returns the state derivative and the diagram's
+        outputs; ``backend.jump(t, x, u)`` returns the states after all blocks with jumps have
+        jumped.  A backend that cannot evaluate the diagram raises a ClptError when called.
 
     Raises
     ------
     DiagramError
-        If the diagram itself cannot be read.
+        If the diagram itself is refused.
 
     Examples
     --------
     >>> import clpt_control as clpt
     >>> from clpt_control.blocks.clpe import clpe
-    >>> for name, ask in clpt.conformance.readings(clpe()).items():
-    ...     print(name, ask(0.0, [], [3.0, 2.0, 1.0, 1.0])[1])
+    >>> for name, backend in clpt.conformance.readings(clpe()).items():
+    ...     print(name, backend(0.0, [], [3.0, 2.0, 1.0, 1.0])[1])
     python [2. 1.]
     control [2. 1.]
     native [2. 1.]
@@ -102,17 +100,17 @@ def readings(
         raise DiagramError("python-control knows no jumps of states; clpt.simulate runs them")
 
     return {
-        "python": _in_sweep(sweep),
-        "control": Reading(by_control, no_jump),
-        "native": _by_machine(diagram, params, None, 1),
-        "scalar": _by_machine(diagram, params, "unrolled", 1),
-        "looped": _by_machine(diagram, params, "looped", 1),
-        "lanes": _by_machine(diagram, params, None, LANES),
-        "symbolic": _in_sweep(_SymbolicSweep(sweep.wiring, sweep.parameters)),
+        "python": _sweep_backend(sweep),
+        "control": Backend(by_control, no_jump),
+        "native": _native_backend(diagram, params),
+        "scalar": _native_backend(diagram, params, "unrolled"),
+        "looped": _native_backend(diagram, params, "looped"),
+        "lanes": _native_backend(diagram, params, lanes=LANES),
+        "symbolic": _sweep_backend(_SymbolicSweep(sweep.wiring, sweep.parameters)),
     }
 
 
-def _in_sweep(sweep: Sweep) -> Reading:
+def _sweep_backend(sweep: Sweep) -> Backend:
     def evaluate(t: float, x: Any, u: Any) -> Values:
         sweep.enter(t)
         return sweep.derivative(t, x, u), sweep.outputs()
@@ -121,55 +119,74 @@ def _in_sweep(sweep: Sweep) -> Reading:
         sweep.enter(t)
         return sweep.jump(t, x, u, sweep.jumping)
 
-    return Reading(evaluate, jump)
+    return Backend(evaluate, jump)
 
 
-def _by_machine(diagram: Any, params: Any, form: str | None, lanes: int) -> Reading:
-    """Return a reading of machine code; of several lanes the last, the others are elsewhere."""
+def _native_backend(diagram: Any, params: Any, form: str | None = None, lanes: int = 1) -> Backend:
+    compiled = cache(lambda: _MachineCode(NativeDiagram(diagram, params, form), lanes))
 
-    @cache
-    def compiled() -> tuple[NativeDiagram, tuple[np.ndarray, ...]]:
-        native = NativeDiagram(diagram, params, form)
-        program, n = native.code.program, native.nstates
-        sizes = n, program.parameters, program.room, max(n, 3 * program.decided)
-        X, P, W, D = (np.zeros((max(size, 1), lanes)) for size in sizes)
-        return native, (np.zeros(lanes), X, P, np.append(native.layout.T, 0.0), W, D)
+    def evaluate(t: float, x: Any, u: Any) -> Values:
+        return compiled().call(t, x, u, "derivative", "signals")
 
-    def run(t: float, x: Any, u: Any, *functions: str) -> Values:
-        native, arrays = compiled()
-        decided_at, decided = native.decided_at, native.code.program.decided
-        first = ("prepare", "decide") if decided else ()
+    def jump(t: float, x: Any, u: Any) -> np.ndarray:
+        if not compiled().native.layout.jumps:
+            return np.array(x, dtype=float)
+        return compiled().call(t, x, u, "jump")[0]
+
+    return Backend(evaluate, jump)
+
+
+class _MachineCode:
+    """The functions of a compiled diagram and the arrays on which they run.
+
+    The last lane has the states of a call; the others have different states.
+    """
+
+    def __init__(self, native: NativeDiagram, lanes: int):
+        self.native, self.lanes = native, lanes
+        program, nstates = native.code.program, native.nstates
+        sizes = nstates, program.parameters, program.room, max(nstates, 3 * program.decided)
+        self.X, self.P, self.W, self.D = (np.zeros((max(size, 1), lanes)) for size in sizes)
+        self.time, self.T = np.zeros(lanes), np.append(native.layout.T, 0.0)
+
+    def call(self, t: float, x: Any, u: Any, *functions: str) -> Values:
+        """Call functions; return the states' part of D, and the outputs."""
+        native, decided = self.native, self.native.code.program.decided
         x, u = np.asarray(x, dtype=float), np.asarray(u, dtype=float)
-        time, X, P, _, W, D = arrays
-        lane, n, m = lanes - 1, native.nstates, native.wiring.ninputs
-        p = native.parameters()
-        p[native.ramp : native.ramp + 1 + 2 * m] = [t, *u, *np.zeros(m)]
-        for k, place in native.layout.intervals.items():
-            block, parameters = native.wiring.nodes[k].system, native.sweep.parameters[k]
-            p[place] = block.parameters_at(t, parameters).interval
-        p[list(native.layout.jumps.values())] = JUMPS
-        for k in range(lanes):
-            elsewhere = 1.0 + 0.1 * (lane - k)
-            time[k], X[:n, k], P[: len(p), k] = t, x * elsewhere, p
-        names = (*first, "prepare", *functions)
-        for name, address in zip(names, native.code.addresses(names, lanes), strict=True):
+        P = self._parameters(t, u)
+        for lane in range(self.lanes):
+            factor = 1.0 + 0.1 * (self.lanes - 1 - lane)
+            self.time[lane] = t
+            self.X[: len(x), lane] = x * factor
+            self.P[: len(P), lane] = P
+        decide = ("prepare", "decide") if decided else ()
+        names = (*decide, "prepare", *functions)
+        arrays = self.time, self.X, self.P, self.T, self.W, self.D
+        for name, address in zip(names, native.code.addresses(names, self.lanes), strict=True):
             function = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 6)(int(address))
             function(*(array.ctypes.data for array in arrays))
             if name == "decide":
-                P[decided_at : decided_at + decided] = D[:decided]
-        signals = W[: native.nsignals, lane]
-        return D[:n, lane].copy(), native.wiring.output_map @ np.concatenate([signals, u])
+                begin = native.decided_at
+                self.P[begin : begin + decided] = self.D[:decided]
+        signals = self.W[: native.nsignals, -1]
+        outputs = native.wiring.output_map @ np.concatenate([signals, u])
+        return self.D[: native.nstates, -1].copy(), outputs
 
-    def jump(t: float, x: Any, u: Any) -> np.ndarray:
-        if not compiled()[0].layout.jumps:
-            return np.array(x, dtype=float)
-        return run(t, x, u, "jump")[0]
-
-    return Reading(lambda t, x, u: run(t, x, u, "derivative", "signals"), jump)
+    def _parameters(self, t: float, u: np.ndarray) -> np.ndarray:
+        """Return P with inputs, intervals and jumps at a time."""
+        native = self.native
+        P, layout = native.parameters(), native.layout
+        inputs = [t, *u, *np.zeros(len(u))]  # begin, values, slopes
+        P[native.ramp : native.ramp + len(inputs)] = inputs
+        for k, index in layout.intervals.items():
+            block = native.wiring.nodes[k].system
+            P[index] = block.parameters_at(t, native.sweep.parameters[k]).interval
+        P[[*layout.jumps.values()]] = JUMPS
+        return P
 
 
 class _SymbolicSweep(Sweep):
-    """A pass over the diagram by SymPy's expressions."""
+    """An evaluation pass by SymPy expressions."""
 
     def __init__(self, *arguments: Any):
         super().__init__(*arguments)
@@ -188,19 +205,19 @@ class _SymbolicSweep(Sweep):
 # --- SymPy's expressions on numbers ------------------------------------------------------------
 
 
-LONG = 20  # operations; a longer expression is a symbol of its own
-MOST = 20_000  # operations on single numbers; SymPy takes a thousandth of a second for each
-# what loses its digits, or its range, written out: log1p(a) as log(1 + a)
+LONG = 20  # operations; a longer expression gets a symbol of its own
+MOST = 20_000  # scalar operations; SymPy takes a millisecond for each
+# functions that would lose digits, or range, if written out: log1p(a) as log(1 + a)
 PRECISE = {name: sympy.Function(f"{name}_", real=True) for name in ("hypot", "log1p", "expm1")}
 NAMES: dict[str, Callable[..., Any]] = {
     **ON_NUMBERS,
-    **{f"{name}_": numbers.OPERATIONS[name] for name in PRECISE},
-    **{name: numbers.OPERATIONS[name] for name in ("sin", "cos", "tan")},  # NaN beyond MOST_ANGLE
+    **{f"{name}_": graph.OPERATIONS[name] for name in PRECISE},
+    **{name: graph.OPERATIONS[name] for name in ("sin", "cos", "tan")},  # NaN beyond MOST_ANGLE
 }
 
 
 class SymbolicFunction(Symbols):
-    """A block's equations as SymPy's expressions; what is long is a symbol of its own."""
+    """A block's equations as SymPy expressions; long expressions get symbols of their own."""
 
     def __init__(self, block: Block, role: str):
         try:
@@ -208,8 +225,12 @@ class SymbolicFunction(Symbols):
         except Unread as error:
             raise BlockError(str(error)) from None
         super().__init__(record.operations, self._leaf, sizes=block.sizes)
-        made = [o for o in record.operations if o.kind not in ("leaf", "constant", "view")]
-        if sum(prod(numbers.bound(o.shape, self.sizes)) for o in made) > MOST:
+        shapes = [
+            graph.bound(operation.shape, self.sizes)
+            for operation in record.operations
+            if operation.kind not in ("leaf", "constant", "view")
+        ]
+        if sum(map(prod, shapes)) > MOST:
             raise BlockError(
                 f"{block.name}.{role} takes more than {MOST} operations on single numbers, for "
                 "which SymPy needs minutes; ask it at a smaller size"
@@ -234,12 +255,13 @@ class SymbolicFunction(Symbols):
         return self._symbol(*at, index)
 
     def number(self, value: float) -> Any:
-        """Return a number; what SymPy would make more of is a symbol, as 0 * x."""
-        known = value and isfinite(value)
-        return sympy.Float(value) if known else self._symbol("", value, copysign(1.0, value))
+        """Return a number; numbers that SymPy would simplify, as 0 * x, are symbols."""
+        if value and isfinite(value):
+            return sympy.Float(value)
+        return self._symbol("", value, copysign(1.0, value))
 
     def apply(self, ref: int, kind: str, arguments: tuple) -> Any:
-        """Return what SymPy makes of an operation, as a symbol where it is long."""
+        """Return an operation's expression, or a symbol for a long one."""
         if kind in PRECISE:
             return self._step(PRECISE[kind](*arguments))
         if kind == "pow" and arguments[1] in (2.0, 3.0, 4.0):
@@ -255,11 +277,9 @@ class SymbolicFunction(Symbols):
 
     def __call__(self, leaf: Callable[[str, str], np.ndarray]) -> np.ndarray:
         """Return the value of each output; ``leaf("x", "alpha")`` is an array."""
-        values = [
-            name if group == "" else np.asarray(leaf(group, name))[more[0]]
-            for group, name, *more in self.leaves
-        ]
+        values = []
+        for group, name, *index in self.leaves:
+            value = name if group == "" else np.asarray(leaf(group, name))[index[0]]
+            values.append(np.asarray(value, dtype=float)[()])
         with np.errstate(all="ignore"):
-            return np.array(
-                self._compiled(*(np.asarray(v, dtype=float)[()] for v in values)), dtype=float
-            )
+            return np.array(self._compiled(*values), dtype=float)

@@ -1,23 +1,22 @@
-"""Does a block do what every block must?  `clpt.conformance.conformance(my_block)` checks.
+"""Conformance checks of a block: `clpt.conformance.conformance(my_block)`.
 
-A block that passes can be wired, compiled, proved with, pickled, linearized and integrated like
-the paper's own.  Each check is a generator that takes random arguments and gives one plain
-sentence for each failure.  Equations must repeat, be finite and be read as Python runs them, and
-the units that are declared must fit together.
+A block that passes can be wired, compiled, proved, pickled, linearized and integrated like the
+blocks of this package.  Each check is a generator that takes random arguments and yields one
+sentence for each failure.  Equations must be repeatable and finite, every backend must agree with
+Python, and declared units must be consistent.
 
-Units are checked in other units: with a metre half as long every length is twice as large a number,
-every speed too, and an acceleration per second squared stays.  Equations whose units fit give, of
-numbers so changed, results so changed: for an output y of unit m^a s^b, in a unit of length 1/c
-times as long,
+Units are checked by a change of units.  With a metre half as long every length is twice as large a
+number, every speed too.  If the units of the equations are consistent, the results change in the
+same way: for an output y of unit m^a s^b, in a unit of length 1/c times as long,
 
     y(c^.. u, c^.. p) = c^a y(u, p)
 
-A number with a unit that stands inside the equations, two units added, or a unit declared
-wrongly breaks it.  m and km are two units here: nobody but a reader knows what 1000 stands for.
+A number with a unit inside the equations, a sum of two units, or a unit declared wrongly breaks
+this equation.  m and km are two different units here.
 """
 
 import pickle
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -28,10 +27,10 @@ from ..diagram.linearization import linearize
 from ..model.block import Block
 from ..model.declaration import powers
 from ..model.sampled import Sampled
-from .all_backends import readings
+from .all_backends import Backend, readings
 
-FACTOR = 1.7  # by which a unit is made smaller
-TOLERANCE = 1e-9  # of the largest value; rounding is far below
+FACTOR = 1.7  # ratio of the old unit to the new unit
+TOLERANCE = 1e-9  # relative to the largest value
 
 
 class Sample(NamedTuple):
@@ -70,7 +69,7 @@ def python_values(block: Block, role: str, sample: Sample) -> np.ndarray:
 
 
 def differ(a: np.ndarray, b: np.ndarray, tolerance: float = 1e-12) -> bool:
-    """Return whether two results differ by more than rounding, NaN in the same places aside."""
+    """Return whether two results differ by more than rounding; NaN equals NaN."""
     a, b = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
     if a.shape != b.shape or not np.array_equal(np.isfinite(a), np.isfinite(b)):
         return True
@@ -83,28 +82,28 @@ def _in_range(block: Block, sample: Sample) -> bool:
     return all(np.all(np.isfinite(python_values(block, r, sample))) for r in roles(block))
 
 
-def _repeats(block: Block, drawn: list[Sample]) -> Iterator[str]:
+def _repeats(block: Block, samples: list[Sample]) -> Iterator[str]:
     """Equations give the same when called again, and are finite for most random inputs."""
     for role in roles(block):
         finite = 0
-        for sample in drawn:
-            first, again = (python_values(block, role, sample) for _ in range(2))
-            finite += bool(np.all(np.isfinite(first)))
-            if not np.array_equal(first, again, equal_nan=True):
+        for sample in samples:
+            values, repeated = (python_values(block, role, sample) for _ in range(2))
+            finite += bool(np.all(np.isfinite(values)))
+            if not np.array_equal(values, repeated, equal_nan=True):
                 yield (
                     f"{block.name}.{role} gives another value when called again: it must keep no "
                     "memory"
                 )
-        if finite < len(drawn) // 4:
-            yield (f"{block.name}.{role} is finite for {finite} of {len(drawn)} random inputs only")
+        if finite < len(samples) // 4:
+            yield f"{block.name}.{role} is finite for {finite} of {len(samples)} random inputs only"
 
 
-def _zero(block: Block, drawn: list[Sample]) -> Iterator[str]:
-    """Equations are finite where states and inputs are zero."""
+def _zero(block: Block, samples: list[Sample]) -> Iterator[str]:
+    """Equations are finite at zero states and inputs."""
     x, u = np.zeros(block.nstates), np.zeros(block.ninputs)
     zero = Sample(0.0, x, u, block.parameters_at(0.0, block.parameters))
-    for role in (role for role in roles(block) if role != "jump"):
-        if not np.all(np.isfinite(python_values(block, role, zero))):
+    for role in roles(block):
+        if role != "jump" and not np.all(np.isfinite(python_values(block, role, zero))):
             yield (
                 f"{block.name}.{role} is not finite at zero states and inputs, with which "
                 "python-control starts; keep arguments in range with np.where, np.clip or "
@@ -112,28 +111,33 @@ def _zero(block: Block, drawn: list[Sample]) -> Iterator[str]:
             )
 
 
-def _readings(block: Block, drawn: list[Sample]) -> Iterator[str]:
-    """Every reading computes what Python computes."""
-    none = np.zeros(0)
-    for name, reading in readings(block).items():
-        asked = [role for role in roles(block) if role != "jump" or name != "control"]
-        for sample in drawn:
-            point = sample.t, sample.x, sample.u
-            ours = {role: python_values(block, role, sample) for role in asked}
-            try:
-                theirs = dict(zip(("update", "output"), reading(*point), strict=True))
-                if "jump" in asked:
-                    theirs["jump"] = reading.jump(*point)
-            except ClptError as error:
-                yield f"{block.name}: the reading '{name}' refuses: {error}"
+def _backends(block: Block, samples: list[Sample]) -> Iterator[str]:
+    """Every backend computes what Python computes."""
+    for name, backend in readings(block).items():
+        for sample in samples:
+            if failure := _backend_failure(block, name, backend, sample):
+                yield failure
                 break
-            off = [role for role in theirs if differ(ours.get(role, none), theirs[role])]
-            if off:
-                yield (
-                    f"{block.name}.{off[0]}: Python gives {ours.get(off[0], none)}, the reading "
-                    f"'{name}' {theirs[off[0]]} at {sample}"
-                )
-                break
+
+
+def _backend_failure(block: Block, name: str, backend: Backend, sample: Sample) -> str:
+    """Return a sentence if a backend refuses or differs from Python at a sample, or ""."""
+    point = sample.t, sample.x, sample.u
+    compared = [role for role in roles(block) if role != "jump" or name != "control"]
+    try:
+        values = dict(zip(("update", "output"), backend(*point), strict=True))
+        if "jump" in compared:
+            values["jump"] = backend.jump(*point)
+    except ClptError as error:
+        return f"{block.name}: the backend '{name}' refuses: {error}"
+    for role, value in values.items():
+        expected = python_values(block, role, sample) if role in compared else np.zeros(0)
+        if differ(expected, value):
+            return (
+                f"{block.name}.{role}: Python gives {expected}, the backend "
+                f"'{name}' {value} at {sample}"
+            )
+    return ""
 
 
 # --- as a part of diagrams ---------------------------------------------------------------------
@@ -142,40 +146,41 @@ def _readings(block: Block, drawn: list[Sample]) -> Iterator[str]:
 LINEAR = 1e-4
 
 
-def _pickles(block: Block, drawn: list[Sample]) -> Iterator[str]:
+def _pickles(block: Block, samples: list[Sample]) -> Iterator[str]:
     """Pickling gives the same block back."""
     try:
-        twin = pickle.loads(pickle.dumps(block))
+        copy = pickle.loads(pickle.dumps(block))
     except Exception as error:
         yield (
             f"{block.name}: cannot be pickled ({error}); define functions and parameters at the "
             "top of a module"
         )
         return
-    for sample in drawn[:3]:
+    for sample in samples[:3]:
         for role in roles(block):
-            ours, theirs = (python_values(one, role, sample) for one in (block, twin))
-            if not np.array_equal(ours, theirs, equal_nan=True):
+            values, copied = (python_values(b, role, sample) for b in (block, copy))
+            if not np.array_equal(values, copied, equal_nan=True):
                 yield f"{block.name}: pickling gives other values"
 
 
-def _linearizes(block: Block, drawn: list[Sample]) -> Iterator[str]:
-    """python-control's `linearize`, which sees no samples, agrees with the exact one."""
-    for sample in () if block.opaque or isinstance(block, Sampled) else drawn[:3]:
-        at = sample.x, sample.u, sample.t
-        found = block.linearize(*at[:2], t=sample.t)
+def _linearizes(block: Block, samples: list[Sample]) -> Iterator[str]:
+    """python-control's `linearize`, which has no samples, agrees with the exact one."""
+    if block.opaque or isinstance(block, Sampled):
+        return
+    for t, x, u, _ in samples[:3]:
+        approximate = block.linearize(x, u, t=t)
         try:
-            exact = linearize(block, *at)
-        except DiagramError:  # it jumps there, or has nothing to linearize along
+            exact = linearize(block, x, u, t)
+        except DiagramError:  # a jump at this point, or nothing to linearize
             return
         for name in "ABCD":
-            ours, theirs = getattr(found, name), getattr(exact, name)
-            if differ(ours, theirs, LINEAR):
-                yield f"{block.name}: linearize gives {name} = {ours}, exactly it is {theirs}"
+            matrix, expected = getattr(approximate, name), getattr(exact, name)
+            if differ(matrix, expected, LINEAR):
+                yield f"{block.name}: linearize gives {name} = {matrix}, exactly it is {expected}"
                 return
 
 
-def _jumps(block: Block, drawn: list[Sample]) -> Iterator[str]:
+def _jumps(block: Block, samples: list[Sample]) -> Iterator[str]:
     """Breakpoints are sorted, in (t0, t1], and number the intervals."""
     if block.breakpoints_function is None:
         return
@@ -187,13 +192,13 @@ def _jumps(block: Block, drawn: list[Sample]) -> Iterator[str]:
         yield f"{block.name}: breakpoints are not increasing times in (t0, t1]"
         return
     for middle in (0.37 * end, *times[:3]):
-        parts = [block.breakpoints(0.0, middle), block.breakpoints(middle, end)]
-        if not np.array_equal(np.concatenate(parts), times):
+        two_spans = [block.breakpoints(0.0, middle), block.breakpoints(middle, end)]
+        if not np.array_equal(np.concatenate(two_spans), times):
             yield f"{block.name}: breakpoints over two spans differ from those over both"
             return
     for k, time in enumerate(times):
-        at = [block.interval_at(t) for t in (np.nextafter(time, 0.0), time)]
-        if at != [k, k + 1]:
+        intervals = [block.interval_at(t) for t in (np.nextafter(time, 0.0), time)]
+        if intervals != [k, k + 1]:
             yield f"{block.name}: breakpoint {k + 1} does not end interval {k}"
             return
 
@@ -204,19 +209,22 @@ def _jumps(block: Block, drawn: list[Sample]) -> Iterator[str]:
 def unit_check(units: Mapping[str, str]) -> Callable[[Block, list[Sample]], Iterator[str]]:
     """Return the check of a block whose ports, parameters and time t have these units."""
 
-    def check(block: Block, drawn: list[Sample]) -> Iterator[str]:
+    def check(block: Block, samples: list[Sample]) -> Iterator[str]:
         """Equations hold in other units alike."""
-        yield from _failures(block, drawn, {"t": "s", **units})
+        yield from _unit_failures(block, samples, {"t": "s", **units})
 
     return check
 
 
-def _failures(block: Block, drawn: list[Sample], units: Mapping[str, str]) -> Iterator[str]:
+def _unit_failures(block: Block, samples: list[Sample], units: Mapping[str, str]) -> Iterator[str]:
     ports = {**block.input_ports, **block.state_ports, **block.output_ports}
-    numbers = block.parameters._asdict()
-    scaled = [n for n in numbers if n != "interval" and not isinstance(numbers[n], int)]
-    unknown = set(units) - {"t", *ports, *scaled}
-    missing = {*ports, *scaled} - set(units)
+    fields = [
+        name
+        for name, value in block.parameters._asdict().items()
+        if name != "interval" and not isinstance(value, int)
+    ]
+    unknown = set(units) - {"t", *ports, *fields}
+    missing = {*ports, *fields} - set(units)
     if unknown:
         yield f"{block.name}: units: no port or parameter is called '{min(unknown)}'"
     if missing:
@@ -226,55 +234,68 @@ def _failures(block: Block, drawn: list[Sample], units: Mapping[str, str]) -> It
         )
     if unknown or missing:
         return
-    each = {name: powers(unit) for name, unit in units.items()}
-    for symbol in sorted({symbol for one in each.values() for symbol in one}):
-        by = {name: FACTOR ** one.get(symbol, 0) for name, one in each.items()}
+    unit_powers = {name: powers(unit) for name, unit in units.items()}
+    for symbol in sorted(set().union(*unit_powers.values())):
+        factors = {
+            name: FACTOR ** exponents.get(symbol, 0) for name, exponents in unit_powers.items()
+        }
         for role in roles(block):
-            out = block.output_ports if role == "output" else block.state_ports
-            rate = by["t"] if role == "update" else 1.0
-            names = [port for port, count in out.items() for _ in range(count)]
-            for sample in drawn:
-                other = Sample(
-                    sample.t * by["t"],
-                    sample.x * _along(block.state_ports, by),
-                    sample.u * _along(block.input_ports, by),
-                    sample.p._replace(**{n: getattr(sample.p, n) * by[n] for n in scaled}),
-                )
-                wanted = python_values(block, role, sample) * _along(out, by) / rate
-                actual = python_values(block, role, other)
-                off = np.abs(actual - wanted) > TOLERANCE * np.max(np.abs(wanted), initial=0.0)
-                if off.any():
-                    port = names[int(np.argmax(off))]
+            for sample in samples:
+                failure = _unit_failure(block, role, sample, factors, fields)
+                if failure is not None:
+                    port, value, expected = failure
                     yield (
                         f"{block.name}.{role}: {port} is not of the unit '{units[port]}' that is "
-                        f"declared: in a smaller {symbol} it becomes {actual[off][0]:.6g}, not "
-                        f"{wanted[off][0]:.6g}; "
+                        f"declared: in a smaller {symbol} it becomes {value:.6g}, not "
+                        f"{expected:.6g}; "
                         "a number in the equations has a unit, or one is declared wrongly"
                     )
                     break
 
 
-def _along(ports: Mapping[str, int], by: Mapping[str, float]) -> np.ndarray:
-    """Return the factor of each signal."""
-    return np.array([by[port] for port, count in ports.items() for _ in range(count)])
+def _unit_failure(
+    block: Block, role: str, sample: Sample, factors: Mapping[str, float], fields: Sequence[str]
+) -> tuple[str, float, float] | None:
+    """Return port, value and expected value of a signal that is not scaled as its unit."""
+
+    def factors_of(ports: Mapping[str, int]) -> np.ndarray:
+        return np.repeat([factors[port] for port in ports], [*ports.values()])
+
+    results = block.output_ports if role == "output" else block.state_ports
+    scaled = Sample(
+        sample.t * factors["t"],
+        sample.x * factors_of(block.state_ports),
+        sample.u * factors_of(block.input_ports),
+        sample.p._replace(**{name: getattr(sample.p, name) * factors[name] for name in fields}),
+    )
+    expected = python_values(block, role, sample) * factors_of(results)
+    if role == "update":
+        expected /= factors["t"]
+    values = python_values(block, role, scaled)
+    errors = np.abs(values - expected)
+    wrong = np.flatnonzero(errors > TOLERANCE * np.max(np.abs(expected), initial=0.0))
+    if not len(wrong):
+        return None
+    ports = np.repeat([*results], [*results.values()])
+    return ports[wrong[0]], values[wrong[0]], expected[wrong[0]]
 
 
 # --- the report --------------------------------------------------------------------------------
 
 
 Check = Callable[[Block, list[Sample]], Iterator[str]]
-CHECKS: tuple[Check, ...] = (_repeats, _zero, _readings, _pickles, _linearizes, _jumps)
+CHECKS: tuple[Check, ...] = (_repeats, _zero, _backends, _pickles, _linearizes, _jumps)
 
 
 class ConformanceReport(NamedTuple):
-    """What the checks of a block found.
+    """Results of a block's checks.
 
     Attributes
     ----------
     block : str
         Name of the block.
     checks : tuple of str
-        What was checked.
+        Descriptions of the checks.
     failures : tuple of str
         One sentence for each failure; empty if the block conforms.
 
@@ -365,17 +386,18 @@ def check_block(
     """
     block.read_anew()
     drawn = random_samples(block, seed, max(samples, 4))
-    checked: list[str] = []
+    checks = [*CHECKS, *([] if units is None else [unit_check(units)])]
+    descriptions: list[str] = []
     failures: list[str] = []
-    for check in (*CHECKS, *([] if units is None else [unit_check(units)])):
-        checked.append((check.__doc__ or "").splitlines()[0])
+    for check in checks:
+        descriptions.append((check.__doc__ or "").splitlines()[0])
         try:
             failures.extend(check(block, drawn))
         except Exception as error:  # any error of a user's function is a failure
-            what = check.__name__.strip("_").replace("_", " ")
-            failures.append(f"{block.name}: {what}: {type(error).__name__}: {error}")
+            name = check.__name__.strip("_").replace("_", " ")
+            failures.append(f"{block.name}: {name}: {type(error).__name__}: {error}")
         if check is _repeats:
             if failures:
                 break
             drawn = [sample for sample in drawn if _in_range(block, sample)]
-    return ConformanceReport(block.name, tuple(checked), tuple(dict.fromkeys(failures)))
+    return ConformanceReport(block.name, tuple(descriptions), tuple(dict.fromkeys(failures)))
