@@ -1,13 +1,13 @@
-"""A block: one set of equations, wired by python-control.
+"""Blocks: equations on named ports, run by python-control.
 
     dx/dt = update(t, x, u, p),    y = output(t, x, u, p)
 
-and, right after the block's own breakpoints, x = jump(t, x, u, p) where it has a jump.
-The functions return their values, a mapping by port or numbers in the order of the ports, and
-have no side effects.  Each is read (`reading`) into a record of arrays, from which every other
-reading is made.  The block adds what a diagram needs to know: ports with their shapes and
-labels, parameters, when the block jumps (`breakpoints`), and whether it is a source of time or
-tables that SymPy reads as an undefined function (`opaque`).
+and x = jump(t, x, u, p) after the block's own breakpoints, if the block has a jump.
+The functions return a mapping by port, or numbers in the order of the ports, and have no side
+effects.  Each function is traced into a record of array operations; machine code, SymPy expressions
+and derivatives are made from the record.  A block also has what a diagram needs: ports with their
+shapes and labels, parameters, breakpoints, and the mark `opaque` for sources of time and tables,
+which are undefined functions in SymPy.
 """
 
 from collections.abc import Callable, Mapping
@@ -35,11 +35,11 @@ from .ports import Declared, Vector, flattened, labels, shapes_of, sizes_of, vec
 
 
 class Call(local):
-    """What python-control's call runs with, one for each thread that shares a block."""
+    """Parameters of python-control's call, one object for each thread that shares a block."""
 
     def __init__(self, parameters: Any) -> None:
         self.parameters = parameters
-        self.first: tuple[float, float] | None = None  # time and interval of the first rate
+        self.start: tuple[float, float] | None = None  # time and interval of the first rate
 
 
 @public
@@ -56,44 +56,43 @@ class Block(ReadBlock):
         ``output(t, x, u, p)`` returns the outputs; without it y = x.
     inputs, outputs, states : mapping, optional
         Port name -> shape: a number of signals, the name of a size, or a tuple of
-        them; `outputs` without `output` are the states, under their names.
+        both; without `output` the outputs are the states, under their names.
     parameters : dict, NamedTuple or dataclass, optional
-        Numbers and arrays; a field ``interval`` is kept by the integrator.
+        Numbers and arrays; the integrator sets a field ``interval``.
     shapes : mapping, optional
-        Parameter -> shape, where a size has a name: ``{"theta": (2, "N")}``.
+        Parameter -> shape with named sizes: ``{"theta": (2, "N")}``.
     sizes : mapping, optional
-        Size by name, ``{"N": 3}``, where no parameter tells it.
+        Size by name, ``{"N": 3}``, of sizes that no parameter has.
     opaque : bool, optional
         True for a source of time or tables: an undefined function to SymPy.
     breakpoints : callable, optional
         ``breakpoints(p, t0, t1)``: sorted times in (t0, t1] at which the block
         jumps. Interval k ends at breakpoint k + 1, counted from time 0.
     jump : callable, optional
-        ``jump(t, x, u, p)`` returns all states right after a breakpoint, from
-        the states x right before it and the inputs u that follow from states right
-        before it; ``p.interval`` is the interval that begins. `clpt.simulate` runs
-        it, python-control does not.
+        ``jump(t, x, u, p)`` returns all states after a breakpoint, from the states x and
+        the inputs u before it; ``p.interval`` is the interval that begins. `clpt.simulate`
+        runs the jump, python-control does not.
     guard : Guard, optional
-        Where the block may be used.
+        The domain of the block.
     units : mapping, optional
-        Port -> unit, ``{"e": "m"}``, which runs, plots and drawings show.
+        Port -> unit, ``{"e": "m"}``, for runs, plots and drawings.
     dt : float, optional
-        Of a block of discrete time, as python-control's: `update` then returns the next states.
-        Beside blocks of continuous time it samples its inputs and holds its outputs.
+        Period of a discrete block, as python-control's: `update` then returns the next states.
+        In a continuous diagram the block samples its inputs and holds its outputs.
 
     Attributes
     ----------
     update_function, output_function, jump_function : callable or None
         The equations (the name ``output`` belongs to python-control).
     parameters : Parameters
-        The block's own parameters.
+        The block's parameters.
     feedthrough : bool
-        Whether inputs reach the outputs at once, as the record says.
+        True if the outputs depend directly on inputs, according to the record.
 
     Raises
     ------
     BlockError
-        If ports, parameters and what the equations return do not fit.
+        If ports, parameters and results of the equations do not fit.
 
     Examples
     --------
@@ -106,7 +105,7 @@ class Block(ReadBlock):
     """
 
     first_held: int | None = None  # of a sampled block: the first state that holds an input
-    units: Mapping[str, str] = MappingProxyType({})  # of ports that have any
+    units: Mapping[str, str] = MappingProxyType({})
 
     def __init__(
         self,
@@ -135,15 +134,14 @@ class Block(ReadBlock):
         check_names(name, *declared.values())
         check_units(name, units or {}, *declared.values())
 
-        def refuse(so: Any, sentence: str) -> None:
-            if so:
+        def refuse(condition: Any, sentence: str) -> None:
+            if condition:
                 raise BlockError(f"{name}: {sentence}")
 
-        own = output is None and outputs is not None
         refuse(output is None and not states, "a block without states needs `output`")
         refuse((update is None) != (not states), "`update` and `states` belong together")
         refuse(
-            own and shapes_of(outputs) != declared["states"],
+            output is None and outputs is not None and shapes_of(outputs) != declared["states"],
             "without `output` the outputs are the states; leave them out",
         )
         refuse(
@@ -163,7 +161,7 @@ class Block(ReadBlock):
         self.opaque, self.breakpoints_function, self.guard = opaque, breakpoints, guard
         self.name, self.units = name, dict(units or {})
         self.declared, self.parameter_shapes = declared, shapes_of(shapes)
-        self.raised: dict[str, str] = {}  # what a role's last call raised, where it gave NaN
+        self.raised: dict[str, str] = {}  # role -> error of its last call, which returned NaN
         self._inner = {}
         self._sizes = dict(sizes or {})
         self.parameters = parameters
@@ -183,7 +181,7 @@ class Block(ReadBlock):
         self._try_equations()
 
     def _try_equations(self) -> None:
-        """Run the equations at a few points, so that a mistake is told where the block is made."""
+        """Run the equations at a few points, to report mistakes when the block is made."""
         for port in (*self.declared["inputs"], *self.declared["states"]):
             if hasattr(Vector, port):
                 raise BlockError(
@@ -191,19 +189,19 @@ class Block(ReadBlock):
                     f"that u.{port} would be another thing; call it otherwise"
                 )
         p = self.parameters_at(0.0)
-        for role, (_, where) in self._plan.items():
-            size = sum(part.stop - part.start for part, _ in where.values())
-            for point in (0.0, 0.3, 1.7, -0.6):  # a logarithm may be asked of some
-                x, u = np.full(self.nstates, point), np.full(self.ninputs, point)
+        for role, (_, ports) in self._plan.items():
+            size = sum(signals.stop - signals.start for signals, _ in ports.values())
+            for value in (0.0, 0.3, 1.7, -0.6):  # a logarithm fails at some of them
+                x, u = np.full(self.nstates, value), np.full(self.ninputs, value)
                 try:
-                    self._evaluate(role, size, abs(point), x, u, p)
+                    self._evaluate(role, size, abs(value), x, u, p)
                     break
                 except BlockError:
                     raise
                 except Exception as error:
-                    failed = error
+                    last_error = error
             else:
-                raise BlockError(self._sentence_of(role, failed)) from failed
+                raise BlockError(self._sentence_of(role, last_error)) from last_error
 
     # --- as text ------------------------------------------------------------------------
 
@@ -211,19 +209,19 @@ class Block(ReadBlock):
         return block_line(self)
 
     def _repr_html_(self) -> None:
-        """Return nothing, and no python-control's text either: a line says it."""
+        """Return nothing, in place of python-control's text: `__repr__` is enough."""
 
     _repr_markdown_ = _repr_html_
 
     def __getstate__(self) -> dict[str, Any]:
-        left_out = (*READ, "_call_of_thread")
-        return {name: value for name, value in self.__dict__.items() if name not in left_out}
+        omitted = (*READ, "_call_of_thread")
+        return {name: value for name, value in self.__dict__.items() if name not in omitted}
 
     # --- parameters -------------------------------------------------------------------
 
     @property
     def parameters(self) -> Any:
-        """Return the block's own parameters, checked when set."""
+        """Return the block's parameters, checked when set."""
         return self._parameters
 
     @parameters.setter
@@ -249,24 +247,24 @@ class Block(ReadBlock):
 
     @params.setter
     def params(self, value: Mapping[str, Any]) -> None:
-        """Ignore python-control's own empty default; refuse what would be lost."""
+        """Ignore python-control's empty default; refuse any other value."""
         if value:
             raise BlockError(f"{self.name}.params: are read; set {self.name}.parameters")
 
     def with_params(self, params: Mapping[str, Any] | None) -> Any:
         """Return the parameters, changed by {"block.field": value}."""
         params = params or {}
-        within_diagram = self.name in params
+        in_diagram = self.name in params
         changes = {}
         for key, value in params.items():
             owner, _, field = key.rpartition(".")
             if owner == self.name and field in self.parameters._fields:
                 changes[field] = value
             elif key == self.name and hasattr(value, "_fields"):
-                continue  # what python-control hands to every block of a diagram
-            elif self.name in (owner, key) or not within_diagram:
-                known = ", ".join(f"{self.name}.{f}" for f in self.parameters._fields) or "none"
-                raise BlockError(f"unknown parameter '{key}': block {self.name} knows {known}")
+                continue  # python-control passes it to every block of a diagram
+            elif self.name in (owner, key) or not in_diagram:
+                names = ", ".join(f"{self.name}.{f}" for f in self.parameters._fields) or "none"
+                raise BlockError(f"unknown parameter '{key}': block {self.name} knows {names}")
         return self.with_values(changes)
 
     @public
@@ -274,8 +272,8 @@ class Block(ReadBlock):
         """Return the parameters with some fields changed."""
         for field, value in changes.items():
             if field not in self.parameters._fields:
-                known = ", ".join(self.parameters._fields) or "none"
-                raise BlockError(f"{self.name}: unknown parameter {field!r}; it has {known}")
+                names = ", ".join(self.parameters._fields) or "none"
+                raise BlockError(f"{self.name}: unknown parameter {field!r}; it has {names}")
             fixed = getattr(self.parameters, field)
             if isinstance(fixed, int) and not np.array_equal(value, fixed):
                 raise BlockError(
@@ -287,7 +285,7 @@ class Block(ReadBlock):
         return checked_parameters(self.name, self.parameters._replace(**changes), self.parameters)
 
     def _update_params(self, params: Mapping[str, Any] | None) -> None:
-        self._call.parameters, self._call.first = self.with_params(params), None
+        self._call.parameters, self._call.start = self.with_params(params), None
 
     # --- jumps in time ----------------------------------------------------------------
 
@@ -301,7 +299,8 @@ class Block(ReadBlock):
             times = np.asarray(returned, dtype=float)
         except (TypeError, ValueError):
             times = np.full(1, np.nan)
-        if times.ndim != 1 or not np.all(times[1:] >= times[:-1]) or np.any(np.isnan(times)):
+        is_sorted = times.ndim == 1 and np.all(times[1:] >= times[:-1])
+        if not is_sorted or np.any(np.isnan(times)):
             raise BlockError(
                 f"{self.name}: breakpoints gives {brief(returned)}; must be increasing times"
             )
@@ -313,10 +312,7 @@ class Block(ReadBlock):
         return times
 
     def interval_at(self, t: float, p: Any = None) -> np.float64:
-        """Return the number of the interval that holds t.
-
-        A breakpoint belongs to the interval that it starts.
-        """
+        """Return the number of the interval of t; a breakpoint belongs to the interval after it."""
         p = self.parameters if p is None else p
         if isinstance(self.breakpoints_function, Each):
             return np.float64(self.breakpoints_function.count(p, t))
@@ -329,12 +325,12 @@ class Block(ReadBlock):
             return p
         return p._replace(interval=self.interval_at(t, p))
 
-    # --- the reading that python-control runs -------------------------------------------
+    # --- calls of the functions in Python -----------------------------------------------
 
     def values(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
-        """Return what equations return; NaN where numbers raise.
+        """Return the values of a function, or NaN if it raises an error of numbers.
 
-        A run may try such numbers and go on without them; what stops it is in `raised`.
+        A run may try such numbers and continue without them; the error is stored in `raised`.
         """
         if role == "output" and self.states_are_outputs:
             return np.array(x, dtype=float)
@@ -349,19 +345,19 @@ class Block(ReadBlock):
         return values
 
     def _sentence_of(self, role: str, error: BaseException) -> str:
-        """Return which function raised what, and in which line."""
-        if isinstance(error, BlockError):  # its text says so
+        """Return a sentence with the function, the line and the error."""
+        if isinstance(error, BlockError):
             return str(error)
         function, _ = self._plan[role]
-        words = [type(error).__name__, " ".join(str(error).splitlines())]
-        text = ": ".join(filter(None, words))  # an assertion may have no text
+        message = " ".join(str(error).splitlines())  # an assertion may have none
+        text = ": ".join(filter(None, [type(error).__name__, message]))
         return f"{self.name}.{role}: {located(function, error)}{text}"
 
     @np.errstate(all="ignore")
     def _evaluate(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
-        function, where = self._plan[role]
+        function, ports = self._plan[role]
         returned = function(np.float64(t), vector(x, self._x), vector(u, self._u), p)
-        return flattened(f"{self.name}.{role}", returned, where, size)
+        return flattened(f"{self.name}.{role}", returned, ports, size)
 
     def _rhs(self, t, x, u):
         if self.update_function is None:
@@ -372,11 +368,11 @@ class Block(ReadBlock):
         return self.values("update", self.nstates, t, x, u, p)
 
     def _refuse_jumps(self, t: float, interval: float) -> None:
-        """Refuse rates on both sides of a jump, for which only an integration asks."""
-        since, first = self._call.first = self._call.first or (t, interval)
-        if interval != first:
+        """Refuse rates on both sides of a jump, which only an integration evaluates."""
+        start, start_interval = self._call.start = self._call.start or (t, interval)
+        if interval != start_interval:
             raise BlockError(
-                f"{self.name}: its states jump between t = {since:.9g} and t = {t:.9g}, and "
+                f"{self.name}: its states jump between t = {start:.9g} and t = {t:.9g}, and "
                 "python-control integrates over jumps as if there were none; run the diagram with "
                 "clpt.simulate"
             )

@@ -1,10 +1,10 @@
-"""What a block declares beside its equations and ports: names, typed parameters and guard.
+"""Declarations of a block: names, units, typed parameters, breakpoints and guard.
 
     parameters={"gain": 0.8, "turns": 3},  breakpoints=Each("period"),  units={"e": "m"}
 
-Parameters are numbers and arrays by name.  Whole numbers (int) are structure, such as
-the number of turns of a loop: every reading keeps them as they are.  All else is a
-float or an array of floats: symbols to SymPy, and it may differ per run.
+Parameters are numbers and arrays by name.  Whole numbers (int) are structure, such as the number of
+iterations of a loop, and fixed in every backend.  All others are floats or arrays of floats:
+symbols in SymPy, and they may differ between runs.
 """
 
 import math
@@ -21,13 +21,13 @@ from ...arguments import brief, public
 from ...errors import BlockError
 
 UNIT = re.compile(r"([A-Za-z_]+)(?:\^|\*\*)?(-?\d+)?")  # and its power
-MOST_JUMPS = 2 * 10**7  # times of jumps that are listed
+MOST_JUMPS = 2 * 10**7  # breakpoints in a list
 Equations = Callable[[float, Any, Any, Any], Any]
 
 
 @public
 class Guard(NamedTuple):
-    """Where a block may be used, and what happens outside.
+    """Domain of a block, and the action outside.
 
     Attributes
     ----------
@@ -35,11 +35,11 @@ class Guard(NamedTuple):
         ``distance(t, x, u, p)``, an equation like a block's own: a number,
         positive inside, negative outside.
     policy : str
-        ``"raise"`` fails the run, ``"stop"`` ends it there and keeps it.
+        ``"raise"`` fails the run, ``"stop"`` ends it without an error.
     sentence : callable
         ``sentence(t, u, p)``: position, time and bounds, for the message.
     advice : str
-        What to try where it fails a run; nothing by default.
+        Remedy for a failed run, for the message.
 
     Examples
     --------
@@ -57,21 +57,23 @@ class Guard(NamedTuple):
 
     @public
     def message(self, t: float, u: np.ndarray, p: Any) -> str:
-        """Return the sentence, with the advice where a run fails."""
-        advised = self.policy == "raise" and self.advice
-        return self.sentence(t, u, p) + (f"; {self.advice}" if advised else "")
+        """Return the sentence, with the advice if the run fails."""
+        has_advice = self.policy == "raise" and self.advice
+        return self.sentence(t, u, p) + (f"; {self.advice}" if has_advice else "")
 
 
 def check_names(name: str, *ports: Mapping[str, Any]) -> None:
     """Refuse names and sizes that python-control cannot wire."""
-    words = [(name, ".\n"), *((port, ".[]\n") for one in ports for port in one)]
-    for word, not_in in words:  # python-control itself calls a system sys[0]
-        if not word or word[0] in "-+" or set(word) & set(not_in):
+    shapes = [(port, shape) for group in ports for port, shape in group.items()]
+    # python-control itself calls a system sys[0]
+    words = [(name, ".\n"), *((port, ".[]\n") for port, _ in shapes)]
+    for word, excluded in words:
+        if not word or word[0] in "-+" or set(word) & set(excluded):
             raise BlockError(
                 f"the name {word!r} of a block or port must not be empty, begin with a sign or "
                 "hold . [ ] or a line end; use letters, digits and _"
             )
-    for port, shape in (item for one in ports for item in one.items()):
+    for port, shape in shapes:
         for size in shape:
             if size == "" if isinstance(size, str) else size < 0:
                 raise BlockError(
@@ -81,11 +83,13 @@ def check_names(name: str, *ports: Mapping[str, Any]) -> None:
 
 
 def check_units(name: str, units: Mapping[str, str], *ports: Mapping[str, Any]) -> None:
-    """Refuse units of what is no port, and units that are no text of one line."""
+    """Refuse units of names that are no ports, and units that are no text of one line."""
+    names = dict.fromkeys(port for group in ports for port in group)
     for port, unit in units.items():
-        if not any(port in one for one in ports):
-            known = ", ".join(dict.fromkeys(port for one in ports for port in one))
-            raise BlockError(f"{name}: units names {port!r}, which is no port; it has {known}")
+        if port not in names:
+            raise BlockError(
+                f"{name}: units names {port!r}, which is no port; it has {', '.join(names)}"
+            )
         if not unit.strip() or not unit.isprintable():
             raise BlockError(
                 f"{name}: units = {{{port!r}: {brief(unit)}}}: must be a text, such as 'm/s'"
@@ -93,25 +97,28 @@ def check_units(name: str, units: Mapping[str, str], *ports: Mapping[str, Any]) 
 
 
 def powers(unit: str) -> dict[str, int]:
-    """Return the powers of a unit, in which rad and 1 are none.
+    """Return the power of each symbol of a unit; rad and 1 have no power.
 
     >>> powers("m/s"), powers("1/s^2"), powers("m s-1"), powers("1")
     ({'m': 1, 's': -1}, {'s': -2}, {'m': 1, 's': -1}, {})
     """
-    found: dict[str, int] = {}
-    for k, part in enumerate(unit.replace("**", "^").split("/")):
-        for word in re.split(r"[\s.*()]+", part.strip(" ()")):
-            read = UNIT.fullmatch(word)
-            if read is None and word not in ("", "1"):
+    symbols: dict[str, int] = {}
+    for k, factors in enumerate(unit.replace("**", "^").split("/")):
+        for word in re.split(r"[\s.*()]+", factors.strip(" ()")):
+            if word in ("", "1"):
+                continue
+            match = UNIT.fullmatch(word)
+            if match is None:
                 raise BlockError(f"units: {unit!r} is no unit; write such as 'm', 'm/s' or '1/s^2'")
-            if read is not None and read[1] not in ("rad", "radians"):
-                power = int(read[2] or 1) * (-1 if k else 1)
-                found[read[1]] = found.get(read[1], 0) + power
-    return {symbol: power for symbol, power in found.items() if power}
+            symbol, power = match.groups()
+            if symbol not in ("rad", "radians"):
+                power = int(power or 1)
+                symbols[symbol] = symbols.get(symbol, 0) + (-power if k else power)
+    return {symbol: power for symbol, power in symbols.items() if power}
 
 
 def same_unit(a: str, b: str) -> bool:
-    """Return whether two texts are one unit; one that is no product of powers is as it is written.
+    """Return whether two texts are the same unit; a text that is no unit equals itself only.
 
     >>> same_unit("m/s", "m s-1"), same_unit("m", "km"), same_unit("%", "%")
     (True, False, True)
@@ -131,44 +138,44 @@ def multiples(period: float, t0: float, t1: float) -> np.ndarray:
             f"a period of {period:g} has {count:.3g} multiples from {t0:g} to {t1:g}; at most "
             f"{MOST_JUMPS:.0e} are allowed"
         )
-    first = max(1, math.floor(t0 / period) - 1)
-    last = math.floor(t1 / period) + 1
-    times = period * np.arange(first, last + 1)
+    begin = max(1, math.floor(t0 / period) - 1)
+    end = math.floor(t1 / period) + 2
+    times = period * np.arange(begin, end)
     return times[(times > t0) & (times <= t1)]
 
 
 @dataclass(frozen=True)
 class Each:
-    """Breakpoints at the multiples of a period, a number or a parameter by name, or of a part."""
+    """Breakpoints at multiples of a fraction of a period, which is a number or a parameter."""
 
     period: str | float
-    part: float = 1.0
+    part: float = 1.0  # the fraction; saved runs have this name
 
-    def apart(self, p: Any) -> float:
-        """Return the time from one to the next."""
+    def interval(self, p: Any) -> float:
+        """Return the time between two breakpoints."""
         period = getattr(p, self.period) if isinstance(self.period, str) else self.period
         return self.part * period
 
     def __call__(self, p: Any, t0: float, t1: float) -> np.ndarray:
         """Return the breakpoints in (t0, t1]."""
-        apart = self.apart(p)
+        interval = self.interval(p)
         if t0 < 0:
             raise BlockError(
-                f"what samples or jumps each {apart:g} does so from time 0 on; begin the run at 0 "
-                f"or later, not at {t0:g}"
+                f"what samples or jumps each {interval:g} does so from time 0 on; begin the run at "
+                f"0 or later, not at {t0:g}"
             )
-        return multiples(apart, t0, t1)
+        return multiples(interval, t0, t1)
 
     def count(self, p: Any, t: float) -> int:
-        """Return how many breakpoints there are in (0, t]."""
-        apart = self.apart(p)
-        if not (apart > 0 and t < 2.0**52 * apart):
-            return len(multiples(apart, 0.0, t))  # which refuses so many
-        k = math.floor(t / apart)
-        return max(k + (apart * (k + 1) <= t) - (apart * k > t), 0)
+        """Return the number of breakpoints in (0, t]."""
+        interval = self.interval(p)
+        if not (interval > 0 and t < 2.0**52 * interval):
+            return len(multiples(interval, 0.0, t))  # raises an error for so many
+        k = math.floor(t / interval)
+        return max(k + (interval * (k + 1) <= t) - (interval * k > t), 0)
 
 
-TAKEN = frozenset({"get", "keys", "_fields", "_replace", "_asdict"})  # by what all parameters do
+METHODS = frozenset({"get", "keys", "_fields", "_replace", "_asdict"})  # of Parameters
 
 
 class Parameters(SimpleNamespace):
@@ -187,7 +194,7 @@ class Parameters(SimpleNamespace):
         return iter(vars(self).values())
 
     def get(self, name: str, default: Any = None) -> Any:
-        """Return a parameter, or the default where there is none."""
+        """Return a parameter, or the default."""
         return vars(self).get(name, default)
 
     def keys(self) -> tuple[str, ...]:
@@ -223,31 +230,31 @@ def checked_parameters(name: str, parameters: Any, like: Any = None) -> Paramete
     """Return parameters as whole numbers, floats and new arrays, of the shapes of `like`."""
     values: dict[str, Any] = {}
     for field, value in named_values(name, parameters).items():
-        if not isinstance(field, str) or not field.isidentifier() or field in TAKEN:
+        if not isinstance(field, str) or not field.isidentifier() or field in METHODS:
             raise BlockError(f"{name}: the parameter name {field!r} must be a Python name")
-        old = value if like is None else getattr(like, field)
-        whole = isinstance(old, int | np.integer)
+        model = value if like is None else getattr(like, field)
+        is_whole = isinstance(model, int | np.integer)
         try:
-            shape = np.shape(old)
-            new: Any = np.array(value, dtype=float) if shape else np.float64(value)
-            if whole and not isinstance(old, bool):
-                new = int(value) if int(value) == value else np.nan
+            shape = np.shape(model)
+            number: Any = np.array(value, dtype=float) if shape else np.float64(value)
+            if is_whole and not isinstance(model, bool):
+                number = int(value) if int(value) == value else np.nan
         except (TypeError, ValueError, OverflowError):
-            shape, new = (), np.nan
-        if np.shape(new) != shape or np.any(np.not_equal(new, new)):
-            kind = "a whole number" if whole else "a number"
+            shape, number = (), np.nan
+        if np.shape(number) != shape or np.any(np.not_equal(number, number)):
+            kind = "a whole number" if is_whole else "a number"
             kind = f"an array of shape {shape}" if shape else kind
             raise BlockError(f"{name}.{field} = {value!r}: must be {kind}, without NaN")
         if shape:
-            new.flags.writeable = False  # equations have no side effects
-        values[field] = new
+            number.flags.writeable = False  # equations have no side effects
+        values[field] = number
     return Parameters(**values)
 
 
-# --- in a line ---------------------------------------------------------------------------------
+# --- text of one line ---------------------------------------------------------------------------
 
 
-MOST = 8  # ports of a line
+MOST_PORTS = 8  # of a line
 
 
 def ports_line(ports: Mapping[str, int]) -> str:
@@ -256,20 +263,22 @@ def ports_line(ports: Mapping[str, int]) -> str:
     >>> ports_line({"e": 2, "w": 1})
     'e[2], w'
     """
-    named = [name if size == 1 else f"{name}[{size}]" for name, size in ports.items()]
-    more = [f"... {len(named)} in all"] if len(named) > MOST else []
-    return ", ".join(named[: MOST if more else None] + more) or "nothing"
+    texts = [name if size == 1 else f"{name}[{size}]" for name, size in ports.items()]
+    if len(texts) > MOST_PORTS:
+        texts[MOST_PORTS:] = [f"... {len(texts)} in all"]
+    return ", ".join(texts) or "nothing"
 
 
 def block_line(block: Any) -> str:
-    """Return what a block is, in a line."""
+    """Return a block's name, ports and number of states."""
     states = f", {block.nstates} states" if block.nstates else ""
     flows = f"{ports_line(block.input_ports)} -> {ports_line(block.output_ports)}"
     return f"<Block {block.name}: {flows}{states}>"
 
 
 def docs_of(block: Any) -> list[str]:
-    """Return what the functions of a block, or of the one that it samples, say of themselves."""
+    """Return the docstrings of a block's functions; of a sampled block, of the inner block."""
     block = getattr(block, "inner", block)
-    own = (getattr(block, f"{role}_function", None) for role in ("update", "output", "jump"))
-    return [f.__doc__ for f in (getattr(f, "func", f) for f in own) if f and f.__doc__]
+    functions = [getattr(block, f"{role}_function", None) for role in ("update", "output", "jump")]
+    docs = (getattr(f, "func", f).__doc__ for f in functions if f)
+    return [doc for doc in docs if doc]

@@ -1,10 +1,10 @@
-"""Ports: the shapes of signals, their labels, their places in one vector, and their names.
+"""Ports: shapes of signals, labels, slices of one vector, and names.
 
     alpha of shape (2, N)  ->  alpha[0], alpha[1], ... row by row  ->  x.alpha, a view of the vector
 
-A shape is a whole number, the name of a size, or a tuple of them.  A block is made once, for one
-vehicle; in a namespace its name and the names of its ports carry the vehicle's name, `west/vehicle`
-makes `west/x[2]`, and its equations are the same.
+A shape is a whole number, the name of a size, or a tuple of both.  The same block may be used for
+several vehicles.  A namespace is then the prefix of its name and of its ports: `west/vehicle` has
+the port `west/x[2]`, and the equations are the same.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -18,8 +18,9 @@ from ...arguments import brief
 from ...errors import BlockError
 from ..record.graph import Shape, bound
 
-Size = int | str  # a number, or the name of one
-Declared = Mapping[str, Size | tuple[Size, ...]]  # port -> its shape
+Size = int | str  # a number, or its name
+Declared = Mapping[str, Size | tuple[Size, ...]]  # port -> shape
+Slices = dict[str, tuple[slice, Shape]]  # port -> its slice of a vector, and its shape
 
 
 def shapes_of(ports: Declared | None) -> dict[str, Shape]:
@@ -31,8 +32,8 @@ def shapes_of(ports: Declared | None) -> dict[str, Shape]:
 
 
 def sized(name: str, shapes: Mapping[str, Shape], sizes: Mapping[str, int]) -> dict[str, Shape]:
-    """Return shapes with their open sizes filled in."""
-    found = {}
+    """Return shapes with numbers in place of named sizes."""
+    numbers = {}
     for port, shape in shapes.items():
         for n in shape:
             if isinstance(n, str) and n not in sizes:
@@ -40,8 +41,8 @@ def sized(name: str, shapes: Mapping[str, Shape], sizes: Mapping[str, int]) -> d
                     f"{name}.{port}: the size '{n}' is not known; give sizes={{'{n}': 3}}, or an "
                     "array of the parameters that has it by `shapes`"
                 )
-        found[port] = tuple(map(int, bound(shape, sizes)))
-    return found
+        numbers[port] = tuple(map(int, bound(shape, sizes)))
+    return numbers
 
 
 def sizes_of(shapes: Mapping[str, Shape]) -> dict[str, int]:
@@ -49,12 +50,12 @@ def sizes_of(shapes: Mapping[str, Shape]) -> dict[str, int]:
     return {port: prod(shape) for port, shape in shapes.items()}
 
 
-def places(shapes: Mapping[str, Shape]) -> dict[str, tuple[slice, Shape]]:
-    """Return where each port lies in the vector of all, and its shape."""
-    where, at = {}, 0
+def places(shapes: Mapping[str, Shape]) -> Slices:
+    """Return the slice of each port in the vector of all ports, and its shape."""
+    slices, stop = {}, 0
     for port, shape in shapes.items():
-        where[port] = (slice(at, at := at + prod(shape)), shape)
-    return where
+        slices[port] = slice(stop, stop := stop + prod(shape)), shape
+    return slices
 
 
 class Vector(np.ndarray):
@@ -63,60 +64,55 @@ class Vector(np.ndarray):
     _ports: Mapping[str, tuple[slice, Shape]] = MappingProxyType({})
 
     def __getattr__(self, port: str) -> Any:
-        try:
-            part, shape = self._ports[port]
-        except KeyError:
-            known = ", ".join(self._ports) or "none"
-            raise AttributeError(f"no port {port!r}; there are {known}") from None
-        return self.view(np.ndarray)[part].reshape(shape)
+        if port not in self._ports:
+            ports = ", ".join(self._ports) or "none"
+            raise AttributeError(f"no port {port!r}; there are {ports}")
+        signals, shape = self._ports[port]
+        return self.view(np.ndarray)[signals].reshape(shape)
 
 
-def vector(values: Any, where: dict[str, tuple[slice, Shape]]) -> Vector:
-    """Return numbers as a vector with ports; one that has them is returned as it is."""
-    if type(values) is Vector and values._ports is where:
+def vector(values: Any, ports: Slices) -> Vector:
+    """Return numbers as a vector with ports; a vector that has these ports is returned."""
+    if type(values) is Vector and values._ports is ports:
         return values
     x = np.asarray(values, dtype=float).view(Vector)
-    x._ports = where
+    x._ports = ports
     x.flags.writeable = False  # equations have no side effects
     return x
 
 
-def reused_vector(values: np.ndarray, where: dict[str, tuple[slice, Shape]]) -> Vector:
-    """Return an array that is filled again and again as a vector; its ports are cut once."""
-    x = vector(values, where)
-    for port, (part, shape) in where.items():
-        x.__dict__[port] = x.view(np.ndarray)[part].reshape(shape)
+def reused_vector(values: np.ndarray, ports: Slices) -> Vector:
+    """Return an array, to be filled many times, as a vector with stored views of its ports."""
+    x = vector(values, ports)
+    for port in ports:
+        x.__dict__[port] = getattr(x, port)
     return x
 
 
 def flattened(
-    name: str,
-    returned: Any,
-    where: dict[str, tuple[slice, Shape]],
-    size: int,
-    spreads: bool = False,
-) -> Any:
-    """Return what a function returned, a mapping by port or numbers in order, as one vector.
+    name: str, returned: Any, ports: Slices, size: int, spreads: bool = False
+) -> np.ndarray:
+    """Return a function's result, a mapping by port or numbers in order, as one vector.
 
-    If it `spreads`, one number is the value of all, as python-control takes it.
+    If it `spreads`, one number is the value of all signals, as in python-control.
     """
     if isinstance(returned, Mapping):
-        check_ports(name, returned, where)
+        check_ports(name, returned, ports)
         out = np.empty(size)
-        for port, (part, shape) in where.items():
+        for port, (signals, shape) in ports.items():
             value = np.asarray(returned[port], dtype=float)
             if value.shape != shape:
                 value = shaped(name, port, value, shape, np.broadcast_to)
-            out[part] = value.ravel()
+            out[signals] = value.ravel()
         return out
     if returned is None:
-        raise BlockError(f"{name}: returns nothing; must return {list(where)}")
+        raise BlockError(f"{name}: returns nothing; must return {list(ports)}")
     try:
         out = np.asarray(returned, dtype=float).ravel()
-    except (TypeError, ValueError) as error:  # of parts of several shapes
+    except (TypeError, ValueError) as error:  # a list of arrays of several shapes
         if not isinstance(returned, list | tuple):
             raise BlockError(f"{name}: returns {brief(returned)}; must return numbers") from error
-        out = np.concatenate([np.ravel(part) for part in returned]).astype(float)
+        out = np.concatenate([np.ravel(value) for value in returned]).astype(float)
     if spreads and len(out) == 1:
         out = np.full(size, out[0])
     if len(out) != size:
@@ -131,16 +127,16 @@ def check_ports(name: str, returned: Mapping[str, Any], ports: Mapping[str, Any]
 
 
 def shaped(name: str, port: str, value: Any, shape: Shape, filled: Callable) -> Any:
-    """Return a value in the shape of its port: a number everywhere, a row of numbers in order."""
-    own = getattr(value, "shape", ())
-    if own == shape:
+    """Return a value in the shape of its port: one number for all, or a row of numbers."""
+    actual = getattr(value, "shape", ())
+    if actual == shape:
         return value
-    if not own:
+    if not actual:
         return filled(value, shape)
-    known = all(isinstance(n, int) for n in (*own, *shape))
-    if known and own == (prod(shape),):
+    has_numbers = all(isinstance(n, int) for n in (*actual, *shape))
+    if has_numbers and actual == (prod(shape),):
         return value.reshape(shape)
-    raise BlockError(f"{name}: returns {port} of shape {own}; must be {shape}")
+    raise BlockError(f"{name}: returns {port} of shape {actual}; must be {shape}")
 
 
 # --- labels --------------------------------------------------------------------------------------
@@ -158,52 +154,53 @@ def port_of(label: str) -> str:
 
 def counts_of(labels: Iterable[str]) -> dict[str, int]:
     """Return the ports that labels form, each with its number of signals."""
-    return {port: len(places) for port, places in ports_of(labels).items()}
+    return {port: len(indices) for port, indices in ports_of(labels).items()}
 
 
 def ports_of(labels: Iterable[str]) -> dict[str, list[int]]:
-    """Return the ports that labels form, each with the places of its signals.
+    """Return the ports that labels form, each with the indices of its signals.
 
-    ``e[0], e[1]`` are the port e; a name alone is a port of one signal; numbers that do not
-    count from 0 form none, and stay a name.
+    ``e[0], e[1]`` are the port e.  A name alone is a port of one signal, and so is a label
+    whose number does not count from 0.
     """
     ports: dict[str, list[int]] = {}
-    for place, label in enumerate(labels):
+    for index, label in enumerate(labels):
         port, _, number = label.rpartition("[")  # y[2][0] is of the port y[2], as of sys[2, :]
-        counted = number == f"{len(ports.get(port, ()))}]"
-        ports.setdefault(port if counted else label, []).append(place)
+        is_next = number == f"{len(ports.get(port, ()))}]"
+        ports.setdefault(port if is_next else label, []).append(index)
     return ports
 
 
 def whole_labels(labels: Iterable[str]) -> list[str]:
-    """Return the labels as those of ports: ``e, v[0], v[1]`` are ``e[0], v[0], v[1]``."""
-    ports = ports_of(labels)
-    whole = {at: f"{port}[{k}]" for port, places in ports.items() for k, at in enumerate(places)}
-    return [whole[place] for place in range(len(whole))]
+    """Return labels with a number for each signal: ``e, v[0]`` are ``e[0], v[0]``."""
+    whole: dict[int, str] = {}
+    for port, indices in ports_of(labels).items():
+        whole |= {index: f"{port}[{k}]" for k, index in enumerate(indices)}
+    return [whole[index] for index in range(len(whole))]
 
 
 # --- other names -------------------------------------------------------------------------------
 
 
-BETWEEN = "/"
+SEPARATOR = "/"
 
 
-def named(space: str, own: str) -> str:
+def named(space: str, name: str) -> str:
     """Return a name in a namespace."""
-    return f"{space}{BETWEEN}{own}"
+    return f"{space}{SEPARATOR}{name}"
 
 
 def split(name: str) -> tuple[str, str]:
-    """Return the namespace of a name, empty where it has none, and the name in it."""
-    space, _, own = name.rpartition(BETWEEN)
-    return space, own
+    """Return the namespace of a name, or "", and the name in it."""
+    space, _, inner = name.rpartition(SEPARATOR)
+    return space, inner
 
 
 def within(block: Any, space: str) -> Any:
     """Return a block with its name and all its ports in a namespace."""
     ports = {*block.input_ports, *block.output_ports, *block.state_ports}
-    moved = {port: named(space, port) for port in ports}
-    return renamed(block, named(space, block.name), moved, moved, moved)
+    names = {port: named(space, port) for port in ports}
+    return renamed(block, named(space, block.name), names, names, names)
 
 
 def renamed(
@@ -213,9 +210,8 @@ def renamed(
     outputs: Mapping[str, str],
     states: Mapping[str, str] | None = None,
 ) -> Any:
-    """Return a block under another name, some of its ports under others: {old: new}."""
+    """Return a copy of a block with another name, and new names of ports: {old: new}."""
     copy = block.copy(name=name)
-    by_states = block.states_are_outputs
-    kinds = {"inputs": inputs, "outputs": outputs, "states": outputs if by_states else states or {}}
-    copy._name_ports(kinds)
+    states = outputs if block.states_are_outputs else states or {}
+    copy._name_ports({"inputs": inputs, "outputs": outputs, "states": states})
     return copy

@@ -1,13 +1,13 @@
-"""A system of discrete time as a block of continuous time: inputs sampled, outputs held.
+"""Sampled systems: a discrete system as a block of continuous time.
 
     at t_k = k dt     x = f(t_{k-1}, x, held), then held = u(t_k)
-    between           x and held stay, y = h(t_k, x, held)
+    between           x and held are constant, y = h(t_k, x, held)
 
-All blocks that sample at one time move their states at once, with what they held before; then each
-holds what feeds it, and one that is fed by another finds its new output (`Sweep.jump`).  So a
-diagram of blocks sampled alike is, at its samples, the diagram of discrete time.  k is the block's
-`interval`.  A run that begins at a sample begins with what is held there; one that begins between
-two has it in its initial state.
+All blocks with a sample at the same time first update their states, from the inputs that they held
+before.  Then each samples its inputs, and a block that is fed by another one reads its new output
+(`Sweep.jump`).  So a diagram of blocks with the same period is, at its samples, the diagram of
+discrete time.  k is the block's `interval`.  A run that begins at a sample begins by sampling.  A
+run that begins between two samples has the held inputs in its initial state.
 """
 
 from typing import Any
@@ -21,12 +21,12 @@ from ..trace.arrays import Tape, operand
 from .block import Block
 from .declaration import Each, Parameters
 
-HELD = "held_"  # with the name of an input port: the state that keeps it
-ROUNDING = 1e-12  # of a time, or of 1: times that differ by less are one
+HELD = "held_"  # prefix of the states that hold inputs
+ROUNDING = 1e-12  # times are equal if they differ by less, relative to the time or to 1
 
 
 def other_equations(*arguments: Any) -> Any:
-    """Do what the inner block does, or what is recorded."""
+    """Stand for equations of a block that computes its values from another block or a record."""
     raise NotImplementedError
 
 
@@ -37,23 +37,23 @@ def inner_parameters(block: "Sampled", p: Any) -> Parameters:
 
 @public
 class Sampled(Block):
-    """A block that runs another at each multiple of a period.
+    """A block that updates an inner block at each multiple of a period.
 
-    Its inputs are sampled there, its outputs are held between.
+    Its inputs are sampled then, its outputs are held until the next sample.
 
     Parameters
     ----------
     inner : Block
-        One of continuous time moves by Euler's step, x += period * rate, as a controller on
-        board does; of discrete time, as `connect` makes it of ``control.ss(..., dt=)``, by its
-        own.
+        A continuous block is updated by Euler's step, x += period * rate, as in a digital
+        controller.  A discrete block, which `connect` makes from ``control.ss(..., dt=)``, has its
+        own update.
     period : float
-        From one sample to the next; time 0 is one.
+        Time between two samples; time 0 is a sample.
 
     Raises
     ------
     DiagramError
-        If the block jumps by itself or has a guard, or the period is none.
+        If the block has jumps of its own or a guard, or the period is not positive.
 
     Examples
     --------
@@ -73,7 +73,7 @@ class Sampled(Block):
                 f"{inner.name}: has breakpoints or a guard of its own, so it cannot be sampled"
             )
         self.inner, self.period, self.of_package = inner, float(period), inner.of_package
-        self.stepped = inner.dt == 0  # its rates are taken for a period, as Euler does
+        self.stepped = inner.dt == 0  # by Euler's step
         held = {HELD + port: shape for port, shape in inner.declared["inputs"].items()}
         states = {**inner.declared["states"], **held}
         super().__init__(
@@ -90,73 +90,75 @@ class Sampled(Block):
             jump=other_equations if states else None,
             units=inner.units,
         )
-        self.first_held, self.raised = inner.nstates if inner.ninputs else None, inner.raised
-
+        self.first_held = inner.nstates if inner.ninputs else None
+        self.raised = inner.raised
         for kind, rename in (("input", self.set_inputs), ("output", self.set_outputs)):
             rename(getattr(inner, f"{kind}_labels"))
         if states:
             self.set_states([*inner.state_labels, *self.state_labels[inner.nstates :]])
 
     def samples_at(self, t: float) -> bool:
-        """Whether a time is one at which inputs are sampled."""
+        """Return whether a time is a sample."""
         k = np.round(t / self.period)
         return bool(k >= 0 and abs(t - k * self.period) <= ROUNDING * max(1.0, abs(t)))
 
-    # --- readings ---------------------------------------------------------------------------
+    # --- values and records -----------------------------------------------------------------
 
     def _try_equations(self) -> None:
-        """Leave it to the inner block, which was tried."""
+        """Do nothing: the inner block has run its equations."""
 
     def read_anew(self) -> None:
-        """Read the functions again: what they use may have changed."""
+        """Trace the functions again: objects that they use may have changed."""
         if not self.of_package:
             self.inner.read_anew()
             self._forget()
 
     def values(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
-        """Return what the inner block does with what is held."""
+        """Return the inner block's values with the held inputs."""
         if role == "update":
             return np.zeros(size)
-        x, inner, parameters = np.asarray(x), self.inner, inner_parameters(self, p)
-        states, held = x[: inner.nstates], x[inner.nstates :]
+        inner, parameters = self.inner, inner_parameters(self, p)
+        x, held = np.split(np.asarray(x), [inner.nstates])
         if role == "output":
-            return inner.values(role, size, p.interval * self.period, states, held, parameters)
+            return inner.values(role, size, p.interval * self.period, x, held, parameters)
         if not inner.nstates:
             return np.array(u)
         before = (p.interval - 1.0) * self.period
-        new = inner.values("update", inner.nstates, before, states, held, parameters)
+        new = inner.values("update", inner.nstates, before, x, held, parameters)
         self.raised["jump"] = self.raised.get("update", "")
-        return np.append(new * self.period + states if self.stepped else new, u)
+        return np.append(new * self.period + x if self.stepped else new, u)
 
     def _read(self, role: str) -> Any:
         tape, inner = Tape(), self.inner
-        states, inputs = inner.declared["states"], inner.declared["inputs"]
-
-        def leaf(group: str, name: str, shape: Shape = ()) -> Any:
-            return tape.add("leaf", (), shape, (group, name))
-
-        def replayed(role: str, ago: float) -> list[Any]:
-            """Return what the inner block does with what is held, at a sample or one before."""
-            t = (leaf("p", "interval") - ago) * self.period
-
-            def held(group: str, name: str, shape: Shape) -> Any:
-                if group == "t":
-                    return t
-                return leaf(*(("x", HELD + name) if group == "u" else (group, name)), shape)
-
-            return tape.replayed(inner.array_record(role), held)
-
         if role == "update":
             shapes = [*self.declared["states"].values()]
             return compact([], [0.0] * len(shapes), shapes)
         if role == "output":
-            values, shapes = replayed("output", 0.0), [*inner.array_record("output").shapes]
-        else:
-            values = replayed("update", 1.0) if inner.nstates else []
-            own = [*inner.array_record("update").shapes] if inner.nstates else []  # N may be bound
-            if self.stepped:
-                before = [leaf("x", port, shape) for port, shape in zip(states, own, strict=True)]
-                values = [r * self.period + x for r, x in zip(values, before, strict=True)]
-            values += [leaf("u", *port) for port in inputs.items()]
-            shapes = [*own, *inputs.values()]
-        return self._outside(compact(tape.operations, [operand(one) for one in values], shapes))
+            values, shapes = self._inner_values(tape, role, 0.0), [*inner.array_record(role).shapes]
+            return self._record(tape, values, shapes)
+        values, shapes = [], []
+        if inner.nstates:
+            values = self._inner_values(tape, "update", 1.0)
+            shapes = [*inner.array_record("update").shapes]  # sizes may be numbers here
+        if self.stepped:
+            for k, (port, shape) in enumerate(zip(inner.declared["states"], shapes, strict=True)):
+                values[k] = values[k] * self.period + tape.add("leaf", (), shape, ("x", port))
+        for port, shape in inner.declared["inputs"].items():
+            values.append(tape.add("leaf", (), shape, ("u", port)))
+            shapes.append(shape)
+        return self._record(tape, values, shapes)
+
+    def _inner_values(self, tape: Tape, role: str, samples_ago: float) -> list[Any]:
+        """Write the inner block's record with the held inputs, at a sample or the sample before."""
+        t = (tape.add("leaf", (), (), ("p", "interval")) - samples_ago) * self.period
+
+        def leaf(group: str, name: str, shape: Shape) -> Any:
+            if group == "t":
+                return t
+            at = ("x", HELD + name) if group == "u" else (group, name)
+            return tape.add("leaf", (), shape, at)
+
+        return tape.replayed(self.inner.array_record(role), leaf)
+
+    def _record(self, tape: Tape, values: list[Any], shapes: list[Shape]) -> Any:
+        return self._outside(compact(tape.operations, [*map(operand, values)], shapes))
