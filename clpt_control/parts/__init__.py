@@ -1,6 +1,6 @@
-"""A shelf of parts for any loop: each is a Block, ten lines of NumPy with their source.
+"""Component library: each part is a Block, a few lines of NumPy with their source.
 
-`limits`, `hysteresis` (gaps, switches), `lags` (delays, holds), `controllers` (PID), `observers`
+`limits` (tables, gaps, relays), `lags` (delays, holds), `controllers` (PID), `observers`
 (observer, Kalman filter, noise) and `vehicles`.
 """
 

@@ -1,7 +1,6 @@
 from .controllers import pid
-from .hysteresis import backlash, relay
 from .lags import delay, hold, lag
-from .limits import dead_zone, lookup_table, rate_limit, saturation
+from .limits import backlash, dead_zone, lookup_table, rate_limit, relay, saturation
 from .observers import kalman_filter, noise, observer
 from .vehicles import planar_vehicle, point_vehicle, thrusters
 

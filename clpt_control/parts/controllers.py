@@ -18,7 +18,7 @@ import numpy as np
 from ..arguments import public
 from ..engine.model.block import Block
 from ..errors import BlockError
-from .part import part, positive, rising, sampled
+from .common import check_order, check_positive, make_block, with_period
 
 
 def unlimited(x, u, p, derivative):
@@ -132,19 +132,19 @@ def pid(
     if tracking is None:
         follows = np.inf if not ki else np.sqrt(abs(kd / ki)) if kd else abs(kp / ki) or 1.0
         tracking = max(follows, dt or 0.0)
-    positive(name, filter=filter, tracking=tracking, **({} if dt is None else {"dt": dt}))
+    check_positive(name, filter=filter, tracking=tracking, dt=1.0 if dt is None else dt)
     if tracking <= (dt or 0.0) / 2:
         raise BlockError(f"{name}: tracking = {tracking:g}: must be above half of dt = {dt:g}")
-    rising(name, low=low, high=high)
+    check_order(name, low=low, high=high)
     gains = {"kp": kp, "ki": ki, "kd": kd, "low": low, "high": high}
     values = {**gains, "filter": filter, "tracking": tracking}
     states = ["integral", "filtered"] if dt is None else ["integral", "derivative", "last"]
-    return part(
+    return make_block(
         name,
         ports,
         values,
-        update=rates if dt is None else sampled(next_states, dt),
-        output=command if dt is None else sampled(sampled_command, dt),
+        update=rates if dt is None else with_period(next_states, dt),
+        output=command if dt is None else with_period(sampled_command, dt),
         inputs={"r": signals, "y": signals},
         outputs={"u": signals},
         states=dict.fromkeys(states, signals),

@@ -23,7 +23,7 @@ from numpy.typing import ArrayLike
 from ..arguments import public
 from ..engine.model.block import Block
 from ..errors import BlockError
-from .part import each, part, positive, signal_part
+from .common import check_positive, checked_sizes, make_block, signal_block
 
 
 def lagging(t, x, u, p):
@@ -62,9 +62,11 @@ def lag(
     >>> run.v.values.round(4).tolist()
     [0.0, 0.6321, 1.0]
     """
-    values = each(name, signals, lag=lag, gain=gain)
-    positive(name, lag=lag)
-    return part(name, ports, values, update=lagging, inputs={"u": signals}, states={"y": signals})
+    values = checked_sizes(name, signals, lag=lag, gain=gain)
+    check_positive(name, lag=lag)
+    return make_block(
+        name, ports, values, update=lagging, inputs={"u": signals}, states={"y": signals}
+    )
 
 
 def legendre_rate(t, x, u, p):
@@ -131,14 +133,14 @@ def delay(
     >>> clpt.simulate(clpt.parts.delay(2.0, dt=1.0), range(5), [[1, 2, 3, 4, 5]]).y.values.tolist()
     [0.0, 0.0, 1.0, 2.0, 3.0]
     """
-    positive(name, delay=delay, order=order)
+    check_positive(name, delay=delay, order=order)
     if dt is not None:
-        positive(name, dt=dt)
+        check_positive(name, dt=dt)
         count = round(delay / dt)
         if count < 1 or abs(count * dt - delay) > 1e-9 * delay:
             raise BlockError(f"{name}: delay = {delay}: must be a multiple of dt = {dt}")
         line = {"line": (count, signals)}
-        return signal_part(
+        return signal_block(
             name, ports, {}, signals, update=shifted, output=last_of_line, states=line, dt=dt
         )
     i = np.arange(order)
@@ -146,7 +148,7 @@ def delay(
     A = weight[:, None] * np.where(i[:, None] < i, -1.0, -np.outer(sign, sign))
     values = {"delay": delay, "A": A, "B": weight * sign, "C": np.ones(order)}
     past = {"past": (order, signals)}
-    return signal_part(
+    return signal_block(
         name, ports, values, signals, update=legendre_rate, output=oldest, states=past
     )
 
@@ -184,5 +186,5 @@ def hold(dt: float, signals: int = 1, name: str = "hold", **ports: str) -> Block
     >>> clpt.simulate(loop, [0, 0.5, 1, 1.5], [[0, 1, 2, 3]]).y.values.tolist()
     [0.0, 0.0, 2.0, 2.0]
     """
-    positive(name, dt=dt)
-    return signal_part(name, ports, {}, signals, output=as_sampled, dt=dt)
+    check_positive(name, dt=dt)
+    return signal_block(name, ports, {}, signals, output=as_sampled, dt=dt)

@@ -1,17 +1,28 @@
-"""Limits of a signal and of its rate, gaps, tables.
+"""Limits of a signal and of its rate, gaps, tables, backlash and relay.
 
     saturation     y = min(max(u, low), high)
     dead zone      y = u - min(max(u, low), high)
     lookup table   y = Y_k + (u - X_k) (Y_{k+1} - Y_k)/(X_{k+1} - X_k),   X_k <= u <= X_{k+1}
     rate limit     y' = min(max((u - y)/T, -fall), rise)
                    y_k = y_{k-1} + min(max(u_k - y_{k-1}, -fall dt), rise dt)
+    backlash       y' = dz(u - y)/T,             dz(e) = e - min(max(e, -w/2), w/2)
+                   y_k = min(max(y_{k-1}, u_k - w/2), u_k + w/2)
+    relay          T m' = sgn(m + v) - m,        y = high if m + v > 0, else low
+                   m_k = sgn(m_{k-1} + v_k),     v = -1 at off, 1 at on
 
-Sampled (`dt`) the rate limit is exact.  In continuous time its rate would switch at u = y without
-end; T is the lag of the actuator that is limited, and the limit itself as T goes to 0.
+Sampled (`dt`) the rate limit, the backlash and the relay are exact.  In continuous time each is the
+published differential equation with a time T, which becomes exact as T goes to 0:
 
-Ports: u -> y, each of `signals` signals, of one unit (but of the table).
+- The rate limit would switch at u = y without end; T is the lag of the limited actuator.
+- Teeth in contact move with the lag T.
+- The relay switches at `on` and `off`, except for exp(-s/T) of their distance at a time s after the
+  switch before.
+
+Ports: u -> y, each of `signals` signals, of one unit (except the table and the relay).
 Sources: Astrom and Murray 2008, Feedback Systems, section 10.4; Rundqwist and Hillgren 1996, Phase
-compensation of rate limiters in JAS 39 Gripen.
+compensation of rate limiters in JAS 39 Gripen; Visintin 1994, Differential Models of Hysteresis,
+section III.2 (the play operator and its regularization); Schmitt 1938, A thermionic trigger,
+Journal of Scientific Instruments 15.
 """
 
 from typing import Any
@@ -22,7 +33,15 @@ from numpy.typing import ArrayLike
 from ..arguments import brief, numbers, public
 from ..engine.model.block import Block
 from ..errors import BlockError
-from .part import each, positive, remembering, rising, sampled, signal_part, time_of
+from .common import (
+    check_order,
+    check_positive,
+    checked_sizes,
+    following_block,
+    lag_parameter,
+    signal_block,
+    with_period,
+)
 
 
 def limited(t, x, u, p):
@@ -58,9 +77,9 @@ def saturation(
     >>> clpt.parts.saturation(-1, 2, signals=3).output(0, [], [-5, 0.5, 7])
     array([-1. ,  0.5,  2. ])
     """
-    limits = each(name, signals, low=low, high=high)
-    rising(name, **limits)
-    return signal_part(name, ports, limits, signals, output=limited)
+    limits = checked_sizes(name, signals, low=low, high=high)
+    check_order(name, **limits)
+    return signal_block(name, ports, limits, signals, output=limited)
 
 
 def beyond(t, x, u, p):
@@ -96,9 +115,9 @@ def dead_zone(
     >>> clpt.parts.dead_zone(-1, 1, signals=3).output(0, [], [-5, 0.5, 1.5])
     array([-4. ,  0. ,  0.5])
     """
-    limits = each(name, signals, low=low, high=high)
-    rising(name, **limits)
-    return signal_part(name, ports, limits, signals, output=beyond)
+    limits = checked_sizes(name, signals, low=low, high=high)
+    check_order(name, **limits)
+    return signal_block(name, ports, limits, signals, output=beyond)
 
 
 def looked_up(t, x, u, p):
@@ -144,13 +163,13 @@ def lookup_table(
     >>> pump.output(0, [], [0.5, 2, 9])
     array([ 5., 15., 20.])
     """
-    places = numbers(f"{name}: at", at)
-    if places.ndim != 1 or len(places) < 2 or not np.all(np.diff(places) > 0):
+    points = numbers(f"{name}: at", at)
+    if points.ndim != 1 or len(points) < 2 or not np.all(np.diff(points) > 0):
         raise BlockError(f"{name}: at = {brief(at)}: must be two or more increasing numbers")
-    if numbers(f"{name}: values", values).shape != places.shape:
-        raise BlockError(f"{name}: values = {brief(values)}: must be {len(places)} numbers")
+    if numbers(f"{name}: values", values).shape != points.shape:
+        raise BlockError(f"{name}: values = {brief(values)}: must be {len(points)} numbers")
     table = {"at": at, "values": values}
-    return signal_part(name, ports, table, signals, output=looked_up)
+    return signal_block(name, ports, table, signals, output=looked_up)
 
 
 def limited_rate(t, x, u, p):
@@ -208,8 +227,158 @@ def rate_limit(
     >>> run.y.values.round(4).tolist()
     [0.0, 0.5, 1.0, 2.0]
     """
-    rates = each(name, signals, rise=rise, fall=rise if fall is None else fall)
-    positive(name, **rates)
-    step = limited_step if dt is None else sampled(limited_step, dt)
-    values = {**rates, **time_of(name, lag, dt)}
-    return remembering(name, ports, values, signals, limited_rate, step, dt)
+    rates = checked_sizes(name, signals, rise=rise, fall=rise if fall is None else fall)
+    check_positive(name, **rates)
+    step = limited_step if dt is None else with_period(limited_step, dt)
+    values = {**rates, **lag_parameter(name, lag, dt)}
+    return following_block(name, ports, values, signals, limited_rate, step, dt)
+
+
+# --- hysteresis ----------------------------------------------------------------------------------
+
+
+def gap_closed(t, x, u, p):
+    """y' = dz(u - y)/T, of a gap w (Visintin 1994, section III.2, regularized play)."""
+    offset = u.u - x.y
+    return (offset - np.clip(offset, -p.width / 2, p.width / 2)) / p.lag
+
+
+def play(t, x, u, p):
+    """y_k = min(max(y_{k-1}, u_k - w/2), u_k + w/2) (Visintin 1994, section III.2)."""
+    return np.clip(x.last, u.u - p.width / 2, u.u + p.width / 2)
+
+
+@public
+def backlash(
+    width: ArrayLike,
+    *,
+    lag: float | None = None,
+    dt: float | None = None,
+    signals: int = 1,
+    name: str = "backlash",
+    **ports: str,
+) -> Block:
+    """Follow a signal across a gap, as worn gears do.
+
+    Parameters
+    ----------
+    width : float or array_like
+        The whole gap, in the unit of u.
+    lag : float, optional
+        In continuous time: how soon teeth that touch carry along; 0 would be the play itself.
+    dt : float, optional
+        Sampled, exactly.
+    signals : int, optional
+        Number of signals.
+    name : str, optional
+        Name of the block.
+    **ports : str
+        A port under another name.
+
+    Returns
+    -------
+    Block
+        With ports u and y.
+
+    Raises
+    ------
+    BlockError
+        If a width or time is not positive, or not one of `lag` and `dt` is given.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> gears = clpt.parts.backlash(1.0, dt=1.0)
+    >>> clpt.simulate(gears, range(6), [[0, 1, 2, 1.5, 1, 0]]).y.values.tolist()
+    [0.0, 0.5, 1.5, 1.5, 1.5, 0.5]
+    """
+    check_positive(name, **checked_sizes(name, signals, width=width))
+    values = {"width": width, **lag_parameter(name, lag, dt)}
+    return following_block(name, ports, values, signals, gap_closed, play, dt)
+
+
+def closed_by(x, u, p):
+    """Return m + v, which closes the relay where it is positive; v is -1 at off, 1 at on."""
+    return x.closed + (2 * u.u - p.on - p.off) / (p.on - p.off)
+
+
+def trigger(t, x, u, p):
+    """T m' = sgn(m + v) - m (Schmitt 1938, section "trigger": feedback about a comparator)."""
+    return (switched(t, x, u, p) - x.closed) / p.lag
+
+
+def switched(t, x, u, p):
+    """m_k = sgn(m_{k-1} + v_k) (Schmitt 1938, section "trigger")."""
+    return np.where(closed_by(x, u, p) > 0, 1.0, -1.0)
+
+
+def relayed(t, x, u, p):
+    """y = high where m + v > 0, or low (Schmitt 1938, section "trigger")."""
+    return np.where(closed_by(x, u, p) > 0, p.high, p.low)
+
+
+@public
+def relay(
+    on: ArrayLike,
+    off: ArrayLike,
+    low: ArrayLike = -1.0,
+    high: ArrayLike = 1.0,
+    *,
+    lag: float | None = None,
+    dt: float | None = None,
+    signals: int = 1,
+    name: str = "relay",
+    **ports: str,
+) -> Block:
+    """Switch between two values, with hysteresis.
+
+    To `high` where u passes `on`, to `low` where it falls below `off`.
+
+    Parameters
+    ----------
+    on, off : float or array_like
+        Where it switches, `off` below `on`, in the unit of u. At first, in between, it is high
+        above the middle.
+    low, high : float or array_like
+        The two outputs.
+    lag : float, optional
+        In continuous time: how soon the comparator settles. It must be much shorter than the time
+        between two switches.
+    dt : float, optional
+        Sampled, exactly.
+    signals : int, optional
+        Number of signals.
+    name : str, optional
+        Name of the block.
+    **ports : str
+        A port under another name.
+
+    Returns
+    -------
+    Block
+        With ports u and y.
+
+    Raises
+    ------
+    BlockError
+        If `off` is not below `on`, or not one of `lag` and `dt` is given.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> switch = clpt.parts.relay(on=1, off=-1, low=0, high=5, dt=1.0)
+    >>> clpt.simulate(switch, range(6), [[-2, 0.5, 2, 0.5, -0.5, -2]]).y.values.tolist()
+    [0.0, 0.0, 5.0, 5.0, 5.0, 0.0]
+    """
+    values = checked_sizes(name, signals, off=off, on=on, low=low, high=high)
+    check_order(name, off=off, on=on)
+    return signal_block(
+        name,
+        ports,
+        {**values, **lag_parameter(name, lag, dt)},
+        signals,
+        update=switched if lag is None else trigger,
+        output=relayed,
+        states={"closed": signals},
+        dt=dt or 0,
+    )

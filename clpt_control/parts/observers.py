@@ -28,7 +28,7 @@ from ..engine.model.block import Block
 from ..engine.model.declaration import Each
 from ..engine.model.system import SHAPES
 from ..errors import BlockError
-from .part import each, part, positive
+from .common import check_positive, checked_sizes, make_block
 
 
 def innovation(X, u, p):
@@ -73,7 +73,7 @@ def observer(
     [-3.0, -2.0]
     """
     matrices = {**_matrices(name, system), "L": numbers(f"{name}: L", L)}
-    return part(
+    return make_block(
         name,
         ports,
         matrices,
@@ -169,7 +169,7 @@ def kalman_filter(
         if least < -1e-12 * np.abs(M).max() or (key == "R" and least <= 0):  # but for rounding
             raise BlockError(f"{name}: {key}: must be positive semidefinite, and R definite")
     sampled = bool(system.dt)
-    return part(
+    return make_block(
         name,
         ports,
         matrices,
@@ -232,9 +232,9 @@ def noise(
     >>> round(float(clpt.simulate(gusts, range(1000)).n.std()), 1)
     1.9
     """
-    positive(name, period=period)
-    values = {**each(name, signals, std=std), "period": period, "seed": seed}
-    return part(
+    check_positive(name, period=period)
+    values = {**checked_sizes(name, signals, std=std), "period": period, "seed": seed}
+    return make_block(
         name,
         ports,
         {**values, "signal": np.arange(float(signals)), "interval": -1.0},

@@ -24,7 +24,7 @@ from numpy.typing import ArrayLike
 from ..arguments import brief, numbers, public
 from ..engine.model.block import Block
 from ..errors import BlockError
-from .part import each, part, positive, rising
+from .common import check_order, check_positive, checked_sizes, make_block
 
 
 def point_rates(t, x, u, p):
@@ -69,10 +69,10 @@ def point_vehicle(
     >>> clpt.simulate(glider, [0, 60], [15, 0, 0.1, 0]).v[-1].values.round(3).tolist()
     [0.5, 0.0]
     """
-    values = each(name, axes, mass=mass, damping=damping, quadratic=quadratic)
-    positive(name, mass=mass)
+    values = checked_sizes(name, axes, mass=mass, damping=damping, quadratic=quadratic)
+    check_positive(name, mass=mass)
     inputs, states = (dict.fromkeys(keys, axes) for keys in (("force", "flow"), ("x", "v")))
-    return part(name, ports, values, update=point_rates, inputs=inputs, states=states)
+    return make_block(name, ports, values, update=point_rates, inputs=inputs, states=states)
 
 
 def planar_rates(t, x, u, p):
@@ -82,11 +82,12 @@ def planar_rates(t, x, u, p):
     ahead, aside = m11 * surge, m22 * sway + m23 * yaw  # momentum
     X, Y, N = u.tau - p.D @ x.nu - p.Q @ (np.abs(x.nu) * x.nu)
     X, Y, N = X + aside * yaw, Y - ahead * yaw, N - aside * surge + ahead * sway
-    both = m22 * m33 - m23**2
-    rates = [X / m11, (m33 * Y - m23 * N) / both, (m22 * N - m23 * Y) / both]
+    determinant = m22 * m33 - m23**2
+    sway_rate = (m33 * Y - m23 * N) / determinant
+    yaw_rate = (m22 * N - m23 * Y) / determinant
     c, s = np.cos(x.eta[2]), np.sin(x.eta[2])
     over_ground = [c * surge - s * sway + u.flow[0], s * surge + c * sway + u.flow[1], yaw]
-    return {"eta": over_ground, "nu": rates}
+    return {"eta": over_ground, "nu": [X / m11, sway_rate, yaw_rate]}
 
 
 @public
@@ -134,7 +135,7 @@ def planar_vehicle(
     M = matrices["M"]
     if not np.allclose(M, M.T, atol=0) or np.any(M[0, 1:]) or np.min(np.linalg.eigvalsh(M)) <= 0:
         raise BlockError(f"{name}: M: must be symmetric and positive definite, with m12 = m13 = 0")
-    return part(
+    return make_block(
         name,
         ports,
         matrices,
@@ -193,14 +194,16 @@ def thrusters(
     >>> clpt.simulate(pair, [0, 9], [50, 10]).tau[-1].values.round(6).tolist()
     [30.0, 0.0, 2.0]
     """
-    at, a = numbers(f"{name}: places", places, None, 2), numbers(f"{name}: angles", angles, None)
-    if a.ndim != 1 or at.shape != (a.size, 2) or not a.size:
+    points = numbers(f"{name}: places", places, None, 2)
+    a = numbers(f"{name}: angles", angles, None)
+    if a.ndim != 1 or points.shape != (a.size, 2) or not a.size:
         raise BlockError(f"{name}: places = {brief(places)}: must be a pair for each angle")
-    values = each(name, a.size, low=low, high=high, lag=lag)
-    positive(name, lag=lag)
-    rising(name, low=low, high=high)
-    B = np.array([np.cos(a), np.sin(a), at[:, 0] * np.sin(a) - at[:, 1] * np.cos(a)])
-    return part(
+    values = checked_sizes(name, a.size, low=low, high=high, lag=lag)
+    check_positive(name, lag=lag)
+    check_order(name, low=low, high=high)
+    forward, starboard = points.T
+    B = np.array([np.cos(a), np.sin(a), forward * np.sin(a) - starboard * np.cos(a)])
+    return make_block(
         name,
         ports,
         {"B": B, **values},
