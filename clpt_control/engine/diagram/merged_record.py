@@ -83,14 +83,14 @@ class RecordMerger:
         record = self.wiring.nodes[k].system.array_record(role)
         values: list[Ref] = []
         for operation in record.operations:
-            kind, arguments, shape, at = operation
-            if kind != "leaf":
-                refs = [values[a] if type(a) is int else a for a in arguments]
-                values.append(self.put(k, role, record, operation, refs))
-            elif at[0] == "u":
-                values.append(fed[at[1]])
+            if operation.kind == "leaf":
+                group, name = operation.at
+                is_input = group == "u"
+                value = fed[name] if is_input else self.leaf(k, group, name, operation.shape)
             else:
-                values.append(self.leaf(k, at[0], at[1], shape))
+                refs = [values[a] if type(a) is int else a for a in operation.arguments]
+                value = self.put(k, role, record, operation, refs)
+            values.append(value)
         return [values[ref] if type(ref) is int else ref for ref in record.outputs]
 
     def fed(self, k: int) -> dict[str, Ref]:
@@ -103,19 +103,16 @@ class RecordMerger:
         return values
 
     def joined(self, node: Node, port: str, inputs: range, shape: Shape) -> Ref:
-        """Return the value of the inputs of a port: a whole array, or pieces joined."""
-        pieces: list[Ref] = []
+        """Return the value of the inputs of a port: an array, or several joined."""
+        values: list[Ref] = []
         for sources, group in groupby(inputs, lambda k: self._sources(node.rows[k], k)):
-            piece = [*group]
-            is_whole = len(piece) == len(inputs)
-            piece_shape = shape if is_whole else (len(piece),)
-            total = self._sum(sources, piece[0], piece_shape)
-            if not is_whole and type(total) is not int:
-                total = self.add("fill", (total,), piece_shape)
-            pieces.append(total)
-        if len(pieces) == 1:
-            return pieces[0]
-        return self.part(self.add("join", pieces, (len(inputs),)), 0, shape) if pieces else 0.0
+            indices = [*group]
+            if len(indices) == len(inputs):
+                return self._sum(sources, indices[0], shape)
+            size = (len(indices),)
+            value = self._sum(sources, indices[0], size)
+            values.append(value if type(value) is int else self.add("fill", (value,), size))
+        return self.part(self.add("join", values, (len(inputs),)), 0, shape) if values else 0.0
 
     def _sum(self, sources: list[Source], k: int, shape: Shape) -> Ref:
         """Return the sum of the sources of consecutive inputs, the first of which is k."""
@@ -279,10 +276,11 @@ class TapeRecord(RecordMerger):
         """Refuse a record for one size if the block's sizes are open."""
         block = node.system
         declared = {"x": block.declared["states"], "u": block.declared["inputs"]}
-        for kind, _, shape, at in record.operations:
-            if kind != "leaf" or at[0] not in declared:
+        for operation in record.operations:
+            if operation.kind != "leaf" or operation.at[0] not in declared:
                 continue
-            if self.shape(block, declared[at[0]][at[1]]) != self.shape(block, shape):
+            group, name = operation.at
+            if self.shape(block, declared[group][name]) != self.shape(block, operation.shape):
                 _, why = block.read_with.get(role, ((), ""))
                 sizes = " and ".join(self.open)
                 raise Unread(f"{node.name}.{role} is not read for every {sizes}: {why}")

@@ -24,8 +24,8 @@ def as_part(system: Any, discrete: bool = False) -> Part:
 
     A system of discrete time samples its inputs, unless the whole diagram is `discrete`.
     """
-    part = _checked(system)
-    return part if discrete or not is_discrete(part) else sampled(part, part.dt)
+    system = _checked(system)
+    return system if discrete or not is_discrete(system) else sampled(system, system.dt)
 
 
 def is_discrete(*systems: Any) -> bool:
@@ -35,32 +35,32 @@ def is_discrete(*systems: Any) -> bool:
     return bool(times) and 0 not in times and len(periods) < 2
 
 
-def sampled(part: Part, period: float, params: Params = None) -> Part:
-    """Return a part of discrete time as one of continuous time, a diagram block by block.
+def sampled(system: Part, period: float, params: Params = None) -> Part:
+    """Return a discrete system as one of continuous time, a diagram block by block.
 
-    `params` come from the diagram around the part.
+    `params` come from the diagram around the system.
     """
     if period is True:
         raise DiagramError(
-            f"{part.name}: dt = True does not say how often it samples; give dt a number"
+            f"{system.name}: dt = True does not say how often it samples; give dt a number"
         )
-    if isinstance(part, Block):
-        return Sampled(part, period)
-    params = {**part.params, **(params or {})}
-    if isinstance(part, control.InterconnectedSystem):
+    if isinstance(system, Block):
+        return Sampled(system, period)
+    params = {**system.params, **(params or {})}
+    if isinstance(system, control.InterconnectedSystem):
         diagram = control.InterconnectedSystem(
-            [sampled(inner, period, params) for inner in part.syslist],
-            inputs=part.input_labels,
-            outputs=part.output_labels,
-            name=part.name,
+            [sampled(inner, period, params) for inner in system.syslist],
+            inputs=system.input_labels,
+            outputs=system.output_labels,
+            name=system.name,
         )
-        diagram.set_connect_map(part.connect_map)
-        diagram.set_input_map(part.input_map)
-        diagram.set_output_map(part.output_map)
+        diagram.set_connect_map(system.connect_map)
+        diagram.set_input_map(system.input_map)
+        diagram.set_output_map(system.output_map)
         return diagram
-    if isinstance(part, control.StateSpace):
-        return Sampled(linear(part), period)
-    return Sampled(System(part, params), period)
+    if isinstance(system, control.StateSpace):
+        return Sampled(linear(system), period)
+    return Sampled(System(system, params), period)
 
 
 def _checked(system: Any) -> Part:
@@ -88,11 +88,11 @@ def _checked(system: Any) -> Part:
     return linear(system) if is_linear else system
 
 
-def input_ports(part: Part) -> dict[str, list[int]]:
-    """Return the input ports of a part, each with the indices of its signals."""
-    return ports_of(part.input_labels)
+def input_ports(system: Part) -> dict[str, list[int]]:
+    """Return the input ports of a system, each with the indices of its signals."""
+    return ports_of(system.input_labels)
 
 
-def output_ports(part: Part) -> dict[str, list[int]]:
-    """Return the output ports of a part, each with the indices of its signals."""
-    return ports_of(part.output_labels)
+def output_ports(system: Part) -> dict[str, list[int]]:
+    """Return the output ports of a system, each with the indices of its signals."""
+    return ports_of(system.output_labels)

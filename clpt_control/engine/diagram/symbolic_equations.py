@@ -156,8 +156,9 @@ class Equations:
         rows = [*self._rows(rate, jump)]
         for form, s, value in rows[:MOST_EQUATIONS]:
             size, _ = extent(sympy.sympify(value))
-            shown = value if size <= LONG else sympy.Symbol(f"({size} parts)")
-            yield f"{form.format(print_as(s))} = {print_as(shown)}"
+            if size > LONG:
+                value = sympy.Symbol(f"({size} parts)")
+            yield f"{form.format(print_as(s))} = {print_as(value)}"
         if len(rows) > MOST_EQUATIONS:
             yield f"... {len(rows) - MOST_EQUATIONS} more"
 
@@ -210,10 +211,10 @@ class _SymbolicRecord:
         symbols = self.symbols[node.name][name] if is_state else self._parameter(node, name)
         return self._array((group, (node.name, name)), symbols)
 
-    def _array(self, at: tuple, symbols: np.ndarray) -> Any:
+    def _array(self, key: tuple, symbols: np.ndarray) -> Any:
         """Return a leaf of the tape with these symbols."""
-        self.table[at] = symbols
-        return self.tape.add("leaf", (), symbols.shape, at)
+        self.table[key] = symbols
+        return self.tape.add("leaf", (), symbols.shape, key)
 
     def _parameter(self, node: Node, name: str) -> np.ndarray:
         """Return the symbols of a parameter."""
@@ -244,22 +245,22 @@ class _SymbolicRecord:
             return None
         outputs = {}
         for port, shape in shapes.items():
-            at = "o", (node.name, port)
-            self.undefined_functions[at] = node, port, shape, [*u.values()]
-            outputs[port] = self.tape.add("leaf", (), shape, at)
+            key = "o", (node.name, port)
+            self.undefined_functions[key] = node, port, shape, [*u.values()]
+            outputs[port] = self.tape.add("leaf", (), shape, key)
         return outputs
 
-    def _element(self, at: tuple, shape: Shape, index: tuple) -> Any:
+    def _element(self, key: tuple, shape: Shape, index: tuple) -> Any:
         """Return the symbol of an element of a leaf."""
-        if at[0] == "t":
+        if key[0] == "t":
             return TIME
-        if at not in self.table:
-            node, port, shape, arrays = self.undefined_functions[at]
+        if key not in self.table:
+            node, port, shape, arrays = self.undefined_functions[key]
             declared = node.system.declared["outputs"][port]
             inputs = [e for array in arrays for e in self.elements.all_of(operand(array))]
             name = self.names.port(node, port, "output")
-            self.table[at] = self._functions(name, shape, declared, *inputs)
-        return self.table[at][index]
+            self.table[key] = self._functions(name, shape, declared, *inputs)
+        return self.table[key][index]
 
     # --- equations ----------------------------------------------------------------------------
 

@@ -151,10 +151,13 @@ def _flatten(system: Part, name: str) -> tuple[list[Row], list[Row]]:
 
     # an output of the system is a sum of outputs and, after them, inputs of subsystems
     n = len(outputs)
-    shown = _entries(system.output_map)
+    sources = _entries(system.output_map)
     output_rows = [
         _sum(
-            [(resolve(outputs[k]) if k < n else input_row(k - n), g) for k, g in shown.get(to, ())]
+            [
+                (resolve(outputs[k]) if k < n else input_row(k - n), g)
+                for k, g in sources.get(to, ())
+            ]
         )
         for to in range(len(system.output_map))
     ]
