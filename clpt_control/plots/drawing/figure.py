@@ -1,10 +1,8 @@
-"""A diagram drawn as on paper: into a file, for a notebook, for a page; and said in a line.
-
-`mermaid` gives the arrows between its blocks as text.
+"""Drawings of diagrams: into a file, for a notebook, for a page, and as Mermaid text.
 
 Thick frame and integral sign: a block with states.  Grey: a source of time or
 tables (`Block.opaque`).  Dashed: feedback.  The number under a name is the
-equation of the paper that the block's function names first.
+first equation number in the docstrings of the block's functions.
 """
 
 import os
@@ -129,8 +127,8 @@ def diagram_html(diagram: control.InterconnectedSystem) -> str:
         drawn = "" if large else drawing(diagram).svg
     except ClptError as error:  # of what cannot be wired
         return fragment("Diagram", name, paragraphs([str(error)]))
-    said = [f"It has more than {MOST} blocks; clpt.draw(diagram, 'loop.svg') draws it."]
-    return fragment("Diagram", name, paragraphs(said) if large else drawn)
+    advice = [f"It has more than {MOST} blocks; clpt.draw(diagram, 'loop.svg') draws it."]
+    return fragment("Diagram", name, paragraphs(advice) if large else drawn)
 
 
 def _size(diagram: control.InterconnectedSystem) -> str:
@@ -212,8 +210,8 @@ def block_figure(diagram: Part) -> Any:
         _draw_arrows(axes, routed, nets)
         for name, box in routed.boxes.items():
             if name.startswith("in:"):
-                place: Any = {"ha": "right", "va": "center_baseline", "style": "italic"}
-                axes.text(box.x + box.width - 4, box.y, name[3:], size=PORT, **place)
+                style: Any = {"ha": "right", "va": "center_baseline", "style": "italic"}
+                axes.text(box.x + box.width - 4, box.y, name[3:], size=PORT, **style)
             elif name in nodes:
                 _draw_block(axes, box, name, nodes[name].system)
         axes.text(0, height - MARGIN - 4, LEGEND, size=NOTE, va="baseline", color="0.25")
@@ -259,8 +257,8 @@ def _draw_block(axes: Any, box: Any, name: str, system: Part) -> None:
         rows.append((text, NOTE, "normal"))
     for k, (line, size, weight) in enumerate(rows):
         y = box.y + (k - (len(rows) - 1) / 2) * 10 + size * 0.36
-        place = {"ha": "center", "va": "baseline", "zorder": 5}
-        axes.text(box.x + box.width / 2, y, line, size=size, weight=weight, **place)
+        style = {"ha": "center", "va": "baseline", "zorder": 5}
+        axes.text(box.x + box.width / 2, y, line, size=size, weight=weight, **style)
 
 
 def layout(diagram: Part) -> tuple[Routed, list[Net], dict[str, Node]]:
@@ -281,8 +279,8 @@ def layout(diagram: Part) -> tuple[Routed, list[Net], dict[str, Node]]:
 def equation_numbers(system: Part) -> str:
     """Return the equations that a block's docstrings name first, as "Eqs. (21)-(23)", but V's."""
     text = " ".join(" ".join(docs_of(system)).split())
-    found = re.search(r"(?<!V of )Eqs?\. \(\d+\)((-|, | and )\(\d+\))*", text)
-    return found[0] if found else ""
+    match = re.search(r"(?<!V of )Eqs?\. \(\d+\)((-|, | and )\(\d+\))*", text)
+    return match[0] if match else ""
 
 
 def lines_of(name: str) -> list[str]:

@@ -1,9 +1,10 @@
-"""What is joined to what, and where each block stands: its layer and its order there.
+"""Nets of a diagram, and the layers of its blocks, by Sugiyama's method.
 
-Sugiyama's method.  Arrows that would close a circle are feedback and set aside; the rest give each
-block a layer by its longest path; a net that skips layers leaves a passage in each; sweeps over the
-barycentres order every layer so that few nets cross.  Feedback then gets passages too, above or
-below all that stands in the layers that it goes back over, the longest outermost.
+1. Arrows that would close a loop are feedback and left out at first.
+2. The layer of a block is the length of its longest path.
+3. A net that skips layers has a passage in each.
+4. Sweeps over the barycentres order every layer so that few nets cross.
+5. Feedback has passages above or below all blocks of the layers, the longest outermost.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -37,21 +38,21 @@ class Turn:
     """A net in the channel behind a layer: from a box or a passage to others, on one vertical."""
 
     net: int
-    back: bool  # whether it is feedback
+    back: bool  # feedback
     start: str
     ends: list[str]
-    lefts: list[float] = field(default_factory=list)  # heights that it joins at its left side
+    lefts: list[float] = field(default_factory=list)  # heights at its left side
     rights: list[float] = field(default_factory=list)
     x: float = 0.0
 
     @property
     def low(self) -> float:
-        """Return the least height that it joins."""
+        """Return the least height."""
         return min(self.lefts + self.rights)
 
     @property
     def high(self) -> float:
-        """Return the largest height that it joins."""
+        """Return the largest height."""
         return max(self.lefts + self.rights)
 
 
@@ -62,20 +63,22 @@ class Layered:
     nets: list[Net]
     rank: dict[str, int]  # block, input or passage -> number of its layer
     layers: list[list[str]]  # left to right, top to bottom; a passage is "pass:NET:LAYER"
-    channels: dict[int, list[Turn]]  # layer, or -1 before all -> what nets do behind it
+    channels: dict[int, list[Turn]]  # layer, or -1 before all -> turns of nets behind it
 
-    def lead(self, k: int, targets: Iterable[str], way: Sequence[int], to: int) -> Iterator[str]:
-        """Lead a net through channels to targets; yield its passages, in layer c + `to` each.
+    def lead(
+        self, k: int, targets: Iterable[str], channels: Sequence[int], step: int
+    ) -> Iterator[str]:
+        """Lead a net through channels to targets; yield its passages, in layer c + `step` each.
 
-        `to` is 1 onward and 0 of feedback.
+        `step` is 1 onward and 0 for feedback.
         """
         start = self.nets[k].source
-        for c in way:
-            turn = Turn(k, not to, start, [t for t in targets if self.rank[t] == c + 1])
+        for c in channels:
+            turn = Turn(k, not step, start, [t for t in targets if self.rank[t] == c + 1])
             self.channels[c].append(turn)
-            if c != way[-1]:
-                start = f"pass:{k}:{c + to}"
-                self.rank[start] = c + to
+            if c != channels[-1]:
+                start = f"pass:{k}:{c + step}"
+                self.rank[start] = c + step
                 turn.ends.append(start)
                 yield start
 
@@ -88,36 +91,41 @@ def ports(labels: Iterable[str]) -> list[str]:
 def gather(diagram: Part, wiring: Wiring) -> list[Net]:
     """Return nets: ports of one block that feed the same blocks, or nothing.
 
-    Where only some signals of a port are taken, they are named.
+    If a net has only some signals of a port, its text has their names.
     """
-    made = [(n.name, label) for n in wiring.nodes for label in n.system.output_labels]
-    given = [(f"in:{port_of(label)}", label) for label in diagram.input_labels]
-    units, whole = dict[tuple[str, str], str](), dict[tuple[str, str], list[str]]()
-    for (source, label), unit in zip(made + given, chain(*units_of(wiring)), strict=True):
+    outputs = [(node.name, label) for node in wiring.nodes for label in node.system.output_labels]
+    inputs = [(f"in:{port_of(label)}", label) for label in diagram.input_labels]
+    units: dict[tuple[str, str], str] = {}
+    port_labels: dict[tuple[str, str], list[str]] = {}
+    for (source, label), unit in zip(outputs + inputs, chain(*units_of(wiring)), strict=True):
         units.setdefault((source, port_of(label)), f" ({unit})" if unit else "")
-        whole.setdefault((source, port_of(label)), []).append(label)
+        port_labels.setdefault((source, port_of(label)), []).append(label)
+
     fed: dict[tuple[str, str, str], dict[str, str]] = {}  # source, port, name -> target -> gains
     for node in wiring.nodes:
-        taken: dict[tuple[str, str, float], list[str]] = {}
-        for external, origins in ((False, made), (True, given)):
+        used: dict[tuple[str, str, float], list[str]] = {}
+        for external, signals in ((False, outputs), (True, inputs)):
             for _, k, gain in node.fed(external):
-                source, label = origins[k]
-                taken.setdefault((source, port_of(label), gain), []).append(label)
-        for (source, port, gain), labels in taken.items():
-            names = [port] if set(labels) == set(whole[source, port]) else dict.fromkeys(labels)
-            for name in names:
+                source, label = signals[k]
+                used.setdefault((source, port_of(label), gain), []).append(label)
+        for (source, port, gain), labels in used.items():
+            is_complete = set(labels) == set(port_labels[source, port])
+            for name in [port] if is_complete else dict.fromkeys(labels):
                 targets = fed.setdefault((source, port, name), {})
                 before = f"{targets[node.name]}, " if node.name in targets else ""
                 targets[node.name] = before + ("" if gain == 1 else f"{gain:g} ")
-    idle = [one for one in whole if not any(key[:2] == one for key in fed)]
-    fed |= {(source, port, port): {} for source, port in idle if not source.startswith("in:")}
-    together: dict[tuple[str, tuple[tuple[str, str], ...]], list[str]] = {}
+
+    used_ports = {(source, port) for source, port, _ in fed}
+    for source, port in port_labels:
+        if (source, port) not in used_ports and not source.startswith("in:"):
+            fed[source, port, port] = {}
+    nets: dict[tuple[str, tuple[tuple[str, str], ...]], list[str]] = {}
     for (source, port, name), targets in fed.items():
         key = source, tuple(targets.items())
-        together.setdefault(key, []).append(name + units[source, port])
+        nets.setdefault(key, []).append(name + units[source, port])
     return [
         Net(source, ", ".join(names), {t: ", ".join(gain + n for n in names) for t, gain in ends})
-        for (source, ends), names in together.items()
+        for (source, ends), names in nets.items()
     ]
 
 
@@ -129,56 +137,62 @@ def arrange(nets: list[Net], wiring: Wiring) -> Layered:
     rank = _ranks(nets, names)
     layers = [[name for name in names if rank[name] == k] for k in range(max(rank.values()) + 1)]
     layered = Layered(nets, rank, layers, {c: [] for c in range(-1, len(layers))})
+
+    # passages of nets onward, and the order of each layer
     for k, net in enumerate(nets):
-        first = rank[net.source]
-        last = max((rank[target] for target in net.onward), default=first)
-        for passage in layered.lead(k, net.onward, range(first, last), 1):
+        begin = rank[net.source]
+        end = max((rank[target] for target in net.onward), default=begin)
+        for passage in layered.lead(k, net.onward, range(begin, end), 1):
             layers[rank[passage]].append(passage)
-    joined = layered.channels.items()
-    links = {c: [(turn.start, end) for turn in turns for end in turn.ends] for c, turns in joined}
+    links = {
+        c: [(turn.start, end) for turn in turns for end in turn.ends]
+        for c, turns in layered.channels.items()
+    }
     _order_layers(layers, links)
+
+    # passages of feedback, the shortest first
     lengths = {
         k: rank[net.source] - min(map(rank.__getitem__, net.back))
         for k, net in enumerate(nets)
         if net.back
     }
-    share = {name: (k + 0.5) / len(one) for one in layered.layers for k, name in enumerate(one)}
+    heights = {name: (k + 0.5) / len(layer) for layer in layers for k, name in enumerate(layer)}
     for k in sorted(lengths, key=lengths.__getitem__):
-        net, last = nets[k], rank[nets[k].source]
-        above = mean([share[name] for name in (net.source, *net.back)]) < 0.5
-        way = range(last, last - lengths[k] - 2, -1)
-        for passage in layered.lead(k, net.back, way, 0):
-            own = layered.layers[rank[passage]]
-            own.insert(0 if above else len(own), passage)
+        net, begin = nets[k], rank[nets[k].source]
+        is_above = mean([heights[name] for name in (net.source, *net.back)]) < 0.5
+        channels = range(begin, begin - lengths[k] - 2, -1)
+        for passage in layered.lead(k, net.back, channels, 0):
+            layer = layers[rank[passage]]
+            layer.insert(0 if is_above else len(layer), passage)
     return layered
 
 
 def _mark_feedback(nets: list[Net], with_states: set[str], names: list[str]) -> None:
-    """Mark arrows that close a circle, those out of states last."""
+    """Mark arrows that close a loop, arrows from blocks with states last."""
     reached = {name: {name} for name in names}  # from each
-    met = _depth_first(nets, names)
-    for net in sorted(nets, key=lambda net: (net.source in with_states, met.index(net.source))):
+    walk = _depth_first(nets, names)
+    for net in sorted(nets, key=lambda net: (net.source in with_states, walk.index(net.source))):
         for target in net.targets:
             if net.source in reached[target]:
                 net.back.add(target)
                 continue
-            for found in reached.values():
-                if net.source in found:
-                    found |= reached[target]
+            for reachable in reached.values():
+                if net.source in reachable:
+                    reachable |= reached[target]
 
 
 def _depth_first(nets: list[Net], names: list[str]) -> list[str]:
-    """Return the names in the order of a walk from where signals come in."""
+    """Return the names in the order of a walk that begins at the sources."""
     fed = {target for net in nets for target in net.targets}
-    found: dict[str, None] = {}
+    walk: dict[str, None] = {}
     waiting = sorted(names, key=lambda name: name in fed)[::-1]
     while waiting:
         name = waiting.pop()
-        if name not in found:
-            found[name] = None
+        if name not in walk:
+            walk[name] = None
             ends = dict.fromkeys(t for net in nets if net.source == name for t in net.targets)
             waiting += list(ends)[::-1]
-    return list(found)
+    return list(walk)
 
 
 def _ranks(nets: list[Net], names: list[str]) -> dict[str, int]:
@@ -192,15 +206,17 @@ def _ranks(nets: list[Net], names: list[str]) -> dict[str, int]:
 
 
 def _order_layers(layers: list[list[str]], links: dict[int, list[tuple[str, str]]]) -> None:
-    """Sweep over the layers to and fro: each name near the middle of what it is joined to."""
+    """Sweep over the layers in both directions: each name near the mean of its neighbours."""
     for sweep in range(SWEEPS):
         down = sweep % 2 == 0
         steps = range(1, len(layers)) if down else range(len(layers) - 2, -1, -1)
-        for layer in steps:
-            place = {name: k for one in layers for k, name in enumerate(one)}
-            near: dict[str, list[int]] = {name: [] for name in layers[layer]}
-            for start, end in links[layer - 1 if down else layer]:
-                name, other = (end, start) if down else (start, end)
-                near[name].append(place[other])
-            middle = {name: mean(at or [place[name]]) for name, at in near.items()}
-            layers[layer].sort(key=middle.__getitem__)
+        for k in steps:
+            position = {name: i for layer in layers for i, name in enumerate(layer)}
+            neighbours: dict[str, list[int]] = {name: [] for name in layers[k]}
+            for start, end in links[k - 1 if down else k]:
+                name, neighbour = (end, start) if down else (start, end)
+                neighbours[name].append(position[neighbour])
+            means = {
+                name: mean(indices or [position[name]]) for name, indices in neighbours.items()
+            }
+            layers[k].sort(key=means.__getitem__)

@@ -1,8 +1,8 @@
-"""How high boxes stand and how arrows run around them, in points, y downwards.
+"""Heights of boxes and paths of arrows around them, in points, y downwards.
 
-Arrows climb and fall as little as the order of the layers allows, a linear program: those of
-passages count more, as a long line that is straight is read at a glance.  All heights lie on one
-grid, so that arrows are either straight or visibly bent.
+Arrows climb and fall as little as the order of the layers allows, a linear program.  Arrows of
+passages have larger weights, as long lines should be straight.  All heights are on one grid, so
+that arrows are either straight or visibly bent.
 
 Boxes of a layer share a column.  Between columns lies a channel: at its sides the texts of the
 ports, in its middle one vertical track for each net that turns there.  So no arrow runs through a
@@ -42,10 +42,10 @@ class Box:
 
     def port(self, net: int, out: bool) -> float:
         """Return the height at which a net meets the box."""
-        side = self.outs if out else self.ins
-        if net not in side:
+        nets = self.outs if out else self.ins
+        if net not in nets:
             return self.y
-        return self.y + (side.index(net) - (len(side) - 1) / 2) * PITCH
+        return self.y + (nets.index(net) - (len(nets) - 1) / 2) * PITCH
 
 
 @dataclass
@@ -78,7 +78,7 @@ class _Router:
         return self.boxes[name].port(net, self.rank[name] == c)
 
     def turns(self) -> list[tuple[int, Turn]]:
-        """Return what nets do in all channels."""
+        """Return the channels and turns of all nets."""
         return [(c, turn) for c, turns in self.layered.channels.items() for turn in turns]
 
     # --- how high ---------------------------------------------------------------------------------
@@ -88,44 +88,52 @@ class _Router:
         from scipy.optimize import linprog
         from scipy.sparse import coo_array
 
+        # unknowns: heights of the boxes, the middle, and the climb of each arrow
         boxes = self.boxes
         number = {name: k for k, name in enumerate(boxes)}
-        middle = len(number)  # a height of its own
-        climbs = [(k, middle, 0.0, NEAR) for k in number.values()]  # from, to, at which ports, by
+        middle = len(number)
+        climbs = [(k, middle, 0.0, NEAR) for k in number.values()]  # from, to, offset, weight
         for c, turn in self.turns():
-            out = self.meets(c, turn.net, turn.start) - boxes[turn.start].y
+            start = self.meets(c, turn.net, turn.start) - boxes[turn.start].y
             for end in turn.ends:
-                at = self.meets(c, turn.net, end) - boxes[end].y - out
+                offset = self.meets(c, turn.net, end) - boxes[end].y - start
                 weight = WEIGHTS[turn.start.startswith("pass:") + end.startswith("pass:")]
                 weight *= FEEDBACK if turn.back else 1.0
-                climbs.append((number[turn.start], number[end], at / GRID, weight))
-        rows: list[tuple[dict[int, int], float]] = []  # coefficients, and what they are at most
+                climbs.append((number[turn.start], number[end], offset / GRID, weight))
+
+        # rows: coefficients by unknown, and the upper limit of their sum
+        rows: list[tuple[dict[int, int], float]] = []
         for names in self.layered.layers:
             for upper, lower in pairwise(names):
-                room = (boxes[upper].height + boxes[lower].height) / 2 + GAP
-                rows.append(({number[upper]: 1, number[lower]: -1}, -math.ceil(room / GRID)))
-        for own, (a, b, at, _) in enumerate(climbs, middle + 1):
-            rows += [({b: 1, a: -1, own: -1}, -at), ({b: -1, a: 1, own: -1}, at)]
-        left = [(row, k, one) for row, (own, _) in enumerate(rows) for k, one in own.items()]
-        where, which, values = zip(*left, strict=True)
-        matrix = coo_array((values, (where, which))).tocsr()
+                distance = (boxes[upper].height + boxes[lower].height) / 2 + GAP
+                rows.append(({number[upper]: 1, number[lower]: -1}, -math.ceil(distance / GRID)))
+        for climb, (a, b, offset, _) in enumerate(climbs, middle + 1):
+            rows.append(({b: 1, a: -1, climb: -1}, -offset))
+            rows.append(({b: -1, a: 1, climb: -1}, offset))
+        entries = [
+            (row, column, value)
+            for row, (coefficients, _) in enumerate(rows)
+            for column, value in coefficients.items()
+        ]
+        row_indices, columns, values = zip(*entries, strict=True)
+        matrix = coo_array((values, (row_indices, columns))).tocsr()
         costs = [0.0] * (middle + 1) + [weight for *_, weight in climbs]
-        heights = linprog(costs, matrix, [most for _, most in rows]).x
+        heights = linprog(costs, matrix, [limit for _, limit in rows]).x
         for box, y in zip(boxes.values(), heights, strict=False):
             box.y = GRID * round(y)
 
     def sort_ports(self) -> None:
-        """Sort ports by where their nets come from and go."""
-        came: dict[tuple[str, int], float] = {}
-        went: dict[int, float] = {}
+        """Sort ports by the heights of the other ends of their nets."""
+        starts: dict[tuple[str, int], float] = {}
+        ends: dict[int, float] = {}
         for c, turn in self.turns():
             k = turn.net
-            came |= {(end, k): self.meets(c, k, turn.start) for end in turn.ends}
-            if turn.start == self.layered.nets[k].source:  # its way onward counts, if it has one
-                went.setdefault(k, mean([self.meets(c, k, end) for end in turn.ends]))
+            starts |= {(end, k): self.meets(c, k, turn.start) for end in turn.ends}
+            if turn.start == self.layered.nets[k].source:  # onward has priority over feedback
+                ends.setdefault(k, mean([self.meets(c, k, end) for end in turn.ends]))
         for name, box in self.boxes.items():
-            box.ins.sort(key=lambda k: (came[name, k], k))
-            box.outs.sort(key=lambda k: (went.get(k, math.inf), k))
+            box.ins.sort(key=lambda k: (starts[name, k], k))
+            box.outs.sort(key=lambda k: (ends.get(k, math.inf), k))
 
     # --- from left to right -----------------------------------------------------------------------
 
@@ -134,9 +142,9 @@ class _Router:
         x, rank, nets = 0.0, self.rank, self.layered.nets
         for c, turns in self.layered.channels.items():
             if c >= 0:
-                own = [self.boxes[name] for name in self.layered.layers[c]]
-                width = max(box.width for box in own)
-                for box in own:
+                boxes = [self.boxes[name] for name in self.layered.layers[c]]
+                width = max(box.width for box in boxes)
+                for box in boxes:
                     box.x, box.width = x, width
                 x += width
             idle = [net.text for net in nets if rank[net.source] == c and not net.targets]
@@ -144,12 +152,12 @@ class _Router:
             x += GRID + max((self.text_width(text) + ARROW for text in idle), default=0.0)
             turning = [turn for turn in turns if turn.high - turn.low > 1]
             for k, turn in enumerate(turning):
-                others = [
-                    one.x + TRACK
-                    for one in turning[:k]
-                    if one.low < turn.high + APART and turn.low < one.high + APART
+                tracks = [
+                    placed.x + TRACK
+                    for placed in turning[:k]
+                    if placed.low < turn.high + APART and turn.low < placed.high + APART
                 ]
-                turn.x = max(others, default=x)
+                turn.x = max(tracks, default=x)
             x = max((turn.x + TRACK for turn in turning), default=x)
             x += max(map(self.text_width, texts), default=0.0) + (ARROW if texts else 0.0)
 
@@ -185,13 +193,13 @@ def sort_tracks(turns: list[Turn]) -> None:
         return crossed + 1000 * sum(abs(y - z) < 1 for y in a.rights for z in b.lefts)
 
     for turn in turns * 3:
-        rest = [one for one in turns if one is not turn]
+        fixed = [a for a in turns if a is not turn]
         costs = [
-            sum(cost(a, turn) for a in rest[:k]) + sum(cost(turn, b) for b in rest[k:])
+            sum(cost(a, turn) for a in fixed[:k]) + sum(cost(turn, b) for b in fixed[k:])
             for k in range(len(turns))
         ]
         best = costs.index(min(costs))
-        turns[:] = [*rest[:best], turn, *rest[best:]]
+        turns[:] = [*fixed[:best], turn, *fixed[best:]]
 
 
 def route(layered: Layered, sizes: Sizes, text_width: Width) -> Routed:
@@ -204,8 +212,8 @@ def route(layered: Layered, sizes: Sizes, text_width: Width) -> Routed:
     for c, turns in layered.channels.items():
         for turn in turns:
             for name in (turn.start, *turn.ends):
-                side = turn.lefts if layered.rank[name] == c else turn.rights
-                side.append(router.meets(c, turn.net, name))
+                heights = turn.lefts if layered.rank[name] == c else turn.rights
+                heights.append(router.meets(c, turn.net, name))
         sort_tracks(turns)
     router.columns()
     boxes, paths = router.boxes, router.paths()
@@ -213,21 +221,24 @@ def route(layered: Layered, sizes: Sizes, text_width: Width) -> Routed:
     corners = [point for path in paths.values() for point in path]
     corners += [(box.x, box.y - box.height / 2) for box in drawn]
     corners += [(box.x + box.width, box.y + box.height / 2) for box in drawn]
-    (left, *_, right), (top, *_, bottom) = map(sorted, zip(*corners, strict=True))
+    xs, ys = zip(*corners, strict=True)
+    x0, y0 = min(xs), min(ys)
     for box in boxes.values():
-        box.x, box.y = box.x - left, box.y - top
-    paths = {key: [(x - left, y - top) for x, y in path] for key, path in paths.items()}
-    ways = combinations(paths.items(), 2)
-    dots = {common(p, q)[-1]: None for ((k, _), p), ((m, _), q) in ways if k == m}
-    return Routed(boxes, paths, list(dots), right - left, bottom - top)
+        box.x, box.y = box.x - x0, box.y - y0
+    paths = {key: [(x - x0, y - y0) for x, y in path] for key, path in paths.items()}
+    pairs = combinations(paths.items(), 2)
+    dots = {common(p, q)[-1]: None for ((k, _), p), ((m, _), q) in pairs if k == m}
+    return Routed(boxes, paths, list(dots), max(xs) - x0, max(ys) - y0)
 
 
-def common(one: list[Point], other: list[Point]) -> list[Point]:
-    """Return the corners that two paths from one start share, last where they part."""
-    shared = [one[0]]
-    for (a, b), (_, c) in zip(pairwise(one), pairwise(other), strict=False):
+def common(p: list[Point], q: list[Point]) -> list[Point]:
+    """Return the corners that two paths from the same start share, and the branching point."""
+    shared = [p[0]]
+    for (a, b), (_, c) in zip(pairwise(p), pairwise(q), strict=False):
         if b != c:
-            along = (b[0] - a[0]) * (c[0] - a[0]) + (b[1] - a[1]) * (c[1] - a[1])
-            return [*shared, min(b, c, key=lambda end: math.dist(a, end))] if along > 0 else shared
+            product = (b[0] - a[0]) * (c[0] - a[0]) + (b[1] - a[1]) * (c[1] - a[1])
+            if product > 0:  # the same direction
+                shared.append(min(b, c, key=lambda end: math.dist(a, end)))
+            return shared
         shared.append(b)
     return shared
