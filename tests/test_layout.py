@@ -1,4 +1,4 @@
-"""Imports run downhill: the rooms of the package, row by row."""
+"""Imports run downhill: from each row of subpackages to rows below it."""
 
 import ast
 import shutil
@@ -28,7 +28,7 @@ ROWS = [
 ]
 ENGINE_AND_HELPERS = {room for row in ROWS[-2:] for room in row}
 ROW = {room: k for k, row in enumerate(ROWS) for room in row}
-DOORS = ("__init__", "__main__")  # of the package itself
+DOORS = ("__init__", "__main__")  # may import all subpackages
 
 
 def module_of(path):
@@ -40,29 +40,29 @@ FILES = {module_of(path): path for path in sorted(PACKAGE.rglob("*.py"))}
 
 
 def imports(name, path, tree):
-    """Modules of the package that a module imports, those inside functions too."""
+    """Yield modules of the package that a module imports, also inside functions."""
     package = ["clpt_control", *name.split(".")[: None if path.name == "__init__.py" else -1]]
     for node in ast.walk(tree):
         base = ""
         if isinstance(node, ast.ImportFrom):
             above = package[: len(package) - node.level + 1] if node.level else []
             base = ".".join([*above, node.module or ""]).strip(".")
-        # a module of a room, or a name in a module
+        # a module of a subpackage, or a name in a module
         for alias in node.names if isinstance(node, ast.Import | ast.ImportFrom) else ():
-            places = f"{base}.{alias.name}".strip("."), base
-            known = (one.removeprefix("clpt_control.") for one in places if "clpt_control" in one)
-            yield from [one for one in known if one in FILES and one != name][:1]
+            candidates = f"{base}.{alias.name}".strip("."), base
+            modules = (m.removeprefix("clpt_control.") for m in candidates if "clpt_control" in m)
+            yield from [module for module in modules if module in FILES and module != name][:1]
 
 
 @cache
 def trees():
-    """What each file of the package says."""
+    """Syntax tree of each module."""
     return {name: ast.parse(path.read_text("utf-8")) for name, path in FILES.items()}
 
 
 @cache
 def edges():
-    """Which module imports which."""
+    """Pairs of a module and a module that it imports."""
     return sorted({(n, used) for n, tree in trees().items() for used in imports(n, FILES[n], tree)})
 
 

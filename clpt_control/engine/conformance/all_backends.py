@@ -148,17 +148,16 @@ class _MachineCode:
         sizes = nstates, program.parameters, program.room, max(nstates, 3 * program.decided)
         self.X, self.P, self.W, self.D = (np.zeros((max(size, 1), lanes)) for size in sizes)
         self.time, self.T = np.zeros(lanes), np.append(native.layout.T, 0.0)
+        self.factors = 1.0 + 0.1 * np.arange(lanes)[::-1]  # of the states of each lane
 
     def call(self, t: float, x: Any, u: Any, *functions: str) -> Values:
         """Call functions; return the states' part of D, and the outputs."""
         native, decided = self.native, self.native.code.program.decided
         x, u = np.asarray(x, dtype=float), np.asarray(u, dtype=float)
         P = self._parameters(t, u)
-        for lane in range(self.lanes):
-            factor = 1.0 + 0.1 * (self.lanes - 1 - lane)
-            self.time[lane] = t
-            self.X[: len(x), lane] = x * factor
-            self.P[: len(P), lane] = P
+        self.time[:] = t
+        self.X[: len(x)] = np.outer(x, self.factors)
+        self.P[: len(P)] = P[:, None]
         decide = ("prepare", "decide") if decided else ()
         names = (*decide, "prepare", *functions)
         arrays = self.time, self.X, self.P, self.T, self.W, self.D

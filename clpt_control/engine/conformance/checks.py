@@ -17,6 +17,7 @@ this equation.  m and km are two different units here.
 
 import pickle
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import islice
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -114,10 +115,8 @@ def _zero(block: Block, samples: list[Sample]) -> Iterator[str]:
 def _backends(block: Block, samples: list[Sample]) -> Iterator[str]:
     """Every backend computes what Python computes."""
     for name, backend in readings(block).items():
-        for sample in samples:
-            if failure := _backend_failure(block, name, backend, sample):
-                yield failure
-                break
+        failures = (_backend_failure(block, name, backend, sample) for sample in samples)
+        yield from islice(filter(None, failures), 1)
 
 
 def _backend_failure(block: Block, name: str, backend: Backend, sample: Sample) -> str:
@@ -234,23 +233,18 @@ def _unit_failures(block: Block, samples: list[Sample], units: Mapping[str, str]
         )
     if unknown or missing:
         return
-    unit_powers = {name: powers(unit) for name, unit in units.items()}
-    for symbol in sorted(set().union(*unit_powers.values())):
-        factors = {
-            name: FACTOR ** exponents.get(symbol, 0) for name, exponents in unit_powers.items()
-        }
+    symbols = set().union(*map(powers, units.values()))
+    for symbol in sorted(symbols):
+        factors = {name: FACTOR ** powers(unit).get(symbol, 0) for name, unit in units.items()}
         for role in roles(block):
-            for sample in samples:
-                failure = _unit_failure(block, role, sample, factors, fields)
-                if failure is not None:
-                    port, value, expected = failure
-                    yield (
-                        f"{block.name}.{role}: {port} is not of the unit '{units[port]}' that is "
-                        f"declared: in a smaller {symbol} it becomes {value:.6g}, not "
-                        f"{expected:.6g}; "
-                        "a number in the equations has a unit, or one is declared wrongly"
-                    )
-                    break
+            failures = (_unit_failure(block, role, sample, factors, fields) for sample in samples)
+            for port, value, expected in islice(filter(None, failures), 1):
+                yield (
+                    f"{block.name}.{role}: {port} is not of the unit '{units[port]}' that is "
+                    f"declared: in a smaller {symbol} it becomes {value:.6g}, not "
+                    f"{expected:.6g}; "
+                    "a number in the equations has a unit, or one is declared wrongly"
+                )
 
 
 def _unit_failure(
@@ -258,26 +252,23 @@ def _unit_failure(
 ) -> tuple[str, float, float] | None:
     """Return port, value and expected value of a signal that is not scaled as its unit."""
 
-    def factors_of(ports: Mapping[str, int]) -> np.ndarray:
-        return np.repeat([factors[port] for port in ports], [*ports.values()])
+    def scaled(values: np.ndarray, ports: Mapping[str, int]) -> np.ndarray:
+        return values * np.repeat([factors[port] for port in ports], [*ports.values()])
 
     results = block.output_ports if role == "output" else block.state_ports
-    scaled = Sample(
-        sample.t * factors["t"],
-        sample.x * factors_of(block.state_ports),
-        sample.u * factors_of(block.input_ports),
-        sample.p._replace(**{name: getattr(sample.p, name) * factors[name] for name in fields}),
-    )
-    expected = python_values(block, role, sample) * factors_of(results)
+    expected = scaled(python_values(block, role, sample), results)
     if role == "update":
         expected /= factors["t"]
-    values = python_values(block, role, scaled)
-    errors = np.abs(values - expected)
-    wrong = np.flatnonzero(errors > TOLERANCE * np.max(np.abs(expected), initial=0.0))
+    t, x, u, p = sample
+    x, u = scaled(x, block.state_ports), scaled(u, block.input_ports)
+    p = p._replace(**{name: getattr(p, name) * factors[name] for name in fields})
+    values = python_values(block, role, Sample(t * factors["t"], x, u, p))
+    tolerance = TOLERANCE * np.max(np.abs(expected), initial=0.0)
+    wrong = np.flatnonzero(np.abs(values - expected) > tolerance)
     if not len(wrong):
         return None
-    ports = np.repeat([*results], [*results.values()])
-    return ports[wrong[0]], values[wrong[0]], expected[wrong[0]]
+    k = wrong[0]
+    return np.repeat([*results], [*results.values()])[k], values[k], expected[k]
 
 
 # --- the report --------------------------------------------------------------------------------

@@ -126,7 +126,7 @@ def _tested_feedthrough(block: Block) -> list[set[int]]:
     feedthrough: list[set[int]] = [set() for _ in range(block.noutputs)]
     for _ in range(TEST_POINTS):
         x = random.standard_normal(block.nstates)
-        u = random.standard_normal(block.ninputs)
+        u: Any = random.standard_normal(block.ninputs)
         before = block.values("output", block.noutputs, 0.0, x, u, p)
         for k in range(block.ninputs):
             changed = u.copy()

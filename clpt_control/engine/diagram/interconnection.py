@@ -203,7 +203,7 @@ def match_ports(blocks: Sequence[Part], external: Iterable[str]) -> MatchedPorts
 
 def _check_fit(name: str, ports: Sequence[Port], blocks: Sequence[Part]) -> None:
     """Refuse ports of one name that have different sizes or units."""
-    size, declared_unit = len(ports[0].signals), None
+    size, declared_unit = len(ports[0].signals), ""
     for port in ports:
         block = blocks[port.block]
         if len(port.signals) != size:
@@ -212,7 +212,7 @@ def _check_fit(name: str, ports: Sequence[Port], blocks: Sequence[Part]) -> None
                 f"must have one size: label them {name}[0], {name}[1], or give a part signals="
             )
         unit = getattr(block, "units", {}).get(name)
-        if unit and declared_unit is None:
+        if unit and not declared_unit:
             declared_unit, owner = unit, block.name
         elif unit and not same_unit(unit, declared_unit):
             raise DiagramError(

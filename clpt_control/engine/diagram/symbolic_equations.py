@@ -106,7 +106,7 @@ class Equations:
     @cached_property
     def motion(self) -> dict[Any, sympy.Expr]:
         """State's symbol -> its rate, in the diagram's order."""
-        motion = {}
+        motion: dict[Any, sympy.Expr] = {}
         for port, symbols in self.states.items():
             motion.update(zip(symbols.flat, self.rates[port].flat, strict=True))
         return motion
