@@ -79,13 +79,13 @@ def scales() -> bool:
     return "+avx512vl" in processor()[1]
 
 
-def target_machine() -> Any:
-    """Return LLVM's description of the processor."""
+def target_machine(level: int = 3) -> Any:
+    """Return LLVM's description of the processor, for code of an optimisation level from 0 to 3."""
     llvm.initialize_native_target()
     llvm.initialize_native_asmprinter()
     name, features = processor()
     target = llvm.Target.from_default_triple()
-    return target.create_target_machine(cpu=name, features=features, opt=3, jit=True)
+    return target.create_target_machine(cpu=name, features=features, opt=level, jit=True)
 
 
 # --- the cache ------------------------------------------------------------------------------
@@ -120,13 +120,14 @@ def cache_code(name: str, code: bytes) -> None:
 # --- code -----------------------------------------------------------------------------------
 
 
-def _load(name: str, text: Callable[[], str], plain: bool = False) -> Any:
+def _load(name: str, text: Callable[[], str], plain: bool = False, level: int = 3) -> Any:
     """Return LLVM's engine with code from the cache, or else compiled; it knows the addresses.
 
     In `plain` text, and in text without branches, most of LLVM's passes find nothing.
     """
     if (code := cached_code(name)) is None:
-        machine, parsed = target_machine(), llvm.parse_assembly(printed := text())
+        machine = target_machine(level)
+        parsed = llvm.parse_assembly(printed := text())
         parsed.triple, parsed.data_layout = machine.triple, str(machine.target_data)
         options = llvm.create_pipeline_tuning_options(speed_level=3)
         # the text has vectors already
@@ -150,14 +151,21 @@ class Machine:
     """Functions of arrays as machine code.
 
     `addresses` holds the address of each, valid for as long as this object lives.  `source` stands
-    for all that the text of `module` depends on; `plain` is that of `_load`.
+    for all that the text of `module` and the optimisation `level` depend on; `plain` is that of
+    `_load`.
     """
 
     @one_at_a_time
     def __init__(
-        self, names: Iterable[str], source: str, module: Callable[[], Any], plain: bool = False
+        self,
+        names: Iterable[str],
+        source: str,
+        module: Callable[[], Any],
+        plain: bool = False,
+        level: int = 3,
     ):
-        self._engine = _load(code_name(source, _printers()), lambda: str(module()), plain)
+        name = code_name(source, _printers())
+        self._engine = _load(name, lambda: str(module()), plain, level)
         self.addresses = {name: self._engine.get_function_address(name) for name in names}
 
 

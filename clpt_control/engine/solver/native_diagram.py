@@ -16,6 +16,7 @@ from ..codegen.loop_nests import print_program
 from ..codegen.machine import LANES, Machine, fuses, once, one_at_a_time
 from ..codegen.plan import NO_TABLES, Program, program_of
 from ..diagram.wiring import Wiring
+from ..record.graph import OPERATIONS
 from ..trace.arrays import Unread
 from . import solver_layout as numbering
 from .batch import Callee
@@ -27,6 +28,9 @@ from .sliding import Held, slide
 
 ABREAST = 256  # states of runs in lanes; more do not fit the first cache
 MANY, SHORTER = 1500, 3  # components of a long program, and how much shorter one of loops is
+# components of a program that LLVM does not optimise: its time grows as their square, and the
+# machine code is a third slower at most
+UNOPTIMISED = 2000
 Form = str | Held | None
 FUNCTIONS = ("derivative", "prepare", "margin", "signals", "jump", "decide", "slope", "staged")
 
@@ -62,7 +66,9 @@ class Code:
         if missing := tuple(dict.fromkeys(new)):
             wanted = self.program, missing, lanes
             text = repr((self.program._replace(tables=NO_TABLES), *wanted[1:]))
-            machine = Machine(missing, text, lambda: print_program(*wanted))
+            large = len(self.program.components) > UNOPTIMISED
+            level = 0 if large else 3
+            machine = Machine(missing, text, lambda: print_program(*wanted), large, level)
             self._machines.update({(name, lanes): machine for name in missing})
         return [self._machines[name, lanes].addresses[name] for name in names]
 
@@ -98,10 +104,18 @@ def _code(structure: Structure, form: Form, implicit: bool) -> Code:
         if form is not None:
             raise
         return _planned(structure, "looped", implicit)
-    if form is None and (size := len(code.program.components)) > MANY:
+    size = len(code.program.components)
+    if form is None and size > MANY and SHORTER * _array_operations(structure) < size:
         looped = _planned(structure, "looped", implicit)
         return looped if SHORTER * len(looped.program.components) < size else code
     return code
+
+
+def _array_operations(structure: Structure) -> int:
+    """Return how many operations the records have, each of which is a loop's component at least."""
+    blocks: list[Any] = [node.system for node in structure.wiring.nodes]
+    records = [record for block in blocks for record in block.records.values()]
+    return sum(line.kind in OPERATIONS for record in records for line in record.operations)
 
 
 def _planned(structure: Structure, form: Form, implicit: bool) -> Code:

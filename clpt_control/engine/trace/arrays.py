@@ -66,8 +66,6 @@ class Tape:
         self.texts: Unread | None = None  # what to say where a text of a signal was made
         self.free: list[bool] = []  # of each: whether it depends on time, states or inputs
         self.truth: list[bool] = []  # of each: whether it holds truth values
-        self.trees: list[int] = []  # of each, once asked for: how it is made
-        self.kinds: dict[Any, int] = {}  # of trees
         self._known: dict[Any, int] = {}
 
     def add(self, kind: str, arguments: Sequence[Ref], shape: Shape, at: Any = None) -> "Array":

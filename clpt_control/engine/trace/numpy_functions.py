@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from ..record import stacks
 from . import interpolators as lookup_tables
 from . import views
 from .arrays import HOOKS, Array, Tape, Unread, objects
@@ -74,6 +73,17 @@ def variance(a: Any, axis: Any = None, dtype: Any = None, ddof: Any = 0, keepdim
     apart = a - mean(a, axis, keepdims=axis is not None)
     total = np.sum(apart * apart, axis, keepdims=keepdims)
     return total / (a.size // total.size - ddof)
+
+
+@implements(np.diff)
+def differences(a: Any, n: Any = 1, axis: int = -1, **more: Any) -> Any:
+    """Return np.diff(a, n)."""
+    if more or is_truth(a) or not a.ndim or n < 1:
+        return on_objects(a._tape, np.diff, (a, n, axis), more)
+    rows = np.moveaxis(a, axis, 0)
+    for _ in range(n):
+        rows = rows[1:] - rows[:-1]
+    return np.moveaxis(rows, 0, axis)
 
 
 @implements(np.gradient)
@@ -234,8 +244,8 @@ implements(np.take)(
     )
 )
 implements(np.count_nonzero)(lambda a: np.sum(a != 0))
-implements(np.stack, arrays=0)(stacks.stack)
-implements(np.concatenate, arrays=0)(stacks.join)
+implements(np.stack, arrays=0)(views.stack)
+implements(np.concatenate, arrays=0)(views.join)
 implements(np.round, np.around)(rounded)
 implements(np.fix)(np.trunc)
 implements(np.copy)(views.copied)

@@ -6,7 +6,7 @@ of a view, of a stack or of numbers is made at once.
 At times they are NumPy's own: as numbers where they depend on nothing, else as objects.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
 from math import prod
 from operator import itemgetter
@@ -14,9 +14,19 @@ from typing import Any
 
 import numpy as np
 
-from ..record.graph import MOST_NUMBERS, Shape, viewed
+from ..record.graph import MOST_NUMBERS, Ref, Shape, viewed
 from .arrays import HOOKS, Array, Tape, Unread, moves, numbers_of, objects, operand, whole
-from .elementwise import TRUTH, as_number, boxed, constant, in_a_try, is_whole, lifted, of_numpy
+from .elementwise import (
+    TRUTH,
+    as_number,
+    boxed,
+    constant,
+    in_a_try,
+    is_whole,
+    lifted,
+    of_numpy,
+    stacked,
+)
 
 # --- as NumPy's own ----------------------------------------------------------------------------
 
@@ -333,6 +343,108 @@ def tape_viewed(tape: Tape, node: int, mapped: tuple, shape: Shape) -> Any:
     return tape.add("view", (node,), shape, mapped)
 
 
+# --- stacks ------------------------------------------------------------------------------------
+
+
+SHORTEST_RUN = 8  # neighbouring elements that become one view in a long stack
+
+
+def stack_of(tape: Tape, refs: Sequence[Ref], shape: Shape) -> Any:
+    """Return values of one shape as an array; neighbouring elements of one array are its view."""
+    stacked_shape = len(refs), *shape
+    if 1 < len(refs) == _end_of_run(tape, refs, 0):
+        return _run(tape, refs, shape)
+    if all(isinstance(n, int) for n in shape) and prod(stacked_shape) > LONG:
+        pieces = list(_pieces(tape, refs, shape))
+        if len(pieces) > 1:
+            return tape.add("join", [operand(piece) for piece in pieces], stacked_shape)
+    return tape.add("stack", refs, stacked_shape)
+
+
+def _pieces(tape: Tape, refs: Sequence[Ref], shape: Shape) -> Iterator[Any]:
+    """Yield the pieces of a stack: long runs, and stacks of the values between them."""
+    between: list[Ref] = []
+    position = 0
+    while position < len(refs):
+        end = _end_of_run(tape, refs, position)
+        if end - position < SHORTEST_RUN:
+            between.append(refs[position])
+            position += 1
+            continue
+        if between:
+            yield tape.add("stack", between, (len(between), *shape))
+            between = []
+        yield _run(tape, refs[position:end], shape)
+        position = end
+    if between:
+        yield tape.add("stack", between, (len(between), *shape))
+
+
+def _end_of_run(tape: Tape, refs: Sequence[Ref], start: int) -> int:
+    """Return the end of the run from `start` on: numbers, or elements of one array in one step."""
+    end = start + 1
+    step = _step(tape, refs[start], refs[end]) if end < len(refs) else None
+    while step is not None and end < len(refs) and _step(tape, refs[end - 1], refs[end]) == step:
+        end += 1
+    return end
+
+
+def _step(tape: Tape, a: Ref, b: Ref) -> tuple[int, ...] | None:
+    """Return the step along each axis between elements of one array, or None; () of numbers."""
+    if type(a) is float or type(b) is float:
+        return () if type(a) is type(b) else None
+    first, second = tape.operations[a], tape.operations[b]
+    if first.kind != "view" or second.kind != "view" or first.arguments != second.arguments:
+        return None
+    step = []
+    for index, next_index in zip(first.at, second.at, strict=True):
+        is_index = isinstance(index, int) and isinstance(next_index, int)
+        if not is_index and index != next_index:
+            return None
+        step.append(next_index - index if is_index else 0)
+    moving = [distance for distance in step if distance]
+    return tuple(step) if len(moving) == 1 and moving[0] > 0 else None
+
+
+def _run(tape: Tape, refs: Sequence[Ref], shape: Shape) -> Any:
+    """Return a run as a row of numbers, or as a view whose first axis goes through it."""
+    step = _step(tape, refs[0], refs[1])
+    if not step:
+        return constant(tape, np.array(refs))
+    _, (array,), _, indices = tape.operations[refs[0]]
+    mapped: list[Any] = []
+    for index, distance in zip(indices, step, strict=True):
+        if distance:
+            mapped.append((0, index, distance))
+        elif isinstance(index, int):
+            mapped.append(index)
+        else:
+            axis, start, stride = index
+            mapped.append((axis + 1, start, stride))
+    return tape_viewed(tape, array, tuple(mapped), (len(refs), *shape))
+
+
+def stack(parts: Any, axis: int = 0, **more: Any) -> Any:
+    """Return np.stack(parts)."""
+    tape = tape_of(parts)
+    new = stacked(tape, [lifted(tape, part) for part in parts])
+    return np.moveaxis(new, 0, axis) if axis else new
+
+
+def join(parts: Any, axis: Any = 0, **more: Any) -> Any:
+    """Return np.concatenate(parts); long arrays are one operation."""
+    tape = tape_of(parts)
+    arrays = [array for array in (lifted(tape, part) for part in parts) if array.shape != (0,)]
+    is_known = all(isinstance(n, int) for array in arrays for n in array.shape)
+    is_long = is_known and any(prod(array.shape) > LONG for array in arrays)
+    if axis is None or not is_long:
+        return lifted(tape, np.concatenate([objects(array) for array in arrays], axis=axis))
+    rows = [np.moveaxis(array, axis, 0) for array in arrays]
+    shape = (sum(array.shape[0] for array in rows), *rows[0].shape[1:])
+    joined = tape.add("join", [operand(array) for array in rows], shape)
+    return np.moveaxis(joined, 0, axis) if axis else joined
+
+
 # --- other shapes ------------------------------------------------------------
 
 
@@ -365,4 +477,4 @@ def converted(a: Any, dtype: Any = float, *more: Any, **named: Any) -> Any:
     return Array(new._tape, new._ref, new.shape) if counted else new
 
 
-HOOKS.update(item=item)
+HOOKS.update(item=item, stack_of=stack_of)
