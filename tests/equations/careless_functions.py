@@ -11,6 +11,8 @@ RATIOS = {0: 4.0, 1: 2.0}
 with warnings.catch_warnings(action="ignore"):
     SQUARE = np.asmatrix([[1.0, 2.0], [3.0, 4.0]])
 SPLINE = CubicSpline([-1.0, 0.0, 0.5, 2.0], [0.0, 1.0, -1.0, 2.0])
+SLOPE = SPLINE.derivative()
+NEAREST = interp1d([0.0, 1.0, 2.0], [1.0, 3.0, 2.0], "nearest", fill_value="extrapolate")
 TRACK = CubicSpline([-1.0, 0.0, 0.5, 2.0], [[0.0, 1.0], [1.0, 3.0], [-1.0, 2.0], [0.0, 1.0]])
 LAP = CubicSpline([0.0, 1.0, 1.5, 3.0], [[0.0, 1.0], [1, 3], [-1, 2], [0, 1]], bc_type="periodic")
 GRID = [-1.0, 0.0, 0.5, 2.0], [-0.5, 1.0, 1.5]
@@ -211,8 +213,8 @@ AS_PYTHON_HAS_THEM = """
     [*np.add.accumulate(x), *np.sum(np.outer(x, x), axis=1, keepdims=True).ravel()] ;
     math.hypot(1e200 * x[0], 1.0, 2.0) / 1e200 ; [math.remainder(a, 2 * math.pi) for a in x] ;
     [np.copysign(1.0, np.round(0.3 * x[0])), math.copysign(1.0, round(0.3 * x[0]))] ;
-    [LEVER.arm(x[0]), math.dist(x[:2], u)] ; [*SPLINE(x), *SPLINE(x, 1), SPLINE(x[0], nu=2)] ;
-    [*TRACK(t), *TRACK(x[0], 1), *TRACK(x).ravel(), *LAP(t), *LAP(x[1], 2)] ;
+    [LEVER.arm(x[0]), math.dist(x[:2], u)] ; [*SPLINE(x), *SLOPE(x)] ;
+    [*TRACK(t), *TRACK(x).ravel()] ;
     [*CHART(x[:2]), CHART((x[1], u[0])), *CHART([[x[0], x[1]], [x[2], u[1]]])] ;
     CHART([[[x[0], x[1]], [x[2], u[1]]], [[u[0], x[1]], [x[1], x[2]]]])[1] ;
     tried(lambda: np.array([1.0, 2.0])[0] / math.sin(x[0])) ;
@@ -230,7 +232,8 @@ WOULD_BE_OTHERS = """
     put(np.asarray(ASKING.table), 0, x[0]) * 0.0 + ASKING.table ;
     [y := np.zeros(3), np.add.at(y, [0, 0], 1.0), y * x][2] ;
     [y := np.array([3.0, 1.0, 2.0]), y.partition(1), y * x][2] ;
-    STEPPED(x[:2]) ; FILLED(x[0]) ; RESCALED(x[0], u[0]) ;
+    STEPPED(x[:2]) ; FILLED(x[0]) ; RESCALED(x[0], u[0]) ; NEAREST(x[0]) ;
+    SPLINE(x, 1) ; LAP(t + x[0]) ;
     np.searchsorted([2.0, 1.0, 0.0], x) ; np.interp(x[0], [2.0, 1.0, 0.0], [5.0, 0.0, 1.0]) ;
     np.einsum("ii->i", np.outer(x, x)) ; np.max(np.outer(x, u), 0, np.zeros(2)) ;
     np.clip(x, -0.5, 0.5, where=x > 0.0, out=x.copy()) ; np.mean(x, where=[True, True, False]) ;

@@ -1,8 +1,10 @@
-"""Tables in equations.
+"""Tables in equations: `lookup`, np.interp, and interpolators of SciPy.
 
-A table is a row of numbers read at a place (`lookup`), np.interp, or one of the interpolators of
-SciPy that python-control's gain schedules are made of.  A place in a table is how many of its inner
-points are not above x; `pick` takes what stands there.
+    index = search(points, x)        number of inner points that are not above x, by bisection
+    value = c[0][index] s + c[1][index],    s = x - points[index]
+
+python-control's gain schedules use SciPy's LinearNDInterpolator and NearestNDInterpolator.  Other
+interpolators run in Python.
 """
 
 from collections.abc import Callable
@@ -17,6 +19,10 @@ from ...errors import ArgumentError
 from ..record.graph import picked
 from .arrays import Array, Tape, Unread, numbers_of, operand
 from .elementwise import boxed, constant, lifted, where
+
+SMOOTH = 3e-9  # relative to the largest number: smaller differences of polynomials are rounding
+MOST = 64  # simplices, or points in more than one dimension
+Table = Callable[..., Any]  # tape, signals -> values
 
 
 @public
@@ -40,7 +46,8 @@ def lookup(table: Any, index: Any) -> Any:
     >>> lookup([3.0, 5.0, 7.0], 1.0)
     np.float64(5.0)
     """
-    if (tape := next((a._tape for a in (table, index) if isinstance(a, Array)), None)) is None:
+    tape = next((a._tape for a in (table, index) if isinstance(a, Array)), None)
+    if tape is None:
         try:
             return picked(np.asarray(table, dtype=float), np.asarray(index, dtype=float))[()]
         except (TypeError, ValueError):
@@ -48,250 +55,260 @@ def lookup(table: Any, index: Any) -> Any:
                 f"lookup: table = {brief(table)}, index = {brief(index)}: must be a row of numbers "
                 "and a place"
             ) from None
-    table = lifted(tape, table)
-    return tape.add("pick", [operand(table), operand(index)], getattr(index, "shape", ()))
+    row = lifted(tape, table)
+    return tape.add("pick", [operand(row), operand(index)], getattr(index, "shape", ()))
 
 
-# --- np.interp ---------------------------------------------------------------------------------
-
-
-SMOOTH = 3e-9  # of the largest number: a smaller difference of a table and a curve is none
-MOST = 64  # simplices, or points in more than one dimension
+# --- search, and piecewise polynomials -----------------------------------------------------------
 
 
 def place_in(points: Any, x: Any, side: Any = "right", joints: str = "jumps") -> Any:
-    """Return how many of the sorted points are not above x, as np.searchsorted does.
+    """Return np.searchsorted(points, x, side).
 
-    It is found by bisection.  What is read there has `joints` at the points: "jumps", "kinks", or
-    "smooth" ones, of which no integrator need know.
+    Values read at this index have `joints` at the points: "jumps", "kinks", or "smooth" ones, which
+    need no event of the integrator.
     """
     points = np.asarray(points, dtype=float)
     if not isinstance(x, Array):
         return float(np.searchsorted(points, x, side))
     row = constant(x._tape, points)
-    new = x._tape.add("search", (operand(row), operand(x)), x.shape, (side, joints))
-    new._whole = True
-    return new
+    index = x._tape.add("search", (operand(row), operand(x)), x.shape, (side, joints))
+    index._whole = True
+    return index
 
 
-def pieces(xs: Any, rows: Any, x: Any, side: str = "right") -> Any:
-    """Return the polynomial of the piece that x lies in; the outer ones go on."""
-    k = place_in(xs[1:-1], x, side, joints_of(xs, rows))
-    s = x - lookup(xs, k)
-    return reduce(lambda v, w: v * s + w, [lookup(row, k) for row in rows])
+def searched(points: Any, x: Any, side: str = "left", **options: Any) -> Any:
+    """Return np.searchsorted(points, x, side)."""
+    return place_in(_increasing(points, "np.searchsorted"), x, side)
 
 
-def joints_of(xs: np.ndarray, rows: Any) -> str:
-    """Return whether neighbouring polynomials jump, bend, or are one curve but for rounding.
-
-    The curve that two of them stand for differs from them by an eighth of what separates them at
-    the end of the second.
-    """
-    apart = np.diff(xs)
-    size = np.max(np.abs(rows[-1]), initial=0.0)
-    lines = [row[:-1] for row in rows]
-    ends = reduce(lambda v, w: v * apart[:-1] + w, lines)
-    if not np.allclose(ends, rows[-1][1:], 1e-12, 1e-12 * size):
-        return "jumps"
-    further = reduce(lambda v, w: v * (apart[:-1] + apart[1:]) + w, lines)
-    nexts = reduce(lambda v, w: v * apart[1:] + w, [row[1:] for row in rows])
-    return "smooth" if np.all(np.abs(further - nexts) <= 8.0 * SMOOTH * size) else "kinks"
-
-
-def slopes(xs: np.ndarray, ys: Any) -> Any:
-    """Return the slopes of straight lines between points; 0 between two of one place."""
-    apart = np.diff(xs).reshape(-1, *[1] * (ys.ndim - 1))
-    return (ys[1:] - ys[:-1]) / np.where(apart > 0.0, apart, np.inf)
-
-
-def searched(points: Any, x: Any, side: str = "left", **more: Any) -> Any:
-    """Return np.searchsorted(points, x)."""
-    return place_in(increasing(points, "np.searchsorted"), x, side)
-
-
-def increasing(points: Any, name: str) -> np.ndarray:
-    """Return points as numbers; refuse to look among others than increasing ones."""
+def _increasing(points: Any, name: str) -> np.ndarray:
+    """Return points as numbers; refuse points that do not increase."""
     points = np.asarray(points, dtype=float)
     if np.any(np.diff(points) < 0.0):
         raise Unread(f"{name} of points that do not increase")
     return points
 
 
+def _horner(coefficients: Any, s: Any) -> Any:
+    return reduce(lambda value, c: value * s + c, coefficients)
+
+
+def _polynomial(points: Any, coefficients: Any, x: Any, side: str = "right") -> Any:
+    """Return a piecewise polynomial at x; its first and last piece extend to infinity."""
+    index = place_in(points[1:-1], x, side, joints_of(points, coefficients))
+    s = x - lookup(points, index)
+    return _horner([lookup(row, index) for row in coefficients], s)
+
+
+def joints_of(points: np.ndarray, coefficients: Any) -> str:
+    """Return "jumps", "kinks" or "smooth": a piecewise polynomial at its inner points.
+
+    Two neighbouring pieces are one smooth curve, except for rounding, if they agree at the end of
+    the second piece too.  The curve differs from both by an eighth of their distance there.
+    """
+    steps = np.diff(points)
+    size = np.max(np.abs(coefficients[-1]), initial=0.0)
+    before = [row[:-1] for row in coefficients]
+    after = [row[1:] for row in coefficients]
+    if not np.allclose(_horner(before, steps[:-1]), coefficients[-1][1:], 1e-12, 1e-12 * size):
+        return "jumps"
+    distance = _horner(before, steps[:-1] + steps[1:]) - _horner(after, steps[1:])
+    return "smooth" if np.all(np.abs(distance) <= 8.0 * SMOOTH * size) else "kinks"
+
+
+def _slopes(points: np.ndarray, values: Any) -> Any:
+    """Return the slopes of straight lines between points; 0 between two equal points."""
+    steps = np.diff(points).reshape(-1, *[1] * (values.ndim - 1))
+    return (values[1:] - values[:-1]) / np.where(steps > 0.0, steps, np.inf)
+
+
+def _outside(values: Any, x: Any, points: np.ndarray, below: Any, above: Any) -> Any:
+    """Return values, replaced below and above the points unless `below` or `above` is None."""
+    if above is not None:
+        values = where(np.greater(x, points[-1]), above, values)
+    return values if below is None else where(np.less(x, points[0]), below, values)
+
+
 def interpolated(
     x: Any, xp: Any, fp: Any, left: Any = None, right: Any = None, period: Any = None
 ) -> Any:
-    """Return np.interp(x, xp, fp), its constant ends as two more straight lines."""
+    """Return np.interp(x, xp, fp); its constant ends are two more straight lines."""
     known = numbers_of(fp) if isinstance(fp, Array) else np.asarray(fp, dtype=float)
-    ys = fp if known is None else known
+    values = fp if known is None else known
     if period is not None:
-        order = np.argsort(xp := np.asarray(xp, dtype=float) % period)
-        xp, ys, x = xp[order], ys[order], np.remainder(x, period)
+        xp = np.asarray(xp, dtype=float) % period
+        order = np.argsort(xp)
+        xp, values, x = xp[order], values[order], np.remainder(x, period)
         xp = np.concatenate([xp[-1:] - period, xp, xp[:1] + period])
-        ys = np.concatenate([ys[-1:], ys, ys[:1]])
-    xp = increasing(xp, "np.interp")
-    inner = "kinks" if isinstance(ys, Array) else joints_of(xp, [slopes(xp, ys), ys[:-1]])
-    k = place_in(xp, x, joints=inner if left is None else "jumps")
-    first = ys[:1] if left is None else np.full(1, float(left))
+        values = np.concatenate([values[-1:], values, values[:1]])
+    xp = _increasing(xp, "np.interp")
+    slopes = _slopes(xp, values)
+    joints = "kinks" if isinstance(values, Array) else joints_of(xp, [slopes, values[:-1]])
+    index = place_in(xp, x, joints=joints if left is None else "jumps")
     flat = np.zeros(1)
-    slope = lookup(np.concatenate([flat, slopes(xp, ys), flat]), k)
-    values = slope * (x - lookup(np.append(xp[:1], xp), k)) + lookup(np.concatenate([first, ys]), k)
-    return outside(values, x, xp, None, right)
+    slope = lookup(np.concatenate([flat, slopes, flat]), index)
+    start = lookup(np.append(xp[:1], xp), index)
+    below = values[:1] if left is None else np.full(1, float(left))
+    value = slope * (x - start) + lookup(np.concatenate([below, values]), index)
+    return _outside(value, x, xp, None, right)
 
 
-def outside(values: Any, x: Any, xs: np.ndarray, below: Any, above: Any) -> Any:
-    """Return values, with others below and above the points where these are given."""
-    if above is not None:
-        values = where(np.greater(x, xs[-1]), above, values)
-    return values if below is None else where(np.less(x, xs[0]), below, values)
+# --- SciPy's interpolators -----------------------------------------------------------------------
 
 
-# --- SciPy's ------------------------------------------------------------------------------------
-
-
-def of_pieces(
-    xs: np.ndarray, c: np.ndarray, ends: Any, side: str = "right", domain: Any = None
-) -> Callable:
-    """Return polynomials between points as a function of signals: c by power, piece, column."""
-    tail, edges = c.shape[2:], xs if domain is None else domain
+def _of_pieces(
+    points: np.ndarray, c: np.ndarray, ends: Any, side: str = "right", domain: Any = None
+) -> Table:
+    """Return a piecewise polynomial: coefficients c by power, piece and column."""
     columns = np.moveaxis(c.reshape(*c.shape[:2], -1), 2, 0)
+    shape = c.shape[2:]
+    limits = points if domain is None else domain
 
     def table(tape: Tape, x: Any) -> Any:
         x = lifted(tape, x)
-        values = [outside(pieces(xs, rows, x, side), x, edges, *ends) for rows in columns]
-        if not tail:
+        values = [
+            _outside(_polynomial(points, column, x, side), x, limits, *ends) for column in columns
+        ]
+        if not shape:
             return values[0]
-        return np.moveaxis(np.stack(values), 0, -1).reshape((*x.shape, *tail))
+        return np.moveaxis(np.stack(values), 0, -1).reshape((*x.shape, *shape))
 
     return table
 
 
-STEPS: dict[str, Callable] = {  # where interp1d of a kind steps from one value to the next
-    **dict.fromkeys(("nearest", "nearest-up"), lambda xs: (xs[1:] + xs[:-1]) / 2.0),
-    "next": lambda xs: xs[:-1],
-    **dict.fromkeys(("previous", "zero"), lambda xs: xs[1:]),
-}
-
-
-def of_interp1d(f: Any) -> Callable:
+def _of_interp1d(f: Any) -> Table:
     """Return scipy.interpolate.interp1d as a function of signals."""
     from scipy.interpolate import PPoly
 
-    xs, ys = np.asarray(f.x, dtype=float), np.moveaxis(np.asarray(f.y, dtype=float), f.axis, 0)
+    points = np.asarray(f.x, dtype=float)
+    values = np.moveaxis(np.asarray(f.y, dtype=float), f.axis, 0)
     ends: Any = (None, None)
     if not f._extrapolate:
         fill = f.fill_value if isinstance(f.fill_value, tuple) else (f.fill_value,) * 2
-        if any(np.size(one) > 1 for one in fill):
+        if any(np.size(value) > 1 for value in fill):
             raise Unread("scipy's interp1d with a fill_value for each column")
-        ends = [np.nan if f.bounds_error else float(np.ravel(one)[0]) for one in fill]
+        ends = [np.nan if f.bounds_error else float(np.ravel(value)[0]) for value in fill]
     if f._kind == "linear":
-        return of_pieces(xs, np.stack([slopes(xs, ys), ys[:-1]]), ends, "left")
+        return _of_pieces(points, np.stack([_slopes(points, values), values[:-1]]), ends, "left")
     if f._kind == "spline":
-        of = [PPoly.from_spline((f._spline.t, c, f._spline.k)) for c in f._spline.c.T]
-        c = np.stack([one.c for one in of], axis=-1)
-        return of_pieces(of[0].x, c.reshape(*c.shape[:2], *ys.shape[1:]), ends, domain=xs)
-    side = "right" if f._kind in ("previous", "zero", "nearest-up") else "left"
-    return of_pieces(np.array([0.0, *STEPS[f._kind](xs), 0.0]), ys[None], ends, side, xs)
+        t, k = f._spline.t, f._spline.k
+        splines = [PPoly.from_spline((t, column, k)) for column in f._spline.c.T]
+        c = np.stack([spline.c for spline in splines], axis=-1)
+        c = c.reshape(*c.shape[:2], *values.shape[1:])
+        return _of_pieces(splines[0].x, c, ends, domain=points)
+    if f._kind in ("previous", "zero"):
+        steps = np.array([0.0, *points[1:], 0.0])
+        return _of_pieces(steps, values[None], ends, "right", points)
+    raise Unread(f"scipy's interp1d of kind {f._kind!r}; use 'linear', 'previous' or 'cubic'")
 
 
-def of_polynomials(f: Any) -> Callable:
+def _of_polynomials(f: Any) -> Table:
     """Return a piecewise polynomial of SciPy, such as CubicSpline, as a function of signals."""
-    xs = np.asarray(f.x, dtype=float)
+    name = type(f).__name__
     if f.c.dtype.kind != "f" or f.axis:
-        raise Unread(f"scipy's {type(f).__name__} of complex numbers, or along another axis")
-    ends = (None, None) if f.extrapolate else (np.nan, np.nan)
+        raise Unread(f"scipy's {name} of complex numbers, or along another axis")
+    if f.extrapolate == "periodic":
+        raise Unread(f"scipy's {name} that is periodic; take the remainder of its argument")
+    table = _of_pieces(np.asarray(f.x, float), f.c, (None if f.extrapolate else np.nan,) * 2)
 
-    def table(tape: Tape, x: Any, nu: int = 0) -> Any:
-        if f.extrapolate == "periodic":
-            x = xs[0] + (lifted(tape, x) - xs[0]) % (xs[-1] - xs[0])
-        return of_pieces(xs, f.derivative(nu).c if nu else f.c, ends)(tape, x)
+    def of_values(tape: Tape, x: Any, nu: int = 0) -> Any:
+        if nu:
+            raise Unread(f"derivatives of scipy's {name}; call its `derivative` before the run")
+        return table(tape, x)
 
-    return table
+    return of_values
 
 
-def of_grid(f: Any) -> Callable:
+def _of_grid(f: Any) -> Table:
     """Return scipy.interpolate.RegularGridInterpolator as a function of signals."""
-    grid, ys = [np.asarray(one, dtype=float) for one in f.grid], np.asarray(f.values)
-    if f.method != "linear" or ys.ndim != len(grid) or ys.dtype.kind not in "fiu":
+    grid = [np.asarray(points, dtype=float) for points in f.grid]
+    values = np.asarray(f.values)
+    if f.method != "linear" or values.ndim != len(grid) or values.dtype.kind not in "fiu":
         raise Unread("scipy's RegularGridInterpolator that is not linear, or of several columns")
-    ends = np.nan if f.bounds_error else f.fill_value
+    end = np.nan if f.bounds_error else f.fill_value
 
-    def table(tape: Tape, given: Any) -> Any:
-        x = lifted(tape, list(given) if isinstance(given, tuple) else given)
-        if isinstance(given, tuple):  # of one array along each axis
+    def table(tape: Tape, arguments: Any) -> Any:
+        # the coordinates of a point are the last axis
+        x = lifted(tape, list(arguments) if isinstance(arguments, tuple) else arguments)
+        if isinstance(arguments, tuple):
             x = np.moveaxis(x, 0, -1)
         elif x.ndim < 2:
             x = x.reshape(-1, len(grid))
+        axes = [(points, x[..., k]) for k, points in enumerate(grid)]
+        indices = [place_in(points[1:-1], at, joints="kinks") for points, at in axes]
+        # the value is a weighted mean of the corners of the cell
         total: Any = 0.0
-        along = [x[..., k] for k in range(len(grid))]
-        places = [
-            place_in(xs[1:-1], own, joints="kinks") for xs, own in zip(grid, along, strict=True)
-        ]
         for corner in np.ndindex(*[2] * len(grid)):
             place: Any = 0.0
-            share: Any = 1.0
-            for xs, own, k, upper in zip(grid, along, places, corner, strict=True):
-                part = (own - lookup(xs, k)) / lookup(np.diff(xs), k)
-                share = share * (part if upper else 1.0 - part)
-                place = place * len(xs) + k + upper
-            total = total + lookup(ys.ravel(), place) * share
-        for xs, own in zip(grid, along, strict=True):
-            total = outside(total, own, xs, ends, ends)
+            weight: Any = 1.0
+            for (points, at), index, upper in zip(axes, indices, corner, strict=True):
+                fraction = (at - lookup(points, index)) / lookup(np.diff(points), index)
+                weight = weight * (fraction if upper else 1.0 - fraction)
+                place = place * len(points) + index + upper
+            total = total + lookup(values.ravel(), place) * weight
+        for points, at in axes:
+            total = _outside(total, at, points, end, end)
         return total
 
     return table
 
 
-def point(tape: Tape, *x: Any) -> Any:
+def _vector(tape: Tape, *x: Any) -> Any:
     """Return coordinates, given one by one or as a vector, as a vector."""
     return lifted(tape, x[0] if len(x) == 1 else list(x)).reshape(-1)
 
 
-def of_simplices(f: Any) -> Callable:
+def _of_simplices(f: Any) -> Table:
     """Return scipy.interpolate.LinearNDInterpolator as a function of signals; NaN outside."""
-    corners, tail = f.tri.simplices, tuple(f.values_shape)
-    ys = np.asarray(f.values, dtype=float).reshape(len(f.values), *tail)
-    if len(corners) > MOST or f.scale is not None:
+    simplices = f.tri.simplices
+    shape = tuple(f.values_shape)
+    ys = np.asarray(f.values, dtype=float).reshape(len(f.values), *shape)
+    if len(simplices) > MOST or f.scale is not None:
         raise Unread(f"scipy's LinearNDInterpolator of more than {MOST} simplices, or rescaled")
 
-    def table(tape: Tape, *given: Any) -> Any:
-        x = point(tape, *given)
-        values: Any = np.full(tail, f.fill_value) if tail else float(f.fill_value)
-        for own, inverse in zip(corners[::-1], f.tri.transform[::-1], strict=True):
-            shares = [row @ (x - inverse[-1]) for row in inverse[:-1]]
-            shares.append(1.0 - reduce(add, shares))
-            inside = reduce(and_, [share >= -1e-12 for share in shares])
-            value = reduce(add, [share * ys[k] for share, k in zip(shares, own, strict=True)])
-            values = where(inside, value, values)
+    def table(tape: Tape, *coordinates: Any) -> Any:
+        x = _vector(tape, *coordinates)
+        values: Any = np.full(shape, f.fill_value) if shape else float(f.fill_value)
+        for corners, inverse in zip(simplices[::-1], f.tri.transform[::-1], strict=True):
+            weights = [row @ (x - inverse[-1]) for row in inverse[:-1]]
+            weights.append(1.0 - reduce(add, weights))
+            inside = reduce(and_, [weight >= -1e-12 for weight in weights])
+            terms = [weight * ys[k] for weight, k in zip(weights, corners, strict=True)]
+            values = where(inside, reduce(add, terms), values)
         return values[None]
 
     return table
 
 
-def of_nearest(f: Any) -> Callable:
+def _of_nearest(f: Any) -> Table:
     """Return scipy.interpolate.NearestNDInterpolator as a function of signals."""
-    points, ys = np.asarray(f.tree.data, dtype=float), np.asarray(f.values, dtype=float)
+    points = np.asarray(f.tree.data, dtype=float)
+    ys = np.asarray(f.values, dtype=float)
     if len(points) > MOST or f.scale is not None:
         raise Unread(f"scipy's NearestNDInterpolator of more than {MOST} points, or rescaled")
 
-    def table(tape: Tape, *given: Any) -> Any:
-        x = point(tape, *given)
-        near, values = np.sum((x - points[0]) ** 2), ys[0]
-        for one, y in zip(points[1:], ys[1:], strict=True):
-            distance = np.sum((x - one) ** 2)
-            closer = distance < near
-            near, values = where(closer, distance, near), where(closer, y, values)
+    def table(tape: Tape, *coordinates: Any) -> Any:
+        x = _vector(tape, *coordinates)
+        least, values = np.sum((x - points[0]) ** 2), ys[0]
+        for point, y in zip(points[1:], ys[1:], strict=True):
+            distance = np.sum((x - point) ** 2)
+            is_nearer = distance < least
+            least = where(is_nearer, distance, least)
+            values = where(is_nearer, y, values)
         return values[None]
 
     return table
 
 
-POLYNOMIALS = ("CubicSpline", "PchipInterpolator", "Akima1DInterpolator", "PPoly")
-TABLES: dict[str, Callable[[Any], Callable]] = {
-    "interp1d": of_interp1d,
-    **dict.fromkeys(POLYNOMIALS, of_polynomials),
-    "RegularGridInterpolator": of_grid,
-    "LinearNDInterpolator": of_simplices,
-    "NearestNDInterpolator": of_nearest,
+TABLES: dict[str, Callable[[Any], Table]] = {
+    "interp1d": _of_interp1d,
+    "CubicSpline": _of_polynomials,
+    "PPoly": _of_polynomials,
+    "PchipInterpolator": _of_polynomials,
+    "RegularGridInterpolator": _of_grid,
+    "LinearNDInterpolator": _of_simplices,
+    "NearestNDInterpolator": _of_nearest,
 }
 
 
@@ -301,9 +318,9 @@ def is_table(value: Any) -> bool:
     return kind.__name__ in TABLES and kind.__module__.startswith("scipy.interpolate.")
 
 
-def function_of(value: Any) -> Callable | None:
+def function_of(value: Any) -> Table | None:
     """Return an interpolator as a function of signals; None for any other value."""
     if not is_table(value):
         return None
     table = cache(lambda: TABLES[type(value).__name__](value))
-    return lambda tape, *x, **more: boxed(tape, table()(tape, *x, **more))
+    return lambda tape, *x, **options: boxed(tape, table()(tape, *x, **options))
