@@ -192,6 +192,15 @@ def of_numpy(number: Any) -> Any:
     return new
 
 
+def of_python(number: Any, whole: Any = False) -> Any:
+    """Return a number as one of Python's: a float, or a whole one, which is never -0."""
+    if not isinstance(number, Array) or number.shape:
+        return number
+    new = Array(number._tape, (number + 0.0 if whole else number)._ref, ())
+    new._of_python, new._whole = True, whole
+    return new
+
+
 def chosen(condition: Any, a: Any, b: Any) -> Any:
     """Return the number that Python chooses: a where a condition holds, else b, of its kind."""
     new = where(condition, a, b)

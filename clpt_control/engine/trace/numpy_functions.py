@@ -11,9 +11,8 @@ import numpy as np
 from . import interpolators as lookup_tables
 from . import views
 from .arrays import HOOKS, Array, Tape, Unread, objects
-from .elementwise import as_number, boxed, filled, is_truth, is_whole, lifted, where
+from .elementwise import as_number, boxed, filled, is_truth, is_whole, lifted, of_python, where
 from .linear_algebra import determinant, dot, norm, outer, solve
-from .number_types import of_python
 from .ufuncs import LONG_ROW, accumulated, check_doubles, place_of_the_least, reduced, rounded
 from .views import depends, into, on_numbers, on_objects, on_parameters, refuse, tape_of
 

@@ -26,7 +26,7 @@ from .elementwise import boxed, constant
 from .execution_paths import merge_calls
 from .fingerprint import Fingerprint
 from .rewriting import NAMES, rewritten
-from .tracer_modules import BUILTINS, Module, stand_in
+from .tracer_modules import BUILTINS, TracerModule, tracer_value
 
 LOCK = threading.RLock()  # while tracer values are in objects and classes
 ENGINE = __package__.rpartition(".")[0]
@@ -78,8 +78,8 @@ class Rebinding:
                 return value
             return getattr(type(value), "_make", tuple)(items)
         if isinstance(value, ModuleType) and not is_library(root_of(value)):
-            return Module(value, self.of)
-        return stand_in(value)
+            return TracerModule(value, self.of)
+        return tracer_value(value)
 
     def _numbers(self, value: np.ndarray) -> Any:
         """Return numbers as a tracer array, which takes signals where NumPy's does not."""
@@ -103,7 +103,7 @@ class Rebinding:
         if function.__module__ in TRACER_MODULES:
             return function
         if root_of(function) in LIBRARIES:
-            return stand_in(function)
+            return tracer_value(function)
         code = rewritten(function.__code__) if self.merging else function.__code__
         self.texts.update(code_texts(code))
         cells = tuple(CellType() for _ in function.__closure__ or ())

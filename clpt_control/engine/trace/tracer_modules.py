@@ -1,9 +1,11 @@
-"""What stands for NumPy, `math` and built-in names while a function is read.
+"""Tracer functions, types and modules: NumPy, `math` and built-in names while a function is traced.
 
-NumPy's own protocols reach arrays of the record wherever one is an argument.  They do not reach
+NumPy's own protocols reach tracer arrays wherever one is an argument.  They do not reach
 ``np.array([x[0], 1.0])``, ``np.zeros(2)`` that is filled afterwards, ``math.sin(x[0])``,
-``float(x[0])`` and ``max(x[0], 0)``: these have stand-ins, which do what the real ones do where
-nothing is read, or where no signal is among their arguments.
+``float(x[0])`` and ``max(x[0], 0)``.  These names are rebound to the tracer functions here, which
+call the real ones if no signal is among their arguments.
+
+To ``isinstance``, ``hasattr`` and ``type`` a signal is a float and a vector is an array.
 """
 
 import bisect
@@ -23,17 +25,19 @@ from .allow_list import OF_LOGGING, UNSEEDED
 from .arrays import Array, Tape, Unread, active, single, whole
 from .elementwise import (
     all_of,
+    as_number,
     boxed,
     chosen,
     elementwise,
     is_of_python,
     is_whole,
     lifted,
+    of_python,
     raise_in_a_try,
+    told,
     where,
 )
 from .interpolators import function_of, searched
-from .number_types import TYPES, has, is_a, of_python, real_of, type_of
 from .numpy_functions import apply_function
 from .ufuncs import LONG_ROW, apply_ufunc, least_of
 from .views import converted, copied, fresh, share, tape_of
@@ -42,48 +46,167 @@ FUNCTIONS = (FunctionType, BuiltinFunctionType, type(np.sum))
 ITERATORS = (GeneratorType, map, zip, filter, deque)
 
 
-class StandIn:
-    """Stands for a function: `own` writes on a tape what the real one does."""
+class TracerFunction:
+    """A function that is recorded if a signal is among its arguments.
 
-    def __init__(self, real: Any, own: Callable):
-        self.real, self.own = real, own
+    `record` takes the tape and the arguments; otherwise the `real` function runs.
+    """
+
+    def __init__(self, real: Any, record: Callable):
+        self.real = real
+        self.record = record
         functools.update_wrapper(self, real, updated=())
 
-    def __call__(self, *arguments: Any, **more: Any) -> Any:
-        """Run the real one, or write down what it does."""
+    def __call__(self, *arguments: Any, **options: Any) -> Any:
+        """Run the real function, or record the call."""
         tape = active()
-        if more:
-            more = {name: real_of(one) for name, one in more.items()}
+        if options:
+            options = {name: real_type(value) for name, value in options.items()}
         if tape is None:
-            return self.real(*arguments, **more)
-        arguments = tuple(list(one) if isinstance(one, ITERATORS) else one for one in arguments)
-        if tape_of((*arguments, *more.values())) is None:
-            given = tuple(map(real_of, arguments))
-            result = self.real(*given, **more)
-            seen = any(share(one, result) for one in (*given, *more.values()))
-            return result if seen else fresh(tape, result)
-        return self.own(tape, *arguments, **more)
+            return self.real(*arguments, **options)
+        arguments = tuple(list(a) if isinstance(a, ITERATORS) else a for a in arguments)
+        if tape_of((*arguments, *options.values())) is not None:
+            return self.record(tape, *arguments, **options)
+        inputs = tuple(map(real_type, arguments))
+        result = self.real(*inputs, **options)
+        is_view = any(share(value, result) for value in (*inputs, *options.values()))
+        return result if is_view else fresh(tape, result)
 
     def __getattr__(self, name: str) -> Any:
         attribute = getattr(self.real, name)
-        if isinstance(self.real, np.ufunc) and callable(attribute):
-            return StandIn(
-                attribute, lambda tape, *a, **more: apply_ufunc(tape, self.real, name, a, more)
-            )
-        return attribute
+        if not isinstance(self.real, np.ufunc) or not callable(attribute):
+            return attribute
+        return TracerFunction(
+            attribute, lambda tape, *a, **options: apply_ufunc(tape, self.real, name, a, options)
+        )
 
 
-# --- `math` and built-in functions --------------------------------------------------
+# --- types of numbers ---------------------------------------------------------------------------
+
+
+class TracerType(type):
+    """A type of numbers that converts signals; a type, for ``dtype=float`` and isinstance."""
+
+    _real: type
+    _convert: Callable
+
+    def __getattr__(cls, name: str) -> Any:
+        """Return an attribute of the real type; a method of a signal is a method of its array."""
+        attribute = getattr(cls._real, name)
+        if not callable(attribute):
+            return attribute
+        return TracerFunction(attribute, lambda tape, value, *a: getattr(value, name)(*a))
+
+    def __call__(cls, *arguments: Any, **options: Any) -> Any:
+        """Convert a signal, or make a number of the real type."""
+        value = single(arguments[0]) if arguments else None
+        return cls._convert(value) if isinstance(value, Array) else cls._real(*arguments, **options)
+
+    def __instancecheck__(cls, value: Any) -> bool:
+        return is_instance(value, cls._real)
+
+    def __subclasscheck__(cls, kind: type) -> bool:
+        return issubclass(kind, cls._real)
+
+    def __eq__(cls, other: Any) -> bool:
+        return real_type(other) is cls._real
+
+    def __hash__(cls) -> int:
+        return hash(cls._real)
+
+
+def tracer_type(real: type, convert: Callable) -> TracerType:
+    """Return the tracer type of a type of numbers."""
+    names = {"_real": real, "_convert": staticmethod(convert), "dtype": np.dtype(real)}
+    return TracerType(real.__name__, (), {"__doc__": f"Tracer type of {real.__name__}.", **names})
+
+
+def real_type(value: Any) -> Any:
+    """Return the real type of a tracer type; any other value as it is."""
+    return value._real if isinstance(value, TracerType) else value
+
+
+def is_instance(value: Any, kinds: Any) -> bool:
+    """Return isinstance(value, kinds)."""
+    kind = tuple(map(real_type, kinds)) if isinstance(kinds, tuple) else real_type(kinds)
+    if not isinstance(value, Array) or kind is Array:
+        return isinstance(value, kind)
+    return _of_example(value, lambda example: isinstance(example, kind))
+
+
+def has_attribute(value: Any, name: str) -> bool:
+    """Return hasattr(value, name)."""
+    if not isinstance(value, Array):
+        return hasattr(value, name)
+    is_port = name in getattr(value, "_ports", ())
+    return is_port or _of_example(value, lambda example: hasattr(example, name))
+
+
+def type_of(*arguments: Any, **options: Any) -> Any:
+    """Return type(value), or a new type."""
+    if len(arguments) > 1 or options:
+        return type(*arguments, **options)
+    (value,) = arguments
+    kind = _of_example(value, type) if isinstance(value, Array) else type(value)
+    return TYPES.get(kind, kind)
+
+
+# numbers, by whether they are whole and whether they are Python's own
+EXAMPLES = (
+    (False, False, np.float64(0)),
+    (False, True, 0.0),
+    (True, False, np.int64(0)),
+    (True, True, 0),
+)
+
+
+def _of_example(value: Array, answer: Callable[[Any], Any]) -> Any:
+    """Return the answer for an example of a value; refuse if it depends on a branch."""
+    if value.shape or value._boxed:
+        return answer(np.zeros(0))
+    ref = value._ref
+    known = ref if type(ref) is float else value._tape.parameter(ref)
+    if known is not None:
+        return answer(known)
+    if value._is_condition:
+        return answer(np.bool_(False))
+    is_int, is_python = is_whole(value), is_of_python(value)
+    answers = {
+        answer(example)
+        for example_is_int, example_is_python, example in EXAMPLES
+        if is_int in (example_is_int, None) and is_python in (example_is_python, None)
+    }
+    told(True if len(answers) == 1 else None)
+    return answers.pop()
+
+
+def as_float(value: Array) -> Any:
+    """Return float(value)."""
+    if value.shape:
+        raise TypeError("only 0-dimensional arrays can be converted to Python scalars")
+    return of_python(as_number(value[()]))
+
+
+CONVERSIONS: dict[type, Callable] = {
+    float: as_float,
+    np.float64: lambda value: converted(value[()]),
+    int: lambda value: of_python(np.trunc(as_float(value)), whole=True),
+    np.int64: lambda value: converted(value[()], np.int64),
+}
+TYPES = {real: tracer_type(real, convert) for real, convert in CONVERSIONS.items()}
+
+
+# --- `math` and built-in functions --------------------------------------------------------------
 
 
 def rounded_off(total: Any, value: Any, new: Any) -> Any:
-    """Return what rounding took from total + value."""
-    first = np.fabs(total) >= np.fabs(value)
-    return where(first, (total - new) + value, (value - new) + total)
+    """Return the rounding error of new = total + value."""
+    is_larger = np.fabs(total) >= np.fabs(value)
+    return where(is_larger, (total - new) + value, (value - new) + total)
 
 
 def remainder(a: Any, b: Any) -> Any:
-    """Return math.remainder(a, b), from the rest of two periods: without rounding."""
+    """Return math.remainder(a, b), from the remainder of two periods: without rounding."""
     rest = np.fmod(a, 2.0 * b)
     return rest - b * np.rint(rest / b)
 
@@ -97,50 +220,57 @@ MATH: dict[str, Callable] = {
     "dist": lambda a, b: functools.reduce(np.hypot, map(np.subtract, a, b), 0.0),
     "prod": lambda a, start=1: functools.reduce(lambda v, w: v * w, a, start),
 }
-RAISING = frozenset(  # where a number is out of range
+RAISING = frozenset(  # if a number is out of range
     {"sqrt", "log", "log2", "log10", "log1p", "asin", "acos", "acosh", "atanh", "exp", "exp2"}
     | {"expm1", "sinh", "cosh", "pow", "fmod", "remainder"}
 )
 
 
-def of_math(name: str, tape: Tape, *arguments: Any, **more: Any) -> Any:
-    """Write down a function of `math`."""
+def of_math(name: str, tape: Tape, *arguments: Any, **options: Any) -> Any:
+    """Record a function of `math`."""
     numbers = tuple(map(single, arguments))
     if name in RAISING:
         raise_in_a_try(name, *numbers)
-    new = MATH[name](*numbers, **more)
-    return of_python(new, name in ("floor", "ceil", "trunc") or (name == "prod" and is_whole(new)))
+    value = MATH[name](*numbers, **options)
+    is_int = name in ("floor", "ceil", "trunc") or (name == "prod" and is_whole(value))
+    return of_python(value, is_int)
 
 
-OF_MATH = [StandIn(getattr(math, name), functools.partial(of_math, name)) for name in MATH]
+MATH_FUNCTIONS = [
+    TracerFunction(getattr(math, name), functools.partial(of_math, name)) for name in MATH
+]
 
 
-def of_values(real: Callable, own: Callable[[list], Any]) -> Callable:
-    """Return the stand-in of a function of values, given one by one or in one."""
+def of_values(real: Callable, record: Callable[[list], Any]) -> Callable:
+    """Return the tracer function of a function of values, given one by one or in a list."""
 
     @functools.wraps(real)
-    def function(*arguments: Any, **more: Any) -> Any:
+    def function(*arguments: Any, **options: Any) -> Any:
         values = list(arguments[0]) if len(arguments) == 1 else list(arguments)
-        return real(values, **more) if more or tape_of(values) is None else own(values)
+        if options or tape_of(values) is None:
+            return real(values, **options)
+        return record(values)
 
     return function
 
 
 def best(better: Callable, values: list) -> Any:
-    """Return the best value: what is better takes the place of what was best."""
-    kinds = {(is_of_python(one), is_whole(one)) for one in map(single, values)}
+    """Return max or min: a value replaces the best value so far if it is better."""
+    numbers = [*map(single, values)]
+    kinds = {(is_of_python(number), is_whole(number)) for number in numbers}
     if len(values) > LONG_ROW and len(kinds) == 1:
-        row = lifted(tape_of(values), [*map(single, values)])
-        new = least_of(row) if better is np.less else -least_of(-row)
-        ((new._of_python, new._whole),) = kinds
-        return new
-    return functools.reduce(lambda a, b: chosen(better(b, a), b, a), map(single, values))
+        row = lifted(tape_of(values), numbers)
+        value = least_of(row) if better is np.less else -least_of(-row)
+        ((value._of_python, value._whole),) = kinds
+        return value
+    return functools.reduce(lambda a, b: chosen(better(b, a), b, a), numbers)
 
 
 def compensated(values: Iterable[Any], start: Any = 0) -> Any:
-    """Return Python's sum: of its own floats, since 3.12, with what rounding took from it.
+    """Return Python's sum, which since Python 3.12 compensates rounding in sums of its own floats.
 
-    Of whole numbers among them since 3.14; a number of NumPy ends it, and one that may be NumPy's.
+    Since 3.14 whole numbers among them are compensated too.  Compensation ends at a number of
+    NumPy, or one that may be NumPy's.
     """
     values = list(values)
     if tape_of((start, *values)) is None:
@@ -150,104 +280,109 @@ def compensated(values: Iterable[Any], start: Any = 0) -> Any:
         if not all_of([is_of_python(total), is_of_python(value)]):
             break
         new = total + value
-        exact = is_whole(total) or (sys.version_info < (3, 14) and is_whole(value))
-        lost = lost if exact else lost + rounded_off(total, value, new)
+        is_exact = is_whole(total) or (sys.version_info < (3, 14) and is_whole(value))
+        lost = lost if is_exact else lost + rounded_off(total, value, new)
         total, count = new, count + 1
     if isinstance(lost, Array) or lost:
         total = where(np.isfinite(lost), total + lost, total)
     return sum(values[count:], total)
 
 
-def printed(*values: Any, **more: Any) -> None:
-    """Print, but nothing of a way that is only read: its numbers have no values."""
+def printed(*values: Any, **options: Any) -> None:
+    """Print, except while a function is traced: its numbers have no values."""
     if active() is None:
-        print(*values, **more)
+        print(*values, **options)
 
 
-SHADOWS: dict[str, Any] = {  # built-in names that have stand-ins
+BUILTIN_FUNCTIONS: dict[str, Any] = {
     "float": TYPES[float],
     "int": TYPES[int],
     "max": of_values(max, functools.partial(best, np.greater)),
     "min": of_values(min, functools.partial(best, np.less)),
     "any": of_values(any, lambda values: functools.reduce(np.logical_or, values, False)),
     "all": of_values(all, lambda values: functools.reduce(np.logical_and, values, True)),
-    "isinstance": is_a,
-    "hasattr": has,
+    "isinstance": is_instance,
+    "hasattr": has_attribute,
     "type": type_of,
     "print": printed,
     **({"sum": compensated} if sys.version_info >= (3, 12) else {}),
 }
+BUILTINS: dict[str, Any] = {**vars(builtins), **BUILTIN_FUNCTIONS}
 
 
-# --- NumPy ------------------------------------------------------------
+# --- NumPy --------------------------------------------------------------------------------------
 
 
-def of_numpy(real: Any) -> StandIn:
-    """Return the stand-in of a function of NumPy, for lists that hold signals."""
+def of_numpy(real: Any) -> TracerFunction:
+    """Return the tracer function of a function of NumPy, for lists that hold signals."""
     if real in MAKERS:
-        return StandIn(real, MAKERS[real])
+        return TracerFunction(real, MAKERS[real])
     if isinstance(real, np.ufunc):
-        return StandIn(real, lambda tape, *a, **more: apply_ufunc(tape, real, "__call__", a, more))
-    return StandIn(real, lambda tape, *a, **more: apply_function(tape, real, a, more))
+        return TracerFunction(
+            real, lambda tape, *a, **options: apply_ufunc(tape, real, "__call__", a, options)
+        )
+    return TracerFunction(real, lambda tape, *a, **options: apply_function(tape, real, a, options))
 
 
-def array(tape: Any, value: Any, dtype: Any = None, *, ndmin: int = 0, **more: Any) -> Any:
-    """Return np.array of what holds signals."""
+def array(tape: Any, value: Any, dtype: Any = None, *, ndmin: int = 0, **options: Any) -> Any:
+    """Return np.array of values that hold signals."""
     new = lifted(tape, value)
     if dtype is not None:
         new = converted(new, dtype)
-    elif more.get("copy", True):
+    elif options.get("copy", True):
         new = copied(new)
     return boxed(tape, new[(None,) * (ndmin - new.ndim)] if ndmin > new.ndim else new)
 
 
-def same_array(tape: Any, value: Any, dtype: Any = None, **more: Any) -> Any:
-    """Return np.asarray of what holds signals."""
+def same_array(tape: Any, value: Any, dtype: Any = None, **options: Any) -> Any:
+    """Return np.asarray of values that hold signals."""
     if isinstance(value, Array) and (dtype is None or np.dtype(dtype) == float):
         return boxed(tape, value)
     return array(tape, value, dtype)
 
 
-def full(tape: Tape, shape: Any, value: Any, dtype: Any) -> Any:
+def full(tape: Tape, shape: Any, value: Any, dtype: Any = None, **options: Any) -> Any:
     """Return np.full of a signal."""
     new = lifted(tape, np.zeros(whole(shape))) + lifted(tape, value)
     new._whole = is_whole(value)
     return boxed(tape, new if dtype is None else converted(new, dtype))
 
 
+def of_counts(real: Callable) -> Callable:
+    """Return the record of np.zeros and such functions: new arrays whose sizes are signals."""
+    return lambda tape, *counts, **options: fresh(tape, real(*whole(counts), **options))
+
+
 MAKERS: dict[Any, Callable] = {
     np.array: array,
     **dict.fromkeys((np.asarray, np.asanyarray), same_array),
-    np.full: lambda tape, shape, value, dtype=None, **more: full(tape, shape, value, dtype),
-    **{
-        make: lambda tape, *counts, make=make, **more: fresh(tape, make(*whole(counts), **more))
-        for make in (np.zeros, np.ones, np.empty, np.eye, np.identity)
-    },
+    np.full: full,
+    **{real: of_counts(real) for real in (np.zeros, np.ones, np.empty, np.eye, np.identity)},
     np.isscalar: lambda tape, a: isinstance(a, Array) and not (a.shape or a._boxed),
 }
 
 
 class Joiner:
-    """np.r_ and np.c_: what stands in brackets, one behind the other."""
+    """np.r_ or np.c_: arrays in brackets are concatenated."""
 
     def __init__(self, real: Any, join: Callable):
-        self.real, self.join = real, join
+        self.real = real
+        self.join = join
 
-    def __getitem__(self, parts: Any) -> Any:
-        given = parts if isinstance(parts, tuple) else (parts,)
-        if tape_of(given) is None:
-            tape, result = active(), self.real[parts]
+    def __getitem__(self, index: Any) -> Any:
+        values = index if isinstance(index, tuple) else (index,)
+        if tape_of(values) is None:
+            tape, result = active(), self.real[index]
             return result if tape is None else fresh(tape, result)
-        return self.join(
-            [np.atleast_1d(self.real[p] if isinstance(p, slice) else p) for p in given]
-        )
+        arrays = [self.real[value] if isinstance(value, slice) else value for value in values]
+        return self.join([*map(np.atleast_1d, arrays)])
 
 
 # --- modules ------------------------------------------------------------------------------------
 
 
-class Module(ModuleType):
-    """What stands for a module, with tracer values of its names; nobody can change it."""
+class TracerModule(ModuleType):
+    """A module whose names have tracer values; nobody can change it."""
 
     def __init__(self, real: ModuleType, tracer_value: Callable):
         vars(self).update(__name__=real.__name__, _real=real, _tracer_value=tracer_value)
@@ -262,63 +397,58 @@ class Module(ModuleType):
 
 
 def errstate(**arguments: Any) -> Any:
-    """Return np.errstate; refuse to raise, which nothing does while it is read."""
+    """Return np.errstate; refuse to raise, as no operation raises while it is traced."""
     if active() is not None and {"raise", "call", "log"} & {*arguments.values()}:
         raise Unread("np.errstate that raises; ask by `if` before")
     return np.errstate(**arguments)
 
 
-def _refused(real: Callable, sentence: str) -> Callable:
-    """Return what stands for a function whose answer no record holds."""
-
-    def function(*arguments: Any, **more: Any) -> Any:
-        if active() is not None and not arguments and not more:
-            raise Unread(sentence)
-        return real(*arguments, **more)
-
-    return function
+def unseeded(*seed: Any, **options: Any) -> Any:
+    """Return np.random.default_rng of a seed; refuse one without a seed."""
+    if active() is not None and not seed and not options:
+        raise Unread(UNSEEDED)
+    return np.random.default_rng(*seed, **options)
 
 
 class SilentLogger:
     """A logger that does nothing."""
 
     def __getattr__(self, name: str) -> Callable:
-        return lambda *arguments, **more: None
+        return lambda *arguments, **options: None
 
 
-BISECT: dict[Any, Callable] = {
-    bisect.bisect_left: lambda tape, row, value: searched(row, value, "left"),
-    bisect.bisect_right: lambda tape, row, value: searched(row, value, "right"),
-}
-_KNOWN: dict[int, Any] = {
-    **{id(real): StandIn(real, own) for real, own in BISECT.items()},
-    id(np.random.default_rng): _refused(np.random.default_rng, UNSEEDED),
+def _bisect(side: str) -> Callable:
+    return lambda tape, row, value: searched(row, value, side)
+
+
+SILENT = SilentLogger()
+_known: dict[int, Any] = {  # by the identity of the real value
+    id(bisect.bisect_left): TracerFunction(bisect.bisect_left, _bisect("left")),
+    id(bisect.bisect_right): TracerFunction(bisect.bisect_right, _bisect("right")),
+    id(np.random.default_rng): unseeded,
     id(np.errstate): errstate,
-    id(logging.getLogger): lambda *name: SilentLogger(),
-    **{id(getattr(logging, name)): getattr(SilentLogger(), name) for name in OF_LOGGING},
+    id(logging.getLogger): lambda *name: SILENT,
+    **{id(getattr(logging, name)): getattr(SILENT, name) for name in OF_LOGGING},
     id(np.r_): Joiner(np.r_, np.concatenate),
     id(np.c_): Joiner(np.c_, np.column_stack),
-    **{id(real): made for real, made in TYPES.items()},
-    **{id(made.real): made for made in OF_MATH},
-    **{id(getattr(builtins, name)): made for name, made in SHADOWS.items()},
+    **{id(real): traced for real, traced in TYPES.items()},
+    **{id(traced.real): traced for traced in MATH_FUNCTIONS},
+    **{id(getattr(builtins, name)): traced for name, traced in BUILTIN_FUNCTIONS.items()},
 }
 
 
-def stand_in(value: Any) -> Any:
-    """Return what stands for a module, function, type or interpolator; else the value itself."""
-    if (known := _KNOWN.get(id(value))) is not None:
+def tracer_value(value: Any) -> Any:
+    """Return the tracer value of a module, function, type or interpolator; others as they are."""
+    if (known := _known.get(id(value))) is not None:
         return known
     if isinstance(value, logging.Logger | logging.LoggerAdapter):
-        return SilentLogger()
+        return SILENT
     if isinstance(value, ModuleType):
-        return _KNOWN.setdefault(id(value), Module(value, stand_in))
-    of_them = isinstance(value, FUNCTIONS) and any(
+        return _known.setdefault(id(value), TracerModule(value, tracer_value))
+    is_function = isinstance(value, FUNCTIONS) and any(
         vars(module).get(value.__name__) is value for module in (np, np.linalg)
     )
-    if isinstance(value, np.ufunc) or of_them:
-        return _KNOWN.setdefault(id(value), of_numpy(value))
+    if isinstance(value, np.ufunc) or is_function:
+        return _known.setdefault(id(value), of_numpy(value))
     table = function_of(value)
-    return value if table is None else StandIn(value, table)
-
-
-BUILTINS: dict[str, Any] = {**vars(builtins), **SHADOWS}
+    return value if table is None else TracerFunction(value, table)
