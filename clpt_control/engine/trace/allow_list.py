@@ -128,8 +128,8 @@ def module_of(value: Any) -> str:
         return value.__name__
     if isinstance(value, FunctionType):  # by its names, since anybody may set __module__
         name = value.__globals__.get("__name__", "")
-        known = getattr(sys.modules.get(name), "__dict__", None) is value.__globals__
-        return name if known else ""
+        is_current = getattr(sys.modules.get(name), "__dict__", None) is value.__globals__
+        return name if is_current else ""
     owner = None if isinstance(value, type) else getattr(value, "__objclass__", None)
     if isinstance(owner, type):  # of a method of a built-in type
         return module_of(owner)
@@ -151,8 +151,8 @@ def attributes_of(value: Any) -> dict[str, Any] | None:
 def is_pure(value: Any) -> bool:
     """Return whether a function, type or object neither keeps nor changes anything when called."""
     if not isinstance(value, CALLABLE):
-        known = any(value is one for one in PURE_OBJECTS)
-        return known or isinstance(value, FIELDS) or type(value).__module__ == "dataclasses"
+        is_listed = any(value is listed for listed in PURE_OBJECTS)
+        return is_listed or isinstance(value, FIELDS) or type(value).__module__ == "dataclasses"
     module, name = module_of(value), getattr(value, "__name__", "")
     root = module.partition(".")[0]
     if module == "datetime" and name in CLOCKS:

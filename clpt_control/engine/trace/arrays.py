@@ -71,12 +71,12 @@ class Tape:
     def add(self, kind: str, arguments: Sequence[Ref], shape: Shape, at: Any = None) -> "Array":
         """Return the value of an operation, written down where it is new."""
         key = (kind, tuple(map(key_of, arguments)), shape, at)
-        if (place := self._known.get(key)) is None:
-            place = self._known[key] = len(self.operations)
+        if (ref := self._known.get(key)) is None:
+            ref = self._known[key] = len(self.operations)
             self.append(Operation(kind, tuple(arguments), shape, at))
-            if place > MOST_OPERATIONS:
+            if ref > MOST_OPERATIONS:
                 raise Unread(f"takes more than {MOST_OPERATIONS} operations")
-        return Array(self, place, shape)
+        return Array(self, ref, shape)
 
     def value(self, ref: Ref) -> Any:
         """Return what a reference names: an array, or a number as it is."""
@@ -86,12 +86,16 @@ class Tape:
         """Write an operation down, also where an equal one stands."""
         kind, arguments, _, at = operation
         self.operations.append(operation)
-        own = [a for a in arguments if type(a) is int]
+        values = [a for a in arguments if type(a) is int]
         changes = kind == "leaf" and (at[0] != "p" or at[1] == "interval")  # along a run
-        self.free.append(changes or any(self.free[a] for a in own))
+        self.free.append(changes or any(self.free[a] for a in values))
         self.truth.append(
             kind in CONDITIONS
-            or (kind in MOVED and len(own) == len(arguments) and all(self.truth[a] for a in own))
+            or (
+                kind in MOVED
+                and len(values) == len(arguments)
+                and all(self.truth[a] for a in values)
+            )
         )
 
     def replayed(self, record: Record, leaf: Callable[[str, str, Shape], Any]) -> list[Any]:
@@ -214,22 +218,22 @@ class Array(NDArrayOperatorsMixin):
         """Return its elements in an array of objects."""
         if (store := self._written()) is not None:
             return store.copy()
-        if (known := numbers_of(self)) is not None:
-            return known.astype(object)
-        found = np.empty(self.size, dtype=object)
-        for k, place in enumerate(np.ndindex(self.shape)):
-            found[k] = self[place] if self.shape else Array(self._tape, self._node, ())
-        return found.reshape(self.shape)
+        if (numbers := numbers_of(self)) is not None:
+            return numbers.astype(object)
+        elements = np.empty(self.size, dtype=object)
+        for k, index in enumerate(np.ndindex(self.shape)):
+            elements[k] = self[index] if self.shape else Array(self._tape, self._node, ())
+        return elements.reshape(self.shape)
 
     # --- NumPy's protocols ----------------------------------------------------------------
 
-    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **more: Any) -> Any:
-        if not self.shape and not more and ufunc in UFUNCS and method == "__call__":
+    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **options: Any) -> Any:
+        if not self.shape and not options and ufunc in UFUNCS and method == "__call__":
             return HOOKS["elementwise"](UFUNCS[ufunc], *inputs)
-        return HOOKS["ufunc"](self._tape, ufunc, method, inputs, more)
+        return HOOKS["ufunc"](self._tape, ufunc, method, inputs, options)
 
-    def __array_function__(self, function: Any, types: Any, inputs: Any, more: Any) -> Any:
-        return HOOKS["function"](self._tape, function, inputs, more)
+    def __array_function__(self, function: Any, types: Any, inputs: Any, options: Any) -> Any:
+        return HOOKS["function"](self._tape, function, inputs, options)
 
     def __array__(self, dtype: Any = None, copy: Any = None) -> np.ndarray:
         if dtype is not None and np.dtype(dtype).kind == "O":
@@ -254,12 +258,12 @@ class Array(NDArrayOperatorsMixin):
     # --- Python asks for a value ----------------------------------------------------------
 
     def __bool__(self) -> bool:
-        one = single(self)
-        if not isinstance(one, Array):
-            return bool(one)
-        if one.shape:
+        number = single(self)
+        if not isinstance(number, Array):
+            return bool(number)
+        if number.shape:
             raise ValueError("the truth value of an array with more than one element is ambiguous")
-        return self._tape.question((one if one._is_condition else one != 0.0)._ref)
+        return self._tape.question((number if number._is_condition else number != 0.0)._ref)
 
     def __float__(self) -> float:
         return float(self._tape.numbers(self._ref).item())
@@ -313,9 +317,13 @@ def numbers_of(array: Array) -> np.ndarray | None:
     if store is None:
         if type(array) is not Array:  # all states or inputs
             return None
-        own = array._tape.operations[array._node]
-        return np.frombuffer(own.at).reshape(own.shape) if own.kind == "constant" else None
-    plain = all(type(one) is not Array for one in store.flat)
+        operation = array._tape.operations[array._node]
+        return (
+            np.frombuffer(operation.at).reshape(operation.shape)
+            if operation.kind == "constant"
+            else None
+        )
+    plain = all(type(element) is not Array for element in store.flat)
     return store.astype(float) if plain else None
 
 
@@ -325,7 +333,7 @@ def whole(index: Any) -> Any:
         return tuple(map(whole, index))
     if not isinstance(index, Array):
         return index
-    return [one.__index__() for one in index] if index.shape else index.__index__()
+    return [item.__index__() for item in index] if index.shape else index.__index__()
 
 
 def single(value: Any) -> Any:

@@ -117,8 +117,8 @@ class AnsweringTape(Tape):
                 raise TypeError("only integers can be used as an index")
             return int(value)
         if number._below is not None:
-            places = range(number._below)
-            return next((k for k in places[:-1] if number == float(k)), places[-1])
+            candidates = range(number._below)
+            return next((k for k in candidates[:-1] if number == float(k)), candidates[-1])
         count = self.rows.get(ref, MOST_PLACES)
         for k in (*range(count + 1), *range(-1, -count - 1, -1)):
             if k == MOST_PLACES:
@@ -181,8 +181,8 @@ class Ports(Array):
         self._ports = {
             port: tape.add("leaf", (), shape, (group, port)) for port, shape in shapes.items()
         }
-        known = all(isinstance(n, int) for shape in shapes.values() for n in shape)
-        size: Any = sum(map(prod, shapes.values())) if known else f"len({group})"
+        is_known = all(isinstance(n, int) for shape in shapes.values() for n in shape)
+        size: Any = sum(map(prod, shapes.values())) if is_known else f"len({group})"
         super().__init__(tape, -1, (size,))
         del self._node  # until it is asked for
         self._fixed = fixed
@@ -204,4 +204,4 @@ class Ports(Array):
 
 def _rows(array: Any) -> list[Array]:
     """Return the rows of an array of any number of axes."""
-    return [array] if array.ndim == 1 else [row for part in array for row in _rows(part)]
+    return [array] if array.ndim == 1 else [row for row_block in array for row in _rows(row_block)]

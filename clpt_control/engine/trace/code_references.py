@@ -33,12 +33,12 @@ class Reference(NamedTuple):
 @functools.lru_cache(maxsize=1024)
 def references(code: CodeType) -> tuple[Reference, ...]:
     """Return what code references, with the functions in it; each once."""
-    found: dict[tuple, Reference] = {}
-    for one in all_code(code):
-        for reference in _references_of(one):
+    by_name: dict[tuple, Reference] = {}
+    for inner in all_code(code):
+        for reference in _references_of(inner):
             if reference.space != "cell" or reference.name in code.co_freevars:
-                found.setdefault(reference[:3], reference)
-    return tuple(found.values())
+                by_name.setdefault(reference[:3], reference)
+    return tuple(by_name.values())
 
 
 def _references_of(code: CodeType) -> Iterator[Reference]:
@@ -48,28 +48,30 @@ def _references_of(code: CodeType) -> Iterator[Reference]:
         if line.opname == "IMPORT_NAME":
             yield Reference("import", "." * lines[k - 2].argval + line.argval, (), number)
         elif line.opname in LOADS:
-            following = takewhile(lambda one: one.opname in ATTRIBUTES, lines[k + 1 :])
-            attributes = tuple(one.argval for one in following)
+            following = takewhile(
+                lambda instruction: instruction.opname in ATTRIBUTES, lines[k + 1 :]
+            )
+            attributes = tuple(instruction.argval for instruction in following)
             yield Reference(LOADS[line.opname], line.argval, attributes, number)
 
 
 @functools.lru_cache(maxsize=1024)
 def code_names(code: CodeType) -> tuple[str, ...]:
     """Return the names that code loads, with those of the functions in it."""
-    return tuple(dict.fromkeys(name for one in all_code(code) for name in one.co_names))
+    return tuple(dict.fromkeys(name for inner in all_code(code) for name in inner.co_names))
 
 
 @functools.lru_cache(maxsize=1024)
 def code_texts(code: CodeType) -> frozenset[str]:
     """Return the texts among the constants of code, with those of the functions in it."""
-    constants = [value for one in all_code(code) for value in one.co_consts]
-    items = [one for value in constants for one in (value if type(value) is tuple else [value])]
-    return frozenset(one for one in items if isinstance(one, str))
+    constants = [value for item in all_code(code) for value in item.co_consts]
+    items = [item for value in constants for item in (value if type(value) is tuple else [value])]
+    return frozenset(item for item in items if isinstance(item, str))
 
 
 def all_code(code: CodeType) -> Iterator[CodeType]:
     """Yield code, and that of the functions in it."""
     yield code
-    for one in code.co_consts:
-        if isinstance(one, CodeType):
-            yield from all_code(one)
+    for constant in code.co_consts:
+        if isinstance(constant, CodeType):
+            yield from all_code(constant)

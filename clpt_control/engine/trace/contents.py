@@ -34,22 +34,22 @@ class Content:
     def __post_init__(self) -> None:
         self.before = copied(self.value)
 
-    def is_same(self, other: Any, strictly: bool = False) -> bool:
+    def is_same(self, expected: Any, strictly: bool = False) -> bool:
         """Return whether the content is identical to another, but for what calls may change."""
         now = copied(self.value)
         if self.ignored and not strictly:
-            now, other = (
-                {name: item for name, item in one.items() if name not in self.ignored}
-                for one in (now, other)
+            now, expected = (
+                {name: item for name, item in content.items() if name not in self.ignored}
+                for content in (now, expected)
             )
         if isinstance(now, bytes):
-            return now == other
+            return now == expected
         if isinstance(now, np.ndarray) and not now.dtype.hasobject:
-            return now.dtype == other.dtype and now.tobytes() == other.tobytes()
-        if isinstance(now, dict) and now.keys() != other.keys():
+            return now.dtype == expected.dtype and now.tobytes() == expected.tobytes()
+        if isinstance(now, dict) and now.keys() != expected.keys():
             return False
-        items, others = items_of(now), items_of(other)
-        return len(items) == len(others) and all(map(is_, items, others))
+        items, expected_items = items_of(now), items_of(expected)
+        return len(items) == len(expected_items) and all(map(is_, items, expected_items))
 
     def put_back(self) -> None:
         """Replace the content by that before."""
@@ -58,9 +58,9 @@ class Content:
 
 def restore(contents: Iterable[Content]) -> None:
     """Put back the content before tracing."""
-    for one in contents:
-        if not one.is_same(one.before, strictly=True):
-            one.put_back()
+    for content in contents:
+        if not content.is_same(content.before, strictly=True):
+            content.put_back()
 
 
 def copied(value: Any) -> Any:
@@ -74,7 +74,9 @@ def copied(value: Any) -> Any:
     if isinstance(value, Array):
         return None if value._store is None else value._store.copy()
     if isinstance(value, type):
-        return {name: one for name, one in vars(value).items() if _is_own(name, one)}
+        return {
+            name: attribute for name, attribute in vars(value).items() if _is_own(name, attribute)
+        }
     if root_of(type(value)) == "pandas":
         return pickle.dumps(value)
     return slot_values(value)
@@ -126,18 +128,18 @@ def elements_of(array: Array) -> np.ndarray:
 
 def slot_values(value: Any) -> dict[str, Any]:
     """Return the attributes that an object holds in slots."""
-    found = {}
+    values = {}
     for name, slot in slots_of(type(value)).items():
         with suppress(AttributeError):  # it is not set
-            found[name] = slot.__get__(value)
-    return found
+            values[name] = slot.__get__(value)
+    return values
 
 
 def slots_of(kind: type) -> dict[str, Any]:
     """Return the slots of a class, in which its objects hold attributes."""
     bases = (base for base in kind.__mro__ if base not in PLAIN_BASES)
-    each = (item for base in bases for item in vars(base).items())
-    return {name: one for name, one in each if isinstance(one, MemberDescriptorType)}
+    attributes = (item for base in bases for item in vars(base).items())
+    return {name: slot for name, slot in attributes if isinstance(slot, MemberDescriptorType)}
 
 
 def _is_own(name: str, value: Any) -> bool:

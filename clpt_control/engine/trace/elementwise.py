@@ -30,26 +30,26 @@ OF_OPERATORS = CONDITIONS | RAISING | {"add", "sub", "mul", "neg", "fabs"}
 
 def broadcast(*shapes: Shape) -> Shape:
     """Return the shape to which shapes are broadcast."""
-    found = []
+    lengths = []
     for d in range(-max(map(len, shapes)), 0):
         long = {shape[d] for shape in shapes if -d <= len(shape)} - {1}
         if len(long) > 1:
             raise ValueError(f"operands could not be broadcast together with shapes {shapes}")
-        found.append(long.pop() if long else 1)
-    return tuple(found)
+        lengths.append(long.pop() if long else 1)
+    return tuple(lengths)
 
 
 def put(array: Array, index: Any, value: Any) -> None:
     """Write into an array, element by element."""
     root = array._root
     if root._fixed or root._is_condition:
-        what = "truth values" if root._is_condition else "its states, inputs or parameters"
-        raise Unread(f"writes into {what}; write into a copy")
+        target = "truth values" if root._is_condition else "its states, inputs or parameters"
+        raise Unread(f"writes into {target}; write into a copy")
     root._keep()
     store = array._written()
     assert store is not None
     value = lifted(array._tape, value)
-    if told(is_whole(root)):
+    if definite(is_whole(root)):
         value = np.trunc(value) + 0.0
     if isinstance(index, Array) and index._is_condition and not moves(index):
         index = np.asarray(index)
@@ -104,23 +104,23 @@ def filled(tape: Tape, value: Any, shape: Shape) -> Any:
 
 def spread(tape: Tape, value: Any, shape: Shape) -> Any:
     """Return a value broadcast to a shape."""
-    own = getattr(value, "shape", ())
-    if own == shape:
+    old_shape = getattr(value, "shape", ())
+    if old_shape == shape:
         return value
-    whole = tape.add("fill", (0.0 if own else operand(value),), shape)
-    return elementwise("add", whole, value) if own else whole
+    filled_value = tape.add("fill", (0.0 if old_shape else operand(value),), shape)
+    return elementwise("add", filled_value, value) if old_shape else filled_value
 
 
-def stacked(tape: Tape, parts: Sequence[Any]) -> Any:
+def stacked(tape: Tape, items: Sequence[Any]) -> Any:
     """Return arrays of one shape along a new first axis."""
-    shapes = {getattr(part, "shape", ()) for part in parts}
+    shapes = {getattr(item, "shape", ()) for item in items}
     if len(shapes) > 1:
         raise ValueError(
             f"all input arrays must have the same shape, not {sorted(map(str, shapes))}"
         )
-    if not all(map(is_truth, parts)):
-        parts = [as_number(part) for part in parts]
-    refs = [operand(part) for part in parts]
+    if not all(map(is_truth, items)):
+        items = [as_number(item) for item in items]
+    refs = [operand(item) for item in items]
     if all(type(ref) is float for ref in refs):
         return constant(tape, np.array(refs))
     return HOOKS["stack_of"](tape, refs, shapes.pop())
@@ -140,28 +140,28 @@ def elementwise(name: str, *arguments: Any) -> Any:
     of_python = name in OF_OPERATORS and all_of(map(is_of_python, arguments))
     if name in RAISING and of_python is not False:
         raise_in_a_try(name, *arguments)
-    for k, one in enumerate(arguments):
+    for k, argument in enumerate(arguments):
         convert = as_condition if name in LOGICAL or (name == "where" and not k) else as_number
-        one = one if type(one) is float else convert(lifted(tape, one))
-        if isinstance(one, Array):
-            shapes.add(one.shape)
-        refs.append(operand(one))
+        argument = argument if type(argument) is float else convert(lifted(tape, argument))
+        if isinstance(argument, Array):
+            shapes.add(argument.shape)
+        refs.append(operand(argument))
     shape = shapes.pop() if len(shapes) == 1 else broadcast(*shapes)
     new = tape.add(name, refs, shape)
     inverse = name == "pow" and not isinstance(arguments[1], Array) and np.any(arguments[1] < 0)
-    whole = name in OF_WHOLE and not inverse
-    new._whole = whole and all_of(map(is_whole, arguments[name == "where" :]))
+    keeps_whole = name in OF_WHOLE and not inverse
+    new._whole = keeps_whole and all_of(map(is_whole, arguments[name == "where" :]))
     new._of_python = of_python
     return new
 
 
 def all_of(kinds: Iterable[bool | None]) -> bool | None:
     """Return whether all hold; None where that hangs on a choice."""
-    found = {*kinds}
-    return False if False in found else None if None in found else True
+    answers = {*kinds}
+    return False if False in answers else None if None in answers else True
 
 
-def told(kind: bool | None) -> bool:
+def definite(kind: bool | None) -> bool:
     """Return what kind of number a value is, where Python or NumPy goes by it."""
     if kind is None:
         raise Unread("what kind of number it is hangs on a choice; write float(...)")
@@ -192,12 +192,12 @@ def of_numpy(number: Any) -> Any:
     return new
 
 
-def of_python(number: Any, whole: Any = False) -> Any:
+def of_python(number: Any, is_int: Any = False) -> Any:
     """Return a number as one of Python's: a float, or a whole one, which is never -0."""
     if not isinstance(number, Array) or number.shape:
         return number
-    new = Array(number._tape, (number + 0.0 if whole else number)._ref, ())
-    new._of_python, new._whole = True, whole
+    new = Array(number._tape, (number + 0.0 if is_int else number)._ref, ())
+    new._of_python, new._whole = True, is_int
     return new
 
 
@@ -210,9 +210,9 @@ def chosen(condition: Any, a: Any, b: Any) -> Any:
     return new
 
 
-def either(one: bool | None, other: bool | None) -> bool | None:
+def either(a: bool | None, b: bool | None) -> bool | None:
     """Return a kind that two numbers have in common; None where they differ."""
-    return one if one is other else None
+    return a if a is b else None
 
 
 def _overflows(a: Any, new: Any) -> Any:
@@ -241,7 +241,7 @@ def raise_in_a_try(name: str, *arguments: Any) -> None:
 
     It matters only where a function may catch the error: otherwise such numbers give NaN.
     """
-    if not in_a_try() or not any(moves(one) or not np.all(one) for one in arguments):
+    if not in_a_try() or not any(moves(argument) or not np.all(argument) for argument in arguments):
         return
     kinds = all_of(map(is_of_python, arguments)) if name in RAISING else True
     if kinds is None or name not in ERRORS:
@@ -317,13 +317,19 @@ def where(condition: Any, a: Any, b: Any) -> Any:
         return a if condition else b
     if is_truth(a) and is_truth(b):
         condition = as_condition(condition)
-        parts = [_both(condition, a), _both(elementwise("not", condition), b)]
-        found = [part for part in parts if part is not None]
-        return elementwise("or", *found) if len(found) > 1 else found[0] if found else False
+        terms = [_and(condition, a), _and(elementwise("not", condition), b)]
+        terms_left = [term for term in terms if term is not None]
+        return (
+            elementwise("or", *terms_left)
+            if len(terms_left) > 1
+            else terms_left[0]
+            if terms_left
+            else False
+        )
     return elementwise("where", condition, a, b)
 
 
-def _both(condition: Array, truth: Any) -> Array | None:
+def _and(condition: Array, truth: Any) -> Array | None:
     """Return whether both hold; None for never."""
     if isinstance(truth, Array) or np.ndim(truth):
         return elementwise("and", condition, truth)

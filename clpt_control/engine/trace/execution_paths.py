@@ -36,12 +36,12 @@ def each_path(tape: Any) -> Iterator[None]:
         tape.runs += 1
         if tape.runs > MOST_RUNS:
             raise Unread(f"has helpers in helpers, of more than {MOST_RUNS} execution paths")
-        way = [*tape.answers.values()]
-        while len(way) > len(before) and not way[-1]:
-            way.pop()
-        if len(way) == len(before):
+        outcomes = [*tape.answers.values()]
+        while len(outcomes) > len(before) and not outcomes[-1]:
+            outcomes.pop()
+        if len(outcomes) == len(before):
             return
-        tape.way = [*way[:-1], False]
+        tape.way = [*outcomes[:-1], False]
 
 
 def merged(
@@ -52,14 +52,14 @@ def merged(
         return paths[0][1]
     condition = list(paths[0][0])[depth]
     yes, no = (
-        [one for one in paths if one[0].get(condition) is answer] for answer in (True, False)
+        [path for path in paths if path[0].get(condition) is answer] for answer in (True, False)
     )
     if not yes or not no or len(yes) + len(no) < len(paths):
         raise Unread("asks otherwise from call to call; make what it keeps a state")
-    sides = (merged(tape, some, choose, depth + 1) for some in (yes, no))
+    branches = (merged(tape, subset, choose, depth + 1) for subset in (yes, no))
     return [
         a if key_of(operand(a)) == key_of(operand(b)) else choose(Array(tape, condition, ()), a, b)
-        for a, b in zip(*sides, strict=True)
+        for a, b in zip(*branches, strict=True)
     ]
 
 
@@ -120,7 +120,7 @@ class Region:
                 if paths:
                     self.restore()
                 result = self.run()
-                contents = [copied(one.value) for one in self.content]
+                contents = [copied(content.value) for content in self.content]
                 paths.append((tape.answers, [result, *contents]))
                 if len(paths) > 1:
                     tape.check()
@@ -143,24 +143,24 @@ class Region:
     def restore(self) -> None:
         """Put back the content with which the code began."""
         try:
-            for one in self.content:
-                one.put_back()
+            for content in self.content:
+                content.put_back()
         except Exception as error:  # not one of the function, whose path would be NaN
             raise Unread(f"its paths cannot be traced: {error}") from None
 
     def _merge(self, paths: list[Any], depth: int, dead: set[int]) -> Any:
-        answers = [own for own, _ in paths]
+        answers = [outcomes for outcomes, _ in paths]
         columns = [*zip(*(row for _, row in paths), strict=True)]
         merge = functools.partial(_merged_values, self.tape, answers, depth, self._seen)
         result, contents = merge(columns[0]), list[Any]()
-        for one, column in zip(self.content, columns[1:], strict=True):
-            if id(one.value) in dead:
+        for changed, column in zip(self.content, columns[1:], strict=True):
+            if id(changed.value) in dead:
                 contents.append(column[0])
             else:
-                contents.append(_merged_contents(one.value, column, merge))
-        for one, content in zip(self.content, contents, strict=True):
-            if id(one.value) not in dead:
-                put(one.value, content)
+                contents.append(_merged_contents(changed.value, column, merge))
+        for changed, content in zip(self.content, contents, strict=True):
+            if id(changed.value) not in dead:
+                put(changed.value, content)
         return result
 
 
@@ -168,12 +168,14 @@ def _merged_contents(value: Any, contents: Any, merge: Callable) -> Any:
     """Return one content for those that paths leave in a list, dict, array or variable."""
     first = contents[0]
     if isinstance(value, Array):  # None is what nothing was written into
-        contents = [elements_of(value) if one is None else one for one in contents]
-    if isinstance(value, np.ndarray) and not all(np.array_equal(one, first) for one in contents):
+        contents = [elements_of(value) if content is None else content for content in contents]
+    if isinstance(value, np.ndarray) and not all(
+        np.array_equal(content, first) for content in contents
+    ):
         raise NotMergeable  # it holds no signals
-    if isinstance(value, dict) and any(one.keys() != first.keys() for one in contents):
+    if isinstance(value, dict) and any(content.keys() != first.keys() for content in contents):
         raise NotMergeable
-    rows = [items_of(one) for one in contents]
+    rows = [items_of(content) for content in contents]
     if len({len(row) for row in rows}) > 1:
         raise NotMergeable
     items = [merge(column) for column in zip(*rows, strict=True)]
@@ -189,31 +191,33 @@ def _merged_contents(value: Any, contents: Any, merge: Callable) -> Any:
 
 
 def _merged_values(
-    tape: Tape, answers: list[dict], depth: int, known: set[int], values: tuple
+    tape: Tape, answers: list[dict], depth: int, earlier: set[int], values: tuple
 ) -> Any:
     """Return one value for the values that paths have; `known` are values from before the paths."""
     first = values[0]
-    if all(one is first for one in values):
+    if all(value is first for value in values):
         return first
     if type(first) in (int, str, bool) and all(
-        type(one) is type(first) and one == first for one in values
+        type(value) is type(first) and value == first for value in values
     ):
         return first
-    rows = [(own, [one]) for own, one in zip(answers, values, strict=True)]
-    if all(map(is_truth, values)) and not any(np.ndim(one) for one in values):
+    rows = [(outcomes, [value]) for outcomes, value in zip(answers, values, strict=True)]
+    if all(map(is_truth, values)) and not any(np.ndim(value) for value in values):
         return merged(tape, rows, where, depth)[0]
-    if all(map(_is_number, values)) and not all(type(one) is int for one in values):
+    if all(map(_is_number, values)) and not all(type(value) is int for value in values):
         return merged(tape, rows, chosen, depth)[0]
-    shapes = {isinstance(one, Array) and one.shape for one in values}
+    shapes = {isinstance(value, Array) and value.shape for value in values}
     if len(shapes) == 1 and all(shapes):
         new = merged(tape, rows, where, depth)[0]
         # writing into it would write into one of the paths' arrays
-        new._fixed = any(one._fixed or id(one._root) in known for one in values)
+        new._fixed = any(value._fixed or id(value._root) in earlier for value in values)
         return new
-    kinds = {type(one) for one in values}
-    if len(kinds) == 1 and kinds <= {tuple, list} and len({len(one) for one in values}) == 1:
+    kinds = {type(value) for value in values}
+    if len(kinds) == 1 and kinds <= {tuple, list} and len({len(value) for value in values}) == 1:
         columns = zip(*values, strict=True)
-        return type(first)(_merged_values(tape, answers, depth, known, own) for own in columns)
+        return type(first)(
+            _merged_values(tape, answers, depth, earlier, outcomes) for outcomes in columns
+        )
     raise NotMergeable
 
 
@@ -236,11 +240,11 @@ def merge_calls(function: FunctionType) -> Any:
     """Return a function whose paths are merged at each call while a function is traced."""
 
     @functools.wraps(function, updated=())
-    def helper(*arguments: Any, **more: Any) -> Any:
+    def helper(*arguments: Any, **options: Any) -> Any:
         if (tape := merging()) is None:
-            return function(*arguments, **more)
-        roots = (*arguments, *more.values(), *(function.__closure__ or ()))
-        return Region(tape, lambda: function(*arguments, **more), roots).merged()
+            return function(*arguments, **options)
+        roots = (*arguments, *options.values(), *(function.__closure__ or ()))
+        return Region(tape, lambda: function(*arguments, **options), roots).merged()
 
     return helper
 

@@ -98,7 +98,7 @@ class Fingerprint:
     @property
     def identity(self) -> tuple:
         """Key that also tells apart equal objects which can change."""
-        return self.key, tuple([id(one.value) for one in self.mutables])
+        return self.key, tuple([id(content.value) for content in self.mutables])
 
 
 def reachable(*values: Any, trusted: bool = False) -> Fingerprint:
@@ -253,11 +253,11 @@ class _Walk:
                 self._refuse_object(kind)
             self._note(value, kind, owner.names)
 
-    def _note(self, value: Any, owner: type | None = None, *more: Any) -> None:
+    def _note(self, value: Any, owner: type | None = None, *fields: Any) -> None:
         """Note a value that a function may change; what is trusted changes none."""
         if not self.trusted:
             words = f"an attribute of {owner.__name__}" if owner else f"a {type(value).__name__}"
-            self.mutables.append(Content(value, words, *more))
+            self.mutables.append(Content(value, words, *fields))
 
     def _items(self, values: Any) -> Iterator[Any]:
         """Yield the keys of items; numbers, or tuples of numbers, are one key."""
@@ -283,9 +283,9 @@ class _Walk:
         if "_parameters" in fields:  # a block of this package
             functions = [function for function, _ in system._roles.values()]
             return id(system), self.identity(system.parameters), *map(self.key_of, functions)
-        fields = {name: one for name, one in fields.items() if name not in OF_CALLS}
+        fields = {name: attribute for name, attribute in fields.items() if name not in OF_CALLS}
         self._note(vars(system), type(system), fields, OF_CALLS)
-        keys = [(name, self.key_of(one)) for name, one in fields.items()]
+        keys = [(name, self.key_of(attribute)) for name, attribute in fields.items()]
         return self._class(type(system)), *keys
 
     # --- functions --------------------------------------------------------------------------
@@ -309,29 +309,29 @@ class _Walk:
         generated = code.co_filename == "<string>"  # of a dataclass
         self.calls_classes |= not generated and not {"type", "__class__"}.isdisjoint(names)
         spaces = {"global": function.__globals__, "cell": _cells_of(function)}
-        for one in references(code):
-            self.where = f"{code.co_name}, line {one.line}: "
-            if own_package and one.space != "cell":
-                value = function.__globals__.get(one.name)  # of the package's own only functions
+        for item in references(code):
+            self.where = f"{code.co_name}, line {item.line}: "
+            if own_package and item.space != "cell":
+                value = function.__globals__.get(item.name)  # of the package's own only functions
                 key += [self.key_of(value)] if type(value) is FunctionType else []
-            elif one.space in spaces:
-                key.append(self._referenced(one, spaces[one.space]))
+            elif item.space in spaces:
+                key.append(self._referenced(item, spaces[item.space]))
             else:
-                key.append(self._imported(one, function.__globals__))
+                key.append(self._imported(item, function.__globals__))
         self.where, self.label = f"{code.co_name}: ", ""
         key += map(self.key_of, (function.__defaults__, function.__kwdefaults__))
-        key += [(name, self.key_of(one)) for name, one in vars(function).items()]
+        key += [(name, self.key_of(item)) for name, item in vars(function).items()]
         (self.where, self.label), self.trusted = before, trusted
         return id(code), *key
 
-    def _referenced(self, one: Reference, space: dict[str, Any]) -> Any:
+    def _referenced(self, reference: Reference, space: dict[str, Any]) -> Any:
         """Return the key of what code references, ``os.path.join`` by its attributes."""
-        value, label = space.get(one.name, UNBOUND), one.name
+        value, label = space.get(reference.name, UNBOUND), reference.name
         if value is UNBOUND:
-            if one.space == "cell" or one.name not in BUILTINS:
-                return "unbound", one.name  # an error of the function, or not bound yet
-            value = BUILTINS[one.name]
-        attributes = list(one.attributes)
+            if reference.space == "cell" or reference.name not in BUILTINS:
+                return "unbound", reference.name  # an error of the function, or not bound yet
+            value = BUILTINS[reference.name]
+        attributes = list(reference.attributes)
         while isinstance(value, ModuleType) and attributes:
             label = f"{label}.{attributes[0]}"
             value = getattr(value, attributes.pop(0), UNBOUND)
@@ -344,16 +344,16 @@ class _Walk:
             self._refuse(CLOCK)
         return label, self.key_of(value)
 
-    def _imported(self, one: Reference, space: dict[str, Any]) -> Any:
+    def _imported(self, reference: Reference, space: dict[str, Any]) -> Any:
         """Return the key of what a function imports by itself."""
         try:
             with isolated(), reading_on(Tape()):
-                module = importlib.import_module(one.name, space.get("__package__"))
+                module = importlib.import_module(reference.name, space.get("__package__"))
         except ImportError:
-            return "unbound", one.name
+            return "unbound", reference.name
         except Unread as error:
-            self._refuse(f"imports {one.name}, which {error}")
-            return one.name
+            self._refuse(f"imports {reference.name}, which {error}")
+            return reference.name
         return self.key_of(module)
 
     # --- attributes -------------------------------------------------------------------------
@@ -436,17 +436,21 @@ class _Walk:
 @functools.lru_cache(maxsize=256)
 def _is_plain(kind: type) -> bool:
     """Return whether the state of an object is in attributes, items or slots that Python has."""
-    own = [base for base in kind.__mro__ if base not in PLAIN_BASES]
-    methods = (one for base in own for one in vars(base).values() if isinstance(one, OF_C))
-    library = any(is_library(root_of(base)) for base in own)
-    return not library and not any(one.__objclass__ in own for one in methods)
+    classes = [base for base in kind.__mro__ if base not in PLAIN_BASES]
+    methods = (
+        method for base in classes for method in vars(base).values() if isinstance(method, OF_C)
+    )
+    library = any(is_library(root_of(base)) for base in classes)
+    return not library and not any(method.__objclass__ in classes for method in methods)
 
 
 @functools.lru_cache(maxsize=256)
 def _cached_properties(kind: Any) -> frozenset[str]:
     """Return the attributes that an object of a class computes once."""
-    each = (item for base in kind.__mro__ for item in vars(base).items())
-    return frozenset(name for name, one in each if isinstance(one, functools.cached_property))
+    attributes = (item for base in kind.__mro__ for item in vars(base).items())
+    return frozenset(
+        name for name, attribute in attributes if isinstance(attribute, functools.cached_property)
+    )
 
 
 def _cells_of(function: FunctionType) -> dict[str, Any]:

@@ -134,8 +134,8 @@ def interpolated(
     x: Any, xp: Any, fp: Any, left: Any = None, right: Any = None, period: Any = None
 ) -> Any:
     """Return np.interp(x, xp, fp); its constant ends are two more straight lines."""
-    known = numbers_of(fp) if isinstance(fp, Array) else np.asarray(fp, dtype=float)
-    values = fp if known is None else known
+    numbers = numbers_of(fp) if isinstance(fp, Array) else np.asarray(fp, dtype=float)
+    values = fp if numbers is None else numbers
     if period is not None:
         xp = np.asarray(xp, dtype=float) % period
         order = np.argsort(xp)
@@ -236,19 +236,21 @@ def _of_grid(f: Any) -> Table:
         elif x.ndim < 2:
             x = x.reshape(-1, len(grid))
         axes = [(points, x[..., k]) for k, points in enumerate(grid)]
-        indices = [place_in(points[1:-1], at, joints="kinks") for points, at in axes]
+        indices = [
+            place_in(points[1:-1], coordinate, joints="kinks") for points, coordinate in axes
+        ]
         # the value is a weighted mean of the corners of the cell
         total: Any = 0.0
         for corner in np.ndindex(*[2] * len(grid)):
-            place: Any = 0.0
+            position: Any = 0.0
             weight: Any = 1.0
-            for (points, at), index, upper in zip(axes, indices, corner, strict=True):
-                fraction = (at - lookup(points, index)) / lookup(np.diff(points), index)
+            for (points, coordinate), index, upper in zip(axes, indices, corner, strict=True):
+                fraction = (coordinate - lookup(points, index)) / lookup(np.diff(points), index)
                 weight = weight * (fraction if upper else 1.0 - fraction)
-                place = place * len(points) + index + upper
-            total = total + lookup(values.ravel(), place) * weight
-        for points, at in axes:
-            total = _outside(total, at, points, end, end)
+                position = position * len(points) + index + upper
+            total = total + lookup(values.ravel(), position) * weight
+        for points, coordinate in axes:
+            total = _outside(total, coordinate, points, end, end)
         return total
 
     return table

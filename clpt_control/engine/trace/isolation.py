@@ -67,27 +67,27 @@ class _Silent:
 
 
 def _refusing(label: str, real: Callable) -> Callable:
-    def refuse(*arguments: Any, **more: Any) -> Any:
+    def refuse(*arguments: Any, **options: Any) -> Any:
         if active() is not None:
             raise Unread(f"calls {label}, {OUTSIDE}")
-        return real(*arguments, **more)
+        return real(*arguments, **options)
 
     return refuse
 
 
 def _opening(real: Callable) -> Callable:
-    def opened(file: Any, mode: Any = "r", *arguments: Any, **more: Any) -> Any:
+    def opened(file: Any, mode: Any = "r", *arguments: Any, **options: Any) -> Any:
         flags = mode & WRITING if isinstance(mode, int) else {*"wax+"} & {*mode}
         if flags and active() is not None:
             raise Unread(f"opens a file to write, {OUTSIDE}")
-        return real(file, mode, *arguments, **more)
+        return real(file, mode, *arguments, **options)
 
     return opened
 
 
 def _dropping(real: Callable) -> Callable:
-    def drop(*arguments: Any, **more: Any) -> Any:
-        return real(*arguments, **more) if active() is None else None
+    def drop(*arguments: Any, **options: Any) -> Any:
+        return real(*arguments, **options) if active() is None else None
 
     return drop
 

@@ -66,15 +66,15 @@ def solve(A: Any, b: Any) -> Any:
     n = A.shape[0]
     if A.ndim != 2 or A.shape != (n, n) or b.shape[0] != n:
         raise ValueError("solve: A must be square, b as long")
-    right = b[:, None] if b.ndim == 1 else b
-    rows = [np.concatenate([row, right[k]]) for k, row in enumerate(_rows(A))]
+    columns = b[:, None] if b.ndim == 1 else b
+    rows = [np.concatenate([row, columns[k]]) for k, row in enumerate(_rows(A))]
     _eliminated(rows)
     solved: list[Any] = [None] * n
     for k in range(n - 1, -1, -1):
-        rest = rows[k][n:]
+        total = rows[k][n:]
         for i in range(k + 1, n):
-            rest = rest - solved[i] * rows[k][i]
-        solved[k] = rest / rows[k][k]
+            total = total - solved[i] * rows[k][i]
+        solved[k] = total / rows[k][k]
     x = np.stack(solved)
     return x[:, 0] if b.ndim == 1 else x
 

@@ -23,33 +23,33 @@ BOXED = {  # whose results are arrays, also without axes
 }
 
 
-def apply_function(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
+def apply_function(tape: Tape, function: Any, inputs: Any, options: dict) -> Any:
     """Write down one of NumPy's functions."""
-    out = more.pop("out", None)
+    out = options.pop("out", None)
     result = None
-    if function not in SHARES and not depends((*inputs, *more.values())):
-        result = on_numbers(tape, function, inputs, more)
+    if function not in SHARES and not depends((*inputs, *options.values())):
+        result = on_numbers(tape, function, inputs, options)
     elif function in IMPLEMENTED:
-        result = IMPLEMENTED[function](*inputs, **more)
+        result = IMPLEMENTED[function](*inputs, **options)
         return into(out, boxed(tape, result) if function in BOXED else result)
     if result is None:
         try:
-            result = on_objects(tape, function, inputs, more)
+            result = on_objects(tape, function, inputs, options)
         except Unread as why:
-            result = on_parameters(tape, function, inputs, more, why)
+            result = on_parameters(tape, function, inputs, options, why)
     return into(out, result)
 
 
 def implements(*functions: Any, arrays: int = 1) -> Callable:
     """Register what does NumPy's functions; its first arguments are made arrays of the record."""
 
-    def register(own: Callable) -> Callable:
-        def function(*inputs: Any, **more: Any) -> Any:
-            tape = tape_of((*inputs, *more.values()))
-            return own(*(lifted(tape, v) for v in inputs[:arrays]), *inputs[arrays:], **more)
+    def register(record: Callable) -> Callable:
+        def function(*inputs: Any, **options: Any) -> Any:
+            tape = tape_of((*inputs, *options.values()))
+            return record(*(lifted(tape, v) for v in inputs[:arrays]), *inputs[arrays:], **options)
 
-        IMPLEMENTED.update(dict.fromkeys(functions, function if arrays else own))
-        return own
+        IMPLEMENTED.update(dict.fromkeys(functions, function if arrays else record))
+        return record
 
     return register
 
@@ -69,16 +69,16 @@ def mean(a: Any, axis: Any = None, dtype: Any = None, keepdims: Any = False) -> 
 def variance(a: Any, axis: Any = None, dtype: Any = None, ddof: Any = 0, keepdims: Any = 0) -> Any:
     """Return the mean square of what differs from the mean."""
     check_doubles(dtype)
-    apart = a - mean(a, axis, keepdims=axis is not None)
-    total = np.sum(apart * apart, axis, keepdims=keepdims)
+    deviation = a - mean(a, axis, keepdims=axis is not None)
+    total = np.sum(deviation * deviation, axis, keepdims=keepdims)
     return total / (a.size // total.size - ddof)
 
 
 @implements(np.diff)
-def differences(a: Any, n: Any = 1, axis: int = -1, **more: Any) -> Any:
+def differences(a: Any, n: Any = 1, axis: int = -1, **options: Any) -> Any:
     """Return np.diff(a, n)."""
-    if more or is_truth(a) or not a.ndim or n < 1:
-        return on_objects(a._tape, np.diff, (a, n, axis), more)
+    if options or is_truth(a) or not a.ndim or n < 1:
+        return on_objects(a._tape, np.diff, (a, n, axis), options)
     rows = np.moveaxis(a, axis, 0)
     for _ in range(n):
         rows = rows[1:] - rows[:-1]
@@ -88,19 +88,24 @@ def differences(a: Any, n: Any = 1, axis: int = -1, **more: Any) -> Any:
 @implements(np.gradient)
 def gradient(f: Any, *steps: Any, axis: Any = None, edge_order: int = 1) -> Any:
     """Return np.gradient along one axis, by one step."""
-    along = 0 if axis is None and f.ndim == 1 else axis
-    if not isinstance(along, int) or len(steps) > 1 or edge_order != 1 or np.ndim([*steps, 1][0]):
+    direction = 0 if axis is None and f.ndim == 1 else axis
+    if (
+        not isinstance(direction, int)
+        or len(steps) > 1
+        or edge_order != 1
+        or np.ndim([*steps, 1][0])
+    ):
         return refuse("np.gradient along several axes, by places, or of another order")
-    f, h = np.moveaxis(f, along, 0), [*steps, 1.0][0]
+    f, h = np.moveaxis(f, direction, 0), [*steps, 1.0][0]
     slopes = [(f[1:2] - f[:1]) / h, (f[2:] - f[:-2]) / (2.0 * h), (f[-1:] - f[-2:-1]) / h]
-    return np.moveaxis(np.concatenate(slopes), 0, along)
+    return np.moveaxis(np.concatenate(slopes), 0, direction)
 
 
 @implements(np.cross, arrays=2)
-def cross(a: Any, b: Any, **more: Any) -> Any:
+def cross(a: Any, b: Any, **options: Any) -> Any:
     """Return np.cross; of vectors of 3 along the last axis as NumPy computes it."""
-    if more or (a.shape[-1], b.shape[-1]) != (3, 3):
-        return on_objects(a._tape, np.cross, (a, b), more)
+    if options or (a.shape[-1], b.shape[-1]) != (3, 3):
+        return on_objects(a._tape, np.cross, (a, b), options)
     (a0, a1, a2), (b0, b1, b2) = np.moveaxis(a, -1, 0), np.moveaxis(b, -1, 0)
     return np.stack([a1 * b2 - a2 * b1, a2 * b0 - a0 * b2, a0 * b1 - a1 * b0], -1)
 
@@ -120,19 +125,19 @@ def clip(a: Any, a_min: Any = None, a_max: Any = None, *, min: Any = None, max: 
 def place_of_the_first(function: Any, better: Any) -> Callable:
     """Return what does np.argmax or np.argmin: of a short row one comparison an element."""
 
-    def place(a: Any, *axis: Any, **more: Any) -> Any:
-        if axis or more:
-            return on_objects(a._tape, function, (a, *axis), more)
+    def place(a: Any, *axis: Any, **options: Any) -> Any:
+        if axis or options:
+            return on_objects(a._tape, function, (a, *axis), options)
         if a.size > LONG_ROW:
             return place_of_the_least(as_number(np.ravel(a if better is np.less else -a)))
-        best, *others = as_number(np.ravel(a))
-        at: Any = 0
-        for k, one in enumerate(others, 1):
-            closer = better(one, best)
-            best, at = where(closer, one, best), where(closer, k, at)
-        if others:
-            at._below = 1 + len(others)
-        return at
+        best, *candidates = as_number(np.ravel(a))
+        index: Any = 0
+        for k, candidate in enumerate(candidates, 1):
+            closer = better(candidate, best)
+            best, index = where(closer, candidate, best), where(closer, k, index)
+        if candidates:
+            index._below = 1 + len(candidates)
+        return index
 
     return place
 
@@ -142,9 +147,9 @@ implements(np.argmin)(place_of_the_first(np.argmin, np.less))
 
 
 @implements(np.sort)
-def sort(a: Any, *axis: Any, **more: Any) -> Any:
+def sort(a: Any, *axis: Any, **options: Any) -> Any:
     """Return a row sorted: neighbours change places, in as many rounds as it has elements."""
-    if axis or more or a.ndim != 1:
+    if axis or options or a.ndim != 1:
         return refuse("np.sort along an axis")
     row = list(as_number(a))
     for k in range(len(row)):
@@ -154,9 +159,9 @@ def sort(a: Any, *axis: Any, **more: Any) -> Any:
 
 
 @implements(np.median)
-def median(a: Any, *axis: Any, **more: Any) -> Any:
+def median(a: Any, *axis: Any, **options: Any) -> Any:
     """Return the mean of the one or two in the middle."""
-    if axis or more:
+    if axis or options:
         return refuse("np.median along an axis")
     row = sort(np.ravel(a))
     return np.mean(row[(len(row) - 1) // 2 : len(row) // 2 + 1])
@@ -183,8 +188,8 @@ def selected(conditions: Any, values: Any, default: Any = 0) -> Any:
 @implements(np.isclose, arrays=2)
 def close(a: Any, b: Any, rtol: float = 1e-5, atol: float = 1e-8, equal_nan: bool = False) -> Any:
     """Return whether numbers are about the same, as np.isclose does."""
-    near = (np.fabs(a - b) <= atol + rtol * np.fabs(b)) & (np.fabs(b) < np.inf) | (a == b)
-    return near | ((a != a) & (b != b)) if equal_nan else near
+    is_close = (np.fabs(a - b) <= atol + rtol * np.fabs(b)) & (np.fabs(b) < np.inf) | (a == b)
+    return is_close | ((a != a) & (b != b)) if equal_nan else is_close
 
 
 # --- others ------------------------------------------------------------------------------------
@@ -193,12 +198,12 @@ def close(a: Any, b: Any, rtol: float = 1e-5, atol: float = 1e-8, equal_nan: boo
 def along(join: Callable, ufunc: Any) -> Callable:
     """Return what joins the elements of an array by a ufunc, all, or those along an axis."""
 
-    def joined(a: Any, axis: Any = None, dtype: Any = None, **more: Any) -> Any:
-        if "where" in more:
+    def joined(a: Any, axis: Any = None, dtype: Any = None, **options: Any) -> Any:
+        if "where" in options:
             return refuse("joining some elements, which np.where chooses,")
         if not is_truth(a) or isinstance(dtype, Array):
             check_doubles(dtype)
-        return join(ufunc, a, axis, **more)
+        return join(ufunc, a, axis, **options)
 
     return joined
 
@@ -260,10 +265,10 @@ implements(np.size)(lambda a, axis=None: a.size if axis is None else a._counted(
 def sharing(function: Any) -> Callable:
     """Return what does a function of NumPy whose result shares what is written."""
 
-    def shared(a: Any, *more: Any, **named: Any) -> Any:
-        if {"A", "K"} & {v for v in (*more, *named.values()) if isinstance(v, str)}:
+    def shared(a: Any, *arguments: Any, **options: Any) -> Any:
+        if {"A", "K"} & {v for v in (*arguments, *options.values()) if isinstance(v, str)}:
             return refuse("elements in the order of memory")
-        return views.part(a, lambda places: function(places, *more, **named))
+        return views.part(a, lambda positions: function(positions, *arguments, **options))
 
     return shared
 
@@ -271,13 +276,13 @@ def sharing(function: Any) -> Callable:
 def of_each(function: Any) -> Callable:
     """Return what does such a function for each of its arguments."""
 
-    def made(*values: Any) -> Any:
+    def record(*values: Any) -> Any:
         """Return what the function makes of the one argument, or a tuple for several."""
         tape = tape_of(values)
-        found = [views.part(lifted(tape, value), function) for value in values]
-        return found[0] if len(found) == 1 else tuple(found)
+        results = [views.part(lifted(tape, value), function) for value in values]
+        return results[0] if len(results) == 1 else tuple(results)
 
-    return made
+    return record
 
 
 SHARES: dict[Any, Callable] = {
@@ -301,15 +306,15 @@ for real, made in SHARES.items():
 def as_list(a: Array) -> Any:
     """Return elements in lists, which Python has as its own numbers."""
     elements = objects(a)
-    own = np.empty(elements.shape, dtype=object)
-    for place, one in np.ndenumerate(elements):
-        own[place] = of_python(one, is_whole(one))
-    return own.tolist()
+    elements_of_python = np.empty(elements.shape, dtype=object)
+    for index, element in np.ndenumerate(elements):
+        elements_of_python[index] = of_python(element, is_whole(element))
+    return elements_of_python.tolist()
 
 
-def astype(a: Array, *kind: Any, **more: Any) -> Any:
+def astype(a: Array, *kind: Any, **options: Any) -> Any:
     """Return numbers of another kind."""
-    new = views.converted(a, *kind, **more)
+    new = views.converted(a, *kind, **options)
     return boxed(a._tape, new) if a._boxed else new
 
 

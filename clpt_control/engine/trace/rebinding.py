@@ -66,14 +66,14 @@ class Rebinding:
         if isinstance(value, MethodType):
             return MethodType(self.of(value.__func__), self.of(value.__self__))
         if isinstance(value, functools.partial):
-            keywords = {name: self.of(one) for name, one in value.keywords.items()}
+            keywords = {name: self.of(item) for name, item in value.keywords.items()}
             return functools.partial(self.of(value.func), *map(self.of, value.args), **keywords)
         if root_of(type(value)) == "numba":
             return self.of(value.py_func)
         if type(value) is functools._lru_cache_wrapper:
             return _cached(self.of(value.__wrapped__))
         if isinstance(value, tuple):
-            items = [self.of(one) for one in value]
+            items = [self.of(item) for item in value]
             if all(map(is_, items, value)):
                 return value
             return getattr(type(value), "_make", tuple)(items)
@@ -138,28 +138,30 @@ class Rebinding:
             self._copies.append(self._spaces[id(names)])
         return self._spaces[id(names)]
 
-    def _imported(self, *arguments: Any, **more: Any) -> Any:
+    def _imported(self, *arguments: Any, **options: Any) -> Any:
         """Return the tracer value of a module that a function imports by itself."""
-        return self.of(__import__(*arguments, **more))
+        return self.of(__import__(*arguments, **options))
 
     # --- in place ---------------------------------------------------------------------------
 
     def _contents(self) -> list[tuple[Content, Any]]:
         """Return the content of every mutable value with tracer values in it."""
         if self._during is None:
-            self._during = [(one, self._content(one)) for one in self.reached.mutables]
+            self._during = [(content, self._content(content)) for content in self.reached.mutables]
         return self._during
 
-    def _content(self, one: Content) -> Any:
-        if isinstance(one.before, np.ndarray | bytes):
-            return one.before
-        if isinstance(one.before, list):
-            items = [self.of(value) for value in one.before]
-            return one.before if all(map(is_, items, one.before)) else items
-        names = one.before if one.names is None else one.names
-        found = {name: self._attribute(one.before[name]) for name in names if name in one.before}
-        same = all(value is one.before[name] for name, value in found.items())
-        return one.before if same else {**one.before, **found}
+    def _content(self, content: Content) -> Any:
+        if isinstance(content.before, np.ndarray | bytes):
+            return content.before
+        if isinstance(content.before, list):
+            items = [self.of(value) for value in content.before]
+            return content.before if all(map(is_, items, content.before)) else items
+        names = content.before if content.names is None else content.names
+        attributes = {
+            name: self._attribute(content.before[name]) for name in names if name in content.before
+        }
+        is_same = all(value is content.before[name] for name, value in attributes.items())
+        return content.before if is_same else {**content.before, **attributes}
 
     def _attribute(self, value: Any) -> Any:
         """Return the tracer value of an attribute; a descriptor's functions are copied."""
@@ -178,22 +180,21 @@ class Rebinding:
     def installed(self, name: str) -> Iterator[None]:
         """Have tracer values in place for one execution path; refuse a path that changes any."""
         contents = self._contents()
-        pairs = [*((one, one.before) for one in self._copies), *contents]
-        self.tape.persistent |= {id(one.value) for one, _ in pairs}
+        pairs = [*((changed, changed.before) for changed in self._copies), *contents]
+        self.tape.persistent |= {id(changed.value) for changed, _ in pairs}
 
         def check() -> None:
-            for one, content in pairs:
-                if not one.is_same(content):
-                    raise Unread(
-                        f"{name} keeps what its next call reads, in {one.words}; make it a state"
-                    )
+            for changed, content in pairs:
+                if not changed.is_same(content):
+                    words = f"{name} keeps what its next call reads, in {changed.words}"
+                    raise Unread(f"{words}; make it a state")
 
         self.tape.check = check
         with LOCK:
             try:
-                for one, content in contents:
-                    if content is not one.before:
-                        put(one.value, content)
+                for changed, content in contents:
+                    if content is not changed.before:
+                        put(changed.value, content)
                 yield
                 check()
             finally:
@@ -212,4 +213,6 @@ def _cached(function: FunctionType) -> Any:
             raise Unread(f"caches a {type(value).__name__}; cache numbers, arrays or tuples")
         return value
 
-    return functools.wraps(function)(lambda *arguments, **more: fixed(function(*arguments, **more)))
+    return functools.wraps(function)(
+        lambda *arguments, **options: fixed(function(*arguments, **options))
+    )

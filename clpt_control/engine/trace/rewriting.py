@@ -46,20 +46,22 @@ def rewritten(code: CodeType) -> CodeType:
     if not _may_branch(code):
         return code
     for k, statement in enumerate(_statements_of(code.co_filename)):
-        first = min([statement.lineno, *(one.lineno for one in _decorators(statement))])
-        if first <= code.co_firstlineno <= (statement.end_lineno or 0):
-            known, new = _compiled(code.co_filename, k, code.co_flags & FUTURE)
-            found = new.get(_place(code), code) if code in known else code
-            alike = found.co_freevars == code.co_freevars
-            return found if alike and found.co_argcount == code.co_argcount else code
+        first_line = min(
+            [statement.lineno, *(decorator.lineno for decorator in _decorators(statement))]
+        )
+        if first_line <= code.co_firstlineno <= (statement.end_lineno or 0):
+            originals, new = _compiled(code.co_filename, k, code.co_flags & FUTURE)
+            replacement = new.get(_position(code), code) if code in originals else code
+            is_alike = replacement.co_freevars == code.co_freevars
+            return replacement if is_alike and replacement.co_argcount == code.co_argcount else code
     return code
 
 
 def _may_branch(code: CodeType) -> bool:
     """Return whether code has conditions, or indices that are not constants."""
-    for one in all_code(code):
+    for inner in all_code(code):
         constant = False
-        for line in dis.get_instructions(one):
+        for line in dis.get_instructions(inner):
             index = line.opname == "BINARY_SUBSCR" or line.argrepr == "[]"
             jumps = "JUMP" in line.opname and "IF" in line.opname
             if jumps or line.opname == "PUSH_EXC_INFO" or (index and not constant):
@@ -86,21 +88,21 @@ def _compiled(file: str, number: int, flags: int) -> tuple[frozenset[CodeType], 
     """Return the code of the functions in a statement of a file; and, by place, rewritten."""
     statements = _statements_of(file)
     # Python compiles `np.sin(x)` otherwise if the file imports np
-    within = (part for one in statements for part in _within(one))
-    imports = [one for one in within if isinstance(one, ast.Import | ast.ImportFrom)]
+    nodes = (node for item in statements for node in _within(item))
+    imports = [item for item in nodes if isinstance(item, ast.Import | ast.ImportFrom)]
     trees = statements[number], _Rewriter().visit(copy.deepcopy(statements[number]))
-    modules = (ast.fix_missing_locations(ast.Module([*imports, one], [])) for one in trees)
-    as_is, new = (compile(one, file, "exec", flags, dont_inherit=True) for one in modules)
+    modules = (ast.fix_missing_locations(ast.Module([*imports, item], [])) for item in trees)
+    as_is, new = (compile(item, file, "exec", flags, dont_inherit=True) for item in modules)
     by_place: dict[Any, CodeType] = {}
-    for one in all_code(new):
-        by_place.setdefault(_place(one), one)  # the outer one comes first
+    for item in all_code(new):
+        by_place.setdefault(_position(item), item)  # the outer one comes first
     return frozenset(all_code(as_is)), by_place
 
 
-def _place(code: CodeType) -> Any:
+def _position(code: CodeType) -> Any:
     """Return name and place of a function in the source."""
-    places = [(line, column) for line, _, column, _ in code.co_positions() if line and column]
-    return code.co_name, code.co_firstlineno, min(places, default=None)
+    positions = [(line, column) for line, _, column, _ in code.co_positions() if line and column]
+    return code.co_name, code.co_firstlineno, min(positions, default=None)
 
 
 class _Rewriter(ast.NodeTransformer):
@@ -150,10 +152,11 @@ class _Rewriter(ast.NodeTransformer):
         self.generic_visit(node)
         names = f"nonlocal {', '.join(stored)}" if stored else "pass"
         bound = f"if 0: {' = '.join(stored)} = 0" if stored else "pass"  # is never run
-        call = f"__merge_statement__({STATEMENT}, {tuple(one for one in stored if one in later)})"
+        kept_names = tuple(name for name in stored if name in later)
+        call = f"__merge_statement__({STATEMENT}, {kept_names})"
         new: Any = ast.parse(f"{bound}\ndef {STATEMENT}():\n {names}\n{call}").body
-        for one in new:
-            _place_at(one, node)
+        for statement in new:
+            _place_at(statement, node)
         new[1].body.append(node)
         return new
 
@@ -163,10 +166,10 @@ class _Rewriter(ast.NodeTransformer):
         """Return whether a statement may be a function of its own."""
         if self.function.has_frames or not self.function.locals.issuperset(stored):
             return False
-        for one in _within(statement):
-            if isinstance(one, LEAVING) or (isinstance(one, ast.Name) and one.id in FRAMES):
+        for inner in _within(statement):
+            if isinstance(inner, LEAVING) or (isinstance(inner, ast.Name) and inner.id in FRAMES):
                 return False
-            if isinstance(one, ast.Raise) and not isinstance(statement, ast.Try):
+            if isinstance(inner, ast.Raise) and not isinstance(statement, ast.Try):
                 return False
         return not _leaves_loop(statement)
 
@@ -183,7 +186,7 @@ class _Rewriter(ast.NodeTransformer):
         return self._merged(node)
 
     def _merged(self, node: ast.expr) -> ast.expr:
-        walked = {type(one) for one in ast.walk(node)}
+        walked = {type(inner) for inner in ast.walk(node)}
         if self.function is None or walked & {ast.NamedExpr, ast.Await, ast.Yield, ast.YieldFrom}:
             return node
         function: Any = _place_at(ast.parse("lambda: 0", mode="eval").body, node)
@@ -218,32 +221,32 @@ class _Function:
     def __init__(self, node: Any):
         arguments = node.args
         every = [*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs]
-        every += [one for one in (arguments.vararg, arguments.kwarg) if one is not None]
+        every += [item for item in (arguments.vararg, arguments.kwarg) if item is not None]
         body = node.body if isinstance(node.body, list) else [node.body]
-        inner = [one for statement in body for one in _within(statement)]
-        self.locals = {one.arg for one in every}.union(*map(_stored, body))
-        declared = [one for one in inner if isinstance(one, ast.Global | ast.Nonlocal)]
-        self.locals -= {name for one in declared for name in one.names}
+        inner = [item for statement in body for item in _within(statement)]
+        self.locals = {item.arg for item in every}.union(*map(_stored, body))
+        declared = [item for item in inner if isinstance(item, ast.Global | ast.Nonlocal)]
+        self.locals -= {name for item in declared for name in item.names}
         self.has_frames = any(
-            isinstance(one, ast.Yield | ast.YieldFrom | ast.Await) for one in inner
+            isinstance(item, ast.Yield | ast.YieldFrom | ast.Await) for item in inner
         )
         self.reads, self.loops = _reads(body), 0
 
     def read_outside(self, statement: ast.stmt) -> set[str]:
         """Return the variables that are read by other code than a statement, or when it repeats."""
-        own = {} if self.loops else _reads([statement])
-        return {name for name, count in self.reads.items() if count > own.get(name, 0)}
+        counts = {} if self.loops else _reads([statement])
+        return {name for name, count in self.reads.items() if count > counts.get(name, 0)}
 
 
 def _reads(body: Iterable[ast.AST]) -> dict[str, int]:
     """Return how often code reads each name, functions in it included."""
     counts: dict[str, int] = {}
     for statement in body:
-        for one in ast.walk(statement):
-            if isinstance(one, ast.Name) and not isinstance(one.ctx, ast.Store):
-                counts[one.id] = counts.get(one.id, 0) + 1
-            elif isinstance(one, ast.AugAssign) and isinstance(one.target, ast.Name):
-                counts[one.target.id] = counts.get(one.target.id, 0) + 1
+        for node in ast.walk(statement):
+            if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Store):
+                counts[node.id] = counts.get(node.id, 0) + 1
+            elif isinstance(node, ast.AugAssign) and isinstance(node.target, ast.Name):
+                counts[node.target.id] = counts.get(node.target.id, 0) + 1
     return counts
 
 
@@ -251,23 +254,23 @@ def _within(statement: ast.AST) -> Iterator[ast.AST]:
     """Yield the nodes of a statement, but not of functions in it or variables of comprehensions."""
     yield statement
     if not isinstance(statement, SCOPES):
-        for one in ast.iter_child_nodes(statement):
-            if not (isinstance(statement, ast.comprehension) and one is statement.target):
-                yield from _within(one)
+        for child in ast.iter_child_nodes(statement):
+            if not (isinstance(statement, ast.comprehension) and child is statement.target):
+                yield from _within(child)
 
 
 def _stored(statement: ast.AST) -> list[str]:
     """Return the variables that a statement sets."""
     names: dict[Any, None] = {}
-    for one in _within(statement):
-        if isinstance(one, ast.Name) and isinstance(one.ctx, ast.Store):
-            names[one.id] = None
-        elif isinstance(one, NAMING):
-            names[one.name] = None
-        elif isinstance(one, ast.MatchMapping):
-            names[one.rest] = None
-        elif isinstance(one, ast.alias):
-            names[(one.asname or one.name).partition(".")[0]] = None
+    for node in _within(statement):
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            names[node.id] = None
+        elif isinstance(node, NAMING):
+            names[node.name] = None
+        elif isinstance(node, ast.MatchMapping):
+            names[node.rest] = None
+        elif isinstance(node, ast.alias):
+            names[(node.asname or node.name).partition(".")[0]] = None
     names.pop(None, None)
     return [*names]
 
@@ -278,19 +281,19 @@ def _leaves_loop(statement: ast.stmt) -> bool:
         return True
     if isinstance(statement, (ast.For, ast.While, *SCOPES)):
         return False
-    return any(_leaves_loop(one) for one in _children(statement))
+    return any(_leaves_loop(child) for child in _children(statement))
 
 
 def _children(statement: ast.AST) -> Iterator[Any]:
-    for one in ast.iter_child_nodes(statement):
-        if isinstance(one, ast.stmt):
-            yield one
-        elif isinstance(one, ast.ExceptHandler | ast.match_case):
-            yield from _children(one)
+    for child in ast.iter_child_nodes(statement):
+        if isinstance(child, ast.stmt):
+            yield child
+        elif isinstance(child, ast.ExceptHandler | ast.match_case):
+            yield from _children(child)
 
 
 def _place_at(new: Any, old: ast.AST) -> Any:
     """Return new nodes at the place in the source of an old one."""
-    for one in ast.walk(new):
-        ast.copy_location(one, old)
+    for node in ast.walk(new):
+        ast.copy_location(node, old)
     return new

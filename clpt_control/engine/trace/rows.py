@@ -19,33 +19,35 @@ def item_of(values: Any, index: Any) -> Any:
     signal = isinstance(index, Array) and not index.shape and index._whole is True
     if not signal or type(values) not in (list, tuple) or not moves(index) or in_a_try():
         return values[index]
-    if (found := picked_from(values, index)) is None:
+    if (item := picked_from(values, index)) is None:
         return values[index]  # each of its paths has one item
-    return found
+    return item
 
 
 def picked_from(values: Any, index: Array) -> Any:
     """Return the item of a list or tuple of numbers, or of rows of numbers; None of others."""
-    if all((isinstance(one, Array) and not one.shape) or type(one) in NUMBERS for one in values):
-        if any(isinstance(one, Array) and one._is_condition for one in values) or not values:
+    if all(
+        (isinstance(value, Array) and not value.shape) or type(value) in NUMBERS for value in values
+    ):
+        if any(isinstance(value, Array) and value._is_condition for value in values) or not values:
             return None
         tape = index._tape
-        found = tape.add("pick", (operand(lifted(tape, [*values])), index._ref), ())
-        found._whole = _common(map(is_whole, values))
-        found._of_python = _common(map(is_of_python, values))
-        return found
-    kinds = {(type(one), len(one) if hasattr(one, "__len__") else -1) for one in values}
+        picked = tape.add("pick", (operand(lifted(tape, [*values])), index._ref), ())
+        picked._whole = _common(map(is_whole, values))
+        picked._of_python = _common(map(is_of_python, values))
+        return picked
+    kinds = {(type(value), len(value) if hasattr(value, "__len__") else -1) for value in values}
     kind, length = next(iter(kinds), (None, 0))
     if len(kinds) != 1 or kind not in (list, tuple):
         return None
-    items = [picked_from([one[j] for one in values], index) for j in range(length)]
-    return None if any(one is None for one in items) else kind(items)
+    items = [picked_from([value[j] for value in values], index) for j in range(length)]
+    return None if any(value is None for value in items) else kind(items)
 
 
 def _common(kinds: Any) -> bool | None:
     """Return what all items are; None where they differ."""
-    found = {*kinds}
-    return found.pop() if len(found) == 1 else None
+    distinct = {*kinds}
+    return distinct.pop() if len(distinct) == 1 else None
 
 
 def index_of(values: Any, value: Any) -> Any:
@@ -54,9 +56,9 @@ def index_of(values: Any, value: Any) -> Any:
         return values.index(value)
     if in_a_try():  # where no item is equal
         return values.index(value)
-    found: Any = np.nan
+    position: Any = np.nan
     for k in range(len(values) - 1, -1, -1):
-        found = chosen(elementwise("eq", values[k], value), k, found)
-    if isinstance(found, Array):
-        found._whole, found._of_python = True, True
-    return found
+        position = chosen(elementwise("eq", values[k], value), k, position)
+    if isinstance(position, Array):
+        position._whole, position._of_python = True, True
+    return position

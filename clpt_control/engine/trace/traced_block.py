@@ -61,8 +61,8 @@ class ReadBlock(control.NonlinearIOSystem):
                 for n, size in zip(shape, actual, strict=True)
             )
             if not fits:
-                known = tuple(sizes.get(n, n) for n in shape)
-                raise BlockError(f"{self.name}.{field}: has shape {actual}; must be {known}")
+                expected = tuple(sizes.get(n, n) for n in shape)
+                raise BlockError(f"{self.name}.{field}: has shape {actual}; must be {expected}")
         self.sizes = sizes
         kinds = ("states", "inputs", "outputs")
         self._sized = {kind: sized(self.name, self.declared[kind], sizes) for kind in kinds}
@@ -103,13 +103,13 @@ class ReadBlock(control.NonlinearIOSystem):
                 )
             own_units = {new_names[p]: unit for p, unit in self.units.items() if p in new_names}
             self.units = {**self.units, **own_units}
-        there = set().union(*self.declared.values())
-        self.units = {port: unit for port, unit in self.units.items() if port in there}
+        ports_now = set().union(*self.declared.values())
+        self.units = {port: unit for port, unit in self.units.items() if port in ports_now}
         self.parameters = self.parameters
         for kind, rename in (("input", self.set_inputs), ("output", self.set_outputs)):
             new_names = names.get(f"{kind}s", {})
-            parts = [label.partition("[") for label in getattr(self, f"{kind}_labels")]
-            rename(["".join((new_names.get(port, port), *rest)) for port, *rest in parts])
+            split_labels = [label.partition("[") for label in getattr(self, f"{kind}_labels")]
+            rename(["".join((new_names.get(port, port), *index)) for port, *index in split_labels])
         self.set_states(labels(self.state_ports) or 0)
 
     # --- records ------------------------------------------------------------------------
@@ -201,8 +201,8 @@ class ReadBlock(control.NonlinearIOSystem):
         """Forget what was read."""
         # by role: parameters whose values were read, and why no size is open
         self.read_with: dict[str, tuple[frozenset[str], str]] = {}
-        for known in READ:
-            self.__dict__.pop(known, None)
+        for attribute in READ:
+            self.__dict__.pop(attribute, None)
 
     def _outside(self, record: Record) -> Record:
         """Return a record whose leaves have the names of the ports."""

@@ -28,13 +28,13 @@ from .elementwise import (
     as_number,
     boxed,
     chosen,
+    definite,
     elementwise,
     is_of_python,
     is_whole,
     lifted,
     of_python,
     raise_in_a_try,
-    told,
     where,
 )
 from .interpolators import function_of, searched
@@ -108,8 +108,8 @@ class TracerType(type):
     def __subclasscheck__(cls, kind: type) -> bool:
         return issubclass(kind, cls._real)
 
-    def __eq__(cls, other: Any) -> bool:
-        return real_type(other) is cls._real
+    def __eq__(cls, value: Any) -> bool:
+        return real_type(value) is cls._real
 
     def __hash__(cls) -> int:
         return hash(cls._real)
@@ -165,9 +165,9 @@ def _of_example(value: Array, answer: Callable[[Any], Any]) -> Any:
     if value.shape or value._boxed:
         return answer(np.zeros(0))
     ref = value._ref
-    known = ref if type(ref) is float else value._tape.parameter(ref)
-    if known is not None:
-        return answer(known)
+    number = ref if type(ref) is float else value._tape.parameter(ref)
+    if number is not None:
+        return answer(number)
     if value._is_condition:
         return answer(np.bool_(False))
     is_int, is_python = is_whole(value), is_of_python(value)
@@ -176,7 +176,7 @@ def _of_example(value: Array, answer: Callable[[Any], Any]) -> Any:
         for example_is_int, example_is_python, example in EXAMPLES
         if is_int in (example_is_int, None) and is_python in (example_is_python, None)
     }
-    told(True if len(answers) == 1 else None)
+    definite(True if len(answers) == 1 else None)
     return answers.pop()
 
 
@@ -190,7 +190,7 @@ def as_float(value: Array) -> Any:
 CONVERSIONS: dict[type, Callable] = {
     float: as_float,
     np.float64: lambda value: converted(value[()]),
-    int: lambda value: of_python(np.trunc(as_float(value)), whole=True),
+    int: lambda value: of_python(np.trunc(as_float(value)), is_int=True),
     np.int64: lambda value: converted(value[()], np.int64),
 }
 TYPES = {real: tracer_type(real, convert) for real, convert in CONVERSIONS.items()}
@@ -207,8 +207,8 @@ def rounded_off(total: Any, value: Any, new: Any) -> Any:
 
 def remainder(a: Any, b: Any) -> Any:
     """Return math.remainder(a, b), from the remainder of two periods: without rounding."""
-    rest = np.fmod(a, 2.0 * b)
-    return rest - b * np.rint(rest / b)
+    double_remainder = np.fmod(a, 2.0 * b)
+    return double_remainder - b * np.rint(double_remainder / b)
 
 
 MATH: dict[str, Callable] = {

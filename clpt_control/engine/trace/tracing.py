@@ -70,23 +70,23 @@ MOST_VALUES = 16  # of the parameters whose values a record was made with
 _TRACED: dict[Any, list[tuple]] = {}  # by fingerprint and shapes
 
 
-def read(*arguments: Any, **more: Any) -> Read:
+def read(*arguments: Any, **options: Any) -> Read:
     """Return the record of a function, and the parameters whose values it is made with.
 
     It takes the fields of `Request`.  A function whose fingerprint is unchanged is not traced
     again.  Raises `Unread` if the function cannot be traced.
     """
-    request = Request(*arguments, **more)
+    request = Request(*arguments, **options)
     fixed = {k: v for k, v in request.parameters.items() if k not in request.shapes}
     reached = reachable(request.function, fixed, trusted=request.trusted)
     shapes = (request.states, request.inputs, request.shapes, request.out)
     kind = request.role, request.of_control, request.trusted
     if len(_TRACED) > MOST_TRACED:
         _TRACED.clear()
-    key = reached.key, kind, *(tuple(one.items()) for one in shapes)
-    known = _TRACED.setdefault(key, [])
-    alike = (one for one in known if one[1] == _values(request.parameters, one[0]))
-    if (result := next(alike, (None, None, None))[2]) is None:
+    key = reached.key, kind, *(tuple(entry.items()) for entry in shapes)
+    records = _TRACED.setdefault(key, [])
+    matching = (entry for entry in records if entry[1] == _values(request.parameters, entry[0]))
+    if (result := next(matching, (None, None, None))[2]) is None:
         names = frozenset(request.shapes)
         try:
             result = _traced(request, reached)
@@ -94,7 +94,7 @@ def read(*arguments: Any, **more: Any) -> Read:
         except (Unread, BlockError) as error:
             result = error
         values = _values(request.parameters, names)
-        known[MOST_VALUES:] = [(names, values, result, reached.referenced)]
+        records[MOST_VALUES:] = [(names, values, result, reached.referenced)]
     if isinstance(result, Exception):
         raise type(result)(str(result)) from None
     return result
@@ -103,7 +103,7 @@ def read(*arguments: Any, **more: Any) -> Read:
 def _values(parameters: Mapping[str, Any], names: frozenset[str]) -> list[Any]:
     """Return the values of some parameters, to be compared."""
     arrays = ((type(parameters[name]), np.asarray(parameters[name])) for name in sorted(names))
-    return [(kind, one.dtype.str, one.tobytes()) for kind, one in arrays]
+    return [(kind, array.dtype.str, array.tobytes()) for kind, array in arrays]
 
 
 def _traced(request: Request, reached: Fingerprint) -> Read:
@@ -139,13 +139,13 @@ class _Tracing:
             name: self._leaf(name) if name in request.shapes else rebinding.of(value)
             for name, value in request.parameters.items()
         }
-        named, asked = not request.of_control, set[Any]()  # x and u are a system's own
+        named, names_read = not request.of_control, set[Any]()  # x and u are a system's own
         with isolated():
             for _ in each_path(tape):
                 tape.last_asked = tape.texts = None
                 x = Ports(tape, "x", request.states, named)
                 u = Ports(tape, "u", request.inputs, named)
-                p: Any = Parameters(**fields) if named else Params(fields, asked)
+                p: Any = Parameters(**fields) if named else Params(fields, names_read)
                 with rebinding.installed(request.name):
                     outputs = self._path(lambda: function(t, x, u, p))  # noqa: B023
                 self.paths.append((tape.answers, outputs))
@@ -153,9 +153,9 @@ class _Tracing:
                     raise Unread(f"{request.name} changes its params; make what it keeps a state")
                 if len(self.paths) > MOST_PATHS:
                     raise Unread(f"{request.name} has more than {MOST_PATHS} execution paths")
-        refs = [operand(one) for one in merged(tape, self.paths, where)]
+        refs = [operand(value) for value in merged(tape, self.paths, where)]
         record = compact(tape.operations, refs, request.out.values())
-        texts, names = frozenset(rebinding.texts), frozenset(asked)
+        texts, names = frozenset(rebinding.texts), frozenset(names_read)
         return Read(record, frozenset(tape.pinned), texts, names, self.spreads)
 
     def _leaf(self, name: str) -> Array:
@@ -197,8 +197,8 @@ class _Tracing:
         size = sum(map(prod, self.request.out.values()))
         if isinstance(returned, Mapping) or size == 1:
             return returned
-        parts = returned if isinstance(returned, list | tuple) else [returned]
-        numbers = [one for part in parts for one in objects(part).ravel()]
+        values = returned if isinstance(returned, list | tuple) else [returned]
+        numbers = [number for value in values for number in objects(value).ravel()]
         self.spreads |= len(numbers) == 1
         return numbers * size if len(numbers) == 1 else returned
 
@@ -212,24 +212,24 @@ def record_of_states(shapes: Mapping[str, Shape]) -> Record:
     """Return the record of y = x: the outputs are the states."""
     tape = Tape()
     leaves = [tape.add("leaf", (), shape, ("x", port)) for port, shape in shapes.items()]
-    return compact(tape.operations, [operand(one) for one in leaves], shapes.values())
+    return compact(tape.operations, [operand(leaf) for leaf in leaves], shapes.values())
 
 
 def _by_port(tape: Tape, role: str, returned: Any, out: Mapping[str, Shape]) -> list[Any]:
     """Return what a function returned, for each port."""
     if isinstance(returned, Mapping):
         check_ports(role, returned, out)
-        values = {port: as_number(lifted(tape, one)) for port, one in returned.items()}
+        values = {port: as_number(lifted(tape, number)) for port, number in returned.items()}
         fill = partial(filled, tape)
         return [shaped(role, port, values[port], shape, fill) for port, shape in out.items()]
     if len(out) == 1 and getattr(returned, "shape", None) == next(iter(out.values())):
         return [as_number(lifted(tape, returned))]
-    parts = returned if isinstance(returned, list | tuple) else [returned]
-    numbers = [one for part in parts for one in objects(part).ravel()]
+    sequence = returned if isinstance(returned, list | tuple) else [returned]
+    numbers = [number for item in sequence for number in objects(item).ravel()]
     size = sum(map(prod, out.values()))
     if len(numbers) != size:
         raise BlockError(f"{role}: returns {len(numbers)} numbers; must return {size}")
     flat = np.empty(size, dtype=object)
-    for k, one in enumerate(numbers):
-        flat[k] = as_number(lifted(tape, one))
-    return [lifted(tape, flat[part].reshape(shape)) for part, shape in places(out).values()]
+    for k, number in enumerate(numbers):
+        flat[k] = as_number(lifted(tape, number))
+    return [lifted(tape, flat[item].reshape(shape)) for item, shape in places(out).values()]

@@ -34,21 +34,21 @@ from .views import (
 LONG_ROW = 24  # numbers of which the least is found by one operation
 
 
-def apply_ufunc(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
+def apply_ufunc(tape: Tape, ufunc: Any, method: str, inputs: Any, options: dict) -> Any:
     """Write down a ufunc."""
-    out = more.pop("out", None)
+    out = options.pop("out", None)
     if isinstance(out, tuple):
         (out,) = out
     if method == "__call__" and len(inputs) > ufunc.nin:
         *inputs, out = inputs
-    condition = more.pop("where", True) if method == "__call__" else True
-    check_doubles(more.pop("dtype", None))
+    condition = options.pop("where", True) if method == "__call__" else True
+    check_doubles(options.pop("dtype", None))
     for unused in ("casting", "subok", "order"):
-        more.pop(unused, None)
+        options.pop(unused, None)
     try:
-        result = _apply(tape, ufunc, method, inputs, more)
+        result = _apply(tape, ufunc, method, inputs, options)
     except Unread as why:
-        result = on_parameters(tape, getattr(ufunc, method), inputs, more, why)
+        result = on_parameters(tape, getattr(ufunc, method), inputs, options, why)
     if condition is not True:
         result = np.where(condition, result, 0.0 if out is None else out)
     return into(out, result)
@@ -60,22 +60,28 @@ def check_doubles(dtype: Any) -> None:
         refuse(f"numbers of {np.dtype(dtype)}")
 
 
-def _apply(tape: Tape, ufunc: Any, method: str, inputs: Any, more: dict) -> Any:
+def _apply(tape: Tape, ufunc: Any, method: str, inputs: Any, options: dict) -> Any:
     if method != "at" and not depends(inputs):
-        known = on_numbers(tape, getattr(ufunc, method), inputs, more)
-        return on_objects(tape, getattr(ufunc, method), inputs, more) if known is None else known
-    if method == "reduce" and "where" not in more:
-        return reduced(ufunc, *inputs, **more)
+        numbers = on_numbers(tape, getattr(ufunc, method), inputs, options)
+        return (
+            on_objects(tape, getattr(ufunc, method), inputs, options)
+            if numbers is None
+            else numbers
+        )
+    if method == "reduce" and "where" not in options:
+        return reduced(ufunc, *inputs, **options)
     if method == "accumulate":
-        return accumulated(ufunc, *inputs, **more)
+        return accumulated(ufunc, *inputs, **options)
     if method == "__call__":
         inputs = [lifted(tape, a) if isinstance(a, list | tuple) else a for a in inputs]
-    if method == "__call__" and not more and ufunc in UFUNCS:
+    if method == "__call__" and not options and ufunc in UFUNCS:
         return elementwise(UFUNCS[ufunc], *inputs)
     if ufunc in BITWISE and method == "__call__":
         return BITWISE[ufunc](*inputs) if all(map(is_truth, inputs)) else refuse("bits")
-    arguments: list[Any] = [one if type(one) is int else lifted(tape, one) for one in inputs]
-    if method != "__call__" or more:
+    arguments: list[Any] = [
+        argument if type(argument) is int else lifted(tape, argument) for argument in inputs
+    ]
+    if method != "__call__" or options:
         return refuse(f"np.{ufunc.__name__}.{method}")
     name = ufunc.__name__
     if name not in TAKING_TRUTHS and all(map(is_truth, arguments)):
@@ -98,7 +104,7 @@ def reduced(ufunc: Any, a: Any, axis: Any = 0, keepdims: Any = False, initial: A
             row = as_number(a)
             a, axes = (least_of(row) if ufunc is np.minimum else -least_of(-row)), []
     for d in sorted((d % a.ndim for d in axes), reverse=True):
-        a = total(a, d) if ufunc is np.add else _folded(ufunc, _along(a, d))
+        a = total(a, d) if ufunc is np.add else _folded(ufunc, _slices(a, d))
         if keepdims and isinstance(a, Array):
             a = a[(*[slice(None)] * d, None)]
     return a if initial is None else ufunc(a, initial)
@@ -106,9 +112,9 @@ def reduced(ufunc: Any, a: Any, axis: Any = 0, keepdims: Any = False, initial: A
 
 def place_of_the_least(row: Array) -> Any:
     """Return the place of the least number of a row, as one operation."""
-    place = row._tape.add("argmin", (operand(row),), ())
-    place._whole, place._below = True, row.size
-    return place
+    index = row._tape.add("argmin", (operand(row),), ())
+    index._whole, index._below = True, row.size
+    return index
 
 
 def least_of(row: Array) -> Any:
@@ -116,13 +122,13 @@ def least_of(row: Array) -> Any:
     return row[place_of_the_least(row)]
 
 
-def _folded(ufunc: Any, parts: list[Any]) -> Any:
-    if not parts and ufunc.identity is None:
+def _folded(ufunc: Any, slices: list[Any]) -> Any:
+    if not slices and ufunc.identity is None:
         raise ValueError("zero-size array to reduction operation")
-    return reduce(ufunc, parts[1:], copied(parts[0])) if parts else float(ufunc.identity)
+    return reduce(ufunc, slices[1:], copied(slices[0])) if slices else float(ufunc.identity)
 
 
-def _along(a: Array, axis: int) -> list[Any]:
+def _slices(a: Array, axis: int) -> list[Any]:
     return [a[(*[slice(None)] * axis, k)] for k in range(a._counted()[axis])]
 
 
@@ -131,7 +137,7 @@ def accumulated(ufunc: Any, a: Any, axis: Any = 0) -> Any:
     a = as_number(lifted(tape_of([a]), a))
     if axis is None:
         a, axis = np.ravel(a), 0
-    return np.stack(list(accumulate(_along(a, axis % a.ndim), ufunc)), axis)
+    return np.stack(list(accumulate(_slices(a, axis % a.ndim), ufunc)), axis)
 
 
 def matmul(a: Any, b: Any) -> Any:
@@ -157,8 +163,8 @@ def rounded(a: Array, decimals: Any = None) -> Any:
         scale = 10.0 ** abs(int(decimals))
         return rounded(a * scale) / scale if decimals > 0 else rounded(a / scale) * scale
     low = np.floor(a)
-    rest, odd = a - low, np.remainder(low, 2.0)
-    return where((rest > 0.5) | ((rest == 0.5) & (odd > 0.5)), np.ceil(a), low)
+    fraction, odd = a - low, np.remainder(low, 2.0)
+    return where((fraction > 0.5) | ((fraction == 0.5) & (odd > 0.5)), np.ceil(a), low)
 
 
 def signbit(a: Array) -> Any:
@@ -175,8 +181,8 @@ def copysign(a: Any, b: Any) -> Any:
 
 def fmod(a: Any, b: Any) -> Any:
     """Return the rest of a / b, which has a's sign."""
-    rest = elementwise("mod", np.fabs(a), np.fabs(b))
-    return where(a < 0, -rest, rest)
+    remainder = elementwise("mod", np.fabs(a), np.fabs(b))
+    return where(a < 0, -remainder, remainder)
 
 
 BITWISE: dict[Any, Callable] = {  # of truth values
@@ -206,7 +212,7 @@ COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special
     "heaviside": lambda a, b: where(a > 0, 1.0, where(a < 0, 0.0, where(a == 0, b, a))),
     "logical_xor": lambda a, b: (a != 0) != (b != 0),
     "divmod": lambda a, b: (np.floor_divide(a, b), np.remainder(a, b)),
-    **{own.__name__: own for own in (copysign, fmod, signbit)},
+    **{composed.__name__: composed for composed in (copysign, fmod, signbit)},
     **{name: partial(elementwise, name) for name in ("erf", "erfc")},
     "expit": lambda a: 1.0 / (1.0 + np.exp(-a)),
 }

@@ -38,8 +38,8 @@ def arrays_in(value: Any) -> Iterator[Array]:
     elif isinstance(value, list | tuple | dict) or (
         isinstance(value, np.ndarray) and value.dtype == object and value.ndim
     ):
-        for one in value.values() if isinstance(value, dict) else value:
-            yield from arrays_in(one)
+        for item in value.values() if isinstance(value, dict) else value:
+            yield from arrays_in(item)
 
 
 def tape_of(values: Any) -> Any:
@@ -47,12 +47,12 @@ def tape_of(values: Any) -> Any:
     for value in values:  # most often one of them
         if isinstance(value, Array):
             return value._tape
-    return next((one._tape for one in arrays_in(values)), None)
+    return next((array._tape for array in arrays_in(values)), None)
 
 
 def depends(values: Any) -> bool:
     """Return whether arguments hold a signal or a parameter."""
-    return any(numbers_of(one) is None for one in arrays_in(values))
+    return any(numbers_of(array) is None for array in arrays_in(values))
 
 
 def arrays_as(value: Any, to: Callable[[Array], Any]) -> Any:
@@ -64,25 +64,25 @@ def arrays_as(value: Any, to: Callable[[Array], Any]) -> Any:
     return type(value)(arrays_as(v, to) for v in value) if type(value) in (list, tuple) else value
 
 
-def on_numbers(tape: Tape, function: Callable, inputs: Any, more: dict) -> Any:
+def on_numbers(tape: Tape, function: Callable, inputs: Any, options: dict) -> Any:
     """Run NumPy's own function on what depends on nothing or on parameters, which are then pinned.
 
     Return None if it writes, gives a part of what it is given, or signals are among that.
     """
 
-    def number(one: Array) -> np.ndarray:
-        if (known := numbers_of(one)) is not None:
-            return known.astype(int) if one._whole else known.copy()
-        ref = one._ref
-        given = None if type(ref) is float else tape.parameter(ref)
-        numbers = tape.numbers(ref) if given is None else np.asarray(given)
-        return numbers.astype(int) if is_whole(one) else numbers
+    def number(array: Array) -> np.ndarray:
+        if (numbers := numbers_of(array)) is not None:
+            return numbers.astype(int) if array._whole else numbers.copy()
+        ref = array._ref
+        parameter = None if type(ref) is float else tape.parameter(ref)
+        numbers = tape.numbers(ref) if parameter is None else np.asarray(parameter)
+        return numbers.astype(int) if is_whole(array) else numbers
 
-    if any(map(moves, arrays_in((*inputs, *more.values())))):
+    if any(map(moves, arrays_in((*inputs, *options.values())))):
         return None
-    given = arrays_as(inputs, number)
-    result = function(*given, **arrays_as(more, number))
-    return None if any(share(one, result) for one in given) else repacked(tape, result)
+    arguments = arrays_as(inputs, number)
+    result = function(*arguments, **arrays_as(options, number))
+    return None if any(share(array, result) for array in arguments) else repacked(tape, result)
 
 
 def share(a: Any, b: Any) -> bool:
@@ -106,26 +106,26 @@ def repacked(tape: Tape, value: Any) -> Any:
     """Return what NumPy made of arrays of objects."""
     if isinstance(value, tuple | list):
         make = getattr(type(value), "_make", type(value))  # that of a tuple with names
-        return make(repacked(tape, one) for one in value)
+        return make(repacked(tape, item) for item in value)
     if isinstance(value, np.ndarray) and value.dtype == object:
         return boxed(tape, lifted(tape, value))
     return fresh(tape, value)
 
 
-def on_parameters(tape: Tape, function: Callable, inputs: Any, more: dict, why: Unread) -> Any:
+def on_parameters(tape: Tape, function: Callable, inputs: Any, options: dict, why: Unread) -> Any:
     """Run NumPy's own function on what parameters alone decide; else say why it is not read."""
-    if (result := on_numbers(tape, function, inputs, more)) is None:
+    if (result := on_numbers(tape, function, inputs, options)) is None:
         raise why
     tape.stopped = None
     return result
 
 
-def on_objects(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
+def on_objects(tape: Tape, function: Any, inputs: Any, options: dict) -> Any:
     """Run NumPy's own function on arrays of objects."""
     arguments = arrays_as(inputs, objects)
-    own = getattr(function, "_implementation", function)  # np.roots would ask each element
+    real = getattr(function, "_implementation", function)  # np.roots would ask each element
     try:
-        result = own(*arguments, **arrays_as(more, objects))
+        result = real(*arguments, **arrays_as(options, objects))
     except (Unread, IndexError, ValueError):
         raise
     except Exception:
@@ -138,7 +138,7 @@ def on_objects(tape: Tape, function: Any, inputs: Any, more: dict) -> Any:
         inputs[0][...] = arguments[0]
     elif result is None:
         refuse(f"np.{function.__name__} with names of what it writes into,")
-    if any(share(one, result) for one in arguments):
+    if any(share(argument, result) for argument in arguments):
         refuse(f"np.{function.__name__} that gives a part")
     return repacked(tape, result)
 
@@ -191,19 +191,21 @@ def part(a: Any, function: Callable[[np.ndarray], Any]) -> Any:
         new = Array(a._tape, -1, elements.shape, a, function)
         new._store, new._boxed = elements, True
         return new
-    node, seen = a._node, _mapped(a.shape, function)
-    if seen is None:
+    node, mapping = a._node, _mapped(a.shape, function)
+    if mapping is None:
         new = _in_another_shape(a, function)
         new = lifted(a._tape, function(a._elements())) if new is None else new
     else:
-        new = tape_viewed(a._tape, node, *seen)
-    cuts = seen is None or (a._parent is not None and not isinstance(function, itemgetter))
+        new = tape_viewed(a._tape, node, *mapping)
+    cuts = mapping is None or (a._parent is not None and not isinstance(function, itemgetter))
     if cuts and all(isinstance(n, int) for n in a._root.shape):
         blank = a._blank()  # ravel of what does not lie side by side is a copy
         if not share(blank, function(blank)):
             return new
     if not getattr(new, "shape", ()):  # NumPy's number, or its array without axes
-        if not (a.shape or a._boxed) or not isinstance(function(_places(a.shape)[0]), np.ndarray):
+        if not (a.shape or a._boxed) or not isinstance(
+            function(_positions(a.shape)[0]), np.ndarray
+        ):
             return of_numpy(new)
         new = boxed(a._tape, new)
     view = Array(a._tape, new._node, new.shape, a, function)
@@ -215,17 +217,17 @@ def _in_another_shape(a: Array, function: Callable) -> Any:
     """Return many elements that stay row by row in another shape; None of others."""
     if numbers_of(a) is not None or not all(isinstance(n, int) for n in a.shape):
         return None
-    places = function(np.arange(a.size).reshape(a.shape))
-    if places.size <= LONG or np.any(np.diff(places.ravel()) != 1):
+    positions = function(np.arange(a.size).reshape(a.shape))
+    if positions.size <= LONG or np.any(np.diff(positions.ravel()) != 1):
         return None
-    return _parted(a._tape, a._node, places.item(0), places.shape)
+    return _parted(a._tape, a._node, positions.item(0), positions.shape)
 
 
-def _parted(tape: Tape, node: int, first: int, shape: Shape) -> Array:
+def _parted(tape: Tape, node: int, start: int, shape: Shape) -> Array:
     kind, arguments, old, at = tape.operations[node]
     if kind == "part":
-        return _parted(tape, arguments[0], at + first, shape)
-    return Array(tape, node, old) if old == shape else tape.add("part", (node,), shape, first)
+        return _parted(tape, arguments[0], at + start, shape)
+    return Array(tape, node, old) if old == shape else tape.add("part", (node,), shape, start)
 
 
 def _mapped(shape: Shape, function: Callable) -> tuple[tuple, Shape] | None:
@@ -234,24 +236,24 @@ def _mapped(shape: Shape, function: Callable) -> tuple[tuple, Shape] | None:
     It is run on the places along each axis: where a part begins, and its strides, say what it is.
     """
     try:
-        parts = [(places, np.asarray(function(places))) for places in _places(shape)]
+        samples = [(positions, np.asarray(function(positions))) for positions in _positions(shape)]
     except IndexError:
         for n in shape:
             _refuse_part_of(n)
         raise
-    new_shape: list[Any] = [*parts[0][1].shape]
+    new_shape: list[Any] = [*samples[0][1].shape]
     mapped: list[Any] = []
-    for n, (places, seen) in zip(shape, parts, strict=False):
-        if seen.ndim and seen.base is not places.base:
+    for n, (positions, sample) in zip(shape, samples, strict=False):
+        if sample.ndim and sample.base is not positions.base:
             return None
-        moving = [d for d, stride in enumerate(seen.strides) if stride]
+        moving = [d for d, stride in enumerate(sample.strides) if stride]
         if len(moving) > 1:  # an axis of length 1 may have any stride
             moving = [d for d in moving if new_shape[d] != 1] or moving[:1]
         if len(moving) > 1:
             return None
-        start: Any = seen.item(0) if seen.size else 0
+        start: Any = sample.item(0) if sample.size else 0
         for d in moving:
-            start = d, start, seen.strides[d] // seen.itemsize
+            start = d, start, sample.strides[d] // sample.itemsize
         mapped.append(start)
         if not isinstance(n, int):
             if not moving or start[1:] != (0, 1) or new_shape[moving[0]] not in (MANY, n):
@@ -267,7 +269,7 @@ def _refuse_part_of(n: Any) -> None:
 
 
 @lru_cache(maxsize=256)
-def _places(shape: Shape) -> list[np.ndarray]:
+def _positions(shape: Shape) -> list[np.ndarray]:
     """Return for each axis an array of the places along it; one of no axes for a number."""
     counts = [n if isinstance(n, int) else MANY for n in shape]
     return [
@@ -278,38 +280,38 @@ def _places(shape: Shape) -> list[np.ndarray]:
 
 def _picked(array: Array, *index: Any) -> Any:
     """Return elements at indices that are signals."""
-    first = index[0]
-    if isinstance(first, Array) and first._is_condition:
-        if moves(first):
+    head = index[0]
+    if isinstance(head, Array) and head._is_condition:
+        if moves(head):
             return refuse("elements taken by a condition, which np.where chooses,")
-        return array[(first._tape.numbers(first._ref) != 0.0, *index[1:])]
-    axis = next(k for k, one in enumerate(index) if isinstance(one, Array))
+        return array[(head._tape.numbers(head._ref) != 0.0, *index[1:])]
+    axis = next(k for k, item in enumerate(index) if isinstance(item, Array))
     if not _is_place(array, index, axis):
         return array[whole(index)]
     rows = part(array, lambda a: np.moveaxis(a, axis, 0)) if axis else array
-    found = _row(rows, index[axis])
-    rest = (*index[:axis], *index[axis + 1 :])
-    return found[rest] if rest else found
+    row = _row(rows, index[axis])
+    remaining = (*index[:axis], *index[axis + 1 :])
+    return row[remaining] if remaining else row
 
 
 def _is_place(array: Array, index: tuple, axis: int) -> bool:
     """Return whether an index is one whole number that moves, of an array that is as it was."""
-    place = index[axis]
+    signal = index[axis]
     kinds = (int, slice, list) if array.ndim == 2 else (int, slice)
-    plain = all(isinstance(one, kinds) or getattr(one, "shape", 0) == () for one in index)
-    known = all(isinstance(n, int) for n in array.shape) and axis < array.ndim
-    counts = place._whole is True and moves(place) and not place.shape
-    return plain and known and counts and array._written() is None and not in_a_try()
+    plain = all(isinstance(item, kinds) or getattr(item, "shape", 0) == () for item in index)
+    has_sizes = all(isinstance(n, int) for n in array.shape) and axis < array.ndim
+    counts = signal._whole is True and moves(signal) and not signal.shape
+    return plain and has_sizes and counts and array._written() is None and not in_a_try()
 
 
-def _row(array: Array, place: Array) -> Any:
+def _row(array: Array, index: Array) -> Any:
     """Return the row of an array at a place that is a signal: NaN outside, from the end below 0."""
     tape, size = array._tape, prod(array.shape[1:])
     if array.ndim == 1:
-        return tape.add("pick", (operand(array), place._ref), ())
+        return tape.add("pick", (operand(array), index._ref), ())
     flat = part(array, lambda a: np.reshape(a, -1))
-    places = lifted(tape, place * float(size) + np.arange(size, dtype=float))
-    row = tape.add("pick", (operand(flat), operand(places)), (size,))
+    positions = lifted(tape, index * float(size) + np.arange(size, dtype=float))
+    row = tape.add("pick", (operand(flat), operand(positions)), (size,))
     return part(row, lambda a: np.reshape(a, array.shape[1:]))
 
 
@@ -355,29 +357,29 @@ def stack_of(tape: Tape, refs: Sequence[Ref], shape: Shape) -> Any:
     if 1 < len(refs) == _end_of_run(tape, refs, 0):
         return _run(tape, refs, shape)
     if all(isinstance(n, int) for n in shape) and prod(stacked_shape) > LONG:
-        pieces = list(_pieces(tape, refs, shape))
-        if len(pieces) > 1:
-            return tape.add("join", [operand(piece) for piece in pieces], stacked_shape)
+        joined = list(_runs_and_stacks(tape, refs, shape))
+        if len(joined) > 1:
+            return tape.add("join", [operand(array) for array in joined], stacked_shape)
     return tape.add("stack", refs, stacked_shape)
 
 
-def _pieces(tape: Tape, refs: Sequence[Ref], shape: Shape) -> Iterator[Any]:
+def _runs_and_stacks(tape: Tape, refs: Sequence[Ref], shape: Shape) -> Iterator[Any]:
     """Yield the pieces of a stack: long runs, and stacks of the values between them."""
-    between: list[Ref] = []
+    alone: list[Ref] = []
     position = 0
     while position < len(refs):
         end = _end_of_run(tape, refs, position)
         if end - position < SHORTEST_RUN:
-            between.append(refs[position])
+            alone.append(refs[position])
             position += 1
             continue
-        if between:
-            yield tape.add("stack", between, (len(between), *shape))
-            between = []
+        if alone:
+            yield tape.add("stack", alone, (len(alone), *shape))
+            alone = []
         yield _run(tape, refs[position:end], shape)
         position = end
-    if between:
-        yield tape.add("stack", between, (len(between), *shape))
+    if alone:
+        yield tape.add("stack", alone, (len(alone), *shape))
 
 
 def _end_of_run(tape: Tape, refs: Sequence[Ref], start: int) -> int:
@@ -393,11 +395,11 @@ def _step(tape: Tape, a: Ref, b: Ref) -> tuple[int, ...] | None:
     """Return the step along each axis between elements of one array, or None; () of numbers."""
     if type(a) is float or type(b) is float:
         return () if type(a) is type(b) else None
-    first, second = tape.operations[a], tape.operations[b]
-    if first.kind != "view" or second.kind != "view" or first.arguments != second.arguments:
+    before, after = tape.operations[a], tape.operations[b]
+    if before.kind != "view" or after.kind != "view" or before.arguments != after.arguments:
         return None
     step = []
-    for index, next_index in zip(first.at, second.at, strict=True):
+    for index, next_index in zip(before.at, after.at, strict=True):
         is_index = isinstance(index, int) and isinstance(next_index, int)
         if not is_index and index != next_index:
             return None
@@ -424,17 +426,17 @@ def _run(tape: Tape, refs: Sequence[Ref], shape: Shape) -> Any:
     return tape_viewed(tape, array, tuple(mapped), (len(refs), *shape))
 
 
-def stack(parts: Any, axis: int = 0, **more: Any) -> Any:
+def stack(arrays: Any, axis: int = 0, **options: Any) -> Any:
     """Return np.stack(parts)."""
-    tape = tape_of(parts)
-    new = stacked(tape, [lifted(tape, part) for part in parts])
+    tape = tape_of(arrays)
+    new = stacked(tape, [lifted(tape, array) for array in arrays])
     return np.moveaxis(new, 0, axis) if axis else new
 
 
-def join(parts: Any, axis: Any = 0, **more: Any) -> Any:
+def join(inputs: Any, axis: Any = 0, **options: Any) -> Any:
     """Return np.concatenate(parts); long arrays are one operation."""
-    tape = tape_of(parts)
-    arrays = [array for array in (lifted(tape, part) for part in parts) if array.shape != (0,)]
+    tape = tape_of(inputs)
+    arrays = [array for array in (lifted(tape, value) for value in inputs) if array.shape != (0,)]
     is_known = all(isinstance(n, int) for array in arrays for n in array.shape)
     is_long = is_known and any(prod(array.shape) > LONG for array in arrays)
     if axis is None or not is_long:
@@ -448,7 +450,7 @@ def join(parts: Any, axis: Any = 0, **more: Any) -> Any:
 # --- other shapes ------------------------------------------------------------
 
 
-def copied(a: Any, *arguments: Any, **more: Any) -> Any:
+def copied(a: Any, *arguments: Any, **options: Any) -> Any:
     """Return a copy, which no longer shares what is written."""
     if not isinstance(a, Array) or not (a.shape or a._boxed):
         return a
@@ -460,7 +462,7 @@ def copied(a: Any, *arguments: Any, **more: Any) -> Any:
     return copy
 
 
-def converted(a: Any, dtype: Any = float, *more: Any, **named: Any) -> Any:
+def converted(a: Any, dtype: Any = float, *arguments: Any, **options: Any) -> Any:
     """Return a copy of numbers of another kind."""
     kind = np.dtype(dtype)
     if kind == np.int64:
