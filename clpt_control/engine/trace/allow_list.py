@@ -153,7 +153,8 @@ def is_pure(value: Any) -> bool:
     if not isinstance(value, CALLABLE):
         is_listed = any(value is listed for listed in PURE_OBJECTS)
         return is_listed or isinstance(value, FIELDS) or type(value).__module__ == "dataclasses"
-    module, name = module_of(value), getattr(value, "__name__", "")
+    module = module_of(value)
+    name = getattr(value, "__name__", "")
     root = module.partition(".")[0]
     if module == "datetime" and name in CLOCKS:
         return False
@@ -171,7 +172,8 @@ def is_pure(value: Any) -> bool:
 
 def reason(label: str, value: Any) -> str:
     """Return why code that references a function or type is not traced."""
-    module, last = module_of(value), label.rpartition(".")[2]
+    module = module_of(value)
+    last = label.rpartition(".")[2]
     if module == "time" or last in CLOCKS:
         return CLOCK
     if module == "random" or module.startswith("numpy.random"):

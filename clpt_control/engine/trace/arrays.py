@@ -125,7 +125,9 @@ class Array(NDArrayOperatorsMixin):
     __array_priority__ = 1000
 
     def __init__(self, tape: Tape, node: int, shape: Shape, parent: Any = None, select: Any = None):
-        self._tape, self._node, self._shape = tape, node, shape
+        self._tape = tape
+        self._node = node
+        self._shape = shape
         self._fixed = False  # whether nothing may be written into it
         self._boxed = False  # whether, without axes, it is NumPy's array and no number
         # whether what is written into it is cut to a whole number, and whether it is one of

@@ -142,7 +142,8 @@ ENGINE = __package__.rpartition(".")[0]
 
 def _asking() -> str:
     """Return what asks for a number: a library's function that a user's calls, or Python."""
-    frame, word = sys._getframe(2), "Python"
+    frame = sys._getframe(2)
+    word = "Python"
     while (module := _not_users(frame)) and frame.f_back is not None:
         if not module.startswith(ENGINE):
             word = f"{module.partition('.')[0]}'s {frame.f_code.co_qualname}"

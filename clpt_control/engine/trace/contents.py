@@ -48,7 +48,8 @@ class Content:
             return now.dtype == expected.dtype and now.tobytes() == expected.tobytes()
         if isinstance(now, dict) and now.keys() != expected.keys():
             return False
-        items, expected_items = items_of(now), items_of(expected)
+        items = items_of(now)
+        expected_items = items_of(expected)
         return len(items) == len(expected_items) and all(map(is_, items, expected_items))
 
     def put_back(self) -> None:

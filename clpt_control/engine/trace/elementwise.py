@@ -55,7 +55,8 @@ def put(array: Array, index: Any, value: Any) -> None:
         index = np.asarray(index)
     elif isinstance(index, Array) and index._is_condition:
         index, value = ..., where(index, value, array)
-    index, new = whole(index), objects(value)
+    index = whole(index)
+    new = objects(value)
     store[index] = new if isinstance(store[index], np.ndarray) else new.item()
 
 
@@ -81,7 +82,8 @@ def lifted(tape: Tape, value: Any) -> Any:
         raise Unread(f"calculating with a {type(value).__name__}") from None
     if not parts:
         return constant(tape, np.asarray(value, dtype=float))
-    new, of = stacked(tape, parts), zip(parts, value, strict=True)
+    new = stacked(tape, parts)
+    of = zip(parts, value, strict=True)
     new._whole = all_of(is_whole(part if isinstance(part, Array) else one) for part, one in of)
     return new
 
@@ -129,7 +131,8 @@ def stacked(tape: Tape, items: Sequence[Any]) -> Any:
 def elementwise(name: str, *arguments: Any) -> Any:
     """Return an elementwise operation of arrays and numbers."""
     tape = next(a._tape for a in arguments if isinstance(a, Array))
-    refs, shapes = [], set()
+    refs = []
+    shapes = set()
     if name not in TRUTHS_ALLOWED and all(map(is_truth, arguments)):
         if name not in OF_TRUTHS:
             raise Unread(
@@ -197,7 +200,8 @@ def of_python(number: Any, is_int: Any = False) -> Any:
     if not isinstance(number, Array) or number.shape:
         return number
     new = Array(number._tape, (number + 0.0 if is_int else number)._ref, ())
-    new._of_python, new._whole = True, is_int
+    new._of_python = True
+    new._whole = is_int
     return new
 
 
@@ -307,7 +311,8 @@ def boxed(tape: Tape, value: Any) -> Any:
     if not isinstance(value, Array) or value.shape or value._boxed or value._is_condition:
         return value
     new = Array(tape, value._node, ())
-    new._boxed, new._whole = True, value._whole
+    new._boxed = True
+    new._whole = value._whole
     return new
 
 
@@ -338,7 +343,8 @@ def _and(condition: Array, truth: Any) -> Array | None:
 
 def total(array: Array, axis: int) -> Any:
     """Return the sum over one axis."""
-    counted, array = is_whole(array), as_number(array)
+    counted = is_whole(array)
+    array = as_number(array)
     axis %= array.ndim
     shape = array.shape[:axis] + array.shape[axis + 1 :]
     new = array._tape.add("sum", (array._ref,), shape, axis)

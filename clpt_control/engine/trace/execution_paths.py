@@ -21,7 +21,9 @@ from .arrays import Array, Tape, Unread, active, key_of, operand
 from .contents import Content, copied, elements_of, items_of, put
 from .elementwise import chosen, is_truth, where
 
-MOST_MERGED, MOST_RUNS = 32, 10_000  # paths of one helper or statement, and runs of all together
+# paths of one helper or statement, and runs of all together
+MOST_MERGED = 32
+MOST_RUNS = 10_000
 NUMBERS = (int, float, np.float64)
 RAISED = (Exception, SystemExit)
 
@@ -74,7 +76,8 @@ class Region:
     """Code whose paths are merged when it ends: the variables and values that it may change."""
 
     def __init__(self, tape: Any, run: Callable[[], Any], roots: Iterable[Any]):
-        self.tape, self.run = tape, run
+        self.tape = tape
+        self.run = run
         self.content: list[Content] = []
         self._seen: set[int] = set(tape.persistent)
         for root in roots:
@@ -152,7 +155,8 @@ class Region:
         answers = [outcomes for outcomes, _ in paths]
         columns = [*zip(*(row for _, row in paths), strict=True)]
         merge = functools.partial(_merged_values, self.tape, answers, depth, self._seen)
-        result, contents = merge(columns[0]), list[Any]()
+        result = merge(columns[0])
+        contents = list[Any]()
         for changed, column in zip(self.content, columns[1:], strict=True):
             if id(changed.value) in dead:
                 contents.append(column[0])

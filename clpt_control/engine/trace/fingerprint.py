@@ -296,7 +296,8 @@ class _Walk:
             if not is_pure(function):
                 self._refuse(reason(self.label or function.__qualname__, function))
             return id(function)
-        code, key = function.__code__, list[Any]()
+        code = function.__code__
+        key = list[Any]()
         self.identity(code)
         before = self.where, self.label
         own_package = root_of(function) == PACKAGE
@@ -318,7 +319,8 @@ class _Walk:
                 key.append(self._referenced(item, spaces[item.space]))
             else:
                 key.append(self._imported(item, function.__globals__))
-        self.where, self.label = f"{code.co_name}: ", ""
+        self.where = f"{code.co_name}: "
+        self.label = ""
         key += map(self.key_of, (function.__defaults__, function.__kwdefaults__))
         key += [(name, self.key_of(item)) for name, item in vars(function).items()]
         (self.where, self.label), self.trusted = before, trusted
@@ -326,7 +328,8 @@ class _Walk:
 
     def _referenced(self, reference: Reference, space: dict[str, Any]) -> Any:
         """Return the key of what code references, ``os.path.join`` by its attributes."""
-        value, label = space.get(reference.name, UNBOUND), reference.name
+        value = space.get(reference.name, UNBOUND)
+        label = reference.name
         if value is UNBOUND:
             if reference.space == "cell" or reference.name not in BUILTINS:
                 return "unbound", reference.name  # an error of the function, or not bound yet

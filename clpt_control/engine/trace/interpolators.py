@@ -139,7 +139,9 @@ def interpolated(
     if period is not None:
         xp = np.asarray(xp, dtype=float) % period
         order = np.argsort(xp)
-        xp, values, x = xp[order], values[order], np.remainder(x, period)
+        xp = xp[order]
+        values = values[order]
+        x = np.remainder(x, period)
         xp = np.concatenate([xp[-1:] - period, xp, xp[:1] + period])
         values = np.concatenate([values[-1:], values, values[:1]])
     xp = _increasing(xp, "np.interp")
@@ -192,7 +194,8 @@ def _of_interp1d(f: Any) -> Table:
     if f._kind == "linear":
         return _of_pieces(points, np.stack([_slopes(points, values), values[:-1]]), ends, "left")
     if f._kind == "spline":
-        t, k = f._spline.t, f._spline.k
+        t = f._spline.t
+        k = f._spline.k
         splines = [PPoly.from_spline((t, column, k)) for column in f._spline.c.T]
         c = np.stack([spline.c for spline in splines], axis=-1)
         c = c.reshape(*c.shape[:2], *values.shape[1:])
@@ -292,7 +295,8 @@ def _of_nearest(f: Any) -> Table:
 
     def table(tape: Tape, *coordinates: Any) -> Any:
         x = _vector(tape, *coordinates)
-        least, values = np.sum((x - points[0]) ** 2), ys[0]
+        least = np.sum((x - points[0]) ** 2)
+        values = ys[0]
         for point, y in zip(points[1:], ys[1:], strict=True):
             distance = np.sum((x - point) ** 2)
             is_nearer = distance < least

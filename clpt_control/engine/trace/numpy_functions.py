@@ -96,7 +96,8 @@ def gradient(f: Any, *steps: Any, axis: Any = None, edge_order: int = 1) -> Any:
         or np.ndim([*steps, 1][0])
     ):
         return refuse("np.gradient along several axes, by places, or of another order")
-    f, h = np.moveaxis(f, direction, 0), [*steps, 1.0][0]
+    f = np.moveaxis(f, direction, 0)
+    h = [*steps, 1.0][0]
     slopes = [(f[1:2] - f[:1]) / h, (f[2:] - f[:-2]) / (2.0 * h), (f[-1:] - f[-2:-1]) / h]
     return np.moveaxis(np.concatenate(slopes), 0, direction)
 
@@ -116,7 +117,8 @@ def cross(a: Any, b: Any, **options: Any) -> Any:
 @implements(np.clip)
 def clip(a: Any, a_min: Any = None, a_max: Any = None, *, min: Any = None, max: Any = None) -> Any:
     """Return a within limits."""
-    low, high = a_min if min is None else min, a_max if max is None else max
+    low = a_min if min is None else min
+    high = a_max if max is None else max
     if low is not None:
         a = np.maximum(a, low)
     return np.minimum(a, high) if high is not None else a
@@ -134,7 +136,8 @@ def place_of_the_first(function: Any, better: Any) -> Callable:
         index: Any = 0
         for k, candidate in enumerate(candidates, 1):
             closer = better(candidate, best)
-            best, index = where(closer, candidate, best), where(closer, k, index)
+            best = where(closer, candidate, best)
+            index = where(closer, k, index)
         if candidates:
             index._below = 1 + len(candidates)
         return index

@@ -41,7 +41,9 @@ class Rebinding:
     """The tracer values of one tracing."""
 
     def __init__(self, tape: Any, reached: Fingerprint, merging: bool):
-        self.tape, self.reached, self.merging = tape, reached, merging
+        self.tape = tape
+        self.reached = reached
+        self.merging = merging
         self.texts: set[str] = set()  # in the functions, which may be names of params
         self._known: dict[int, tuple[Any, Any]] = {}  # a value, kept alive, and its tracer value
         self._unmerged: dict[int, FunctionType] = {}  # copies, by those that merge their paths
@@ -86,7 +88,8 @@ class Rebinding:
         if value.size >= MOST_NUMBERS:
             return value
         numbers = constant(self.tape, value) if value.ndim else boxed(self.tape, float(value))
-        numbers._fixed, numbers._whole = True, value.dtype == int
+        numbers._fixed = True
+        numbers._whole = value.dtype == int
         return numbers
 
     def root(self, function: Any) -> Any:
@@ -109,7 +112,8 @@ class Rebinding:
         cells = tuple(CellType() for _ in function.__closure__ or ())
         space = self._space(function.__globals__)
         copy = FunctionType(code, space.value, function.__name__, None, cells or None)
-        copy.__module__, copy.__qualname__ = function.__module__, function.__qualname__
+        copy.__module__ = function.__module__
+        copy.__qualname__ = function.__qualname__
         result = merge_calls(copy) if self.merging else copy
         self._unmerged[id(result)] = copy
         self._known[id(function)] = function, result

@@ -112,7 +112,8 @@ class _Rewriter(ast.NodeTransformer):
 
     def _within(self, function: Any, node: ast.AST) -> Any:
         """Return a function, lambda or class, rewritten inside."""
-        outer, self.function = self.function, function
+        outer = self.function
+        self.function = function
         self.generic_visit(node)
         self.function = outer
         return node
@@ -160,7 +161,9 @@ class _Rewriter(ast.NodeTransformer):
         new[1].body.append(node)
         return new
 
-    visit_While, visit_Try, visit_Match = visit_For, visit_If, visit_If
+    visit_While = visit_For
+    visit_Try = visit_If
+    visit_Match = visit_If
 
     def _stands_alone(self, statement: ast.stmt, stored: list[str]) -> bool:
         """Return whether a statement may be a function of its own."""

@@ -60,5 +60,6 @@ def index_of(values: Any, value: Any) -> Any:
     for k in range(len(values) - 1, -1, -1):
         position = chosen(elementwise("eq", values[k], value), k, position)
     if isinstance(position, Array):
-        position._whole, position._of_python = True, True
+        position._whole = True
+        position._of_python = True
     return position

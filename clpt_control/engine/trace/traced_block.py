@@ -93,7 +93,8 @@ class ReadBlock(control.NonlinearIOSystem):
     def _name_ports(self, names: Mapping[str, Mapping[str, str]]) -> None:
         """Rename ports, ``{"inputs": {old: new}}``; the equations keep their names."""
         for kind, new_names in names.items():
-            old_names, ports = self._inner.get(kind, {}), self.declared[kind]
+            old_names = self._inner.get(kind, {})
+            ports = self.declared[kind]
             self._inner[kind] = {new_names.get(p, p): old_names.get(p, p) for p in ports}
             self.declared[kind] = {new_names.get(p, p): shape for p, shape in ports.items()}
             if len(self.declared[kind]) < len(ports):
@@ -163,7 +164,9 @@ class ReadBlock(control.NonlinearIOSystem):
     def _read(self, role: str) -> Record | Unread:
         """Read a function with open sizes; where that fails, with the sizes of this block."""
         function, bound_out = self._roles[role]
-        name, values, why = f"{self.name}.{role}", self._parameters._asdict(), ""
+        name = f"{self.name}.{role}"
+        values = self._parameters._asdict()
+        why = ""
         shapes = {f: np.shape(v) for f, v in values.items() if not isinstance(v, int)}
         for stay_open in (True, False) if self.sizes else (False,):
             declared = self.declared if stay_open else self._sized

@@ -170,7 +170,8 @@ def _of_example(value: Array, answer: Callable[[Any], Any]) -> Any:
         return answer(number)
     if value._is_condition:
         return answer(np.bool_(False))
-    is_int, is_python = is_whole(value), is_of_python(value)
+    is_int = is_whole(value)
+    is_python = is_of_python(value)
     answers = {
         answer(example)
         for example_is_int, example_is_python, example in EXAMPLES
@@ -275,14 +276,17 @@ def compensated(values: Iterable[Any], start: Any = 0) -> Any:
     values = list(values)
     if tape_of((start, *values)) is None:
         return sum(values, start)
-    total, lost, count = start, 0.0, 0
+    total = start
+    lost = 0.0
+    count = 0
     for value in values:
         if not all_of([is_of_python(total), is_of_python(value)]):
             break
         new = total + value
         is_exact = is_whole(total) or (sys.version_info < (3, 14) and is_whole(value))
         lost = lost if is_exact else lost + rounded_off(total, value, new)
-        total, count = new, count + 1
+        total = new
+        count += 1
     if isinstance(lost, Array) or lost:
         total = where(np.isfinite(lost), total + lost, total)
     return sum(values[count:], total)
@@ -372,7 +376,8 @@ class Joiner:
     def __getitem__(self, index: Any) -> Any:
         values = index if isinstance(index, tuple) else (index,)
         if tape_of(values) is None:
-            tape, result = active(), self.real[index]
+            tape = active()
+            result = self.real[index]
             return result if tape is None else fresh(tape, result)
         arrays = [self.real[value] if isinstance(value, slice) else value for value in values]
         return self.join([*map(np.atleast_1d, arrays)])

@@ -132,14 +132,18 @@ class _Tracing:
 
     def read(self) -> Read:
         """Run the function on each of its paths, and merge what they return."""
-        tape, request, rebinding = self.tape, self.request, self.rebinding
+        tape = self.tape
+        request = self.request
+        rebinding = self.rebinding
         function = rebinding.root(request.function)
         t = tape.add("leaf", (), (), ("t", "t"))
         fields = {
             name: self._leaf(name) if name in request.shapes else rebinding.of(value)
             for name, value in request.parameters.items()
         }
-        named, names_read = not request.of_control, set[Any]()  # x and u are a system's own
+        # x and u are a system's own
+        named = not request.of_control
+        names_read = set[Any]()
         with isolated():
             for _ in each_path(tape):
                 tape.last_asked = tape.texts = None
@@ -155,7 +159,8 @@ class _Tracing:
                     raise Unread(f"{request.name} has more than {MOST_PATHS} execution paths")
         refs = [operand(value) for value in merged(tape, self.paths, where)]
         record = compact(tape.operations, refs, request.out.values())
-        texts, names = frozenset(rebinding.texts), frozenset(names_read)
+        texts = frozenset(rebinding.texts)
+        names = frozenset(names_read)
         return Read(record, frozenset(tape.pinned), texts, names, self.spreads)
 
     def _leaf(self, name: str) -> Array:
@@ -167,7 +172,10 @@ class _Tracing:
 
     def _path(self, run: Callable[[], Any]) -> list[Any]:
         """Return what one path gives, for each port; NaN where it raises."""
-        tape, request, outputs, raised = self.tape, self.request, [], list[BaseException]()
+        tape = self.tape
+        request = self.request
+        outputs = []
+        raised = list[BaseException]()
         try:
             with reading_on(tape), np.errstate(all="ignore"):
                 returned = run()

@@ -99,10 +99,13 @@ def reduced(ufunc: Any, a: Any, axis: Any = 0, keepdims: Any = False, initial: A
     if axis is None and ufunc is np.add:
         axes = range(a.ndim)
     elif axis is None:
-        a, axes, keepdims = np.ravel(a), [0], False
+        a = np.ravel(a)
+        axes = [0]
+        keepdims = False
         if a.size > LONG_ROW and ufunc in (np.minimum, np.maximum):
             row = as_number(a)
-            a, axes = (least_of(row) if ufunc is np.minimum else -least_of(-row)), []
+            a = least_of(row) if ufunc is np.minimum else -least_of(-row)
+            axes = []
     for d in sorted((d % a.ndim for d in axes), reverse=True):
         a = total(a, d) if ufunc is np.add else _folded(ufunc, _slices(a, d))
         if keepdims and isinstance(a, Array):
@@ -113,7 +116,8 @@ def reduced(ufunc: Any, a: Any, axis: Any = 0, keepdims: Any = False, initial: A
 def place_of_the_least(row: Array) -> Any:
     """Return the place of the least number of a row, as one operation."""
     index = row._tape.add("argmin", (operand(row),), ())
-    index._whole, index._below = True, row.size
+    index._whole = True
+    index._below = row.size
     return index
 
 
@@ -136,7 +140,8 @@ def accumulated(ufunc: Any, a: Any, axis: Any = 0) -> Any:
     """Return what joining the elements along an axis gives on the way, as np.cumsum does."""
     a = as_number(lifted(tape_of([a]), a))
     if axis is None:
-        a, axis = np.ravel(a), 0
+        a = np.ravel(a)
+        axis = 0
     return np.stack(list(accumulate(_slices(a, axis % a.ndim), ufunc)), axis)
 
 
@@ -163,7 +168,8 @@ def rounded(a: Array, decimals: Any = None) -> Any:
         scale = 10.0 ** abs(int(decimals))
         return rounded(a * scale) / scale if decimals > 0 else rounded(a / scale) * scale
     low = np.floor(a)
-    fraction, odd = a - low, np.remainder(low, 2.0)
+    fraction = a - low
+    odd = np.remainder(low, 2.0)
     return where((fraction > 0.5) | ((fraction == 0.5) & (odd > 0.5)), np.ceil(a), low)
 
 

@@ -189,9 +189,11 @@ def part(a: Any, function: Callable[[np.ndarray], Any]) -> Any:
         if not isinstance(elements, np.ndarray):
             return of_numpy(elements)
         new = Array(a._tape, -1, elements.shape, a, function)
-        new._store, new._boxed = elements, True
+        new._store = elements
+        new._boxed = True
         return new
-    node, mapping = a._node, _mapped(a.shape, function)
+    node = a._node
+    mapping = _mapped(a.shape, function)
     if mapping is None:
         new = _in_another_shape(a, function)
         new = lifted(a._tape, function(a._elements())) if new is None else new
@@ -306,7 +308,8 @@ def _is_place(array: Array, index: tuple, axis: int) -> bool:
 
 def _row(array: Array, index: Array) -> Any:
     """Return the row of an array at a place that is a signal: NaN outside, from the end below 0."""
-    tape, size = array._tape, prod(array.shape[1:])
+    tape = array._tape
+    size = prod(array.shape[1:])
     if array.ndim == 1:
         return tape.add("pick", (operand(array), index._ref), ())
     flat = part(array, lambda a: np.reshape(a, -1))
@@ -395,7 +398,8 @@ def _step(tape: Tape, a: Ref, b: Ref) -> tuple[int, ...] | None:
     """Return the step along each axis between elements of one array, or None; () of numbers."""
     if type(a) is float or type(b) is float:
         return () if type(a) is type(b) else None
-    before, after = tape.operations[a], tape.operations[b]
+    before = tape.operations[a]
+    after = tape.operations[b]
     if before.kind != "view" or after.kind != "view" or before.arguments != after.arguments:
         return None
     step = []
