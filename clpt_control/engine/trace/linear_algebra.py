@@ -1,12 +1,13 @@
-"""Products of arrays of the record, and linear equations.
+"""Products of tracer arrays, and linear equations.
 
     A x = b by elimination, det A as the product of its pivots
 
-Pivots are chosen by `where`, as np.linalg.solve chooses them by size.
+Pivots are chosen by `where`: the largest number of a column, as np.linalg.solve chooses them.
 """
 
 from collections.abc import Callable
 from functools import reduce
+from operator import mul
 from typing import Any
 
 import numpy as np
@@ -35,29 +36,36 @@ def outer(a: Any, b: Any) -> Any:
 def norm(a: Any, ord: Any = None, axis: Any = None, keepdims: Any = False) -> Any:
     """Return the root of a sum of squares; other norms are NumPy's own, of each element."""
     if ord in (None, "fro") or (ord == 2 and (a.ndim == 1 or isinstance(axis, int))):
-        return np.sqrt(np.sum(elementwise("mul", a, a), axis, keepdims=keepdims))
+        squares = elementwise("mul", a, a)
+        return np.sqrt(np.sum(squares, axis, keepdims=keepdims))
     return on_objects(a._tape, np.linalg.norm, (a, ord, axis, keepdims), {})
 
 
 def _rows(matrix: Any) -> list[Any]:
-    if len(matrix) > MOST_ROWS:
+    count = len(matrix)
+    if count > MOST_ROWS:
         raise Unread(f"linear equations of more than {MOST_ROWS} rows with signals in their matrix")
-    return [matrix[k] for k in range(len(matrix))]
+    return [matrix[k] for k in range(count)]
 
 
-def _eliminated(rows: list[Any], pivot: Callable = lambda a: a) -> Any:
-    """Make rows triangular, in place; return whether they changed places an odd number of times."""
+def _eliminate(rows: list[Any], divisor: Callable = lambda pivot: pivot) -> Any:
+    """Make rows triangular, in place; return the sign of their permutation."""
     sign: Any = 1.0
-    n = len(rows)
-    if in_a_try() and any(map(moves, rows)):  # where they have no solution
+    count = len(rows)
+    if in_a_try() and any(map(moves, rows)):  # a singular matrix would raise
         refuse_in_a_try()
-    for k in range(n):
-        for i in range(k + 1, n):
-            larger = np.greater(np.fabs(rows[i][k]), np.fabs(rows[k][k]))
-            rows[k], rows[i] = where(larger, rows[i], rows[k]), where(larger, rows[k], rows[i])
-            sign = where(larger, -sign, sign)
-        for i in range(k + 1, n):
-            rows[i] = rows[i] - rows[k] * (rows[i][k] / pivot(rows[k][k]))
+    for k in range(count):
+        # the row with the largest number in column k comes first
+        for i in range(k + 1, count):
+            upper = rows[k]
+            lower = rows[i]
+            is_larger = np.greater(np.fabs(lower[k]), np.fabs(upper[k]))
+            rows[k] = where(is_larger, lower, upper)
+            rows[i] = where(is_larger, upper, lower)
+            sign = where(is_larger, -sign, sign)
+        for i in range(k + 1, count):
+            factor = rows[i][k] / divisor(rows[k][k])
+            rows[i] = rows[i] - rows[k] * factor
     return sign
 
 
@@ -68,9 +76,9 @@ def solve(A: Any, b: Any) -> Any:
         raise ValueError("solve: A must be square, b as long")
     columns = b[:, None] if b.ndim == 1 else b
     rows = [np.concatenate([row, columns[k]]) for k, row in enumerate(_rows(A))]
-    _eliminated(rows)
+    _eliminate(rows)
     solved: list[Any] = [None] * n
-    for k in range(n - 1, -1, -1):
+    for k in reversed(range(n)):
         total = rows[k][n:]
         for i in range(k + 1, n):
             total = total - solved[i] * rows[k][i]
@@ -82,5 +90,5 @@ def solve(A: Any, b: Any) -> Any:
 def determinant(A: Any) -> Any:
     """Return the determinant: the product of the pivots."""
     rows = _rows(A)
-    sign = _eliminated(rows, lambda a: where(a == 0.0, 1.0, a))  # below it all are 0
-    return reduce(lambda v, w: v * w, (rows[k][k] for k in range(len(rows)))) * sign
+    sign = _eliminate(rows, lambda pivot: where(pivot == 0.0, 1.0, pivot))
+    return reduce(mul, (row[k] for k, row in enumerate(rows))) * sign

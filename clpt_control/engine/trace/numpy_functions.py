@@ -1,6 +1,6 @@
-"""What NumPy's functions and methods do with arrays of the record.
+"""NumPy's functions and methods on tracer arrays.
 
-What is not here is tried on arrays of objects, element by element, by NumPy's own code.
+Functions that are not here run NumPy's own code on arrays of objects, element by element.
 """
 
 from collections.abc import Callable
@@ -8,23 +8,23 @@ from typing import Any
 
 import numpy as np
 
-from . import interpolators as lookup_tables
 from . import views
 from .arrays import HOOKS, Array, Tape, Unread, objects
 from .elementwise import as_number, boxed, filled, is_truth, is_whole, lifted, of_python, where
+from .interpolators import interpolated, searched
 from .linear_algebra import determinant, dot, norm, outer, solve
 from .ufuncs import LONG_ROW, accumulated, check_doubles, place_of_the_least, reduced, rounded
 from .views import depends, into, on_numbers, on_objects, on_parameters, refuse, tape_of
 
-IMPLEMENTED: dict[Any, Callable] = {}  # NumPy's: what writes them down
-BOXED = {  # whose results are arrays, also without axes
+IMPLEMENTED: dict[Any, Callable] = {}  # NumPy's function -> its record
+BOXED = {  # functions whose results are arrays, also without axes
     *(np.where, np.select, np.piecewise, np.copy),
     *(np.zeros_like, np.ones_like, np.empty_like, np.full_like),
 }
 
 
 def apply_function(tape: Tape, function: Any, inputs: Any, options: dict) -> Any:
-    """Write down one of NumPy's functions."""
+    """Record a function of NumPy."""
     out = options.pop("out", None)
     result = None
     if function not in SHARES and not depends((*inputs, *options.values())):
@@ -41,7 +41,7 @@ def apply_function(tape: Tape, function: Any, inputs: Any, options: dict) -> Any
 
 
 def implements(*functions: Any, arrays: int = 1) -> Callable:
-    """Register what does NumPy's functions; its first arguments are made arrays of the record."""
+    """Register the record of functions of NumPy; its first arguments become tracer arrays."""
 
     def register(record: Callable) -> Callable:
         def function(*inputs: Any, **options: Any) -> Any:
@@ -67,7 +67,7 @@ def mean(a: Any, axis: Any = None, dtype: Any = None, keepdims: Any = False) -> 
 
 @implements(np.var)
 def variance(a: Any, axis: Any = None, dtype: Any = None, ddof: Any = 0, keepdims: Any = 0) -> Any:
-    """Return the mean square of what differs from the mean."""
+    """Return the mean square of the deviation from the mean."""
     check_doubles(dtype)
     deviation = a - mean(a, axis, keepdims=axis is not None)
     total = np.sum(deviation * deviation, axis, keepdims=keepdims)
@@ -89,12 +89,8 @@ def differences(a: Any, n: Any = 1, axis: int = -1, **options: Any) -> Any:
 def gradient(f: Any, *steps: Any, axis: Any = None, edge_order: int = 1) -> Any:
     """Return np.gradient along one axis, by one step."""
     direction = 0 if axis is None and f.ndim == 1 else axis
-    if (
-        not isinstance(direction, int)
-        or len(steps) > 1
-        or edge_order != 1
-        or np.ndim([*steps, 1][0])
-    ):
+    has_axis = isinstance(direction, int) and edge_order == 1
+    if not has_axis or len(steps) > 1 or np.ndim([*steps, 1][0]):
         return refuse("np.gradient along several axes, by places, or of another order")
     f = np.moveaxis(f, direction, 0)
     h = [*steps, 1.0][0]
@@ -124,10 +120,10 @@ def clip(a: Any, a_min: Any = None, a_max: Any = None, *, min: Any = None, max: 
     return np.minimum(a, high) if high is not None else a
 
 
-def place_of_the_first(function: Any, better: Any) -> Callable:
-    """Return what does np.argmax or np.argmin: of a short row one comparison an element."""
+def index_of_best(function: Any, better: Any) -> Callable:
+    """Return the record of np.argmax or np.argmin: one comparison for each element, if few."""
 
-    def place(a: Any, *axis: Any, **options: Any) -> Any:
+    def record(a: Any, *axis: Any, **options: Any) -> Any:
         if axis or options:
             return on_objects(a._tape, function, (a, *axis), options)
         if a.size > LONG_ROW:
@@ -135,18 +131,18 @@ def place_of_the_first(function: Any, better: Any) -> Callable:
         best, *candidates = as_number(np.ravel(a))
         index: Any = 0
         for k, candidate in enumerate(candidates, 1):
-            closer = better(candidate, best)
-            best = where(closer, candidate, best)
-            index = where(closer, k, index)
+            is_better = better(candidate, best)
+            best = where(is_better, candidate, best)
+            index = where(is_better, k, index)
         if candidates:
             index._below = 1 + len(candidates)
         return index
 
-    return place
+    return record
 
 
-implements(np.argmax)(place_of_the_first(np.argmax, np.greater))
-implements(np.argmin)(place_of_the_first(np.argmin, np.less))
+implements(np.argmax)(index_of_best(np.argmax, np.greater))
+implements(np.argmin)(index_of_best(np.argmin, np.less))
 
 
 @implements(np.sort)
@@ -167,7 +163,8 @@ def median(a: Any, *axis: Any, **options: Any) -> Any:
     if axis or options:
         return refuse("np.median along an axis")
     row = sort(np.ravel(a))
-    return np.mean(row[(len(row) - 1) // 2 : len(row) // 2 + 1])
+    start = (len(row) - 1) // 2
+    return np.mean(row[start : len(row) // 2 + 1])
 
 
 @implements(np.where, arrays=0)
@@ -191,27 +188,28 @@ def selected(conditions: Any, values: Any, default: Any = 0) -> Any:
 @implements(np.isclose, arrays=2)
 def close(a: Any, b: Any, rtol: float = 1e-5, atol: float = 1e-8, equal_nan: bool = False) -> Any:
     """Return whether numbers are about the same, as np.isclose does."""
-    is_close = (np.fabs(a - b) <= atol + rtol * np.fabs(b)) & (np.fabs(b) < np.inf) | (a == b)
+    is_near = np.fabs(a - b) <= atol + rtol * np.fabs(b)
+    is_close = is_near & (np.fabs(b) < np.inf) | (a == b)
     return is_close | ((a != a) & (b != b)) if equal_nan else is_close
 
 
-# --- others ------------------------------------------------------------------------------------
+# --- reductions, and functions composed of others ------------------------------------------------
 
 
-def along(join: Callable, ufunc: Any) -> Callable:
-    """Return what joins the elements of an array by a ufunc, all, or those along an axis."""
+def reducing(reduce: Callable, ufunc: Any) -> Callable:
+    """Return the record of a function that reduces all elements, or elements along an axis."""
 
-    def joined(a: Any, axis: Any = None, dtype: Any = None, **options: Any) -> Any:
+    def record(a: Any, axis: Any = None, dtype: Any = None, **options: Any) -> Any:
         if "where" in options:
             return refuse("joining some elements, which np.where chooses,")
         if not is_truth(a) or isinstance(dtype, Array):
             check_doubles(dtype)
-        return join(ufunc, a, axis, **options)
+        return reduce(ufunc, a, axis, **options)
 
-    return joined
+    return record
 
 
-def alike(a: Array, value: float, dtype: Any = None, **named: Any) -> Any:
+def like(a: Array, value: float, dtype: Any = None, **options: Any) -> Any:
     """Return a number everywhere in an array of the shape and kind of another."""
     if is_whole(a) is not False and dtype is None:
         return refuse("an array like one of truth values or whole numbers")
@@ -219,68 +217,88 @@ def alike(a: Array, value: float, dtype: Any = None, **named: Any) -> Any:
     return filled(a._tape, value, a.shape)
 
 
+def taken(a: Any, indices: Any, axis: Any = None) -> Any:
+    """Return np.take(a, indices, axis)."""
+    if axis is None:
+        return np.ravel(a)[indices]
+    return np.moveaxis(a, axis, 0)[indices]
+
+
+def bins_of(x: Any, bins: Any, right: bool = False) -> Any:
+    """Return np.digitize(x, bins)."""
+    return np.searchsorted(bins, x, "left" if right else "right")
+
+
+for unread in (np.shares_memory, np.may_share_memory, np.ix_):
+    implements(unread, arrays=0)(lambda *_, name=unread.__name__: refuse(f"np.{name}"))
+for function, reduce, ufunc in (
+    (np.sum, reduced, np.add),
+    (np.prod, reduced, np.multiply),
+    (np.max, reduced, np.maximum),
+    (np.amax, reduced, np.maximum),
+    (np.min, reduced, np.minimum),
+    (np.amin, reduced, np.minimum),
+    (np.any, reduced, np.logical_or),
+    (np.all, reduced, np.logical_and),
+    (np.cumsum, accumulated, np.add),
+    (np.cumprod, accumulated, np.multiply),
+):
+    implements(function)(reducing(reduce, ufunc))
 implements(np.dot, arrays=2)(dot)
 implements(np.outer, arrays=2)(outer)
 implements(np.vdot, arrays=2)(lambda a, b: dot(np.ravel(a), np.ravel(b)))
 implements(np.linalg.norm)(norm)
 implements(np.linalg.solve, arrays=2)(solve)
 implements(np.linalg.det)(determinant)
-for unread in (np.shares_memory, np.may_share_memory, np.ix_):
-    implements(unread, arrays=0)(lambda *_, name=unread.__name__: refuse(f"np.{name}"))
-implements(np.sum)(along(reduced, np.add))
-implements(np.prod)(along(reduced, np.multiply))
-implements(np.max, np.amax)(along(reduced, np.maximum))
-implements(np.min, np.amin)(along(reduced, np.minimum))
-implements(np.any)(along(reduced, np.logical_or))
-implements(np.all)(along(reduced, np.logical_and))
-implements(np.ptp)(lambda a, *more, **named: np.max(a, *more, **named) - np.min(a, *more, **named))
-implements(np.std)(lambda a, *more, **named: np.sqrt(np.var(a, *more, **named)))
-implements(np.trace)(lambda a, *more, **named: np.sum(np.diagonal(a, *more, **named)))
 implements(np.linalg.inv)(lambda A: solve(A, np.eye(A.shape[0])))
-implements(np.cumsum)(along(accumulated, np.add))
-implements(np.cumprod)(along(accumulated, np.multiply))
-implements(np.allclose, arrays=2)(lambda *given, **more: np.all(close(*given, **more)))
-implements(np.interp)(lookup_tables.interpolated)
-implements(np.searchsorted, arrays=0)(lookup_tables.searched)
-implements(np.digitize, arrays=0)(
-    lambda x, bins, right=False: np.searchsorted(bins, x, "left" if right else "right")
+implements(np.ptp)(
+    lambda a, *axis, **options: np.max(a, *axis, **options) - np.min(a, *axis, **options)
 )
-implements(np.take)(
-    lambda a, k, axis=None: (
-        np.moveaxis(a, axis or 0, 0)[k] if a.ndim == 1 or axis is not None else np.ravel(a)[k]
-    )
+implements(np.std)(lambda a, *axis, **options: np.sqrt(np.var(a, *axis, **options)))
+implements(np.trace)(lambda a, *axes, **options: np.sum(np.diagonal(a, *axes, **options)))
+implements(np.allclose, arrays=2)(
+    lambda a, b, *rtol, **options: np.all(close(a, b, *rtol, **options))
 )
+implements(np.interp)(interpolated)
+implements(np.searchsorted, arrays=0)(searched)
+implements(np.digitize, arrays=0)(bins_of)
+implements(np.take)(taken)
 implements(np.count_nonzero)(lambda a: np.sum(a != 0))
 implements(np.stack, arrays=0)(views.stack)
 implements(np.concatenate, arrays=0)(views.join)
 implements(np.round, np.around)(rounded)
 implements(np.fix)(np.trunc)
 implements(np.copy)(views.copied)
-implements(np.zeros_like, np.empty_like)(lambda a, *more, **named: alike(a, 0.0, *more, **named))
-implements(np.ones_like)(lambda a, *more, **named: alike(a, 1.0, *more, **named))
-implements(np.full_like)(lambda a, value, *more, **named: alike(a, 0.0, *more, **named) + value)
+implements(np.zeros_like, np.empty_like)(
+    lambda a, *dtype, **options: like(a, 0.0, *dtype, **options)
+)
+implements(np.ones_like)(lambda a, *dtype, **options: like(a, 1.0, *dtype, **options))
+implements(np.full_like)(
+    lambda a, value, *dtype, **options: like(a, 0.0, *dtype, **options) + value
+)
 implements(np.shape)(lambda a: a._counted())
 implements(np.size)(lambda a, axis=None: a.size if axis is None else a._counted()[axis])
 
-# --- parts, which share what is written -----------------------------------------------------
+
+# --- views, which share memory -------------------------------------------------------------------
 
 
 def sharing(function: Any) -> Callable:
-    """Return what does a function of NumPy whose result shares what is written."""
+    """Return the record of a function of NumPy whose result is a view."""
 
-    def shared(a: Any, *arguments: Any, **options: Any) -> Any:
-        if {"A", "K"} & {v for v in (*arguments, *options.values()) if isinstance(v, str)}:
+    def record(a: Any, *arguments: Any, **options: Any) -> Any:
+        orders = {v for v in (*arguments, *options.values()) if isinstance(v, str)}
+        if orders & {"A", "K"}:
             return refuse("elements in the order of memory")
         return views.part(a, lambda positions: function(positions, *arguments, **options))
 
-    return shared
+    return record
 
 
-def of_each(function: Any) -> Callable:
-    """Return what does such a function for each of its arguments."""
+def sharing_each(function: Any) -> Callable:
+    """Return the record of a function of NumPy that returns a view of each argument."""
 
     def record(*values: Any) -> Any:
-        """Return what the function makes of the one argument, or a tuple for several."""
         tape = tape_of(values)
         results = [views.part(lifted(tape, value), function) for value in values]
         return results[0] if len(results) == 1 else tuple(results)
@@ -288,31 +306,39 @@ def of_each(function: Any) -> Callable:
     return record
 
 
-SHARES: dict[Any, Callable] = {
-    function: sharing(function)
-    for function in (
-        *(np.reshape, np.ravel, np.squeeze, np.transpose, np.swapaxes, np.moveaxis),
-        *(np.expand_dims, np.flip, np.flipud, np.fliplr, np.diagonal, np.diag, np.broadcast_to),
-        *(np.rot90, np.rollaxis, np.atleast_3d),
-    )
-}
-OWN: tuple[Any, ...] = (  # of these NumPy's own code does
+VIEWS = (
+    *(np.reshape, np.ravel, np.squeeze, np.transpose, np.swapaxes, np.moveaxis),
+    *(np.expand_dims, np.flip, np.flipud, np.fliplr, np.diagonal, np.diag, np.broadcast_to),
+    *(np.rot90, np.rollaxis, np.atleast_3d),
+)
+NUMPY_CODE: tuple[Any, ...] = (  # functions whose own code runs on tracer arrays
     *(np.split, np.array_split, np.hsplit, np.vsplit, np.dsplit),
     *(np.real, np.imag, np.isreal, np.ndim, np.iscomplexobj, np.isrealobj),
 )
-SHARES.update({function: function._implementation for function in OWN})
-SHARES.update({function: of_each(function) for function in (np.atleast_1d, np.atleast_2d)})
-for real, made in SHARES.items():
-    implements(real)(made)
+SHARES: dict[Any, Callable] = {
+    **{function: sharing(function) for function in VIEWS},
+    **{function: function._implementation for function in NUMPY_CODE},
+    **{function: sharing_each(function) for function in (np.atleast_1d, np.atleast_2d)},
+}
+for function, record in SHARES.items():
+    implements(function)(record)
+
+
+# --- methods -------------------------------------------------------------------------------------
 
 
 def as_list(a: Array) -> Any:
-    """Return elements in lists, which Python has as its own numbers."""
+    """Return elements in lists, as Python's own numbers."""
     elements = objects(a)
-    elements_of_python = np.empty(elements.shape, dtype=object)
+    numbers = np.empty(elements.shape, dtype=object)
     for index, element in np.ndenumerate(elements):
-        elements_of_python[index] = of_python(element, is_whole(element))
-    return elements_of_python.tolist()
+        numbers[index] = of_python(element, is_whole(element))
+    return numbers.tolist()
+
+
+def item(a: Array, *index: Any) -> Any:
+    """Return a.item(index)."""
+    return as_list(a[index] if index else objects(a).ravel()[0])
 
 
 def astype(a: Array, *kind: Any, **options: Any) -> Any:
@@ -321,27 +347,28 @@ def astype(a: Array, *kind: Any, **options: Any) -> Any:
     return boxed(a._tape, new) if a._boxed else new
 
 
-METHODS: dict[str, Callable] = {  # that are not NumPy's functions
+METHODS: dict[str, Callable] = {  # which are no functions of NumPy
     "reshape": sharing(np.ndarray.reshape),
     "transpose": sharing(np.ndarray.transpose),
     "flatten": lambda a, order="C": views.copied(np.ravel(a, order)),
-    **dict.fromkeys(("__copy__", "__deepcopy__"), views.copied),
+    "__copy__": views.copied,
+    "__deepcopy__": views.copied,
     "astype": astype,
-    "item": lambda a, *at: as_list(a[at] if at else objects(a).ravel()[0]),
+    "item": item,
     "tolist": as_list,
     "fill": lambda a, value: a.__setitem__(..., value),
     "is_integer": lambda a: np.floor(a) == a,
 }
-# other than NumPy's functions of these names
-OTHER = frozenset({"sort", "partition", "resize", "compress", "conj", "conjugate"})
+# methods that differ from NumPy's functions of these names
+DIFFERENT = frozenset({"sort", "partition", "resize", "compress", "conj", "conjugate"})
 
 
 def method(name: str) -> Callable | None:
-    """Return the method of a name: NumPy's function, where an array has one of its name.
+    """Return the method of a name: NumPy's function if arrays have a method of its name.
 
-    NumPy asks elements of arrays of objects for ufuncs.
+    NumPy looks for ufuncs by name on the elements of arrays of objects.
     """
-    if name in METHODS or name in OTHER:
+    if name in METHODS or name in DIFFERENT:
         return METHODS.get(name)
     function = vars(np).get(name)
     if isinstance(function, np.ufunc) or (callable(function) and hasattr(np.ndarray, name)):
