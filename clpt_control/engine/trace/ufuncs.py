@@ -1,4 +1,4 @@
-"""What NumPy's ufuncs do with arrays of the record."""
+"""NumPy's ufuncs on tracer arrays."""
 
 from collections.abc import Callable
 from functools import partial, reduce
@@ -35,7 +35,7 @@ LONG_ROW = 24  # numbers of which the least is found by one operation
 
 
 def apply_ufunc(tape: Tape, ufunc: Any, method: str, inputs: Any, options: dict) -> Any:
-    """Write down a ufunc."""
+    """Record a ufunc."""
     out = options.pop("out", None)
     if isinstance(out, tuple):
         (out,) = out
@@ -55,42 +55,44 @@ def apply_ufunc(tape: Tape, ufunc: Any, method: str, inputs: Any, options: dict)
 
 
 def check_doubles(dtype: Any) -> None:
-    """Refuse numbers other than NumPy's own doubles, and an array to write into, by place."""
+    """Refuse types other than doubles, and an array to write into given by position."""
     if dtype is not None and (isinstance(dtype, Array) or np.dtype(dtype) != float):
         refuse(f"numbers of {np.dtype(dtype)}")
 
 
 def _apply(tape: Tape, ufunc: Any, method: str, inputs: Any, options: dict) -> Any:
+    """Record a method of a ufunc, such as `__call__` or `reduce`."""
     if method != "at" and not depends(inputs):
-        numbers = on_numbers(tape, getattr(ufunc, method), inputs, options)
-        return (
-            on_objects(tape, getattr(ufunc, method), inputs, options)
-            if numbers is None
-            else numbers
-        )
+        function = getattr(ufunc, method)
+        numbers = on_numbers(tape, function, inputs, options)
+        return on_objects(tape, function, inputs, options) if numbers is None else numbers
     if method == "reduce" and "where" not in options:
         return reduced(ufunc, *inputs, **options)
     if method == "accumulate":
         return accumulated(ufunc, *inputs, **options)
-    if method == "__call__":
-        inputs = [lifted(tape, a) if isinstance(a, list | tuple) else a for a in inputs]
-    if method == "__call__" and not options and ufunc in UFUNCS:
-        return elementwise(UFUNCS[ufunc], *inputs)
-    if ufunc in BITWISE and method == "__call__":
-        return BITWISE[ufunc](*inputs) if all(map(is_truth, inputs)) else refuse("bits")
-    arguments: list[Any] = [
-        argument if type(argument) is int else lifted(tape, argument) for argument in inputs
-    ]
-    if method != "__call__" or options:
+    if method != "__call__":
         return refuse(f"np.{ufunc.__name__}.{method}")
+    return _apply_call(tape, ufunc, inputs, options)
+
+
+def _apply_call(tape: Tape, ufunc: Any, inputs: Any, options: dict) -> Any:
+    """Record a call of a ufunc."""
+    inputs = [lifted(tape, a) if isinstance(a, list | tuple) else a for a in inputs]
+    if ufunc in UFUNCS and not options:
+        return elementwise(UFUNCS[ufunc], *inputs)
+    if ufunc in BITWISE:
+        return BITWISE[ufunc](*inputs) if all(map(is_truth, inputs)) else refuse("bits")
     name = ufunc.__name__
+    if options:
+        return refuse(f"np.{name}.__call__")
+    arguments = [a if type(a) is int else lifted(tape, a) for a in inputs]
     if name not in TAKING_TRUTHS and all(map(is_truth, arguments)):
         refuse(f"np.{name} of truth values, in short floats,")
     return COMPOSED[name](*arguments) if name in COMPOSED else refuse(f"np.{name}")
 
 
 def reduced(ufunc: Any, a: Any, axis: Any = 0, keepdims: Any = False, initial: Any = None) -> Any:
-    """Join the elements along an axis, or all, one after the other; a sum is one operation."""
+    """Reduce the elements along an axis, or all, one after the other; a sum is one operation."""
     a = lifted(tape_of([a]), a)
     a = a if np.ndim(a) else copied(a)
     if ufunc in (np.logical_and, np.logical_or):
@@ -114,7 +116,7 @@ def reduced(ufunc: Any, a: Any, axis: Any = 0, keepdims: Any = False, initial: A
 
 
 def place_of_the_least(row: Array) -> Any:
-    """Return the place of the least number of a row, as one operation."""
+    """Return the index of the least number of a row, as one operation."""
     index = row._tape.add("argmin", (operand(row),), ())
     index._whole = True
     index._below = row.size
@@ -137,7 +139,7 @@ def _slices(a: Array, axis: int) -> list[Any]:
 
 
 def accumulated(ufunc: Any, a: Any, axis: Any = 0) -> Any:
-    """Return what joining the elements along an axis gives on the way, as np.cumsum does."""
+    """Return the partial results of a reduction along an axis, as np.cumsum does."""
     a = as_number(lifted(tape_of([a]), a))
     if axis is None:
         a = np.ravel(a)
@@ -186,7 +188,7 @@ def copysign(a: Any, b: Any) -> Any:
 
 
 def fmod(a: Any, b: Any) -> Any:
-    """Return the rest of a / b, which has a's sign."""
+    """Return the remainder of a / b, with the sign of a."""
     remainder = elementwise("mod", np.fabs(a), np.fabs(b))
     return where(a < 0, -remainder, remainder)
 

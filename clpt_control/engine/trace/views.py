@@ -1,9 +1,10 @@
-"""Views of values, and values in other shapes: what an index makes of an array, joined, reshaped.
+"""Views of tracer arrays, stacks, joins and other shapes.
 
-A view says for each axis of what it views an index, or (axis of the view, start, step).  A view
-of a view, of a stack or of numbers is made at once.
+A view is an index of each axis of an array, or (axis of the view, start, step).  Views of views, of
+stacks and of numbers are computed at once.
 
-At times they are NumPy's own: as numbers where they depend on nothing, else as objects.
+Functions that are not recorded run NumPy's own code: on numbers if they depend on parameters alone,
+otherwise on arrays of objects.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -28,50 +29,53 @@ from .elementwise import (
     stacked,
 )
 
-# --- as NumPy's own ----------------------------------------------------------------------------
+# --- NumPy's own code --------------------------------------------------------------------------
 
 
 def arrays_in(value: Any) -> Iterator[Array]:
-    """Yield the arrays of the record among arguments, in what holds them too."""
+    """Yield the tracer arrays among arguments, and in lists, tuples and dicts."""
     if isinstance(value, Array):
         yield value
-    elif isinstance(value, list | tuple | dict) or (
-        isinstance(value, np.ndarray) and value.dtype == object and value.ndim
-    ):
+        return
+    has_objects = isinstance(value, np.ndarray) and value.dtype == object and value.ndim
+    if has_objects or isinstance(value, list | tuple | dict):
         for item in value.values() if isinstance(value, dict) else value:
             yield from arrays_in(item)
 
 
 def tape_of(values: Any) -> Any:
-    """Return the tape of the first array of the record among values, or None."""
-    for value in values:  # most often one of them
+    """Return the tape of the first tracer array among values, or None."""
+    for value in values:  # usually one of these
         if isinstance(value, Array):
             return value._tape
     return next((array._tape for array in arrays_in(values)), None)
 
 
 def depends(values: Any) -> bool:
-    """Return whether arguments hold a signal or a parameter."""
+    """Return whether arguments contain a signal or a parameter."""
     return any(numbers_of(array) is None for array in arrays_in(values))
 
 
-def arrays_as(value: Any, to: Callable[[Array], Any]) -> Any:
-    """Return arguments with `to` of each array of the record, in lists, tuples and dicts too."""
+def arrays_as(value: Any, convert: Callable[[Array], Any]) -> Any:
+    """Return arguments with each tracer array converted, also in lists, tuples and dicts."""
     if isinstance(value, Array):
-        return to(value)
+        return convert(value)
     if isinstance(value, dict):
-        return {name: arrays_as(item, to) for name, item in value.items()}
-    return type(value)(arrays_as(v, to) for v in value) if type(value) in (list, tuple) else value
+        return {name: arrays_as(item, convert) for name, item in value.items()}
+    if type(value) in (list, tuple):
+        return type(value)(arrays_as(item, convert) for item in value)
+    return value
 
 
 def on_numbers(tape: Tape, function: Callable, inputs: Any, options: dict) -> Any:
-    """Run NumPy's own function on what depends on nothing or on parameters, which are then pinned.
+    """Run NumPy's own function on numbers; parameters are then pinned.
 
-    Return None if it writes, gives a part of what it is given, or signals are among that.
+    Return None if a signal is among the arguments, or if the result shares memory with one.
     """
 
     def number(array: Array) -> np.ndarray:
-        if (numbers := numbers_of(array)) is not None:
+        numbers = numbers_of(array)
+        if numbers is not None:
             return numbers.astype(int) if array._whole else numbers.copy()
         ref = array._ref
         parameter = None if type(ref) is float else tape.parameter(ref)
@@ -82,30 +86,32 @@ def on_numbers(tape: Tape, function: Callable, inputs: Any, options: dict) -> An
         return None
     arguments = arrays_as(inputs, number)
     result = function(*arguments, **arrays_as(options, number))
-    return None if any(share(array, result) for array in arguments) else repacked(tape, result)
+    if any(share(argument, result) for argument in arguments):
+        return None
+    return repacked(tape, result)
 
 
 def share(a: Any, b: Any) -> bool:
-    """Return whether arrays share what is written."""
+    """Return whether values are arrays that may share memory."""
     return isinstance(a, np.ndarray) and isinstance(b, np.ndarray) and np.may_share_memory(a, b)
 
 
 def fresh(tape: Tape, value: Any) -> Any:
-    """Return NumPy's new array of doubles as one that signals may be written into."""
+    """Return NumPy's new array of doubles as a tracer array, into which signals may be written."""
     if type(value) is np.ndarray and value.dtype == float and value.ndim:
         return constant(tape, value) if value.size < MOST_NUMBERS else value
     return value
 
 
-def refuse(what: str) -> Any:
-    """Refuse what cannot be read."""
-    raise Unread(f"{what} of signals")
+def refuse(operation: str) -> Any:
+    """Raise that an operation of signals is not traced."""
+    raise Unread(f"{operation} of signals")
 
 
 def repacked(tape: Tape, value: Any) -> Any:
-    """Return what NumPy made of arrays of objects."""
+    """Return NumPy's arrays of objects as tracer arrays."""
     if isinstance(value, tuple | list):
-        make = getattr(type(value), "_make", type(value))  # that of a tuple with names
+        make = getattr(type(value), "_make", type(value))  # of a named tuple
         return make(repacked(tape, item) for item in value)
     if isinstance(value, np.ndarray) and value.dtype == object:
         return boxed(tape, lifted(tape, value))
@@ -113,8 +119,9 @@ def repacked(tape: Tape, value: Any) -> Any:
 
 
 def on_parameters(tape: Tape, function: Callable, inputs: Any, options: dict, why: Unread) -> Any:
-    """Run NumPy's own function on what parameters alone decide; else say why it is not read."""
-    if (result := on_numbers(tape, function, inputs, options)) is None:
+    """Run NumPy's own function if it depends on parameters alone; otherwise raise an error."""
+    result = on_numbers(tape, function, inputs, options)
+    if result is None:
         raise why
     tape.stopped = None
     return result
@@ -134,10 +141,10 @@ def on_objects(tape: Tape, function: Any, inputs: Any, options: dict) -> Any:
             f"{module}.{function.__name__} of signals is not traced; write its arithmetic, or call "
             "it before the run"
         ) from None
-    if result is None and inputs:  # NumPy wrote into its first argument
-        inputs[0][...] = arguments[0]
-    elif result is None:
+    if result is None and not inputs:
         refuse(f"np.{function.__name__} with names of what it writes into,")
+    if result is None:  # NumPy wrote into its first argument
+        inputs[0][...] = arguments[0]
     if any(share(argument, result) for argument in arguments):
         refuse(f"np.{function.__name__} that gives a part")
     return repacked(tape, result)
@@ -145,7 +152,8 @@ def on_objects(tape: Tape, function: Any, inputs: Any, options: dict) -> Any:
 
 def into(out: Any, value: Any) -> Any:
     """Return a value, or the array `out` into which it is written; a number is replaced."""
-    if out is None or (isinstance(out, Array) and not out.shape and not out._boxed):
+    is_number = isinstance(out, Array) and not out.shape and not out._boxed
+    if out is None or is_number:
         return value
     if not isinstance(out, Array):
         raise Unread("writes signals into an array made elsewhere; make it where it is filled")
@@ -156,8 +164,8 @@ def into(out: Any, value: Any) -> Any:
 # --- views -------------------------------------------------------------------------------------
 
 
-LONG = 16  # numbers of an array that is written down as it is made, not one by one
-MANY = 2**16 + 1  # places along an axis of unknown length
+LONG = 16  # shorter arrays are stacks of elements
+MANY = 2**16 + 1  # positions along an axis of unknown length
 
 
 def item(array: Array, index: tuple) -> Any:
@@ -170,44 +178,41 @@ def item(array: Array, index: tuple) -> Any:
         new = lifted(array._tape, array._elements()[index])
     else:
         new = part(array, itemgetter(index))
-    if (counted := array._root._whole) is False:
+    is_int = array._root._whole
+    if is_int is False:
         return new
     if isinstance(new, Array):
-        new._whole = counted
-    return new if isinstance(new, Array) or counted is not True else np.int64(new)
+        new._whole = is_int
+        return new
+    return np.int64(new) if is_int else new
 
 
 def part(a: Any, function: Callable[[np.ndarray], Any]) -> Any:
-    """Return what NumPy's function makes of an array, with which it shares what is written.
+    """Return function(a), where NumPy's function selects or moves elements.
 
-    Until an element of either is written it is a view, if NumPy's function makes one.
+    The result shares memory with the array if NumPy's result does.  Until an element of either is
+    written it is a view on the tape.
     """
     if not isinstance(a, Array):
         return function(a)
-    if (store := a._written()) is not None:
-        elements = function(store)
-        if not isinstance(elements, np.ndarray):
-            return of_numpy(elements)
-        new = Array(a._tape, -1, elements.shape, a, function)
-        new._store = elements
-        new._boxed = True
-        return new
-    node = a._node
+    store = a._written()
+    if store is not None:
+        return _part_of_elements(a, function, store)
     mapping = _mapped(a.shape, function)
-    if mapping is None:
+    if mapping is not None:
+        new = tape_viewed(a._tape, a._node, *mapping)
+    else:
         new = _in_another_shape(a, function)
         new = lifted(a._tape, function(a._elements())) if new is None else new
-    else:
-        new = tape_viewed(a._tape, node, *mapping)
-    cuts = mapping is None or (a._parent is not None and not isinstance(function, itemgetter))
-    if cuts and all(isinstance(n, int) for n in a._root.shape):
-        blank = a._blank()  # ravel of what does not lie side by side is a copy
+    # ravel of an array whose elements are not adjacent in memory is a copy
+    may_copy = mapping is None or (a._parent is not None and not isinstance(function, itemgetter))
+    if may_copy and all(isinstance(n, int) for n in a._root.shape):
+        blank = a._blank()
         if not share(blank, function(blank)):
             return new
-    if not getattr(new, "shape", ()):  # NumPy's number, or its array without axes
-        if not (a.shape or a._boxed) or not isinstance(
-            function(_positions(a.shape)[0]), np.ndarray
-        ):
+    if not getattr(new, "shape", ()):
+        has_array = a.shape or a._boxed
+        if not has_array or not isinstance(function(_positions(a.shape)[0]), np.ndarray):
             return of_numpy(new)
         new = boxed(a._tape, new)
     view = Array(a._tape, new._node, new.shape, a, function)
@@ -215,27 +220,42 @@ def part(a: Any, function: Callable[[np.ndarray], Any]) -> Any:
     return view
 
 
+def _part_of_elements(a: Array, function: Callable, store: np.ndarray) -> Any:
+    """Return a part of an array of which an element was written."""
+    elements = function(store)
+    if not isinstance(elements, np.ndarray):
+        return of_numpy(elements)
+    new = Array(a._tape, -1, elements.shape, a, function)
+    new._store = elements
+    new._boxed = True
+    return new
+
+
 def _in_another_shape(a: Array, function: Callable) -> Any:
-    """Return many elements that stay row by row in another shape; None of others."""
+    """Return many elements in another shape if their order stays; otherwise None."""
     if numbers_of(a) is not None or not all(isinstance(n, int) for n in a.shape):
         return None
     positions = function(np.arange(a.size).reshape(a.shape))
     if positions.size <= LONG or np.any(np.diff(positions.ravel()) != 1):
         return None
-    return _parted(a._tape, a._node, positions.item(0), positions.shape)
+    return _reshaped(a._tape, a._node, positions.item(0), positions.shape)
 
 
-def _parted(tape: Tape, node: int, start: int, shape: Shape) -> Array:
-    kind, arguments, old, at = tape.operations[node]
-    if kind == "part":
-        return _parted(tape, arguments[0], at + start, shape)
-    return Array(tape, node, old) if old == shape else tape.add("part", (node,), shape, start)
+def _reshaped(tape: Tape, node: int, start: int, shape: Shape) -> Array:
+    """Return the elements from `start` on, row by row, in a shape."""
+    operation = tape.operations[node]
+    if operation.kind == "part":
+        return _reshaped(tape, operation.arguments[0], operation.at + start, shape)
+    if operation.shape == shape:
+        return Array(tape, node, shape)
+    return tape.add("part", (node,), shape, start)
 
 
 def _mapped(shape: Shape, function: Callable) -> tuple[tuple, Shape] | None:
-    """Return what NumPy's function makes of each axis, and the shape of the view; None of a copy.
+    """Return index or (axis, start, step) of each axis, and the shape; None if NumPy copies.
 
-    It is run on the places along each axis: where a part begins, and its strides, say what it is.
+    The function runs on the positions along each axis.  The first element of its result and the
+    strides are start and step.
     """
     try:
         samples = [(positions, np.asarray(function(positions))) for positions in _positions(shape)]
@@ -258,7 +278,8 @@ def _mapped(shape: Shape, function: Callable) -> tuple[tuple, Shape] | None:
             start = d, start, sample.strides[d] // sample.itemsize
         mapped.append(start)
         if not isinstance(n, int):
-            if not moving or start[1:] != (0, 1) or new_shape[moving[0]] not in (MANY, n):
+            is_whole_axis = bool(moving) and start[1:] == (0, 1)
+            if not is_whole_axis or new_shape[moving[0]] not in (MANY, n):
                 _refuse_part_of(n)
             new_shape[moving[0]] = n
     return tuple(mapped), tuple(new_shape)
@@ -272,23 +293,25 @@ def _refuse_part_of(n: Any) -> None:
 
 @lru_cache(maxsize=256)
 def _positions(shape: Shape) -> list[np.ndarray]:
-    """Return for each axis an array of the places along it; one of no axes for a number."""
+    """Return for each axis an array of the positions along it; one of no axes for a number."""
     counts = [n if isinstance(n, int) else MANY for n in shape]
-    return [
-        np.ndarray(counts, int, np.arange(max(n, 1)), 0, [8 * (d == k) for d in range(len(counts))])
-        for k, n in enumerate(counts or [1])
-    ]
+    arrays = []
+    for axis, count in enumerate(counts or [1]):
+        strides = [8 * (d == axis) for d in range(len(counts))]
+        arrays.append(np.ndarray(counts, int, np.arange(max(count, 1)), 0, strides))
+    return arrays
 
 
 def _picked(array: Array, *index: Any) -> Any:
     """Return elements at indices that are signals."""
-    head = index[0]
-    if isinstance(head, Array) and head._is_condition:
-        if moves(head):
+    condition = index[0]
+    if isinstance(condition, Array) and condition._is_condition:
+        if moves(condition):
             return refuse("elements taken by a condition, which np.where chooses,")
-        return array[(head._tape.numbers(head._ref) != 0.0, *index[1:])]
+        mask = condition._tape.numbers(condition._ref) != 0.0
+        return array[(mask, *index[1:])]
     axis = next(k for k, item in enumerate(index) if isinstance(item, Array))
-    if not _is_place(array, index, axis):
+    if not _is_row_index(array, index, axis):
         return array[whole(index)]
     rows = part(array, lambda a: np.moveaxis(a, axis, 0)) if axis else array
     row = _row(rows, index[axis])
@@ -296,22 +319,24 @@ def _picked(array: Array, *index: Any) -> Any:
     return row[remaining] if remaining else row
 
 
-def _is_place(array: Array, index: tuple, axis: int) -> bool:
-    """Return whether an index is one whole number that moves, of an array that is as it was."""
+def _is_row_index(array: Array, index: tuple, axis: int) -> bool:
+    """Return whether an index of an unchanged array has one signal, a whole number."""
     signal = index[axis]
+    if signal.shape or signal._whole is not True or not moves(signal):
+        return False
     kinds = (int, slice, list) if array.ndim == 2 else (int, slice)
-    plain = all(isinstance(item, kinds) or getattr(item, "shape", 0) == () for item in index)
-    has_sizes = all(isinstance(n, int) for n in array.shape) and axis < array.ndim
-    counts = signal._whole is True and moves(signal) and not signal.shape
-    return plain and has_sizes and counts and array._written() is None and not in_a_try()
+    if not all(isinstance(item, kinds) or getattr(item, "shape", 0) == () for item in index):
+        return False
+    has_sizes = all(isinstance(n, int) for n in array.shape)
+    return has_sizes and axis < array.ndim and array._written() is None and not in_a_try()
 
 
 def _row(array: Array, index: Array) -> Any:
-    """Return the row of an array at a place that is a signal: NaN outside, from the end below 0."""
+    """Return array[index] of a signal: NaN outside; a negative index counts from the end."""
     tape = array._tape
-    size = prod(array.shape[1:])
     if array.ndim == 1:
         return tape.add("pick", (operand(array), index._ref), ())
+    size = prod(array.shape[1:])
     flat = part(array, lambda a: np.reshape(a, -1))
     positions = lifted(tape, index * float(size) + np.arange(size, dtype=float))
     row = tape.add("pick", (operand(flat), operand(positions)), (size,))
@@ -319,33 +344,43 @@ def _row(array: Array, index: Array) -> Any:
 
 
 def tape_viewed(tape: Tape, node: int, mapped: tuple, shape: Shape) -> Any:
-    """Return a view; a view of a view, of a stack or of numbers is made at once."""
-    kind, arguments, old, at = tape.operations[node]
-    if mapped == tuple((d, 0, 1) for d in range(len(old))) and shape == old:
-        return Array(tape, node, old)
+    """Return a view; views of views, of stacks and of numbers are computed at once."""
+    kind, arguments, old_shape, at = tape.operations[node]
+    is_identity = mapped == tuple((d, 0, 1) for d in range(len(old_shape)))
+    if is_identity and shape == old_shape:
+        return Array(tape, node, old_shape)
     if kind == "constant":
-        return constant(tape, viewed(np.frombuffer(at).reshape(old), mapped, shape))
+        return constant(tape, viewed(np.frombuffer(at).reshape(old_shape), mapped, shape))
     if kind == "view":
-        inner = list(at)
-        for d, m in enumerate(inner):
-            if not isinstance(m, int):
-                outer = mapped[m[0]]
-                if isinstance(outer, int):
-                    inner[d] = m[1] + m[2] * outer
-                else:
-                    inner[d] = (outer[0], m[1] + m[2] * outer[1], m[2] * outer[2])
-        return tape_viewed(tape, arguments[0], tuple(inner), shape)
+        return tape_viewed(tape, arguments[0], _composed(at, mapped), shape)
     if kind == "fill":
         (number,) = arguments
         if shape:
             return tape.add("fill", (number,), shape)
         return number if type(number) is float else Array(tape, number, ())
     if kind == "stack" and isinstance(mapped[0], int):
-        item = arguments[mapped[0]]
-        if type(item) is float:
-            return constant(tape, np.full(shape, item))  # a number, or one with new axes
-        return tape_viewed(tape, item, mapped[1:], shape)
+        element = arguments[mapped[0]]
+        if type(element) is float:
+            return constant(tape, np.full(shape, element))  # a number, or one with new axes
+        return tape_viewed(tape, element, mapped[1:], shape)
     return tape.add("view", (node,), shape, mapped)
+
+
+def _composed(inner: tuple, outer: tuple) -> tuple:
+    """Return the mapping of a view of a view."""
+    mapping: list[Any] = []
+    for entry in inner:
+        if isinstance(entry, int):
+            mapping.append(entry)
+            continue
+        axis, start, step = entry
+        entry = outer[axis]
+        if isinstance(entry, int):
+            mapping.append(start + step * entry)
+        else:
+            axis, offset, stride = entry
+            mapping.append((axis, start + step * offset, step * stride))
+    return tuple(mapping)
 
 
 # --- stacks ------------------------------------------------------------------------------------
@@ -461,9 +496,9 @@ def copied(a: Any, *arguments: Any, **options: Any) -> Any:
     ref = a._ref
     if type(ref) is float:
         return ref
-    copy = Array(a._tape, ref, a.shape)
-    copy._whole = a._whole
-    return copy
+    new = Array(a._tape, ref, a.shape)
+    new._whole = a._whole
+    return new
 
 
 def converted(a: Any, dtype: Any = float, *arguments: Any, **options: Any) -> Any:
