@@ -1,8 +1,8 @@
-"""Arrays without values: what a function is called with, to be read.
+"""Tracer arrays: the arguments of a function while it is traced.
 
-An `Array` is a value of a record that grows (`Tape`).  NumPy's own protocols write down what a
-function does with it: ``np.exp(a)``, ``a @ b``, ``np.outer(a, b)``.  What is written into it
-(``y[0] = ...``) is kept element by element, and views share what is written, as NumPy's do.
+An `Array` is a value of a record that grows, the `Tape`.  NumPy's own protocols record each
+operation: ``np.exp(a)``, ``a @ b``, ``np.outer(a, b)``.  An array into which a function writes
+(``y[0] = ...``) stores its elements one by one, and its views share them, as NumPy's views do.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -18,18 +18,18 @@ from numpy.lib.mixins import NDArrayOperatorsMixin
 
 from ..record.graph import UFUNCS, Operation, Record, Ref, Shape, key_of
 
-MOST_OPERATIONS = 200_000  # a longer record is given up
+MOST_OPERATIONS = 200_000  # of a record; a function with more is not traced
 LOGICAL = frozenset({"and", "or", "not"})  # of conditions
 COMPARISONS = frozenset({"lt", "le", "gt", "ge", "eq", "ne"})
 CONDITIONS = LOGICAL | COMPARISONS
-MOVED = frozenset({"view", "stack", "join", "part"})  # hold what their arguments hold
+MOVED = frozenset({"view", "stack", "join", "part"})  # their elements are those of arguments
 
-# what arrays call in files that import this one; each file puts in its own
+# functions of modules that import this one, by name; each module registers its own
 HOOKS: dict[str, Any] = {}
 
 
 class Unread(Exception):
-    """Why a function cannot be read: what it does, and what to write instead."""
+    """A function cannot be traced: the sentence says why, and what to write instead."""
 
     def __init__(self, sentence: str, stops: bool = True):
         super().__init__(sentence)
@@ -41,14 +41,15 @@ _ACTIVE = local()
 
 
 def active() -> "Tape | None":
-    """Return the tape on which this thread reads a function now, or None."""
+    """Return the tape on which this thread traces a function now, or None."""
     return getattr(_ACTIVE, "tape", None)
 
 
 @contextmanager
 def reading_on(tape: "Tape") -> Iterator[None]:
-    """Make a tape the one on which this thread reads."""
-    before, _ACTIVE.tape = active(), tape
+    """Make this thread trace on a tape."""
+    before = active()
+    _ACTIVE.tape = tape
     try:
         yield
     finally:
@@ -56,20 +57,20 @@ def reading_on(tape: "Tape") -> Iterator[None]:
 
 
 class Tape:
-    """A record as it grows; equal operations are one."""
+    """A record that grows; equal operations are one value."""
 
     def __init__(self) -> None:
         self.operations: list[Operation] = []
-        self.stopped: Unread | None = None  # what ends the reading
+        self.stopped: Unread | None = None  # why tracing stops
         self.parameters: Mapping[str, Any] = {}  # as they were given
-        self.runs = 0  # ways through a function and its helpers
-        self.texts: Unread | None = None  # what to say where a text of a signal was made
+        self.runs = 0  # execution paths so far, of helpers too
+        self.texts: Unread | None = None  # error of a text that was made of a signal
         self.free: list[bool] = []  # of each: whether it depends on time, states or inputs
         self.truth: list[bool] = []  # of each: whether it holds truth values
         self._known: dict[Any, int] = {}
 
     def add(self, kind: str, arguments: Sequence[Ref], shape: Shape, at: Any = None) -> "Array":
-        """Return the value of an operation, written down where it is new."""
+        """Return the value of an operation; record the operation if it is new."""
         key = (kind, tuple(map(key_of, arguments)), shape, at)
         if (ref := self._known.get(key)) is None:
             ref = self._known[key] = len(self.operations)
@@ -79,15 +80,15 @@ class Tape:
         return Array(self, ref, shape)
 
     def value(self, ref: Ref) -> Any:
-        """Return what a reference names: an array, or a number as it is."""
+        """Return the value of a reference: an array, or a number as it is."""
         return Array(self, ref, self.operations[ref].shape) if type(ref) is int else ref
 
     def append(self, operation: Operation) -> None:
-        """Write an operation down, also where an equal one stands."""
+        """Record an operation, even if an equal one is on the tape."""
         kind, arguments, _, at = operation
         self.operations.append(operation)
         values = [a for a in arguments if type(a) is int]
-        changes = kind == "leaf" and (at[0] != "p" or at[1] == "interval")  # along a run
+        changes = kind == "leaf" and (at[0] != "p" or at[1] == "interval")  # during a run
         self.free.append(changes or any(self.free[a] for a in values))
         self.truth.append(
             kind in CONDITIONS
@@ -99,7 +100,7 @@ class Tape:
         )
 
     def replayed(self, record: Record, leaf: Callable[[str, str, Shape], Any]) -> list[Any]:
-        """Write a record down again on other leaves; return its outputs."""
+        """Record another record again with other leaves; return its outputs."""
         values: list[Any] = []
         for kind, arguments, shape, at in record.operations:
             refs = [operand(values[a]) if type(a) is int else a for a in arguments]
@@ -109,14 +110,14 @@ class Tape:
         return [values[ref] if type(ref) is int else ref for ref in record.outputs]
 
     def question(self, ref: Any) -> Any:
-        """Answer where Python asks for a truth value, numbers or a whole number."""
+        """Return a truth value, numbers or a whole number, if Python needs one."""
         raise Unread("what Python asks of a signal")
 
     numbers = whole = parameter = question
 
 
 class Array(NDArrayOperatorsMixin):
-    """A value of a tape, of a known shape, used as NumPy's arrays are."""
+    """A value of a tape, with a shape and the interface of NumPy's arrays."""
 
     __slots__ = (
         *("_boxed", "_fixed", "_node", "_of_python", "_parent", "_select", "_shape", "_store"),
@@ -128,45 +129,44 @@ class Array(NDArrayOperatorsMixin):
         self._tape = tape
         self._node = node
         self._shape = shape
-        self._fixed = False  # whether nothing may be written into it
-        self._boxed = False  # whether, without axes, it is NumPy's array and no number
-        # whether what is written into it is cut to a whole number, and whether it is one of
-        # Python's numbers, not of NumPy's; None where that hangs on a choice
+        self._fixed = False  # read-only
+        self._boxed = False  # without axes: an array of NumPy, and no number
+        # NumPy's integers, and Python's own number; None if that depends on a branch
         self._whole: bool | None = False
         self._of_python: bool | None = False
-        self._below: int | None = None  # it is a whole number from 0 on, below this one
+        self._below: int | None = None  # upper bound of a whole number from 0 on
         self._parent: Array | None = parent
-        self._select = select  # takes this part of the parent's elements
-        self._store: np.ndarray | None = None  # its elements, once one was written
+        self._select = select  # function of NumPy from the parent's elements to this view's
+        self._store: np.ndarray | None = None  # elements, after one was written
 
     # --- the value ----------------------------------------------------------------------
 
-    shape = property(attrgetter("_shape"), doc="Its shape, which nobody sets.")
+    shape = property(attrgetter("_shape"), doc="Shape, which is read-only.")
 
     @property
     def _ref(self) -> Ref:
-        """Its place on the tape, as it stands now."""
+        """Reference of its present value on the tape."""
         store = self._written()
         return self._node if store is None else operand(HOOKS["lifted"](self._tape, store))
 
     @property
     def _root(self) -> "Array":
-        """The array that it is a part of."""
+        """Array of which this one is a view, or itself."""
         return self if self._parent is None else self._parent._root
 
     def _keep(self) -> None:
-        """Keep each element by itself from now on."""
+        """Store each element separately from now on."""
         if self._store is None:
             self._store = self._elements()
 
     def _blank(self) -> np.ndarray:
-        """Return an array without numbers that lies in memory as NumPy's would."""
+        """Return an array of NumPy with the same layout in memory."""
         if self._parent is None:
             return np.empty(self._counted())
         return self._select(self._parent._blank())
 
     def _written(self) -> np.ndarray | None:
-        """Return its elements, once one was written; parts share them, as NumPy's views do."""
+        """Return the elements if one was written; views share them."""
         if self._store is None and self._parent is not None:
             above = self._parent._written()
             if above is not None:
@@ -185,12 +185,12 @@ class Array(NDArrayOperatorsMixin):
 
     @property
     def dtype(self) -> np.dtype:
-        """What NumPy's array would hold."""
+        """Type of the numbers: bool or float."""
         return np.dtype(bool if self._is_condition else float)
 
     @property
     def _is_condition(self) -> bool:
-        """Whether it holds truth values."""
+        """True for an array of truth values."""
         return self._store is None and self._tape.truth[self._node]
 
     def _counted(self) -> tuple[int, ...]:
@@ -217,7 +217,7 @@ class Array(NDArrayOperatorsMixin):
         HOOKS["put"](self, index, value)
 
     def _elements(self) -> np.ndarray:
-        """Return its elements in an array of objects."""
+        """Return the elements in an array of objects."""
         if (store := self._written()) is not None:
             return store.copy()
         if (numbers := numbers_of(self)) is not None:
@@ -314,7 +314,7 @@ def moves(value: Any) -> bool:
 
 
 def numbers_of(array: Array) -> np.ndarray | None:
-    """Return an array that depends on nothing as numbers; None for any other."""
+    """Return the numbers of a constant array; None for any other."""
     store = array._written()
     if store is None:
         if type(array) is not Array:  # all states or inputs
@@ -330,7 +330,7 @@ def numbers_of(array: Array) -> np.ndarray | None:
 
 
 def whole(index: Any) -> Any:
-    """Return an index in whole numbers; each signal in it is asked which one it is."""
+    """Return an index in whole numbers; each signal in it becomes one on each path."""
     if isinstance(index, tuple):
         return tuple(map(whole, index))
     if not isinstance(index, Array):
@@ -339,7 +339,7 @@ def whole(index: Any) -> Any:
 
 
 def single(value: Any) -> Any:
-    """Return the number in an array of one, which `math` and float take."""
+    """Return the number in an array of one element, which `math` and float accept."""
     if isinstance(value, Array) and value.shape and value.size == 1:
         return value[(0,) * value.ndim]
     return value
@@ -351,5 +351,5 @@ def objects(value: Any) -> np.ndarray:
 
 
 def operand(value: Any) -> Ref:
-    """Return a value's place, or a constant."""
+    """Return the reference of a value: its index on the tape, or a number."""
     return value._ref if isinstance(value, Array) else float(value)

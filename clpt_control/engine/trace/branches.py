@@ -1,7 +1,7 @@
-"""Arguments of a function while it is traced, and the answers to its conditions.
+"""Arguments of a traced function, and the outcomes of its branch conditions.
 
-Each execution path through the function (`paths`) is a row of answers.  What depends on parameters
-alone has a value.
+Each execution path (`execution_paths`) is a row of outcomes.  Expressions of parameters alone have
+values.
 """
 
 import sys
@@ -17,12 +17,12 @@ from ..record.graph import Ref, Shape, compact, reached
 from .arrays import Array, Tape, Unread
 
 LIBRARIES = ("numpy", "scipy", "matplotlib")  # run as they are
-MOST_QUESTIONS = 64  # on one way
-MOST_PLACES = 64  # which whole numbers a signal is asked for
+MOST_QUESTIONS = 64  # conditions of one path
+MOST_PLACES = 64  # values of a signal that is an index
 
 
 class Outside(Exception):
-    """No run takes this way: the signal would be a place that no row has."""
+    """No run takes this path: the index would be outside of every row."""
 
 
 EVERY = object()  # stands for all names
@@ -34,7 +34,7 @@ FOR_ALL = (
 
 
 def _noted(method: str) -> Callable:
-    """Return a method of dict that notes the name that it asks for, or EVERY."""
+    """Return a method of dict that adds the name it reads, or EVERY, to the names."""
     real = getattr(dict, method)
 
     def noting(self: "Params", *arguments: Any) -> Any:
@@ -45,7 +45,7 @@ def _noted(method: str) -> Callable:
 
 
 class Params(dict):
-    """The params of python-control; they note the names that a function asks for."""
+    """The params of python-control; they record the names that a function reads."""
 
     def __init__(self, params: Mapping[str, Any], names: set[Any]) -> None:
         super().__init__(params)
@@ -55,7 +55,7 @@ class Params(dict):
 
 
 class AnsweringTape(Tape):
-    """A tape that answers questions as this way through the function takes them."""
+    """A tape with the branch outcomes of one execution path."""
 
     def __init__(self, parameters: Mapping[str, Any]) -> None:
         super().__init__()
@@ -70,7 +70,7 @@ class AnsweringTape(Tape):
         self.check: Callable[[], None] = lambda: None  # refuses a change of these
 
     def question(self, ref: Ref) -> bool:
-        """Answer a condition: as this way says, or by the parameters if they decide."""
+        """Return the outcome of a condition on this path, or by the parameters alone."""
         if type(ref) is float or not self.free[ref]:
             return bool(self.known(ref).item())
         if ref not in self.answers:
@@ -84,7 +84,7 @@ class AnsweringTape(Tape):
         return self.answers[ref]
 
     def numbers(self, ref: Ref) -> np.ndarray:
-        """Return the numbers that Python asks for; only parameters have any."""
+        """Return the numbers of a value that depends on parameters alone."""
         if type(ref) is float or not self.free[ref]:
             return self.known(ref)
         raise Unread(
@@ -93,7 +93,7 @@ class AnsweringTape(Tape):
         )
 
     def known(self, ref: Ref) -> np.ndarray:
-        """Return the value of what depends on parameters alone, which are then pinned."""
+        """Return the value of an expression of parameters, which are then pinned."""
         used = reached(self.operations, [ref])
         leaves = [self.operations[k].at for k in used if self.operations[k].kind == "leaf"]
         self.pinned |= {name for _, name in leaves}
@@ -109,7 +109,7 @@ class AnsweringTape(Tape):
         return self.parameters[at[1]]
 
     def whole(self, number: Array) -> int:
-        """Return the whole number that Python counts with; a signal is asked which one it is."""
+        """Return a whole number for Python; a signal has one on each path."""
         ref = number._ref
         if type(ref) is float or not self.free[ref]:
             value = self.known(ref).item()
@@ -132,7 +132,7 @@ class AnsweringTape(Tape):
         raise Outside
 
     def ended(self, error: BaseException) -> None:
-        """Note the length of a row, where a way raised at its end."""
+        """Store the length of a row if the path raised at the end of the row."""
         if isinstance(error, IndexError) and self.last_asked and self.last_asked[1] >= 0:
             self.rows.setdefault(*self.last_asked)
 
@@ -141,7 +141,7 @@ ENGINE = __package__.rpartition(".")[0]
 
 
 def _asking() -> str:
-    """Return what asks for a number: a library's function that a user's calls, or Python."""
+    """Return the caller that needs a number: a library's function, or Python."""
     frame = sys._getframe(2)
     word = "Python"
     while (module := _not_users(frame)) and frame.f_back is not None:
@@ -158,9 +158,9 @@ def _not_users(frame: FrameType) -> str:
 
 
 def located(function: Any, *errors: BaseException) -> str:
-    """Return function and line in which a reading ended, for a sentence.
+    """Return function and line at which tracing stopped, for a sentence.
 
-    Of several errors the first counts that came by a line: a library may swallow one.
+    The first error with a line of the user's code counts, as a library may swallow one.
     """
     for error in errors:
         lines = [
@@ -174,7 +174,7 @@ def located(function: Any, *errors: BaseException) -> str:
 
 
 class Ports(Array):
-    """States or inputs without values: a vector, with its ports as views."""
+    """Tracer array of all states or inputs: a vector, with its ports as views."""
 
     __slots__ = ("_ports",)
 

@@ -1,6 +1,6 @@
-"""Values of a record: numbers and lists as arrays, operations element by element, what is written.
+"""Elementwise operations of tracer arrays, conversion to tracer arrays, and writing into arrays.
 
-Truth values and whole numbers are told apart from others, as NumPy does.
+Truth values, whole numbers and Python's own numbers differ from other numbers, as in NumPy.
 """
 
 import dis
@@ -17,14 +17,14 @@ from .arrays import CONDITIONS, HOOKS, LOGICAL, Array, Tape, Unread, moves, obje
 
 TRUTH = np.dtype(bool)
 TRUTHS_ALLOWED = CONDITIONS | {"where"}  # operations on truth values alone
-# of whole numbers, a whole number
+# operations of whole numbers that give whole numbers
 OF_WHOLE = frozenset(
     {"add", "sub", "mul", "neg", "mod", "minimum", "maximum", "where", "sum", "fill", "stack"}
     | {"floordiv", "pow", "sign", "fabs"}
 )
-OF_TRUTHS = {"mul": "and", "minimum": "and", "maximum": "or"}  # what NumPy makes of truth values
-RAISING = frozenset({"div", "floordiv", "mod", "pow"})  # where Python's floats raise
-# what Python writes with signs, which gives one of its own numbers of its own numbers
+OF_TRUTHS = {"mul": "and", "minimum": "and", "maximum": "or"}  # of truth values, in NumPy
+RAISING = frozenset({"div", "floordiv", "mod", "pow"})  # Python's floats may raise
+# Python's operators: of Python's own numbers they give Python's own numbers
 OF_OPERATORS = CONDITIONS | RAISING | {"add", "sub", "mul", "neg", "fabs"}
 
 
@@ -32,10 +32,10 @@ def broadcast(*shapes: Shape) -> Shape:
     """Return the shape to which shapes are broadcast."""
     lengths = []
     for d in range(-max(map(len, shapes)), 0):
-        long = {shape[d] for shape in shapes if -d <= len(shape)} - {1}
-        if len(long) > 1:
+        longer = {shape[d] for shape in shapes if -d <= len(shape)} - {1}
+        if len(longer) > 1:
             raise ValueError(f"operands could not be broadcast together with shapes {shapes}")
-        lengths.append(long.pop() if long else 1)
+        lengths.append(longer.pop() if longer else 1)
     return tuple(lengths)
 
 
@@ -51,17 +51,19 @@ def put(array: Array, index: Any, value: Any) -> None:
     value = lifted(array._tape, value)
     if definite(is_whole(root)):
         value = np.trunc(value) + 0.0
-    if isinstance(index, Array) and index._is_condition and not moves(index):
-        index = np.asarray(index)
-    elif isinstance(index, Array) and index._is_condition:
-        index, value = ..., where(index, value, array)
+    if isinstance(index, Array) and index._is_condition:
+        if moves(index):
+            value = where(index, value, array)
+            index = ...
+        else:
+            index = np.asarray(index)
     index = whole(index)
     new = objects(value)
     store[index] = new if isinstance(store[index], np.ndarray) else new.item()
 
 
 def lifted(tape: Tape, value: Any) -> Any:
-    """Return a number as it is, and what NumPy makes arrays of as an array of the record."""
+    """Return a number as a float, and an array or nested list as a tracer array."""
     if isinstance(value, Array):
         if value._tape is not tape:
             raise Unread("keeps values from one call to the next; make them states")
@@ -77,14 +79,14 @@ def lifted(tape: Tape, value: Any) -> Any:
             return lifted(tape, value.item())
         if isinstance(value, str):  # each of its letters is a text again
             raise TypeError
-        parts = [lifted(tape, one) for one in value]
+        items = [lifted(tape, item) for item in value]
     except TypeError:
         raise Unread(f"calculating with a {type(value).__name__}") from None
-    if not parts:
+    if not items:
         return constant(tape, np.asarray(value, dtype=float))
-    new = stacked(tape, parts)
-    of = zip(parts, value, strict=True)
-    new._whole = all_of(is_whole(part if isinstance(part, Array) else one) for part, one in of)
+    new = stacked(tape, items)
+    pairs = zip(items, value, strict=True)
+    new._whole = all_of(is_whole(a if isinstance(a, Array) else number) for a, number in pairs)
     return new
 
 
@@ -131,8 +133,7 @@ def stacked(tape: Tape, items: Sequence[Any]) -> Any:
 def elementwise(name: str, *arguments: Any) -> Any:
     """Return an elementwise operation of arrays and numbers."""
     tape = next(a._tape for a in arguments if isinstance(a, Array))
-    refs = []
-    shapes = set()
+    # kinds of numbers
     if name not in TRUTHS_ALLOWED and all(map(is_truth, arguments)):
         if name not in OF_TRUTHS:
             raise Unread(
@@ -143,6 +144,9 @@ def elementwise(name: str, *arguments: Any) -> Any:
     of_python = name in OF_OPERATORS and all_of(map(is_of_python, arguments))
     if name in RAISING and of_python is not False:
         raise_in_a_try(name, *arguments)
+    # operands
+    refs = []
+    shapes = set()
     for k, argument in enumerate(arguments):
         convert = as_condition if name in LOGICAL or (name == "where" and not k) else as_number
         argument = argument if type(argument) is float else convert(lifted(tape, argument))
@@ -151,33 +155,41 @@ def elementwise(name: str, *arguments: Any) -> Any:
         refs.append(operand(argument))
     shape = shapes.pop() if len(shapes) == 1 else broadcast(*shapes)
     new = tape.add(name, refs, shape)
-    inverse = name == "pow" and not isinstance(arguments[1], Array) and np.any(arguments[1] < 0)
-    keeps_whole = name in OF_WHOLE and not inverse
-    new._whole = keeps_whole and all_of(map(is_whole, arguments[name == "where" :]))
     new._of_python = of_python
+    if name in OF_WHOLE and not _is_inverse(name, arguments):
+        new._whole = all_of(map(is_whole, arguments[1:] if name == "where" else arguments))
     return new
 
 
+def _is_inverse(name: str, arguments: tuple) -> bool:
+    """Return whether an operation is a power with a constant negative exponent."""
+    if name != "pow" or isinstance(arguments[1], Array):
+        return False
+    return bool(np.any(arguments[1] < 0))
+
+
 def all_of(kinds: Iterable[bool | None]) -> bool | None:
-    """Return whether all hold; None where that hangs on a choice."""
+    """Return whether all are true; None if that depends on a branch."""
     answers = {*kinds}
-    return False if False in answers else None if None in answers else True
+    if False in answers:
+        return False
+    return None if None in answers else True
 
 
 def definite(kind: bool | None) -> bool:
-    """Return what kind of number a value is, where Python or NumPy goes by it."""
+    """Return a kind of number that Python or NumPy depends on; refuse an unknown one."""
     if kind is None:
         raise Unread("what kind of number it is hangs on a choice; write float(...)")
     return kind
 
 
 def is_of_python(value: Any) -> bool | None:
-    """Return whether a number is Python's own; None where that hangs on a choice."""
+    """Return whether a number is Python's own; None if that depends on a branch."""
     return value._of_python if isinstance(value, Array) else type(value) in (int, float)
 
 
 def is_whole(value: Any) -> bool | None:
-    """Return whether NumPy has it as whole numbers, or truths; None where it hangs on a choice."""
+    """Return whether NumPy's type is int or bool; None if that depends on a branch."""
     if isinstance(value, Array):
         return value._is_condition or value._whole
     kind = getattr(getattr(value, "dtype", None), "kind", "f")
@@ -185,7 +197,7 @@ def is_whole(value: Any) -> bool | None:
 
 
 def of_numpy(number: Any) -> Any:
-    """Return an element of an array: a number of NumPy's, whatever was written there."""
+    """Return an element of an array as a number of NumPy."""
     if not isinstance(number, Array):
         return np.float64(number) if is_of_python(number) else number
     if number._of_python is False:
@@ -206,7 +218,7 @@ def of_python(number: Any, is_int: Any = False) -> Any:
 
 
 def chosen(condition: Any, a: Any, b: Any) -> Any:
-    """Return the number that Python chooses: a where a condition holds, else b, of its kind."""
+    """Return the number of a branch, a or b, with its kind of number."""
     new = where(condition, a, b)
     if isinstance(condition, Array) and isinstance(new, Array) and not new._is_condition:
         new._whole = either(is_whole(a), is_whole(b))
@@ -215,7 +227,7 @@ def chosen(condition: Any, a: Any, b: Any) -> Any:
 
 
 def either(a: bool | None, b: bool | None) -> bool | None:
-    """Return a kind that two numbers have in common; None where they differ."""
+    """Return the common kind of two numbers; None if their kinds differ."""
     return a if a is b else None
 
 
@@ -223,7 +235,7 @@ def _overflows(a: Any, new: Any) -> Any:
     return np.logical_and(np.equal(np.fabs(new), np.inf), np.less(np.fabs(a), np.inf))
 
 
-# when Python's floats raise: the error, and the condition on the arguments
+# errors of Python's floats and `math`: the error, and its condition on the arguments
 ERRORS: dict[str, tuple[type[Exception], Any]] = {
     **dict.fromkeys(("div", "floordiv", "mod"), (ZeroDivisionError, lambda a, b: np.equal(b, 0.0))),
     **dict.fromkeys(("fmod", "remainder"), (ValueError, lambda a, b: np.equal(b, 0.0))),
@@ -241,9 +253,9 @@ ERRORS: dict[str, tuple[type[Exception], Any]] = {
 
 
 def raise_in_a_try(name: str, *arguments: Any) -> None:
-    """Raise as Python's own numbers do, on the paths on which they do.
+    """Raise on the execution paths on which Python's own numbers raise.
 
-    It matters only where a function may catch the error: otherwise such numbers give NaN.
+    This is needed only if the function may catch the error.  Otherwise the path gives NaN.
     """
     if not in_a_try() or not any(moves(argument) or not np.all(argument) for argument in arguments):
         return
@@ -256,18 +268,18 @@ def raise_in_a_try(name: str, *arguments: Any) -> None:
 
 
 def refuse_in_a_try() -> None:
-    """Refuse what may raise where a function may catch it."""
+    """Refuse an operation that may raise an error in a `try`."""
     raise Unread("may raise in a `try`; ask by `if` before")
 
 
-READING = f"{__package__}.tracing"  # where a function is called
-OWN = (__package__.rpartition(".")[0], "numpy")  # what these catch they raise again
+TRACING = f"{__package__}.tracing"  # module that calls the traced function
+OWN = (__package__.rpartition(".")[0], "numpy")  # errors that they catch they raise again
 
 
 def in_a_try() -> bool:
-    """Return whether a function that is read may catch what is raised now."""
+    """Return whether the traced function may catch an error that is raised now."""
     frame = sys._getframe(1)
-    while frame is not None and (module := frame.f_globals.get("__name__")) != READING:
+    while frame is not None and (module := frame.f_globals.get("__name__")) != TRACING:
         if not (module or "").startswith(OWN) and _catches(frame.f_code):
             return True
         frame = frame.f_back  # type: ignore[assignment]
@@ -284,14 +296,14 @@ def _catches(code: CodeType) -> bool:
 
 
 def as_number(value: Any) -> Any:
-    """Return truth values as 1 and 0, and all else as it is."""
+    """Return truth values as 1 and 0; any other value as it is."""
     if isinstance(value, Array) and value._is_condition:
         return value._tape.add("where", (value._ref, 1.0, 0.0), value.shape)
     return value
 
 
 def as_condition(value: Any) -> Any:
-    """Return numbers as conditions: whether they are not zero."""
+    """Return numbers as conditions: number != 0."""
     if isinstance(value, Array) and not value._is_condition:
         return elementwise("ne", value, 0.0)
     return value

@@ -53,9 +53,8 @@ def merged(
     if len(paths) == 1:
         return paths[0][1]
     condition = list(paths[0][0])[depth]
-    yes, no = (
-        [path for path in paths if path[0].get(condition) is answer] for answer in (True, False)
-    )
+    yes = [path for path in paths if path[0].get(condition) is True]
+    no = [path for path in paths if path[0].get(condition) is False]
     if not yes or not no or len(yes) + len(no) < len(paths):
         raise Unread("asks otherwise from call to call; make what it keeps a state")
     branches = (merged(tape, subset, choose, depth + 1) for subset in (yes, no))
@@ -84,7 +83,7 @@ class Region:
             self._add(root)
 
     def _add(self, value: Any) -> None:
-        """Note the lists, dicts, arrays and objects that code reaches through a value."""
+        """Add the lists, dicts, arrays and objects that code reaches through a value."""
         if isinstance(value, Array):
             value = value._root
             if value._fixed or value._is_condition:
@@ -169,7 +168,7 @@ class Region:
 
 
 def _merged_contents(value: Any, contents: Any, merge: Callable) -> Any:
-    """Return one content for those that paths leave in a list, dict, array or variable."""
+    """Return the merged content of a list, dict, array or variable, one for all paths."""
     first = contents[0]
     if isinstance(value, Array):  # None is what nothing was written into
         contents = [elements_of(value) if content is None else content for content in contents]
@@ -197,7 +196,7 @@ def _merged_contents(value: Any, contents: Any, merge: Callable) -> Any:
 def _merged_values(
     tape: Tape, answers: list[dict], depth: int, earlier: set[int], values: tuple
 ) -> Any:
-    """Return one value for the values that paths have; `known` are values from before the paths."""
+    """Return the merged value of paths; `earlier` are identities of values before the paths."""
     first = values[0]
     if all(value is first for value in values):
         return first

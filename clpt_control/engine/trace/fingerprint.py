@@ -89,7 +89,7 @@ OF_CALLS = frozenset(("_current_params",))  # attributes of a system that each c
 
 @dataclass(frozen=True)
 class Fingerprint:
-    """Key of functions, and what they may change."""
+    """Key of functions, and the values that they may change."""
 
     key: tuple  # functions of equal keys are traced alike
     mutables: tuple[Content, ...]  # what the functions may change
@@ -125,7 +125,7 @@ class _Owner:
 
     @property
     def of_control(self) -> bool:
-        """Whether it is a class of python-control, whose methods keep nothing of their own."""
+        """True for a class of python-control, whose methods have no state of their own."""
         return isinstance(self.value, type) and root_of(self.value) == "control"
 
 
@@ -327,7 +327,7 @@ class _Walk:
         return id(code), *key
 
     def _referenced(self, reference: Reference, space: dict[str, Any]) -> Any:
-        """Return the key of what code references, ``os.path.join`` by its attributes."""
+        """Return the key of a referenced value, ``os.path.join`` by its attributes."""
         value = space.get(reference.name, UNBOUND)
         label = reference.name
         if value is UNBOUND:
@@ -348,7 +348,7 @@ class _Walk:
         return label, self.key_of(value)
 
     def _imported(self, reference: Reference, space: dict[str, Any]) -> Any:
-        """Return the key of what a function imports by itself."""
+        """Return the key of a module that a function imports by itself."""
         try:
             with isolated(), reading_on(Tape()):
                 module = importlib.import_module(reference.name, space.get("__package__"))
@@ -457,7 +457,7 @@ def _cached_properties(kind: Any) -> frozenset[str]:
 
 
 def _cells_of(function: FunctionType) -> dict[str, Any]:
-    """Return what the closure of a function holds, by name."""
+    """Return the values in the closure of a function, by name."""
     pairs = zip(function.__code__.co_freevars, function.__closure__ or (), strict=True)
     return {name: cell.cell_contents for name, cell in pairs if cell != CellType()}
 

@@ -1,7 +1,8 @@
-"""A block's ports, and its functions as they are read: one record of arrays for each role.
+"""Ports and traced functions of a block: one record of array operations for each role.
 
-A function is read with open sizes, so that one record holds for every N; where that fails, with the
-sizes of its block.  Records are kept until a parameter, a port or what a function uses changes.
+A function is traced with open sizes, so that one record holds for every N.  If that fails, it is
+traced with the sizes of its block.  Records are cached until a parameter, a port or a value that a
+function references changes.
 """
 
 from collections.abc import Callable, Mapping
@@ -18,7 +19,7 @@ from ..record.graph import Record, Shape
 from .arrays import Unread
 from .tracing import read, record_of_states
 
-READ = ("_read_records", "feedthrough")  # attributes that hold what was read
+READ = ("_read_records", "feedthrough")  # attributes that cache results of tracing
 Shapes = dict[str, Shape]  # of ports or parameters by name
 
 
@@ -66,7 +67,9 @@ class ReadBlock(control.NonlinearIOSystem):
         self.sizes = sizes
         kinds = ("states", "inputs", "outputs")
         self._sized = {kind: sized(self.name, self.declared[kind], sizes) for kind in kinds}
-        self.state_shapes, self.input_shapes, self.output_shapes = self._sized.values()
+        self.state_shapes = self._sized["states"]
+        self.input_shapes = self._sized["inputs"]
+        self.output_shapes = self._sized["outputs"]
         self._plan = {role: (f, places(where)) for role, (f, where) in self._roles.items()}
         self._x = places(self._inner_shapes("states", self.state_shapes))
         self._u = places(self._inner_shapes("inputs", self.input_shapes))
@@ -117,12 +120,12 @@ class ReadBlock(control.NonlinearIOSystem):
 
     @property
     def states_are_outputs(self) -> bool:
-        """Whether the outputs are the states."""
+        """True if the outputs are the states."""
         return self.output_function is None
 
     @cached_property
     def feedthrough(self) -> bool:
-        """Whether inputs reach the outputs at once, as the record says."""
+        """True if inputs reach the outputs directly, by the record."""
         try:
             return bool(self.array_record("output").leaves("u"))
         except Unread:
@@ -143,7 +146,7 @@ class ReadBlock(control.NonlinearIOSystem):
     def array_record(self, role: str) -> Record:
         """Return the record of "update", "output", "guard" or "jump".
 
-        Raises `Unread` where the function cannot be read; sizes that have names are open.
+        Raises `Unread` if the function cannot be traced.  Sizes that have names are open.
         """
         if role not in (*self._roles, "output"):
             raise BlockError(
@@ -162,7 +165,7 @@ class ReadBlock(control.NonlinearIOSystem):
         return self._read(role)
 
     def _read(self, role: str) -> Record | Unread:
-        """Read a function with open sizes; where that fails, with the sizes of this block."""
+        """Trace a function with open sizes; if that fails, with the sizes of this block."""
         function, bound_out = self._roles[role]
         name = f"{self.name}.{role}"
         values = self._parameters._asdict()
@@ -186,12 +189,12 @@ class ReadBlock(control.NonlinearIOSystem):
 
     @cached_property
     def of_package(self) -> bool:
-        """Whether the functions are the package's own."""
+        """True if the functions are the package's own."""
         modules = (getattr(f, "__module__", None) or "" for f, _ in self._plan.values())
         return all(name.startswith(f"{__package__.partition('.')[0]}.") for name in modules)
 
     def read_anew(self) -> None:
-        """Read the functions again: what they use may have changed."""
+        """Trace the functions again, as values that they reference may have changed."""
         if self.of_package:
             return
         for role, old in list(self._records.items()):
@@ -201,7 +204,7 @@ class ReadBlock(control.NonlinearIOSystem):
                 return
 
     def _forget(self) -> None:
-        """Forget what was read."""
+        """Clear the cached records."""
         # by role: parameters whose values were read, and why no size is open
         self.read_with: dict[str, tuple[frozenset[str], str]] = {}
         for attribute in READ:

@@ -1,11 +1,11 @@
-"""Trace a function: run it on tracer arrays, and keep the record.
+"""Trace a function: run it on tracer arrays and return the record.
 
-    f(t, x, u, p)  ->  what each port is, as operations on t, the ports of x and u, the fields of p
+    f(t, x, u, p)  ->  each port, as operations on t, the ports of x and u, and the fields of p
 
-A condition (``if u[0] > 0``) is answered both ways: the function runs again with the other answer,
-and `where` joins the results (`paths`).  An execution path that raises gives NaN.  A signal that
-Python counts with is enumerated, up to the first IndexError.  A function is traced only if its
-`fingerprint` says that it keeps and changes nothing.
+A condition (``if u[0] > 0``) has two outcomes: the function runs once for each, and `where` joins
+the results (`execution_paths`).  A path that raises gives NaN.  A signal that is an index is
+enumerated up to the first IndexError.  A function is traced only if its `fingerprint` shows that it
+has no hidden state and no side effects.
 """
 
 from collections.abc import Callable, Mapping
@@ -28,7 +28,7 @@ from .isolation import isolated
 from .rebinding import Rebinding
 
 MOST_PATHS = 256
-# of numbers, or of what this path leaves out; such a path is NaN
+# errors of numbers, or of variables that this path does not set: the path gives NaN
 RAISED = (
     *(ArithmeticError, IndexError, ValueError, AssertionError),
     *(UnboundLocalError, StopIteration, SystemExit),
@@ -37,17 +37,17 @@ OF_PATHS = (*RAISED, RuntimeError, SystemError, Outside)
 
 
 class Read(NamedTuple):
-    """What reading a function gave."""
+    """Result of tracing a function."""
 
     record: Record
-    pinned: frozenset[str]  # parameters with whose values it was made
+    pinned: frozenset[str]  # parameters whose values the record depends on
     texts: frozenset[Any] = frozenset()  # in the functions
     names: frozenset[Any] = frozenset()  # for which python-control's params were asked
     spreads: bool = False  # it returns one number for all states or outputs
 
 
 class Request(NamedTuple):
-    """What to read: a function and its arguments."""
+    """A function to trace, and its arguments."""
 
     function: Callable
     role: str
@@ -57,7 +57,7 @@ class Request(NamedTuple):
     shapes: Mapping[str, Shape]  # of the parameters that are leaves; others have their values
     out: Mapping[str, Shape]
     of_control: bool = False  # p are python-control's params, else the Parameters of a block
-    trusted: bool = False  # a function of this package, which keeps and changes nothing
+    trusted: bool = False  # a function of this package, without hidden state
 
     @property
     def name(self) -> str:
@@ -71,10 +71,10 @@ _TRACED: dict[Any, list[tuple]] = {}  # by fingerprint and shapes
 
 
 def read(*arguments: Any, **options: Any) -> Read:
-    """Return the record of a function, and the parameters whose values it is made with.
+    """Return the record of a function, and the parameters whose values the record depends on.
 
-    It takes the fields of `Request`.  A function whose fingerprint is unchanged is not traced
-    again.  Raises `Unread` if the function cannot be traced.
+    The arguments are the fields of `Request`.  A function is traced again only if its fingerprint
+    changed.  Raises `Unread` if the function cannot be traced.
     """
     request = Request(*arguments, **options)
     fixed = {k: v for k, v in request.parameters.items() if k not in request.shapes}
@@ -113,7 +113,7 @@ def _traced(request: Request, reached: Fingerprint) -> Read:
     try:
         return _Tracing(request, reached, merging=True).read()
     except Unread as error:
-        try:  # what merged paths leave may be of no use to the code that follows
+        try:  # the following code may not accept merged values
             return _Tracing(request, reached, merging=False).read()
         except Unread:
             raise error from None
@@ -171,7 +171,7 @@ class _Tracing:
         return leaf
 
     def _path(self, run: Callable[[], Any]) -> list[Any]:
-        """Return what one path gives, for each port; NaN where it raises."""
+        """Return the value of each port on one path; NaN if the path raises."""
         tape = self.tape
         request = self.request
         outputs = []
@@ -201,7 +201,7 @@ class _Tracing:
         return outputs
 
     def _spread(self, returned: Any) -> Any:
-        """Return one number as often as there are states or outputs, as python-control does."""
+        """Return one number repeated for all states or outputs, as python-control does."""
         size = sum(map(prod, self.request.out.values()))
         if isinstance(returned, Mapping) or size == 1:
             return returned
@@ -224,7 +224,7 @@ def record_of_states(shapes: Mapping[str, Shape]) -> Record:
 
 
 def _by_port(tape: Tape, role: str, returned: Any, out: Mapping[str, Shape]) -> list[Any]:
-    """Return what a function returned, for each port."""
+    """Return the value of each port from the returned value of a function."""
     if isinstance(returned, Mapping):
         check_ports(role, returned, out)
         values = {port: as_number(lifted(tape, number)) for port, number in returned.items()}
