@@ -1,9 +1,9 @@
-"""Isolation: nothing outside of a function changes while it is traced.
+"""Isolation: a function that is traced changes nothing outside of itself.
 
-The allow-list (`pure`) is the first net.  Here is the second: for as long as one thread traces a
+The allow-list is the first safety net, and isolation is the second.  While a thread traces a
 function, the functions by which Python reaches files, processes and sockets refuse that thread, and
-its prints, warnings and log records go nowhere.  Other threads are not affected.  An audit hook
-would see the same calls, but Python calls it for every `id()` of the process: 3 % of a small run.
+its prints, warnings and log records are dropped.  Other threads are not affected.  (An audit hook
+sees the same calls, but Python calls it for every `id()` of the process: 3 % of a small run.)
 """
 
 import builtins
@@ -66,39 +66,43 @@ class _Silent:
             self._real.writelines(lines)
 
 
-def _refusing(label: str, real: Callable) -> Callable:
+def _replaced(real: Callable, traced: Callable) -> Callable:
+    """Return a function that calls `traced` in the tracing thread, and otherwise the real one."""
+
+    def replacement(*arguments: Any, **options: Any) -> Any:
+        return (real if active() is None else traced)(*arguments, **options)
+
+    return replacement
+
+
+def _refusing(real: Callable, label: str) -> Callable:
     def refuse(*arguments: Any, **options: Any) -> Any:
-        if active() is not None:
-            raise Unread(f"calls {label}, {OUTSIDE}")
-        return real(*arguments, **options)
+        raise Unread(f"calls {label}, {OUTSIDE}")
 
-    return refuse
+    return _replaced(real, refuse)
 
 
-def _opening(real: Callable) -> Callable:
+def _read_only(real: Callable) -> Callable:
     def opened(file: Any, mode: Any = "r", *arguments: Any, **options: Any) -> Any:
-        flags = mode & WRITING if isinstance(mode, int) else {*"wax+"} & {*mode}
-        if flags and active() is not None:
+        writes = mode & WRITING if isinstance(mode, int) else {*"wax+"} & {*mode}
+        if writes:
             raise Unread(f"opens a file to write, {OUTSIDE}")
         return real(file, mode, *arguments, **options)
 
-    return opened
+    return _replaced(real, opened)
 
 
 def _dropping(real: Callable) -> Callable:
-    def drop(*arguments: Any, **options: Any) -> Any:
-        return real(*arguments, **options) if active() is None else None
-
-    return drop
+    return _replaced(real, lambda *arguments, **options: None)
 
 
 def _replacements() -> Iterator[tuple[Any, str, Any, Any]]:
-    """Yield owner, name, the real function or stream, and what takes its place."""
+    """Yield owner, name, the real function or stream, and its replacement."""
     for owner, name, label in REFUSED:
         if (real := getattr(owner, name, None)) is not None:
-            yield owner, name, real, _refusing(label, real)
+            yield owner, name, real, _refusing(real, label)
     for owner, name in OPENING:
-        yield owner, name, vars(owner)[name], _opening(vars(owner)[name])
+        yield owner, name, vars(owner)[name], _read_only(vars(owner)[name])
     for owner, name in DROPPED:
         yield owner, name, vars(owner)[name], _dropping(vars(owner)[name])
     for name in ("stdout", "stderr"):

@@ -5,7 +5,7 @@
     else:                               if a > 1: ...
         y = a                       __merge_statement__(__statement__, ("y",))
 
-`paths` runs such a function on each of its execution paths and merges them, so a loop over six
+`execution_paths` runs such a function on each of its paths and merges them, so a loop over six
 limits takes 12 paths and not 2^6.  ``row[k]`` of a list and a signal k becomes one `pick`.  The
 source is used only if it compiles to the very code of the function; else the function stays as it
 is, and all its paths are run.
@@ -32,7 +32,6 @@ NAMES = {
     "__index_of__": index_of,
 }
 STATEMENT = "__statement__"
-BLOCKS = (ast.If, ast.Try, ast.Match)
 LEAVING = (ast.Return, ast.Yield, ast.YieldFrom, ast.Await, ast.Global, ast.Nonlocal, ast.Delete)
 FRAMES = {"super", "locals", "vars", "dir", "eval", "exec", "__class__"}
 SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)
@@ -42,19 +41,25 @@ FUTURE = 0x1FF0000  # flags of `from __future__ import ...`
 
 @functools.lru_cache(maxsize=4096)
 def rewritten(code: CodeType) -> CodeType:
-    """Return the rewritten code of a function, or its own code where nothing changes."""
+    """Return the rewritten code of a function, or its own code if nothing changes."""
     if not _may_branch(code):
         return code
     for k, statement in enumerate(_statements_of(code.co_filename)):
-        first_line = min(
-            [statement.lineno, *(decorator.lineno for decorator in _decorators(statement))]
-        )
+        nodes: list[Any] = [statement, *_decorators(statement)]
+        first_line = min(node.lineno for node in nodes)
         if first_line <= code.co_firstlineno <= (statement.end_lineno or 0):
-            originals, new = _compiled(code.co_filename, k, code.co_flags & FUTURE)
-            replacement = new.get(_position(code), code) if code in originals else code
-            is_alike = replacement.co_freevars == code.co_freevars
-            return replacement if is_alike and replacement.co_argcount == code.co_argcount else code
+            return _replacement(code, k)
     return code
+
+
+def _replacement(code: CodeType, number: int) -> CodeType:
+    """Return the rewritten code of a function in a statement, or its own code."""
+    originals, rewritten_codes = _compiled(code.co_filename, number, code.co_flags & FUTURE)
+    if code not in originals:
+        return code
+    new = rewritten_codes.get(_position(code), code)
+    has_variables = new.co_freevars == code.co_freevars
+    return new if has_variables and new.co_argcount == code.co_argcount else code
 
 
 def _may_branch(code: CodeType) -> bool:
@@ -85,23 +90,28 @@ def _decorators(statement: ast.stmt) -> list[ast.expr]:
 
 @functools.lru_cache(maxsize=256)
 def _compiled(file: str, number: int, flags: int) -> tuple[frozenset[CodeType], dict]:
-    """Return the code of the functions in a statement of a file; and, by place, rewritten."""
+    """Return the code of the functions in a statement of a file, and rewritten by position."""
     statements = _statements_of(file)
     # Python compiles `np.sin(x)` otherwise if the file imports np
     nodes = (node for item in statements for node in _within(item))
     imports = [item for item in nodes if isinstance(item, ast.Import | ast.ImportFrom)]
-    trees = statements[number], _Rewriter().visit(copy.deepcopy(statements[number]))
-    modules = (ast.fix_missing_locations(ast.Module([*imports, item], [])) for item in trees)
-    as_is, new = (compile(item, file, "exec", flags, dont_inherit=True) for item in modules)
-    by_place: dict[Any, CodeType] = {}
-    for item in all_code(new):
-        by_place.setdefault(_position(item), item)  # the outer one comes first
-    return frozenset(all_code(as_is)), by_place
+
+    def compiled(statement: Any) -> CodeType:
+        module = ast.fix_missing_locations(ast.Module([*imports, statement], []))
+        return compile(module, file, "exec", flags, dont_inherit=True)
+
+    original = compiled(statements[number])
+    new = compiled(_Rewriter().visit(copy.deepcopy(statements[number])))
+    by_position: dict[Any, CodeType] = {}
+    for code in all_code(new):
+        by_position.setdefault(_position(code), code)  # the outer one comes first
+    return frozenset(all_code(original)), by_position
 
 
 def _position(code: CodeType) -> Any:
-    """Return name and place of a function in the source."""
-    positions = [(line, column) for line, _, column, _ in code.co_positions() if line and column]
+    """Return the name and position of a function in the source."""
+    starts = ((line, column) for line, _, column, _ in code.co_positions())
+    positions = [(line, column) for line, column in starts if line and column]
     return code.co_name, code.co_firstlineno, min(positions, default=None)
 
 
@@ -136,7 +146,7 @@ class _Rewriter(ast.NodeTransformer):
     # --- statements -------------------------------------------------------------------------
 
     def visit_For(self, node: ast.For | ast.While) -> Any:
-        """Note that what a loop reads may be read again."""
+        """Count loops, whose variables may be read again."""
         if self.function is not None:
             self.function.loops += 1
         self.generic_visit(node)
@@ -147,15 +157,20 @@ class _Rewriter(ast.NodeTransformer):
     def visit_If(self, node: ast.If | ast.Try | ast.Match) -> Any:
         """Make a statement a function whose paths are merged."""
         stored = _stored(node)
-        if self.function is None or not self._stands_alone(node, stored):
+        if self.function is None or not self._is_separable(node, stored):
             return self.generic_visit(node)
         later = self.function.read_outside(node)
         self.generic_visit(node)
-        names = f"nonlocal {', '.join(stored)}" if stored else "pass"
-        bound = f"if 0: {' = '.join(stored)} = 0" if stored else "pass"  # is never run
-        kept_names = tuple(name for name in stored if name in later)
-        call = f"__merge_statement__({STATEMENT}, {kept_names})"
-        new: Any = ast.parse(f"{bound}\ndef {STATEMENT}():\n {names}\n{call}").body
+        binding = f"if 0: {' = '.join(stored)} = 0" if stored else "pass"  # never runs
+        declaration = f"nonlocal {', '.join(stored)}" if stored else "pass"
+        read_later = tuple(name for name in stored if name in later)
+        source = f"""\
+{binding}
+def {STATEMENT}():
+    {declaration}
+__merge_statement__({STATEMENT}, {read_later})
+"""
+        new: Any = ast.parse(source).body
         for statement in new:
             _place_at(statement, node)
         new[1].body.append(node)
@@ -165,7 +180,7 @@ class _Rewriter(ast.NodeTransformer):
     visit_Try = visit_If
     visit_Match = visit_If
 
-    def _stands_alone(self, statement: ast.stmt, stored: list[str]) -> bool:
+    def _is_separable(self, statement: ast.stmt, stored: list[str]) -> bool:
         """Return whether a statement may be a function of its own."""
         if self.function.has_frames or not self.function.locals.issuperset(stored):
             return False
@@ -296,7 +311,7 @@ def _children(statement: ast.AST) -> Iterator[Any]:
 
 
 def _place_at(new: Any, old: ast.AST) -> Any:
-    """Return new nodes at the place in the source of an old one."""
+    """Return new nodes at the position of an old node in the source."""
     for node in ast.walk(new):
         ast.copy_location(node, old)
     return new

@@ -67,7 +67,9 @@ class Request(NamedTuple):
 
 MOST_TRACED = 256  # functions whose records are cached
 MOST_VALUES = 16  # of the parameters whose values a record was made with
-_TRACED: dict[Any, list[tuple]] = {}  # by fingerprint and shapes
+# by fingerprint and shapes: parameters that decide the result, their values, the result, and
+# objects that must stay alive
+_TRACED: dict[Any, list[tuple]] = {}
 
 
 def read(*arguments: Any, **options: Any) -> Read:
@@ -79,25 +81,34 @@ def read(*arguments: Any, **options: Any) -> Read:
     request = Request(*arguments, **options)
     fixed = {k: v for k, v in request.parameters.items() if k not in request.shapes}
     reached = reachable(request.function, fixed, trusted=request.trusted)
-    shapes = (request.states, request.inputs, request.shapes, request.out)
-    kind = request.role, request.of_control, request.trusted
     if len(_TRACED) > MOST_TRACED:
         _TRACED.clear()
-    key = reached.key, kind, *(tuple(entry.items()) for entry in shapes)
-    records = _TRACED.setdefault(key, [])
-    matching = (entry for entry in records if entry[1] == _values(request.parameters, entry[0]))
-    if (result := next(matching, (None, None, None))[2]) is None:
-        names = frozenset(request.shapes)
-        try:
-            result = _traced(request, reached)
-            names = result.pinned
-        except (Unread, BlockError) as error:
-            result = error
+    shapes = (request.states, request.inputs, request.shapes, request.out)
+    kind = request.role, request.of_control, request.trusted
+    key = reached.key, kind, *(tuple(shape.items()) for shape in shapes)
+    cached = _TRACED.setdefault(key, [])
+    matching: Any = (
+        result
+        for names, values, result, _ in cached
+        if values == _values(request.parameters, names)
+    )
+    result = next(matching, None)
+    if result is None:
+        result, names = _result(request, reached)
         values = _values(request.parameters, names)
-        records[MOST_VALUES:] = [(names, values, result, reached.referenced)]
+        cached[MOST_VALUES:] = [(names, values, result, reached.referenced)]
     if isinstance(result, Exception):
         raise type(result)(str(result)) from None
     return result
+
+
+def _result(request: Request, reached: Fingerprint) -> tuple[Read | Exception, frozenset[str]]:
+    """Trace a function; return the result or error, and the parameters that decide it."""
+    try:
+        result = _traced(request, reached)
+    except (Unread, BlockError) as error:
+        return error, frozenset(request.shapes)
+    return result, result.pinned
 
 
 def _values(parameters: Mapping[str, Any], names: frozenset[str]) -> list[Any]:
@@ -146,7 +157,8 @@ class _Tracing:
         names_read = set[Any]()
         with isolated():
             for _ in each_path(tape):
-                tape.last_asked = tape.texts = None
+                tape.last_asked = None
+                tape.texts = None
                 x = Ports(tape, "x", request.states, named)
                 u = Ports(tape, "u", request.inputs, named)
                 p: Any = Parameters(**fields) if named else Params(fields, names_read)
