@@ -39,22 +39,10 @@ OPTIONS: dict[str, Any] = {
 }
 # functions that stay functions; the others are inlined
 NOT_INLINED = (
-    "advance",
-    "evaluate",
-    "watch_guards",
-    "take_run",
-    "sample",
-    "jump",
-    "mark_passed",
-    "may_hide",
-    "locate_kinks",
-    "locate_jump",
-    "put_rates",
-    "quarter",
-    "halve",
-    "factor",
-    "linearise",
-    "solve_stage",
+    *("advance", "evaluate", "take_run", "find_crossing", "may_hide", "locate_events"),
+    *("check_conditions", "check_guard", "locate_jump", "put_rates", "quarter", "halve"),
+    *("narrow", "measure_effect", "bracket_next", "factor", "differentiate", "solve_stage"),
+    *("write_samples", "jump_states"),
 )
 # words that an older LLVM does not know
 NEWER = r" (?:#\d+|nuw|nneg|samesign|disjoint|immarg|writeonly|nocreateundeforpoison)\b"
@@ -115,21 +103,27 @@ def arguments() -> dict[str, tuple]:
     def whole(axes: int) -> np.ndarray:
         return np.zeros((1,) * axes, np.int64)
 
-    shared = (
-        (real(2), real(2), whole(1)),  # runs
-        (whole(1), whole(1), real(1), real(2), whole(1)),  # schedule
-        real(1),  # times
-        (real(3), whole(1), whole(1), whole(2)),  # results
-        (real(2), whole(2), whole(1)),  # lane
-        (real(1),) * 5,  # arrays
+    layout = sys.modules["pages.solver_layout"]
+    solver = layout.Solver(
+        code=whole(1),
+        shape=layout.Shape(*(1,) * 8),
+        tolerances=real(1),
+        runs=layout.Runs(real(2), real(2), whole(1)),
+        segments=layout.Segments(whole(1), whole(1), real(1), real(2), whole(1)),
+        times=real(1),
+        results=layout.Results(real(3), whole(1), whole(1), whole(2)),
+        lane=real(2),
+        integers=whole(2),
+        queue=whole(1),
+        memory=layout.Memory(*(real(1),) * 5),
+        states=real(3),
+        points=real(3),
+        guard_points=real(3),
+        signs=real(1),
+        linear=layout.Linear(real(1), real(1), whole(1), (1, 1), *(whole(1),) * 6),
     )
-    linear = (real(1), real(1), whole(1), (1, 1, 1), *(whole(1),) * 6)
-    code, shape = whole(1), (1,) * 8
     points = (real(1), whole(1), real(1), real(1)), (whole(1), real(2)), (real(1),) * 4
-    return {
-        "advance": (code, shape, real(1), shared, linear, 1, 1),
-        "evaluate": (code, 1, 1, (1, 1), *points, real(2)),
-    }
+    return {"advance": (solver, 1, 1), "evaluate": (whole(1), 1, 1, 1, 1, *points, real(2))}
 
 
 def printed(function: Any, given: tuple, name: str) -> Any:

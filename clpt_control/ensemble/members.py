@@ -26,12 +26,13 @@ import numpy as np
 from ..engine.codegen.machine import LANES, processor
 from ..engine.diagram.sensitivity_names import read_as_number
 from ..engine.diagram.wiring import Wiring
-from ..engine.solver import solver_layout as numbering
+from ..engine.solver import solver_layout as layout
 from ..engine.solver.batch import Batch, Callee
 from ..engine.solver.engine_choice import make_runner, run_compared, warn_python
-from ..engine.solver.filippov import go_on
+from ..engine.solver.filippov import continue_on_switch
 from ..engine.solver.runner import PythonDiagram
 from ..engine.solver.schedule import Schedule
+from ..engine.solver.solver_layout import Status
 from ..engine.solver.termination import STUCK, sampled_start
 from ..errors import DiagramError, SimulationError
 
@@ -172,7 +173,7 @@ class Ensemble:
         count, nt = len(members.x0), len(times)
         if not self.native.nstates:
             nothing, counts = np.zeros((count, nt, 0)), np.zeros((count, 4), dtype=np.int64)
-            return States(nothing, np.full(count, numbering.FINISHED), np.full(count, nt), counts)
+            return States(nothing, np.full(count, Status.FINISHED), np.full(count, nt), counts)
 
         def run(runner: PythonDiagram, runs: tuple, lanes: int = 1, inputs: Any = None) -> Batch:
             batch = Batch(runner.callee(lanes, inputs, by), *runs)
@@ -190,7 +191,7 @@ class Ensemble:
             each = enumerate(members.runners)
             results = [run(of, rows([m]), inputs=inputs).results for m, (of, inputs) in each]
             return States(*map(np.concatenate, zip(*results, strict=True)))
-        lanes = 1 if by == numbering.RODAS5P else self.lanes
+        lanes = 1 if by == layout.RODAS5P else self.lanes
         result = run(self.native, rows(slice(None)), lanes).results
 
         def put(m: Any, batch: Batch) -> None:
@@ -200,9 +201,9 @@ class Ensemble:
         stuck = np.flatnonzero(np.isin(result[1], STUCK))
         if self.native.code.program.decided and len(stuck):
             put(stuck, run(self.native.unlocked(), rows(stuck)))
-        for m in np.flatnonzero(result[1] == numbering.CHATTERS).tolist():
+        for m in np.flatnonzero(result[1] == Status.CHATTERING).tolist():
             one = members.P[m], members.x0[m], times, members.schedule(m)
-            go_on(self.native, batch := alone(self.native, *one), alone)
+            continue_on_switch(self.native, batch := alone(self.native, *one), alone)
             put([m], batch)
         return States(*result)
 
@@ -211,7 +212,7 @@ class Ensemble:
         reached = slice(run.reached[m])
         at = self.varied.state_times[reached], run.states[m, reached]
         points = *at, members.schedule(m), members.P[m]
-        return self._callee(members, m).evaluate(numbering.SIGNALS, *points, self.native.nsignals)
+        return self._callee(members, m).evaluate(layout.SIGNALS, *points, self.native.nsignals)
 
     @property
     def batch(self) -> int:

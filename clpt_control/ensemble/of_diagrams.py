@@ -21,9 +21,9 @@ from ..engine.diagram.sensitivity_names import Place, place_of, places_of, put, 
 from ..engine.diagram.wiring import read_anew, units_of, wiring_of
 from ..engine.model.ports import ports_of
 from ..engine.model.system import System
-from ..engine.solver import solver_layout as numbering
 from ..engine.solver.runner import checked_steps
 from ..engine.solver.schedule import Inputs, read_inputs
+from ..engine.solver.solver_layout import Status
 from ..engine.trace.arrays import Unread
 from ..errors import DiagramError, ScenarioError
 from ..simulation.frame import Axes, Series, port_variables
@@ -247,8 +247,8 @@ class VariedDiagram:
             for row, sources in zip(rows[:, :reached], self.wiring.outputs, strict=True):
                 for k, gain in sources.items():  # one after the other, however many there are
                     row += gain * (signals[k] if k >= 0 else u[~k])
-        not_finite = (run.status == numbering.FINISHED) & ~np.isfinite(y).all(axis=(1, 2))
-        run = replace(run, status=np.where(not_finite, numbering.NOT_FINITE, run.status))
+        not_finite = (run.status == Status.FINISHED) & ~np.isfinite(y).all(axis=(1, 2))
+        run = replace(run, status=np.where(not_finite, Status.NOT_FINITE, run.status))
         y = y[..., self.skipped :]
         # each row is summed by itself, so that no bit depends on the others
         rms = np.sqrt(np.sum(self._weights * y**2, axis=-1))

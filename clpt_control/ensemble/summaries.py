@@ -17,8 +17,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..engine.model.ports import ports_of
-from ..engine.solver import solver_layout as numbering
-from ..engine.solver.termination import ENDS
+from ..engine.solver.solver_layout import Status
 from ..errors import ScenarioError
 from ..scenario.experiment import Scenario
 from ..scenario.quantities import QUANTITIES, Quantity
@@ -32,7 +31,9 @@ from .members import Ensemble, Members, States, Values
 MOST_SAMPLES = 20_000  # a member, but at least a tenth of those of `clpt run`
 MARKS = 41  # times of errors, unless they are given
 TRAJECTORIES = ("position", "predicted_position", "alpha", "feedback_gain", "feedforward_gain")
-STATUS = tuple(ENDS)[: numbering.STIFF]  # a member goes on by itself where it is stiff
+STATUS = tuple(
+    status.label for status in Status if status != Status.STIFF
+)  # a member goes on by itself where it is stiff
 
 
 class SampleTimes(NamedTuple):

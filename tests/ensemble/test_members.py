@@ -5,8 +5,8 @@ import pytest
 from law_blocks import HELD
 
 import clpt_control as clpt
-from clpt_control.engine.solver import solver_layout as numbering
 from clpt_control.engine.solver.batch import Batch
+from clpt_control.engine.solver.solver_layout import Status
 from clpt_control.ensemble.members import Ensemble
 from clpt_control.ensemble.of_scenarios import VariedScenario
 from clpt_control.ensemble.spread import ensemble_summary
@@ -102,7 +102,7 @@ def test_a_stiff_member_does_not_hold_up_the_rest(lanes):
     rows = members.x0, members.P, np.array([0.0, 5.0]), members.schedules, members.group
     runs = Batch(ensemble.native.callee(ensemble.lanes), *rows)
     runs.adaptive(1e-8, 1e-10, most=40)
-    assert list(runs.status) == [numbering.FINISHED, numbering.TOO_MANY, numbering.FINISHED]
+    assert list(runs.status) == [Status.FINISHED, Status.TOO_MANY_STEPS, Status.FINISHED]
     assert runs.counts[1, [0, 3]].sum() == 40
     assert np.isnan(runs.out[1, -1]).all()
 
@@ -124,15 +124,14 @@ def test_a_flow_faster_than_a_member_is_told(tmp_path, printed):
 
 
 def test_every_way_in_which_a_member_ends_has_a_name():
-    ends = ["RUNNING", "FINISHED", "TOO_SMALL", "NOT_FINITE", "LEFT", "TOO_MANY", "CHATTERS"]
-    assert [getattr(numbering, end) for end in ends] == list(range(len(STATUS)))
+    assert [Status(k).label for k in range(len(STATUS))] == [*STATUS]
     vary = "vehicle.position=[[0, 0], [1e200, 0], [0, 0]]"
     data = clpt.run_ensemble(PAPER.with_values({"run.duration": 20}), vary, 3, "grid")
     assert len(data.status.flag_values) == len(data.status.flag_meanings.split()) == len(STATUS)
     assert np.isfinite(data.clpe_rms_whole).values.tolist() == [True, False, True]
     assert float(data.end[1]) < 20 == float(data.end[0])
     assert data.gain_error[0].values.tobytes() == data.gain_error[2].values.tobytes()
-    data.status[1] = numbering.CHATTERS
+    data.status[1] = Status.CHATTERING
     summary = ensemble_summary(data)
     wanted = {"ended": {"finished": 2, "chatters": 1}, "first_failed": 1}
     assert summary | wanted | {"units": {"length": "m", "time": "s"}} == summary

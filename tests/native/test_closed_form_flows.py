@@ -7,7 +7,7 @@ from own_laws import formula
 
 from clpt_control.engine.codegen.machine import LANES
 from clpt_control.engine.model.declaration import Each
-from clpt_control.engine.solver import solver_layout as numbering
+from clpt_control.engine.solver.solver_layout import Status
 from clpt_control.equations import Block
 
 N = 6  # copies of a flow, each with its rate
@@ -48,7 +48,7 @@ def states(engine, block, x0, step):
     lanes, count = (LANES, LANES + 3) if engine == "lanes" else (1, 1)
     runner = ENGINES.get(engine, ENGINES["unrolled"])(block)
     runs = side_by_side(runner, lanes, np.tile(x0, (count, 1)), TIMES, step, rtol=1e-11)
-    assert set(runs.status) == {numbering.FINISHED}
+    assert set(runs.status) == {Status.FINISHED}
     np.testing.assert_array_equal(runs.out, runs.out[:1].repeat(count, 0))
     return runs.out[0]
 

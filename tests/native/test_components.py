@@ -195,5 +195,4 @@ def test_a_state_that_is_looked_up_by_its_place_moves_within_a_step():
     native = NativeDiagram(wiring_of(Block("b", update=rates, states={"z": 2, "k": 1, "y": 1})))
     times = np.array([0.0, 0.7, 3.0])
     y = native.run([1.0, 2.0, 1.0, 0.0], times).x[:, 3]
-    assert not native.code.program.staged
     np.testing.assert_allclose(y, 2.0 * times - 1.5 * times**2, rtol=0, atol=1e-12)

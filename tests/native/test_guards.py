@@ -11,7 +11,7 @@ import clpt_control as clpt
 from clpt_control.engine.codegen.machine import LANES
 from clpt_control.engine.diagram.wiring import wiring_of
 from clpt_control.engine.model.declaration import Guard
-from clpt_control.engine.solver import solver_layout as numbering
+from clpt_control.engine.solver.solver_layout import Status
 from clpt_control.native import NativeDiagram
 
 
@@ -134,7 +134,7 @@ def test_beside_others_a_run_keeps_what_it_reached(lanes, step):
     diagram = wiring_of(written("s' = 1 + 0*sqrt(1.5 - s)")[0])
     times, starts = np.array([0.0, 0.4, 1.1]), np.linspace(0.0, 1.0, 5)[:, None]
     runs = side_by_side(NativeDiagram(diagram), lanes, starts, times, step)
-    bad = (numbering.NOT_FINITE, numbering.TOO_SMALL)  # they end at 1.5, 1.25, ..., 0.5
+    bad = (Status.NOT_FINITE, Status.STEP_TOO_SMALL)  # they end at 1.5, 1.25, ..., 0.5
     assert [status in bad for status in runs.status] == [False, False, True, True, True]
     assert list(runs.reached) == [3, 3, 2, 2, 2]
     assert np.isnan(runs.out[2:, 2]).all()

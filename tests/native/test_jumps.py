@@ -18,9 +18,9 @@ from written_systems import ticking
 
 import clpt_control as clpt
 from clpt_control.engine.codegen.machine import LANES
-from clpt_control.engine.solver import solver_layout as numbering
 from clpt_control.engine.solver.native_diagram import NativeDiagram
 from clpt_control.engine.solver.runner import PythonDiagram
+from clpt_control.engine.solver.solver_layout import Status
 from clpt_control.equations import Block, Guard
 from clpt_control.errors import BlockError, SimulationError
 
@@ -273,7 +273,7 @@ def test_every_engine_follows_matrix_exponentials(seed):
     schedules = [NativeDiagram(diagram).schedule((0.0, END)) for diagram in diagrams]
     for lanes in (1, LANES):
         batch = side_by_side(runner, lanes, starts, times, None, P, schedules, 1e-11)
-        assert set(batch.status) == {numbering.FINISHED}
+        assert set(batch.status) == {Status.FINISHED}
         for k, states in enumerate(wanted):
             close(batch.out[k], states, 1e-8, (seed, lanes, k))
         one = slice(3, 4)

@@ -70,7 +70,7 @@ def test_jumps_in_time(name, rtol):
     theirs = solve_ivp(rate, (0.0, 30.0), [0.0], t_eval=TIMES, **tolerances).y[0]
     run = clpt.simulate(held(function), TIMES, 0.0, [0.0], engine="python", **tolerances)
     error, most = (np.abs(one - right).max() for one in (run.states.values[:, 0], theirs))
-    assert error < (3e-7 if rtol < 1e-7 else 1.001 * most)  # DOPRI5 is its method
+    assert error < (3e-7 if rtol < 1e-7 else 1.001 * most)
 
 
 def test_inputs_that_pass_a_threshold():

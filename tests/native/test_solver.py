@@ -19,18 +19,22 @@ every_engine = pytest.mark.parametrize("engine", [NativeDiagram, PythonDiagram])
 
 HUNTED, _ = written("q' = q*(1.1 - 0.9*r); r' = r*(1.3*q - 0.7)")  # Lotka and Volterra's equations
 START, TIMES = np.array([1.0, 0.4]), np.linspace(0.0, 9.0, 91)
-METHODS = {"dop853": "DOP853", "dopri5": "RK45"}  # the names are SciPy's
 
 
 @every_engine
-@pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("tolerance", [1e-3, 1e-6, 1e-9, 1e-12])
-def test_steps_and_dense_output_are_scipys(engine, tolerance, method):
+def test_steps_and_dense_output_are_scipys(engine, tolerance):
     close = {"rtol": tolerance, "atol": tolerance}
-    found = engine(wiring_of(HUNTED)).run(START, TIMES, method=method, **close)
-    of_time, own = (lambda t, x: HUNTED.dynamics(t, x, [])), METHODS[method]
-    theirs = solve_ivp(of_time, (0.0, 9.0), START, own, dense_output=True, **close)
-    assert (found.method, found.statistics["steps"]) == (method.upper(), len(theirs.t) - 1)
+    found = engine(wiring_of(HUNTED)).run(START, TIMES, method="dop853", **close)
+    theirs = solve_ivp(
+        lambda t, x: HUNTED.dynamics(t, x, []),
+        (0.0, 9.0),
+        START,
+        "DOP853",
+        dense_output=True,
+        **close,
+    )
+    assert (found.method, found.statistics["steps"]) == ("DOP853", len(theirs.t) - 1)
     np.testing.assert_allclose(found.x, theirs.sol(TIMES).T, rtol=0, atol=1e-10)
 
 

@@ -12,9 +12,9 @@ from written_systems import ticking, written
 
 import clpt_control as clpt
 from clpt_control.engine.diagram.wiring import wiring_of
-from clpt_control.engine.solver import batch
-from clpt_control.engine.solver import solver_layout as numbering
+from clpt_control.engine.solver import batch, solver_layout
 from clpt_control.engine.solver.runner import PythonDiagram
+from clpt_control.engine.solver.solver_layout import Status
 from clpt_control.ensemble.members import Ensemble
 from clpt_control.ensemble.of_scenarios import VariedScenario
 from clpt_control.equations import Block, Guard
@@ -84,7 +84,7 @@ def test_a_run_goes_on_from_where_it_is_stiff():
 def test_a_loose_run_in_python_goes_on_from_where_it_is_stiff():
     runner = PythonDiagram(wired("x' = -1e5*(x - cos(t))"))
     found = runner.run([0.0], [0.0, 1.0], rtol=1e-4, atol=1e-6)
-    assert found.method.startswith("DOPRI5, from t = ")
+    assert found.method.startswith("DOP853, from t = ")
     assert found.statistics["evaluations"] < 20_000
     assert found.x[-1, 0] == pytest.approx(np.cos(1.0), abs=1e-3)
 
@@ -134,10 +134,10 @@ SLOPES = {
 
 
 @pytest.mark.parametrize("case", SLOPES)
-def test_slopes_are_exact(case):
+def test_slopes_are_those_of_small_differences(case):
     diagram, form = SLOPES[case]
     runner, t = NativeDiagram(diagram, form=form), 0.7
-    n, times, P = runner.nstates, np.array([t, t + 1e-9]), runner.parameters()[None]
+    n, times, P = runner.nstates, np.array([t, t + 1.0]), runner.parameters()[None]
     pieces = [runner.schedule(tuple(times))]
     runner.sweep.enter(t)
     for x in np.random.default_rng(1).normal(size=(3 if n else 0, n)):
@@ -145,7 +145,7 @@ def test_slopes_are_exact(case):
         step.advance(1e-3, 1e-3, 1)
         places, found = step.callee.linear.places, np.zeros((n, n + 1))
         found[:, :n] = step.linear[0][: n * n].reshape(n, n).T[np.ix_(places, places)]
-        found[:, n] = step.Z[numbering.TIME_SLOPE * n : (numbering.TIME_SLOPE + 1) * n]
+        found[:, n] = step.Z[solver_layout.TIME_SLOPE * n : (solver_layout.TIME_SLOPE + 1) * n]
         wanted = np.empty_like(found)
         for j, moved in enumerate(1e-6 * np.eye(n + 1)):
             ends = (runner.sweep.derivative(t + s * moved[n], x + s * moved[:n]) for s in (1, -1))
@@ -157,8 +157,7 @@ def test_slopes_are_exact(case):
 def test_a_chain_takes_few_derivatives_and_a_narrow_band():
     linear = NativeDiagram(CHAINED).implicit().linear
     assert len(linear.begins) - 1 <= 4
-    assert max(linear.band[:2]) <= 4
-    assert linear.band[2] == NativeDiagram(COUPLED).implicit().linear.band[2] == 1  # exact
+    assert max(linear.band) <= 4
 
 
 def test_a_slope_that_is_infinite_ends_no_run():
@@ -268,7 +267,7 @@ def test_stiff_members_are_run_one_by_one_and_change_no_other(lanes):
         return ensemble.run(ensemble.members({"learning.gain": np.array(gains)}), times)
 
     found = ended(0.01, 1e6, 0.02, 3e5)
-    assert list(found.status) == [numbering.FINISHED] * 4
+    assert list(found.status) == [Status.FINISHED] * 4
     np.testing.assert_array_equal(found.states[[0, 2]], ended(0.01, 0.02).states)
     beside = ended(3e5, *np.geomspace(1e4, 1e7, 9), 1e6)  # others, each stiff in its time
     np.testing.assert_array_equal(beside.states[[-1, 0]], found.states[[1, 3]])
@@ -276,5 +275,5 @@ def test_stiff_members_are_run_one_by_one_and_change_no_other(lanes):
     runner, start = loop_of({**values, "learning.gain": 1e6})
     whole = runner.run(start, times, rtol=1e-6, atol=1e-8)
     assert "Rodas5P" in whole.method
-    apart = 1e-5 if lanes else 1e-12  # lanes sum in another order, so that errors are others
+    apart = 1e-4 if lanes else 1e-12  # lanes sum in another order, so that errors are others
     np.testing.assert_allclose(found.states[1], whole.x, rtol=0, atol=apart)

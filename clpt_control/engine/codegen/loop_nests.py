@@ -2,7 +2,6 @@
 
 from collections import Counter
 from collections.abc import Callable, Sequence
-from math import prod
 from typing import Any
 
 from llvmlite import ir
@@ -45,13 +44,10 @@ class _Nests(Function):
     def __init__(self, module: ir.Module, name: str, lanes: int, program: Program, few: set):
         super().__init__(module, name, lanes, program.constants)
         self.all, self.prepared = program.components, {} if name == "prepare" else program.prepared
-        self.inline = few if name in ("derivative", "staged") else set()
-        nests = program.functions["derivative" if name == "staged" else name]
-        rates = [prod(one.lengths) for nest in nests for one in nest.items if one.array == "D"]
-        self.rates_at = -sum(rates) if name == "staged" else 0  # in D, of the stage before
+        self.inline = few if name == "derivative" else set()
         self.saved: dict[int, int] = {}  # component -> its place in W, once it is written
         self.numbers: dict[Key, Any] = {}  # values outside all loops
-        for nest in nests:
+        for nest in program.functions[name]:
             self.nest(nest)
         self.builder.ret_void()
 
@@ -152,7 +148,7 @@ class _Nests(Function):
         if (read := self.read(c)) is not None:
             array, first, strides = read
             moves = self.moves(loops, strides, wide)
-            return lambda: self.at_stage(array, first, *moves)
+            return lambda: self.load(array, first, *moves)
         name, arguments, _ = self.all[c]
         if name in ROWS:
             row = self.all[arguments[ROWS[name]][0]].arguments[:4]
@@ -164,15 +160,6 @@ class _Nests(Function):
         inline = bool(loops) and name in self.inline and type(self.indices[loops[-1]]) is not int
         self.chained |= inline
         return lambda: calculate(builder, name, width, values, inline)
-
-    def at_stage(self, array: str, first: int, moves: Any, stride: int | None) -> Any:
-        """Return a number that is read; `staged`, a state at the stage."""
-        value = self.load(array, first, moves, stride)
-        if array != "X" or not self.rates_at:
-            return value
-        weight = splat(self.builder, self.load("t", 1), width_of(value))
-        rate = self.load("D", self.rates_at + first, moves, stride)
-        return calculate(self.builder, "fmuladd", width_of(value), [weight, rate, value])
 
     def argument(self, a: Any, loops: tuple[int, ...], wide: bool) -> Any:
         """Return an argument: a constant, or a computed value."""

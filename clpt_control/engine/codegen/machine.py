@@ -193,7 +193,7 @@ def numbers_of(*arguments: Any) -> np.ndarray:
 def flattened(arguments: tuple, numbers: list[Any]) -> list[Any]:
     """Return numbers, and behind them those that stand for arguments, one after the other."""
     for one in arguments:
-        if type(one) is tuple:
+        if isinstance(one, tuple):
             flattened(one, numbers)
         elif type(one) is np.ndarray:
             flags = one.flags

@@ -14,7 +14,7 @@ import numpy as np
 
 from ..record.graph import deep
 from ..trace.arrays import CONDITIONS
-from .diagram_record import DiagramRecord, Port
+from .diagram_record import DiagramRecord
 from .fused_expressions import BOUND, Component, Components, Write, row_strides
 from .merged_sums import MergedSums
 from .switching_conditions import Decisions
@@ -37,10 +37,7 @@ class Program(NamedTuple):
 
     derivative: D = dx/dt; signals: W = all block outputs; margin: D[0] = least distance to a
     guard's edge; jump: D = states after the jumps that P asks for, empty without any; decide: D =
-    decisions, their distances and the rounding of these (`decisions`); slope, in some: D =
-    df/dx v + df/dt s, where v and s lie behind the states.  `staged` is printed of the same nests:
-    D = dx/dt at X + w K, where w lies behind t and the rates K before D, so that the argument of a
-    method's stage waits for no store.
+    decisions, their distances and the rounding of these (`switching_conditions`).
     """
 
     components: tuple[Component, ...]
@@ -53,11 +50,6 @@ class Program(NamedTuple):
     deciding: tuple[tuple, ...]  # of each decision: its first number, and where it is made
     timed: bool = False  # whether time alone decides
     tables: np.ndarray = NO_TABLES  # large constants, behind the parameters in T
-
-    @property
-    def staged(self) -> bool:
-        """Whether there is `staged`: no state is looked up by its place."""
-        return all(c.name != "table" or c.arguments[0] != "X" for c in self.components)
 
 
 class Planner:
@@ -223,13 +215,10 @@ def _whole(c: int, lengths: tuple[int, ...]) -> Argument:
     return c, tuple(range(len(lengths)))
 
 
-def program_of(
-    record: DiagramRecord, room: int, prepared: int, slopes: list[Port] | None = None
-) -> Program:
+def program_of(record: DiagramRecord, room: int, prepared: int) -> Program:
     """Return the program of a diagram.
 
-    W has `room` places for signals, P `prepared` places for parameters and inputs.  With `slopes`,
-    the rates' derivatives along a direction, it has the function `slope`, which writes them.
+    W has `room` places for signals, P `prepared` places for parameters and inputs.
     """
     decisions, count = record.decisions, record.decisions.count
     made = Components(record, room, prepared + (1 + count if count else 0))
@@ -246,8 +235,6 @@ def program_of(
             "jump": made.writes(record.leaps, "D") if record.layout.jumps else [],
             "decide": made.writes([*decisions.now, *behind], "D"),
         }
-        if slopes is not None:
-            writes["slope"] = made.writes(slopes, "D")
     return Planner(made).program(writes, decisions)
 
 

@@ -18,16 +18,38 @@ import numpy as np
 from ...errors import SimulationError
 from ...progress.interrupt import check
 from ..codegen.machine import LANES, compiled_solver, numbers_of
-from . import solver_layout as numbering
 from .jacobian import Jacobian
 from .schedule import Schedule
+from .solver_layout import (
+    FIRST_STEP,
+    MAP,
+    MAX_STEP,
+    POINTS,
+    REALS,
+    RK4,
+    ROWS,
+    RUN_INDEX,
+    STATE,
+    STEP_SIZE,
+    STIFF_AFTER,
+    STIFF_STEPS,
+    TIME,
+    Memory,
+    Results,
+    Runs,
+    Segments,
+    Shape,
+    Solver,
+    Status,
+)
 
 PAUSE = 0.05  # seconds of a call
 BEGIN = 60_000  # numbers, times tries, of the first call of machine code
 GRAIN = 0.01  # of atol: a smaller difference passes no decision
 LATER = 64  # looks for stiffness that do not count, after a run was found not to be stiff
 # of step times eigenvalue: half of what is stable
-LARGE = {numbering.DOP853: 3.0, numbering.DOPRI5: 1.6}
+LARGE = 3.0
+EMPTY = np.zeros((0, 3, 0))
 PARTS = 256  # of a run in which time alone decides: no step is longer
 ROUNDS = 60  # of the power method
 ANY = 2**62
@@ -56,9 +78,9 @@ class Callee(NamedTuple):
     raised: Any = ()  # errors that functions of Python raised, a list
 
     @property
-    def shape(self) -> tuple[int, ...]:
-        """The solver's `shape`: numbers of lanes, of states, and so on to `unannounced`."""
-        return self[2:10]
+    def shape(self) -> Shape:
+        """Sizes of the problem, as the solver takes them."""
+        return Shape(*self[2:10])
 
     def call(self, name: str, numbers: np.ndarray) -> int:
         """Call a function of the solver on numbers; raise the error that Python raised within."""
@@ -81,7 +103,7 @@ class Callee(NamedTuple):
         out, which = np.empty((len(times), count)), np.searchsorted(pieces.edges, times, "right")
         points, each = (times, which, np.zeros(1), x.ravel()), (pieces.places, pieces.values)
         decisions, arrays = (self.decided_at, self.decided), (P, self.tables, W, D)
-        how = self.functions, role, self.nstates, decisions
+        how = self.functions, role, self.nstates, *decisions
         self.call("evaluate", numbers_of(*how, points, each, arrays, out))
         return out
 
@@ -112,40 +134,65 @@ class Batch:
         if callee.timed:
             longest = min(longest, (times[-1] - times[0]) / PARTS)
         group = np.zeros(m, dtype=np.int64) if group is None else group
-        self.runs = tuple(map(np.ascontiguousarray, (starts, parameters, group)))
-        self.pieces, self.schedule = schedules, _stacked(schedules)
-        if callee.method == numbering.RK4:
-            self.schedule[-1][:] = False  # every piece begins anew
+        self.runs = Runs(*map(np.ascontiguousarray, (starts, parameters, group)))
+        self.pieces, self.segments = schedules, _stacked(schedules)
+        if callee.method == RK4:
+            self.segments.smooth[:] = 0  # every segment begins anew
         self.out = np.full((m, len(times), n), np.nan)
         self.out[:, 0] = starts
         self.rests: dict[int, Batch] = {}  # of stiff runs, and of one that slides
         self.slides: list[float] = []  # when it began to
         self.status, self.reached = (np.zeros(m, dtype=np.int64) for _ in range(2))
         self.counts = np.zeros((m, 4), dtype=np.int64)
-        self.results = self.out, self.status, self.reached, self.counts
         size = max(callee.size, parameters.shape[1], 1)
-        rooms = (numbering.NUMBERS, numbering.ROWS * n, size, max(callee.room, 1))
-        numbers, self.Z, P, W, D = aligned(
-            *(lanes * room for room in (*rooms, max(n, numbering.DECIDED * max(callee.decided, 1))))
-        )
-        self.numbers, places = numbers.reshape(-1, lanes), P.reshape(-1, lanes)
+        sample_points = 3 * POINTS
+        conditions = (sample_points + 1) * callee.decided + sample_points * callee.guarded
+        rooms = REALS, ROWS * n, size, max(callee.room, 1), max(n, conditions)
+        numbers, self.Z, P, W, D = aligned(*(lanes * room for room in rooms))
+        self.lane = numbers.reshape(-1, lanes)
+        self.integers = np.full((5, lanes), -1, dtype=np.int64)
+        self.states = self.Z.reshape(-1, n, lanes)
         # a lane without a run holds the state and parameters with which the first begins
-        self.Z.reshape(-1, lanes)[:n] = starts[:1].T
-        places[: parameters.shape[1]] = parameters[:1].T
-        places[self.schedule[1]] = self.schedule[3][:1].T
-        self.numbers[numbering.LONGEST], self.numbers[numbering.FIRST_STEP] = longest, opening
-        whole = np.full((5, lanes), -1, dtype=np.int64)
-        self.lane = self.numbers, whole, np.array([0, m, 0], dtype=np.int64)
-        self.arrays, self.linear = (self.Z, P, callee.tables, W, D), callee.linear.for_solver
+        self.states[STATE] = starts[:1].T
+        in_lanes = P.reshape(-1, lanes)
+        in_lanes[: parameters.shape[1]] = parameters[:1].T
+        in_lanes[self.segments.indices] = self.segments.values[:1].T
+        self.lane[MAX_STEP], self.lane[FIRST_STEP] = longest, opening
+        self.memory = Memory(self.Z, P, callee.tables, W, D)
+        count = callee.decided
+        points = D[: sample_points * count].reshape(-1, 3, count) if count else EMPTY
+        guard = EMPTY
+        if callee.guarded:
+            guard = D[(sample_points + 1) * count :][:sample_points].reshape(-1, 3, 1)
+        self.signs = D[sample_points * count : (sample_points + 1) * count]
+        self.points = points
         self._tolerances = np.zeros(2)
-        batch = self.runs, self.schedule, self.times, self.results, self.lane, self.arrays
-        how = callee.functions, callee.shape, self._tolerances
-        self._call = numbers_of(*how, batch, self.linear, 0, 0)
+        self.linear = callee.linear.for_solver
+        self.solver = Solver(
+            code=callee.functions,
+            shape=callee.shape,
+            tolerances=self._tolerances,
+            runs=self.runs,
+            segments=self.segments,
+            times=self.times,
+            results=Results(self.out, self.status, self.reached, self.counts),
+            lane=self.lane,
+            integers=self.integers,
+            queue=np.array([0, m, 0], dtype=np.int64),
+            memory=self.memory,
+            states=self.states,
+            points=points,
+            guard_points=guard,
+            signs=self.signs,
+            linear=self.linear,
+        )
+        self.results = self.solver.results
+        self._call = numbers_of(self.solver, 0, 0)
 
     @property
     def now(self) -> float:
         """Time reached by the first lane."""
-        return float(self.numbers[numbering.TIME, 0])
+        return float(self.lane[TIME, 0])
 
     def adaptive(
         self,
@@ -161,17 +208,17 @@ class Batch:
         calls, each of about `PAUSE`.  `implicit` returns what an implicit method calls, if stiff
         runs are to go on with it, one after the other; `rests` are then these rests, by run.
         """
-        self.numbers[numbering.STIFF_STEPS] = -np.inf if implicit is None else 0.0
+        self.lane[STIFF_STEPS] = -np.inf if implicit is None else 0.0
         first = 0 if self.callee.engine == "python" else BEGIN // self.callee.nstates
         active, budget = 1, max(64, first)
-        most = ANY if self.callee.method in (numbering.RK4, numbering.MAP) else most
+        most = ANY if self.callee.method in (RK4, MAP) else most
         if self.callee.decided:
-            self.runs[1][:, self.callee.decided_at - 1] = GRAIN * atol
+            self.runs.parameters[:, self.callee.decided_at - 1] = GRAIN * atol
         while active:
             check()
             begin = time.perf_counter()
             active = self.advance(rtol, atol, budget, most)
-            doubtful = np.flatnonzero(self.numbers[numbering.STIFF_STEPS] >= numbering.MANY)
+            doubtful = np.flatnonzero(self.lane[STIFF_STEPS] >= STIFF_AFTER)
             for k in doubtful:
                 self._end_if_stiff(int(k), rtol, atol, implicit)
             budget = max(budget // 4, 1) if len(doubtful) else budget  # it was not used up
@@ -192,21 +239,26 @@ class Batch:
 
     def _end_if_stiff(self, k: int, rtol: float, atol: float, implicit: Any) -> None:
         """End the run of a lane if it is stiff; its rest begins where it is."""
-        (numbers, whole, _), n = self.lane, self.callee.nstates
-        numbers[numbering.STIFF_STEPS, k] = -LATER
-        m, _, done, *_ = whole[:, k].tolist()
+        n = self.callee.nstates
+        self.lane[STIFF_STEPS, k] = -LATER
+        m, _, done, *_ = self.integers[:, k].tolist()
         if m < 0:
             return
-        t, h, longest = numbers[[numbering.TIME, numbering.STEP, numbering.LONGEST], k].tolist()
-        callee, state = implicit(), self.Z.reshape(-1, self.callee.lanes)[:n, k].copy()
-        P, pieces = self.runs[1][m, : callee.size], self.pieces[self.runs[2][m]].after(t)
+        t, h, longest = self.lane[[TIME, STEP_SIZE, MAX_STEP], k].tolist()
+        callee, state = implicit(), self.states[STATE, :, k].copy()
+        if self.times[-1] - t < h * callee.linear.steps_worth:
+            return
+        P, pieces = (
+            self.runs.parameters[m, : callee.size],
+            self.pieces[self.runs.schedule[m]].after(t),
+        )
         times = np.append(t, self.times[done:])
         rest = Batch(callee, state[None], P[None], times, [pieces], None, longest)
         rest.advance(rtol, atol, 1)
-        if h * radius(rest.linear[0].reshape(n, n)) > LARGE[self.callee.method]:
+        if h * radius(rest.linear.jacobian.reshape(n, n)) > LARGE:
             self.rests[m] = rest
-            self.status[m], self.reached[m] = numbering.STIFF, done
-            whole[numbering.MEMBER, k] = -1
+            self.status[m], self.reached[m] = Status.STIFF, done
+            self.integers[RUN_INDEX, k] = -1
 
 
 def radius(matrix: np.ndarray) -> float:
@@ -231,11 +283,11 @@ def aligned(*sizes: int) -> list[np.ndarray]:
     return [room[first + k : first + k + size] for k, size in zip(places, sizes, strict=False)]
 
 
-def _stacked(schedules: list[Schedule]) -> tuple[np.ndarray, ...]:
-    """Return schedules as the solver takes them: first pieces, places, ends, values, smoothness."""
+def _stacked(schedules: list[Schedule]) -> Segments:
+    """Return the segments of all schedules, one behind the other."""
     rows = [(one.edges, one.values, one.smooth) for one in schedules]
-    firsts = np.array([*accumulate((len(one.edges) for one in schedules), initial=0)])
-    return firsts, schedules[0].places, *map(np.concatenate, zip(*rows, strict=True))
+    first = np.array([*accumulate((len(one.edges) for one in schedules), initial=0)])
+    return Segments(first, schedules[0].places, *map(np.concatenate, zip(*rows, strict=True)))
 
 
 def pace(
@@ -253,7 +305,7 @@ def pace(
         if tries - last[0] < most // 500:
             return
         ahead = (now - last[1]) / (tries - last[0])
-        if batch.status[0] == numbering.RUNNING and ahead * most < span:
+        if batch.status[0] == Status.RUNNING and ahead * most < span:
             needed = span / ahead if ahead > 0 else np.inf
             raise SimulationError(
                 f"too many steps: {tries:,} by t = {now:.9g}, at which pace the run would take "

@@ -18,12 +18,12 @@ from ..codegen.machine import ENGINE
 from ..diagram.wiring import Wiring
 from ..model.vectorized import on_arrays
 from ..trace.arrays import Unread
-from . import solver_layout as numbering
 from .evaluation_pass import rounding
 from .native_diagram import NativeDiagram
 from .runner import PythonDiagram
 from .schedule import JUMPS, Inputs, Schedule
-from .termination import SENTENCES, Solution
+from .solver_layout import DERIVATIVE, JUMP, SIGNALS, Status
+from .termination import Solution
 
 ENGINES = ("native", "python")
 
@@ -74,7 +74,7 @@ def run_compared(runner: NativeDiagram, start: Any, times: Any, **options: Any) 
         why = difference(runner, at_start, options["inputs"])
         points = getattr(error, "points", [])
         why = why or difference_ahead(runner, points, times, options["inputs"])
-        not_finite = SENTENCES[numbering.NOT_FINITE] in str(error)
+        not_finite = Status.NOT_FINITE.sentence in str(error)
         if not why and not_finite:  # Python's blocks find nothing
             why = "what was read gives a number that is not finite, where Python gives one"
         if not why:
@@ -158,15 +158,15 @@ def _agrees(
     def evaluated(role: int, count: int, own: Schedule = pieces) -> np.ndarray:
         return runner.callee(1, inputs).evaluate(role, times, x, own, P, count)
 
-    signals = evaluated(numbering.SIGNALS, runner.nsignals) if signals is None else signals
+    signals = evaluated(SIGNALS, runner.nsignals) if signals is None else signals
     machine = [signals]
     if runner.nstates:
-        machine.append(evaluated(numbering.DERIVATIVE, runner.nstates))
+        machine.append(evaluated(DERIVATIVE, runner.nstates))
     if sweep.jumping:
         every_jump = pieces.values.copy()
         every_jump[:, np.isin(pieces.places, list(runner.jumps.values()))] = JUMPS
         every = pieces._replace(values=every_jump)
-        machine.append(evaluated(numbering.JUMP, runner.nstates, every))
+        machine.append(evaluated(JUMP, runner.nstates, every))
     python = []
     for t, state in zip(times.tolist(), x, strict=True):
         u = None if inputs is None else inputs.at(t)

@@ -1,156 +1,201 @@
-"""Whether a decision is passed within a step, or may pass and come back unseen.
+"""Event checks: does a step cross a switching condition or a guard, or may it do so unseen?
 
-A decision (`decisions`) is looked at in `GLANCES` places within a step, at states of the step's
-interpolant.  A guard is looked at as a decision is, whose distance is the margin.  Arguments are
-those of `numbering`.
+A switching condition (`switching_conditions`) is evaluated at `SAMPLE_POINTS` points of a step, at
+states of the step's interpolant.  A guard is an event whose action is to end the run; its distance
+is the margin.  Diagrams with events run in one lane.
+
+    points[point, DISTANCE, j]   distance of condition j to its change: below 0 behind the event
+    points[point, ROUNDING, j]   rounding error of that distance
 """
 
 import math
 
-from . import solver_layout as row
-from .solver_layout import GLANCES, call, fail, state_within, try_again
+from . import solver_layout
+from .solver_layout import (
+    ACCEPTED,
+    DECISION,
+    DISTANCE,
+    ENTERED,
+    EVENT_INDEX,
+    FRESH,
+    HIGH,
+    LOW,
+    RK4,
+    ROUNDING,
+    RUN_INDEX,
+    SAMPLE_POINTS,
+    STAGE_TIME,
+    TIME,
+    TRIAL_END,
+    TRIAL_SIZE,
+    Status,
+    decide,
+    fail,
+    margin_at,
+    prepare,
+    put_state_within,
+    retry,
+)
 
-# shares of the step at which these looks lie: quarters, and places between them at which
+# Shares of the step at which conditions are evaluated: quarters, and points between them at which
 # nothing periodic looks as it does at the quarters, up to 240 periods a step
 SHARES = (0.0, 0.0803, 0.25, 0.3333, 0.5, 0.6575, 0.75, 0.8889, 1.0)
-# of the polynomial through the quarters at each place between them: the factors of the quarters
+# of the polynomial through the quarters at each point between them: the factors of the quarters
 FACTORS = tuple(
     math.prod((SHARES[a] - SHARES[c]) / (SHARES[b] - SHARES[c]) for c in range(0, 9, 2) if c != b)
     for a in range(1, 9, 2)
     for b in range(0, 9, 2)
 )
-CLEAR = 10.0  # from a turn: a distance, in errors between looks
-BLURRED = 1e-15  # of the time: rounding moves what changes in it by so much of its change
-SHORTEST = 1e-13  # step up to a kink, of a run: in a shorter one states move by rounding alone
+QUARTERS = SAMPLE_POINTS // 2
+CLEAR = 10.0  # errors between points that a distance must exceed
+TIME_ROUNDING = 1e-15  # of the time: rounding moves what changes in it by so much of its change
+SHORTEST = 1e-13  # step up to an event, of a run: in a shorter one states move by rounding alone
 
 
-def decide(code, shape, numbers, arrays):
-    """Put the decisions of now into P, in lanes that begin."""
-    lanes, decided_at, decided, (Z, P, T, W, D) = shape[0], shape[5], shape[6], arrays
-    call(code[row.DECIDE], numbers[row.TIME], Z, 0, P, T, W, D, 0)
-    for k in range(lanes):
-        if numbers[row.FRESH, k] > 0.5:
-            for j in range(decided):
-                P[(decided_at + j) * lanes + k] = D[j * lanes + k]
-    call(code[row.PREPARE], numbers[row.TIME], Z, 0, P, T, W, D, 0)
+def hold_decisions(solver):
+    """Hold the decisions of this time until the next event, where integration begins anew."""
+    lane = solver.lane
+    decide(solver, lane[TIME], solver_layout.STATE, 0)
+    if lane[FRESH, 0] > 0.5:
+        first = solver.shape.first_decision
+        for j in range(solver.shape.decisions):
+            solver.memory.P[first + j] = solver.points[0, DECISION, j]
+    prepare(solver, lane[TIME])
 
 
-def is_decided_anew(code, shape, numbers, arrays):
-    """Mark lanes as fresh in whose new piece of time decisions are others; return if any are.
+def decisions_changed(solver):
+    """Return whether decisions change where a segment begins, and begin anew there if they do.
 
-    An input may come to a threshold where a piece ends, and stay there: no step passes it.
+    An input may reach a threshold where a segment ends, and stay there: no step crosses it.
     """
-    lanes, decided_at, decided, (Z, P, T, W, D) = shape[0], shape[5], shape[6], arrays
-    some = False
-    call(code[row.DECIDE], numbers[row.TIME], Z, 0, P, T, W, D, 0)
-    for k in range(lanes):
-        if numbers[row.FRESH, k] == row.ENTERED:
-            numbers[row.FRESH, k] = 0.0
-            for j in range(decided):
-                if D[j * lanes + k] != P[(decided_at + j) * lanes + k]:
-                    numbers[row.FRESH, k], some = 1.0, True
-    return some
+    lane = solver.lane
+    decide(solver, lane[TIME], solver_layout.STATE, 0)
+    if lane[FRESH, 0] != ENTERED:
+        return False
+    lane[FRESH, 0] = 0.0
+    first = solver.shape.first_decision
+    for j in range(solver.shape.decisions):
+        if solver.points[0, DECISION, j] != solver.memory.P[first + j]:
+            lane[FRESH, 0] = 1.0
+    return lane[FRESH, 0] > 0.5
 
 
-def first_passed(k, lanes, decided, look, D):
-    """Return the first decision of a lane that has been passed at a look at its step, or -1."""
-    for j in range(decided):
-        at = (3 * look * decided + decided + j) * lanes + k
-        if D[at] < -D[at + decided * lanes]:
+def check_conditions(solver):
+    """Find the first switching condition that the step crosses; return whether there is one.
+
+    The step is halved if a condition may cross and return between the points before that event.
+    """
+    lane = solver.lane
+    begin = SAMPLE_POINTS if solver.shape.method <= RK4 else 0
+    for point in range(begin, SAMPLE_POINTS + 1):
+        put_state_within(solver, SHARES[point])
+        decide(solver, lane[STAGE_TIME], row_of(point), point)
+    return find_crossing(solver, solver.points)
+
+
+def check_guard(solver):
+    """End the run if it leaves a guard within the step; the step is not taken."""
+    lane, integers = solver.lane, solver.integers
+    index = integers[EVENT_INDEX, 0]
+    for point in range(SAMPLE_POINTS + 1):
+        put_state_within(solver, SHARES[point])
+        margin = margin_at(solver, lane[STAGE_TIME], row_of(point))
+        solver.guard_points[point, DISTANCE, 0] = margin
+        solver.guard_points[point, ROUNDING, 0] = solver_layout.OUTSIDE
+    if find_crossing(solver, solver.guard_points):
+        fail(solver, 0, Status.GUARD_LEFT)
+        lane[ACCEPTED, 0] = 0.0
+    integers[EVENT_INDEX, 0] = index
+
+
+def row_of(point):
+    """Return the row of states at a sample point: the last one is the new state."""
+    return solver_layout.WITHIN if point < SAMPLE_POINTS else solver_layout.ARGUMENT
+
+
+def find_crossing(solver, points):
+    """Set `event_index`, and `low` and `high` to the points around it; return whether there is one.
+
+    A step of a fixed length is checked at its end only.
+    """
+    lane, integers = solver.lane, solver.integers
+    fixed = solver.shape.method <= RK4
+    integers[EVENT_INDEX, 0] = -1
+    lane[STAGE_TIME, 0] = lane[TRIAL_END, 0]
+    if integers[RUN_INDEX, 0] < 0 or lane[ACCEPTED, 0] < 0.5:
+        return False
+    point = SAMPLE_POINTS - 1 if fixed else 0
+    while point < SAMPLE_POINTS and integers[EVENT_INDEX, 0] < 0:
+        point += 1
+        integers[EVENT_INDEX, 0] = first_crossed(points, point)
+    lane[LOW, 0] = 0.0 if fixed else SHARES[point - 1]
+    lane[HIGH, 0] = SHARES[point]
+    clear_until = point if integers[EVENT_INDEX, 0] < 0 else point - 1
+    shortest = SHORTEST * (solver.times[-1] - solver.times[0])
+    divisible = not fixed and lane[TRIAL_SIZE, 0] > 2.0 * shortest
+    if divisible and may_hide(points, clear_until, lane[TRIAL_END, 0], lane[TRIAL_SIZE, 0]):
+        retry(solver, 0, 0.5 * lane[TRIAL_SIZE, 0])
+        integers[EVENT_INDEX, 0] = -1
+    return integers[EVENT_INDEX, 0] >= 0
+
+
+def first_crossed(points, point):
+    """Return the first condition that has changed at a sample point of the step, or -1."""
+    for j in range(points.shape[2]):
+        if points[point, DISTANCE, j] < -points[point, ROUNDING, j]:
             return j
     return -1
 
 
-def mark_passed(code, function, shape, decided, times, results, lane, arrays):
-    """Note which decision each lane's step passes first, and between which looks; return if any.
+# --- events between the points --------------------------------------------------------------------
 
-    States within the step are those of its interpolant.  A step is halved where a decision may hide
-    from the looks before that; one of a fixed length is looked at where it ends.  A guard is as a
-    decision, whose distance is the margin.
+
+def may_hide(points, last, end, size):
+    """Return whether a condition may cross and return between sample points, up to the last.
+
+    The step is too long to tell unless every distance within it, and the vertex of each parabola
+    through three of them, is `CLEAR` times as large as the error between; except those around a
+    crossing that is seen.  Rounding errors of the distances, or of the time, are no error.
     """
-    lanes, n, stages, some = shape[0], shape[1], shape[2], False
-    shortest = SHORTEST * (times[-1] - times[0])
-    counts, (numbers, whole, _), (Z, P, T, W, D) = results[3], lane, arrays
-    fixed = stages <= row.RK4
-    for look in range(GLANCES if fixed else 0, GLANCES + 1):
-        for k in range(lanes):
-            state_within(n, lanes, k, numbers, Z, SHARES[look])
-        first, to = row.LOOKED if look < GLANCES else row.ARGUMENT, 3 * look * decided * lanes
-        to += lanes if function == row.MARGIN else 0
-        call(code[function], numbers[row.AT], Z, first * n * lanes, P, T, W, D, to)
-    for k in range(lanes):
-        whole[row.WHICH, k], numbers[row.AT, k] = -1, numbers[row.NEW, k]
-        if whole[row.MEMBER, k] >= 0 and numbers[row.GOOD, k] > 0.5:
-            last = GLANCES - 1 if fixed else 0
-            while last < GLANCES and whole[row.WHICH, k] < 0:
-                last += 1
-                whole[row.WHICH, k] = first_passed(k, lanes, decided, last, D)
-            numbers[row.LOW, k] = 0.0 if fixed else SHARES[last - 1]
-            numbers[row.HIGH, k] = SHARES[last]
-            clear = last if whole[row.WHICH, k] < 0 else last - 1
-            long = not fixed and numbers[row.TAKEN, k] > 2.0 * shortest
-            if long and may_hide(k, lanes, decided, clear, numbers, D):
-                try_again(k, 0.5 * numbers[row.TAKEN, k], counts, lane)
-                whole[row.WHICH, k] = -1
-            some = some or whole[row.WHICH, k] >= 0
-    return some
+    time_rounding = TIME_ROUNDING * abs(end) / size
+    for j in range(points.shape[2]):
+        error = error_between(points, j)
+        rounding = points[0, ROUNDING, j]
+        for point in range(SAMPLE_POINTS):
+            change = points[point + 1, DISTANCE, j] - points[point, DISTANCE, j]
+            rounding += time_rounding * abs(change)
+        if error > rounding and least_distance_of(points, j, last, error) <= CLEAR * error:
+            return True
+    return False
 
 
-def watch_guards(code, shape, times, results, lane, arrays):
-    """End the run of a lane that leaves a guard within the step; the step is not taken."""
-    lanes, status, (numbers, whole, _), D = shape[0], results[1], lane, arrays[4]
-    for look in range(GLANCES + 1):
-        for k in range(lanes):
-            D[(3 * look + 2) * lanes + k] = row.OUTSIDE
-    if mark_passed(code, row.MARGIN, shape, 1, times, results, lane, arrays):
-        for k in range(lanes):
-            if whole[row.WHICH, k] >= 0:
-                fail(status, whole, k, row.LEFT)
-                numbers[row.GOOD, k] = 0.0
-
-
-def error_between(d, stride, D):
-    """Return by how much the quartic through distances at the quarters of a step is off between.
-
-    They lie at d, and `stride` further for each look.
-    """
+def error_between(points, j):
+    """Return the error, between the quarters of a step, of the quartic through their distances."""
     error = 0.0
-    for m in range(GLANCES // 2):
-        apart = D[d + (2 * m + 1) * stride]
-        for i in range(GLANCES // 2 + 1):
-            apart -= FACTORS[5 * m + i] * D[d + 2 * i * stride]
-        error = max(error, abs(apart))
+    for m in range(QUARTERS):
+        difference = points[2 * m + 1, DISTANCE, j]
+        for i in range(QUARTERS + 1):
+            difference -= FACTORS[5 * m + i] * points[2 * i, DISTANCE, j]
+        error = max(error, abs(difference))
     return error
 
 
-def may_hide(k, lanes, decided, last, numbers, D):
-    """Return whether a decision may pass and come back between looks at a step, up to the last.
-
-    The step is too long to tell unless every distance within it, and the vertex of each parabola
-    through three of them, is `CLEAR` times as large as the error between; but for those about a
-    passage that is seen.  What rounding of the distances, or of the time, makes is no error.
-    """
-    stride = 3 * decided * lanes  # from one look to the next
-    blurred = BLURRED * abs(numbers[row.NEW, k]) / numbers[row.TAKEN, k]
-    for j in range(decided):
-        d, nearest = (decided + j) * lanes + k, math.inf
-        error, rounding = error_between(d, stride, D), D[(2 * decided + j) * lanes + k]
-        for look in range(GLANCES):
-            rounding += blurred * abs(D[d + (look + 1) * stride] - D[d + look * stride])
-        if error <= rounding:
-            continue
-        for look in range(1, min(last + 1, GLANCES)):
-            a, b, c = D[d + (look - 1) * stride], D[d + look * stride], D[d + (look + 1) * stride]
-            if b < 0.0:
-                a, b, c = -a, -b, -c
-            if (look == 1 or a > 0.0) and (look == last or c > 0.0):
-                nearest = min(nearest, b)
-            if look < last and b < CLEAR * error + 3.0 * (abs(a - b) + abs(c - b)):
-                before, after = SHARES[look] - SHARES[look - 1], SHARES[look + 1] - SHARES[look]
-                bend = ((c - b) / after - (b - a) / before) / (before + after)
-                slope = (b - a) / before + bend * before
-                if bend > 0.0 and -after < 0.5 * slope / bend < before:
-                    nearest = min(nearest, b - 0.25 * slope * slope / bend)
-        if nearest <= CLEAR * error:
-            return True
-    return False
+def least_distance_of(points, j, last, error):
+    """Return the least distance of a condition at sample points and vertices of parabolas."""
+    least = math.inf
+    for point in range(1, min(last + 1, SAMPLE_POINTS)):
+        a = points[point - 1, DISTANCE, j]
+        b = points[point, DISTANCE, j]
+        c = points[point + 1, DISTANCE, j]
+        if b < 0.0:
+            a, b, c = -a, -b, -c
+        if (point == 1 or a > 0.0) and (point == last or c > 0.0):
+            least = min(least, b)
+        if point < last and b < CLEAR * error + 3.0 * (abs(a - b) + abs(c - b)):
+            before = SHARES[point] - SHARES[point - 1]
+            after = SHARES[point + 1] - SHARES[point]
+            curvature = ((c - b) / after - (b - a) / before) / (before + after)
+            slope = (b - a) / before + curvature * before
+            if curvature > 0.0 and -after < 0.5 * slope / curvature < before:
+                least = min(least, b - 0.25 * slope * slope / curvature)
+    return least

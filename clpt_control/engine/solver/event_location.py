@@ -1,204 +1,257 @@
-"""Where a step crosses a kink, and whether states feel it.
+"""Event location: where a step crosses switching conditions, and the restart behind the event.
 
-A step that crosses a kink which states feel is tried again up to it, and integration begins anew
-behind it.  Arguments are those of `numbering`.
+A step holds every decision of the rates (``u > 1``, ``max(a, b)``, ``floor(x)``) as it was when the
+step began.  If a decision has changed within the step, the step is valid up to that event x only:
+
+    0 -------- low --x-- high -------- 1     shares of the step
+
+1. Measure the effect of the events: step times difference of the rates with new and with held
+   decisions, in tolerances.  Below `NEGLIGIBLE` the step stays as it is; otherwise rounding would
+   decide where steps end.
+2. Bracket the first event between two sample points of the step, and narrow the bracket.
+3. Try the step again up to `high`.  The next step begins there, with new decisions.
 """
 
 import math
 
-from . import solver_layout as row
-from .event_checks import BLURRED, SHARES, SHORTEST, first_passed, may_hide
-from .solver_layout import BEFORE, BEHIND, GLANCES, call, fail, state_within, try_again
+from .event_checks import SHARES, SHORTEST, TIME_ROUNDING, first_crossed, may_hide, row_of
+from .solver_layout import (
+    ACCEPTED,
+    ANEW,
+    BEHIND,
+    BURST,
+    DECISION,
+    DISTANCE,
+    DISTANCE_HIGH,
+    DISTANCE_LOW,
+    EVENT_CROSSED,
+    EVENT_EFFECT,
+    EVENT_INDEX,
+    FRESH,
+    HELD_RATE,
+    HIGH,
+    LAST_EVENT,
+    LOW,
+    NEW_RATE,
+    RATE,
+    ROUNDING,
+    SAMPLE_POINTS,
+    STAGE_TIME,
+    STATE,
+    TIME,
+    TRIAL_END,
+    TRIAL_SIZE,
+    WITHIN,
+    Status,
+    decide,
+    derivative,
+    fail,
+    prepare,
+    put_state_within,
+    retry,
+)
 
-CROSSED = 1.0  # a step ends behind a kink
-RESOLVED = 1e-12  # how close to a kink a step ends, as a share of it, if time tells that apart
-MOST_TRIALS = 45  # to find a kink so closely by halving, and one more
-CLOSE = 1e-5  # how far behind a kink its effect is measured, as a share of the step
-PASSAGES = 32  # that a step may have, one after the other, without being felt
-FELT = 0.1  # effect up to which a step crosses a kink as it is
-MOST_KINKS, NEAR = 1000, 1e-7  # one after the other, each within that share of the run
-UNFELT = 5e-6  # or within this share, if states hardly move from one to the next
+CROSSED = 1.0  # value of `event_crossed`: the step ends right behind an event
+RESOLVED = 1e-12  # final width of the bracket, as a share of the step
+CLOSE = 1e-5  # width of the bracket behind which the effect of an event is measured
+MOST_TRIALS = 45  # halvings that reach RESOLVED, and one more
+NEGLIGIBLE = 0.1  # effect, in tolerances, up to which a step may pass an event
+MOST_NEGLIGIBLE = 32  # events with a negligible effect in one step
+MOST_EVENTS = (
+    1000  # in a row, each within a share of the run: SHORT_RESTING if states rest meanwhile
+)
+SHORT_MOVING, SHORT_RESTING = 1e-7, 5e-6
 
 
-def to_turn(k, lanes, decided, look, D):
-    """Return the least distance of a lane's decisions from their turns; negative behind one."""
+def locate_events(solver):
+    """Locate the first event of a step that has an effect; shorten a step that ends beyond it."""
+    lane, integers = solver.lane, solver.integers
+    measure_effects(solver)
+    if bracket_next(solver, True, 0):
+        narrow(solver, 0.1 * RESOLVED)
+    size = lane[TRIAL_SIZE, 0]
+    end = lane[TRIAL_END, 0]
+    lane[STAGE_TIME, 0] = end
+    if integers[EVENT_INDEX, 0] < 0:
+        return
+    shortest = SHORTEST * (solver.times[-1] - solver.times[0])
+    divisible = size > 2.0 * shortest
+    if lane[EVENT_EFFECT, 0] > NEGLIGIBLE:
+        resolution = max(RESOLVED * size, 4.0 * TIME_ROUNDING * abs(end))
+        if divisible and (1.0 - lane[LOW, 0]) * size > resolution:
+            retry(solver, 0, max(lane[HIGH, 0] * size, shortest))
+        else:
+            lane[EVENT_CROSSED, 0] = CROSSED
+        return
+    too_many = lane[LOW, 0] < lane[HIGH, 0]
+    if divisible and (too_many or may_hide(solver.points, SAMPLE_POINTS, end, size)):
+        retry(solver, 0, 0.5 * size)
+    elif first_crossed(solver.points, SAMPLE_POINTS) >= 0:
+        lane[EVENT_CROSSED, 0] = CROSSED
+
+
+# --- the effect of events -------------------------------------------------------------------------
+
+
+def measure_effects(solver):
+    """Set `event_effect` to the largest effect at a sample point, or behind an event.
+
+    Events without effect are passed one after the other, for one may give effect to the next.
+    """
+    lane = solver.lane
+    lane[EVENT_EFFECT, 0] = 0.0
+    for point in range(SAMPLE_POINTS, 0, -1):
+        put_state_within(solver, SHARES[point])
+        measure_effect(solver, point)
+    for passage in range(MOST_NEGLIGIBLE):
+        if not bracket_next(solver, False, BEHIND if passage > 0 else 0):
+            return
+        narrow(solver, CLOSE)
+        put_state_within(solver, lane[HIGH, 0])
+        decide(solver, lane[STAGE_TIME], WITHIN, BEHIND)
+        measure_effect(solver, BEHIND)
+
+
+def measure_effect(solver, point):
+    """Raise the effect of the events to that of the decisions at a point, if negligible so far."""
+    lane, integers = solver.lane, solver.integers
+    in_bracket = lane[LOW, 0] < lane[HIGH, 0]
+    if integers[EVENT_INDEX, 0] < 0 or lane[EVENT_EFFECT, 0] > NEGLIGIBLE or not in_bracket:
+        return
+    if first_crossed(solver.points, point) < 0:
+        return
+    # rates with the decisions held, which are in P; then with those of the point
+    row = WITHIN if point == BEHIND else row_of(point)
+    derivative(solver, lane[STAGE_TIME], row, HELD_RATE)
+    exchange_decisions(solver, point)
+    prepare(solver, lane[STAGE_TIME])
+    derivative(solver, lane[STAGE_TIME], row, NEW_RATE)
+    exchange_decisions(solver, point)
+    prepare(solver, lane[STAGE_TIME])
+    states = solver.states
+    relative, absolute = solver.tolerances[0], solver.tolerances[1]
+    for i in range(solver.shape.states):
+        difference = abs(states[NEW_RATE, i, 0] - states[HELD_RATE, i, 0])
+        tolerance = absolute + relative * abs(states[STATE, i, 0])
+        effect = lane[TRIAL_SIZE, 0] * difference / tolerance
+        effect = effect if effect - effect == 0.0 else math.inf
+        lane[EVENT_EFFECT, 0] = max(lane[EVENT_EFFECT, 0], effect)
+
+
+def exchange_decisions(solver, point):
+    """Exchange the decisions that are held in P with those of a sample point."""
+    P, points = solver.memory.P, solver.points
+    first = solver.shape.first_decision
+    for j in range(solver.shape.decisions):
+        held = P[first + j]
+        P[first + j] = points[point, DECISION, j]
+        points[point, DECISION, j] = held
+
+
+# --- the bracket ----------------------------------------------------------------------------------
+
+
+def least_distance(solver, point):
+    """Return the least distance of the conditions from a change; below 0 behind one."""
+    points, signs = solver.points, solver.signs
     least = math.inf
-    for j in range(decided):
-        at = (3 * look * decided + decided + j) * lanes + k
-        side = D[(3 * BEFORE * decided + j) * lanes + k]
-        least = min(least, side * D[at] + D[at + decided * lanes])
+    for j in range(points.shape[2]):
+        distance = signs[j] * points[point, DISTANCE, j]
+        least = min(least, distance + points[point, ROUNDING, j])
     return least
 
 
-def bracket(felt, last, shape, lane, D):
-    """Put the next kink of steps between LOW and HIGH; return whether there is one.
+def bracket_next(solver, effective, start):
+    """Put the next event between `low` and `high`; return whether there is one.
 
-    It is behind a look, the first one or `BEHIND` the kink before, and before the first look at
-    which decisions are others.  Only lanes are asked that feel a kink, or only those that do not.
+    The search begins at the point `start`, the first or that BEHIND the last event.  It is done if
+    the events are `effective`, or only if they are not.
     """
-    lanes, decided, some, (numbers, whole, _) = shape[0], shape[6], False, lane
-    for k in range(lanes):
-        if whole[row.WHICH, k] < 0 or (numbers[row.EFFECT, k] > FELT) != felt:
-            continue
-        for j in range(decided):
-            at = (3 * last * decided + decided + j) * lanes + k
-            passed = last == BEHIND and D[at] < -D[at + decided * lanes]
-            D[(3 * BEFORE * decided + j) * lanes + k] = -1.0 if passed else 1.0
-        low, look = numbers[row.HIGH, k] if last == BEHIND else 0.0, 1
-        here, ahead = to_turn(k, lanes, decided, last, D), 0.0
-        while look <= GLANCES and ahead >= 0.0:
-            if SHARES[look] > low:
-                ahead = to_turn(k, lanes, decided, look, D)
-                if ahead >= 0.0:
-                    low, here = SHARES[look], ahead
-            look += 1
-        numbers[row.LOW, k], numbers[row.HIGH, k] = low, low if ahead >= 0.0 else SHARES[look - 1]
-        numbers[row.AT_LOW, k], numbers[row.AT_HIGH, k] = here, ahead
-        some = some or ahead < 0.0
-    return some
+    lane, integers = solver.lane, solver.integers
+    if integers[EVENT_INDEX, 0] < 0 or (lane[EVENT_EFFECT, 0] > NEGLIGIBLE) != effective:
+        return False
+    points = solver.points
+    for j in range(points.shape[2]):
+        changed = points[start, DISTANCE, j] < -points[start, ROUNDING, j]
+        solver.signs[j] = -1.0 if start == BEHIND and changed else 1.0
+    low = lane[HIGH, 0] if start == BEHIND else 0.0
+    distance_low = least_distance(solver, start)
+    point, distance = 1, 0.0
+    while point <= SAMPLE_POINTS and distance >= 0.0:
+        if SHARES[point] > low:
+            distance = least_distance(solver, point)
+            if distance >= 0.0:
+                low, distance_low = SHARES[point], distance
+        point += 1
+    lane[LOW, 0] = low
+    lane[HIGH, 0] = SHARES[point - 1] if distance < 0.0 else low
+    lane[DISTANCE_LOW, 0] = distance_low
+    lane[DISTANCE_HIGH, 0] = distance
+    return distance < 0.0
 
 
-def tried(k, numbers, width, trial):
-    """Return where the kink between LOW and HIGH is looked for next: ITP's rule.
+def narrow(solver, width):
+    """Narrow the bracket to a width; the event stays between `low` and `high`."""
+    lane = solver.lane
+    for trial in range(MOST_TRIALS):
+        share = next_share(solver, width, trial)
+        put_state_within(solver, share)
+        if lane[HIGH, 0] - lane[LOW, 0] <= width:
+            return
+        decide(solver, lane[STAGE_TIME], WITHIN, BEHIND)
+        distance = least_distance(solver, BEHIND)
+        if distance < 0.0:
+            lane[HIGH, 0] = share
+            lane[DISTANCE_HIGH, 0] = distance
+        else:
+            lane[LOW, 0] = share
+            lane[DISTANCE_LOW, 0] = distance
 
-    The bracket is `width` after at most one trial more than by halving.
+
+def next_share(solver, width, trial):
+    """Return the share at which the bracket is divided: the ITP rule.
+
+    It takes at most one trial more than halving does.
 
     Source: Oliveira, Takahashi, An enhancement of the bisection method average performance
     preserving minmax optimality, ACM Trans. Math. Softw. 47(1), 2021.
     """
-    a, b = numbers[row.LOW, k], numbers[row.HIGH, k]
-    low, high = numbers[row.AT_LOW, k], numbers[row.AT_HIGH, k]
-    middle = 0.5 * (a + b)
-    free = 0.5 * (width * 2.0 ** (MOST_TRIALS - trial) - (b - a))  # from the middle
-    guess = (a * high - b * low) / (high - low)
-    guess = guess if a < guess < b else middle
-    toward = math.copysign(1.0, middle - guess)
-    guess += toward * min((b - a) * (b - a), abs(middle - guess))
-    if abs(guess - middle) <= free:
-        return guess
-    return middle - toward * max(free, 0.0)
+    lane = solver.lane
+    low, high = lane[LOW, 0], lane[HIGH, 0]
+    distance_low, distance_high = lane[DISTANCE_LOW, 0], lane[DISTANCE_HIGH, 0]
+    middle = 0.5 * (low + high)
+    radius = 0.5 * (width * 2.0 ** (MOST_TRIALS - trial) - (high - low))
+    # interpolate
+    share = (low * distance_high - high * distance_low) / (distance_high - distance_low)
+    share = share if low < share < high else middle
+    # truncate
+    toward_middle = math.copysign(1.0, middle - share)
+    share += toward_middle * min((high - low) * (high - low), abs(middle - share))
+    # project
+    if abs(share - middle) <= radius:
+        return share
+    return middle - toward_middle * max(radius, 0.0)
 
 
-def narrow(width, code, shape, numbers, arrays):
-    """Narrow what lies between LOW and HIGH to a share of the step: the kink is still between."""
-    lanes, n, decided, (Z, P, T, W, D) = shape[0], shape[1], shape[6], arrays
-    for trial in range(MOST_TRIALS):
-        wide = False
-        for k in range(lanes):
-            wide = wide or numbers[row.HIGH, k] - numbers[row.LOW, k] > width
-            state_within(n, lanes, k, numbers, Z, tried(k, numbers, width, trial))
-        if not wide:
-            return
-        to = 3 * BEHIND * decided * lanes
-        call(code[row.DECIDE], numbers[row.AT], Z, row.LOOKED * n * lanes, P, T, W, D, to)
-        for k in range(lanes):
-            if numbers[row.HIGH, k] - numbers[row.LOW, k] > width:
-                share = tried(k, numbers, width, trial)
-                distance = to_turn(k, lanes, decided, BEHIND, D)
-                if distance < 0.0:
-                    numbers[row.HIGH, k], numbers[row.AT_HIGH, k] = share, distance
-                else:
-                    numbers[row.LOW, k], numbers[row.AT_LOW, k] = share, distance
+# --- behind an event ------------------------------------------------------------------------------
 
 
-def locate_kinks(code, shape, tolerances, times, results, lane, arrays):
-    """Locate the kinks that steps cross and states feel; a step well beyond one is tried up to it.
-
-    A kink that is not felt is crossed by the step as it is, else rounding might decide where a step
-    ends: at a tangent, or where errors are small.  The effect is measured at all looks and right
-    behind each kink, one after the other, for one that is not felt may make another one felt.  A
-    step is halved where there are too many of these, or a decision may hide behind the first.
-    """
-    lanes, n, decided = shape[0], shape[1], shape[6]
-    shortest = SHORTEST * (times[-1] - times[0])
-    counts, (numbers, whole, _), (Z, P, T, W, D) = results[3], lane, arrays
-    for k in range(lanes):
-        numbers[row.EFFECT, k] = 0.0
-    for look in range(GLANCES, 0, -1):
-        for k in range(lanes):
-            state_within(n, lanes, k, numbers, Z, SHARES[look])
-        measure_effect(code, shape, tolerances, lane, look, arrays)
-    for passage in range(PASSAGES):
-        if not bracket(False, BEHIND if passage > 0 else 0, shape, lane, D):
-            break
-        narrow(CLOSE, code, shape, numbers, arrays)
-        for k in range(lanes):
-            state_within(n, lanes, k, numbers, Z, numbers[row.HIGH, k])
-        to = 3 * BEHIND * decided * lanes
-        call(code[row.DECIDE], numbers[row.AT], Z, row.LOOKED * n * lanes, P, T, W, D, to)
-        measure_effect(code, shape, tolerances, lane, BEHIND, arrays)
-    if bracket(True, 0, shape, lane, D):
-        narrow(0.1 * RESOLVED, code, shape, numbers, arrays)
-    for k in range(lanes):
-        numbers[row.AT, k] = numbers[row.NEW, k]
-        if whole[row.WHICH, k] < 0:
-            continue
-        h, least = numbers[row.TAKEN, k], 4.0 * BLURRED * abs(numbers[row.NEW, k])
-        long, more = h > 2.0 * shortest, numbers[row.LOW, k] < numbers[row.HIGH, k]
-        if numbers[row.EFFECT, k] > FELT:
-            met = (1.0 - numbers[row.LOW, k]) * h <= max(RESOLVED * h, least)
-            if long and not met:
-                try_again(k, max(numbers[row.HIGH, k] * h, shortest), counts, lane)
-            else:
-                numbers[row.KINK, k] = CROSSED
-        elif long and (more or may_hide(k, lanes, decided, GLANCES, numbers, D)):
-            try_again(k, 0.5 * h, counts, lane)
-        elif first_passed(k, lanes, decided, GLANCES, D) >= 0:
-            numbers[row.KINK, k] = CROSSED
-
-
-def measure_effect(code, shape, tolerances, lane, look, arrays):
-    """Raise EFFECT to h |f free - f locked|, the error by decisions as they are at a look.
-
-    D holds these decisions.  Lanes are asked that feel no kink yet, have one between LOW and HIGH,
-    and have passed a decision at the look.
-    """
-    lanes, n, _, _, _, decided_at, decided, _ = shape
-    (numbers, whole, _), (Z, P, T, W, D), some = lane, arrays, False
-    for k in range(lanes):
-        asked = whole[row.WHICH, k] >= 0 and numbers[row.EFFECT, k] <= FELT
-        asked = asked and numbers[row.LOW, k] < numbers[row.HIGH, k]
-        asked = asked and first_passed(k, lanes, decided, look, D) >= 0
-        some, numbers[row.ASKED, k] = some or asked, 1.0 if asked else 0.0
-    if not some:
-        return
-    first = (row.LOOKED if look != GLANCES else row.ARGUMENT) * n * lanes
-    now, count = 3 * look * decided * lanes, decided * lanes
-    call(code[row.DERIVATIVE], numbers[row.AT], Z, first, P, T, W, Z, row.LOCKED * n * lanes)
-    exchange(P, decided_at * lanes, D, now, count)
-    call(code[row.PREPARE], numbers[row.AT], Z, first, P, T, W, D, 0)
-    call(code[row.DERIVATIVE], numbers[row.AT], Z, first, P, T, W, Z, row.FREE * n * lanes)
-    exchange(P, decided_at * lanes, D, now, count)
-    call(code[row.PREPARE], numbers[row.AT], Z, first, P, T, W, D, 0)
-    for k in range(lanes):
-        for i in range(n if numbers[row.ASKED, k] > 0.5 else 0):
-            x, at = Z[i * lanes + k], i * lanes + k
-            apart = abs(Z[row.FREE * n * lanes + at] - Z[row.LOCKED * n * lanes + at])
-            effect = numbers[row.TAKEN, k] * apart / (tolerances[1] + tolerances[0] * abs(x))
-            effect = effect if effect - effect == 0.0 else math.inf
-            numbers[row.EFFECT, k] = max(numbers[row.EFFECT, k], effect)
-
-
-def exchange(a, first, b, second, count):
-    """Exchange `count` numbers of two arrays, each from a place on."""
-    for j in range(count):
-        a[first + j], b[second + j] = b[second + j], a[first + j]
-
-
-def decide_anew(shape, tolerances, times, status, lane, Z):
-    """Begin anew behind a kink; end a run that crosses kinks again and again without going on."""
-    lanes, n = shape[0], shape[1]
-    numbers, whole, queue = lane
-    for k in range(lanes):
-        if numbers[row.KINK, k] == CROSSED and numbers[row.GOOD, k] > 0.5:
-            passed, felt = numbers[row.TIME, k] - numbers[row.LAST, k], False
-            for i in range(n):  # whether a state moves by its tolerance
-                moved = abs(Z[(row.RATE * n + i) * lanes + k]) * passed
-                felt = felt or moved > tolerances[1] + tolerances[0] * abs(Z[i * lanes + k])
-            near = passed < (NEAR if felt else UNFELT) * (times[-1] - times[0])
-            whole[row.BURST, k] = whole[row.BURST, k] + 1 if near else 0
-            numbers[row.LAST, k] = numbers[row.TIME, k]
-            numbers[row.FRESH, k], queue[2] = 1.0, row.ANEW
-            if whole[row.BURST, k] > MOST_KINKS:
-                fail(status, whole, k, row.CHATTERS)
-        numbers[row.KINK, k] = 0.0
+def restart_behind_event(solver):
+    """Begin anew behind an event; end a run that meets event after event without advancing."""
+    lane, integers = solver.lane, solver.integers
+    if lane[EVENT_CROSSED, 0] == CROSSED and lane[ACCEPTED, 0] > 0.5:
+        states = solver.states
+        since_last = lane[TIME, 0] - lane[LAST_EVENT, 0]
+        moves = False
+        for i in range(solver.shape.states):
+            tolerance = solver.tolerances[1] + solver.tolerances[0] * abs(states[STATE, i, 0])
+            moves = moves or abs(states[RATE, i, 0]) * since_last > tolerance
+        share = SHORT_MOVING if moves else SHORT_RESTING
+        is_short = since_last < share * (solver.times[-1] - solver.times[0])
+        integers[BURST, 0] = integers[BURST, 0] + 1 if is_short else 0
+        lane[LAST_EVENT, 0] = lane[TIME, 0]
+        lane[FRESH, 0] = 1.0
+        solver.queue[2] = ANEW
+        if integers[BURST, 0] > MOST_EVENTS:
+            fail(solver, 0, Status.CHATTERING)
+    lane[EVENT_CROSSED, 0] = 0.0

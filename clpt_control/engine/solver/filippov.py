@@ -1,237 +1,292 @@
-"""How a run goes on where it crosses switches to and fro: on the switch, or out of it.
+"""Sliding on a switch: the run of a system whose rates lead back to a switch from both sides.
 
-What turns at the same time need not be one switch.  Decisions belong to one where the slopes of
-their distances are parallel; each switch is tried by itself, and where several were met in one
-place to which rates lead in turn, all of them are tried at once: all that are near, where a run
-winds into a corner.  Cells that meet, as of the longest of queues, are tried first (`sliding`).
-Where a decision besides is met wherever the switches are, as x + y = 0 where x = 0 and y = 0, it
-stays undecided: if its sides give other rates the motion is not known, and the run ends.
+On both sides of a switch g = 0 the rates lead back to it, as with dry friction or a relay.  In the
+limit a run stays there, with the mean of the rates of both sides that does so (Filippov):
+
+    x' = f_0 + w (f_1 - f_0),    g' = 0,    w = g'_0/(g'_0 - g'_1),    0 < w < 1
+
+f_0 and f_1 are the rates on either side, g'_0 and g'_1 the derivative of g along them.  A run
+slides until w leaves 0 ... 1, or to the next time at which rates jump.  Several decisions belong to
+one switch if the slopes of their distances are parallel.  On two switches at once the motion is
+not known: the run ends with a sentence.
+
+Source: Filippov, A. F. (1988), Differential Equations with Discontinuous Righthand Sides, Kluwer,
+section 4; Piiroinen, P. T., Kuznetsov, Y. A. (2008), An event-driven method to simulate Filippov
+systems with accurate computing of sliding motions, ACM Trans. Math. Softw. 34(3).
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable
+from math import prod
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from ...errors import Uncompiled
-from ..trace.arrays import Unread
-from . import solver_layout as numbering
+from ..codegen.switching_conditions import Port
+from ..record.derivative import Direction
+from ..record.graph import reached
+from ..trace.arrays import Unread, operand
+from ..trace.elementwise import spread
 from .batch import Batch
 from .schedule import Schedule
-from .sliding import FLAT, MOST_APART, STAYS, Held, cells_that_meet
+from .solver_layout import (
+    DECIDE,
+    DECISION,
+    DERIVATIVE,
+    MARGIN,
+    SAMPLE_POINTS,
+    STATE,
+    TRIAL_SIZE,
+    Status,
+)
 from .termination import edge, state_within
 
-MOST = 4  # switches at once that do other things together
-MOST_IN_VAIN, GOING = 50, 1e-7  # parts one after the other that go on by less than a share of a run
-NEAR = 1e3  # least distances that count, at which a decision is about to turn
+NEGLIGIBLE = 1e-6  # share of rates that counts as nothing
+TINY = 1e-30
+PARALLEL = 1e-4  # share of a slope that may stand out of the others
+NEAR = 1e3  # least distances, at which a decision is about to change
+MOST_IN_VAIN = 50  # parts of a run in a row, each shorter than SHORT of the run
+SHORT = 1e-7
+STATE_CHANGE = 1e-6  # relative, for the slopes of distances
 
 
-class Turned(NamedTuple):
-    """Decisions that turn on one switch, as they are on both of its sides."""
+class HeldSwitch(NamedTuple):
+    """Decisions that change on one switch, and the one whose distance is its g."""
 
-    places: list[int]
-    before: np.ndarray
-    behind: np.ndarray
+    decisions: tuple[int, ...]
+    switch: int
 
 
 class Sliding(NamedTuple):
-    """A run on switches: a `NativeDiagram`, the switches, decisions on their sides, P."""
+    """A run on a switch: a `NativeDiagram` with the mean of the rates, and its parameters."""
 
     runner: Any
-    held: Held
-    sides: np.ndarray  # (k + 1, d): one side of all, and the other side of each
-    P: np.ndarray
+    parameters: np.ndarray
 
 
 Begin = Callable[[Any, np.ndarray, np.ndarray, np.ndarray, Schedule], Batch]
 
 
-def go_on(diagram: Any, batch: Batch, begin: Begin) -> None:
-    """Go on with a batch of one run of a `NativeDiagram` that ended on a switch.
+# --- runs that slide ------------------------------------------------------------------------------
 
-    ``begin(diagram, P, state, times, pieces)`` runs a part.
+
+def continue_on_switch(diagram: Any, batch: Batch, begin: Begin) -> None:
+    """Continue a batch of one run of a `NativeDiagram` that ended on a switch.
+
+    ``begin(diagram, parameters, state, times, segments)`` runs a part.
     """
-    times, part, now, in_vain, corners = batch.times, batch, None, 0, 0
-    here = dict[int, Turned]()  # switches that were met in vain
+    times, part, in_vain = batch.times, batch, 0
+    sliding: Sliding | None = None
     while True:
         last = part.rests.get(0, part)
-        t, x = last.now, last.Z[: batch.callee.nstates].copy()
-        if last.status[0] == numbering.CHATTERS and in_vain < MOST_IN_VAIN:
-            met = len(here)
-            if (now := _crossed(diagram, last, now, here)) is not None:
-                batch.slides.append(t)
-            elif len(here) == met or (corners := corners + 1) > MOST_IN_VAIN:
-                break  # else it goes on to the next switch of a corner
-        elif now is not None and last.status[0] == numbering.LEFT:
-            now, (t, x) = None, _left(last)
-        elif now is not None and last.status[0] == numbering.FINISHED and last.now < times[-1]:
-            now, x = None, last.out[0, -1].copy()
-        elif now is not None and last.status[0] == numbering.NOT_FINITE:
-            now = None  # another decision has made both sides alike
+        status, t, x = last.status[0], last.now, last.states[STATE, :, 0].copy()
+        # 1. enter or leave the switch, or end
+        if status == Status.CHATTERING and sliding is None and in_vain < MOST_IN_VAIN:
+            if (sliding := enter(diagram, last)) is None:
+                break
+            batch.slides.append(t)
+        elif sliding is not None and status == Status.GUARD_LEFT:
+            sliding = None
+            t, x = leave(last)
+        elif sliding is not None and status == Status.FINISHED and last.now < times[-1]:
+            sliding = None
+            x = last.out[0, -1].copy()
+        elif sliding is not None and status == Status.NOT_FINITE:
+            sliding = None  # another decision has made both sides the same
         else:
             break
+        # 2. samples within the step that was not taken
         for k in np.flatnonzero((times > last.now) & (times <= t)):
-            share = (times[k] - last.now) / last.numbers[numbering.TAKEN, 0]
-            batch.out[0, k] = state_within(last, share) if now is None else x
-        in_vain += 1
-        if t - part.times[0] > GOING * (times[-1] - times[0]):
-            in_vain = 0
-            here.clear()
-        ahead, pieces = times[times > t], batch.pieces[0].after(t)
-        if now is not None:
-            pieces = _until_a_jump(pieces)
-            ahead = np.union1d(ahead[ahead < pieces.edges[-2]], pieces.edges[-2:-1])
-        P = batch.runs[1][0] if now is None else now.P
-        part = begin(diagram if now is None else now.runner, P, x, np.append(t, ahead), pieces)
-        _, wanted, own = np.intersect1d(times, ahead[: part.reached[0] - 1], return_indices=True)
-        batch.out[0, wanted] = part.out[0, 1 + own]
-        batch.counts += part.counts
+            share = (times[k] - last.now) / last.lane[TRIAL_SIZE, 0]
+            batch.out[0, k] = state_within(last, share) if sliding is None else x
+        in_vain = 0 if t - part.times[0] > SHORT * (times[-1] - times[0]) else in_vain + 1
+        # 3. the next part, and its samples
+        part = _next_part(diagram, batch, begin, sliding, t, x)
     if part is not batch:
         batch.rests[0], batch.status[0] = last, last.status[0]
         batch.reached[0] = np.searchsorted(times, last.now, "right")
 
 
-def _until_a_jump(pieces: Schedule) -> Schedule:
-    """Return pieces of time up to the first at whose beginning rates jump.
+def _next_part(
+    diagram: Any, batch: Batch, begin: Begin, sliding: Sliding | None, t: float, x: np.ndarray
+) -> Batch:
+    """Run the next part, with or without sliding, and copy its samples into the batch."""
+    times, segments = batch.times, batch.pieces[0].after(t)
+    ahead = times[times > t]
+    runner, parameters = diagram, batch.runs.parameters[0]
+    if sliding is not None:
+        runner, parameters = sliding
+        segments = _until_a_jump(segments)
+        ahead = np.union1d(ahead[ahead < segments.edges[-2]], segments.edges[-2:-1])
+    part = begin(runner, parameters, x, np.append(t, ahead), segments)
+    reached_times = ahead[: part.reached[0] - 1]
+    _, samples, indices = np.intersect1d(times, reached_times, return_indices=True)
+    batch.out[0, samples] = part.out[0, 1 + indices]
+    batch.counts += part.counts
+    return part
 
-    Where inputs bend the rates on a switch jump too: each piece begins anew.
+
+def _until_a_jump(segments: Schedule) -> Schedule:
+    """Return segments up to the first at whose beginning rates jump.
+
+    Where inputs bend, the rates on a switch jump too: each segment begins anew.
     """
-    jumps = np.flatnonzero(pieces.smooth[1:-1] == 0)
-    k = int(jumps[0]) if len(jumps) else len(pieces.edges) - 2
-    edges = np.append(pieces.edges[: k + 1], np.inf)
-    return Schedule(edges, pieces.places, pieces.values[: k + 2], 0 * pieces.smooth[: k + 2])
+    jumps = np.flatnonzero(segments.smooth[1:-1] == 0)
+    k = int(jumps[0]) if len(jumps) else len(segments.edges) - 2
+    edges = np.append(segments.edges[: k + 1], np.inf)
+    smooth = np.zeros_like(segments.smooth[: k + 2])
+    return Schedule(edges, segments.places, segments.values[: k + 2], smooth)
 
 
-def _left(batch: Batch) -> tuple[float, np.ndarray]:
-    """Return when and where a w leaves 0 ... 1, or a guard is met, in the step not taken."""
-    t, h = batch.now, float(batch.numbers[numbering.TAKEN, 0])
+def leave(batch: Batch) -> tuple[float, np.ndarray]:
+    """Return time and state where w leaves 0 ... 1, or a guard is met, in the step not taken."""
+    t, size = batch.now, float(batch.lane[TRIAL_SIZE, 0])
 
     def margin(share: float) -> float:
-        x, own = state_within(batch, share)[None], (batch.pieces[0], batch.arrays[1])
-        found = batch.callee.evaluate(numbering.MARGIN, [t + share * h], x, *own, 1)[0, 0]
-        return -1.0 if np.isnan(found) else float(found)
+        state = state_within(batch, share)[None]
+        point = [t + share * size], state, batch.pieces[0], batch.memory.P
+        distance = batch.callee.evaluate(MARGIN, *point, 1)[0, 0]
+        return -1.0 if np.isnan(distance) else float(distance)
 
     share = edge(batch, margin)
-    return t + share * h, state_within(batch, share)
+    return t + share * size, state_within(batch, share)
 
 
-class Place(NamedTuple):
-    """Where a run crosses a switch: its time and state, and what is decided there."""
+# --- entering a switch ----------------------------------------------------------------------------
 
-    t: float
-    x: np.ndarray
-    near: np.ndarray  # decisions that are about to turn
-    slopes: np.ndarray  # of the distances of all decisions, (n, d)
+
+class Crossing(NamedTuple):
+    """Where a run crosses a switch to and fro."""
+
+    time: float
+    state: np.ndarray
+    near: np.ndarray  # decisions that are about to change
+    slopes: np.ndarray  # of the distances of all decisions, (states, decisions)
     rates: np.ndarray
 
-    def within(self, some: Sequence[int], of: Sequence[int]) -> list[int]:
-        """Return those that turn where others do, or hang on no state: their slopes say so."""
-        slopes, others = self.slopes[:, some], self.slopes[:, of]
-        besides = slopes - others @ np.linalg.lstsq(others, slopes, rcond=None)[0]
-        flat = np.linalg.norm(besides, axis=0) <= FLAT * np.linalg.norm(slopes, axis=0)
-        return [*np.compress(flat, some)]
+    def parallel_to(self, decision: int, candidates: Iterable[int]) -> list[int]:
+        """Return the candidates that change where a decision does: their slopes are parallel."""
+        candidates = [*candidates]
+        slope, slopes = self.slopes[:, [decision]], self.slopes[:, candidates]
+        beside = slopes - slope @ np.linalg.lstsq(slope, slopes, rcond=None)[0]
+        flat = np.linalg.norm(beside, axis=0) <= PARALLEL * np.linalg.norm(slopes, axis=0)
+        return [*np.compress(flat, candidates)]
 
-    def besides(self, held: Held) -> list[int]:
-        """Return other decisions that are about to turn wherever the switches are met."""
-        moving = [k for k in self.near if self.slopes[:, k].any() and k not in held.places]
-        return self.within(moving, held.switches)
-
-    def both_sides(self, k: int) -> np.ndarray:
-        """Return states on both sides of where a decision turns."""
-        normal = self.slopes[:, k] / np.sum(self.slopes[:, k] ** 2)
-        return self.x + 1e-8 * np.outer([1.0, -1.0], normal)
+    def both_sides(self, decision: int) -> np.ndarray:
+        """Return states on both sides of where a decision changes."""
+        normal = self.slopes[:, decision] / np.sum(self.slopes[:, decision] ** 2)
+        return self.state + 1e-8 * np.outer([1.0, -1.0], normal)
 
 
-def _place(diagram: Any, batch: Batch) -> Place:
-    """Return where a batch of one run ended."""
-    x, d = batch.Z[: diagram.nstates], diagram.code.program.decided
-    steps = 1e-6 * (1.0 + np.abs(x))
-    points = np.vstack([x, x + np.diag(steps)])
-    at = np.full(len(points), batch.now), points, batch.pieces[0], batch.arrays[1]
-    looks = diagram.callee().evaluate(numbering.DECIDE, *at, 3 * d)
-    distance, least = looks[:, d : 2 * d], looks[0, 2 * d :]
-    near = np.flatnonzero(np.abs(distance[0]) < NEAR * least)
-    rates = diagram.callee().evaluate(
-        numbering.DERIVATIVE, *(at[0][:1], points[:1], *at[2:]), len(x)
-    )
-    return Place(batch.now, x, near, (distance[1:] - distance[0]) / steps[:, None], rates)
-
-
-def _crossed(
-    diagram: Any, batch: Batch, now: Sliding | None, here: dict[int, Turned]
-) -> Sliding | None:
-    """Return a run on the switch that a run has just crossed, which it does to and fro.
-
-    Where several have turned one of them is slid on, or all that were met `here`: in a corner to
-    which rates lead in turn.
-    """
-    d, first, place = diagram.code.program.decided, diagram.decided_at, _place(diagram, batch)
-    _, P, _, _, D = batch.arrays
-    last = 3 * numbering.GLANCES * batch.callee.decided  # the look behind the switch
-    before, behind = P[first : first + d], D[last : last + d]
-    sides, known, switches = (now.sides, *now.held[:2]) if now else (before[None], (), ())
-    free = np.setdiff1d(np.arange(d), known)
-    turned = before != behind
-    close = [k for k in free if turned[k] or k in place.near]
-    near = [k for k in close if turned[k] or abs(before[k]) == 1.0]
-    steep, every = np.linalg.norm(place.slopes, axis=0), list[Turned]()
-    rest = sorted(near, key=lambda k: (not turned[k], -steep[k]))
-    while rest:
-        own = [rest[0], *(k for k in place.within(near, rest[:1]) if k != rest[0])]
-        other = np.where(turned[own], behind[own], -before[own])
-        every.append(Turned(own, before[own], other))
-        rest = [k for k in rest if k not in own]
-    ways = [[one] for one in every if turned[one.places[0]]]
-    met = {min(one.places): one for (one,) in ways}
-    here |= met if met.keys() - here.keys() else {min(one.places): one for one in every}
-    corner = [one for one in here.values() if {*one.places} <= {*close}]
-    cells = cells_that_meet(diagram, batch, place, sorted({*close, *known}))
-    if cells and (found := _on(diagram, batch, place, *cells)) is not None:
-        return found
-    for way in [corner, *ways] if len(corner) > 1 else ways:
-        places = sorted([*known, *(k for one in way for k in one.places)])
-        held = Held(tuple(places), (*switches, *(one.places[0] for one in way)))
-        rows = np.vstack([sides, *[sides[:1]] * len(way)])
-        for one in way:
-            rows[:, one.places] = one.before
-        for row, one in zip(rows[len(sides) :], way, strict=True):
-            row[one.places] = one.behind
-        kinds = [(held, rows)] if way is not corner and len(held.switches) <= MOST else []
-        if 1 < len(held.switches) <= MOST_APART:  # in one order, so that fewer are compiled
-            order = np.argsort(held.switches)
-            alone = Held(held.places, tuple(held.switches[k] for k in order), "apart")
-            kinds.insert(0, (alone, np.vstack([rows[:1], rows[1:][order]])))
-        for kind in kinds:
-            if (found := _on(diagram, batch, place, *kind)) is not None:
-                return found
+def enter(diagram: Any, batch: Batch) -> Sliding | None:
+    """Return a run on the switch that a batch of one run crosses to and fro, or None."""
+    crossing = _crossing(diagram, batch)
+    count, first = diagram.code.program.decided, diagram.decided_at
+    before = batch.memory.P[first : first + count]
+    behind = batch.points[SAMPLE_POINTS, DECISION]
+    changed = before != behind
+    near = [k for k in range(count) if changed[k] or (k in crossing.near and abs(before[k]) == 1.0)]
+    steepness = np.linalg.norm(crossing.slopes, axis=0)
+    remaining = sorted(near, key=lambda k: (not changed[k], -steepness[k]))
+    while remaining and changed[remaining[0]]:
+        switch = remaining[0]
+        parallel = [k for k in crossing.parallel_to(switch, near) if k != switch]
+        decisions = [switch, *parallel]
+        sides = np.vstack([before, before])
+        sides[1, decisions] = np.where(changed[decisions], behind[decisions], -before[decisions])
+        held = HeldSwitch(tuple(sorted(decisions)), switch)
+        if (sliding := _sliding_on(diagram, batch, crossing, held, sides)) is not None:
+            return sliding
+        remaining = [k for k in remaining if k not in decisions]
     return None
 
 
-def _on(diagram: Any, batch: Batch, place: Place, held: Held, sides: np.ndarray) -> Sliding | None:
-    """Return a run on switches from a place.
+def _crossing(diagram: Any, batch: Batch) -> Crossing:
+    """Return where a batch of one run ended."""
+    state, count = batch.states[STATE, :, 0].copy(), diagram.code.program.decided
+    changes = STATE_CHANGE * (1.0 + np.abs(state))
+    states = np.vstack([state, state + np.diag(changes)])
+    times, rest = np.full(len(states), batch.now), (batch.pieces[0], batch.memory.P)
+    callee = diagram.callee()
+    conditions = callee.evaluate(DECIDE, times, states, *rest, 3 * count).reshape(-1, 3, count)
+    distance, rounding = conditions[:, 1], conditions[0, 2]
+    near = np.flatnonzero(np.abs(distance[0]) < NEAR * rounding)
+    slopes = (distance[1:] - distance[0]) / changes[:, None]
+    rates = callee.evaluate(DERIVATIVE, times[:1], states[:1], *rest, len(state))
+    return Crossing(batch.now, state, near, slopes, rates)
 
-    None where rates lead away from them, or hang on a decision that no switch turns and that stays
-    undecided there, whose other side gives another motion.
+
+def _sliding_on(
+    diagram: Any, batch: Batch, crossing: Crossing, held: HeldSwitch, sides: np.ndarray
+) -> Sliding | None:
+    """Return a run on a switch, whose decisions are those of a row of `sides` on each side.
+
+    None where rates lead away from it, or depend on another decision that stays undecided there.
     """
     try:
         runner = diagram.in_form(held)
     except (Unread, Uncompiled):
         return None
-    first, own, P = diagram.decided_at, len(diagram.layout.P), runner.parameters()
-    P[:own], P[first - 1] = batch.runs[1][0][:own], batch.arrays[1][first - 1]
-
-    def margin(sides: np.ndarray) -> float:
-        every = sides[0] + held.turned() @ (sides[1:] - sides[0])
-        P[first : first + every.size] = every.ravel()
-        at = [place.t], place.x[None], batch.pieces[0], P
-        return float(runner.callee().evaluate(numbering.MARGIN, *at, 1)[0, 0])
-
-    if not margin(sides) > 0.0:
+    first, known = diagram.decided_at, len(diagram.layout.P)
+    parameters = runner.parameters()
+    parameters[:known] = batch.runs.parameters[0][:known]
+    parameters[first - 1] = batch.memory.P[first - 1]
+    parameters[first : first + sides.size] = sides.ravel()
+    callee, segments = runner.callee(), batch.pieces[0]
+    point = [crossing.time], crossing.state[None], segments, parameters
+    if not callee.evaluate(MARGIN, *point, 1)[0, 0] > 0.0:
         return None
-    states = [x for k in place.besides(held) for x in place.both_sides(k)]
-    at = np.full(len(states), place.t), np.reshape(states, (-1, len(place.x))), batch.pieces[0]
-    rates = runner.callee().evaluate(numbering.DERIVATIVE, *at, P, len(place.x))
-    size = np.abs(place.rates).max()
-    if np.any(np.abs(rates[::2] - rates[1::2]) > STAYS * size):
+    moving = [k for k in crossing.near if crossing.slopes[:, k].any() and k not in held.decisions]
+    undecided = crossing.parallel_to(held.switch, moving)
+    states = np.reshape(
+        [state for k in undecided for state in crossing.both_sides(k)], (-1, len(crossing.state))
+    )
+    times = np.full(len(states), crossing.time)
+    rates = callee.evaluate(DERIVATIVE, times, states, segments, parameters, states.shape[1])
+    if np.any(np.abs(rates[::2] - rates[1::2]) > NEGLIGIBLE * np.abs(crossing.rates).max()):
         return None
-    return Sliding(runner, held, sides, P)
+    return Sliding(runner, parameters)
+
+
+# --- rates on a switch ----------------------------------------------------------------------------
+
+
+def slide(record: Any, held: HeldSwitch) -> None:
+    """Replace the rates of a `DiagramRecord` by those on a switch.
+
+    w and 1 - w become margins, and so does that the other held decisions stay where they are.
+    """
+    value, conditions = record.tape.value, record.decisions
+    side, other_side = (conditions.lock(record.rates, held.decisions) for _ in range(2))
+    distance = conditions.distance_of(held.switch)
+    along = _slope(record, distance, side)
+    pivot = _slope(record, distance, other_side) - along
+    if type(pivot) is float and pivot == 0.0:
+        raise Unread("a switch that its rates do not move")
+    weight = -along / pivot
+    record.margins += [operand(weight), operand(1.0 - weight)]
+    record.rates = []
+    for port, other in zip(side, other_side, strict=True):
+        a, b = (spread(record.tape, value(rate.ref), port.shape) for rate in (port, other))
+        mean = a if other.ref == port.ref else a + weight * (b - a)
+        record.rates.append(port._replace(ref=operand(mean)))
+    for decision in set(held.decisions) - {held.switch}:
+        distance = conditions.distance_of(decision)
+        moved = np.fabs(_slope(record, distance, record.rates))
+        scale = np.fabs(_slope(record, distance, side))
+        record.margins.append(operand(1.0 - moved / (NEGLIGIBLE * scale + TINY)))
+
+
+def _slope(record: Any, distance: int, rates: list[Port]) -> Any:
+    """Return g' along rates."""
+    along: dict[int, Any] = {}
+    for k in reached(record.entries, [distance]):
+        kind, _, shape, at = record.entries[k]
+        if kind == "load" and at[0] == "t":
+            along[k] = 1.0
+        for port in rates if kind == "load" and at[0] == "X" else ():
+            first, end = at[1], at[1] + prod(shape)
+            if port.first <= first and end <= port.first + prod(port.shape):
+                part = record.part(port.ref, first - port.first, shape)
+                along[k] = record.tape.value(part)
+    return Direction(record.tape, along).of(record.tape.value(distance))

@@ -1,86 +1,103 @@
-"""What the implicit method solves at each stage: (I/(h g) - df/dx) U = a rate and its addend.
+"""Linear equations of the implicit method: (I/(h gamma) - df/dx) U = a rate and its addend.
 
-df/dx is computed anew for each step, by `slope` or by differences.  Arguments are those of
-`numbering`; Rodas5P takes one run at a time, in lane 0.
+df/dx is computed anew for each step, by differences; states whose rates depend on no common state
+share a difference (`jacobian`).  Rodas5P takes one run at a time, in lane 0.
 """
 
-from . import solver_layout as row
-from .solver_layout import call
+from .solver_layout import (
+    ADDEND,
+    ARGUMENT,
+    DIAGONAL,
+    RATE,
+    REJECTED,
+    ROOM,
+    STAGE_TIME,
+    STATE,
+    TERMS,
+    TIME,
+    TIME_SLOPE,
+    TRIAL_SIZE,
+    derivative,
+)
 
-CHANGE = 6e-6  # for differences of rates, of the size of a state: the third root of a rounding
+RELATIVE_CHANGE = 6e-6  # of a state, for differences of rates: the third root of a rounding error
 
 
-def linearise(code, n, tolerances, numbers, linear, arrays):
-    """Factor I/(h g) - df/dx for the step to try; after a rejected step df/dx is that of before."""
-    slopes, M, pivots, (low, high, _), _, _, _, _, _, _ = linear
-    if numbers[row.REJECTED, 0] < 0.5:
-        differentiate(code, n, tolerances, numbers, linear, arrays)
+def factor_matrix(solver):
+    """Factor I/(h gamma) - df/dx for the step to try; after a rejected step df/dx is kept."""
+    lane = solver.lane
+    n, linear = solver.shape.states, solver.linear
+    low, high = linear.band
+    if lane[REJECTED, 0] < 0.5:
+        differentiate(solver)
     for j in range(n):
         for i in range(max(0, j - low - high), min(n, j + low + 1)):
-            M[j * n + i] = -slopes[j * n + i]
-        M[j * n + j] += numbers[row.DIAGONAL, 0]
-    factor(n, low, high, M, pivots)
+            linear.factors[j * n + i] = -linear.jacobian[j * n + i]
+        linear.factors[j * n + j] += lane[DIAGONAL, 0]
+    factor(n, low, high, linear.factors, linear.pivots)
 
 
-def differentiate(code, n, tolerances, numbers, linear, arrays):
-    """Compute df/dx and df/dt; states whose rates have nothing in common go together."""
-    slopes, _, _, (_, _, exact), _, groups, begins, rows, columns, to = linear
-    Z, P, T, W, _ = arrays
+def differentiate(solver):
+    """Compute df/dx and df/dt."""
+    n, linear, states = solver.shape.states, solver.linear, solver.states
     for i in range(n):
-        Z[row.ARGUMENT * n + i] = Z[i]
-        Z[row.TIME_SLOPE * n + i] = 0.0
-    for group in range(len(begins) - 1):
-        known = exact > 0
-        if known:
-            for j in range(n + 1):
-                Z[row.TERMS * n + j] = 1.0 if groups[j] == group else 0.0
-            call(code[row.SLOPE], numbers[row.TIME], Z, row.ARGUMENT * n, P, T, W, Z, row.ROOM * n)
-            for e in range(begins[group], begins[group + 1]):
-                known = known and Z[row.ROOM * n + rows[e]] - Z[row.ROOM * n + rows[e]] == 0.0
-        if not known:
-            by_differences(code, n, group, tolerances, numbers, groups, arrays)
-        for e in range(begins[group], begins[group + 1]):
-            slope = Z[row.ROOM * n + rows[e]] / Z[row.TERMS * n + columns[e]]
+        states[ARGUMENT, i, 0] = states[STATE, i, 0]
+        states[TIME_SLOPE, i, 0] = 0.0
+    changes = solver.memory.Z[TERMS * n : TERMS * n + n + 1]  # of the states, then of time
+    for group in range(len(linear.begins) - 1):
+        set_changes(solver, group, changes)
+        difference_rates(solver, changes)
+        for element in range(linear.begins[group], linear.begins[group + 1]):
+            i, column = linear.rows[element], linear.columns[element]
+            slope = states[ROOM, i, 0] / changes[column]
             slope = slope if slope - slope == 0.0 else 0.0
-            if columns[e] == n:
-                Z[row.TIME_SLOPE * n + rows[e]] = slope
+            if column == n:
+                states[TIME_SLOPE, i, 0] = slope
             else:
-                slopes[to[e]] = slope
+                linear.jacobian[linear.positions[element]] = slope
 
 
-def by_differences(code, n, group, tolerances, numbers, groups, arrays):
-    """Write a group's changes of states and time into TERMS, and the changes of rates into ROOM."""
-    Z, P, T, W, _ = arrays
-    least = tolerances[1] / tolerances[0]  # a smaller state is as good as zero
+def set_changes(solver, group, changes):
+    """Set the changes of the states and of time in a group; the others do not change."""
+    lane = solver.lane
+    n, groups = solver.shape.states, solver.linear.groups
+    least = solver.tolerances[1] / solver.tolerances[0]  # a smaller state is as good as zero
     for j in range(n):
-        size = max(abs(Z[j]), least)
-        change = 2.0 * CHANGE * (size if size > 0.0 else 1.0)
-        Z[row.TERMS * n + j] = change if groups[j] == group else 0.0
-    Z[row.TERMS * n + n] = 1e-3 * numbers[row.TAKEN, 0] if groups[n] == group else 0.0
+        size = max(abs(solver.states[STATE, j, 0]), least)
+        change = 2.0 * RELATIVE_CHANGE * (size if size > 0.0 else 1.0)
+        changes[j] = change if groups[j] == group else 0.0
+    changes[n] = 1e-3 * lane[TRIAL_SIZE, 0] if groups[n] == group else 0.0
+
+
+def difference_rates(solver, changes):
+    """Write the central difference of the rates along changes into ROOM."""
+    lane = solver.lane
+    n, states = solver.shape.states, solver.states
     for side in range(2):
         half = 0.5 - side
         for j in range(n):
-            Z[row.ARGUMENT * n + j] = Z[j] + half * Z[row.TERMS * n + j]
-        numbers[row.AT, 0] = numbers[row.TIME, 0] + half * Z[row.TERMS * n + n]
-        to = (row.ROOM + side) * n
-        call(code[row.DERIVATIVE], numbers[row.AT], Z, row.ARGUMENT * n, P, T, W, Z, to)
+            states[ARGUMENT, j, 0] = states[STATE, j, 0] + half * changes[j]
+        lane[STAGE_TIME, 0] = lane[TIME, 0] + half * changes[n]
+        derivative(solver, lane[STAGE_TIME], ARGUMENT, ROOM + side)
     for i in range(n):
-        Z[row.ARGUMENT * n + i] = Z[i]
-        ahead, behind, here = Z[row.ROOM * n + i], Z[(row.ROOM + 1) * n + i], Z[row.RATE * n + i]
+        states[ARGUMENT, i, 0] = states[STATE, i, 0]
+        ahead, behind = states[ROOM, i, 0], states[ROOM + 1, i, 0]
         if behind - behind == 0.0:
-            Z[row.ROOM * n + i] = ahead - behind
-        else:  # beyond an edge, as that of a root
-            Z[row.ROOM * n + i] = 2.0 * (ahead - here)
+            states[ROOM, i, 0] = ahead - behind
+        else:  # beyond an edge, such as that of a root
+            states[ROOM, i, 0] = 2.0 * (ahead - states[RATE, i, 0])
 
 
-def solve_stage(n, s, linear, Z):
+def solve_stage(solver, stage):
     """Replace the rate of a stage by the solution of its equations."""
-    _, M, pivots, (low, high, _), places, _, _, _, _, _ = linear
+    n, linear, states = solver.shape.states, solver.linear, solver.states
+    low, high = linear.band
     for i in range(n):
-        Z[row.ARGUMENT * n + places[i]] = Z[(row.RATE + s) * n + i] + Z[row.ADDEND * n + i]
-    solve(n, low, high, M, pivots, Z, row.ARGUMENT * n)
+        right_side = states[RATE + stage, i, 0] + states[ADDEND, i, 0]
+        states[ARGUMENT, linear.order[i], 0] = right_side
+    solve(n, low, high, linear.factors, linear.pivots, solver.memory.Z, ARGUMENT * n)
     for i in range(n):
-        Z[(row.RATE + s) * n + i] = Z[row.ARGUMENT * n + places[i]]
+        states[RATE + stage, i, 0] = states[ARGUMENT, linear.order[i], 0]
 
 
 # --- linear equations of a band matrix ------------------------------------------------------

@@ -1,17 +1,14 @@
-"""The Jacobian matrix for Rodas5P: which states reach which rates, and derivatives of the rates.
+"""Sparsity pattern of the Jacobian matrix df/dx for Rodas5P: which states reach which rates.
 
 States whose rates have nothing in common share one derivative (Curtis, Powell and Reid, On the
 estimation of sparse Jacobian matrices, 1974): a chain of any length takes three.  States are
 ordered so that the matrix has a narrow band (Cuthill and McKee).
-
-The rates of a whole diagram, wires included, are differentiated along a direction (v, s), which
-lies behind the states: X = x, v, s.
 """
 
 from functools import reduce
 from math import prod
 from operator import or_
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from scipy.linalg import bandwidth
@@ -20,20 +17,22 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import reverse_cuthill_mckee
 
 from ..codegen.diagram_record import DiagramRecord
-from ..codegen.switching_conditions import Port
-from ..record.derivative import JUMPS, Direction
-from ..record.graph import deep, reached
+from ..record.derivative import JUMPS
+from ..record.graph import deep
 from ..record.scalar_graph import Elements, Index
-from ..trace.arrays import CONDITIONS, Unread, operand
+from ..trace.arrays import CONDITIONS, Unread
+from .solver_layout import DOP853, RODAS5P, Linear
 
 NONE = np.zeros(0, np.int64)
+STEPS, FEW_STATES = 5_000, 20  # explicit steps that a change of the method is worth
+OPERATIONS_OF_A_RATE = 10  # for each state, so that a factorization is counted in evaluations
 FULL = 0.3  # share of elements from which on a matrix counts as full
 
 
 class Jacobian(NamedTuple):
-    """The solver's argument `linear`, which `numbering` explains, without its room."""
+    """Sparsity of the Jacobian matrix, as `solver_layout.Linear` explains it."""
 
-    band: tuple[int, int, int] = 0, 0, 0
+    band: tuple[int, int] = 0, 0
     places: np.ndarray = NONE
     groups: np.ndarray = NONE
     begins: np.ndarray = NONE
@@ -42,17 +41,27 @@ class Jacobian(NamedTuple):
     to: np.ndarray = NONE
 
     @property
-    def for_solver(self) -> tuple[Any, ...]:
+    def steps_worth(self) -> float:
+        """Explicit steps ahead for which changing to the implicit method pays.
+
+        Fewer of them for many states, whose explicit steps take longer than preparing the method,
+        unless the matrix is full: an implicit step then takes many evaluations.
+        """
+        n = len(self.places)
+        evaluations = 2 * (len(self.begins) - 1) + RODAS5P
+        work = sum(self.band) * (1 + self.band[0]) / OPERATIONS_OF_A_RATE
+        ratio = (evaluations + work) / DOP853  # of the work of an implicit step and an explicit one
+        return STEPS * min(1.0, ratio / (1 + n / FEW_STATES))
+
+    @property
+    def for_solver(self) -> Linear:
         """The solver's argument, with room for matrices and pivots."""
         n = len(self.places)
-        return np.zeros(n * n), np.zeros(n * n), np.zeros(n, np.int64), *self
+        return Linear(np.zeros(n * n), np.zeros(n * n), np.zeros(n, np.int64), *self)
 
 
-def jacobian(reach: np.ndarray, exact: bool) -> Jacobian:
-    """Return the Jacobian of rates that states and time reach: truth values (n, n + 1).
-
-    `exact` says whether there is a function `slope`.
-    """
+def jacobian(reach: np.ndarray) -> Jacobian:
+    """Return the Jacobian of rates that states and time reach: truth values (n, n + 1)."""
     n = len(reach)
     places, low, high = _ordered(reach[:, :n])
     groups = group_columns(reach, np.arange(n + 1))
@@ -62,7 +71,7 @@ def jacobian(reach: np.ndarray, exact: bool) -> Jacobian:
     begins = np.searchsorted(groups[columns], np.arange(groups.max(initial=-1) + 2))
     to = np.append(places, 0)[columns] * n + places[rows]
     lists = (own.astype(np.int64) for own in (places, groups, begins, rows, columns, to))
-    return Jacobian((low, high, int(exact)), *lists)
+    return Jacobian((low, high), *lists)
 
 
 def _ordered(reach: np.ndarray) -> tuple[np.ndarray, int, int]:
@@ -120,23 +129,3 @@ def reach_of(record: DiagramRecord, n: int) -> np.ndarray:
     except Unread:  # too many elements
         reach[:] = True
     return reach
-
-
-# --- the derivative along a direction ---------------------------------------------------------
-
-
-def slopes_of(record: DiagramRecord, n: int) -> list[Port]:
-    """Return the derivatives of the rates of n states along a direction; the record grows by them.
-
-    A function without a derivative is an `Unread` error.
-    """
-    direction = Direction(record.tape, {})
-    roots = [port.ref for port in record.rates]
-    loads = [k for k in sorted(reached(record.entries, roots)) if record.entries[k].kind == "load"]
-    for k in loads:
-        (array, first), shape = record.entries[k].at, record.entries[k].shape
-        place = {"X": n + first, "t": 2 * n}.get(array)
-        slope = None if place is None else record.tape.value(record.load("X", place, shape))
-        direction.known[k] = slope
-    slopes = [direction.of(record.tape.value(ref)) for ref in roots]
-    return [port._replace(ref=operand(one)) for port, one in zip(record.rates, slopes, strict=True)]

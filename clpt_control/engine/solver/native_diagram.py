@@ -1,9 +1,9 @@
 """A diagram as machine code, which is compiled once a process for all diagrams of one structure."""
 
-from collections.abc import Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, field, replace
+from functools import cache
 from typing import Any, Self
 
 import control
@@ -18,21 +18,21 @@ from ..codegen.plan import NO_TABLES, Program, program_of
 from ..diagram.wiring import Wiring
 from ..record.graph import OPERATIONS
 from ..trace.arrays import Unread
-from . import solver_layout as numbering
 from .batch import Callee
+from .filippov import HeldSwitch, slide
 from .integrators import with_formulas
-from .jacobian import Jacobian, jacobian, reach_of, slopes_of
+from .jacobian import Jacobian, jacobian, reach_of
 from .runner import PythonDiagram
 from .schedule import Inputs
-from .sliding import Held, slide
+from .solver_layout import DOP853, RK4, RODAS5P
 
 ABREAST = 256  # states of runs in lanes; more do not fit the first cache
 MANY, SHORTER = 1500, 3  # components of a long program, and how much shorter one of loops is
 # components of a program that LLVM does not optimise: its time grows as their square, and the
 # machine code is a third slower at most
 UNOPTIMISED = 2000
-Form = str | Held | None
-FUNCTIONS = ("derivative", "prepare", "margin", "signals", "jump", "decide", "slope", "staged")
+Form = str | HeldSwitch | None
+FUNCTIONS = ("derivative", "prepare", "margin", "signals", "jump", "decide")
 
 
 @dataclass(frozen=True)
@@ -52,11 +52,11 @@ class Structure:
 class Code:
     """The program of a structure, and its machine code once it is asked for.
 
-    `linear` is what an implicit method needs of it.
+    `sparsity` is the pattern of df/dx, for an implicit method.
     """
 
-    def __init__(self, program: Program, linear: Jacobian | None = None):
-        self.program, self.linear = program, linear or Jacobian()
+    def __init__(self, program: Program, sparsity: Callable[[], Jacobian]):
+        self.program, self.sparsity = program, cache(sparsity)
         self._machines: dict[tuple[str, int], Machine] = {}
 
     @one_at_a_time
@@ -73,14 +73,13 @@ class Code:
         return [self._machines[name, lanes].addresses[name] for name in names]
 
 
-def code_of(wiring: Wiring, layout: Layout, form: Form = None, implicit: bool = False) -> Code:
+def code_of(wiring: Wiring, layout: Layout, form: Form = None) -> Code:
     """Return the code of a diagram, the same for diagrams of one structure.
 
-    With `implicit` rates have slopes, for an implicit method.  `form` says whether all axes are
-    ``"unrolled"`` or ``"looped"``, or decisions ``"free"``, or held on switches.  An `Uncompiled`
-    error says what cannot be compiled.
+    `form` says whether all axes are ``"unrolled"`` or ``"looped"``, or decisions ``"free"``, or
+    held on a switch.  An `Uncompiled` error says what cannot be compiled.
     """
-    if form not in FORMS and not isinstance(form, Held):
+    if form not in FORMS and not isinstance(form, HeldSwitch):
         raise DiagramError(f"form = {form!r}: must be 'unrolled', 'looped' or 'free', or left out")
     blocks: list[Any] = [node.system for node in wiring.nodes]
     try:
@@ -92,21 +91,21 @@ def code_of(wiring: Wiring, layout: Layout, form: Form = None, implicit: bool = 
     wires = tuple((node.states.start, node.outputs.start, node.wires) for node in wiring.nodes)
     order = wiring.order, *((block.feedthrough, block.first_held) for block in blocks)
     key = records, shapes, wires, order, bool(wiring.dt), layout.pattern, wiring.ninputs
-    return _code(Structure(key, wiring, layout), form, implicit)
+    return _code(Structure(key, wiring, layout), form)
 
 
 @once(64)
-def _code(structure: Structure, form: Form, implicit: bool) -> Code:
+def _code(structure: Structure, form: Form) -> Code:
     """Return the code; that with short axes looped where it is far shorter, as of matrices."""
     try:
-        code = _planned(structure, form, implicit)
+        code = _planned(structure, form)
     except Uncompiled:
         if form is not None:
             raise
-        return _planned(structure, "looped", implicit)
+        return _planned(structure, "looped")
     size = len(code.program.components)
     if form is None and size > MANY and SHORTER * _array_operations(structure) < size:
-        looped = _planned(structure, "looped", implicit)
+        looped = _planned(structure, "looped")
         return looped if SHORTER * len(looped.program.components) < size else code
     return code
 
@@ -118,19 +117,14 @@ def _array_operations(structure: Structure) -> int:
     return sum(line.kind in OPERATIONS for record in records for line in record.operations)
 
 
-def _planned(structure: Structure, form: Form, implicit: bool) -> Code:
+def _planned(structure: Structure, form: Form) -> Code:
     wiring, layout = structure.wiring, structure.layout
-    record = DiagramRecord(wiring, layout, "free" if isinstance(form, Held) else form)
-    if isinstance(form, Held):
+    record = DiagramRecord(wiring, layout, "free" if isinstance(form, HeldSwitch) else form)
+    if isinstance(form, HeldSwitch):
         slide(record, form)
     room = wiring.nodes[-1].outputs.stop, layout.inputs(wiring.ninputs)
-    if not implicit:
-        return Code(program_of(record, *room))
-    reach = reach_of(record, wiring.nodes[-1].states.stop)
-    with suppress(Unread, Uncompiled):  # else rates are differentiated by differences
-        program = program_of(record, *room, slopes_of(record, len(reach)))
-        return Code(program, jacobian(reach, True))
-    return Code(program_of(record, *room), jacobian(reach, False))
+    states = wiring.nodes[-1].states.stop
+    return Code(program_of(record, *room), lambda: jacobian(reach_of(record, states)))
 
 
 # --- ready to run ----------------------------------------------------------------------------
@@ -148,7 +142,7 @@ class NativeDiagram(PythonDiagram):
         Call-time parameters by qualified name.
     form : str, optional
         ``"unrolled"`` or ``"looped"``: all axes; short ones are unrolled without.  ``"free"``:
-        decisions are not locked for a step.  `Held`: on switches, whose decisions are held.
+        decisions are not locked for a step.  `HeldSwitch`: on a switch, whose decisions are held.
     apart : mapping, optional
         Blocks' fields that differ from run to run: those that always have equal values have the
         same here.
@@ -174,7 +168,7 @@ class NativeDiagram(PythonDiagram):
     (2, 14)
     """
 
-    engine, loose = "native", np.inf
+    engine = "native"
     comparisons = 0  # runs that were compared with Python
     most = 500_000_000
 
@@ -219,33 +213,37 @@ class NativeDiagram(PythonDiagram):
 
     def _code(self, method: int) -> Code:
         """Return the code for a method; in steps of one length decisions are not locked."""
-        if method == numbering.RK4 and self.code.program.decided:
+        if method == RK4 and self.code.program.decided:
             return code_of(self.wiring, self.layout, "free")
-        if method == numbering.RODAS5P:
-            return code_of(self.wiring, self.layout, self.form, True)
         return self.code
 
-    def callee(
-        self, lanes: int = 1, inputs: Inputs | None = None, method: int = numbering.DOP853
-    ) -> Callee:
-        """Return what the solver calls, for one of its methods."""
+    def callee(self, lanes: int = 1, inputs: Inputs | None = None, method: int = DOP853) -> Callee:
+        """Return what the solver calls, for one of its methods.
+
+        A diagram with events takes one run at a time: eight lanes are slower than one there.
+        """
+        if lanes > 1 and (self.sweep.guarded or self._code(method).program.decided):
+            lanes = 1
         if (lanes, method) not in self._callees:
             self._callees[lanes, method] = self._callee(lanes, method)
         return self._callees[lanes, method]
 
     def _callee(self, lanes: int, method: int) -> Callee:
         code, (guarded, jumping) = self._code(method), self.watched(method)
-        program, watched = code.program, (max(guarded, int(isinstance(self.form, Held))), jumping)
+        program, watched = (
+            code.program,
+            (max(guarded, int(isinstance(self.form, HeldSwitch))), jumping),
+        )
         used = dict(zip(("margin", "jump"), watched, strict=True))
-        used |= {"decide": program.decided, "slope": "slope" in program.functions}
-        used["staged"] = method == numbering.DOP853 and program.staged
+        used["decide"] = program.decided
         wanted = [name for name in FUNCTIONS if used.get(name, True)]
         found = dict(zip(wanted, code.addresses(wanted, lanes), strict=True))
         own = [found.get(name, 0) for name in FUNCTIONS]
         shape = lanes, self.nstates, method, *watched, self.decided_at, program.decided, 0
         tables = np.concatenate([self.layout.T, program.tables])
         sizes = program.parameters, program.room, tables
-        more = code.linear, program.timed, (code,)
+        linear = code.sparsity() if method == RODAS5P else Jacobian()
+        more = linear, program.timed, (code,)
         return with_formulas(Callee(self.engine, own, *shape, *sizes, *more))
 
     def lanes(self, count: int) -> int:

@@ -22,10 +22,9 @@ from ...errors import SimulationError
 from ..codegen.machine import callback
 from ..diagram.interconnection import changed_parameters
 from ..diagram.wiring import Wiring, read_anew, wiring_of
-from . import solver_layout as numbering
 from .batch import ANY, Batch, Callee, pace
 from .evaluation_pass import Sweep, rounding
-from .filippov import go_on
+from .filippov import continue_on_switch
 from .integrators import with_formulas
 from .jacobian import Jacobian, jacobian
 from .schedule import (
@@ -39,6 +38,7 @@ from .schedule import (
     make_schedule,
     read_inputs,
 )
+from .solver_layout import DOP853, MAP, RK4, RODAS5P, SIGNALS, Status
 from .termination import (
     NAMES,
     STUCK,
@@ -50,7 +50,6 @@ from .termination import (
 )
 
 FELT = 200.0  # tolerances of an input: a run stops where it bends off its line by more
-FELT_BY_ORDER_5 = 2000.0  # the same for DOPRI5, whose steps are shorter
 
 
 class PythonDiagram:
@@ -62,7 +61,6 @@ class PythonDiagram:
 
     engine = "python"
     most = 10_000_000  # tries of a run
-    loose = 1e-6  # from that rtol on order 5 takes fewer evaluations, which are what a run costs
     ramp = -1  # place in P of the diagram's inputs, where they are read from there
 
     def __init__(
@@ -95,9 +93,7 @@ class PythonDiagram:
 
     schedule = make_schedule
 
-    def callee(
-        self, lanes: int = 1, inputs: Inputs | None = None, method: int = numbering.DOP853
-    ) -> Callee:
+    def callee(self, lanes: int = 1, inputs: Inputs | None = None, method: int = DOP853) -> Callee:
         """Return what the solver calls, for one of its methods."""
         n, sweep, raised = self.nstates, self.sweep, list[BaseException]()
         u: Any = (lambda t: None) if inputs is None else inputs.at
@@ -117,9 +113,9 @@ class PythonDiagram:
         ]
         places = len(self.jumps)
         own = [callback(one, n, places, array, count, raised) for one, array, count in functions]
-        addresses = [*(cast(one, c_void_p).value for one in own), 0, 0, 0]
+        addresses = [*(cast(one, c_void_p).value for one in own), 0]
         full = np.ones((n, n + 1), dtype=bool)
-        linear = jacobian(full, False) if method == numbering.RODAS5P else Jacobian()
+        linear = jacobian(full) if method == RODAS5P else Jacobian()
         sizes = places, self.nsignals, np.zeros(1)
         straight = inputs is None or inputs.bends_sharply_only
         shape = 1, n, method, *self.watched(method), 0, 0, 1 if straight else 2
@@ -129,13 +125,13 @@ class PythonDiagram:
 
     def watched(self, method: int) -> tuple[int, int]:
         """Return 1 if guards are watched, and 1 if states jump; neither in discrete time."""
-        if method == numbering.MAP:
+        if method == MAP:
             return 0, 0
         return int(self.sweep.guarded), int(bool(self.jumps))
 
     def implicit(self, inputs: Inputs | None = None) -> Callee:
         """Return what the solver calls for its implicit method."""
-        return self.callee(1, inputs, numbering.RODAS5P)
+        return self.callee(1, inputs, RODAS5P)
 
     # --- runs -----------------------------------------------------------------------------
 
@@ -172,9 +168,8 @@ class PythonDiagram:
             place of DOP853, without tolerances and progress; steps end at
             every breakpoint and sample.
         method : str, optional
-            ``"dop853"``, explicit, of order 8; ``"dopri5"``, of order 5; ``"rodas5p"``, for stiff
-            equations, of order 5; or ``"auto"``, as without: DOP853 (DOPRI5 in Python where rtol is
-            1e-6 or more), and Rodas5P from where the equations are stiff.
+            ``"dop853"``, explicit, of order 8; ``"rodas5p"``, for stiff equations, of order 5; or
+            ``"auto"``, as without: DOP853, and Rodas5P from where the equations are stiff.
         max_step, first_step : float, optional
             The longest step, and the first that is tried.
 
@@ -204,13 +199,10 @@ class PythonDiagram:
         if self.wiring.dt and self.engine == "python":
             return in_discrete_time(self.sweep, start, times, inputs, progress)
         by, auto = self.method_number(method, step), method == "auto" and step is None
-        if auto and by == numbering.DOP853 and rtol >= self.loose:
-            by = numbering.DOPRI5
-        felt = rtol * (FELT_BY_ORDER_5 if by == numbering.DOPRI5 else FELT)
-        pieces = self.schedule(times, inputs, felt)
+        pieces = self.schedule(times, inputs, FELT * rtol)
         callee, P = self.callee(1, inputs, by), self.parameters()
         start = sampled_start(callee, start, t0, pieces, P)
-        most = self.most if by > numbering.RK4 else ANY
+        most = self.most if by > RK4 else ANY
 
         def begun(of: Any, P: Any, start: Any, times: np.ndarray, pieces: Schedule) -> Batch:
             callee, rows = of.callee(1, inputs, by), (start[None], P[None], times, [pieces], None)
@@ -225,8 +217,8 @@ class PythonDiagram:
         batch, slow = begun(self, P, start, times, pieces), None
         try:
             run(batch, self)
-            if batch.status[0] == numbering.CHATTERS:
-                go_on(self, batch, lambda of, *part: run(begun(of, *part), of))
+            if batch.status[0] == Status.CHATTERING:
+                continue_on_switch(self, batch, lambda of, *part: run(begun(of, *part), of))
         except SimulationError as error:
             slow = error
         if callee.decided and (slow or batch.status[0] in STUCK):
@@ -242,8 +234,8 @@ class PythonDiagram:
     def method_number(self, method: str = "auto", step: float | None = None) -> int:
         """Return the solver's number of a method."""
         if self.wiring.dt:
-            return numbering.MAP
-        return METHODS[method] if step is None else numbering.RK4
+            return MAP
+        return METHODS[method] if step is None else RK4
 
     def unlocked(self) -> Self:
         """Return the diagram with decisions that change within a step.
@@ -321,7 +313,7 @@ class PythonDiagram:
         if solution.signals is not None:
             return solution.signals
         at = solution.t, solution.x, self.pieces(solution, inputs), self.parameters()
-        return self.callee(1, inputs).evaluate(numbering.SIGNALS, *at, self.nsignals)
+        return self.callee(1, inputs).evaluate(SIGNALS, *at, self.nsignals)
 
     def pieces(self, solution: Solution, inputs: Inputs | None) -> Schedule:
         """Return the pieces of time of a run."""
@@ -330,8 +322,8 @@ class PythonDiagram:
         return solution.pieces
 
 
-ADAPTIVE = {name.lower(): k for k, name in NAMES.items() if k > numbering.RK4}
-METHODS = {"auto": numbering.DOP853, **ADAPTIVE}
+ADAPTIVE = {name.lower(): k for k, name in NAMES.items() if k > RK4}
+METHODS = {"auto": DOP853, **ADAPTIVE}
 # the least that an option may be
 LEAST = {"rtol": 0.0, "atol": 0.0, **dict.fromkeys(("step", "max_step", "first_step"), 5e-324)}
 

@@ -1,128 +1,199 @@
-"""Which run a lane works on, and what happens where its pieces of time begin and end.
+"""Segments of time: the run of each lane, and the actions where its segments begin and end.
 
-Arguments are those of `numbering`.
+A segment ends where an event in time is known beforehand: a breakpoint of a block, a bend of an
+input, a sample of a discrete block.  It sets parameters, such as the `interval` of blocks.
 """
 
 import math
 
-from . import solver_layout as row
-from .solver_layout import call, fail
+from . import solver_layout
+from .solver_layout import (
+    ACCEPTED,
+    ANEW,
+    ARGUMENT,
+    BURST,
+    ENTERED,
+    EVALUATIONS,
+    FIRST_STEP,
+    FRESH,
+    JUMP_TIME,
+    LAST_EVENT,
+    MAP,
+    MAX_STEP,
+    NEXT_STOP,
+    NOT_FINITE,
+    ON,
+    REALS,
+    REJECTED,
+    RESTARTS,
+    RK4,
+    RUN_INDEX,
+    SAMPLES_DONE,
+    SEGMENT,
+    SEGMENT_END,
+    STATE,
+    STIFF_STEPS,
+    STOP_AT,
+    TIME,
+    Status,
+    call,
+    fail,
+    margin_at,
+    prepare,
+)
 
 
-def look_ahead(k, times, lane):
-    """Note the next sample of a lane, or the end of its piece of time."""
-    numbers, whole, _ = lane
-    done = whole[row.DONE, k]
-    numbers[row.NEXT, k] = numbers[row.END, k]
-    if done < len(times):
-        numbers[row.NEXT, k] = min(times[done], numbers[row.END, k])
+def note_next_stop(solver, k):
+    """Note the next sample of a lane, or the end of its segment."""
+    lane, integers = solver.lane, solver.integers
+    lane[NEXT_STOP, k] = lane[SEGMENT_END, k]
+    done = integers[SAMPLES_DONE, k]
+    if done < len(solver.times):
+        lane[NEXT_STOP, k] = min(solver.times[done], lane[SEGMENT_END, k])
 
 
-def take_run(k, shape, runs, schedule, times, lane, Z, P):
-    """Begin the next run in a lane; if there is none the lane stays as it is, beside others."""
-    lanes, n = shape[0], shape[1]
-    (X0, Ps, group), (numbers, whole, queue) = runs, lane
-    m, numbers[row.FRESH, k] = queue[0], 0.0
+def take_run(solver, k):
+    """Begin the next run in a lane; if there is none the lane stays as it is, next to others."""
+    lane, integers = solver.lane, solver.integers
+    runs, queue = solver.runs, solver.queue
+    lane[FRESH, k] = 0.0
+    m = queue[0]
     if m == queue[1]:
         return
-    queue[0], queue[2] = m + 1, row.ANEW
-    whole[row.MEMBER, k], whole[row.EDGE, k] = m, schedule[0][group[m]]
-    whole[row.DONE, k], whole[row.BURST, k] = 1, 0
-    for j in range(Ps.shape[1]):
-        P[j * lanes + k] = Ps[m, j]
-    set_piece(k, lanes, schedule, whole[row.EDGE, k], P)
-    for i in range(n):
-        Z[i * lanes + k] = X0[m, i]
-    for number in range(row.STIFF_STEPS):
-        numbers[number, k] = 0.0
-    numbers[row.TIME, k], numbers[row.END, k] = times[0], schedule[2][whole[row.EDGE, k]]
-    numbers[row.FRESH, k], numbers[row.LAST, k], numbers[row.STOP_AT, k] = 1.0, -math.inf, math.inf
-    if numbers[row.STIFF_STEPS, k] > -math.inf:
-        numbers[row.STIFF_STEPS, k] = 0.0
+    queue[0] = m + 1
+    queue[2] = ANEW
+    integers[RUN_INDEX, k] = m
+    integers[SEGMENT, k] = solver.segments.first[runs.schedule[m]]
+    integers[SAMPLES_DONE, k] = 1
+    integers[BURST, k] = 0
+    lanes, P = solver.shape.lanes, solver.memory.P
+    for j in range(runs.parameters.shape[1]):
+        P[j * lanes + k] = runs.parameters[m, j]
+    set_segment(solver, integers[SEGMENT, k], k)
+    for i in range(solver.shape.states):
+        solver.states[STATE, i, k] = runs.states[m, i]
+    clear_lane(solver, k)
+    lane[TIME, k] = solver.times[0]
+    lane[SEGMENT_END, k] = solver.segments.ends[integers[SEGMENT, k]]
 
 
-def set_piece(k, lanes, schedule, piece, P):
-    """Put into P the values that a piece of time sets."""
-    _, places, _, values, _ = schedule
-    for j in range(len(places)):
-        P[places[j] * lanes + k] = values[piece, j]
+def clear_lane(solver, k):
+    """Reset the numbers of a lane, except those that a run keeps."""
+    lane = solver.lane
+    stiff_steps = lane[STIFF_STEPS, k]
+    max_step = lane[MAX_STEP, k]
+    first_step = lane[FIRST_STEP, k]
+    for number in range(REALS):
+        lane[number, k] = 0.0
+    lane[STIFF_STEPS, k] = stiff_steps if stiff_steps == -math.inf else 0.0
+    lane[MAX_STEP, k] = max_step
+    lane[FIRST_STEP, k] = first_step
+    lane[FRESH, k] = 1.0
+    lane[LAST_EVENT, k] = -math.inf
+    lane[STOP_AT, k] = math.inf
+    lane[JUMP_TIME, k] = -math.inf
 
 
-def begin_piece(lanes, stages, times, results, lane, D, guarded):
-    """Begin a piece of time in the lanes that are fresh; end a run that cannot begin it."""
-    (_, status, _, counts), (numbers, whole, _) = results, lane
-    for k in range(lanes):
-        if numbers[row.FRESH, k] > 0.5:
-            numbers[row.FRESH, k], numbers[row.REJECTED, k] = 0.0, 0.0
-            numbers[row.FIRST_STEP, k] = 0.0
-            counts[whole[row.MEMBER, k], row.EVALUATIONS] += 0 if stages <= row.RK4 else 2
-            counts[whole[row.MEMBER, k], row.RESTARTS] += 0 if stages == row.MAP else 1
-            if numbers[row.TROUBLE, k] != 0.0:
-                fail(status, whole, k, row.NOT_FINITE)
-            if guarded and D[k] < -row.OUTSIDE:
-                fail(status, whole, k, row.LEFT)
-                numbers[row.END, k] = numbers[row.TIME, k]
-            look_ahead(k, times, lane)
+def set_segment(solver, segment, k):
+    """Put the values that a segment sets into the parameters."""
+    segments, lanes = solver.segments, solver.shape.lanes
+    for j in range(len(segments.indices)):
+        solver.memory.P[segments.indices[j] * lanes + k] = segments.values[segment, j]
 
 
-def enter_piece(k, lanes, schedule, status, lane, P):
-    """Enter the next piece of time, or end the run."""
-    _, _, edges, _, smooth = schedule
-    numbers, whole, queue = lane
-    m = whole[row.MEMBER, k]
-    whole[row.EDGE, k] += 1
-    piece = whole[row.EDGE, k]
-    if edges[piece] == math.inf:
-        if status[m] == row.RUNNING:
-            status[m] = row.FINISHED
+def begin_segment(solver):
+    """Begin a segment in the lanes that are fresh; end a run that cannot begin it."""
+    lane, integers = solver.lane, solver.integers
+    counts, method = solver.results.counts, solver.shape.method
+    for k in range(solver.shape.lanes):
+        if lane[FRESH, k] < 0.5:
+            continue
+        lane[FRESH, k] = 0.0
+        lane[REJECTED, k] = 0.0
+        lane[FIRST_STEP, k] = 0.0
+        counts[integers[RUN_INDEX, k], EVALUATIONS] += 0 if method <= RK4 else 2
+        counts[integers[RUN_INDEX, k], RESTARTS] += 0 if method == MAP else 1
+        if lane[NOT_FINITE, k] != 0.0:
+            fail(solver, k, Status.NOT_FINITE)
+        if solver.shape.guarded and is_outside(solver, STATE):
+            fail(solver, k, Status.GUARD_LEFT)
+            lane[SEGMENT_END, k] = lane[TIME, k]
+        note_next_stop(solver, k)
+
+
+def is_outside(solver, state_row):
+    """Return whether a row of states is beyond the edge of a guard."""
+    lane = solver.lane
+    return margin_at(solver, lane[TIME], state_row) < -solver_layout.OUTSIDE
+
+
+def enter_segment(solver, k):
+    """Enter the next segment, or end the run."""
+    lane, integers = solver.lane, solver.integers
+    segments, queue = solver.segments, solver.queue
+    integers[SEGMENT, k] += 1
+    segment = integers[SEGMENT, k]
+    if segments.ends[segment] == math.inf:
+        m = integers[RUN_INDEX, k]
+        if solver.results.status[m] == Status.RUNNING:
+            solver.results.status[m] = Status.FINISHED
         return
-    numbers[row.END, k] = edges[piece]
-    if smooth[piece] == 0:
-        numbers[row.FRESH, k], queue[2] = 1.0, row.ANEW
+    lane[SEGMENT_END, k] = segments.ends[segment]
+    if segments.smooth[segment] == 0:
+        lane[FRESH, k] = 1.0
+        queue[2] = ANEW
     else:
-        numbers[row.FRESH, k] = max(numbers[row.FRESH, k], row.ENTERED)
-        queue[2] = max(queue[2], row.ON)
-    set_piece(k, lanes, schedule, piece, P)
+        lane[FRESH, k] = max(lane[FRESH, k], ENTERED)
+        queue[2] = max(queue[2], ON)
+    set_segment(solver, segment, k)
 
 
-def jump(code, shape, schedule, times, results, lane, arrays):
-    """Make states jump in lanes that are at the end of a piece; a sample there is after the jump.
+def jump_states(solver):
+    """Make states jump in lanes at the end of a segment; a sample there is after the jump.
 
-    The next piece, which says what jumps, is set in P; behind the last there is one for the end.
+    The next segment, which says what jumps, is set first; behind the last there is one for the end.
     """
-    lanes, n = shape[0], shape[1]
-    (out, status, _, _), (numbers, whole, _) = results, lane
-    Z, P, T, W, D = arrays
-    some = False
+    lane, integers = solver.lane, solver.integers
+    lanes = solver.shape.lanes
+    jumping = False
     for k in range(lanes):
-        if at_end(k, status, numbers, whole):
-            some = True
-            set_piece(k, lanes, schedule, whole[row.EDGE, k] + 1, P)
-    if not some:
+        if at_segment_end(solver, k):
+            jumping = True
+            set_segment(solver, integers[SEGMENT, k] + 1, k)
+    if not jumping:
         return
-    call(code[row.PREPARE], numbers[row.TIME], Z, 0, P, T, W, D, 0)
-    call(code[row.JUMP], numbers[row.TIME], Z, 0, P, T, W, Z, row.ARGUMENT * n * lanes)
-    if shape[3]:
-        call(code[row.MARGIN], numbers[row.TIME], Z, row.ARGUMENT * n * lanes, P, T, W, D, 0)
+    prepare(solver, lane[TIME])
+    Z, P, T, W, _ = solver.memory
+    span = solver.shape.states * lanes
+    call(solver.code[solver_layout.JUMP], lane[TIME], Z, 0, P, T, W, Z, ARGUMENT * span)
     for k in range(lanes):
-        if at_end(k, status, numbers, whole):
-            m, done, trouble = whole[row.MEMBER, k], whole[row.DONE, k], 0.0
-            sampled = done > 0 and times[done - 1] == numbers[row.TIME, k]
-            for i in range(n):
-                new = Z[(row.ARGUMENT * n + i) * lanes + k]
-                trouble += 0.0 * new
-                Z[i * lanes + k] = new
-                if sampled:
-                    out[m, done - 1, i] = new
-            if trouble != 0.0:
-                fail(status, whole, k, row.NOT_FINITE)
-            if shape[3] and D[k] < -row.OUTSIDE:
-                fail(status, whole, k, row.LEFT)
+        if at_segment_end(solver, k):
+            accept_jump(solver, k)
 
 
-def at_end(k, status, numbers, whole):
-    """Whether the run of a lane is at the end of a piece of time."""
-    m = whole[row.MEMBER, k]
-    if m < 0 or status[m] != row.RUNNING or numbers[row.GOOD, k] < 0.5:
+def accept_jump(solver, k):
+    """Take the states after a jump as those of a lane."""
+    lane, integers = solver.lane, solver.integers
+    states, results = solver.states, solver.results
+    m, done = integers[RUN_INDEX, k], integers[SAMPLES_DONE, k]
+    is_sample = done > 0 and solver.times[done - 1] == lane[TIME, k]
+    not_finite = 0.0
+    for i in range(solver.shape.states):
+        new = states[ARGUMENT, i, k]
+        not_finite += 0.0 * new
+        states[STATE, i, k] = new
+        if is_sample:
+            results.states[m, done - 1, i] = new
+    if not_finite != 0.0:
+        fail(solver, k, Status.NOT_FINITE)
+    if solver.shape.guarded and is_outside(solver, ARGUMENT):
+        fail(solver, k, Status.GUARD_LEFT)
+
+
+def at_segment_end(solver, k):
+    """Return whether the run of a lane is at the end of a segment."""
+    lane, integers = solver.lane, solver.integers
+    m = integers[RUN_INDEX, k]
+    if m < 0 or solver.results.status[m] != Status.RUNNING or lane[ACCEPTED, k] < 0.5:
         return False
-    return numbers[row.TIME, k] == numbers[row.END, k]
+    return lane[TIME, k] == lane[SEGMENT_END, k]

@@ -1,119 +1,291 @@
-"""What lies where in the solver's arrays, and the numbers that mean something, by name.
+"""Layout of the solver's arrays: statuses, numbers of a lane, rows of states, functions called.
 
-Arguments that all functions share:
+The solver integrates several runs side by side, one in each lane.  All functions take a
+`Solver`:
 
-    code      addresses of functions, in the order of the places below
-    shape     numbers of lanes, of states and of the method's stages; 1 if guards are watched, 1
-              if states jump; first place of decisions in P, and how many numbers they are; 1 if
-              rates may jump unannounced, 2 if they may at samples
-    runs      initial states (m, n), parameters (m, nP) and schedule of each run (m,)
-    schedule  the first piece of time of each (g,), the places in P that a piece sets; then of
-              each piece its end, inf behind the last, the values that it sets (pieces, places),
-              and 1 if it goes on with the rates and the step of the piece before
-    times     when states are wanted; a run starts at the first
-    results   of each run: states at `times`, how it ended, samples done, numbers of
-              steps, evaluations, restarts and rejected steps
-    lane      of each lane: numbers (rows TIME ...), whole numbers (rows MEMBER ...);
-              then the queue: next run, the one behind the last, ANEW or ON if a lane begins a piece
-    arrays    Z (states and stages), P, T, W and D, as the functions take them
-    linear    of Rodas5P, which takes one run at a time (empty without): df/dx, the factors of
-              I/(h g) - df/dx, column by column, and pivots; how many diagonals lie below and above,
-              and whether there is `slope`; the place of each state in the matrix; the group of each
-              state, then of time, or -1; where the elements of each group begin; of each element
-              its row, its column and its place in df/dx
+    lane[TIME, k]           time reached by the run of lane k
+    states[RATE + s, i, k]  rate of state i at stage s of the step that lane k tries
 
-Number i of row r of Z in lane k lies at (r n + i) lanes + k.
+Numba compiles these pages (`make solver`), so they are plain loops over arrays.
 """
 
-# how a run ended; STIFF: an implicit method is to go on from where it is
-RUNNING, FINISHED, TOO_SMALL, NOT_FINITE, LEFT, TOO_MANY, CHATTERS, STIFF = range(8)
-# rows of Z: the state; rates of stages 0 to 15; the argument of a stage; terms of the interpolant.
-# In place of the last rates: a state within the step, and the rates there, with the decisions in
-# force (LOCKED) and with those made there (FREE)
-STATE, RATE, ARGUMENT, TERMS, ROWS, LOOKED, LOCKED, FREE = 0, 1, 17, 18, 25, 16, 14, 15
-# the methods, each known by the number of its stages, the new state among them.  DOP853 has three
-# more stages for its interpolant.  The last stage of DOPRI5 is the new state, in the row of its
-# rate.  MAP is discrete time, where the rate is the state at the next sample
-DOP853, RODAS5P, DOPRI5, RK4, MAP = 12, 9, 7, 4, 1
-# rows of Z for Rodas5P: solutions of its stages begin at SOLVED; then the term that is added to a
-# rate on the right-hand side, df/dt, and room, two rows
+from enum import IntEnum
+from typing import Any, NamedTuple
+
+
+class Status(IntEnum):
+    """State of a run: its number in the solver, its name in datasets, and a sentence for users."""
+
+    label: str
+    sentence: str
+
+    def __new__(cls, value: int, label: str, sentence: str) -> "Status":
+        """Make a status whose number is `value`."""
+        status = int.__new__(cls, value)
+        status._value_ = value
+        status.label = label
+        status.sentence = sentence
+        return status
+
+    RUNNING = 0, "not_run", "under way"
+    FINISHED = 1, "finished", "finished: the end of the span was reached"
+    STEP_TOO_SMALL = (
+        2,
+        "step_too_small",
+        "the step became too small; loosen rtol and atol, look for a singularity, count large "
+        "times from the first, or give a switch that is met without number a boundary layer",
+    )
+    NOT_FINITE = (3, "not_finite", "a number is not finite; check parameters and the initial state")
+    GUARD_LEFT = 4, "left_the_field", "a guard was left"
+    TOO_MANY_STEPS = (
+        5,
+        "too_many_steps",
+        "too many steps: rates change much faster than the run is long; lower the gains, or loosen "
+        "rtol and atol",
+    )
+    CHATTERING = (
+        6,
+        "chatters",
+        "switches to and fro without going on; give the switch a hysteresis, a boundary layer "
+        "(np.clip in place of np.sign), or sample it",
+    )
+    STIFF = 7, "stiff", "left to an implicit method"
+
+
+# Methods, each known by its number of stages, the new state among them.  DOP853 has three more
+# stages for its interpolant.  MAP is discrete time: the rate is the state at the next sample.
+DOP853, RODAS5P, RK4, MAP = 12, 9, 4, 1
+
+
+# Real numbers of a lane, by index in `lane`.  The formulas of the methods (`integrators`) read and
+# write them, too.
+TIME = 0  # reached by the run
+STEP_SIZE = 1  # of the next step to try
+SEGMENT_END = 2  # time at which the segment ends
+FRESH = 3  # 1: integration begins anew; ENTERED: a segment goes on with the same rates
+REJECTED = 4  # 1 if the last step was rejected
+ACCEPTED = 5  # 1 if the step that was tried is accepted
+TRIAL_SIZE = 6  # length of the step that is tried
+TRIAL_END = 7  # time at its end
+STAGE_TIME = 8  # time at which a function is evaluated
+FAILURE = 9  # status with which the run has failed, or 0
+RATE_NORM = 10  # size of the rates where a segment begins
+NOT_FINITE = 11  # NaN if state or rates are not finite where a segment begins, else 0
+EVENT_CROSSED = 12  # 1 if the step ends right behind an event
+LOW = 13  # bracket of an event: shares of the step before it
+HIGH = 14  # and behind it
+LAST_EVENT = 15  # time of the last event
+DISTANCE_LOW = 16  # distance of the nearest switching condition from its change at `low`
+DISTANCE_HIGH = 17  # and at `high`, below 0
+EVENT_EFFECT = 18  # of new decisions on the step, in tolerances
+CALM_STEPS = 19  # checked steps since a stiff one
+DIAGONAL = 20  # 1/(h gamma) of the matrix of the implicit method
+NEXT_STOP = 21  # next sample, or the end of the segment
+TRIES_LEFT = 22  # steps until the lane is checked
+DUE = 23  # 1 if the lane is checked after this step
+ACCEPTED_COUNT = 24  # steps since the last check
+REJECTED_COUNT = 25
+CHECKS_STIFFNESS = 26  # 1 if the step is checked for stiffness
+INTERPOLANT_ERROR = 27  # above 1 no sample is taken from the interpolant
+STOP_AT = 28  # time up to which a step may go, for a sample at its end
+STIFF_STEPS = 29  # checked steps that look stiff; below 0 they do not count
+MAX_STEP = 30
+FIRST_STEP = 31  # to try, or 0
+JUMP_TIME = 32  # right behind a jump of the rates, where the step is to end, or -inf
+USUAL_DEFECT = 33  # mean of the largest defects of the steps before
+REALS = 34
+# Whole numbers of a lane, by index in `integers`
+RUN_INDEX = 0  # -1 without a run
+SEGMENT = 1
+SAMPLES_DONE = 2
+BURST = 3  # events in a row, one soon after the other
+EVENT_INDEX = 4  # switching condition that the step crosses first, or -1
+STEPS, EVALUATIONS, RESTARTS, REJECTIONS = range(4)  # columns of `counts`
+STIFF_AFTER = 15  # stiff steps
+ENTERED = 0.25
+
+
+class Shape(NamedTuple):
+    """Sizes of the problem."""
+
+    lanes: int
+    states: int
+    method: int
+    guarded: int  # 1 if a guard is watched
+    jumping: int  # 1 if states jump
+    first_decision: int  # index of the decisions in the parameters
+    decisions: int
+    unannounced: int  # 1 if rates may jump where no decision says so, 2 if also at samples
+
+
+class Runs(NamedTuple):
+    """Initial values of the runs."""
+
+    states: Any  # (m, n)
+    parameters: Any  # (m, nP)
+    schedule: Any  # (m,): number of each run's schedule
+
+
+class Segments(NamedTuple):
+    """Segments of time of all schedules, one behind the other."""
+
+    first: Any  # of each schedule
+    indices: Any  # of the parameters that a segment sets
+    ends: Any  # times; inf behind the last segment of a schedule
+    values: Any  # (segments, indices)
+    smooth: Any  # 1 if a segment goes on with the rates and the step of the one before
+
+
+class Results(NamedTuple):
+    """Results of the runs."""
+
+    states: Any  # (m, samples, n)
+    status: Any  # (m,)
+    reached: Any  # (m,): samples done
+    counts: Any  # (m, 4): steps, evaluations, restarts, rejected steps
+
+
+class Memory(NamedTuple):
+    """Arrays that the diagram's functions and the formulas take, flat; number i of row r of Z in
+    lane k is at (r n + i) lanes + k.
+    """
+
+    Z: Any  # rows of states
+    P: Any  # parameters
+    T: Any  # tables
+    W: Any  # signals, and values that a function saves
+    D: Any  # results; of `decide` the switching conditions at each sample point of a step
+
+
+class Linear(NamedTuple):
+    """Jacobian matrix of the implicit method; the arrays are empty for other methods."""
+
+    jacobian: Any  # df/dx, column by column
+    factors: Any  # of I/(h gamma) - df/dx
+    pivots: Any
+    band: Any  # numbers of diagonals below and above the main one
+    order: Any  # index of each state in the matrix
+    groups: Any  # of each state, then of time: columns that share a difference
+    begins: Any  # first element of each group
+    rows: Any  # of each element
+    columns: Any
+    positions: Any  # of each element in `jacobian`
+
+
+class Solver(NamedTuple):
+    """Everything that the solver works on."""
+
+    code: Any  # addresses of functions, in the order of the constants below
+    shape: Shape
+    tolerances: Any  # relative, absolute
+    runs: Runs
+    segments: Segments
+    times: Any  # at which states are wanted; a run begins at the first
+    results: Results
+    lane: Any  # (REALS, lanes): real numbers of the lanes
+    integers: Any  # (5, lanes): whole numbers of the lanes
+    queue: Any  # next run, the one behind the last, and ANEW or ON if a lane begins a segment
+    memory: Memory
+    states: Any  # Z as (rows, states, lanes)
+    points: Any  # D as (sample points, 3, decisions): decision, distance, rounding error
+    guard_points: Any  # the same of a guard
+    signs: Any  # (decisions,): -1 for a decision that changed before the bracket, else 1
+    linear: Linear
+
+
+ON, ANEW = 1, 2  # a segment goes on with rates and step of the last, or begins with new ones
+
+# Rows of Z: the state; rates of stages 0 to 15; the argument of a stage; terms of the interpolant
+STATE, RATE, ARGUMENT, TERMS, ROWS = 0, 1, 17, 18, 25
+# in place of the last rates: a state within the step, and rates there, with the decisions of the
+# step's beginning and with those made there
+WITHIN, HELD_RATE, NEW_RATE = 16, 14, 15
+# of Rodas5P: solutions of its stages; the term that is added to a rate on the right-hand side;
+# df/dt; room, two rows
 SOLVED, ADDEND, TIME_SLOPE, ROOM = 2, 10, 11, 12
-# rows of a lane's numbers
-# WEIGHT, of the last rate in the argument of a stage, lies behind AT: `staged` reads both
-TIME, STEP, END, FRESH, REJECTED, GOOD, TAKEN, NEW, AT, WEIGHT, FAILING, SIZE, TROUBLE = range(13)
-# a step that passes a decision (`decisions`) or leaves a guard: whether it ends behind a kink, the
-# shares of the step between which that is, and the time of the last kink
-KINK, LOW, HIGH, LAST = range(13, 17)
-AT_LOW, AT_HIGH = 17, 18  # there: the least distance of a decision from its turn
-EFFECT, ASKED = 19, 20  # of new decisions on the step, in tolerances; whether it is measured
-OTHER_STEPS, DIAGONAL = 21, 22  # checked steps since a stiff one; the matrix's diagonal, 1/(h g)
-# the time of the next look at a lane, or the tries until then; whether it is now; good and rejected
-# steps since the last look
-NEXT, TRIES_LEFT, LOOK, GOOD_ONES, BAD_ONES = range(23, 28)
-CHECKED = 28  # whether a lane's step is checked for stiffness
-# the error of the interpolant; above 1 no sample is taken from it, and the step is tried again, up
-# to STOP_AT
-WITHIN, STOP_AT = 29, 30
-STIFF_STEPS, LONGEST, FIRST_STEP = 31, 32, 33  # a run that begins in a lane keeps these
-MANY = 15  # steps that make a run stiff
-JUMP_TIME = 34  # right behind a jump of the rates, where the step is to end (`rate_jumps`)
-USUAL = 35  # mean of the largest defects of the steps before
-NUMBERS = 36  # rows of numbers
-MEMBER, EDGE, DONE, BURST, WHICH = range(5)  # rows of a lane's whole numbers
-STEPS, EVALUATIONS, RESTARTS, REJECTIONS = range(4)  # of the counts
-# places of `code`: the diagram's functions, then the method's; stage s stands at STAGE + s
-DERIVATIVE, PREPARE, MARGIN, SIGNALS, JUMP, DECIDE, SLOPE, STAGED = range(8)
-ATTEMPT, CONTROL, SIZES, TRIAL, FIRST, ACCEPT, DENSE, CUBIC, STIFFNESS = range(8, 17)
-STAGE = 16
-ON, ANEW = 1, 2  # a piece goes on with the rates and the step of the last, or begins with new ones
-ENTERED = 0.25  # FRESH of a lane that goes on in a new piece
-GLANCES = 8  # places within a step at which decisions and guards are looked at
-BEHIND = GLANCES + 1  # the look right behind a kink
-BEFORE = BEHIND + 1  # -1 for what has been passed before it, else 1
-DECIDED = 3 * BEFORE + 1  # numbers of a decision in D: `decide` at each look
-OUTSIDE = 1e-9  # grid steps beyond the edge that count as outside
+
+# Functions in `code`: those of the diagram, then the formulas of the method; stage s is STAGE + s
+DERIVATIVE, PREPARE, MARGIN, SIGNALS, JUMP, DECIDE = range(6)
+ATTEMPT, CONTROL, SIZES, TRIAL, FIRST, ACCEPT, DENSE, CUBIC, STIFFNESS = range(6, 15)
+STAGE = 14
+
+SAMPLE_POINTS = 8  # of a step, without its beginning
+BEHIND = SAMPLE_POINTS + 1  # the sample point right behind an event
+POINTS = BEHIND + 1
+DECISION, DISTANCE, ROUNDING = range(3)
+OUTSIDE = 1e-9  # grid steps beyond the edge of a guard that count as outside
 
 
 def call(address, t, X, first, P, T, W, D, to):
     """Call the function at an address on t, X[first:], P, T, W, D[to:], as `make solver` has it."""
 
 
-def interpolate(Z, n, lanes, k, i, share):
-    """Return state i of a lane at a share of the step."""
+def formula(solver, number):
+    """Evaluate a formula of the method in all lanes."""
+    Z, P, _, W, D = solver.memory
+    call(solver.code[number], solver.lane, Z, 0, P, solver.tolerances, W, D, 0)
+
+
+def derivative(solver, times, state_row, rate_row):
+    """Write the rates at times, and at the states in a row, into another row."""
+    Z, P, T, W, _ = solver.memory
+    span = solver.shape.states * solver.shape.lanes
+    call(solver.code[DERIVATIVE], times, Z, state_row * span, P, T, W, Z, rate_row * span)
+
+
+def prepare(solver, times):
+    """Compute what depends on parameters and decisions alone."""
+    Z, P, T, W, D = solver.memory
+    call(solver.code[PREPARE], times, Z, 0, P, T, W, D, 0)
+
+
+def decide(solver, times, state_row, point):
+    """Write decisions, distances and rounding errors at a row of states into a sample point."""
+    Z, P, T, W, D = solver.memory
+    shape = solver.shape
+    to = 3 * point * shape.decisions
+    call(solver.code[DECIDE], times, Z, state_row * shape.states, P, T, W, D, to)
+
+
+def margin_at(solver, times, state_row):
+    """Return the distance of a row of states of lane 0 from the edge of a guard."""
+    Z, P, T, W, D = solver.memory
+    to = (3 * POINTS + 1) * solver.shape.decisions  # of guard_points, behind points and signs
+    call(solver.code[MARGIN], times, Z, state_row * solver.shape.states, P, T, W, D, to)
+    return solver.guard_points[0, DECISION, 0]
+
+
+def interpolate(states, i, k, share):
+    """Return state i of lane k at a share of the step."""
     y = 0.0
     for r in range(7):
-        y += Z[((TERMS + 6 - r) * n + i) * lanes + k]
+        y += states[TERMS + 6 - r, i, k]
         y *= share if r % 2 == 0 else 1.0 - share
-    return y + Z[i * lanes + k]
+    return y + states[STATE, i, k]
 
 
-def slope_within(Z, n, i, share):
-    """Return the derivative of `interpolate` in the share, of state i of the only lane."""
-    y, slope = 0.0, 0.0
-    for r in range(7):
-        y += Z[(TERMS + 6 - r) * n + i]
-        slope = slope * (share if r % 2 == 0 else 1.0 - share) + (y if r % 2 == 0 else -y)
-        y *= share if r % 2 == 0 else 1.0 - share
-    return slope
+def put_state_within(solver, share):
+    """Put time and state of lane 0 at a share of the step into `stage_time` and WITHIN."""
+    lane = solver.lane
+    lane[STAGE_TIME, 0] = lane[TIME, 0] + share * lane[TRIAL_SIZE, 0]
+    for i in range(solver.shape.states):
+        solver.states[WITHIN, i, 0] = interpolate(solver.states, i, 0, share)
 
 
-def state_within(n, lanes, k, numbers, Z, share):
-    """Put time and state of a lane at a share of the step into AT and LOOKED."""
-    numbers[AT, k] = numbers[TIME, k] + share * numbers[TAKEN, k]
-    for i in range(n):
-        Z[(LOOKED * n + i) * lanes + k] = interpolate(Z, n, lanes, k, i, share)
+def retry(solver, k, step_size):
+    """Reject an accepted step, to try it again with another length."""
+    lane, integers = solver.lane, solver.integers
+    lane[ACCEPTED, k] = 0.0
+    lane[REJECTED, k] = 0.0
+    lane[STEP_SIZE, k] = step_size
+    counts = solver.results.counts
+    counts[integers[RUN_INDEX, k], STEPS] -= 1
+    counts[integers[RUN_INDEX, k], REJECTIONS] += 1
 
 
-def try_again(k, step, counts, lane):
-    """Try a step that was good again, with another length."""
-    numbers, whole, _ = lane
-    numbers[GOOD, k], numbers[REJECTED, k], numbers[STEP, k] = 0.0, 0.0, step
-    counts[whole[MEMBER, k], STEPS] -= 1
-    counts[whole[MEMBER, k], REJECTIONS] += 1
-
-
-def fail(status, whole, k, why):
+def fail(solver, k, status):
     """End the run of a lane."""
-    m = whole[MEMBER, k]
-    if m >= 0 and status[m] == RUNNING:
-        status[m] = why
+    integers = solver.integers
+    m = integers[RUN_INDEX, k]
+    if m >= 0 and solver.results.status[m] == Status.RUNNING:
+        solver.results.status[m] = status

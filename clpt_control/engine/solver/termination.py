@@ -12,32 +12,29 @@ import numpy as np
 from scipy.optimize import brentq
 
 from ...errors import SimulationError
-from . import solver_layout as numbering
 from .batch import Batch, Callee
 from .evaluation_pass import Sweep, rounding
 from .schedule import Inputs, Schedule
+from .solver_layout import (
+    DOP853,
+    EVENT_INDEX,
+    HIGH,
+    JUMP,
+    LOW,
+    MAP,
+    RATE,
+    RK4,
+    RODAS5P,
+    SEGMENT_END,
+    STATE,
+    TRIAL_SIZE,
+    Status,
+    interpolate,
+)
 
 # ends that a locked decision may cause
-STUCK = (numbering.NOT_FINITE, numbering.TOO_SMALL, numbering.TOO_MANY)
-ENDS = {  # by the solver's numbers: its name, what it means that a run ended so, and what to try
-    "not_run": "under way",
-    "finished": "finished: the end of the span was reached",
-    "step_too_small": "the step became too small; loosen rtol and atol, look for a singularity, "
-    "count large times from the first, or give a switch that is met without number a boundary "
-    "layer",
-    "not_finite": "a number is not finite; check parameters and the initial state",
-    "left_the_field": "a guard was left",
-    "too_many_steps": "too many steps: rates change much faster than the run is long; lower the "
-    "gains, or loosen rtol and atol",
-    "chatters": "switches to and fro without going on; give the switch a hysteresis, a boundary "
-    "layer (np.clip in place of np.sign), or sample it",
-    "stiff": "left to an implicit method",
-}
-SENTENCES = tuple(ENDS.values())
-NAMES = {  # of the solver's methods
-    **{numbering.DOP853: "DOP853", numbering.DOPRI5: "DOPRI5"},
-    **{numbering.RODAS5P: "Rodas5P", numbering.RK4: "RK4", numbering.MAP: "none"},
-}
+STUCK = (Status.NOT_FINITE, Status.STEP_TOO_SMALL, Status.TOO_MANY_STEPS)
+NAMES = {DOP853: "DOP853", RODAS5P: "Rodas5P", RK4: "RK4", MAP: "none"}  # of the methods
 ADVICE = "check the parameters of that block"  # where a signal is not finite
 
 
@@ -54,7 +51,7 @@ class Solution:
     t: np.ndarray
     x: np.ndarray
     status: str = "finished"
-    message: str = SENTENCES[numbering.FINISHED]
+    message: str = Status.FINISHED.sentence
     statistics: dict[str, int] = field(default_factory=dict)
     engine: str = "python"
     method: str = "none"
@@ -77,17 +74,17 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
     counts = map(int, batch.counts[0])
     solution.statistics = dict(zip(("steps", "evaluations", "restarts"), counts, strict=False))
     solution.engine = batch.callee.engine
-    if status == numbering.FINISHED:
+    if status == Status.FINISHED:
         return solution
-    if status == numbering.LEFT:
+    if status == Status.GUARD_LEFT:
         t, x, policy, sentence = _crossing(sweep, last, inputs)
         reached = _until(last, solution, t, x, int(batch.reached[0]))
         return _stopped(solution, policy, sentence, *reached)
-    reason = SENTENCES[status]
-    if status == numbering.CHATTERS:
+    reason = Status(status).sentence
+    if status == Status.CHATTERING:
         reason = f"{_switch(sweep, last)} {reason}"
     reason = _trouble(sweep, last, inputs) or reason
-    what = "run" if batch.callee.method == numbering.MAP else "integration"
+    what = "run" if batch.callee.method == MAP else "integration"
     error = SimulationError(f"the {what} stopped at t = {last.now:.9g}: {reason}")
     error.points = _points_ahead(last, sweep.nstates)  # type: ignore[attr-defined]
     raise error
@@ -96,9 +93,9 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
 def _points_ahead(batch: Batch, n: int) -> list[tuple[float, np.ndarray]]:
     """Return time and state where a run stopped, and points ahead along the rates."""
     t, ahead = batch.now, [0.0]
-    x, rate = (batch.Z[r * n : (r + 1) * n].copy() for r in (numbering.STATE, numbering.RATE))
-    if batch.callee.method != numbering.MAP:
-        ahead += [*((batch.numbers[numbering.END, 0] - t) * np.geomspace(1e-12, 1.0, 13))]
+    x, rate = (batch.Z[r * n : (r + 1) * n].copy() for r in (STATE, RATE))
+    if batch.callee.method != MAP:
+        ahead += [*((batch.lane[SEGMENT_END, 0] - t) * np.geomspace(1e-12, 1.0, 13))]
     # the rate itself may be what is not finite
     return [(t + h, x + h * rate if h else x) for h in ahead]
 
@@ -137,7 +134,7 @@ def in_discrete_time(
         if progress is not None:
             progress(t)
         if k + 1 < len(times) and not np.isfinite(x).all():
-            reason = sweep.first_trouble(t, states[k], u, ADVICE) or SENTENCES[numbering.NOT_FINITE]
+            reason = sweep.first_trouble(t, states[k], u, ADVICE) or Status.NOT_FINITE.sentence
             raise SimulationError(f"the run stopped at t = {t:.9g}: {reason}")
     steps = dict.fromkeys(("steps", "evaluations"), len(times) - 1)
     return Solution(times, states, statistics=steps | {"restarts": 0}, signals=signals)
@@ -151,11 +148,8 @@ def _stopped(solution: Solution, policy: str, sentence: str, t: Any, x: Any) -> 
 
 
 def _switch(sweep: Sweep, batch: Batch) -> str:
-    """Name the decision of a run that chatters: block, function and operation.
-
-    Where guards are watched it is not known.
-    """
-    deciding, which = batch.callee.code[0].program.deciding, batch.lane[1][numbering.WHICH, 0]
+    """Return the decision of a run that chatters: block, function and operation."""
+    deciding, which = batch.callee.code[0].program.deciding, batch.integers[EVENT_INDEX, 0]
     if which < 0:
         return "a decision"
     k, role, kind = [of for first, of in deciding if first <= which][-1]
@@ -167,7 +161,7 @@ def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:
     """Return what is not finite at the state reached, or a small step ahead, and why."""
     t, advice = batch.now, ADVICE
     points = _points_ahead(batch, sweep.nstates)
-    if batch.callee.method != numbering.MAP:
+    if batch.callee.method != MAP:
         advice = f"{ADVICE}, or loosen rtol and atol"
     sweep.enter(t)
     for k in sweep.jumping:
@@ -186,12 +180,12 @@ def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:
 def state_within(batch: Batch, share: float) -> np.ndarray:
     """Return the state at a share of the step that was not taken."""
     n = batch.callee.nstates
-    return numbering.interpolate(batch.Z, n, 1, 0, np.arange(n), share)
+    return np.array([interpolate(batch.states, i, 0, share) for i in range(n)])
 
 
 def edge(batch: Batch, margin: Callable[[float], float]) -> float:
     """Return the share of that step at which a margin falls to zero."""
-    low, high = (float(batch.numbers[row, 0]) for row in (numbering.LOW, numbering.HIGH))
+    low, high = (float(batch.lane[row, 0]) for row in (LOW, HIGH))
     if margin(0.0) <= 0.0:
         return 0.0
     if margin(low) <= 0.0 or margin(high) >= 0.0:  # the edge itself was looked at
@@ -203,7 +197,7 @@ def _crossing(
     sweep: Sweep, batch: Batch, inputs: Inputs | None
 ) -> tuple[float, np.ndarray, str, str]:
     """Return time, state, policy and sentence where that step crosses a guard's edge."""
-    t, h = batch.now, float(batch.numbers[numbering.TAKEN, 0])
+    t, h = batch.now, float(batch.lane[TRIAL_SIZE, 0])
     sweep.enter(t)
 
     def guard(share: float) -> tuple[float, str, str]:
@@ -218,7 +212,7 @@ def _until(
     batch: Batch, solution: Solution, t: float, x: np.ndarray, done: int
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the samples up to the end of a run that a guard stopped, and that end."""
-    start, h = batch.now, float(batch.numbers[numbering.TAKEN, 0])
+    start, h = batch.now, float(batch.lane[TRIAL_SIZE, 0])
     times = solution.t[solution.t < t - rounding(t)]
     at_end = solution.t[abs(solution.t - t) <= rounding(t)]  # a sample that is the end
     known = solution.x[: min(done, len(times))]
@@ -230,4 +224,4 @@ def sampled_start(callee: Callee, start: Any, t: float, pieces: Schedule, P: Any
     """Return the state with which a run begins; blocks that sample then have sampled inputs."""
     if not pieces.begins:
         return start
-    return callee.evaluate(numbering.JUMP, [t], start, pieces, P, len(start))[0]
+    return callee.evaluate(JUMP, [t], start, pieces, P, len(start))[0]

@@ -1,233 +1,353 @@
-"""Integrate many runs, exactly to every breakpoint: the order of what happens in a step.
+"""Time stepper: integrate runs from event to event; the order of what happens in a step.
 
-The same text serves one run and several side by side (lanes).  It is printed once as LLVM's text
-(`make solver`) and is machine code for every run.  Every lane has its own run, time, step and piece
-of time; a lane whose run has ended takes the next.  Nothing is summed across lanes, so a run gives
-the same numbers beside any others.
+The same functions serve one run and several side by side (lanes).  They are printed once as LLVM
+text (`make solver`).  Every lane has its own run, time, step and segment of time; a lane whose run
+has ended takes the next.  Nothing is summed across lanes, so a run gives the same numbers next to
+any others.  One pass of `advance`:
 
-All numbers are computed through `call`, by the diagram's functions and the formulas of `method`.
-Arguments are those of `numbering`.  Decisions are watched by `looks`; `kinks` finds kinks.
+1. `start_segments`: rates, decisions and first step where integration begins anew.
+2. `attempt_step`: the stages, the new state and its error estimate.
+3. `check_lanes`: count steps, fail, find out if an interpolant is needed for samples.
+4. `handle_events`: events in state (`event_checks`, `event_location`, `rate_jumps`); a step that
+   crosses one is rejected, to be tried again up to the event.
+5. `write_samples`, then the state of accepted steps; the restart behind an event.
+6. `end_segments`: jumps of states, the next segment, the next run.
+
+All numbers are computed by the diagram's functions and the formulas of the method (`integrators`).
 """
 
 import math
 
-from . import solver_layout as row
-from .event_checks import decide, is_decided_anew, mark_passed, watch_guards
-from .event_location import decide_anew, locate_kinks
-from .implicit import linearise, solve_stage
+from .event_checks import check_conditions, check_guard, decisions_changed, hold_decisions
+from .event_location import locate_events, restart_behind_event
+from .implicit import factor_matrix, solve_stage
 from .rate_jumps import locate_jump, pass_jump
-from .segments import begin_piece, enter_piece, jump, look_ahead, take_run
-from .solver_layout import call, fail, interpolate, try_again
+from .segments import begin_segment, enter_segment, jump_states, note_next_stop, take_run
+from .solver_layout import (
+    ACCEPT,
+    ACCEPTED,
+    ACCEPTED_COUNT,
+    ANEW,
+    ARGUMENT,
+    ATTEMPT,
+    CHECKS_STIFFNESS,
+    CONTROL,
+    CUBIC,
+    DECIDE,
+    DENSE,
+    DERIVATIVE,
+    DOP853,
+    DUE,
+    EVALUATIONS,
+    FAILURE,
+    FIRST,
+    INTERPOLANT_ERROR,
+    PREPARE,
+    RATE,
+    REJECTED,
+    REJECTED_COUNT,
+    REJECTIONS,
+    RK4,
+    RODAS5P,
+    RUN_INDEX,
+    SAMPLES_DONE,
+    SEGMENT_END,
+    SIGNALS,
+    SIZES,
+    STAGE,
+    STAGE_TIME,
+    STATE,
+    STEP_SIZE,
+    STEPS,
+    STIFF_AFTER,
+    STIFF_STEPS,
+    STIFFNESS,
+    STOP_AT,
+    TIME,
+    TRIAL,
+    TRIAL_END,
+    TRIAL_SIZE,
+    TRIES_LEFT,
+    Status,
+    call,
+    derivative,
+    fail,
+    formula,
+    interpolate,
+    prepare,
+    retry,
+)
 
-# steps between checks for stiffness; steps ahead for it to matter
-OFTEN, AHEAD = 128, 5_000
+CHECK_EVERY = 128  # steps between checks for stiffness
+STEPS_AHEAD = 250  # for which stiffness may matter
+NEW_RATE = RATE + DOP853  # row of the rate at the new state
 
 
-def advance(code, shape, tolerances, batch, linear, budget, most):
+def advance(solver, budget, most):
     """Take at most `budget` steps in every lane; return how many lanes are at work.
 
     A run that has taken `most` tries ends.  No more steps are taken once a lane looks stiff.
     """
-    lanes, n, stages, guarded, jumping, _, decided, unannounced = shape
-    runs, schedule, times, results, lane, arrays = batch
-    (_, status, reached, counts), (numbers, whole, queue) = results, lane
-    Z, P, T, W, D = arrays
-    span, now, at = n * lanes, numbers[row.TIME], numbers[row.AT]
-    implicit, fixed, dense = stages == row.RODAS5P, stages <= row.RK4, stages == row.DOP853
-    fsal = stages == row.DOPRI5  # its last stage is the first of the next step
-    first = row.RATE + (row.DOP853 + 1 - stages if fsal else 0)  # behind it are the stages' rates
-    argument, derivative = row.ARGUMENT * span, code[row.DERIVATIVE]
-    rates = code[row.STAGED] if code[row.STAGED] != 0 else derivative
+    lane, integers = solver.lane, solver.integers
+    shape = solver.shape
+    watched = shape.guarded > 0 or shape.decisions > 0 or shape.unannounced > 0
     active = 0
-    for k in range(lanes):
-        if whole[row.MEMBER, k] < 0:
-            take_run(k, shape, runs, schedule, times, lane, Z, P)
-        active += 1 if whole[row.MEMBER, k] >= 0 else 0
+    for k in range(shape.lanes):
+        if integers[RUN_INDEX, k] < 0:
+            take_run(solver, k)
+        active += 1 if integers[RUN_INDEX, k] >= 0 else 0
     while active > 0 and budget > 0:
         budget -= 1
-        anew = queue[2] == row.ANEW
-        if queue[2] > 0:
-            queue[2] = 0
-            call(code[row.PREPARE], now, Z, 0, P, T, W, D, 0)
-            if decided > 0:
-                anew = is_decided_anew(code, shape, numbers, arrays) or anew
-        if anew:
-            if decided > 0:
-                decide(code, shape, numbers, arrays)
-            if guarded:
-                call(code[row.MARGIN], now, Z, 0, P, T, W, D, 0)
-            if not fixed:
-                call(derivative, now, Z, 0, P, T, W, Z, (row.RATE + 1) * span)
-                call(code[row.SIZES], numbers, Z, 0, P, tolerances, W, D, 0)
-                call(code[row.TRIAL], numbers, Z, 0, P, T, W, D, 0)
-                call(derivative, at, Z, argument, P, T, W, Z, (row.RATE + 2) * span)
-                call(code[row.FIRST], numbers, Z, 0, P, tolerances, W, D, 0)
-            begin_piece(lanes, stages, times, results, lane, D, guarded)
-        again = numbers[row.REJECTED, 0] > 0.5
-        call(code[row.ATTEMPT], numbers, Z, 0, P, T, W, D, 0)
-        if fixed:
-            call(derivative, now, Z, 0, P, T, W, Z, row.RATE * span)
-        if implicit:
-            linearise(code, n, tolerances, numbers, linear, arrays)
-        for s in range(1, stages):
-            call(code[row.STAGE + s], numbers, Z, 0, P, T, W, D, 0)
-            call(rates, at, Z, argument, P, T, W, Z, (first + s) * span)
-            if implicit:
-                solve_stage(n, s, linear, Z)
-        call(code[row.CONTROL], numbers, Z, 0, P, tolerances, W, D, 0)
-        good, within, checked = False, False, False
-        looked = anew or implicit or guarded > 0 or decided > 0 or unannounced > 0
-        for k in range(lanes):
-            good = good or numbers[row.GOOD, k] > 0.5
-            looked = looked or numbers[row.LOOK, k] > 0.5
-        if looked:
-            count_steps(shape, counts, lane)
-            for k in range(lanes):
-                m, done = whole[row.MEMBER, k], whole[row.DONE, k]
-                numbers[row.CHECKED, k] = 0.0
-                if m >= 0 and numbers[row.FAILING, k] > 0.5:
-                    fail(status, whole, k, int(numbers[row.FAILING, k]))
-                if m >= 0 and numbers[row.GOOD, k] > 0.5:
-                    within = within or guarded > 0
-                    if counts[m, row.STEPS] % OFTEN == 0 or numbers[row.STIFF_STEPS, k] > 0:
-                        numbers[row.CHECKED, k], checked = 1.0, True
-                    if done < len(times) and times[done] < numbers[row.NEW, k]:
-                        within = True
-        # where rates may jump, a step that is good is watched, and one that is rejected twice
-        watched = unannounced > 0 and dense and (good or again)
-        if (good and not (fixed or fsal)) or watched:
-            call(derivative, at, Z, argument, P, T, W, Z, (row.RATE + row.DOP853) * span)
-        if checked and (dense or fsal):
-            call(code[row.STIFFNESS], numbers, Z, 0, P, T, W, D, 0)
-        beyond = False
-        if decided > 0 and good:
-            call(code[row.CUBIC], numbers, Z, 0, P, T, W, D, 0)
-            beyond = mark_passed(code, row.DECIDE, shape, decided, times, results, lane, arrays)
-        if within or beyond or watched:
-            if dense:
-                for s in range(stages + 1, stages + 4):
-                    call(code[row.STAGE + s], numbers, Z, 0, P, T, W, D, 0)
-                    call(derivative, at, Z, argument, P, T, W, Z, (row.RATE + s) * span)
-                call(code[row.STAGE + stages], numbers, Z, 0, P, T, W, D, 0)
-            call(code[row.DENSE], numbers, Z, 0, P, tolerances, W, D, 0)
-            if dense and good:
-                check_interpolant(lanes, times, results, lane)
-            if beyond:
-                beyond = mark_passed(code, row.DECIDE, shape, decided, times, results, lane, arrays)
-            if beyond:
-                locate_kinks(code, shape, tolerances, times, results, lane, arrays)
-            if guarded:
-                watch_guards(code, shape, times, results, lane, arrays)
-            if watched:
-                locate_jump(code, shape, tolerances, times, results, lane, arrays)
-        if looked and good:
-            sample(shape, times, results, lane, Z, 3 if within and dense else 0)
-        if lanes > 1 or numbers[row.GOOD, 0] > 0.5:
-            call(code[row.ACCEPT], numbers, Z, 0, P, T, W, D, 0)
-        if decided > 0 and good:
-            decide_anew(shape, tolerances, times, status, lane, Z)
-        if unannounced > 0 and numbers[row.GOOD, 0] > 0.5:
-            pass_jump(times, lane)
-        if jumping and looked:
-            jump(code, shape, schedule, times, results, lane, arrays)
-        if looked:
-            active = 0
-            for k in range(lanes):
-                m = whole[row.MEMBER, k]
-                if m < 0:
-                    continue
-                spare = most - counts[m, row.STEPS] - counts[m, row.REJECTIONS]
-                if spare <= 0:
-                    fail(status, whole, k, row.TOO_MANY)
-                if numbers[row.GOOD, k] > 0.5 and numbers[row.TIME, k] == numbers[row.END, k]:
-                    enter_piece(k, lanes, schedule, status, lane, P)
-                if status[m] != row.RUNNING:
-                    reached[m], whole[row.MEMBER, k] = whole[row.DONE, k], -1
-                    take_run(k, shape, runs, schedule, times, lane, Z, P)
-                elif numbers[row.STIFF_STEPS, k] >= row.MANY:
-                    if times[len(times) - 1] - numbers[row.TIME, k] > AHEAD * numbers[row.STEP, k]:
-                        budget = 0
-                    else:
-                        numbers[row.STIFF_STEPS, k] = 0.0
-                if whole[row.MEMBER, k] >= 0:
-                    active += 1
-                    tries = min(spare, OFTEN - counts[whole[row.MEMBER, k], row.STEPS] % OFTEN)
-                    numbers[row.TRIES_LEFT, k] = 1.0 if numbers[row.STIFF_STEPS, k] > 0 else tries
-                    look_ahead(k, times, lane)
-    count_steps(shape, counts, lane)
+        started = start_segments(solver)
+        retried = lane[REJECTED, 0] > 0.5
+        attempt_step(solver)
+        accepted = False
+        due = started or watched or shape.method == RODAS5P
+        for k in range(shape.lanes):
+            accepted = accepted or lane[ACCEPTED, k] > 0.5
+            due = due or lane[DUE, k] > 0.5
+        between, stiffness = False, False
+        if due:
+            between, stiffness = check_lanes(solver)
+        interpolated = handle_events(solver, accepted, retried, between, stiffness)
+        if due and accepted:
+            write_samples(solver, interpolated)
+        if shape.lanes > 1 or lane[ACCEPTED, 0] > 0.5:
+            formula(solver, ACCEPT)
+        if shape.decisions > 0 and accepted:
+            restart_behind_event(solver)
+        if shape.unannounced > 0 and lane[ACCEPTED, 0] > 0.5:
+            pass_jump(solver)
+        if shape.jumping and due:
+            jump_states(solver)
+        if due:
+            active, stiff = end_segments(solver, most)
+            budget = 0 if stiff else budget
+    count_steps(solver)
     return active
 
 
-def count_steps(shape, counts, lane):
-    """Add the steps of lanes since the last look to the counts of their runs."""
-    lanes, stages, (numbers, whole, _) = shape[0], shape[2], lane
-    for k in range(lanes):
-        m = whole[row.MEMBER, k]
+def start_segments(solver):
+    """Start segments in lanes that enter one; return whether integration begins anew in any."""
+    lane = solver.lane
+    queue, shape = solver.queue, solver.shape
+    if queue[2] == 0:
+        return False
+    anew = queue[2] == ANEW
+    queue[2] = 0
+    # 1. parameters of the segment, and the decisions that hold in it
+    prepare(solver, lane[TIME])
+    if shape.decisions > 0:
+        anew = decisions_changed(solver) or anew
+    if not anew:
+        return False
+    if shape.decisions > 0:
+        hold_decisions(solver)
+    # 2. the first step, from the change of the rates over a trial step
+    if shape.method > RK4:
+        derivative(solver, lane[TIME], STATE, RATE + 1)
+        formula(solver, SIZES)
+        formula(solver, TRIAL)
+        derivative(solver, lane[STAGE_TIME], ARGUMENT, RATE + 2)
+        formula(solver, FIRST)
+    begin_segment(solver)
+    return True
+
+
+def attempt_step(solver):
+    """Compute the stages of a step, the new state and whether its error is small enough."""
+    lane = solver.lane
+    method = solver.shape.method
+    formula(solver, ATTEMPT)
+    if method <= RK4:
+        derivative(solver, lane[TIME], STATE, RATE)
+    if method == RODAS5P:
+        factor_matrix(solver)
+    for stage in range(1, method):
+        formula(solver, STAGE + stage)
+        derivative(solver, lane[STAGE_TIME], ARGUMENT, RATE + stage)
+        if method == RODAS5P:
+            solve_stage(solver, stage)
+    formula(solver, CONTROL)
+
+
+def check_lanes(solver):
+    """Check all lanes after a step; return whether samples lie within it, and if it may be stiff.
+
+    A guard is checked by the interpolant, as samples are.
+    """
+    lane, integers = solver.lane, solver.integers
+    between, stiffness = False, False
+    count_steps(solver)
+    for k in range(solver.shape.lanes):
+        m, done = integers[RUN_INDEX, k], integers[SAMPLES_DONE, k]
+        lane[CHECKS_STIFFNESS, k] = 0.0
+        if m >= 0 and lane[FAILURE, k] > 0.5:
+            fail(solver, k, int(lane[FAILURE, k]))
+        if m >= 0 and lane[ACCEPTED, k] > 0.5:
+            between = between or solver.shape.guarded > 0
+            if done < len(solver.times) and solver.times[done] < lane[TRIAL_END, k]:
+                between = True
+            is_check = solver.results.counts[m, STEPS] % CHECK_EVERY == 0
+            if is_check or lane[STIFF_STEPS, k] > 0:
+                lane[CHECKS_STIFFNESS, k] = 1.0
+                stiffness = True
+    return between, stiffness
+
+
+def handle_events(solver, accepted, retried, between, stiffness):
+    """Handle events in state within the step; return whether its interpolant was computed.
+
+    A step that crosses an event with an effect is rejected here, to be tried again up to the event.
+    """
+    lane = solver.lane
+    shape = solver.shape
+    dense = shape.method == DOP853
+    # 1. the rate at the new state; where rates may jump it is needed for a step rejected twice, too
+    unannounced = shape.unannounced > 0 and dense and (accepted or retried)
+    if (accepted and shape.method > RK4) or unannounced:
+        derivative(solver, lane[STAGE_TIME], ARGUMENT, NEW_RATE)
+    if stiffness and dense:
+        formula(solver, STIFFNESS)
+    # 2. does a switching condition change, by the cubic through both ends?
+    crossed = False
+    if shape.decisions > 0 and accepted:
+        formula(solver, CUBIC)
+        crossed = check_conditions(solver)
+    if not (between or crossed or unannounced):
+        return False
+    # 3. the interpolant of the method
+    if dense:
+        interpolant_stages(solver)
+    formula(solver, DENSE)
+    if dense and accepted:
+        check_interpolant(solver)
+    # 4. the events by this interpolant
+    if crossed and check_conditions(solver):
+        locate_events(solver)
+    if shape.guarded > 0:
+        check_guard(solver)
+    if unannounced:
+        locate_jump(solver)
+    return between and dense
+
+
+def interpolant_stages(solver):
+    """Compute three more stages of DOP853, then the new state again, in whose place they were."""
+    lane = solver.lane
+    for stage in range(DOP853 + 1, DOP853 + 4):
+        formula(solver, STAGE + stage)
+        derivative(solver, lane[STAGE_TIME], ARGUMENT, RATE + stage)
+    formula(solver, STAGE + DOP853)
+
+
+def end_segments(solver, most):
+    """Enter next segments and take next runs; return the lanes at work, and if one is stiff."""
+    lane, integers = solver.lane, solver.integers
+    active, stiff = 0, False
+    times, status = solver.times, solver.results.status
+    counts = solver.results.counts
+    for k in range(solver.shape.lanes):
+        m = integers[RUN_INDEX, k]
+        if m < 0:
+            continue
+        spare = most - counts[m, STEPS] - counts[m, REJECTIONS]
+        if spare <= 0:
+            fail(solver, k, Status.TOO_MANY_STEPS)
+        if lane[ACCEPTED, k] > 0.5 and lane[TIME, k] == lane[SEGMENT_END, k]:
+            enter_segment(solver, k)
+        if status[m] != Status.RUNNING:
+            solver.results.reached[m] = integers[SAMPLES_DONE, k]
+            integers[RUN_INDEX, k] = -1
+            take_run(solver, k)
+        elif lane[STIFF_STEPS, k] >= STIFF_AFTER:
+            if times[-1] - lane[TIME, k] > STEPS_AHEAD * lane[STEP_SIZE, k]:
+                stiff = True
+            else:
+                lane[STIFF_STEPS, k] = 0.0
+        if integers[RUN_INDEX, k] >= 0:
+            active += 1
+            until_check = CHECK_EVERY - counts[integers[RUN_INDEX, k], STEPS] % CHECK_EVERY
+            lane[TRIES_LEFT, k] = 1.0 if lane[STIFF_STEPS, k] > 0 else min(spare, until_check)
+            note_next_stop(solver, k)
+    return active, stiff
+
+
+def count_steps(solver):
+    """Add the steps of lanes since the last check to the counts of their runs."""
+    lane, integers = solver.lane, solver.integers
+    counts, method = solver.results.counts, solver.shape.method
+    for k in range(solver.shape.lanes):
+        m = integers[RUN_INDEX, k]
         if m >= 0:
-            good, bad = int(numbers[row.GOOD_ONES, k]), int(numbers[row.BAD_ONES, k])
-            counts[m, row.STEPS] += good
-            counts[m, row.REJECTIONS] += bad
-            counts[m, row.EVALUATIONS] += (stages - 1) * (good + bad)
-            counts[m, row.EVALUATIONS] += 0 if stages == row.DOPRI5 else good
-            numbers[row.GOOD_ONES, k], numbers[row.BAD_ONES, k] = 0.0, 0.0
-            numbers[row.TRIES_LEFT, k] -= good + bad
+            accepted = int(lane[ACCEPTED_COUNT, k])
+            rejected = int(lane[REJECTED_COUNT, k])
+            counts[m, STEPS] += accepted
+            counts[m, REJECTIONS] += rejected
+            counts[m, EVALUATIONS] += (method - 1) * (accepted + rejected) + accepted
+            lane[ACCEPTED_COUNT, k] = 0.0
+            lane[REJECTED_COUNT, k] = 0.0
+            lane[TRIES_LEFT, k] -= accepted + rejected
 
 
-def sample(shape, times, results, lane, Z, more):
-    """Write the states at times within the step, for which `more` evaluations were made."""
-    lanes, n = shape[0], shape[1]
-    (out, status, _, counts), (numbers, whole, _) = results, lane
-    for k in range(lanes):
-        m, done = whole[row.MEMBER, k], whole[row.DONE, k]
-        if m < 0 or numbers[row.GOOD, k] < 0.5 or status[m] != row.RUNNING:
+def write_samples(solver, interpolated):
+    """Write the states at times within the step, for which three evaluations may have been made."""
+    lane, integers = solver.lane, solver.integers
+    results, times, states = solver.results, solver.times, solver.states
+    for k in range(solver.shape.lanes):
+        m, done = integers[RUN_INDEX, k], integers[SAMPLES_DONE, k]
+        if m < 0 or lane[ACCEPTED, k] < 0.5 or results.status[m] != Status.RUNNING:
             continue
-        counts[m, row.EVALUATIONS] += more
-        t, h, new = numbers[row.TIME, k], numbers[row.TAKEN, k], numbers[row.NEW, k]
-        while done < len(times) and times[done] <= new:
-            for i in range(n):
-                if times[done] == new:
-                    out[m, done, i] = Z[(row.ARGUMENT * n + i) * lanes + k]
+        results.counts[m, EVALUATIONS] += 3 if interpolated else 0
+        end = lane[TRIAL_END, k]
+        while done < len(times) and times[done] <= end:
+            share = (times[done] - lane[TIME, k]) / lane[TRIAL_SIZE, k]
+            for i in range(solver.shape.states):
+                if times[done] == end:
+                    results.states[m, done, i] = states[ARGUMENT, i, k]
                 else:
-                    out[m, done, i] = interpolate(Z, n, lanes, k, i, (times[done] - t) / h)
+                    results.states[m, done, i] = interpolate(states, i, k, share)
             done += 1
-            numbers[row.STOP_AT, k] = math.inf
-        whole[row.DONE, k] = done
+            lane[STOP_AT, k] = math.inf
+        integers[SAMPLES_DONE, k] = done
 
 
-def check_interpolant(lanes, times, results, lane):
+def check_interpolant(solver):
     """Try a step again, up to its first sample, if its interpolant is not exact enough."""
-    counts, (numbers, whole, _) = results[3], lane
-    for k in range(lanes):
-        m, done = whole[row.MEMBER, k], whole[row.DONE, k]
-        if m < 0 or numbers[row.GOOD, k] < 0.5 or done >= len(times):
+    lane, integers = solver.lane, solver.integers
+    times = solver.times
+    for k in range(solver.shape.lanes):
+        m, done = integers[RUN_INDEX, k], integers[SAMPLES_DONE, k]
+        if m < 0 or lane[ACCEPTED, k] < 0.5 or done >= len(times):
             continue
-        if times[done] < numbers[row.NEW, k] and numbers[row.WITHIN, k] > 1.0:
-            try_again(k, numbers[row.TAKEN, k], counts, lane)
-            numbers[row.STOP_AT, k] = times[done]
-            counts[m, row.EVALUATIONS] += 3
+        if times[done] < lane[TRIAL_END, k] and lane[INTERPOLANT_ERROR, k] > 1.0:
+            retry(solver, k, lane[TRIAL_SIZE, k])
+            lane[STOP_AT, k] = times[done]
+            solver.results.counts[m, EVALUATIONS] += 3
 
 
-def evaluate(code, role, n, decisions, points, pieces, arrays, out):
+def evaluate(code, role, states, first_decision, decisions, points, segments, arrays, out):
     """Call a function at times and states; put its results, signals from W, into the rows of `out`.
 
-    `decisions` are their first place in P and how many numbers they are; rates are computed with
-    those made there.  `points` are times, the piece of each, room for one time, and states, n each.
-    `pieces` are places in P, and values.
+    `points` are times, the segment of each, room for one time, and states, n each.  `segments` are
+    indices of parameters, and values.  Rates are computed with the decisions made there.
     """
-    (times, which, t, states), (places, values), (P, T, W, D) = points, pieces, arrays
-    (decided_at, decided), piece = decisions, -1
+    times, segment_of, now, x = points
+    indices, values = segments
+    P, T, W, D = arrays
+    segment = -1
     for k in range(len(times)):
-        t[0] = times[k]
-        if which[k] != piece:
-            piece = which[k]
-            for j in range(len(places)):
-                P[places[j]] = values[piece, j]
-            call(code[row.PREPARE], t, states, k * n, P, T, W, W, 0)
-        if role == row.DERIVATIVE and decided > 0:
-            call(code[row.DECIDE], t, states, k * n, P, T, W, D, 0)
-            for j in range(decided):
-                P[decided_at + j] = D[j]
-            call(code[row.PREPARE], t, states, k * n, P, T, W, W, 0)
-        call(code[role], t, states, k * n, P, T, W, D, 0)
+        now[0] = times[k]
+        if segment_of[k] != segment:
+            segment = segment_of[k]
+            for j in range(len(indices)):
+                P[indices[j]] = values[segment, j]
+            call(code[PREPARE], now, x, k * states, P, T, W, W, 0)
+        if role == DERIVATIVE and decisions > 0:
+            call(code[DECIDE], now, x, k * states, P, T, W, D, 0)
+            for j in range(decisions):
+                P[first_decision + j] = D[j]
+            call(code[PREPARE], now, x, k * states, P, T, W, W, 0)
+        call(code[role], now, x, k * states, P, T, W, D, 0)
         for j in range(out.shape[1]):
-            out[k, j] = W[j] if role == row.SIGNALS else D[j]
+            out[k, j] = W[j] if role == SIGNALS else D[j]
