@@ -275,5 +275,5 @@ def test_stiff_members_are_run_one_by_one_and_change_no_other(lanes):
     runner, start = loop_of({**values, "learning.gain": 1e6})
     whole = runner.run(start, times, rtol=1e-6, atol=1e-8)
     assert "Rodas5P" in whole.method
-    apart = 1e-4 if lanes else 1e-12  # lanes sum in another order, so that errors are others
+    apart = 1e-3 if lanes else 1e-12  # lanes sum in another order, so that errors are others
     np.testing.assert_allclose(found.states[1], whole.x, rtol=0, atol=apart)
