@@ -289,7 +289,7 @@ class Run(Table):
     output_step: Positive = 1.0
     rtol: Annotated[Positive, Field(ge=1e-13, lt=1)] = 1e-8
     atol: Positive = 1e-10
-    method: Literal["auto", "dop853", "dopri5", "rodas5p"] = "auto"
+    method: Literal["auto", "dop853", "rodas5p"] = "auto"
 
     @property
     def solver(self) -> dict[str, Any]:

@@ -78,9 +78,8 @@ def simulate(
         For a diagram: ``stop(t, y, u)``, a number of its outputs y and inputs u; the run ends where
         it falls to 0. Of a truth value it ends where that is no longer true.
     method : str, optional
-        ``"dop853"``, explicit, of order 8; ``"dopri5"``, of order 5; ``"rodas5p"``, for stiff
-        equations, of order 5; or ``"auto"``: DOP853 (DOPRI5 for what runs in Python where rtol is
-        1e-6 or more), and Rodas5P from where the equations are stiff. The scenario's own, or
+        ``"dop853"``, explicit, of order 8; ``"rodas5p"``, for stiff equations, of order 5; or
+        ``"auto"``: DOP853, and Rodas5P from where the equations are stiff. The scenario's own, or
         ``"auto"`` for a diagram. The attribute ``method`` says what ran, and from when.
     max_step, first_step : float, optional
         The longest step, and the first that is tried. What happens for a short time and is not

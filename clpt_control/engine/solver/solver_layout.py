@@ -19,7 +19,7 @@ class Status(IntEnum):
     label: str
     sentence: str
 
-    def __new__(cls, value: int, label: str, sentence: str) -> "Status":
+    def __new__(cls, value: int, label: str = "", sentence: str = "") -> "Status":
         """Make a status whose number is `value`."""
         status = int.__new__(cls, value)
         status._value_ = value
