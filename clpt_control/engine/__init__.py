@@ -7,7 +7,7 @@ Read in this order:
 3. `record.graph`: the result, a typed SSA graph of array operations; beside it its derivative and
    SymPy's expressions.
 4. `diagram.wiring` and `diagram.merged_record`: blocks wired, their records as one.
-5. `codegen.fused_expressions`, `codegen.plan`, `codegen.loop_nests`: machine code of the record.
+5. `codegen.fused_expressions`, `codegen.plan`, `codegen.llvm_text`: machine code of the record.
 6. `solver.runner` and `solver.time_stepper`: integration from event to event, with events of time
    and of state.
 7. `conformance.checks`: every backend compared with Python.

@@ -18,7 +18,8 @@ from ..engine.model.declaration import Each, Guard
 from ..engine.model.ports import sized, sizes_of
 from ..engine.model.sampled import Sampled, inner_parameters, other_equations
 from ..engine.model.vectorized import on_arrays
-from ..engine.record.graph import OPERATIONS, Operation, Record, Shape, bound
+from ..engine.record.graph import Operation, Record, Shape, bound
+from ..engine.record.operations import ELEMENTWISE
 from ..engine.trace.arrays import Unread
 from ..errors import BlockError
 
@@ -285,7 +286,7 @@ def _fits(
     if kind == "pick":
         row, place = arguments
         return len(row) == 1 and place == shape
-    count = {"where": 3}.get(kind, getattr(OPERATIONS[kind], "nin", 1))
+    count = {"where": 3}.get(kind, getattr(ELEMENTWISE[kind], "nin", 1))
     return len(arguments) == count and all(_spreads(a, shape) for a in arguments)
 
 

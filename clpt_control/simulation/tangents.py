@@ -2,8 +2,8 @@
 
     S' = A S + B,  A = df/dx, B = df/dp along the run;   dy/dp = C S + D
 
-S is integrated with the run itself (`diagrams.varied`), by the same engine, from the exact
-derivative of what was read.
+S is integrated with the run itself (`codegen.directional_derivatives`), by the same engine, from
+the exact derivative of the record.
 
 Where the run crosses a jump of a function that moves with p, dy/dp has a term for the moment of
 crossing, which S lacks.  Where functions may jump, the same run is taken a little to both sides:
@@ -12,22 +12,22 @@ differences confirm S, or it is refused.
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
+from math import prod
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import control
 import numpy as np
 
 from ..arguments import nearest, public
+from ..engine.codegen.directional_derivatives import Directions, Varied
 from ..engine.diagram.sensitivity_names import (
     Place,
-    VariedWiring,
     may_jump,
     place_of,
     places_of,
     put,
     read_as_number,
     value_at,
-    varied,
 )
 from ..engine.diagram.wiring import Wiring
 from ..engine.solver.engine_choice import run_compared
@@ -122,7 +122,7 @@ class Sensitive:
             self.wiring, self.states = run.wiring, run.states
             self.given = run.runner.sweep.parameters
             self.places = varied_places(to, self.wiring, self.states)
-            self.varied, self.runner = self._made()
+            self.runner = self._compile(params)
         except (Uncompiled, Unread) as error:
             raise SimulationError(f"{self.name}: has no known derivative: {error}") from None
         outputs = len(self.wiring.outputs)
@@ -132,22 +132,27 @@ class Sensitive:
         state = 0.0 if start is None else start
         self.start = stacked_state("initial_state", state, run.runner.nstates)
 
-    def _made(self) -> tuple[VariedWiring, NativeDiagram]:
-        """Return the diagram beside how it varies, and ready to run."""
-        seeds: list[dict[str, np.ndarray]] = [{} for _ in self.wiring.nodes]
-        for j, place in enumerate(self.places.values()):
-            for k, field in place.fields:
-                shape = np.shape(getattr(self.given[k], field))
-                seed = seeds[k].setdefault(field, np.zeros((len(self.places), *shape)))
-                seed[(j, *place.element)] = 1.0
+    def _compile(self, params: Mapping[str, Any] | None) -> NativeDiagram:
+        """Return the diagram with derivatives along each varied value, ready to run."""
+        directions = tuple(self._parameters(place) for place in self.places.values())
+        varied_blocks = {k for direction in directions for k, _, _ in direction}
         self.doubtful = [  # blocks in which something may jump
             node.name
-            for node, seed in zip(self.wiring.nodes, seeds, strict=True)
-            if may_jump(node.system) or (seed and node.system.breakpoints_function is not None)
+            for k, node in enumerate(self.wiring.nodes)
+            if may_jump(node.system)
+            or (k in varied_blocks and node.system.breakpoints_function is not None)
         ]
-        made = varied(self.wiring, self.given, seeds, len(self.places))
-        apart = {one: one for place in self.places.values() for one in place.fields}
-        return made, NativeDiagram(made.wiring, apart=apart)
+        fields = {field: field for place in self.places.values() for field in place.fields}
+        return NativeDiagram(self.wiring, params, Directions(directions), fields)
+
+    def _parameters(self, place: Place) -> Varied:
+        """Return the parameters of one varied value: (block, field, index)."""
+        parameters = []
+        for k, field in place.fields:
+            shape = np.shape(getattr(self.given[k], field))
+            indices = np.arange(prod(shape)).reshape(shape)[place.element]
+            parameters += [(k, field, int(index)) for index in np.ravel(indices)]
+        return tuple(parameters)
 
     @property
     def values(self) -> np.ndarray:
@@ -164,20 +169,21 @@ class Sensitive:
     def run(self, values: np.ndarray, **solver: Any) -> RunWithDerivatives:
         """Run with other values of what is varied."""
         start, given = self.with_values(values)
-        x = np.zeros(self.varied.states.size)
-        x[self.varied.states[0]] = start
-        starts = [(1 + j, k) for j, place in enumerate(self.places.values()) for k in place.states]
-        x[self.varied.states[tuple(np.array(starts, dtype=int).reshape(-1, 2).T)]] = 1.0
+        x = np.zeros((1 + len(self.places), len(start)))
+        x[0] = start
+        for row, place in zip(x[1:], self.places.values(), strict=True):
+            row[list(place.states)] = 1.0
         runner, solver = self.runner.with_parameters(given), {**self.solver, **solver}
-        solution, why = run_compared(runner, x, self.times, inputs=self.inputs, **solver)
+        solution, why = run_compared(runner, x.ravel(), self.times, inputs=self.inputs, **solver)
         if why:
             raise SimulationError(f"{self.name}: its derivative is not known: {why}")
-        every = runner.signals(solution, self.inputs)[:, self.varied.signals].transpose(0, 2, 1)
+        every = runner.signals(solution, self.inputs)
+        every = every.reshape(len(every), len(x), -1).transpose(0, 2, 1)
         u = np.zeros((len(every), self.wiring.ninputs, every.shape[2]))
         u[..., 0] = self.inputs.along(solution.t).T
         rows = np.concatenate([every, u], axis=1)[self.skipped :]
         outputs = np.array([self.wiring.output_map @ row for row in rows])
-        states = solution.x[self.skipped :, self.varied.states].transpose(0, 2, 1)
+        states = solution.x.reshape(len(every), *x.shape).transpose(0, 2, 1)[self.skipped :]
         done = replace(solution, t=solution.t[self.skipped :], x=states[..., 0])
         return RunWithDerivatives(done, outputs, states)
 

@@ -12,12 +12,12 @@ import control
 import llvmlite.binding as llvm
 import numpy as np
 import pytest
-from llvmlite import ir
 
 from clpt_control import Block
 from clpt_control.engine.codegen import machine
-from clpt_control.engine.codegen.llvm_function import Function
+from clpt_control.engine.codegen.llvm_text import print_program
 from clpt_control.engine.codegen.machine import Machine, cache_code, cached_code, code_name
+from clpt_control.engine.codegen.plan import Program
 from clpt_control.files import CACHE, cache_folder, trusted
 from clpt_control.native import NativeDiagram
 
@@ -108,10 +108,12 @@ def test_few_files_stay(folder, monkeypatch):
 
 def test_nothing_can_be_kept_and_the_work_goes_on(monkeypatch):
     monkeypatch.setattr(machine, "cache_folder", lambda: None)
-    module = ir.Module()
-    Function(module, "nothing", 1).builder.ret_void()
+    program = Program((), {"nothing": ()}, {}, (), 0, 0, 0, ())
     for _ in range(2):
-        assert Machine(["nothing"], "nothing", lambda: module).addresses["nothing"]
+        machine_code = Machine(
+            ["nothing"], "nothing", lambda: print_program(program, ("nothing",), 1)
+        )
+        assert machine_code.addresses["nothing"]
 
 
 def test_the_name_changes_with_what_is_compiled(monkeypatch):

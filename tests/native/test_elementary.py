@@ -9,13 +9,14 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from llvmlite import ir
 
 from clpt_control.engine.codegen.elementary import FUNCTIONS
-from clpt_control.engine.codegen.llvm_function import Function
+from clpt_control.engine.codegen.fused_expressions import Component, Write
+from clpt_control.engine.codegen.llvm_text import print_program
 from clpt_control.engine.codegen.machine import Machine
-from clpt_control.engine.codegen.vectors import PRIMITIVES, calculate, width_of
-from clpt_control.engine.record.graph import OPERATIONS
+from clpt_control.engine.codegen.plan import Nest, Program
+from clpt_control.engine.codegen.vectors import PRIMITIVES
+from clpt_control.engine.record.operations import ELEMENTWISE
 
 mpmath.mp.dps = 40
 COLUMNS = 8
@@ -25,27 +26,19 @@ FORMS = ("scalar", "loop", "lanes")
 
 def printed(name, count, form):
     """A module with an operation of `count` numbers, in one form."""
-    module = ir.Module()
-    function = Function(module, "f", COLUMNS if form == "lanes" else 1)
-
-    def found(arguments):
-        width, own = width_of(arguments[0]), list(arguments)
-        if name == "where":
-            own[0] = calculate(function.builder, "lt", width, own[:2])
-        return calculate(function.builder, name, width, own)
-
-    def body(place, sums):
-        at = [(place, 1)]
-        arguments = [function.load("X", k * ITERATIONS, at, 1) for k in range(count)]
-        function.store(found(arguments), "D", 0, at, 1)
-        return sums
-
-    if form == "loop":
-        function.vector_loop(ITERATIONS, 1, body, [])
-    else:
-        function.store(found([function.load("X", k) for k in range(count)]), "D", 0)
-    function.builder.ret_void()
-    return module
+    lengths = (ITERATIONS,) if form == "loop" else ()
+    axes, strides = tuple(range(len(lengths))), (1,) * len(lengths)
+    step = ITERATIONS if lengths else 1
+    components = [Component("load", ("X", k * step, strides, -1), lengths) for k in range(count)]
+    arguments = [(k, axes) for k in range(count)]
+    if name == "where":
+        components.append(Component("lt", tuple(arguments[:2]), lengths))
+        arguments[0] = count, axes
+    components.append(Component(name, tuple(arguments), lengths))
+    write = Write("D", 0, strides, lengths, (len(components) - 1, axes))
+    nests = {"f": (Nest(lengths, 0, (write,)),)}
+    program = Program(tuple(components), nests, {}, (), 0, 0, 0, ())
+    return print_program(program, ("f",), COLUMNS if form == "lanes" else 1)
 
 
 @cache
@@ -144,7 +137,7 @@ def test_accuracy(name):
 
 
 def test_every_operation_of_a_record_is_one_of_machine_code():
-    assert set(OPERATIONS) <= {*FUNCTIONS, *PRIMITIVES}
+    assert set(ELEMENTWISE) <= {*FUNCTIONS, *PRIMITIVES}
 
 
 @pytest.mark.parametrize("name", ["sin", "cos"])

@@ -7,7 +7,7 @@ A diagram is printed as it was written: nothing is prepared for a whole run, and
 locked.  Inputs are one array.  Intervals and jumps, which an integrator sets, are another, `kept`.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from importlib import resources
 from math import copysign, inf, isnan
 from typing import Any
@@ -15,19 +15,14 @@ from typing import Any
 import numpy as np
 
 from ..record.graph import deep
-from ..trace.arrays import CONDITIONS
+from ..record.operations import CONDITIONS, TABLE
 from .diagram_record import DiagramRecord, Layout
-from .fused_expressions import Components, row_strides
-from .loop_nests import ROWS
+from .fused_expressions import Components, Write
+from .loop_nests import Body, Key, Location, LoopPrinter
 from .plan import Nest, Planner
 
 SIGNATURE = "double t, const double *x, const double *u, const double *p, const double *kept"
 ARRAYS = {"X": "x", "U": "u", "P": "p", "I": "kept", "T": "T_", "K": "K_", "W": "w", "D": "out"}
-INFIX = {
-    **{"add": "+", "sub": "-", "mul": "*", "div": "/", "and": "&&", "or": "||"},
-    **{"lt": "<", "le": "<=", "gt": ">", "ge": ">=", "eq": "==", "ne": "!="},
-}
-PREFIX = {"neg": "-", "not": "!"}
 FUNCTIONS = (resources.files("clpt_control.data") / "numpy.c").read_text("utf-8").split("\n\n")
 HELPERS = {one.split()[2].partition("_(")[0]: one.strip() for one in FUNCTIONS}
 
@@ -42,15 +37,15 @@ class CRecord(DiagramRecord):
     def _inputs(self) -> int:
         return self.load("U", 0, (self.wiring.ninputs,))
 
-    def load(self, array: str, first: int, shape: tuple) -> int:
+    def load(self, array: str, offset: int, shape: tuple) -> int:
         """Return the numbers of an array from a place."""
-        if array == "P" and first in self.set_by_integrator:
-            return super().load("I", self.set_by_integrator.index(first), shape)
-        return super().load(array, self.place(first) if array == "P" else first, shape)
+        if array == "P" and offset in self.set_by_integrator:
+            return super().load("I", self.set_by_integrator.index(offset), shape)
+        return super().load(array, self.place(offset) if array == "P" else offset, shape)
 
-    def place(self, first: int) -> int:
+    def place(self, offset: int) -> int:
         """Return the place in `p` of a parameter in P."""
-        return first - sum(one < first for one in self.set_by_integrator)
+        return offset - sum(setting < offset for setting in self.set_by_integrator)
 
 
 class CProgram:
@@ -63,17 +58,20 @@ class CProgram:
         if record.layout.jumps:
             ports["jump"] = record.leaps, "D"
         with deep():
-            writes = {name: self.components.writes(*own) for name, own in ports.items()}
+            writes = {name: self.components.writes(*arguments) for name, arguments in ports.items()}
             plan = Planner(self.components)
-            nests = {name: plan.nests(own) for name, own in writes.items()}
-            self.functions = {name: _Function(self, own).text for name, own in nests.items()}
+            nests = {name: plan.nests(arguments) for name, arguments in writes.items()}
+            self.functions = {
+                name: CPrinter(self, arguments).text for name, arguments in nests.items()
+            }
 
     def function(self, name: str) -> str:
         """Return one function; `signals` writes into `w`, its argument, the others into `out`."""
-        text, into = self.functions[name], "w" if name == "signals" else "out"
+        text = self.functions[name]
+        into = "w" if name == "signals" else "out"
         room = f"    double w[{self.components.room}];\n" if into == "out" and "w[" in text else ""
-        names = (one.split()[-1].strip("*") for one in [*SIGNATURE.split(","), into])
-        unused = "".join(f" (void){one};" for one in names)
+        names = (argument.split()[-1].strip("*") for argument in [*SIGNATURE.split(","), into])
+        unused = "".join(f" (void){argument};" for argument in names)
         return f"static void {name}_({SIGNATURE}, double *{into}) {{\n   {unused}\n{room}{text}}}\n"
 
     def shared(self, T: Any) -> Iterator[str]:
@@ -95,95 +93,109 @@ def c_number(value: float) -> str:
     return f"(-{text})" if copysign(1.0, value) < 0 else text
 
 
-class _Function:
-    """A function's nests, printed one after the other."""
+class CPrinter(LoopPrinter):
+    """Printer of the nests of one function."""
 
     def __init__(self, program: CProgram, nests: tuple[Nest, ...]):
-        self.program, self.all = program, program.components.all
-        self.saved: dict[int, int] = {}  # component -> its place in `w`, once it is written
-        self.numbers: dict[Any, str] = {}  # values outside all loops
-        self.text = "".join(line for nest in nests for line in self.nest(nest))
+        super().__init__(program.components.all, {})
+        self.program = program
+        self.lines: list[list[str]] = []  # lines in order; a list for values to come in each loop
+        self.values: dict[int, list[str]] = {}  # lists for values inside so many loops
+        self.depth = 0
+        for nest in nests:
+            self.print_nest(nest)
 
-    def nest(self, nest: Nest) -> Iterator[str]:
-        """Yield the lines of a nest of loops."""
-        depth = len(nest.lengths)
-        self.heads: list[list[str]] = [[] for _ in range(depth + 1)]
-        self.known: list[dict[Any, str]] = [self.numbers, *({} for _ in range(depth))]
-        loops, sums, after = tuple(range(depth)), dict[int, str](), list[str]()
-        body: list[str] = []
-        for item in nest.items:
-            value = self.argument(item.value, loops)
-            if item.summed:
-                c = item.saves
-                sums[c] = f"s{c}"
-                body.append(f"s{c} += {value};")
-                if item.strides:
-                    place = self.at(item.array, item.first, loops[:-1], item.strides)
-                    after.append(f"{place} = s{c};")
-            else:
-                body.append(f"{self.at(item.array, item.first, loops, item.strides)} = {value};")
-        before = [f"double {name} = 0.0;" for name in sums.values()]
-        for d, (lines, n) in enumerate(zip(self.heads, nest.lengths, strict=False)):
-            if d == depth - 1:
-                lines = [*lines, *before]
-            yield from self.indented(d, lines)
-            yield from self.indented(d, [f"for (int i{d} = 0; i{d} < {n}; i{d}++) {{"])
-        yield from self.indented(depth, [*self.heads[depth], *body])
-        for d in reversed(range(depth)):
-            yield from self.indented(d, ["}", *(after if d == depth - 1 else ())])
-        for item in nest.items:
-            if item.saves >= 0 and item.strides:
-                self.saved[item.saves] = item.first
-        self.numbers |= {(c, ()): name for c, name in sums.items() if not self.all[c].lengths}
+    @property
+    def text(self) -> str:
+        """Lines of the function."""
+        return "".join(line for lines in self.lines for line in lines)
 
-    def indented(self, depth: int, lines: list[str]) -> Iterator[str]:
-        """Yield lines within so many loops."""
-        return ("    " * (1 + depth) + line + "\n" for line in lines)
+    def begin_body(self, depth: int) -> None:
+        """Begin the statements inside `depth` loops."""
+        self.depth = depth
+        self.values[depth] = []
+        self.lines.append(self.values[depth])
 
-    def at(self, array: str, first: int, loops: tuple[int, ...], strides: tuple[int, ...]) -> str:
-        """Return an element of an array, in an iteration of these loops."""
+    def insert(self, depth: int, key: Key, printer: Callable[[], str]) -> str:
+        """Print a value at the beginning of the statements inside `depth` loops."""
+        component, loops, _ = key
+        text = printer()
+        if self.location(component) is not None:
+            return text
+        name = f"v{component}" + "".join(f"_{loop}" for loop in loops)
+        kind = "int" if self.components[component].name in CONDITIONS else "double"
+        self.values[depth].append(indented(depth, f"const {kind} {name} = {text};"))
+        return name
+
+    def statement(self, text: str) -> None:
+        """Print a statement."""
+        self.lines.append([indented(self.depth, text)])
+
+    def print_loop(self, depth: int, body: Body, totals: list[Write]) -> list[str]:
+        """Print the loop inside `depth` others; return the sums after it."""
+        count = self.current_nest.lengths[depth]
+        index = f"i{depth}"
+        sums = [f"s{total.saves}" for total in totals]
+        for name in sums:
+            self.statement(f"double {name} = 0.0;")
+        self.statement(f"for (int {index} = 0; {index} < {count}; {index}++) {{")
+        body(index, sums)
+        self.depth = depth
+        self.statement("}")
+        return sums
+
+    def add(self, total: str, value: str) -> str:
+        """Add a value to a sum."""
+        self.statement(f"{total} += {value};")
+        return total
+
+    def load(self, location: Location, loops: Iterable[int], vectorized: bool = False) -> str:
+        """Return an element of an array."""
+        array, offset, strides = location
         if array == "t":
             return "t"
-        moves = [f"{s} * i{k}" if s != 1 else f"i{k}" for k, s in zip(loops, strides, strict=True)]
-        place = " + ".join([*([str(first)] if first or not moves else []), *moves])
-        return f"{ARRAYS[array]}[{place}]"
+        terms = [
+            index if stride == 1 else f"{stride} * {index}"
+            for index, stride in self.terms(loops, strides)
+        ]
+        if offset or not terms:
+            terms.insert(0, str(offset))
+        return f"{ARRAYS[array]}[{' + '.join(terms)}]"
 
-    def argument(self, a: Any, loops: tuple[int, ...]) -> str:
-        """Return an argument: a constant, or a computed value."""
-        if type(a) is not tuple:
-            return c_number(a)
-        return self.value(a[0], tuple([loops[k] for k in a[1]]))
+    def store(self, value: str, location: Location) -> None:
+        """Write an element of an array."""
+        element = self.load(location, range(len(location[2])))
+        self.statement(f"{element} = {value};")
 
-    def value(self, c: int, loops: tuple[int, ...]) -> str:
-        """Return a value, which is printed at the beginning of the innermost of its loops."""
-        depth = max(loops, default=-1) + 1
-        name, arguments, lengths = self.all[c]
-        if c in self.saved:
-            return self.at("W", self.saved[c], loops, row_strides(lengths))
-        if name == "load":
-            return self.at(arguments[0], arguments[1], loops, arguments[2])
-        known = self.known[depth]
-        if (c, loops) not in known:
-            text = self.operation(name, arguments, loops)
-            known[c, loops] = f"v{c}" + "".join(f"_{k}" for k in loops)
-            kind = "int" if name in CONDITIONS else "double"
-            self.heads[depth].append(f"const {kind} {known[c, loops]} = {text};")
-        return known[c, loops]
+    def number(self, value: float, vectorized: bool) -> str:
+        """Return a constant."""
+        return c_number(value)
 
-    def operation(self, name: str, arguments: tuple, loops: tuple[int, ...]) -> str:
+    def operation(self, name: str, loops: tuple[int, ...], values: list[str]) -> str:
         """Return an operation on its arguments."""
+        symbol = TABLE[name].c
+        if not symbol:
+            return self.call(name, values)
+        if symbol == "?:":
+            return "{} ? {} : {}".format(*values)
+        if len(values) == 1:
+            return f"{symbol}{values[0]}"
+        return f" {symbol} ".join(values)
+
+    def row_operation(self, name: str, row: tuple, values: list[str]) -> str:
+        """Return an operation on a row."""
+        array, offset, stride, count = row
+        address = f"{ARRAYS[array]} + {offset}"
+        return self.call(name, [address, str(stride), str(count), *values])
+
+    def call(self, name: str, arguments: list[str]) -> str:
+        """Return a call of a function, of the C library or of `numpy.c`."""
         if name in HELPERS:
             self.program.helpers[name] = None
-        if name in ROWS:
-            array, first, stride, count, *_ = self.all[arguments[ROWS[name]][0]].arguments
-            rest = [one for k, one in enumerate(arguments) if k != ROWS[name]]
-            more = "".join(f", {self.argument(one, loops)}" for one in rest)
-            return f"{name}_({ARRAYS[array]} + {first}, {stride}, {count}{more})"
-        values = [self.argument(a, loops) for a in arguments]
-        if name in INFIX:
-            return f" {INFIX[name]} ".join(values)
-        if name in PREFIX:
-            return f"{PREFIX[name]}{values[0]}"
-        if name == "where":
-            return "{} ? {} : {}".format(*values)
-        return f"{name}{'_' if name in HELPERS else ''}({', '.join(values)})"
+            name += "_"
+        return f"{name}({', '.join(arguments)})"
+
+
+def indented(depth: int, text: str) -> str:
+    """Return a line inside `depth` loops."""
+    return "    " * (1 + depth) + text + "\n"

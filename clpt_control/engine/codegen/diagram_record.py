@@ -27,12 +27,15 @@ from ..model.block import Block
 from ..model.ports import places
 from ..model.system import System
 from ..record.graph import Operation, Record, bound
+from ..record.operations import named
 from ..solver.schedule import TimeTable
 from ..trace.arrays import Tape, Unread
 from .switching_conditions import LOCKED, Decisions, Port
 
-SHORT, NAMED = 16, 2  # an axis up to SHORT is unrolled, but from NAMED on where it has a name
-SIGNED = {"atan2", "pow", "floordiv", "mod", "div"}  # distinguish -0.0 from 0.0
+# an axis up to SHORT is unrolled, but from NAMED on where it has a name
+SHORT = 16
+NAMED = 2
+SIGNED = named(lambda row: row.signed_zero)
 FOLDS = {"asin": "sin", "acos": "cos", "atan": "tan"}  # inverses, of which angles are folded
 WIRE = -1  # the owner of the operations of wires
 LARGE = 512  # numbers: a larger array is a table that runs share
@@ -51,7 +54,7 @@ Ref = Any  # the place of an entry (int), or a constant (float)
 
 
 class Slot(NamedTuple):
-    """Where a parameter field lies: in P, or in T, which runs share; its first place."""
+    """Location of a parameter field: array P, or T, which runs share, and offset."""
 
     array: str
     offset: int
@@ -71,7 +74,7 @@ class Layout:
     @property
     def pattern(self) -> tuple:
         """All places, and so which fields share a slot: part of the key of compiled code."""
-        tables = ((key, one.place) for key, one in self.time_tables.items())
+        tables = ((key, table.place) for key, table in self.time_tables.items())
         return *self.slots.items(), *self.jumps.items(), *tables, len(self.P), len(self.T)
 
     def inputs(self, count: int) -> int:
@@ -80,12 +83,13 @@ class Layout:
 
     def packed(self, parameters: Sequence[Any]) -> np.ndarray:
         """Return P for other parameters of the same blocks; fields that share stay equal."""
-        P, known = self.P.copy(), dict[int, np.ndarray]()
+        P = self.P.copy()
+        values_by_offset = dict[int, np.ndarray]()
         for (k, name), (array, offset) in self.slots.items():
             if array == "T":
                 continue
             value = np.asarray(getattr(parameters[k], name), dtype=float).ravel()
-            if not np.array_equal(known.setdefault(offset, value), value):
+            if not np.array_equal(values_by_offset.setdefault(offset, value), value):
                 raise ValueError(f"{name} of block {k} no longer equals the field it stands with")
             P[offset : offset + len(value)] = value
         return P
@@ -99,35 +103,38 @@ def lay_out(
     `apart` maps fields that differ from run to run, (block, field), to a value; two of them share a
     slot only if these values are equal.
     """
-    layout, known = Layout(), dict[tuple, Slot]()
-    parts: dict[str, list[np.ndarray]] = {"P": [np.zeros(0)], "T": []}
+    layout = Layout()
+    slots = dict[tuple, Slot]()
+    arrays: dict[str, list[np.ndarray]] = {"P": [np.zeros(0)], "T": []}
 
     def slot(array: str, numbers: np.ndarray) -> Slot:
-        parts[array].append(numbers.ravel())
-        return Slot(array, sum(part.size for part in parts[array][:-1]))
+        arrays[array].append(numbers.ravel())
+        return Slot(array, sum(filled.size for filled in arrays[array][:-1]))
 
     for k, (node, p) in enumerate(zip(wiring.nodes, parameters, strict=True)):
         for name, value in zip(p._fields, p, strict=True):
             if isinstance(value, int) or not is_read(node.system, name):
                 continue
-            array = np.asarray(value, dtype=float)
-            key: tuple = (name, array.shape, array.tobytes(), apart.get((k, name)))
+            numbers = np.asarray(value, dtype=float)
+            key: tuple = (name, numbers.shape, numbers.tobytes(), apart.get((k, name)))
             if name == "interval":
                 key = name, k
-            if key not in known:
-                shared = array.size > LARGE and (k, name) not in apart
-                known[key] = slot("T" if shared else "P", array)
-            layout.slots[k, name] = known[key]
+            if key not in slots:
+                is_shared = numbers.size > LARGE and (k, name) not in apart
+                slots[key] = slot("T" if is_shared else "P", numbers)
+            layout.slots[k, name] = slots[key]
             if name == "interval" and node.system.breakpoints_function is not None:
-                layout.intervals[k] = known[key].offset
+                layout.intervals[k] = slots[key].offset
         if node.system.jump_function is not None:
             layout.jumps[k] = slot("P", np.zeros(1)).offset
         for key in () if wiring.dt else tables_over_time(node.system):
             if key not in layout.time_tables:
                 rows, shift, (_, joints) = key
-                place, times = slot("P", np.zeros(1)).offset, np.frombuffer(rows) - shift
-                layout.time_tables[key] = TimeTable(times, place, joints != "jumps")
-    layout.P, layout.T = np.concatenate(parts["P"]), np.concatenate([*parts["T"], np.zeros(1)])
+                offset = slot("P", np.zeros(1)).offset
+                times = np.frombuffer(rows) - shift
+                layout.time_tables[key] = TimeTable(times, offset, joints != "jumps")
+    layout.P = np.concatenate(arrays["P"])
+    layout.T = np.concatenate([*arrays["T"], np.zeros(1)])
     return layout
 
 
@@ -141,13 +148,14 @@ def tables_over_time(block: Block) -> Iterator[tuple]:
     """Yield rows, shift and side of the tables that a block reads at time plus a constant."""
     for role in (*block._roles, "output"):
         with suppress(Unread):
-            lines = block.array_record(role).operations
-            for line in lines:
-                if (
-                    line.kind == "search"
-                    and (shift := shift_of(lines, line.arguments[1])) is not None
-                ):
-                    yield lines[line.arguments[0]].at, shift, line.at
+            operations = block.array_record(role).operations
+            for operation in operations:
+                if operation.kind != "search":
+                    continue
+                row, value = operation.arguments
+                shift = shift_of(operations, value)
+                if shift is not None:
+                    yield operations[row].at, shift, operation.at
 
 
 def shift_of(lines: Sequence[Operation], ref: Ref) -> float | None:
@@ -178,7 +186,8 @@ class DiagramRecord(RecordMerger):
 
     def __init__(self, wiring: Wiring, layout: Layout, form: str | None = None):
         super().__init__(wiring, {0: wiring.ninputs})
-        self.layout, (self.long, self.named, self.locking) = layout, FORMS[form]
+        self.layout = layout
+        self.long, self.named, self.locking = FORMS[form]
         self.tape = Tape()
         self.entries = self.tape.operations
         self.owners: dict[int, int] = {}  # the blocks that entries come from
@@ -231,11 +240,12 @@ class DiagramRecord(RecordMerger):
 
     def _leap(self, k: int) -> dict[str, Ref]:
         """Return the states of a block after the jumps that P requests."""
-        node, place = self.wiring.nodes[k], self.layout.jumps.get(k)
+        node = self.wiring.nodes[k]
+        request = self.layout.jumps.get(k)
         shapes = node.system.state_shapes
         states = {name: self.leaf(k, "x", name, shape) for name, shape in shapes.items()}
-        if place is not None:
-            jumps = self.add("gt", (self.load("P", place, ()), 0.5), ())
+        if request is not None:
+            jumps = self.add("gt", (self.load("P", request, ()), 0.5), ())
             self._change(k, states, jumps, self.run(k, "jump", self.fed(k)))
         return states
 
@@ -247,7 +257,8 @@ class DiagramRecord(RecordMerger):
 
     def _sample(self) -> None:
         """Sample the inputs of blocks that sample, with the signals after all jumps."""
-        nodes, self.outputs = self.wiring.nodes, {}
+        nodes = self.wiring.nodes
+        self.outputs = {}
         sampling = [k for k, node in enumerate(nodes) if node.system.first_held is not None]
         for k in self.wiring.order if sampling else ():
             if k in sampling:
@@ -261,11 +272,12 @@ class DiagramRecord(RecordMerger):
         self._change(k, self._jumped[k], sampled, [*self.fed(k).values()])
 
     def _stored(self, k: int, kind: str, values: list[Ref]) -> list[Port]:
-        node, ports = self.wiring.nodes[k], list[Port]()
-        first = getattr(node, kind).start
+        node = self.wiring.nodes[k]
+        ports = list[Port]()
+        offset = getattr(node, kind).start
         for shape, ref in zip(node.system.declared[kind].values(), values, strict=True):
-            ports.append(Port(first, *self._axes(node.system, shape), ref))
-            first += prod(ports[-1].shape)
+            ports.append(Port(offset, *self._axes(node.system, shape), ref))
+            offset += prod(ports[-1].shape)
         return ports
 
     def _axes(self, block: Block, shape: tuple) -> tuple[tuple[int, ...], tuple[bool, ...]]:
@@ -281,71 +293,83 @@ class DiagramRecord(RecordMerger):
         """Return lengths of axes."""
         return self._axes(block, shape)[0]
 
-    def put(self, k: int, role: str, record: Record, operation: Operation, own: list[Ref]) -> Ref:
+    def put(self, k: int, role: str, record: Record, operation: Operation, refs: list[Ref]) -> Ref:
         """Write an operation of a block."""
-        block, (kind, arguments, shape, at) = self.wiring.nodes[k].system, operation
+        block = self.wiring.nodes[k].system
+        kind, arguments, shape, at = operation
         if kind == "part":
-            return self.part(own[0], at, shape)
+            return self.part(refs[0], at, shape)
         if kind == "sum":
             length, long = self._axes(block, record.operations[arguments[0]].shape)
             at = at, length[at], long[at]
         lengths, long = self._axes(block, shape)
-        # samples stay for a step
-        smooth = (block.opaque and block.of_package) or block.first_held is not None
+        samples = block.first_held is not None  # samples stay for a step
+        is_smooth = samples or (block.opaque and block.of_package)
 
-        def put(kind: str, *own: Ref) -> Ref:
-            entry = self.add(kind, own, lengths, at, k)
-            if kind in LOCKED and not (smooth or self._is_smooth(kind, own, at)):
+        def put(kind: str, *operands: Ref) -> Ref:
+            entry = self.add(kind, operands, lengths, at, k)
+            if kind in LOCKED and not (is_smooth or self._is_smooth(kind, operands, at)):
                 self.decided_by[entry] = long, (k, role, kind)
             return entry
 
-        if (
-            kind == "search"
-            and self.locking
-            and (shift := shift_of(self.entries, own[1])) is not None
-        ):
-            key = self.entries[own[0]].at, shift, at
-            if (table := self.layout.time_tables.get(key)) is not None:
+        if kind == "search" and self.locking:
+            table = self._time_table(refs[0], refs[1], at)
+            if table is not None:
                 return self.load("P", table.place, ())
-        if kind in FOLDS and type(own[0]) is int and self.entries[own[0]].kind == FOLDS[kind]:
-            return _folded(kind, self.entries[own[0]].arguments[0], put)
-        return put(kind, *own)
+        if kind in FOLDS and type(refs[0]) is int:
+            inner = self.entries[refs[0]]
+            if inner.kind == FOLDS[kind]:
+                return _folded(kind, inner.arguments[0], put)
+        return put(kind, *refs)
 
-    def _is_smooth(self, kind: str, own: Sequence[Ref], at: Any) -> bool:
+    def _time_table(self, row: Ref, value: Ref, at: Any) -> TimeTable | None:
+        """Return the table over time that a search reads, or None."""
+        shift = shift_of(self.entries, value)
+        if shift is None:
+            return None
+        return self.layout.time_tables.get((self.entries[row].at, shift, at))
+
+    def _is_smooth(self, kind: str, refs: Sequence[Ref], at: Any) -> bool:
         """Return whether an operation reads a table whose rows lie closer than tolerances tell."""
-        if kind == "pick" and type(own[1]) is int:
-            kind, _, _, at = self.entries[own[1]]
+        if kind == "pick" and type(refs[1]) is int:
+            kind, _, _, at = self.entries[refs[1]]
         return kind == "search" and at[1] == "smooth"
 
     def leaf(self, k: int, group: str, name: str, shape: tuple) -> Ref:
         """Return time, a parameter, or a state, after jumps where these are known."""
-        block, array, first = self.wiring.nodes[k].system, "t", 0
+        block = self.wiring.nodes[k].system
+        array = "t"
+        offset = 0
         if group == "p":
-            array, first = self.layout.slots[k, name]
+            array, offset = self.layout.slots[k, name]
         elif group == "x" and name in self._jumped.get(k, {}):
             return self._jumped[k][name]
         elif group == "x":
-            own, _ = places(block.state_shapes)[name]
-            array, first = "X", self.wiring.nodes[k].states.start + own.start
-        return self.load(array, first, self.shape(block, shape))
+            positions, _ = places(block.state_shapes)[name]
+            array = "X"
+            offset = self.wiring.nodes[k].states.start + positions.start
+        return self.load(array, offset, self.shape(block, shape))
 
-    def load(self, array: str, first: int, shape: tuple) -> int:
+    def load(self, array: str, offset: int, shape: tuple) -> int:
         """Return the entry that reads an array from a place, row by row; equal ones are one."""
-        return self.tape.add("load", (), shape, (array, first))._node
+        return self.tape.add("load", (), shape, (array, offset))._node
 
     # --- wires ----------------------------------------------------------------------------
 
     def _inputs(self) -> int:
         """Return the diagram's inputs: straight lines in time, value + slope (t - begin)."""
-        n, ramp = self.wiring.ninputs, len(self.layout.P)
-        begin, t = self.load("P", ramp, ()), self.load("t", 0, ())
+        n = self.wiring.ninputs
+        ramp = len(self.layout.P)
+        begin = self.load("P", ramp, ())
+        t = self.load("t", 0, ())
         since = self.add("sub", (t, begin), ())
         rise = self.add("mul", (since, self.load("P", ramp + 1 + n, (n,))), (n,))
         return self.add("add", (self.load("P", ramp + 1, (n,)), rise), (n,))
 
     def fed(self, k: int) -> dict[str, Ref]:
         """Return the value that feeds each input port of a block."""
-        fed, block = super().fed(k), self.wiring.nodes[k].system
+        fed = super().fed(k)
+        block = self.wiring.nodes[k].system
         kinds = {line.kind for record in block.records.values() for line in record.operations}
         if kinds & {"join", "part"}:  # which take whole arrays
             for port, shape in block.declared["inputs"].items():
@@ -358,26 +382,27 @@ class DiagramRecord(RecordMerger):
 
     def _spread(self, ref: Ref, shape: tuple[int, ...]) -> Ref:
         """Return a value in all of a shape: what feeds a port may have fewer axes."""
-        if (own := self.shape_of(ref)) == shape:
+        if (ref_shape := self.shape_of(ref)) == shape:
             return ref
-        return self.add("mul", (ref, 1.0), shape) if own else self.add("fill", (ref,), shape)
+        return self.add("mul", (ref, 1.0), shape) if ref_shape else self.add("fill", (ref,), shape)
 
-    def part(self, ref: int, first: int, shape: tuple) -> int:
+    def part(self, ref: int, offset: int, shape: tuple) -> int:
         """Return elements of a value from a place on, row by row, in a shape."""
         entry = self.entries[ref]
-        if entry.shape == shape and first == 0:
+        if entry.shape == shape and offset == 0:
             return ref
         if entry.kind == "load":
             array, start = entry.at
-            return self.load(array, start + first, shape)
+            return self.load(array, start + offset, shape)
         if entry.kind == "view" and len(entry.at) == 1 and entry.at[0][2] == 1:
-            return self.part(entry.arguments[0], entry.at[0][1] + first, shape)
-        return self.add("part", (ref,), shape, first)
+            return self.part(entry.arguments[0], entry.at[0][1] + offset, shape)
+        return self.add("part", (ref,), shape, offset)
 
 
 def _folded(kind: str, a: Ref, put: Callable[..., Ref]) -> Ref:
     """Return asin(sin a), acos(cos a) or atan(tan a), whose kinks are those of |x| and a % b."""
-    turn, ahead = (pi if kind == "atan" else 2.0 * pi), (pi if kind == "acos" else 0.5 * pi)
+    turn = pi if kind == "atan" else 2.0 * pi
+    ahead = pi if kind == "acos" else 0.5 * pi
     angle = put("mod", put("add", a, ahead), turn)
     if kind == "atan":
         return put("sub", angle, 0.5 * pi)

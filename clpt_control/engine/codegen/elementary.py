@@ -1,7 +1,7 @@
-"""What every operation of a record is in machine code: exp, log, sin, remainders, choices.
+"""Elementary functions of machine code: exp, log, sin, remainders, choices.
 
-Each is written in NumPy and read as any function is (`equations.record`); what is left are the
-primitives of `vectors`.  Functions are polynomials and the bits of a double:
+Each function is written in NumPy and traced like any other function; the result is a record of the
+primitives in `vectors`.  Functions are polynomials and the bits of a double:
 
     exp(x) = 2^k exp(r),        k = round(x / ln 2), |r| <= ln(2)/2
     log(x) = k ln 2 + log(m),   x = 2^k m, m in [sqrt(1/2), sqrt(2)]
@@ -25,7 +25,8 @@ import numpy as np
 from ..trace.elementwise import elementwise, where
 
 MAGIC = 6755399441055744.0  # 1.5 * 2^52: added to a whole number, it stands in the low bits
-LN2, LN2_LOW = 0.6931471805599453, 2.3190468138462996e-17
+LN2 = 0.6931471805599453
+LN2_LOW = 2.3190468138462996e-17
 LOG2_E = 1.4426950408889634
 TINY = 2.2250738585072014e-308
 
@@ -42,7 +43,8 @@ ATAN = (
 
 # --- primitives -----------------------------------------------------------------------------
 
-fma, copysign = partial(elementwise, "fma"), partial(elementwise, "copysign")
+fma = partial(elementwise, "fma")
+copysign = partial(elementwise, "copysign")
 round_down = partial(elementwise, "round_down")  # to the largest whole number not above
 round_to_zero = partial(elementwise, "round_to_zero")
 times_power_of_two = partial(elementwise, "times_power_of_two")
@@ -76,9 +78,10 @@ def _exp_less_one(r):
 
 def exp(a):
     """Return e^a."""
-    k, half = fma(a, LOG2_E, MAGIC), fma(a, 0.5 * LOG2_E, MAGIC)
+    k = fma(a, LOG2_E, MAGIC)
+    half_k = fma(a, 0.5 * LOG2_E, MAGIC)
     r = fma(k - MAGIC, -LN2_LOW, fma(k - MAGIC, -LN2, a))
-    value = times_power_of_two(1.0 + _exp_less_one(r), k, half)
+    value = times_power_of_two(1.0 + _exp_less_one(r), k, half_k)
     return where(a > 710.0, inf, where(a < -746.0, 0.0, value))
 
 
@@ -104,8 +107,8 @@ def _split_log(a):
     z = s * s
     q = _polynomial(z, LOG)
     # log m = f - (f^2/2 - s (f^2/2 + z q)): only small terms are rounded
-    half = 0.5 * f * f
-    return k, f, half - s * fma(z, q, half)
+    half_square = 0.5 * f * f
+    return k, f, half_square - s * fma(z, q, half_square)
 
 
 def _where_log_is(a, value):
@@ -124,9 +127,9 @@ def log(a):
 def _precise_log(a):
     """Return (log a, what its rounding left out)."""
     k, f, less = _split_log(a)
-    whole = k * LN2
-    high = whole + f
-    dropped = where(k == 0.0, 0.0, f - (high - whole)) + fma(k, LN2, -whole)
+    multiple = k * LN2
+    high = multiple + f
+    dropped = where(k == 0.0, 0.0, f - (high - multiple)) + fma(k, LN2, -multiple)
     less = fma(-k, LN2_LOW, less) - dropped
     value = high - less
     return _where_log_is(a, value), (high - value) - less
@@ -135,17 +138,17 @@ def _precise_log(a):
 def power(a, b):
     """Return a^b; error about 2e-16 + 4e-17 |b log a|."""
     size = abs(a)
-    logarithm, rest = _precise_log(size)
+    logarithm, log_error = _precise_log(size)
     high = b * logarithm
-    low = fma(b, logarithm, -high) + b * rest
+    low = fma(b, logarithm, -high) + b * log_error
     value = exp(high)
     value = where(abs(low) < 1.0, fma(value, low, value), value)
     value = where(abs(value) < inf, value, exp(high))
-    whole = round_down(b) == b
-    is_odd = whole & (abs(b) < 4503599627370496.0) & (round_down(0.5 * b) != 0.5 * b)
+    is_whole = round_down(b) == b
+    is_odd = is_whole & (abs(b) < 4503599627370496.0) & (round_down(0.5 * b) != 0.5 * b)
     value = where((size == 1.0) & (abs(b) == inf), 1.0, value)
     value = where(is_odd, copysign(value, a), value)
-    negative = (a < 0.0) & (size < inf) & ~whole
+    negative = (a < 0.0) & (size < inf) & ~is_whole
     return where((b == 0.0) | (a == 1.0), 1.0, where(negative, nan, value))
 
 
@@ -159,11 +162,13 @@ def tanh(a):
 
 def hypot(a, b):
     """Return sqrt(a^2 + b^2) without overflow between."""
-    a, b = abs(a), abs(b)
+    a = abs(a)
+    b = abs(b)
     large = where(a > b, a, b)
     up = power_of_two(where(large > 1e150, -600.0, where(large < 1e-150, 600.0, 0.0)))
     down = power_of_two(where(large > 1e150, 600.0, where(large < 1e-150, -600.0, 0.0)))
-    a_scaled, b_scaled = a * up, b * up
+    a_scaled = a * up
+    b_scaled = b * up
     value = np.sqrt(fma(a_scaled, a_scaled, b_scaled * b_scaled)) * down
     return where((a == inf) | (b == inf), inf, value)
 
@@ -171,8 +176,11 @@ def hypot(a, b):
 # --- circular functions ---------------------------------------------------------------------
 
 ONE_OVER_PI = 0.3183098861837907
-PI, PI_MIDDLE, PI_LOW = 3.141592653589793, 1.2246467991473532e-16, -2.9947698097183397e-33
-HALF_PI, HALF_PI_MIDDLE = 1.5707963267948966, 6.123233995736766e-17
+PI = 3.141592653589793
+PI_MIDDLE = 1.2246467991473532e-16
+PI_LOW = -2.9947698097183397e-33
+HALF_PI = 1.5707963267948966
+HALF_PI_MIDDLE = 6.123233995736766e-17
 RANGE = 1125899906842624.0  # 2^50
 
 
@@ -213,24 +221,26 @@ def tan(a):
 
 def atan2(b, a):
     """Return the angle of the point (a, b), in [-pi, pi]."""
-    up, right = abs(b), abs(a)
-    steep, middle = up > 2.414213562373095 * right, up > 0.41421356237309503 * right
+    rise_size = abs(b)
+    run_size = abs(a)
+    steep = rise_size > 2.414213562373095 * run_size
+    middle = rise_size > 0.41421356237309503 * run_size
     # the angle from 0, pi/4 or pi/2 to the point
-    rise = where(steep, -right, where(middle, up - right, up))
-    run = where(steep, up, where(middle, up + right, right))
+    rise = where(steep, -run_size, where(middle, rise_size - run_size, rise_size))
+    run = where(steep, rise_size, where(middle, rise_size + run_size, run_size))
     base = where(steep, HALF_PI, where(middle, 0.5 * HALF_PI, 0.0))
     low = where(steep, HALF_PI_MIDDLE, where(middle, 0.5 * HALF_PI_MIDDLE, 0.0))
     ratio = rise / run
-    corner = (up == inf) & (right == inf)
-    ratio = where(corner | ((up == 0.0) & (right == 0.0)), 0.0, ratio)
+    corner = (rise_size == inf) & (run_size == inf)
+    ratio = where(corner | ((rise_size == 0.0) & (run_size == 0.0)), 0.0, ratio)
     base = where(corner, 0.5 * HALF_PI, base)
     z = ratio * ratio
     q = _polynomial(z, ATAN)
-    left = copysign(1.0, a) < 0.0  # of -0.0 too
+    is_left = copysign(1.0, a) < 0.0  # of -0.0 too
     # pi - angle, with the parts of pi that double precision cuts off
-    base = where(left, 2.0 * HALF_PI - base, base)
-    low = where(left, 2.0 * HALF_PI_MIDDLE - low, low)
-    ratio = where(left, -ratio, ratio)
+    base = where(is_left, 2.0 * HALF_PI - base, base)
+    low = where(is_left, 2.0 * HALF_PI_MIDDLE - low, low)
+    ratio = where(is_left, -ratio, ratio)
     angle = base + (ratio + fma(z * ratio, q, low))
     return copysign(angle, b)
 
@@ -255,24 +265,24 @@ def acos(a):
 
 def remainder(a, b):
     """Return a % b, with the sign of b."""
-    left = elementwise("rem", a, b)
-    turned = where(_apart(left, b), left + b, left)
-    return where(left == 0.0, copysign(0.0, b), turned)
+    rest_of_a = elementwise("rem", a, b)
+    turned = where(opposite_signs(rest_of_a, b), rest_of_a + b, rest_of_a)
+    return where(rest_of_a == 0.0, copysign(0.0, b), turned)
 
 
 def quotient(a, b):
     """Return a // b."""
-    left = elementwise("rem", a, b)
-    ratio = (a - left) / b
-    ratio = where((left != 0.0) & _apart(left, b), ratio - 1.0, ratio)
-    whole = round_down(ratio)
-    whole = where(ratio - whole > 0.5, whole + 1.0, whole)
-    whole = where(ratio == 0.0, copysign(0.0, a / b), whole)
-    return where(b == 0.0, a / b, whole)
+    rest_of_a = elementwise("rem", a, b)
+    ratio = (a - rest_of_a) / b
+    ratio = where((rest_of_a != 0.0) & opposite_signs(rest_of_a, b), ratio - 1.0, ratio)
+    result = round_down(ratio)
+    result = where(ratio - result > 0.5, result + 1.0, result)
+    result = where(ratio == 0.0, copysign(0.0, a / b), result)
+    return where(b == 0.0, a / b, result)
 
 
-def _apart(a, b):
-    """Whether one of two numbers is below zero, and one not."""
+def opposite_signs(a, b):
+    """Return whether one of two numbers is below zero and the other is not."""
     return ((a < 0.0) | (b < 0.0)) & ~((a < 0.0) & (b < 0.0))
 
 
@@ -293,13 +303,11 @@ def sign(a):
 
 def place(index, count):
     """Return the whole number of a place in a row of `count`, -1 where there is no such place."""
-    whole = round_to_zero(index)
-    whole = where(whole < 0.0, whole + count, whole)
-    return where((whole >= 0.0) & (whole < count), whole, -1.0)
+    position = round_to_zero(index)
+    position = where(position < 0.0, position + count, position)
+    return where((position >= 0.0) & (position < count), position, -1.0)
 
 
-# rare ones, which the C library computes number by number
-LIBRARY = (*("erf", "erfc", "log1p", "log2", "log10"), *("sinh", "cosh", "asinh", "acosh", "atanh"))
 FUNCTIONS: dict[str, Callable[..., Any]] = {
     **{function.__name__: function for function in (exp, expm1, log, tanh, hypot)},
     **{function.__name__: function for function in (sin, cos, tan, asin, acos, atan, atan2)},

@@ -17,17 +17,18 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...errors import Uncompiled
+from ..record.graph import Operation
+from ..record.operations import CONDITIONS, LOGICAL, named
 from ..record.scalar_graph import Elements
-from ..trace.arrays import CONDITIONS
 from .diagram_record import LARGE, Ref
-from .elementary import FUNCTIONS, LIBRARY
 from .switching_conditions import Port
 
 MOST = 60_000  # components; a larger diagram runs in Python
 BOUND = -1
-SHORT_ONES = {"minimum", "maximum", "sign", "place", "floor", "trunc", "ceil"}
-OUT_OF_LINE = FUNCTIONS.keys() - SHORT_ONES  # a function each, printed once a module
-LONG = OUT_OF_LINE | {"div", "sqrt", "lookup", "search", "argmin", *LIBRARY}  # costly
+# a function each, printed once a module
+OUT_OF_LINE = named(lambda row: row.numpy and row.llvm == "function")
+LIBRARY = named(lambda row: row.llvm == "libm")
+LONG = OUT_OF_LINE | LIBRARY | {"div", "sqrt", "lookup", "search", "argmin"}  # costly
 Symbol = tuple[int, int]
 Index = Any  # a whole number, or (symbol, start, step)
 Value = Any  # a constant, or (component, symbols)
@@ -69,34 +70,35 @@ class Components(Elements):
         self.all: list[Component] = []
         self.preparing = prepared is not None
         self.steady: list[bool] = []  # depends on parameters alone, and is prepared
-        self.room, self.prepared = room, prepared or 0  # next free places in W, and in P
+        self.room = room  # next free offset in W
+        self.prepared = prepared or 0  # next free offset in P
         self.constants: list[float] = []  # K
         self.tables: list[np.ndarray] = []  # behind the numbers in T
         self.buffers: dict[int, list[Write]] = {}  # arrays that are written before they are read
-        self._places: dict[Any, int] = {}
-        self._arrays: dict[Any, tuple[str, int, int]] = {}  # entry -> array, place, buffer or -1
+        self._indices: dict[Any, int] = {}
+        self._arrays: dict[Any, tuple[str, int, int]] = {}  # entry -> array, offset, buffer or -1
 
     # --- components -----------------------------------------------------------------------
 
     def add(self, name: str, *values: Value, bound: Symbol | None = None) -> Value:
         """Return the component of an operation."""
-        axes = [s for a in values if type(a) is tuple for s in a[1] if s != bound]
+        computed = [value for value in values if type(value) is tuple]
+        axes = [symbol for _, own_axes in computed for symbol in own_axes if symbol != bound]
         symbols = tuple(dict.fromkeys(axes))
-        place = {s: k for k, s in enumerate(symbols)} | {bound: BOUND}
-        arguments = [
-            (a[0], tuple([place[s] for s in a[1]])) if type(a) is tuple else a for a in values
-        ]
+        axis_numbers: dict[Any, int] = {symbol: k for k, symbol in enumerate(symbols)}
+        axis_numbers[bound] = BOUND
+        arguments = [with_axes(value, axis_numbers) for value in values]
         if bound is not None:
             arguments.append(bound[0])
-        steady = all(self.steady[a[0]] for a in values if type(a) is tuple)
-        component = Component(name, tuple(arguments), tuple([s[0] for s in symbols]))
-        return self._place(component, steady), symbols
+        steady = all(self.steady[component] for component, _ in computed)
+        lengths = tuple([length for length, _ in symbols])
+        return self._index_of(Component(name, tuple(arguments), lengths), steady), symbols
 
-    def _place(self, component: Component, steady: bool) -> int:
+    def _index_of(self, component: Component, steady: bool) -> int:
         signs = tuple([copysign(1.0, a) for a in component.arguments if type(a) is float])
         key = component, signs
-        if key not in self._places:
-            self._places[key] = len(self.all)
+        if key not in self._indices:
+            self._indices[key] = len(self.all)
             self.all.append(component)
             self.steady.append(steady and self.preparing)
             if len(self.all) > MOST:
@@ -104,16 +106,17 @@ class Components(Elements):
                     f"the diagram takes more than {MOST} operations apart from loops: write what "
                     "repeats as operations on arrays"
                 )
-        return self._places[key]
+        return self._indices[key]
 
     def load(
-        self, array: str, first: int, places: Iterable[tuple[Index, int]], buffer: int = -1
+        self, array: str, offset: int, terms: Iterable[tuple[Index, int]], buffer: int = -1
     ) -> Value:
-        """Return array[first + sum of stride * index]; `buffer` is -1 where it is no buffer's."""
-        first, strides = _strides(first, places)
-        lengths = tuple([s[0] for s in strides])
-        arguments = (array, first, tuple(strides.values()), buffer)
-        return self._place(Component("load", arguments, lengths), array in "PTK"), tuple(strides)
+        """Return array[offset + sum of stride * index]; `buffer` is -1 for other arrays."""
+        offset, strides = _strides(offset, terms)
+        lengths = tuple([length for length, _ in strides])
+        arguments = array, offset, tuple(strides.values()), buffer
+        component = Component("load", arguments, lengths)
+        return self._index_of(component, array in "PTK"), tuple(strides)
 
     # --- elements of entries --------------------------------------------------------------
 
@@ -125,7 +128,8 @@ class Components(Elements):
         if kind != "part" or all(type(i) is int for i in index):
             return super().source(ref, index)
         outer = self.operations[arguments[0]].shape
-        lead, size = len(outer) - len(shape), prod(shape)
+        lead = len(outer) - len(shape)
+        size = prod(shape)
         if lead < 0 or outer[lead:] != shape or at % size:
             return None
         before = np.unravel_index(at // size, outer[:lead]) if lead else ()
@@ -134,34 +138,39 @@ class Components(Elements):
     def _element(self, ref: int, index: tuple[Index, ...]) -> Value:
         kind, arguments, shape, at = self.operations[ref]
         if kind == "load":
-            return self.load(at[0], at[1], zip(index, row_strides(shape), strict=True))
+            array, offset = at
+            return self.load(array, offset, zip(index, row_strides(shape), strict=True))
         if kind == "sum":
             return self._summed(arguments[0], index, *at)
         if kind == "pick":
-            return self.add("lookup", self.at(arguments[1], index), self._row(arguments[0]))
+            value = self.at(arguments[1], index)
+            return self.add("lookup", value, self._row(arguments[0]))
         if kind == "search":
-            side = float(at[0] == "right")
-            return self.add(kind, self.at(arguments[1], index), self._row(arguments[0]), side)
+            value = self.at(arguments[1], index)
+            is_right = float(at[0] == "right")
+            return self.add(kind, value, self._row(arguments[0]), is_right)
         if kind == "argmin":
             return self.add(kind, self._row(arguments[0]))
-        generic = not all(type(i) is int for i in index)
-        if kind in ("constant", "stack", "join") and generic and self.source(ref, index) is None:
+        is_generic = not all(type(i) is int for i in index)
+        is_array = kind in ("constant", "stack", "join") and is_generic
+        if is_array and self.source(ref, index) is None:
             return self._read(ref, shape, index)
         if kind == "part" and self.source(ref, index) is None:  # elements row by row
             return self._read(arguments[0], shape, index, at)
         return super()._element(ref, index)
 
     def _summed(self, ref: Ref, index: tuple, axis: int, count: int, long: bool) -> Value:
-        def one(i: Index) -> Value:
+        def summand(i: Index) -> Value:
             return self.as_number(self.at(ref, (*index[:axis], i, *index[axis:])))
 
         if long:
             used = [i[0] for i in index if type(i) is tuple]
-            symbol = next(s for k in range(len(used) + 1) if (s := (count, k)) not in used)
-            return self.total(one((symbol, 0, 1)), symbol)
+            candidates = ((count, k) for k in range(len(used) + 1))
+            symbol = next(symbol for symbol in candidates if symbol not in used)
+            return self.total(summand((symbol, 0, 1)), symbol)
         total: Value = 0.0
         for k in range(count):
-            total = self.add("add", total, one(k))
+            total = self.add("add", total, summand(k))
         return total
 
     def total(self, value: Value, symbol: Symbol) -> Value:
@@ -176,41 +185,60 @@ class Components(Elements):
 
     def operation(self, value: Value) -> tuple[str, list[Value]]:
         """Return the operation whose result a value is: its name, and its arguments as values."""
-        name, arguments, _ = self.all[value[0]] if type(value) is tuple else ("", (), ())
+        if type(value) is not tuple:
+            return "", []
+        component, axes = value
+        name, arguments, _ = self.all[component]
         if name in ("load", "table", "sum"):
             return name, []
-        values = [
-            (a[0], tuple([value[1][k] for k in a[1]])) if type(a) is tuple else a for a in arguments
-        ]
-        return name, values
+        return name, [with_axes(argument, axes) for argument in arguments]
 
     def _row(self, table: Ref) -> Value:
         """Return the component of a row of numbers that lies in an array."""
         count = self.record.shape_of(table)[0]
         value = self.at(table, (((count, 0), 0, 1),))
         if self.operation(value)[0] == "load":
-            array, first, strides, buffer = self.all[value[0]].arguments
+            array, offset, strides, buffer = self.all[value[0]].arguments
             stride = sum(strides)
         else:
-            (array, first, buffer), stride = self._buffer(table), 1
-        row = Component("table", (array, first, stride, count, buffer), ())
-        return self._place(row, array in "PTK"), ()
+            array, offset, buffer = self._buffer(table)
+            stride = 1
+        row = Component("table", (array, offset, stride, count, buffer), ())
+        return self._index_of(row, array in "PTK"), ()
 
     def apply(self, ref: int, kind: str, arguments: tuple) -> Value:
         """Return the component of an operation on elements."""
-        logical = len(arguments) if kind in ("and", "or", "not") else kind == "where"
-        of = (self.truth(v) if k < logical else self.as_number(v) for k, v in enumerate(arguments))
-        a = list(of)
-        if kind == "pow" and a[1] in (2.0, 3.0):
-            return self.product([a[0]] * int(a[1]))
-        if kind == "pow" and a[1] == 4.0:
-            return self.product([self.product([a[0]] * 2)] * 2)
-        if kind == "pow" and a[1] == 0.5:
-            return self.add("sqrt", a[0])
-        if kind == "div" and self.is_steady(a[1]) and not self.is_steady(a[0]):
-            constant = type(a[1]) is float and a[1] != 0.0
-            return self.add("mul", a[0], 1.0 / a[1] if constant else self.add("div", 1.0, a[1]))
-        return self.add(kind, *a)
+        if kind in LOGICAL:
+            return self.add(kind, *map(self.truth, arguments))
+        if kind == "where":
+            condition, *choices = arguments
+            condition = self.truth(condition)
+            return self.add(kind, condition, *map(self.as_number, choices))
+        values = [self.as_number(argument) for argument in arguments]
+        if kind == "pow":
+            return self._power(*values)
+        if kind == "div":
+            return self._quotient(*values)
+        return self.add(kind, *values)
+
+    def _power(self, base: Value, exponent: Value) -> Value:
+        """Return a power; small powers are products."""
+        if exponent in (2.0, 3.0):
+            return self.product([base] * int(exponent))
+        if exponent == 4.0:
+            square = self.product([base] * 2)
+            return self.product([square] * 2)
+        if exponent == 0.5:
+            return self.add("sqrt", base)
+        return self.add("pow", base, exponent)
+
+    def _quotient(self, a: Value, b: Value) -> Value:
+        """Return a / b; a product if b is the same for a whole run and a is not."""
+        if not self.is_steady(b) or self.is_steady(a):
+            return self.add("div", a, b)
+        if type(b) is float and b != 0.0:
+            return self.add("mul", a, 1.0 / b)
+        return self.add("mul", a, self.add("div", 1.0, b))
 
     def as_number(self, value: Value) -> Value:
         """Return a truth value as 1 or 0, a number as it is."""
@@ -225,45 +253,57 @@ class Components(Elements):
         return self.add("ne", value, 0.0)
 
     def is_steady(self, value: Value) -> bool:
-        """Whether a value depends on parameters alone, and is prepared."""
+        """Return whether a value depends on parameters alone, and is prepared."""
         return self.preparing and (type(value) is float or self.steady[value[0]])
 
     # --- arrays that are written first ----------------------------------------------------
 
     def _read(self, ref: int, shape: tuple, index: tuple[Index, ...], after: int = 0) -> Value:
-        """Return an element of a value in a buffer, read in a shape from place `after` on."""
-        array, first, buffer = self._buffer(ref)
-        return self.load(array, first + after, zip(index, row_strides(shape), strict=True), buffer)
+        """Return an element of a value in a buffer, read in a shape from element `after` on."""
+        array, offset, buffer = self._buffer(ref)
+        terms = zip(index, row_strides(shape), strict=True)
+        return self.load(array, offset + after, terms, buffer)
 
     def _buffer(self, ref: int) -> tuple[str, int, int]:
-        """Return array, first place and buffer of a value; a constant lies in K, in no buffer."""
+        """Return array, offset and buffer of a value; a constant lies in K or T, in no buffer."""
         entry = self.operations[ref]
-        key = entry.at if entry.kind == "constant" else ref
-        if key in self._arrays:
-            return self._arrays[key]
-        if entry.kind == "constant":
-            numbers = np.frombuffer(entry.at)
-            if numbers.size > LARGE:  # is no part of the program's text
-                first = len(self.record.layout.T) + sum(map(len, self.tables))
-                self._arrays[key] = "T", first, -1
-                self.tables.append(numbers)
+        is_constant = entry.kind == "constant"
+        key = entry.at if is_constant else ref
+        if key not in self._arrays:
+            if is_constant:
+                self._arrays[key] = self._constant(np.frombuffer(entry.at))
             else:
-                self._arrays[key] = "K", len(self.constants), -1
-                self.constants += numbers.tolist()
-            return self._arrays[key]
-        size, number = prod(entry.shape), len(self.buffers)
-        long = tuple([n >= self.record.named for n in entry.shape])
-        array, first = "W", self.room
+                self._arrays[key] = self._written(ref, entry)
+        return self._arrays[key]
+
+    def _constant(self, numbers: np.ndarray) -> tuple[str, int, int]:
+        """Store constant numbers; return array, offset and -1 for no buffer."""
+        if numbers.size > LARGE:  # not in the program's text
+            offset = len(self.record.layout.T) + sum(map(len, self.tables))
+            self.tables.append(numbers)
+            return "T", offset, -1
+        offset = len(self.constants)
+        self.constants += numbers.tolist()
+        return "K", offset, -1
+
+    def _written(self, ref: int, entry: Operation) -> tuple[str, int, int]:
+        """Plan the writes of a value into a new buffer; return array, offset and buffer."""
+        size = prod(entry.shape)
+        number = len(self.buffers)
+        looped = tuple([length >= self.record.named for length in entry.shape])
+        array = "W"
+        start = self.room
         self.buffers[number] = []
         self.room += size
-        writes = self.writes([Port(first, entry.shape, long, ref)], array)
+        writes = self.writes([Port(start, entry.shape, looped, ref)], array)
         if all(self.is_steady(w.value) for w in writes):
-            array, offset = "P", self.prepared - first
-            writes = [w._replace(array=array, first=w.first + offset) for w in writes]
-            first, self.prepared = self.prepared, self.prepared + size
+            array = "P"
+            shift = self.prepared - start
+            writes = [w._replace(array=array, first=w.first + shift) for w in writes]
+            start = self.prepared
+            self.prepared += size
         self.buffers[number] = writes
-        self._arrays[key] = array, first, number
-        return self._arrays[key]
+        return array, start, number
 
     def writes(
         self, ports: Iterable[Port], array: str, element: Element | None = None
@@ -275,41 +315,50 @@ class Components(Elements):
         return [write for p in ports for write in self._writes(p, array, element or self.at)]
 
     def _writes(self, port: Port, array: str, element: Element) -> Iterator[Write]:
-        first, shape, long, ref = port
+        offset, shape, long, ref = port
         entry = self.operations[ref] if type(ref) is int else None
         if entry is not None and entry.kind in ("stack", "join") and entry.shape == shape:
-            for part in entry.arguments:
-                lengths, axes = shape[1:], long[1:]
+            for section in entry.arguments:
+                lengths = shape[1:]
+                axes = long[1:]
                 if entry.kind == "join":
-                    lengths, axes = (self.record.shape_of(part)[0], *lengths), long
-                yield from self._writes(Port(first, lengths, axes, part), array, element)
-                first += prod(lengths)
+                    lengths = (self.record.shape_of(section)[0], *lengths)
+                    axes = long
+                yield from self._writes(Port(offset, lengths, axes, section), array, element)
+                offset += prod(lengths)
             return
         loops = count()
-        places = [
+        indices = [
             [((n, next(loops)), 0, 1)] if looped else range(n)
             for n, looped in zip(shape, long, strict=True)
         ]
-        for index in product(*places):
-            start, strides = _strides(first, zip(index, row_strides(shape), strict=True))
-            value = self.as_number(element(ref, index))
-            if type(value) is tuple:  # its axes are the loops, outermost first
-                value = value[0], tuple([[*strides].index(s) for s in value[1]])
-            lengths = tuple([s[0] for s in strides])
+        for index in product(*indices):
+            start, strides = _strides(offset, zip(index, row_strides(shape), strict=True))
+            loop_numbers = {symbol: k for k, symbol in enumerate(strides)}  # outermost first
+            value = with_axes(self.as_number(element(ref, index)), loop_numbers)
+            lengths = tuple([length for length, _ in strides])
             yield Write(array, start, tuple(strides.values()), lengths, value)
 
 
-def _strides(first: int, places: Iterable[tuple[Index, int]]) -> tuple[int, dict[Symbol, int]]:
-    """Return first + sum of stride * index: the number, and the stride of each symbol."""
+def _strides(offset: int, terms: Iterable[tuple[Index, int]]) -> tuple[int, dict[Symbol, int]]:
+    """Return offset + sum of stride * index: the number, and the stride of each symbol."""
     strides: dict[Symbol, int] = {}
-    for index, stride in places:
+    for index, stride in terms:
         if type(index) is tuple:
             symbol, start, step = index
-            first += stride * start
+            offset += stride * start
             strides[symbol] = strides.get(symbol, 0) + stride * step
         else:
-            first += stride * index
-    return first, strides
+            offset += stride * index
+    return offset, strides
+
+
+def with_axes(value: Value, axes: Any) -> Value:
+    """Return a value with other names of its axes; a constant as it is."""
+    if type(value) is not tuple:
+        return value
+    component, own_axes = value
+    return component, tuple([axes[axis] for axis in own_axes])
 
 
 def row_strides(lengths: tuple[int, ...]) -> tuple[int, ...]:

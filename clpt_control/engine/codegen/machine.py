@@ -70,12 +70,12 @@ def processor() -> tuple[str, str]:
 
 
 def fuses() -> bool:
-    """Whether a product and a sum are one instruction."""
+    """Return whether a product and a sum are one instruction."""
     return "+fma" in processor()[1] or "+neon" in processor()[1]
 
 
 def scales() -> bool:
-    """Whether several numbers times powers of two are one instruction."""
+    """Return whether several numbers times powers of two are one instruction."""
     return "+avx512vl" in processor()[1]
 
 

@@ -28,46 +28,48 @@ class MergedSums:
         plain = self.components.at(ref, index)
         if type(ref) is not int or any(type(i) is tuple for i in index):
             return plain
-        rest: list[Signed] = []
+        unsummed: list[Signed] = []
         sums: dict[int, list[Signed]] = {}
-        self.terms(True, ref, index, rest, sums)
+        self.terms(True, ref, index, unsummed, sums)
         terms: list[Signed] = []
-        for count, own in sums.items():
+        for count, summands in sums.items():
             symbol = (count, 0)
-            if len({owner for _, owner, _ in own}) > 1 and len(own) < MOST:
-                if (body := self.body(own)) is not None:
+            if len({owner for _, owner, _ in summands}) > 1 and len(summands) < MOST:
+                if (body := self.body(summands)) is not None:
                     terms.append((True, -1, self.components.total(body, symbol)))
             else:
-                terms += [(s, owner, self.components.total(v, symbol)) for s, owner, v in own]
-        merged = self.added(rest + terms)  # sums are known last
+                terms += [(s, owner, self.components.total(v, symbol)) for s, owner, v in summands]
+        merged = self.added(unsummed + terms)  # sums are known last
         return merged if self.work(merged) < self.work(plain) else plain
 
     def terms(
-        self, plus: bool, ref: Ref, index: tuple, rest: list, sums: dict[int, list[Signed]]
+        self, plus: bool, ref: Ref, index: tuple, unsummed: list, sums: dict[int, list[Signed]]
     ) -> None:
         """Sort the terms of a value: sums over a long axis, by its length, and the rest."""
         if type(ref) is float:
             if ref:
-                rest.append((plus, -1, ref))
+                unsummed.append((plus, -1, ref))
             return
         components = self.components
-        own = components.trimmed(ref, index)
-        if (source := components.source(ref, own)) is not None:
-            self.terms(plus, *source, rest, sums)
+        trimmed = components.trimmed(ref, index)
+        if (source := components.source(ref, trimmed)) is not None:
+            self.terms(plus, *source, unsummed, sums)
             return
         (kind, arguments, _, at), record = components.operations[ref], components.record
         owner = record.owners.get(ref, WIRE)
         if kind in ("add", "sub"):
-            self.terms(plus, arguments[0], own, rest, sums)
-            self.terms(plus == (kind == "add"), arguments[1], own, rest, sums)
+            self.terms(plus, arguments[0], trimmed, unsummed, sums)
+            self.terms(plus == (kind == "add"), arguments[1], trimmed, unsummed, sums)
         elif kind == "neg":
-            self.terms(not plus, arguments[0], own, rest, sums)
+            self.terms(not plus, arguments[0], trimmed, unsummed, sums)
         elif kind == "sum" and at[2]:
             axis, count, _ = at
-            body = components.at(arguments[0], (*own[:axis], ((count, 0), 0, 1), *own[axis:]))
+            body = components.at(
+                arguments[0], (*trimmed[:axis], ((count, 0), 0, 1), *trimmed[axis:])
+            )
             sums.setdefault(count, []).append((plus, owner, body))
         else:
-            rest.append((plus, owner, components.at(ref, own)))
+            unsummed.append((plus, owner, components.at(ref, trimmed)))
 
     def body(self, sums: list[Signed]) -> Value | None:
         """Return the merged summand, in which each costly factor has one coefficient; None is 0."""
@@ -80,49 +82,53 @@ class MergedSums:
             coefficient = self.components.product(factors) if factors else 1.0
             groups.setdefault(heavy, []).append((plus, owner, coefficient))
         terms: list[Signed] = []
-        for heavy, own in groups.items():
-            left = self.cancelled(own)
-            if left == [(True, own[0][1], 1.0)]:
+        for heavy, coefficients in groups.items():
+            remaining = self.cancelled(coefficients)
+            if remaining == [(True, coefficients[0][1], 1.0)]:
                 terms.append((True, -1, heavy))
-            elif left:
-                terms.append((True, -1, self.components.add("mul", self.added(left), heavy)))
+            elif remaining:
+                terms.append((True, -1, self.components.add("mul", self.added(remaining), heavy)))
         return self.added(terms) if terms else None
 
     def split(self, plus: bool, value: Value, factors: list[Value]) -> bool:
         """Collect the factors of a product; a costly product stays one factor.  Return its sign."""
-        name, own = self.components.operation(value)
-        if name == "neg" or (name == "mul" and min(map(self.work, own)) < 8 * HEAVY):
-            for one in own:
-                plus = self.split(plus, one, factors)
+        name, values = self.components.operation(value)
+        if name == "neg" or (name == "mul" and min(map(self.work, values)) < 8 * HEAVY):
+            for factor in values:
+                plus = self.split(plus, factor, factors)
             return plus != (name == "neg")
         factors.append(value)
         return plus
 
     def cancelled(self, coefficients: list[Signed]) -> list[Signed]:
         """Return the coefficients that remain when terms of different blocks cancel."""
-        parts = [self.parts(*one) for one in coefficients]
+        term_lists = [self.signed_terms(*coefficient) for coefficient in coefficients]
         touched = set()
-        for i, own in enumerate(parts):
-            for j, others in enumerate(parts[:i]):
-                for plus, owner, value in list(own):
-                    opposite = next((o for o in others if o[2] == value and o[0] != plus), None)
+        for i, terms in enumerate(term_lists):
+            for j, earlier_terms in enumerate(term_lists[:i]):
+                for plus, owner, value in list(terms):
+                    opposite = next(
+                        (o for o in earlier_terms if o[2] == value and o[0] != plus), None
+                    )
                     if opposite is not None and opposite[1] != owner:
-                        own.remove((plus, owner, value))
-                        others.remove(opposite)
+                        terms.remove((plus, owner, value))
+                        earlier_terms.remove(opposite)
                         touched |= {i, j}
         remaining = []
-        for k, one in enumerate(coefficients):
-            remaining += parts[k] if k in touched else [one]
+        for k, coefficient in enumerate(coefficients):
+            remaining += term_lists[k] if k in touched else [coefficient]
         return remaining
 
-    def parts(self, plus: bool, owner: int, value: Value) -> list[Signed]:
+    def signed_terms(self, plus: bool, owner: int, value: Value) -> list[Signed]:
         """Return the terms of a coefficient."""
-        name, own = self.components.operation(value)
+        name, values = self.components.operation(value)
         if name not in ("add", "sub", "neg"):
             return [(plus, owner, value)]
         if name == "neg":
-            return self.parts(not plus, owner, own[0])
-        return self.parts(plus, owner, own[0]) + self.parts(plus == (name == "add"), owner, own[1])
+            return self.signed_terms(not plus, owner, values[0])
+        return self.signed_terms(plus, owner, values[0]) + self.signed_terms(
+            plus == (name == "add"), owner, values[1]
+        )
 
     def added(self, terms: list[Signed]) -> Value:
         """Return a sum of terms."""
@@ -136,13 +142,14 @@ class MergedSums:
 
     def work(self, value: Value) -> int:
         """Return the cost of a value: of all components that it depends on, each once."""
-        done: set[int] = set()
-        stack, cost = [value[0]] if type(value) is tuple else [], 0
+        counted: set[int] = set()
+        stack = [value[0]] if type(value) is tuple else []
+        cost = 0
         while stack:
             c = stack.pop()
-            if c in done or self.components.steady[c]:
+            if c in counted or self.components.steady[c]:
                 continue
-            done.add(c)
+            counted.add(c)
             name, arguments, lengths = self.components.all[c]
             if name not in ("load", "table"):
                 times = HEAVY if name in LONG else 1

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..record.graph import deep
-from ..trace.arrays import CONDITIONS
+from ..record.operations import CONDITIONS
 from .diagram_record import DiagramRecord
 from .fused_expressions import BOUND, Component, Components, Write, row_strides
 from .merged_sums import MergedSums
@@ -74,18 +74,25 @@ class Planner:
 
     def program(self, writes: dict[str, list[Write]], decisions: Decisions) -> Program:
         """Return the program whose functions write these."""
-        made = self.components
-        functions = {name: self.nests(own) for name, own in writes.items()}
+        components = self.components
+        functions = {name: self.nests(function_writes) for name, function_writes in writes.items()}
         self.preparing = True
         functions["prepare"] = self.nests(self.preparation)
-        constants, sizes = tuple(made.constants), (made.prepared, made.room, decisions.count)
-        more = tuple(decisions.of), decisions.timed, np.concatenate([NO_TABLES, *made.tables])
-        return Program(tuple(self.all), functions, self.prepared, constants, *sizes, *more)
+        constants = tuple(components.constants)
+        sizes = (components.prepared, components.room, decisions.count)
+        decision_facts = (
+            tuple(decisions.of),
+            decisions.timed,
+            np.concatenate([NO_TABLES, *components.tables]),
+        )
+        return Program(
+            tuple(self.all), functions, self.prepared, constants, *sizes, *decision_facts
+        )
 
     # --- what is prepared -----------------------------------------------------------------
 
     def is_prepared(self, c: int) -> bool:
-        """Whether a function reads a component from P: of parameters alone, and worth a place."""
+        """Return whether a component is read from P: of parameters alone, and worth a place."""
         if self.preparing or not self.components.steady[c]:
             return False
         name, arguments, lengths = self.all[c]
@@ -94,7 +101,7 @@ class Planner:
         return name not in CONDITIONS and name != "table" and prod(lengths) <= LARGEST
 
     def fills(self, buffer: int) -> bool:
-        """Whether a function itself writes a buffer."""
+        """Return whether a function itself writes a buffer."""
         writes = self.components.buffers[buffer]
         return self.preparing or not writes or writes[0].array == "W"
 
@@ -103,11 +110,11 @@ class Planner:
         live: set[int] = set()
         every: list[Write] = []
         stack: list[int] = []
-        done: set[int] = set()
+        filled_buffers: set[int] = set()
 
-        def write(some: list[Write]) -> None:
-            every.extend(some)
-            stack.extend(w.value[0] for w in some if type(w.value) is tuple)
+        def write(new_writes: list[Write]) -> None:
+            every.extend(new_writes)
+            stack.extend(w.value[0] for w in new_writes if type(w.value) is tuple)
 
         write(writes)
         while stack:
@@ -116,8 +123,8 @@ class Planner:
                 continue
             live.add(c)
             buffer = self.buffer(c)
-            if buffer >= 0 and buffer not in done:
-                done.add(buffer)
+            if buffer >= 0 and buffer not in filled_buffers:
+                filled_buffers.add(buffer)
                 filling = self.components.buffers[buffer]
                 if self.fills(buffer):
                     write(filling)
@@ -125,9 +132,9 @@ class Planner:
                     self.preparation += filling
             if self.is_prepared(c) and c not in self.prepared:  # it finds a place in P
                 lengths = self.all[c].lengths
-                place = self.prepared[c] = self.components.prepared
+                offset = self.prepared[c] = self.components.prepared
                 self.components.prepared += prod(lengths)
-                item = Write("P", place, row_strides(lengths), lengths, _whole(c, lengths))
+                item = Write("P", offset, row_strides(lengths), lengths, whole_value(c, lengths))
                 self.preparation.append(item)
             stack += [a for a, _ in self.arguments(c)]
         return live, every
@@ -153,22 +160,23 @@ class Planner:
         items = [(ready(w.value), w) for w in dict.fromkeys(writes)]
         for c in self.saved(live, level):
             name, arguments, lengths = self.all[c]
-            made, strides = self.components, row_strides(lengths)
-            item = Write("W", made.room, strides, lengths, _whole(c, lengths), c)
+            components = self.components
+            strides = row_strides(lengths)
+            item = Write("W", components.room, strides, lengths, whole_value(c, lengths), c)
             if name == "sum":
                 (value, axes), count = arguments  # the summed axis is the innermost
                 loops = tuple(len(lengths) if k == BOUND else k for k in axes)
                 item = item._replace(lengths=(*lengths, count), value=(value, loops), summed=True)
             items.append((level[c], item))
-            made.room += prod(lengths) if lengths else 0  # one number is not written
+            components.room += prod(lengths) if lengths else 0  # one number is not written
 
         def key(item: tuple[int, Write]) -> tuple:
             return item[0], len(item[1].lengths), item[1].lengths, self.vector(item[1])
 
         items.sort(key=key)
         return tuple(
-            Nest(lengths, vector, tuple(item for _, item in some))
-            for (_, _, lengths, vector), some in groupby(items, key)
+            Nest(lengths, vector, tuple(item for _, item in group))
+            for (_, _, lengths, vector), group in groupby(items, key)
         )
 
     def saved(self, live: set[int], level: dict[int, int]) -> list[int]:
@@ -195,12 +203,13 @@ class Planner:
         strided = [0] * len(item.lengths)
         if item.saves < 0:
             strided = [stride not in (0, 1) for stride in item.strides]
-        done, stack = set(), [item.value] if type(item.value) is tuple else []
+        visited = set()
+        stack = [item.value] if type(item.value) is tuple else []
         while stack:
             c, loops = argument = stack.pop()
-            if argument in done:
+            if argument in visited:
                 continue
-            done.add(argument)
+            visited.add(argument)
             name, arguments, lengths = self.all[c]
             if name == "load" or self.is_prepared(c):
                 strides = row_strides(lengths) if self.is_prepared(c) else arguments[2]
@@ -211,7 +220,8 @@ class Planner:
         return min(reversed(range(len(strided))), key=strided.__getitem__)
 
 
-def _whole(c: int, lengths: tuple[int, ...]) -> Argument:
+def whole_value(c: int, lengths: tuple[int, ...]) -> Argument:
+    """Return a component as an argument, each axis in its own loop."""
     return c, tuple(range(len(lengths)))
 
 
@@ -220,8 +230,9 @@ def program_of(record: DiagramRecord, room: int, prepared: int) -> Program:
 
     W has `room` places for signals, P `prepared` places for parameters and inputs.
     """
-    decisions, count = record.decisions, record.decisions.count
-    made = Components(record, room, prepared + (1 + count if count else 0))
+    decisions = record.decisions
+    count = record.decisions.count
+    components = Components(record, room, prepared + (1 + count if count else 0))
     behind = [  # what is written behind the decisions
         port._replace(first=port.first + k * count)
         for k, ports in enumerate((decisions.distances, decisions.least), start=1)
@@ -229,17 +240,17 @@ def program_of(record: DiagramRecord, room: int, prepared: int) -> Program:
     ]
     with deep():
         writes = {
-            "derivative": made.writes(record.rates, "D", MergedSums(made).element),
-            "signals": made.writes(record.signals, "W"),
-            "margin": [_least(made)],
-            "jump": made.writes(record.leaps, "D") if record.layout.jumps else [],
-            "decide": made.writes([*decisions.now, *behind], "D"),
+            "derivative": components.writes(record.rates, "D", MergedSums(components).element),
+            "signals": components.writes(record.signals, "W"),
+            "margin": [_least(components)],
+            "jump": components.writes(record.leaps, "D") if record.layout.jumps else [],
+            "decide": components.writes([*decisions.now, *behind], "D"),
         }
-    return Planner(made).program(writes, decisions)
+    return Planner(components).program(writes, decisions)
 
 
-def _least(made: Components) -> Write:
+def _least(components: Components) -> Write:
     least: Any = inf
-    for margin in made.record.margins:
-        least = made.add("minimum", least, made.at(margin, ()))
+    for margin in components.record.margins:
+        least = components.add("minimum", least, components.at(margin, ()))
     return Write("D", 0, (), (), least)

@@ -24,8 +24,8 @@ def _function(module: ir.Module, name: str, arguments: tuple[ir.Type, ...]) -> t
     return function, True
 
 
-def _number_at(builder: ir.IRBuilder, row: Any, stride: Any, place: Any) -> Any:
-    return builder.load(builder.gep(row, [builder.mul(place, stride)]))
+def _number_at(builder: ir.IRBuilder, row: Any, stride: Any, position: Any) -> Any:
+    return builder.load(builder.gep(row, [builder.mul(position, stride)]))
 
 
 def search(module: ir.Module) -> Any:
@@ -33,13 +33,15 @@ def search(module: ir.Module) -> Any:
     function, is_new = _function(module, "search", (*ROW, DOUBLE, DOUBLE))
     if not is_new:
         return function
-    row, stride, count, value, right = function.args
+    row, stride, count, value, counts_equal = function.args
     entry, loop, body, end = (function.append_basic_block() for _ in range(4))
     builder = ir.IRBuilder(entry)
-    also_equal = builder.fcmp_ordered(">", right, ir.Constant(DOUBLE, 0.5))
+    also_equal = builder.fcmp_ordered(">", counts_equal, ir.Constant(DOUBLE, 0.5))
     builder.branch(loop)
     builder.position_at_end(loop)
-    low, high = builder.phi(WORD), builder.phi(WORD)  # the place is from low to high
+    # the place is from low to high
+    low = builder.phi(WORD)
+    high = builder.phi(WORD)
     low.add_incoming(ir.Constant(WORD, 0), entry)
     high.add_incoming(count, entry)
     builder.cbranch(builder.icmp_signed("<", low, high), body, end)
@@ -68,18 +70,20 @@ def argmin(module: ir.Module) -> Any:
     first = builder.load(row)
     builder.branch(body)
     builder.position_at_end(body)
-    place, best, least = builder.phi(WORD), builder.phi(WORD), builder.phi(DOUBLE)
-    for value, start in ((place, 0), (best, 0)):
+    position = builder.phi(WORD)
+    best = builder.phi(WORD)
+    least = builder.phi(DOUBLE)
+    for value, start in ((position, 0), (best, 0)):
         value.add_incoming(ir.Constant(WORD, start), entry)
     least.add_incoming(first, entry)
-    number = _number_at(builder, row, stride, place)
-    known = builder.fcmp_ordered("ord", least, least)  # a NaN stays the least
-    better = builder.and_(known, builder.fcmp_unordered("<", number, least))
+    number = _number_at(builder, row, stride, position)
+    is_number = builder.fcmp_ordered("ord", least, least)  # a NaN stays the least
+    better = builder.and_(is_number, builder.fcmp_unordered("<", number, least))
     new_best, new_least = (
-        builder.select(better, *pair) for pair in ((place, best), (number, least))
+        builder.select(better, *pair) for pair in ((position, best), (number, least))
     )
-    following = builder.add(place, ir.Constant(WORD, 1))
-    place.add_incoming(following, body)
+    following = builder.add(position, ir.Constant(WORD, 1))
+    position.add_incoming(following, body)
     best.add_incoming(new_best, body)
     least.add_incoming(new_least, body)
     builder.cbranch(builder.icmp_signed("<", following, count), body, end)

@@ -23,18 +23,15 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..record.graph import reached
+from ..record.operations import TABLE, named
 
 COMPARED = {"lt": -1.0, "le": -1.0, "gt": 1.0, "ge": 1.0}  # the sign of a - b where they hold
 WHOLE = ("floor", "ceil", "trunc", "floordiv")
-# the questions that other operations decide: comparisons with 0 or of both, or whole numbers
-QUESTIONS = {
-    **{"minimum": ("lt",), "maximum": ("gt",), "sign": ("gt", "lt"), "fabs": ("ge",)},
-    **{"mod": ("floordiv",), "pick": ("trunc",), "atan2": ("lt",)},
-}
 PLACES = ("search", "argmin")
-LOCKED = frozenset({*COMPARED, *WHOLE, *QUESTIONS, *PLACES})
+LOCKED = named(lambda row: row.decisions)
 ROUNDING = 1e-12  # relative, of the numbers that are compared
 Ref = Any
+Add = Callable[..., Ref]  # writes an operation of arguments; returns its value
 
 
 class Port(NamedTuple):
@@ -55,11 +52,39 @@ def operands(kind: str, name: str, arguments: tuple[Ref, ...]) -> tuple[Ref, ...
     return arguments if name in ("floordiv", "search") else arguments[-1:]
 
 
+def _locked_value(kind: str, arguments: tuple[Ref, ...], outcomes: list[Ref], add: Add) -> Ref:
+    """Return the value of an operation with the outcomes of its decisions."""
+    outcome = outcomes[0]
+    if kind in COMPARED or kind in WHOLE or kind in PLACES:
+        return outcome
+    if kind == "sign":
+        negative = add("where", outcomes[1], -1.0, 0.0)
+        return add("where", outcome, 1.0, negative)
+    if kind == "fabs":
+        return add("where", outcome, arguments[0], add("neg", arguments[0]))
+    if kind == "mod":
+        beyond = add("sub", arguments[0], add("mul", arguments[1], outcome))
+        is_same_turn = add("eq", add("floordiv", *arguments), outcome)
+        return add("where", is_same_turn, add("mod", *arguments), beyond)
+    if kind == "atan2":
+        angle = add("atan2", *arguments)
+        behind = add("lt", arguments[1], 0.0)
+        now = add("where", add("lt", arguments[0], 0.0), 1.0, 0.0)
+        turns = add("sub", now, add("where", outcome, 1.0, 0.0))
+        continued = add("add", angle, add("mul", turns, 2.0 * np.pi))
+        has_turned = add("and", behind, add("ne", turns, 0.0))
+        return add("where", has_turned, continued, angle)
+    if kind == "pick":
+        return add("pick", arguments[0], outcome)
+    return add("where", outcome, *arguments)
+
+
 class Decisions:
     """The decisions of a diagram's rates, as they are and as they were when a step began."""
 
     def __init__(self, record: Any, grain: int):
-        self.record, self.grain = record, grain  # place in P of the least difference that counts
+        self.record = record
+        self.grain = grain  # offset in P of the least difference that counts
         self.now: list[Port] = []
         self.distances: list[Port] = []
         self.least: list[Port] = []
@@ -68,12 +93,14 @@ class Decisions:
         self.timed = False  # whether time alone decides
         self._true: list[Port] = []  # distances, also of numbers that are held
 
-    def lock(self, rates: list[Port], held: Sequence[int] = ()) -> list[Port]:
+    def lock(self, rates: list[Port], fixed: Sequence[int] = ()) -> list[Port]:
         """Write the rates again with locked decisions; return them.
 
-        Numbers that are `held` stay for good; they are counted from the first of these rates on.
+        Decisions that are `fixed` stay for good; they are counted from the first of these rates on.
         """
-        record, locked, first = self.record, dict[int, Ref](), self.count
+        record = self.record
+        locked = dict[int, Ref]()
+        first_decision = self.count
         moving: set[Ref] = set()  # entries that change within a step, with locked decisions
         fed: set[Ref] = set()  # entries that depend on states, or on inputs
         inputs = len(record.layout.P)
@@ -83,74 +110,63 @@ class Decisions:
 
         for k in sorted(reached(record.entries, [port.ref for port in rates])):
             kind, exact, shape, at = record.entries[k]
-            places = [a for a in exact if type(a) is int]
-            array, start = at if kind == "load" else ("", 0)
-            moves = array in ("X", "t") or bool(moving.intersection(places))
-            if array == "X" or (array == "P" and start >= inputs) or fed.intersection(places):
+            refs = [argument for argument in exact if type(argument) is int]
+            array, offset = at if kind == "load" else ("", 0)
+            is_input = array == "P" and offset >= inputs
+            if array == "X" or is_input or fed.intersection(refs):
                 fed.add(k)
+            moves = array in ("X", "t") or bool(moving.intersection(refs))
             arguments = tuple(map(current, exact))
             if k in record.decided_by and moves:
                 self.timed |= k not in fed
-                locked[k] = self._lock(k, arguments, [first + place for place in held])
+                fixed_decisions = [first_decision + number for number in fixed]
+                locked[k] = self._lock(k, arguments, fixed_decisions)
                 moves = kind not in (*COMPARED, *WHOLE, *PLACES, "sign")
-            elif not locked.keys().isdisjoint(places):
+            elif not locked.keys().isdisjoint(refs):
                 locked[k] = record.add(kind, arguments, shape, at, record.owners[k])
             if moves:
                 moving.add(k)
         return [p._replace(ref=current(p.ref)) for p in rates]
 
-    def distance_of(self, place: int) -> Ref:
+    def distance_of(self, number: int) -> Ref:
         """Return the distance of one number from its turn."""
-        port = next(p for p in self._true if p.first <= place < p.first + prod(p.shape))
-        return self.record.part(port.ref, place - port.first, ())
+        port = next(p for p in self._true if p.first <= number < p.first + prod(p.shape))
+        return self.record.part(port.ref, number - port.first, ())
 
-    def _lock(self, k: int, arguments: tuple[Ref, ...], held: Sequence[int]) -> Ref:
+    def _lock(self, k: int, arguments: tuple[Ref, ...], fixed: Sequence[int]) -> Ref:
         """Note what an operation decides; return its locked value, of locked arguments."""
-        (kind, exact, shape, at), owner = self.record.entries[k], self.record.owners[k]
-        (long, of), answers = self.record.decided_by[k], list[Ref]()
+        record = self.record
+        kind, exact, shape, at = record.entries[k]
+        owner = record.owners[k]
+        long, made_in = record.decided_by[k]
+        outcomes = list[Ref]()
 
         def add(kind: str, *refs: Ref, shape: Any = shape) -> Ref:
-            return self.record.add(kind, refs, shape, at if kind == "search" else None, owner)
+            return record.add(kind, refs, shape, at if kind == "search" else None, owner)
 
-        for name in QUESTIONS.get(kind, (kind,)):
+        for name in TABLE[kind].decisions:
             now = add(name, *operands(kind, name, exact))
             if name in COMPARED:
                 now = add("where", now, 1.0, -1.0)
-            H = self.record.load("P", self.grain + 1 + self.count, shape)
-            about = operands(kind, name, arguments)
-            distance, least = self._distance(name, about, H, add)
+            H = record.load("P", self.grain + 1 + self.count, shape)
+            compared = operands(kind, name, arguments)
+            distance, least = self._distance(name, compared, H, add)
             self._true.append(Port(self.count, shape, long, distance))
-            stays = np.isin(np.arange(self.count, self.count + prod(shape)), held).astype(float)
+            numbers = np.arange(self.count, self.count + prod(shape))
+            stays = np.isin(numbers, fixed).astype(float)
             if stays.any():
-                mask = self.record.add("constant", (), shape, stays.tobytes()) if shape else 1.0
-                now, distance = add("where", mask, H, now), add("where", mask, 1.0, distance)
+                mask = record.add("constant", (), shape, stays.tobytes()) if shape else 1.0
+                now = add("where", mask, H, now)
+                distance = add("where", mask, 1.0, distance)
             self.now.append(Port(self.count, shape, long, now))
             self.distances.append(Port(self.count, shape, long, distance))
             self.least.append(Port(self.count, shape, long, least))
-            self.of.append((self.count, of))
+            self.of.append((self.count, made_in))
             self.count += prod(shape)
-            answers.append(add("gt", H, 0.0) if name in COMPARED else H)
-        if kind in COMPARED or kind in WHOLE or kind in PLACES:
-            return answers[0]
-        if kind == "sign":
-            return add("where", answers[0], 1.0, add("where", answers[1], -1.0, 0.0))
-        if kind == "fabs":
-            return add("where", answers[0], arguments[0], add("neg", arguments[0]))
-        if kind == "mod":
-            beyond = add("sub", arguments[0], add("mul", arguments[1], answers[0]))
-            same = add("eq", add("floordiv", *arguments), answers[0])
-            return add("where", same, add("mod", *arguments), beyond)
-        if kind == "atan2":
-            angle, behind = add("atan2", *arguments), add("lt", arguments[1], 0.0)
-            now = add("where", add("lt", arguments[0], 0.0), 1.0, 0.0)
-            turns = add("sub", now, add("where", answers[0], 1.0, 0.0))
-            on = add("add", angle, add("mul", turns, 2.0 * np.pi))
-            return add("where", add("and", behind, add("ne", turns, 0.0)), on, angle)
-        if kind == "pick":
-            return add("pick", arguments[0], answers[0])
-        return add("where", answers[0], *arguments)
+            outcomes.append(add("gt", H, 0.0) if name in COMPARED else H)
+        return _locked_value(kind, arguments, outcomes, add)
 
-    def _distance(self, name: str, of: tuple, H: Ref, add: Callable[..., Ref]) -> tuple[Ref, Ref]:
+    def _distance(self, name: str, of: tuple, H: Ref, add: Add) -> tuple[Ref, Ref]:
         """Return the distance of a decision from its turn, smooth in a step, and its rounding.
 
         That of a whole number is the product of those from the two places where it turns.
@@ -159,15 +175,17 @@ class Decisions:
             return self._distance_of_least(of[0], H, add)
         if name == "search":
             return self._distance_in_row(of[0], of[1], H, add)
-        a, size = of[0], add("fabs", of[0])
+        a = of[0]
+        size = add("fabs", of[0])
         if name in COMPARED and of[1] != 0.0:
             size = add("add", size, add("fabs", of[1]))
-        least = add("add", add("mul", size, ROUNDING), self.record.load("P", self.grain, ()))
+        least = self._rounding(size, add)
         if name in COMPARED:
             difference = add("sub", *of)
             holds = add("neg", difference) if COMPARED[name] < 0 else difference
             return add("mul", holds, H), least
-        low, high = H, add("add", H, 1.0)
+        low = H
+        high = add("add", H, 1.0)
         if name in ("ceil", "trunc"):
             low = add("sub", H, 1.0)
         if name == "ceil":
@@ -176,36 +194,43 @@ class Decisions:
             low = add("where", add("gt", H, 0.0), H, low)
             high = add("where", add("lt", H, 0.0), H, high)
         if name == "floordiv":
-            low, high = add("mul", low, of[1]), add("mul", high, of[1])
+            low = add("mul", low, of[1])
+            high = add("mul", high, of[1])
             least = add("mul", least, add("fabs", of[1]))
         return add("mul", add("sub", a, low), add("sub", high, a)), least
 
-    def _distance_in_row(self, row: Ref, x: Ref, H: Ref, add: Any) -> tuple[Ref, Ref]:
+    def _distance_in_row(self, row: Ref, x: Ref, H: Ref, add: Add) -> tuple[Ref, Ref]:
         """Return the distance of a value from the ends of its segment in a sorted row."""
         points = np.frombuffer(self.record.entries[row].at)
         below, above = (
-            self.record.add("constant", (), one.shape, one.tobytes())
-            for one in (np.append(points[:1], points), np.append(points, points[-1:]))
+            self.record.add("constant", (), bounds.shape, bounds.tobytes())
+            for bounds in (np.append(points[:1], points), np.append(points, points[-1:]))
         )
-        low, high = add("sub", x, add("pick", below, H)), add("sub", add("pick", above, H), x)
-        inside = add("mul", low, high)  # the segments at the ends have one end
-        last = add("ge", H, float(len(points)))
-        distance = add("where", add("lt", H, 1.0), high, add("where", last, low, inside))
-        width = add("where", add("or", add("lt", H, 1.0), last), 1.0, add("add", low, high))
-        least = add(
-            "add", add("mul", add("fabs", x), ROUNDING), self.record.load("P", self.grain, ())
-        )
+        low = add("sub", x, add("pick", below, H))
+        high = add("sub", add("pick", above, H), x)
+        # the segments at the ends of the row have one end
+        inside = add("mul", low, high)
+        is_last = add("ge", H, float(len(points)))
+        is_first = add("lt", H, 1.0)
+        distance = add("where", is_first, high, add("where", is_last, low, inside))
+        is_at_end = add("or", is_first, is_last)
+        width = add("where", is_at_end, 1.0, add("add", low, high))
+        least = self._rounding(add("fabs", x), add)
         return distance, add("mul", least, width)
 
-    def _distance_of_least(self, row: Ref, H: Ref, add: Any) -> tuple[Ref, Ref]:
+    def _distance_of_least(self, row: Ref, H: Ref, add: Add) -> tuple[Ref, Ref]:
         """Return by how much the second least number of a row is above the least."""
         shape = self.record.shape_of(row)
         numbers = np.arange(float(shape[0]))
-        places = self.record.add("constant", (), shape, numbers.tobytes())
-        same = add("eq", places, H, shape=shape)
-        others = add("where", same, np.inf, row, shape=shape)
+        positions = self.record.add("constant", (), shape, numbers.tobytes())
+        is_least = add("eq", positions, H, shape=shape)
+        remaining = add("where", is_least, np.inf, row, shape=shape)
         least = add("pick", row, H)
-        second = add("pick", others, add("argmin", others))
-        size = add("add", add("fabs", least), add("fabs", second))
-        rounding = add("add", add("mul", size, ROUNDING), self.record.load("P", self.grain, ()))
-        return add("sub", second, least), rounding
+        second_least = add("pick", remaining, add("argmin", remaining))
+        size = add("add", add("fabs", least), add("fabs", second_least))
+        rounding = self._rounding(size, add)
+        return add("sub", second_least, least), rounding
+
+    def _rounding(self, size: Ref, add: Add) -> Ref:
+        """Return the rounding of a difference of numbers of a size."""
+        return add("add", add("mul", size, ROUNDING), self.record.load("P", self.grain, ()))

@@ -13,12 +13,16 @@ from typing import Any
 from llvmlite import ir
 
 from ..record.graph import Operation
+from ..record.operations import TABLE
 from ..trace.arrays import Tape, operand
-from .elementary import FUNCTIONS, LIBRARY, MAGIC
+from .elementary import FUNCTIONS, MAGIC
 from .fused_expressions import OUT_OF_LINE
 from .machine import LANES, scales
 
-DOUBLE, BIT, WORD, INT32 = ir.DoubleType(), ir.IntType(1), ir.IntType(64), ir.IntType(32)
+DOUBLE = ir.DoubleType()
+BIT = ir.IntType(1)
+WORD = ir.IntType(64)
+INT32 = ir.IntType(32)
 
 
 def vector(width: int, entry: ir.Type = DOUBLE) -> ir.Type:
@@ -47,17 +51,17 @@ def splat(builder: ir.IRBuilder, value: Any, width: int) -> Any:
     if width == width_of(value):
         return value
     empty = ir.Constant(vector(width, value.type), ir.Undefined)
-    first = builder.insert_element(empty, value, ir.Constant(INT32, 0))
-    return builder.shuffle_vector(first, empty, constant(0, width, INT32))
+    vector_of_one = builder.insert_element(empty, value, ir.Constant(INT32, 0))
+    return builder.shuffle_vector(vector_of_one, empty, constant(0, width, INT32))
 
 
-def gathered(builder: ir.IRBuilder, ones: list[Any]) -> Any:
+def gathered(builder: ir.IRBuilder, numbers: list[Any]) -> Any:
     """Return single numbers as one vector."""
-    if len(ones) == 1:
-        return ones[0]
-    value: Any = ir.Constant(vector(len(ones)), ir.Undefined)
-    for k, one in enumerate(ones):
-        value = builder.insert_element(value, one, ir.Constant(INT32, k))
+    if len(numbers) == 1:
+        return numbers[0]
+    value: Any = ir.Constant(vector(len(numbers)), ir.Undefined)
+    for k, number in enumerate(numbers):
+        value = builder.insert_element(value, number, ir.Constant(INT32, k))
     return value
 
 
@@ -76,9 +80,11 @@ def horizontal_sum(builder: ir.IRBuilder, value: Any, count: int) -> Any:
         width //= 2
         low, high = (
             builder.shuffle_vector(
-                value, value, ir.Constant(ir.VectorType(INT32, width), list(range(at, at + width)))
+                value,
+                value,
+                ir.Constant(ir.VectorType(INT32, width), list(range(start, start + width))),
             )
-            for at in (0, width)
+            for start in (0, width)
         )
         value = builder.fadd(low, high) if count > width else low
     return builder.extract_element(value, ir.Constant(INT32, 0))
@@ -100,13 +106,15 @@ def _instruction(name: str) -> Primitive:
     return lambda builder, *a: getattr(builder, name)(*a)
 
 
-def _comparison(symbol: str, compare: str = "fcmp_ordered") -> Primitive:
-    return lambda builder, a, b: getattr(builder, compare)(symbol, a, b)
+def _comparison(symbol: str) -> Primitive:
+    ordered = "unordered" if symbol == "!=" else "ordered"  # NaN differs from each number
+    return lambda builder, a, b: getattr(builder, f"fcmp_{ordered}")(symbol, a, b)
 
 
 def _intrinsic(name: str) -> Primitive:
     def call(builder: ir.IRBuilder, *a: Any) -> Any:
-        width, types = width_of(a[0]), [one.type for one in a]
+        width = width_of(a[0])
+        types = [argument.type for argument in a]
         suffix = "f64" if width == 1 else f"v{width}f64"
         return builder.call(declared(builder.module, f"llvm.{name}.{suffix}", types[0], types), a)
 
@@ -118,8 +126,8 @@ def _library(name: str) -> Primitive:
 
     def call(builder: ir.IRBuilder, *a: Any) -> Any:
         function = declared(builder.module, name, DOUBLE, [DOUBLE] * len(a))
-        ones = zip(*(elements(builder, one) for one in a), strict=True)
-        return gathered(builder, [builder.call(function, one) for one in ones])
+        scalars = zip(*(elements(builder, scalar) for scalar in a), strict=True)
+        return gathered(builder, [builder.call(function, scalar) for scalar in scalars])
 
     return call
 
@@ -141,18 +149,20 @@ def _power_of_two(builder: ir.IRBuilder, k: Any) -> Any:
     return _number(builder, builder.shl(_bits(builder, k), _word(52, k)))
 
 
-def _times_power_of_two(builder: ir.IRBuilder, a: Any, k: Any, half: Any) -> Any:
+def _times_power_of_two(builder: ir.IRBuilder, a: Any, k: Any, half_bits: Any) -> Any:
     """2^k a, rounded once at the end; k and half of k have `MAGIC` added."""
     if (width := width_of(a)) > 1 and scales():  # all places, rounded as usual
         values = [a, builder.fsub(k, constant(MAGIC, width)), a, ir.Constant(ir.IntType(8), -1)]
         values += [ir.Constant(INT32, 4)] if width == LANES else []
-        name, types = f"llvm.x86.avx512.mask.scalef.pd.{64 * width}", [one.type for one in values]
+        name = f"llvm.x86.avx512.mask.scalef.pd.{64 * width}"
+        types = [argument.type for argument in values]
         return builder.call(declared(builder.module, name, a.type, types), values)
-    place, half = _word(52, a), _bits(builder, half)
-    high = builder.shl(builder.sub(_bits(builder, k), half), place)
-    near = _number(builder, builder.add(_bits(builder, a), high))
-    low = builder.shl(builder.add(half, _word(1023, a)), place)
-    return builder.fmul(near, _number(builder, low))
+    exponent_shift = _word(52, a)
+    half_bits = _bits(builder, half_bits)
+    high = builder.shl(builder.sub(_bits(builder, k), half_bits), exponent_shift)
+    partly_scaled = _number(builder, builder.add(_bits(builder, a), high))
+    low = builder.shl(builder.add(half_bits, _word(1023, a)), exponent_shift)
+    return builder.fmul(partly_scaled, _number(builder, low))
 
 
 def _negated_where_odd(builder: ir.IRBuilder, a: Any, k: Any) -> Any:
@@ -181,21 +191,33 @@ def _fraction(builder: ir.IRBuilder, a: Any) -> Any:
     return _number(builder, builder.add(fraction, _word(HALF_ROOT, a)))
 
 
-COMPARISONS = {"lt": "<", "le": "<=", "gt": ">", "ge": ">=", "eq": "=="}
+def _of_table(name: str, llvm: str) -> Primitive | None:
+    """Return the primitive that a row of the table of operations names; None for a function."""
+    kind, _, argument = llvm.partition(" ")
+    if kind == "compare":
+        return _comparison(argument)
+    if kind == "intrinsic":
+        return _intrinsic(argument)
+    if kind == "libm":
+        return _library(name)
+    return None if kind in ("function", "inline") else _instruction(kind)
+
+
 PRIMITIVES: dict[str, Primitive] = {
-    **{name: _instruction(f"f{name}") for name in ("add", "sub", "mul", "div", "neg", "rem")},
-    **{name: _instruction(f"{name}_") for name in ("and", "or", "not")},
-    **{name: _comparison(symbol) for name, symbol in COMPARISONS.items()},
-    "ne": _comparison("!=", "fcmp_unordered"),
-    "where": _instruction("select"),
-    **{name: _intrinsic(name) for name in ("fma", "fmuladd", "sqrt", "fabs", "copysign")},
+    **{
+        name: primitive
+        for name, row in TABLE.items()
+        if (primitive := _of_table(name, row.llvm)) is not None
+    },
+    "rem": _instruction("frem"),
+    **{name: _intrinsic(name) for name in ("fma", "fmuladd", "copysign")},
     "round_down": _intrinsic("floor"),
     "round_to_zero": _intrinsic("trunc"),
-    **{name: _library(name) for name in LIBRARY},
-    **{
-        one.__name__.lstrip("_"): one
-        for one in (_power_of_two, _times_power_of_two, _negated_where_odd, _exponent, _fraction)
-    },
+    "power_of_two": _power_of_two,
+    "times_power_of_two": _times_power_of_two,
+    "negated_where_odd": _negated_where_odd,
+    "exponent": _exponent,
+    "fraction": _fraction,
 }
 
 
@@ -242,6 +264,6 @@ def calculate_tape(
         if name == "leaf":
             values.append(leaves[at[1]])
         else:
-            own = [values[a] if type(a) is int else a for a in arguments]
-            values.append(calculate(builder, name, width, own))
+            operands = [values[a] if type(a) is int else a for a in arguments]
+            values.append(calculate(builder, name, width, operands))
     return values[-1]

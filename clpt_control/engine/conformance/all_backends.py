@@ -27,8 +27,8 @@ from ...errors import BlockError, DiagramError
 from ..codegen.machine import LANES
 from ..model.block import Block
 from ..model.vectorized import leaf_values
-from ..record import graph
-from ..record.graph import Shape
+from ..record.graph import Shape, bound
+from ..record.operations import ELEMENTWISE, named
 from ..record.scalar_graph import Index
 from ..record.symbolic import ON_NUMBERS, Symbols
 from ..solver.evaluation_pass import Sweep
@@ -207,11 +207,11 @@ class _SymbolicSweep(Sweep):
 LONG = 20  # operations; a longer expression gets a symbol of its own
 MOST = 20_000  # scalar operations; SymPy takes a millisecond for each
 # functions that would lose digits, or range, if written out: log1p(a) as log(1 + a)
-PRECISE = {name: sympy.Function(f"{name}_", real=True) for name in ("hypot", "log1p", "expm1")}
+PRECISE = {name: sympy.Function(f"{name}_", real=True) for name in named(lambda row: not row.exact)}
 NAMES: dict[str, Callable[..., Any]] = {
     **ON_NUMBERS,
-    **{f"{name}_": graph.OPERATIONS[name] for name in PRECISE},
-    **{name: graph.OPERATIONS[name] for name in ("sin", "cos", "tan")},  # NaN beyond MOST_ANGLE
+    **{f"{name}_": ELEMENTWISE[name] for name in PRECISE},
+    **{name: ELEMENTWISE[name] for name in ("sin", "cos", "tan")},  # NaN beyond MOST_ANGLE
 }
 
 
@@ -225,7 +225,7 @@ class SymbolicFunction(Symbols):
             raise BlockError(str(error)) from None
         super().__init__(record.operations, self._leaf, sizes=block.sizes)
         shapes = [
-            graph.bound(operation.shape, self.sizes)
+            bound(operation.shape, self.sizes)
             for operation in record.operations
             if operation.kind not in ("leaf", "constant", "view")
         ]

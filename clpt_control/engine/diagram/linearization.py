@@ -22,8 +22,9 @@ from ...arguments import numbers, public
 from ...errors import ArgumentError, DiagramError
 from ...progress import warn
 from ..model.ports import ports_of
-from ..record.derivative import STEPS, Direction
-from ..record.graph import Shape, compact, computed, reached
+from ..record.derivative import Direction
+from ..record.graph import Shape, compact, evaluated, reached
+from ..record.operations import FOLDS, named
 from ..trace.arrays import Tape, Unread, operand
 from ..trace.elementwise import lifted
 from .interconnection import changed_parameters
@@ -37,10 +38,11 @@ from .sampled_linearization import (
 )
 from .wiring import Node, Wiring, read_anew, wiring_of
 
-BEND = STEPS | {"where", "minimum", "maximum", "fabs", "mod", "pick"}
-BEND |= {"asin", "acos", "atan", "atan2"}  # of a sine they fold
+BEND = named(lambda row: row.smoothness >= FOLDS)
 BESIDE = 1e-6, -1e-6, 1e-8, -1e-8  # relative: what is left shrinks to 1e-4, at a kink to 1e-2
-SMOOTH, JUMP = 5e-3, 0.3  # what is left at the nearer step, of that at the farther one
+# what is left at the nearer step, of that at the farther one
+SMOOTH = 5e-3
+JUMP = 0.3
 DRAWN = 3  # times so many directions as states and inputs
 ROUNDING = 1e-14  # relative, of a value and of what its slopes bring
 REACHED = 1e-9  # of the largest: a smaller component is not reached
@@ -49,90 +51,98 @@ REACHED = 1e-9  # of the largest: a smaller component is not reached
 class _About:
     """A diagram's record about a point, with its derivative along each state and input."""
 
-    def __init__(self, diagram: Any, wiring: Wiring, given: list[Any], t: float, x: Any, u: Any):
-        self.tape, self.along = Tape(), dict[int, Any]()
-        self.point, self.every = np.concatenate([x, u]), np.eye(len(x) + len(u))
-        self.values: dict[Any, Any] = {("t", "t"): np.array([t])}
-        self.places: dict[Any, slice] = {}  # of what varies, in the point
-        self.parameters = {node.name: p for node, p in zip(wiring.nodes, given, strict=True)}
+    def __init__(
+        self, diagram: Any, wiring: Wiring, block_parameters: list[Any], t: float, x: Any, u: Any
+    ):
+        self.tape = Tape()
+        self.point = np.concatenate([x, u])
+        self.count = len(self.point)  # number of states and inputs
+        self.unit_vectors = np.eye(self.count)
+        self.values: dict[Any, Any] = {("t", "t"): np.array([t])}  # of leaves
+        self.positions: dict[Any, slice] = {}  # of states and inputs, in the point
+        self.direction = Direction(self.tape, {})
+        self.parameters = {
+            node.name: p for node, p in zip(wiring.nodes, block_parameters, strict=True)
+        }
         self.inputs = {
-            port: slice(len(x) + places[0], len(x) + places[-1] + 1)
-            for port, places in ports_of(diagram.input_labels).items()
+            port: slice(len(x) + indices[0], len(x) + indices[-1] + 1)
+            for port, indices in ports_of(diagram.input_labels).items()
         }
         self.states = {}
         for node in wiring.nodes:
-            at = node.states.start
+            start = node.states.start
             for port, shape in node.system.state_shapes.items():
-                self.states[node.name, port] = slice(at, at := at + prod(shape))
+                stop = start + prod(shape)
+                self.states[node.name, port] = slice(start, stop)
+                start = stop
             p = self.parameters[node.name]
             if node.system.breakpoints_function is not None and p.interval < 0:
                 k = node.system.interval_at(t, p)
                 self.parameters[node.name] = p._replace(interval=k)
-        values = self.leaf, self.input_of, self.tape
-        self.record = TapeRecord(diagram, wiring, *values, closed=True)
-        self.direction = Direction(self.tape, self.along)
+        self.record = TapeRecord(diagram, wiring, self.leaf, self.input_of, self.tape, closed=True)
 
     def leaf(self, group: str, node: Node, name: str, shape: Shape) -> Any:
         """Return a parameter, or a state, which varies."""
-        at = group, (node.name, name)
+        qualified_name = node.name, name
+        key = group, qualified_name
         if group == "x":
-            return self.varying(at, shape, self.states[at[1]])
-        self.values[at] = np.asarray(getattr(self.parameters[node.name], name), float)[..., None]
-        return self.tape.add("leaf", (), shape, at)
+            return self.varying(key, shape, self.states[qualified_name])
+        value = getattr(self.parameters[node.name], name)
+        self.values[key] = np.asarray(value, float)[..., None]
+        return self.tape.add("leaf", (), shape, key)
 
     def input_of(self, port: str, shape: Shape, declared: Shape) -> Any:
         """Return an input, which varies."""
         return self.varying(("u", port), shape, self.inputs[port])
 
-    def varying(self, at: tuple, shape: Shape, place: slice) -> Any:
-        """Return an array at its point, with its own directions."""
-        leaf = self.tape.add("leaf", (), shape, at)
-        self.along[operand(leaf)] = self.tape.add("leaf", (), shape, ("d", at))
-        self.values[at] = self.point[place].reshape(*shape, 1)
-        self.values["d", at] = self.every[place].reshape(*shape, len(self.every))
-        self.places[at] = place
+    def varying(self, key: tuple, shape: Shape, position: slice) -> Any:
+        """Return a leaf with a value at the point, and with directions."""
+        leaf = self.tape.add("leaf", (), shape, key)
+        self.direction.known[operand(leaf)] = self.tape.add("leaf", (), shape, ("d", key))
+        self.values[key] = self.point[position].reshape(*shape, 1)
+        self.values["d", key] = self.unit_vectors[position].reshape(*shape, self.count)
+        self.positions[key] = position
         return leaf
 
     def numbers(
-        self, values: Iterable[Any], like: Iterable[Any] | None = None, columns: int | None = None
-    ) -> list[np.ndarray]:
-        """Return values of the tape as numbers; the last axis is that of the directions."""
-        values = [lifted(self.tape, one) for one in values]
-        shapes = [getattr(one, "shape", ()) for one in (values if like is None else like)]
-        record = compact(self.tape.operations, [operand(one) for one in values], shapes)
-        numbers = computed(record, lambda *at: self.values[at], {})
-        last = len(self.every) if columns is None else columns
-        return [np.broadcast_to(one, (*one.shape[:-1], last)) for one in numbers]
+        self, arrays: list[Any], shapes: list[Shape], leaves: Mapping[Any, Any], columns: int
+    ) -> np.ndarray:
+        """Return arrays of the tape as numbers, a row for each element."""
+        refs = [operand(lifted(self.tape, array)) for array in arrays]
+        record = compact(self.tape.operations, refs, shapes)
+        outputs = evaluated(record, lambda *key: leaves[key], points=columns)
+        rows = [output.reshape(-1, columns) for output in outputs]
+        return np.concatenate([np.zeros((0, columns)), *rows])
 
     def slopes(self, values: list[Any]) -> np.ndarray:
         """Return the derivatives of values, a row for each element."""
-        slopes = self.numbers([self.direction.of(value) for value in values], values)
-        flat = [one.reshape(-1, len(self.every)) for one in slopes]
-        return np.concatenate([np.zeros((0, len(self.every))), *flat])
+        slopes = [self.direction.of(value) for value in values]
+        return self.numbers(slopes, shapes_of(values), self.values, self.count)
 
-    def beside(self, values: list[Any], moves: np.ndarray) -> np.ndarray:
-        """Return values beside the point, a row for each element and a column for each move."""
-        moved, own = self.point[:, None] + moves, self.values
-        there = {one: moved[k].reshape(*own[one].shape[:-1], -1) for one, k in self.places.items()}
-        self.values = {**own, **there}
-        found = self.numbers(values, columns=moves.shape[1])
-        self.values = own
-        return np.concatenate([one.reshape(-1, moves.shape[1]) for one in found])
+    def near(self, values: list[Any], moves: np.ndarray) -> np.ndarray:
+        """Return values near the point, a row for each element and a column for each move."""
+        moved = self.point[:, None] + moves
+        leaves = dict(self.values)
+        for key, position in self.positions.items():
+            shape = self.values[key].shape[:-1]
+            leaves[key] = moved[position].reshape(*shape, -1)
+        return self.numbers(values, shapes_of(values), leaves, moves.shape[1])
 
     def sampled_values(self, blocks: Sequence[SampledBlock]) -> Iterator[tuple[slice, Any]]:
-        """Yield place and value of each port of a sampled block's states at the next sample."""
-        names = {one.name for one in blocks}
-        for (name, port), place in self.states.items():
+        """Yield position and value of each port of a sampled block's states at the next sample."""
+        names = {block.name for block in blocks}
+        for (name, port), position in self.states.items():
             if name in names:
-                yield place, self.record.jumps[name, port]
+                yield position, self.record.jumps[name, port]
 
     def with_samples(self, x: np.ndarray, blocks: Sequence[SampledBlock]) -> np.ndarray:
         """Return states in which sampled blocks hold what they sample at this point."""
-        now, none = self.point[: len(x)].copy(), np.zeros((len(self.every), 1))
-        held = {int(k) for one in blocks for k in one.held}
-        for place, values in self.sampled_values(blocks):
-            if place.start in held:
-                now[place] = self.beside([values], none)[:, 0]
+        now = self.point[: len(x)].copy()
+        no_moves = np.zeros((self.count, 1))
+        held_states = {int(k) for block in blocks for k in block.held}
+        for position, values in self.sampled_values(blocks):
+            if position.start in held_states:
+                now[position] = self.near([values], no_moves)[:, 0]
         return now
 
     @np.errstate(all="ignore")  # of paths that are not taken at the point
@@ -143,32 +153,44 @@ class _About:
         jump; else as the square of the step.  A slope that is of neither side is refused too.
         Where no operation may bend there is nothing to ask, and rounding is no jump.
         """
-        size, own = 1.0 + np.abs(self.point)[:, None], [*values.values()]
+        size = 1.0 + np.abs(self.point)[:, None]
+        checked = [*values.values()]
         lines = self.tape.operations
-        if BEND.isdisjoint(lines[k].kind for k in reached(lines, map(operand, own))):
+        if BEND.isdisjoint(lines[k].kind for k in reached(lines, map(operand, checked))):
             return
-        slopes, here = self.slopes(own), self.beside(own, np.zeros((n := len(self.every), 1)))
-        known = np.all(np.isfinite(slopes), axis=1)  # others are refused where they matter
-        slopes = np.where(known[:, None], slopes, 0.0)
+        slopes = self.slopes(checked)
+        n = self.count
+        at_point = self.near(checked, np.zeros((n, 1)))
+        is_finite = np.all(np.isfinite(slopes), axis=1)  # others are refused where they matter
+        slopes = np.where(is_finite[:, None], slopes, 0.0)
         drawn = np.random.default_rng(0).standard_normal((n, DRAWN * n))
-        ways = size * np.hstack([self.every, drawn])  # along each state and input, and all at once
-        moves = np.hstack([step * ways for step in BESIDE])
-        left = np.abs(self.beside(own, moves) - here - slopes @ moves)
-        far, back, near, behind = np.split(left, len(BESIDE), axis=1)
-        rounding = ROUNDING * (np.abs(here) + np.abs(slopes) @ size)
-        wide, small = np.nan_to_num(np.maximum(far, back), nan=np.inf), np.maximum(near, behind)
+        # along each state and input, and along all at once
+        directions = size * np.hstack([self.unit_vectors, drawn])
+        moves = np.hstack([step * directions for step in BESIDE])
+        remainder = np.abs(self.near(checked, moves) - at_point - slopes @ moves)
+        far_ahead, far_behind, near_ahead, near_behind = np.split(remainder, len(BESIDE), axis=1)
+        rounding = ROUNDING * (np.abs(at_point) + np.abs(slopes) @ size)
+        wide = np.nan_to_num(np.maximum(far_ahead, far_behind), nan=np.inf)
+        small = np.maximum(near_ahead, near_behind)
         kink = SMOOTH * wide + rounding
         bent = np.any(small > kink, axis=1)
         torn = np.any(~(small <= JUMP * wide + rounding), axis=1)
-        torn |= np.any((np.minimum(near, behind) > kink)[:, :n], axis=1)
-        names = np.repeat([*values], [int(np.prod(getattr(one, "shape", ()))) for one in own])
-        for name in names[torn & known][:1]:
+        torn |= np.any((np.minimum(near_ahead, near_behind) > kink)[:, :n], axis=1)
+        names = np.repeat(
+            [*values], [int(np.prod(getattr(output, "shape", ()))) for output in checked]
+        )
+        for name in names[torn & is_finite][:1]:
             raise DiagramError(
                 f"{name} jumps at this point, or has the slope of neither side, so nothing is "
                 "linear there; linearize on one side of it"
             )
-        for name in names[bent & known][:1]:
+        for name in names[bent & is_finite][:1]:
             warn(f"{name} has a kink at this point; the slope is that of one side")
+
+
+def shapes_of(values: Iterable[Any]) -> list[Shape]:
+    """Return the shapes of arrays and numbers."""
+    return [getattr(value, "shape", ()) for value in values]
 
 
 @public
@@ -229,33 +251,39 @@ def linearize(
     read_anew(system)
     wiring = wiring_of(system, params)
     x, u = getattr(x, "states", x), getattr(x, "inputs", u)
-    n, m = wiring.nodes[-1].states.stop, wiring.ninputs
+    n = wiring.nodes[-1].states.stop
+    m = wiring.ninputs
     if not n + m:
         raise DiagramError(f"{system.name}: has no states and no inputs to linearize along")
-    x, u = (_vector(*one) for one in (("x", x, n), ("u", u, m)))
+    x, u = (_vector(*argument) for argument in (("x", x, n), ("u", u, m)))
     try:
-        given, blocks = changed_parameters(wiring.blocks, params), sampled_blocks(wiring)
-        at = _About(system, wiring, given, t, x, u)
+        block_parameters = changed_parameters(wiring.blocks, params)
+        blocks = sampled_blocks(wiring)
+        about = _About(system, wiring, block_parameters, t, x, u)
         for _ in blocks:  # each holds what it samples at this point, some what others make of it
-            at = _About(system, wiring, given, t, at.with_samples(x, blocks), u)
+            about = _About(system, wiring, block_parameters, t, about.with_samples(x, blocks), u)
         ports = [(node, port) for node in wiring.nodes for port in node.system.declared["outputs"]]
-        signals = [at.record.signals[node.name, port] for node, port in ports]
-        rates = [at.record.rates[port] for port in at.states]
-        AB, Y = at.slopes(rates), at.slopes(signals)
+        signals = [about.record.signals[node.name, port] for node, port in ports]
+        rates = [about.record.rates[port] for port in about.states]
+        AB = about.slopes(rates)
+        Y = about.slopes(signals)
         jumps = np.zeros_like(AB)
-        for place, values in at.sampled_values(blocks):
-            jumps[place] = at.slopes([values])
+        for position, values in about.sampled_values(blocks):
+            jumps[position] = about.slopes([values])
         named = {
-            f"{node.name}.{port}": own for (node, port), own in zip(ports, signals, strict=True)
+            f"{node.name}.{port}": signal
+            for (node, port), signal in zip(ports, signals, strict=True)
         }
-        named |= {f"the rate of {'.'.join(port)}": at.record.rates[port] for port in at.states}
-        at.check(named)
+        named |= {
+            f"the rate of {'.'.join(port)}": about.record.rates[port] for port in about.states
+        }
+        about.check(named)
     except Unread as error:
         raise DiagramError(f"{error}") from None
-    all_slopes = np.vstack([Y, at.every[n:]])
-    known = np.isfinite(all_slopes)
-    CD = wiring.output_map @ np.where(known, all_slopes, 0.0)
-    CD[(wiring.output_map != 0.0) @ ~known] = np.nan
+    all_slopes = np.vstack([Y, about.unit_vectors[n:]])
+    is_finite = np.isfinite(all_slopes)
+    CD = wiring.output_map @ np.where(is_finite, all_slopes, 0.0)
+    CD[(wiring.output_map != 0.0) @ ~is_finite] = np.nan
     states = system.state_labels
     labels = [*states, *system.input_labels]
     for rows, names in ((AB + jumps, states), (CD, system.output_labels)):
@@ -264,7 +292,10 @@ def linearize(
                 f"{system.name}: what {names[i]} does along {labels[j]} has no finite slope at "
                 "this point; under a root or a norm that is 0, add a small number"
             )
-    A, B, C, D = AB[:, :n], AB[:, n:], CD[:, :n], CD[:, n:]
+    A = AB[:, :n]
+    B = AB[:, n:]
+    C = CD[:, :n]
+    D = CD[:, n:]
     dt = wiring.dt
     if blocks:
         dt = common_period(blocks)
@@ -290,15 +321,16 @@ def state_space(A: Any, B: Any, C: Any, D: Any, dt: Any, **labels: Any) -> contr
     system = control.StateSpace(
         A, np.zeros((len(A), 1)), C, np.zeros((len(C), 1)), dt, **labels | {"inputs": 1}
     )
-    system.B, system.D = B, D
+    system.B = B
+    system.D = D
     system.set_inputs(0)
     return system
 
 
 def _vector(name: str, value: Any, size: int) -> np.ndarray:
     """Return states or inputs as a vector; a single number is the value of all, 0 without."""
-    given = numbers(name, 0.0 if value is None else value)
-    vector = given if given.ndim else np.full(size, given)
+    array = numbers(name, 0.0 if value is None else value)
+    vector = array if array.ndim else np.full(size, array)
     if vector.shape != (size,):
         raise ArgumentError(f"{name} has shape {vector.shape}; must be ({size},)")
     return vector
@@ -312,10 +344,10 @@ def _reached(A: np.ndarray, B: np.ndarray) -> np.ndarray:
 
     basis = columns(B)
     size = np.linalg.norm(A) or 1.0
-    while (more := columns(np.hstack([basis, A @ basis / size]))).shape != basis.shape:
-        basis = more
-    own = np.flatnonzero(np.any(np.abs(basis) > REACHED, axis=1))
-    return np.eye(len(A))[:, own] if len(own) == basis.shape[1] else basis
+    while (larger := columns(np.hstack([basis, A @ basis / size]))).shape != basis.shape:
+        basis = larger
+    reached_states = np.flatnonzero(np.any(np.abs(basis) > REACHED, axis=1))
+    return np.eye(len(A))[:, reached_states] if len(reached_states) == basis.shape[1] else basis
 
 
 def minimal_of(system: control.StateSpace) -> control.StateSpace:
@@ -323,7 +355,9 @@ def minimal_of(system: control.StateSpace) -> control.StateSpace:
     (A, B, C), names = (system.A, system.B, system.C), system.state_labels
     for transposed in (False, True):
         V = _reached(A.T, C.T) if transposed else _reached(A, B)
-        A, B, C = V.T @ A @ V, V.T @ B, C @ V
+        A = V.T @ A @ V
+        B = V.T @ B
+        C = C @ V
         plain = np.all((V == 0.0) | (V == 1.0))
         names = [names[np.argmax(v)] if plain else f"x[{k}]" for k, v in enumerate(V.T)]
     labels = {"states": names or None, "inputs": system.input_labels, "name": system.name}

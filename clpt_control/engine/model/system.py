@@ -55,11 +55,16 @@ class System(Block):
             arguments = 0.0, np.zeros(n), np.zeros(m), dict(self._params)
             q = n if outfcn is None else np.size(outfcn(*arguments))
         q = int(q)
-        first = outfcn is None and q < n  # of the states, as python-control takes them
+        returns_first_states = (
+            outfcn is None and q < n
+        )  # of the states, as python-control takes them
         self.update_function = updfcn if n else None
-        self.output_function = (lambda t, x, u, params: x[:q]) if first else outfcn
+        self.output_function = (lambda t, x, u, params: x[:q]) if returns_first_states else outfcn
         self.jump_function = self.breakpoints_function = self.guard = None
-        self.opaque, self._inner, self._sizes, self.parameter_shapes = False, {}, {}, {}
+        self.opaque = False
+        self._inner = {}
+        self._sizes = {}
+        self.parameter_shapes = {}
         self.raised: dict[str, str] = {}
         states = {"x": (n,)} if n else {}
         self.declared = {
@@ -72,7 +77,10 @@ class System(Block):
         self.parameters = Parameters(
             **{key: _leaf(own) for key, own in self._params.items() if key in self.number_names}
         )
-        self.nstates, self.ninputs, self.noutputs, self.dt = n, m, q, system.dt or 0
+        self.nstates = n
+        self.ninputs = m
+        self.noutputs = q
+        self.dt = system.dt or 0
         for kind, count, letter in (("input", m, "u"), ("output", q, "y"), ("state", n, "x")):
             labels = getattr(system, f"{kind}_index")
             labels = labels if len(labels) == count else {f"{letter}[{k}]": k for k in range(count)}
@@ -90,12 +98,12 @@ class System(Block):
 
     def with_params(self, params: Mapping[str, Any] | None) -> Any:
         """Return the parameters with some changed; python-control passes unknown ones on."""
-        known = {
+        changed = {
             key: _leaf(value)
             for key, value in (params or {}).items()
             if key in self.number_names and value is not self._params[key]
         }
-        return self._parameters._replace(**known) if known else self._parameters
+        return self._parameters._replace(**changed) if changed else self._parameters
 
     def mentions(self, name: str) -> bool:
         """Return whether the functions could read a param of a name."""
@@ -163,19 +171,21 @@ class System(Block):
         """Warn once of a function that returns one number for several states or outputs."""
         if role not in self._spread:
             self._spread.add(role)
-            count, what = (
+            count, signals = (
                 (self.nstates, "states") if role == "update" else (self.noutputs, "outputs")
             )
             warn(
-                f"{self.name}.{role} returns one number, which each of its {count} {what} gets; "
+                f"{self.name}.{role} returns one number, which each of its {count} {signals} gets; "
                 "return a number for each"
             )
 
 
 def _functions(system: control.NonlinearIOSystem) -> tuple[Callable, Callable | None]:
     """Return update and output of a system, or the methods that its class has in their place."""
-    kind, plain = type(system), control.NonlinearIOSystem
-    update, output = system.updfcn, system.outfcn
+    kind = type(system)
+    plain = control.NonlinearIOSystem
+    update = system.updfcn
+    output = system.outfcn
     if kind._rhs is not plain._rhs:
 
         def update(t, x, u, params):
@@ -191,11 +201,11 @@ def _functions(system: control.NonlinearIOSystem) -> tuple[Callable, Callable | 
     return update, output
 
 
-def _size(system: Any, what: str, declared: int | None, of_run: int | None) -> int:
+def _size(system: Any, kind: str, declared: int | None, of_run: int | None) -> int:
     size = declared if declared is not None else of_run
     if size is None:
         raise BlockError(
-            f"{system.name}: how many {what} it has is not said; give {what}= to control.nlsys"
+            f"{system.name}: how many {kind} it has is not said; give {kind}= to control.nlsys"
         )
     return int(size)  # python-control takes NumPy's too
 
@@ -208,8 +218,8 @@ def _as_given(value: Any, like: Any) -> Any:
     """Return a number as Python's, whole where the one in its place is."""
     if np.ndim(value):
         return value
-    whole = isinstance(like, int | np.integer) and float(value).is_integer()
-    return int(value) if whole else float(value)
+    is_whole = isinstance(like, int | np.integer) and float(value).is_integer()
+    return int(value) if is_whole else float(value)
 
 
 def _is_number(key: Any, value: Any) -> bool:
@@ -251,7 +261,8 @@ SHAPES = {"A": ("n", "n"), "B": ("n", "m"), "C": ("q", "n"), "D": ("q", "m")}
 def linear(system: control.StateSpace | control.TransferFunction) -> Block:
     """Make a block of a linear system, with its name, labels and time."""
     parameters = dict(zip("ABCD", _matrices(system), strict=True))
-    n, (outputs, inputs) = len(parameters["A"]), parameters["D"].shape
+    n = len(parameters["A"])
+    outputs, inputs = parameters["D"].shape
     left_out = "ABC" if not n else "" if np.any(parameters["D"]) else "D"
     for name in left_out:
         del parameters[name]
@@ -286,17 +297,21 @@ def _matrices(system: control.StateSpace | control.TransferFunction) -> tuple[np
     if isinstance(system, control.StateSpace):
         return system.A, system.B, system.C, system.D
     rows, columns = np.indices((system.noutputs, system.ninputs)).reshape(2, -1)
-    places = zip(rows, columns, strict=True)
+    entries = zip(rows, columns, strict=True)
     try:
-        parts = [control.tf2ss(system.num[i][j], system.den[i][j]) for i, j in places]
+        subsystems = [control.tf2ss(system.num[i][j], system.den[i][j]) for i, j in entries]
     except ValueError:
         raise DiagramError(
             f"{system.name}: a numerator of higher degree than its denominator differentiates, "
             "which no block can; add a fast pole, such as tf([1, 0], [0.01, 1])"
         ) from None
-    each = zip(*((part.A, part.B, part.C, part.D) for part in parts), strict=True)
-    A, B, C, D = (block_diag(*own) for own in each)
-    to, of = np.eye(system.noutputs)[:, rows], np.eye(system.ninputs)[columns]
+    matrices = zip(
+        *((subsystem.A, subsystem.B, subsystem.C, subsystem.D) for subsystem in subsystems),
+        strict=True,
+    )
+    A, B, C, D = (block_diag(*blocks) for blocks in matrices)
+    to = np.eye(system.noutputs)[:, rows]
+    of = np.eye(system.ninputs)[columns]
     return A, B @ of, to @ C, to @ D @ of
 
 
@@ -318,6 +333,6 @@ def on_each_axis(block: Block, count: int) -> Block:
 
 def _matrices_of(block: Block) -> list[np.ndarray]:
     """Return A, B, C, D of a linear block."""
-    none = np.zeros((0, 0)), np.zeros((0, block.ninputs)), np.zeros((block.noutputs, 0))
+    empty = np.zeros((0, 0)), np.zeros((0, block.ninputs)), np.zeros((block.noutputs, 0))
     zero = np.zeros((block.noutputs, block.ninputs))
-    return [getattr(block.parameters, *one) for one in zip("ABCD", (*none, zero), strict=True)]
+    return [getattr(block.parameters, *pair) for pair in zip("ABCD", (*empty, zero), strict=True)]

@@ -1,6 +1,6 @@
 """A block's equations at many times, states and inputs at once."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 
 from ...arguments import numbers, public
 from ...errors import ArgumentError
-from ..record.graph import Record, computed
+from ..record.graph import evaluated
 from .block import Block
 from .ports import places
 
@@ -21,8 +21,8 @@ def leaf_values(block: Block, t: Any, x: Any, u: Any, p: Any) -> Callable[[str, 
         if group in ("t", "p"):
             return np.asarray(t if group == "t" else getattr(p, name), dtype=float)
         values, ports = where[group]
-        part, shape = ports[name]
-        return values[part].reshape((*shape, *values.shape[1:]))
+        where_in_vector, shape = ports[name]
+        return values[where_in_vector].reshape((*shape, *values.shape[1:]))
 
     return leaf
 
@@ -40,17 +40,12 @@ def on_arrays(block: Block, role: str, t: Any, x: Any, u: Any, p: Any = None) ->
 
     def at_each_time(group: str, name: str) -> np.ndarray:
         value = leaf(group, name)
-        same = group == "p" and not (name == "interval" and value.ndim)
-        return value[..., None] if same else value
+        is_constant = group == "p" and not (name == "interval" and value.ndim)
+        return value[..., None] if is_constant else value
 
-    return rows(block.array_record(role), at_each_time, block.sizes, count).reshape((-1, *shape))
-
-
-def rows(record: Record, leaf: Callable, sizes: Mapping[str, int], count: int) -> np.ndarray:
-    """Return the outputs of a record as rows of `count`; its leaves have one more axis."""
-    outputs = computed(record, leaf, sizes)
-    flat = [np.broadcast_to(y, (*y.shape[:-1], count)).reshape(-1, count) for y in outputs]
-    return np.concatenate([np.zeros((0, count)), *flat])
+    outputs = evaluated(block.array_record(role), at_each_time, block.sizes, count)
+    rows = [output.reshape(-1, count) for output in outputs]
+    return np.concatenate([np.zeros((0, count)), *rows]).reshape((-1, *shape))
 
 
 @public
@@ -79,7 +74,8 @@ def evaluate(block: Block, timepts: ArrayLike, inputs: ArrayLike) -> np.ndarray:
     array([[1.   ],
            [0.368]])
     """
-    u, t = np.atleast_2d(numbers("inputs", inputs, block.ninputs)), numbers("timepts", timepts)
+    u = np.atleast_2d(numbers("inputs", inputs, block.ninputs))
+    t = numbers("timepts", timepts)
     if u.ndim > 2 or t.shape not in ((), (1,), u.shape[:1]):
         raise ArgumentError(
             f"evaluate: timepts has shape {t.shape}, inputs {u.shape}; must be a time, or n "

@@ -6,7 +6,7 @@
     v3 = mul(v0, v2)            (N,)
     v4 = sum(v3, axis 0)        ()
 
-An operation is a kind, its arguments, the shape of its value and what else it is made with.
+An operation has a kind, arguments, the shape of its value and further attributes, `at`.
 An argument is a value (int: its place in the list) or a constant (float).  An axis is as long
 as a number says, or as a name: ``"N"`` is a size that the record leaves open.
 
@@ -25,7 +25,7 @@ as a number says, or as a name: ``"N"`` is a size that the record leaves open.
 | search | sorted row of numbers, value | side, and what is at the joints (`lookup_tables`) |
 | argmin | row of numbers | |
 
-`computed` is a record on NumPy's numbers, in the order in which it was written.
+`evaluated` computes a record in NumPy, in the order in which it was written.
 """
 
 import sys
@@ -33,10 +33,12 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
-from math import copysign, erf, erfc, prod
+from math import copysign, prod
 from typing import Any, NamedTuple
 
 import numpy as np
+
+from .operations import ELEMENTWISE
 
 MOST_NUMBERS = 20_000  # of an array that is a value, and is compared with what it was
 Ref = Any  # int: the place of a value; float: a constant
@@ -59,7 +61,7 @@ class Operation(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Record:
-    """What a function did to arrays; equal records have the same machine code."""
+    """Operations of a function on arrays; equal records have the same machine code."""
 
     operations: tuple[Operation, ...]
     outputs: tuple[Ref, ...]  # one for each port
@@ -82,16 +84,19 @@ class Record:
         return list(dict.fromkeys(names))
 
     def values(self, leaf: Callable[[str, str], Any], sizes: dict[str, int]) -> list[np.ndarray]:
-        """Compute the outputs in NumPy; ``leaf("x", "alpha")`` is an array."""
-        outputs = computed(self, lambda *at: np.asarray(leaf(*at))[..., None], sizes)
+        """Return the outputs at one point; ``leaf("x", "alpha")`` is an array."""
+        outputs = evaluated(self, lambda *at: np.asarray(leaf(*at))[..., None], sizes)
         return [value[..., 0] for value in outputs]
 
     def renamed(self, names: dict[tuple[str, str], tuple[str, str]]) -> "Record":
         """Return the record with other leaves: {(group, name): (group, name)}."""
-        moved = [
-            o._replace(at=names.get(o.at, o.at)) if o.kind == "leaf" else o for o in self.operations
-        ]
-        return Record(tuple(moved), self.outputs, self.shapes)
+        operations = []
+        for operation in self.operations:
+            if operation.kind == "leaf":
+                name = names.get(operation.at, operation.at)
+                operation = operation._replace(at=name)
+            operations.append(operation)
+        return Record(tuple(operations), self.outputs, self.shapes)
 
 
 def bound(shape: Shape, sizes: Mapping[str, int]) -> Shape:
@@ -113,14 +118,14 @@ def deep() -> Iterator[None]:
 def reached(operations: Iterable[Any], roots: Iterable[Ref]) -> set[int]:
     """Return the values that roots depend on."""
     lines = operations if isinstance(operations, list | tuple) else list(operations)
-    found: set[int] = set()
+    values: set[int] = set()
     stack = [root for root in roots if type(root) is int]
     while stack:
         value = stack.pop()
-        if value not in found:
-            found.add(value)
-            stack += [a for a in lines[value].arguments if type(a) is int and a not in found]
-    return found
+        if value not in values:
+            values.add(value)
+            stack += [a for a in lines[value].arguments if type(a) is int and a not in values]
+    return values
 
 
 def compact(
@@ -128,61 +133,31 @@ def compact(
 ) -> Record:
     """Return the record of these outputs: only what they depend on."""
     used = sorted(reached(operations, outputs))
-    place = {old: new for new, old in enumerate(used)}
+    position = {old: new for new, old in enumerate(used)}
     lines = []
     for k in used:
         kind, arguments, shape, at = operations[k]
-        moved = tuple([place[a] if type(a) is int else a for a in arguments])
+        moved = tuple([position[a] if type(a) is int else a for a in arguments])
         lines.append(Operation(kind, moved, shape, at))
-    of_outputs = [operations[r].shape if type(r) is int else () for r in outputs]
-    refs = tuple([place[r] if type(r) is int else r for r in outputs])
-    return Record(tuple(lines), refs, tuple(of_outputs if shapes is None else shapes))
+    refs = tuple([position[ref] if type(ref) is int else ref for ref in outputs])
+    if shapes is None:
+        shapes = [operations[ref].shape if type(ref) is int else () for ref in outputs]
+    return Record(tuple(lines), refs, tuple(shapes))
 
 
 # --- on numbers --------------------------------------------------------------------------------
-
-
-MOST_ANGLE = 2.0**50  # rad; beyond it doubles are a quarter apart and an angle means nothing
-
-UFUNCS: dict[Any, str] = {
-    np.add: "add",
-    np.subtract: "sub",
-    np.multiply: "mul",
-    np.true_divide: "div",
-    np.floor_divide: "floordiv",
-    np.remainder: "mod",
-    np.float_power: "pow",
-    np.negative: "neg",
-    np.absolute: "fabs",
-    np.less: "lt",
-    np.less_equal: "le",
-    np.greater: "gt",
-    np.greater_equal: "ge",
-    np.equal: "eq",
-    np.not_equal: "ne",
-    np.logical_and: "and",
-    np.logical_or: "or",
-    np.logical_not: "not",
-    **{
-        getattr(np, name): name
-        for name in (
-            *("exp", "expm1", "log", "log1p", "log2", "log10", "sqrt", "pow", "hypot"),
-            *("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh"),
-            *("asinh", "acosh", "atanh", "minimum", "maximum", "sign", "floor", "ceil", "trunc"),
-        )
-    },
-}
 
 
 def picked(numbers: np.ndarray, index: Any) -> np.ndarray:
     """Return numbers of a row at whole places, NaN outside; of rows side by side, each its own."""
     if not len(numbers):
         return np.full(np.shape(index), np.nan)
-    whole = np.trunc(index)
-    whole = np.where(whole < 0, whole + len(numbers), whole)
-    inside = (whole >= 0) & (whole < len(numbers))
-    side_by_side = [np.arange(n) for n in numbers.shape[1:]]
-    return np.where(inside, numbers[np.where(inside, whole, 0).astype(int), *side_by_side], np.nan)
+    positions = np.trunc(index)
+    positions = np.where(positions < 0, positions + len(numbers), positions)
+    inside = (positions >= 0) & (positions < len(numbers))
+    rows = [np.arange(n) for n in numbers.shape[1:]]
+    inner = np.where(inside, positions, 0).astype(int)
+    return np.where(inside, numbers[inner, *rows], np.nan)
 
 
 def searched(row: np.ndarray, values: Any, side: Any) -> np.ndarray:
@@ -190,77 +165,75 @@ def searched(row: np.ndarray, values: Any, side: Any) -> np.ndarray:
     return np.where(np.isnan(values), 0, np.searchsorted(row[:, 0], values, side))
 
 
-def _circular(function: Callable) -> Callable:
-    return lambda a: function(np.where(np.abs(a) < MOST_ANGLE, a, np.nan))
-
-
-OPERATIONS: dict[str, Callable[..., Any]] = {
-    **{name: ufunc for ufunc, name in UFUNCS.items()},
-    "where": np.where,
-    **{one.__name__: np.vectorize(one, otypes=[float]) for one in (erf, erfc)},
-    **{one.__name__: _circular(one) for one in (np.sin, np.cos, np.tan)},
-}
-
-
 def viewed(array: np.ndarray, mapped: tuple, shape: tuple[int, ...]) -> np.ndarray:
-    """Return a view: what `mapped` says of each axis of an array."""
+    """Return a view; `mapped` has an index, or (axis of the view, start, step), for each axis."""
     if 0 in shape:
         return np.zeros(shape)
-    first = array[tuple([m if isinstance(m, int) else slice(m[1], None) for m in mapped])]
+    begins = [m if isinstance(m, int) else slice(m[1], None) for m in mapped]
+    start = array[tuple(begins)]
+    axes = [m for m in mapped if not isinstance(m, int)]
     strides = [0] * len(shape)
-    kept = zip((m for m in mapped if not isinstance(m, int)), first.strides, strict=True)
-    for (axis, _, step), stride in kept:
+    for (axis, _, step), stride in zip(axes, start.strides, strict=True):
         strides[axis] += step * stride
-    return np.lib.stride_tricks.as_strided(first, shape, strides, writeable=False)
+    return np.lib.stride_tricks.as_strided(start, shape, strides, writeable=False)
 
 
-def computed(
-    record: Any, leaf: Callable[[str, str], Any], sizes: Mapping[str, int]
+def evaluated(
+    record: Record, leaf: Callable[[Any, Any], Any], sizes: Mapping[str, int] = {}, points: int = 1
 ) -> list[np.ndarray]:
-    """Compute the outputs of a record; `leaf` gives the array of a group and name.
+    """Return the outputs of a record at several points, of shape (*shape, points).
 
-    All arrays have one more axis, the last: what is computed for each, or 1.
+    ``leaf("x", "alpha")`` returns the array of a leaf, with a last axis for the points: as long as
+    their number, or 1.
     """
-    values: list[np.ndarray] = []
 
-    def sized(shape: tuple, value: Any) -> tuple[int, ...]:
+    def sized(shape: Shape, value: Any) -> tuple[int, ...]:
         """Return a shape with its open sizes filled in, and the last axis of a value."""
         return *bound(shape, sizes), *(np.shape(value)[-1:] or (1,))
 
-    def full(value: Any, shape: tuple) -> np.ndarray:
-        """Return a value in all of its shape."""
-        return np.broadcast_to(value, sized(shape, value))
-
+    values: list[np.ndarray] = []
     with np.errstate(all="ignore"):
-        for kind, arguments, shape, at in record.operations:
-            args: list[Any] = [values[a] if type(a) is int else np.array([a]) for a in arguments]
-            value: Any
+        for operation in record.operations:
+            kind, refs, shape, at = operation
+            arguments = [values[ref] if type(ref) is int else np.array([ref]) for ref in refs]
             if kind == "leaf":
                 value = np.asarray(leaf(*at))
-            elif kind == "constant":
-                value = np.frombuffer(at).reshape((*shape, 1))
-            elif kind == "sum":
-                value = np.sum(args[0], axis=at)
             elif kind == "view":
-                value = viewed(args[0], (*at, (len(shape), 0, 1)), sized(shape, args[0]))
-            elif kind == "stack":
-                value = np.stack(np.broadcast_arrays(*args))
-            elif kind == "join":
-                count = max(a.shape[-1] for a in args)
-                value = np.concatenate([np.broadcast_to(a, (*a.shape[:-1], count)) for a in args])
-            elif kind == "part":
-                elements = args[0].reshape(-1, args[0].shape[-1])[at : at + prod(shape)]
-                value = elements.reshape(*shape, -1)
-            elif kind == "pick":
-                value = picked(args[0], args[1])
-            elif kind == "search":
-                value = searched(args[0], args[1], at[0])
-            elif kind == "argmin":
-                value = np.argmin(args[0], axis=0)
-            elif kind == "fill":
-                value = args[0]
+                axes = *at, (len(shape), 0, 1)
+                value = viewed(arguments[0], axes, sized(shape, arguments[0]))
+            elif kind in ARRAY_OPERATIONS:
+                value = ARRAY_OPERATIONS[kind](operation, *arguments)
             else:
-                value = OPERATIONS[kind](*args)
-            values.append(full(value, shape))
-    outputs = zip(record.outputs, record.shapes, strict=True)
-    return [full(values[r] if type(r) is int else r, shape).astype(float) for r, shape in outputs]
+                value = ELEMENTWISE[kind](*arguments)
+            values.append(np.broadcast_to(value, sized(shape, value)))
+    outputs = []
+    for ref, shape in zip(record.outputs, record.shapes, strict=True):
+        value = values[ref] if type(ref) is int else ref
+        outputs.append(np.broadcast_to(value, (*bound(shape, sizes), points)).astype(float))
+    return outputs
+
+
+def _joined(_: Operation, *arrays: np.ndarray) -> np.ndarray:
+    points = max(array.shape[-1] for array in arrays)
+    return np.concatenate([np.broadcast_to(a, (*a.shape[:-1], points)) for a in arrays])
+
+
+def _part(operation: Operation, array: np.ndarray) -> np.ndarray:
+    start = operation.at
+    count = prod(operation.shape)
+    elements = array.reshape(-1, array.shape[-1])[start : start + count]
+    return elements.reshape(*operation.shape, -1)
+
+
+# operations on whole arrays: operation, arguments -> value
+ARRAY_OPERATIONS: dict[str, Callable[..., Any]] = {
+    "constant": lambda operation: np.frombuffer(operation.at).reshape((*operation.shape, 1)),
+    "sum": lambda operation, array: np.sum(array, axis=operation.at),
+    "fill": lambda _, number: number,
+    "stack": lambda _, *arrays: np.stack(np.broadcast_arrays(*arrays)),
+    "join": _joined,
+    "part": _part,
+    "pick": lambda _, row, index: picked(row, index),
+    "search": lambda operation, row, values: searched(row, values, operation.at[0]),
+    "argmin": lambda _, row: np.argmin(row, axis=0),
+}

@@ -27,7 +27,8 @@ class Elements:
     most: float = MOST  # elements
 
     def __init__(self, operations: Sequence[Operation], sizes: Mapping[str, int] | None = None):
-        self.operations, self.sizes = operations, sizes or {}
+        self.operations = operations
+        self.sizes = sizes or {}
         self.known: dict[tuple[int, Index], Any] = {}
 
     # --- what a reading says ----------------------------------------------------------------
@@ -87,19 +88,19 @@ class Elements:
             return arguments[0], ()
         if kind == "part":
             outer = bound(self.operations[arguments[0]].shape, self.sizes)
-            place = np.unravel_index(at + np.ravel_multi_index(index, shape), outer)
-            return arguments[0], tuple(map(int, place))
+            position = np.unravel_index(at + np.ravel_multi_index(index, shape), outer)
+            return arguments[0], tuple(map(int, position))
         if kind not in ("stack", "join"):
             return None
-        k, *rest = index
+        k, *inner_index = index
         if not isinstance(k, int):
             raise Unread("elements that differ along an axis of unknown length")
         if kind == "stack":
-            return arguments[k], tuple(rest)
-        for part in arguments:
-            n = bound(self.operations[part].shape, self.sizes)[0]
+            return arguments[k], tuple(inner_index)
+        for section in arguments:
+            n = bound(self.operations[section].shape, self.sizes)[0]
             if k < n:
-                return part, (k, *rest)
+                return section, (k, *inner_index)
             k -= n
         raise IndexError(index)
 
@@ -114,8 +115,8 @@ class Elements:
         if kind == "sum":
             return self._sum(ref, arguments[0], at, index)
         if kind == "pick":
-            place = self.at(arguments[1], index)
-            return self.apply(ref, kind, (place, *self.all_of(arguments[0])))
+            position = self.at(arguments[1], index)
+            return self.apply(ref, kind, (position, *self.all_of(arguments[0])))
         if kind == "search":
             return self.apply(ref, kind, (self.at(arguments[1], index),))
         if kind == "argmin":
@@ -127,14 +128,14 @@ class Elements:
         shape = () if type(ref) is float else bound(self.operations[ref].shape, self.sizes)
         if not all(isinstance(n, int) for n in shape):
             raise Unread("every element of an array of unknown length")
-        return [self.at(ref, place) for place in np.ndindex(*shape)]
+        return [self.at(ref, index) for index in np.ndindex(*shape)]
 
     def _sum(self, ref: int, array: Ref, axis: int, index: Index) -> Any:
         size = bound(self.operations[array].shape, self.sizes)[axis]
         if not isinstance(size, int):
             return self.sum_over(array, axis, index, size)
-        parts = [self.at(array, (*index[:axis], k, *index[axis:])) for k in range(size)]
-        return self.apply(ref, "sum", tuple(parts)) if parts else self.number(0.0)
+        summands = [self.at(array, (*index[:axis], k, *index[axis:])) for k in range(size)]
+        return self.apply(ref, "sum", tuple(summands)) if summands else self.number(0.0)
 
 
 def _moved(m: Any, index: Index) -> Any:
@@ -142,15 +143,15 @@ def _moved(m: Any, index: Index) -> Any:
     if isinstance(m, int):
         return m
     d, start, step = m
-    place = index[d]
-    if isinstance(place, int):
-        return start + step * place
-    if isinstance(place, tuple):
-        symbol, first, every = place
-        return symbol, start + step * first, step * every
+    position = index[d]
+    if isinstance(position, int):
+        return start + step * position
+    if isinstance(position, tuple):
+        symbol, offset, every = position
+        return symbol, start + step * offset, step * every
     if (start, step) != (0, 1):
         raise Unread("a part of an axis of unknown length")
-    return place
+    return position
 
 
 ZERO = frozenset(["0"])
@@ -164,7 +165,7 @@ class InputsOf(Elements):
 
     def outputs(self, record: Record) -> list[Any]:
         """Return what the elements of a record's outputs depend on."""
-        return [found - ZERO for found in super().outputs(record)]
+        return [inputs - ZERO for inputs in super().outputs(record)]
 
     def number(self, value: float) -> Any:
         """Depend on nothing."""
@@ -172,8 +173,8 @@ class InputsOf(Elements):
 
     def leaf(self, at: tuple[str, str], shape: Shape, index: Index) -> Any:
         """Depend on the input itself."""
-        place = int(np.ravel_multi_index(index, shape)) if shape else 0
-        return frozenset([(at[1], place)] if at[0] == "u" else [])
+        position = int(np.ravel_multi_index(index, shape)) if shape else 0
+        return frozenset([(at[1], position)] if at[0] == "u" else [])
 
     def apply(self, ref: int, kind: str, arguments: tuple) -> Any:
         """Depend on all that the arguments depend on."""

@@ -8,14 +8,14 @@ functions in their place.
 
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any
 
 import numpy as np
 import sympy
 
-from ..trace.arrays import COMPARISONS
-from .graph import OPERATIONS, Operation, Shape, picked, searched
+from .graph import Operation, Shape, picked, searched
+from .operations import COMPARISONS, KINK, LOGICAL, TABLE, Row, named
 from .scalar_graph import Elements, Index
 
 ROUNDED = Fraction(1, 2**50)  # of a number: what a few roundings change
@@ -38,46 +38,34 @@ def rational(number: float) -> sympy.Expr:
 @lru_cache(maxsize=100_000)
 def extent(expression: sympy.Basic) -> tuple[int, int]:
     """Return how many parts an expression has, written out, and how many levels."""
-    parts = [extent(part) for part in expression.args]
-    return 1 + sum(size for size, _ in parts), 1 + max((depth for _, depth in parts), default=0)
+    extents = [extent(argument) for argument in expression.args]
+    return 1 + sum(size for size, _ in extents), 1 + max((depth for _, depth in extents), default=0)
 
 
 LONG = 5_000  # parts of an expression; what has more SymPy takes too long to print or to simplify
 
 
-# what SymPy leaves as it stands, by the name it has there
-UNEXPANDED = {
-    **{
-        name: name
-        for name in (
-            *("where", "minimum", "maximum", "clip", "sign", "floor", "trunc", "ceil"),
-            *("mod", "floordiv", "lt", "le", "gt", "ge", "pick", "search", "argmin"),
-        )
-    },
-    **{name: f"{name}_" for name in ("and", "or", "not")},
-}
+# operations with kinks and jumps; SymPy leaves them as they are
+UNDEFINED = LOGICAL | named(lambda row: row.smoothness >= KINK and not row.sympy)
+
+
+def _undefined(name: str) -> Any:
+    return sympy.Function(name, real=True)
+
+
+def _in_sympy(name: str, row: Row) -> Callable[..., Any]:
+    """Return an operation on expressions."""
+    if callable(row.sympy):
+        return partial(row.sympy, sympy)
+    own_name = row.sympy or name
+    return _undefined(own_name) if name in UNDEFINED else getattr(sympy, own_name)
+
+
 SYMPY: dict[str, Callable[..., Any]] = {
-    "add": lambda a, b: a + b,
+    **{name: _in_sympy(name, row) for name, row in TABLE.items()},
     "sum": sympy.Add,
-    "sub": lambda a, b: a - b,
-    "mul": lambda a, b: a * b,
-    "div": lambda a, b: a / b,
-    "pow": lambda a, b: a**b,
-    "neg": lambda a: -a,
     "fabs": lambda a: sympy.Abs(a, evaluate=extent(a)[0] <= LONG),
-    "hypot": lambda a, b: sympy.sqrt(a**2 + b**2),
-    "log1p": lambda a: sympy.log(1 + a),
-    "expm1": lambda a: sympy.exp(a) - 1,
-    "log2": lambda a: sympy.log(a) / sympy.log(2),
-    "log10": lambda a: sympy.log(a) / sympy.log(10),
-    **{
-        name: getattr(sympy, name)
-        for name in (
-            *("exp", "log", "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2"),
-            *("sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "erf", "erfc"),
-        )
-    },
-    **{name: sympy.Function(own, real=True) for name, own in UNEXPANDED.items()},
+    "clip": _undefined("clip"),
 }
 MOST_COMPARED = 64  # rows of a table that are compared one by one
 NO_LIMIT = {"minimum": sympy.oo, "maximum": -sympy.oo}
@@ -88,8 +76,8 @@ COMPARED = {name: getattr(sympy, name.title()) for name in COMPARISONS}
 def _decided(kind: str, arguments: tuple) -> Any:
     """Return what a comparison with infinity decides, of symbols that are numbers; else None."""
     if kind in COMPARED and {sympy.oo, -sympy.oo}.intersection(arguments):
-        found = COMPARED[kind](*arguments)
-        return found if found in TRUTHS else None
+        decision = COMPARED[kind](*arguments)
+        return decision if decision in TRUTHS else None
     if not TRUTHS.intersection(arguments):
         return None
     if kind == "where":
@@ -97,8 +85,8 @@ def _decided(kind: str, arguments: tuple) -> Any:
     if kind == "not":
         return ~arguments[0]
     ends = sympy.sympify(kind == "or")
-    rest = [one for one in arguments if one not in TRUTHS]
-    return ends if ends in arguments else [*rest, ~ends][0]
+    undecided = [argument for argument in arguments if argument not in TRUTHS]
+    return ends if ends in arguments else [*undecided, ~ends][0]
 
 
 class Symbols(Elements):
@@ -112,7 +100,8 @@ class Symbols(Elements):
         sizes: Mapping[str, int] | None = None,
     ):
         super().__init__(operations, sizes)
-        self.leaf_symbol, self.watch = leaf, watch
+        self.leaf_symbol = leaf
+        self.watch = watch
 
     def number(self, value: float) -> Any:
         """Return a rational."""
@@ -124,19 +113,15 @@ class Symbols(Elements):
 
     def apply(self, ref: int, kind: str, arguments: tuple) -> Any:
         """Return what SymPy makes of an operation."""
-        if (decided := _decided(kind, arguments)) is not None:
-            return decided
+        decision = _decided(kind, arguments)
+        if decision is not None:
+            return decision
         self.watch(ref, kind, arguments)
         if kind == "search":
-            row, side = self.operations[ref].arguments[0], self.operations[ref].at[0]
-            points = [self.at(row, (k,)) for k in range(*self.operations[row].shape)]
-            compare = SYMPY["ge" if side == "right" else "gt"]
-            if len(points) > MOST_COMPARED:
-                return SYMPY[kind](*arguments, int(side == "right"), *points)
-            return sympy.Add(*(SYMPY["where"](compare(*arguments, one), 1, 0) for one in points))
+            return self._searched(ref, arguments[0])
         if kind in ("eq", "ne"):
-            same = SYMPY["and"](SYMPY["le"](*arguments), SYMPY["ge"](*arguments))
-            return same if kind == "eq" else SYMPY["not"](same)
+            is_equal = SYMPY["and"](SYMPY["le"](*arguments), SYMPY["ge"](*arguments))
+            return is_equal if kind == "eq" else SYMPY["not"](is_equal)
         if kind in NO_LIMIT and NO_LIMIT[kind] in arguments:
             return arguments[arguments[0] == NO_LIMIT[kind]]
         if kind == "minimum":  # np.clip(u, low, high) is minimum(maximum(u, low), high)
@@ -146,10 +131,21 @@ class Symbols(Elements):
                     return SYMPY["clip"](u, low, high)
         return SYMPY[kind](*arguments)
 
+    def _searched(self, ref: int, value: Any) -> Any:
+        """Return how many points of a sorted row are below a value."""
+        operation = self.operations[ref]
+        row = operation.arguments[0]
+        is_right = operation.at[0] == "right"  # equal ones too
+        points = [self.at(row, (k,)) for k in range(*self.operations[row].shape)]
+        if len(points) > MOST_COMPARED:
+            return SYMPY["search"](value, int(is_right), *points)
+        compare = SYMPY["ge" if is_right else "gt"]
+        return sympy.Add(*(SYMPY["where"](compare(value, point), 1, 0) for point in points))
 
-def _picked(place: Any, *row: Any) -> Any:
-    at, *values = np.broadcast_arrays(place, *row)
-    return picked(np.array(values), at)
+
+def _picked(position: Any, *row: Any) -> Any:
+    positions, *values = np.broadcast_arrays(position, *row)
+    return picked(np.array(values), positions)
 
 
 def _searched(value: Any, side: Any, *points: Any) -> Any:
@@ -157,9 +153,13 @@ def _searched(value: Any, side: Any, *points: Any) -> Any:
     return searched(row, np.asarray(value, dtype=float), "right" if side else "left")
 
 
-# UNEXPANDED on numbers
+# undefined functions on numbers
 ON_NUMBERS: dict[str, Callable[..., Any]] = {
-    **{own: OPERATIONS[name] for name, own in UNEXPANDED.items() if name in OPERATIONS},
+    **{
+        row.sympy or name: row.numpy
+        for name, row in TABLE.items()
+        if name in UNDEFINED and row.numpy
+    },
     "clip": lambda a, low, high: np.minimum(np.maximum(a, low), high),
     "pick": _picked,
     "search": _searched,

@@ -21,7 +21,7 @@ from numpy import ceil, maximum, minimum, power, sqrt, where
 from scipy.integrate._ivp import dop853_coefficients as table
 
 from ..codegen.fused_expressions import Components
-from ..codegen.loop_nests import print_program
+from ..codegen.llvm_text import print_program
 from ..codegen.machine import Machine, once
 from ..codegen.plan import Planner, Program
 from ..codegen.switching_conditions import Port

@@ -17,14 +17,14 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import reverse_cuthill_mckee
 
 from ..codegen.diagram_record import DiagramRecord
-from ..record.derivative import JUMPS
 from ..record.graph import deep
+from ..record.operations import STEPS
 from ..record.scalar_graph import Elements, Index
-from ..trace.arrays import CONDITIONS, Unread
+from ..trace.arrays import Unread
 from .solver_layout import DOP853, RODAS5P, Linear
 
 NONE = np.zeros(0, np.int64)
-STEPS, FEW_STATES = 5_000, 20  # explicit steps that a change of the method is worth
+MANY_STEPS, FEW_STATES = 5_000, 20  # explicit steps that a change of the method is worth
 OPERATIONS_OF_A_RATE = 10  # for each state, so that a factorization is counted in evaluations
 FULL = 0.3  # share of elements from which on a matrix counts as full
 
@@ -51,7 +51,7 @@ class Jacobian(NamedTuple):
         evaluations = 2 * (len(self.begins) - 1) + RODAS5P
         work = sum(self.band) * (1 + self.band[0]) / OPERATIONS_OF_A_RATE
         ratio = (evaluations + work) / DOP853  # of the work of an implicit step and an explicit one
-        return STEPS * min(1.0, ratio / (1 + n / FEW_STATES))
+        return MANY_STEPS * min(1.0, ratio / (1 + n / FEW_STATES))
 
     @property
     def for_solver(self) -> Linear:
@@ -102,7 +102,7 @@ class _Reached(Elements):
 
     def apply(self, ref: int, kind: str, arguments: tuple) -> int:
         """Return all that reaches the arguments; a decision has no slope."""
-        if kind in CONDITIONS or kind in JUMPS:
+        if kind in STEPS:
             return 0
         return reduce(or_, arguments[kind in ("where", "pick") :], 0)
 

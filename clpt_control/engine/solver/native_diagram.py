@@ -12,7 +12,8 @@ import numpy as np
 from ...arguments import public
 from ...errors import DiagramError, Uncompiled
 from ..codegen.diagram_record import FORMS, DiagramRecord, Layout, lay_out
-from ..codegen.loop_nests import print_program
+from ..codegen.directional_derivatives import Directions, add_derivatives
+from ..codegen.llvm_text import print_program
 from ..codegen.machine import LANES, Machine, fuses, once, one_at_a_time
 from ..codegen.plan import NO_TABLES, Program, program_of
 from ..diagram.wiring import Wiring
@@ -31,7 +32,7 @@ MANY, SHORTER = 1500, 3  # components of a long program, and how much shorter on
 # components of a program that LLVM does not optimise: its time grows as their square, and the
 # machine code is a third slower at most
 UNOPTIMISED = 2000
-Form = str | HeldSwitch | None
+Form = str | HeldSwitch | Directions | None
 FUNCTIONS = ("derivative", "prepare", "margin", "signals", "jump", "decide")
 
 
@@ -79,7 +80,7 @@ def code_of(wiring: Wiring, layout: Layout, form: Form = None) -> Code:
     `form` says whether all axes are ``"unrolled"`` or ``"looped"``, or decisions ``"free"``, or
     held on a switch.  An `Uncompiled` error says what cannot be compiled.
     """
-    if form not in FORMS and not isinstance(form, HeldSwitch):
+    if form not in FORMS and not isinstance(form, HeldSwitch | Directions):
         raise DiagramError(f"form = {form!r}: must be 'unrolled', 'looped' or 'free', or left out")
     blocks: list[Any] = [node.system for node in wiring.nodes]
     try:
@@ -119,12 +120,26 @@ def _array_operations(structure: Structure) -> int:
 
 def _planned(structure: Structure, form: Form) -> Code:
     wiring, layout = structure.wiring, structure.layout
-    record = DiagramRecord(wiring, layout, "free" if isinstance(form, HeldSwitch) else form)
-    if isinstance(form, HeldSwitch):
-        slide(record, form)
-    room = wiring.nodes[-1].outputs.stop, layout.inputs(wiring.ninputs)
-    states = wiring.nodes[-1].states.stop
+    diagram_form, copies = own_form(form), copies_of(form)
+    held = isinstance(diagram_form, HeldSwitch)
+    record = DiagramRecord(wiring, layout, "free" if held else diagram_form)
+    if held:
+        slide(record, diagram_form)
+    if isinstance(form, Directions):
+        add_derivatives(record, form)
+    room = copies * wiring.nodes[-1].outputs.stop, layout.inputs(wiring.ninputs)
+    states = copies * wiring.nodes[-1].states.stop
     return Code(program_of(record, *room), lambda: jacobian(reach_of(record, states)))
+
+
+def own_form(form: Form) -> Any:
+    """Return the form of the diagram itself, without derivatives."""
+    return form.form if isinstance(form, Directions) else form
+
+
+def copies_of(form: Form) -> int:
+    """Return the number of vectors as long as the state: 1, or more with derivatives."""
+    return form.copies if isinstance(form, Directions) else 1
 
 
 # --- ready to run ----------------------------------------------------------------------------
@@ -182,6 +197,8 @@ class NativeDiagram(PythonDiagram):
         super().__init__(diagram, params)
         self.layout = lay_out(self.wiring, self.sweep.parameters, apart)
         self.form, self.code = form, code_of(self.wiring, self.layout, form)
+        self.nstates *= copies_of(form)
+        self.nsignals *= copies_of(form)
         self.intervals, self.jumps = self.layout.intervals, self.layout.jumps
         self.time_tables = [*self.layout.time_tables.values()]
         self.ramp = len(self.layout.P)  # place in P of the diagram's inputs
@@ -205,16 +222,19 @@ class NativeDiagram(PythonDiagram):
         return self.in_form("free")
 
     def in_form(self, form: Form) -> Self:
-        """Return the diagram in another form."""
+        """Return the diagram in another form; derivatives stay."""
         other = copy(self)
-        other.form, other._callees = form, {}
-        other.code = code_of(self.wiring, self.layout, form)
+        other.form, other._callees = self._with_derivatives(form), {}
+        other.code = code_of(self.wiring, self.layout, other.form)
         return other
+
+    def _with_derivatives(self, form: Form) -> Form:
+        return self.form._replace(form=form) if isinstance(self.form, Directions) else form
 
     def _code(self, method: int) -> Code:
         """Return the code for a method; in steps of one length decisions are not locked."""
         if method == RK4 and self.code.program.decided:
-            return code_of(self.wiring, self.layout, "free")
+            return code_of(self.wiring, self.layout, self._with_derivatives("free"))
         return self.code
 
     def callee(self, lanes: int = 1, inputs: Inputs | None = None, method: int = DOP853) -> Callee:
@@ -232,7 +252,7 @@ class NativeDiagram(PythonDiagram):
         code, (guarded, jumping) = self._code(method), self.watched(method)
         program, watched = (
             code.program,
-            (max(guarded, int(isinstance(self.form, HeldSwitch))), jumping),
+            (max(guarded, int(isinstance(own_form(self.form), HeldSwitch))), jumping),
         )
         used = dict(zip(("margin", "jump"), watched, strict=True))
         used["decide"] = program.decided

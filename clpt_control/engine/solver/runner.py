@@ -299,7 +299,7 @@ class PythonDiagram:
         out = self.evaluated_signals(solution, inputs)
         if not np.isfinite(out).all():
             bad = np.flatnonzero(~np.isfinite(out).all(axis=1))
-            t, x = float(times[bad[0]]), solution.x[bad[0]]
+            t, x = float(times[bad[0]]), solution.x[bad[0], : self.sweep.nstates]
             self.sweep.enter(t)
             advice = "check the parameters of that block, or keep its arguments in range"
             u = None if inputs is None else inputs.at(t)

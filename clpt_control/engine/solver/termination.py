@@ -86,13 +86,13 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
     reason = _trouble(sweep, last, inputs) or reason
     what = "run" if batch.callee.method == MAP else "integration"
     error = SimulationError(f"the {what} stopped at t = {last.now:.9g}: {reason}")
-    error.points = _points_ahead(last, sweep.nstates)  # type: ignore[attr-defined]
+    error.points = _points_ahead(last)  # type: ignore[attr-defined]
     raise error
 
 
-def _points_ahead(batch: Batch, n: int) -> list[tuple[float, np.ndarray]]:
+def _points_ahead(batch: Batch) -> list[tuple[float, np.ndarray]]:
     """Return time and state where a run stopped, and points ahead along the rates."""
-    t, ahead = batch.now, [0.0]
+    t, ahead, n = batch.now, [0.0], batch.callee.nstates
     x, rate = (batch.Z[r * n : (r + 1) * n].copy() for r in (STATE, RATE))
     if batch.callee.method != MAP:
         ahead += [*((batch.lane[SEGMENT_END, 0] - t) * np.geomspace(1e-12, 1.0, 13))]
@@ -160,7 +160,7 @@ def _switch(sweep: Sweep, batch: Batch) -> str:
 def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:
     """Return what is not finite at the state reached, or a small step ahead, and why."""
     t, advice = batch.now, ADVICE
-    points = _points_ahead(batch, sweep.nstates)
+    points = [(time, state[: sweep.nstates]) for time, state in _points_ahead(batch)]
     if batch.callee.method != MAP:
         advice = f"{ADVICE}, or loosen rtol and atol"
     sweep.enter(t)
@@ -169,11 +169,24 @@ def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:
     known = batch.out[0][np.isfinite(batch.out[0]).all(axis=1)]
     if sweep.jumping and len(known) and not np.isfinite(points[0][1]).all():
         # by a jump, which is tried again
-        sweep.jump(t, known[-1], None if inputs is None else inputs.at(t), sweep.jumping)
+        sweep.jump(
+            t, known[-1, : sweep.nstates], None if inputs is None else inputs.at(t), sweep.jumping
+        )
     for time, state in points:
         u = None if inputs is None else inputs.at(time)
         if (trouble := sweep.first_trouble(time, state, u, advice)) is not None:
             return trouble
+    return _derivative_trouble(sweep, batch, advice)
+
+
+def _derivative_trouble(sweep: Sweep, batch: Batch, advice: str) -> str | None:
+    """Return a sentence on a derivative along a direction that is not finite, or None."""
+    n = batch.callee.nstates
+    rates = batch.Z[RATE * n :][sweep.nstates : n]
+    for k in np.flatnonzero(~np.isfinite(rates)) % max(sweep.nstates, 1):
+        node = next(node for node in sweep.nodes if k < node.states.stop)
+        label = node.system.state_labels[k - node.states.start]
+        return f"derivative of d_{label} of block {node.name} is not finite; {advice}"
     return None
 
 
@@ -202,7 +215,7 @@ def _crossing(
 
     def guard(share: float) -> tuple[float, str, str]:
         u = None if inputs is None else inputs.at(t + share * h)
-        return sweep.margin(t + share * h, state_within(batch, share), u)
+        return sweep.margin(t + share * h, state_within(batch, share)[: sweep.nstates], u)
 
     share = edge(batch, lambda share: guard(share)[0])
     return (t + share * h, state_within(batch, share), *guard(share)[1:])

@@ -16,13 +16,11 @@ from typing import Any
 import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
 
-from ..record.graph import UFUNCS, Operation, Record, Ref, Shape, key_of
+from ..record.graph import Operation, Record, Ref, Shape, key_of
+from ..record.operations import CONDITIONS, UFUNCS
 
-MOST_OPERATIONS = 200_000  # of a record; a function with more is not traced
-LOGICAL = frozenset({"and", "or", "not"})  # of conditions
-COMPARISONS = frozenset({"lt", "le", "gt", "ge", "eq", "ne"})
-CONDITIONS = LOGICAL | COMPARISONS
-MOVED = frozenset({"view", "stack", "join", "part"})  # their elements are those of arguments
+MOST_OPERATIONS = 200_000  # a longer record is given up
+MOVED = frozenset({"view", "stack", "join", "part"})  # hold what their arguments hold
 
 # functions of modules that import this one, by name; each module registers its own
 HOOKS: dict[str, Any] = {}

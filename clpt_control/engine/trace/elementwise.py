@@ -13,19 +13,15 @@ from typing import Any
 import numpy as np
 
 from ..record.graph import Shape
-from .arrays import CONDITIONS, HOOKS, LOGICAL, Array, Tape, Unread, moves, objects, operand, whole
+from ..record.operations import CONDITIONS, LOGICAL, TABLE, named
+from .arrays import HOOKS, Array, Tape, Unread, moves, objects, operand, whole
 
 TRUTH = np.dtype(bool)
 TRUTHS_ALLOWED = CONDITIONS | {"where"}  # operations on truth values alone
-# operations of whole numbers that give whole numbers
-OF_WHOLE = frozenset(
-    {"add", "sub", "mul", "neg", "mod", "minimum", "maximum", "where", "sum", "fill", "stack"}
-    | {"floordiv", "pow", "sign", "fabs"}
-)
-OF_TRUTHS = {"mul": "and", "minimum": "and", "maximum": "or"}  # of truth values, in NumPy
-RAISING = frozenset({"div", "floordiv", "mod", "pow"})  # Python's floats may raise
-# Python's operators: of Python's own numbers they give Python's own numbers
-OF_OPERATORS = CONDITIONS | RAISING | {"add", "sub", "mul", "neg", "fabs"}
+OF_WHOLE = named(lambda row: row.whole)
+OF_TRUTHS = {name: row.on_truths for name, row in TABLE.items() if row.on_truths}
+RAISING = named(lambda row: row.raises)
+OF_OPERATORS = named(lambda row: row.operator)
 
 
 def broadcast(*shapes: Shape) -> Shape:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ..record.graph import UFUNCS
+from ..record.operations import UFUNCS
 from .arrays import HOOKS, Array, Tape, Unread, operand
 from .elementwise import (
     as_condition,

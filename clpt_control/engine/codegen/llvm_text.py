@@ -1,0 +1,360 @@
+"""Functions of a program as LLVM's code.
+
+    void name(double *t, double *X, double *P, double *T, double *W, double *D)
+
+For eight runs side by side every array but T holds eight columns, a run in each, and a loop does
+one iteration at a time.  For one run a loop does eight iterations at once, the last ones with a
+mask; its sums have eight parts, which are added in the same order on every processor.  Where an
+iteration is a long chain, such as exp, two are printed at once.
+"""
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
+
+import numpy as np
+from llvmlite import ir
+
+from ..record.graph import deep
+from .fused_expressions import Write
+from .loop_nests import NO_LOOP, Body, Key, Location, LoopPrinter
+from .machine import LANES
+from .plan import Nest, Program
+from .searches import SEARCHES
+from .vectors import (
+    BIT,
+    DOUBLE,
+    INT32,
+    WORD,
+    calculate,
+    constant,
+    declared,
+    elements,
+    gathered,
+    horizontal_sum,
+    splat,
+    vector,
+    width_of,
+)
+
+ARRAYS = ("t", "X", "P", "T", "W", "D")
+UNROLLED = 4  # the longest loop of one run that unrolls
+UNROLLED_RUNS = 8  # the longest inner loop, or loop of eight runs, that unrolls
+CHAINS = ("exp", "sin", "cos")  # always inlined, where there are few
+MOST_INLINED = 64  # calls of a function; LLVM takes minutes for thousands in one piece of code
+SLOW = 5  # a root or a quotient takes as long as so many operations
+Terms = Sequence[tuple[Any, int]]  # index and stride of each loop
+
+
+def print_program(program: Program, names: tuple[str, ...], lanes: int) -> ir.Module:
+    """Return a module of LLVM with some of a program's functions, for 1 or `LANES` runs."""
+    module = ir.Module()
+    calls = Counter(component.name for component in program.components)
+    inlined = {name for name in CHAINS if calls[name] <= MOST_INLINED}
+    with deep():
+        for name in names:
+            LLVMPrinter(module, name, lanes, program, inlined).print_function()
+    for function in module.functions:
+        name = function.name.partition(".")[0]
+        if name in inlined:
+            function.attributes.add("alwaysinline")
+        elif calls[name] > MOST_INLINED:
+            function.attributes.add("noinline")
+    return module
+
+
+class LLVMPrinter(LoopPrinter):
+    """Printer of one function, for 1 run or `LANES` side by side."""
+
+    def __init__(
+        self, module: ir.Module, name: str, lanes: int, program: Program, inlined: set[str]
+    ):
+        super().__init__(program.components, {} if name == "prepare" else program.prepared)
+        self.lanes = lanes
+        self.active = LANES  # of eight iterations at once, those that the mask leaves
+        self.has_chain = False  # whether the current loop has a long chain of operations
+        self.inlined = inlined if name == "derivative" else set()
+        self.nests = program.functions[name]
+        self.begins: dict[int, ir.Block] = {}  # first block inside so many loops
+        self._declare(module, name, program.constants)
+
+    def _declare(self, module: ir.Module, name: str, constants: Sequence[float]) -> None:
+        """Declare the function, its arrays and the array of constants, K."""
+        pointer = DOUBLE.as_pointer()
+        function = ir.Function(module, ir.FunctionType(ir.VoidType(), [pointer] * 6), name)
+        function.attributes.add("nounwind")
+        function.attributes.alignstack = 64  # a register that is saved lies in one line of cache
+        self.arrays: dict[str, Any] = {}
+        for argument, array in zip(function.args, ARRAYS, strict=True):
+            argument.add_attribute("noalias")
+            argument.name = array
+            self.arrays[array] = argument
+        self.builder = ir.IRBuilder(function.append_basic_block())
+        if not constants:
+            return
+        if "K" not in module.globals:
+            numbers = bytearray(np.array(constants).tobytes())  # printed sooner than doubles
+            kind = ir.ArrayType(ir.IntType(8), len(numbers))
+            table = ir.GlobalVariable(module, kind, "K")
+            table.linkage = "internal"
+            table.global_constant = True
+            table.align = 8
+            table.initializer = ir.Constant(kind, numbers)
+        self.arrays["K"] = self.builder.bitcast(module.globals["K"], pointer)
+
+    def print_function(self) -> None:
+        """Print the nests of the function."""
+        for nest in self.nests:
+            self.print_nest(nest)
+        self.builder.ret_void()
+
+    def print_nest(self, nest: Nest) -> None:
+        """Print a nest of loops, one of which does eight iterations at once for one run."""
+        has_vectors = nest.lengths and self.lanes == 1
+        self.vector_loop = nest.vector if has_vectors else NO_LOOP
+        super().print_nest(nest)
+
+    def begin_body(self, depth: int) -> None:
+        """Begin the statements inside `depth` loops."""
+        self.begins[depth] = self.builder.block
+
+    def insert(self, depth: int, key: Key, printer: Callable[[], Any]) -> Any:
+        """Print a value at the beginning of the statements inside `depth` loops."""
+        with self.builder.goto_block(self.begins[depth]):
+            return printer()
+
+    # --- arrays ---------------------------------------------------------------------------
+
+    def columns(self, array: str) -> int:
+        """Return how many runs an array holds side by side."""
+        return 1 if array in "TK" else self.lanes
+
+    def address(self, array: str, offset: int, terms: Terms = ()) -> Any:
+        """Return the address of array[offset + sum of index * stride]."""
+        builder = self.builder
+        position = None
+        for index, stride in terms:
+            if isinstance(index, int):
+                offset += index * stride
+                continue
+            step = index if stride == 1 else builder.mul(index, ir.Constant(WORD, stride))
+            position = step if position is None else builder.add(position, step)
+        columns = self.columns(array)
+        if position is None:
+            return builder.gep(self.arrays[array], [ir.Constant(WORD, offset * columns)])
+        if offset:
+            position = builder.add(position, ir.Constant(WORD, offset))
+        if columns > 1:
+            position = builder.mul(position, ir.Constant(WORD, columns))
+        return builder.gep(self.arrays[array], [position])
+
+    def vector_stride(self, loops: Iterable[int], strides: tuple[int, ...]) -> int:
+        """Return the stride of the loop that does eight iterations at once."""
+        pairs = zip(loops, strides, strict=True)
+        return sum(stride for loop, stride in pairs if loop == self.vector_loop)
+
+    def load(self, location: Location, loops: tuple[int, ...], vectorized: bool) -> Any:
+        """Read an element."""
+        array, offset, strides = location
+        terms = self.terms(loops, strides)
+        stride = self.vector_stride(loops, strides) if vectorized else None
+        return self._load(array, offset, terms, stride)
+
+    def _load(self, array: str, offset: int, terms: Terms = (), stride: int | None = None) -> Any:
+        """Read a number, or one for each run; or those of eight iterations, a `stride` apart."""
+        builder = self.builder
+        if stride not in (None, 1):
+            offsets = [offset + k * stride for k in range(self.active)]
+            scalars = [builder.load(self.address(array, at, terms)) for at in offsets]
+            return gathered(builder, scalars + scalars[:1] * (LANES - self.active))
+        address = self.address(array, offset, terms)
+        width = LANES if stride else self.lanes
+        if stride is None and self.columns(array) == 1:
+            return splat(builder, builder.load(address), width)
+        vector_address = builder.bitcast(address, vector(width).as_pointer())
+        if stride is None or self.active == width:
+            return builder.load(vector_address, align=8)
+        arguments = [vector_address, ir.Constant(INT32, 8), self.mask(), constant(1.0, width)]
+        return self._masked("load", vector(width), arguments)
+
+    def store(self, value: Any, location: Location) -> None:
+        """Write a number, or one for each run; or the numbers of eight iterations."""
+        array, offset, strides = location
+        builder = self.builder
+        loops = range(len(strides))
+        terms = self.terms(loops, strides)
+        vectorized = self.vector_loop >= 0 and width_of(value) > 1
+        stride = self.vector_stride(loops, strides) if vectorized else None
+        if stride not in (None, 1):
+            for k, scalar in enumerate(elements(builder, value)[: self.active]):
+                builder.store(scalar, self.address(array, offset + k * stride, terms))
+            return
+        address = self.address(array, offset, terms)
+        address = builder.bitcast(address, value.type.as_pointer())
+        if stride is None or self.active == LANES:
+            builder.store(value, address, align=8)
+            return
+        arguments = [value, address, ir.Constant(INT32, 8), self.mask()]
+        self._masked("store", ir.VoidType(), arguments)
+
+    def _masked(self, name: str, result: ir.Type, arguments: list[Any]) -> Any:
+        """Read or write the active iterations."""
+        intrinsic = f"llvm.masked.{name}.v{LANES}f64.p0v{LANES}f64"
+        types = [argument.type for argument in arguments]
+        return self.builder.call(declared(self.builder.module, intrinsic, result, types), arguments)
+
+    def mask(self) -> ir.Constant:
+        """Return a truth value for each of eight iterations: is the iteration active?"""
+        bits = [int(k < self.active) for k in range(LANES)]
+        return ir.Constant(vector(LANES, BIT), bits)
+
+    # --- loops ----------------------------------------------------------------------------
+
+    def print_loop(self, depth: int, body: Body, totals: list[Write]) -> Iterable[Any]:
+        """Print the loop inside `depth` others; return the sums after it."""
+        count = self.current_nest.lengths[depth]
+        if depth != self.vector_loop:
+            zero = constant(0.0, self.width(self.vector_loop >= 0))
+            unrolled = UNROLLED if self.lanes == 1 else UNROLLED_RUNS
+            return self._loop(range(count), unrolled, body, [zero] * len(totals))
+        # iterations that are masked add zeros
+        zero = constant(0.0, LANES) if count >= LANES else None
+        sums = self._vector_loop(count, UNROLLED_RUNS if depth else 1, body, [zero] * len(totals))
+        return (horizontal_sum(self.builder, value, count) for value in sums)
+
+    def add(self, total: Any, value: Any) -> Any:
+        """Return a sum with one more value, of the active iterations."""
+        if self.active < LANES:
+            value = self.builder.select(self.mask(), value, constant(0.0, LANES))
+        return value if total is None else self.builder.fadd(total, value)
+
+    def _vector_loop(self, count: int, unrolled: int, body: Body, sums: list) -> list:
+        """Print a loop of eight iterations at once; return the sums after it."""
+        whole = count // LANES * LANES
+        sums = self._loop(range(0, whole, LANES), unrolled, body, sums)
+        if count > whole:
+            self.active = count - whole
+            sums = body(whole, sums)
+            self.active = LANES
+        return sums
+
+    def _loop(self, indices: range, unrolled: int, body: Body, sums: list) -> list:
+        """Print a loop; return the sums after it.  One of at most `unrolled` iterations unrolls."""
+        if len(indices) <= unrolled:
+            for index in indices:
+                sums = body(index, sums)
+            return sums
+        # begin the loop
+        builder = self.builder
+        before = builder.block
+        inside = builder.append_basic_block()
+        after = builder.append_basic_block()
+        builder.branch(inside)
+        builder.position_at_end(inside)
+        index_phi = builder.phi(WORD)
+        index_phi.add_incoming(ir.Constant(WORD, indices.start), before)
+        sum_phis = []
+        for start in sums:
+            sum_phis.append(builder.phi(start.type))
+            sum_phis[-1].add_incoming(start, before)
+        # print an iteration, or two side by side if it is a long chain
+        self.has_chain = False
+        results = body(index_phi, sum_phis)
+        remaining = indices[:0]
+        if self.has_chain and builder.block is inside:
+            if len(indices) >= 4:
+                results = body(builder.add(index_phi, ir.Constant(WORD, indices.step)), results)
+                paired = len(indices) // 2 * 2
+                remaining, indices = indices[paired:], indices[:paired:2]
+            sort_by_start(inside)
+        # end the loop
+        next_index = builder.add(index_phi, ir.Constant(WORD, indices.step))
+        index_phi.add_incoming(next_index, builder.block)
+        for phi, value in zip(sum_phis, results, strict=True):
+            phi.add_incoming(value, builder.block)
+        continues = builder.icmp_signed("<", next_index, ir.Constant(WORD, indices.stop))
+        builder.cbranch(continues, inside, after)
+        builder.position_at_end(after)
+        for index in remaining:
+            results = body(index, results)
+        return results
+
+    # --- operations -----------------------------------------------------------------------
+
+    def width(self, vectorized: bool) -> int:
+        """Return how many numbers a value has."""
+        return LANES if vectorized else self.lanes
+
+    def number(self, value: float, vectorized: bool) -> Any:
+        """Return a constant."""
+        return constant(value, self.width(vectorized))
+
+    def broadcast(self, scalar: Any) -> Any:
+        """Return one number for each of eight iterations."""
+        return splat(self.builder, scalar, LANES)
+
+    def operation(self, name: str, loops: tuple[int, ...], values: list) -> Any:
+        """Return the result of an operation; a long chain in a loop is printed inline."""
+        in_loop = bool(loops) and type(self.indices[loops[-1]]) is not int
+        inline = in_loop and name in self.inlined
+        self.has_chain |= inline
+        return calculate(self.builder, name, width_of(values[0]), values, inline)
+
+    def row_operation(self, name: str, row: tuple, values: list) -> Any:
+        """Return the result of an operation on a row, for each number of a value or each lane."""
+        if name == "lookup":
+            return self._lookup(values[0], row)
+        builder = self.builder
+        array, _, stride, count = row
+        columns = self.columns(array)
+        scalars = [elements(builder, value) for value in values]
+        function = SEARCHES[name](builder.module)
+        results = []
+        for lane in range(width_of(values[0]) if values else self.lanes):
+            address = self._row_address(row, lane)
+            arguments = [address, ir.Constant(WORD, stride * columns), ir.Constant(WORD, count)]
+            arguments += [scalar[lane] for scalar in scalars]
+            results.append(builder.call(function, arguments))
+        return gathered(builder, results)
+
+    def _row_address(self, row: tuple, lane: int, terms: Terms = ()) -> Any:
+        """Return the address of an element of a row, in the column of a lane."""
+        array, offset, *_ = row
+        address = self.address(array, offset, terms)
+        if self.columns(array) > 1:
+            address = self.builder.gep(address, [ir.Constant(WORD, lane)])
+        return address
+
+    def _lookup(self, index: Any, row: tuple) -> Any:
+        """Read an element of a row, NaN where there is no such element."""
+        _, _, stride, count = row
+        builder = self.builder
+        width = width_of(index)
+
+        def number(name: str, *arguments: Any) -> Any:
+            return calculate(builder, name, width, arguments)
+
+        position = number("place", index, float(count))
+        inside = number("ge", position, 0.0)
+        results = []
+        for lane, scalar in enumerate(elements(builder, number("where", inside, position, 0.0))):
+            terms = [(builder.fptosi(scalar, WORD), stride)]
+            results.append(builder.load(self._row_address(row, lane, terms)))
+        return number("where", inside, gathered(builder, results), float("nan"))
+
+
+def sort_by_start(block: ir.Block) -> None:
+    """Sort operations of a block by the time when their arguments are known.
+
+    The processor looks ahead a limited distance: long chains run at the same time only if their
+    operations alternate.
+    """
+    ends: dict[int, int] = {}
+    starts: dict[int, int] = {}
+    for operation in block.instructions:
+        start = max((ends.get(id(argument), 0) for argument in operation.operands), default=0)
+        is_root = operation.opname == "call" and "sqrt" in operation.callee.name
+        slow = operation.opname == "fdiv" or is_root
+        starts[id(operation)] = start
+        ends[id(operation)] = start + (SLOW if slow else 1)
+    block.instructions.sort(key=lambda operation: starts[id(operation)])

@@ -1,0 +1,305 @@
+"""Table of operations: one row for each elementwise operation, read by every backend.
+
+Whole-array operations (`sum`, `view`, `stack`, ...) are in `graph`.  The last rows, on a row of
+numbers, have no NumPy function: their values are computed by `graph.picked` and `graph.searched`.
+"""
+
+from collections.abc import Callable
+from enum import IntEnum
+from math import erf, erfc, pi, sqrt
+from typing import Any, NamedTuple
+
+import numpy as np
+
+MOST_ANGLE = 2.0**50  # rad; beyond it doubles are a quarter apart and an angle means nothing
+Slope = Callable[..., Any]
+
+
+class Smoothness(IntEnum):
+    """Smoothness of an operation, from smooth to piecewise constant."""
+
+    SMOOTH = 0
+    FOLDS = 1  # smooth, but the inverse of a circular function bends: asin(sin(a))
+    KINK = 2  # continuous, the slope jumps
+    JUMP = 3  # jumps, with a slope between jumps
+    STEP = 4  # constant between jumps
+
+
+SMOOTH, FOLDS, KINK, JUMP, STEP = Smoothness
+
+
+class Row(NamedTuple):
+    """Facts about one operation.
+
+    numpy : function on numbers.
+    slopes : derivative by each argument, a function of the arguments and of the result f.
+    chosen : comparison a, b that says whether the slope is that of a; otherwise that of b.
+    sympy : name in SymPy, or function of SymPy and the arguments. Without, smooth operations have
+        the same name there, and others are undefined functions, so a proof holds for any.
+    exact : whether the SymPy expression has all digits and the whole range.
+    llvm : instruction, comparison or intrinsic; "libm", a function of the C library; "inline" or
+        "function", a function of `codegen.elementary`, printed in place or once.
+    c : operator; a function call without.
+    smoothness : where the operation has kinks and jumps.
+    decisions : comparisons and whole numbers that locate the kinks and jumps.
+    signed_zero : whether -0.0 and 0.0 give different results.
+    whole : whether whole numbers give a whole number.
+    on_truths : operation in its place on truth values.
+    operator : whether Python writes it with an operator, or as abs.
+    raises : whether the operator of Python raises an error for some floats.
+    traced : NumPy functions that are traced as the operation, if not `numpy` alone.
+    """
+
+    numpy: Any = None
+    slopes: tuple[Slope, ...] = ()
+    chosen: Any = None
+    sympy: Any = None
+    exact: bool = True
+    llvm: str = "function"
+    c: str = ""
+    smoothness: Smoothness = SMOOTH
+    decisions: tuple[str, ...] = ()
+    signed_zero: bool = False
+    whole: bool = False
+    on_truths: str = ""
+    operator: bool = False
+    raises: bool = False
+    traced: tuple[np.ufunc, ...] = ()
+
+
+def _circular(ufunc: np.ufunc, slope: Slope) -> Row:
+    """Return the row of a circular function; it is NaN for angles that mean nothing."""
+
+    def function(a: Any) -> Any:
+        return ufunc(np.where(np.abs(a) < MOST_ANGLE, a, np.nan))
+
+    return Row(function, (slope,), traced=(ufunc,))
+
+
+def _comparison(ufunc: np.ufunc, symbol: str, *decisions: str) -> Row:
+    """Return the row of a comparison."""
+    llvm = f"compare {symbol}"
+    return Row(ufunc, llvm=llvm, c=symbol, smoothness=STEP, decisions=decisions, operator=True)
+
+
+def _logical(ufunc: np.ufunc, llvm: str, symbol: str) -> Row:
+    """Return the row of an operation on truth values."""
+    return Row(ufunc, sympy=llvm, llvm=llvm, c=symbol, smoothness=STEP, operator=True)
+
+
+def _rounding(ufunc: np.ufunc, name: str) -> Row:
+    """Return the row of a function whose values are whole numbers."""
+    return Row(ufunc, llvm="inline", smoothness=STEP, decisions=(name,))
+
+
+TABLE: dict[str, Row] = {
+    # arithmetic
+    "add": Row(
+        np.add,
+        (lambda a, b, f: 1.0, lambda a, b, f: 1.0),
+        sympy=lambda s, a, b: a + b,
+        llvm="fadd",
+        c="+",
+        whole=True,
+        operator=True,
+    ),
+    "sub": Row(
+        np.subtract,
+        (lambda a, b, f: 1.0, lambda a, b, f: -1.0),
+        sympy=lambda s, a, b: a - b,
+        llvm="fsub",
+        c="-",
+        whole=True,
+        operator=True,
+    ),
+    "mul": Row(
+        np.multiply,
+        (lambda a, b, f: b, lambda a, b, f: a),
+        sympy=lambda s, a, b: a * b,
+        llvm="fmul",
+        c="*",
+        whole=True,
+        on_truths="and",
+        operator=True,
+    ),
+    "div": Row(
+        np.true_divide,
+        (lambda a, b, f: 1.0 / b, lambda a, b, f: -1.0 * f / b),
+        sympy=lambda s, a, b: a / b,
+        llvm="fdiv",
+        c="/",
+        signed_zero=True,
+        operator=True,
+        raises=True,
+    ),
+    "floordiv": Row(
+        np.floor_divide,
+        smoothness=STEP,
+        decisions=("floordiv",),
+        signed_zero=True,
+        whole=True,
+        operator=True,
+        raises=True,
+    ),
+    "mod": Row(
+        np.remainder,
+        (lambda a, b, f: 1.0, lambda a, b, f: -np.floor(a / b)),
+        smoothness=JUMP,
+        decisions=("floordiv",),
+        signed_zero=True,
+        whole=True,
+        operator=True,
+        raises=True,
+    ),
+    "pow": Row(
+        np.pow,
+        (lambda a, b, f: b * a ** (b - 1.0), lambda a, b, f: f * np.log(a)),
+        sympy=lambda s, a, b: a**b,
+        signed_zero=True,
+        whole=True,
+        operator=True,
+        raises=True,
+        traced=(np.pow, np.float_power),
+    ),
+    "neg": Row(
+        np.negative,
+        (lambda a, f: -1.0,),
+        sympy=lambda s, a: -a,
+        llvm="fneg",
+        c="-",
+        whole=True,
+        operator=True,
+    ),
+    "fabs": Row(
+        np.absolute,
+        (lambda a, f: np.where(a < 0.0, -1.0, 1.0),),
+        sympy="Abs",
+        llvm="intrinsic fabs",
+        smoothness=KINK,
+        decisions=("ge",),
+        whole=True,
+        operator=True,
+    ),
+    # comparisons and choices
+    "lt": _comparison(np.less, "<", "lt"),
+    "le": _comparison(np.less_equal, "<=", "le"),
+    "gt": _comparison(np.greater, ">", "gt"),
+    "ge": _comparison(np.greater_equal, ">=", "ge"),
+    "eq": _comparison(np.equal, "=="),
+    "ne": _comparison(np.not_equal, "!="),
+    "and": _logical(np.logical_and, "and_", "&&"),
+    "or": _logical(np.logical_or, "or_", "||"),
+    "not": _logical(np.logical_not, "not_", "!"),
+    "where": Row(np.where, llvm="select", c="?:", smoothness=KINK, whole=True),
+    "minimum": Row(
+        np.minimum,
+        chosen=np.less_equal,
+        llvm="inline",
+        smoothness=KINK,
+        decisions=("lt",),
+        whole=True,
+        on_truths="and",
+    ),
+    "maximum": Row(
+        np.maximum,
+        chosen=np.greater_equal,
+        llvm="inline",
+        smoothness=KINK,
+        decisions=("gt",),
+        whole=True,
+        on_truths="or",
+    ),
+    "sign": Row(np.sign, llvm="inline", smoothness=STEP, decisions=("gt", "lt"), whole=True),
+    "floor": _rounding(np.floor, "floor"),
+    "ceil": _rounding(np.ceil, "ceil"),
+    "trunc": _rounding(np.trunc, "trunc"),
+    # powers and logarithms
+    "sqrt": Row(np.sqrt, (lambda a, f: 1.0 / (2.0 * f),), llvm="intrinsic sqrt"),
+    "hypot": Row(
+        np.hypot,
+        (lambda a, b, f: a / f, lambda a, b, f: b / f),
+        sympy=lambda s, a, b: s.sqrt(a**2 + b**2),
+        exact=False,
+    ),
+    "exp": Row(np.exp, (lambda a, f: f,)),
+    "expm1": Row(np.expm1, (lambda a, f: f + 1.0,), sympy=lambda s, a: s.exp(a) - 1, exact=False),
+    "log": Row(np.log, (lambda a, f: 1.0 / a,)),
+    "log1p": Row(
+        np.log1p,
+        (lambda a, f: 1.0 / (1.0 + a),),
+        sympy=lambda s, a: s.log(1 + a),
+        exact=False,
+        llvm="libm",
+    ),
+    "log2": Row(
+        np.log2,
+        (lambda a, f: 1.0 / (a * np.log(2.0)),),
+        sympy=lambda s, a: s.log(a) / s.log(2),
+        llvm="libm",
+    ),
+    "log10": Row(
+        np.log10,
+        (lambda a, f: 1.0 / (a * np.log(10.0)),),
+        sympy=lambda s, a: s.log(a) / s.log(10),
+        llvm="libm",
+    ),
+    # circular functions
+    "sin": _circular(np.sin, lambda a, f: np.cos(a)),
+    "cos": _circular(np.cos, lambda a, f: -np.sin(a)),
+    "tan": _circular(np.tan, lambda a, f: 1.0 + f * f),
+    "asin": Row(np.asin, (lambda a, f: 1.0 / np.sqrt(1.0 - a * a),), smoothness=FOLDS),
+    "acos": Row(np.acos, (lambda a, f: -1.0 / np.sqrt(1.0 - a * a),), smoothness=FOLDS),
+    "atan": Row(np.atan, (lambda a, f: 1.0 / (1.0 + a * a),), smoothness=FOLDS),
+    "atan2": Row(
+        np.atan2,
+        (lambda a, b, f: b / (a * a + b * b), lambda a, b, f: -a / (a * a + b * b)),
+        sympy="atan2",
+        smoothness=JUMP,
+        decisions=("lt",),
+        signed_zero=True,
+    ),
+    # hyperbolic functions and the error function
+    "sinh": Row(np.sinh, (lambda a, f: np.cosh(a),), llvm="libm"),
+    "cosh": Row(np.cosh, (lambda a, f: np.sinh(a),), llvm="libm"),
+    "tanh": Row(np.tanh, (lambda a, f: 1.0 - f * f,)),
+    "asinh": Row(np.asinh, (lambda a, f: 1.0 / np.sqrt(1.0 + a * a),), llvm="libm"),
+    "acosh": Row(np.acosh, (lambda a, f: 1.0 / np.sqrt(a * a - 1.0),), llvm="libm"),
+    "atanh": Row(np.atanh, (lambda a, f: 1.0 / (1.0 - a * a),), llvm="libm"),
+    "erf": Row(
+        np.vectorize(erf, otypes=[float]),
+        (lambda a, f: 2.0 / sqrt(pi) * np.exp(-a * a),),
+        llvm="libm",
+    ),
+    "erfc": Row(
+        np.vectorize(erfc, otypes=[float]),
+        (lambda a, f: -2.0 / sqrt(pi) * np.exp(-a * a),),
+        llvm="libm",
+    ),
+    # a number in a row, the position of a number in a sorted row, the position of the least number
+    "pick": Row(smoothness=JUMP, decisions=("trunc",)),
+    "search": Row(smoothness=STEP, decisions=("search",)),
+    "argmin": Row(smoothness=STEP, decisions=("argmin",)),
+}
+
+# name -> function on numbers
+ELEMENTWISE: dict[str, Callable[..., Any]] = {
+    name: row.numpy for name, row in TABLE.items() if row.numpy is not None
+}
+# NumPy's ufunc -> name of the operation as which it is traced
+UFUNCS: dict[Any, str] = {
+    ufunc: name
+    for name, row in TABLE.items()
+    for ufunc in row.traced or (row.numpy,)
+    if isinstance(ufunc, np.ufunc)
+}
+
+
+def named(fact: Callable[[Row], Any]) -> frozenset[str]:
+    """Return the names of the operations for which a fact holds."""
+    return frozenset(name for name, row in TABLE.items() if fact(row))
+
+
+COMPARISONS = named(lambda row: row.llvm.startswith("compare"))
+LOGICAL = frozenset({"and", "or", "not"})  # of truth values
+CONDITIONS = LOGICAL | COMPARISONS  # truth values
+STEPS = named(lambda row: row.smoothness == STEP)
