@@ -17,7 +17,7 @@ from ..codegen.llvm_text import print_program
 from ..codegen.machine import LANES, Machine, fuses, once, one_at_a_time
 from ..codegen.plan import NO_TABLES, Program, program_of
 from ..diagram.wiring import Wiring
-from ..record.graph import OPERATIONS
+from ..record.operations import ELEMENTWISE
 from ..trace.arrays import Unread
 from .batch import Callee
 from .filippov import HeldSwitch, slide
@@ -115,7 +115,7 @@ def _array_operations(structure: Structure) -> int:
     """Return how many operations the records have, each of which is a loop's component at least."""
     blocks: list[Any] = [node.system for node in structure.wiring.nodes]
     records = [record for block in blocks for record in block.records.values()]
-    return sum(line.kind in OPERATIONS for record in records for line in record.operations)
+    return sum(line.kind in ELEMENTWISE for record in records for line in record.operations)
 
 
 def _planned(structure: Structure, form: Form) -> Code:

@@ -1,4 +1,4 @@
-; sha256 703bb093f3463a0214a9bf7705e5a5cb58e2c46b76107be1715b0282b44b58e0
+; sha256 706b043e51f186b401c521b084de848e6722dc90c78838bc40ade70fc0e79c9f
 
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("
