@@ -55,7 +55,7 @@ class Backend(NamedTuple):
 def readings(
     diagram: control.NonlinearIOSystem, params: Mapping[str, Any] | None = None
 ) -> dict[str, Backend]:
-    """Return every backend of a diagram, as a function of time, states and inputs.
+    """Return every backend of a diagram, a function of (t, x, u).
 
     Parameters
     ----------

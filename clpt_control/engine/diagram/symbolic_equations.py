@@ -127,7 +127,7 @@ class Equations:
         return sympy.Add(*(sympy.diff(value, s) * rate for s, rate in rates.items()))
 
     def jumps_at_once(self) -> Iterator[dict[Any, Any]]:
-        """Yield state -> value after a jump, for each set of blocks that may jump together."""
+        """Yield state -> value after a jump, for each set of blocks."""
         for count in range(1, len(self.jumps) + 1):
             for blocks in combinations(self.jumps.values(), count):
                 yield {s: value for jump in blocks for s, value in jump.items()}

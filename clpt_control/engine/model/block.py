@@ -312,7 +312,10 @@ class Block(ReadBlock):
         return times
 
     def interval_at(self, t: float, p: Any = None) -> np.float64:
-        """Return the number of the interval of t; a breakpoint belongs to the interval after it."""
+        """Return the number of the interval that contains t.
+
+        A breakpoint belongs to the interval after it.
+        """
         p = self.parameters if p is None else p
         if isinstance(self.breakpoints_function, Each):
             return np.float64(self.breakpoints_function.count(p, t))
@@ -328,7 +331,7 @@ class Block(ReadBlock):
     # --- calls of the functions in Python -----------------------------------------------
 
     def values(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
-        """Return the values of a function, or NaN if it raises an error of numbers.
+        """Return a function's values, or NaN after an error of numbers.
 
         A run may try such numbers and continue without them; the error is stored in `raised`.
         """

@@ -37,7 +37,7 @@ def inner_parameters(block: "Sampled", p: Any) -> Parameters:
 
 @public
 class Sampled(Block):
-    """A block that updates an inner block at each multiple of a period.
+    """A block that updates an inner block at multiples of a period.
 
     Its inputs are sampled then, its outputs are held until the next sample.
 
@@ -108,7 +108,7 @@ class Sampled(Block):
         """Do nothing: the inner block has run its equations."""
 
     def read_anew(self) -> None:
-        """Trace the functions again: objects that they use may have changed."""
+        """Trace the functions again, as their objects may have changed."""
         if not self.of_package:
             self.inner.read_anew()
             self._forget()
