@@ -179,6 +179,13 @@ def _of_pieces(
     return table
 
 
+STEPS: dict[str, Callable] = {  # points at which interp1d of a kind steps to the next value
+    **dict.fromkeys(("nearest", "nearest-up"), lambda points: (points[1:] + points[:-1]) / 2.0),
+    "next": lambda points: points[:-1],
+    **dict.fromkeys(("previous", "zero"), lambda points: points[1:]),
+}
+
+
 def _of_interp1d(f: Any) -> Table:
     """Return scipy.interpolate.interp1d as a function of signals."""
     from scipy.interpolate import PPoly
@@ -200,10 +207,9 @@ def _of_interp1d(f: Any) -> Table:
         c = np.stack([spline.c for spline in splines], axis=-1)
         c = c.reshape(*c.shape[:2], *values.shape[1:])
         return _of_pieces(splines[0].x, c, ends, domain=points)
-    if f._kind in ("previous", "zero"):
-        steps = np.array([0.0, *points[1:], 0.0])
-        return _of_pieces(steps, values[None], ends, "right", points)
-    raise Unread(f"scipy's interp1d of kind {f._kind!r}; use 'linear', 'previous' or 'cubic'")
+    steps = np.array([0.0, *STEPS[f._kind](points), 0.0])
+    side = "right" if f._kind in ("previous", "zero", "nearest-up") else "left"
+    return _of_pieces(steps, values[None], ends, side, points)
 
 
 def _of_polynomials(f: Any) -> Table:
