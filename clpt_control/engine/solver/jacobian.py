@@ -33,7 +33,7 @@ class Jacobian(NamedTuple):
     """Sparsity of the Jacobian matrix, as `solver_layout.Linear` explains it."""
 
     band: tuple[int, int] = 0, 0
-    places: np.ndarray = NONE
+    positions: np.ndarray = NONE
     groups: np.ndarray = NONE
     begins: np.ndarray = NONE
     rows: np.ndarray = NONE
@@ -47,46 +47,61 @@ class Jacobian(NamedTuple):
         Fewer of them for many states, whose explicit steps take longer than preparing the method,
         unless the matrix is full: an implicit step then takes many evaluations.
         """
-        n = len(self.places)
+        n = len(self.positions)
         evaluations = 2 * (len(self.begins) - 1) + RODAS5P
-        work = sum(self.band) * (1 + self.band[0]) / OPERATIONS_OF_A_RATE
-        ratio = (evaluations + work) / DOP853  # of the work of an implicit step and an explicit one
+        operations = sum(self.band) * (1 + self.band[0])
+        work = evaluations + operations / OPERATIONS_OF_A_RATE
+        ratio = work / DOP853  # of the work of an implicit step and an explicit one
         return MANY_STEPS * min(1.0, ratio / (1 + n / FEW_STATES))
 
     @property
     def for_solver(self) -> Linear:
         """The solver's argument, with room for matrices and pivots."""
-        n = len(self.places)
-        return Linear(np.zeros(n * n), np.zeros(n * n), np.zeros(n, np.int64), *self)
+        n = len(self.positions)
+        matrix = np.zeros(n * n)
+        factors = np.zeros(n * n)
+        pivots = np.zeros(n, np.int64)
+        return Linear(matrix, factors, pivots, *self)
 
 
 def jacobian(reach: np.ndarray) -> Jacobian:
     """Return the Jacobian of rates that states and time reach: truth values (n, n + 1)."""
     n = len(reach)
-    places, low, high = _ordered(reach[:, :n])
+    positions, lower, upper = _ordered(reach[:, :n])
     groups = group_columns(reach, np.arange(n + 1))
     rows, columns = np.nonzero(reach)
     order = np.argsort(groups[columns], kind="stable")
-    rows, columns = rows[order], columns[order]
+    rows = rows[order]
+    columns = columns[order]
     begins = np.searchsorted(groups[columns], np.arange(groups.max(initial=-1) + 2))
-    to = np.append(places, 0)[columns] * n + places[rows]
-    lists = (own.astype(np.int64) for own in (places, groups, begins, rows, columns, to))
-    return Jacobian((low, high), *lists)
+    to = np.append(positions, 0)[columns] * n + positions[rows]
+    return Jacobian(
+        (lower, upper),
+        positions.astype(np.int64),
+        groups.astype(np.int64),
+        begins.astype(np.int64),
+        rows.astype(np.int64),
+        columns.astype(np.int64),
+        to.astype(np.int64),
+    )
 
 
 def _ordered(reach: np.ndarray) -> tuple[np.ndarray, int, int]:
-    """Return the place of each state, and the numbers of diagonals below and above the main one."""
+    """Return the position of each state, and the numbers of diagonals below and above the main."""
     n = len(reach)
-    as_is = np.arange(n)
+    unchanged = np.arange(n)
     if reach.mean() > FULL:
-        return as_is, n - 1, n - 1
-    narrow = reverse_cuthill_mckee(csr_array(reach | reach.T), symmetric_mode=True)
-    orders = as_is, narrow
-    bands = [(np.argsort(own), *bandwidth(reach[np.ix_(own, own)])) for own in orders]
+        return unchanged, n - 1, n - 1
+    graph = csr_array(reach | reach.T)
+    narrow = reverse_cuthill_mckee(graph, symmetric_mode=True)
+    bands = []
+    for order in (unchanged, narrow):
+        lower, upper = bandwidth(reach[np.ix_(order, order)])
+        bands.append((np.argsort(order), lower, upper))
     return min(bands, key=lambda band: band[1] * (band[1] + band[2]))
 
 
-# --- which states reach which rates -----------------------------------------------------------
+# --- reach of the states ---------------------------------------------------------------------
 
 
 class _Reached(Elements):
@@ -107,25 +122,31 @@ class _Reached(Elements):
         return reduce(or_, arguments[kind in ("where", "pick") :], 0)
 
     def _element(self, ref: int, index: Index) -> int:
-        kind, arguments, shape, at = self.operations[ref]
+        kind, arguments, shape, location = self.operations[ref]
         if kind == "sum":
-            return self._sum(ref, arguments[0], at[0], index)
+            return self._sum(ref, arguments[0], location[0], index)
         if kind != "load":
             return super()._element(ref, index)
-        array, first = at
-        place = sum(i * prod(shape[k + 1 :]) for k, i in enumerate(index))
-        return 1 << (first + place if array == "X" else self.n) if array in "Xt" else 0
+        array, offset = location
+        if array == "t":
+            return 1 << self.n
+        if array != "X":
+            return 0
+        for axis, i in enumerate(index):
+            offset += i * prod(shape[axis + 1 :])
+        return 1 << offset
 
 
 def reach_of(record: DiagramRecord, n: int) -> np.ndarray:
     """Return which of n states, and whether time, reach which rates: truth values (n, n + 1)."""
-    reached_by, reach = _Reached(record, n), np.zeros((n, n + 1), dtype=bool)
+    reached_by = _Reached(record, n)
+    reach = np.zeros((n, n + 1), dtype=bool)
     try:
         with deep():
             for port in record.rates:
-                for place, index in enumerate(np.ndindex(port.shape), port.first):
+                for row, index in enumerate(np.ndindex(port.shape), port.first):
                     bits = reached_by.at(port.ref, index)
-                    reach[place] = [bits >> j & 1 for j in range(n + 1)]
+                    reach[row] = [bits >> j & 1 for j in range(n + 1)]
     except Unread:  # too many elements
         reach[:] = True
     return reach

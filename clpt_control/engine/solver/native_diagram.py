@@ -64,13 +64,20 @@ class Code:
     def addresses(self, names: Sequence[str], lanes: int) -> list[int]:
         """Return where functions lie, compiled together when first asked for."""
         new = (name for name in names if (name, lanes) not in self._machines)
-        if missing := tuple(dict.fromkeys(new)):
-            wanted = self.program, missing, lanes
-            text = repr((self.program._replace(tables=NO_TABLES), *wanted[1:]))
-            large = len(self.program.components) > UNOPTIMISED
-            level = 0 if large else 3
-            machine = Machine(missing, text, lambda: print_program(*wanted), large, level)
-            self._machines.update({(name, lanes): machine for name in missing})
+        missing = tuple(dict.fromkeys(new))
+        if missing:
+            program = self.program
+            text = repr((program._replace(tables=NO_TABLES), missing, lanes))
+            large = len(program.components) > UNOPTIMISED
+            machine = Machine(
+                missing,
+                text,
+                lambda: print_program(program, missing, lanes),
+                large,
+                0 if large else 3,
+            )
+            for name in missing:
+                self._machines[name, lanes] = machine
         return [self._machines[name, lanes].addresses[name] for name in names]
 
 
@@ -87,11 +94,21 @@ def code_of(wiring: Wiring, layout: Layout, form: Form = None) -> Code:
         records = tuple(tuple(block.records.items()) for block in blocks)
     except Unread as error:
         raise Uncompiled(str(error)) from None
-    declared = ((*block.declared.values(), block.sizes) for block in blocks)
-    shapes = tuple(tuple(tuple(own.items()) for own in one) for one in declared)
+    shapes = tuple(
+        tuple(tuple(sizes.items()) for sizes in (*block.declared.values(), block.sizes))
+        for block in blocks
+    )
     wires = tuple((node.states.start, node.outputs.start, node.wires) for node in wiring.nodes)
-    order = wiring.order, *((block.feedthrough, block.first_held) for block in blocks)
-    key = records, shapes, wires, order, bool(wiring.dt), layout.pattern, wiring.ninputs
+    key = (
+        records,
+        shapes,
+        wires,
+        wiring.order,
+        tuple((block.feedthrough, block.first_held) for block in blocks),
+        bool(wiring.dt),
+        layout.pattern,
+        wiring.ninputs,
+    )
     return _code(Structure(key, wiring, layout), form)
 
 
@@ -105,10 +122,11 @@ def _code(structure: Structure, form: Form) -> Code:
             raise
         return _planned(structure, "looped")
     size = len(code.program.components)
-    if form is None and size > MANY and SHORTER * _array_operations(structure) < size:
-        looped = _planned(structure, "looped")
-        return looped if SHORTER * len(looped.program.components) < size else code
-    return code
+    if form is not None or size <= MANY or SHORTER * _array_operations(structure) >= size:
+        return code
+    looped = _planned(structure, "looped")
+    looped_size = len(looped.program.components)
+    return looped if SHORTER * looped_size < size else code
 
 
 def _array_operations(structure: Structure) -> int:
@@ -119,20 +137,25 @@ def _array_operations(structure: Structure) -> int:
 
 
 def _planned(structure: Structure, form: Form) -> Code:
-    wiring, layout = structure.wiring, structure.layout
-    diagram_form, copies = own_form(form), copies_of(form)
-    held = isinstance(diagram_form, HeldSwitch)
-    record = DiagramRecord(wiring, layout, "free" if held else diagram_form)
-    if held:
-        slide(record, diagram_form)
+    wiring = structure.wiring
+    layout = structure.layout
+    plain_form = form_without_derivatives(form)
+    if isinstance(plain_form, HeldSwitch):
+        record = DiagramRecord(wiring, layout, "free")
+        slide(record, plain_form)
+    else:
+        record = DiagramRecord(wiring, layout, plain_form)
     if isinstance(form, Directions):
         add_derivatives(record, form)
-    room = copies * wiring.nodes[-1].outputs.stop, layout.inputs(wiring.ninputs)
-    states = copies * wiring.nodes[-1].states.stop
-    return Code(program_of(record, *room), lambda: jacobian(reach_of(record, states)))
+    last = wiring.nodes[-1]
+    copies = copies_of(form)
+    signals = copies * last.outputs.stop
+    states = copies * last.states.stop
+    program = program_of(record, signals, layout.inputs(wiring.ninputs))
+    return Code(program, lambda: jacobian(reach_of(record, states)))
 
 
-def own_form(form: Form) -> Any:
+def form_without_derivatives(form: Form) -> Any:
     """Return the form of the diagram itself, without derivatives."""
     return form.form if isinstance(form, Directions) else form
 
@@ -196,13 +219,16 @@ class NativeDiagram(PythonDiagram):
     ):
         super().__init__(diagram, params)
         self.layout = lay_out(self.wiring, self.sweep.parameters, apart)
-        self.form, self.code = form, code_of(self.wiring, self.layout, form)
-        self.nstates *= copies_of(form)
-        self.nsignals *= copies_of(form)
-        self.intervals, self.jumps = self.layout.intervals, self.layout.jumps
+        self.form = form
+        self.code = code_of(self.wiring, self.layout, form)
+        copies = copies_of(form)
+        self.nstates *= copies
+        self.nsignals *= copies
+        self.intervals = self.layout.intervals
+        self.jumps = self.layout.jumps
         self.time_tables = [*self.layout.time_tables.values()]
-        self.ramp = len(self.layout.P)  # place in P of the diagram's inputs
-        self.decided_at = self.layout.inputs(self.wiring.ninputs) + 1  # and of what is decided
+        self.ramp = len(self.layout.P)  # offset in P of the diagram's inputs
+        self.decided_at = self.layout.inputs(self.wiring.ninputs) + 1  # and of the decisions
         self._callees: dict[tuple[int, int], Callee] = {}
 
     def parameters(self) -> np.ndarray:
@@ -213,9 +239,9 @@ class NativeDiagram(PythonDiagram):
 
     def with_parameters(self, parameters: Sequence[Any]) -> Self:
         """Return the same code with other parameters of its blocks."""
-        other = super().with_parameters(parameters)
-        other.layout = replace(self.layout, P=self.layout.packed(parameters))
-        return other
+        diagram = super().with_parameters(parameters)
+        diagram.layout = replace(self.layout, P=self.layout.packed(parameters))
+        return diagram
 
     def unlocked(self) -> Self:
         """Return the diagram with decisions that change within a step."""
@@ -223,10 +249,11 @@ class NativeDiagram(PythonDiagram):
 
     def in_form(self, form: Form) -> Self:
         """Return the diagram in another form; derivatives stay."""
-        other = copy(self)
-        other.form, other._callees = self._with_derivatives(form), {}
-        other.code = code_of(self.wiring, self.layout, other.form)
-        return other
+        diagram = copy(self)
+        diagram.form = self._with_derivatives(form)
+        diagram.code = code_of(self.wiring, self.layout, diagram.form)
+        diagram._callees = {}
+        return diagram
 
     def _with_derivatives(self, form: Form) -> Form:
         return self.form._replace(form=form) if isinstance(self.form, Directions) else form
@@ -249,22 +276,35 @@ class NativeDiagram(PythonDiagram):
         return self._callees[lanes, method]
 
     def _callee(self, lanes: int, method: int) -> Callee:
-        code, (guarded, jumping) = self._code(method), self.watched(method)
-        program, watched = (
-            code.program,
-            (max(guarded, int(isinstance(own_form(self.form), HeldSwitch))), jumping),
+        code = self._code(method)
+        program = code.program
+        guarded, jumping = self.watched(method)
+        if isinstance(form_without_derivatives(self.form), HeldSwitch):
+            guarded = 1
+        # 1. addresses of the functions, 0 of those that are not called
+        called = {"margin": guarded, "jump": jumping, "decide": program.decided}
+        names = [name for name in FUNCTIONS if called.get(name, True)]
+        addresses = dict(zip(names, code.addresses(names, lanes), strict=True))
+        # 2. sizes, and the formulas of the method
+        callee = Callee(
+            engine=self.engine,
+            functions=[addresses.get(name, 0) for name in FUNCTIONS],
+            lanes=lanes,
+            nstates=self.nstates,
+            method=method,
+            guarded=guarded,
+            jumping=jumping,
+            decided_at=self.decided_at,
+            decided=program.decided,
+            unannounced=0,
+            size=program.parameters,
+            room=program.room,
+            tables=np.concatenate([self.layout.T, program.tables]),
+            linear=code.sparsity() if method == RODAS5P else Jacobian(),
+            timed=program.timed,
+            code=(code,),
         )
-        used = dict(zip(("margin", "jump"), watched, strict=True))
-        used["decide"] = program.decided
-        wanted = [name for name in FUNCTIONS if used.get(name, True)]
-        found = dict(zip(wanted, code.addresses(wanted, lanes), strict=True))
-        own = [found.get(name, 0) for name in FUNCTIONS]
-        shape = lanes, self.nstates, method, *watched, self.decided_at, program.decided, 0
-        tables = np.concatenate([self.layout.T, program.tables])
-        sizes = program.parameters, program.room, tables
-        linear = code.sparsity() if method == RODAS5P else Jacobian()
-        more = linear, program.timed, (code,)
-        return with_formulas(Callee(self.engine, own, *shape, *sizes, *more))
+        return with_formulas(callee)
 
     def lanes(self, count: int) -> int:
         """Return how many runs are taken at once: eight where it pays."""
