@@ -22,41 +22,58 @@ class Sweep:
     """
 
     def __init__(self, wiring: Wiring, parameters: Sequence[Any]):
-        self.wiring, self.nodes, self.parameters = wiring, wiring.nodes, list(parameters)
+        self.wiring = wiring
+        self.nodes = wiring.nodes
+        self.parameters = list(parameters)
+        self._current = list(parameters)  # with the interval that was entered
+        # arrays that each pass overwrites
         last = self.nodes[-1]
         self.nstates = last.states.stop
-        self._states, self._inputs = np.zeros(self.nstates), np.zeros(last.inputs.stop)
-        self.signals, self._external = np.zeros(last.outputs.stop), np.zeros(wiring.ninputs)
-        self._fed = [self._views(node) for node in self.nodes]
-        x, u = self._states, self._inputs  # are filled again and again
-        self._x = [reused_vector(x[node.states], node.system._x) for node in self.nodes]
-        self._u = [reused_vector(u[node.inputs], node.system._u) for node in self.nodes]
-        feeding = np.zeros(len(self.signals), dtype=bool)
-        for wire in (w for node in self.nodes for w in node.wires if not w.external):
-            feeding[wire.source : wire.source + wire.size] = True
-        self._all = [(k, self.signals[self.nodes[k].outputs]) for k in wiring.order]
-        self._feeding = [one for one in self._all if feeding[self.nodes[one[0]].outputs].any()]
-        self._moving = [k for k in wiring.order if self.nodes[k].system.nstates]
-        self._current = list(parameters)  # with the interval that was entered
+        self._states = np.zeros(self.nstates)
+        self._inputs = np.zeros(last.inputs.stop)
+        self.signals = np.zeros(last.outputs.stop)
+        self._external = np.zeros(wiring.ninputs)
+        # views of each block's states and inputs
+        self._feeds = [self._views(node) for node in self.nodes]
+        self._x = []
+        self._u = []
+        for node in self.nodes:
+            self._x.append(reused_vector(self._states[node.states], node.system._x))
+            self._u.append(reused_vector(self._inputs[node.inputs], node.system._u))
+        # blocks by what they do
         systems = [node.system for node in self.nodes]
+        self._blocks = [(k, self.signals[self.nodes[k].outputs]) for k in wiring.order]
+        self._feeding = self._blocks_that_feed()
+        self._moving = [k for k in wiring.order if systems[k].nstates]
         self._breaking = [k for k, s in enumerate(systems) if s.breakpoints_function is not None]
         self._with_intervals = [k for k in self._breaking if not parameters[k].interval >= 0.0]
-        self.jumping = [k for k, one in enumerate(systems) if one.jump_function is not None]
-        self.guarded = any(one.guard is not None for one in systems)
+        self.jumping = [k for k, system in enumerate(systems) if system.jump_function is not None]
+        self.guarded = any(system.guard is not None for system in systems)
         self.enter(0.0)
+
+    def _blocks_that_feed(self) -> list[tuple[int, np.ndarray]]:
+        """Return the blocks whose outputs feed a block."""
+        feeding = np.zeros(len(self.signals), dtype=bool)
+        for node in self.nodes:
+            for wire in node.wires:
+                if not wire.external:
+                    feeding[wire.source : wire.source + wire.size] = True
+        return [(k, out) for k, out in self._blocks if feeding[self.nodes[k].outputs].any()]
 
     def _views(self, node: Node) -> tuple[np.ndarray, list[tuple[np.ndarray, np.ndarray, float]]]:
         """View a block's inputs, and (input, source, gain) of each wire."""
-        u, views = self._inputs[node.inputs], []
+        u = self._inputs[node.inputs]
+        views = []
         for wire in node.wires:
-            source = self._external if wire.external else self.signals
+            signals = self._external if wire.external else self.signals
             to = u[wire.to : wire.to + wire.size]
-            views.append((to, source[wire.source : wire.source + wire.size], wire.gain))
+            source = signals[wire.source : wire.source + wire.size]
+            views.append((to, source, wire.gain))
         return u, views
 
     def _gather(self, k: int) -> np.ndarray:
         """Compute a block's inputs from the signals."""
-        u, views = self._fed[k]
+        u, views = self._feeds[k]
         u.fill(0.0)
         for to, source, gain in views:
             to += source if gain == 1.0 else gain * source
@@ -67,8 +84,10 @@ class Sweep:
 
         Times that differ by rounding alone are one time, the later.
         """
-        nodes, given = self.nodes, self.parameters
-        jumps = [nodes[k].system.breakpoints(t0, t1, given[k]) for k in self._breaking]
+        jumps = []
+        for k in self._breaking:
+            system = self.nodes[k].system
+            jumps.append(system.breakpoints(t0, t1, self.parameters[k]))
         if not jumps:
             return np.zeros(0)
         times = np.sort(np.concatenate(jumps))
@@ -89,7 +108,7 @@ class Sweep:
         before their outputs are computed.
         """
         with np.errstate(all="ignore"):
-            self._pass(np.float64(t), x, u, self._all, sampling)
+            self._pass(np.float64(t), x, u, self._blocks, sampling)
         return self.signals
 
     def _pass(
@@ -106,13 +125,13 @@ class Sweep:
 
     def _sample(self, k: int) -> None:
         node = self.nodes[k]
-        samples = slice(node.states.start + node.system.first_held, node.states.stop)
-        self._states[samples] = self._gather(k)
+        begin = node.states.start + node.system.first_held
+        self._states[begin : node.states.stop] = self._gather(k)
 
     def derivative(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> np.ndarray:
         """Return the state derivative; NaN where a system could not compute it."""
         with np.errstate(all="ignore"):
-            return self.rates(t, x, u, self._all)
+            return self.rates(t, x, u, self._blocks)
 
     def rates(
         self, t: float, x: np.ndarray, u: np.ndarray | None = None, blocks: Any = None
@@ -122,7 +141,9 @@ class Sweep:
         self._pass(t, x, u, blocks or self._feeding)
         dx = np.empty(self.nstates)
         for k in self._moving:  # a block may come before its inputs are known
-            self._call("update", k, t, self._x[k], self._gather(k), dx[self.nodes[k].states])
+            inputs = self._gather(k)
+            rates = dx[self.nodes[k].states]
+            self._call("update", k, t, self._x[k], inputs, rates)
         return dx
 
     def jump(
@@ -138,21 +159,24 @@ class Sweep:
         Those that sample then sample their inputs, and so do the blocks in `beginning`.
         """
         self.evaluate(t, x, u)
-        new, t = np.array(x, dtype=float), np.float64(t)
+        states = np.array(x, dtype=float)
         with np.errstate(all="ignore"):
             for k in blocks:
-                states = self.nodes[k].states
-                self._call("jump", k, t, self._x[k], self._gather(k), new[states])
-        sampling = [*beginning, *(k for k in blocks if self.nodes[k].system.first_held is not None)]
-        if sampling:
-            self.evaluate(t, new, u, sampling)
-            for k in sampling:  # a block that feeds it may come after it in the order
-                self._sample(k)
-            new = self._states.copy()
-        return new
+                inputs = self._gather(k)
+                jumped = states[self.nodes[k].states]
+                self._call("jump", k, np.float64(t), self._x[k], inputs, jumped)
+        sampling = [*beginning]
+        sampling += [k for k in blocks if self.nodes[k].system.first_held is not None]
+        if not sampling:
+            return states
+        self.evaluate(t, states, u, sampling)
+        for k in sampling:  # a block that feeds it may come after it in the order
+            self._sample(k)
+        return self._states.copy()
 
     def _call(self, role: str, k: int, t: float, x: np.ndarray, u: np.ndarray, out: Any) -> None:
-        out[:] = self.nodes[k].system.values(role, len(out), t, x, u, self._current[k])
+        system = self.nodes[k].system
+        out[:] = system.values(role, len(out), t, x, u, self._current[k])
 
     def fed(self, k: int) -> np.ndarray:
         """Return the inputs of a block at the last pass."""
@@ -167,43 +191,67 @@ class Sweep:
     ) -> tuple[float, str, str]:
         """Return the least distance to the edge of a guard, the guard's policy and its sentence."""
         self.evaluate(t, x, u)
-        least = (np.inf, "", "")
+        least = np.inf
+        policy = ""
+        sentence = ""
         for k, node in enumerate(self.nodes):
-            if (guard := node.system.guard) is not None:
-                inputs, p = self._inputs[node.inputs], self._current[k]
-                (distance,) = node.system.values("guard", 1, t, x[node.states], inputs, p)
-                if not distance >= least[0]:
-                    least = (float(distance), guard.policy, guard.message(t, inputs, p))
-        return least
+            guard = node.system.guard
+            if guard is None:
+                continue
+            inputs = self._inputs[node.inputs]
+            p = self._current[k]
+            (distance,) = node.system.values("guard", 1, t, x[node.states], inputs, p)
+            if not distance >= least:
+                least = float(distance)
+                policy = guard.policy
+                sentence = guard.message(t, inputs, p)
+        return least, policy, sentence
 
     def first_trouble(
         self, t: float, x: np.ndarray, u: np.ndarray | None = None, advice: str = ""
     ) -> str | None:
         """Return what is first not finite at (t, x, u), or the error that its block raised."""
         dx = self.derivative(t, x, u)
-        ordered = [self.nodes[k] for k in self.wiring.order]
-        for nodes, kind, values, role, what in (
-            (self.nodes, "state", x, "jump", "state"),
-            (ordered, "output", self.signals, "output", "signal"),
-            (self.nodes, "state", dx, "update", "derivative of"),
-        ):
-            for node in nodes:
-                system, own = node.system, values[getattr(node, f"{kind}s")]
-                for label in np.array(getattr(system, f"{kind}_labels"))[~np.isfinite(own)]:
-                    sentence = f"{what} {label} of block {node.name} is not finite; {advice}"
-                    return system.raised.get(role) or sentence
+        for node in self.nodes:
+            sentence = _first_not_finite(node, "jump", x[node.states], advice)
+            if sentence is not None:
+                return sentence
+        for k in self.wiring.order:
+            node = self.nodes[k]
+            sentence = _first_not_finite(node, "output", self.signals[node.outputs], advice)
+            if sentence is not None:
+                return sentence
+        for node in self.nodes:
+            sentence = _first_not_finite(node, "update", dx[node.states], advice)
+            if sentence is not None:
+                return sentence
         return None
+
+
+DESCRIPTIONS = {"jump": "state", "output": "signal", "update": "derivative of"}  # of results
+
+
+def _first_not_finite(node: Node, role: str, values: np.ndarray, advice: str) -> str | None:
+    """Return a sentence on the first of a block's values that is not finite, or its error."""
+    system = node.system
+    labels = system.output_labels if role == "output" else system.state_labels
+    for label in np.array(labels)[~np.isfinite(values)]:
+        description = f"{DESCRIPTIONS[role]} {label} of block {node.name}"
+        return system.raised.get(role) or f"{description} is not finite; {advice}"
+    return None
 
 
 def moved_to(jumps: np.ndarray, times: np.ndarray) -> np.ndarray:
     """Return times, of which those before a jump by rounding alone are moved to it."""
-    following = np.append(jumps, np.inf)[np.searchsorted(jumps, times)]
+    k = np.searchsorted(jumps, times)
+    following = np.append(jumps, np.inf)[k]
     return np.where(following - times <= rounding(times), following, times)
 
 
 def moved_back(jumps: np.ndarray, times: np.ndarray) -> np.ndarray:
     """Return jumps, of which those after a sample by rounding alone are moved to it."""
-    before = times[np.searchsorted(times, jumps, side="right") - 1]
+    k = np.searchsorted(times, jumps, side="right")
+    before = times[k - 1]
     return np.where(jumps - before <= rounding(jumps), before, jumps)
 
 
