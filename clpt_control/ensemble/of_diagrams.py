@@ -21,7 +21,7 @@ from ..engine.diagram.sensitivity_names import Place, place_of, places_of, put, 
 from ..engine.diagram.wiring import read_anew, units_of, wiring_of
 from ..engine.model.ports import ports_of
 from ..engine.model.system import System
-from ..engine.solver.runner import checked_steps
+from ..engine.solver.runner import RunOptions
 from ..engine.solver.schedule import Inputs, read_inputs
 from ..engine.solver.solver_layout import Status
 from ..engine.trace.arrays import Unread
@@ -72,8 +72,8 @@ class VariedDiagram:
             self.params |= undeclared
             self.wiring = wiring_of(diagram, self.params, sizes)
         self.given = changed_parameters(self.wiring.blocks, self.params)
-        rtol, atol, _, _, method = checked_steps(self.wiring.dt, self.state_times, **solver)
-        self.options = {"rtol": rtol, "atol": atol, "method": method}
+        options = RunOptions.checked(self.wiring.dt, self.state_times, **solver)
+        self.options = {"rtol": options.rtol, "atol": options.atol, "method": options.method}
         self.inputs: Inputs = read_inputs(inputs, self.state_times, self.wiring.ninputs)
         self.start = stacked_state("initial_state", 0.0 if x0 is None else x0, len(states))
         self.names = places_of(self.wiring, self.given, states, taken)

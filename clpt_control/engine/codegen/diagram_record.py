@@ -74,7 +74,7 @@ class Layout:
     @property
     def pattern(self) -> tuple:
         """All places, and so which fields share a slot: part of the key of compiled code."""
-        tables = ((key, table.place) for key, table in self.time_tables.items())
+        tables = ((key, table.offset) for key, table in self.time_tables.items())
         return *self.slots.items(), *self.jumps.items(), *tables, len(self.P), len(self.T)
 
     def inputs(self, count: int) -> int:
@@ -315,7 +315,7 @@ class DiagramRecord(RecordMerger):
         if kind == "search" and self.locking:
             table = self._time_table(refs[0], refs[1], at)
             if table is not None:
-                return self.load("P", table.place, ())
+                return self.load("P", table.offset, ())
         if kind in FOLDS and type(refs[0]) is int:
             inner = self.entries[refs[0]]
             if inner.kind == FOLDS[kind]:

@@ -57,7 +57,7 @@ MEMBER_STEPS = 5_000_000  # tries of a run among many
 
 
 class Callee(NamedTuple):
-    """What the solver calls, and how much room its arrays need; `shape` is the solver's."""
+    """Functions that the solver calls, and sizes of its arrays; `shape` is the solver's."""
 
     engine: str  # whose functions they are: "native" or "python"
     functions: Any  # in the solver's order: their addresses, an array
@@ -66,8 +66,8 @@ class Callee(NamedTuple):
     method: int  # as the solver numbers it
     guarded: int  # 1 if guards are watched
     jumping: int  # 1 if states jump
-    decided_at: int  # first place of decisions in P
-    decided: int  # how many numbers they are
+    decided_at: int  # offset of the decisions in P
+    decided: int  # their number
     unannounced: int  # 1 if rates may jump where no decision says so, 2 if at samples too
     size: int  # length of P
     room: int  # length of W
@@ -80,7 +80,16 @@ class Callee(NamedTuple):
     @property
     def shape(self) -> Shape:
         """Sizes of the problem, as the solver takes them."""
-        return Shape(*self[2:10])
+        return Shape(
+            self.lanes,
+            self.nstates,
+            self.method,
+            self.guarded,
+            self.jumping,
+            self.decided_at,
+            self.decided,
+            self.unannounced,
+        )
 
     def call(self, name: str, numbers: np.ndarray) -> int:
         """Call a function of the solver on numbers; raise the error that Python raised within."""
@@ -91,20 +100,33 @@ class Callee(NamedTuple):
         return result
 
     def evaluate(
-        self, role: int, times: Any, x: Any, pieces: Schedule, parameters: Any, count: int
+        self, role: int, times: Any, x: Any, segments: Schedule, parameters: Any, count: int
     ) -> np.ndarray:
         """Return the first `count` results of a function at times and states x (nt, n), a row each.
 
         `parameters` are P, or its beginning.
         """
-        sizes = max(self.size, len(parameters)), self.room, max(count, 3 * self.decided)
-        P, W, D = (np.zeros(size + 1) for size in sizes)
-        P[: len(parameters)], times = parameters, np.ascontiguousarray(times)
-        out, which = np.empty((len(times), count)), np.searchsorted(pieces.edges, times, "right")
-        points, each = (times, which, np.zeros(1), x.ravel()), (pieces.places, pieces.values)
-        decisions, arrays = (self.decided_at, self.decided), (P, self.tables, W, D)
-        how = self.functions, role, self.nstates, *decisions
-        self.call("evaluate", numbers_of(*how, points, each, arrays, out))
+        P = np.zeros(max(self.size, len(parameters)) + 1)
+        P[: len(parameters)] = parameters
+        W = np.zeros(self.room + 1)
+        D = np.zeros(max(count, 3 * self.decided) + 1)
+        times = np.ascontiguousarray(times)
+        which_segment = np.searchsorted(segments.edges, times, "right")
+        out = np.empty((len(times), count))
+        # the solver reads these arrays by their addresses: all of them must live until it returns
+        points = (times, which_segment, np.zeros(1), x.ravel())
+        numbers = numbers_of(
+            self.functions,
+            role,
+            self.nstates,
+            self.decided_at,
+            self.decided,
+            points,
+            (segments.indices, segments.values),
+            (P, self.tables, W, D),
+            out,
+        )
+        self.call("evaluate", numbers)
         return out
 
 
@@ -129,43 +151,55 @@ class Batch:
         longest: float = np.inf,
         opening: float = 0.0,
     ):
-        self.callee, self.times = callee, np.ascontiguousarray(times)
-        (m, n), lanes = starts.shape, callee.lanes
-        if callee.timed:
-            longest = min(longest, (times[-1] - times[0]) / PARTS)
-        group = np.zeros(m, dtype=np.int64) if group is None else group
+        self.callee = callee
+        self.times = np.ascontiguousarray(times)
+        m, n = starts.shape
+        # 1. runs and their segments
+        if group is None:
+            group = np.zeros(m, dtype=np.int64)
         self.runs = Runs(*map(np.ascontiguousarray, (starts, parameters, group)))
-        self.pieces, self.segments = schedules, _stacked(schedules)
+        self.schedules = schedules
+        self.segments = _stacked(schedules)
         if callee.method == RK4:
             self.segments.smooth[:] = 0  # every segment begins anew
+        # 2. results
         self.out = np.full((m, len(times), n), np.nan)
         self.out[:, 0] = starts
-        self.rests: dict[int, Batch] = {}  # of stiff runs, and of one that slides
-        self.slides: list[float] = []  # when it began to
-        self.status, self.reached = (np.zeros(m, dtype=np.int64) for _ in range(2))
+        self.status = np.zeros(m, dtype=np.int64)
+        self.reached = np.zeros(m, dtype=np.int64)
         self.counts = np.zeros((m, 4), dtype=np.int64)
+        self.continuations: dict[int, Batch] = {}  # of stiff runs, and of a run that slides
+        self.slides: list[float] = []  # times at which it began to slide
+        # 3. memory of the lanes
+        lanes = callee.lanes
         size = max(callee.size, parameters.shape[1], 1)
         sample_points = 3 * POINTS
-        conditions = (sample_points + 1) * callee.decided + sample_points * callee.guarded
-        rooms = REALS, ROWS * n, size, max(callee.room, 1), max(n, conditions)
+        decision_points = sample_points * callee.decided
+        conditions = decision_points + callee.decided + sample_points * callee.guarded
+        rooms = (REALS, ROWS * n, size, max(callee.room, 1), max(n, conditions))
         numbers, self.Z, P, W, D = aligned(*(lanes * room for room in rooms))
         self.lane = numbers.reshape(-1, lanes)
         self.integers = np.full((5, lanes), -1, dtype=np.int64)
         self.states = self.Z.reshape(-1, n, lanes)
-        # a lane without a run holds the state and parameters with which the first begins
+        self.memory = Memory(self.Z, P, callee.tables, W, D)
+        # 4. a lane without a run holds the state and parameters with which the first begins
         self.states[STATE] = starts[:1].T
         in_lanes = P.reshape(-1, lanes)
         in_lanes[: parameters.shape[1]] = parameters[:1].T
         in_lanes[self.segments.indices] = self.segments.values[:1].T
-        self.lane[MAX_STEP], self.lane[FIRST_STEP] = longest, opening
-        self.memory = Memory(self.Z, P, callee.tables, W, D)
-        count = callee.decided
-        points = D[: sample_points * count].reshape(-1, 3, count) if count else EMPTY
+        if callee.timed:
+            longest = min(longest, (times[-1] - times[0]) / PARTS)
+        self.lane[MAX_STEP] = longest
+        self.lane[FIRST_STEP] = opening
+        # 5. switching conditions and guards at the sample points of a step
+        self.points = EMPTY
+        if callee.decided:
+            self.points = D[:decision_points].reshape(-1, 3, callee.decided)
+        self.signs = D[decision_points : decision_points + callee.decided]
         guard = EMPTY
         if callee.guarded:
-            guard = D[(sample_points + 1) * count :][:sample_points].reshape(-1, 3, 1)
-        self.signs = D[sample_points * count : (sample_points + 1) * count]
-        self.points = points
+            guard = D[decision_points + callee.decided :][:sample_points].reshape(-1, 3, 1)
+        # 6. the solver's argument
         self._tolerances = np.zeros(2)
         self.linear = callee.linear.for_solver
         self.solver = Solver(
@@ -181,7 +215,7 @@ class Batch:
             queue=np.array([0, m, 0], dtype=np.int64),
             memory=self.memory,
             states=self.states,
-            points=points,
+            points=self.points,
             guard_points=guard,
             signs=self.signs,
             linear=self.linear,
@@ -205,59 +239,71 @@ class Batch:
         """Run to the end with steps chosen by tolerance, each run for at most `most` tries.
 
         Tries of RK4 and in discrete time are not limited.  `watch` is called between the solver's
-        calls, each of about `PAUSE`.  `implicit` returns what an implicit method calls, if stiff
-        runs are to go on with it, one after the other; `rests` are then these rests, by run.
+        calls, each of about `PAUSE`.  `implicit` returns the functions that an implicit method
+        calls, if stiff runs are to be continued with it, one after the other; `continuations` are
+        the batches of these runs.
         """
         self.lane[STIFF_STEPS] = -np.inf if implicit is None else 0.0
-        first = 0 if self.callee.engine == "python" else BEGIN // self.callee.nstates
-        active, budget = 1, max(64, first)
-        most = ANY if self.callee.method in (RK4, MAP) else most
+        if self.callee.method in (RK4, MAP):
+            most = ANY
         if self.callee.decided:
             self.runs.parameters[:, self.callee.decided_at - 1] = GRAIN * atol
+        budget = 64
+        if self.callee.engine != "python":
+            budget = max(budget, BEGIN // self.callee.nstates)
+        active = 1
         while active:
             check()
             begin = time.perf_counter()
             active = self.advance(rtol, atol, budget, most)
+            # end stiff runs
             doubtful = np.flatnonzero(self.lane[STIFF_STEPS] >= STIFF_AFTER)
             for k in doubtful:
                 self._end_if_stiff(int(k), rtol, atol, implicit)
-            budget = max(budget // 4, 1) if len(doubtful) else budget  # it was not used up
+            # adapt the tries of a call to its duration
+            if len(doubtful):  # they were not used up
+                budget = max(budget // 4, 1)
             share = PAUSE / max(time.perf_counter() - begin, 1e-6)
-            budget = int(min(max(budget * share, budget / 2 + 1), 4 * budget))
+            wished = max(budget * share, budget / 2 + 1)
+            budget = int(min(wished, 4 * budget))
             watch(self)
-        for m, rest in self.rests.items():
-            rest.adaptive(rtol, atol, watch, most)
-            done = len(self.times) - len(rest.times) + 1
-            self.out[m, done:] = rest.out[0, 1:]
-            self.status[m], self.reached[m] = rest.status[0], done + rest.reached[0] - 1
-            self.counts[m] += rest.counts[0]
+        for m, batch in self.continuations.items():
+            batch.adaptive(rtol, atol, watch, most)
+            before = len(self.times) - len(batch.times)
+            self.out[m, before + 1 :] = batch.out[0, 1:]
+            self.status[m] = batch.status[0]
+            self.reached[m] = before + batch.reached[0]
+            self.counts[m] += batch.counts[0]
 
     def advance(self, rtol: float, atol: float, budget: int, most: int = MEMBER_STEPS) -> int:
         """Take some steps in each lane; return how many lanes are at work."""
-        self._tolerances[:], self._call[-2:] = (max(rtol, 2.3e-14), atol), (budget, most)
+        self._tolerances[:] = max(rtol, 2.3e-14), atol
+        self._call[-2:] = budget, most
         return self.callee.call("advance", self._call)
 
     def _end_if_stiff(self, k: int, rtol: float, atol: float, implicit: Any) -> None:
-        """End the run of a lane if it is stiff; its rest begins where it is."""
+        """End the run of a lane if it is stiff; another batch continues it."""
         n = self.callee.nstates
         self.lane[STIFF_STEPS, k] = -LATER
-        m, _, done, *_ = self.integers[:, k].tolist()
+        m, _, reached, *_ = self.integers[:, k].tolist()
         if m < 0:
             return
+        # many steps must be ahead
         t, h, longest = self.lane[[TIME, STEP_SIZE, MAX_STEP], k].tolist()
-        callee, state = implicit(), self.states[STATE, :, k].copy()
+        callee = implicit()
         if self.times[-1] - t < h * callee.linear.steps_worth:
             return
-        P, pieces = (
-            self.runs.parameters[m, : callee.size],
-            self.pieces[self.runs.schedule[m]].after(t),
-        )
-        times = np.append(t, self.times[done:])
-        rest = Batch(callee, state[None], P[None], times, [pieces], None, longest)
-        rest.advance(rtol, atol, 1)
-        if h * radius(rest.linear.jacobian.reshape(n, n)) > LARGE:
-            self.rests[m] = rest
-            self.status[m], self.reached[m] = Status.STIFF, done
+        # the first implicit step computes the Jacobian
+        state = self.states[STATE, :, k].copy()
+        P = self.runs.parameters[m, : callee.size]
+        segments = self.schedules[self.runs.schedule[m]].after(t)
+        times = np.append(t, self.times[reached:])
+        batch = Batch(callee, state[None], P[None], times, [segments], None, longest)
+        batch.advance(rtol, atol, 1)
+        if h * radius(batch.linear.jacobian.reshape(n, n)) > LARGE:
+            self.continuations[m] = batch
+            self.status[m] = Status.STIFF
+            self.reached[m] = reached
             self.integers[RUN_INDEX, k] = -1
 
 
@@ -277,41 +323,56 @@ def radius(matrix: np.ndarray) -> float:
 
 def aligned(*sizes: int) -> list[np.ndarray]:
     """Return arrays of zeros, each aligned with the cache: a line of it holds eight runs."""
-    places = list(accumulate((-(-size // LANES) * LANES for size in sizes), initial=0))
-    room = np.zeros(places[-1] + LANES)
-    first = -(room.ctypes.data // room.itemsize) % LANES
-    return [room[first + k : first + k + size] for k, size in zip(places, sizes, strict=False)]
+    lines = [-(-size // LANES) * LANES for size in sizes]
+    memory = np.zeros(sum(lines) + LANES)
+    offset = -(memory.ctypes.data // memory.itemsize) % LANES
+    arrays = []
+    for size, line in zip(sizes, lines, strict=True):
+        arrays.append(memory[offset : offset + size])
+        offset += line
+    return arrays
 
 
 def _stacked(schedules: list[Schedule]) -> Segments:
     """Return the segments of all schedules, one behind the other."""
-    rows = [(one.edges, one.values, one.smooth) for one in schedules]
-    first = np.array([*accumulate((len(one.edges) for one in schedules), initial=0)])
-    return Segments(first, schedules[0].places, *map(np.concatenate, zip(*rows, strict=True)))
+    counts = [len(schedule.edges) for schedule in schedules]
+    return Segments(
+        np.array([*accumulate(counts, initial=0)]),
+        schedules[0].indices,
+        np.concatenate([schedule.edges for schedule in schedules]),
+        np.concatenate([schedule.values for schedule in schedules]),
+        np.concatenate([schedule.smooth for schedule in schedules]),
+    )
 
 
 def pace(
     most: int, begin: float, end: float, progress: Callable[[float], None] | None
 ) -> Callable[[Batch], None]:
     """Return a watch that reports progress, and refuses a run that cannot reach its end."""
-    last, span = [0, begin], end - begin  # tries and time when the pace was last measured
+    last_tries = 0  # when the pace was last measured
+    last_time = begin
+    span = end - begin
 
     def watch(batch: Batch) -> None:
-        tries, now = int(batch.counts[0, 0] + batch.counts[0, 3]), batch.now
+        nonlocal last_tries, last_time
+        tries = int(batch.counts[0, 0] + batch.counts[0, 3])
+        now = batch.now
         if progress is not None:
             progress(now)
-        if tries < last[0]:  # the rest of a run, by another method
-            last[:] = [0, now]
-        if tries - last[0] < most // 500:
+        if tries < last_tries:  # the run is continued by another method
+            last_tries = 0
+            last_time = now
+        if tries - last_tries < most // 500:
             return
-        ahead = (now - last[1]) / (tries - last[0])
-        if batch.status[0] == Status.RUNNING and ahead * most < span:
-            needed = span / ahead if ahead > 0 else np.inf
+        advance = (now - last_time) / (tries - last_tries)
+        if batch.status[0] == Status.RUNNING and advance * most < span:
+            needed_tries = span / advance if advance > 0 else np.inf
             raise SimulationError(
                 f"too many steps: {tries:,} by t = {now:.9g}, at which pace the run would take "
-                f"{needed:.0e}; rates change too fast there, or a switch goes to and fro: lower "
-                "the gains, give a switch a hysteresis, or loosen rtol and atol"
+                f"{needed_tries:.0e}; rates change too fast there, or a switch goes to and fro: "
+                "lower the gains, give a switch a hysteresis, or loosen rtol and atol"
             )
-        last[:] = [tries, now]
+        last_tries = tries
+        last_time = now
 
     return watch

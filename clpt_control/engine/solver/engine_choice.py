@@ -39,11 +39,11 @@ def make_runner(
 
     A diagram that cannot be compiled runs in Python, with a warning that calls it by `name`.
     """
-    wanted = engine or os.environ.get(ENGINE) or "native"
-    if wanted not in ENGINES:
-        whose = "engine" if engine else f"the environment variable {ENGINE}"
-        raise SimulationError(f"{whose} = '{wanted}': must be one of {', '.join(ENGINES)}")
-    if wanted == "native":
+    choice = engine or os.environ.get(ENGINE) or "native"
+    if choice not in ENGINES:
+        origin = "engine" if engine else f"the environment variable {ENGINE}"
+        raise SimulationError(f"{origin} = '{choice}': must be one of {', '.join(ENGINES)}")
+    if choice == "native":
         try:
             return NativeDiagram(wiring, params, apart=apart)
         except Uncompiled as error:
@@ -55,32 +55,34 @@ def run_checked(
     runner: PythonDiagram, name: str, start: Any, times: Any, params: Any, **options: Any
 ) -> tuple[Solution, np.ndarray]:
     """Run a diagram, in Python if it was misread; return the solution and all signals along it."""
+    inputs = options["inputs"]
     if isinstance(runner, NativeDiagram):
         solution, why = run_compared(runner, start, times, **options)
         if not why:
-            return solution, runner.signals(solution, options["inputs"])
+            return solution, runner.signals(solution, inputs)
         warn_python(name, why)
         runner = PythonDiagram(runner.wiring, params)
     solution = runner.run(start, times, **options)
-    return solution, runner.signals(solution, options["inputs"])
+    return solution, runner.signals(solution, inputs)
 
 
 def run_compared(runner: NativeDiagram, start: Any, times: Any, **options: Any) -> tuple[Any, str]:
-    """Run a diagram; return the solution and, in words, what was misread."""
+    """Run a diagram; return the solution and a sentence on the function that was misread, or ""."""
+    inputs = options["inputs"]
     try:
         solution = runner.run(start, times, **options)
     except SimulationError as error:
         at_start = Solution(np.asarray(times[:1]), np.reshape(start, (1, -1)))
-        why = difference(runner, at_start, options["inputs"])
-        points = getattr(error, "points", [])
-        why = why or difference_ahead(runner, points, times, options["inputs"])
-        not_finite = Status.NOT_FINITE.sentence in str(error)
-        if not why and not_finite:  # Python's blocks find nothing
+        why = difference(runner, at_start, inputs)
+        if not why:
+            points = getattr(error, "points", [])
+            why = difference_ahead(runner, points, times, inputs)
+        if not why and Status.NOT_FINITE.sentence in str(error):  # blocks in Python find nothing
             why = "what was read gives a number that is not finite, where Python gives one"
         if not why:
             raise
         return None, why
-    return solution, difference(runner, solution, options["inputs"])
+    return solution, difference(runner, solution, inputs)
 
 
 def warn_python(name: str, why: str) -> None:
@@ -88,63 +90,76 @@ def warn_python(name: str, why: str) -> None:
     warn(f"{name} runs in Python, not as machine code: {why}")
 
 
-# --- whether the record does what the functions do --------------------------------------------
+# --- comparison of the record with the functions ----------------------------------------------
 
-CLOSE = 1e-7  # relative: rounding of terms that cancel, not another way through a function
-# relative: on a kink, and at rest, rounding decides: compared is beside it, and then farther, where
-# rates are far above the rounding of what cancels at rest
-BESIDE = 1e-6, -1e-6, 1e-3, -1e-3
-OTHER = 7919  # a prime: samples of the runs that follow
+CLOSE = 1e-7  # relative: rounding of terms that cancel, not another execution path
+# relative: on a kink, and at rest, rounding decides: states next to it are compared, and then
+# states farther away, where rates are far above the rounding of terms that cancel at rest
+DISTANCES = 1e-6, -1e-6, 1e-3, -1e-3
+STRIDE = 7919  # a prime: samples of the runs that follow
 
 
 def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs | None) -> str:
-    """Return in words what was misread; "" where all agrees."""
+    """Return a sentence on the function that was misread; "" where all agrees."""
     n = len(solution.t)
     if not n or all(node.system.of_package for node in runner.wiring.nodes):
         return ""
     # four samples of the first run, and of each later one another sample
-    later = runner.comparisons * OTHER % n
-    at = [later] if runner.comparisons else sorted({0, n // 3, 2 * n // 3, n - 1})
+    samples = sorted({0, n // 3, 2 * n // 3, n - 1})
+    if runner.comparisons:
+        samples = [runner.comparisons * STRIDE % n]
     runner.comparisons += 1
-    pieces = runner.pieces(solution, inputs)
+    # compare them, then states next to those that differ
+    segments = runner.segments_of(solution, inputs)
     solution.signals = runner.evaluated_signals(solution, inputs)
-    same = _agrees(runner, pieces, solution.t[at], solution.x[at], inputs, solution.signals[at])
-    for k in np.array(at)[~same]:
-        t = solution.t[k : k + 1]
-        for apart, moved in zip(BESIDE, beside(solution.x[k]), strict=True):
-            if _agrees(runner, pieces, t + 1e-3 * apart, moved[None], inputs)[0]:
-                break
-        else:
-            moved = moved[: runner.sweep.nstates]
-            runner.sweep.derivative(t[0], moved, None if inputs is None else inputs.at(t[0]))
-            misread = misread_function(runner, float(t[0]), moved)
-            return misread or f"at t = {t[0]:.6g} its rates are not those of its functions"
+    signals = solution.signals[samples]
+    agrees = _agrees(runner, segments, solution.t[samples], solution.x[samples], inputs, signals)
+    for k in np.array(samples)[~agrees]:
+        why = _difference_beside(runner, segments, solution.t[k], solution.x[k], inputs)
+        if why:
+            return why
     return ""
+
+
+def _difference_beside(
+    runner: NativeDiagram, segments: Schedule, t: float, x: np.ndarray, inputs: Inputs | None
+) -> str:
+    """Return a sentence on the function that differs at all states next to x too, or ""."""
+    for distance, moved in zip(DISTANCES, beside(x), strict=True):
+        time = np.array([t + 1e-3 * distance])
+        if _agrees(runner, segments, time, moved[None], inputs)[0]:
+            return ""
+    moved = moved[: runner.sweep.nstates]
+    u = None if inputs is None else inputs.at(t)
+    runner.sweep.derivative(t, moved, u)
+    misread = misread_function(runner, float(t), moved)
+    return misread or f"at t = {t:.6g} its rates are not those of its functions"
 
 
 def difference_ahead(runner: NativeDiagram, points: list, times: Any, inputs: Inputs | None) -> str:
     """Return where Python gives a number, and machine code none, ahead of a stopped run."""
     if not points or all(node.system.of_package for node in runner.wiring.nodes):
         return ""
-    at, x = (np.array(own) for own in zip(*points, strict=True))
-    finite = np.isfinite(x).all(axis=1)
-    pieces = runner.schedule(times, inputs)
-    for t, state in zip(at[finite], x[finite], strict=True):
-        if not _agrees(runner, pieces, t[None], state[None], inputs)[0]:
-            return misread_function(runner, float(t), state) or ""
+    segments = runner.schedule(times, inputs)
+    for t, x in points:
+        if not np.isfinite(x).all():
+            continue
+        if not _agrees(runner, segments, np.array([t]), x[None], inputs)[0]:
+            return misread_function(runner, float(t), x) or ""
     return ""
 
 
 def beside(x: np.ndarray) -> list[np.ndarray]:
-    """Return states beside these."""
-    ways = (1.0 + np.abs(x)) * np.linspace(0.7, 1.0, len(x))  # all alike might stay at rest
-    return [x + apart * ways for apart in BESIDE]
+    """Return states next to these."""
+    directions = np.linspace(0.7, 1.0, len(x))  # equal ones might stay at rest
+    scaled = (1.0 + np.abs(x)) * directions
+    return [x + distance * scaled for distance in DISTANCES]
 
 
 def _agrees(
     runner: NativeDiagram,
-    pieces: Schedule,
-    times: Any,
+    segments: Schedule,
+    times: np.ndarray,
     x: np.ndarray,
     inputs: Inputs | None,
     signals: np.ndarray | None = None,
@@ -154,40 +169,52 @@ def _agrees(
     That is the same signals, which machine code may have given before, the same rates, and the
     same states after all jumps.  Derivatives along directions, behind them, are not compared.
     """
-    sweep, P = runner.sweep, runner.parameters()
-
-    def evaluated(role: int, count: int, own: Schedule = pieces) -> np.ndarray:
-        return runner.callee(1, inputs).evaluate(role, times, x, own, P, count)
-
-    signals = evaluated(SIGNALS, runner.nsignals) if signals is None else signals
+    sweep = runner.sweep
+    callee = runner.callee(1, inputs)
+    P = runner.parameters()
+    # 1. results of machine code
+    if signals is None:
+        signals = callee.evaluate(SIGNALS, times, x, segments, P, runner.nsignals)
     machine = [signals]
     if runner.nstates:
-        machine.append(evaluated(DERIVATIVE, runner.nstates))
+        machine.append(callee.evaluate(DERIVATIVE, times, x, segments, P, runner.nstates))
     if sweep.jumping:
-        every_jump = pieces.values.copy()
-        every_jump[:, np.isin(pieces.places, list(runner.jumps.values()))] = JUMPS
-        every = pieces._replace(values=every_jump)
-        machine.append(evaluated(JUMP, runner.nstates, every))
-    python = []
+        values = segments.values.copy()
+        values[:, np.isin(segments.indices, list(runner.jumps.values()))] = JUMPS
+        all_jump = segments._replace(values=values)
+        machine.append(callee.evaluate(JUMP, times, x, all_jump, P, runner.nstates))
+    # 2. results of the functions in Python
+    python: list[list[np.ndarray]] = [[] for _ in machine]
     for t, state in zip(times.tolist(), x[:, : sweep.nstates], strict=True):
         u = None if inputs is None else inputs.at(t)
         sweep.enter(t + rounding(t))
         rates = sweep.derivative(t, state, u)
-        own = [sweep.signals.copy(), rates][: len(machine)]
-        python.append([*own, sweep.jump(t, state, u, sweep.jumping)] if sweep.jumping else own)
-    pairs = zip(zip(*python, strict=True), machine, strict=True)
-    return np.all([_same(np.array(own), others[:, : len(own[0])]) for own, others in pairs], axis=0)
+        results = [sweep.signals.copy()]
+        if runner.nstates:
+            results.append(rates)
+        if sweep.jumping:
+            results.append(sweep.jump(t, state, u, sweep.jumping))
+        for rows, row in zip(python, results, strict=True):
+            rows.append(row)
+    # 3. rows in which all of them are equal
+    agrees = np.ones(len(times), dtype=bool)
+    for rows, compiled in zip(python, machine, strict=True):
+        expected = np.array(rows)
+        agrees &= _equal(expected, compiled[:, : expected.shape[1]])
+    return agrees
 
 
-def _same(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+def _equal(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """Return which rows are equal up to rounding."""
     with np.errstate(invalid="ignore"):
+        error = np.abs(a - b)
         size = np.abs(a)
-        if (np.abs(a - b) <= CLOSE * size).all():
+        if (error <= CLOSE * size).all():
             return np.ones(len(a), dtype=bool)
         largest = size.max(axis=-1, initial=1e-300, where=size < np.inf, keepdims=True)
-        near = np.abs(a - b) <= CLOSE * (size + 1e-3 * largest)
-    return np.all(near | (a == b) | (np.isnan(a) & np.isnan(b)), axis=-1)
+        close = error <= CLOSE * (size + 1e-3 * largest)
+    both_nan = np.isnan(a) & np.isnan(b)
+    return np.all(close | (a == b) | both_nan, axis=-1)
 
 
 @np.errstate(all="ignore")  # as a sweep runs them
@@ -195,12 +222,14 @@ def misread_function(runner: PythonDiagram, t: float, x: np.ndarray) -> str | No
     """Return a sentence on the function whose record differs from it, at the last pass's inputs."""
     sweep = runner.sweep
     for k, node in enumerate(runner.wiring.nodes):
-        block, states, u, p = node.system, x[node.states], sweep.fed(k), sweep.parameters[k]
+        block = node.system
+        arguments = x[node.states], sweep.fed(k), sweep.parameters[k]
         for role in ("output", "update", "jump"):
             if getattr(block, f"{role}_function") is None:
                 continue
             with suppress(Unread):
-                values = on_arrays(block, role, t, states, u, p)
-                if not _same(block.values(role, len(values), t, states, u, p), values).all():
+                values = on_arrays(block, role, t, *arguments)
+                expected = block.values(role, len(values), t, *arguments)
+                if not _equal(expected, values).all():
                     return f"{node.name}.{role} gives other numbers in Python"
     return None

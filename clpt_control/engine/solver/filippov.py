@@ -44,8 +44,8 @@ from .termination import edge, state_within
 NEGLIGIBLE = 1e-6  # share of rates that counts as nothing
 TINY = 1e-30
 PARALLEL = 1e-4  # share of a slope that may stand out of the others
-NEAR = 1e3  # least distances, at which a decision is about to change
-MOST_IN_VAIN = 50  # parts of a run in a row, each shorter than SHORT of the run
+NEAR = 1e3  # rounding errors of a distance within which a decision is about to change
+MOST_IN_VAIN = 50  # batches of a run in a row, each shorter than SHORT of the run
 SHORT = 1e-7
 STATE_CHANGE = 1e-6  # relative, for the slopes of distances
 
@@ -73,16 +73,21 @@ Begin = Callable[[Any, np.ndarray, np.ndarray, np.ndarray, Schedule], Batch]
 def continue_on_switch(diagram: Any, batch: Batch, begin: Begin) -> None:
     """Continue a batch of one run of a `NativeDiagram` that ended on a switch.
 
-    ``begin(diagram, parameters, state, times, segments)`` runs a part.
+    ``begin(diagram, parameters, state, times, segments)`` runs a batch up to its end.
     """
-    times, part, in_vain = batch.times, batch, 0
+    times = batch.times
+    current = batch
+    in_vain = 0
     sliding: Sliding | None = None
     while True:
-        last = part.rests.get(0, part)
-        status, t, x = last.status[0], last.now, last.states[STATE, :, 0].copy()
+        last = current.continuations.get(0, current)
+        status = last.status[0]
+        t = last.now
+        x = last.states[STATE, :, 0].copy()
         # 1. enter or leave the switch, or end
         if status == Status.CHATTERING and sliding is None and in_vain < MOST_IN_VAIN:
-            if (sliding := enter(diagram, last)) is None:
+            sliding = enter(diagram, last)
+            if sliding is None:
                 break
             batch.slides.append(t)
         elif sliding is not None and status == Status.GUARD_LEFT:
@@ -99,31 +104,37 @@ def continue_on_switch(diagram: Any, batch: Batch, begin: Begin) -> None:
         for k in np.flatnonzero((times > last.now) & (times <= t)):
             share = (times[k] - last.now) / last.lane[TRIAL_SIZE, 0]
             batch.out[0, k] = state_within(last, share) if sliding is None else x
-        in_vain = 0 if t - part.times[0] > SHORT * (times[-1] - times[0]) else in_vain + 1
-        # 3. the next part, and its samples
-        part = _next_part(diagram, batch, begin, sliding, t, x)
-    if part is not batch:
-        batch.rests[0], batch.status[0] = last, last.status[0]
+        short = t - current.times[0] <= SHORT * (times[-1] - times[0])
+        in_vain = in_vain + 1 if short else 0
+        # 3. the next batch, and its samples
+        current = _next_batch(diagram, batch, begin, sliding, t, x)
+    if current is not batch:
+        batch.continuations[0] = last
+        batch.status[0] = last.status[0]
         batch.reached[0] = np.searchsorted(times, last.now, "right")
 
 
-def _next_part(
+def _next_batch(
     diagram: Any, batch: Batch, begin: Begin, sliding: Sliding | None, t: float, x: np.ndarray
 ) -> Batch:
-    """Run the next part, with or without sliding, and copy its samples into the batch."""
-    times, segments = batch.times, batch.pieces[0].after(t)
+    """Run the next batch, with or without sliding, and copy its samples into the first."""
+    times = batch.times
+    segments = batch.schedules[0].after(t)
     ahead = times[times > t]
-    runner, parameters = diagram, batch.runs.parameters[0]
+    runner = diagram
+    parameters = batch.runs.parameters[0]
     if sliding is not None:
-        runner, parameters = sliding
+        runner = sliding.runner
+        parameters = sliding.parameters
         segments = _until_a_jump(segments)
-        ahead = np.union1d(ahead[ahead < segments.edges[-2]], segments.edges[-2:-1])
-    part = begin(runner, parameters, x, np.append(t, ahead), segments)
-    reached_times = ahead[: part.reached[0] - 1]
+        end = segments.edges[-2:-1]
+        ahead = np.union1d(ahead[ahead < end], end)
+    following = begin(runner, parameters, x, np.append(t, ahead), segments)
+    reached_times = ahead[: following.reached[0] - 1]
     _, samples, indices = np.intersect1d(times, reached_times, return_indices=True)
-    batch.out[0, samples] = part.out[0, 1 + indices]
-    batch.counts += part.counts
-    return part
+    batch.out[0, samples] = following.out[0, 1 + indices]
+    batch.counts += following.counts
+    return following
 
 
 def _until_a_jump(segments: Schedule) -> Schedule:
@@ -132,20 +143,26 @@ def _until_a_jump(segments: Schedule) -> Schedule:
     Where inputs bend, the rates on a switch jump too: each segment begins anew.
     """
     jumps = np.flatnonzero(segments.smooth[1:-1] == 0)
-    k = int(jumps[0]) if len(jumps) else len(segments.edges) - 2
-    edges = np.append(segments.edges[: k + 1], np.inf)
-    smooth = np.zeros_like(segments.smooth[: k + 2])
-    return Schedule(edges, segments.places, segments.values[: k + 2], smooth)
+    count = 1 + (int(jumps[0]) if len(jumps) else len(segments.edges) - 2)
+    return Schedule(
+        edges=np.append(segments.edges[:count], np.inf),
+        indices=segments.indices,
+        values=segments.values[: count + 1],
+        smooth=np.zeros_like(segments.smooth[: count + 1]),
+    )
 
 
 def leave(batch: Batch) -> tuple[float, np.ndarray]:
     """Return time and state where w leaves 0 ... 1, or a guard is met, in the step not taken."""
-    t, size = batch.now, float(batch.lane[TRIAL_SIZE, 0])
+    t = batch.now
+    size = float(batch.lane[TRIAL_SIZE, 0])
+    segments = batch.schedules[0]
 
     def margin(share: float) -> float:
-        state = state_within(batch, share)[None]
-        point = [t + share * size], state, batch.pieces[0], batch.memory.P
-        distance = batch.callee.evaluate(MARGIN, *point, 1)[0, 0]
+        times = [t + share * size]
+        states = state_within(batch, share)[None]
+        margins = batch.callee.evaluate(MARGIN, times, states, segments, batch.memory.P, 1)
+        distance = margins[0, 0]
         return -1.0 if np.isnan(distance) else float(distance)
 
     share = edge(batch, margin)
@@ -156,94 +173,115 @@ def leave(batch: Batch) -> tuple[float, np.ndarray]:
 
 
 class Crossing(NamedTuple):
-    """Where a run crosses a switch to and fro."""
+    """The point at which a run crosses a switch to and fro."""
 
     time: float
     state: np.ndarray
-    near: np.ndarray  # decisions that are about to change
+    undecided: np.ndarray  # decisions that are about to change
     slopes: np.ndarray  # of the distances of all decisions, (states, decisions)
     rates: np.ndarray
 
     def parallel_to(self, decision: int, candidates: Iterable[int]) -> list[int]:
         """Return the candidates that change where a decision does: their slopes are parallel."""
         candidates = [*candidates]
-        slope, slopes = self.slopes[:, [decision]], self.slopes[:, candidates]
-        beside = slopes - slope @ np.linalg.lstsq(slope, slopes, rcond=None)[0]
-        flat = np.linalg.norm(beside, axis=0) <= PARALLEL * np.linalg.norm(slopes, axis=0)
-        return [*np.compress(flat, candidates)]
+        slope = self.slopes[:, [decision]]
+        slopes = self.slopes[:, candidates]
+        shares, *_ = np.linalg.lstsq(slope, slopes, rcond=None)
+        perpendicular = np.linalg.norm(slopes - slope @ shares, axis=0)
+        parallel = perpendicular <= PARALLEL * np.linalg.norm(slopes, axis=0)
+        return [*np.compress(parallel, candidates)]
 
     def both_sides(self, decision: int) -> np.ndarray:
         """Return states on both sides of where a decision changes."""
-        normal = self.slopes[:, decision] / np.sum(self.slopes[:, decision] ** 2)
+        slope = self.slopes[:, decision]
+        normal = slope / np.sum(slope**2)
         return self.state + 1e-8 * np.outer([1.0, -1.0], normal)
 
 
 def enter(diagram: Any, batch: Batch) -> Sliding | None:
     """Return a run on the switch that a batch of one run crosses to and fro, or None."""
     crossing = _crossing(diagram, batch)
-    count, first = diagram.code.program.decided, diagram.decided_at
-    before = batch.memory.P[first : first + count]
+    # 1. decisions before and behind the crossing
+    count = diagram.code.program.decided
+    before = batch.memory.P[diagram.decided_at :][:count]
     behind = batch.points[SAMPLE_POINTS, DECISION]
     changed = before != behind
-    near = [k for k in range(count) if changed[k] or (k in crossing.near and abs(before[k]) == 1.0)]
+    changing = np.isin(np.arange(count), crossing.undecided) & (np.abs(before) == 1.0)
+    candidates = np.flatnonzero(changed | changing).tolist()
+    # 2. a switch of those that changed, the steepest first
     steepness = np.linalg.norm(crossing.slopes, axis=0)
-    remaining = sorted(near, key=lambda k: (not changed[k], -steepness[k]))
+    remaining = sorted(candidates, key=lambda k: (not changed[k], -steepness[k]))
     while remaining and changed[remaining[0]]:
         switch = remaining[0]
-        parallel = [k for k in crossing.parallel_to(switch, near) if k != switch]
-        decisions = [switch, *parallel]
-        sides = np.vstack([before, before])
-        sides[1, decisions] = np.where(changed[decisions], behind[decisions], -before[decisions])
-        held = HeldSwitch(tuple(sorted(decisions)), switch)
-        if (sliding := _sliding_on(diagram, batch, crossing, held, sides)) is not None:
+        decisions = [switch]
+        decisions += [k for k in crossing.parallel_to(switch, candidates) if k != switch]
+        # 3. decisions on both of its sides
+        on_sides = np.vstack([before, before])
+        opposite = np.where(changed[decisions], behind[decisions], -before[decisions])
+        on_sides[1, decisions] = opposite
+        fixed = HeldSwitch(tuple(sorted(decisions)), switch)
+        sliding = _sliding_on(diagram, batch, crossing, fixed, on_sides)
+        if sliding is not None:
             return sliding
         remaining = [k for k in remaining if k not in decisions]
     return None
 
 
 def _crossing(diagram: Any, batch: Batch) -> Crossing:
-    """Return where a batch of one run ended."""
-    state, count = batch.states[STATE, :, 0].copy(), diagram.code.program.decided
+    """Return the point at which a batch of one run ended."""
+    state = batch.states[STATE, :, 0].copy()
     changes = STATE_CHANGE * (1.0 + np.abs(state))
     states = np.vstack([state, state + np.diag(changes)])
-    times, rest = np.full(len(states), batch.now), (batch.pieces[0], batch.memory.P)
+    times = np.full(len(states), batch.now)
     callee = diagram.callee()
-    conditions = callee.evaluate(DECIDE, times, states, *rest, 3 * count).reshape(-1, 3, count)
-    distance, rounding = conditions[:, 1], conditions[0, 2]
-    near = np.flatnonzero(np.abs(distance[0]) < NEAR * rounding)
+    segments = batch.schedules[0]
+    P = batch.memory.P
+    # distances of the decisions, and their slopes by differences
+    count = diagram.code.program.decided
+    conditions = callee.evaluate(DECIDE, times, states, segments, P, 3 * count)
+    conditions = conditions.reshape(-1, 3, count)
+    distance = conditions[:, 1]
+    rounding_error = conditions[0, 2]
     slopes = (distance[1:] - distance[0]) / changes[:, None]
-    rates = callee.evaluate(DERIVATIVE, times[:1], states[:1], *rest, len(state))
-    return Crossing(batch.now, state, near, slopes, rates)
+    undecided = np.flatnonzero(np.abs(distance[0]) < NEAR * rounding_error)
+    rates = callee.evaluate(DERIVATIVE, times[:1], states[:1], segments, P, len(state))
+    return Crossing(batch.now, state, undecided, slopes, rates)
 
 
 def _sliding_on(
-    diagram: Any, batch: Batch, crossing: Crossing, held: HeldSwitch, sides: np.ndarray
+    diagram: Any, batch: Batch, crossing: Crossing, fixed: HeldSwitch, on_sides: np.ndarray
 ) -> Sliding | None:
-    """Return a run on a switch, whose decisions are those of a row of `sides` on each side.
+    """Return a run on a switch, whose decisions on either side are a row of `on_sides`.
 
     None where rates lead away from it, or depend on another decision that stays undecided there.
     """
     try:
-        runner = diagram.in_form(held)
+        runner = diagram.in_form(fixed)
     except (Unread, Uncompiled):
         return None
-    first, known = diagram.decided_at, len(diagram.layout.P)
+    # 1. parameters with the decisions on both sides
     parameters = runner.parameters()
-    parameters[:known] = batch.runs.parameters[0][:known]
-    parameters[first - 1] = batch.memory.P[first - 1]
-    parameters[first : first + sides.size] = sides.ravel()
-    callee, segments = runner.callee(), batch.pieces[0]
-    point = [crossing.time], crossing.state[None], segments, parameters
-    if not callee.evaluate(MARGIN, *point, 1)[0, 0] > 0.0:
+    count = len(diagram.layout.P)
+    parameters[:count] = batch.runs.parameters[0][:count]
+    offset = diagram.decided_at
+    parameters[offset - 1] = batch.memory.P[offset - 1]
+    parameters[offset : offset + on_sides.size] = on_sides.ravel()
+    # 2. rates lead back to the switch from both sides
+    callee = runner.callee()
+    segments = batch.schedules[0]
+    state = crossing.state[None]
+    margins = callee.evaluate(MARGIN, [crossing.time], state, segments, parameters, 1)
+    if not margins[0, 0] > 0.0:
         return None
-    moving = [k for k in crossing.near if crossing.slopes[:, k].any() and k not in held.decisions]
-    undecided = crossing.parallel_to(held.switch, moving)
-    states = np.reshape(
-        [state for k in undecided for state in crossing.both_sides(k)], (-1, len(crossing.state))
-    )
+    # 3. and do not depend on another decision that changes on the same switch
+    moving = np.flatnonzero(crossing.slopes.any(axis=0))
+    candidates = set(crossing.undecided) & set(moving) - set(fixed.decisions)
+    pairs = [crossing.both_sides(k) for k in crossing.parallel_to(fixed.switch, sorted(candidates))]
+    states = np.reshape(pairs, (-1, state.size))
     times = np.full(len(states), crossing.time)
-    rates = callee.evaluate(DERIVATIVE, times, states, segments, parameters, states.shape[1])
-    if np.any(np.abs(rates[::2] - rates[1::2]) > NEGLIGIBLE * np.abs(crossing.rates).max()):
+    rates = callee.evaluate(DERIVATIVE, times, states, segments, parameters, state.size)
+    differences = np.abs(rates[::2] - rates[1::2])
+    if np.any(differences > NEGLIGIBLE * np.abs(crossing.rates).max()):
         return None
     return Sliding(runner, parameters)
 
@@ -251,42 +289,54 @@ def _sliding_on(
 # --- rates on a switch ----------------------------------------------------------------------------
 
 
-def slide(record: Any, held: HeldSwitch) -> None:
+def slide(record: Any, fixed: HeldSwitch) -> None:
     """Replace the rates of a `DiagramRecord` by those on a switch.
 
-    w and 1 - w become margins, and so does that the other held decisions stay where they are.
+    w and 1 - w become margins, and so does that the other fixed decisions stay where they are.
     """
-    value, conditions = record.tape.value, record.decisions
-    side, other_side = (conditions.lock(record.rates, held.decisions) for _ in range(2))
-    distance = conditions.distance_of(held.switch)
-    along = _slope(record, distance, side)
-    pivot = _slope(record, distance, other_side) - along
-    if type(pivot) is float and pivot == 0.0:
+    conditions = record.decisions
+    tape = record.tape
+    # 1. rates on both sides, and w
+    rates_0 = conditions.lock(record.rates, fixed.decisions)
+    rates_1 = conditions.lock(record.rates, fixed.decisions)
+    distance = conditions.distance_of(fixed.switch)
+    slope = _slope(record, distance, rates_0)
+    difference = _slope(record, distance, rates_1) - slope
+    if type(difference) is float and difference == 0.0:
         raise Unread("a switch that its rates do not move")
-    weight = -along / pivot
+    weight = -slope / difference
     record.margins += [operand(weight), operand(1.0 - weight)]
+    # 2. the mean of the rates
     record.rates = []
-    for port, other in zip(side, other_side, strict=True):
-        a, b = (spread(record.tape, value(rate.ref), port.shape) for rate in (port, other))
-        mean = a if other.ref == port.ref else a + weight * (b - a)
-        record.rates.append(port._replace(ref=operand(mean)))
-    for decision in set(held.decisions) - {held.switch}:
+    for port_0, port_1 in zip(rates_0, rates_1, strict=True):
+        mean = spread(tape, tape.value(port_0.ref), port_0.shape)
+        rate_1 = spread(tape, tape.value(port_1.ref), port_0.shape)
+        if port_1.ref != port_0.ref:
+            mean = mean + weight * (rate_1 - mean)
+        record.rates.append(port_0._replace(ref=operand(mean)))
+    # 3. the distances of the other decisions do not change
+    for decision in set(fixed.decisions) - {fixed.switch}:
         distance = conditions.distance_of(decision)
         moved = np.fabs(_slope(record, distance, record.rates))
-        scale = np.fabs(_slope(record, distance, side))
+        scale = np.fabs(_slope(record, distance, rates_0))
         record.margins.append(operand(1.0 - moved / (NEGLIGIBLE * scale + TINY)))
 
 
 def _slope(record: Any, distance: int, rates: list[Port]) -> Any:
     """Return g' along rates."""
-    along: dict[int, Any] = {}
+    direction: dict[int, Any] = {}
     for k in reached(record.entries, [distance]):
-        kind, _, shape, at = record.entries[k]
-        if kind == "load" and at[0] == "t":
-            along[k] = 1.0
-        for port in rates if kind == "load" and at[0] == "X" else ():
-            first, end = at[1], at[1] + prod(shape)
-            if port.first <= first and end <= port.first + prod(port.shape):
-                part = record.part(port.ref, first - port.first, shape)
-                along[k] = record.tape.value(part)
-    return Direction(record.tape, along).of(record.tape.value(distance))
+        kind, _, shape, location = record.entries[k]
+        if kind != "load":
+            continue
+        if location[0] == "t":
+            direction[k] = 1.0
+        if location[0] != "X":
+            continue
+        begin = location[1]
+        end = begin + prod(shape)
+        for port in rates:
+            if port.first <= begin and end <= port.first + prod(port.shape):
+                rate = record.part(port.ref, begin - port.first, shape)
+                direction[k] = record.tape.value(rate)
+    return Direction(record.tape, direction).of(record.tape.value(distance))

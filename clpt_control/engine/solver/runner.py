@@ -7,10 +7,9 @@ The times are those that python-control takes: `dt` apart, or evenly spaced if d
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from contextlib import suppress
 from copy import copy
 from ctypes import c_void_p, cast
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any, Self
 
@@ -49,7 +48,7 @@ from .termination import (
     without_states,
 )
 
-FELT = 200.0  # tolerances of an input: a run stops where it bends off its line by more
+BEND = 200.0  # tolerances of an input: a run stops where it bends off its line by more
 
 
 class PythonDiagram:
@@ -61,18 +60,21 @@ class PythonDiagram:
 
     engine = "python"
     most = 10_000_000  # tries of a run
-    ramp = -1  # place in P of the diagram's inputs, where they are read from there
+    ramp = -1  # offset in P of the diagram's inputs, where they are read from there
 
     def __init__(
         self, diagram: control.NonlinearIOSystem | Wiring, params: Mapping[str, Any] | None = None
     ):
-        if not isinstance(diagram, Wiring):
+        if isinstance(diagram, Wiring):
+            self.wiring = diagram
+        else:
             read_anew(diagram)
-        self.wiring = diagram if isinstance(diagram, Wiring) else wiring_of(diagram, params)
+            self.wiring = wiring_of(diagram, params)
         self.sweep = Sweep(self.wiring, changed_parameters(self.wiring.blocks, params))
-        self.nstates, self.nsignals = self.sweep.nstates, len(self.sweep.signals)
-        self.intervals: dict[int, int] = {}  # places in P of each block's `interval`
-        self.jumps = {k: place for place, k in enumerate(self.sweep.jumping)}  # 1 where it jumps
+        self.nstates = self.sweep.nstates
+        self.nsignals = len(self.sweep.signals)
+        self.intervals: dict[int, int] = {}  # indices in P of each block's `interval`
+        self.jumps = {k: index for index, k in enumerate(self.sweep.jumping)}  # 1 where it jumps
         self.time_tables: list[TimeTable] = []  # of machine code
 
     def __repr__(self) -> str:
@@ -81,11 +83,11 @@ class PythonDiagram:
 
     def with_parameters(self, parameters: Sequence[Any]) -> Self:
         """Return the diagram with other parameters of its blocks."""
-        other = copy(self)
-        other.sweep = Sweep(self.wiring, parameters)
-        return other
+        diagram = copy(self)
+        diagram.sweep = Sweep(self.wiring, parameters)
+        return diagram
 
-    # --- what machine code overrides ------------------------------------------------------
+    # --- overridden by machine code -------------------------------------------------------
 
     def parameters(self) -> np.ndarray:
         """Return P; in Python it says which blocks jump."""
@@ -94,34 +96,53 @@ class PythonDiagram:
     schedule = make_schedule
 
     def callee(self, lanes: int = 1, inputs: Inputs | None = None, method: int = DOP853) -> Callee:
-        """Return what the solver calls, for one of its methods."""
-        n, sweep, raised = self.nstates, self.sweep, list[BaseException]()
+        """Return the functions that the solver calls, for one of its methods."""
+        n = self.nstates
+        sweep = self.sweep
+        raised = list[BaseException]()
         u: Any = (lambda t: None) if inputs is None else inputs.at
 
         def jump(t: float, x: np.ndarray, P: np.ndarray) -> np.ndarray:
-            jumping, beginning = (
-                [k for k, place in self.jumps.items() if P[place] == how] for how in (JUMPS, BEGINS)
-            )
+            jumping = [k for k, index in self.jumps.items() if P[index] == JUMPS]
+            beginning = [k for k, index in self.jumps.items() if P[index] == BEGINS]
             return sweep.jump(t, x, u(t), jumping, beginning)
 
-        functions: list[tuple[Any, str, int]] = [  # in the solver's order, and what they write
+        # in the solver's order: each function, the array that it writes, and how many numbers
+        functions: list[tuple[Any, str, int]] = [
             (lambda t, x, P: sweep.rates(t, x, u(t)), "D", n),
             (lambda t, x, P: sweep.enter(t + rounding(t)), "D", 0),
             (lambda t, x, P: sweep.margin(t, x, u(t))[0], "D", 1),
             (lambda t, x, P: sweep.evaluate(t, x, u(t)), "W", self.nsignals),
             (jump, "D", n),
         ]
-        places = len(self.jumps)
-        own = [callback(one, n, places, array, count, raised) for one, array, count in functions]
-        addresses = [*(cast(one, c_void_p).value for one in own), 0]
-        full = np.ones((n, n + 1), dtype=bool)
-        linear = jacobian(full) if method == RODAS5P else Jacobian()
-        sizes = places, self.nsignals, np.zeros(1)
+        size = len(self.jumps)
+        callbacks = [
+            callback(function, n, size, array, count, raised)
+            for function, array, count in functions
+        ]
+        addresses = [cast(pointer, c_void_p).value for pointer in callbacks]
+        guarded, jumping = self.watched(method)
         straight = inputs is None or inputs.bends_sharply_only
-        shape = 1, n, method, *self.watched(method), 0, 0, 1 if straight else 2
-        return with_formulas(
-            Callee("python", addresses, *shape, *sizes, linear, code=(own,), raised=raised)
+        full = np.ones((n, n + 1), dtype=bool)
+        callee = Callee(
+            engine="python",
+            functions=[*addresses, 0],
+            lanes=1,
+            nstates=n,
+            method=method,
+            guarded=guarded,
+            jumping=jumping,
+            decided_at=0,
+            decided=0,
+            unannounced=1 if straight else 2,
+            size=size,
+            room=self.nsignals,
+            tables=np.zeros(1),
+            linear=jacobian(full) if method == RODAS5P else Jacobian(),
+            code=(callbacks,),
+            raised=raised,
         )
+        return with_formulas(callee)
 
     def watched(self, method: int) -> tuple[int, int]:
         """Return 1 if guards are watched, and 1 if states jump; neither in discrete time."""
@@ -130,7 +151,7 @@ class PythonDiagram:
         return int(self.sweep.guarded), int(bool(self.jumps))
 
     def implicit(self, inputs: Inputs | None = None) -> Callee:
-        """Return what the solver calls for its implicit method."""
+        """Return the functions that the solver calls for its implicit method."""
         return self.callee(1, inputs, RODAS5P)
 
     # --- runs -----------------------------------------------------------------------------
@@ -185,51 +206,111 @@ class PythonDiagram:
             step becomes too small, the end is out of reach, or a guard with
             the policy ``"raise"`` is crossed.
         """
-        options: dict[str, Any] = {
-            **{"step": step, "max_step": None if max_step == np.inf else max_step},
-            **{"first_step": first_step, "method": method, "rtol": rtol, "atol": atol},
-            "progress": progress,
-        }
-        times, start = checked_times("times", times), checked_state("x0", x0, (self.nstates,))
-        rtol, atol, *limits, method = checked_steps(self.wiring.dt, times, **options)
-        t0, t1 = float(times[0]), float(times[-1])
+        times = checked_times("times", times)
+        start = checked_state("x0", x0, (self.nstates,))
+        longest = None if max_step == np.inf else max_step
+        options = RunOptions.checked(
+            self.wiring.dt,
+            times,
+            rtol=rtol,
+            atol=atol,
+            step=step,
+            max_step=longest,
+            first_step=first_step,
+            method=method,
+            progress=progress,
+        )
         inputs = self._inputs(inputs, times)
         if not self.nstates:
             return without_states(self.sweep, times, inputs, self.engine)
         if self.wiring.dt and self.engine == "python":
             return in_discrete_time(self.sweep, start, times, inputs, progress)
-        by, auto = self.method_number(method, step), method == "auto" and step is None
-        pieces = self.schedule(times, inputs, FELT * rtol)
-        callee, P = self.callee(1, inputs, by), self.parameters()
-        start = sampled_start(callee, start, t0, pieces, P)
-        most = self.most if by > RK4 else ANY
+        return self._solution(start, times, inputs, options)
 
-        def begun(of: Any, P: Any, start: Any, times: np.ndarray, pieces: Schedule) -> Batch:
-            callee, rows = of.callee(1, inputs, by), (start[None], P[None], times, [pieces], None)
-            return Batch(callee, *rows, *limits)
-
-        def run(batch: Batch, of: Any) -> Batch:
-            implicit = partial(of.implicit, inputs) if auto else None
-            watch = pace(most, batch.times[0], t1, progress)
-            batch.adaptive(rtol, atol, watch, most, implicit)
-            return batch
-
-        batch, slow = begun(self, P, start, times, pieces), None
+    def _solution(
+        self, start: np.ndarray, times: np.ndarray, inputs: Inputs | None, options: "RunOptions"
+    ) -> Solution:
+        """Integrate, and once more without located switches if the first run is stuck on one."""
+        batch = self._prepare(start, times, inputs, options)
+        error = None
         try:
-            run(batch, self)
-            if batch.status[0] == Status.CHATTERING:
-                continue_on_switch(self, batch, lambda of, *part: run(begun(of, *part), of))
-        except SimulationError as error:
-            slow = error
-        if callee.decided and (slow or batch.status[0] in STUCK):
-            with suppress(SimulationError):  # then the error is that of the first run
-                across = self.unlocked().run(x0, times, inputs=inputs, **options)
-                return replace(across, method=f"{across.method}, switches not located")
-        if slow:
-            raise slow
+            self._integrate(batch, inputs, options, times[-1])
+            self._continue_on_switch(batch, inputs, options)
+        except SimulationError as too_slow:
+            error = too_slow
+        if batch.callee.decided and (error or batch.status[0] in STUCK):
+            try:
+                solution = self.unlocked()._solution(start, times, inputs, options)
+            except SimulationError:
+                pass  # the error is that of the first run
+            else:
+                return replace(solution, method=f"{solution.method}, switches not located")
+        if error:
+            raise error
         solution = ended(self.sweep, batch, inputs)
-        solution.pieces = pieces
+        solution.pieces = batch.schedules[0]
         return solution
+
+    def _prepare(
+        self, start: np.ndarray, times: np.ndarray, inputs: Inputs | None, options: "RunOptions"
+    ) -> Batch:
+        """Return the batch of a run at the first time, after blocks have sampled."""
+        segments = self.schedule(times, inputs, BEND * options.rtol)
+        callee = self.callee(1, inputs, self.method_number(options.method, options.step))
+        P = self.parameters()
+        start = sampled_start(callee, start, float(times[0]), segments, P)
+        return self._batch(inputs, options, P, start, times, segments)
+
+    def _batch(
+        self,
+        inputs: Inputs | None,
+        options: "RunOptions",
+        P: np.ndarray,
+        start: np.ndarray,
+        times: np.ndarray,
+        segments: Schedule,
+    ) -> Batch:
+        """Return a batch of one run at its first time."""
+        callee = self.callee(1, inputs, self.method_number(options.method, options.step))
+        return Batch(
+            callee,
+            start[None],
+            P[None],
+            times,
+            [segments],
+            longest=options.max_step,
+            opening=options.first_step,
+        )
+
+    def _integrate(
+        self, batch: Batch, inputs: Inputs | None, options: "RunOptions", end: float
+    ) -> None:
+        """Integrate a batch of one run until it stops; the whole run goes up to `end`."""
+        most = self.most if batch.callee.method > RK4 else ANY
+        implicit = None
+        if options.method == "auto" and options.step is None:
+            implicit = partial(self.implicit, inputs)
+        watch = pace(most, batch.times[0], end, options.progress)
+        batch.adaptive(options.rtol, options.atol, watch, most, implicit)
+
+    def _continue_on_switch(
+        self, batch: Batch, inputs: Inputs | None, options: "RunOptions"
+    ) -> None:
+        """Continue a run that crosses a switch again and again, by sliding on it."""
+
+        def begin(
+            diagram: PythonDiagram,
+            P: np.ndarray,
+            start: np.ndarray,
+            times: np.ndarray,
+            segments: Schedule,
+        ) -> Batch:
+            following = diagram._batch(inputs, options, P, start, times, segments)
+            diagram._integrate(following, inputs, options, batch.times[-1])
+            return following
+
+        if batch.status[0] == Status.CHATTERING:
+            continue_on_switch(self, batch, begin)
 
     def method_number(self, method: str = "auto", step: float | None = None) -> int:
         """Return the solver's number of a method."""
@@ -269,15 +350,19 @@ class PythonDiagram:
             NaN from where a run could not go on.
         """
         times = checked_times("times", times)
-        options = {"step": step, "rtol": rtol, "atol": atol}
-        rtol, atol, longest, *_ = checked_steps(self.wiring.dt, times, **options)
-        starts = checked_state("starts", starts, (len(starts), self.nstates))
-        P, by = self.parameters(), self.method_number(step=step)
-        pieces = self.schedule(times)
-        starts = [sampled_start(self.callee(), one, float(times[0]), pieces, P) for one in starts]
-        callee, every = self.callee(self.lanes(len(starts)), None, by), np.tile(P, (len(starts), 1))
-        batch = Batch(callee, np.array(starts), every, times, [pieces], None, longest)
-        batch.adaptive(rtol, atol)
+        options = RunOptions.checked(self.wiring.dt, times, step=step, rtol=rtol, atol=atol)
+        states = checked_state("starts", starts, (len(starts), self.nstates))
+        # blocks sample as the runs begin
+        P = self.parameters()
+        segments = self.schedule(times)
+        callee = self.callee()
+        for k, start in enumerate(states):
+            states[k] = sampled_start(callee, start, float(times[0]), segments, P)
+        # all runs as one batch
+        callee = self.callee(self.lanes(len(states)), None, self.method_number(step=step))
+        parameters = np.tile(P, (len(states), 1))
+        batch = Batch(callee, states, parameters, times, [segments], longest=options.max_step)
+        batch.adaptive(options.rtol, options.atol)
         return batch.out
 
     def lanes(self, count: int) -> int:
@@ -296,36 +381,102 @@ class PythonDiagram:
         if not len(times):  # stopped before the first
             return np.zeros((0, self.nsignals))
         inputs = self._inputs(inputs, times)
-        out = self.evaluated_signals(solution, inputs)
-        if not np.isfinite(out).all():
-            bad = np.flatnonzero(~np.isfinite(out).all(axis=1))
-            t, x = float(times[bad[0]]), solution.x[bad[0], : self.sweep.nstates]
-            self.sweep.enter(t)
-            advice = "check the parameters of that block, or keep its arguments in range"
-            u = None if inputs is None else inputs.at(t)
-            trouble = self.sweep.first_trouble(t, x, u, advice)
-            trouble = trouble or f"a signal is not finite; {advice}"
-            raise SimulationError(f"at t = {t:.9g}: {trouble}")
-        return out
+        signals = self.evaluated_signals(solution, inputs)
+        finite = np.isfinite(signals).all(axis=1)
+        if not finite.all():
+            k = int(np.argmin(finite))
+            x = solution.x[k, : self.sweep.nstates]
+            self._raise_not_finite(float(times[k]), x, inputs)
+        return signals
+
+    def _raise_not_finite(self, t: float, x: np.ndarray, inputs: Inputs | None) -> None:
+        """Raise an error that names the first signal that is not finite."""
+        self.sweep.enter(t)
+        advice = "check the parameters of that block, or keep its arguments in range"
+        u = None if inputs is None else inputs.at(t)
+        trouble = self.sweep.first_trouble(t, x, u, advice)
+        trouble = trouble or f"a signal is not finite; {advice}"
+        raise SimulationError(f"at t = {t:.9g}: {trouble}")
 
     def evaluated_signals(self, solution: Solution, inputs: Inputs | None) -> np.ndarray:
         """Return all block outputs at a solution's times, finite or not."""
         if solution.signals is not None:
             return solution.signals
-        at = solution.t, solution.x, self.pieces(solution, inputs), self.parameters()
-        return self.callee(1, inputs).evaluate(SIGNALS, *at, self.nsignals)
+        segments = self.segments_of(solution, inputs)
+        return self.callee(1, inputs).evaluate(
+            SIGNALS, solution.t, solution.x, segments, self.parameters(), self.nsignals
+        )
 
-    def pieces(self, solution: Solution, inputs: Inputs | None) -> Schedule:
-        """Return the pieces of time of a run."""
+    def segments_of(self, solution: Solution, inputs: Inputs | None) -> Schedule:
+        """Return the segments of time of a run."""
         if solution.pieces is None or solution.engine != self.engine:
             return self.schedule(solution.t, inputs)
         return solution.pieces
 
 
+# --- options of a run -------------------------------------------------------------------------
+
 ADAPTIVE = {name.lower(): k for k, name in NAMES.items() if k > RK4}
 METHODS = {"auto": DOP853, **ADAPTIVE}
 # the least that an option may be
-LEAST = {"rtol": 0.0, "atol": 0.0, **dict.fromkeys(("step", "max_step", "first_step"), 5e-324)}
+LEAST = {"rtol": 0.0, "atol": 0.0, "step": 5e-324, "max_step": 5e-324, "first_step": 5e-324}
+
+
+@dataclass(frozen=True)
+class RunOptions:
+    """Options of a run.
+
+    A fixed `step` is also the longest one.  A `first_step` of 0 is chosen by the solver.
+    """
+
+    rtol: float = 1e-8
+    atol: float = 1e-10
+    step: float | None = None
+    max_step: float = np.inf
+    first_step: float = 0.0
+    method: str = "auto"
+    progress: Callable[[float], None] | None = None
+
+    @classmethod
+    def checked(cls, dt: Any, times: np.ndarray, **options: Any) -> "RunOptions":
+        """Return the options of a run, of which those that are None have their default.
+
+        Refuse values out of range, and options that do not go with a fixed step or discrete time.
+        """
+        options = {name: value for name, value in options.items() if value is not None}
+        checked_method(options.get("method"))
+        if dt:
+            check_spacing(times, dt)
+            refused = options.keys() - {"progress"}
+            if options.get("method") == "auto":
+                refused -= {"method"}
+            _refuse(refused, "a diagram of discrete time")
+        elif "step" in options:
+            _refuse(options.keys() - {"step"}, "a fixed step")
+        for name in [name for name in LEAST if name in options]:
+            options[name] = _checked_number(name, options[name])
+        if "step" in options:
+            options["max_step"] = options["step"]
+        checked = cls(**options)
+        if checked.rtol == checked.atol == 0.0:
+            raise SimulationError("rtol = atol = 0: one of them must be above 0")
+        return checked
+
+
+def _refuse(names: Any, case: str) -> None:
+    """Refuse options that a kind of run does not have."""
+    if names:
+        raise SimulationError(f"{', '.join(sorted(names))}: {case} has none; leave it out")
+
+
+def _checked_number(name: str, value: Any) -> float:
+    """Return the number of an option; refuse one that is out of range."""
+    size = numbers(name, value)
+    least = LEAST[name]
+    if size.ndim or not size >= least:
+        allowed = "above 0" if least else "0 or more"
+        raise SimulationError(f"{name} = {value}: must be a number, {allowed}")
+    return float(size)
 
 
 def checked_method(method: str | None) -> str:
@@ -337,37 +488,11 @@ def checked_method(method: str | None) -> str:
 
 def check_spacing(times: np.ndarray, dt: Any) -> None:
     """Refuse times that are not spaced by the step of a diagram of discrete time."""
-    apart = times[1:] - times[:-1]
-    step = apart[0] if dt is True else dt
-    if (np.abs(apart - step) > 1e-8 + 1e-5 * step).any():
-        every = "evenly spaced" if dt is True else f"{dt:.9g} apart"
+    spacing = np.diff(times)
+    step = spacing[0] if dt is True else dt
+    if (np.abs(spacing - step) > 1e-8 + 1e-5 * step).any():
+        required = "evenly spaced" if dt is True else f"{dt:.9g} apart"
         raise SimulationError(
-            f"timepts: a diagram of discrete time (dt = {dt}) takes times that are {every}; these "
-            f"are {apart.min():.9g} to {apart.max():.9g} apart"
+            f"timepts: a diagram of discrete time (dt = {dt}) takes times that are {required}; "
+            f"these are {spacing.min():.9g} to {spacing.max():.9g} apart"
         )
-
-
-def checked_steps(dt: Any, times: np.ndarray, **options: Any) -> tuple:
-    """Return rtol and atol, the longest step, the first or 0, and the method of a run.
-
-    Refuse values out of range, and options that do not go with a fixed step or discrete time.
-    """
-    given = {name: value for name, value in options.items() if value is not None}
-    method, fixed = checked_method(given.get("method")), given.keys() & {"step"}
-    if dt:
-        check_spacing(times, dt)
-    if dt or fixed:
-        what = "a diagram of discrete time" if dt else "a fixed step"
-        others = given.keys() - ({"progress", "method"} if dt and method == "auto" else fixed)
-        if others:
-            raise SimulationError(f"{', '.join(sorted(others))}: {what} has none; leave it out")
-    for name, least in ((name, least) for name, least in LEAST.items() if name in given):
-        size = numbers(name, given[name])
-        if size.ndim or not size >= least:
-            allowed = "above 0" if least else "0 or more"
-            raise SimulationError(f"{name} = {given[name]}: must be a number, {allowed}")
-    chosen = {"rtol": 1e-8, "atol": 1e-10, "first_step": 0.0, "max_step": given.get("step", np.inf)}
-    chosen |= given
-    if chosen["rtol"] == chosen["atol"] == 0.0:
-        raise SimulationError("rtol = atol = 0: one of them must be above 0")
-    return *(float(chosen[name]) for name in ("rtol", "atol", "max_step", "first_step")), method

@@ -1,7 +1,7 @@
-"""The arguments of a run: times, states, inputs as python-control takes them, and pieces of time.
+"""The arguments of a run: times, states, inputs as python-control takes them, and segments of time.
 
-A run stops exactly where a piece ends: at a breakpoint of a block or at a sample of the diagram's
-inputs.  A piece sets in P the `interval` of blocks that jump, whether their states jump at its
+A run stops exactly where a segment ends: at a breakpoint of a block or at a sample of the diagram's
+inputs.  A segment sets in P the `interval` of blocks that jump, whether their states jump at its
 beginning, and the straight line of each input.  A run begins after the jumps of that time, but
 blocks that sample then sample their inputs.  In Python a run stops at sharp bends of a sampled
 input; smaller bends, as of a sampled sine, are smooth to the tolerance.
@@ -38,59 +38,74 @@ class Inputs:
 
     @cached_property
     def _straight(self) -> tuple[list[float], np.ndarray, np.ndarray]:
-        at, u = self.samples
-        return at.tolist(), np.ascontiguousarray(u.T), np.ascontiguousarray(self.slopes.T)
+        times, u = self.samples
+        rows = np.ascontiguousarray(u.T)
+        slopes = np.ascontiguousarray(self.slopes.T)
+        return times.tolist(), rows, slopes
 
     @cached_property
     def slopes(self) -> np.ndarray:
         """The slopes from each sample on, shape (ninputs, nt); 0 from the last one."""
-        (at, u), slopes = self.samples, np.zeros(self.samples[1].shape)
-        slopes[:, :-1] = (u[:, 1:] - u[:, :-1]) / (at[1:] - at[:-1])
+        times, u = self.samples
+        slopes = np.zeros(u.shape)
+        slopes[:, :-1] = np.diff(u) / np.diff(times)
         return slopes
 
     @property
     def kinks(self) -> np.ndarray:
-        """Times at which the inputs bend; samples on one straight line, to the bit, are a piece."""
-        (at, u), slopes = self.samples, self.slopes
-        if len(at) < 3:
-            return at
-        bend = (slopes[:, 1:-1] != slopes[:, :-2]).any(axis=0)
-        bends = np.flatnonzero(np.concatenate([[True], bend, [True]]))
-        begins = np.repeat(bends[:-1], np.diff(bends))  # of each sample's piece
-        line = u[:, begins] + slopes[:, begins] * (at[:-1] - at[begins])
-        return at[bends] if np.array_equal(line, u[:, :-1]) else at
+        """Times at which the inputs bend.
+
+        Samples on one straight line, equal to the bit, are one segment.
+        """
+        times, u = self.samples
+        slopes = self.slopes
+        if len(times) < 3:
+            return times
+        inner_bends = (slopes[:, 1:-1] != slopes[:, :-2]).any(axis=0)
+        bends = np.flatnonzero(np.concatenate([[True], inner_bends, [True]]))
+        begins = np.repeat(bends[:-1], np.diff(bends))  # of each sample's segment
+        elapsed = times[:-1] - times[begins]
+        line = u[:, begins] + slopes[:, begins] * elapsed
+        return times[bends] if np.array_equal(line, u[:, :-1]) else times
 
     def sharp_bends(self, least: float) -> np.ndarray:
         """Return the times at which the inputs bend sharply.
 
         A bend that leaves the line before it by `least` of the largest value is sharp, too.
         """
-        sharp, felt = self._bends(least)
-        return self.samples[0][1:-1][sharp | felt]
+        sharp, noticeable = self._bends(least)
+        return self.samples[0][1:-1][sharp | noticeable]
 
     @property
     def bends_sharply_only(self) -> bool:
-        """Whether inputs are straight but for bends so sharp that integration begins anew there."""
-        sharp, felt = self._bends(0.0)
-        return bool(np.all(sharp | ~felt))
+        """True if inputs are straight but for bends so sharp that integration restarts there."""
+        sharp, noticeable = self._bends(0.0)
+        return bool(np.all(sharp | ~noticeable))
 
     def _bends(self, least: float) -> tuple[np.ndarray, np.ndarray]:
-        """Return of each inner sample if inputs bend more than elsewhere, and if that is felt."""
-        (at, u), slopes = self.samples, self.slopes[:, :-1]
-        if len(at) < 3:
-            none = np.zeros(len(at[1:-1]), dtype=bool)
-            return none, none
-        spans, size = at[1:] - at[:-1], np.max(np.abs(u), axis=1, keepdims=True)
-        bends = np.abs(slopes[:, 1:] - slopes[:, :-1])
-        rounding = 1e-12 * np.max(np.abs(slopes), axis=1, keepdims=True)
-        sharp = bends > SHARP * np.median(bends, axis=1, keepdims=True) + rounding
-        felt = bends * np.minimum(spans[1:], spans[:-1]) > (least + 1e-12) * size
-        return np.any(sharp, axis=0), np.any(felt, axis=0)
+        """Return for each inner sample if inputs bend more than elsewhere, and if it matters."""
+        times, u = self.samples
+        slopes = self.slopes[:, :-1]
+        if len(times) < 3:
+            never = np.zeros(len(times[1:-1]), dtype=bool)
+            return never, never
+        # compare each change of slope with the usual one
+        bends = np.abs(np.diff(slopes))
+        usual = np.median(bends, axis=1, keepdims=True)
+        rounding_error = 1e-12 * np.max(np.abs(slopes), axis=1, keepdims=True)
+        sharp = bends > SHARP * usual + rounding_error
+        # compare the departure from the line before with the size of the input
+        spans = np.diff(times)
+        departure = bends * np.minimum(spans[1:], spans[:-1])
+        size = np.max(np.abs(u), axis=1, keepdims=True)
+        noticeable = departure > (least + 1e-12) * size
+        return np.any(sharp, axis=0), np.any(noticeable, axis=0)
 
     def along(self, times: np.ndarray) -> np.ndarray:
         """Return the inputs at times, shape (ninputs, nt)."""
-        at, u = self.samples
-        return np.array([np.interp(times, at, row) for row in u]).reshape(len(u), len(times))
+        sample_times, u = self.samples
+        rows = [np.interp(times, sample_times, row) for row in u]
+        return np.reshape(rows, (len(u), len(times)))
 
 
 def checked_times(name: str, timepts: Any) -> np.ndarray:
@@ -117,12 +132,14 @@ def checked_state(name: str, state: Any, shape: tuple[int, ...]) -> np.ndarray:
 
 def stacked(inputs: Any, times: np.ndarray) -> Any:
     """Return inputs, a list as rows if it holds any: samples at the times, or constant numbers."""
-    listed = isinstance(inputs, list | tuple) and any(hasattr(one, "__len__") for one in inputs)
-    if not listed:
+    if not isinstance(inputs, list | tuple):
         return inputs
-    rows, count = [], len(times)
-    for one in inputs:
-        values = numbers("inputs", one)
+    if not any(hasattr(row, "__len__") for row in inputs):
+        return inputs
+    count = len(times)
+    rows = []
+    for row in inputs:
+        values = numbers("inputs", row)
         sampled = values.shape[-1:] == (count,) and values.ndim <= 2
         rows.append(values if sampled else np.outer(values, np.ones(count)))
     return np.vstack(rows)
@@ -150,10 +167,11 @@ def read_inputs(inputs: Any, times: np.ndarray, count: int) -> Inputs:
             f"inputs: shape {values.shape} does not fit {count} inputs at {len(times)} times"
             + ("" if count else "; initial_state= is the start")
         )
-    return Inputs((times[:1], np.broadcast_to(values, count).astype(float)[:, None]))
+    constant = np.broadcast_to(values, count).astype(float)
+    return Inputs((times[:1], constant[:, None]))
 
 
-# --- pieces of time ---------------------------------------------------------------------------
+# --- segments of time -------------------------------------------------------------------------
 
 JUMPS, BEGINS = 1.0, -1.0  # in P: a block jumps, or samples its inputs as a run begins
 
@@ -162,76 +180,106 @@ class TimeTable(NamedTuple):
     """A table over time plus a constant, whose rows are breakpoints."""
 
     times: np.ndarray  # of the rows
-    place: int  # in P, of the number of rows before now
+    offset: int  # in P, of the number of rows before now
     continuous: bool  # what is read there does not jump at a row
 
 
 class Schedule(NamedTuple):
-    """The pieces of a run."""
+    """The segments of a run."""
 
-    edges: np.ndarray  # ends of n pieces, increasing; the last is the end of the run; then inf
-    places: np.ndarray  # m places in P
-    values: np.ndarray  # (n + 1, m): what each piece sets there, and the time of the end
-    smooth: np.ndarray  # (n + 1,): 1 if rates do not jump where a piece begins, but the first
+    edges: np.ndarray  # ends of n segments, increasing; the last is the end of the run; then inf
+    indices: np.ndarray  # m indices in P
+    values: np.ndarray  # (n + 1, m): numbers that each segment sets there, and the time of the end
+    smooth: np.ndarray  # (n + 1,): 1 if rates do not jump where a segment begins, but the first
     begins: bool = False  # whether blocks sample where the run begins
 
     def after(self, t: float) -> "Schedule":
-        """Return the pieces from a time on."""
+        """Return the segments from a time on."""
         k = int(np.searchsorted(self.edges, t, side="right"))
-        return Schedule(self.edges[k:], self.places, self.values[k:], self.smooth[k:])
+        return Schedule(self.edges[k:], self.indices, self.values[k:], self.smooth[k:])
 
 
 def make_schedule(
-    diagram: Any, times: Any, inputs: Inputs | None = None, felt: float = 0.0
+    diagram: Any, times: Any, inputs: Inputs | None = None, least: float = 0.0
 ) -> Schedule:
-    """Return the pieces of a run of a diagram; it is `PythonDiagram.schedule`.
+    """Return the segments of a run of a diagram; it is `PythonDiagram.schedule`.
 
-    Rates bend at kinks of inputs, in Python at bends that are felt, and at rows of tables over
-    time; they jump where blocks do.  Behind each block's `interval` lies what is `JUMPS` in a piece
-    that begins with a jump of its states; then come the straight lines of the inputs: time, values,
-    slopes.  In discrete time each sample begins a piece.
+    Rates bend at kinks of inputs, in Python at sharp bends and those above `least`, and at rows of
+    tables over time; they jump where blocks do.  Behind each block's `interval` lies `JUMPS` in a
+    segment that begins with a jump of its states; then come the straight lines of the inputs: time,
+    values, slopes.  In discrete time each sample begins a segment.
     """
-    t0, t1 = float(times[0]), float(times[-1])
-    sweep, compiled, kinks = diagram.sweep, diagram.ramp >= 0, np.zeros(0)
-    if inputs is not None and not sweep.wiring.dt:
-        kinks = inputs.kinks if compiled else inputs.sharp_bends(felt)
-    jumps, edges = sweep.breakpoints(t0, t1 + rounding(t1)), kinks
+    wiring = diagram.sweep.wiring
+    # 1. times at which segments begin, and at which rates jump
+    jumps, bends = _events_of_time(diagram, times, inputs, least)
+    starts = np.asarray(times, dtype=float)
+    if not wiring.dt:
+        t0, t1 = starts[0], starts[-1]
+        inner = bends[(bends > t0) & (bends < t1)]
+        starts = np.concatenate([[t0], inner, [t1]])
+    # 2. intervals of the blocks, and whether their states jump
+    indices = [*diagram.intervals.values(), *diagram.jumps.values()]
+    columns = [_intervals(diagram.sweep, k, starts) for k in diagram.intervals]
+    samples_at_start = False
+    for k in diagram.jumps:
+        block = diagram.sweep.nodes[k].system
+        samples = block.first_held is not None and block.samples_at(float(times[0]))
+        samples_at_start = samples_at_start or samples
+        jumping = JUMPS * (np.diff(_intervals(diagram.sweep, k, starts)) != 0)
+        columns.append(np.append(BEGINS if samples else 0.0, jumping))
+    # 3. straight lines of the inputs of machine code
+    if diagram.ramp >= 0 and inputs is not None and wiring.ninputs:
+        sample_times, u = inputs.samples
+        k = np.searchsorted(sample_times[1:], starts, side="right")  # the line from this sample on
+        columns += [sample_times[k], *u[:, k], *inputs.slopes[:, k]]
+        indices += range(diagram.ramp, diagram.ramp + 1 + 2 * len(u))
+    # 4. rows of the tables over time
+    for table in diagram.time_tables:
+        later = starts + rounding(starts)
+        columns.append(np.searchsorted(table.times, later, side="right"))
+        indices.append(table.offset)
+        if not table.continuous:
+            jumps = np.union1d(jumps, table.times)
+    # 5. arrays, one row for each segment
+    rows = np.reshape(columns, (len(columns), len(starts))).T
+    smooth = np.ones(len(starts), dtype=np.int64)
+    if len(jumps):
+        smooth[:] = np.isin(starts, jumps, invert=True)
+    return Schedule(
+        edges=np.append(starts[1:], np.inf),
+        indices=np.array(indices, dtype=np.int64),
+        values=np.array(rows, dtype=float, order="C"),
+        smooth=smooth,
+        begins=samples_at_start,
+    )
+
+
+def _events_of_time(
+    diagram: Any, times: Any, inputs: Inputs | None, least: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the times at which blocks jump, and all times at which rates bend or jump."""
+    kinks = np.zeros(0)
+    if inputs is not None and not diagram.sweep.wiring.dt:
+        kinks = inputs.kinks if diagram.ramp >= 0 else inputs.sharp_bends(least)
+    t1 = float(times[-1])
+    jumps = diagram.sweep.breakpoints(float(times[0]), t1 + rounding(t1))
+    bends = kinks
     if len(jumps):
         jumps = moved_back(jumps, np.asarray(times))
-        edges = np.union1d(jumps, moved_to(jumps, kinks)) if len(kinks) else jumps
-    tables = diagram.time_tables
-    if tables:
-        edges = np.unique(np.concatenate([edges, *(one.times for one in tables)]))
-    starts = np.concatenate([[t0], edges[(edges > t0) & (edges < t1)], [t1]])
-    if sweep.wiring.dt:
-        starts = np.asarray(times, dtype=float)
+        bends = np.union1d(jumps, moved_to(jumps, kinks)) if len(kinks) else jumps
+    if diagram.time_tables:
+        rows = [table.times for table in diagram.time_tables]
+        bends = np.unique(np.concatenate([bends, *rows]))
+    return jumps, bends
 
-    def intervals_of(k: int) -> np.ndarray:
-        block, p = sweep.nodes[k].system, sweep.parameters[k]
-        if p.interval >= 0:
-            return np.full(len(starts), p.interval)
-        late = starts + rounding(starts)
-        later = block.breakpoints(late[0], late[-1], p)
-        return block.interval_at(late[0], p) + np.searchsorted(later, late, side="right")
 
-    columns, begins = [intervals_of(k) for k in diagram.intervals], False
-    for k in diagram.jumps:
-        block = sweep.nodes[k].system
-        samples = block.first_held is not None and block.samples_at(t0)
-        jumping = JUMPS * (np.diff(intervals_of(k)) != 0)
-        columns.append(np.append(BEGINS if samples else 0.0, jumping))
-        begins = begins or samples
-    places = [*diagram.intervals.values(), *diagram.jumps.values()]
-    if compiled and inputs is not None and sweep.wiring.ninputs:
-        (at, u), slopes = inputs.samples, inputs.slopes
-        k = np.searchsorted(at[1:], starts, side="right")  # the line from at[k] on
-        columns += [at[k], *u[:, k], *slopes[:, k]]
-        places += range(diagram.ramp, diagram.ramp + 1 + 2 * len(u))
-    for one in tables:
-        columns.append(np.searchsorted(one.times, starts + rounding(starts), side="right"))
-        places.append(one.place)
-        jumps = jumps if one.continuous else np.union1d(jumps, one.times)
-    values = np.array(columns, dtype=float).reshape(len(columns), len(starts)).T.copy()
-    smooth = np.isin(starts, jumps, invert=True) if len(jumps) else np.ones(len(starts))
-    edges, at_places = np.append(starts[1:], np.inf), np.array(places, dtype=np.int64)
-    return Schedule(edges, at_places, values, smooth.astype(np.int64), begins)
+def _intervals(sweep: Any, k: int, starts: np.ndarray) -> np.ndarray:
+    """Return the interval of a block in each segment."""
+    block = sweep.nodes[k].system
+    parameters = sweep.parameters[k]
+    if parameters.interval >= 0:
+        return np.full(len(starts), parameters.interval)
+    later = starts + rounding(starts)
+    breakpoints = block.breakpoints(later[0], later[-1], parameters)
+    passed = np.searchsorted(breakpoints, later, side="right")
+    return block.interval_at(later[0], parameters) + passed
