@@ -1,4 +1,4 @@
-"""The methods as formulas: Dormand and Prince's of order 8, Rodas5P, Runge and Kutta's.
+"""Integration methods as formulas: Dormand and Prince's of order 8, Rodas5P, Runge and Kutta's.
 
 The formulas compute each stage, accept or reject a step and choose the next; `solver` decides their
 order and names the rows of Z and the numbers of a lane.  A formula is an ordinary function, read as
@@ -43,7 +43,6 @@ from .solver_layout import (
     FIRST_STEP,
     FRESH,
     INTERPOLANT_ERROR,
-    MAP,
     MAX_STEP,
     NEXT_STOP,
     NOT_FINITE,
@@ -79,7 +78,8 @@ class StepTape:
     """The tape of formulas: rows of Z, for each of n states, and numbers of the lane."""
 
     def __init__(self, n: int):
-        self.n, self.tape = n, Tape()
+        self.n = n
+        self.tape = Tape()
 
     def z(self, row: int) -> Any:
         """Return a row of Z."""
@@ -91,7 +91,8 @@ class StepTape:
 
     def tolerance(self, size: Any) -> Any:
         """Return the tolerance of states of a size."""
-        relative, absolute = (self.tape.add("load", (), (), ("T", k)) for k in range(2))
+        relative = self.tape.add("load", (), (), ("T", 0))
+        absolute = self.tape.add("load", (), (), ("T", 1))
         return fmuladd(relative, size, absolute)
 
     def total(self, value: Any) -> Any:
@@ -103,70 +104,96 @@ New = tuple[Rows, Rows]  # the new rows of Z, and the new numbers of the lane
 Formula = Callable[[StepTape], New]
 
 
-def _sum(s: StepTape, weights: Any, first: int = RATE, total: Any = None) -> Any:
-    """Return total + a_0 K_0 + a_1 K_1 + ..., with the rows from `first` on; zeros are left out."""
-    for j, a in enumerate(np.asarray(weights).tolist(), first):
+def _sum(s: StepTape, weights: Any, row: int = RATE, total: Any = None) -> Any:
+    """Return total + a_0 K_0 + a_1 K_1 + ..., with the rows from `row` on; zeros are left out."""
+    for a in np.asarray(weights).tolist():
         if a != 0.0:
-            total = a * s.z(j) if total is None else fmuladd(a, s.z(j), total)
+            total = a * s.z(row) if total is None else fmuladd(a, s.z(row), total)
+        row += 1
     return total
+
+
+def _mean_square(s: StepTape, value: Any) -> Any:
+    return s.total(value * value) / float(s.n)
 
 
 def _terms(s: StepTape, *terms: Any) -> Rows:
     """Return the terms of an interpolant, as `layout.interpolate` sums them."""
-    every = [*terms, *[0.0 * s.z(STATE)] * (7 - len(terms))]
-    return dict(enumerate(every, TERMS))
+    missing = 7 - len(terms)
+    zeros = [0.0 * s.z(STATE)] * missing
+    return dict(enumerate([*terms, *zeros], TERMS))
 
 
-def _at(s: StepTape, c: float) -> Rows:
+def _stage_time(s: StepTape, c: float) -> Rows:
     return {STAGE_TIME: s.lane(TIME) + c * s.lane(TRIAL_SIZE)}
+
+
+# --- DOP853 -----------------------------------------------------------------------------------
 
 
 def _stage(weights: Any, c: float, s: StepTape) -> New:
     """argument = x + h sum_j a_j K_j, at t + c h."""
-    h, last = s.lane(TRIAL_SIZE), np.flatnonzero(weights)[-1]
+    h = s.lane(TRIAL_SIZE)
+    last = np.flatnonzero(weights)[-1]
     total = _sum(s, weights[:last])
     argument = s.z(STATE) if total is None else fmuladd(h, total, s.z(STATE))
     argument = fmuladd(h * float(weights[last]), s.z(RATE + last), argument)
-    return {ARGUMENT: argument}, _at(s, c)
+    return {ARGUMENT: argument}, _stage_time(s, c)
 
 
-def _new_again(s: StepTape) -> New:
-    """The new state once more, to the bit: stages of the interpolant have been in its place."""
-    return {ARGUMENT: _new_state(s)[1]}, _at(s, 1.0)
+def _stage_at_end(s: StepTape) -> New:
+    """The new state again, equal to the bit: stages of the interpolant have overwritten it."""
+    _, state = _new_state(s)
+    return {ARGUMENT: state}, _stage_time(s, 1.0)
 
 
 def _attempt(s: StepTape, implicit: bool = False) -> New:
-    """The step to try: not below the resolution of time, and not beyond the end of the piece.
+    """The step to try: not below the resolution of time, and not beyond the end of the segment.
 
     An implicit one ends at the next sample, and sets the diagonal of its matrix.
     """
-    t, h = s.lane(TIME), minimum(s.lane(STEP_SIZE), s.lane(MAX_STEP))
+    # 1. its length
+    t = s.lane(TIME)
+    h = minimum(s.lane(STEP_SIZE), s.lane(MAX_STEP))
     smallest = 2.3e-15 * abs(t) + 1e-300
     enough = h >= smallest
+    # 2. its end
     end = minimum(s.lane(SEGMENT_END), s.lane(STOP_AT))
-    end = minimum(end, s.lane(NEXT_STOP)) if implicit else end
-    new = minimum(t + where(enough, h, smallest), end)
-    failing = where(enough, 0.0, where(h < smallest, s.lane(REJECTED), 1.0))
-    numbers = {TRIAL_END: new, TRIAL_SIZE: new - t, FAILURE: float(Status.STEP_TOO_SMALL) * failing}
-    return {}, numbers | ({DIAGONAL: 1.0 / (rodas.GAMMA * (new - t))} if implicit else {})
+    if implicit:
+        end = minimum(end, s.lane(NEXT_STOP))
+    trial_end = minimum(t + where(enough, h, smallest), end)
+    # 3. fail if a step that was rejected, or is not a number, is too small
+    too_small = where(h < smallest, s.lane(REJECTED), 1.0)
+    failing = where(enough, 0.0, too_small)
+    numbers = {
+        TRIAL_END: trial_end,
+        TRIAL_SIZE: trial_end - t,
+        FAILURE: float(Status.STEP_TOO_SMALL) * failing,
+    }
+    if implicit:
+        numbers[DIAGONAL] = 1.0 / (rodas.GAMMA * (trial_end - t))
+    return {}, numbers
 
 
 def _accept_or_reject(
     s: StepTape, error: Any, factor: Any, largest: float, least: Any = None
 ) -> Rows:
-    """Whether a step is good, the length of the next, and whether the lane is looked at."""
-    good, most = error < 1.0, where(s.lane(REJECTED) > 0.5, 1.0, largest)
-    bad = where(error >= 1.0, maximum(0.2, factor), 0.2)  # not a number: 0.2
+    """Accept a step whose error is below 1, and choose the length of the next."""
+    good = error < 1.0
+    most = where(s.lane(REJECTED) > 0.5, 1.0, largest)
+    shrinking = where(error >= 1.0, maximum(0.2, factor), 0.2)  # not a number: 0.2
     longer = s.lane(TRIAL_SIZE) * minimum(most, factor)
-    longer = longer if least is None else maximum(longer, least)
-    tried = s.lane(ACCEPTED_COUNT) + s.lane(REJECTED_COUNT) + 1.0
-    look = where(s.lane(TRIAL_END) >= s.lane(NEXT_STOP), 1.0, s.lane(FAILURE))
+    if least is not None:
+        longer = maximum(longer, least)
+    # the lane is due at a sample, at a failure, and when its tries are used up
+    tries = s.lane(ACCEPTED_COUNT) + s.lane(REJECTED_COUNT) + 1.0
+    due = where(s.lane(TRIAL_END) >= s.lane(NEXT_STOP), 1.0, s.lane(FAILURE))
     return {
-        STEP_SIZE: where(good, longer, s.lane(TRIAL_SIZE) * bad),
+        STEP_SIZE: where(good, longer, s.lane(TRIAL_SIZE) * shrinking),
         ACCEPTED: where(good, 1.0, 0.0),
         REJECTED: where(good, 0.0, 1.0),
         STAGE_TIME: s.lane(TIME) + s.lane(TRIAL_SIZE),
-        DUE: where(tried >= s.lane(TRIES_LEFT), 1.0, look),
+        DUE: where(tries >= s.lane(TRIES_LEFT), 1.0, due),
         ACCEPTED_COUNT: s.lane(ACCEPTED_COUNT) + where(good, 1.0, 0.0),
         REJECTED_COUNT: s.lane(REJECTED_COUNT) + where(good, 0.0, 1.0),
     }
@@ -179,46 +206,64 @@ def _new_state(s: StepTape) -> tuple[Any, Any]:
 
 
 def _control(s: StepTape) -> New:
-    """The new state, the estimate of its error, whether the step is good, and the next length."""
-    beyond = table.E3[:DOP853] - table.B  # most of E3 is B
+    """The new state, the estimate of its error, and the length of the next step.
+
+    err = h |e_5|^2 / sqrt((|e_5|^2 + 0.01 |e_3|^2) n) of the errors of orders 5 and 3.
+    """
     rate, state = _new_state(s)
-    part = 1.0 / s.tolerance(maximum(abs(s.z(STATE)), abs(state)))
-    fifth, third = _sum(s, table.E5) * part, _sum(s, beyond, total=rate) * part
-    fifth, third = s.total(fifth * fifth), s.total(third * third)
-    none = fifth + third <= 0.0
-    whole = sqrt(where(none, 1.0, (fifth + 0.01 * third) * float(s.n)))
-    error = where(none, 1e-30, s.lane(TRIAL_SIZE) * fifth / whole)
-    factor = 0.9 / sqrt(sqrt(sqrt(maximum(error, 1e-30))))
+    largest = maximum(abs(s.z(STATE)), abs(state))
+    scale = 1.0 / s.tolerance(largest)
+    fifth = _sum(s, table.E5) * scale
+    third_from_rate = table.E3[:DOP853] - table.B  # most of E3 is B
+    third = _sum(s, third_from_rate, total=rate) * scale
+    fifth = s.total(fifth * fifth)
+    third = s.total(third * third)
+    # no error at all counts as tiny
+    exact = fifth + third <= 0.0
+    square = (fifth + 0.01 * third) * float(s.n)
+    size = sqrt(where(exact, 1.0, square))
+    error = where(exact, 1e-30, s.lane(TRIAL_SIZE) * fifth / size)
+    eighth_root = sqrt(sqrt(sqrt(maximum(error, 1e-30))))
+    factor = 0.9 / eighth_root
     return {ARGUMENT: state}, _accept_or_reject(s, error, factor, 10.0)
 
 
-def _sizes(s: StepTape) -> New:
+def _trial_size(s: StepTape) -> New:
     """The length of a trial step, from the sizes of state and rate (row 2)."""
-    part = 1.0 / s.tolerance(abs(s.z(STATE)))
-    x, f = s.z(STATE) * part, s.z(RATE + 1) * part
-    d0, d1 = sqrt(s.total(x * x) / float(s.n)), sqrt(s.total(f * f) / float(s.n))
+    state = s.z(STATE)
+    rate = s.z(RATE + 1)
+    scale = 1.0 / s.tolerance(abs(state))
+    d0 = sqrt(_mean_square(s, state * scale))
+    d1 = sqrt(_mean_square(s, rate * scale))
     h = where(minimum(d0, d1) < 1e-5, 1e-6, 0.01 * d0 / d1)
     h = minimum(h, s.lane(SEGMENT_END) - s.lane(TIME))
-    trouble = s.total(0.0 * s.z(STATE) + 0.0 * s.z(RATE + 1))
-    return {}, {TRIAL_SIZE: h, RATE_NORM: d1, NOT_FINITE: trouble}
+    not_finite = s.total(0.0 * state + 0.0 * rate)
+    return {}, {TRIAL_SIZE: h, RATE_NORM: d1, NOT_FINITE: not_finite}
 
 
-def _first(order: int, s: StepTape) -> New:
+def _first_step(order: int, s: StepTape) -> New:
     """The first step, from the change of the rate over the trial step (row 3)."""
-    part, fresh = 1.0 / s.tolerance(abs(s.z(STATE))), s.lane(FRESH) > 0.5
-    change = (s.z(RATE + 2) - s.z(RATE + 1)) * part
+    scale = 1.0 / s.tolerance(abs(s.z(STATE)))
     h = s.lane(TRIAL_SIZE)
-    d1, d2 = s.lane(RATE_NORM), sqrt(s.total(change * change) / float(s.n)) / h
+    change = (s.z(RATE + 2) - s.z(RATE + 1)) * scale
+    d1 = s.lane(RATE_NORM)
+    d2 = sqrt(_mean_square(s, change)) / h
     most = maximum(maximum(d1, d2), 1e-30)
-    step = where(most <= 1e-15, maximum(1e-6, h * 1e-3), power(0.01 / most, 1.0 / order))
-    step = minimum(minimum(100.0 * h, step), s.lane(SEGMENT_END) - s.lane(TIME))
+    cautious = maximum(1e-6, h * 1e-3)
+    step = where(most <= 1e-15, cautious, power(0.01 / most, 1.0 / order))
+    step = minimum(100.0 * h, step)
+    step = minimum(step, s.lane(SEGMENT_END) - s.lane(TIME))
+    # the user's first step, if there is one
     step = where(s.lane(FIRST_STEP) > 0.0, s.lane(FIRST_STEP), step)
+    # a segment that begins without a jump of the rates goes on with rate and step
+    fresh = s.lane(FRESH) > 0.5
     rate = where(fresh, s.z(RATE + 1), s.z(RATE))
-    return {RATE: rate}, {STEP_SIZE: where(fresh, step, s.lane(STEP_SIZE))}
+    step = where(fresh, step, s.lane(STEP_SIZE))
+    return {RATE: rate}, {STEP_SIZE: step}
 
 
 def _accept(s: StepTape) -> New:
-    """The new state and its rate where the step is good, else those of before."""
+    """The new state and its rate where the step is good, otherwise those of before."""
     good = s.lane(ACCEPTED) > 0.5
     state = where(good, s.z(ARGUMENT), s.z(STATE))
     rate = where(good, s.z(RATE + DOP853), s.z(RATE))
@@ -228,9 +273,15 @@ def _accept(s: StepTape) -> New:
 
 def _cubic(s: StepTape) -> tuple[Any, Any, Any]:
     """Return the terms of the cubic with the states and rates of both ends."""
-    h, delta = s.lane(TRIAL_SIZE), s.z(ARGUMENT) - s.z(STATE)
-    ends = s.z(RATE + DOP853) + s.z(RATE)
-    return delta, h * s.z(RATE) - delta, 2.0 * delta - h * ends
+    h = s.lane(TRIAL_SIZE)
+    delta = s.z(ARGUMENT) - s.z(STATE)
+    sum_of_rates = s.z(RATE + DOP853) + s.z(RATE)
+    return delta, h * s.z(RATE) - delta, 2.0 * delta - h * sum_of_rates
+
+
+def _dense_cubic(s: StepTape) -> New:
+    """The terms of the cubic as an interpolant."""
+    return _terms(s, *_cubic(s)), {}
 
 
 def _dense(s: StepTape) -> New:
@@ -240,124 +291,173 @@ def _dense(s: StepTape) -> New:
     keeps the step short by stability alone, it is up to 10,000 times less exact; its last term
     estimates that.
     """
-    terms = [*_cubic(s), *(s.lane(TRIAL_SIZE) * _sum(s, own) for own in table.D)]
+    h = s.lane(TRIAL_SIZE)
+    terms = [*_cubic(s)]
+    terms += [h * _sum(s, weights) for weights in table.D]
     largest = maximum(abs(s.z(STATE)), abs(s.z(ARGUMENT)))
-    part = (LAST_TERM / TRUSTED) * terms[-1] / s.tolerance(largest)
-    return _terms(s, *terms), {INTERPOLANT_ERROR: sqrt(s.total(part * part))}
+    scaled = (LAST_TERM / TRUSTED) * terms[-1] / s.tolerance(largest)
+    error = sqrt(s.total(scaled * scaled))
+    return _terms(s, *terms), {INTERPOLANT_ERROR: error}
 
 
 def _stiffness(last: Any, limit: float, s: StepTape) -> New:
-    """Whether the step is stiff: rates change `limit` times as fast as the states do.
+    """Count stiff steps: rates change `limit` times as fast as the states do.
 
     Hairer's test compares the new state and the argument of the `last` stage.  Six steps that are
     not stiff cancel those that are.
     """
+    # 1. changes of rates and states between the two
     h = s.lane(TRIAL_SIZE)
     rates = s.z(RATE + DOP853) - s.z(RATE + DOP853 - 1)
-    states = s.z(ARGUMENT) - fmuladd(h, _sum(s, last), s.z(STATE))
-    before, calm = s.lane(STIFF_STEPS), s.lane(CALM_STEPS) + 1.0
-    checked = s.lane(CHECKS_STIFFNESS) > 0.5  # so that a run is the same beside any others
-    stiff = h * h * s.total(rates * rates) > limit * limit * s.total(states * states)
-    others = where(calm > 5.5, minimum(before, 0.0), before)
-    steps = where(before < 0.0, before + 1.0, where(stiff, before + 1.0, others))
-    return {}, {
-        STIFF_STEPS: where(checked, steps, before),
-        CALM_STEPS: where(checked, where(stiff, 0.0, calm), s.lane(CALM_STEPS)),
-    }
+    argument = fmuladd(h, _sum(s, last), s.z(STATE))
+    states = s.z(ARGUMENT) - argument
+    rates = h * h * s.total(rates * rates)
+    states = limit * limit * s.total(states * states)
+    stiff = rates > states
+    # 2. steps that are stiff, and those since then that are not
+    stiff_steps = s.lane(STIFF_STEPS)
+    calm_steps = s.lane(CALM_STEPS)
+    calm = calm_steps + 1.0
+    cancelled = where(calm > 5.5, minimum(stiff_steps, 0.0), stiff_steps)
+    counted = where(stiff, stiff_steps + 1.0, cancelled)
+    steps = where(stiff_steps < 0.0, stiff_steps + 1.0, counted)
+    calm = where(stiff, 0.0, calm)
+    # 3. only lanes that are checked: a run is the same next to any other run
+    checked = s.lane(CHECKS_STIFFNESS) > 0.5
+    steps = where(checked, steps, stiff_steps)
+    calm = where(checked, calm, calm_steps)
+    return {}, {STIFF_STEPS: steps, CALM_STEPS: calm}
 
 
 # --- Runge and Kutta's method of order 4, and discrete time -----------------------------------
 
 
 def _attempt_fixed(s: StepTape) -> New:
-    """One of equal steps up to the next sample, or the end of the piece."""
+    """Equal steps up to the next sample, or the end of the segment."""
     ahead = s.lane(NEXT_STOP) - s.lane(TIME)
-    rounded = ahead * (1.0 - 1e-12) - 1e-15 * abs(s.lane(NEXT_STOP))  # as times are rounded
+    tolerance = 1e-15 * abs(s.lane(NEXT_STOP))
+    rounded = ahead * (1.0 - 1e-12) - tolerance  # as times are rounded
     steps = maximum(1.0, ceil(rounded / s.lane(MAX_STEP)))
-    new = where(steps > 1.0, s.lane(TIME) + ahead / steps, s.lane(NEXT_STOP))
-    return {}, {TRIAL_END: new, TRIAL_SIZE: ahead / steps}
+    size = ahead / steps
+    end = where(steps > 1.0, s.lane(TIME) + size, s.lane(NEXT_STOP))
+    return {}, {TRIAL_END: end, TRIAL_SIZE: size}
 
 
 def _runge_kutta(s: StepTape) -> Any:
     """Return the state at the end of a step of RK4."""
     outer = s.z(RATE) + s.z(RATE + 3)
     inner = s.z(RATE + 1) + s.z(RATE + 2)
-    return fmuladd(s.lane(TRIAL_SIZE) / 6.0, fmuladd(2.0, inner, outer), s.z(STATE))
+    total = fmuladd(2.0, inner, outer)
+    return fmuladd(s.lane(TRIAL_SIZE) / 6.0, total, s.z(STATE))
 
 
-def _control_fixed(ahead: Callable[[StepTape], Any], s: StepTape) -> New:
-    """The new state, which is `ahead`, and whether it is finite; else the run has ended."""
-    state, new, tried = ahead(s), s.lane(TRIAL_END), s.lane(ACCEPTED_COUNT) + 1.0
+def _next_sample(s: StepTape) -> Any:
+    """Return the next state in discrete time."""
+    return s.z(RATE)
+
+
+def _control_fixed(new_state: Callable[[StepTape], Any], s: StepTape) -> New:
+    """The new state, which must be finite; otherwise the run has ended."""
+    state = new_state(s)
+    end = s.lane(TRIAL_END)
+    tries = s.lane(ACCEPTED_COUNT) + 1.0
     good = s.total(0.0 * state) <= 0.0
     failing = where(good, 0.0, float(Status.NOT_FINITE))
-    look = where((new >= s.lane(NEXT_STOP)) | (tried >= s.lane(TRIES_LEFT)), 1.0, failing)
-    numbers = {ACCEPTED: where(good, 1.0, 0.0), DUE: look, STAGE_TIME: new}
-    return {ARGUMENT: state}, numbers | {ACCEPTED_COUNT: tried, FAILURE: failing}
+    at_stop = (end >= s.lane(NEXT_STOP)) | (tries >= s.lane(TRIES_LEFT))
+    numbers = {
+        ACCEPTED: where(good, 1.0, 0.0),
+        DUE: where(at_stop, 1.0, failing),
+        STAGE_TIME: end,
+        ACCEPTED_COUNT: tries,
+        FAILURE: failing,
+    }
+    return {ARGUMENT: state}, numbers
 
 
-# --- Rodas5P --------------------------------------------------------------------------------
+def _accept_fixed(s: StepTape) -> New:
+    """The new state."""
+    return {STATE: s.z(ARGUMENT)}, {TIME: s.lane(TRIAL_END)}
+
+
+def _dense_fixed(s: StepTape) -> New:
+    """The straight line over the step."""
+    return {TERMS: s.z(ARGUMENT) - s.z(STATE)}, {}
+
+
+# --- Rodas5P ----------------------------------------------------------------------------------
 
 
 def _stage_implicit(number: int, s: StepTape) -> New:
-    """The argument of a stage, counted from 0, and the term beside its rate on the right."""
-    addend = (rodas.OF_TIME[number] * s.lane(TRIAL_SIZE)) * s.z(TIME_SLOPE)
-    ahead = s.z(STATE)
+    """The argument of a stage, counted from 0, and the term added to its rate on the right."""
+    h = s.lane(TRIAL_SIZE)
+    addend = (rodas.OF_TIME[number] * h) * s.z(TIME_SLOPE)
+    argument = s.z(STATE)
     if number:
-        addend = fmuladd(1.0 / s.lane(TRIAL_SIZE), _sum(s, rodas.C[number], SOLVED), addend)
-        ahead = ahead + _sum(s, rodas.weights(number), SOLVED)
-    return {ARGUMENT: ahead, ADDEND: addend}, _at(s, rodas.TIMES[number])
-
-
-def _control_order_5(s: StepTape, error: Any, new: Any, largest: float) -> Rows:
-    """Whether a step is good by its error, of order 5, and the length of the next."""
-    part = error / s.tolerance(maximum(abs(s.z(STATE)), abs(new)))
-    square = s.total(part * part) / float(s.n)
-    factor = 0.9 * power(maximum(square, 1e-30), -0.1)  # error^(-1/5)
-    # the step before may be short because of a sample, or the end of a piece
-    least = minimum(s.lane(TRIAL_SIZE) * factor, s.lane(STEP_SIZE))
-    return _accept_or_reject(s, square, factor, largest, least)
+        total = _sum(s, rodas.C[number], SOLVED)
+        addend = fmuladd(1.0 / h, total, addend)
+        argument = argument + _sum(s, rodas.weights(number), SOLVED)
+    rows = {ARGUMENT: argument, ADDEND: addend}
+    return rows, _stage_time(s, rodas.TIMES[number])
 
 
 def _control_implicit(s: StepTape) -> New:
-    """The new state, the estimate of its error, whether the step is good, and the next length."""
-    new = s.z(STATE) + _sum(s, rodas.weights(len(rodas.C)), SOLVED)
-    error = s.z(SOLVED + len(rodas.C) - 1)
-    return {ARGUMENT: new}, _control_order_5(s, error, new, 6.0)
+    """The new state, the estimate of its error, of order 5, and the length of the next step."""
+    stages = len(rodas.C)
+    state = s.z(STATE) + _sum(s, rodas.weights(stages), SOLVED)
+    largest = maximum(abs(s.z(STATE)), abs(state))
+    error = s.z(SOLVED + stages - 1) / s.tolerance(largest)
+    square = _mean_square(s, error)
+    factor = 0.9 * power(maximum(square, 1e-30), -0.1)  # error^(-1/5)
+    # the step before may be short because of a sample, or the end of a segment
+    least = minimum(s.lane(TRIAL_SIZE) * factor, s.lane(STEP_SIZE))
+    return {ARGUMENT: state}, _accept_or_reject(s, square, factor, 6.0, least)
 
 
 def _dense_implicit(s: StepTape) -> New:
     """The terms of the interpolant."""
-    k1, k2, k3 = (_sum(s, own, SOLVED) for own in rodas.BETWEEN)
-    return _terms(s, s.z(ARGUMENT) - s.z(STATE), k1, k2 + k3, -k3), {}
+    k1, k2, k3 = [_sum(s, weights, SOLVED) for weights in rodas.BETWEEN]
+    delta = s.z(ARGUMENT) - s.z(STATE)
+    return _terms(s, delta, k1, k2 + k3, -k3), {}
 
 
-# --- each a table ---------------------------------------------------------------------------
+# --- the formulas of each method --------------------------------------------------------------
 
 
 def formulas(method: int) -> dict[str, Formula]:
     """Return the formulas of a method, by its number in the solver, in the solver's order."""
-    own: dict[str, Formula] = {
-        **{"attempt": _attempt, "control": _control, "sizes": _sizes},
-        **{"trial": partial(_stage, [0.0, 1.0], 1.0), "first": partial(_first, 8)},
-        **{"accept": _accept, "dense": _dense, "cubic": lambda s: (_terms(s, *_cubic(s)), {})},
+    named: dict[str, Formula] = {
+        "attempt": _attempt,
+        "control": _control,
+        "sizes": _trial_size,
+        "trial": partial(_stage, [0.0, 1.0], 1.0),
+        "first": partial(_first_step, 8),
+        "accept": _accept,
+        "dense": _dense,
+        "cubic": _dense_cubic,
         "stiffness": partial(_stiffness, table.A[11, :11], 6.1),
     }
-    stages: list[Formula] = [
-        partial(_stage, table.A[k, :k], float(table.C[k])) for k in range(1, DOP853 + 4)
-    ]
-    stages[DOP853 - 1] = _new_again
-    if method == RODAS5P:
-        own |= {"attempt": partial(_attempt, implicit=True), "dense": _dense_implicit}
-        own |= {"control": _control_implicit}
+    stages: list[Formula] = []
+    if method == DOP853:
+        times = table.C.tolist()
+        rows = range(1, DOP853 + 4)
+        stages = [partial(_stage, table.A[k, :k], times[k]) for k in rows]
+        stages[DOP853 - 1] = _stage_at_end
+    elif method == RODAS5P:
+        named["attempt"] = partial(_attempt, implicit=True)
+        named["control"] = _control_implicit
+        named["dense"] = _dense_implicit
         stages = [partial(_stage_implicit, k) for k in range(RODAS5P - 1)]
-    elif method in (RK4, MAP):
-        new = _runge_kutta if method == RK4 else lambda s: s.z(RATE)
-        own |= {"attempt": _attempt_fixed, "control": partial(_control_fixed, new)}
-        own |= {"accept": lambda s: ({STATE: s.z(ARGUMENT)}, {TIME: s.lane(TRIAL_END)})}
-        own |= {"dense": lambda s: ({TERMS: s.z(ARGUMENT) - s.z(STATE)}, {})}
-        shares = enumerate([0.5, 0.5, 1.0][: method - 1])  # of the step: each stage has one weight
-        stages = [partial(_stage, [*[0.0] * k, c], c) for k, c in shares]
-    return own | {f"stage_{k}": one for k, one in enumerate(stages, 1)}
+    else:  # RK4 and MAP
+        named["attempt"] = _attempt_fixed
+        named["control"] = partial(_control_fixed, _runge_kutta if method == RK4 else _next_sample)
+        named["accept"] = _accept_fixed
+        named["dense"] = _dense_fixed
+        for k, c in enumerate([0.5, 0.5, 1.0][: method - 1]):  # each stage has one weight
+            weights = [0.0] * k + [c]
+            stages.append(partial(_stage, weights, c))
+    for k, stage in enumerate(stages, 1):
+        named[f"stage_{k}"] = stage
+    return named
 
 
 def program_of_formulas(formulas: dict[str, Formula], n: int) -> Program:
@@ -367,15 +467,15 @@ def program_of_formulas(formulas: dict[str, Formula], n: int) -> Program:
     writes = {}
     for name, formula in formulas.items():
         rows, numbers = formula(step)
-        states = [Port(r * n, (n,), (True,), operand(value)) for r, value in rows.items()]
-        others = [Port(r, (), (), operand(value)) for r, value in numbers.items()]
-        writes[name] = components.writes(states, "X") + components.writes(others, "t")
-    plan = Planner(components)
-    # loops come first: they read numbers of the lane, which are written behind them
-    functions = {
-        name: tuple(sorted(plan.nests(own), key=lambda nest: not nest.lengths))
-        for name, own in writes.items()
-    }
+        in_rows = [Port(row * n, (n,), (True,), operand(value)) for row, value in rows.items()]
+        in_lane = [Port(row, (), (), operand(value)) for row, value in numbers.items()]
+        writes[name] = components.writes(in_rows, "X") + components.writes(in_lane, "t")
+    planner = Planner(components)
+    functions = {}
+    for name, written in writes.items():
+        # loops come first: they read numbers of the lane, which are written behind them
+        nests = planner.nests(written)
+        functions[name] = tuple(sorted(nests, key=lambda nest: not nest.lengths))
     return Program(tuple(components.all), functions, {}, (), 0, 0, 0, ())
 
 
@@ -392,9 +492,11 @@ def kernels(n: int, lanes: int, method: int) -> Machine:
 
 
 def with_formulas(callee: Callee) -> Callee:
-    """Return what the solver calls, the formulas of its method behind the diagram's functions."""
-    n = callee.nstates
-    formulas = kernels(n, callee.lanes, callee.method) if n else None
-    more = formulas.addresses.values() if formulas else ()
-    functions = np.array([*callee.functions, *more], dtype=np.int64)
-    return callee._replace(functions=functions, code=(*callee.code, formulas))
+    """Return a callee with the formulas of its method behind the diagram's functions."""
+    addresses: list[int] = [*callee.functions]
+    machine = None
+    if callee.nstates:
+        machine = kernels(callee.nstates, callee.lanes, callee.method)
+        addresses += machine.addresses.values()
+    functions = np.array(addresses, dtype=np.int64)
+    return callee._replace(functions=functions, code=(*callee.code, machine))
