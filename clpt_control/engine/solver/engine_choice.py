@@ -11,6 +11,7 @@ from contextlib import suppress
 from typing import Any
 
 import numpy as np
+from numpy import ndarray
 
 from ...errors import SimulationError, Uncompiled
 from ...progress import warn
@@ -21,7 +22,7 @@ from ..trace.arrays import Unread
 from .evaluation_pass import rounding
 from .native_diagram import NativeDiagram
 from .runner import PythonDiagram
-from .schedule import JUMPS, Inputs, Schedule
+from .schedule import JUMPS, Inputs, Schedule, inputs_at
 from .solver_layout import DERIVATIVE, JUMP, SIGNALS, Status
 from .termination import Solution
 
@@ -53,7 +54,7 @@ def make_runner(
 
 def run_checked(
     runner: PythonDiagram, name: str, start: Any, times: Any, params: Any, **options: Any
-) -> tuple[Solution, np.ndarray]:
+) -> tuple[Solution, ndarray]:
     """Run a diagram, in Python if it was misread; return the solution and all signals along it."""
     inputs = options["inputs"]
     if isinstance(runner, NativeDiagram):
@@ -122,7 +123,7 @@ def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs | None)
 
 
 def _difference_beside(
-    runner: NativeDiagram, segments: Schedule, t: float, x: np.ndarray, inputs: Inputs | None
+    runner: NativeDiagram, segments: Schedule, t: float, x: ndarray, inputs: Inputs | None
 ) -> str:
     """Return a sentence on the function that differs at all states next to x too, or ""."""
     for distance, moved in zip(DISTANCES, beside(x), strict=True):
@@ -130,7 +131,7 @@ def _difference_beside(
         if _agrees(runner, segments, time, moved[None], inputs)[0]:
             return ""
     moved = moved[: runner.sweep.nstates]
-    u = None if inputs is None else inputs.at(t)
+    u = inputs_at(inputs, t)
     runner.sweep.derivative(t, moved, u)
     misread = misread_function(runner, float(t), moved)
     return misread or f"at t = {t:.6g} its rates are not those of its functions"
@@ -149,7 +150,7 @@ def difference_ahead(runner: NativeDiagram, points: list, times: Any, inputs: In
     return ""
 
 
-def beside(x: np.ndarray) -> list[np.ndarray]:
+def beside(x: ndarray) -> list[ndarray]:
     """Return states next to these."""
     directions = np.linspace(0.7, 1.0, len(x))  # equal ones might stay at rest
     scaled = (1.0 + np.abs(x)) * directions
@@ -159,11 +160,11 @@ def beside(x: np.ndarray) -> list[np.ndarray]:
 def _agrees(
     runner: NativeDiagram,
     segments: Schedule,
-    times: np.ndarray,
-    x: np.ndarray,
+    times: ndarray,
+    x: ndarray,
     inputs: Inputs | None,
-    signals: np.ndarray | None = None,
-) -> np.ndarray:
+    signals: ndarray | None = None,
+) -> ndarray:
     """Return at which times and states Python and machine code give the same.
 
     That is the same signals, which machine code may have given before, the same rates, and the
@@ -184,9 +185,9 @@ def _agrees(
         all_jump = segments._replace(values=values)
         machine.append(callee.evaluate(JUMP, times, x, all_jump, P, runner.nstates))
     # 2. results of the functions in Python
-    python: list[list[np.ndarray]] = [[] for _ in machine]
+    python: list[list[ndarray]] = [[] for _ in machine]
     for t, state in zip(times.tolist(), x[:, : sweep.nstates], strict=True):
-        u = None if inputs is None else inputs.at(t)
+        u = inputs_at(inputs, t)
         sweep.enter(t + rounding(t))
         rates = sweep.derivative(t, state, u)
         results = [sweep.signals.copy()]
@@ -204,7 +205,7 @@ def _agrees(
     return agrees
 
 
-def _equal(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+def _equal(a: ndarray, b: ndarray) -> ndarray:
     """Return which rows are equal up to rounding."""
     with np.errstate(invalid="ignore"):
         error = np.abs(a - b)
@@ -218,7 +219,7 @@ def _equal(a: np.ndarray, b: np.ndarray) -> np.ndarray:
 
 
 @np.errstate(all="ignore")  # as a sweep runs them
-def misread_function(runner: PythonDiagram, t: float, x: np.ndarray) -> str | None:
+def misread_function(runner: PythonDiagram, t: float, x: ndarray) -> str | None:
     """Return a sentence on the function whose record differs from it, at the last pass's inputs."""
     sweep = runner.sweep
     for k, node in enumerate(runner.wiring.nodes):

@@ -10,6 +10,7 @@ from collections.abc import Collection, Sequence
 from typing import Any
 
 import numpy as np
+from numpy import ndarray
 
 from ..diagram.wiring import Node, Wiring
 from ..model.ports import reused_vector
@@ -38,11 +39,14 @@ class Sweep:
         self._x = []
         self._u = []
         for node in self.nodes:
-            self._x.append(reused_vector(self._states[node.states], node.system._x))
-            self._u.append(reused_vector(self._inputs[node.inputs], node.system._u))
+            x = self._states[node.states]
+            u = self._inputs[node.inputs]
+            self._x.append(reused_vector(x, node.system._x))
+            self._u.append(reused_vector(u, node.system._u))
         # blocks by what they do
         systems = [node.system for node in self.nodes]
-        self._blocks = [(k, self.signals[self.nodes[k].outputs]) for k in wiring.order]
+        outputs = [self.signals[node.outputs] for node in self.nodes]
+        self._blocks = [(k, outputs[k]) for k in wiring.order]
         self._feeding = self._blocks_that_feed()
         self._moving = [k for k in wiring.order if systems[k].nstates]
         self._breaking = [k for k, s in enumerate(systems) if s.breakpoints_function is not None]
@@ -51,16 +55,21 @@ class Sweep:
         self.guarded = any(system.guard is not None for system in systems)
         self.enter(0.0)
 
-    def _blocks_that_feed(self) -> list[tuple[int, np.ndarray]]:
+    def _blocks_that_feed(self) -> list[tuple[int, ndarray]]:
         """Return the blocks whose outputs feed a block."""
         feeding = np.zeros(len(self.signals), dtype=bool)
         for node in self.nodes:
             for wire in node.wires:
                 if not wire.external:
                     feeding[wire.source : wire.source + wire.size] = True
-        return [(k, out) for k, out in self._blocks if feeding[self.nodes[k].outputs].any()]
+        blocks = []
+        for k, out in self._blocks:
+            outputs = self.nodes[k].outputs
+            if feeding[outputs].any():
+                blocks.append((k, out))
+        return blocks
 
-    def _views(self, node: Node) -> tuple[np.ndarray, list[tuple[np.ndarray, np.ndarray, float]]]:
+    def _views(self, node: Node) -> tuple[ndarray, list[tuple]]:
         """View a block's inputs, and (input, source, gain) of each wire."""
         u = self._inputs[node.inputs]
         views = []
@@ -71,7 +80,7 @@ class Sweep:
             views.append((to, source, wire.gain))
         return u, views
 
-    def _gather(self, k: int) -> np.ndarray:
+    def _gather(self, k: int) -> ndarray:
         """Compute a block's inputs from the signals."""
         u, views = self._feeds[k]
         u.fill(0.0)
@@ -79,7 +88,7 @@ class Sweep:
             to += source if gain == 1.0 else gain * source
         return self._u[k]
 
-    def breakpoints(self, t0: float, t1: float) -> np.ndarray:
+    def breakpoints(self, t0: float, t1: float) -> ndarray:
         """Return the times in (t0, t1] at which any block jumps, sorted.
 
         Times that differ by rounding alone are one time, the later.
@@ -91,17 +100,19 @@ class Sweep:
         if not jumps:
             return np.zeros(0)
         times = np.sort(np.concatenate(jumps))
-        return times[np.diff(times, append=np.inf) > rounding(times)]
+        spans = np.diff(times, append=np.inf)
+        return times[spans > rounding(times)]
 
     def enter(self, t: float) -> None:
         """Set every block's `interval` to the one that holds t."""
         for k in self._with_intervals:
-            interval = self.nodes[k].system.interval_at(t, self.parameters[k])
-            self._current[k] = self.parameters[k]._replace(interval=interval)
+            parameters = self.parameters[k]
+            interval = self.nodes[k].system.interval_at(t, parameters)
+            self._current[k] = parameters._replace(interval=interval)
 
     def evaluate(
-        self, t: float, x: np.ndarray, u: np.ndarray | None = None, sampling: Collection[int] = ()
-    ) -> np.ndarray:
+        self, t: float, x: ndarray, u: ndarray | None = None, sampling: Collection[int] = ()
+    ) -> ndarray:
         """Return all block outputs at (t, x, u), in an array that the next pass overwrites.
 
         Without `u` the inputs of the diagram are zero.  Blocks in `sampling` sample their inputs
@@ -112,7 +123,7 @@ class Sweep:
         return self.signals
 
     def _pass(
-        self, t: Any, x: np.ndarray, u: Any, blocks: list, sampling: Collection[int] = ()
+        self, t: Any, x: ndarray, u: Any, blocks: list, sampling: Collection[int] = ()
     ) -> None:
         self._external[:] = 0.0 if u is None else u
         self._states[:] = x
@@ -128,14 +139,12 @@ class Sweep:
         begin = node.states.start + node.system.first_held
         self._states[begin : node.states.stop] = self._gather(k)
 
-    def derivative(self, t: float, x: np.ndarray, u: np.ndarray | None = None) -> np.ndarray:
+    def derivative(self, t: float, x: ndarray, u: ndarray | None = None) -> ndarray:
         """Return the state derivative; NaN where a system could not compute it."""
         with np.errstate(all="ignore"):
             return self.rates(t, x, u, self._blocks)
 
-    def rates(
-        self, t: float, x: np.ndarray, u: np.ndarray | None = None, blocks: Any = None
-    ) -> np.ndarray:
+    def rates(self, t: float, x: ndarray, u: ndarray | None = None, blocks: Any = None) -> ndarray:
         """Return the state derivative; of the outputs only those that feed a block are computed."""
         t = np.float64(t)
         self._pass(t, x, u, blocks or self._feeding)
@@ -149,22 +158,23 @@ class Sweep:
     def jump(
         self,
         t: float,
-        x: np.ndarray,
-        u: np.ndarray | None,
+        x: ndarray,
+        u: ndarray | None,
         blocks: Sequence[int],
         beginning: Sequence[int] = (),
-    ) -> np.ndarray:
+    ) -> ndarray:
         """Return the states after these blocks jump together; x are the states before.
 
         Those that sample then sample their inputs, and so do the blocks in `beginning`.
         """
         self.evaluate(t, x, u)
         states = np.array(x, dtype=float)
+        time = np.float64(t)
         with np.errstate(all="ignore"):
             for k in blocks:
                 inputs = self._gather(k)
                 jumped = states[self.nodes[k].states]
-                self._call("jump", k, np.float64(t), self._x[k], inputs, jumped)
+                self._call("jump", k, time, self._x[k], inputs, jumped)
         sampling = [*beginning]
         sampling += [k for k in blocks if self.nodes[k].system.first_held is not None]
         if not sampling:
@@ -174,21 +184,21 @@ class Sweep:
             self._sample(k)
         return self._states.copy()
 
-    def _call(self, role: str, k: int, t: float, x: np.ndarray, u: np.ndarray, out: Any) -> None:
+    def _call(self, role: str, k: int, t: float, x: ndarray, u: ndarray, out: Any) -> None:
         system = self.nodes[k].system
-        out[:] = system.values(role, len(out), t, x, u, self._current[k])
+        parameters = self._current[k]
+        out[:] = system.values(role, len(out), t, x, u, parameters)
 
-    def fed(self, k: int) -> np.ndarray:
+    def fed(self, k: int) -> ndarray:
         """Return the inputs of a block at the last pass."""
         return np.array(self._gather(k))
 
-    def outputs(self) -> np.ndarray:
+    def outputs(self) -> ndarray:
         """Return the diagram's outputs of the last pass."""
-        return self.wiring.output_map @ np.concatenate([self.signals, self._external])
+        sources = np.concatenate([self.signals, self._external])
+        return self.wiring.output_map @ sources
 
-    def margin(
-        self, t: float, x: np.ndarray, u: np.ndarray | None = None
-    ) -> tuple[float, str, str]:
+    def margin(self, t: float, x: ndarray, u: ndarray | None = None) -> tuple[float, str, str]:
         """Return the least distance to the edge of a guard, the guard's policy and its sentence."""
         self.evaluate(t, x, u)
         least = np.inf
@@ -200,7 +210,8 @@ class Sweep:
                 continue
             inputs = self._inputs[node.inputs]
             p = self._current[k]
-            (distance,) = node.system.values("guard", 1, t, x[node.states], inputs, p)
+            states = x[node.states]
+            (distance,) = node.system.values("guard", 1, t, states, inputs, p)
             if not distance >= least:
                 least = float(distance)
                 policy = guard.policy
@@ -208,7 +219,7 @@ class Sweep:
         return least, policy, sentence
 
     def first_trouble(
-        self, t: float, x: np.ndarray, u: np.ndarray | None = None, advice: str = ""
+        self, t: float, x: ndarray, u: ndarray | None = None, advice: str = ""
     ) -> str | None:
         """Return what is first not finite at (t, x, u), or the error that its block raised."""
         dx = self.derivative(t, x, u)
@@ -231,7 +242,7 @@ class Sweep:
 DESCRIPTIONS = {"jump": "state", "output": "signal", "update": "derivative of"}  # of results
 
 
-def _first_not_finite(node: Node, role: str, values: np.ndarray, advice: str) -> str | None:
+def _first_not_finite(node: Node, role: str, values: ndarray, advice: str) -> str | None:
     """Return a sentence on the first of a block's values that is not finite, or its error."""
     system = node.system
     labels = system.output_labels if role == "output" else system.state_labels
@@ -241,14 +252,14 @@ def _first_not_finite(node: Node, role: str, values: np.ndarray, advice: str) ->
     return None
 
 
-def moved_to(jumps: np.ndarray, times: np.ndarray) -> np.ndarray:
+def moved_to(jumps: ndarray, times: ndarray) -> ndarray:
     """Return times, of which those before a jump by rounding alone are moved to it."""
     k = np.searchsorted(jumps, times)
     following = np.append(jumps, np.inf)[k]
     return np.where(following - times <= rounding(times), following, times)
 
 
-def moved_back(jumps: np.ndarray, times: np.ndarray) -> np.ndarray:
+def moved_back(jumps: ndarray, times: ndarray) -> ndarray:
     """Return jumps, of which those after a sample by rounding alone are moved to it."""
     k = np.searchsorted(times, jumps, side="right")
     before = times[k - 1]

@@ -20,6 +20,7 @@ from math import prod
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy import ndarray
 
 from ...errors import Uncompiled
 from ..codegen.switching_conditions import Port
@@ -61,10 +62,10 @@ class Sliding(NamedTuple):
     """A run on a switch: a `NativeDiagram` with the mean of the rates, and its parameters."""
 
     runner: Any
-    parameters: np.ndarray
+    parameters: ndarray
 
 
-Begin = Callable[[Any, np.ndarray, np.ndarray, np.ndarray, Schedule], Batch]
+Begin = Callable[[Any, ndarray, ndarray, ndarray, Schedule], Batch]
 
 
 # --- runs that slide ------------------------------------------------------------------------------
@@ -115,7 +116,7 @@ def continue_on_switch(diagram: Any, batch: Batch, begin: Begin) -> None:
 
 
 def _next_batch(
-    diagram: Any, batch: Batch, begin: Begin, sliding: Sliding | None, t: float, x: np.ndarray
+    diagram: Any, batch: Batch, begin: Begin, sliding: Sliding | None, t: float, x: ndarray
 ) -> Batch:
     """Run the next batch, with or without sliding, and copy its samples into the first."""
     times = batch.times
@@ -152,7 +153,7 @@ def _until_a_jump(segments: Schedule) -> Schedule:
     )
 
 
-def leave(batch: Batch) -> tuple[float, np.ndarray]:
+def leave(batch: Batch) -> tuple[float, ndarray]:
     """Return time and state where w leaves 0 ... 1, or a guard is met, in the step not taken."""
     t = batch.now
     size = float(batch.lane[TRIAL_SIZE, 0])
@@ -176,10 +177,10 @@ class Crossing(NamedTuple):
     """The point at which a run crosses a switch to and fro."""
 
     time: float
-    state: np.ndarray
-    undecided: np.ndarray  # decisions that are about to change
-    slopes: np.ndarray  # of the distances of all decisions, (states, decisions)
-    rates: np.ndarray
+    state: ndarray
+    undecided: ndarray  # decisions that are about to change
+    slopes: ndarray  # of the distances of all decisions, (states, decisions)
+    rates: ndarray
 
     def parallel_to(self, decision: int, candidates: Iterable[int]) -> list[int]:
         """Return the candidates that change where a decision does: their slopes are parallel."""
@@ -191,7 +192,7 @@ class Crossing(NamedTuple):
         parallel = perpendicular <= PARALLEL * np.linalg.norm(slopes, axis=0)
         return [*np.compress(parallel, candidates)]
 
-    def both_sides(self, decision: int) -> np.ndarray:
+    def both_sides(self, decision: int) -> ndarray:
         """Return states on both sides of where a decision changes."""
         slope = self.slopes[:, decision]
         normal = slope / np.sum(slope**2)
@@ -249,7 +250,7 @@ def _crossing(diagram: Any, batch: Batch) -> Crossing:
 
 
 def _sliding_on(
-    diagram: Any, batch: Batch, crossing: Crossing, fixed: HeldSwitch, on_sides: np.ndarray
+    diagram: Any, batch: Batch, crossing: Crossing, fixed: HeldSwitch, on_sides: ndarray
 ) -> Sliding | None:
     """Return a run on a switch, whose decisions on either side are a row of `on_sides`.
 

@@ -34,6 +34,7 @@ from .schedule import (
     TimeTable,
     checked_state,
     checked_times,
+    inputs_at,
     make_schedule,
     read_inputs,
 )
@@ -393,7 +394,7 @@ class PythonDiagram:
         """Raise an error that names the first signal that is not finite."""
         self.sweep.enter(t)
         advice = "check the parameters of that block, or keep its arguments in range"
-        u = None if inputs is None else inputs.at(t)
+        u = inputs_at(inputs, t)
         trouble = self.sweep.first_trouble(t, x, u, advice)
         trouble = trouble or f"a signal is not finite; {advice}"
         raise SimulationError(f"at t = {t:.9g}: {trouble}")

@@ -13,6 +13,7 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy import ndarray
 
 from ...arguments import numbers
 from ...errors import SimulationError
@@ -28,31 +29,32 @@ class Inputs:
     `samples` holds times and values (ninputs, nt), joined by straight lines.
     """
 
-    samples: tuple[np.ndarray, np.ndarray]
+    samples: tuple[ndarray, ndarray]
 
-    def at(self, t: float) -> np.ndarray:
+    def at(self, t: float) -> ndarray:
         """Return the inputs at a time."""
         begins, rows, slopes = self._straight
         k = max(bisect_right(begins, t) - 1, 0)
         return rows[k] + (t - begins[k]) * slopes[k]
 
     @cached_property
-    def _straight(self) -> tuple[list[float], np.ndarray, np.ndarray]:
+    def _straight(self) -> tuple[list[float], ndarray, ndarray]:
         times, u = self.samples
         rows = np.ascontiguousarray(u.T)
         slopes = np.ascontiguousarray(self.slopes.T)
         return times.tolist(), rows, slopes
 
     @cached_property
-    def slopes(self) -> np.ndarray:
+    def slopes(self) -> ndarray:
         """The slopes from each sample on, shape (ninputs, nt); 0 from the last one."""
         times, u = self.samples
         slopes = np.zeros(u.shape)
-        slopes[:, :-1] = np.diff(u) / np.diff(times)
+        spans = np.diff(times)
+        slopes[:, :-1] = np.diff(u) / spans
         return slopes
 
     @property
-    def kinks(self) -> np.ndarray:
+    def kinks(self) -> ndarray:
         """Times at which the inputs bend.
 
         Samples on one straight line, equal to the bit, are one segment.
@@ -61,14 +63,17 @@ class Inputs:
         slopes = self.slopes
         if len(times) < 3:
             return times
-        inner_bends = (slopes[:, 1:-1] != slopes[:, :-2]).any(axis=0)
-        bends = np.flatnonzero(np.concatenate([[True], inner_bends, [True]]))
-        begins = np.repeat(bends[:-1], np.diff(bends))  # of each sample's segment
+        bending = np.ones(len(times), dtype=bool)
+        bending[1:-1] = np.any(slopes[:, 1:-1] != slopes[:, :-2], axis=0)
+        bends = np.flatnonzero(bending)
+        lengths = np.diff(bends)
+        begins = np.repeat(bends[:-1], lengths)  # of each sample's segment
         elapsed = times[:-1] - times[begins]
         line = u[:, begins] + slopes[:, begins] * elapsed
-        return times[bends] if np.array_equal(line, u[:, :-1]) else times
+        straight = np.array_equal(line, u[:, :-1])
+        return times[bends] if straight else times
 
-    def sharp_bends(self, least: float) -> np.ndarray:
+    def sharp_bends(self, least: float) -> ndarray:
         """Return the times at which the inputs bend sharply.
 
         A bend that leaves the line before it by `least` of the largest value is sharp, too.
@@ -82,43 +87,52 @@ class Inputs:
         sharp, noticeable = self._bends(0.0)
         return bool(np.all(sharp | ~noticeable))
 
-    def _bends(self, least: float) -> tuple[np.ndarray, np.ndarray]:
+    def _bends(self, least: float) -> tuple[ndarray, ndarray]:
         """Return for each inner sample if inputs bend more than elsewhere, and if it matters."""
         times, u = self.samples
         slopes = self.slopes[:, :-1]
         if len(times) < 3:
-            never = np.zeros(len(times[1:-1]), dtype=bool)
+            never = np.zeros(max(len(times) - 2, 0), dtype=bool)
             return never, never
         # compare each change of slope with the usual one
         bends = np.abs(np.diff(slopes))
         usual = np.median(bends, axis=1, keepdims=True)
-        rounding_error = 1e-12 * np.max(np.abs(slopes), axis=1, keepdims=True)
+        steepest = np.max(np.abs(slopes), axis=1, keepdims=True)
+        rounding_error = 1e-12 * steepest
         sharp = bends > SHARP * usual + rounding_error
         # compare the departure from the line before with the size of the input
         spans = np.diff(times)
-        departure = bends * np.minimum(spans[1:], spans[:-1])
+        shorter = np.minimum(spans[1:], spans[:-1])
+        departure = bends * shorter
         size = np.max(np.abs(u), axis=1, keepdims=True)
         noticeable = departure > (least + 1e-12) * size
-        return np.any(sharp, axis=0), np.any(noticeable, axis=0)
+        sharp = np.any(sharp, axis=0)
+        noticeable = np.any(noticeable, axis=0)
+        return sharp, noticeable
 
-    def along(self, times: np.ndarray) -> np.ndarray:
+    def along(self, times: ndarray) -> ndarray:
         """Return the inputs at times, shape (ninputs, nt)."""
         sample_times, u = self.samples
         rows = [np.interp(times, sample_times, row) for row in u]
         return np.reshape(rows, (len(u), len(times)))
 
 
-def checked_times(name: str, timepts: Any) -> np.ndarray:
+def inputs_at(inputs: Inputs | None, t: float) -> ndarray | None:
+    """Return the inputs at a time; None without inputs."""
+    return None if inputs is None else inputs.at(t)
+
+
+def checked_times(name: str, timepts: Any) -> ndarray:
     """Return times as an array: at least two, increasing and finite."""
     times = np.atleast_1d(numbers(name, timepts))
-    if times.ndim != 1 or len(times) < 2 or not (times[1:] > times[:-1]).all():
+    if times.ndim != 1 or len(times) < 2 or not np.all(np.diff(times) > 0.0):
         raise SimulationError(f"{name}: must be at least two increasing times")
     if not np.isfinite(times[[0, -1]]).all():
         raise SimulationError(f"{name}: must be finite")
     return times
 
 
-def checked_state(name: str, state: Any, shape: tuple[int, ...]) -> np.ndarray:
+def checked_state(name: str, state: Any, shape: tuple[int, ...]) -> ndarray:
     """Return states as an array of a shape; a single number is the value of all."""
     values = numbers(name, state)
     if values.ndim == 0:
@@ -130,7 +144,7 @@ def checked_state(name: str, state: Any, shape: tuple[int, ...]) -> np.ndarray:
     return values.copy()
 
 
-def stacked(inputs: Any, times: np.ndarray) -> Any:
+def stacked(inputs: Any, times: ndarray) -> Any:
     """Return inputs, a list as rows if it holds any: samples at the times, or constant numbers."""
     if not isinstance(inputs, list | tuple):
         return inputs
@@ -141,11 +155,13 @@ def stacked(inputs: Any, times: np.ndarray) -> Any:
     for row in inputs:
         values = numbers("inputs", row)
         sampled = values.shape[-1:] == (count,) and values.ndim <= 2
-        rows.append(values if sampled else np.outer(values, np.ones(count)))
+        if not sampled:
+            values = np.outer(values, np.ones(count))
+        rows.append(values)
     return np.vstack(rows)
 
 
-def read_inputs(inputs: Any, times: np.ndarray, count: int) -> Inputs:
+def read_inputs(inputs: Any, times: ndarray, count: int) -> Inputs:
     """Read `count` inputs in python-control's forms.
 
     Straight lines join values of shape (count, nt) at `times`.  A number, or one for each input, is
@@ -179,7 +195,7 @@ JUMPS, BEGINS = 1.0, -1.0  # in P: a block jumps, or samples its inputs as a run
 class TimeTable(NamedTuple):
     """A table over time plus a constant, whose rows are breakpoints."""
 
-    times: np.ndarray  # of the rows
+    times: ndarray  # of the rows
     offset: int  # in P, of the number of rows before now
     continuous: bool  # what is read there does not jump at a row
 
@@ -187,16 +203,19 @@ class TimeTable(NamedTuple):
 class Schedule(NamedTuple):
     """The segments of a run."""
 
-    edges: np.ndarray  # ends of n segments, increasing; the last is the end of the run; then inf
-    indices: np.ndarray  # m indices in P
-    values: np.ndarray  # (n + 1, m): numbers that each segment sets there, and the time of the end
-    smooth: np.ndarray  # (n + 1,): 1 if rates do not jump where a segment begins, but the first
+    edges: ndarray  # ends of n segments, increasing; the last is the end of the run; then inf
+    indices: ndarray  # m indices in P
+    values: ndarray  # (n + 1, m): numbers that each segment sets there, and the time of the end
+    smooth: ndarray  # (n + 1,): 1 if rates do not jump where a segment begins, but the first
     begins: bool = False  # whether blocks sample where the run begins
 
     def after(self, t: float) -> "Schedule":
         """Return the segments from a time on."""
         k = int(np.searchsorted(self.edges, t, side="right"))
-        return Schedule(self.edges[k:], self.indices, self.values[k:], self.smooth[k:])
+        edges = self.edges[k:]
+        values = self.values[k:]
+        smooth = self.smooth[k:]
+        return Schedule(edges, self.indices, values, smooth)
 
 
 def make_schedule(
@@ -223,16 +242,22 @@ def make_schedule(
     samples_at_start = False
     for k in diagram.jumps:
         block = diagram.sweep.nodes[k].system
-        samples = block.first_held is not None and block.samples_at(float(times[0]))
-        samples_at_start = samples_at_start or samples
-        jumping = JUMPS * (np.diff(_intervals(diagram.sweep, k, starts)) != 0)
-        columns.append(np.append(BEGINS if samples else 0.0, jumping))
+        request = 0.0
+        if block.first_held is not None and block.samples_at(float(times[0])):
+            request = BEGINS
+            samples_at_start = True
+        changes = np.diff(_intervals(diagram.sweep, k, starts))
+        jumping = JUMPS * (changes != 0)
+        columns.append(np.append(request, jumping))
     # 3. straight lines of the inputs of machine code
     if diagram.ramp >= 0 and inputs is not None and wiring.ninputs:
         sample_times, u = inputs.samples
         k = np.searchsorted(sample_times[1:], starts, side="right")  # the line from this sample on
-        columns += [sample_times[k], *u[:, k], *inputs.slopes[:, k]]
-        indices += range(diagram.ramp, diagram.ramp + 1 + 2 * len(u))
+        columns.append(sample_times[k])
+        columns += [*u[:, k]]
+        columns += [*inputs.slopes[:, k]]
+        end = diagram.ramp + 1 + 2 * len(u)
+        indices += range(diagram.ramp, end)
     # 4. rows of the tables over time
     for table in diagram.time_tables:
         later = starts + rounding(starts)
@@ -256,24 +281,28 @@ def make_schedule(
 
 def _events_of_time(
     diagram: Any, times: Any, inputs: Inputs | None, least: float
-) -> tuple[np.ndarray, np.ndarray]:
+) -> tuple[ndarray, ndarray]:
     """Return the times at which blocks jump, and all times at which rates bend or jump."""
     kinks = np.zeros(0)
     if inputs is not None and not diagram.sweep.wiring.dt:
         kinks = inputs.kinks if diagram.ramp >= 0 else inputs.sharp_bends(least)
+    t0 = float(times[0])
     t1 = float(times[-1])
-    jumps = diagram.sweep.breakpoints(float(times[0]), t1 + rounding(t1))
+    jumps = diagram.sweep.breakpoints(t0, t1 + rounding(t1))
     bends = kinks
     if len(jumps):
         jumps = moved_back(jumps, np.asarray(times))
-        bends = np.union1d(jumps, moved_to(jumps, kinks)) if len(kinks) else jumps
+        bends = jumps
+        if len(kinks):
+            kinks = moved_to(jumps, kinks)
+            bends = np.union1d(jumps, kinks)
     if diagram.time_tables:
         rows = [table.times for table in diagram.time_tables]
         bends = np.unique(np.concatenate([bends, *rows]))
     return jumps, bends
 
 
-def _intervals(sweep: Any, k: int, starts: np.ndarray) -> np.ndarray:
+def _intervals(sweep: Any, k: int, starts: ndarray) -> ndarray:
     """Return the interval of a block in each segment."""
     block = sweep.nodes[k].system
     parameters = sweep.parameters[k]

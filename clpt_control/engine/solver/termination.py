@@ -9,12 +9,13 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
+from numpy import ndarray
 from scipy.optimize import brentq
 
 from ...errors import SimulationError
 from .batch import Batch, Callee
 from .evaluation_pass import Sweep, rounding
-from .schedule import Inputs, Schedule
+from .schedule import Inputs, Schedule, inputs_at
 from .solver_layout import (
     DOP853,
     EVENT_INDEX,
@@ -48,15 +49,15 @@ class Solution:
     are the segments of time of that engine; `signals` those that were computed on the way.
     """
 
-    t: np.ndarray
-    x: np.ndarray
+    t: ndarray
+    x: ndarray
     status: str = "finished"
     message: str = Status.FINISHED.sentence
     statistics: dict[str, int] = field(default_factory=dict)
     engine: str = "python"
     method: str = "none"
     pieces: Schedule | None = field(default=None, repr=False, compare=False)
-    signals: np.ndarray | None = field(default=None, repr=False, compare=False)
+    signals: ndarray | None = field(default=None, repr=False, compare=False)
 
 
 def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
@@ -90,7 +91,7 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
     raise error
 
 
-def _points_ahead(batch: Batch) -> list[tuple[float, np.ndarray]]:
+def _points_ahead(batch: Batch) -> list[tuple[float, ndarray]]:
     """Return time and state where a run stopped, and points ahead along the rates."""
     t = batch.now
     x = batch.states[STATE, :, 0].copy()
@@ -102,13 +103,13 @@ def _points_ahead(batch: Batch) -> list[tuple[float, np.ndarray]]:
     return points
 
 
-def without_states(sweep: Sweep, times: np.ndarray, inputs: Inputs | None, engine: str) -> Solution:
+def without_states(sweep: Sweep, times: ndarray, inputs: Inputs | None, engine: str) -> Solution:
     """Return the solution of a diagram without states, up to where it leaves a guard."""
     solution = Solution(times, np.zeros((len(times), 0)), engine=engine)
 
     def guard(t: float) -> tuple[float, str, str]:
         sweep.enter(t)
-        u = None if inputs is None else inputs.at(t)
+        u = inputs_at(inputs, t)
         return sweep.margin(t, solution.x[0], u)
 
     for k, t in enumerate(times if sweep.guarded else ()):
@@ -130,7 +131,7 @@ def without_states(sweep: Sweep, times: np.ndarray, inputs: Inputs | None, engin
 
 
 def in_discrete_time(
-    sweep: Sweep, x: np.ndarray, times: np.ndarray, inputs: Inputs | None, progress: Any
+    sweep: Sweep, x: ndarray, times: ndarray, inputs: Inputs | None, progress: Any
 ) -> Solution:
     """Return the solution of a diagram of discrete time in Python.
 
@@ -187,11 +188,11 @@ def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:
         sweep.nodes[k].system.raised.pop("jump", None)
     finite = batch.out[0][np.isfinite(batch.out[0]).all(axis=1)]
     if sweep.jumping and len(finite) and not np.isfinite(points[0][1]).all():
-        u = None if inputs is None else inputs.at(t)
+        u = inputs_at(inputs, t)
         sweep.jump(t, finite[-1, : sweep.nstates], u, sweep.jumping)
     # 2. evaluate all blocks
     for time, state in points:
-        u = None if inputs is None else inputs.at(time)
+        u = inputs_at(inputs, time)
         trouble = sweep.first_trouble(time, state, u, advice)
         if trouble is not None:
             return trouble
@@ -208,7 +209,7 @@ def _derivative_trouble(sweep: Sweep, batch: Batch, advice: str) -> str | None:
     return None
 
 
-def state_within(batch: Batch, share: float) -> np.ndarray:
+def state_within(batch: Batch, share: float) -> ndarray:
     """Return the state at a share of the step that was not taken."""
     n = batch.callee.nstates
     return np.array([interpolate(batch.states, i, 0, share) for i in range(n)])
@@ -227,9 +228,7 @@ def edge(batch: Batch, margin: Callable[[float], float]) -> float:
     return float(brentq(margin, low, high, xtol=1e-15, rtol=1e-14))
 
 
-def _crossing(
-    sweep: Sweep, batch: Batch, inputs: Inputs | None
-) -> tuple[float, np.ndarray, str, str]:
+def _crossing(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> tuple[float, ndarray, str, str]:
     """Return time, state, policy and sentence where that step crosses a guard's edge."""
     t = batch.now
     h = float(batch.lane[TRIAL_SIZE, 0])
@@ -238,7 +237,7 @@ def _crossing(
     def guard(share: float) -> tuple[float, str, str]:
         time = t + share * h
         state = state_within(batch, share)[: sweep.nstates]
-        u = None if inputs is None else inputs.at(time)
+        u = inputs_at(inputs, time)
         return sweep.margin(time, state, u)
 
     share = edge(batch, lambda share: guard(share)[0])
@@ -247,8 +246,8 @@ def _crossing(
 
 
 def _until(
-    batch: Batch, solution: Solution, t: float, x: np.ndarray, reached: int
-) -> tuple[np.ndarray, np.ndarray]:
+    batch: Batch, solution: Solution, t: float, x: ndarray, reached: int
+) -> tuple[ndarray, ndarray]:
     """Return the samples up to the end of a run that a guard stopped, and that end."""
     start = batch.now
     h = float(batch.lane[TRIAL_SIZE, 0])
@@ -260,7 +259,7 @@ def _until(
     return np.append(times, end), np.array([*stored, *interpolated, x])
 
 
-def sampled_start(callee: Callee, start: Any, t: float, segments: Schedule, P: Any) -> np.ndarray:
+def sampled_start(callee: Callee, start: Any, t: float, segments: Schedule, P: Any) -> ndarray:
     """Return the state with which a run begins; blocks that sample then have sampled inputs."""
     if not segments.begins:
         return start
