@@ -73,7 +73,8 @@ def run_compared(runner: NativeDiagram, start: Any, times: Any, **options: Any) 
     try:
         solution = runner.run(start, times, **options)
     except SimulationError as error:
-        at_start = Solution(np.asarray(times[:1]), np.reshape(start, (1, -1)))
+        states = np.reshape(start, (1, -1))
+        at_start = Solution(np.asarray(times[:1]), states)
         why = difference(runner, at_start, inputs)
         if not why:
             points = getattr(error, "points", [])
@@ -145,7 +146,8 @@ def difference_ahead(runner: NativeDiagram, points: list, times: Any, inputs: In
     for t, x in points:
         if not np.isfinite(x).all():
             continue
-        if not _agrees(runner, segments, np.array([t]), x[None], inputs)[0]:
+        time = np.array([t])
+        if not _agrees(runner, segments, time, x[None], inputs)[0]:
             return misread_function(runner, float(t), x) or ""
     return ""
 
@@ -181,7 +183,8 @@ def _agrees(
         machine.append(callee.evaluate(DERIVATIVE, times, x, segments, P, runner.nstates))
     if sweep.jumping:
         values = segments.values.copy()
-        values[:, np.isin(segments.indices, list(runner.jumps.values()))] = JUMPS
+        requests = np.isin(segments.indices, list(runner.jumps.values()))
+        values[:, requests] = JUMPS
         all_jump = segments._replace(values=values)
         machine.append(callee.evaluate(JUMP, times, x, all_jump, P, runner.nstates))
     # 2. results of the functions in Python

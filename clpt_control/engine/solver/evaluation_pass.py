@@ -15,6 +15,8 @@ from numpy import ndarray
 from ..diagram.wiring import Node, Wiring
 from ..model.ports import reused_vector
 
+External = ndarray | None  # inputs of the diagram; zero without
+
 
 class Sweep:
     """Evaluate a diagram's signals and state derivative.
@@ -49,9 +51,11 @@ class Sweep:
         self._blocks = [(k, outputs[k]) for k in wiring.order]
         self._feeding = self._blocks_that_feed()
         self._moving = [k for k in wiring.order if systems[k].nstates]
-        self._breaking = [k for k, s in enumerate(systems) if s.breakpoints_function is not None]
+        breaking = [system.breakpoints_function is not None for system in systems]
+        self._breaking = np.flatnonzero(breaking).tolist()
         self._with_intervals = [k for k in self._breaking if not parameters[k].interval >= 0.0]
-        self.jumping = [k for k, system in enumerate(systems) if system.jump_function is not None]
+        jumping = [system.jump_function is not None for system in systems]
+        self.jumping = np.flatnonzero(jumping).tolist()
         self.guarded = any(system.guard is not None for system in systems)
         self.enter(0.0)
 
@@ -111,7 +115,7 @@ class Sweep:
             self._current[k] = parameters._replace(interval=interval)
 
     def evaluate(
-        self, t: float, x: ndarray, u: ndarray | None = None, sampling: Collection[int] = ()
+        self, t: float, x: ndarray, u: External = None, sampling: Collection[int] = ()
     ) -> ndarray:
         """Return all block outputs at (t, x, u), in an array that the next pass overwrites.
 
@@ -139,12 +143,12 @@ class Sweep:
         begin = node.states.start + node.system.first_held
         self._states[begin : node.states.stop] = self._gather(k)
 
-    def derivative(self, t: float, x: ndarray, u: ndarray | None = None) -> ndarray:
+    def derivative(self, t: float, x: ndarray, u: External = None) -> ndarray:
         """Return the state derivative; NaN where a system could not compute it."""
         with np.errstate(all="ignore"):
             return self.rates(t, x, u, self._blocks)
 
-    def rates(self, t: float, x: ndarray, u: ndarray | None = None, blocks: Any = None) -> ndarray:
+    def rates(self, t: float, x: ndarray, u: External = None, blocks: Any = None) -> ndarray:
         """Return the state derivative; of the outputs only those that feed a block are computed."""
         t = np.float64(t)
         self._pass(t, x, u, blocks or self._feeding)
@@ -159,7 +163,7 @@ class Sweep:
         self,
         t: float,
         x: ndarray,
-        u: ndarray | None,
+        u: External,
         blocks: Sequence[int],
         beginning: Sequence[int] = (),
     ) -> ndarray:
@@ -198,7 +202,7 @@ class Sweep:
         sources = np.concatenate([self.signals, self._external])
         return self.wiring.output_map @ sources
 
-    def margin(self, t: float, x: ndarray, u: ndarray | None = None) -> tuple[float, str, str]:
+    def margin(self, t: float, x: ndarray, u: External = None) -> tuple[float, str, str]:
         """Return the least distance to the edge of a guard, the guard's policy and its sentence."""
         self.evaluate(t, x, u)
         least = np.inf
@@ -219,21 +223,17 @@ class Sweep:
         return least, policy, sentence
 
     def first_trouble(
-        self, t: float, x: ndarray, u: ndarray | None = None, advice: str = ""
+        self, t: float, x: ndarray, u: External = None, advice: str = ""
     ) -> str | None:
         """Return what is first not finite at (t, x, u), or the error that its block raised."""
         dx = self.derivative(t, x, u)
-        for node in self.nodes:
-            sentence = _first_not_finite(node, "jump", x[node.states], advice)
-            if sentence is not None:
-                return sentence
+        results = [(node, "jump", x[node.states]) for node in self.nodes]
         for k in self.wiring.order:
             node = self.nodes[k]
-            sentence = _first_not_finite(node, "output", self.signals[node.outputs], advice)
-            if sentence is not None:
-                return sentence
-        for node in self.nodes:
-            sentence = _first_not_finite(node, "update", dx[node.states], advice)
+            results.append((node, "output", self.signals[node.outputs]))
+        results += [(node, "update", dx[node.states]) for node in self.nodes]
+        for node, role, values in results:
+            sentence = _first_not_finite(node, role, values, advice)
             if sentence is not None:
                 return sentence
         return None
@@ -246,7 +246,8 @@ def _first_not_finite(node: Node, role: str, values: ndarray, advice: str) -> st
     """Return a sentence on the first of a block's values that is not finite, or its error."""
     system = node.system
     labels = system.output_labels if role == "output" else system.state_labels
-    for label in np.array(labels)[~np.isfinite(values)]:
+    not_finite = ~np.isfinite(values)
+    for label in np.array(labels)[not_finite]:
         description = f"{DESCRIPTIONS[role]} {label} of block {node.name}"
         return system.raised.get(role) or f"{description} is not finite; {advice}"
     return None

@@ -105,7 +105,8 @@ def continue_on_switch(diagram: Any, batch: Batch, begin: Begin) -> None:
         for k in np.flatnonzero((times > last.now) & (times <= t)):
             share = (times[k] - last.now) / last.lane[TRIAL_SIZE, 0]
             batch.out[0, k] = state_within(last, share) if sliding is None else x
-        short = t - current.times[0] <= SHORT * (times[-1] - times[0])
+        span = times[-1] - times[0]
+        short = t - current.times[0] <= SHORT * span
         in_vain = in_vain + 1 if short else 0
         # 3. the next batch, and its samples
         current = _next_batch(diagram, batch, begin, sliding, t, x)
@@ -144,7 +145,9 @@ def _until_a_jump(segments: Schedule) -> Schedule:
     Where inputs bend, the rates on a switch jump too: each segment begins anew.
     """
     jumps = np.flatnonzero(segments.smooth[1:-1] == 0)
-    count = 1 + (int(jumps[0]) if len(jumps) else len(segments.edges) - 2)
+    count = len(segments.edges) - 1
+    if len(jumps):
+        count = 1 + int(jumps[0])
     return Schedule(
         edges=np.append(segments.edges[:count], np.inf),
         indices=segments.indices,
@@ -162,7 +165,8 @@ def leave(batch: Batch) -> tuple[float, ndarray]:
     def margin(share: float) -> float:
         times = [t + share * size]
         states = state_within(batch, share)[None]
-        margins = batch.callee.evaluate(MARGIN, times, states, segments, batch.memory.P, 1)
+        P = batch.memory.P
+        margins = batch.callee.evaluate(MARGIN, times, states, segments, P, 1)
         distance = margins[0, 0]
         return -1.0 if np.isnan(distance) else float(distance)
 
@@ -189,7 +193,8 @@ class Crossing(NamedTuple):
         slopes = self.slopes[:, candidates]
         shares, *_ = np.linalg.lstsq(slope, slopes, rcond=None)
         perpendicular = np.linalg.norm(slopes - slope @ shares, axis=0)
-        parallel = perpendicular <= PARALLEL * np.linalg.norm(slopes, axis=0)
+        steepness = np.linalg.norm(slopes, axis=0)
+        parallel = perpendicular <= PARALLEL * steepness
         return [*np.compress(parallel, candidates)]
 
     def both_sides(self, decision: int) -> ndarray:
@@ -207,15 +212,17 @@ def enter(diagram: Any, batch: Batch) -> Sliding | None:
     before = batch.memory.P[diagram.decided_at :][:count]
     behind = batch.points[SAMPLE_POINTS, DECISION]
     changed = before != behind
-    changing = np.isin(np.arange(count), crossing.undecided) & (np.abs(before) == 1.0)
+    undecided = np.isin(np.arange(count), crossing.undecided)
+    changing = undecided & (np.abs(before) == 1.0)
     candidates = np.flatnonzero(changed | changing).tolist()
     # 2. a switch of those that changed, the steepest first
     steepness = np.linalg.norm(crossing.slopes, axis=0)
     remaining = sorted(candidates, key=lambda k: (not changed[k], -steepness[k]))
     while remaining and changed[remaining[0]]:
         switch = remaining[0]
+        parallel = crossing.parallel_to(switch, candidates)
         decisions = [switch]
-        decisions += [k for k in crossing.parallel_to(switch, candidates) if k != switch]
+        decisions += [k for k in parallel if k != switch]
         # 3. decisions on both of its sides
         on_sides = np.vstack([before, before])
         opposite = np.where(changed[decisions], behind[decisions], -before[decisions])
@@ -245,7 +252,8 @@ def _crossing(diagram: Any, batch: Batch) -> Crossing:
     rounding_error = conditions[0, 2]
     slopes = (distance[1:] - distance[0]) / changes[:, None]
     undecided = np.flatnonzero(np.abs(distance[0]) < NEAR * rounding_error)
-    rates = callee.evaluate(DERIVATIVE, times[:1], states[:1], segments, P, len(state))
+    n = len(state)
+    rates = callee.evaluate(DERIVATIVE, times[:1], states[:1], segments, P, n)
     return Crossing(batch.now, state, undecided, slopes, rates)
 
 
@@ -277,12 +285,14 @@ def _sliding_on(
     # 3. and do not depend on another decision that changes on the same switch
     moving = np.flatnonzero(crossing.slopes.any(axis=0))
     candidates = set(crossing.undecided) & set(moving) - set(fixed.decisions)
-    pairs = [crossing.both_sides(k) for k in crossing.parallel_to(fixed.switch, sorted(candidates))]
+    parallel = crossing.parallel_to(fixed.switch, sorted(candidates))
+    pairs = [crossing.both_sides(k) for k in parallel]
     states = np.reshape(pairs, (-1, state.size))
     times = np.full(len(states), crossing.time)
     rates = callee.evaluate(DERIVATIVE, times, states, segments, parameters, state.size)
     differences = np.abs(rates[::2] - rates[1::2])
-    if np.any(differences > NEGLIGIBLE * np.abs(crossing.rates).max()):
+    largest = np.abs(crossing.rates).max()
+    if np.any(differences > NEGLIGIBLE * largest):
         return None
     return Sliding(runner, parameters)
 
@@ -302,7 +312,8 @@ def slide(record: Any, fixed: HeldSwitch) -> None:
     rates_1 = conditions.lock(record.rates, fixed.decisions)
     distance = conditions.distance_of(fixed.switch)
     slope = _slope(record, distance, rates_0)
-    difference = _slope(record, distance, rates_1) - slope
+    slope_1 = _slope(record, distance, rates_1)
+    difference = slope_1 - slope
     if type(difference) is float and difference == 0.0:
         raise Unread("a switch that its rates do not move")
     weight = -slope / difference
@@ -320,7 +331,8 @@ def slide(record: Any, fixed: HeldSwitch) -> None:
         distance = conditions.distance_of(decision)
         moved = np.fabs(_slope(record, distance, record.rates))
         scale = np.fabs(_slope(record, distance, rates_0))
-        record.margins.append(operand(1.0 - moved / (NEGLIGIBLE * scale + TINY)))
+        allowed = NEGLIGIBLE * scale + TINY
+        record.margins.append(operand(1.0 - moved / allowed))
 
 
 def _slope(record: Any, distance: int, rates: list[Port]) -> Any:
@@ -340,4 +352,5 @@ def _slope(record: Any, distance: int, rates: list[Port]) -> Any:
             if port.first <= begin and end <= port.first + prod(port.shape):
                 rate = record.part(port.ref, begin - port.first, shape)
                 direction[k] = record.tape.value(rate)
-    return Direction(record.tape, direction).of(record.tape.value(distance))
+    derivative = Direction(record.tape, direction)
+    return derivative.of(record.tape.value(distance))

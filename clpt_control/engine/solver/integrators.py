@@ -83,21 +83,25 @@ class StepTape:
 
     def z(self, row: int) -> Any:
         """Return a row of Z."""
-        return self.tape.add("load", (), (self.n,), ("X", row * self.n))
+        return self._load("X", row * self.n, (self.n,))
 
     def lane(self, row: int) -> Any:
         """Return a number of the lane."""
-        return self.tape.add("load", (), (), ("t", row))
+        return self._load("t", row)
 
     def tolerance(self, size: Any) -> Any:
         """Return the tolerance of states of a size."""
-        relative = self.tape.add("load", (), (), ("T", 0))
-        absolute = self.tape.add("load", (), (), ("T", 1))
+        relative = self._load("T", 0)
+        absolute = self._load("T", 1)
         return fmuladd(relative, size, absolute)
 
     def total(self, value: Any) -> Any:
         """Return the sum over the states."""
-        return self.tape.add("sum", (operand(value),), (), (0, self.n, True))
+        axis = (0, self.n, True)
+        return self.tape.add("sum", (operand(value),), (), axis)
+
+    def _load(self, array: str, offset: int, shape: tuple[int, ...] = ()) -> Any:
+        return self.tape.add("load", (), shape, (array, offset))
 
 
 New = tuple[Rows, Rows]  # the new rows of Z, and the new numbers of the lane
@@ -108,7 +112,8 @@ def _sum(s: StepTape, weights: Any, row: int = RATE, total: Any = None) -> Any:
     """Return total + a_0 K_0 + a_1 K_1 + ..., with the rows from `row` on; zeros are left out."""
     for a in np.asarray(weights).tolist():
         if a != 0.0:
-            total = a * s.z(row) if total is None else fmuladd(a, s.z(row), total)
+            rate = s.z(row)
+            total = a * rate if total is None else fmuladd(a, rate, total)
         row += 1
     return total
 
@@ -125,7 +130,9 @@ def _terms(s: StepTape, *terms: Any) -> Rows:
 
 
 def _stage_time(s: StepTape, c: float) -> Rows:
-    return {STAGE_TIME: s.lane(TIME) + c * s.lane(TRIAL_SIZE)}
+    t = s.lane(TIME)
+    h = s.lane(TRIAL_SIZE)
+    return {STAGE_TIME: t + c * h}
 
 
 # --- DOP853 -----------------------------------------------------------------------------------
@@ -136,8 +143,11 @@ def _stage(weights: Any, c: float, s: StepTape) -> New:
     h = s.lane(TRIAL_SIZE)
     last = np.flatnonzero(weights)[-1]
     total = _sum(s, weights[:last])
-    argument = s.z(STATE) if total is None else fmuladd(h, total, s.z(STATE))
-    argument = fmuladd(h * float(weights[last]), s.z(RATE + last), argument)
+    argument = s.z(STATE)
+    if total is not None:
+        argument = fmuladd(h, total, argument)
+    weight = h * float(weights[last])
+    argument = fmuladd(weight, s.z(RATE + last), argument)
     return {ARGUMENT: argument}, _stage_time(s, c)
 
 
@@ -179,23 +189,32 @@ def _accept_or_reject(
     s: StepTape, error: Any, factor: Any, largest: float, least: Any = None
 ) -> Rows:
     """Accept a step whose error is below 1, and choose the length of the next."""
+    h = s.lane(TRIAL_SIZE)
     good = error < 1.0
+    accepted = where(good, 1.0, 0.0)
+    rejected = where(good, 0.0, 1.0)
+    # 1. the next length: at most as long as this one behind a rejected step
     most = where(s.lane(REJECTED) > 0.5, 1.0, largest)
-    shrinking = where(error >= 1.0, maximum(0.2, factor), 0.2)  # not a number: 0.2
-    longer = s.lane(TRIAL_SIZE) * minimum(most, factor)
+    longer = h * minimum(most, factor)
     if least is not None:
         longer = maximum(longer, least)
-    # the lane is due at a sample, at a failure, and when its tries are used up
-    tries = s.lane(ACCEPTED_COUNT) + s.lane(REJECTED_COUNT) + 1.0
-    due = where(s.lane(TRIAL_END) >= s.lane(NEXT_STOP), 1.0, s.lane(FAILURE))
+    shrinking = where(error >= 1.0, maximum(0.2, factor), 0.2)  # not a number: 0.2
+    size = where(good, longer, h * shrinking)
+    # 2. the lane is due at a sample, at a failure, and when its tries are used up
+    accepted_count = s.lane(ACCEPTED_COUNT)
+    rejected_count = s.lane(REJECTED_COUNT)
+    tries = accepted_count + rejected_count + 1.0
+    at_stop = s.lane(TRIAL_END) >= s.lane(NEXT_STOP)
+    due = where(at_stop, 1.0, s.lane(FAILURE))
+    due = where(tries >= s.lane(TRIES_LEFT), 1.0, due)
     return {
-        STEP_SIZE: where(good, longer, s.lane(TRIAL_SIZE) * shrinking),
-        ACCEPTED: where(good, 1.0, 0.0),
-        REJECTED: where(good, 0.0, 1.0),
-        STAGE_TIME: s.lane(TIME) + s.lane(TRIAL_SIZE),
-        DUE: where(tries >= s.lane(TRIES_LEFT), 1.0, due),
-        ACCEPTED_COUNT: s.lane(ACCEPTED_COUNT) + where(good, 1.0, 0.0),
-        REJECTED_COUNT: s.lane(REJECTED_COUNT) + where(good, 0.0, 1.0),
+        STEP_SIZE: size,
+        ACCEPTED: accepted,
+        REJECTED: rejected,
+        STAGE_TIME: s.lane(TIME) + h,
+        DUE: due,
+        ACCEPTED_COUNT: accepted_count + accepted,
+        REJECTED_COUNT: rejected_count + rejected,
     }
 
 
@@ -245,19 +264,22 @@ def _first_step(order: int, s: StepTape) -> New:
     """The first step, from the change of the rate over the trial step (row 3)."""
     scale = 1.0 / s.tolerance(abs(s.z(STATE)))
     h = s.lane(TRIAL_SIZE)
-    change = (s.z(RATE + 2) - s.z(RATE + 1)) * scale
+    rate = s.z(RATE + 1)
+    change = (s.z(RATE + 2) - rate) * scale
     d1 = s.lane(RATE_NORM)
     d2 = sqrt(_mean_square(s, change)) / h
     most = maximum(maximum(d1, d2), 1e-30)
     cautious = maximum(1e-6, h * 1e-3)
-    step = where(most <= 1e-15, cautious, power(0.01 / most, 1.0 / order))
+    usual = power(0.01 / most, 1.0 / order)
+    step = where(most <= 1e-15, cautious, usual)
     step = minimum(100.0 * h, step)
     step = minimum(step, s.lane(SEGMENT_END) - s.lane(TIME))
     # the user's first step, if there is one
-    step = where(s.lane(FIRST_STEP) > 0.0, s.lane(FIRST_STEP), step)
+    requested = s.lane(FIRST_STEP)
+    step = where(requested > 0.0, requested, step)
     # a segment that begins without a jump of the rates goes on with rate and step
     fresh = s.lane(FRESH) > 0.5
-    rate = where(fresh, s.z(RATE + 1), s.z(RATE))
+    rate = where(fresh, rate, s.z(RATE))
     step = where(fresh, step, s.lane(STEP_SIZE))
     return {RATE: rate}, {STEP_SIZE: step}
 
@@ -275,8 +297,11 @@ def _cubic(s: StepTape) -> tuple[Any, Any, Any]:
     """Return the terms of the cubic with the states and rates of both ends."""
     h = s.lane(TRIAL_SIZE)
     delta = s.z(ARGUMENT) - s.z(STATE)
-    sum_of_rates = s.z(RATE + DOP853) + s.z(RATE)
-    return delta, h * s.z(RATE) - delta, 2.0 * delta - h * sum_of_rates
+    rate = s.z(RATE)
+    sum_of_rates = s.z(RATE + DOP853) + rate
+    quadratic = h * rate - delta
+    cubic = 2.0 * delta - h * sum_of_rates
+    return delta, quadratic, cubic
 
 
 def _dense_cubic(s: StepTape) -> New:
@@ -294,8 +319,11 @@ def _dense(s: StepTape) -> New:
     h = s.lane(TRIAL_SIZE)
     terms = [*_cubic(s)]
     terms += [h * _sum(s, weights) for weights in table.D]
-    largest = maximum(abs(s.z(STATE)), abs(s.z(ARGUMENT)))
-    scaled = (LAST_TERM / TRUSTED) * terms[-1] / s.tolerance(largest)
+    before = abs(s.z(STATE))
+    after = abs(s.z(ARGUMENT))
+    largest = maximum(before, after)
+    share = LAST_TERM / TRUSTED
+    scaled = share * terms[-1] / s.tolerance(largest)
     error = sqrt(s.total(scaled * scaled))
     return _terms(s, *terms), {INTERPOLANT_ERROR: error}
 
@@ -334,12 +362,14 @@ def _stiffness(last: Any, limit: float, s: StepTape) -> New:
 
 def _attempt_fixed(s: StepTape) -> New:
     """Equal steps up to the next sample, or the end of the segment."""
-    ahead = s.lane(NEXT_STOP) - s.lane(TIME)
-    tolerance = 1e-15 * abs(s.lane(NEXT_STOP))
+    t = s.lane(TIME)
+    stop = s.lane(NEXT_STOP)
+    ahead = stop - t
+    tolerance = 1e-15 * abs(stop)
     rounded = ahead * (1.0 - 1e-12) - tolerance  # as times are rounded
     steps = maximum(1.0, ceil(rounded / s.lane(MAX_STEP)))
     size = ahead / steps
-    end = where(steps > 1.0, s.lane(TIME) + size, s.lane(NEXT_STOP))
+    end = where(steps > 1.0, t + size, stop)
     return {}, {TRIAL_END: end, TRIAL_SIZE: size}
 
 
@@ -363,10 +393,11 @@ def _control_fixed(new_state: Callable[[StepTape], Any], s: StepTape) -> New:
     tries = s.lane(ACCEPTED_COUNT) + 1.0
     good = s.total(0.0 * state) <= 0.0
     failing = where(good, 0.0, float(Status.NOT_FINITE))
-    at_stop = (end >= s.lane(NEXT_STOP)) | (tries >= s.lane(TRIES_LEFT))
+    at_stop = end >= s.lane(NEXT_STOP)
+    used_up = tries >= s.lane(TRIES_LEFT)
     numbers = {
         ACCEPTED: where(good, 1.0, 0.0),
-        DUE: where(at_stop, 1.0, failing),
+        DUE: where(at_stop | used_up, 1.0, failing),
         STAGE_TIME: end,
         ACCEPTED_COUNT: tries,
         FAILURE: failing,
@@ -376,7 +407,9 @@ def _control_fixed(new_state: Callable[[StepTape], Any], s: StepTape) -> New:
 
 def _accept_fixed(s: StepTape) -> New:
     """The new state."""
-    return {STATE: s.z(ARGUMENT)}, {TIME: s.lane(TRIAL_END)}
+    state = s.z(ARGUMENT)
+    time = s.lane(TRIAL_END)
+    return {STATE: state}, {TIME: time}
 
 
 def _dense_fixed(s: StepTape) -> New:
@@ -403,9 +436,11 @@ def _stage_implicit(number: int, s: StepTape) -> New:
 def _control_implicit(s: StepTape) -> New:
     """The new state, the estimate of its error, of order 5, and the length of the next step."""
     stages = len(rodas.C)
-    state = s.z(STATE) + _sum(s, rodas.weights(stages), SOLVED)
+    change = _sum(s, rodas.weights(stages), SOLVED)
+    state = s.z(STATE) + change
     largest = maximum(abs(s.z(STATE)), abs(state))
-    error = s.z(SOLVED + stages - 1) / s.tolerance(largest)
+    error = s.z(SOLVED + stages - 1)
+    error = error / s.tolerance(largest)
     square = _mean_square(s, error)
     factor = 0.9 * power(maximum(square, 1e-30), -0.1)  # error^(-1/5)
     # the step before may be short because of a sample, or the end of a segment
@@ -452,7 +487,8 @@ def formulas(method: int) -> dict[str, Formula]:
         named["control"] = partial(_control_fixed, _runge_kutta if method == RK4 else _next_sample)
         named["accept"] = _accept_fixed
         named["dense"] = _dense_fixed
-        for k, c in enumerate([0.5, 0.5, 1.0][: method - 1]):  # each stage has one weight
+        times = [0.5, 0.5, 1.0] if method == RK4 else []
+        for k, c in enumerate(times):  # each stage has one weight
             weights = [0.0] * k + [c]
             stages.append(partial(_stage, weights, c))
     for k, stage in enumerate(stages, 1):
@@ -467,15 +503,21 @@ def program_of_formulas(formulas: dict[str, Formula], n: int) -> Program:
     writes = {}
     for name, formula in formulas.items():
         rows, numbers = formula(step)
-        in_rows = [Port(row * n, (n,), (True,), operand(value)) for row, value in rows.items()]
-        in_lane = [Port(row, (), (), operand(value)) for row, value in numbers.items()]
-        writes[name] = components.writes(in_rows, "X") + components.writes(in_lane, "t")
+        in_rows = []
+        for row, value in rows.items():
+            in_rows.append(Port(row * n, (n,), (True,), operand(value)))
+        in_lane = []
+        for row, value in numbers.items():
+            in_lane.append(Port(row, (), (), operand(value)))
+        writes[name] = components.writes(in_rows, "X")
+        writes[name] += components.writes(in_lane, "t")
     planner = Planner(components)
     functions = {}
     for name, written in writes.items():
         # loops come first: they read numbers of the lane, which are written behind them
         nests = planner.nests(written)
-        functions[name] = tuple(sorted(nests, key=lambda nest: not nest.lengths))
+        ordered = sorted(nests, key=lambda nest: not nest.lengths)
+        functions[name] = tuple(ordered)
     return Program(tuple(components.all), functions, {}, (), 0, 0, 0, ())
 
 

@@ -105,7 +105,8 @@ class Inputs:
         shorter = np.minimum(spans[1:], spans[:-1])
         departure = bends * shorter
         size = np.max(np.abs(u), axis=1, keepdims=True)
-        noticeable = departure > (least + 1e-12) * size
+        allowed = (least + 1e-12) * size
+        noticeable = departure > allowed
         sharp = np.any(sharp, axis=0)
         noticeable = np.any(noticeable, axis=0)
         return sharp, noticeable
@@ -266,7 +267,8 @@ def make_schedule(
         if not table.continuous:
             jumps = np.union1d(jumps, table.times)
     # 5. arrays, one row for each segment
-    rows = np.reshape(columns, (len(columns), len(starts))).T
+    shape = len(columns), len(starts)
+    rows = np.reshape(columns, shape).T
     smooth = np.ones(len(starts), dtype=np.int64)
     if len(jumps):
         smooth[:] = np.isin(starts, jumps, invert=True)

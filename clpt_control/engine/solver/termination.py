@@ -67,7 +67,8 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
     """
     status = int(batch.status[0])
     last = batch.continuations.get(0, batch)
-    solution = Solution(batch.times, batch.out[0], method=NAMES[batch.callee.method])
+    method = NAMES[batch.callee.method]
+    solution = Solution(batch.times, batch.out[0], method=method)
     if batch.slides:
         solution.method += f", sliding on a switch from t = {batch.slides[0]:.9g}"
     elif last is not batch:
@@ -79,7 +80,8 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
         return solution
     if status == Status.GUARD_LEFT:
         t, x, policy, sentence = _crossing(sweep, last, inputs)
-        times, states = _until(last, solution, t, x, int(batch.reached[0]))
+        reached = int(batch.reached[0])
+        times, states = _until(last, solution, t, x, reached)
         return _stopped(solution, policy, sentence, times, states)
     reason = Status(status).sentence
     if status == Status.CHATTERING:
@@ -99,7 +101,8 @@ def _points_ahead(batch: Batch) -> list[tuple[float, ndarray]]:
     points = [(t, x)]
     remaining = batch.lane[SEGMENT_END, 0] - t
     if batch.callee.method != MAP and remaining:
-        points += [(t + h, x + h * rate) for h in remaining * np.geomspace(1e-12, 1.0, 13)]
+        steps = remaining * np.geomspace(1e-12, 1.0, 13)
+        points += [(t + h, x + h * rate) for h in steps]
     return points
 
 
@@ -123,10 +126,10 @@ def without_states(sweep: Sweep, times: ndarray, inputs: Inputs | None, engine: 
                 high = middle
             else:
                 low = middle
+        reached = np.append(times[:k], high)
+        states = np.zeros((k + 1, 0))
         _, policy, sentence = guard(high)
-        return _stopped(
-            solution, policy, sentence, np.append(times[:k], high), np.zeros((k + 1, 0))
-        )
+        return _stopped(solution, policy, sentence, reached, states)
     return solution
 
 
@@ -140,7 +143,9 @@ def in_discrete_time(
     """
     states = np.empty((len(times), sweep.nstates))
     signals = np.empty((len(times), len(sweep.signals)))
-    rows: Any = [None] * len(times) if inputs is None else inputs.along(times).T
+    rows: Any = [None] * len(times)
+    if inputs is not None:
+        rows = inputs.along(times).T
     for k, (t, u) in enumerate(zip(times, rows, strict=True)):
         sweep.enter(t)
         states[k] = x
@@ -181,19 +186,22 @@ def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:
     advice = ADVICE
     if batch.callee.method != MAP:
         advice = f"{ADVICE}, or loosen rtol and atol"
-    points = [(time, state[: sweep.nstates]) for time, state in _points_ahead(batch)]
+    points = _points_ahead(batch)
     # 1. repeat a jump that gave a state that is not finite
     sweep.enter(t)
     for k in sweep.jumping:
         sweep.nodes[k].system.raised.pop("jump", None)
-    finite = batch.out[0][np.isfinite(batch.out[0]).all(axis=1)]
-    if sweep.jumping and len(finite) and not np.isfinite(points[0][1]).all():
+    samples = batch.out[0]
+    finite = samples[np.isfinite(samples).all(axis=1)]
+    state = points[0][1][: sweep.nstates]
+    now_finite = np.isfinite(state).all()
+    if sweep.jumping and len(finite) and not now_finite:
         u = inputs_at(inputs, t)
         sweep.jump(t, finite[-1, : sweep.nstates], u, sweep.jumping)
     # 2. evaluate all blocks
     for time, state in points:
         u = inputs_at(inputs, time)
-        trouble = sweep.first_trouble(time, state, u, advice)
+        trouble = sweep.first_trouble(time, state[: sweep.nstates], u, advice)
         if trouble is not None:
             return trouble
     return _derivative_trouble(sweep, batch, advice)
@@ -202,7 +210,8 @@ def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:
 def _derivative_trouble(sweep: Sweep, batch: Batch, advice: str) -> str | None:
     """Return a sentence on a derivative along a direction that is not finite, or None."""
     rates = batch.states[RATE, sweep.nstates :, 0]
-    for k in np.flatnonzero(~np.isfinite(rates)) % max(sweep.nstates, 1):
+    for index in np.flatnonzero(~np.isfinite(rates)):
+        k = index % sweep.nstates
         node = next(node for node in sweep.nodes if k < node.states.stop)
         label = node.system.state_labels[k - node.states.start]
         return f"derivative of d_{label} of block {node.name} is not finite; {advice}"
@@ -212,7 +221,8 @@ def _derivative_trouble(sweep: Sweep, batch: Batch, advice: str) -> str | None:
 def state_within(batch: Batch, share: float) -> ndarray:
     """Return the state at a share of the step that was not taken."""
     n = batch.callee.nstates
-    return np.array([interpolate(batch.states, i, 0, share) for i in range(n)])
+    values = [interpolate(batch.states, i, 0, share) for i in range(n)]
+    return np.array(values)
 
 
 def edge(batch: Batch, margin: Callable[[float], float]) -> float:
@@ -255,12 +265,15 @@ def _until(
     at_end = solution.t[abs(solution.t - t) <= rounding(t)]  # a sample that is the end
     end = at_end[0] if len(at_end) else t
     stored = solution.x[: min(reached, len(times))]
-    interpolated = [state_within(batch, (time - start) / h) for time in times[reached:]]
-    return np.append(times, end), np.array([*stored, *interpolated, x])
+    shares = (times[reached:] - start) / h
+    interpolated = [state_within(batch, share) for share in shares]
+    states = np.array([*stored, *interpolated, x])
+    return np.append(times, end), states
 
 
 def sampled_start(callee: Callee, start: Any, t: float, segments: Schedule, P: Any) -> ndarray:
     """Return the state with which a run begins; blocks that sample then have sampled inputs."""
     if not segments.begins:
         return start
-    return callee.evaluate(JUMP, [t], start, segments, P, len(start))[0]
+    states = callee.evaluate(JUMP, [t], start, segments, P, len(start))
+    return states[0]
