@@ -101,7 +101,7 @@ def check_guard(solver):
         put_state_within(solver, SHARES[point])
         margin = margin_at(solver, lane[STAGE_TIME], row_of(point))
         solver.guard_points[point, DISTANCE, 0] = margin
-        solver.guard_points[point, ROUNDING, 0] = solver_layout.OUTSIDE
+        solver.guard_points[point, ROUNDING, 0] = solver_layout.OUTSIDE  # the edge belongs to it
     if find_crossing(solver, solver.guard_points):
         fail(solver, 0, Status.GUARD_LEFT)
         lane[ACCEPTED, 0] = 0.0

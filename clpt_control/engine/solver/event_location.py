@@ -18,6 +18,7 @@ from .event_checks import SHARES, SHORTEST, TIME_ROUNDING, first_crossed, may_hi
 from .solver_layout import (
     ACCEPTED,
     ANEW,
+    BEGINNING,
     BEHIND,
     BURST,
     DECISION,
@@ -52,9 +53,10 @@ from .solver_layout import (
 )
 
 CROSSED = 1.0  # value of `event_crossed`: the step ends right behind an event
-RESOLVED = 1e-12  # final width of the bracket, as a share of the step
+RESOLVED = 1e-12  # distance from an event at which a step ends, as a share of it
+WIDTH = 0.1 * RESOLVED  # final width of the bracket
 CLOSE = 1e-5  # width of the bracket behind which the effect of an event is measured
-MOST_TRIALS = 45  # halvings that reach RESOLVED, and one more
+MOST_TRIALS = 45  # halvings that reach WIDTH, and one more
 NEGLIGIBLE = 0.1  # effect, in tolerances, up to which a step may pass an event
 MOST_NEGLIGIBLE = 32  # events with a negligible effect in one step
 MOST_EVENTS = (
@@ -68,7 +70,7 @@ def locate_events(solver):
     lane, integers = solver.lane, solver.integers
     measure_effects(solver)
     if bracket_next(solver, True, 0):
-        narrow(solver, 0.1 * RESOLVED)
+        narrow(solver, WIDTH)
     size = lane[TRIAL_SIZE, 0]
     end = lane[TRIAL_END, 0]
     lane[STAGE_TIME, 0] = end
@@ -83,6 +85,7 @@ def locate_events(solver):
         else:
             lane[EVENT_CROSSED, 0] = CROSSED
         return
+    # the bracket is still open if more events than MOST_NEGLIGIBLE were passed
     too_many = lane[LOW, 0] < lane[HIGH, 0]
     if divisible and (too_many or may_hide(solver.points, SAMPLE_POINTS, end, size)):
         retry(solver, 0, 0.5 * size)
@@ -251,7 +254,7 @@ def restart_behind_event(solver):
         integers[BURST, 0] = integers[BURST, 0] + 1 if is_short else 0
         lane[LAST_EVENT, 0] = lane[TIME, 0]
         lane[FRESH, 0] = 1.0
-        solver.queue[2] = ANEW
+        solver.queue[BEGINNING] = ANEW
         if integers[BURST, 0] > MOST_EVENTS:
             fail(solver, 0, Status.CHATTERING)
     lane[EVENT_CROSSED, 0] = 0.0

@@ -16,6 +16,7 @@ import math
 from .solver_layout import (
     ACCEPTED,
     ANEW,
+    BEGINNING,
     BURST,
     EVALUATIONS,
     FRESH,
@@ -145,7 +146,7 @@ def pass_jump(solver):
         lane[LAST_EVENT, 0] = lane[JUMP_TIME, 0]
         lane[TIME, 0] = lane[JUMP_TIME, 0]
         lane[FRESH, 0] = 1.0
-        solver.queue[2] = ANEW
+        solver.queue[BEGINNING] = ANEW
     lane[JUMP_TIME, 0] = -math.inf
 
 

@@ -11,6 +11,7 @@ from .solver_layout import (
     ACCEPTED,
     ANEW,
     ARGUMENT,
+    BEGINNING,
     BURST,
     ENTERED,
     EVALUATIONS,
@@ -20,6 +21,7 @@ from .solver_layout import (
     LAST_EVENT,
     MAP,
     MAX_STEP,
+    NEXT_RUN,
     NEXT_STOP,
     NOT_FINITE,
     ON,
@@ -28,6 +30,7 @@ from .solver_layout import (
     RESTARTS,
     RK4,
     RUN_INDEX,
+    RUNS_END,
     SAMPLES_DONE,
     SEGMENT,
     SEGMENT_END,
@@ -57,11 +60,11 @@ def take_run(solver, k):
     lane, integers = solver.lane, solver.integers
     runs, queue = solver.runs, solver.queue
     lane[FRESH, k] = 0.0
-    m = queue[0]
-    if m == queue[1]:
+    m = queue[NEXT_RUN]
+    if m == queue[RUNS_END]:
         return
-    queue[0] = m + 1
-    queue[2] = ANEW
+    queue[NEXT_RUN] = m + 1
+    queue[BEGINNING] = ANEW
     integers[RUN_INDEX, k] = m
     integers[SEGMENT, k] = solver.segments.first[runs.schedule[m]]
     integers[SAMPLES_DONE, k] = 1
@@ -141,10 +144,10 @@ def enter_segment(solver, k):
     lane[SEGMENT_END, k] = segments.ends[segment]
     if segments.smooth[segment] == 0:
         lane[FRESH, k] = 1.0
-        queue[2] = ANEW
+        queue[BEGINNING] = ANEW
     else:
         lane[FRESH, k] = max(lane[FRESH, k], ENTERED)
-        queue[2] = max(queue[2], ON)
+        queue[BEGINNING] = max(queue[BEGINNING], ON)
     set_segment(solver, segment, k)
 
 

@@ -184,7 +184,7 @@ class Solver(NamedTuple):
     results: Results
     lane: Any  # (REALS, lanes): real numbers of the lanes
     integers: Any  # (5, lanes): whole numbers of the lanes
-    queue: Any  # next run, the one behind the last, and ANEW or ON if a lane begins a segment
+    queue: Any  # by index NEXT_RUN, RUNS_END, BEGINNING
     memory: Memory
     states: Any  # Z as (rows, states, lanes)
     points: Any  # D as (sample points, 3, decisions): decision, distance, rounding error
@@ -193,7 +193,10 @@ class Solver(NamedTuple):
     linear: Linear
 
 
-ON, ANEW = 1, 2  # a segment goes on with rates and step of the last, or begins with new ones
+NEXT_RUN, RUNS_END, BEGINNING = range(3)  # index in `queue`
+# BEGINNING is 0 if no lane begins a segment, ON if one continues with the rates and the step of the
+# segment before, ANEW if integration begins anew in one (then FRESH is 1 in its lane)
+ON, ANEW = 1, 2
 
 # Rows of Z: the state; rates of stages 0 to 15; the argument of a stage; terms of the interpolant
 STATE, RATE, ARGUMENT, TERMS, ROWS = 0, 1, 17, 18, 25

@@ -30,6 +30,7 @@ from .solver_layout import (
     ANEW,
     ARGUMENT,
     ATTEMPT,
+    BEGINNING,
     CHECKS_STIFFNESS,
     CONTROL,
     CUBIC,
@@ -80,7 +81,7 @@ from .solver_layout import (
 
 CHECK_EVERY = 128  # steps between checks for stiffness
 STEPS_AHEAD = 250  # for which stiffness may matter
-NEW_RATE = RATE + DOP853  # row of the rate at the new state
+END_RATE = RATE + DOP853  # row of the rate at the end of the step
 
 
 def advance(solver, budget, most):
@@ -131,10 +132,10 @@ def start_segments(solver):
     """Start segments in lanes that enter one; return whether integration begins anew in any."""
     lane = solver.lane
     queue, shape = solver.queue, solver.shape
-    if queue[2] == 0:
+    if queue[BEGINNING] == 0:
         return False
-    anew = queue[2] == ANEW
-    queue[2] = 0
+    anew = queue[BEGINNING] == ANEW
+    queue[BEGINNING] = 0
     # 1. parameters of the segment, and the decisions that hold in it
     prepare(solver, lane[TIME])
     if shape.decisions > 0:
@@ -206,7 +207,7 @@ def handle_events(solver, accepted, retried, between, stiffness):
     # 1. the rate at the new state; where rates may jump it is needed for a step rejected twice, too
     unannounced = shape.unannounced > 0 and dense and (accepted or retried)
     if (accepted and shape.method > RK4) or unannounced:
-        derivative(solver, lane[STAGE_TIME], ARGUMENT, NEW_RATE)
+        derivative(solver, lane[STAGE_TIME], ARGUMENT, END_RATE)
     if stiffness and dense:
         formula(solver, STIFFNESS)
     # 2. does a switching condition change, by the cubic through both ends?
