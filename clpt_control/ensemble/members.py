@@ -23,8 +23,8 @@ from typing import Any
 
 import numpy as np
 
+from ..engine.codegen.directional_derivatives import read_as_number
 from ..engine.codegen.machine import LANES, processor
-from ..engine.diagram.sensitivity_names import read_as_number
 from ..engine.diagram.wiring import Wiring
 from ..engine.solver import solver_layout as layout
 from ..engine.solver.batch import Batch, Callee

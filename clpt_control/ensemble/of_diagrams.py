@@ -16,8 +16,8 @@ from typing import Any
 
 import numpy as np
 
+from ..engine.codegen.directional_derivatives import Place, place_of, places_of, put, value_at
 from ..engine.diagram.interconnection import changed_parameters
-from ..engine.diagram.sensitivity_names import Place, place_of, places_of, put, value_at
 from ..engine.diagram.wiring import read_anew, units_of, wiring_of
 from ..engine.model.ports import ports_of
 from ..engine.model.system import System

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from ..engine.codegen.directional_derivatives import Place
 from ..engine.diagram.interconnection import wiring_of_blocks
-from ..engine.diagram.sensitivity_names import Place
 from ..engine.diagram.wiring import Wiring
 from ..engine.model.block import Block
 from ..errors import DiagramError

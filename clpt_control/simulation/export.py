@@ -18,7 +18,7 @@ import numpy as np
 from ..arguments import public
 from ..engine.codegen.c_text import CProgram, CRecord, c_number
 from ..engine.codegen.diagram_record import LARGE, lay_out
-from ..engine.diagram.sensitivity_names import read_as_number
+from ..engine.codegen.directional_derivatives import read_as_number
 from ..engine.model.declaration import Each
 from ..engine.model.ports import ports_of
 from ..engine.solver.engine_choice import beside, misread_function

@@ -17,8 +17,15 @@ from ..blocks import clpe, disturbance, field, flow, learner, localization, refe
 from ..blocks.laws.table import LAWS
 from ..blocks.localization import TRUE
 from ..engine.diagram.interconnection import PARAMETER_HINTS, Diagram, connect, wiring_of_blocks
-from ..engine.diagram.subsystems import input_ports, output_ports
-from ..engine.diagram.wiring import Node, Part, Wiring, read_anew, wiring_of
+from ..engine.diagram.wiring import (
+    Node,
+    Part,
+    Wiring,
+    input_ports,
+    output_ports,
+    read_anew,
+    wiring_of,
+)
 from ..engine.model.block import Block
 from ..engine.model.declaration import Parameters
 from ..errors import DiagramError

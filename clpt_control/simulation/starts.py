@@ -9,8 +9,7 @@ import numpy as np
 from ..arguments import numbers, public
 from ..blocks.localization import TRUE
 from ..engine.diagram.interconnection import Diagram
-from ..engine.diagram.subsystems import output_ports
-from ..engine.diagram.wiring import Part, leaves
+from ..engine.diagram.wiring import Part, leaves, output_ports
 from ..engine.model.block import Block
 from ..engine.model.system import is_linear
 from ..engine.solver.schedule import checked_state

@@ -19,9 +19,10 @@ import control
 import numpy as np
 
 from ..arguments import nearest, public
-from ..engine.codegen.directional_derivatives import Directions, Varied
-from ..engine.diagram.sensitivity_names import (
+from ..engine.codegen.directional_derivatives import (
+    Directions,
     Place,
+    Varied,
     may_jump,
     place_of,
     places_of,

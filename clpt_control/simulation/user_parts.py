@@ -7,8 +7,7 @@ part reads a signal; the blocks that read the signal before read the output of t
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
-from ..engine.diagram.subsystems import as_part, input_ports, output_ports
-from ..engine.diagram.wiring import Part, read_anew
+from ..engine.diagram.wiring import Part, as_part, input_ports, output_ports, read_anew
 from ..engine.model.block import Block
 from ..engine.model.declaration import ports_line
 from ..engine.model.ports import counts_of, labels, renamed

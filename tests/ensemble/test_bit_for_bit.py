@@ -23,7 +23,7 @@ from random_diagrams import random_diagram
 from swept import TIMES, VARY, assert_identical, files, lag, system, unread
 
 import clpt_control as clpt
-from clpt_control.engine.diagram.sensitivity_names import place_of
+from clpt_control.engine.codegen.directional_derivatives import place_of
 from clpt_control.engine.model.ports import ports_of
 from clpt_control.ensemble.drawn_values import read_varies
 from clpt_control.ensemble.members import Ensemble

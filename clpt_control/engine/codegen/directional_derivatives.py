@@ -2,24 +2,35 @@
 
     x' = f(t, x, u, p),     S' = df/dx S + df/dp,     y = h(t, x, u, p),  W = dh/dx S + dh/dp
 
-The record of the whole diagram, wires included, is differentiated.  The derivatives S along each
-direction lie behind the states, those of rates behind the rates, and the same for signals and
-jumps.  Breakpoints, samples and guards stay as they are.  At a jump in time S is multiplied by the
-derivative of the jump.
+`add_derivatives` differentiates the record of the whole diagram, wires included.  The derivatives S
+along each direction are stored behind the states, and the same for rates, signals and jumps.
+Breakpoints, samples and guards are not differentiated.  At a jump in time S is multiplied by the
+derivative of the jump.  At a jump in state (`may_jump`) one term is missing.  `places_of` has the
+names of the values that may vary, with their locations.
 """
 
+import operator
+import re
+from collections.abc import Mapping, Sequence
 from math import prod
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from ..diagram.evaluation_order import unsampled
+from ..diagram.wiring import Wiring, call_names
+from ..model.block import Block
+from ..model.ports import ports_of
+from ..model.system import System
 from ..record.derivative import Direction
 from ..record.graph import reached
+from ..record.operations import JUMP, named
 from ..trace.arrays import operand
 from ..trace.elementwise import elementwise, lifted
 from .diagram_record import DiagramRecord
 from .switching_conditions import Port
 
+JUMPING = named(lambda row: row.smoothness >= JUMP)
 Varied = tuple[tuple[int, str, int], ...]  # (block, field, index in it) of varied parameters
 
 
@@ -45,42 +56,166 @@ class _FiniteDirection(Direction):
         slope = super()._slope(k)
         if slope is None or self.tape.operations[k].kind not in ("sqrt", "hypot", "pow"):
             return slope
-        undefined = (self.tape.value(k) == 0.0) & (slope != slope)
+        is_zero = self.tape.value(k) == 0.0
+        is_nan = slope != slope
+        undefined = is_zero & is_nan
         return elementwise("where", undefined, 0.0, slope)
 
 
 def add_derivatives(record: DiagramRecord, form: Directions) -> None:
     """Append the derivatives along each direction to rates, jumps and signals of a record."""
-    last = record.wiring.nodes[-1]
-    nstates, nsignals = last.states.stop, last.outputs.stop
-    values = [(record.rates, nstates), (record.leaps, nstates), (record.signals, nsignals)]
-    roots = [port.ref for ports, _ in values for port in ports]
+    last_node = record.wiring.nodes[-1]
+    nstates = last_node.states.stop
+    nsignals = last_node.outputs.stop
+    groups = [(record.rates, nstates), (record.leaps, nstates), (record.signals, nsignals)]
+    roots = [port.ref for ports, _ in groups for port in ports]
     entries = reached(record.entries, roots)
     loads = [k for k in sorted(entries) if record.entries[k].kind == "load"]
-    extended: list[list[Port]] = [[*ports] for ports, _ in values]
+    originals: list[list[Port]] = [[*ports] for ports, _ in groups]
     for number, varied in enumerate(form.parameters, 1):
         direction = _direction(record, loads, varied, number * nstates)
-        for ports, (original, count) in zip(extended, values, strict=True):
+        for original, (ports, count) in zip(originals, groups, strict=True):
             for port in original:
-                slope = operand(direction.of(record.tape.value(port.ref)))
-                ports.append(port._replace(first=number * count + port.first, ref=slope))
-    record.rates, record.leaps, record.signals = extended
+                value = record.tape.value(port.ref)
+                slope = operand(direction.of(value))
+                offset = number * count + port.first
+                ports.append(port._replace(first=offset, ref=slope))
 
 
 def _direction(
     record: DiagramRecord, loads: list[int], varied: Varied, state_offset: int
 ) -> Direction:
     """Return the direction of varied parameters and of the derivatives of states in X."""
-    tape, layout = record.tape, record.layout
+    tape = record.tape
+    layout = record.layout
     parameter_slopes = np.zeros(len(layout.P))
     for block, field, index in varied:
-        parameter_slopes[layout.slots[block, field].offset + index] = 1.0
+        slot = layout.slots[block, field]
+        parameter_slopes[slot.offset + index] = 1.0
     slopes: dict[int, Any] = {}
     for k in loads:
         _, _, shape, (array, offset) = record.entries[k]
         if array == "X":
-            slopes[k] = tape.value(record.load("X", state_offset + offset, shape))
+            ref = record.load("X", state_offset + offset, shape)
+            slopes[k] = tape.value(ref)
         elif array == "P":
-            numbers = parameter_slopes[offset : offset + prod(shape)]
+            end = offset + prod(shape)
+            numbers = parameter_slopes[offset:end]
             slopes[k] = lifted(tape, numbers.reshape(shape)) if numbers.any() else None
     return _FiniteDirection(tape, slopes)
+
+
+# --- names of varied values -----------------------------------------------------------------
+
+
+class Place(NamedTuple):
+    """Location of a value: in fields of blocks, in the initial state, in the inputs."""
+
+    fields: tuple[tuple[int, str], ...] = ()  # (block, field)
+    states: tuple[int, ...] = ()
+    inputs: tuple[int, ...] = ()
+    element: Any = ...  # of a field
+
+
+def places_of(
+    wiring: Wiring, parameters: Sequence[Any], states: Sequence[str], inputs: Sequence[str] = ()
+) -> dict[str, list[Place]]:
+    """Return every name that may vary, with its places; a name with two places is ambiguous.
+
+    `parameters` are those of the blocks; `states` and `inputs` are labels.
+    """
+    locations: dict[str, list[Place]] = {}
+    for name, fields in _fields_by_name(wiring).items():
+        shapes = {np.shape(getattr(parameters[k], field)) for k, field in fields}
+        if len(shapes) > 1:
+            locations[name] = [Place((field,)) for field in fields]
+        else:
+            locations[name] = [Place(tuple(fields))]
+    for name, positions in _positions(states).items():
+        location = Place(states=positions)
+        locations.setdefault(name, []).append(location)
+    for name, positions in _positions(inputs).items():
+        location = Place(inputs=positions)
+        locations.setdefault(name, []).append(location)
+    return locations
+
+
+def _positions(labels: Sequence[str]) -> dict[str, tuple[int, ...]]:
+    """Return the positions of each label and of each port."""
+    by_label = {label: [k] for k, label in enumerate(labels)}
+    by_name = by_label | ports_of(labels)
+    return {name: tuple(positions) for name, positions in by_name.items()}
+
+
+def place_of(key: str, names: Mapping[str, list[Place]], parameters: Sequence[Any]) -> Place | None:
+    """Return the only place of a name, or of an element of an array, ``plant.A[0,1]``."""
+    array, _, inside = key.removesuffix("]").rpartition("[")
+    arrays = names.get(array, ())
+    if key in names or len(arrays) != 1:
+        candidates = names.get(key, ())
+        return candidates[0] if len(candidates) == 1 else None
+    if not re.fullmatch(r"\d+(\s*,\s*\d+)*", inside):  # -1 and 0:2 are no single elements
+        return None
+    location = arrays[0]
+    if not location.fields:
+        return None
+    block, field = location.fields[0]
+    shape = np.shape(getattr(parameters[block], field))
+    element = tuple(map(int, inside.split(",")))
+    if len(element) != len(shape) or not all(map(operator.lt, element, shape)):
+        return None
+    return location._replace(element=element)
+
+
+def value_at(location: Place, parameters: Sequence[Any], start: np.ndarray) -> np.ndarray:
+    """Return the value that parameters of blocks, or a start, have at a place."""
+    if location.fields:
+        k, name = location.fields[0]
+        array = np.array(getattr(parameters[k], name), dtype=float)
+        return array[location.element]
+    values = start[list(location.states)]
+    return values if len(values) > 1 else values[0]
+
+
+def put(location: Place, value: Any, parameters: list[Any], start: np.ndarray) -> None:
+    """Set the value that parameters of blocks, or a start, have at a place."""
+    for k, name in location.fields:
+        number = np.array(getattr(parameters[k], name), dtype=float)
+        number[location.element] = value
+        parameters[k] = parameters[k]._replace(**{name: number[()]})
+    if location.states:
+        start[list(location.states)] = value
+
+
+def _fields_by_name(wiring: Wiring) -> dict[str, list[tuple[int, str]]]:
+    """Return the blocks' parameters by the names that a call gives them: (block, field)."""
+    fields: dict[str, list[tuple[int, str]]] = {}
+    for k, node in enumerate(wiring.nodes):
+        block = node.system
+        inner = getattr(block, "inner", block)  # of a sampled block
+        for name, field in call_names(node.name, block).items():
+            value = getattr(block.parameters, field)
+            is_read = not isinstance(inner, System) or inner.reads(field)
+            if is_read and field != "interval" and not isinstance(value, int):
+                fields.setdefault(name, []).append((k, field))
+    return fields
+
+
+def read_as_number(block: Block, field: str) -> str | None:
+    """Return the function in which a parameter was read as a number, if there is one."""
+    inner = unsampled(block)
+    for role in inner.records:
+        fields, _ = inner.read_with.get(role, ((), ""))
+        if field in fields:
+            return role
+    return None
+
+
+def may_jump(block: Block) -> bool:
+    """Return whether a block's functions may jump where a state or time crosses something."""
+    if block.opaque and block.of_package:
+        return False
+    records = [block.array_record(role) for role in block.records if role != "guard"]
+    kinds = {operation.kind for record in records for operation in record.operations}
+    has_folded_angle = {"atan", "tan"} <= kinds
+    return has_folded_angle or not JUMPING.isdisjoint(kinds)

@@ -1,10 +1,10 @@
-"""Functions of a program as LLVM's code.
+"""LLVM code of a program's functions.
 
     void name(double *t, double *X, double *P, double *T, double *W, double *D)
 
-For eight runs side by side every array but T holds eight columns, a run in each, and a loop does
-one iteration at a time.  For one run a loop does eight iterations at once, the last ones with a
-mask; its sums have eight parts, which are added in the same order on every processor.  Where an
+With eight lanes, every array but T has eight columns, one for each run, and a loop does one
+iteration at a time.  With one lane, a loop does eight iterations at once, the last ones with a
+mask; its sums have eight partial sums, which are added in the same order on every processor.  If an
 iteration is a long chain, such as exp, two are printed at once.
 """
 
@@ -20,11 +20,11 @@ from .fused_expressions import Write
 from .loop_nests import NO_LOOP, Body, Key, Location, LoopPrinter
 from .machine import LANES
 from .plan import Nest, Program
-from .searches import SEARCHES
 from .vectors import (
     BIT,
     DOUBLE,
     INT32,
+    SEARCHES,
     WORD,
     calculate,
     constant,
@@ -81,7 +81,8 @@ class LLVMPrinter(LoopPrinter):
     def _declare(self, module: ir.Module, name: str, constants: Sequence[float]) -> None:
         """Declare the function, its arrays and the array of constants, K."""
         pointer = DOUBLE.as_pointer()
-        function = ir.Function(module, ir.FunctionType(ir.VoidType(), [pointer] * 6), name)
+        signature = ir.FunctionType(ir.VoidType(), [pointer] * len(ARRAYS))
+        function = ir.Function(module, signature, name)
         function.attributes.add("nounwind")
         function.attributes.alignstack = 64  # a register that is saved lies in one line of cache
         self.arrays: dict[str, Any] = {}
@@ -137,7 +138,9 @@ class LLVMPrinter(LoopPrinter):
             if isinstance(index, int):
                 offset += index * stride
                 continue
-            step = index if stride == 1 else builder.mul(index, ir.Constant(WORD, stride))
+            step = index
+            if stride != 1:
+                step = builder.mul(index, ir.Constant(WORD, stride))
             position = step if position is None else builder.add(position, step)
         columns = self.columns(array)
         if position is None:
@@ -164,9 +167,12 @@ class LLVMPrinter(LoopPrinter):
         """Read a number, or one for each run; or those of eight iterations, a `stride` apart."""
         builder = self.builder
         if stride not in (None, 1):
-            offsets = [offset + k * stride for k in range(self.active)]
-            scalars = [builder.load(self.address(array, at, terms)) for at in offsets]
-            return gathered(builder, scalars + scalars[:1] * (LANES - self.active))
+            scalars = []
+            for k in range(self.active):
+                address = self.address(array, offset + k * stride, terms)
+                scalars.append(builder.load(address))
+            inactive = scalars[:1] * (LANES - self.active)
+            return gathered(builder, scalars + inactive)
         address = self.address(array, offset, terms)
         width = LANES if stride else self.lanes
         if stride is None and self.columns(array) == 1:
@@ -186,8 +192,10 @@ class LLVMPrinter(LoopPrinter):
         vectorized = self.vector_loop >= 0 and width_of(value) > 1
         stride = self.vector_stride(loops, strides) if vectorized else None
         if stride not in (None, 1):
-            for k, scalar in enumerate(elements(builder, value)[: self.active]):
-                builder.store(scalar, self.address(array, offset + k * stride, terms))
+            scalars = elements(builder, value)[: self.active]
+            for k, scalar in enumerate(scalars):
+                address = self.address(array, offset + k * stride, terms)
+                builder.store(scalar, address)
             return
         address = self.address(array, offset, terms)
         address = builder.bitcast(address, value.type.as_pointer())
@@ -201,7 +209,8 @@ class LLVMPrinter(LoopPrinter):
         """Read or write the active iterations."""
         intrinsic = f"llvm.masked.{name}.v{LANES}f64.p0v{LANES}f64"
         types = [argument.type for argument in arguments]
-        return self.builder.call(declared(self.builder.module, intrinsic, result, types), arguments)
+        function = declared(self.builder.module, intrinsic, result, types)
+        return self.builder.call(function, arguments)
 
     def mask(self) -> ir.Constant:
         """Return a truth value for each of eight iterations: is the iteration active?"""
@@ -219,7 +228,8 @@ class LLVMPrinter(LoopPrinter):
             return self._loop(range(count), unrolled, body, [zero] * len(totals))
         # iterations that are masked add zeros
         zero = constant(0.0, LANES) if count >= LANES else None
-        sums = self._vector_loop(count, UNROLLED_RUNS if depth else 1, body, [zero] * len(totals))
+        unrolled = UNROLLED_RUNS if depth else 1
+        sums = self._vector_loop(count, unrolled, body, [zero] * len(totals))
         return (horizontal_sum(self.builder, value, count) for value in sums)
 
     def add(self, total: Any, value: Any) -> Any:
@@ -230,11 +240,11 @@ class LLVMPrinter(LoopPrinter):
 
     def _vector_loop(self, count: int, unrolled: int, body: Body, sums: list) -> list:
         """Print a loop of eight iterations at once; return the sums after it."""
-        whole = count // LANES * LANES
-        sums = self._loop(range(0, whole, LANES), unrolled, body, sums)
-        if count > whole:
-            self.active = count - whole
-            sums = body(whole, sums)
+        full = count // LANES * LANES
+        sums = self._loop(range(0, full, LANES), unrolled, body, sums)
+        if count > full:
+            self.active = count - full
+            sums = body(full, sums)
             self.active = LANES
         return sums
 
@@ -255,17 +265,20 @@ class LLVMPrinter(LoopPrinter):
         index_phi.add_incoming(ir.Constant(WORD, indices.start), before)
         sum_phis = []
         for start in sums:
-            sum_phis.append(builder.phi(start.type))
-            sum_phis[-1].add_incoming(start, before)
+            phi = builder.phi(start.type)
+            phi.add_incoming(start, before)
+            sum_phis.append(phi)
         # print an iteration, or two side by side if it is a long chain
         self.has_chain = False
         results = body(index_phi, sum_phis)
         remaining = indices[:0]
         if self.has_chain and builder.block is inside:
             if len(indices) >= 4:
-                results = body(builder.add(index_phi, ir.Constant(WORD, indices.step)), results)
+                second_index = builder.add(index_phi, ir.Constant(WORD, indices.step))
+                results = body(second_index, results)
                 paired = len(indices) // 2 * 2
-                remaining, indices = indices[paired:], indices[:paired:2]
+                remaining = indices[paired:]
+                indices = indices[:paired:2]
             sort_by_start(inside)
         # end the loop
         next_index = builder.add(index_phi, ir.Constant(WORD, indices.step))
@@ -310,9 +323,11 @@ class LLVMPrinter(LoopPrinter):
         scalars = [elements(builder, value) for value in values]
         function = SEARCHES[name](builder.module)
         results = []
-        for lane in range(width_of(values[0]) if values else self.lanes):
+        lanes = width_of(values[0]) if values else self.lanes
+        for lane in range(lanes):
             address = self._row_address(row, lane)
-            arguments = [address, ir.Constant(WORD, stride * columns), ir.Constant(WORD, count)]
+            row_stride = ir.Constant(WORD, stride * columns)
+            arguments = [address, row_stride, ir.Constant(WORD, count)]
             arguments += [scalar[lane] for scalar in scalars]
             results.append(builder.call(function, arguments))
         return gathered(builder, results)
@@ -336,10 +351,12 @@ class LLVMPrinter(LoopPrinter):
 
         position = number("place", index, float(count))
         inside = number("ge", position, 0.0)
+        valid_position = number("where", inside, position, 0.0)
         results = []
-        for lane, scalar in enumerate(elements(builder, number("where", inside, position, 0.0))):
-            terms = [(builder.fptosi(scalar, WORD), stride)]
-            results.append(builder.load(self._row_address(row, lane, terms)))
+        for lane, scalar in enumerate(elements(builder, valid_position)):
+            index_in_row = builder.fptosi(scalar, WORD)
+            address = self._row_address(row, lane, [(index_in_row, stride)])
+            results.append(builder.load(address))
         return number("where", inside, gathered(builder, results), float("nan"))
 
 

@@ -1,8 +1,9 @@
-"""Operations on a double, or on several at once in a SIMD register, as LLVM's code.
+"""Operations in LLVM code: on a double, or on the doubles of a SIMD register.
 
-Some thirty are primitives; the others are functions in NumPy (`elementary`), read on a tape.  Every
-primitive works number by number as IEEE defines it.  Nothing is reassociated or contracted, so a
-result depends on no neighbour and on no processor.  Rare functions are the C library's.
+About thirty operations are primitives: instructions, intrinsics and functions of the C library.
+The others are functions in NumPy (`elementary`), which are traced and printed as primitives.  Every
+primitive follows IEEE 754 for each number.  Nothing is reassociated or contracted, so a result does
+not depend on the processor or on other lanes.  `SEARCHES` has the functions of rows of numbers.
 """
 
 from collections.abc import Callable, Sequence
@@ -78,23 +79,24 @@ def horizontal_sum(builder: ir.IRBuilder, value: Any, count: int) -> Any:
     width = width_of(value)
     while width > 1:
         width //= 2
-        low, high = (
-            builder.shuffle_vector(
-                value,
-                value,
-                ir.Constant(ir.VectorType(INT32, width), list(range(start, start + width))),
-            )
-            for start in (0, width)
-        )
+        low = _lanes(builder, value, range(width))
+        high = _lanes(builder, value, range(width, 2 * width))
         value = builder.fadd(low, high) if count > width else low
     return builder.extract_element(value, ir.Constant(INT32, 0))
+
+
+def _lanes(builder: ir.IRBuilder, value: Any, lanes: range) -> Any:
+    """Return some lanes of a vector."""
+    mask_type = ir.VectorType(INT32, len(lanes))
+    return builder.shuffle_vector(value, value, ir.Constant(mask_type, list(lanes)))
 
 
 def declared(module: ir.Module, name: str, result: ir.Type, arguments: list[ir.Type]) -> Any:
     """Return a function of the module; declare it if it is new."""
     if name in module.globals:
         return module.globals[name]
-    return ir.Function(module, ir.FunctionType(result, arguments), name)
+    signature = ir.FunctionType(result, arguments)
+    return ir.Function(module, signature, name)
 
 
 # --- primitives: builder, values -> value -----------------------------------------------------
@@ -116,7 +118,9 @@ def _intrinsic(name: str) -> Primitive:
         width = width_of(a[0])
         types = [argument.type for argument in a]
         suffix = "f64" if width == 1 else f"v{width}f64"
-        return builder.call(declared(builder.module, f"llvm.{name}.{suffix}", types[0], types), a)
+        function_name = f"llvm.{name}.{suffix}"
+        function = declared(builder.module, function_name, types[0], types)
+        return builder.call(function, a)
 
     return call
 
@@ -126,8 +130,9 @@ def _library(name: str) -> Primitive:
 
     def call(builder: ir.IRBuilder, *a: Any) -> Any:
         function = declared(builder.module, name, DOUBLE, [DOUBLE] * len(a))
-        scalars = zip(*(elements(builder, scalar) for scalar in a), strict=True)
-        return gathered(builder, [builder.call(function, scalar) for scalar in scalars])
+        operands = [elements(builder, vector) for vector in a]
+        numbers = [builder.call(function, scalars) for scalars in zip(*operands, strict=True)]
+        return gathered(builder, numbers)
 
     return call
 
@@ -146,29 +151,39 @@ def _word(value: int, a: Any) -> ir.Constant:
 
 def _power_of_two(builder: ir.IRBuilder, k: Any) -> Any:
     """2^k for whole numbers k in [-1022, 1023], to which `MAGIC` and 1023 are added."""
-    return _number(builder, builder.shl(_bits(builder, k), _word(52, k)))
+    bits = builder.shl(_bits(builder, k), _word(52, k))
+    return _number(builder, bits)
 
 
 def _times_power_of_two(builder: ir.IRBuilder, a: Any, k: Any, half_bits: Any) -> Any:
     """2^k a, rounded once at the end; k and half of k have `MAGIC` added."""
-    if (width := width_of(a)) > 1 and scales():  # all places, rounded as usual
-        values = [a, builder.fsub(k, constant(MAGIC, width)), a, ir.Constant(ir.IntType(8), -1)]
-        values += [ir.Constant(INT32, 4)] if width == LANES else []
+    width = width_of(a)
+    if width > 1 and scales():
+        exponent = builder.fsub(k, constant(MAGIC, width))
+        all_lanes = ir.Constant(ir.IntType(8), -1)
+        values = [a, exponent, a, all_lanes]
+        if width == LANES:
+            usual_rounding = ir.Constant(INT32, 4)
+            values.append(usual_rounding)
         name = f"llvm.x86.avx512.mask.scalef.pd.{64 * width}"
         types = [argument.type for argument in values]
         return builder.call(declared(builder.module, name, a.type, types), values)
     exponent_shift = _word(52, a)
     half_bits = _bits(builder, half_bits)
-    high = builder.shl(builder.sub(_bits(builder, k), half_bits), exponent_shift)
-    partly_scaled = _number(builder, builder.add(_bits(builder, a), high))
-    low = builder.shl(builder.add(half_bits, _word(1023, a)), exponent_shift)
+    remaining_bits = builder.sub(_bits(builder, k), half_bits)
+    high = builder.shl(remaining_bits, exponent_shift)
+    scaled_bits = builder.add(_bits(builder, a), high)
+    partly_scaled = _number(builder, scaled_bits)
+    biased_bits = builder.add(half_bits, _word(1023, a))
+    low = builder.shl(biased_bits, exponent_shift)
     return builder.fmul(partly_scaled, _number(builder, low))
 
 
 def _negated_where_odd(builder: ir.IRBuilder, a: Any, k: Any) -> Any:
     """-a where k is odd, else a; k has `MAGIC` added."""
     sign = builder.shl(_bits(builder, k), _word(63, k))
-    return _number(builder, builder.xor(_bits(builder, a), sign))
+    bits = builder.xor(_bits(builder, a), sign)
+    return _number(builder, bits)
 
 
 HALF_ROOT = 0x3FE6A09E667F3BCD  # bits of sqrt(1/2)
@@ -182,17 +197,19 @@ def _above(builder: ir.IRBuilder, a: Any) -> Any:
 def _exponent(builder: ir.IRBuilder, a: Any) -> Any:
     """k + 2^52 + 1023 of a = 2^k m with sqrt(1/2) <= m < sqrt(2), for normal a > 0."""
     k = builder.lshr(_above(builder, a), _word(52, a))
-    return _number(builder, builder.or_(k, _word(0x4330000000000000, a)))
+    bits = builder.or_(k, _word(0x4330000000000000, a))
+    return _number(builder, bits)
 
 
 def _fraction(builder: ir.IRBuilder, a: Any) -> Any:
     """m of a = 2^k m."""
     fraction = builder.and_(_above(builder, a), _word(0x000FFFFFFFFFFFFF, a))
-    return _number(builder, builder.add(fraction, _word(HALF_ROOT, a)))
+    bits = builder.add(fraction, _word(HALF_ROOT, a))
+    return _number(builder, bits)
 
 
-def _of_table(name: str, llvm: str) -> Primitive | None:
-    """Return the primitive that a row of the table of operations names; None for a function."""
+def _primitive(name: str, llvm: str) -> Primitive:
+    """Return the primitive that a row of the table of operations names."""
     kind, _, argument = llvm.partition(" ")
     if kind == "compare":
         return _comparison(argument)
@@ -200,14 +217,14 @@ def _of_table(name: str, llvm: str) -> Primitive | None:
         return _intrinsic(argument)
     if kind == "libm":
         return _library(name)
-    return None if kind in ("function", "inline") else _instruction(kind)
+    return _instruction(kind)
 
 
 PRIMITIVES: dict[str, Primitive] = {
     **{
-        name: primitive
+        name: _primitive(name, row.llvm)
         for name, row in TABLE.items()
-        if (primitive := _of_table(name, row.llvm)) is not None
+        if row.llvm not in ("function", "inline")
     },
     "rem": _instruction("frem"),
     **{name: _intrinsic(name) for name in ("fma", "fmuladd", "copysign")},
@@ -228,8 +245,10 @@ PRIMITIVES: dict[str, Primitive] = {
 def tape_of(name: str, count: int) -> list[Operation]:
     """Return the operations of a function of `count` leaves; the last one is its value."""
     tape = Tape()
-    value = FUNCTIONS[name](*(tape.add("leaf", (), (), ("u", k)) for k in range(count)))
-    return tape.operations[: operand(value) + 1]
+    leaves = [tape.add("leaf", (), (), ("u", k)) for k in range(count)]
+    value = FUNCTIONS[name](*leaves)
+    last_index = operand(value)
+    return tape.operations[: last_index + 1]
 
 
 def calculate(
@@ -246,13 +265,15 @@ def calculate(
     if inline or name not in OUT_OF_LINE:
         return calculate_tape(builder, operations, width, values)
     function_name = f"{name}.{width}"
-    if function_name not in builder.module.globals:
+    functions = builder.module.globals
+    if function_name not in functions:
         signature = ir.FunctionType(vector(width), [vector(width)] * len(values))
         function = ir.Function(builder.module, signature, function_name)
         function.linkage = "internal"
         inner = ir.IRBuilder(function.append_basic_block())
-        inner.ret(calculate_tape(inner, operations, width, function.args))
-    return builder.call(builder.module.globals[function_name], values)
+        result = calculate_tape(inner, operations, width, function.args)
+        inner.ret(result)
+    return builder.call(functions[function_name], values)
 
 
 def calculate_tape(
@@ -267,3 +288,103 @@ def calculate_tape(
             operands = [values[a] if type(a) is int else a for a in arguments]
             values.append(calculate(builder, name, width, operands))
     return values[-1]
+
+
+# --- rows of numbers -------------------------------------------------------------------------
+#
+# search(row, stride, count, value, right)    how many numbers of a sorted row are below a value,
+#                                             or equal to it if `right`; 0 for NaN
+# argmin(row, stride, count)                  index of the least number, or of the first NaN
+
+ROW = (DOUBLE.as_pointer(), WORD, WORD)
+
+
+def _function(module: ir.Module, name: str, arguments: tuple[ir.Type, ...]) -> tuple[Any, bool]:
+    """Return a function of the module, and whether it is still to be written."""
+    if name in module.globals:
+        return module.globals[name], False
+    signature = ir.FunctionType(DOUBLE, arguments)
+    function = ir.Function(module, signature, name)
+    function.linkage = "internal"
+    return function, True
+
+
+def _number_at(builder: ir.IRBuilder, row: Any, stride: Any, position: Any) -> Any:
+    offset = builder.mul(position, stride)
+    address = builder.gep(row, [offset])
+    return builder.load(address)
+
+
+def search(module: ir.Module) -> Any:
+    """Return the function that bisects a sorted row."""
+    function, is_new = _function(module, "search", (*ROW, DOUBLE, DOUBLE))
+    if not is_new:
+        return function
+    row, stride, count, value, counts_equal = function.args
+    entry, loop, body, end = (function.append_basic_block() for _ in range(4))
+    builder = ir.IRBuilder(entry)
+    also_equal = builder.fcmp_ordered(">", counts_equal, ir.Constant(DOUBLE, 0.5))
+    builder.branch(loop)
+    builder.position_at_end(loop)
+    # the result is from low to high
+    low = builder.phi(WORD)
+    high = builder.phi(WORD)
+    low.add_incoming(ir.Constant(WORD, 0), entry)
+    high.add_incoming(count, entry)
+    is_open = builder.icmp_signed("<", low, high)
+    builder.cbranch(is_open, body, end)
+    builder.position_at_end(body)
+    low_and_high = builder.add(low, high)
+    middle = builder.lshr(low_and_high, ir.Constant(WORD, 1))
+    number = _number_at(builder, row, stride, middle)
+    is_equal = builder.fcmp_ordered("==", number, value)
+    counts = builder.and_(also_equal, is_equal)
+    is_less = builder.fcmp_ordered("<", number, value)
+    below = builder.or_(is_less, counts)
+    after = builder.add(middle, ir.Constant(WORD, 1))
+    new_low = builder.select(below, after, low)
+    new_high = builder.select(below, high, middle)
+    low.add_incoming(new_low, body)
+    high.add_incoming(new_high, body)
+    builder.branch(loop)
+    builder.position_at_end(end)
+    builder.ret(builder.sitofp(low, DOUBLE))
+    return function
+
+
+def argmin(module: ir.Module) -> Any:
+    """Return the function that finds the least number of a row."""
+    function, is_new = _function(module, "argmin", ROW)
+    if not is_new:
+        return function
+    row, stride, count = function.args
+    entry, body, end = (function.append_basic_block() for _ in range(3))
+    builder = ir.IRBuilder(entry)
+    first_number = builder.load(row)
+    builder.branch(body)
+    builder.position_at_end(body)
+    position = builder.phi(WORD)
+    best = builder.phi(WORD)
+    least = builder.phi(DOUBLE)
+    zero = ir.Constant(WORD, 0)
+    position.add_incoming(zero, entry)
+    best.add_incoming(zero, entry)
+    least.add_incoming(first_number, entry)
+    number = _number_at(builder, row, stride, position)
+    is_number = builder.fcmp_ordered("ord", least, least)  # a NaN stays the least
+    is_less = builder.fcmp_unordered("<", number, least)
+    better = builder.and_(is_number, is_less)
+    new_best = builder.select(better, position, best)
+    new_least = builder.select(better, number, least)
+    following = builder.add(position, ir.Constant(WORD, 1))
+    position.add_incoming(following, body)
+    best.add_incoming(new_best, body)
+    least.add_incoming(new_least, body)
+    continues = builder.icmp_signed("<", following, count)
+    builder.cbranch(continues, body, end)
+    builder.position_at_end(end)
+    builder.ret(builder.sitofp(new_best, DOUBLE))
+    return function
+
+
+SEARCHES: dict[str, Callable[[ir.Module], Any]] = {"search": search, "argmin": argmin}

@@ -1,4 +1,4 @@
-"""Wire blocks by the names of their ports, with `control.interconnect`.
+"""Interconnection of blocks by the names of their ports, with `control.interconnect`.
 
 python-control adds two outputs of the same name, warns about an input without a source, gives
 systems whose params share a name the value of the last system, and ignores an unknown parameter.
@@ -20,15 +20,18 @@ from ..model.declaration import Guard, Parameters, check_names, ports_line, same
 from ..model.ports import counts_of, labels, whole_labels
 from ..model.sampled import Sampled
 from ..model.system import System
-from .subsystems import as_part, input_ports, is_discrete, output_ports
 from .wiring import (
     Params,
     Part,
     Row,
     Wiring,
+    as_part,
     blocks_of,
     call_names,
+    input_ports,
+    is_discrete,
     ordered_wiring,
+    output_ports,
     own_params,
     prefixes_of,
     wiring_of,
