@@ -45,7 +45,7 @@ class Source(NamedTuple):
     """Signals of a port, as the source of an input k of a block."""
 
     external: bool  # an input port of the diagram, or an output port of a block
-    first: int  # first signal of the port
+    start: int  # first signal of the port
     offset: int  # of the signal in the port, minus k: equal for consecutive signals
     gain: float
 
@@ -57,7 +57,7 @@ class RecordMerger:
     add: Callable[..., Ref]  # write an operation: kind, arguments, shape, at
     put: Callable[..., Ref]  # write a block's operation: k, role, record, operation, arguments
     leaf: Callable[..., Ref]  # time, a state or a parameter of a block: k, group, name, shape
-    part: Callable[..., Ref]  # elements of a value from an offset, row by row: ref, offset, shape
+    part: Callable[..., Ref]  # elements of a value from an offset on: ref, offset, shape
     shape: Callable[..., Shape]  # a shape of a block in this record: block, shape
 
     def __init__(self, wiring: Wiring, input_sizes: Mapping[int, int]):
@@ -65,15 +65,15 @@ class RecordMerger:
         self.wiring = wiring
         self.inputs: dict[int, Ref] = {}  # of the diagram, by first signal
         self.outputs: dict[int, Ref] = {}  # of blocks so far, by first signal
-        output_sizes = {
-            node.outputs.start + signals.start: signals.stop - signals.start
-            for node in wiring.nodes
-            for signals, _ in places(node.system.output_shapes).values()
-        }
+        output_sizes = {}
+        for node in wiring.nodes:
+            for signals, _ in places(node.system.output_shapes).values():
+                start = node.outputs.start + signals.start
+                output_sizes[start] = signals.stop - signals.start
         # sizes of ports by first signal, and the first signal of each signal's port
         self._sizes = output_sizes, input_sizes
-        self._firsts = [
-            [first for first, size in sizes.items() for _ in range(size)] for sizes in self._sizes
+        self._starts = [
+            [start for start, size in sizes.items() for _ in range(size)] for sizes in self._sizes
         ]
 
     # --- a block ------------------------------------------------------------------------------
@@ -84,22 +84,29 @@ class RecordMerger:
         values: list[Ref] = []
         for operation in record.operations:
             if operation.kind == "leaf":
-                group, name = operation.at
-                is_input = group == "u"
-                value = fed[name] if is_input else self.leaf(k, group, name, operation.shape)
+                value = self._leaf_value(k, operation, fed)
             else:
                 refs = [values[a] if type(a) is int else a for a in operation.arguments]
                 value = self.put(k, role, record, operation, refs)
             values.append(value)
         return [values[ref] if type(ref) is int else ref for ref in record.outputs]
 
+    def _leaf_value(self, k: int, operation: Operation, fed: Mapping[str, Ref]) -> Ref:
+        group, name = operation.at
+        if group == "u":
+            return fed[name]
+        return self.leaf(k, group, name, operation.shape)
+
     def fed(self, k: int) -> dict[str, Ref]:
         """Return the value of each input port of a block."""
-        block, values = self.wiring.nodes[k].system, {}
+        node = self.wiring.nodes[k]
+        block = node.system
+        declared = block.declared["inputs"]
+        values = {}
         for port, (signals, _) in places(block.input_shapes).items():
-            shape = self.shape(block, block.declared["inputs"][port])
+            shape = self.shape(block, declared[port])
             inputs = range(signals.start, signals.stop)
-            values[port] = self.joined(self.wiring.nodes[k], port, inputs, shape)
+            values[port] = self.joined(node, port, inputs, shape)
         return values
 
     def joined(self, node: Node, port: str, inputs: range, shape: Shape) -> Ref:
@@ -111,19 +118,28 @@ class RecordMerger:
                 return self._sum(sources, indices[0], shape)
             size = (len(indices),)
             value = self._sum(sources, indices[0], size)
-            values.append(value if type(value) is int else self.add("fill", (value,), size))
-        return self.part(self.add("join", values, (len(inputs),)), 0, shape) if values else 0.0
+            values.append(self._as_array(value, size))
+        if not values:
+            return 0.0
+        vector = self.add("join", values, (len(inputs),))
+        return self.part(vector, 0, shape)
+
+    def _as_array(self, value: Ref, shape: Shape) -> Ref:
+        return value if type(value) is int else self.add("fill", (value,), shape)
 
     def _sum(self, sources: list[Source], k: int, shape: Shape) -> Ref:
         """Return the sum of the sources of consecutive inputs, the first of which is k."""
         total: Ref | None = None
-        for external, first, offset, gain in sources:
-            ref = (self.inputs if external else self.outputs)[first]
-            if type(ref) is not int:
-                ref = self.add("fill", (ref,), (self._sizes[external][first],))
+        for external, start, offset, gain in sources:
+            known_values = self.inputs if external else self.outputs
+            size = (self._sizes[external][start],)
+            ref = self._as_array(known_values[start], size)
             value = self.part(ref, offset + k, shape)
-            value = value if gain == 1.0 else self.add("mul", (value, gain), shape)
-            total = value if total is None else self.add("add", (total, value), shape)
+            if gain != 1.0:
+                value = self.add("mul", (value, gain), shape)
+            if total is not None:
+                value = self.add("add", (total, value), shape)
+            total = value
         return 0.0 if total is None else total
 
     def _sources(self, row: Row, k: int) -> list[Source]:
@@ -133,10 +149,13 @@ class RecordMerger:
         """
         sources = []
         for signal, gain in row.items():
-            external, signal = signal < 0, ~signal if signal < 0 else signal
-            first = self._firsts[external][signal]
-            if first in (self.inputs if external else self.outputs):
-                sources.append(Source(external, first, signal - first - k, gain))
+            external = signal < 0
+            number = ~signal if external else signal
+            start = self._starts[external][number]
+            known_values = self.inputs if external else self.outputs
+            if start in known_values:
+                offset = number - start - k
+                sources.append(Source(external, start, offset, gain))
         return sorted(sources)
 
 
@@ -156,11 +175,12 @@ class TapeRecord(RecordMerger):
         """Write the blocks in their order; `leaf`, `input_of`, `stand_in` return the leaves."""
         sizes = counts_of(diagram.input_labels)
         ports = places({port: (size,) for port, size in sizes.items()})
-        firsts = {port: signals.start for port, (signals, _) in ports.items()}
-        super().__init__(wiring, {firsts[port]: size for port, size in sizes.items()})
-        self.tape, self.leaf_of = tape, leaf
+        starts = {port: signals.start for port, (signals, _) in ports.items()}
+        super().__init__(wiring, {starts[port]: size for port, size in sizes.items()})
+        self.tape = tape
+        self.leaf_of = leaf
         self.open = {} if closed else open_sizes(wiring)
-        self.given: dict[str, Any] = {}  # inputs of the diagram, by port
+        self.external: dict[str, Any] = {}  # inputs of the diagram, by port
         self.signals: Values = {}  # outputs of blocks
         self.rates: Values = {}
         self.jumps: Values = {}  # states after a jump
@@ -168,46 +188,55 @@ class TapeRecord(RecordMerger):
         self.pinned = set[tuple[str, str]]()  # parameters that are numbers
         self.owners: dict[int, str] = {}  # operation -> "block.role"
 
-        for port, first in firsts.items():
-            self.given[port] = input_of(port, *self._input_shape(first, sizes[port]))
-            self.inputs[first] = operand(self.given[port])
+        for port, start in starts.items():
+            shape, declared = self._input_shape(start, sizes[port])
+            self.external[port] = input_of(port, shape, declared)
+            self.inputs[start] = operand(self.external[port])
         for k in wiring.order:
             self._write_outputs(k, stand_in)
         for k, node in enumerate(wiring.nodes):
             u = self._arrays(k)
-            for role, results in (("update", self.rates), ("jump", self.jumps)):
-                if getattr(node.system, f"{role}_function") is not None:
-                    for port, value in self._results(k, role, u).items():
-                        results[node.name, port] = value
+            if node.system.update_function is not None:
+                self._write_states(k, "update", u, self.rates)
+            if node.system.jump_function is not None:
+                self._write_states(k, "jump", u, self.jumps)
+
+    def _write_states(self, k: int, role: str, u: dict[str, Any], results: Values) -> None:
+        name = self.wiring.nodes[k].name
+        for port, value in self._results(k, role, u).items():
+            results[name, port] = value
 
     def _write_outputs(self, k: int, stand_in: StandIn) -> None:
         node = self.wiring.nodes[k]
         block = node.system
-        u = self._arrays(k) if block.feedthrough or block.opaque else {}
+        needs_inputs = block.feedthrough or block.opaque
+        u = self._arrays(k) if needs_inputs else {}
         declared = block.declared["outputs"]
         shapes = {port: self.shape(block, shape) for port, shape in declared.items()}
         values = stand_in(node, u, shapes)
         if values is None:
             values = self._results(k, "output", u)
         for port, (signals, _) in places(block.output_shapes).items():
+            start = node.outputs.start + signals.start
             self.signals[node.name, port] = values[port]
-            self.outputs[node.outputs.start + signals.start] = operand(values[port])
+            self.outputs[start] = operand(values[port])
 
     def _parameter_shapes(self, block: Block) -> dict[str, Shape]:
-        shapes = block.parameter_shapes
-        return {
-            name: self.shape(block, shapes.get(name, np.shape(value)))
-            for name, value in block.parameters._asdict().items()
-        }
+        shapes = {}
+        for name, value in block.parameters._asdict().items():
+            shape = block.parameter_shapes.get(name, np.shape(value))
+            shapes[name] = self.shape(block, shape)
+        return shapes
 
-    def _input_shape(self, first: int, size: int) -> tuple[Shape, Shape]:
+    def _input_shape(self, start: int, size: int) -> tuple[Shape, Shape]:
         """Return the shape of a diagram's input, and the shape that its user declares."""
         for node in self.wiring.nodes:
+            block = node.system
             inputs = {source: to for to, source, _ in node.fed(external=True)}
-            for port, (signals, shape) in places(node.system.input_shapes).items():
-                if inputs.get(first) == signals.start and prod(shape) == size:
-                    declared = node.system.declared["inputs"][port]
-                    return self.shape(node.system, declared), declared
+            for port, (signals, shape) in places(block.input_shapes).items():
+                if inputs.get(start) == signals.start and prod(shape) == size:
+                    declared = block.declared["inputs"][port]
+                    return self.shape(block, declared), declared
         return (size,), (size,)
 
     def shape(self, block: Block, shape: Shape) -> Shape:
@@ -232,7 +261,8 @@ class TapeRecord(RecordMerger):
         if group == "t":
             return self.add("leaf", (), (), ("t", "t"))
         node = self.wiring.nodes[k]
-        return operand(self.leaf_of(group, node, name, self.shape(node.system, shape)))
+        shape = self.shape(node.system, shape)
+        return operand(self.leaf_of(group, node, name, shape))
 
     def part(self, ref: Ref, offset: int, shape: Shape) -> Ref:
         """Return elements of a value; an array of an open size is returned as a whole only."""
@@ -241,33 +271,41 @@ class TapeRecord(RecordMerger):
             return ref
         if any(isinstance(n, str) for n in (*shape, *value.shape)):
             raise Unread("is not fed function by function, whole ports alike")
-        elements = objects(value).ravel()[offset : offset + prod(shape)]
-        return operand(lifted(self.tape, elements.reshape(shape)))
+        end = offset + prod(shape)
+        elements = objects(value).ravel()[offset:end]
+        array = lifted(self.tape, elements.reshape(shape))
+        return operand(array)
 
     def joined(self, node: Node, port: str, inputs: range, shape: Shape) -> Ref:
         """Return the value of the inputs of a port, in all of its shape."""
         try:
-            value = self.tape.value(super().joined(node, port, inputs, shape))
-            return operand(spread(self.tape, value, shape))
+            ref = super().joined(node, port, inputs, shape)
+            value = spread(self.tape, self.tape.value(ref), shape)
+            return operand(value)
         except Unread as error:
             raise Unread(f"{node.name}.{port} {error}") from None
 
     def _arrays(self, k: int) -> dict[str, Any]:
         """Return the input ports of a block as arrays."""
-        return {port: self.tape.value(ref) for port, ref in self.fed(k).items()}
+        refs = self.fed(k)
+        return {port: self.tape.value(ref) for port, ref in refs.items()}
 
     def _results(self, k: int, role: str, u: dict[str, Any]) -> dict[str, Any]:
         """Return the results of a block's function on this tape, by port."""
-        node, begin = self.wiring.nodes[k], len(self.tape.operations)
+        begin = len(self.tape.operations)
+        node = self.wiring.nodes[k]
         block = node.system
         self._check_open(node, role, block.array_record(role))
         pinned, _ = block.read_with.get(role, ((), ""))
         self.pinned |= {(node.name, name) for name in pinned}
-        refs = self.run(k, role, {port: operand(value) for port, value in u.items()})
-        declared = block.declared["outputs" if role == "output" else "states"]
+        fed = {port: operand(value) for port, value in u.items()}
+        refs = self.run(k, role, fed)
+        kind = "outputs" if role == "output" else "states"
         results = {}
-        for (port, shape), ref in zip(declared.items(), refs, strict=True):
-            results[port] = spread(self.tape, self.tape.value(ref), self.shape(block, shape))
+        for (port, shape), ref in zip(block.declared[kind].items(), refs, strict=True):
+            shape = self.shape(block, shape)
+            value = self.tape.value(ref)
+            results[port] = spread(self.tape, value, shape)
         for index in range(begin, len(self.tape.operations)):
             self.owners[index] = f"{node.name}.{role}"
         return results
@@ -280,7 +318,8 @@ class TapeRecord(RecordMerger):
             if operation.kind != "leaf" or operation.at[0] not in declared:
                 continue
             group, name = operation.at
-            if self.shape(block, declared[group][name]) != self.shape(block, operation.shape):
+            open_shape = self.shape(block, declared[group][name])
+            if open_shape != self.shape(block, operation.shape):
                 _, why = block.read_with.get(role, ((), ""))
                 sizes = " and ".join(self.open)
                 raise Unread(f"{node.name}.{role} is not read for every {sizes}: {why}")

@@ -164,7 +164,7 @@ class ArrayLoop:
         self.states: dict[str, Any] = {}
         found = TapeRecord(diagram, wiring, self._leaf, self._input, self.tape)
         refuse_pinned(found.pinned)
-        self.inputs = found.given
+        self.inputs = found.external
         self.signals = {port: value for (_, port), value in found.signals.items()}
         of = {node.name: node.system.name for node in wiring.nodes}
         self.rates = {
