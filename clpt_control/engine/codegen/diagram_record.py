@@ -1,16 +1,13 @@
-"""One record of a diagram, with all that its program stores, and where each number lies.
+"""Record of a diagram for the code generator, and the layout of its parameters.
 
     v0 = load X[0:2]            v1 = add(v0, v7)            v2 = sum(v1 over 0)
     x[i] of a block -> X        p.field[k] -> P, or T where runs share it
 
-An axis is long, and loops, if its size has a name or is above `SHORT`.  Every entry knows the block
-that it comes from, because only terms of different blocks may cancel (`merged_sums`); entries of
-wires have no block.
-
-Fields with the same values share a slot: a basis at the vehicle and at its prediction then share
-widths and tides, and the compiler sees that their cosines are the same.  An input of the diagram
-is a straight line in time.  Behind the fields P holds where the lines begin, their values there and
-their slopes.  What is prepared comes last.
+An axis becomes a loop if its size has a name or is above `SHORT`.  Each entry has an owner, its
+block, because only terms of different blocks may cancel (`merged_sums`); wires have no owner.
+Fields with equal values share a slot, so common expressions of several blocks are found equal.  An
+input of the diagram is a straight line in time: behind the fields, P has the times where the lines
+begin, their values there and their slopes.  Prepared values are the last numbers of P.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -75,7 +72,8 @@ class Layout:
     def pattern(self) -> tuple:
         """All places, and so which fields share a slot: part of the key of compiled code."""
         tables = ((key, table.offset) for key, table in self.time_tables.items())
-        return *self.slots.items(), *self.jumps.items(), *tables, len(self.P), len(self.T)
+        lengths = len(self.P), len(self.T)
+        return *self.slots.items(), *self.jumps.items(), *tables, *lengths
 
     def inputs(self, count: int) -> int:
         """Return the length of P with `count` inputs of the diagram."""
@@ -89,7 +87,8 @@ class Layout:
             if array == "T":
                 continue
             value = np.asarray(getattr(parameters[k], name), dtype=float).ravel()
-            if not np.array_equal(values_by_offset.setdefault(offset, value), value):
+            shared_value = values_by_offset.setdefault(offset, value)
+            if not np.array_equal(shared_value, value):
                 raise ValueError(f"{name} of block {k} no longer equals the field it stands with")
             P[offset : offset + len(value)] = value
         return P
@@ -108,31 +107,38 @@ def lay_out(
     arrays: dict[str, list[np.ndarray]] = {"P": [np.zeros(0)], "T": []}
 
     def slot(array: str, numbers: np.ndarray) -> Slot:
+        offset = sum(filled.size for filled in arrays[array])
         arrays[array].append(numbers.ravel())
-        return Slot(array, sum(filled.size for filled in arrays[array][:-1]))
+        return Slot(array, offset)
 
     for k, (node, p) in enumerate(zip(wiring.nodes, parameters, strict=True)):
+        block = node.system
         for name, value in zip(p._fields, p, strict=True):
-            if isinstance(value, int) or not is_read(node.system, name):
+            if isinstance(value, int) or not is_read(block, name):
                 continue
             numbers = np.asarray(value, dtype=float)
-            key: tuple = (name, numbers.shape, numbers.tobytes(), apart.get((k, name)))
+            varied = apart.get((k, name))
+            key: tuple = (name, numbers.shape, numbers.tobytes(), varied)
             if name == "interval":
                 key = name, k
             if key not in slots:
                 is_shared = numbers.size > LARGE and (k, name) not in apart
-                slots[key] = slot("T" if is_shared else "P", numbers)
+                array = "T" if is_shared else "P"
+                slots[key] = slot(array, numbers)
             layout.slots[k, name] = slots[key]
-            if name == "interval" and node.system.breakpoints_function is not None:
+            if name == "interval" and block.breakpoints_function is not None:
                 layout.intervals[k] = slots[key].offset
-        if node.system.jump_function is not None:
+        if block.jump_function is not None:
             layout.jumps[k] = slot("P", np.zeros(1)).offset
-        for key in () if wiring.dt else tables_over_time(node.system):
+        if wiring.dt:
+            continue
+        for key in tables_over_time(block):
             if key not in layout.time_tables:
                 rows, shift, (_, joints) = key
                 offset = slot("P", np.zeros(1)).offset
                 times = np.frombuffer(rows) - shift
-                layout.time_tables[key] = TimeTable(times, offset, joints != "jumps")
+                is_continuous = joints != "jumps"
+                layout.time_tables[key] = TimeTable(times, offset, is_continuous)
     layout.P = np.concatenate(arrays["P"])
     layout.T = np.concatenate([*arrays["T"], np.zeros(1)])
     return layout
@@ -140,8 +146,10 @@ def lay_out(
 
 def is_read(block: Block, name: str) -> bool:
     """Return whether a block's functions read a parameter; python-control hands down others too."""
-    inner = getattr(block, "inner", block)  # of a sampled one
-    return not isinstance(inner, System) or name == "interval" or inner.reads(name)
+    inner = getattr(block, "inner", block)  # of a sampled block
+    if not isinstance(inner, System) or name == "interval":
+        return True
+    return inner.reads(name)
 
 
 def tables_over_time(block: Block) -> Iterator[tuple]:
@@ -162,26 +170,31 @@ def shift_of(lines: Sequence[Operation], ref: Ref) -> float | None:
     """Return by how much a value is later than time; None where it is no such time."""
 
     def is_time(ref: Ref) -> bool:
-        return type(ref) is int and lines[ref].at in (("t", "t"), ("t", 0)) and not lines[ref].shape
+        if type(ref) is not int or lines[ref].shape:
+            return False
+        return lines[ref].at in (("t", "t"), ("t", 0))
 
     if is_time(ref):
         return 0.0
     kind, arguments, *_ = lines[ref]
-    if kind not in ("add", "sub") or not is_time(arguments[0]) or type(arguments[1]) is not float:
+    if kind not in ("add", "sub") or not is_time(arguments[0]):
         return None
-    return arguments[1] if kind == "add" else -arguments[1]
+    shift = arguments[1]
+    if type(shift) is not float:
+        return None
+    return shift if kind == "add" else -shift
 
 
 # --- the record ------------------------------------------------------------------------------
 
 
 class DiagramRecord(RecordMerger):
-    """All operations of a diagram, and what its functions store.
+    """All operations of a diagram, and the values that its functions store.
 
-    Kinds are those of `equations.record`, with loads in place of leaves: `at` of a load is (array,
-    first place); of a sum (axis, length, whether it loops); of a part the first place among all
-    elements of its argument, row by row.  Axes loop from the length `long` on, where they have a
-    name from `named` on.
+    Kinds are those of `record.graph`, with loads in place of leaves.  `at` of a load is (array,
+    offset), of a sum (axis, length, is it a loop?), of a part the offset among all elements of its
+    argument, row by row.  An axis without a name is a loop from the length `long` on, an axis with
+    a name from the length `named` on.
     """
 
     def __init__(self, wiring: Wiring, layout: Layout, form: str | None = None):
@@ -196,8 +209,10 @@ class DiagramRecord(RecordMerger):
         self._jumped: dict[int, dict[str, Ref]] = {}  # states of a block after jumps, once known
         self.inputs[0] = self._inputs()
         self.signals = self._rates()
-        guarded = [k for k, node in enumerate(wiring.nodes) if node.system.guard is not None]
-        self.margins = [m for k in guarded for m in self.run(k, "guard", self.fed(k))]
+        self.margins: list[Ref] = []  # of guards
+        for k, node in enumerate(wiring.nodes):
+            if node.system.guard is not None:
+                self.margins += self.run(k, "guard", self.fed(k))
         self.decisions = Decisions(self, layout.inputs(wiring.ninputs))
         if self.locking and not wiring.dt:
             self.rates = self.decisions.lock(self.rates)
@@ -210,10 +225,11 @@ class DiagramRecord(RecordMerger):
     def add(
         self, kind: str, arguments: Sequence[Ref], shape: tuple, at: Any = None, owner: int = WIRE
     ) -> int:
-        """Add an entry; return its place."""
+        """Add an entry; return its index."""
+        index = len(self.entries)
         self.tape.append(Operation(kind, tuple(arguments), shape, at))
-        self.owners[len(self.entries) - 1] = owner
-        return len(self.entries) - 1
+        self.owners[index] = owner
+        return index
 
     def shape_of(self, ref: Ref) -> tuple[int, ...]:
         """Return the shape of a value."""
@@ -223,9 +239,11 @@ class DiagramRecord(RecordMerger):
 
     def _output(self, k: int) -> list[Port]:
         node = self.wiring.nodes[k]
-        values = self.run(k, "output", self.fed(k) if node.system.feedthrough else {})
+        fed = self.fed(k) if node.system.feedthrough else {}
+        values = self.run(k, "output", fed)
         ports = [port for port in self._stored(k, "outputs", values) if prod(port.shape)]
-        self.outputs.update({port.first: port.ref for port in ports})
+        for port in ports:
+            self.outputs[port.first] = port.ref
         return ports
 
     def _rates(self) -> list[Port]:
@@ -235,7 +253,8 @@ class DiagramRecord(RecordMerger):
             signals |= {port.first: port for port in self._output(k)}
         for k, node in enumerate(self.wiring.nodes):
             if node.system.update_function is not None:
-                self.rates += self._stored(k, "states", self.run(k, "update", self.fed(k)))
+                rates = self.run(k, "update", self.fed(k))
+                self.rates += self._stored(k, "states", rates)
         return [*signals.values()]
 
     def _leap(self, k: int) -> dict[str, Ref]:
@@ -245,22 +264,28 @@ class DiagramRecord(RecordMerger):
         shapes = node.system.state_shapes
         states = {name: self.leaf(k, "x", name, shape) for name, shape in shapes.items()}
         if request is not None:
-            jumps = self.add("gt", (self.load("P", request, ()), 0.5), ())
-            self._change(k, states, jumps, self.run(k, "jump", self.fed(k)))
+            requested = self.load("P", request, ())
+            jumps = self.add("gt", (requested, 0.5), ())
+            values = self.run(k, "jump", self.fed(k))
+            self._change(k, states, jumps, values)
         return states
 
-    def _change(self, k: int, states: dict[str, Ref], where: Ref, values: list[Ref]) -> None:
+    def _change(self, k: int, states: dict[str, Ref], condition: Ref, values: list[Ref]) -> None:
         """Change the last states of a block where a condition holds."""
         shapes = self.wiring.nodes[k].system.state_shapes
-        for name, value in zip([*states][-len(values) :], values, strict=True):
-            states[name] = self.add("where", (where, value, states[name]), shapes[name])
+        names = [*states][-len(values) :]
+        for name, value in zip(names, values, strict=True):
+            choice = condition, value, states[name]
+            states[name] = self.add("where", choice, shapes[name])
 
     def _sample(self) -> None:
         """Sample the inputs of blocks that sample, with the signals after all jumps."""
         nodes = self.wiring.nodes
         self.outputs = {}
         sampling = [k for k, node in enumerate(nodes) if node.system.first_held is not None]
-        for k in self.wiring.order if sampling else ():
+        if not sampling:
+            return
+        for k in self.wiring.order:
             if k in sampling:
                 self._hold(k)
             self._output(k)
@@ -268,25 +293,30 @@ class DiagramRecord(RecordMerger):
             self._hold(k)
 
     def _hold(self, k: int) -> None:
-        sampled = self.add("ne", (self.load("P", self.layout.jumps[k], ()), 0.0), ())
-        self._change(k, self._jumped[k], sampled, [*self.fed(k).values()])
+        requested = self.load("P", self.layout.jumps[k], ())
+        samples = self.add("ne", (requested, 0.0), ())
+        inputs = [*self.fed(k).values()]
+        self._change(k, self._jumped[k], samples, inputs)
 
     def _stored(self, k: int, kind: str, values: list[Ref]) -> list[Port]:
         node = self.wiring.nodes[k]
         ports = list[Port]()
         offset = getattr(node, kind).start
-        for shape, ref in zip(node.system.declared[kind].values(), values, strict=True):
-            ports.append(Port(offset, *self._axes(node.system, shape), ref))
-            offset += prod(ports[-1].shape)
+        shapes = node.system.declared[kind].values()
+        for shape, ref in zip(shapes, values, strict=True):
+            lengths, long = self._axes(node.system, shape)
+            ports.append(Port(offset, lengths, long, ref))
+            offset += prod(lengths)
         return ports
 
     def _axes(self, block: Block, shape: tuple) -> tuple[tuple[int, ...], tuple[bool, ...]]:
         """Return lengths of axes, and which of them loop."""
         lengths = bound(shape, block.sizes)
-        long = (
-            n >= self.long or (isinstance(name, str) and n >= self.named)
-            for n, name in zip(lengths, shape, strict=True)
-        )
+        long = []
+        for length, name in zip(lengths, shape, strict=True):
+            is_named = isinstance(name, str)
+            limit = min(self.long, self.named) if is_named else self.long
+            long.append(length >= limit)
         return lengths, tuple(long)
 
     def shape(self, block: Block, shape: tuple) -> tuple[int, ...]:
@@ -300,16 +330,18 @@ class DiagramRecord(RecordMerger):
         if kind == "part":
             return self.part(refs[0], at, shape)
         if kind == "sum":
-            length, long = self._axes(block, record.operations[arguments[0]].shape)
-            at = at, length[at], long[at]
+            summed_shape = record.operations[arguments[0]].shape
+            lengths, long = self._axes(block, summed_shape)
+            at = at, lengths[at], long[at]
         lengths, long = self._axes(block, shape)
         samples = block.first_held is not None  # samples stay for a step
         is_smooth = samples or (block.opaque and block.of_package)
 
         def put(kind: str, *operands: Ref) -> Ref:
             entry = self.add(kind, operands, lengths, at, k)
-            if kind in LOCKED and not (is_smooth or self._is_smooth(kind, operands, at)):
-                self.decided_by[entry] = long, (k, role, kind)
+            if kind not in LOCKED or is_smooth or self._is_smooth(kind, operands, at):
+                return entry
+            self.decided_by[entry] = long, (k, role, kind)
             return entry
 
         if kind == "search" and self.locking:
@@ -337,18 +369,21 @@ class DiagramRecord(RecordMerger):
 
     def leaf(self, k: int, group: str, name: str, shape: tuple) -> Ref:
         """Return time, a parameter, or a state, after jumps where these are known."""
-        block = self.wiring.nodes[k].system
+        node = self.wiring.nodes[k]
+        block = node.system
         array = "t"
         offset = 0
         if group == "p":
             array, offset = self.layout.slots[k, name]
-        elif group == "x" and name in self._jumped.get(k, {}):
-            return self._jumped[k][name]
         elif group == "x":
+            jumped = self._jumped.get(k, {})
+            if name in jumped:
+                return jumped[name]
             positions, _ = places(block.state_shapes)[name]
             array = "X"
-            offset = self.wiring.nodes[k].states.start + positions.start
-        return self.load(array, offset, self.shape(block, shape))
+            offset = node.states.start + positions.start
+        lengths = self.shape(block, shape)
+        return self.load(array, offset, lengths)
 
     def load(self, array: str, offset: int, shape: tuple) -> int:
         """Return the entry that reads an array from a place, row by row; equal ones are one."""
@@ -363,28 +398,36 @@ class DiagramRecord(RecordMerger):
         begin = self.load("P", ramp, ())
         t = self.load("t", 0, ())
         since = self.add("sub", (t, begin), ())
-        rise = self.add("mul", (since, self.load("P", ramp + 1 + n, (n,))), (n,))
-        return self.add("add", (self.load("P", ramp + 1, (n,)), rise), (n,))
+        slope = self.load("P", ramp + 1 + n, (n,))
+        rise = self.add("mul", (since, slope), (n,))
+        value = self.load("P", ramp + 1, (n,))
+        return self.add("add", (value, rise), (n,))
 
     def fed(self, k: int) -> dict[str, Ref]:
         """Return the value that feeds each input port of a block."""
         fed = super().fed(k)
         block = self.wiring.nodes[k].system
-        kinds = {line.kind for record in block.records.values() for line in record.operations}
+        records = block.records.values()
+        kinds = {operation.kind for record in records for operation in record.operations}
         if kinds & {"join", "part"}:  # which take whole arrays
-            for port, shape in block.declared["inputs"].items():
-                fed[port] = self._spread(fed[port], self.shape(block, shape))
+            for port, declared in block.declared["inputs"].items():
+                shape = self.shape(block, declared)
+                fed[port] = self._spread(fed[port], shape)
         if kinds & SIGNED:
             for port, ref in fed.items():
                 if type(ref) is int:  # sums in Python begin at 0.0, are never -0.0
-                    fed[port] = self.add("add", (ref, 0.0), self.shape_of(ref))
+                    shape = self.shape_of(ref)
+                    fed[port] = self.add("add", (ref, 0.0), shape)
         return fed
 
     def _spread(self, ref: Ref, shape: tuple[int, ...]) -> Ref:
         """Return a value in all of a shape: what feeds a port may have fewer axes."""
-        if (ref_shape := self.shape_of(ref)) == shape:
+        ref_shape = self.shape_of(ref)
+        if ref_shape == shape:
             return ref
-        return self.add("mul", (ref, 1.0), shape) if ref_shape else self.add("fill", (ref,), shape)
+        if not ref_shape:
+            return self.add("fill", (ref,), shape)
+        return self.add("mul", (ref, 1.0), shape)
 
     def part(self, ref: int, offset: int, shape: tuple) -> int:
         """Return elements of a value from a place on, row by row, in a shape."""
@@ -394,8 +437,10 @@ class DiagramRecord(RecordMerger):
         if entry.kind == "load":
             array, start = entry.at
             return self.load(array, start + offset, shape)
-        if entry.kind == "view" and len(entry.at) == 1 and entry.at[0][2] == 1:
-            return self.part(entry.arguments[0], entry.at[0][1] + offset, shape)
+        if entry.kind == "view" and len(entry.at) == 1:
+            _, start, step = entry.at[0]
+            if step == 1:
+                return self.part(entry.arguments[0], start + offset, shape)
         return self.add("part", (ref,), shape, offset)
 
 
@@ -403,8 +448,10 @@ def _folded(kind: str, a: Ref, put: Callable[..., Ref]) -> Ref:
     """Return asin(sin a), acos(cos a) or atan(tan a), whose kinks are those of |x| and a % b."""
     turn = pi if kind == "atan" else 2.0 * pi
     ahead = pi if kind == "acos" else 0.5 * pi
-    angle = put("mod", put("add", a, ahead), turn)
+    shifted = put("add", a, ahead)
+    angle = put("mod", shifted, turn)
     if kind == "atan":
         return put("sub", angle, 0.5 * pi)
-    away = put("fabs", put("sub", angle, pi))
+    difference = put("sub", angle, pi)
+    away = put("fabs", difference)
     return away if kind == "acos" else put("sub", 0.5 * pi, away)

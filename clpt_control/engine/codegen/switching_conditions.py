@@ -1,19 +1,15 @@
-"""Decisions: points where equations are not smooth, and how they are locked during a step.
+"""Switching conditions: points where equations are not smooth, locked during a step.
 
     where(a < b, c, d),  minimum(a, b),  |a|,  sign(a),  floor(a),  atan2,  a row read at a place
 
-A step of the solver across a kink is not accurate.  So during a step the rates hold every decision
-as it was at the beginning of the step: they are smooth, also a little beyond the kink.  If a step
-has passed a kink, at its end or at one of seven places before it, and states feel it, `kinks`
-locates the crossing and begins anew there, with new decisions.  A step is cut short where a kink
-may hide between two of these places.
+A step across a kink is inaccurate, so the rates use the decisions of the step's beginning for the
+whole step and are smooth.  The solver (`event_checks`, `event_location`) locates the crossing of a
+condition and begins a new step there, with new decisions.
 
-    H    decisions in force: 1 or -1, the whole number of a floor, the place in a row; they lie in P
-    D    all decisions as they are now; for each its distance, the difference that is compared,
-         above 0 where it is as H says; and what rounding makes of the distance
+    H    decisions in force, in P: 1 or -1, the integer of a floor, the index in a row
+    D    current decisions; the distance of each, positive while H holds; its rounding error
 
-The gridded current, which is smooth, stays as it is.  Discontinuity locking: Cellier and
-Kofman, Continuous System Simulation, 2006, chapter 9.
+Source: Cellier and Kofman, Continuous System Simulation, 2006, chapter 9 (discontinuity locking).
 """
 
 from collections.abc import Callable, Sequence
@@ -45,10 +41,11 @@ class Port(NamedTuple):
 
 def operands(kind: str, name: str, arguments: tuple[Ref, ...]) -> tuple[Ref, ...]:
     """Return the arguments of an operation that a question is about."""
-    if kind == "atan2":  # which jumps where the first is 0 and the second below
+    if kind == "atan2":  # which jumps where its first argument is 0 and its second is negative
         return arguments[0], 0.0
     if name in COMPARED:
-        return arguments[0], arguments[1] if len(arguments) > 1 else 0.0
+        threshold = arguments[1] if len(arguments) > 1 else 0.0
+        return arguments[0], threshold
     return arguments if name in ("floordiv", "search") else arguments[-1:]
 
 
@@ -61,18 +58,26 @@ def _locked_value(kind: str, arguments: tuple[Ref, ...], outcomes: list[Ref], ad
         negative = add("where", outcomes[1], -1.0, 0.0)
         return add("where", outcome, 1.0, negative)
     if kind == "fabs":
-        return add("where", outcome, arguments[0], add("neg", arguments[0]))
+        negative = add("neg", arguments[0])
+        return add("where", outcome, arguments[0], negative)
     if kind == "mod":
-        beyond = add("sub", arguments[0], add("mul", arguments[1], outcome))
-        is_same_turn = add("eq", add("floordiv", *arguments), outcome)
-        return add("where", is_same_turn, add("mod", *arguments), beyond)
+        multiple = add("mul", arguments[1], outcome)
+        beyond = add("sub", arguments[0], multiple)
+        quotient = add("floordiv", *arguments)
+        is_same_turn = add("eq", quotient, outcome)
+        remainder = add("mod", *arguments)
+        return add("where", is_same_turn, remainder, beyond)
     if kind == "atan2":
         angle = add("atan2", *arguments)
         behind = add("lt", arguments[1], 0.0)
-        now = add("where", add("lt", arguments[0], 0.0), 1.0, 0.0)
-        turns = add("sub", now, add("where", outcome, 1.0, 0.0))
-        continued = add("add", angle, add("mul", turns, 2.0 * np.pi))
-        has_turned = add("and", behind, add("ne", turns, 0.0))
+        is_below = add("lt", arguments[0], 0.0)
+        now = add("where", is_below, 1.0, 0.0)
+        before = add("where", outcome, 1.0, 0.0)
+        turns = add("sub", now, before)
+        change = add("mul", turns, 2.0 * np.pi)
+        continued = add("add", angle, change)
+        is_other_turn = add("ne", turns, 0.0)
+        has_turned = add("and", behind, is_other_turn)
         return add("where", has_turned, continued, angle)
     if kind == "pick":
         return add("pick", arguments[0], outcome)
@@ -115,7 +120,8 @@ class Decisions:
             is_input = array == "P" and offset >= inputs
             if array == "X" or is_input or fed.intersection(refs):
                 fed.add(k)
-            moves = array in ("X", "t") or bool(moving.intersection(refs))
+            depends_on_moving = bool(moving.intersection(refs))
+            moves = array in ("X", "t") or depends_on_moving
             arguments = tuple(map(current, exact))
             if k in record.decided_by and moves:
                 self.timed |= k not in fed
@@ -123,15 +129,19 @@ class Decisions:
                 locked[k] = self._lock(k, arguments, fixed_decisions)
                 moves = kind not in (*COMPARED, *WHOLE, *PLACES, "sign")
             elif not locked.keys().isdisjoint(refs):
-                locked[k] = record.add(kind, arguments, shape, at, record.owners[k])
+                owner = record.owners[k]
+                locked[k] = record.add(kind, arguments, shape, at, owner)
             if moves:
                 moving.add(k)
         return [p._replace(ref=current(p.ref)) for p in rates]
 
     def distance_of(self, number: int) -> Ref:
-        """Return the distance of one number from its turn."""
-        port = next(p for p in self._true if p.first <= number < p.first + prod(p.shape))
-        return self.record.part(port.ref, number - port.first, ())
+        """Return the distance of a single decision from its switching point."""
+        for port in self._true:
+            offset = number - port.first
+            if 0 <= offset < prod(port.shape):
+                return self.record.part(port.ref, offset, ())
+        raise IndexError(number)
 
     def _lock(self, k: int, arguments: tuple[Ref, ...], fixed: Sequence[int]) -> Ref:
         """Note what an operation decides; return its locked value, of locked arguments."""
@@ -142,28 +152,34 @@ class Decisions:
         outcomes = list[Ref]()
 
         def add(kind: str, *refs: Ref, shape: Any = shape) -> Ref:
-            return record.add(kind, refs, shape, at if kind == "search" else None, owner)
+            side = at if kind == "search" else None
+            return record.add(kind, refs, shape, side, owner)
 
         for name in TABLE[kind].decisions:
+            number = self.count
+            size = prod(shape)
+            # the decision now, and its distance from the decision in force
             now = add(name, *operands(kind, name, exact))
             if name in COMPARED:
                 now = add("where", now, 1.0, -1.0)
-            H = record.load("P", self.grain + 1 + self.count, shape)
+            H = record.load("P", self.grain + 1 + number, shape)
             compared = operands(kind, name, arguments)
             distance, least = self._distance(name, compared, H, add)
-            self._true.append(Port(self.count, shape, long, distance))
-            numbers = np.arange(self.count, self.count + prod(shape))
+            self._true.append(Port(number, shape, long, distance))
+            # fixed decisions stay as they are
+            numbers = np.arange(number, number + size)
             stays = np.isin(numbers, fixed).astype(float)
             if stays.any():
                 mask = record.add("constant", (), shape, stays.tobytes()) if shape else 1.0
                 now = add("where", mask, H, now)
                 distance = add("where", mask, 1.0, distance)
-            self.now.append(Port(self.count, shape, long, now))
-            self.distances.append(Port(self.count, shape, long, distance))
-            self.least.append(Port(self.count, shape, long, least))
-            self.of.append((self.count, made_in))
-            self.count += prod(shape)
-            outcomes.append(add("gt", H, 0.0) if name in COMPARED else H)
+            self.now.append(Port(number, shape, long, now))
+            self.distances.append(Port(number, shape, long, distance))
+            self.least.append(Port(number, shape, long, least))
+            self.of.append((number, made_in))
+            self.count += size
+            outcome = add("gt", H, 0.0) if name in COMPARED else H
+            outcomes.append(outcome)
         return _locked_value(kind, arguments, outcomes, add)
 
     def _distance(self, name: str, of: tuple, H: Ref, add: Add) -> tuple[Ref, Ref]:
@@ -178,12 +194,14 @@ class Decisions:
         a = of[0]
         size = add("fabs", of[0])
         if name in COMPARED and of[1] != 0.0:
-            size = add("add", size, add("fabs", of[1]))
+            threshold_size = add("fabs", of[1])
+            size = add("add", size, threshold_size)
         least = self._rounding(size, add)
         if name in COMPARED:
             difference = add("sub", *of)
-            holds = add("neg", difference) if COMPARED[name] < 0 else difference
-            return add("mul", holds, H), least
+            if COMPARED[name] < 0:
+                difference = add("neg", difference)
+            return add("mul", difference, H), least
         low = H
         high = add("add", H, 1.0)
         if name in ("ceil", "trunc"):
@@ -191,46 +209,62 @@ class Decisions:
         if name == "ceil":
             high = H
         if name == "trunc":
-            low = add("where", add("gt", H, 0.0), H, low)
-            high = add("where", add("lt", H, 0.0), H, high)
+            is_positive = add("gt", H, 0.0)
+            low = add("where", is_positive, H, low)
+            is_negative = add("lt", H, 0.0)
+            high = add("where", is_negative, H, high)
         if name == "floordiv":
-            low = add("mul", low, of[1])
-            high = add("mul", high, of[1])
-            least = add("mul", least, add("fabs", of[1]))
-        return add("mul", add("sub", a, low), add("sub", high, a)), least
+            divisor = of[1]
+            low = add("mul", low, divisor)
+            high = add("mul", high, divisor)
+            divisor_size = add("fabs", divisor)
+            least = add("mul", least, divisor_size)
+        above_low = add("sub", a, low)
+        below_high = add("sub", high, a)
+        return add("mul", above_low, below_high), least
 
     def _distance_in_row(self, row: Ref, x: Ref, H: Ref, add: Add) -> tuple[Ref, Ref]:
         """Return the distance of a value from the ends of its segment in a sorted row."""
         points = np.frombuffer(self.record.entries[row].at)
-        below, above = (
-            self.record.add("constant", (), bounds.shape, bounds.tobytes())
-            for bounds in (np.append(points[:1], points), np.append(points, points[-1:]))
-        )
-        low = add("sub", x, add("pick", below, H))
-        high = add("sub", add("pick", above, H), x)
+        below = self._row(np.append(points[:1], points))
+        above = self._row(np.append(points, points[-1:]))
+        segment_start = add("pick", below, H)
+        low = add("sub", x, segment_start)
+        segment_end = add("pick", above, H)
+        high = add("sub", segment_end, x)
         # the segments at the ends of the row have one end
         inside = add("mul", low, high)
         is_last = add("ge", H, float(len(points)))
         is_first = add("lt", H, 1.0)
-        distance = add("where", is_first, high, add("where", is_last, low, inside))
+        not_first = add("where", is_last, low, inside)
+        distance = add("where", is_first, high, not_first)
         is_at_end = add("or", is_first, is_last)
-        width = add("where", is_at_end, 1.0, add("add", low, high))
-        least = self._rounding(add("fabs", x), add)
+        inside_width = add("add", low, high)
+        width = add("where", is_at_end, 1.0, inside_width)
+        size = add("fabs", x)
+        least = self._rounding(size, add)
         return distance, add("mul", least, width)
+
+    def _row(self, numbers: np.ndarray) -> Ref:
+        return self.record.add("constant", (), numbers.shape, numbers.tobytes())
 
     def _distance_of_least(self, row: Ref, H: Ref, add: Add) -> tuple[Ref, Ref]:
         """Return by how much the second least number of a row is above the least."""
         shape = self.record.shape_of(row)
-        numbers = np.arange(float(shape[0]))
-        positions = self.record.add("constant", (), shape, numbers.tobytes())
+        positions = self._row(np.arange(float(shape[0])))
         is_least = add("eq", positions, H, shape=shape)
         remaining = add("where", is_least, np.inf, row, shape=shape)
         least = add("pick", row, H)
-        second_least = add("pick", remaining, add("argmin", remaining))
-        size = add("add", add("fabs", least), add("fabs", second_least))
+        index = add("argmin", remaining)
+        second_least = add("pick", remaining, index)
+        least_size = add("fabs", least)
+        second_size = add("fabs", second_least)
+        size = add("add", least_size, second_size)
         rounding = self._rounding(size, add)
         return add("sub", second_least, least), rounding
 
     def _rounding(self, size: Ref, add: Add) -> Ref:
         """Return the rounding of a difference of numbers of a size."""
-        return add("add", add("mul", size, ROUNDING), self.record.load("P", self.grain, ()))
+        relative = add("mul", size, ROUNDING)
+        grain = self.record.load("P", self.grain, ())
+        return add("add", relative, grain)
