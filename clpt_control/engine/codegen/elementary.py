@@ -1,18 +1,15 @@
 """Elementary functions of machine code: exp, log, sin, remainders, choices.
 
-Each function is written in NumPy and traced like any other function; the result is a record of the
-primitives in `vectors`.  Functions are polynomials and the bits of a double:
+Each function is written in NumPy and traced into the primitives of `vectors`:
 
     exp(x) = 2^k exp(r),        k = round(x / ln 2), |r| <= ln(2)/2
     log(x) = k ln 2 + log(m),   x = 2^k m, m in [sqrt(1/2), sqrt(2)]
     sin, cos: x = n pi + r,     |r| <= pi/2
 
-The coefficients interpolate (exp(r) - 1 - r)/r^2, with s = (m-1)/(m+1) (log(m)/s - 2)/s^2, and
-(sin(r)/r - 1)/r^2 and (atan(r)/r - 1)/r^2 in r^2, at Chebyshev nodes, computed with 60 digits; what
-the polynomials leave out is below 2e-17.  ln 2 is subtracted in two parts, pi in three (Cody and
-Waite) with fused multiply-add.  sin and cos are within 2.3e-16 of the true value, relative, for
-|x| <= 1e5 and within 5e-15 for |x| < 2^50, where doubles are a quarter of a radian apart.  Beyond
-it an angle means nothing and gives NaN, in every reading.
+The polynomials interpolate at Chebyshev nodes, with an error below 2e-17: (exp(r) - 1 - r)/r^2,
+(log(m)/s - 2)/s^2 with s = (m-1)/(m+1), (sin(r)/r - 1)/r^2 and (atan(r)/r - 1)/r^2.  ln 2 is
+subtracted in two parts, pi in three (Cody and Waite).  The relative error of sin and cos is at most
+2.3e-16 for |x| <= 1e5 and 5e-15 for |x| < 2^50.  Larger angles give NaN.
 """
 
 from collections.abc import Callable
@@ -72,8 +69,9 @@ def _exp_less_one(r):
     c2 = fma(r, 0.00019841269863171557, 0.0013888888917367081)
     c3 = fma(r, 2.7557268276905696e-06, 2.4801521057868204e-05)
     c4 = fma(r, 2.5100472505694996e-08, 2.7620201591031547e-07)
-    late = fma(y, c4, fma(z, c3, c2))
-    return fma(z, fma(y, late, fma(z, c1, c0)), r)
+    high = fma(y, c4, fma(z, c3, c2))
+    low = fma(z, c1, c0)
+    return fma(z, fma(y, high, low), r)
 
 
 def exp(a):
@@ -85,12 +83,16 @@ def exp(a):
     return where(a > 710.0, inf, where(a < -746.0, 0.0, value))
 
 
+def _clipped(a, low, high):
+    return where(a > high, high, where(a < low, low, a))
+
+
 def expm1(a):
     """Return e^a - 1, accurate near 0."""
-    inside = where(a > 710.0, 710.0, where(a < -746.0, -746.0, a))
+    inside = _clipped(a, -746.0, 710.0)
     k = (inside * LOG2_E + MAGIC) - MAGIC  # the nearest whole number
     r = fma(-k, LN2_LOW, fma(-k, LN2, inside))
-    k = where(k > 1023.0, 1023.0, where(k < -60.0, -60.0, k))
+    k = _clipped(k, -60.0, 1023.0)
     scale = power_of_two(k)
     value = fma(scale, _exp_less_one(r), scale - 1.0)
     return where(a > 709.0, exp(a), where(a < -40.0, -1.0, where(a == 0.0, a, value)))
@@ -100,7 +102,8 @@ def _split_log(a):
     """Return (k, log m), the latter in two parts, of a > 0."""
     small = a < TINY
     a = where(small, a * 18014398509481984.0, a)  # into the normal numbers
-    k = elementwise("exponent", a) - float(2**52 + 1023) + where(small, -54.0, 0.0)
+    exponent = elementwise("exponent", a) - float(2**52 + 1023)
+    k = exponent + where(small, -54.0, 0.0)
     m = elementwise("fraction", a)
     f = m - 1.0
     s = f / (2.0 + f)
@@ -121,7 +124,9 @@ def _where_log_is(a, value):
 def log(a):
     """Return the natural logarithm."""
     k, f, less = _split_log(a)
-    return _where_log_is(a, fma(k, LN2, f - fma(-k, LN2_LOW, less)))
+    low = f - fma(-k, LN2_LOW, less)
+    value = fma(k, LN2, low)
+    return _where_log_is(a, value)
 
 
 def _precise_log(a):
@@ -129,7 +134,8 @@ def _precise_log(a):
     k, f, less = _split_log(a)
     multiple = k * LN2
     high = multiple + f
-    dropped = where(k == 0.0, 0.0, f - (high - multiple)) + fma(k, LN2, -multiple)
+    sum_error = where(k == 0.0, 0.0, f - (high - multiple))
+    dropped = sum_error + fma(k, LN2, -multiple)
     less = fma(-k, LN2_LOW, less) - dropped
     value = high - less
     return _where_log_is(a, value), (high - value) - less
@@ -145,11 +151,14 @@ def power(a, b):
     value = where(abs(low) < 1.0, fma(value, low, value), value)
     value = where(abs(value) < inf, value, exp(high))
     is_whole = round_down(b) == b
-    is_odd = is_whole & (abs(b) < 4503599627370496.0) & (round_down(0.5 * b) != 0.5 * b)
-    value = where((size == 1.0) & (abs(b) == inf), 1.0, value)
+    is_exact = is_whole & (abs(b) < 4503599627370496.0)
+    is_odd = is_exact & (round_down(0.5 * b) != 0.5 * b)
+    is_one = (size == 1.0) & (abs(b) == inf)
+    value = where(is_one, 1.0, value)
     value = where(is_odd, copysign(value, a), value)
     negative = (a < 0.0) & (size < inf) & ~is_whole
-    return where((b == 0.0) | (a == 1.0), 1.0, where(negative, nan, value))
+    always_one = (b == 0.0) | (a == 1.0)
+    return where(always_one, 1.0, where(negative, nan, value))
 
 
 def tanh(a):
@@ -169,8 +178,10 @@ def hypot(a, b):
     down = power_of_two(where(large > 1e150, 600.0, where(large < 1e-150, -600.0, 0.0)))
     a_scaled = a * up
     b_scaled = b * up
-    value = np.sqrt(fma(a_scaled, a_scaled, b_scaled * b_scaled)) * down
-    return where((a == inf) | (b == inf), inf, value)
+    square = fma(a_scaled, a_scaled, b_scaled * b_scaled)
+    value = np.sqrt(square) * down
+    is_infinite = (a == inf) | (b == inf)
+    return where(is_infinite, inf, value)
 
 
 # --- circular functions ---------------------------------------------------------------------
@@ -232,7 +243,8 @@ def atan2(b, a):
     low = where(steep, HALF_PI_MIDDLE, where(middle, 0.5 * HALF_PI_MIDDLE, 0.0))
     ratio = rise / run
     corner = (rise_size == inf) & (run_size == inf)
-    ratio = where(corner | ((rise_size == 0.0) & (run_size == 0.0)), 0.0, ratio)
+    origin = (rise_size == 0.0) & (run_size == 0.0)
+    ratio = where(corner | origin, 0.0, ratio)
     base = where(corner, 0.5 * HALF_PI, base)
     z = ratio * ratio
     q = _polynomial(z, ATAN)
@@ -241,7 +253,8 @@ def atan2(b, a):
     base = where(is_left, 2.0 * HALF_PI - base, base)
     low = where(is_left, 2.0 * HALF_PI_MIDDLE - low, low)
     ratio = where(is_left, -ratio, ratio)
-    angle = base + (ratio + fma(z * ratio, q, low))
+    remainder_of_angle = ratio + fma(z * ratio, q, low)
+    angle = base + remainder_of_angle
     return copysign(angle, b)
 
 
@@ -274,7 +287,8 @@ def quotient(a, b):
     """Return a // b."""
     rest_of_a = elementwise("rem", a, b)
     ratio = (a - rest_of_a) / b
-    ratio = where((rest_of_a != 0.0) & opposite_signs(rest_of_a, b), ratio - 1.0, ratio)
+    is_above = (rest_of_a != 0.0) & opposite_signs(rest_of_a, b)
+    ratio = where(is_above, ratio - 1.0, ratio)
     result = round_down(ratio)
     result = where(ratio - result > 0.5, result + 1.0, result)
     result = where(ratio == 0.0, copysign(0.0, a / b), result)
@@ -283,7 +297,9 @@ def quotient(a, b):
 
 def opposite_signs(a, b):
     """Return whether one of two numbers is below zero and the other is not."""
-    return ((a < 0.0) | (b < 0.0)) & ~((a < 0.0) & (b < 0.0))
+    any_negative = (a < 0.0) | (b < 0.0)
+    both_negative = (a < 0.0) & (b < 0.0)
+    return any_negative & ~both_negative
 
 
 def minimum(a, b):
@@ -301,17 +317,19 @@ def sign(a):
     return where(a > 0.0, 1.0, where(a < 0.0, -1.0, 0.0 * a)) + 0.0
 
 
-def place(index, count):
-    """Return the whole number of a place in a row of `count`, -1 where there is no such place."""
+def position_in_row(index, count):
+    """Return the position of an index in a row of `count` numbers; -1 outside."""
     position = round_to_zero(index)
     position = where(position < 0.0, position + count, position)
-    return where((position >= 0.0) & (position < count), position, -1.0)
+    is_inside = (position >= 0.0) & (position < count)
+    return where(is_inside, position, -1.0)
 
 
 FUNCTIONS: dict[str, Callable[..., Any]] = {
     **{function.__name__: function for function in (exp, expm1, log, tanh, hypot)},
     **{function.__name__: function for function in (sin, cos, tan, asin, acos, atan, atan2)},
-    **{function.__name__: function for function in (minimum, maximum, sign, place)},
+    **{function.__name__: function for function in (minimum, maximum, sign)},
+    "place": position_in_row,
     "pow": power,
     "mod": remainder,
     "floordiv": quotient,

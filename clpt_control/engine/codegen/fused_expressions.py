@@ -1,11 +1,12 @@
-"""Elements of a diagram's arrays: one for each place of a short axis, one for all of a long one.
+"""Fused expressions: the scalar operations of a diagram, with long axes as loops.
 
     add(load X[4 + k], load P[9 + k])        one component, of the axis k of length 50
 
-A component is an operation, its arguments and the lengths of its axes; equal components are one.
-An argument is a constant or (component, axes).  `axes` says which axis of the new component each
-axis of the old one is; `BOUND` is the axis of a sum.  While components are made, an axis is a
-symbol (length, number) and an index is (symbol, start, step).
+A component is an operation, its arguments and the lengths of its axes.  A short axis of an array is
+unrolled: each of its elements is a component.  A long axis becomes an axis of a single component.
+Equal components are stored once.  An argument is a constant or (component, axes): `axes` has the
+number of each of its axes in the new component, or `BOUND` for the axis of a sum.  During
+construction an axis is a symbol (length, number) and an index is (symbol, start, step).
 """
 
 from collections.abc import Callable, Iterable, Iterator
@@ -83,8 +84,9 @@ class Components(Elements):
     def add(self, name: str, *values: Value, bound: Symbol | None = None) -> Value:
         """Return the component of an operation."""
         computed = [value for value in values if type(value) is tuple]
-        axes = [symbol for _, own_axes in computed for symbol in own_axes if symbol != bound]
-        symbols = tuple(dict.fromkeys(axes))
+        axes = [symbol for _, symbols in computed for symbol in symbols]
+        free_axes = [symbol for symbol in axes if symbol != bound]
+        symbols = tuple(dict.fromkeys(free_axes))
         axis_numbers: dict[Any, int] = {symbol: k for k, symbol in enumerate(symbols)}
         axis_numbers[bound] = BOUND
         arguments = [with_axes(value, axis_numbers) for value in values]
@@ -92,10 +94,12 @@ class Components(Elements):
             arguments.append(bound[0])
         steady = all(self.steady[component] for component, _ in computed)
         lengths = tuple([length for length, _ in symbols])
-        return self._index_of(Component(name, tuple(arguments), lengths), steady), symbols
+        component = Component(name, tuple(arguments), lengths)
+        return self._index_of(component, steady), symbols
 
     def _index_of(self, component: Component, steady: bool) -> int:
-        signs = tuple([copysign(1.0, a) for a in component.arguments if type(a) is float])
+        constants = [a for a in component.arguments if type(a) is float]
+        signs = tuple([copysign(1.0, a) for a in constants])
         key = component, signs
         if key not in self._indices:
             self._indices[key] = len(self.all)
@@ -160,8 +164,12 @@ class Components(Elements):
         return super()._element(ref, index)
 
     def _summed(self, ref: Ref, index: tuple, axis: int, count: int, long: bool) -> Value:
+        before = index[:axis]
+        after = index[axis:]
+
         def summand(i: Index) -> Value:
-            return self.as_number(self.at(ref, (*index[:axis], i, *index[axis:])))
+            value = self.at(ref, (*before, i, *after))
+            return self.as_number(value)
 
         if long:
             used = [i[0] for i in index if type(i) is tuple]
@@ -196,7 +204,8 @@ class Components(Elements):
     def _row(self, table: Ref) -> Value:
         """Return the component of a row of numbers that lies in an array."""
         count = self.record.shape_of(table)[0]
-        value = self.at(table, (((count, 0), 0, 1),))
+        symbol = count, 0
+        value = self.at(table, ((symbol, 0, 1),))
         if self.operation(value)[0] == "load":
             array, offset, strides, buffer = self.all[value[0]].arguments
             stride = sum(strides)
@@ -238,19 +247,22 @@ class Components(Elements):
             return self.add("div", a, b)
         if type(b) is float and b != 0.0:
             return self.add("mul", a, 1.0 / b)
-        return self.add("mul", a, self.add("div", 1.0, b))
+        inverse = self.add("div", 1.0, b)
+        return self.add("mul", a, inverse)
 
     def as_number(self, value: Value) -> Value:
         """Return a truth value as 1 or 0, a number as it is."""
-        if type(value) is float or self.all[value[0]].name not in CONDITIONS:
-            return value
-        return self.add("where", value, 1.0, 0.0)
+        return self.add("where", value, 1.0, 0.0) if self._is_truth(value) else value
 
     def truth(self, value: Value) -> Value:
         """Return whether a number is not zero; a truth value as it is."""
-        if type(value) is tuple and self.all[value[0]].name in CONDITIONS:
-            return value
-        return self.add("ne", value, 0.0)
+        return value if self._is_truth(value) else self.add("ne", value, 0.0)
+
+    def _is_truth(self, value: Value) -> bool:
+        if type(value) is float:
+            return False
+        component, _ = value
+        return self.all[component].name in CONDITIONS
 
     def is_steady(self, value: Value) -> bool:
         """Return whether a value depends on parameters alone, and is prepared."""
@@ -295,7 +307,8 @@ class Components(Elements):
         start = self.room
         self.buffers[number] = []
         self.room += size
-        writes = self.writes([Port(start, entry.shape, looped, ref)], array)
+        port = Port(start, entry.shape, looped, ref)
+        writes = self.writes([port], array)
         if all(self.is_steady(w.value) for w in writes):
             array = "P"
             shift = self.prepared - start
@@ -312,7 +325,8 @@ class Components(Elements):
 
         `element` makes the elements, by default `at`.
         """
-        return [write for p in ports for write in self._writes(p, array, element or self.at)]
+        element = element or self.at
+        return [write for port in ports for write in self._writes(port, array, element)]
 
     def _writes(self, port: Port, array: str, element: Element) -> Iterator[Write]:
         offset, shape, long, ref = port
@@ -324,18 +338,24 @@ class Components(Elements):
                 if entry.kind == "join":
                     lengths = (self.record.shape_of(section)[0], *lengths)
                     axes = long
-                yield from self._writes(Port(offset, lengths, axes, section), array, element)
+                inner = Port(offset, lengths, axes, section)
+                yield from self._writes(inner, array, element)
                 offset += prod(lengths)
             return
         loops = count()
-        indices = [
-            [((n, next(loops)), 0, 1)] if looped else range(n)
-            for n, looped in zip(shape, long, strict=True)
-        ]
+        indices: list[Iterable[Index]] = []
+        for length, looped in zip(shape, long, strict=True):
+            if looped:
+                symbol = length, next(loops)
+                indices.append([(symbol, 0, 1)])
+            else:
+                indices.append(range(length))
         for index in product(*indices):
-            start, strides = _strides(offset, zip(index, row_strides(shape), strict=True))
+            terms = zip(index, row_strides(shape), strict=True)
+            start, strides = _strides(offset, terms)
             loop_numbers = {symbol: k for k, symbol in enumerate(strides)}  # outermost first
-            value = with_axes(self.as_number(element(ref, index)), loop_numbers)
+            number = self.as_number(element(ref, index))
+            value = with_axes(number, loop_numbers)
             lengths = tuple([length for length, _ in strides])
             yield Write(array, start, tuple(strides.values()), lengths, value)
 
@@ -357,8 +377,8 @@ def with_axes(value: Value, axes: Any) -> Value:
     """Return a value with other names of its axes; a constant as it is."""
     if type(value) is not tuple:
         return value
-    component, own_axes = value
-    return component, tuple([axes[axis] for axis in own_axes])
+    component, old_axes = value
+    return component, tuple([axes[axis] for axis in old_axes])
 
 
 def row_strides(lengths: tuple[int, ...]) -> tuple[int, ...]:

@@ -80,8 +80,9 @@ class LoopPrinter(ABC):
     def print_nest(self, nest: Nest) -> None:
         """Print a nest of loops, or statements outside all loops."""
         self.current_nest = nest
-        self.indices: list[Any] = [None] * len(nest.lengths)
-        self.scopes = [{} for _ in range(len(nest.lengths) + 1)]
+        depth = len(nest.lengths)
+        self.indices: list[Any] = [None] * depth
+        self.scopes = [{} for _ in range(depth + 1)]
         self.print_level(0, [])
         for item in nest.items:
             if item.saves >= 0 and item.strides:
@@ -101,7 +102,8 @@ class LoopPrinter(ABC):
 
         is_innermost = depth + 1 == len(lengths)
         totals = [item for item in self.current_nest.items if item.summed and is_innermost]
-        for total, value in zip(totals, self.print_loop(depth, body, totals), strict=True):
+        values = self.print_loop(depth, body, totals)
+        for total, value in zip(totals, values, strict=True):
             if depth:
                 self.write(value, total)
             else:
@@ -118,7 +120,8 @@ class LoopPrinter(ABC):
         new_sums = []
         for item, value in zip(items, values, strict=True):
             if item.summed:
-                new_sums.append(self.add(next(totals), value))
+                total = self.add(next(totals), value)
+                new_sums.append(total)
             else:
                 self.write(value, item)
         return new_sums
@@ -131,14 +134,16 @@ class LoopPrinter(ABC):
 
     def terms(self, loops: Iterable[int], strides: tuple[int, ...]) -> list[tuple[Any, int]]:
         """Return index and stride of each loop."""
-        return [(self.indices[loop], s) for loop, s in zip(loops, strides, strict=True)]
+        indices = [self.indices[loop] for loop in loops]
+        return list(zip(indices, strides, strict=True))
 
     def argument(self, argument: Any, loops: tuple[int, ...], vectorized: bool) -> Any:
         """Return an argument: a constant or a computed value."""
         if type(argument) is not tuple:
             return self.number(argument, vectorized)
         component, axes = argument
-        return self.value(component, tuple([loops[k] for k in axes]), vectorized)
+        component_loops = tuple([loops[k] for k in axes])
+        return self.value(component, component_loops, vectorized)
 
     def value(self, component: int, loops: tuple[int, ...], vectorized: bool = False) -> Any:
         """Return the value of a component; print it if it is new."""
@@ -146,7 +151,8 @@ class LoopPrinter(ABC):
         depth = max(loops, default=-1) + 1
         scope = self.scopes[depth] if depth or vectorized else self.outside
         if key not in scope:
-            scope[key] = self.insert(depth, key, self.printer(*key))
+            printer = self.printer(*key)
+            scope[key] = self.insert(depth, key, printer)
         return scope[key]
 
     def printer(self, component: int, loops: tuple[int, ...], vectorized: bool) -> Callable:
@@ -166,7 +172,8 @@ class LoopPrinter(ABC):
         ]
         if row_position is None:
             return lambda: self.operation(name, loops, values)
-        row = self.components[arguments[row_position][0]].arguments[:4]
+        table, _ = arguments[row_position]
+        row = self.components[table].arguments[:4]
         return lambda: self.row_operation(name, row, values)
 
     def location(self, component: int) -> Location | None:

@@ -1,10 +1,10 @@
-"""Sums that meet at a wire are merged into one sum, in which terms of different blocks may cancel.
+"""Merged sums of a diagram: terms of different blocks cancel where their signals are added.
 
     alpha_M phi(z) of Eq. (4), - alpha phi(z) of Eq. (6), - (alpha_M - alpha) phi(z) of Eq. (20)
 
-These three cancel, so phi(z) is not computed.  Within the function of one block all stays as its
-author wrote it: terms cancel only if they come from different blocks, and a coefficient in which
-nothing cancels is left as it is.
+These three cancel, so phi(z) is not computed.  The function of a single block is computed as its
+author wrote it: terms cancel only if they come from different blocks, and a coefficient without
+cancelled terms does not change.
 """
 
 from typing import Any
@@ -34,11 +34,16 @@ class MergedSums:
         terms: list[Signed] = []
         for count, summands in sums.items():
             symbol = (count, 0)
-            if len({owner for _, owner, _ in summands}) > 1 and len(summands) < MOST:
-                if (body := self.body(summands)) is not None:
-                    terms.append((True, -1, self.components.total(body, symbol)))
+            owners = {owner for _, owner, _ in summands}
+            if len(owners) > 1 and len(summands) < MOST:
+                body = self.body(summands)
+                if body is not None:
+                    total = self.components.total(body, symbol)
+                    terms.append((True, -1, total))
             else:
-                terms += [(s, owner, self.components.total(v, symbol)) for s, owner, v in summands]
+                for plus, owner, value in summands:
+                    total = self.components.total(value, symbol)
+                    terms.append((plus, owner, total))
         merged = self.added(unsummed + terms)  # sums are known last
         return merged if self.work(merged) < self.work(plain) else plain
 
@@ -52,11 +57,12 @@ class MergedSums:
             return
         components = self.components
         trimmed = components.trimmed(ref, index)
-        if (source := components.source(ref, trimmed)) is not None:
+        source = components.source(ref, trimmed)
+        if source is not None:
             self.terms(plus, *source, unsummed, sums)
             return
-        (kind, arguments, _, at), record = components.operations[ref], components.record
-        owner = record.owners.get(ref, WIRE)
+        kind, arguments, _, at = components.operations[ref]
+        owner = components.record.owners.get(ref, WIRE)
         if kind in ("add", "sub"):
             self.terms(plus, arguments[0], trimmed, unsummed, sums)
             self.terms(plus == (kind == "add"), arguments[1], trimmed, unsummed, sums)
@@ -64,9 +70,9 @@ class MergedSums:
             self.terms(not plus, arguments[0], trimmed, unsummed, sums)
         elif kind == "sum" and at[2]:
             axis, count, _ = at
-            body = components.at(
-                arguments[0], (*trimmed[:axis], ((count, 0), 0, 1), *trimmed[axis:])
-            )
+            symbol = count, 0
+            summed_index = (*trimmed[:axis], (symbol, 0, 1), *trimmed[axis:])
+            body = components.at(arguments[0], summed_index)
             sums.setdefault(count, []).append((plus, owner, body))
         else:
             unsummed.append((plus, owner, components.at(ref, trimmed)))
@@ -87,7 +93,9 @@ class MergedSums:
             if remaining == [(True, coefficients[0][1], 1.0)]:
                 terms.append((True, -1, heavy))
             elif remaining:
-                terms.append((True, -1, self.components.add("mul", self.added(remaining), heavy)))
+                coefficient = self.added(remaining)
+                product = self.components.add("mul", coefficient, heavy)
+                terms.append((True, -1, product))
         return self.added(terms) if terms else None
 
     def split(self, plus: bool, value: Value, factors: list[Value]) -> bool:
@@ -107,9 +115,8 @@ class MergedSums:
         for i, terms in enumerate(term_lists):
             for j, earlier_terms in enumerate(term_lists[:i]):
                 for plus, owner, value in list(terms):
-                    opposite = next(
-                        (o for o in earlier_terms if o[2] == value and o[0] != plus), None
-                    )
+                    opposites = (o for o in earlier_terms if o[2] == value and o[0] != plus)
+                    opposite = next(opposites, None)
                     if opposite is not None and opposite[1] != owner:
                         terms.remove((plus, owner, value))
                         earlier_terms.remove(opposite)
@@ -126,9 +133,9 @@ class MergedSums:
             return [(plus, owner, value)]
         if name == "neg":
             return self.signed_terms(not plus, owner, values[0])
-        return self.signed_terms(plus, owner, values[0]) + self.signed_terms(
-            plus == (name == "add"), owner, values[1]
-        )
+        left = self.signed_terms(plus, owner, values[0])
+        right_plus = plus == (name == "add")
+        return left + self.signed_terms(right_plus, owner, values[1])
 
     def added(self, terms: list[Signed]) -> Value:
         """Return a sum of terms."""
@@ -136,8 +143,9 @@ class MergedSums:
         for plus, _, value in terms:
             if total is None:
                 total = value if plus else self.components.add("neg", value)
-            else:
-                total = self.components.add("add" if plus else "sub", total, value)
+                continue
+            operation = "add" if plus else "sub"
+            total = self.components.add(operation, total, value)
         return 0.0 if total is None else total
 
     def work(self, value: Value) -> int:
@@ -152,7 +160,8 @@ class MergedSums:
             counted.add(c)
             name, arguments, lengths = self.components.all[c]
             if name not in ("load", "table"):
-                times = HEAVY if name in LONG else 1
-                cost += times * (8 if lengths or name == "sum" else 1)
+                factor = HEAVY if name in LONG else 1
+                iterations = 8 if lengths or name == "sum" else 1
+                cost += factor * iterations
                 stack += [a[0] for a in arguments if type(a) is tuple]
         return cost

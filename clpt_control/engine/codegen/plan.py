@@ -1,9 +1,9 @@
-"""The order in which a diagram's components are computed: what is prepared, and loops by level.
+"""Order of computation of a program: prepared values first, then loops by level.
 
 The level of a component is the number of nested sums before it.  All components of one level with
-axes of one length share a loop, across blocks; nests of two axes follow, and so on.  What depends
-on parameters alone is computed once a piece of time (`prepare`), at the end of P.  What every
-iteration of a nest reads, and what later levels read, is saved in W.
+axes of one length share a loop, across blocks; nests of two axes follow, and so on.  Components
+that depend on parameters alone are computed once per time segment (`prepare`) and stored at the end
+of P.  Values that every iteration of a nest reads, or that later levels read, are stored in W.
 """
 
 from itertools import groupby
@@ -79,20 +79,16 @@ class Planner:
         self.preparing = True
         functions["prepare"] = self.nests(self.preparation)
         constants = tuple(components.constants)
-        sizes = (components.prepared, components.room, decisions.count)
-        decision_facts = (
-            tuple(decisions.of),
-            decisions.timed,
-            np.concatenate([NO_TABLES, *components.tables]),
-        )
-        return Program(
-            tuple(self.all), functions, self.prepared, constants, *sizes, *decision_facts
-        )
+        sizes = components.prepared, components.room, decisions.count
+        tables = np.concatenate([NO_TABLES, *components.tables])
+        decision_facts = tuple(decisions.of), decisions.timed, tables
+        operations = tuple(self.all)
+        return Program(operations, functions, self.prepared, constants, *sizes, *decision_facts)
 
     # --- what is prepared -----------------------------------------------------------------
 
     def is_prepared(self, c: int) -> bool:
-        """Return whether a component is read from P: of parameters alone, and worth a place."""
+        """Return whether a component is read from P: of parameters alone, and costly enough."""
         if self.preparing or not self.components.steady[c]:
             return False
         name, arguments, lengths = self.all[c]
@@ -130,14 +126,20 @@ class Planner:
                     write(filling)
                 else:
                     self.preparation += filling
-            if self.is_prepared(c) and c not in self.prepared:  # it finds a place in P
-                lengths = self.all[c].lengths
-                offset = self.prepared[c] = self.components.prepared
-                self.components.prepared += prod(lengths)
-                item = Write("P", offset, row_strides(lengths), lengths, whole_value(c, lengths))
-                self.preparation.append(item)
+            if self.is_prepared(c) and c not in self.prepared:
+                self._prepare(c)
             stack += [a for a, _ in self.arguments(c)]
         return live, every
+
+    def _prepare(self, c: int) -> None:
+        """Plan the write of a component into the next free numbers of P."""
+        lengths = self.all[c].lengths
+        offset = self.components.prepared
+        self.prepared[c] = offset
+        self.components.prepared += prod(lengths)
+        value = whole_value(c, lengths)
+        item = Write("P", offset, row_strides(lengths), lengths, value)
+        self.preparation.append(item)
 
     # --- levels ---------------------------------------------------------------------------
 
@@ -150,28 +152,33 @@ class Planner:
             if type(value) is not tuple:
                 return 0
             c = value[0]
-            return level[c] + (self.all[c].name == "sum" and not self.is_prepared(c))
+            is_summed = self.all[c].name == "sum" and not self.is_prepared(c)
+            return level[c] + is_summed
 
         for c in sorted(live):
             levels = [ready(a) for a in self.arguments(c)]
-            if (buffer := self.buffer(c)) >= 0 and self.fills(buffer):
+            buffer = self.buffer(c)
+            if buffer >= 0 and self.fills(buffer):
                 levels += [1 + ready(w.value) for w in self.components.buffers[buffer]]
             level[c] = max(levels, default=0)
         items = [(ready(w.value), w) for w in dict.fromkeys(writes)]
+        components = self.components
         for c in self.saved(live, level):
             name, arguments, lengths = self.all[c]
-            components = self.components
             strides = row_strides(lengths)
-            item = Write("W", components.room, strides, lengths, whole_value(c, lengths), c)
+            value = whole_value(c, lengths)
+            item = Write("W", components.room, strides, lengths, value, c)
             if name == "sum":
                 (value, axes), count = arguments  # the summed axis is the innermost
                 loops = tuple(len(lengths) if k == BOUND else k for k in axes)
                 item = item._replace(lengths=(*lengths, count), value=(value, loops), summed=True)
             items.append((level[c], item))
-            components.room += prod(lengths) if lengths else 0  # one number is not written
+            if lengths:  # a single number is not written
+                components.room += prod(lengths)
 
         def key(item: tuple[int, Write]) -> tuple:
-            return item[0], len(item[1].lengths), item[1].lengths, self.vector(item[1])
+            item_level, write = item
+            return item_level, len(write.lengths), write.lengths, self.vector(write)
 
         items.sort(key=key)
         return tuple(
@@ -232,12 +239,11 @@ def program_of(record: DiagramRecord, room: int, prepared: int) -> Program:
     """
     decisions = record.decisions
     count = record.decisions.count
-    components = Components(record, room, prepared + (1 + count if count else 0))
-    behind = [  # what is written behind the decisions
-        port._replace(first=port.first + k * count)
-        for k, ports in enumerate((decisions.distances, decisions.least), start=1)
-        for port in ports
-    ]
+    first_prepared = prepared + 1 + count if count else prepared
+    components = Components(record, room, first_prepared)
+    # behind the decisions D has their distances, then the rounding errors of these
+    behind = [port._replace(first=port.first + count) for port in decisions.distances]
+    behind += [port._replace(first=port.first + 2 * count) for port in decisions.least]
     with deep():
         writes = {
             "derivative": components.writes(record.rates, "D", MergedSums(components).element),
@@ -252,5 +258,6 @@ def program_of(record: DiagramRecord, room: int, prepared: int) -> Program:
 def _least(components: Components) -> Write:
     least: Any = inf
     for margin in components.record.margins:
-        least = components.add("minimum", least, components.at(margin, ()))
+        value = components.at(margin, ())
+        least = components.add("minimum", least, value)
     return Write("D", 0, (), (), least)
