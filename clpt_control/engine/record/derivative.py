@@ -1,11 +1,11 @@
-"""The derivative reading of a record: forward along a direction, on the record itself.
+"""Derivative of a record: forward mode along a direction, written on the same tape.
 
     (f(a))' = sum over arguments of df/da a'
 
-The tape grows by what the derivative takes, so it is a record as any other: V' along the rates, a
-column of a Jacobian, a sensitivity.  Where a and b tie, minimum(a, b), maximum(a, b) and |a| have
-the slope of one side.  What jumps (`where`, floor, sign, a place in a table) has a slope of its own
-on each side, and none across: a direction that reaches its condition is refused if `smooth`.
+The derivative is a record like any other: V' along the rates, a column of a Jacobian, a
+sensitivity.  Where a and b are equal, minimum(a, b), maximum(a, b) and |a| have the slope of one
+side.  Operations that jump (`where`, floor, sign, an index in a table) have a slope on each side
+and none across: if `smooth`, a direction that reaches their condition is refused.
 """
 
 from collections.abc import Mapping
@@ -33,10 +33,7 @@ def _chosen(condition: Any, a: Any, b: Any) -> Any:
 
 
 class Direction:
-    """Derivatives along a direction: leaf -> its derivative, an array or a number.
-
-    What is not named does not change.
-    """
+    """Derivatives along a direction, given for each leaf that changes: an array or a number."""
 
     def __init__(self, tape: Tape, slopes: Mapping[int, Any], smooth: bool = False):
         self.tape = tape
@@ -48,7 +45,8 @@ class Direction:
         ref = operand(value)
         if type(ref) is float:
             return 0.0
-        for k in sorted(reached(self.tape.operations, [ref]) - self.known.keys()):
+        new = reached(self.tape.operations, [ref]) - self.known.keys()
+        for k in sorted(new):
             self.known[k] = self._slope(k)
         slope = self.known[ref]
         if slope is None:
@@ -70,11 +68,11 @@ class Direction:
             numbers = [np.float64(v) if type(v) is float else v for v in values]
             result = self.tape.value(k)
             with np.errstate(all="ignore"):  # of a path that may not be taken
-                terms = [
-                    _times(derivative(*numbers, result), slope)
-                    for derivative, slope in zip(row.slopes, slopes, strict=True)
-                    if slope is not None
-                ]
+                terms = []
+                for derivative, slope in zip(row.slopes, slopes, strict=True):
+                    if slope is not None:
+                        factor = derivative(*numbers, result)
+                        terms.append(_times(factor, slope))
             return reduce(add, terms)
         if row.chosen:
             return _chosen(row.chosen(*values), *slopes)

@@ -1,4 +1,4 @@
-"""The record of a function: what it does to arrays, in single assignment.
+"""Record of a function: its array operations, in single assignment.
 
     v0 = leaf t                 ()
     v1 = leaf x.alpha           (2, N)
@@ -7,8 +7,8 @@
     v4 = sum(v3, axis 0)        ()
 
 An operation has a kind, arguments, the shape of its value and further attributes, `at`.
-An argument is a value (int: its place in the list) or a constant (float).  An axis is as long
-as a number says, or as a name: ``"N"`` is a size that the record leaves open.
+An argument is a value (int: its index in the list) or a constant (float).  The length of an axis is
+a number, or the name of an open size, ``"N"``.
 
 | kind | arguments | `at` |
 |---|---|---|
@@ -69,8 +69,12 @@ class Record:
 
     @cached_property
     def _key(self) -> tuple:
-        lines = [(o.kind, tuple(map(key_of, o.arguments)), o.shape, o.at) for o in self.operations]
-        return tuple(lines), tuple(map(key_of, self.outputs)), self.shapes
+        lines = []
+        for operation in self.operations:
+            argument_keys = tuple(map(key_of, operation.arguments))
+            lines.append(operation._replace(arguments=argument_keys))
+        output_keys = tuple(map(key_of, self.outputs))
+        return tuple(lines), output_keys, self.shapes
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Record) and self._key == other._key
@@ -80,12 +84,17 @@ class Record:
 
     def leaves(self, group: str) -> list[str]:
         """Return the names of the leaves of a group that outputs depend on."""
-        names = [o.at[1] for o in self.operations if o.kind == "leaf" and o.at[0] == group]
+        leaves = [operation.at for operation in self.operations if operation.kind == "leaf"]
+        names = [name for leaf_group, name in leaves if leaf_group == group]
         return list(dict.fromkeys(names))
 
     def values(self, leaf: Callable[[str, str], Any], sizes: dict[str, int]) -> list[np.ndarray]:
         """Return the outputs at one point; ``leaf("x", "alpha")`` is an array."""
-        outputs = evaluated(self, lambda *at: np.asarray(leaf(*at))[..., None], sizes)
+
+        def leaf_at_point(group: str, name: str) -> np.ndarray:
+            return np.asarray(leaf(group, name))[..., None]
+
+        outputs = evaluated(self, leaf_at_point, sizes)
         return [value[..., 0] for value in outputs]
 
     def renamed(self, names: dict[tuple[str, str], tuple[str, str]]) -> "Record":
@@ -124,7 +133,8 @@ def reached(operations: Iterable[Any], roots: Iterable[Ref]) -> set[int]:
         value = stack.pop()
         if value not in values:
             values.add(value)
-            stack += [a for a in lines[value].arguments if type(a) is int and a not in values]
+            arguments = [a for a in lines[value].arguments if type(a) is int]
+            stack += [a for a in arguments if a not in values]
     return values
 
 
@@ -134,35 +144,41 @@ def compact(
     """Return the record of these outputs: only what they depend on."""
     used = sorted(reached(operations, outputs))
     position = {old: new for new, old in enumerate(used)}
+
+    def moved(refs: Iterable[Ref]) -> tuple[Ref, ...]:
+        return tuple([position[ref] if type(ref) is int else ref for ref in refs])
+
     lines = []
     for k in used:
-        kind, arguments, shape, at = operations[k]
-        moved = tuple([position[a] if type(a) is int else a for a in arguments])
-        lines.append(Operation(kind, moved, shape, at))
-    refs = tuple([position[ref] if type(ref) is int else ref for ref in outputs])
+        arguments = moved(operations[k].arguments)
+        lines.append(operations[k]._replace(arguments=arguments))
     if shapes is None:
         shapes = [operations[ref].shape if type(ref) is int else () for ref in outputs]
-    return Record(tuple(lines), refs, tuple(shapes))
+    return Record(tuple(lines), moved(outputs), tuple(shapes))
 
 
 # --- on numbers --------------------------------------------------------------------------------
 
 
 def picked(numbers: np.ndarray, index: Any) -> np.ndarray:
-    """Return numbers of a row at whole places, NaN outside; of rows side by side, each its own."""
+    """Return numbers of a row at integer indices, NaN outside; columns are separate rows."""
     if not len(numbers):
         return np.full(np.shape(index), np.nan)
+    count = len(numbers)
     positions = np.trunc(index)
-    positions = np.where(positions < 0, positions + len(numbers), positions)
-    inside = (positions >= 0) & (positions < len(numbers))
+    from_end = positions < 0
+    positions = np.where(from_end, positions + count, positions)
+    inside = (positions >= 0) & (positions < count)
     rows = [np.arange(n) for n in numbers.shape[1:]]
     inner = np.where(inside, positions, 0).astype(int)
-    return np.where(inside, numbers[inner, *rows], np.nan)
+    picked_numbers = numbers[inner, *rows]
+    return np.where(inside, picked_numbers, np.nan)
 
 
 def searched(row: np.ndarray, values: Any, side: Any) -> np.ndarray:
     """Return how many numbers of a sorted row, of shape (n, 1), are below values, or equal."""
-    return np.where(np.isnan(values), 0, np.searchsorted(row[:, 0], values, side))
+    positions = np.searchsorted(row[:, 0], values, side)
+    return np.where(np.isnan(values), 0, positions)
 
 
 def viewed(array: np.ndarray, mapped: tuple, shape: tuple[int, ...]) -> np.ndarray:
@@ -170,12 +186,12 @@ def viewed(array: np.ndarray, mapped: tuple, shape: tuple[int, ...]) -> np.ndarr
     if 0 in shape:
         return np.zeros(shape)
     begins = [m if isinstance(m, int) else slice(m[1], None) for m in mapped]
-    start = array[tuple(begins)]
+    corner = array[tuple(begins)]
     axes = [m for m in mapped if not isinstance(m, int)]
     strides = [0] * len(shape)
-    for (axis, _, step), stride in zip(axes, start.strides, strict=True):
+    for (axis, _, step), stride in zip(axes, corner.strides, strict=True):
         strides[axis] += step * stride
-    return np.lib.stride_tricks.as_strided(start, shape, strides, writeable=False)
+    return np.lib.stride_tricks.as_strided(corner, shape, strides, writeable=False)
 
 
 def evaluated(
@@ -192,15 +208,20 @@ def evaluated(
         return *bound(shape, sizes), *(np.shape(value)[-1:] or (1,))
 
     values: list[np.ndarray] = []
+
+    def value_of(ref: Ref) -> np.ndarray:
+        return values[ref] if type(ref) is int else np.array([ref])
+
     with np.errstate(all="ignore"):
         for operation in record.operations:
             kind, refs, shape, at = operation
-            arguments = [values[ref] if type(ref) is int else np.array([ref]) for ref in refs]
+            arguments = [value_of(ref) for ref in refs]
             if kind == "leaf":
                 value = np.asarray(leaf(*at))
             elif kind == "view":
+                array = arguments[0]
                 axes = *at, (len(shape), 0, 1)
-                value = viewed(arguments[0], axes, sized(shape, arguments[0]))
+                value = viewed(array, axes, sized(shape, array))
             elif kind in ARRAY_OPERATIONS:
                 value = ARRAY_OPERATIONS[kind](operation, *arguments)
             else:
@@ -208,20 +229,23 @@ def evaluated(
             values.append(np.broadcast_to(value, sized(shape, value)))
     outputs = []
     for ref, shape in zip(record.outputs, record.shapes, strict=True):
-        value = values[ref] if type(ref) is int else ref
-        outputs.append(np.broadcast_to(value, (*bound(shape, sizes), points)).astype(float))
+        full_shape = *bound(shape, sizes), points
+        output = np.broadcast_to(value_of(ref), full_shape)
+        outputs.append(output.astype(float))
     return outputs
 
 
 def _joined(_: Operation, *arrays: np.ndarray) -> np.ndarray:
     points = max(array.shape[-1] for array in arrays)
-    return np.concatenate([np.broadcast_to(a, (*a.shape[:-1], points)) for a in arrays])
+    shapes = [(*array.shape[:-1], points) for array in arrays]
+    return np.concatenate(list(map(np.broadcast_to, arrays, shapes)))
 
 
-def _part(operation: Operation, array: np.ndarray) -> np.ndarray:
+def _section(operation: Operation, array: np.ndarray) -> np.ndarray:
     start = operation.at
-    count = prod(operation.shape)
-    elements = array.reshape(-1, array.shape[-1])[start : start + count]
+    stop = start + prod(operation.shape)
+    rows = array.reshape(-1, array.shape[-1])
+    elements = rows[start:stop]
     return elements.reshape(*operation.shape, -1)
 
 
@@ -232,7 +256,7 @@ ARRAY_OPERATIONS: dict[str, Callable[..., Any]] = {
     "fill": lambda _, number: number,
     "stack": lambda _, *arrays: np.stack(np.broadcast_arrays(*arrays)),
     "join": _joined,
-    "part": _part,
+    "part": _section,
     "pick": lambda _, row, index: picked(row, index),
     "search": lambda operation, row, values: searched(row, values, operation.at[0]),
     "argmin": lambda _, row: np.argmin(row, axis=0),

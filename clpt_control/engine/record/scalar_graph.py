@@ -1,9 +1,10 @@
-"""The elements of a record's arrays, each computed once.
+"""Scalar graph of a record: the elements of its arrays, each computed once.
 
     y_ij  of  v = add(a, b):  a_ij + b_ij        v = sum(a over 0):  a_0j + a_1j + ...
 
-What an element is, the reading says: an expression (`symbolic`), the inputs that it depends on,
-a number of another library.  Along an axis of unknown length the place is a name (`symbolic`).
+A subclass of `Elements` gives the type of an element: an expression (`symbolic`), a component
+(`codegen.fused_expressions`) or the set of inputs that an element depends on (`InputsOf`).  Along
+an axis of unknown length the index is a name.
 """
 
 from collections.abc import Mapping, Sequence
@@ -15,7 +16,7 @@ import numpy as np
 from ..trace.arrays import Unread
 from .graph import Operation, Record, Ref, Shape, bound
 
-# places; a name is a generic one, and so is (symbol, start, step), which `native.components` has
+# an index of each axis: an int, a name, or (symbol, start, step) in `codegen.fused_expressions`
 Index = tuple[Any, ...]
 MOST_AT_ONCE = 256  # elements of an array that are computed in order, so that nothing goes deep
 MOST = 300_000  # elements; more are given up
@@ -29,20 +30,20 @@ class Elements:
     def __init__(self, operations: Sequence[Operation], sizes: Mapping[str, int] | None = None):
         self.operations = operations
         self.sizes = sizes or {}
-        self.known: dict[tuple[int, Index], Any] = {}
+        self.values: dict[tuple[int, Index], Any] = {}
 
-    # --- what a reading says ----------------------------------------------------------------
+    # --- methods of a subclass --------------------------------------------------------------
 
     def number(self, value: float) -> Any:
         """Return a constant."""
         return value
 
-    def leaf(self, at: tuple[str, str], shape: Shape, index: Index) -> Any:
+    def leaf(self, key: tuple[str, str], shape: Shape, index: Index) -> Any:
         """Return an element of a leaf."""
         raise NotImplementedError
 
     def apply(self, ref: int, kind: str, arguments: tuple) -> Any:
-        """Return what an operation makes of elements."""
+        """Return the result of an operation on elements."""
         raise NotImplementedError
 
     def sum_over(self, array: Ref, axis: int, index: Index, size: str) -> Any:
@@ -53,42 +54,50 @@ class Elements:
 
     def outputs(self, record: Record) -> list[Any]:
         """Return the elements of a record's outputs, port by port, row by row."""
-        for k, operation in enumerate(self.operations):
-            shape = bound(operation.shape, self.sizes)
+        for k in range(len(self.operations)):
+            shape = self._shape_of(k)
             if prod(shape) <= MOST_AT_ONCE:
                 for index in np.ndindex(shape):
                     self.at(k, index)
-        shapes = [bound(shape, self.sizes) for shape in record.shapes]
-        pairs = zip(record.outputs, shapes, strict=True)
-        return [self.at(ref, index) for ref, shape in pairs for index in np.ndindex(shape)]
+        elements = []
+        for ref, declared in zip(record.outputs, record.shapes, strict=True):
+            shape = bound(declared, self.sizes)
+            elements += [self.at(ref, index) for index in np.ndindex(shape)]
+        return elements
+
+    def _shape_of(self, ref: int) -> Shape:
+        return bound(self.operations[ref].shape, self.sizes)
 
     def at(self, ref: Ref, index: Index) -> Any:
         """Return one element; a shorter array is broadcast."""
         if type(ref) is float:
             return self.number(ref)
-        index = self.trimmed(ref, index)
-        if (ref, index) not in self.known:
-            self.known[ref, index] = self._element(ref, index)
-            if len(self.known) > self.most:
+        key = ref, self.trimmed(ref, index)
+        if key not in self.values:
+            self.values[key] = self._element(*key)
+            if len(self.values) > self.most:
                 raise Unread(f"takes more than {MOST} operations on single numbers")
-        return self.known[ref, index]
+        return self.values[key]
 
     def trimmed(self, ref: int, index: Index) -> Index:
         """Return an index without the axes along which a value is broadcast."""
-        shape = bound(self.operations[ref].shape, self.sizes)
-        index = index[len(index) - len(shape) :]
-        return tuple([0 if n == 1 else k for k, n in zip(index, shape, strict=True)])
+        shape = self._shape_of(ref)
+        extra_axes = len(index) - len(shape)
+        pairs = zip(index[extra_axes:], shape, strict=True)
+        return tuple([0 if n == 1 else k for k, n in pairs])
 
     def source(self, ref: int, index: Index) -> tuple[Ref, Index] | None:
-        """Return which element of another value an element is; None where it is computed."""
+        """Return the value and index that an element is copied from; None if it is computed."""
         kind, arguments, shape, at = self.operations[ref]
         if kind == "view":
-            return arguments[0], tuple([_moved(m, index) for m in at])
+            source_index = [_moved(axis, index) for axis in at]
+            return arguments[0], tuple(source_index)
         if kind == "fill":
             return arguments[0], ()
         if kind == "part":
-            outer = bound(self.operations[arguments[0]].shape, self.sizes)
-            position = np.unravel_index(at + np.ravel_multi_index(index, shape), outer)
+            outer = self._shape_of(arguments[0])
+            offset = at + np.ravel_multi_index(index, shape)
+            position = np.unravel_index(offset, outer)
             return arguments[0], tuple(map(int, position))
         if kind not in ("stack", "join"):
             return None
@@ -98,7 +107,7 @@ class Elements:
         if kind == "stack":
             return arguments[k], tuple(inner_index)
         for section in arguments:
-            n = bound(self.operations[section].shape, self.sizes)[0]
+            n = self._shape_of(section)[0]
             if k < n:
                 return section, (k, *inner_index)
             k -= n
@@ -109,41 +118,49 @@ class Elements:
         if kind == "leaf":
             return self.leaf(at, bound(shape, self.sizes), index)
         if kind == "constant":
-            return self.number(float(np.frombuffer(at).reshape(shape)[index]))
-        if (source := self.source(ref, index)) is not None:
+            numbers = np.frombuffer(at).reshape(shape)
+            return self.number(float(numbers[index]))
+        source = self.source(ref, index)
+        if source is not None:
             return self.at(*source)
         if kind == "sum":
             return self._sum(ref, arguments[0], at, index)
         if kind == "pick":
             position = self.at(arguments[1], index)
-            return self.apply(ref, kind, (position, *self.all_of(arguments[0])))
-        if kind == "search":
-            return self.apply(ref, kind, (self.at(arguments[1], index),))
-        if kind == "argmin":
-            return self.apply(ref, kind, tuple(self.all_of(arguments[0])))
-        return self.apply(ref, kind, tuple([self.at(a, index) for a in arguments]))
+            elements = [position, *self.all_of(arguments[0])]
+        elif kind == "search":
+            elements = [self.at(arguments[1], index)]
+        elif kind == "argmin":
+            elements = self.all_of(arguments[0])
+        else:
+            elements = [self.at(argument, index) for argument in arguments]
+        return self.apply(ref, kind, tuple(elements))
 
     def all_of(self, ref: Ref) -> list[Any]:
         """Return every element of a value."""
-        shape = () if type(ref) is float else bound(self.operations[ref].shape, self.sizes)
+        shape = () if type(ref) is float else self._shape_of(ref)
         if not all(isinstance(n, int) for n in shape):
             raise Unread("every element of an array of unknown length")
         return [self.at(ref, index) for index in np.ndindex(*shape)]
 
     def _sum(self, ref: int, array: Ref, axis: int, index: Index) -> Any:
-        size = bound(self.operations[array].shape, self.sizes)[axis]
+        size = self._shape_of(array)[axis]
         if not isinstance(size, int):
             return self.sum_over(array, axis, index, size)
-        summands = [self.at(array, (*index[:axis], k, *index[axis:])) for k in range(size)]
-        return self.apply(ref, "sum", tuple(summands)) if summands else self.number(0.0)
+        if size == 0:
+            return self.number(0.0)
+        before = index[:axis]
+        after = index[axis:]
+        summands = [self.at(array, (*before, k, *after)) for k in range(size)]
+        return self.apply(ref, "sum", tuple(summands))
 
 
-def _moved(m: Any, index: Index) -> Any:
-    """Return where an element of a view lies along one axis of the array."""
-    if isinstance(m, int):
-        return m
-    d, start, step = m
-    position = index[d]
+def _moved(axis: Any, index: Index) -> Any:
+    """Return the index in an array, along one of its axes, of an element of a view."""
+    if isinstance(axis, int):
+        return axis
+    view_axis, start, step = axis
+    position = index[view_axis]
     if isinstance(position, int):
         return start + step * position
     if isinstance(position, tuple):
@@ -158,26 +175,24 @@ ZERO = frozenset(["0"])
 
 
 class InputsOf(Elements):
-    """The inputs that each element depends on: port and place in it.
-
-    What is multiplied by a constant 0 depends on nothing.
-    """
+    """Inputs that each element depends on, as (port, index); a product with 0 depends on none."""
 
     def outputs(self, record: Record) -> list[Any]:
-        """Return what the elements of a record's outputs depend on."""
+        """Return the inputs that the elements of a record's outputs depend on."""
         return [inputs - ZERO for inputs in super().outputs(record)]
 
     def number(self, value: float) -> Any:
         """Depend on nothing."""
         return ZERO if value == 0.0 else frozenset()
 
-    def leaf(self, at: tuple[str, str], shape: Shape, index: Index) -> Any:
+    def leaf(self, key: tuple[str, str], shape: Shape, index: Index) -> Any:
         """Depend on the input itself."""
         position = int(np.ravel_multi_index(index, shape)) if shape else 0
-        return frozenset([(at[1], position)] if at[0] == "u" else [])
+        group, name = key
+        return frozenset([(name, position)] if group == "u" else [])
 
     def apply(self, ref: int, kind: str, arguments: tuple) -> Any:
-        """Depend on all that the arguments depend on."""
+        """Depend on all inputs of the arguments."""
         if kind == "mul" and ZERO in arguments:
             return ZERO
         return frozenset().union(*arguments) - ZERO

@@ -1,8 +1,8 @@
-"""The SymPy reading of a record: its elements as expressions.
+"""SymPy expressions of a record: one for each element of its arrays.
 
     add(a, b), of shape (2,)  ->  a[0] + b[0], a[1] + b[1]
 
-Words with kinks, comparisons and remainders are undefined functions, so a proof holds for any
+Operations with kinks, comparisons and remainders are undefined functions, so a proof holds for any
 functions in their place.
 """
 
@@ -32,14 +32,17 @@ def rational(number: float) -> sympy.Expr:
         return sympy.sympify(float(number))
     fraction = Fraction(repr(float(number)))
     simple = fraction.limit_denominator(10_000)
-    return sympy.Rational(simple if abs(simple - fraction) <= abs(fraction) * ROUNDED else fraction)
+    is_close = abs(simple - fraction) <= abs(fraction) * ROUNDED
+    return sympy.Rational(simple if is_close else fraction)
 
 
 @lru_cache(maxsize=100_000)
 def extent(expression: sympy.Basic) -> tuple[int, int]:
-    """Return how many parts an expression has, written out, and how many levels."""
+    """Return the number of nodes of an expression tree, and its depth."""
     extents = [extent(argument) for argument in expression.args]
-    return 1 + sum(size for size, _ in extents), 1 + max((depth for _, depth in extents), default=0)
+    size = sum(size for size, _ in extents)
+    depth = max((depth for _, depth in extents), default=0)
+    return 1 + size, 1 + depth
 
 
 LONG = 5_000  # parts of an expression; what has more SymPy takes too long to print or to simplify
@@ -57,8 +60,10 @@ def _in_sympy(name: str, row: Row) -> Callable[..., Any]:
     """Return an operation on expressions."""
     if callable(row.sympy):
         return partial(row.sympy, sympy)
-    own_name = row.sympy or name
-    return _undefined(own_name) if name in UNDEFINED else getattr(sympy, own_name)
+    sympy_name = row.sympy or name
+    if name in UNDEFINED:
+        return _undefined(sympy_name)
+    return getattr(sympy, sympy_name)
 
 
 SYMPY: dict[str, Callable[..., Any]] = {
@@ -74,8 +79,9 @@ COMPARED = {name: getattr(sympy, name.title()) for name in COMPARISONS}
 
 
 def _decided(kind: str, arguments: tuple) -> Any:
-    """Return what a comparison with infinity decides, of symbols that are numbers; else None."""
-    if kind in COMPARED and {sympy.oo, -sympy.oo}.intersection(arguments):
+    """Return the outcome of an operation on infinities or truth values; None if it is open."""
+    infinities = {sympy.oo, -sympy.oo}
+    if kind in COMPARED and infinities.intersection(arguments):
         decision = COMPARED[kind](*arguments)
         return decision if decision in TRUTHS else None
     if not TRUTHS.intersection(arguments):
@@ -107,12 +113,12 @@ class Symbols(Elements):
         """Return a rational."""
         return rational(value)
 
-    def leaf(self, at: tuple[str, str], shape: Shape, index: Index) -> Any:
+    def leaf(self, key: tuple[str, str], shape: Shape, index: Index) -> Any:
         """Return the symbol of an element of a leaf."""
-        return sympy.sympify(self.leaf_symbol(at, shape, index))
+        return sympy.sympify(self.leaf_symbol(key, shape, index))
 
     def apply(self, ref: int, kind: str, arguments: tuple) -> Any:
-        """Return what SymPy makes of an operation."""
+        """Return the SymPy expression of an operation."""
         decision = _decided(kind, arguments)
         if decision is not None:
             return decision
@@ -120,10 +126,13 @@ class Symbols(Elements):
         if kind == "search":
             return self._searched(ref, arguments[0])
         if kind in ("eq", "ne"):
-            is_equal = SYMPY["and"](SYMPY["le"](*arguments), SYMPY["ge"](*arguments))
+            is_at_most = SYMPY["le"](*arguments)
+            is_at_least = SYMPY["ge"](*arguments)
+            is_equal = SYMPY["and"](is_at_most, is_at_least)
             return is_equal if kind == "eq" else SYMPY["not"](is_equal)
         if kind in NO_LIMIT and NO_LIMIT[kind] in arguments:
-            return arguments[arguments[0] == NO_LIMIT[kind]]
+            a, b = arguments
+            return b if a == NO_LIMIT[kind] else a
         if kind == "minimum":  # np.clip(u, low, high) is minimum(maximum(u, low), high)
             for inner, high in (arguments, arguments[::-1]):
                 if getattr(inner, "func", None) == SYMPY["maximum"]:
@@ -140,7 +149,8 @@ class Symbols(Elements):
         if len(points) > MOST_COMPARED:
             return SYMPY["search"](value, int(is_right), *points)
         compare = SYMPY["ge" if is_right else "gt"]
-        return sympy.Add(*(SYMPY["where"](compare(value, point), 1, 0) for point in points))
+        counts = [SYMPY["where"](compare(value, point), 1, 0) for point in points]
+        return sympy.Add(*counts)
 
 
 def _picked(position: Any, *row: Any) -> Any:
@@ -149,8 +159,9 @@ def _picked(position: Any, *row: Any) -> Any:
 
 
 def _searched(value: Any, side: Any, *points: Any) -> Any:
-    row = np.array(points, dtype=float)[:, None]
-    return searched(row, np.asarray(value, dtype=float), "right" if side else "left")
+    row = np.array(points, dtype=float)
+    values = np.asarray(value, dtype=float)
+    return searched(row[:, None], values, "right" if side else "left")
 
 
 # undefined functions on numbers
