@@ -45,13 +45,15 @@ def order_of(nodes: list[Any]) -> tuple[int, ...]:
 
 def _by_signals(nodes: list[Any], order: list[int], waits: dict[int, set[int]]) -> tuple[int, ...]:
     """Return the order of blocks that wait for each other, signal by signal."""
-    computed = {s for k in order for s in range(nodes[k].outputs.start, nodes[k].outputs.stop)}
+    computed: set[int] = set()
+    for k in order:
+        outputs = nodes[k].outputs
+        computed.update(range(outputs.start, outputs.stop))
     needed = {k: _needed_signals(nodes[k]) for k in waits}
     while needed:
-        computable = {
-            k: {signal for signal, sources in signals.items() if sources <= computed}
-            for k, signals in needed.items()
-        }
+        computable = {}
+        for k, signals in needed.items():
+            computable[k] = {s for s, sources in signals.items() if sources <= computed}
         # first a block with all its outputs, then one with some of them
         complete = (k for k in needed if len(computable[k]) == len(needed[k]))
         incomplete = (k for k in needed if computable[k])
@@ -60,7 +62,8 @@ def _by_signals(nodes: list[Any], order: list[int], waits: dict[int, set[int]]) 
             return _without_zero_entries(nodes, waits)
         order.append(ready)
         computed |= computable[ready]
-        needed[ready] = {s: sources for s, sources in needed[ready].items() if s not in computed}
+        for signal in computable[ready]:
+            needed[ready].pop(signal)
         if not needed[ready]:
             del needed[ready], waits[ready]
     return tuple(order)
@@ -71,10 +74,11 @@ def _needed_signals(node: Any) -> dict[int, set[int]]:
     sources: dict[int, set[int]] = {}
     for to, source, _ in node.fed():
         sources.setdefault(to, set()).add(source)
-    return {
-        signal: set().union(*(sources.get(k, set()) for k in inputs))
-        for signal, inputs in enumerate(_feedthrough(node.system), node.outputs.start)
-    }
+    needed = {}
+    for signal, inputs in enumerate(_feedthrough(node.system), node.outputs.start):
+        input_sources = [sources.get(k, set()) for k in inputs]
+        needed[signal] = set().union(*input_sources)
+    return needed
 
 
 def _without_zero_entries(nodes: list[Any], waits: dict[int, set[int]]) -> tuple[int, ...]:
@@ -82,12 +86,15 @@ def _without_zero_entries(nodes: list[Any], waits: dict[int, set[int]]) -> tuple
     linear_blocks = [k for k in waits if is_linear(nodes[k].system)]
     if linear_blocks:
         for k in linear_blocks:
-            nodes[k] = replace(nodes[k], system=with_constants(nodes[k].system))
+            system = with_constants(nodes[k].system)
+            nodes[k] = replace(nodes[k], system=system)
         return order_of(nodes)
     path = [next(iter(waits))]
     while path.count(path[-1]) < 2:
-        path.append(next(k for k in waits[path[-1]] if k in waits))
-    loop = " <- ".join(nodes[k].name for k in path[path.index(path[-1]) :])
+        waiting = path[-1]
+        path.append(next(k for k in waits[waiting] if k in waits))
+    begin = path.index(path[-1])
+    loop = " <- ".join(nodes[k].name for k in path[begin:])
     raise DiagramError(
         f"algebraic loop: {loop} feed each other at once; "
         "break the circle with a block that has states"
@@ -116,13 +123,15 @@ def _feedthrough(block: Block) -> list[set[int]]:
         outputs = InputsOf(record.operations, block.sizes).outputs(record)
     except Unread:
         return _tested_feedthrough(block)
-    ports = {port: signals.start for port, (signals, _) in places(block.input_shapes).items()}
-    return [{ports[port] + k for port, k in inputs} for inputs in outputs]
+    ports = places(block.input_shapes)
+    starts = {port: signals.start for port, (signals, _) in ports.items()}
+    return [{starts[port] + k for port, k in inputs} for inputs in outputs]
 
 
 def _tested_feedthrough(block: Block) -> list[set[int]]:
     """Return for each output the inputs that change it at a few points."""
-    random, p = np.random.default_rng(0), block.parameters_at(0.0)
+    random = np.random.default_rng(0)
+    p = block.parameters_at(0.0)
     feedthrough: list[set[int]] = [set() for _ in range(block.noutputs)]
     for _ in range(TEST_POINTS):
         x = random.standard_normal(block.nstates)
@@ -132,7 +141,8 @@ def _tested_feedthrough(block: Block) -> list[set[int]]:
             changed = u.copy()
             changed[k] = random.standard_normal()
             after = block.values("output", block.noutputs, 0.0, x, changed, p)
-            is_equal = (after == before) | (np.isnan(after) & np.isnan(before))
-            for output in np.flatnonzero(~is_equal):
+            both_nan = np.isnan(after) & np.isnan(before)
+            differs = (after != before) & ~both_nan
+            for output in np.flatnonzero(differs):
                 feedthrough[output].add(k)
     return feedthrough

@@ -1,13 +1,13 @@
-"""A diagram linearized about a point, exactly: its record differentiated along every direction.
+"""Linearization of a diagram about a point, exact: its record differentiated in every direction.
 
     dx' = A dx + B du,    dy = C dx + D du         about x and u at time t
 
-With sampled blocks it is the discrete system of the loop (`sampled_linearization`).
+A diagram with sampled blocks becomes the discrete system of the loop (`sampled_linearization`).
 
-Where a signal or a rate has a kink right there, |e| at e = 0, or a node of a table, the slope is
-that of one side, and a warning names it; where it jumps there is no slope, and that is refused.
-Both are seen in what the slopes leave beside the point.  What is not felt, as of the drag w |w| at
-rest, is neither.
+At a kink of a signal or a rate, such as |e| at e = 0 or a node of a table, the slope is that of one
+side, and a warning names the signal.  At a jump there is no slope, and the diagram is refused.
+Kinks and jumps are found by comparing values near the point with the linear prediction, so a kink
+without effect, as in the drag w |w| at w = 0, is neither.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -39,8 +39,8 @@ from .sampled_linearization import (
 from .wiring import Node, Wiring, read_anew, wiring_of
 
 BEND = named(lambda row: row.smoothness >= FOLDS)
-BESIDE = 1e-6, -1e-6, 1e-8, -1e-8  # relative: what is left shrinks to 1e-4, at a kink to 1e-2
-# what is left at the nearer step, of that at the farther one
+STEPS = 1e-6, -1e-6, 1e-8, -1e-8  # relative: the remainder shrinks by 1e-4, at a kink by 1e-2
+# remainder at the small step, relative to the remainder at the large step
 SMOOTH = 5e-3
 JUMP = 0.3
 DRAWN = 3  # times so many directions as states and inputs
@@ -61,13 +61,13 @@ class _About:
         self.values: dict[Any, Any] = {("t", "t"): np.array([t])}  # of leaves
         self.positions: dict[Any, slice] = {}  # of states and inputs, in the point
         self.direction = Direction(self.tape, {})
-        self.parameters = {
-            node.name: p for node, p in zip(wiring.nodes, block_parameters, strict=True)
-        }
-        self.inputs = {
-            port: slice(len(x) + indices[0], len(x) + indices[-1] + 1)
-            for port, indices in ports_of(diagram.input_labels).items()
-        }
+        self.parameters = {}
+        for node, p in zip(wiring.nodes, block_parameters, strict=True):
+            self.parameters[node.name] = p
+        self.inputs = {}
+        n = len(x)
+        for port, indices in ports_of(diagram.input_labels).items():
+            self.inputs[port] = slice(n + indices[0], n + indices[-1] + 1)
         self.states = {}
         for node in wiring.nodes:
             start = node.states.start
@@ -87,8 +87,8 @@ class _About:
         key = group, qualified_name
         if group == "x":
             return self.varying(key, shape, self.states[qualified_name])
-        value = getattr(self.parameters[node.name], name)
-        self.values[key] = np.asarray(value, float)[..., None]
+        value = np.asarray(getattr(self.parameters[node.name], name), float)
+        self.values[key] = value[..., None]
         return self.tape.add("leaf", (), shape, key)
 
     def input_of(self, port: str, shape: Shape, declared: Shape) -> Any:
@@ -112,7 +112,8 @@ class _About:
         record = compact(self.tape.operations, refs, shapes)
         outputs = evaluated(record, lambda *key: leaves[key], points=columns)
         rows = [output.reshape(-1, columns) for output in outputs]
-        return np.concatenate([np.zeros((0, columns)), *rows])
+        no_rows = np.zeros((0, columns))
+        return np.concatenate([no_rows, *rows])
 
     def slopes(self, values: list[Any]) -> np.ndarray:
         """Return the derivatives of values, a row for each element."""
@@ -139,7 +140,7 @@ class _About:
         """Return states in which sampled blocks hold what they sample at this point."""
         now = self.point[: len(x)].copy()
         no_moves = np.zeros((self.count, 1))
-        held_states = {int(k) for block in blocks for k in block.held}
+        held_states = {int(k) for block in blocks for k in block.hold}
         for position, values in self.sampled_values(blocks):
             if position.start in held_states:
                 now[position] = self.near([values], no_moves)[:, 0]
@@ -149,14 +150,14 @@ class _About:
     def check(self, values: Mapping[str, Any]) -> None:
         """Warn where a value has a kink at the point; refuse where one jumps.
 
-        What the slopes leave beside the point shrinks as the step does at a kink, and not at a
-        jump; else as the square of the step.  A slope that is of neither side is refused too.
-        Where no operation may bend there is nothing to ask, and rounding is no jump.
+        The remainder of the linear prediction shrinks as the square of the step at a smooth point,
+        as the step at a kink, and not at all at a jump.  A slope of neither side is refused too.
         """
         size = 1.0 + np.abs(self.point)[:, None]
         checked = [*values.values()]
         lines = self.tape.operations
-        if BEND.isdisjoint(lines[k].kind for k in reached(lines, map(operand, checked))):
+        refs = reached(lines, map(operand, checked))
+        if BEND.isdisjoint(lines[k].kind for k in refs):
             return
         slopes = self.slopes(checked)
         n = self.count
@@ -166,19 +167,23 @@ class _About:
         drawn = np.random.default_rng(0).standard_normal((n, DRAWN * n))
         # along each state and input, and along all at once
         directions = size * np.hstack([self.unit_vectors, drawn])
-        moves = np.hstack([step * directions for step in BESIDE])
-        remainder = np.abs(self.near(checked, moves) - at_point - slopes @ moves)
-        far_ahead, far_behind, near_ahead, near_behind = np.split(remainder, len(BESIDE), axis=1)
+        moves = np.hstack([step * directions for step in STEPS])
+        changes = self.near(checked, moves) - at_point
+        remainder = np.abs(changes - slopes @ moves)
+        far_ahead, far_behind, near_ahead, near_behind = np.split(remainder, len(STEPS), axis=1)
+        # compare the remainders of the small step with those of the large step
         rounding = ROUNDING * (np.abs(at_point) + np.abs(slopes) @ size)
-        wide = np.nan_to_num(np.maximum(far_ahead, far_behind), nan=np.inf)
+        wide = np.maximum(far_ahead, far_behind)
+        wide = np.nan_to_num(wide, nan=np.inf)
         small = np.maximum(near_ahead, near_behind)
         kink = SMOOTH * wide + rounding
+        jump = JUMP * wide + rounding
         bent = np.any(small > kink, axis=1)
-        torn = np.any(~(small <= JUMP * wide + rounding), axis=1)
-        torn |= np.any((np.minimum(near_ahead, near_behind) > kink)[:, :n], axis=1)
-        names = np.repeat(
-            [*values], [int(np.prod(getattr(output, "shape", ()))) for output in checked]
-        )
+        torn = np.any(~(small <= jump), axis=1)
+        one_sided = np.minimum(near_ahead, near_behind)[:, :n]
+        torn |= np.any(one_sided > kink[:, :n], axis=1)
+        counts = [prod(shape) for shape in shapes_of(checked)]
+        names = np.repeat([*values], counts)
         for name in names[torn & is_finite][:1]:
             raise DiagramError(
                 f"{name} jumps at this point, or has the slope of neither side, so nothing is "
@@ -250,12 +255,14 @@ def linearize(
     """
     read_anew(system)
     wiring = wiring_of(system, params)
-    x, u = getattr(x, "states", x), getattr(x, "inputs", u)
+    u = getattr(x, "inputs", u)
+    x = getattr(x, "states", x)
     n = wiring.nodes[-1].states.stop
     m = wiring.ninputs
     if not n + m:
         raise DiagramError(f"{system.name}: has no states and no inputs to linearize along")
-    x, u = (_vector(*argument) for argument in (("x", x, n), ("u", u, m)))
+    x = _vector("x", x, n)
+    u = _vector("u", u, m)
     try:
         block_parameters = changed_parameters(wiring.blocks, params)
         blocks = sampled_blocks(wiring)
@@ -270,20 +277,19 @@ def linearize(
         jumps = np.zeros_like(AB)
         for position, values in about.sampled_values(blocks):
             jumps[position] = about.slopes([values])
-        named = {
-            f"{node.name}.{port}": signal
-            for (node, port), signal in zip(ports, signals, strict=True)
-        }
-        named |= {
-            f"the rate of {'.'.join(port)}": about.record.rates[port] for port in about.states
-        }
-        about.check(named)
+        checked = {}
+        for (node, port), signal in zip(ports, signals, strict=True):
+            checked[f"{node.name}.{port}"] = signal
+        for path, rate in zip(about.states, rates, strict=True):
+            checked[f"the rate of {'.'.join(path)}"] = rate
+        about.check(checked)
     except Unread as error:
         raise DiagramError(f"{error}") from None
     all_slopes = np.vstack([Y, about.unit_vectors[n:]])
     is_finite = np.isfinite(all_slopes)
     CD = wiring.output_map @ np.where(is_finite, all_slopes, 0.0)
-    CD[(wiring.output_map != 0.0) @ ~is_finite] = np.nan
+    is_used = wiring.output_map != 0.0
+    CD[is_used @ ~is_finite] = np.nan
     states = system.state_labels
     labels = [*states, *system.input_labels]
     for rows, names in ((AB + jumps, states), (CD, system.output_labels)):
@@ -318,9 +324,10 @@ def state_space(A: Any, B: Any, C: Any, D: Any, dt: Any, **labels: Any) -> contr
     """
     if labels["inputs"]:
         return control.StateSpace(A, B, C, D, dt, **labels)
-    system = control.StateSpace(
-        A, np.zeros((len(A), 1)), C, np.zeros((len(C), 1)), dt, **labels | {"inputs": 1}
-    )
+    one_input = {**labels, "inputs": 1}
+    zero_B = np.zeros((len(A), 1))
+    zero_D = np.zeros((len(C), 1))
+    system = control.StateSpace(A, zero_B, C, zero_D, dt, **one_input)
     system.B = B
     system.D = D
     system.set_inputs(0)
@@ -346,13 +353,19 @@ def _reached(A: np.ndarray, B: np.ndarray) -> np.ndarray:
     size = np.linalg.norm(A) or 1.0
     while (larger := columns(np.hstack([basis, A @ basis / size]))).shape != basis.shape:
         basis = larger
-    reached_states = np.flatnonzero(np.any(np.abs(basis) > REACHED, axis=1))
-    return np.eye(len(A))[:, reached_states] if len(reached_states) == basis.shape[1] else basis
+    reaches = np.any(np.abs(basis) > REACHED, axis=1)
+    reached_states = np.flatnonzero(reaches)
+    if len(reached_states) == basis.shape[1]:
+        return np.eye(len(A))[:, reached_states]
+    return basis
 
 
 def minimal_of(system: control.StateSpace) -> control.StateSpace:
     """Return a system of the states that inputs and outputs reach; mixed states are x[k]."""
-    (A, B, C), names = (system.A, system.B, system.C), system.state_labels
+    A = system.A
+    B = system.B
+    C = system.C
+    names = system.state_labels
     for transposed in (False, True):
         V = _reached(A.T, C.T) if transposed else _reached(A, B)
         A = V.T @ A @ V

@@ -34,8 +34,8 @@ class SampledBlock:
 
     name: str
     period: float
-    updated: np.ndarray  # its own states
-    held: np.ndarray  # the inputs that it holds
+    updated: np.ndarray  # states that the block updates
+    hold: np.ndarray  # states that are its inputs, held since the last sample
 
 
 def sampled_blocks(wiring: Wiring) -> list[SampledBlock]:
@@ -43,9 +43,10 @@ def sampled_blocks(wiring: Wiring) -> list[SampledBlock]:
     blocks = []
     for node in wiring.nodes:
         if isinstance(node.system, Sampled):
+            sampled = node.system
             states = np.arange(node.states.start, node.states.stop)
-            updated, held = np.split(states, [node.system.inner.nstates])
-            blocks.append(SampledBlock(node.name, node.system.period, updated, held))
+            updated, hold = np.split(states, [sampled.inner.nstates])
+            blocks.append(SampledBlock(node.name, sampled.period, updated, hold))
     return blocks
 
 
@@ -55,9 +56,8 @@ def common_period(blocks: Sequence[SampledBlock]) -> float:
     ratios = [Fraction(block.period / base).limit_denominator(1000) for block in blocks]
     numerator = lcm(*(ratio.numerator for ratio in ratios))
     period = base * numerator / gcd(*(ratio.denominator for ratio in ratios))
-    errors = [
-        abs(block.period / base / ratio - 1) for block, ratio in zip(blocks, ratios, strict=True)
-    ]
+    pairs = zip(blocks, ratios, strict=True)
+    errors = [abs(block.period / base / ratio - 1) for block, ratio in pairs]
     samples = sum(period / block.period for block in blocks)
     if max(errors) > ROUNDING or samples > MOST_SAMPLES:
         periods = ", ".join(f"{block.name} {block.period:g}" for block in blocks)
@@ -78,14 +78,15 @@ class SampledSlopes:
 
     def sampled(self, blocks: Sequence[SampledBlock]) -> np.ndarray:
         """Return the map of states and inputs by which blocks sample, one after the other."""
-        held = np.concatenate([block.held for block in blocks]).astype(int)
+        hold = np.concatenate([block.hold for block in blocks]).astype(int)
         size = self.jumps.shape[1]
-        others = np.setdiff1d(np.arange(size), held)
-        # held = jumps[held, held] held + jumps[held, others] others
-        inner = np.eye(len(held)) - self.jumps[np.ix_(held, held)]
+        free = np.setdiff1d(np.arange(size), hold)
+        # x[hold] = jumps[hold, hold] x[hold] + jumps[hold, free] x[free]
+        implicit = np.eye(len(hold)) - self.jumps[np.ix_(hold, hold)]
+        explicit = self.jumps[np.ix_(hold, free)]
         result = np.eye(size)
-        result[held] = 0.0
-        result[np.ix_(held, others)] = np.linalg.solve(inner, self.jumps[held][:, others])
+        result[hold] = 0.0
+        result[np.ix_(hold, free)] = np.linalg.solve(implicit, explicit)
         return result
 
     def updated(self, blocks: Sequence[SampledBlock]) -> np.ndarray:
@@ -107,21 +108,24 @@ def discrete_system(
     sample_times = [{Fraction(k, count) for k in range(1, count + 1)} for count in counts]
 
     # the map of states and inputs over the period, from sample to sample; times in periods
-    time, first = Fraction(0), slopes.sampled(blocks)
-    total = first
+    time = Fraction(0)
+    first_sample = slopes.sampled(blocks)
+    total = first_sample
     for sample_time in sorted(set().union(*sample_times)):
-        due = [
-            block for block, times in zip(blocks, sample_times, strict=True) if sample_time in times
-        ]
+        pairs = zip(blocks, sample_times, strict=True)
+        due = [block for block, times in pairs if sample_time in times]
         flow = expm(rates * (period * float(sample_time - time)))
         total = slopes.updated(due) @ flow @ total
         if sample_time < 1:
             total = slopes.sampled(due) @ total
         time = sample_time
 
-    held = np.concatenate([block.held for block in blocks])
-    remaining = np.setdiff1d(np.arange(nstates), held)
-    columns = np.concatenate([remaining, np.arange(nstates, size)])
-    A, B = np.split(total[np.ix_(remaining, columns)], [len(remaining)], axis=1)
-    C, D = np.split((slopes.signals @ first)[:, columns], [len(remaining)], axis=1)
+    hold = np.concatenate([block.hold for block in blocks])
+    remaining = np.setdiff1d(np.arange(nstates), hold)
+    inputs = np.arange(nstates, size)
+    columns = np.concatenate([remaining, inputs])
+    n = len(remaining)
+    A, B = np.split(total[np.ix_(remaining, columns)], [n], axis=1)
+    signals = slopes.signals @ first_sample
+    C, D = np.split(signals[:, columns], [n], axis=1)
     return A, B, C, D, remaining

@@ -1,10 +1,10 @@
 """Names of states, inputs, outputs and parameters in symbolic equations.
 
-A state or input is called as python-control labels it, "y", or "x[0]" if there are several.  A
+A state or input has the label of python-control, "y", or "x[0]" for an element of a port.  A
 parameter has its own name.  If two have the same name, the block's name is a prefix: "plant.y".  A
 state and another output of one block may have the same name: the state gets the prefix.  A
-parameter that is called as a state or an output of its block is "plant.parameter.y".  `Names` has
-these rules; a theory may have others.
+parameter with the name of a state or an output of its block is "plant.parameter.y".  `Names` has
+these rules; a theory may define other rules in a subclass.
 """
 
 from collections import Counter
@@ -28,9 +28,10 @@ TIME = sympy.Symbol("t", real=True)
 def typeset(expression: Any) -> str:
     """Return an expression as LaTeX, ``plant.x[0]`` as an x with its index and its block."""
     expression = sympy.sympify(expression)
-    inputs = {
-        f: sympy.Symbol(str(f.func)) for f in expression.atoms(AppliedUndef) if f.args == (TIME,)
-    }
+    inputs = {}
+    for function in expression.atoms(AppliedUndef):
+        if function.args == (TIME,):
+            inputs[function] = sympy.Symbol(str(function.func))
     expression = expression.xreplace(inputs)
     latex = {}
     for symbol in expression.free_symbols:
@@ -49,7 +50,10 @@ def typeset(expression: Any) -> str:
 
 def element_name(port: str, shape: Shape, index: tuple) -> str:
     """Return the name of one element of a port: y, x[0], P[0,1]."""
-    return port if prod(shape) == 1 else f"{port}[{','.join(map(str, index))}]"
+    if prod(shape) == 1:
+        return port
+    numbers = ",".join(map(str, index))
+    return f"{port}[{numbers}]"
 
 
 class Group(NamedTuple):
@@ -67,7 +71,9 @@ def groups(system: Any, kind: str) -> list[Group]:
     for port, indices in ports_of(getattr(system, f"{kind}_labels")).items():
         size = len(indices)
         shape = shapes.get(port, (size,))
-        ports.append(Group(port, indices, shape if prod(shape) == size else (size,)))
+        if prod(shape) != size:
+            shape = (size,)
+        ports.append(Group(port, indices, shape))
     return ports
 
 
@@ -87,9 +93,8 @@ class Names:
         self.kinds: dict[tuple[str, str], list[str]] = {}  # (block, name) -> kinds with this name
         owners: dict[str, list[Any]] = {}  # of parameters
         for node in wiring.nodes:
-            outputs, states = (
-                [group.name for group in groups(node.system, kind)] for kind in ("output", "state")
-            )
+            outputs = [group.name for group in groups(node.system, "output")]
+            states = [group.name for group in groups(node.system, "state")]
             if node.system.states_are_outputs and outputs == states:
                 states = []
             fields = fields_of(node.system)

@@ -1,4 +1,4 @@
-"""Symbolic equations of a diagram, made from its record.
+"""Symbolic equations of a diagram, computed from its record.
 
     y' = -a y + b u            eq.rates["y"], eq["a"], eq.derivative(eq["y"] ** 2)
 
@@ -9,7 +9,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from itertools import chain, combinations
+from itertools import combinations
 from typing import Any
 
 import control
@@ -120,11 +120,13 @@ class Equations:
         """
         if self.discrete:
             raise DiagramError(f"{self.name}: is of discrete time, in which nothing has a rate")
-        value = sympy.sympify(self[expression] if isinstance(expression, str) else expression)
+        value = self[expression] if isinstance(expression, str) else expression
+        value = sympy.sympify(value)
         if not isinstance(value, sympy.Expr):
             raise DiagramError(f"{self.name}: {expression} is of several signals; give one of them")
         rates = {TIME: sympy.Integer(1), **self.motion}
-        return sympy.Add(*(sympy.diff(value, s) * rate for s, rate in rates.items()))
+        terms = [sympy.diff(value, s) * rate for s, rate in rates.items()]
+        return sympy.Add(*terms)
 
     def jumps_at_once(self) -> Iterator[dict[Any, Any]]:
         """Yield state -> value after a jump, for each set of blocks."""
@@ -144,7 +146,8 @@ class Equations:
         for port, values in self.signals.items():
             for index, value in np.ndenumerate(values):
                 if value not in self.motion and value not in inputs:
-                    yield "{}", sympy.Symbol(element_name(port, values.shape, index)), value
+                    name = element_name(port, values.shape, index)
+                    yield "{}", sympy.Symbol(name), value
         for block, changes in self.jumps.items():
             period = f" (each {self.periods[block]:g})" if block in self.periods else ""
             for s, value in changes.items():
@@ -166,10 +169,10 @@ class Equations:
         return "\n".join(self._lines(str, "{}'", "{}+"))
 
     def _repr_latex_(self) -> str:
-        lines = [
-            line.replace(" = ", " &= ", 1) if " = " in line else r"\dots &= "
-            for line in self._lines(typeset, r"\dot{{{}}}", "{}^{{+}}")
-        ]
+        lines = []
+        for line in self._lines(typeset, r"\dot{{{}}}", "{}^{{+}}"):
+            is_equation = " = " in line
+            lines.append(line.replace(" = ", " &= ", 1) if is_equation else r"\dots &= ")
         return "$\\displaystyle\\begin{aligned}" + r" \\ ".join(lines) + "\\end{aligned}$"
 
 
@@ -177,7 +180,9 @@ class _SymbolicRecord:
     """A diagram's record with symbols for its leaves, and its equations."""
 
     def __init__(self, diagram: Any, wiring: Wiring, names: Names, hidden: Iterable[str]):
-        self.wiring, self.names, self.hidden = wiring, names, set(hidden)
+        self.wiring = wiring
+        self.names = names
+        self.hidden = set(hidden)
         self.tape = Tape()
         self.table: dict[Any, Any] = {}  # leaf -> symbols
         self.result = Equations(diagram.name, {}, {}, {}, {}, {}, {}, {}, discrete=bool(wiring.dt))
@@ -197,19 +202,19 @@ class _SymbolicRecord:
         for name, indices, shape in groups(block, "state"):
             port = self.names.port(node, name, "state")
             declared = block.declared["states"].get(name, shape)
-            symbols[indices] = [
-                sympy.Symbol(self.names.element(port, shape, declared, index), real=True)
-                for index in np.ndindex(shape)
-            ]
+            for k, index in zip(indices, np.ndindex(shape), strict=True):
+                element = self.names.element(port, shape, declared, index)
+                symbols[k] = sympy.Symbol(element, real=True)
             self.result.states[port] = symbols[indices].reshape(shape)
         ports = places(block.state_shapes)
         return {port: symbols[signals].reshape(shape) for port, (signals, shape) in ports.items()}
 
     def _leaf(self, group: str, node: Node, name: str, shape: Shape) -> Any:
         """Return a state or a parameter of a block as an array."""
-        is_state = group == "x"
-        symbols = self.symbols[node.name][name] if is_state else self._parameter(node, name)
-        return self._array((group, (node.name, name)), symbols)
+        key = group, (node.name, name)
+        if group == "x":
+            return self._array(key, self.symbols[node.name][name])
+        return self._array(key, self._parameter(node, name))
 
     def _array(self, key: tuple, symbols: np.ndarray) -> Any:
         """Return a leaf of the tape with these symbols."""
@@ -221,7 +226,8 @@ class _SymbolicRecord:
         value = np.asarray(getattr(node.system.parameters, name), dtype=float)
         symbols = np.empty(value.shape, dtype=object)
         for index in np.ndindex(value.shape):
-            symbol = symbols[index] = self.names.parameter(node, name, value, index)
+            symbol = self.names.parameter(node, name, value, index)
+            symbols[index] = symbol
             if isinstance(symbol, sympy.Symbol) and name != "interval":
                 self.result.values[symbol] = rational(float(value[index]))
         return symbols
@@ -270,7 +276,10 @@ class _SymbolicRecord:
 
         def watched(index: int, kind: str, arguments: tuple) -> None:
             owner = self.record.owners.get(index)
-            if owner is not None and (remark := watch(owner, kind, arguments)):
+            if owner is None:
+                return
+            remark = watch(owner, kind, arguments)
+            if remark:
                 result.undefined.append(f"{owner} {remark}")
 
         self.elements = Symbols(self.tape.operations, self._element, watched)
@@ -278,8 +287,8 @@ class _SymbolicRecord:
             self._add_signals(node)
             self._add_parameters(node)
         result.pinned = sorted(self.record.pinned)
-        ports = chain.from_iterable(ports.values() for ports in self.symbols.values())
-        counts = Counter(s for symbols in ports for s in symbols.flat)
+        arrays = [symbols for ports in self.symbols.values() for symbols in ports.values()]
+        counts = Counter(s for symbols in arrays for s in symbols.flat)
         for symbol, count in counts.items():
             if count > 1:
                 raise DiagramError(f"{result.name}: two states are called {symbol}; rename one")
@@ -287,7 +296,8 @@ class _SymbolicRecord:
 
     def _add_signals(self, node: Node) -> None:
         """Add the signals, rates and jumps of a block."""
-        system, result = node.system, self.result
+        system = node.system
+        result = self.result
         for kind, values, expressions in (
             ("output", self.record.signals, result.signals),
             ("state", self.record.rates, result.rates),
@@ -298,7 +308,8 @@ class _SymbolicRecord:
                 expressions[port] = elements[indices].reshape(shape)
         block = self.names.block(node)
         if system.jump_function is not None:
-            symbols = np.concatenate([s.ravel() for s in self.symbols[node.name].values()])
+            ports = self.symbols[node.name].values()
+            symbols = np.concatenate([port_symbols.ravel() for port_symbols in ports])
             elements = self._elements_of(self.record.jumps, node, system.declared["states"])
             result.jumps[block] = dict(zip(symbols, elements, strict=True))
         if isinstance(system, Sampled):
@@ -319,7 +330,9 @@ class _SymbolicRecord:
         fields: dict[str, Any] = {}
         for name in fields_of(node.system):
             value = getattr(node.system.parameters, name)
-            fields[name] = value if isinstance(value, int) else self._parameter(node, name)[()]
+            if not isinstance(value, int):
+                value = self._parameter(node, name)[()]
+            fields[name] = value
             if name != "interval" and not is_linear(node.system):
                 port = self.names.port(node, name, "parameter")
                 self.result.fields[port] = np.asarray(fields[name], dtype=object)
