@@ -93,8 +93,11 @@ def readings(
     sweep = PythonDiagram(diagram, params).sweep
 
     def by_control(t: float, x: Any, u: Any) -> Values:
-        arguments = (t, np.asarray(x, dtype=float), np.asarray(u, dtype=float), params)
-        return np.asarray(diagram.dynamics(*arguments)), np.asarray(diagram.output(*arguments))
+        states = np.asarray(x, dtype=float)
+        inputs = np.asarray(u, dtype=float)
+        rates = diagram.dynamics(t, states, inputs, params)
+        outputs = diagram.output(t, states, inputs, params)
+        return np.asarray(rates), np.asarray(outputs)
 
     def no_jump(t: float, x: Any, u: Any) -> np.ndarray:
         raise DiagramError("python-control knows no jumps of states; clpt.simulate runs them")
@@ -123,7 +126,9 @@ def _sweep_backend(sweep: Sweep) -> Backend:
 
 
 def _native_backend(diagram: Any, params: Any, form: str | None = None, lanes: int = 1) -> Backend:
-    compiled = cache(lambda: _MachineCode(NativeDiagram(diagram, params, form), lanes))
+    @cache
+    def compiled() -> _MachineCode:
+        return _MachineCode(NativeDiagram(diagram, params, form), lanes)
 
     def evaluate(t: float, x: Any, u: Any) -> Values:
         return compiled().call(t, x, u, "derivative", "signals")
@@ -143,17 +148,28 @@ class _MachineCode:
     """
 
     def __init__(self, native: NativeDiagram, lanes: int):
-        self.native, self.lanes = native, lanes
-        program, nstates = native.code.program, native.nstates
-        sizes = nstates, program.parameters, program.room, max(nstates, 3 * program.decided)
-        self.X, self.P, self.W, self.D = (np.zeros((max(size, 1), lanes)) for size in sizes)
-        self.time, self.T = np.zeros(lanes), np.append(native.layout.T, 0.0)
+        self.native = native
+        self.lanes = lanes
+        program = native.code.program
+        n = native.nstates
+
+        def rows(count: int) -> np.ndarray:
+            return np.zeros((max(count, 1), lanes))
+
+        self.X = rows(n)
+        self.P = rows(program.parameters)
+        self.W = rows(program.room)
+        self.D = rows(max(n, 3 * program.decided))
+        self.time = np.zeros(lanes)
+        self.T = np.append(native.layout.T, 0.0)
         self.factors = 1.0 + 0.1 * np.arange(lanes)[::-1]  # of the states of each lane
 
     def call(self, t: float, x: Any, u: Any, *functions: str) -> Values:
         """Call functions; return the states' part of D, and the outputs."""
-        native, decided = self.native, self.native.code.program.decided
-        x, u = np.asarray(x, dtype=float), np.asarray(u, dtype=float)
+        native = self.native
+        decided = native.code.program.decided
+        x = np.asarray(x, dtype=float)
+        u = np.asarray(u, dtype=float)
         P = self._parameters(t, u)
         self.time[:] = t
         self.X[: len(x)] = np.outer(x, self.factors)
@@ -161,26 +177,34 @@ class _MachineCode:
         decide = ("prepare", "decide") if decided else ()
         names = (*decide, "prepare", *functions)
         arrays = self.time, self.X, self.P, self.T, self.W, self.D
-        for name, address in zip(names, native.code.addresses(names, self.lanes), strict=True):
-            function = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 6)(int(address))
-            function(*(array.ctypes.data for array in arrays))
+        pointers = [array.ctypes.data for array in arrays]
+        signature = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * len(pointers))
+        addresses = native.code.addresses(names, self.lanes)
+        for name, address in zip(names, addresses, strict=True):
+            function = signature(int(address))
+            function(*pointers)
             if name == "decide":
                 begin = native.decided_at
                 self.P[begin : begin + decided] = self.D[:decided]
         signals = self.W[: native.nsignals, -1]
         outputs = native.wiring.output_map @ np.concatenate([signals, u])
-        return self.D[: native.nstates, -1].copy(), outputs
+        states = self.D[: native.nstates, -1].copy()
+        return states, outputs
 
     def _parameters(self, t: float, u: np.ndarray) -> np.ndarray:
         """Return P with inputs, intervals and jumps at a time."""
         native = self.native
-        P, layout = native.parameters(), native.layout
+        P = native.parameters()
+        layout = native.layout
         inputs = [t, *u, *np.zeros(len(u))]  # begin, values, slopes
-        P[native.ramp : native.ramp + len(inputs)] = inputs
+        end = native.ramp + len(inputs)
+        P[native.ramp : end] = inputs
         for k, index in layout.intervals.items():
             block = native.wiring.nodes[k].system
-            P[index] = block.parameters_at(t, native.sweep.parameters[k]).interval
-        P[[*layout.jumps.values()]] = JUMPS
+            parameters = block.parameters_at(t, native.sweep.parameters[k])
+            P[index] = parameters.interval
+        requests = [*layout.jumps.values()]
+        P[requests] = JUMPS
         return P
 
 
@@ -196,9 +220,11 @@ class _SymbolicSweep(Sweep):
         if block.opaque:
             super()._call(role, k, t, x, u, out)
             return
-        if (k, role) not in self._functions:
-            self._functions[k, role] = SymbolicFunction(block, role)
-        out[:] = self._functions[k, role](leaf_values(block, t, x, u, self._current[k]))
+        key = k, role
+        if key not in self._functions:
+            self._functions[key] = SymbolicFunction(block, role)
+        function = self._functions[key]
+        out[:] = function(leaf_values(block, t, x, u, self._current[k]))
 
 
 # --- SymPy's expressions on numbers ------------------------------------------------------------
@@ -224,20 +250,20 @@ class SymbolicFunction(Symbols):
         except Unread as error:
             raise BlockError(str(error)) from None
         super().__init__(record.operations, self._leaf, sizes=block.sizes)
-        shapes = [
-            bound(operation.shape, self.sizes)
-            for operation in record.operations
-            if operation.kind not in ("leaf", "constant", "view")
-        ]
-        if sum(map(prod, shapes)) > MOST:
+        count = 0
+        for operation in record.operations:
+            if operation.kind not in ("leaf", "constant", "view"):
+                count += prod(bound(operation.shape, self.sizes))
+        if count > MOST:
             raise BlockError(
                 f"{block.name}.{role} takes more than {MOST} operations on single numbers, for "
-                "which SymPy needs minutes; ask it at a smaller size"
+                "which SymPy needs minutes; use a smaller size"
             )
         self.leaves: dict[tuple, sympy.Symbol] = {}
         self.steps: list[tuple[sympy.Symbol, sympy.Expr]] = []
         values = self.outputs(record)
-        for value in (*values, *(value for _, value in self.steps)):
+        step_values = [value for _, value in self.steps]
+        for value in (*values, *step_values):
             if value.has(sympy.zoo, sympy.nan, sympy.I):
                 raise BlockError(f"SymPy finds that the equations divide by zero: {value}")
         self._compiled = sympy.lambdify(
@@ -248,10 +274,11 @@ class SymbolicFunction(Symbols):
         )
 
     def _symbol(self, *key: Any) -> sympy.Symbol:
-        return self.leaves.setdefault(key, sympy.Symbol(f"leaf{len(self.leaves)}", real=True))
+        symbol = sympy.Symbol(f"leaf{len(self.leaves)}", real=True)
+        return self.leaves.setdefault(key, symbol)
 
-    def _leaf(self, at: tuple[str, str], shape: Shape, index: Index) -> Any:
-        return self._symbol(*at, index)
+    def _leaf(self, key: tuple[str, str], shape: Shape, index: Index) -> Any:
+        return self._symbol(*key, index)
 
     def number(self, value: float) -> Any:
         """Return a number; numbers that SymPy would simplify, as 0 * x, are symbols."""
@@ -264,8 +291,10 @@ class SymbolicFunction(Symbols):
         if kind in PRECISE:
             return self._step(PRECISE[kind](*arguments))
         if kind == "pow" and arguments[1] in (2.0, 3.0, 4.0):
-            arguments = arguments[0], sympy.Integer(arguments[1])
-        return self._step(super().apply(ref, kind, arguments))
+            base, exponent = arguments
+            arguments = base, sympy.Integer(exponent)
+        expression = super().apply(ref, kind, arguments)
+        return self._step(expression)
 
     def _step(self, value: Any) -> Any:
         if not isinstance(value, sympy.Expr) or value.count_ops() < LONG:
@@ -277,8 +306,12 @@ class SymbolicFunction(Symbols):
     def __call__(self, leaf: Callable[[str, str], np.ndarray]) -> np.ndarray:
         """Return the value of each output; ``leaf("x", "alpha")`` is an array."""
         values = []
-        for group, name, *index in self.leaves:
-            value = name if group == "" else np.asarray(leaf(group, name))[index[0]]
+        for group, name, index in self.leaves:
+            value: Any = name
+            if group:
+                array = np.asarray(leaf(group, name))
+                value = array[index]
             values.append(np.asarray(value, dtype=float)[()])
         with np.errstate(all="ignore"):
-            return np.array(self._compiled(*values), dtype=float)
+            outputs = self._compiled(*values)
+        return np.array(outputs, dtype=float)

@@ -3,16 +3,13 @@
 A block that passes can be wired, compiled, proved, pickled, linearized and integrated like the
 blocks of this package.  Each check is a generator that takes random arguments and yields one
 sentence for each failure.  Equations must be repeatable and finite, every backend must agree with
-Python, and declared units must be consistent.
-
-Units are checked by a change of units.  With a metre half as long every length is twice as large a
-number, every speed too.  If the units of the equations are consistent, the results change in the
-same way: for an output y of unit m^a s^b, in a unit of length 1/c times as long,
+Python, and declared units must be consistent.  For an output y of unit m^a s^b, in a unit of length
+1/c times as long,
 
     y(c^.. u, c^.. p) = c^a y(u, p)
 
-A number with a unit inside the equations, a sum of two units, or a unit declared wrongly breaks
-this equation.  m and km are two different units here.
+A number with a unit inside the equations, a sum of two units, or a wrong declaration breaks this
+equation.  m and km are two different units here.
 """
 
 import pickle

@@ -31,8 +31,9 @@ def other_equations(*arguments: Any) -> Any:
 
 
 def inner_parameters(block: "Sampled", p: Any) -> Parameters:
-    """Return the parameters of the inner block among those of the sampled one."""
-    return Parameters(**{field: getattr(p, field) for field in block.inner.parameters._fields})
+    """Return the inner block's parameters, from the parameters of the sampled block."""
+    fields = block.inner.parameters._fields
+    return Parameters(**{field: getattr(p, field) for field in fields})
 
 
 @public
@@ -72,15 +73,18 @@ class Sampled(Block):
             raise DiagramError(
                 f"{inner.name}: has breakpoints or a guard of its own, so it cannot be sampled"
             )
-        self.inner, self.period, self.of_package = inner, float(period), inner.of_package
+        self.inner = inner
+        self.period = float(period)
+        self.of_package = inner.of_package
         self.stepped = inner.dt == 0  # by Euler's step
-        held = {HELD + port: shape for port, shape in inner.declared["inputs"].items()}
-        states = {**inner.declared["states"], **held}
+        inputs = inner.declared["inputs"]
+        held_inputs = {HELD + port: shape for port, shape in inputs.items()}
+        states = {**inner.declared["states"], **held_inputs}
         super().__init__(
             inner.name,
             update=other_equations if states else None,
             output=other_equations,
-            inputs=inner.declared["inputs"],
+            inputs=inputs,
             outputs=inner.declared["outputs"],
             states=states,
             parameters={**inner.parameters._asdict(), "interval": -1.0},
@@ -92,15 +96,17 @@ class Sampled(Block):
         )
         self.first_held = inner.nstates if inner.ninputs else None
         self.raised = inner.raised
-        for kind, rename in (("input", self.set_inputs), ("output", self.set_outputs)):
-            rename(getattr(inner, f"{kind}_labels"))
+        self.set_inputs(inner.input_labels)
+        self.set_outputs(inner.output_labels)
         if states:
             self.set_states([*inner.state_labels, *self.state_labels[inner.nstates :]])
 
     def samples_at(self, t: float) -> bool:
         """Return whether a time is a sample."""
         k = np.round(t / self.period)
-        return bool(k >= 0 and abs(t - k * self.period) <= ROUNDING * max(1.0, abs(t)))
+        tolerance = ROUNDING * max(1.0, abs(t))
+        is_near = abs(t - k * self.period) <= tolerance
+        return bool(k >= 0 and is_near)
 
     # --- values and records -----------------------------------------------------------------
 
@@ -117,32 +123,42 @@ class Sampled(Block):
         """Return the inner block's values with the held inputs."""
         if role == "update":
             return np.zeros(size)
-        inner, parameters = self.inner, inner_parameters(self, p)
-        x, held = np.split(np.asarray(x), [inner.nstates])
+        inner = self.inner
+        n = inner.nstates
+        parameters = inner_parameters(self, p)
+        x, inputs = np.split(np.asarray(x), [n])
         if role == "output":
-            return inner.values(role, size, p.interval * self.period, x, held, parameters)
-        if not inner.nstates:
+            t = p.interval * self.period
+            return inner.values(role, size, t, x, inputs, parameters)
+        if not n:
             return np.array(u)
-        before = (p.interval - 1.0) * self.period
-        new = inner.values("update", inner.nstates, before, x, held, parameters)
+        t = (p.interval - 1.0) * self.period
+        new_states = inner.values("update", n, t, x, inputs, parameters)
         self.raised["jump"] = self.raised.get("update", "")
-        return np.append(new * self.period + x if self.stepped else new, u)
+        if self.stepped:
+            new_states = new_states * self.period + x
+        return np.append(new_states, u)
 
     def _read(self, role: str) -> Any:
-        tape, inner = Tape(), self.inner
+        tape = Tape()
+        inner = self.inner
         if role == "update":
             shapes = [*self.declared["states"].values()]
             return compact([], [0.0] * len(shapes), shapes)
         if role == "output":
-            values, shapes = self._inner_values(tape, role, 0.0), [*inner.array_record(role).shapes]
+            values = self._inner_values(tape, role, 0.0)
+            shapes = [*inner.array_record(role).shapes]
             return self._record(tape, values, shapes)
-        values, shapes = [], []
+        values = []
+        shapes = []
         if inner.nstates:
             values = self._inner_values(tape, "update", 1.0)
             shapes = [*inner.array_record("update").shapes]  # sizes may be numbers here
         if self.stepped:
-            for k, (port, shape) in enumerate(zip(inner.declared["states"], shapes, strict=True)):
-                values[k] = values[k] * self.period + tape.add("leaf", (), shape, ("x", port))
+            ports = inner.declared["states"]
+            for k, (port, shape) in enumerate(zip(ports, shapes, strict=True)):
+                increment = values[k] * self.period
+                values[k] = increment + tape.add("leaf", (), shape, ("x", port))
         for port, shape in inner.declared["inputs"].items():
             values.append(tape.add("leaf", (), shape, ("u", port)))
             shapes.append(shape)
@@ -150,7 +166,8 @@ class Sampled(Block):
 
     def _inner_values(self, tape: Tape, role: str, samples_ago: float) -> list[Any]:
         """Write the inner block's record with the held inputs, at a sample or the sample before."""
-        t = (tape.add("leaf", (), (), ("p", "interval")) - samples_ago) * self.period
+        interval = tape.add("leaf", (), (), ("p", "interval"))
+        t = (interval - samples_ago) * self.period
 
         def leaf(group: str, name: str, shape: Shape) -> Any:
             if group == "t":
@@ -161,4 +178,6 @@ class Sampled(Block):
         return tape.replayed(self.inner.array_record(role), leaf)
 
     def _record(self, tape: Tape, values: list[Any], shapes: list[Shape]) -> Any:
-        return self._outside(compact(tape.operations, [*map(operand, values)], shapes))
+        refs = [operand(value) for value in values]
+        record = compact(tape.operations, refs, shapes)
+        return self._outside(record)

@@ -1,17 +1,12 @@
-"""python-control's systems as blocks, as they stand: by functions, and linear.
+"""python-control's systems as blocks: systems of functions, and linear systems.
 
     dx/dt, or the next x, = updfcn(t, x, u, params),    y = outfcn(t, x, u, params)
+    dx/dt, or the next x, = A x + B u,                  y = C x + D u
 
-Of its `params` numbers and arrays of numbers are parameters of the block, also whole numbers; all
-else stays as it is.  Sizes that the system leaves open follow from the inputs and the start of a
-run, as python-control finds them.
-
-A linear one, `control.ss` or `tf`:
-
-    x' = A x + B u,    y = C x + D u
-
-or, in discrete time, the next x = A x + B u.  Where D = 0 an input does not reach the outputs at
-once, and the block has no D to change.
+Numbers and arrays of numbers in `params` are parameters of the block, also whole numbers; all other
+values do not change.  Sizes that the system leaves open follow from the inputs and the initial
+state of a run, as in python-control.  If D = 0, a linear system has no direct feedthrough, and its
+block has no parameter D.
 """
 
 from collections.abc import Callable, Iterator, Mapping

@@ -1,4 +1,8 @@
-"""A block's equations at many times, states and inputs at once."""
+"""Vectorized evaluation: a block's equations at many times, states and inputs at once.
+
+`on_arrays` evaluates the record of a block's function in NumPy, with a last axis for the points.
+`evaluate` is its public form for static blocks, such as a flow basis.
+"""
 
 from collections.abc import Callable
 from typing import Any
@@ -15,14 +19,19 @@ from .ports import places
 
 def leaf_values(block: Block, t: Any, x: Any, u: Any, p: Any) -> Callable[[str, str], np.ndarray]:
     """Return the function (group, name) -> array of a leaf; more axes, such as times, are last."""
-    where = {"x": (x, places(block.state_shapes)), "u": (u, places(block.input_shapes))}
+    states = places(block.state_shapes)
+    inputs = places(block.input_shapes)
 
     def leaf(group: str, name: str) -> np.ndarray:
-        if group in ("t", "p"):
-            return np.asarray(t if group == "t" else getattr(p, name), dtype=float)
-        values, ports = where[group]
-        where_in_vector, shape = ports[name]
-        return values[where_in_vector].reshape((*shape, *values.shape[1:]))
+        if group == "t":
+            return np.asarray(t, dtype=float)
+        if group == "p":
+            return np.asarray(getattr(p, name), dtype=float)
+        ports = states if group == "x" else inputs
+        vector = x if group == "x" else u
+        positions, shape = ports[name]
+        values = vector[positions]
+        return values.reshape((*shape, *values.shape[1:]))
 
     return leaf
 
@@ -34,18 +43,26 @@ def on_arrays(block: Block, role: str, t: Any, x: Any, u: Any, p: Any = None) ->
     """
     shape = np.broadcast_shapes(np.shape(t), np.shape(x)[1:], np.shape(u)[1:])
     count = int(np.prod(shape))
-    x, u = (np.broadcast_to(v, (len(v), *shape)).reshape(len(v), count) for v in (x, u))
+
+    def flat(vector: Any) -> np.ndarray:
+        size = len(vector)
+        return np.broadcast_to(vector, (size, *shape)).reshape(size, count)
+
     times = np.broadcast_to(t, shape).reshape(count)
-    leaf = leaf_values(block, times, x, u, block.parameters if p is None else p)
+    parameters = block.parameters if p is None else p
+    leaf = leaf_values(block, times, flat(x), flat(u), parameters)
 
     def at_each_time(group: str, name: str) -> np.ndarray:
         value = leaf(group, name)
-        is_constant = group == "p" and not (name == "interval" and value.ndim)
+        varies = name == "interval" and value.ndim
+        is_constant = group == "p" and not varies
         return value[..., None] if is_constant else value
 
-    outputs = evaluated(block.array_record(role), at_each_time, block.sizes, count)
+    record = block.array_record(role)
+    outputs = evaluated(record, at_each_time, block.sizes, count)
     rows = [output.reshape(-1, count) for output in outputs]
-    return np.concatenate([np.zeros((0, count)), *rows]).reshape((-1, *shape))
+    matrix = np.concatenate([np.zeros((0, count)), *rows])
+    return matrix.reshape((-1, *shape))
 
 
 @public
@@ -76,10 +93,13 @@ def evaluate(block: Block, timepts: ArrayLike, inputs: ArrayLike) -> np.ndarray:
     """
     u = np.atleast_2d(numbers("inputs", inputs, block.ninputs))
     t = numbers("timepts", timepts)
-    if u.ndim > 2 or t.shape not in ((), (1,), u.shape[:1]):
+    allowed_shapes = (), (1,), u.shape[:1]
+    if u.ndim > 2 or t.shape not in allowed_shapes:
         raise ArgumentError(
             f"evaluate: timepts has shape {t.shape}, inputs {u.shape}; must be a time, or n "
             f"of them, and (n, {block.ninputs})"
         )
-    t = np.broadcast_to(t, len(u))
-    return on_arrays(block, "output", t, np.zeros((0, len(t))), u.T).T
+    times = np.broadcast_to(t, len(u))
+    no_states = np.zeros((0, len(u)))
+    outputs = on_arrays(block, "output", times, no_states, u.T)
+    return outputs.T

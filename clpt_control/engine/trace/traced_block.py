@@ -194,7 +194,7 @@ class ReadBlock(control.NonlinearIOSystem):
         return all(name.startswith(f"{__package__.partition('.')[0]}.") for name in modules)
 
     def read_anew(self) -> None:
-        """Trace the functions again, as values that they reference may have changed."""
+        """Trace the functions again, after a change of their values."""
         if self.of_package:
             return
         for role, old in list(self._records.items()):
