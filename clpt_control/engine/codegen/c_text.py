@@ -1,10 +1,10 @@
-"""Print the nests of a program as C99: the same loops and numbers as machine code has.
+"""C99 text of a program: the same loops and numbers as its machine code.
 
     static void rates_(double t, const double *x, const double *u, const double *p, ...)
     { const double v0 = x[0] - p[3]; for (int i0 = 0; i0 < 50; i0++) { ... } }
 
-A diagram is printed as it was written: nothing is prepared for a whole run, and no decision is
-locked.  Inputs are one array.  Intervals and jumps, which an integrator sets, are another, `kept`.
+The diagram is printed without preparation for a whole run and without locked decisions.  The inputs
+are one array.  Intervals and jumps, which an integrator sets, are another array, `kept`.
 """
 
 from collections.abc import Callable, Iterable, Iterator
@@ -41,7 +41,9 @@ class CRecord(DiagramRecord):
         """Return the numbers of an array from a place."""
         if array == "P" and offset in self.set_by_integrator:
             return super().load("I", self.set_by_integrator.index(offset), shape)
-        return super().load(array, self.place(offset) if array == "P" else offset, shape)
+        if array == "P":
+            offset = self.place(offset)
+        return super().load(array, offset, shape)
 
     def place(self, offset: int) -> int:
         """Return the place in `p` of a parameter in P."""
@@ -60,16 +62,16 @@ class CProgram:
         with deep():
             writes = {name: self.components.writes(*arguments) for name, arguments in ports.items()}
             plan = Planner(self.components)
-            nests = {name: plan.nests(arguments) for name, arguments in writes.items()}
-            self.functions = {
-                name: CPrinter(self, arguments).text for name, arguments in nests.items()
-            }
+            nests = {name: plan.nests(items) for name, items in writes.items()}
+            self.functions = {name: CPrinter(self, items).text for name, items in nests.items()}
 
     def function(self, name: str) -> str:
         """Return one function; `signals` writes into `w`, its argument, the others into `out`."""
         text = self.functions[name]
         into = "w" if name == "signals" else "out"
-        room = f"    double w[{self.components.room}];\n" if into == "out" and "w[" in text else ""
+        room = ""
+        if into == "out" and "w[" in text:
+            room = f"    double w[{self.components.room}];\n"
         names = (argument.split()[-1].strip("*") for argument in [*SIGNATURE.split(","), into])
         unused = "".join(f" (void){argument};" for argument in names)
         return f"static void {name}_({SIGNATURE}, double *{into}) {{\n   {unused}\n{room}{text}}}\n"
@@ -82,7 +84,8 @@ class CProgram:
         tables = np.concatenate([T, *self.components.tables])
         for array, values in (("T_", tables), ("K_", self.components.constants)):
             if array in text:
-                yield f"static const double {array}[] = {{{', '.join(map(c_number, values))}}};\n"
+                numbers = ", ".join(map(c_number, values))
+                yield f"static const double {array}[] = {{{numbers}}};\n"
 
 
 def c_number(value: float) -> str:
@@ -122,7 +125,8 @@ class CPrinter(LoopPrinter):
         text = printer()
         if self.location(component) is not None:
             return text
-        name = f"v{component}" + "".join(f"_{loop}" for loop in loops)
+        suffix = "".join(f"_{loop}" for loop in loops)
+        name = f"v{component}{suffix}"
         kind = "int" if self.components[component].name in CONDITIONS else "double"
         self.values[depth].append(indented(depth, f"const {kind} {name} = {text};"))
         return name

@@ -192,22 +192,22 @@ def numbers_of(*arguments: Any) -> np.ndarray:
 
 def flattened(arguments: tuple, numbers: list[Any]) -> list[Any]:
     """Return numbers, and behind them those that stand for arguments, one after the other."""
-    for one in arguments:
-        if isinstance(one, tuple):
-            flattened(one, numbers)
-        elif type(one) is np.ndarray:
-            flags = one.flags
-            if not flags.c_contiguous or one.dtype.char not in "dl":
-                raise TypeError(f"the solver takes no array of {one.dtype}, {one.strides}")
-            if not one.size:
+    for value in arguments:
+        if isinstance(value, tuple):
+            flattened(value, numbers)
+        elif type(value) is np.ndarray:
+            flags = value.flags
+            if not flags.c_contiguous or value.dtype.char not in "dl":
+                raise TypeError(f"the solver takes no array of {value.dtype}, {value.strides}")
+            if not value.size:
                 address = 0
-            elif flags.writeable:  # six times as quick as the other
-                address = addressof(c_char.from_buffer(one.data))
+            elif flags.writeable:  # six times as quick as `__array_interface__`
+                address = addressof(c_char.from_buffer(value.data))
             else:
-                address = one.__array_interface__["data"][0]
-            numbers += (0, 0, one.size, one.itemsize, address, *one.shape, *one.strides)
+                address = value.__array_interface__["data"][0]
+            numbers += (0, 0, value.size, value.itemsize, address, *value.shape, *value.strides)
         else:
-            numbers.append(one)
+            numbers.append(value)
     return numbers
 
 

@@ -25,10 +25,10 @@ Slices = dict[str, tuple[slice, Shape]]  # port -> its slice of a vector, and it
 
 def shapes_of(ports: Declared | None) -> dict[str, Shape]:
     """Return the shape of each port as a tuple."""
-    return {
-        port: tuple(size) if isinstance(size, tuple | list) else (size,)
-        for port, size in (ports or {}).items()
-    }
+    shapes = {}
+    for port, size in (ports or {}).items():
+        shapes[port] = tuple(size) if isinstance(size, tuple | list) else (size,)
+    return shapes
 
 
 def sized(name: str, shapes: Mapping[str, Shape], sizes: Mapping[str, int]) -> dict[str, Shape]:
@@ -52,9 +52,12 @@ def sizes_of(shapes: Mapping[str, Shape]) -> dict[str, int]:
 
 def places(shapes: Mapping[str, Shape]) -> Slices:
     """Return the slice of each port in the vector of all ports, and its shape."""
-    slices, stop = {}, 0
+    slices = {}
+    start = 0
     for port, shape in shapes.items():
-        slices[port] = slice(stop, stop := stop + prod(shape)), shape
+        stop = start + prod(shape)
+        slices[port] = slice(start, stop), shape
+        start = stop
     return slices
 
 
@@ -166,17 +169,19 @@ def ports_of(labels: Iterable[str]) -> dict[str, list[int]]:
     ports: dict[str, list[int]] = {}
     for index, label in enumerate(labels):
         port, _, number = label.rpartition("[")  # y[2][0] is of the port y[2], as of sys[2, :]
-        is_next = number == f"{len(ports.get(port, ()))}]"
-        ports.setdefault(port if is_next else label, []).append(index)
+        count = len(ports.get(port, ()))
+        name = port if number == f"{count}]" else label
+        ports.setdefault(name, []).append(index)
     return ports
 
 
 def whole_labels(labels: Iterable[str]) -> list[str]:
     """Return labels with a number for each signal: ``e, v[0]`` are ``e[0], v[0]``."""
-    whole: dict[int, str] = {}
+    numbered: dict[int, str] = {}
     for port, indices in ports_of(labels).items():
-        whole |= {index: f"{port}[{k}]" for k, index in enumerate(indices)}
-    return [whole[index] for index in range(len(whole))]
+        for k, index in enumerate(indices):
+            numbered[index] = f"{port}[{k}]"
+    return [numbered[index] for index in range(len(numbered))]
 
 
 # --- other names -------------------------------------------------------------------------------
